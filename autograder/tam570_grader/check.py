@@ -23,7 +23,18 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-__all__ = ["Check", "Failure", "Given", "Suspect", "check", "expect", "expect_that", "given", "once", "suspect"]
+__all__ = [
+    "Check",
+    "Failure",
+    "Given",
+    "Suspect",
+    "check",
+    "expect",
+    "expect_that",
+    "given",
+    "once",
+    "suspect",
+]
 
 T = TypeVar("T")
 

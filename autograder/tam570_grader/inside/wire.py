@@ -1,10 +1,13 @@
 """Data across the sandbox's boundary: msgpack, float arrays as raw bytes, and nothing that could become code."""
 
+import builtins
 from dataclasses import dataclass
 from typing import Any
 
 import msgpack
-import numpy as np
+from numpy import array, asarray, ascontiguousarray, frombuffer, generic, ndarray
+
+__builtins__ = dict(vars(builtins))  # what a submission does to the built-in functions must not reach these
 
 __all__ = ["Foreign", "Unreadable", "packed", "portable", "unpacked"]
 
@@ -51,36 +54,38 @@ def portable(value: Any, depth: int = 0) -> Any:
     if depth > DEEPEST:
         return Foreign("too deep a list")
     try:
-        return _portable_array(np.array(value))
+        return _portable_array(array(value))
     except (ValueError, _Objects):
         if isinstance(value, list | tuple):
             return [portable(item, depth + 1) for item in value]
-    return Foreign("an array of objects" if isinstance(value, np.ndarray) else type(value).__name__)
+    return Foreign("an array of objects" if isinstance(value, ndarray) else type(value).__name__)
 
 
 class _Objects(Exception):
     pass
 
 
-def _portable_array(array: Any) -> Any:
-    if array.dtype.kind == "O":
+def _portable_array(numbers: Any) -> Any:
+    if numbers.dtype.kind == "O":
         raise _Objects
-    if array.dtype.kind not in "fiubc":
+    if numbers.dtype.kind not in "fiubc":
         return Foreign("an array of strings")
-    if array.nbytes > LARGEST_ARRAY:
+    if numbers.nbytes > LARGEST_ARRAY:
         return Foreign("too large an array")
-    return array.astype("<c16" if array.dtype.kind == "c" else "<f8")
+    return numbers.astype("<c16" if numbers.dtype.kind == "c" else "<f8")
 
 
 def _extension(value: Any) -> msgpack.ExtType:
     if isinstance(value, Foreign):
         return msgpack.ExtType(FOREIGN, value.kind.encode())
-    if isinstance(value, np.ndarray):
-        value = np.ascontiguousarray(value, value.dtype if value.dtype.str in TYPES else "<f8").reshape(value.shape)
+    if isinstance(value, ndarray):
+        value = ascontiguousarray(value, value.dtype if value.dtype.str in TYPES else "<f8").reshape(
+            value.shape
+        )
         header = msgpack.packb((value.dtype.str, value.shape))
         return msgpack.ExtType(ARRAY, header + value.tobytes())
-    if isinstance(value, np.generic):
-        return _extension(np.asarray(value))
+    if isinstance(value, generic):
+        return _extension(asarray(value))
     raise TypeError(f"{type(value).__name__} does not cross the boundary")
 
 
@@ -95,4 +100,4 @@ def _known(code: int, data: bytes) -> Any:
     kind, shape = header.unpack()
     if kind not in TYPES or len(shape) > 8:
         raise Unreadable("an array's header")
-    return np.frombuffer(data, kind, offset=header.tell()).reshape(shape)
+    return frombuffer(data, kind, offset=header.tell()).reshape(shape)

@@ -1,0 +1,107 @@
+"""The results of a run on disk: one line each, safe from a kill at any moment, found again by the next run."""
+
+import csv
+import fcntl
+import io
+import json
+import os
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+__all__ = ["Book", "BookError", "Record"]
+
+Record = dict[str, Any]  # a result line, with "digest": of all that the result depends on
+
+
+class BookError(Exception):
+    """The folder cannot hold results; the message says what to do."""
+
+
+class Book:
+    """`results.jsonl` and `grades.csv` in a folder."""
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+            self._file = open(folder / "results.jsonl", "a+b")  # noqa: SIM115  open as long as the book
+        except OSError as error:
+            raise BookError(f"cannot write results to {folder}: {error.strerror}") from None
+        try:
+            fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError:
+            raise BookError(f"another run is writing to {folder}") from None
+        self._records = self._read()
+
+    @property
+    def seed(self) -> int | None:
+        """The seed of the results that are there."""
+        return next((int(record["seed"]) for record in reversed(self._records.values())), None)
+
+    def known(self, digest: str) -> Record | None:
+        """The result with this digest."""
+        return next((record for record in self._records.values() if record.get("digest") == digest), None)
+
+    def add(self, record: Record) -> None:
+        """Write a result down; when this returns, it is on the disk."""
+        self._file.write(json.dumps(record).encode() + b"\n")
+        self._file.flush()
+        os.fsync(self._file.fileno())
+        self._records[_key(record)] = record
+
+    def records(self) -> list[Record]:
+        """The newest result of every student and assignment, in order."""
+        return [self._records[key] for key in sorted(self._records)]
+
+    def close(self) -> None:
+        """Write the table of grades, and drop the lines that newer ones have replaced."""
+        written(self._folder / "grades.csv", grades(self.records()))
+        self._file.seek(0)
+        if self._file.read().count(b"\n") > len(self._records):
+            lines = "".join(json.dumps(record) + "\n" for record in self._records.values())
+            written(self._folder / "results.jsonl", lines)
+        self._file.close()
+
+    def _read(self) -> dict[tuple[str, str], Record]:
+        """The results by student and assignment; a last line that a kill cut short is taken away."""
+        self._file.seek(0)
+        data = self._file.read()
+        whole = data[: data.rfind(b"\n") + 1]
+        self._file.truncate(len(whole))
+        try:
+            records = [json.loads(line) for line in whole.splitlines()]
+            return {_key(record): record for record in records}
+        except (ValueError, TypeError, KeyError):
+            path = self._folder / "results.jsonl"
+            raise BookError(f"{path} holds a line that is no result; move the file away") from None
+
+
+def written(path: Path, text: str) -> None:
+    """Put the text in place of the file, whole or not at all."""
+    draft = path.with_name(path.name + ".new")
+    with open(draft, "w", encoding="utf-8", newline="") as file:
+        file.write(text)
+        file.flush()
+        os.fsync(file.fileno())
+    os.replace(draft, path)
+
+
+def grades(records: Iterable[Record]) -> str:
+    """A table for a spreadsheet: a row for each student and assignment."""
+    table = io.StringIO()
+    columns = ("student", "assignment", "status", "score", "max_score")
+    writer = csv.writer(table)
+    writer.writerow(columns)
+    for record in records:
+        writer.writerow([_cell(record[column]) for column in columns])
+    return table.getvalue()
+
+
+def _cell(value: Any) -> Any:
+    """A value that no spreadsheet takes for a formula."""
+    return f"'{value}" if isinstance(value, str) and value.startswith(("=", "+", "-", "@", "\t")) else value
+
+
+def _key(record: Record) -> tuple[str, str]:
+    return str(record["student"]), str(record["assignment"])

@@ -1,0 +1,251 @@
+"""The instructor's command, `tam570-grader`."""
+
+import argparse
+import json
+import os
+import secrets
+import sys
+from collections.abc import Callable, Iterable, Iterator
+from pathlib import Path
+from typing import Any
+
+__all__ = ["main"]
+
+INTERRUPTED = 130
+
+
+class Usage(Exception):
+    """Something on the command line is wrong; the message names it and the remedy."""
+
+
+def main(argv: list[str] | None = None) -> int:
+    """Run the command; the exit code is 0 (done), 1 (the grader failed), 2 (bad usage) or 130 (interrupted)."""
+    arguments = _parser().parse_args(argv)
+    command: Callable[[argparse.Namespace], int] = arguments.command
+    try:
+        return command(arguments)
+    except KeyboardInterrupt:
+        print("\ntam570-grader: interrupted; what was finished is kept", file=sys.stderr)
+        return INTERRUPTED
+    except BrokenPipeError:
+        os.dup2(
+            os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno()
+        )  # the reader has gone; nothing more to say
+        return 0
+    except Exception as error:
+        if type(error).__name__ not in ("Usage", "BadPath", "BookError", "NoCourse"):
+            raise
+        print(f"tam570-grader: error: {error}", file=sys.stderr)
+        return 2
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(prog="tam570-grader", description="Grade the assignments of the course.")
+    parser.add_argument(
+        "--root", metavar="DIR", help="the course (default: the checkout you are in, or the installed one)"
+    )
+    commands = parser.add_subparsers(required=True, metavar="COMMAND")
+    _add_grade(commands)
+    _add_stubs(commands)
+    _add_kit(commands)
+    return parser
+
+
+def _add_grade(commands: Any) -> None:
+    grade = commands.add_parser(
+        "grade",
+        help="grade submissions",
+        description="Grade modules, notebooks, their folders, or a tree of submissions <student>/<assignment>/.",
+        epilog="The exit code is 0 when grading worked, whatever the scores; 1 when the grader failed; 2 on bad usage.",
+    )
+    grade.set_defaults(command=_grade)
+    grade.add_argument(
+        "paths", nargs="+", type=Path, metavar="PATH", help="a module, a notebook, a folder or a tree"
+    )
+    grade.add_argument(
+        "--out", type=Path, metavar="DIR", help="write results.jsonl, grades.csv and feedback there"
+    )
+    grade.add_argument(
+        "--json", action="store_true", help="print a JSON object for each submission, one a line"
+    )
+    grade.add_argument(
+        "--seed",
+        type=_natural,
+        metavar="S",
+        help="of the hidden inputs (default: that of --out, else random)",
+    )
+    grade.add_argument(
+        "--jobs", type=_positive, metavar="N", default=_cores(), help="workers (default: %(default)s)"
+    )
+    grade.add_argument("--assignment", metavar="SLUG", help="which one it is, where the names do not tell")
+    grade.add_argument("--only", nargs="+", metavar="SLUG", help="grade these assignments alone")
+    grade.add_argument(
+        "--memory",
+        type=_positive,
+        metavar="MIB",
+        default=1024,
+        help="for a submission (default: %(default)s)",
+    )
+    grade.add_argument(
+        "--cpu",
+        type=_positive,
+        metavar="S",
+        default=60,
+        help="CPU seconds for a submission (default: %(default)s)",
+    )
+    grade.add_argument(
+        "--call",
+        type=_positive,
+        metavar="S",
+        default=10,
+        help="CPU seconds for a call (default: %(default)s)",
+    )
+    grade.add_argument(
+        "--processes", type=_positive, metavar="N", default=1, help="for a submission (default: %(default)s)"
+    )
+    grade.add_argument("--root", metavar="DIR", default=argparse.SUPPRESS, help=argparse.SUPPRESS)
+
+
+def _add_stubs(commands: Any) -> None:
+    stubs = commands.add_parser("stubs", help="make the students' stubs from the solutions")
+    stubs.set_defaults(command=_stubs)
+    stubs.add_argument("--check", action="store_true", help="write nothing; exit 1 if a stub is out of date")
+
+
+def _add_kit(commands: Any) -> None:
+    kit = commands.add_parser("kit", help="make what students install and start from")
+    kit.set_defaults(command=_kit)
+    kit.add_argument("folder", type=Path, metavar="DIR", help="where to put it")
+
+
+def _grade(arguments: argparse.Namespace) -> int:
+    from tam570_grader import feedback, root
+    from tam570_grader.book import Book
+    from tam570_grader.run import Plan, records
+    from tam570_grader.sandbox import Allowance
+
+    _must_be_posix()
+    course = root.find(arguments.root)
+    known = root.slugs(course)
+    found = _submissions(arguments, known)
+    book = Book(arguments.out) if arguments.out else None
+    seed = next(
+        s for s in (arguments.seed, book.seed if book else None, secrets.randbelow(2**31)) if s is not None
+    )
+    allowance = Allowance(arguments.memory * 2**20, arguments.cpu, arguments.call, arguments.processes)
+    hidden = [
+        course,
+        *(path.resolve() for path in arguments.paths),
+        *([arguments.out.resolve()] if book else []),
+    ]
+    _warn_of_isolation()
+    done = []
+    try:
+        for record in _with_progress(
+            records(Plan(course, found, seed, arguments.jobs, allowance, hidden), book), len(found)
+        ):
+            done.append(record)
+            if arguments.json:
+                print(json.dumps(record), flush=True)
+    except BrokenPipeError:
+        raise
+    except OSError as error:
+        print(f"tam570-grader: error: {error}; {len(done)} results are kept", file=sys.stderr)
+        return 1
+    finally:
+        if book:
+            book.close()
+    if book:
+        lines = {slug: {c.name: c.line for c in root.assignment(course, slug).checks} for slug in known}
+        feedback.write_pages(arguments.out / "feedback", book.records(), lines)
+    if not arguments.json:
+        print(feedback.table(sorted(done, key=lambda record: (record["assignment"], record["student"]))))
+    return _exit_code(done)
+
+
+def _submissions(arguments: argparse.Namespace, known: list[str]) -> list[Any]:
+    from tam570_grader.root import slug_of
+    from tam570_grader.submissions import submissions
+
+    def slug(name: str) -> str:
+        found = slug_of(name, known)
+        if found is None:
+            raise Usage(f"there is no assignment {name!r}; there are: {', '.join(known)}")
+        return found
+
+    given = slug(arguments.assignment) if arguments.assignment else None
+    only = [slug(name) for name in arguments.only or known]
+    found = [one for one in submissions(arguments.paths, known, given) if one.slug in only]
+    if not found:
+        raise Usage(f"there is no submission of {', '.join(only)} at these paths")
+    return found
+
+
+def _exit_code(done: list[dict[str, Any]]) -> int:
+    failed = [r for r in done if r["score"] is None]
+    for record in failed:
+        errors = {mark["detail"]["error"] for mark in record["checks"] if mark["outcome"] == "grader_error"}
+        print(
+            f"tam570-grader: the grader failed on {record['student']} {record['assignment']}: {'; '.join(errors)}",
+            file=sys.stderr,
+        )
+    return 1 if failed else 0
+
+
+def _with_progress(records: Iterable[Any], total: int) -> Iterator[Any]:
+    """The records, with a bar on a terminal."""
+    if not sys.stderr.isatty():
+        yield from records
+        return
+    from tqdm import tqdm
+
+    yield from tqdm(records, total=total, unit="submission", leave=False, delay=1.0)
+
+
+def _warn_of_isolation() -> None:
+    from tam570_grader.sandbox import isolation
+
+    if isolation() != "bubblewrap":
+        print(
+            "tam570-grader: warning: no bubblewrap or no namespaces here: submissions run as plain processes with limits, "
+            "and can read files and use the network; grade only students whom you trust",
+            file=sys.stderr,
+        )
+
+
+def _stubs(arguments: argparse.Namespace) -> int:
+    from tam570_grader import root, stubs
+
+    return stubs.run(root.find(arguments.root), check=arguments.check)
+
+
+def _kit(arguments: argparse.Namespace) -> int:
+    from tam570_grader import kit, root
+
+    return kit.run(root.find(arguments.root), arguments.folder)
+
+
+def _must_be_posix() -> None:
+    if os.name != "posix":
+        raise Usage("grading needs Linux or macOS; on Windows, use WSL")
+
+
+def _cores() -> int:
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def _natural(text: str) -> int:
+    if not text.isdecimal():
+        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number from 0 on")
+    return int(text)
+
+
+def _positive(text: str) -> int:
+    number = _natural(text)
+    if number == 0:
+        raise argparse.ArgumentTypeError("must be at least 1")
+    return number
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,129 @@
+"""Calls a student's function and makes plain data of what it returns: numbers, values of a formula, or a drawing."""
+
+import builtins
+import random
+from collections.abc import Callable, Mapping
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+import numpy.random  # before the fork: NumPy puts it off until it is used
+
+from .wire import LARGEST_ARRAY, packed, portable
+
+__all__ = ["answer", "error_report"]
+
+# What a submission does to the built-in functions must not reach the functions below: they look names up here.
+__builtins__ = dict(vars(builtins))
+
+LONGEST_TEXT = 300
+MOST_LINES = 500
+
+
+def answer(
+    module: ModuleType, request: Mapping[str, Any], args: list[Any], kwargs: dict[str, Any]
+) -> dict[str, Any]:
+    """The reply to one call: {"value": ...}, with "changed" if the function changed its arguments, or {"error": ...}."""
+    try:
+        function = getattr(module, request["function"])
+        before = packed([args, kwargs])
+        value = MODES[request["mode"]](function, args, kwargs, request)
+        return {"value": value, "changed": _bytes_of(args, kwargs) != before}
+    except BaseException as error:
+        return {"error": error_report(error)}
+
+
+def error_report(error: BaseException) -> dict[str, Any]:
+    """What is known of an exception: the names of its classes, its text, and where in the student's file it arose."""
+    line, trace = 0, error.__traceback__
+    while trace is not None:
+        if not trace.tb_frame.f_code.co_filename.startswith(("/", "<")):
+            line = trace.tb_lineno
+        trace = trace.tb_next
+    if isinstance(error, SyntaxError):
+        line = error.lineno or 0
+    return {
+        "kinds": [kind.__name__[:50] for kind in type(error).__mro__[:20]],
+        "text": _text(error),
+        "line": line,
+    }
+
+
+def seed_generators() -> None:
+    """The global random generators start alike in every submission, so that its score can be reproduced."""
+    random.seed(0)
+    np.random.seed(0)  # noqa: NPY002  the global state is what students use
+
+
+def _text(error: BaseException) -> str:
+    try:
+        return str(error)[:LONGEST_TEXT]
+    except BaseException:
+        return ""
+
+
+def _bytes_of(args: list[Any], kwargs: dict[str, Any]) -> bytes:
+    try:
+        return packed([args, kwargs])
+    except BaseException:
+        return b""  # no longer what was given
+
+
+def _value(function: Callable[..., Any], args: list[Any], kwargs: dict[str, Any], request: Any) -> Any:
+    return portable(function(*args, **kwargs))
+
+
+def _formula(function: Callable[..., Any], args: list[Any], kwargs: dict[str, Any], request: Any) -> Any:
+    """Values of the SymPy expression that the function returns, at the request's points; symbols go by their names."""
+    import sympy
+
+    expression = function(*args, **kwargs)
+    if not isinstance(expression, sympy.Expr | int | float):
+        return portable(expression if isinstance(expression, str) else object())
+    expression = sympy.sympify(expression).doit()
+    symbols = {symbol: symbol.name for symbol in expression.free_symbols}
+    if not set(symbols.values()) <= set(request["symbols"]) or expression.has(
+        sympy.Function("f").func.__base__
+    ):
+        return {"stranger": True}
+    return [
+        _number(expression, {s: point[name] for s, name in symbols.items()}) for point in request["points"]
+    ]
+
+
+def _number(expression: Any, point: dict[Any, float]) -> Any:
+    return portable(complex(expression.evalf(25, subs=point)))
+
+
+def _drawing(function: Callable[..., Any], args: list[Any], kwargs: dict[str, Any], request: Any) -> Any:
+    """What the function draws on the Axes it is given: lines and scatters as points, labels, aspect."""
+    from matplotlib.figure import Figure
+
+    axes = Figure().subplots()
+    function(axes, *args, **kwargs)
+    lines = [(line.get_xydata(), line.get_label(), False) for line in axes.lines[:MOST_LINES]]
+    for collection in axes.collections[:MOST_LINES]:
+        if hasattr(collection, "get_segments"):
+            lines += [
+                (points, collection.get_label(), False) for points in collection.get_segments()[:MOST_LINES]
+            ]
+        else:
+            lines.append((collection.get_offsets(), collection.get_label(), True))
+    if sum(np.size(points) for points, _, _ in lines) * 8 > LARGEST_ARRAY:
+        return {"stranger": True}
+    return {
+        "lines": [
+            {"points": _real(points), "label": str(label)[:LONGEST_TEXT], "scatter": scatter}
+            for points, label, scatter in lines
+        ],
+        "xlabel": str(axes.get_xlabel())[:LONGEST_TEXT],
+        "ylabel": str(axes.get_ylabel())[:LONGEST_TEXT],
+        "equal_aspect": axes.get_aspect() in (1, 1.0, "equal"),
+    }
+
+
+def _real(points: Any) -> Any:
+    return np.ma.filled(np.ma.asarray(points, float), np.nan).reshape(-1, 2)
+
+
+MODES = {"value": _value, "formula": _formula, "drawing": _drawing}

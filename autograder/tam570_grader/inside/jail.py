@@ -1,0 +1,204 @@
+"""The jail of one submission: namespaces of its own, limits, another user, no capabilities.
+
+    guard    unshares namespaces, forks the prisoner, holds the leash
+    prisoner confines itself, then serves calls to the student's functions; process 1 of its namespace
+
+Where namespaces are not to be had, the limits and the process group remain.
+"""
+
+import ctypes
+import os
+import resource
+import select
+import signal
+import socket
+import time
+from dataclasses import dataclass
+
+__all__ = ["Limits", "confine", "hidden_from_debuggers", "secede", "watch"]
+
+LIBC = ctypes.CDLL(None, use_errno=True)
+NEW_MOUNTS, NEW_IPC, NEW_USER, NEW_PROCESSES = 0x20000, 0x8000000, 0x10000000, 0x20000000
+PRIVATE, NO_SUID, NO_DEVICES, READ_ONLY = 0x44000, 2, 4, 1  # mount flags; private is recursive
+DIE_WITH_PARENT, DUMPABLE, SUBREAPER, NO_NEW_PRIVILEGES = 1, 4, 36, 38  # prctl options
+CAPABILITY_VERSION = 0x20080522
+CHANNEL = 3  # the prisoner's only file besides /dev/null
+POLL = 0.02  # s between looks at a prisoner that may have ended
+
+
+@dataclass(frozen=True)
+class Limits:
+    """What one submission may use."""
+
+    cpu: int  # s
+    memory: int  # bytes, beyond what the worker itself has
+    file_size: int  # bytes, of a file and of all files together
+    processes: int
+    namespaces: bool
+    user: int | None  # the id to change to, under root
+
+
+def secede(limits: Limits) -> None:
+    """Leave the worker's namespaces; without root, as root of a user namespace of our own."""
+    flags = NEW_MOUNTS | NEW_IPC | NEW_PROCESSES
+    if limits.user is not None:
+        _must(LIBC.unshare(flags), "unshare")
+        return
+    user, group = os.getuid(), os.getgid()
+    LIBC.prctl(DUMPABLE, 1, 0, 0, 0)  # the maps below belong to root while we are not dumpable
+    _must(LIBC.unshare(flags | NEW_USER), "unshare")
+    for name, line in (
+        ("setgroups", "deny"),
+        ("uid_map", f"{user} {user} 1"),
+        ("gid_map", f"{group} {group} 1"),
+    ):
+        with open(f"/proc/self/{name}", "w") as file:
+            file.write(line)
+    hidden_from_debuggers()
+
+
+def confine(limits: Limits, channel: int, folder: str) -> None:
+    """Make this process the prisoner: its own file system, one channel, limits, no privilege."""
+    if limits.namespaces:
+        _own_files(limits)
+    else:
+        os.setsid()
+        os.chdir(folder)
+    _only(channel)
+    _limit(limits)
+    if limits.user is not None:
+        os.setgroups([])
+        os.setresgid(limits.user, limits.user, limits.user)
+        os.setresuid(limits.user, limits.user, limits.user)
+    if hasattr(LIBC, "prctl"):
+        _no_capabilities()
+        LIBC.prctl(NO_NEW_PRIVILEGES, 1, 0, 0, 0)
+        LIBC.prctl(DIE_WITH_PARENT, signal.SIGKILL, 0, 0, 0)
+        hidden_from_debuggers()
+
+
+def hidden_from_debuggers() -> None:
+    """No other process of the same user may read this one's memory."""
+    if hasattr(LIBC, "prctl"):
+        LIBC.prctl(DUMPABLE, 0, 0, 0, 0)
+
+
+def watch(prisoner: int, leash: socket.socket, group: bool) -> None:
+    """Until the prisoner ends: answer b"c" with its CPU seconds; kill it on b"k" or when the leash is dropped.
+
+    The last message on the leash is "status cpu": the wait status and the CPU seconds used.
+    """
+    if group and hasattr(LIBC, "prctl"):
+        LIBC.prctl(SUBREAPER, 1, 0, 0, 0)
+    while True:
+        ended, status, usage = os.wait4(prisoner, os.WNOHANG)
+        if ended:
+            break
+        if select.select([leash], [], [], POLL)[0]:
+            _obey(leash.recv(1), prisoner, leash, group)
+    _reap(group)
+    _tell(leash, f"{status} {usage.ru_utime + usage.ru_stime:.6f}\n")
+
+
+def _obey(order: bytes, prisoner: int, leash: socket.socket, group: bool) -> None:
+    if order == b"c":
+        _tell(leash, f"{_cpu_seconds(prisoner):.6f}\n")
+        return
+    if group:
+        _kill_group(prisoner)
+    os.kill(prisoner, signal.SIGKILL)
+    if not order:
+        time.sleep(POLL)  # the leash stays readable; do not spin until the prisoner is gone
+
+
+def _kill_group(prisoner: int) -> None:
+    try:
+        os.killpg(prisoner, signal.SIGKILL)
+    except OSError:
+        pass  # it has not made its group yet, or has gone
+
+
+def _reap(group: bool) -> None:
+    """Kill what the prisoner left behind; in a process namespace the kernel has done so."""
+    while group:
+        try:
+            children = open(f"/proc/self/task/{os.getpid()}/children").read().split()
+        except OSError:
+            return
+        if not children:
+            return
+        for child in children:
+            os.kill(int(child), signal.SIGKILL)
+        os.wait()
+
+
+def _tell(leash: socket.socket, line: str) -> None:
+    try:
+        leash.sendall(line.encode())
+    except OSError:
+        pass  # nobody listens any more
+
+
+def _cpu_seconds(pid: int) -> float:
+    try:
+        return time.clock_gettime(
+            (~pid << 3) | 2
+        )  # the clock that clock_getcpuclockid(3) gives for a process
+    except OSError:
+        return 0.0
+
+
+def _own_files(limits: Limits) -> None:
+    """A scratch folder of our own, and no view of any process."""
+    _must(LIBC.mount(b"none", b"/", None, PRIVATE, None), "mount /")
+    scratch = f"size={limits.file_size},nr_inodes=1000,mode=1777".encode()
+    _must(LIBC.mount(b"scratch", b"/tmp", b"tmpfs", NO_SUID | NO_DEVICES, scratch), "mount /tmp")
+    _must(LIBC.mount(b"empty", b"/proc", b"tmpfs", READ_ONLY, b"size=0"), "mount /proc")
+    os.chdir("/tmp")
+
+
+def _only(channel: int) -> None:
+    """Close every file but the channel, which becomes CHANNEL; input, output and errors go nowhere."""
+    nowhere = os.open(os.devnull, os.O_RDWR)
+    os.dup2(channel, CHANNEL) if channel != CHANNEL else None
+    for standard in range(3):
+        os.dup2(nowhere, standard)
+    os.closerange(CHANNEL + 1, resource.getrlimit(resource.RLIMIT_NOFILE)[0])
+
+
+def _limit(limits: Limits) -> None:
+    for what, most in (
+        (resource.RLIMIT_CPU, limits.cpu),
+        (resource.RLIMIT_FSIZE, limits.file_size),
+        (resource.RLIMIT_NOFILE, 64),
+        (resource.RLIMIT_CORE, 0),
+        (resource.RLIMIT_AS, limits.memory + _address_space()),
+        (resource.RLIMIT_NPROC, limits.processes if limits.namespaces or limits.user is not None else None),
+    ):
+        if most is not None:
+            resource.setrlimit(what, (most, most))
+
+
+def _address_space() -> int:
+    """Bytes of address space in use; 0 where the system does not tell."""
+    try:
+        with open("/proc/self/statm") as file:
+            return int(file.read().split()[0]) * resource.getpagesize()
+    except OSError:
+        return 0
+
+
+class _Header(ctypes.Structure):
+    _fields_ = [("version", ctypes.c_uint32), ("pid", ctypes.c_int)]
+
+
+def _no_capabilities() -> None:
+    _must(
+        LIBC.capset(ctypes.byref(_Header(CAPABILITY_VERSION, 0)), ctypes.byref((ctypes.c_uint32 * 6)())),
+        "capset",
+    )
+
+
+def _must(result: int, what: str) -> None:
+    if result != 0:
+        raise OSError(ctypes.get_errno(), f"{what}: {os.strerror(ctypes.get_errno())}")

@@ -1,0 +1,151 @@
+"""The warm worker: imports once what the assignments need, then forks a guard and a prisoner for each submission.
+
+It is told of a submission only by two sockets, the channel to the prisoner and the leash of the guard; the
+submission itself goes through the channel, so that no later fork can find an earlier student's work in memory.
+"""
+
+import gc
+import importlib
+import json
+import os
+import shutil
+import signal
+import socket
+import struct
+import sys
+import tempfile
+import traceback
+from typing import Any
+
+from . import jail
+from .answer import answer, error_report, seed_generators
+from .load import forbid_in_calls, load
+from .wire import packed, unpacked
+
+__all__ = ["main"]
+
+LENGTH = struct.Struct(">I")
+
+
+def main() -> None:
+    """Serve the supervisor at the other end of the socket that the first argument names."""
+    settings = json.loads(sys.argv[1])
+    control = socket.socket(fileno=settings["control"])
+    for name in settings["preload"]:
+        importlib.import_module(name)
+    jail.hidden_from_debuggers()
+    signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # guards are reaped by the kernel
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the supervisor decides what an interrupt ends
+    gc.collect()
+    gc.freeze()
+    control.sendall(b"ready")
+    while True:
+        order, files, _, _ = socket.recv_fds(control, LENGTH.size, 2)
+        if not order:
+            return
+        if os.fork() == 0:
+            control.close()
+            _guard(files, jail.Limits(cpu=LENGTH.unpack(order)[0], **settings["limits"]))
+        for file in files:
+            os.close(file)
+
+
+def _guard(files: list[int], limits: jail.Limits) -> None:
+    """Fork the prisoner and watch it; never returns."""
+    channel, leash = (socket.socket(fileno=file) for file in files)
+    signal.signal(signal.SIGCHLD, signal.SIG_DFL)
+    folder = "/tmp" if limits.namespaces else tempfile.mkdtemp(prefix="tam570-")
+    try:
+        if limits.namespaces:
+            jail.secede(limits)
+        elif limits.user is not None:
+            os.chown(folder, limits.user, limits.user)
+        prisoner = os.fork()
+        if prisoner == 0:
+            _serve(channel, limits, folder)
+        channel.close()
+        jail.watch(prisoner, leash, group=not limits.namespaces)
+    except Exception:
+        traceback.print_exc()
+    finally:
+        if not limits.namespaces:
+            shutil.rmtree(folder, ignore_errors=True)
+        os._exit(0)
+
+
+def _serve(channel: socket.socket, limits: jail.Limits, folder: str) -> None:
+    """Be the prisoner: load the submission, then answer calls; never returns."""
+    try:
+        jail.confine(limits, channel.detach(), folder)
+        seed_generators()
+        module = None
+        while True:
+            request = _received()
+            if "source" in request:
+                module = _loaded(request)
+            else:
+                _answer_all(module, request)
+    except Exception:
+        traceback.print_exc()  # a fault of ours; after the jail is shut nobody hears it
+    finally:
+        os._exit(0)
+
+
+def _loaded(request: dict[str, Any]) -> Any:
+    """Import the submission, and report the contract's functions that it defines."""
+    try:
+        forbid_in_calls(request["uncallable"])
+        module, skipped = load(
+            request["source"], request["name"], notebook=request["notebook"], forbidden=request["forbidden"]
+        )
+        defined = [name for name in request["functions"] if callable(getattr(module, name, None))]
+        _send({"defined": defined, "skipped": skipped})
+        return module
+    except BaseException as error:
+        _send({"error": error_report(error)})
+        return None
+
+
+def _answer_all(module: Any, request: dict[str, Any]) -> None:
+    """One reply for each call; after an error the rest is not computed."""
+    for args, kwargs in request["calls"]:
+        reply = answer(
+            module, request, [_own(arg) for arg in args], {key: _own(arg) for key, arg in kwargs.items()}
+        )
+        _send(reply)
+        if "error" in reply:
+            return
+
+
+def _own(argument: Any) -> Any:
+    """A writable copy of an array; a list of tuples of a list of lists."""
+    if isinstance(argument, list):
+        return [tuple(item) if isinstance(item, list) else item for item in argument]
+    return argument.copy() if hasattr(argument, "copy") else argument
+
+
+def _received() -> dict[str, Any]:
+    (size,) = LENGTH.unpack(_exactly(LENGTH.size))
+    request: dict[str, Any] = unpacked(_exactly(size))
+    return request
+
+
+def _exactly(size: int) -> bytes:
+    data = bytearray()
+    while len(data) < size:
+        chunk = os.read(jail.CHANNEL, size - len(data))
+        if not chunk:
+            os._exit(0)  # the supervisor has gone
+        data += chunk
+    return bytes(data)
+
+
+def _send(reply: dict[str, Any]) -> None:
+    data = packed(reply)
+    data = memoryview(LENGTH.pack(len(data)) + data)
+    while data:
+        data = data[os.write(jail.CHANNEL, data) :]
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,90 @@
+"""Where the course is: the checkout with its assignments, solutions and checks, and what is loaded from it by path."""
+
+import functools
+import importlib.util
+import re
+import sys
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import tam570
+from tam570_grader.check import Check
+from tam570_grader.returns import Promise
+
+__all__ = ["Assignment", "NoCourse", "assignment", "find", "slug_of", "slugs", "solution"]
+
+
+class NoCourse(Exception):
+    """There is no course here, or no such assignment in it; the message says what to do."""
+
+
+@dataclass(frozen=True)
+class Assignment:
+    """An assignment as the grader needs it."""
+
+    slug: str
+    checks: tuple[Check, ...]
+    results: Mapping[str, Promise]
+    needs: Sequence[str]
+    off_limits: Mapping[str, Sequence[str]]
+    source: bytes  # of the checks file
+
+    @property
+    def max_score(self) -> float:
+        return round(sum(check.points for check in self.checks), 6)
+
+
+def find(given: str | Path | None = None) -> Path:
+    """The course's root: as given, else a checkout above the working directory, else that of an editable install."""
+    if given is not None:
+        places = [Path(given).resolve()]
+    else:
+        places = [Path.cwd(), *Path.cwd().parents, *Path(tam570.__file__).resolve().parents[1:3]]
+    for place in places:
+        if (place / "autograder" / "checks").is_dir() and (place / "solutions").is_dir():
+            return place
+    where = f"{given} is no course" if given is not None else "there is no course here"
+    raise NoCourse(f"{where}: no autograder/checks and solutions; name a checkout of the course with --root")
+
+
+def slugs(root: Path) -> list[str]:
+    """The assignments that have checks, in order."""
+    return sorted(path.stem for path in (root / "autograder" / "checks").glob("hw*.py"))
+
+
+def slug_of(name: str, known: Sequence[str]) -> str | None:
+    """The assignment that a file's or folder's name stands for: hw07, hw07_double_pendulum, hw07-final, ..."""
+    if name in known:
+        return name
+    number = re.match(r"hw\d\d(?!\d)", name, re.IGNORECASE)
+    return next((slug for slug in known if number and slug.startswith(number[0].lower() + "_")), None)
+
+
+@functools.cache
+def assignment(root: Path, slug: str) -> Assignment:
+    """The assignment's checks and promises, loaded from its checks file."""
+    if slug not in slugs(root):
+        raise NoCourse(f"there is no assignment {slug!r}; there are: {', '.join(slugs(root))}")
+    path = root / "autograder" / "checks" / f"{slug}.py"
+    module = _loaded(path, f"_checks_{slug}")
+    checks = tuple(value for value in vars(module).values() if isinstance(value, Check))
+    off_limits: dict[str, Sequence[str]] = getattr(module, "OFF_LIMITS", {})
+    return Assignment(slug, checks, module.RESULTS, module.NEEDS, off_limits, path.read_bytes())
+
+
+def solution(slug: str, root: Path | None = None) -> Any:
+    """The reference solution as a module of its own."""
+    return _loaded((root or find()) / "solutions" / f"{slug}.py", f"_solution_{slug}")
+
+
+def _loaded(path: Path, name: str) -> ModuleType:
+    spec = importlib.util.spec_from_file_location(name, path)
+    if spec is None or spec.loader is None:
+        raise NoCourse(f"{path} cannot be loaded")
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[name] = module
+    spec.loader.exec_module(module)
+    return module

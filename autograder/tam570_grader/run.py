@@ -1,0 +1,129 @@
+"""A run of the grader: workers, one for each job; what is known already is not graded again."""
+
+import hashlib
+import queue
+from collections.abc import Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor, as_completed
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+import tam570
+from tam570_grader import root
+from tam570_grader.book import Book, Record
+from tam570_grader.grade import Result, failed_by_us, graded, not_graded
+from tam570_grader.root import Assignment
+from tam570_grader.sandbox import Allowance, Worker, WorkerLost
+from tam570_grader.student import Source
+from tam570_grader.submissions import CannotRead, Submission, read
+
+__all__ = ["Plan", "records"]
+
+TRIES = 3  # workers that a submission may see die under it before we give up
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What is graded and how."""
+
+    course: Path
+    submissions: Sequence[Submission]
+    seed: int
+    jobs: int
+    allowance: Allowance
+    hidden: Sequence[Path] = ()
+
+
+def records(plan: Plan, book: Book | None = None) -> Iterator[Record]:
+    """The result lines, each as soon as it is there and written into the book."""
+    engine = _engine_digest(plan)
+    fresh: list[tuple[Submission, Source | CannotRead, str]] = []
+    for submission in plan.submissions:
+        source = _source(submission)
+        digest = _digest(engine, plan, submission, source)
+        known = book.known(digest) if book else None
+        if known:
+            yield known
+        else:
+            fresh.append((submission, source, digest))
+    for result, digest in _results(plan, fresh):
+        record = {**result.record(), "digest": digest}
+        if book:
+            book.add(record)
+        yield record
+
+
+def _results(
+    plan: Plan, fresh: list[tuple[Submission, Source | CannotRead, str]]
+) -> Iterator[tuple[Result, str]]:
+    """Grade on as many workers as there are jobs; an interrupt ends them all."""
+    preload = sorted({name for submission, *_ in fresh for name in _assignment(plan, submission).needs})
+    jobs = min(plan.jobs, len(fresh))
+    workers: queue.SimpleQueue[Worker] = queue.SimpleQueue()
+    everyone = [Worker(preload, plan.allowance, plan.hidden) for _ in range(jobs)]
+    for worker in everyone:
+        workers.put(worker)
+
+    def grade(submission: Submission, source: Source | CannotRead) -> Result:
+        assignment = _assignment(plan, submission)
+        if isinstance(source, CannotRead):
+            status = "missing" if submission.path is None else "unreadable"
+            return not_graded(submission.student, assignment, status, str(source), plan.seed)
+        worker = workers.get()
+        try:
+            for _ in range(TRIES):
+                try:
+                    return graded(submission.student, source, assignment, worker, plan.seed)
+                except WorkerLost:
+                    worker.close()
+                    worker = Worker(preload, plan.allowance, plan.hidden)
+                    everyone.append(worker)
+            return failed_by_us(submission.student, assignment, "its worker died three times", plan.seed)
+        finally:
+            workers.put(worker)
+
+    pool = ThreadPoolExecutor(max(1, jobs))
+    try:
+        tasks = {pool.submit(grade, submission, source): digest for submission, source, digest in fresh}
+        for task in as_completed(tasks):
+            yield task.result(), tasks[task]
+    finally:
+        pool.shutdown(wait=False, cancel_futures=True)
+        for worker in everyone:
+            worker.close()
+
+
+def _assignment(plan: Plan, submission: Submission) -> Assignment:
+    return root.assignment(plan.course, submission.slug)
+
+
+def _source(submission: Submission) -> Source | CannotRead:
+    if submission.path is None:
+        return CannotRead(submission.note)
+    try:
+        return read(submission)
+    except CannotRead as error:
+        return error
+
+
+def _digest(engine: bytes, plan: Plan, submission: Submission, source: Source | CannotRead) -> str:
+    """A name for all that the result depends on."""
+    text = source.text if isinstance(source, Source) else str(source).encode()
+    parts = (
+        submission.student.encode(),
+        submission.slug.encode(),
+        text,
+        _assignment(plan, submission).source,
+        engine,
+    )
+    return hashlib.sha256(b"".join(hashlib.sha256(part).digest() for part in parts)).hexdigest()
+
+
+def _engine_digest(plan: Plan) -> bytes:
+    """Of the seed, the limits, the grader, and the utilities that students call."""
+    digest = hashlib.sha256(repr((plan.seed, plan.allowance, np.__version__)).encode())
+    for package in (Path(__file__).parent, Path(tam570.__file__).parent):
+        for path in sorted(package.rglob("*.py")):
+            digest.update(path.read_bytes())
+    return digest.digest()

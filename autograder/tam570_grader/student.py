@@ -1,0 +1,297 @@
+"""The student as a check sees it: functions to call, each call made in the sandbox, each result what was promised."""
+
+import builtins
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from tam570_grader.check import Failure, Given, given
+from tam570_grader.returns import Drawing, Formula, Line, result
+from tam570_grader.root import Assignment
+from tam570_grader.sandbox import Cell, CellLost, CellTimeout, Worker
+
+__all__ = ["BudgetSpent", "Call", "NotLoaded", "NotWritten", "Source", "Student"]
+
+
+@dataclass(frozen=True)
+class Source:
+    """What a student handed in."""
+
+    text: bytes
+    notebook: bool = False
+
+
+@dataclass(frozen=True)
+class Call:
+    """A call that a check made and the result that came back."""
+
+    name: str
+    given: Given
+    result: Any
+
+
+class NotWritten(Exception):
+    """The function is not there, or is still the stub."""
+
+
+class NotLoaded(Exception):
+    """The submission could not be imported; `status` is what the result line says."""
+
+    def __init__(self, status: str, message: str) -> None:
+        super().__init__(message)
+        self.status = status
+
+
+class BudgetSpent(Exception):
+    """The submission has had all of its CPU time."""
+
+
+class Student:
+    """One submission in the sandbox. `student.f` is the function f of the contract."""
+
+    def __init__(self, source: Source, assignment: Assignment, worker: Worker) -> None:
+        self.calls: list[Call] = []  # of the check that is running
+        self.skipped: list[str] = []  # notebook cells
+        self._source, self._assignment, self._worker = source, assignment, worker
+        self._cells: dict[tuple[str, ...], Cell] = {}  # by what may not be called in it
+        self._defined: set[str] = set()
+        self._broken: dict[str, str] = {}  # functions that hung or crashed, and how
+        self._cpu = 0.0  # s, of the cells that have ended
+
+    def __getattr__(self, name: str) -> "Function":
+        if name not in self._assignment.results:
+            raise AttributeError(f"the contract of {self._assignment.slug} has no function {name}")
+        return Function(self, name, self._assignment.results[name])
+
+    def load(self) -> None:
+        """Import the submission, or raise NotLoaded."""
+        self._cell(())
+
+    def leave(self) -> None:
+        """End the submission's processes."""
+        for cell in self._cells.values():
+            cell.drop()
+        self._cells.clear()
+
+    def replies(self, name: str, calls: Sequence[Given], **mode: Any) -> list[dict[str, Any]]:
+        """One reply for each call up to the first error; Failure if the function hangs or ends its process."""
+        if name in self._broken:
+            raise Failure(self._broken[name])
+        uncallable = tuple(self._assignment.off_limits.get(name, ()))
+        cell = self._cell(uncallable)
+        if name not in self._defined:
+            raise NotWritten(name)
+        replies: list[dict[str, Any]] = []
+        try:
+            cell.send({"function": name, **mode, "calls": [_sent(call) for call in calls]})
+            while len(replies) < len(calls) and not (replies and "error" in replies[-1]):
+                replies.append(_checked(cell.receive()))
+        except CellTimeout:
+            self._end(uncallable, name, f"{name} did not return within {self._worker.allowance.call:g} s")
+        except CellLost:
+            self._end(
+                uncallable, name, f"{name} ended its process: it exited, crashed or used too much memory"
+            )
+        return replies
+
+    def _end(self, uncallable: tuple[str, ...], name: str, message: str) -> None:
+        """End a cell: the function fails from now on, the others get a new cell while there is CPU time."""
+        self._bury(self._cells.pop(uncallable))
+        self._broken[name] = message
+        if self._cpu >= self._worker.allowance.cpu - 0.5:
+            raise BudgetSpent
+        raise Failure(message)
+
+    def _bury(self, cell: Cell) -> None:
+        """End a cell and count its CPU time; WorkerLost if it died with its worker."""
+        self._cpu += cell.end()
+        if not cell.guarded:
+            self._worker.must_live()
+
+    def _cell(self, uncallable: tuple[str, ...]) -> Cell:
+        """The cell for functions that may not call these modules, with the submission loaded."""
+        if uncallable not in self._cells:
+            cell = self._worker.cell(self._worker.allowance.cpu - self._cpu)
+            try:
+                self._load(cell, uncallable)
+            except NotLoaded:
+                self._bury(cell)
+                raise
+            self._cells[uncallable] = cell
+        return self._cells[uncallable]
+
+    def _load(self, cell: Cell, uncallable: tuple[str, ...]) -> None:
+        try:
+            cell.send(
+                {
+                    "source": self._source.text, "notebook": self._source.notebook, "name": self._assignment.slug,
+                    "functions": list(self._assignment.results), "uncallable": list(uncallable),
+                    "forbidden": list(self._assignment.off_limits.get("*", ())),
+                }
+            )  # fmt: skip
+            reply = cell.receive()
+        except CellTimeout:
+            raise NotLoaded(
+                "timeout", "importing the file took too long: does it run a simulation by itself?"
+            ) from None
+        except CellLost:
+            raise NotLoaded("crashed", "importing the file ended its process") from None
+        if not isinstance(reply, dict) or "error" in reply:
+            raise _not_loaded(_error(reply), self._assignment)
+        self._defined = set(reply["defined"]) if _strings(reply.get("defined")) else set()
+        self.skipped = (
+            [text[:100] for text in reply["skipped"][:50]] if _strings(reply.get("skipped")) else []
+        )
+
+
+@dataclass(frozen=True)
+class Function:
+    """A student's function of the contract."""
+
+    student: Student
+    name: str
+    promise: Any
+
+    def __call__(self, *args: Any, **kwargs: Any) -> Any:
+        """The result of one call, in the promised form."""
+        return self.many([given(*args, **kwargs)])[0]
+
+    def many(self, calls: Sequence[Given]) -> list[Any]:
+        """The results of many calls, made in one round trip."""
+        results = []
+        for call, reply in zip(calls, self.student.replies(self.name, calls, mode="value"), strict=False):
+            self._must_be_fair(reply, call)
+            results.append(result(self.promise, reply["value"], self.name, call))
+            self.student.calls.append(Call(self.name, call, results[-1]))
+        return results
+
+    def refuses(self, *args: Any, **kwargs: Any) -> bool:
+        """Whether the call raises ValueError; another exception is a Failure."""
+        call = given(*args, **kwargs)
+        reply = self.student.replies(self.name, [call], mode="value")[0]
+        if "ValueError" in _error(reply)["kinds"]:
+            return True
+        self._must_be_fair(reply, call)
+        return False
+
+    def at(self, points: Sequence[Mapping[str, float]]) -> np.ndarray:
+        """Values of the formula that the function returns, at each of these points: {symbol's name: number}."""
+        if not isinstance(self.promise, Formula):
+            raise TypeError(f"{self.name} does not promise a formula")
+        symbols = list(self.promise.symbols)
+        mode = {"mode": "formula", "symbols": symbols, "points": [dict(point) for point in points]}
+        reply = self.student.replies(self.name, [given()], **mode)[0]
+        self._must_be_fair(reply, given())
+        values = reply["value"]
+        if not isinstance(values, list) or len(values) != len(points):
+            raise Failure(
+                f"{self.name} does not return a SymPy expression in {', '.join(symbols)} alone", actual=values
+            )
+        try:
+            numbers = np.array([complex(value) for value in values])
+        except (TypeError, ValueError):
+            raise Failure(
+                f"the expression of {self.name} has no value at some numbers", actual=values
+            ) from None
+        if not np.all(np.isfinite(numbers)) or np.any(numbers.imag != 0):
+            raise Failure(
+                f"the expression of {self.name} is not real and finite at some numbers", actual=numbers
+            )
+        return numbers.real
+
+    def draw(self, *args: Any, **kwargs: Any) -> Drawing:
+        """What the plot function draws on the Axes that it is given, before these arguments."""
+        call = given(*args, **kwargs)
+        reply = self.student.replies(self.name, [call], mode="drawing")[0]
+        self._must_be_fair(reply, call)
+        try:
+            return _drawing(reply["value"])
+        except (KeyError, TypeError, ValueError):
+            raise Failure(f"{self.name} draws too much, or nothing that can be read") from None
+
+    def _must_be_fair(self, reply: dict[str, Any], call: Given) -> None:
+        """Raise NotWritten or Failure for an exception, and for arguments changed in place."""
+        if "error" in reply:
+            error = _error(reply)
+            if error["kinds"][:1] == ["NotImplementedError"]:
+                raise NotWritten(self.name)
+            raise Failure(_raised(self.name, error, self.student._assignment), actual=error["text"], at=call)
+        if reply.get("changed"):
+            raise Failure(f"{self.name} changes the arrays it is given; work on copies", at=call)
+
+
+def _raised(name: str, error: dict[str, Any], assignment: Assignment) -> str:
+    if "Forbidden" in error["kinds"]:
+        banned = [*assignment.off_limits.get(name, ()), *assignment.off_limits.get("*", ())]
+        return f"{name} uses what is off limits in it: {', '.join(banned)}"
+    return f"{name} raised {_known(error)}"
+
+
+def _known(error: dict[str, Any]) -> str:
+    """The exception's first class that is Python's own: a name that a student chose could carry an input out."""
+    return next(
+        (kind for kind in error["kinds"] if isinstance(getattr(builtins, kind, None), type)), "an exception"
+    )
+
+
+def _not_loaded(error: dict[str, Any], assignment: Assignment) -> NotLoaded:
+    if "Forbidden" in error["kinds"]:
+        banned = ", ".join(assignment.off_limits.get("*", ()))
+        return NotLoaded("unreadable", f"the file imports what is off limits in this assignment: {banned}")
+    if "SystemExit" in error["kinds"]:
+        return NotLoaded("crashed", "importing the file ends its process")
+    where = f" at line {error['line']}" if error["line"] else ""
+    return NotLoaded("unreadable", f"the file cannot be imported: {_known(error)}{where}: {error['text']}")
+
+
+def _error(reply: Any) -> dict[str, Any]:
+    """The error of a reply, {"kinds": [], ...} where there is none, and nothing that is not of the right type."""
+    error = reply.get("error") if isinstance(reply, dict) else None
+    if not isinstance(error, dict) or not _strings(error.get("kinds")):
+        return {"kinds": [], "text": "", "line": 0}
+    line, text = error.get("line"), error.get("text")
+    return {
+        "kinds": error["kinds"],
+        "text": text[:300] if isinstance(text, str) else "",
+        "line": line if isinstance(line, int) else 0,
+    }
+
+
+def _checked(reply: Any) -> dict[str, Any]:
+    if not isinstance(reply, dict) or not ("value" in reply or "error" in reply):
+        raise CellLost
+    return reply
+
+
+def _strings(value: Any) -> bool:
+    return isinstance(value, list) and all(isinstance(item, str) for item in value)
+
+
+def _drawing(value: dict[str, Any]) -> Drawing:
+    lines = [
+        Line(np.asarray(line["points"], float).reshape(-1, 2), str(line["label"]), bool(line["scatter"]))
+        for line in value["lines"]
+    ]
+    return Drawing(tuple(lines), str(value["xlabel"]), str(value["ylabel"]), bool(value["equal_aspect"]))
+
+
+def _sent(call: Given) -> list[Any]:
+    return [
+        [_argument(value) for value in call.args],
+        {key: _argument(value) for key, value in call.kwargs.items()},
+    ]
+
+
+def _argument(value: Any) -> Any:
+    """An argument as it is sent: any sequence of numbers is a float64 array, as the contract promises."""
+    if isinstance(value, np.generic):
+        return value.item()
+    if isinstance(value, np.ndarray):
+        return value.astype(float)
+    if isinstance(value, list | tuple) and value:
+        if all(isinstance(item, int | float | np.number) for item in value):
+            return np.array(value, float)
+        return [_argument(item) for item in value]
+    return list(value) if isinstance(value, tuple) else value

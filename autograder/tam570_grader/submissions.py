@@ -1,0 +1,160 @@
+"""Finds what students handed in and reads it with care: a submission is data until it is in the sandbox."""
+
+import collections
+import os
+import stat
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from tam570_grader.root import slug_of
+from tam570_grader.student import Source
+
+__all__ = ["BadPath", "CannotRead", "Submission", "read", "submissions"]
+
+LARGEST = 10 * 2**20  # bytes; a notebook with pictures in it may have a few MiB
+
+
+class BadPath(Exception):
+    """A path on the command line that holds no submission; the message says what to do."""
+
+
+class CannotRead(Exception):
+    """A submission that cannot be read; the message is for the student."""
+
+
+@dataclass(frozen=True)
+class Submission:
+    """One student's work on one assignment; without a path where nothing was found, `note` says why."""
+
+    student: str
+    slug: str
+    path: Path | None
+    tree: Path  # links may not lead out of it
+    note: str = ""
+
+
+def submissions(paths: Iterable[Path], known: Sequence[str], given: str | None = None) -> list[Submission]:
+    """All submissions at these paths: modules, notebooks, their folders, or trees `<student>/<assignment>/`.
+
+    known : the course's assignments
+    given : the assignment, where names do not tell
+    """
+    found: list[Submission] = []
+    for path in paths:
+        if not path.exists():
+            raise BadPath(f"{path} does not exist")
+        here = [_of_file(path, known, given)] if path.is_file() else _in_folder(path.absolute(), known, given)
+        if not here:
+            raise BadPath(
+                f"{path} holds no submission: there is no folder or file named like {known[0][:4]} in it"
+            )
+        found += here
+    return _told_apart(found)
+
+
+def read(submission: Submission) -> Source:
+    """The submission's text, or CannotRead: no links out of the tree, no devices, nothing huge."""
+    assert submission.path is not None
+    path = submission.path.resolve()
+    if not path.is_relative_to(submission.tree.resolve()):
+        raise CannotRead(f"{submission.path.name} is a link to a place outside of the submission")
+    try:
+        with open(os.open(path, os.O_RDONLY | os.O_NONBLOCK), "rb") as file:
+            if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
+                raise CannotRead(f"{path.name} is not a regular file")
+            text = file.read(LARGEST + 1)
+    except OSError as error:
+        raise CannotRead(f"{path.name} cannot be read: {error.strerror}") from None
+    if len(text) > LARGEST:
+        raise CannotRead(f"{path.name} is larger than {LARGEST // 2**20} MiB; is it the right file?")
+    return Source(text, notebook=submission.path.suffix == ".ipynb")
+
+
+def _of_file(path: Path, known: Sequence[str], given: str | None) -> Submission:
+    slug = given or slug_of(path.stem, known) or slug_of(path.absolute().parent.name, known)
+    if slug is None:
+        raise BadPath(
+            f"cannot tell which assignment {path} is: name it with --assignment, one of {', '.join(known)}"
+        )
+    if path.suffix not in (".py", ".ipynb"):
+        raise BadPath(f"{path} is neither a Python module (.py) nor a notebook (.ipynb)")
+    return Submission(path.stem, slug, path, path.resolve().parent)
+
+
+def _in_folder(folder: Path, known: Sequence[str], given: str | None) -> list[Submission]:
+    slug = given or slug_of(folder.name, known)
+    if slug is not None and not _trees(folder, known, given):
+        return [_of_folder(folder, folder.parent.name, slug, folder)]
+    return _trees(folder, known, given)
+
+
+def _trees(folder: Path, known: Sequence[str], given: str | None) -> list[Submission]:
+    """Submissions in `<student>/<assignment>/`, `<student>/<assignment>.py`, `<assignment>/` and `<assignment>.py`."""
+    found = []
+    for entry in _entries(folder):
+        if slug := _chosen(entry, known, given):
+            found.append(_of_entry(entry, folder.name if entry.is_dir() else entry.stem, slug, folder))
+        elif entry.is_dir():
+            inner = [(one, _chosen(one, known, given)) for one in _entries(entry)]
+            found += [_of_entry(one, entry.name, slug, folder) for one, slug in inner if slug]
+    return _modules_first(found)
+
+
+def _entries(folder: Path) -> list[Path]:
+    return sorted(entry for entry in folder.iterdir() if not entry.name.startswith((".", "__")))
+
+
+def _chosen(entry: Path, known: Sequence[str], given: str | None) -> str | None:
+    """The assignment that a folder, module or notebook in a tree is work on."""
+    is_work = entry.is_dir() or entry.suffix in (".py", ".ipynb")
+    slug = slug_of(entry.name if entry.is_dir() else entry.stem, known) if is_work else None
+    return slug if given in (None, slug) else None
+
+
+def _of_entry(entry: Path, student: str, slug: str, tree: Path) -> Submission:
+    return (
+        _of_folder(entry, student, slug, tree) if entry.is_dir() else Submission(student, slug, entry, tree)
+    )
+
+
+def _of_folder(folder: Path, student: str, slug: str, tree: Path) -> Submission:
+    """The module in a folder, or its notebook where there is no module."""
+    files = [entry for entry in _entries(folder) if entry.suffix in (".py", ".ipynb")]
+    for wanted in (f"{slug}.py", f"{slug}.ipynb"):
+        if folder / wanted in files:
+            return Submission(student, slug, folder / wanted, tree)
+    alike = [entry for entry in files if slug_of(entry.stem, [slug])]
+    notebooks = [entry for entry in files if entry.suffix == ".ipynb"]
+    for choice in (alike, notebooks):
+        if len(choice) == 1:
+            return Submission(student, slug, choice[0], tree)
+    names = ", ".join(entry.name for entry in files) or "neither a module nor a notebook"
+    return Submission(student, slug, None, tree, f"there is no {slug}.py in the folder; it holds {names}")
+
+
+def _modules_first(found: list[Submission]) -> list[Submission]:
+    """Of a module and a notebook side by side, the module."""
+    modules = {(one.student, one.slug) for one in found if one.path and one.path.suffix == ".py"}
+    return [
+        one for one in found
+        if (one.student, one.slug) not in modules or one.path is None or one.path.suffix == ".py"
+    ]  # fmt: skip
+
+
+def _told_apart(found: list[Submission]) -> list[Submission]:
+    """Students whose names would be the same, `a/hw07.py` and `b/hw07.py`, go by their folders'."""
+    count = collections.Counter((one.student, one.slug) for one in found)
+    named = [
+        replace(one, student=f"{one.path.absolute().parent.name}-{one.student}")
+        if one.path and count[one.student, one.slug] > 1 else one
+        for one in found
+    ]  # fmt: skip
+    doubles = [
+        key for key, n in collections.Counter((one.student, one.slug) for one in named).items() if n > 1
+    ]
+    if doubles:
+        raise BadPath(
+            f"two submissions of {doubles[0][1]} by {doubles[0][0]}: give each student a folder of their own"
+        )
+    return named
