@@ -4,11 +4,13 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
+
+from tam570.integrate import source
+from tam570.integrate.drive import advance, first_step
+from tam570.integrate.problem import Array, bound, floats_function, initial_state, sample_times, tolerance
 
 __all__ = ["solve"]
-
-Array = NDArray[np.float64]
 
 
 def solve(
@@ -27,21 +29,32 @@ def solve(
     y0  : (k,)
     Returns (n, k); row 0 is y0.
     """
-    from scipy.integrate import solve_ivp
+    times, start, rtol = sample_times(t), initial_state(y0), tolerance(rtol)
+    given = floats_function(bound(rhs, parameters), float(times[0]), start)
+    formulas = source.call_of(len(start))
+    with np.errstate(all="ignore"):  # a step that proves too long may overflow: it is taken again
+        return _run(source.compiled(source.functions(formulas), given), times, start, (), rtol)
 
-    times, start = np.asarray(t, float), np.asarray(y0, float)
-    fixed = dict(parameters or {})
-    answer = solve_ivp(
-        lambda time, state: np.asarray(rhs(time, state, **fixed), float),
-        (times[0], times[-1]),
-        start,
-        method="DOP853",
-        t_eval=times,
-        rtol=max(rtol / 10, 1e-13),
-        atol=max(rtol / 10, 1e-13) * (np.abs(start).max() + 1e-3),
-    )
-    if not answer.success:
-        raise ArithmeticError(answer.message)
-    states: Array = np.ascontiguousarray(answer.y.T)
+
+def _run(
+    engine: dict[str, Any], times: Array, start: Array, constants: tuple[float, ...], rtol: float
+) -> Array:
+    states = np.empty((len(times), len(start)))
     states[0] = start
+    origin, since = float(times[0]), (times - times[0]).tolist()
+    y = tuple(start.tolist())
+    f = engine["rhs"](origin, y, constants)
+    h = first_step(engine["rhs"], engine["euler"], origin, since[-1], y, f, tuple(map(abs, y)), constants)
+    m = tuple(
+        max(abs(x), h * abs(rate), 1e-300) for x, rate in zip(y, f, strict=True)
+    )  # never zero: it divides
+    at_rest = (1, 0.0, h, y, (0.0,) * len(y), f, m)
+    step, raised, dense, at = (engine[name] for name in ("step", "raised", "dense", "at"))
+    row, reached, h, *_ = advance(
+        step, raised, dense, at, origin, since, states, at_rest, constants, rtol, float("inf")
+    )
+    if h == 0.0:
+        raise ArithmeticError(
+            f"no step is small enough at t = {origin + reached:.17g}: the solution or rhs is not finite"
+        )
     return states

@@ -1,0 +1,81 @@
+"""Step size and samples: the loop around the generated step. Plain enough for numba to compile as it is."""
+
+from math import sqrt
+from typing import Any
+
+__all__ = ["advance", "first_step"]
+
+SAFETY = 0.9
+LARGEST, SMALLEST = 6.0, 0.2  # change of the step size from one step to the next
+EXPONENT = -1 / 8
+ROUNDING = 2.0**20 * 10 * 2.0**-53  # ten roundings of each term, seen through a change by 2^-20
+
+
+def first_step(rhs: Any, euler: Any, start: Any, span: Any, y: Any, f: Any, m: Any, c: Any) -> Any:
+    """A step across which the derivative changes little, found from above: a derivative of zero deceives nobody."""
+    h = span / 100
+    while h > 1e-9 * span:
+        g = rhs(start + h, euler(h, y, f), c)
+        restless = 0
+        for i in range(len(y)):
+            scale = max(m[i], h * abs(f[i]), h * abs(g[i]))
+            if not h * abs(g[i] - f[i]) <= 0.1 * scale:
+                restless += 1
+        if restless == 0:
+            break
+        h /= 4
+    return h
+
+
+def advance(
+    step: Any,
+    raised: Any,
+    dense: Any,
+    at: Any,
+    origin: Any,
+    times: Any,
+    out: Any,
+    state: Any,
+    c: Any,
+    rtol: Any,
+    budget: Any,
+) -> Any:
+    """Fill the rows of `out` until none is left, `budget` steps are spent, or the step size vanishes.
+
+    times : since `origin`; state : (row, t, h, y, r, f, m), as returned. h = 0 tells that the step size vanished.
+    """
+    row, t, h, y, r, f, m = state
+    rows, end = len(times), times[len(times) - 1]
+    growth = LARGEST
+    while row < rows and budget > 0:
+        budget -= 1
+        left = end - t
+        if h >= left:
+            h, new = left, end
+        else:
+            new = t + (h if 2 * h < left else left / 2)
+            h = new - t  # exactly: else the rounding of t would shift the motion
+        if h <= 2.0**-50 * t or h < 1e-17 * end:  # t + h would hardly differ from t
+            h = 0.0
+            break
+        n, rest, g, size, fifth, third, stages = step(origin + t, h, y, r, f, m, c)
+        error = fifth / (rtol * sqrt(fifth + 0.01 * third)) if fifth > 0 else fifth
+        if error <= 1:
+            if times[row] < new:
+                q = dense(origin + t, h, y, n, f, g, stages, c)
+                while times[row] < new:
+                    at(out, row, (times[row] - t) / h, y, q)
+                    row += 1
+            if times[row] == new:
+                for i in range(len(n)):
+                    out[row, i] = n[i]
+                row += 1
+            t, y, r, f, m = new, n, rest, g, size
+            h *= min(growth, SAFETY * error**EXPONENT) if error > 0 else growth
+            growth = LARGEST
+        else:
+            if error < 1e300:
+                m = raised(origin + new, h, n, g, m, c, ROUNDING / rtol)
+            h *= max(SMALLEST, SAFETY * error**EXPONENT) if error < 1e300 else 0.1
+            growth = 1.0
+    return row, t, h, y, r, f, m

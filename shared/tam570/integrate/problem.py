@@ -1,0 +1,118 @@
+"""What a caller gives, checked, and the right-hand side as a function of plain floats."""
+
+import inspect
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["Array", "Rates", "bound", "floats_function", "initial_state", "sample_times", "tolerance"]
+
+Array = NDArray[np.float64]
+Rates = Callable[[float, Any], Any]
+
+SMALLEST_RTOL = 1e-16  # below the rounding of a double there is nothing to gain
+
+
+def sample_times(t: ArrayLike) -> Array:
+    """(n,) times as floats. ValueError unless they are finite, two or more, and increasing."""
+    times = np.array(t, dtype=float)
+    if times.ndim != 1 or len(times) < 2:
+        raise ValueError(
+            f"t: need a list of two or more times, got shape {times.shape}; try np.linspace(0, 10, 101)"
+        )
+    if not np.isfinite(times).all():
+        raise ValueError("t: a time is infinite or not a number")
+    if not (np.diff(times) > 0).all():
+        where = int(np.argmin(np.diff(times) > 0))
+        raise ValueError(
+            f"t: must increase, but t[{where + 1}] = {times[where + 1]:g} does not exceed t[{where}]"
+        )
+    return times
+
+
+def initial_state(y0: ArrayLike) -> Array:
+    """(k,) or (m, k) as floats. ValueError if empty, not finite or of another shape."""
+    try:
+        state = np.array(y0, dtype=float)
+    except (TypeError, ValueError) as problem:
+        raise ValueError(f"y0: must be a flat list of real numbers ({problem})") from problem
+    if state.ndim not in (1, 2) or state.size == 0:
+        raise ValueError(f"y0: need k numbers, or (m, k) for m starts at once, got shape {state.shape}")
+    if not np.isfinite(state).all():
+        raise ValueError(f"y0: every number must be finite, got {state}")
+    return state
+
+
+def tolerance(rtol: float) -> float:
+    """The tolerance, no less than rounding allows. ValueError unless 0 < rtol < 1."""
+    if not 0 < rtol < 1:
+        raise ValueError(f"rtol: need 0 < rtol < 1, got {rtol!r}; 1e-10 is a good start")
+    return max(float(rtol), SMALLEST_RTOL)
+
+
+def bound(rhs: Callable[..., Any], parameters: Mapping[str, Any] | None) -> Rates:
+    """rhs(t, y) with the parameters in place. ValueError where they do not fit its signature."""
+    if not callable(rhs):
+        raise ValueError(f"rhs: must be a function rhs(t, y, **parameters), got {type(rhs).__name__}")
+    fixed = dict(parameters or {})
+    try:
+        inspect.signature(rhs).bind(0.0, None, **fixed)
+    except TypeError as problem:
+        raise ValueError(f"rhs: cannot be called as rhs(t, y, **parameters): {problem}") from problem
+    except ValueError:
+        pass  # some compiled functions have no signature to look at
+    if not fixed:
+        return rhs
+    return lambda t, y: rhs(t, y, **fixed)
+
+
+def floats_function(rates: Rates, t: float, y0: Array) -> Rates:
+    """`rates` as a function from a tuple of floats to a sequence of floats.
+
+    Whether it may be given the tuple, or needs an array, is tried here, once: it may if both give the same.
+    """
+    expected = _checked(rates(t, y0.copy()), len(y0))
+    nearby = y0 * 1.01 + 0.01
+    if _same_on_tuples(rates, t, y0) and _same_on_tuples(rates, t, nearby):
+        return _to_floats(rates, rates(t, tuple(y0.tolist())), tuple)
+    if not np.isfinite(expected).all():
+        raise ValueError(f"rhs: gives {expected} at the start, t = {t:g}; is the start allowed?")
+    return _to_floats(rates, rates(t, y0.copy()), np.array)
+
+
+def _checked(value: Any, size: int) -> Array:
+    found = np.asarray(value)
+    if found.shape != (size,):
+        raise ValueError(f"rhs: must return {size} numbers, as many as y0 has, got shape {found.shape}")
+    if np.iscomplexobj(found):
+        raise ValueError(f"rhs: must return real numbers, got {found}")
+    try:
+        return found.astype(float)
+    except (TypeError, ValueError) as problem:
+        raise ValueError(f"rhs: must return numbers, got {value!r}") from problem
+
+
+def _same_on_tuples(rates: Rates, t: float, y: Array) -> bool:
+    try:
+        given_tuple = np.asarray(rates(t, tuple(y.tolist())), dtype=float)
+        given_array = np.asarray(rates(t, y.copy()), dtype=float)
+    except Exception:  # whatever a function says to a tuple, it then gets an array
+        return False
+    return given_tuple.shape == given_array.shape and bool(
+        np.allclose(given_tuple, given_array, rtol=1e-12, atol=1e-300, equal_nan=True)
+    )
+
+
+def _to_floats(rates: Rates, sample: Any, wrap: Callable[[Sequence[float]], Any]) -> Rates:
+    """`rates` made to take and to give plain floats; a NumPy scalar in the loop would cost ten times as much."""
+    if wrap is tuple and isinstance(sample, (tuple, list)) and _plain(sample):
+        return rates
+    if isinstance(sample, np.ndarray) and sample.dtype == float:
+        return lambda t, y: rates(t, wrap(y)).tolist()
+    return lambda t, y: [float(rate) for rate in rates(t, wrap(y))]
+
+
+def _plain(values: Iterable[Any]) -> bool:
+    return all(type(value) is float for value in values)

@@ -1,0 +1,198 @@
+"""The step of DOP853 written out for one right-hand side: Python source without loops, arrays or calls.
+
+Names in the source: y state, k3_1 stage 3's derivative of component 1, s the state at a stage, n the new state,
+r what rounding took from the state, m the largest magnitude so far, c the constants of the scene.
+"""
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from typing import Any
+
+from tam570.integrate.tableau import FIFTH, NODES, ROWS, THIRD, Row, interpolant
+
+__all__ = ["Formulas", "call_of", "functions"]
+
+KEPT = range(5, 12)  # the stages that the interpolant takes over from the step
+
+
+@dataclass(frozen=True)
+class Formulas:
+    """A right-hand side as source: `lines` from t, s0, s1, ... and c0, c1, ... to the expressions `rates`."""
+
+    lines: tuple[str, ...]
+    rates: tuple[str, ...]
+    constants: int = 0
+    reads: frozenset[int] = frozenset()  # the components of the state that occur at all
+    timed: bool = False
+
+    @property
+    def size(self) -> int:
+        return len(self.rates)
+
+    @property
+    def moving(self) -> list[int]:
+        """The components that change: a derivative of plain zero needs no stages."""
+        return [i for i, rate in enumerate(self.rates) if rate != "0.0"]
+
+
+def call_of(size: int) -> Formulas:
+    """The right-hand side that is a call of the function `given`."""
+    rates = tuple(f"p{i}" for i in range(size))
+    line = f"{_tuple(rates)} = given(t, {_tuple(_names('s', size))})"
+    return Formulas((line,), rates, 0, frozenset(range(size)), timed=True)
+
+
+def functions(formulas: Formulas) -> str:
+    """Source of `rhs`, `euler`, `raised`, `step`, `dense` and `at` for these formulas."""
+    parts = [part(formulas) for part in (_rhs, _euler, _raised, _dense, _at)]
+    parts.append(_forgiven(_step(formulas)))
+    return "\n\n".join("\n    ".join(part) for part in parts) + "\n"
+
+
+def _names(letter: str, size: int) -> list[str]:
+    return [f"{letter}{i}" for i in range(size)]
+
+
+def _tuple(names: Iterable[str]) -> str:
+    return "(" + "".join(f"{name}, " for name in names) + ")"
+
+
+def _unpacked(formulas: Formulas, **letters: str) -> list[str]:
+    lines = [f"{_tuple(_names(letter, formulas.size))} = {name}" for name, letter in letters.items()]
+    constants = [f"{_tuple(_names('c', formulas.constants))} = c"] if formulas.constants else []
+    return lines + constants
+
+
+def _combination(row: Row, i: int) -> str:
+    return " + ".join(f"{a!r} * k{j}_{i}" for j, a in row.items())
+
+
+def _stage(formulas: Formulas, number: int, row: Row, node: float) -> list[str]:
+    """Lines that set k<number>: the derivative where the earlier stages point to."""
+    lines = [
+        f"s{i} = y{i} + h * ({_combination(row, i)})" if i in formulas.moving else f"s{i} = y{i}"
+        for i in sorted(formulas.reads)
+    ]
+    return lines + _derivative(formulas, number, f"start + {node!r} * h")
+
+
+def _derivative(formulas: Formulas, number: int, time: str) -> list[str]:
+    clock = [f"t = {time}"] if formulas.timed else []
+    rates = [f"k{number}_{i} = {formulas.rates[i]}" for i in formulas.moving]
+    return [*clock, *formulas.lines, *rates]
+
+
+def _rhs(formulas: Formulas) -> list[str]:
+    return [
+        "def rhs(t, s, c):",
+        *_unpacked(formulas, s="s"),
+        *formulas.lines,
+        f"return {_tuple(formulas.rates)}",
+    ]
+
+
+def _euler(formulas: Formulas) -> list[str]:
+    states = (f"y[{i}] + h * f[{i}]" for i in range(formulas.size))
+    return ["def euler(h, y, f):", f"return {_tuple(states)}"]
+
+
+def _raised(formulas: Formulas) -> list[str]:
+    """Magnitudes no smaller than `weight` times what a relative change of the state by 2^-20 does to h f."""
+    sign_and_size = [
+        (-1) ** i * 2.0**-20 * (1 + 0.1 * (i % 7)) for i in range(formulas.size)
+    ]  # no two cancel
+    changed = [f"s{i} = y{i} * {1 + d!r}" for i, d in enumerate(sign_and_size) if i in formulas.reads]
+    lines = ["def raised(t, h, y, f, m, c, weight):", *_unpacked(formulas, y="y", m="m"), *changed]
+    lines += formulas.lines
+    for i in formulas.moving:
+        lines += [f"x = abs({formulas.rates[i]} - f[{i}]) * h * weight", f"m{i} = x if x > m{i} else m{i}"]
+    return [*lines, f"return {_tuple(_names('m', formulas.size))}"]
+
+
+def _step(formulas: Formulas) -> list[str]:
+    """One step: new state, its rounding, derivative, magnitudes, both estimates squared, stages kept."""
+    lines = ["def step(start, h, y, r, f, m, c):", *_unpacked(formulas, y="y", r="r", f="k0_", m="m")]
+    for number in range(1, 12):
+        lines += _stage(formulas, number, ROWS[number], NODES[number])
+    for i in range(formulas.size):
+        lines += _update(formulas, i)
+    lines += [f"s{i} = n{i}" for i in sorted(formulas.reads)]
+    lines += _derivative(formulas, 12, "start + h")
+    still = set(range(formulas.size)) - set(formulas.moving)
+    lines += [f"k12_{i} = 0.0" for i in still] + ["fifth = third = 0.0"]
+    for i in formulas.moving:
+        lines += _estimate(i)
+    names = (_tuple(_names(letter, formulas.size)) for letter in ("n", "r", "k12_", "m"))
+    return [*lines, f"return {', '.join(names)}, fifth, third, {_tuple(_kept(formulas))}"]
+
+
+def _forgiven(function: list[str]) -> list[str]:
+    """`step` that answers an overflow, or a root of a negative number, with an estimate beyond all bounds."""
+    head, *body = function
+    rescue = ["except (ArithmeticError, ValueError):", "    return y, r, f, m, inf, 0.0, ()"]
+    return [head, "try:", *(f"    {line}" for line in body), *rescue]
+
+
+def _kept(formulas: Formulas) -> list[str]:
+    return [f"k{j}_{i}" for j in KEPT for i in formulas.moving]
+
+
+def _update(formulas: Formulas, i: int) -> list[str]:
+    """Compensated sum (Kahan): what the addition loses is carried to the next step."""
+    if i not in formulas.moving:
+        return [f"n{i} = y{i}"]
+    change = f"d = r{i} + h * ({_combination(ROWS[12], i)})"
+    return [change, f"n{i} = y{i} + d", f"r{i} = d - (n{i} - y{i})"]
+
+
+def _estimate(i: int) -> list[str]:
+    return [
+        f"if n{i} > m{i}: m{i} = n{i}",
+        f"elif -n{i} > m{i}: m{i} = -n{i}",
+        f"x = h * ({_combination(FIFTH, i)}) / m{i}",
+        "fifth += x * x",
+        f"x = h * ({_combination(THIRD, i)}) / m{i}",
+        "third += x * x",
+    ]
+
+
+def _dense(formulas: Formulas) -> list[str]:
+    """Coefficients of theta, theta^2, ... theta^7 inside a step, component by component."""
+    rows, nodes, matrix = interpolant()
+    lines = ["def dense(start, h, y, n, f, g, stages, c):"]
+    lines += _unpacked(formulas, y="y", n="n", f="k0_", g="k12_")
+    lines += [f"{_tuple(_kept(formulas))} = stages"]
+    for number in (13, 14, 15):
+        lines += _stage(formulas, number, ROWS[number], NODES[number])
+    for number, row, node in zip((16, 17, 18, 19), rows, nodes, strict=True):
+        lines += _stage(formulas, number, row, node)
+    for i in formulas.moving:
+        data = [f"(n{i} - y{i})", *(f"h * k{j}_{i}" for j in (0, 12, 16, 17, 18, 19))]
+        lines += [f"x{j} = {datum}" for j, datum in enumerate(data)]
+        for power, weights in enumerate(matrix):
+            terms = (f"{float(w)!r} * x{j}" for j, w in enumerate(weights))
+            lines.append(f"q{power}_{i} = " + " + ".join(terms))
+    coefficients = [f"q{power}_{i}" for i in formulas.moving for power in range(7)]
+    return [*lines, f"return {_tuple(coefficients)}"]
+
+
+def _at(formulas: Formulas) -> list[str]:
+    """Write the state at the fraction x of a step into row `row` of `out`."""
+    coefficients = [f"q{power}_{i}" for i in formulas.moving for power in range(7)]
+    lines = ["def at(out, row, x, y, q):", f"{_tuple(coefficients)} = q"]
+    for i in range(formulas.size):
+        value = ""
+        for power in range(6, -1, -1):
+            value = f"x * (q{power}_{i} + {value})" if value else f"x * q{power}_{i}"
+        moved = f"y[{i}] + {value}" if i in formulas.moving else f"y[{i}]"
+        lines.append(f"out[row, {i}] = {moved}")
+    return lines
+
+
+def compiled(source: str, given: Callable[..., Any] | None = None) -> dict[str, Any]:
+    """The functions of a source, by name."""
+    import math
+
+    namespace: dict[str, Any] = {**vars(math), "given": given}
+    exec(compile(source, "<tam570 step>", "exec"), namespace)  # noqa: S102
+    return namespace
