@@ -4,6 +4,6 @@ from tam570_grader.check import Failure, check, expect, expect_that, given, once
 from tam570_grader.returns import array, drawing, formula, group, number, rows
 
 __all__ = [
-    "Failure", "array", "check", "drawing", "expect", "expect_that", "formula", "given", "group", "number", "once",
-    "rows", "suspect",
+    "Failure", "array", "check", "drawing", "expect", "expect_that", "formula", "given", "group", "number",
+    "once", "rows", "suspect",
 ]  # fmt: skip

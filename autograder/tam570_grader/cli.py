@@ -207,8 +207,8 @@ def _warn_of_isolation() -> None:
 
     if isolation() != "bubblewrap":
         print(
-            "tam570-grader: warning: no bubblewrap or no namespaces here: submissions run as plain processes with limits, "
-            "and can read files and use the network; grade only students whom you trust",
+            "tam570-grader: warning: no bubblewrap, or no namespaces for it: submissions run as plain processes "
+            "with limits; they can read files and use the network",
             file=sys.stderr,
         )
 

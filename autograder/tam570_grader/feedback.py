@@ -8,6 +8,7 @@ from tam570_grader.book import Record, written
 __all__ = ["page", "table", "write_pages"]
 
 SIGNS = {"passed": "+", "failed": "-", "not_run": "o", "grader_error": "!"}
+HEADINGS: tuple[str, ...] = ("student", "assignment", "score", "status", "time", "what to look at first")
 NOTES = {
     "missing": "Nothing was found.",
     "unreadable": "Your file could not be read.",
@@ -48,8 +49,7 @@ def write_pages(folder: Path, records: Iterable[Record], lines: dict[str, dict[s
 
 def table(records: Sequence[Record]) -> str:
     """The class at a glance: a line for each submission with what to say about it first."""
-    rows = [("student", "assignment", "score", "status", "time", "what to look at first")]
-    rows += [_row(record) for record in records]
+    rows = [HEADINGS, *(_row(record) for record in records)]
     widths = [max(len(row[column]) for row in rows) for column in range(5)]
     return "\n".join("  ".join([*map(_padded, row[:5], widths), row[5]]).rstrip() for row in rows)
 

@@ -78,7 +78,7 @@ class Worker:
 
     def __init__(self, preload: Sequence[str], allowance: Allowance, hidden: Sequence[Path] = ()) -> None:
         self.allowance = allowance
-        self._errors = tempfile.TemporaryFile()
+        self._errors = tempfile.TemporaryFile()  # noqa: SIM115  closed with the worker
         self._control, inside = socket.socketpair()
         settings = {"limits": _limits(allowance), "control": inside.fileno(), "preload": list(preload)}
         command, path = _jailed(hidden) if isolation() == "bubblewrap" else _plain()

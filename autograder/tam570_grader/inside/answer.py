@@ -14,7 +14,7 @@ from .wire import LARGEST_ARRAY, packed, portable
 __all__ = ["answer", "error_report"]
 
 # What a submission does to the built-in functions must not reach the functions below: they look names up here.
-__builtins__ = dict(vars(builtins))
+__builtins__ = dict(vars(builtins))  # type: ignore[assignment]
 
 LONGEST_TEXT = 300
 MOST_LINES = 500
@@ -23,7 +23,7 @@ MOST_LINES = 500
 def answer(
     module: ModuleType, request: Mapping[str, Any], args: list[Any], kwargs: dict[str, Any]
 ) -> dict[str, Any]:
-    """The reply to one call: {"value": ...}, with "changed" if the function changed its arguments, or {"error": ...}."""
+    """The reply to one call: {"value": ..., "changed": whether the function changed its arguments} or {"error": ...}."""
     try:
         function = getattr(module, request["function"])
         before = packed([args, kwargs])

@@ -6,6 +6,7 @@
 Where namespaces are not to be had, the limits and the process group remain.
 """
 
+import contextlib
 import ctypes
 import os
 import resource
@@ -14,6 +15,7 @@ import signal
 import socket
 import time
 from dataclasses import dataclass
+from pathlib import Path
 
 __all__ = ["Limits", "confine", "hidden_from_debuggers", "secede", "watch"]
 
@@ -112,17 +114,15 @@ def _obey(order: bytes, prisoner: int, leash: socket.socket, group: bool) -> Non
 
 
 def _kill_group(prisoner: int) -> None:
-    try:
+    with contextlib.suppress(OSError):  # it has not made its group yet, or has gone
         os.killpg(prisoner, signal.SIGKILL)
-    except OSError:
-        pass  # it has not made its group yet, or has gone
 
 
 def _reap(group: bool) -> None:
     """Kill what the prisoner left behind; in a process namespace the kernel has done so."""
     while group:
         try:
-            children = open(f"/proc/self/task/{os.getpid()}/children").read().split()
+            children = Path(f"/proc/self/task/{os.getpid()}/children").read_text().split()
         except OSError:
             return
         if not children:
@@ -133,10 +133,8 @@ def _reap(group: bool) -> None:
 
 
 def _tell(leash: socket.socket, line: str) -> None:
-    try:
+    with contextlib.suppress(OSError):  # nobody listens any more
         leash.sendall(line.encode())
-    except OSError:
-        pass  # nobody listens any more
 
 
 def _cpu_seconds(pid: int) -> float:

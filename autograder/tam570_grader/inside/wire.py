@@ -7,7 +7,8 @@ from typing import Any
 import msgpack
 from numpy import array, asarray, ascontiguousarray, frombuffer, generic, ndarray
 
-__builtins__ = dict(vars(builtins))  # what a submission does to the built-in functions must not reach these
+# What a submission does to the built-in functions must not reach those below.
+__builtins__ = dict(vars(builtins))  # type: ignore[assignment]
 
 __all__ = ["Foreign", "Unreadable", "packed", "portable", "unpacked"]
 

@@ -142,9 +142,9 @@ def _exactly(size: int) -> bytes:
 
 def _send(reply: dict[str, Any]) -> None:
     data = packed(reply)
-    data = memoryview(LENGTH.pack(len(data)) + data)
-    while data:
-        data = data[os.write(jail.CHANNEL, data) :]
+    unsent = memoryview(LENGTH.pack(len(data)) + data)
+    while unsent:
+        unsent = unsent[os.write(jail.CHANNEL, unsent) :]
 
 
 if __name__ == "__main__":

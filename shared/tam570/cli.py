@@ -1,0 +1,155 @@
+"""The students' command, `tam570`. What a command does not need is not imported: `list` takes no numerical library."""
+
+import argparse
+import json
+import os
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+from tam570 import __version__
+from tam570.course import Unknown, assignments, folder, start, title
+
+__all__ = ["main"]
+
+INTERRUPTED = 130
+
+
+def main(argv: list[str] | None = None) -> int:
+    """Run the command; the exit code is 0, 1 (a test failed), 2 (bad usage) or 130 (interrupted)."""
+    arguments = _parser().parse_args(argv)
+    command: Callable[[argparse.Namespace], int] = arguments.command
+    try:
+        return command(arguments)
+    except Unknown as error:
+        print(f"tam570: error: {error}", file=sys.stderr)
+        return 2
+    except OSError as error:
+        print(f"tam570: error: {error.filename or ''}: {error.strerror}", file=sys.stderr)
+        return 2
+    except KeyboardInterrupt:
+        print("\ntam570: interrupted", file=sys.stderr)
+        return INTERRUPTED
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(prog="tam570", description="Homework in intermediate dynamics.")
+    parser.add_argument("--version", action="version", version=f"tam570 {__version__}")
+    commands = parser.add_subparsers(required=True, metavar="COMMAND")
+
+    command = commands.add_parser("list", help="the assignments, and which of them you have started here")
+    command.set_defaults(command=_list)
+
+    command = commands.add_parser(
+        "start", help="get an assignment: the problem, the file to fill in, the tests"
+    )
+    command.set_defaults(command=_start)
+    command.add_argument("assignment", help="hw07, say")
+    command.add_argument("--into", type=Path, default=Path(), metavar="DIR", help="where (default: here)")
+
+    command = commands.add_parser("check", help="run the visible tests on what you have written")
+    command.set_defaults(command=_check)
+    command.add_argument(
+        "what", nargs="?", metavar="ASSIGNMENT|FILE", help="default: all that you have started here"
+    )
+    command.add_argument("--assignment", metavar="SLUG", help="which one a FILE of another name is")
+
+    command = commands.add_parser("hint", help="one more hint each time you ask")
+    command.set_defaults(command=_hint)
+    command.add_argument("assignment")
+    command.add_argument("function", nargs="?", help="default: the functions that there are hints for")
+    command.add_argument("--again", action="store_true", help="begin with the first hint again")
+    return parser
+
+
+def _list(arguments: argparse.Namespace) -> int:
+    for slug in assignments():
+        state = "started" if _work(slug) else ""
+        print(f"{slug:<26} {title(slug):<44} {state}".rstrip())
+    return 0
+
+
+def _start(arguments: argparse.Namespace) -> int:
+    work, copied, kept = start(arguments.assignment, arguments.into)
+    for name in copied:
+        print(work / name)
+    if kept:
+        print(f"left as you have them: {', '.join(kept)}")
+    print(
+        f"Read {work / 'README.md'}, fill in {work / (work.name + '.py')}, and try: tam570 check {work.name[:4]}"
+    )
+    return 0
+
+
+def _check(arguments: argparse.Namespace) -> int:
+    from tam570.checking import check
+
+    what = arguments.what
+    if what is not None and (what.endswith(".py") or os.sep in what):
+        file = Path(what)
+        if not file.is_file():
+            raise Unknown(f"there is no file {what}")
+        return check(file, folder(arguments.assignment or _named(file)).name)
+    slugs = [folder(what).name] if what else [slug for slug in assignments() if _work(slug)]
+    files = [(_work(slug), slug) for slug in slugs]
+    if not files or files[0][0] is None:
+        raise Unknown(f"{what or 'nothing'} is started here; begin with: tam570 start {what or 'hw01'}")
+    return max(check(file, slug) for file, slug in files if file)
+
+
+def _named(file: Path) -> str:
+    """The name that tells the assignment: the file's, else its folder's."""
+    name = file.stem
+    return name if any(name.startswith(slug[:4]) for slug in assignments()) else file.resolve().parent.name
+
+
+def _hint(arguments: argparse.Namespace) -> int:
+    import tomllib
+
+    released = folder(arguments.assignment)
+    hints: dict[str, list[str]] = tomllib.loads((released / "hints.toml").read_text(encoding="utf-8"))
+    if arguments.function is None:
+        print("\n".join(f"{name:<32} {len(steps)} hints" for name, steps in hints.items()))
+        return 0
+    if arguments.function not in hints:
+        raise Unknown(f"no hints for {arguments.function!r}; there are hints for {', '.join(hints)}")
+    steps = hints[arguments.function]
+    given = 0 if arguments.again else _given_hints(released.name, arguments.function)
+    step = min(given, len(steps) - 1)
+    print(
+        f"{steps[step]}\n({step + 1} of {len(steps)}{'' if step + 1 < len(steps) else '; this is the last'})"
+    )
+    _remember_hints(released.name, arguments.function, step + 1)
+    return 0
+
+
+def _work(slug: str) -> Path | None:
+    """The student's file here: in a folder of its own, or in the working directory."""
+    return next((path for path in (Path(slug, f"{slug}.py"), Path(f"{slug}.py")) if path.exists()), None)
+
+
+def _memory() -> Path:
+    return Path(os.environ.get("TAM570_HOME", Path.home() / ".tam570")) / "hints.json"
+
+
+def _all_given() -> dict[str, dict[str, int]]:
+    try:
+        known: dict[str, dict[str, int]] = json.loads(_memory().read_text())
+        return known
+    except (OSError, ValueError):
+        return {}
+
+
+def _given_hints(slug: str, function: str) -> int:
+    return _all_given().get(slug, {}).get(function, 0)
+
+
+def _remember_hints(slug: str, function: str, count: int) -> None:
+    known = _all_given()
+    known.setdefault(slug, {})[function] = count
+    _memory().parent.mkdir(parents=True, exist_ok=True)
+    _memory().write_text(json.dumps(known))
+
+
+if __name__ == "__main__":
+    sys.exit(main())
