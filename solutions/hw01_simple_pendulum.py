@@ -166,7 +166,7 @@ def period(amplitude, *, length, gravity):
     gravity   : m/s^2, > 0
     Returns s.
     """
-    # Gauss: K(sin(A/2)) = (pi/2)/agm(1, cos(A/2)). The cosine of A/2 keeps its digits next to pi; 1 - sin^2 does not.
+    # Gauss: K(sin(A/2)) = (pi/2)/agm(1, cos(A/2)). Next to pi that cosine keeps its digits; 1 - sin^2 does not.
     return 2 * math.pi * math.sqrt(length / gravity) / _agm(1.0, math.cos(amplitude / 2))
 
 
@@ -197,8 +197,8 @@ def _state_derivative(t, state, *, length, gravity):
 
 
 def _time_of_a_turn(theta, omega, *, length, gravity):
-    """Time after which a pendulum that goes over the top has the same speed at the same place; else infinite."""
-    bottom = omega**2 / 4 + gravity / length * math.sin(theta / 2) ** 2  # a quarter of omega^2 there, by the energy
+    """Time of a full turn of a pendulum that goes over the top; else infinite."""
+    bottom = omega**2 / 4 + gravity / length * math.sin(theta / 2) ** 2  # omega^2/4 there
     top = omega**2 / 4 - gravity / length * math.cos(theta / 2) ** 2
     return math.pi / _agm(math.sqrt(bottom), math.sqrt(top)) if top > 0 else math.inf
 

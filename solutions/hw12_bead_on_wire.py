@@ -53,7 +53,7 @@ def acceleration_newton(x, v, *, curvature, gravity):
     gravity  : m/s^2, may be 0
     Returns m/s^2.
     """
-    # a = (x'', slope x'' + 2 c v^2) and tangent = (1, slope): tangent . (a + g j) = 0, in which no normal force is left.
+    # a = (x'', slope x'' + 2 c v^2) and tangent = (1, slope): tangent . (a + g j) = 0 is free of the normal force.
     slope = 2 * curvature * x
     return -slope * (gravity + 2 * curvature * v**2) / (1 + slope**2)
 
@@ -96,7 +96,7 @@ def simulate(t, x, v, *, curvature, gravity):
     """
     from tam570.integrate import solve
 
-    # The speed along the wire varies gently where v jumps, at the bottom of a steep wire, and the energy needs it alone.
+    # The speed along the wire varies gently where v jumps, at the bottom of a steep wire; and it makes the energy.
     parameters = {"curvature": curvature, "gravity": gravity}
     start = (x, v * _stretch(x, curvature))
     position, speed = np.transpose(solve(_sliding, t, start, parameters=parameters, rtol=1e-15))
@@ -113,8 +113,8 @@ def period(amplitude, *, curvature, gravity):
     gravity  : m/s^2, > 0
     Returns s.
     """
-    # With x = amplitude sin(phi) the energy gives dt = sqrt(cos^2 phi + b^2 sin^2 phi) dphi / sqrt(2 g c), and that root
-    # is the element of arc of an ellipse with semi-axes 1 and b.
+    # With x = amplitude sin(phi) the energy gives sqrt(2 g c) dt = sqrt(cos^2 phi + b^2 sin^2 phi) dphi,
+    # and that is the element of arc of an ellipse with semi-axes 1 and b.
     return _ellipse_perimeter(_stretch(amplitude, curvature)) / math.sqrt(2 * gravity * curvature)
 
 
@@ -132,7 +132,7 @@ def _sliding(t, state, *, curvature, gravity):
 
 
 def _ellipse_perimeter(b):
-    """Perimeter of the ellipse with semi-axes 1 and b >= 1, by the arithmetic-geometric mean (Abramowitz, Stegun 17.6)."""
+    """Perimeter of the ellipse with semi-axes 1 and b >= 1, by the AGM (Abramowitz and Stegun 17.6)."""
     mean, root, weight = b, 1.0, 1.0
     half_squares = (1 + b * b) / 2
     while mean - root > 1e-8 * mean:  # the square of it, that the next term is made of, is below rounding
