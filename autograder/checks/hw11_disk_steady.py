@@ -1,0 +1,568 @@
+"""Hidden checks of hw11. What is right is found from the balance of moments in vectors, solved for the unknown.
+
+Axes: x towards the centre of the circle, z up, y such that z turns towards x about +y, as the lean grows.
+"""
+
+import math
+
+import numpy as np
+
+from tam570_grader import array, check, expect, expect_that, given, number, once, suspect
+
+RESULTS = {
+    "rolling_precession": number,
+    "rolling_spin": number,
+    "rolling_track_radius": number,
+    "sliding_spin": number,
+    "sliding_track_radius": number,
+    "common_precession": number,
+    "contact_force": array(2),
+    "moment_residual": number,
+    "settling_energy": number,
+}
+NEEDS = ("numpy", "scipy.optimize")
+OFF_LIMITS = {}
+MANUAL = {"d": (2, "which of these motions a shuddering coin follows, and why")}
+
+# Formulas agree to a few roundings, 1e-15; a root finder at its usual tolerance of 1e-12 loses two digits
+# where the root is flat. Wrong physics is off by a tenth.
+WITHIN = 1e-9
+X, Y, Z = np.eye(3)
+
+
+# The balance of moments about G
+
+
+def axle(lean):
+    return math.cos(lean) * X - math.sin(lean) * Z
+
+
+def rim(lean, radius):
+    """From the contact to G."""
+    return radius * (math.sin(lean) * X + math.cos(lean) * Z)
+
+
+def angular_velocity(lean, precession, spin):
+    """Precession about z, and about the axle what is missing to the total spin."""
+    n = axle(lean)
+    return precession * Z + (spin - precession * n @ Z) * n
+
+
+def residual(lean, precession, spin, inward, normal, *, mass, radius, inertia):
+    """Moment of the contact force about G minus Omega z x H."""
+    A, C = inertia
+    n, omega = axle(lean), angular_velocity(lean, precession, spin)
+    H = A * omega + (C - A) * (omega @ n) * n
+    moment = np.cross(-rim(lean, radius), inward * X + normal * Z)
+    return float((moment - precession * np.cross(Z, H)) @ Y)
+
+
+def rolling_force(lean, precession, spin, mass, radius, gravity):
+    """Towards the centre and upwards: G moves at omega x (contact to G), and Omega turns that velocity."""
+    velocity = np.cross(angular_velocity(lean, precession, spin), rim(lean, radius))
+    force = mass * (precession * np.cross(Z, velocity) + gravity * Z)
+    return float(force @ X), float(force @ Z)
+
+
+def sliding_force(lean, precession, spin, mass, radius, gravity):
+    return 0.0, mass * gravity
+
+
+def unbalanced(lean, precession, spin, force, *, mass, radius, inertia, gravity):
+    """The residual under the force that the motion needs."""
+    needed = force(lean, precession, spin, mass, radius, gravity)
+    return residual(lean, precession, spin, *needed, mass=mass, radius=radius, inertia=inertia)
+
+
+# Its solutions: the residual is linear in the spin, and in the square of Omega along a family of given track
+
+
+def balanced_spin(lean, precession, force=rolling_force, **disk):
+    at_rest, turning = (unbalanced(lean, precession, spin, force, **disk) for spin in (0.0, 1.0))
+    return at_rest / (at_rest - turning)
+
+
+def spin_scale(lean, precession, force=rolling_force, *, mass, radius, inertia, gravity):
+    """Size of the two terms that add up to the spin."""
+    still = {"mass": mass, "radius": radius, "inertia": inertia, "gravity": 0.0}
+    per_spin = [unbalanced(lean, precession, spin, force, **still) for spin in (0.0, 1.0)]
+    terms = mass * gravity * radius + inertia[0] * precession**2
+    return terms / abs(per_spin[1] - per_spin[0])
+
+
+def track_of(lean, precession, spin, radius):
+    """Rolling: the velocity omega x (contact to G) is that of a point that goes round with Omega."""
+    velocity = np.cross(angular_velocity(lean, precession, spin), rim(lean, radius)) @ Y
+    return rim(lean, radius) @ X - velocity / precession
+
+
+def spin_on_track(lean, precession, track_radius, radius):
+    """The spin is the one whose track is right; the track's radius is linear in it."""
+    r0, r1 = (track_of(lean, precession, spin, radius) for spin in (0.0, 1.0))
+    return (track_radius - r0) / (r1 - r0)
+
+
+def balanced_precession(lean, track_radius, *, force=rolling_force, **disk):
+    """Omega with weight - resistance Omega^2 = 0; the residual at Omega = 1 gives the resistance."""
+    weight = disk["mass"] * disk["gravity"] * disk["radius"] * math.sin(lean)
+    spin = spin_on_track(lean, 1.0, track_radius, disk["radius"])
+    return math.sqrt(weight / (weight - unbalanced(lean, 1.0, spin, force, **disk)))
+
+
+def rolling_track(lean, precession, **disk):
+    return track_with(balanced_spin)(lean, precession, **disk)
+
+
+def track_with(spin):
+    return lambda lean, precession, **disk: track_of(
+        lean, precession, spin(lean, precession, **disk), disk["radius"]
+    )
+
+
+def sliding(lean, precession, **disk):
+    return balanced_spin(lean, precession, sliding_force, **disk)
+
+
+def common(lean, *, mass, radius, inertia, gravity):
+    """Omega of the members of both families: no spin, and the weight's moment alone."""
+    disk = {"mass": mass, "radius": radius, "inertia": inertia, "gravity": gravity}
+    weight = mass * gravity * radius * math.sin(lean)
+    return math.sqrt(weight / (weight - unbalanced(lean, 1.0, 0.0, sliding_force, **disk)))
+
+
+def turning_energy(lean, precession, inertia):
+    """Kinetic energy of a disk whose centre is at rest and that has no spin."""
+    A, C = inertia
+    n, omega = axle(lean), angular_velocity(lean, precession, 0.0)
+    return 0.5 * (A * omega @ omega + (C - A) * (omega @ n) ** 2)
+
+
+def potential(lean, *, mass, radius, inertia, gravity):
+    return mass * gravity * rim(lean, radius) @ Z
+
+
+def settling_kinetic_energy(lean, **disk):
+    return turning_energy(lean, common(lean, **disk), disk["inertia"])
+
+
+def energy_with(kinetic):
+    return lambda lean, **disk: kinetic(lean, common(lean, **disk), disk["inertia"]) + potential(lean, **disk)
+
+
+# Wrong answers to name
+
+TO_CENTRE = "R measured to G; it is the radius of the track of the contact point"
+RELATIVE = "the spin relative to the turning frame taken for the total spin"
+NO_MA2 = "m a^2 missing: the force that keeps G on its circle has a moment about G too"
+SWAPPED = "A and C swapped: A is about a diameter, C about the axle"
+REVERSED = "the sign turned round"
+
+
+def swapped(right):
+    return lambda *args, **disk: right(*args, **{**disk, "inertia": disk["inertia"][::-1]})
+
+
+def reversed_sign(right):
+    return lambda *args, **disk: -right(*args, **disk)
+
+
+def about_contact(right):
+    """A + m a^2 for A."""
+
+    def wrong(*args, mass, radius, inertia, **rest):
+        moved = (inertia[0] + mass * radius**2, inertia[1])
+        return right(*args, mass=mass, radius=radius, inertia=moved, **rest)
+
+    return wrong
+
+
+def relative_spin(force):
+    """The spin relative to the frame that goes round with Omega."""
+    return lambda lean, precession, **disk: (
+        balanced_spin(lean, precession, force, **disk) - precession * axle(lean) @ Z
+    )
+
+
+def by_relative_spin(right):
+    """As if the spin given were relative to that frame."""
+    return lambda lean, precession, spin, *force, **disk: right(
+        lean, precession, spin + precession * axle(lean) @ Z, *force, **disk
+    )
+
+
+def precession_to_centre(lean, track_radius, **disk):
+    """a spin = Omega R, m Omega^2 R for the force."""
+    return balanced_precession(lean, track_radius + rim(lean, disk["radius"]) @ X, **disk)
+
+
+def precession_with_relative_spin(lean, track_radius, *, mass, radius, inertia, gravity):
+    """C times the relative spin Omega R / a in the angular momentum, the force right."""
+    A, C = inertia
+    c, s = math.cos(lean), math.sin(lean)
+    resistance = c * (C * track_radius / radius + mass * radius * (track_radius - radius * s) + A * s)
+    return math.sqrt(mass * gravity * radius * s / resistance)
+
+
+def precession_without_ma2(lean, track_radius, **disk):
+    return balanced_precession(lean, track_radius, force=sliding_force, **disk)
+
+
+def track_to_centre(lean, precession, **disk):
+    return rolling_track(lean, precession, **disk) - rim(lean, disk["radius"]) @ X
+
+
+def track_by_relative_spin(lean, precession, **disk):
+    return rolling_track(lean, precession, **disk) + rim(lean, disk["radius"]) @ X
+
+
+def force_of_spin(lean, precession, spin, *, mass, radius, gravity):
+    return mass * radius * spin**2, mass * gravity
+
+
+def force_outwards(lean, precession, spin, **disk):
+    inward, normal = rolling_force(lean, precession, spin, **disk)
+    return -inward, normal
+
+
+# The draws
+
+
+def uniform_disk(draw, size):
+    return 0.25 * size, 0.5 * size
+
+
+def hoop(draw, size):
+    return 0.5 * size, size
+
+
+def wheel(draw, size):
+    C = draw.uniform(0.2, 1.1) * size
+    return C * draw.uniform(0.6, 1.3), C
+
+
+def roller(draw, size):
+    """Long: A larger than C + m a^2."""
+    C = draw.uniform(0.3, 0.9) * size
+    return (C + size) * draw.uniform(1.5, 3.0), C
+
+
+KINDS = {uniform_disk: "a thin uniform disk", hoop: "a hoop", wheel: "a wheel", roller: "a long roller"}
+WHEELS = (uniform_disk, hoop, wheel)
+
+
+def a_disk(draw, kind):
+    mass, radius = 10 ** draw.uniform(-1, 1), 10 ** draw.uniform(-1.5, 0)
+    inertia = kind(draw, mass * radius**2)
+    return {"mass": mass, "radius": radius, "inertia": inertia, "gravity": draw.uniform(1.6, 25.0)}
+
+
+def only(disk, *names):
+    return {name: disk[name] for name in names}
+
+
+def a_lean(draw):
+    return draw.choice([-1, 1]) * draw.uniform(0.1, 1.35)
+
+
+def usual(disk):
+    """Size of precessions and spins, rad/s."""
+    return math.sqrt(disk["gravity"] / disk["radius"])
+
+
+def agree(function, cases, *, of, unit, hint=""):
+    """The student's function gives what is right in every case: (call, what is right, scale, kind)."""
+    for found, (call, right, scale, kind) in zip(
+        function.many([case[0] for case in cases]), cases, strict=True
+    ):
+        expect(found, right, within=WITHIN, scale=scale, of=of, unit=unit, at=call, kind=kind, hint=hint)
+
+
+@once
+def members(draw, force):
+    """Spins at leans and precessions of both signs."""
+    cases = []
+    for make in WHEELS * 4:
+        disk, lean = a_disk(draw, make), a_lean(draw)
+        precession = draw.choice([-1, 1]) * usual(disk) * draw.uniform(0.3, 3)
+        spin = balanced_spin(lean, precession, force, **disk)
+        cases.append(
+            (given(lean, precession, **disk), spin, spin_scale(lean, precession, force, **disk), KINDS[make])
+        )
+    return cases
+
+
+def smallest_track(lean, *, mass, radius, inertia, gravity):
+    """Track radius at which Omega would be infinite."""
+    return radius * math.sin(lean) * (1 - inertia[0] / (inertia[1] + mass * radius**2))
+
+
+@once
+def tracks(draw):
+    """Precessions on tracks, lean and track radius positive."""
+    cases = []
+    for make in WHEELS * 4:
+        disk, lean = a_disk(draw, make), draw.uniform(0.1, 1.35)
+        track = smallest_track(lean, **disk) + disk["radius"] * draw.uniform(0.3, 6)
+        right = balanced_precession(lean, track, **disk)
+        cases.append((given(lean, track, **disk), right, right, KINDS[make]))
+    return cases
+
+
+@once
+def whirls(draw):
+    """Leans, precessions, spins and disks without any relation, steady or not."""
+    disks = [(a_disk(draw, make), KINDS[make]) for make in WHEELS * 4]
+    return [
+        (draw.uniform(-1.4, 1.4), *(usual(disk) * draw.uniform(-3, 3, 2)), disk, kind) for disk, kind in disks
+    ]
+
+
+# (a) Rolling
+
+
+@check(
+    points=1.25, part="a",
+    suspects=[
+        suspect(RELATIVE, rolling_spin=relative_spin(rolling_force)),
+        suspect(NO_MA2, rolling_spin=sliding),
+        suspect(SWAPPED, rolling_spin=swapped(balanced_spin)),
+        suspect(REVERSED, rolling_spin=reversed_sign(balanced_spin)),
+    ],
+)  # fmt: skip
+def rolling_spin_balances_the_moments(student, draw):
+    """rolling_spin is the total spin that keeps lean and precession steady, leaning inwards or outwards."""
+    agree(student.rolling_spin, members(draw, rolling_force), of="the spin", unit="of its largest term",
+          hint="moment of the contact force about G = Omega z x H")  # fmt: skip
+
+
+@check(points=0.25, part="a", after=rolling_spin_balances_the_moments)
+def rolling_spin_holds_upright_and_without_gravity(student, draw):
+    """rolling_spin holds for an upright disk and for no gravity."""
+    cases = []
+    for make in WHEELS:
+        disk, precession = a_disk(draw, make), draw.choice([-1, 1]) * draw.uniform(0.5, 5)
+        upright = (0.0, disk, "an upright disk")
+        for lean, there, kind in (upright, (a_lean(draw), {**disk, "gravity": 0.0}, "no gravity")):
+            right, scale = (f(lean, precession, **there) for f in (balanced_spin, spin_scale))
+            cases.append((given(lean, precession, **there), right, scale, kind))
+    agree(student.rolling_spin, cases, of="the spin", unit="of its largest term")
+
+
+@check(
+    points=1, part="a",
+    suspects=[
+        suspect(TO_CENTRE, rolling_track_radius=track_to_centre),
+        suspect(RELATIVE, rolling_track_radius=track_by_relative_spin),
+        suspect(SWAPPED, rolling_track_radius=swapped(rolling_track)),
+        suspect(NO_MA2, rolling_track_radius=track_with(sliding)),
+    ],
+)  # fmt: skip
+def rolling_track_has_the_contact_at_rest(student, draw):
+    """rolling_track_radius is the radius, with its sign, of the contact point's track."""
+    cases = []
+    for call, spin, size, kind in members(draw, rolling_force):
+        (lean, precession), radius = call.args, call.kwargs["radius"]
+        scale = radius * (1 + size / abs(precession))
+        cases.append((call, track_of(lean, precession, spin, radius), scale, kind))
+    agree(student.rolling_track_radius, cases, of="the radius of the track", unit="of its largest term",
+          hint="the point of the disk on the ground has no velocity")  # fmt: skip
+
+
+@check(
+    points=1.25, part="a",
+    suspects=[
+        suspect(TO_CENTRE, rolling_precession=precession_to_centre),
+        suspect(RELATIVE, rolling_precession=precession_with_relative_spin),
+        suspect(SWAPPED, rolling_precession=swapped(balanced_precession)),
+        suspect(NO_MA2, rolling_precession=precession_without_ma2),
+    ],
+)  # fmt: skip
+def rolling_precession_balances_the_moments(student, draw):
+    """rolling_precession keeps the lean steady on the given track."""
+    agree(student.rolling_precession, tracks(draw), of="the precession", unit="of itself",
+          hint="put the rolling condition into the balance of moments about G")  # fmt: skip
+
+
+@check(points=0.5, part="a", after=rolling_precession_balances_the_moments)
+def rolling_precession_holds_on_tracks_of_any_sign(student, draw):
+    """rolling_precession holds where the contact is beyond the circle's centre, and for a long roller."""
+    mirrored = [
+        (given(*(-x for x in call.args), **call.kwargs), right, right, "lean and track radius both negative")
+        for call, right, _, _ in tracks(draw)[:4]
+    ]
+    disk, lean = a_disk(draw, roller), draw.uniform(0.2, 1.2)
+    right = balanced_precession(lean, 0.0, **disk)
+    still = (given(lean, 0.0, **disk), right, right, "a long roller whose contact rests")
+    agree(student.rolling_precession, [*mirrored, still], of="the precession", unit="of itself",
+          hint="which sign must the moment of the weight have?")  # fmt: skip
+
+
+@check(points=0.5, part="a", after=rolling_precession_balances_the_moments)
+def rolling_precession_is_zero_where_nothing_turns_it(student, draw):
+    """rolling_precession is 0 without gravity, and for an upright disk on a track that is no point."""
+    cases = []
+    for make in WHEELS:
+        disk, R = a_disk(draw, make), draw.uniform(2, 5)  # m, wider than any smallest track
+        cases.append((given(draw.uniform(0.2, 1.2), R, **{**disk, "gravity": 0.0}), 0.0, 1.0, "no gravity"))
+        cases.append((given(0.0, draw.choice([-1, 1]) * R, **disk), 0.0, 1.0, "an upright disk"))
+    agree(student.rolling_precession, cases, of="the precession", unit="rad/s")
+
+
+@check(points=0.75, part="a", after=rolling_precession_balances_the_moments)
+def rolling_precession_refuses_what_does_not_exist(student, draw):
+    """rolling_precession raises ValueError where no steady rolling exists, or every Omega would do."""
+    for make in WHEELS:
+        disk, lean = a_disk(draw, make), draw.uniform(0.2, 1.2)
+        wide, tight = (
+            disk["radius"] * draw.uniform(0.5, 5),
+            smallest_track(lean, **disk) * draw.uniform(0.1, 0.9),
+        )
+        refused = (
+            (-lean, wide, "a disk that leans away from the centre"),
+            (lean, -wide, "a disk that leans away from the centre, seen in a mirror"),
+            (lean, tight, "a track too tight for the lean"),
+            (0.0, 0.0, "an upright disk on a point, where every Omega will do"),
+        )
+        for *call, kind in refused:
+            expect_that(student.rolling_precession.refuses(*call, **disk),
+                        "rolling_precession does not raise ValueError", kind=kind, at=(call, disk),
+                        hint="what would Omega^2 be?")  # fmt: skip
+
+
+# (b) Sliding
+
+
+@check(
+    points=0.75, part="b",
+    suspects=[
+        suspect(RELATIVE, sliding_spin=relative_spin(sliding_force)),
+        suspect("the spin of the rolling disk", sliding_spin=balanced_spin),
+        suspect(SWAPPED, sliding_spin=swapped(sliding)),
+    ],
+)  # fmt: skip
+def sliding_spin_balances_the_moments(student, draw):
+    """sliding_spin is the total spin that keeps lean and precession steady where only the normal force acts."""
+    agree(student.sliding_spin, members(draw, sliding_force), of="the spin", unit="of its largest term",
+          hint="which part of the contact force is gone?")  # fmt: skip
+
+
+@check(
+    points=0.5, part="b",
+    suspects=[
+        suspect(TO_CENTRE, sliding_track_radius=lambda lean, *, radius: 0.0),
+        suspect("the cosine of the lean", sliding_track_radius=lambda lean, *, radius: radius * math.cos(lean)),
+        suspect(REVERSED, sliding_track_radius=lambda lean, *, radius: -radius * math.sin(lean)),
+    ],
+)  # fmt: skip
+def sliding_track_is_around_the_resting_centre(student, draw):
+    """sliding_track_radius is the contact's distance from the vertical through G, signed as R is."""
+    leans, radii = [a_lean(draw) for _ in range(10)], 10 ** draw.uniform(-1.5, 1, 10)
+    cases = [
+        (given(lean, radius=a), rim(lean, a) @ X, a, "a lean inwards" if lean > 0 else "a negative lean")
+        for lean, a in zip(leans, radii, strict=True)
+    ]
+    agree(
+        student.sliding_track_radius,
+        cases,
+        of="the radius of the track",
+        unit="of the disk's",
+        hint="where is G?",
+    )
+
+
+# (c) Both
+
+
+@check(
+    points=0.75, part="c",
+    suspects=[
+        suspect(SWAPPED, common_precession=swapped(common)),
+        suspect("A + m a^2 taken for A, as if G moved", common_precession=about_contact(common)),
+    ],
+)  # fmt: skip
+def common_precession_is_in_both_families(student, draw):
+    """common_precession is that of the motions which roll and slide at once."""
+    cases = []
+    for make in WHEELS * 3:
+        disk, lean = a_disk(draw, make), a_lean(draw)
+        right = common(lean, **disk)
+        cases.append((given(lean, **disk), right, right, KINDS[make]))
+    agree(student.common_precession, cases, of="the precession", unit="of itself",
+          hint="both tracks must be the same circle: what is the spin then?")  # fmt: skip
+
+
+@check(points=0.25, part="c", after=common_precession_is_in_both_families)
+def common_precession_has_a_limit_upright(student, draw):
+    """common_precession at lean 0 is its limit, and next to 0 it is near."""
+    for lean in (0.0, 1e-9, -1e-9):
+        disk = a_disk(draw, wheel)
+        right = common(1e-4, **disk)
+        expect(student.common_precession(lean, **disk), right, scale=right, of="the precession", unit="of itself",
+               within=1e-7,  # the lean enters by its square, 1e-8
+               at=(lean, disk), kind="an upright disk", hint="cancel the sine first")  # fmt: skip
+
+
+@check(
+    points=0.75, part="c",
+    suspects=[
+        suspect(RELATIVE, contact_force=by_relative_spin(rolling_force)),
+        suspect("m a spin^2 for the mass times the centripetal acceleration", contact_force=force_of_spin),
+        suspect("the sign of the inward force turned round", contact_force=force_outwards),
+    ],
+)  # fmt: skip
+def contact_force_moves_the_centre(student, draw):
+    """contact_force gives the mass its centripetal acceleration and carries its weight."""
+    cases = []
+    for lean, precession, spin, disk, kind in whirls(draw):
+        disk = only(disk, "mass", "radius", "gravity")
+        scale = disk["mass"] * (disk["gravity"] + disk["radius"] * (abs(precession * spin) + precession**2))
+        right = rolling_force(lean, precession, spin, **disk)
+        cases.append((given(lean, precession, spin, **disk), right, scale, kind))
+    agree(student.contact_force, cases, of="the force", unit="of the forces at work",
+          hint="(inward, normal): F = m a of G, which moves on a circle")  # fmt: skip
+
+
+@check(
+    points=0.75, part="c",
+    suspects=[
+        suspect(RELATIVE, moment_residual=by_relative_spin(residual)),
+        suspect(SWAPPED, moment_residual=swapped(residual)),
+        suspect(REVERSED, moment_residual=reversed_sign(residual)),
+    ],
+)  # fmt: skip
+def moment_residual_is_moment_minus_rate(student, draw):
+    """moment_residual is the moment about G less the rate of angular momentum, for any motion and force."""
+    cases = []
+    for lean, precession, spin, disk, kind in whirls(draw):
+        inward, normal = disk["mass"] * disk["gravity"] * draw.uniform(-2, 2, 2)
+        disk = only(disk, "mass", "radius", "inertia")
+        scale = disk["radius"] * (abs(inward) + abs(normal)) + sum(disk["inertia"]) * (
+            precession**2 + spin**2
+        )
+        motion = (lean, precession, spin, inward, normal)
+        cases.append((given(*motion, **disk), residual(*motion, **disk), scale, kind))
+    agree(student.moment_residual, cases, of="the residual", unit="of its terms",
+          hint="Omega z x H: which parts of H go round?")  # fmt: skip
+
+
+# (d) The shuddering coin
+
+
+@check(
+    points=0.75, part="d",
+    suspects=[
+        suspect("the potential energy alone", settling_energy=potential),
+        suspect("Omega, about the vertical, for the rate at which the disk turns about its diameter",
+                settling_energy=energy_with(lambda lean, p, inertia: 0.5 * inertia[0] * p**2)),
+        suspect("the kinetic energy alone", settling_energy=settling_kinetic_energy),
+    ],
+)  # fmt: skip
+def settling_energy_adds_up(student, draw):
+    """settling_energy is the kinetic and potential energy of the motion that rolls and slides at once."""
+    cases = []
+    for make in WHEELS * 3:
+        disk, lean = a_disk(draw, make), a_lean(draw)
+        scale = disk["mass"] * disk["gravity"] * disk["radius"]
+        cases.append((given(lean, **disk), energy_with(turning_energy)(lean, **disk), scale, KINDS[make]))
+    agree(student.settling_energy, cases, of="the energy", unit="of m g a",
+          hint="G is at rest; about which axis does the disk turn?")  # fmt: skip
