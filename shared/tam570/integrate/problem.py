@@ -7,7 +7,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["Array", "Rates", "bound", "floats_function", "initial_state", "sample_times", "tolerance"]
+__all__ = [
+    "Array",
+    "Rates",
+    "agrees",
+    "bound",
+    "floats_function",
+    "initial_state",
+    "sample_times",
+    "tolerance",
+]
 
 Array = NDArray[np.float64]
 Rates = Callable[[float, Any], Any]
@@ -80,6 +89,22 @@ def floats_function(rates: Rates, t: float, y0: Array) -> Rates:
     if not np.isfinite(expected).all():
         raise ValueError(f"rhs: gives {expected} at the start, t = {t:g}; is the start allowed?")
     return _to_floats(rates, rates(t, y0.copy()), np.array)
+
+
+def agrees(
+    rates: Rates, written: Callable[..., Any], constants: tuple[float, ...], times: Array, y0: Array
+) -> bool:
+    """Whether `written(t, y, constants)` gives what `rates` gives: at the start, and at points all around it."""
+    size = len(y0)
+    for trial in range(5):
+        away = 0.3 * np.sin(np.arange(1, size + 1) * (trial + 1.0) ** 2) if trial else np.zeros(size)
+        t, y = float(times[-1 if trial % 2 else 0]), y0 + away * (1 + np.abs(y0))
+        expected = _checked(rates(t, y.copy()), size)
+        found = np.array(written(t, tuple(y.tolist()), constants))
+        rounding = 1e-11 * max(np.abs(expected).max(), 1e-300)  # the order of operations differs
+        if not (np.abs(found - expected) <= rounding).all() and np.isfinite(expected).all():
+            return False
+    return True
 
 
 def _checked(value: Any, size: int) -> Array:

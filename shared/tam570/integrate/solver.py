@@ -6,9 +6,19 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.integrate import source
 from tam570.integrate.drive import advance, first_step
-from tam570.integrate.problem import Array, bound, floats_function, initial_state, sample_times, tolerance
+from tam570.integrate.problem import (
+    Array,
+    Rates,
+    agrees,
+    bound,
+    floats_function,
+    initial_state,
+    sample_times,
+    tolerance,
+)
+from tam570.integrate.source import call_of, compiled
+from tam570.integrate.trace import traced
 
 __all__ = ["solve"]
 
@@ -30,10 +40,23 @@ def solve(
     Returns (n, k); row 0 is y0.
     """
     times, start, rtol = sample_times(t), initial_state(y0), tolerance(rtol)
-    given = floats_function(bound(rhs, parameters), float(times[0]), start)
-    formulas = source.call_of(len(start))
+    rates = bound(rhs, parameters)
     with np.errstate(all="ignore"):  # a step that proves too long may overflow: it is taken again
-        return _run(source.compiled(source.functions(formulas), given), times, start, (), rtol)
+        engine, constants = _engine(rates, times, start)
+        return _run(engine, times, start, constants, rtol)
+
+
+def _engine(rates: Rates, times: Array, start: Array) -> tuple[dict[str, Any], tuple[float, ...]]:
+    """The generated functions: for the right-hand side as traced if it can be, and agrees; else for calls of it."""
+    try:
+        formulas, constants = traced(rates, len(start))
+        engine = compiled(formulas, len(times) > 2)
+        if agrees(rates, engine["rhs"], constants, times, start):
+            return engine, constants
+    except Exception:  # whatever a function says to symbols, it then gets numbers
+        pass
+    given = floats_function(rates, float(times[0]), start)
+    return compiled(call_of(len(start)), len(times) > 2, given), ()
 
 
 def _run(

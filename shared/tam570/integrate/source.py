@@ -4,13 +4,16 @@ Names in the source: y state, k3_1 stage 3's derivative of component 1, s the st
 r what rounding took from the state, m the largest magnitude so far, c the constants of the scene.
 """
 
+import math
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from functools import lru_cache
+from types import CodeType
 from typing import Any
 
 from tam570.integrate.tableau import FIFTH, NODES, ROWS, THIRD, Row, interpolant
 
-__all__ = ["Formulas", "call_of", "functions"]
+__all__ = ["Formulas", "call_of", "compiled", "functions"]
 
 KEPT = range(5, 12)  # the stages that the interpolant takes over from the step
 
@@ -42,11 +45,24 @@ def call_of(size: int) -> Formulas:
     return Formulas((line,), rates, 0, frozenset(range(size)), timed=True)
 
 
-def functions(formulas: Formulas) -> str:
-    """Source of `rhs`, `euler`, `raised`, `step`, `dense` and `at` for these formulas."""
-    parts = [part(formulas) for part in (_rhs, _euler, _raised, _dense, _at)]
-    parts.append(_forgiven(_step(formulas)))
+def functions(formulas: Formulas, sampled: bool) -> str:
+    """Source of `rhs`, `euler`, `raised` and `step` for these formulas, and of `dense` and `at` if sampled."""
+    nothing = _tuple(["nan"] * formulas.size)
+    parts = [
+        _forgiving(_rhs(formulas), nothing),
+        _euler(formulas),
+        _forgiving(_raised(formulas), "m"),
+        _forgiving(_step(formulas), "y, r, f, m, inf, 0.0, ()"),
+    ]
+    parts += [_dense(formulas), _at(formulas)] if sampled else []
     return "\n\n".join("\n    ".join(part) for part in parts) + "\n"
+
+
+def _forgiving(function: list[str], answer: str) -> list[str]:
+    """A function that answers thus to an overflow or the root of a negative number: the step was too long."""
+    head, *body = function
+    rescue = ["except (ArithmeticError, ValueError):", f"    return {answer}"]
+    return [head, "try:", *(f"    {line}" for line in body), *rescue]
 
 
 def _names(letter: str, size: int) -> list[str]:
@@ -126,13 +142,6 @@ def _step(formulas: Formulas) -> list[str]:
     return [*lines, f"return {', '.join(names)}, fifth, third, {_tuple(_kept(formulas))}"]
 
 
-def _forgiven(function: list[str]) -> list[str]:
-    """`step` that answers an overflow, or a root of a negative number, with an estimate beyond all bounds."""
-    head, *body = function
-    rescue = ["except (ArithmeticError, ValueError):", "    return y, r, f, m, inf, 0.0, ()"]
-    return [head, "try:", *(f"    {line}" for line in body), *rescue]
-
-
 def _kept(formulas: Formulas) -> list[str]:
     return [f"k{j}_{i}" for j in KEPT for i in formulas.moving]
 
@@ -189,10 +198,13 @@ def _at(formulas: Formulas) -> list[str]:
     return lines
 
 
-def compiled(source: str, given: Callable[..., Any] | None = None) -> dict[str, Any]:
-    """The functions of a source, by name."""
-    import math
-
-    namespace: dict[str, Any] = {**vars(math), "given": given}
-    exec(compile(source, "<tam570 step>", "exec"), namespace)  # noqa: S102
+def compiled(formulas: Formulas, sampled: bool, given: Callable[..., Any] | None = None) -> dict[str, Any]:
+    """The functions by name; `given` is what formulas of `call_of` call."""
+    namespace: dict[str, Any] = {**vars(math), "given": given, "dense": None, "at": None}
+    exec(_code(formulas, sampled), namespace)
     return namespace
+
+
+@lru_cache(maxsize=256)
+def _code(formulas: Formulas, sampled: bool) -> CodeType:
+    return compile(functions(formulas, sampled), "<tam570 step>", "exec")
