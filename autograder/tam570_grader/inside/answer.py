@@ -23,7 +23,7 @@ MOST_LINES = 500
 def answer(
     module: ModuleType, request: Mapping[str, Any], args: list[Any], kwargs: dict[str, Any]
 ) -> dict[str, Any]:
-    """The reply to one call: {"value": ..., "changed": whether the function changed its arguments} or {"error": ...}."""
+    """The reply to one call: {"value": ..., "changed": were the arguments changed} or {"error": ...}."""
     try:
         function = getattr(module, request["function"])
         before = packed([args, kwargs])

@@ -7,4 +7,5 @@ suspect: the transpose
 
 def rotation_matrix(axis, angle):
     n = _unit(axis)
-    return np.cos(angle) * np.eye(3) + (1 - np.cos(angle)) * np.outer(n, n) - np.sin(angle) * skew(n)
+    a = angle
+    return np.cos(a) * np.eye(3) + (1 - np.cos(a)) * np.outer(n, n) + -np.sin(a) * skew(n)

@@ -1,0 +1,247 @@
+"""The laws that every assignment obeys. A new assignment is under them by being there."""
+
+import ast
+import re
+import tomllib
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tam570_grader import root
+from tam570_grader.grade import agrees
+from tam570_grader.returns import Array, Drawing, Formula, Group
+from tam570_grader.sandbox import Allowance
+from tam570_grader.stubs import stub
+from tam570_grader.student import Source, Student
+
+TESTS = Path(__file__).parent
+COURSE = root.find()
+CHECKS = [(slug, check) for slug in root.slugs(COURSE) for check in root.assignment(COURSE, slug).checks]
+
+
+def overlays(kind):
+    """(assignment, file) of every wrong or right submission."""
+    return [(path.parent.name, path) for path in sorted((TESTS / kind).glob("*/*.py"))]
+
+
+def named(cases):
+    return {
+        "argvalues": cases,
+        "ids": [f"{slug[:4]}-{getattr(it, 'name', it).removesuffix('.py')}" for slug, it in cases],
+    }
+
+
+def outcomes(result, outcome):
+    return {mark.name for mark in result.checks if mark.outcome == outcome}
+
+
+def failures(result):
+    return [(mark.name, mark.outcome, mark.message) for mark in result.checks if mark.outcome != "passed"]
+
+
+# What is released
+
+
+def test_the_stub_is_current(slug, course, solution_text):
+    path = course / "assignments" / slug / f"{slug}.py"
+    assert path.read_text() == stub(solution_text(slug)), "run: tam570-grader stubs"
+
+
+def test_the_stub_keeps_every_signature_and_no_body(slug, solution_text):
+    solution, released = (functions(text) for text in (solution_text(slug), stub(solution_text(slug))))
+    for name in exported(solution_text(slug)):
+        assert ast.dump(solution[name].args) == ast.dump(released[name].args)
+        assert ast.unparse(released[name].body[1]) == "raise NotImplementedError"
+
+
+def test_no_released_file_holds_a_solution_or_a_hidden_check(slug, course, solution_text):
+    secret = solution_text(slug) + (course / "autograder" / "checks" / f"{slug}.py").read_text()
+    public = stub(solution_text(slug))
+    lines = {line.strip() for line in secret.splitlines() if len(line.strip()) > 30 and line not in public}
+    for path in (course / "assignments" / slug).iterdir():
+        leaked = [line for line in lines if path.is_file() and line in path.read_text()]
+        assert not leaked, f"{path.name} shows {leaked}"
+
+
+def test_the_readme_names_every_function_and_its_points(slug, course, solution_text):
+    text = (course / "assignments" / slug / "README.md").read_text()
+    rows = re.findall(r"^\| `(\w+)\(.*?\| *([\d.]+) *\|", text, re.MULTILINE)
+    assert {name for name, _ in rows} == set(exported(solution_text(slug)))
+    assert sum(float(points) for _, points in rows) == pytest.approx(root.assignment(course, slug).max_score)
+
+
+def test_there_are_hints_for_every_function(slug, course, solution_text):
+    hints = tomllib.loads((course / "assignments" / slug / "hints.toml").read_text())
+    assert set(hints) == set(exported(solution_text(slug)))
+    assert all(steps and all(step.strip() for step in steps) for steps in hints.values())
+
+
+def test_the_checks_promise_every_function_and_ten_points(slug, course, solution_text):
+    assignment = root.assignment(course, slug)
+    assert set(assignment.results) == set(exported(solution_text(slug)))
+    assert assignment.max_score == 10.0
+    assert all(check.judge.__doc__ and check.points > 0 for check in assignment.checks)
+
+
+# Right answers pass
+
+
+def test_the_solution_has_full_marks(slug, seed, grade, solution_text):
+    result = grade(slug, solution_text(slug), seed)
+    assert result.score == result.max_score, failures(result)
+
+
+@pytest.mark.parametrize(("slug", "path"), **named(overlays("right")))
+def test_right_answers_in_other_styles_have_full_marks(slug, path, seed, grade):
+    result = grade(slug, path.read_text(), seed)
+    assert result.score == result.max_score, failures(result)
+
+
+# Wrong answers lose points where they must
+
+
+@pytest.mark.parametrize(("slug", "path"), **named(overlays("wrong")))
+def test_a_wrong_submission_fails_its_checks_and_no_other(slug, path, grade, solution_text):
+    expected = header(path)
+    result = grade(slug, solution_text(slug) + "\n\n" + path.read_text(), seed=1)
+    assert outcomes(result, "failed") == set(expected["fails"].split(", ")), failures(result)
+    if "suspect" in expected:
+        suspects = [mark.suspect for mark in result.checks if mark.suspect]
+        assert any(expected["suspect"] in says for says in suspects), failures(result)
+
+
+@pytest.mark.parametrize(("slug", "check"), **named(CHECKS))
+def test_every_check_has_a_wrong_submission_that_it_catches(slug, check):
+    caught = [header(path)["fails"].split(", ") for _, path in overlays("wrong") if path.parent.name == slug]
+    assert any(check.name in names for names in caught)
+
+
+@pytest.mark.parametrize(("slug", "check"), **named([pair for pair in CHECKS if pair[1].suspects]))
+def test_the_inputs_of_a_check_tell_its_suspects_from_the_truth(slug, check, workers, solution_text):
+    source = Source(solution_text(slug).encode())
+    assignment = root.assignment(COURSE, slug)
+    student = Student(source, assignment, workers(slug, Allowance()))
+    check.judge(student, np.random.default_rng(5))
+    student.leave()
+    for suspect in check.suspects:
+        assert any(call.name in suspect.variants for call in student.calls), f"never tried: {suspect.says}"
+        assert not agrees(suspect, student.calls), suspect.says
+
+
+# Nothing scores nothing
+
+EMPTY = {
+    "an empty file": "",
+    "None": "def {f}(*args, **kwargs): return None",
+    "NaN": "def {f}(*args, **kwargs): return {nan}",
+    "zeros": "def {f}(*args, **kwargs): return {zeros}",
+    "an empty list": "def {f}(*args, **kwargs): return []",
+    "a string": "def {f}(*args, **kwargs): return 'x'",
+    "the first input": "def {f}(*args, **kwargs): return args[0] if args else None",
+    "the last input": "def {f}(*args, **kwargs): return args[-1] if args else None",
+    "the start at every time": (
+        "import numpy\n"
+        "def {f}(*args, **kwargs): return numpy.tile(numpy.hstack(args[1:]), (len(args[0]), 1))"
+    ),
+    "ValueError": "def {f}(*args, **kwargs): raise ValueError",
+    "the stub's exception": "def {f}(*args, **kwargs): raise NotImplementedError",
+    "an exit at import": "import sys; sys.exit(0)",
+    "a hard exit at import": "import os; os._exit(0)",
+}
+
+
+@pytest.mark.parametrize("what", EMPTY)
+def test_what_says_nothing_scores_nothing(slug, what, grade, course):
+    results = root.assignment(course, slug).results
+    text = "\n".join(
+        EMPTY[what].format(f=name, zeros=filled(promise, "0."), nan=filled(promise, "float('nan')"))
+        for name, promise in results.items()
+    )
+    result = grade(slug, text)
+    assert result.score == 0, failures(result)
+
+
+def test_the_untouched_stub_scores_nothing(slug, grade, course):
+    result = grade(slug, (course / "assignments" / slug / f"{slug}.py").read_text())
+    assert result.score == 0
+    assert outcomes(result, "not_run") == {check.name for check in root.assignment(course, slug).checks}
+
+
+def test_an_endless_loop_scores_nothing(slug, grade, course):
+    names = root.assignment(course, slug).results
+    text = "\n".join(f"def {name}(*args, **kwargs):\n    while True: pass" for name in names)
+    result = grade(slug, text, allowance=Allowance(cpu=2, call=1))
+    assert (result.status, result.score) == ("timeout", 0)
+
+
+WRAPPERS = {
+    "complex numbers": "lambda x: x + 0j if np.ndim(x) or True else x",
+    "arrays of objects": "lambda x: np.asarray(x, dtype=object).reshape(np.shape(x) or (1,))[...]",
+    "one axis too many": "lambda x: np.asarray(x)[None]",
+    "NaN in one place": "lambda x: np.where(np.arange(np.size(x)).reshape(np.shape(x)) == 0, np.nan, x)",
+}
+
+
+@pytest.mark.parametrize("what", WRAPPERS)
+def test_right_numbers_in_a_wrong_form_score_nothing(slug, what, grade, course, solution_text):
+    result = grade(slug, solution_text(slug) + wrapped(root.assignment(course, slug).results, WRAPPERS[what]))
+    kept = {mark.name for mark in result.checks if mark.points}
+    assert not kept - only_drawings_and_formulas(slug, course), failures(result)
+
+
+def wrapped(results, wrapper):
+    """Code that wraps each function whose result is numbers."""
+    numeric = [name for name, promise in results.items() if isinstance(promise, Array | Group)]
+    return f"""
+import numpy as np
+def _wrap(function):
+    change = {wrapper}
+    def wrapper(*args, **kwargs):
+        result = function(*args, **kwargs)
+        return tuple(map(change, result)) if isinstance(result, tuple) else change(np.asarray(result))
+    return wrapper
+for _name in {numeric}:
+    globals()[_name] = _wrap(globals()[_name])
+"""
+
+
+def only_drawings_and_formulas(slug, course):
+    """Checks that call no function whose result is numbers."""
+    assignment = root.assignment(course, slug)
+    numeric = [name for name, promise in assignment.results.items() if isinstance(promise, Array | Group)]
+    return {
+        check.name
+        for check in assignment.checks
+        if not any(name in check.judge.__code__.co_names for name in numeric)
+    }
+
+
+def filled(promise, number):
+    """Code of a result of the promised form, with the same number everywhere."""
+    if isinstance(promise, Group):
+        return "(" + ", ".join(filled(member, number) for member in promise.members) + ",)"
+    if isinstance(promise, Drawing):
+        return "None"
+    if isinstance(promise, Formula):
+        return f"__import__('sympy').sympify({number})"
+    sizes = ["len(args[0])" if size == "n" else "2" if size is None else str(size) for size in promise.shape]
+    return f"__import__('numpy').full(({', '.join(sizes)}{',' if sizes else ''}), {number})"
+
+
+def header(path):
+    """The `key: value` lines of a submission's docstring."""
+    docstring = ast.get_docstring(ast.parse(path.read_text())) or ""
+    return dict(re.findall(r"^(\w+): (.+)$", docstring, re.MULTILINE))
+
+
+def functions(text):
+    return {node.name: node for node in ast.parse(text).body if isinstance(node, ast.FunctionDef)}
+
+
+def exported(text):
+    return next(
+        ast.literal_eval(node.value)
+        for node in ast.parse(text).body
+        if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "__all__"
+    )

@@ -1,0 +1,11 @@
+"""The matrix takes the axis for a unit vector.
+
+fails: matrix_turns_by_the_right_hand_rule
+suspect: the axis not made a unit vector
+"""
+
+
+def rotation_matrix(axis, angle):
+    n = axis
+    a = angle
+    return np.cos(a) * np.eye(3) + (1 - np.cos(a)) * np.outer(n, n) + np.sin(a) * skew(n)

@@ -1,0 +1,11 @@
+"""The matrix takes the angle for degrees.
+
+fails: matrix_turns_by_the_right_hand_rule
+suspect: the angle taken for degrees
+"""
+
+
+def rotation_matrix(axis, angle):
+    n = _unit(axis)
+    a = np.radians(angle)
+    return np.cos(a) * np.eye(3) + (1 - np.cos(a)) * np.outer(n, n) + np.sin(a) * skew(n)

@@ -1,0 +1,11 @@
+"""An axis that is not finite is not refused, by either function.
+
+fails: matrix_refuses_what_is_no_axis, rotate_refuses_what_is_no_axis
+"""
+
+
+def _unit(axis):
+    length = np.max(np.abs(axis))
+    if length == 0:
+        raise ValueError("no axis")
+    return axis / length / np.linalg.norm(axis / length)

@@ -1,0 +1,11 @@
+"""rotate takes the axis for a unit vector.
+
+fails: vector_turns_by_the_right_hand_rule
+suspect: the axis not made a unit vector
+"""
+
+
+def rotate(r, axis, angle):
+    n = axis
+    a = angle
+    return np.cos(a) * r + (1 - np.cos(a)) * np.dot(n, r) * n + np.sin(a) * np.cross(n, r)

@@ -1,0 +1,10 @@
+"""rotate reduces the angle in single precision where it is large.
+
+fails: vector_turns_by_every_angle
+"""
+
+
+def rotate(r, axis, angle):
+    if abs(angle) > 50:
+        angle = np.float32(angle)
+    return rotation_matrix(axis, angle) @ r
