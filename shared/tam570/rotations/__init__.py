@@ -24,10 +24,10 @@ Quaternion from rotation matrix, J. Guidance and Control 1 (1978).
 """
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from tam570.rotations import _euler, _formulas
-from tam570.rotations._evaluate import Array, Component, Kind, argument, evaluate
+from tam570.rotations._evaluate import Array, Kind, evaluate
 
 __all__ = [
     "axis_angle_from_matrix",
@@ -54,7 +54,7 @@ def skew(v: ArrayLike) -> Array:
 
     v : (..., 3)
     """
-    return evaluate(_formulas.skew_of_vector, [argument("v", _VECTOR, v)], (3, 3))
+    return evaluate(_formulas.skew_of_vector, FINITE, (3, 3), ("v", _VECTOR, v))
 
 
 def unskew(S: ArrayLike) -> Array:
@@ -62,7 +62,7 @@ def unskew(S: ArrayLike) -> Array:
 
     S : (..., 3, 3)
     """
-    return evaluate(_formulas.vector_of_skew, [argument("S", _MATRIX, S)], (3,))
+    return evaluate(_formulas.vector_of_skew, FINITE, (3,), ("S", _MATRIX, S))
 
 
 def matrix_from_axis_angle(axis: ArrayLike, angle: ArrayLike) -> Array:
@@ -72,8 +72,8 @@ def matrix_from_axis_angle(axis: ArrayLike, angle: ArrayLike) -> Array:
     angle : (...), rad
     Raises ValueError if the axis is zero, or either is not finite.
     """
-    arguments = [argument("axis", _AXIS, axis), argument("angle", _ANGLE, angle)]
-    return evaluate(_formulas.matrix_of_axis_angle, arguments, (3, 3))
+    formula = _formulas.matrix_of_axis_angle
+    return evaluate(formula, SQUARES, (3, 3), ("axis", _AXIS, axis), ("angle", _ANGLE, angle))
 
 
 def axis_angle_from_matrix(R: ArrayLike) -> tuple[Array, Array]:
@@ -82,7 +82,7 @@ def axis_angle_from_matrix(R: ArrayLike) -> tuple[Array, Array]:
     R : (..., 3, 3)
     Raises ValueError if R is not a rotation.
     """
-    axis_and_angle = evaluate(_formulas.axis_angle_of_matrix, [argument("R", _ROTATION, R)], (4,))
+    axis_and_angle = evaluate(_formulas.axis_angle_of_matrix, DEFECTS, (4,), ("R", _ROTATION, R))
     return axis_and_angle[..., :3], axis_and_angle[..., 3]
 
 
@@ -92,7 +92,7 @@ def matrix_from_quaternion(q: ArrayLike) -> Array:
     q : (..., 4), scalar first, any nonzero length
     Raises ValueError if q is zero or not finite.
     """
-    return evaluate(_formulas.matrix_of_quaternion, [argument("q", _QUATERNION, q)], (3, 3))
+    return evaluate(_formulas.matrix_of_quaternion, SQUARES, (3, 3), ("q", _QUATERNION, q))
 
 
 def quaternion_from_matrix(R: ArrayLike) -> Array:
@@ -101,17 +101,16 @@ def quaternion_from_matrix(R: ArrayLike) -> Array:
     R : (..., 3, 3)
     Raises ValueError if R is not a rotation.
     """
-    return evaluate(_formulas.quaternion_of_matrix, [argument("R", _ROTATION, R)], (4,))
+    return evaluate(_formulas.quaternion_of_matrix, DEFECTS, (4,), ("R", _ROTATION, R))
 
 
 def composition(p: ArrayLike, q: ArrayLike) -> Array:
     """The quaternion product p q: the rotation q followed by p (about space-fixed axes).
 
     p, q : (..., 4), scalar first; the length of the product is the product of the lengths
-    Raises ValueError if p or q is zero or not finite.
+    Raises ValueError if p or q is not finite.
     """
-    arguments = [argument("p", _FACTOR, p), argument("q", _FACTOR, q)]
-    return evaluate(_formulas.product_of_quaternions, arguments, (4,))
+    return evaluate(_formulas.product_of_quaternions, FINITE, (4,), ("p", _FACTOR, p), ("q", _FACTOR, q))
 
 
 def matrix_from_euler(sequence: str, angles: ArrayLike) -> Array:
@@ -122,7 +121,7 @@ def matrix_from_euler(sequence: str, angles: ArrayLike) -> Array:
     Raises ValueError if there is no such sequence or an angle is not finite.
     """
     formula = _euler.matrix_of_angles(_order(sequence))
-    return evaluate(formula, [argument("angles", _ANGLES, angles)], (3, 3))
+    return evaluate(formula, FINITE, (3, 3), ("angles", _VECTOR, angles))
 
 
 def euler_from_matrix(sequence: str, R: ArrayLike) -> Array:
@@ -132,7 +131,8 @@ def euler_from_matrix(sequence: str, R: ArrayLike) -> Array:
     R        : (..., 3, 3)
     Raises ValueError if there is no such sequence or R is not a rotation.
     """
-    return evaluate(_euler.angles_of_matrix(_order(sequence)), [argument("R", _ROTATION, R)], (3,))
+    formula = _euler.angles_of_matrix(_order(sequence))
+    return evaluate(formula, DEFECTS, (3,), ("R", _ROTATION, R))
 
 
 def euler_rates(sequence: str, angles: ArrayLike, omega: ArrayLike) -> Array:
@@ -143,8 +143,8 @@ def euler_rates(sequence: str, angles: ArrayLike, omega: ArrayLike) -> Array:
     omega    : (..., 3), rad/s, components along the body's axes (for components in space give R^T omega)
     Raises ValueError in gimbal lock: |sin b| < 1e-12 ("313"), |cos b| < 1e-12 ("312").
     """
-    arguments = [argument("angles", _ANGLES, angles), argument("omega", _VECTOR, omega)]
-    result = evaluate(_euler.rates(_order(sequence)), arguments, (4,))
+    formula = _euler.rates(_order(sequence))
+    result = evaluate(formula, FINITE, (4,), ("angles", _VECTOR, angles), ("omega", _VECTOR, omega))
     if (np.abs(result[..., 3]) < LOCK).any():
         raise ValueError(
             f"angles in gimbal lock: no rates of {sequence} there; take another sequence or a matrix"
@@ -158,7 +158,7 @@ def exp(v: ArrayLike) -> Array:
     v : (..., 3), rad
     Raises ValueError if v is not finite.
     """
-    return evaluate(_formulas.matrix_of_vector, [argument("v", _TURN, v)], (3, 3))
+    return evaluate(_formulas.matrix_of_vector, TURNS, (3, 3), ("v", _TURN, v))
 
 
 def log(R: ArrayLike) -> Array:
@@ -167,7 +167,7 @@ def log(R: ArrayLike) -> Array:
     R : (..., 3, 3)
     Raises ValueError if R is not a rotation.
     """
-    return evaluate(_formulas.vector_of_matrix, [argument("R", _ROTATION, R)], (3,))
+    return evaluate(_formulas.vector_of_matrix, DEFECTS, (3,), ("R", _ROTATION, R))
 
 
 def nearest(M: ArrayLike) -> Array:
@@ -176,12 +176,7 @@ def nearest(M: ArrayLike) -> Array:
     M : (..., 3, 3), any matrix, of either handedness
     Raises ValueError if M is not finite or several rotations are equally near.
     """
-    matrices = argument("M", _MATRIX, M).value
-    if not np.isfinite(matrices).all():
-        raise ValueError("M is not finite")
-    U, stretch, Vt = np.linalg.svd(matrices)
-    U[..., 2] *= np.sign(np.linalg.det(U) * np.linalg.det(Vt))[..., None]
-    return np.asarray(U @ Vt)
+    return evaluate(_formulas.nearest_rotation, STEPS, (3, 3), ("M", _NEAR_ONE, M))
 
 
 def _order(sequence: str) -> _euler.Sequence:
@@ -190,9 +185,38 @@ def _order(sequence: str) -> _euler.Sequence:
     return SEQUENCES[sequence]
 
 
-def _size(*components: Component) -> Component:
-    """Zero or more for finite components, not a number or infinite otherwise."""
-    return sum(abs(c) for c in components)
+def _is_finite(rows: Array) -> NDArray[np.bool_]:
+    return np.asarray(np.isfinite(rows).all(axis=1))
+
+
+def _is_short(rows: Array) -> NDArray[np.bool_]:
+    return np.asarray(
+        np.abs(rows).max(axis=1) < 1e150
+    )  # rad; a turn this long has lost its angle 1e134 times over
+
+
+def _is_direction(rows: Array) -> NDArray[np.bool_]:
+    return _is_finite(rows) & rows.any(axis=1)
+
+
+def _is_rotation(rows: Array) -> NDArray[np.bool_]:
+    return np.asarray(_formulas.defect(*rows.T) <= DEFECTS[1])
+
+
+def _has_one_nearest(rows: Array) -> NDArray[np.bool_]:
+    """Whether the two smaller stretches, the last one negative for a left-handed matrix, do not cancel."""
+    finite = _is_finite(rows)
+    matrices = np.where(finite[:, None], rows, 0.0).reshape(-1, 3, 3)
+    U, stretch, Vt = np.linalg.svd(matrices)
+    cancelled = stretch[:, 1] + np.linalg.det(U @ Vt) * stretch[:, 2] <= 1e-15 * stretch[:, 0]  # round-off
+    return np.asarray(finite & ~cancelled)
+
+
+def _nearest_by_svd(rows: Array) -> Array:
+    """Nearest rotations where Newton's iteration is slow or left-handed (Kabsch 1978)."""
+    U, _, Vt = np.linalg.svd(rows.reshape(-1, 3, 3))
+    U[:, :, 2] *= np.sign(np.linalg.det(U @ Vt))[:, None]
+    return np.asarray((U @ Vt).reshape(-1, 9))
 
 
 def _into_range(rows: Array) -> Array:
@@ -201,24 +225,19 @@ def _into_range(rows: Array) -> Array:
     return np.asarray(np.ldexp(rows, -exponent))
 
 
-_FINITE = "must be finite"
-_DIRECTION = "must be finite and not zero"
-_VECTOR = Kind((3,), _size, 0.0, np.finfo(float).max, _FINITE)
-_MATRIX = Kind((3, 3), _size, 0.0, np.finfo(float).max, _FINITE)
-_ANGLE = Kind((), _size, 0.0, np.finfo(float).max, _FINITE)
-_ANGLES = _VECTOR
-_TURN = Kind((3,), _formulas.square, 0.0, 1e300, "must be finite and shorter than 1e150 rad")
-_AXIS = Kind(
-    (3,), _formulas.square, 1e-200, 1e200, f"{_DIRECTION}: give a vector along the axis", _into_range
-)
-_QUATERNION = Kind(
-    (4,), _formulas.square, 1e-200, 1e200, f"{_DIRECTION}: (1, 0, 0, 0) is no turn", _into_range
-)
-_FACTOR = Kind((4,), _formulas.square, 1e-200, 1e200, f"{_DIRECTION}: give unit quaternions")
-_ROTATION = Kind(
-    (3, 3),
-    _formulas.defect,
-    0.0,
-    1e-12,
-    "is not a rotation (off by more than 1e-6): repair it with nearest(R)",
-)
+# Measures that need no second look
+FINITE = (0.0, 0.0)
+SQUARES = (1e-200, 1e250)  # squared lengths whose products neither underflow nor overflow
+TURNS = (0.0, 1e300)  # squared lengths of rotation vectors, which may underflow
+STEPS = (0.0, 1e-18)  # square of Newton's last step, which leaves an error of half its square
+DEFECTS = (0.0, 1e-12)  # of a matrix within 1e-6 of a rotation
+
+_ANGLE = Kind((), _is_finite, "must be finite")
+_VECTOR = Kind((3,), _is_finite, "must be finite")
+_MATRIX = Kind((3, 3), _is_finite, "must be finite")
+_FACTOR = Kind((4,), _is_finite, "must be finite")
+_TURN = Kind((3,), _is_short, "must be finite and shorter than 1e150 rad")
+_AXIS = Kind((3,), _is_direction, "must be finite and not zero: give a vector along the axis", _into_range)
+_QUATERNION = Kind((4,), _is_direction, "must be finite and not zero: no turn is (1, 0, 0, 0)", _into_range)
+_NEAR_ONE = Kind((3, 3), _has_one_nearest, "must be finite and near one rotation only", _nearest_by_svd)
+_ROTATION = Kind((3, 3), _is_rotation, "is not a rotation (off by more than 1e-6): repair it with nearest(R)")

@@ -12,6 +12,7 @@ and R_j(-pi/2) only exchanges two columns: e_i -> s e_k, e_k -> -s e_i. What is 
 from dataclasses import dataclass
 
 from tam570.rotations._evaluate import Component, Formula, Functions
+from tam570.rotations._formulas import defect, nothing
 
 Numbers = tuple[Component, ...]
 
@@ -48,11 +49,10 @@ def matrix_of_angles(order: Sequence) -> Formula:
         of_i = {i: cb, j: sa * sb, k: -s * ca * sb}  # where each axis goes under R_i(a) R_j(b) R_i(c)
         of_j = {i: sc * sb, j: cc * ca - sc * cb * sa, k: s * (cc * sa + sc * cb * ca)}
         of_k = {i: s * cc * sb, j: -s * (cc * cb * sa + sc * ca), k: cc * cb * ca - sc * sa}
-        if order.proper:
-            columns = {i: of_i, j: of_j, k: of_k}
-        else:
+        columns = {i: of_i, j: of_j, k: of_k}
+        if not order.proper:
             columns = {i: _times(s, of_k), j: of_j, k: _times(-s, of_i)}
-        return tuple(columns[column][row] for row in range(3) for column in range(3))
+        return nothing(a, b, c), *(columns[column][row] for row in range(3) for column in range(3))
 
     return formula
 
@@ -79,8 +79,8 @@ def angles_of_matrix(order: Sequence) -> Formula:
         sc = -s * (ca * of_k[j] + s * sa * of_k[k])  # c turns e_j, seen from the frame before it
         cc = ca * rows[j][j] + s * sa * rows[k][j]
         if order.proper:
-            return f.atan2(sa, ca), f.atan2(sb, cb), f.atan2(sc, cc)
-        return f.atan2(sa, ca), f.atan2(-cb, sb), f.atan2(-s * sc, cc)
+            return defect(*R), f.atan2(sa, ca), f.atan2(sb, cb), f.atan2(sc, cc)
+        return defect(*R), f.atan2(sa, ca), f.atan2(-cb, sb), f.atan2(-s * sc, cc)
 
     return formula
 
@@ -99,6 +99,6 @@ def rates(order: Sequence) -> Formula:
         along = cc * about_k + s * sc * omega[order.j]
         first = s * along / f.where(sb == 0, 1.0, sb)
         last = about_i - cb * first
-        return first, across, last if order.proper else -s * last, sb
+        return nothing(a, b, c, *omega), first, across, last if order.proper else -s * last, sb
 
     return formula

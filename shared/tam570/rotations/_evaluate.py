@@ -2,11 +2,12 @@
 
 A formula is a straight-line function `formula(f, *components)` of numbers. `f` holds the elementary
 functions: those of `math` for one rotation (no array overhead), those of NumPy for a block of rotations,
-component by component.
+component by component. Its first result is a measure of its input that it needs or gets nearly free; where
+that leaves the range it must lie in, and only there, the arguments are looked at one by one.
 """
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import Any
 
@@ -30,6 +31,7 @@ class Functions:
     sqrt: Callable[..., Component]
     atan2: Callable[..., Component]
     hypot: Callable[..., Component]
+    norm: Callable[..., Component]
     where: Callable[..., Component]
 
 
@@ -37,80 +39,98 @@ def _either(condition: bool, if_true: float, if_false: float) -> float:
     return if_true if condition else if_false
 
 
-FLOATS = Functions(math.sin, math.cos, math.tan, math.sqrt, math.atan2, math.hypot, _either)
-ARRAYS = Functions(np.sin, np.cos, np.tan, np.sqrt, np.arctan2, np.hypot, np.where)
+def _norm(x: Array, y: Array, z: Array) -> Array:
+    """Length of a vector; no square underflows, as it does in the root of a sum of squares."""
+    return np.asarray(np.hypot(np.hypot(x, y), z))
+
+
+FLOATS = Functions(math.sin, math.cos, math.tan, math.sqrt, math.atan2, math.hypot, math.hypot, _either)
+ARRAYS = Functions(np.sin, np.cos, np.tan, np.sqrt, np.arctan2, np.hypot, _norm, np.where)
 
 
 @dataclass(frozen=True)
 class Kind:
-    """What an argument must be: `low <= measure(*components) <= high`, else it is mended or refused."""
+    """What an argument must be."""
 
     shape: tuple[int, ...]
-    measure: Callable[..., Component]
-    low: float
-    high: float
+    holds: Callable[[Array], NDArray[np.bool_]]  # of rows (n, k), one for each rotation
     demand: str  # ends the sentence "<name> ...", and says what to do
-    mend: Callable[[Array], Array] | None = None  # brings entries of extreme size into range, rows (n, k)
-
-    def holds(self, components: list[Component]) -> Component:
-        """Whether it is so: a bool, or one for each rotation (False where not a number)."""
-        measure = self.measure(*components)
-        return (self.low <= measure) & (measure <= self.high)
+    mend: Callable[[Array], Array] = lambda rows: rows  # brings lengths out of the ordinary into range
 
 
-@dataclass(frozen=True)
-class Argument:
-    """An argument of a public function: its name, what it must be, its value."""
+def evaluate(
+    formula: Formula,
+    within: tuple[float, float],
+    shape: tuple[int, ...],
+    *arguments: tuple[str, Kind, ArrayLike],
+) -> Array:
+    """`formula` of the arguments' components, for every rotation in the batch; results of `shape` each.
 
-    name: str
-    kind: Kind
-    value: Array
+    within    : least and greatest measure (the formula's first result) of input that needs no second look
+    arguments : name, kind and value of each
+    """
+    values = [_floats(*argument) for argument in arguments]
+    kinds = [kind for _, kind, _ in arguments]
+    if all(value.ndim == len(kind.shape) for value, kind in zip(values, kinds, strict=True)):
+        numbers = [number for value in values for number in value.ravel().tolist()]
+        try:
+            measure, *results = formula(FLOATS, *numbers)
+        except (ValueError, ArithmeticError):  # math's way to say not a number
+            measure = math.nan
+        if within[0] <= measure <= within[1]:
+            return np.array(results).reshape(shape)
+    return _evaluate_batch(formula, within, shape, [a[0] for a in arguments], kinds, values)
 
-    @property
-    def batch(self) -> tuple[int, ...]:
-        """The leading axes."""
-        return self.value.shape[: self.value.ndim - len(self.kind.shape)]
 
-
-def argument(name: str, kind: Kind, value: ArrayLike) -> Argument:
-    """The value as floats, its shape checked; ValueError names the argument."""
+def _floats(name: str, kind: Kind, value: ArrayLike) -> Array:
+    """The value as floats, its shape checked."""
     numbers = np.asarray(value, dtype=np.float64)
-    rank = len(kind.shape)
-    if numbers.shape[numbers.ndim - rank :] != kind.shape:
+    if numbers.shape[numbers.ndim - len(kind.shape) :] != kind.shape:
         wanted = ", ".join(["...", *map(str, kind.shape)])
         raise ValueError(f"{name} has shape {numbers.shape}, but must have shape ({wanted})")
-    return Argument(name, kind, numbers)
+    return numbers
 
 
-def evaluate(formula: Formula, arguments: list[Argument], shape: tuple[int, ...]) -> Array:
-    """`formula` of the arguments' components, for every rotation in the batch; results of `shape` each."""
-    if not any(a.batch for a in arguments):
-        components = [a.value.ravel().tolist() for a in arguments]
-        if all(a.kind.holds(c) for a, c in zip(arguments, components, strict=True)):
-            return np.array(formula(FLOATS, *sum(components, []))).reshape(shape)
-    batch = np.broadcast_shapes(*(a.batch for a in arguments))
-    count = math.prod(batch)
-    tables = [
-        np.broadcast_to(a.value, batch + a.kind.shape).reshape(count, math.prod(a.kind.shape))
-        for a in arguments
-    ]
-    results = np.empty((count, math.prod(shape)))
+def _evaluate_batch(
+    formula: Formula,
+    within: tuple[float, float],
+    shape: tuple[int, ...],
+    names: list[str],
+    kinds: list[Kind],
+    values: list[Array],
+) -> Array:
+    batch, tables = _tables(kinds, values)
+    results = np.empty((math.prod(batch), math.prod(shape)))
     with np.errstate(all="ignore"):  # what is not a number is refused by name; underflow is harmless
-        for start in range(0, count, BLOCK):
-            block = slice(start, start + BLOCK)
-            columns = [_columns(a, table[block]) for a, table in zip(arguments, tables, strict=True)]
-            for column, values in enumerate(formula(ARRAYS, *sum(columns, []))):
-                results[block, column] = values
+        for start in range(0, len(results), BLOCK):
+            rows = [table[start : start + BLOCK] for table in tables]
+            measure, *columns = formula(ARRAYS, *_columns(rows))
+            if not (measure.min() >= within[0] and measure.max() <= within[1]):
+                _, *columns = formula(ARRAYS, *_columns(map(_mended, names, kinds, rows)))
+            results[start : start + BLOCK] = np.concatenate(columns).reshape(len(columns), -1).T
     return results.reshape(batch + shape)
 
 
-def _columns(a: Argument, table: Array) -> list[Component]:
-    """The columns of a block, contiguous; mended where the argument's kind allows it, else checked."""
-    columns = list(np.ascontiguousarray(table.T))
-    if not a.kind.holds(columns).all() and a.kind.mend is not None:
-        columns = list(np.ascontiguousarray(a.kind.mend(table).T))
-    holds = a.kind.holds(columns)
+def _tables(kinds: list[Kind], values: list[Array]) -> tuple[tuple[int, ...], list[Array]]:
+    """The batch's shape, and each argument as rows (n, k)."""
+    batches = [value.shape[: value.ndim - len(kind.shape)] for kind, value in zip(kinds, values, strict=True)]
+    batch = batches[0] if batches.count(batches[0]) == len(batches) else np.broadcast_shapes(*batches)
+    shapes = [batch + kind.shape for kind in kinds]
+    spread = [v if v.shape == s else np.broadcast_to(v, s) for v, s in zip(values, shapes, strict=True)]
+    return batch, [
+        v.reshape(math.prod(batch), math.prod(k.shape)) for v, k in zip(spread, kinds, strict=True)
+    ]
+
+
+def _columns(rows: Iterable[Array]) -> list[Array]:
+    """The components of all arguments, each contiguous."""
+    return [column for table in rows for column in np.ascontiguousarray(table.T)]
+
+
+def _mended(name: str, kind: Kind, rows: Array) -> Array:
+    """The rows of an argument, lengths brought into range; ValueError if one is not what it must be."""
+    holds = kind.holds(rows)
     if not holds.all():
-        wrong = table[np.argmin(holds)]
-        raise ValueError(f"{a.name} {a.kind.demand}; one is {wrong.reshape(a.kind.shape).tolist()}")
-    return columns
+        wrong = rows[np.argmin(holds)].reshape(kind.shape)
+        raise ValueError(f"{name} {kind.demand}; one is {wrong.tolist()}")
+    return kind.mend(rows)

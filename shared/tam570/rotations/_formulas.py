@@ -1,7 +1,11 @@
 """The conversions as straight-line formulas; matrices row by row, quaternions scalar first.
 
+First comes the measure of the input: a squared length, the defect of a matrix, or nothing for finite numbers.
+
 A quaternion of any length stands for a rotation: leaving it unnormalised saves roundings and square roots.
 """
+
+import math
 
 from tam570.rotations._evaluate import Component, Functions
 
@@ -10,17 +14,40 @@ Numbers = tuple[Component, ...]
 
 def square(*components: Component) -> Component:
     """The sum of squares."""
-    return sum((c * c for c in components[1:]), components[0] * components[0])
+    total = components[0] * components[0]
+    for c in components[1:]:
+        total = total + c * c
+    return total
+
+
+def nothing(*components: Component) -> Component:
+    """Zero, if all components are finite."""
+    total = components[0]
+    for c in components[1:]:
+        total = total + c
+    return 0.0 * total
 
 
 def matrix_of_quaternion(f: Functions, w: Component, x: Component, y: Component, z: Component) -> Numbers:
     """Rotation matrix of a quaternion of any length."""
-    s = 2 / square(w, x, y, z)
-    sx, sy, sz = s * x, s * y, s * z
-    xx, yy, zz = sx * x, sy * y, sz * z
-    xy, yz, zx = sx * y, sy * z, sz * x
-    wx, wy, wz = w * sx, w * sy, w * sz
-    return 1 - (yy + zz), xy - wz, zx + wy, xy + wz, 1 - (xx + zz), yz - wx, zx - wy, yz + wx, 1 - (xx + yy)
+    ww, xx, yy, zz = w * w, x * x, y * y, z * z
+    near_x, off_x, over_x, y_over_z = ww + xx, yy + zz, ww - xx, yy - zz
+    n = near_x + off_x  # dividing last, once an entry, halves the rounding of a unit quaternion's formula
+    h = 0.5 * n
+    xy, yz, zx = x * y, y * z, z * x
+    wx, wy, wz = w * x, w * y, w * z
+    return (
+        n,
+        (near_x - off_x) / n,
+        (xy - wz) / h,
+        (zx + wy) / h,
+        (xy + wz) / h,
+        (over_x + y_over_z) / n,
+        (yz - wx) / h,
+        (zx - wy) / h,
+        (yz + wx) / h,
+        (over_x - y_over_z) / n,
+    )
 
 
 def matrix_of_axis_angle(f: Functions, x: Component, y: Component, z: Component, angle: Component) -> Numbers:
@@ -60,30 +87,46 @@ def quaternion_of_matrix(f: Functions, *R: Component) -> Numbers:
     """Unit quaternion of a rotation matrix, w >= 0."""
     w, x, y, z = quaternion_direction(f, *R)
     s = 1 / f.sqrt(square(w, x, y, z))
-    return s * w, s * x, s * y, s * z
+    return defect(*R), s * w, s * x, s * y, s * z
 
 
 def axis_angle_of_matrix(f: Functions, *R: Component) -> Numbers:
     """Unit axis and angle in [0, pi]; the x axis where the angle is 0."""
     w, x, y, z = quaternion_direction(f, *R)
-    length = f.hypot(f.hypot(x, y), z)  # not the root of a sum of squares: 1e-300 squared is 0
+    length = f.norm(x, y, z)
     still = length == 0
     s = f.where(still, 1.0, length)
-    return f.where(still, 1.0, x / s), y / s, z / s, 2 * f.atan2(length, w)
+    return defect(*R), f.where(still, 1.0, x / s), y / s, z / s, 2 * f.atan2(length, w)
 
 
 def vector_of_matrix(f: Functions, *R: Component) -> Numbers:
     """Rotation vector, no longer than pi."""
     w, x, y, z = quaternion_direction(f, *R)
-    length = f.hypot(f.hypot(x, y), z)
-    s = 2 * f.atan2(length, w) / f.where(length == 0, 1.0, length)
-    return s * x, s * y, s * z
+    length = f.norm(x, y, z)
+    angle = 2 * f.atan2(length, w)
+    s = angle / f.where(length == 0, 1.0, length)
+    return defect(*R), *to_length(f, angle, s * x, s * y, s * z)
+
+
+def to_length(f: Functions, length: Component, x: Component, y: Component, z: Component) -> Numbers:
+    """A vector whose length is off by a few roundings, brought to `length`: near pi each of them would count."""
+    grid = 2.0**28 * length
+    excess: Component = 0.0
+    rest: Component = 0.0
+    for c, sign in (length, 1), (x, -1), (y, -1), (z, -1):
+        high = (c + grid) - grid  # the leading 25 bits: their squares and the sum of these are exact
+        excess = excess + sign * (high * high)
+        rest = rest + sign * ((c - high) * (c + high))
+    square_of_length = length * length
+    s = 0.5 * (excess + rest) / f.where(square_of_length == 0, 1.0, square_of_length)
+    return x + s * x, y + s * y, z + s * z
 
 
 def product_of_quaternions(f: Functions, *pq: Component) -> Numbers:
     """Hamilton's product p q."""
     a, b, c, d, w, x, y, z = pq
     return (
+        nothing(*pq),
         a * w - b * x - c * y - d * z,
         a * x + b * w + c * z - d * y,
         a * y - b * z + c * w + d * x,
@@ -93,12 +136,38 @@ def product_of_quaternions(f: Functions, *pq: Component) -> Numbers:
 
 def skew_of_vector(f: Functions, x: Component, y: Component, z: Component) -> Numbers:
     """The matrix of the cross product."""
-    return 0.0, -z, y, z, 0.0, -x, -y, x, 0.0
+    zero = nothing(x, y, z)
+    return zero, zero, -z, y, z, zero, -x, -y, x, zero
 
 
 def vector_of_skew(f: Functions, *S: Component) -> Numbers:
     """The vector of the antisymmetric part."""
-    return 0.5 * (S[7] - S[5]), 0.5 * (S[2] - S[6]), 0.5 * (S[3] - S[1])
+    return nothing(*S), 0.5 * (S[7] - S[5]), 0.5 * (S[2] - S[6]), 0.5 * (S[3] - S[1])
+
+
+def nearest_rotation(f: Functions, *M: Component) -> Numbers:
+    """The orthogonal factor of M by Newton's iteration, X <- (X + X^-T)/2, and the last step's square.
+
+    Five steps suffice for singular values within a factor of ten (Higham 1986); a left-handed M has none.
+    """
+    s = f.sqrt(3 / square(*M))
+    X = tuple(s * entry for entry in M)
+    right_handed = True
+    for _ in range(5):
+        inverse_transpose, determinant = cofactors(*X)
+        right_handed = right_handed & (determinant > 0)
+        previous, h = X, 0.5 / determinant
+        X = tuple(0.5 * entry + h * cofactor for entry, cofactor in zip(X, inverse_transpose, strict=True))
+    step = square(*(new - old for new, old in zip(X, previous, strict=True)))
+    return f.where(right_handed, step, math.inf), *X
+
+
+def cofactors(*X: Component) -> tuple[Numbers, Component]:
+    """The cofactors of a matrix, det(X) X^-T, and its determinant."""
+    a, b, c, d, e, g, h, k, m = X
+    p, q, r = e * m - g * k, g * h - d * m, d * k - e * h
+    of_rest = (c * k - b * m, a * m - c * h, b * h - a * k, b * g - c * e, c * d - a * g, a * e - b * d)
+    return (p, q, r, *of_rest), a * p + b * q + c * r
 
 
 def defect(*R: Component) -> Component:
