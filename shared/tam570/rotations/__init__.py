@@ -213,10 +213,20 @@ def _has_one_nearest(rows: Array) -> NDArray[np.bool_]:
 
 
 def _nearest_by_svd(rows: Array) -> Array:
-    """Nearest rotations where Newton's iteration is slow or left-handed (Kabsch 1978)."""
-    U, _, Vt = np.linalg.svd(rows.reshape(-1, 3, 3))
+    """Nearest rotations where Newton's iteration is slow or left-handed (Kabsch 1978).
+
+    At the nearest rotation R^T M is symmetric; turning by what is left of its antisymmetric part takes away the
+    rounding errors of the singular vectors.
+    """
+    M = rows.reshape(-1, 3, 3)
+    M = M / np.abs(M).max(axis=(1, 2), keepdims=True)
+    U, _, Vt = np.linalg.svd(M)
     U[:, :, 2] *= np.sign(np.linalg.det(U @ Vt))[:, None]
-    return np.asarray((U @ Vt).reshape(-1, 9))
+    R = U @ Vt
+    S = np.swapaxes(R, 1, 2) @ M
+    stiffness = np.trace(S, axis1=1, axis2=2)[:, None, None] * np.eye(3) - S
+    turn = np.linalg.solve(stiffness, 2 * unskew(S)[:, :, None])[:, :, 0]
+    return np.asarray((R + R @ skew(turn)).reshape(-1, 9))
 
 
 def _into_range(rows: Array) -> Array:
