@@ -1,0 +1,196 @@
+"""The laws of rotations, their batches, and what is said about wrong input."""
+
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from tam570 import rotations
+from tam570.rotations import SEQUENCES
+
+EPS = np.finfo(float).eps
+DRAW = np.random.default_rng(570)
+VECTORS = DRAW.normal(size=(40, 3))
+ANGLES = DRAW.uniform(-3, 3, (40, 3))
+QUATERNIONS = DRAW.normal(size=(40, 4))
+MATRICES = rotations.exp(VECTORS)
+
+UNARY = {  # name -> (function of one argument, arguments)
+    "skew": (rotations.skew, VECTORS),
+    "unskew": (rotations.unskew, MATRICES),
+    "exp": (rotations.exp, VECTORS),
+    "log": (rotations.log, MATRICES),
+    "matrix_from_quaternion": (rotations.matrix_from_quaternion, QUATERNIONS),
+    "quaternion_from_matrix": (rotations.quaternion_from_matrix, MATRICES),
+    "axis_angle_from_matrix": (lambda R: rotations.axis_angle_from_matrix(R)[0], MATRICES),
+    "nearest": (rotations.nearest, MATRICES + 0.1 * DRAW.normal(size=(40, 3, 3))),
+}
+
+
+def largest(difference):
+    return np.abs(difference).max()
+
+
+def transposed(R):
+    return np.swapaxes(R, -1, -2)
+
+
+def test_skew_is_the_cross_product_and_unskew_its_inverse():
+    S = rotations.skew(VECTORS)
+    assert np.array_equal(transposed(S), -S)
+    # the sums of two rounded products of numbers below 4
+    assert largest(np.einsum("nij,nj->ni", S, ANGLES) - np.cross(VECTORS, ANGLES)) < 16 * EPS
+    assert np.array_equal(rotations.unskew(S), VECTORS)
+    assert largest(rotations.unskew(S + np.eye(3)) - VECTORS) == 0  # the symmetric part does not count
+
+
+@pytest.mark.parametrize("sequence", sorted(SEQUENCES))
+def test_euler_angles_turn_about_the_body_s_axes_in_turn(sequence):
+    turned = np.eye(3)
+    for digit, angles in zip(sequence, ANGLES.T, strict=True):
+        axis = np.eye(3)[int(digit) - 1]
+        turned = turned @ rotations.matrix_from_axis_angle(axis, angles)
+    R = rotations.matrix_from_euler(sequence, ANGLES)
+    assert largest(R - turned) < 8 * EPS  # two products of three terms each, rounded
+    assert (
+        largest(rotations.matrix_from_euler(sequence, rotations.euler_from_matrix(sequence, R)) - R) < 4 * EPS
+    )
+
+
+def test_the_course_s_sequence_is_written_out():
+    psi, theta, phi = 0.3, 1.1, -2.0
+    z, x = [0, 0, 1], [1, 0, 0]
+    R = (
+        rotations.matrix_from_axis_angle(z, psi)
+        @ rotations.matrix_from_axis_angle(x, theta)
+        @ rotations.matrix_from_axis_angle(z, phi)
+    )
+    assert largest(rotations.matrix_from_euler("313", [psi, theta, phi]) - R) < 4 * EPS
+    assert largest(rotations.euler_from_matrix("313", R) - [psi, theta, phi]) < 4 * EPS
+
+
+@pytest.mark.parametrize("sequence", sorted(SEQUENCES))
+def test_euler_rates_turn_the_matrix_at_the_body_s_angular_velocity(sequence):
+    """R' = R skew(omega), R' by the chain rule: exact to rounding, no difference of neighbours."""
+    rates = rotations.euler_rates(sequence, ANGLES, VECTORS)
+    R_dot = sum(_derivative(sequence, ANGLES, i) * rates[:, i, None, None] for i in range(3))
+    R = rotations.matrix_from_euler(sequence, ANGLES)
+    # rates grow near gimbal lock, and rounding with them
+    allowed = 16 * EPS * (1 + np.abs(rates).max(axis=1))
+    assert (np.abs(R_dot - R @ rotations.skew(VECTORS)).max(axis=(1, 2)) < allowed).all()
+
+
+def _derivative(sequence, angles, i):
+    """dR/d(angle i): the turn of that angle has the derivative skew(axis) turn."""
+    product = np.eye(3)
+    for position, (digit, angle) in enumerate(zip(sequence, angles.T, strict=True)):
+        axis = np.eye(3)[int(digit) - 1]
+        turn = rotations.matrix_from_axis_angle(axis, angle)
+        product = product @ (rotations.skew(axis) @ turn if position == i else turn)
+    return product
+
+
+def test_composition_is_the_second_turn_after_the_first():
+    p, q = QUATERNIONS, QUATERNIONS[::-1]
+    both = rotations.matrix_from_quaternion(rotations.composition(p, q))
+    after = rotations.matrix_from_quaternion(p) @ rotations.matrix_from_quaternion(q)
+    assert largest(both - after) < 8 * EPS  # three rounded conversions and a product
+
+
+def test_exp_is_the_exponential_series_of_skew():
+    S, term, total = rotations.skew(VECTORS), np.eye(3), np.eye(3)
+    for n in range(1, 60):  # |v| < 5: the terms beyond are below 1e-37
+        term = term @ S / n
+        total = total + term
+    assert largest(rotations.exp(VECTORS) - total) < 200 * EPS  # the series' largest terms are some 20
+
+
+def test_nearest_has_a_symmetric_stretch_left():
+    """R^T M symmetric with two positive sums of stretches is the condition for the maximum of tr(R^T M)."""
+    M = DRAW.normal(size=(200, 3, 3))  # half of them left-handed
+    R = rotations.nearest(M)
+    S = transposed(R) @ M
+    assert largest(transposed(R) @ R - np.eye(3)) < 8 * EPS
+    assert (np.linalg.det(R) > 0).all()
+    assert largest(S - transposed(S)) < 64 * EPS  # entries of M reach 4, sums of three products
+    stretch = np.linalg.eigvalsh((S + transposed(S)) / 2)
+    assert (stretch[:, 0] + stretch[:, 1] > 0).all()
+
+
+@pytest.mark.parametrize("name", UNARY)
+def test_a_batch_is_its_elements(name):
+    """The float path and the array path are one formula: they differ by the libraries' sines at most."""
+    function, arguments = UNARY[name]
+    batch = function(arguments)
+    single = np.array([function(argument) for argument in arguments])
+    assert batch.shape == single.shape
+    assert largest(batch - single) <= 4 * EPS * max(1, largest(batch))
+    assert np.array_equal(function(arguments.reshape(5, 8, *arguments.shape[1:])).reshape(batch.shape), batch)
+
+
+def test_arithmetic_alone_agrees_to_the_bit():
+    for name in ("skew", "unskew", "matrix_from_quaternion", "quaternion_from_matrix"):
+        function, arguments = UNARY[name]
+        assert np.array_equal(function(arguments), np.array([function(a) for a in arguments])), name
+
+
+def test_batches_broadcast_and_may_be_empty_or_longer_than_a_block():
+    assert rotations.matrix_from_axis_angle([0, 0, 1], np.zeros((2, 5))).shape == (2, 5, 3, 3)
+    assert rotations.matrix_from_axis_angle(VECTORS, 1.0).shape == (40, 3, 3)
+    assert rotations.composition(QUATERNIONS[:, None], QUATERNIONS).shape == (40, 40, 4)
+    assert rotations.exp(np.empty((0, 3))).shape == (0, 3, 3)
+    many = np.tile(VECTORS, (250, 1))
+    assert np.array_equal(rotations.exp(many)[-40:], rotations.exp(VECTORS))
+
+
+def test_arguments_stay_as_they_are():
+    q = QUATERNIONS * 1e200
+    before = q.copy()
+    rotations.matrix_from_quaternion(q)
+    assert np.array_equal(q, before)
+
+
+@pytest.mark.parametrize(
+    ("call", "name", "remedy"),
+    [
+        (lambda: rotations.matrix_from_axis_angle([0, 0, 0], 1), "axis", "along the axis"),
+        (lambda: rotations.matrix_from_axis_angle([[1, 0, 0], [0, np.nan, 0]], 1), "axis", "along the axis"),
+        (lambda: rotations.matrix_from_axis_angle([1, 0, 0], np.inf), "angle", "finite"),
+        (lambda: rotations.matrix_from_axis_angle([1, 0], 0), "axis", r"\(\.\.\., 3\)"),
+        (lambda: rotations.matrix_from_quaternion([0, 0, 0, 0]), "q", "1, 0, 0, 0"),
+        (lambda: rotations.composition([1, 0, 0, np.inf], [1, 0, 0, 0]), "p", "finite"),
+        (lambda: rotations.exp([0, np.inf, 0]), "v", "finite"),
+        (lambda: rotations.skew([0, np.nan, 0]), "v", "finite"),
+        (lambda: rotations.log(np.full((3, 3), np.nan)), "R", "nearest"),
+        (lambda: rotations.quaternion_from_matrix(np.diag([1, 1, -1.0])), "R", "nearest"),
+        (lambda: rotations.axis_angle_from_matrix(2 * np.eye(3)), "R", "nearest"),
+        (lambda: rotations.euler_from_matrix("313", np.eye(3) + 1e-5), "R", "nearest"),
+        (lambda: rotations.euler_from_matrix("313", np.eye(4)), "R", "3, 3"),
+        (lambda: rotations.matrix_from_euler("331", [0, 0, 0]), "sequence", "312, 313"),
+        (lambda: rotations.matrix_from_euler("313", [0, np.inf, 0]), "angles", "finite"),
+        (lambda: rotations.euler_rates("313", [1, 0, 1], [1, 1, 1]), "angles", "another sequence"),
+        (lambda: rotations.euler_rates("312", [1, np.pi / 2, 1], [1, 1, 1]), "angles", "another sequence"),
+        (lambda: rotations.nearest(np.zeros((3, 3))), "M", "near one rotation"),
+        (lambda: rotations.nearest(-np.eye(3)), "M", "near one rotation"),
+    ],
+)
+def test_wrong_input_is_named_with_its_remedy(call, name, remedy):
+    with pytest.raises(ValueError, match=f"^{name} .*{remedy}"):
+        call()
+
+
+def test_a_matrix_nearly_a_rotation_is_taken_for_one():
+    R = MATRICES[0] + 1e-8 * DRAW.normal(size=(3, 3))
+    assert largest(rotations.exp(rotations.log(R)) - MATRICES[0]) < 1e-7  # as far off as R is
+    assert largest(rotations.nearest(R) - MATRICES[0]) < 1e-7
+
+
+def test_only_numpy_is_loaded():
+    code = (
+        "import sys; before = set(sys.modules); import tam570.rotations;"
+        "foreign = {name.split('.')[0] for name in set(sys.modules) - before} - set(sys.stdlib_module_names);"
+        "print(sorted(foreign))"
+    )
+    printed = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
+    assert printed.strip() == "['numpy', 'tam570']"

@@ -1,0 +1,222 @@
+"""Every conversion within 4 eps where digits are easily lost, against 50 digits by the textbook's formulas.
+
+A matrix entry, a unit axis and a unit quaternion are measured absolutely; an angle and a rotation vector relative to
+the angle, so that 1e-300 is held to its last digits as well.
+"""
+
+import math
+
+import mpmath
+import numpy as np
+import pytest
+
+from tam570 import rotations
+from tam570.rotations import SEQUENCES
+
+EPS = np.finfo(float).eps
+ALLOWED = 4 * EPS
+SMALL = (1e-300, 1e-12, 1e-9, 1e-3)
+DRAW = np.random.default_rng(571)
+UNTURNED = np.array(
+    [[1, 0, 0], [0, 0, -1], [1, 1, 1], [1, -1, 1], [1, 1e-9, 1e-12], [1e-9, 1, 1]], dtype=float
+)
+AXES = np.vstack([UNTURNED, DRAW.normal(size=(4, 3))])
+ANGLES = [*SMALL, 1.0, math.pi / 2, 2.5, *(math.pi - d for d in SMALL)]
+CASES = [(axis, angle) for axis in AXES for angle in ANGLES]
+
+
+@pytest.fixture(autouse=True)
+def fifty_digits():
+    with mpmath.workdps(50):
+        yield
+
+
+def exact(array):
+    """The numbers of an array as they stand."""
+    return np.vectorize(mpmath.mpf, otypes=[object])(np.asarray(array, dtype=float))
+
+
+def rounded(numbers):
+    return np.array(numbers.tolist(), dtype=float)
+
+
+def error(result, reference):
+    return float(np.max(np.abs(exact(result) - reference)))
+
+
+def unit(axis):
+    v = exact(axis)
+    return v / mpmath.sqrt((v * v).sum())
+
+
+def exact_matrix(axis, angle):
+    """Rodrigues' formula."""
+    (x, y, z), c, s = unit(axis), mpmath.cos(mpmath.mpf(angle)), mpmath.sin(mpmath.mpf(angle))
+    K = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]], dtype=object)
+    return np.eye(3, dtype=int).astype(object) + s * K + (1 - c) * (K @ K)
+
+
+def exact_euler_matrix(sequence, angles):
+    first, second, third = (
+        exact_matrix(np.eye(3)[int(d) - 1], float(a)) for d, a in zip(sequence, angles, strict=True)
+    )
+    return first @ second @ third
+
+
+def singly_and_in_a_batch(function, *arguments):
+    """A conversion of one rotation, and of the first of two: both ways in have to hold."""
+    yield function(*arguments)
+    pair = function(*(np.array([a, a]) for a in arguments))
+    yield tuple(part[0] for part in pair) if isinstance(pair, tuple) else pair[0]
+
+
+def vectors_apart(v, direction, angle):
+    """Largest component of v -+ direction, the sign free next to half a turn."""
+    return min(error(v, s * direction) for s in ((1, -1) if angle > math.pi - 1e-15 else (1,)))
+
+
+@pytest.mark.parametrize("length", [1, 1e-200, 1e200, 5e-324, 1e308])
+def test_axis_and_angle_to_matrix(length):
+    for axis, angle in CASES:
+        scaled = axis / np.abs(axis).max() * length
+        for signed in angle, -angle:
+            for R in singly_and_in_a_batch(rotations.matrix_from_axis_angle, scaled, signed):
+                assert error(R, exact_matrix(scaled, signed)) <= ALLOWED, (scaled, signed)
+
+
+def test_matrix_to_axis_and_angle():
+    for axis, angle in CASES:
+        R = rounded(exact_matrix(axis, angle))
+        for n, turned in singly_and_in_a_batch(rotations.axis_angle_from_matrix, R):
+            assert vectors_apart(n, unit(axis), angle) <= ALLOWED, (axis, angle)
+            assert error(turned, mpmath.mpf(angle)) <= ALLOWED * angle, (axis, angle)
+
+
+def test_matrix_to_rotation_vector():
+    for axis, angle in CASES:
+        R = rounded(exact_matrix(axis, angle))
+        for v in singly_and_in_a_batch(rotations.log, R):
+            assert vectors_apart(v, angle * unit(axis), angle) <= ALLOWED * angle, (axis, angle)
+
+
+def test_rotation_vector_to_matrix():
+    for axis, angle in CASES:
+        v = angle * rounded(unit(axis))
+        length = mpmath.sqrt((exact(v) ** 2).sum())
+        for R in singly_and_in_a_batch(rotations.exp, v):
+            assert error(R, exact_matrix(v, length)) <= ALLOWED, v
+
+
+def test_matrix_to_quaternion():
+    for axis, angle in CASES:
+        half = mpmath.mpf(angle) / 2
+        reference = np.array([mpmath.cos(half), *(mpmath.sin(half) * unit(axis))])
+        for q in singly_and_in_a_batch(rotations.quaternion_from_matrix, rounded(exact_matrix(axis, angle))):
+            assert q[0] >= 0
+            assert vectors_apart(q, reference, angle) <= ALLOWED, (axis, angle)
+
+
+@pytest.mark.parametrize("length", [1, 1e-200, 1e200, 1e308])
+def test_quaternion_to_matrix(length):
+    for axis, angle in CASES:
+        q = length * np.array([math.cos(0.5 * angle), *(math.sin(0.5 * angle) * rounded(unit(axis)))])
+        for R in singly_and_in_a_batch(rotations.matrix_from_quaternion, q):
+            assert error(R, exact_quaternion_matrix(q)) <= ALLOWED, q
+
+
+def exact_quaternion_matrix(q):
+    """(w^2 - v^2) I + 2 v v^T + 2 w skew(v), over the squared length."""
+    w, x, y, z = exact(q)
+    v = np.array([[x, y, z]])
+    K = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]], dtype=object)
+    square = x * x + y * y + z * z
+    identity = np.eye(3, dtype=int).astype(object)
+    return ((w * w - square) * identity + 2 * v.T @ v + 2 * w * K) / (w * w + square)
+
+
+def round_trips(R):
+    yield rotations.matrix_from_axis_angle(*rotations.axis_angle_from_matrix(R))
+    yield rotations.matrix_from_quaternion(rotations.quaternion_from_matrix(R))
+    yield rotations.exp(rotations.log(R))
+    for sequence in SEQUENCES:
+        yield rotations.matrix_from_euler(sequence, rotations.euler_from_matrix(sequence, R))
+
+
+def test_round_trips_from_a_matrix():
+    R = rotations.matrix_from_axis_angle(np.array([a for a, _ in CASES]), np.array([t for _, t in CASES]))
+    for rebuilt in round_trips(R):
+        assert np.abs(rebuilt - R).max() <= ALLOWED
+    for single in R[::7]:
+        assert max(np.abs(rebuilt - single).max() for rebuilt in round_trips(single)) <= ALLOWED
+
+
+def middle_angles(sequence):
+    """In gimbal lock, next to it and away from it."""
+    if sequence[0] == sequence[2]:
+        return [0.0, *SMALL, 1.0, *(math.pi - d for d in (0, *SMALL))]
+    return [*SMALL, 1.0, *(s * (math.pi / 2 - d) for d in (0, *SMALL) for s in (1, -1))]
+
+
+@pytest.mark.parametrize("sequence", sorted(SEQUENCES))
+def test_euler_angles_to_matrix_and_back(sequence):
+    for middle in middle_angles(sequence):
+        for first, last in [(1e-12, math.pi - 1e-9), (-1e-300, 1e-9), *DRAW.uniform(-3, 3, (2, 2))]:
+            angles = np.array([first, middle, last])
+            reference = exact_euler_matrix(sequence, angles)
+            for R in singly_and_in_a_batch(lambda a: rotations.matrix_from_euler(sequence, a), angles):
+                assert error(R, reference) <= ALLOWED, angles
+                for back in singly_and_in_a_batch(lambda R: rotations.euler_from_matrix(sequence, R), R):
+                    assert error(R, exact_euler_matrix(sequence, back)) <= ALLOWED, angles
+                    if middle != 0:  # exactly in lock only the sum or the difference is to be had
+                        assert error(back, exact(angles)) <= ALLOWED, angles
+
+
+def test_nearest_rotation():
+    """Against 50 digits' singular vectors; rounding M turns the result by its condition, max stretch over sum."""
+    for noise in 0, 1e-12, 1e-3, 1.0, -1.0, 1e200, 1e-200:
+        for R in rotations.exp(DRAW.normal(size=(5, 3))):
+            M = R * noise if abs(noise) in (1e200, 1e-200) else R + abs(noise) * DRAW.normal(size=(3, 3))
+            M = -M if noise < 0 else M
+            U, stretch, Vt = mpmath.svd_r(mpmath.matrix(M.tolist()))
+            sign = mpmath.sign(mpmath.det(U * Vt))
+            reference = np.array((U * mpmath.diag([1, 1, sign]) * Vt).tolist()).reshape(3, 3)
+            condition = max(1.0, float(stretch[0] / (stretch[1] + sign * stretch[2])))
+            for nearest in singly_and_in_a_batch(rotations.nearest, M):
+                assert error(nearest, reference) <= ALLOWED * condition, M
+
+
+@pytest.mark.parametrize("sequence", sorted(SEQUENCES))
+def test_euler_rates_next_to_gimbal_lock(sequence):
+    """The exact rates solve R^T R' = skew(omega); rounding counts relative to |omega| / distance from lock."""
+    for middle in middle_angles(sequence):
+        lock = math.sin(middle) if sequence[0] == sequence[2] else math.cos(middle)
+        if abs(lock) > 1e-11:
+            angles, omega = np.array([0.3, middle, -2.0]), DRAW.normal(size=3)
+            for rates in singly_and_in_a_batch(
+                lambda a, w: rotations.euler_rates(sequence, a, w), angles, omega
+            ):
+                allowed = ALLOWED * np.linalg.norm(omega) / abs(lock)
+                assert error(rates, exact_rates(sequence, angles, omega)) <= allowed, (angles, omega)
+
+
+def exact_rates(sequence, angles, omega):
+    """Each angle turns the body about its axis as seen from the axes the later turns leave."""
+    later = np.eye(3, dtype=int).astype(object)
+    columns = []
+    for digit, angle in zip(reversed(sequence), reversed(angles), strict=True):
+        axis = np.eye(3)[int(digit) - 1]
+        columns.append(later.T @ exact(axis))
+        later = exact_matrix(axis, float(angle)) @ later
+    solution = mpmath.lu_solve(
+        mpmath.matrix(np.array(columns[::-1]).T.tolist()), mpmath.matrix(exact(omega).tolist())
+    )
+    return np.array(list(solution))
+
+
+def test_composition():
+    p, q = DRAW.normal(size=(2, 40, 4))
+    p, q = (x / np.linalg.norm(x, axis=1, keepdims=True) for x in (p, q))
+    for a, b, result in zip(exact(p), exact(q), rotations.composition(p, q), strict=True):
+        scalar = a[0] * b[0] - (a[1:] * b[1:]).sum()
+        cross = [a[2] * b[3] - a[3] * b[2], a[3] * b[1] - a[1] * b[3], a[1] * b[2] - a[2] * b[1]]
+        assert error(result, np.array([scalar, *(a[0] * b[1:] + b[0] * a[1:] + cross)])) <= ALLOWED
