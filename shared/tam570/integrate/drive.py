@@ -10,12 +10,20 @@ LARGEST, SMALLEST = 6.0, 0.2  # change of the step size from one step to the nex
 EXPONENT = -1 / 8
 ROUNDING = 2.0**20 * 10 * 2.0**-53  # ten roundings of each term, seen through a change by 2^-20
 
+# The functions generated for one right-hand side: the loops below run with these for their global names.
+rhs: Any = None
+euler: Any = None
+raised: Any = None
+step: Any = None
+dense: Any = None
+at: Any = None
 
-def first_step(rhs: Any, euler: Any, start: Any, span: Any, y: Any, f: Any, m: Any, c: Any) -> Any:
+
+def first_step(origin: Any, span: Any, y: Any, f: Any, m: Any, c: Any) -> Any:
     """A step across which the derivative changes little, found from above: a derivative of zero deceives nobody."""
     h = span / 100
     while h > 1e-9 * span:
-        g = rhs(start + h, euler(h, y, f), c)
+        g = rhs(origin + h, euler(h, y, f), c)
         restless = 0
         for i in range(len(y)):
             scale = max(m[i], h * abs(f[i]), h * abs(g[i]))
@@ -27,19 +35,7 @@ def first_step(rhs: Any, euler: Any, start: Any, span: Any, y: Any, f: Any, m: A
     return h
 
 
-def advance(
-    step: Any,
-    raised: Any,
-    dense: Any,
-    at: Any,
-    origin: Any,
-    times: Any,
-    out: Any,
-    state: Any,
-    c: Any,
-    rtol: Any,
-    budget: Any,
-) -> Any:
+def advance(origin: Any, times: Any, out: Any, state: Any, c: Any, rtol: Any, budget: Any) -> Any:
     """Fill the rows of `out` until none is left, `budget` steps are spent, or the step size vanishes.
 
     times : since `origin`; state : (row, t, h, y, r, f, m), as returned. h = 0 tells that the step size vanished.

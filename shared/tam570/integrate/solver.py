@@ -6,21 +6,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.integrate.drive import advance, first_step
-from tam570.integrate.problem import (
-    Array,
-    Rates,
-    agrees,
-    bound,
-    floats_function,
-    initial_state,
-    sample_times,
-    tolerance,
-)
-from tam570.integrate.source import call_of, compiled
-from tam570.integrate.trace import traced
+from tam570.integrate import explicit
+from tam570.integrate.problem import Array, bound, initial_state, sample_times, tolerance
 
 __all__ = ["solve"]
+
+METHODS = ("auto", "python", "numba")
 
 
 def solve(
@@ -34,50 +25,21 @@ def solve(
 ) -> Array:
     """States at the times `t` of y' = rhs(t, y, **parameters), y(t[0]) = y0.
 
-    rhs : rhs(t, y, **parameters) -> k numbers
-    t   : (n,) strictly increasing, n >= 2
-    y0  : (k,)
-    Returns (n, k); row 0 is y0.
+    rhs        : rhs(t, y, **parameters) -> k numbers; NumPy or plain floats inside
+    t          : (n,) strictly increasing, n >= 2; the choice of times does not change the steps taken
+    y0         : (k,)
+    parameters : keyword arguments of rhs, bound before the first step
+    rtol       : largest error of a step, relative to the largest magnitude so far of each component
+    method     : "auto" runs in Python and goes on compiled by numba where that is installed and repays;
+                 "python" and "numba" insist
+    Returns (n, k); row 0 is y0. ValueError names the argument that does not fit; ArithmeticError tells where
+    the solution or rhs ceases to be finite.
     """
     times, start, rtol = sample_times(t), initial_state(y0), tolerance(rtol)
+    if method not in METHODS:
+        raise ValueError(f"method: one of {', '.join(METHODS)}, got {method!r}")
     rates = bound(rhs, parameters)
     with np.errstate(all="ignore"):  # a step that proves too long may overflow: it is taken again
-        engine, constants = _engine(rates, times, start)
-        return _run(engine, times, start, constants, rtol)
-
-
-def _engine(rates: Rates, times: Array, start: Array) -> tuple[dict[str, Any], tuple[float, ...]]:
-    """The generated functions: for the right-hand side as traced if it can be, and agrees; else for calls of it."""
-    try:
-        formulas, constants = traced(rates, len(start))
-        engine = compiled(formulas, len(times) > 2)
-        if agrees(rates, engine["rhs"], constants, times, start):
-            return engine, constants
-    except Exception:  # whatever a function says to symbols, it then gets numbers
-        pass
-    given = floats_function(rates, float(times[0]), start)
-    return compiled(call_of(len(start)), len(times) > 2, given), ()
-
-
-def _run(
-    engine: dict[str, Any], times: Array, start: Array, constants: tuple[float, ...], rtol: float
-) -> Array:
-    states = np.empty((len(times), len(start)))
-    states[0] = start
-    origin, since = float(times[0]), (times - times[0]).tolist()
-    y = tuple(start.tolist())
-    f = engine["rhs"](origin, y, constants)
-    h = first_step(engine["rhs"], engine["euler"], origin, since[-1], y, f, tuple(map(abs, y)), constants)
-    m = tuple(
-        max(abs(x), h * abs(rate), 1e-300) for x, rate in zip(y, f, strict=True)
-    )  # never zero: it divides
-    at_rest = (1, 0.0, h, y, (0.0,) * len(y), f, m)
-    step, raised, dense, at = (engine[name] for name in ("step", "raised", "dense", "at"))
-    row, reached, h, *_ = advance(
-        step, raised, dense, at, origin, since, states, at_rest, constants, rtol, float("inf")
-    )
-    if h == 0.0:
-        raise ArithmeticError(
-            f"no step is small enough at t = {origin + reached:.17g}: the solution or rhs is not finite"
-        )
-    return states
+        kit = explicit.engine(rates, times, start)
+        insist = {"auto": None, "python": False, "numba": True}[method]
+        return explicit.states(kit, times, start, rtol, compile_=insist)

@@ -6,7 +6,7 @@ r what rounding took from the state, m the largest magnitude so far, c the const
 
 import math
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from types import CodeType
 from typing import Any
@@ -45,16 +45,27 @@ def call_of(size: int) -> Formulas:
     return Formulas((line,), rates, 0, frozenset(range(size)), timed=True)
 
 
-def functions(formulas: Formulas, sampled: bool) -> str:
-    """Source of `rhs`, `euler`, `raised` and `step` for these formulas, and of `dense` and `at` if sampled."""
+def by_call(formulas: Formulas) -> Formulas:
+    """The same right-hand side, as a call of `rhs`: shorter, for a compiler that takes its time."""
+    rates = tuple("0.0" if rate == "0.0" else f"p{i}" for i, rate in enumerate(formulas.rates))
+    results = _tuple(f"p{i}" for i in range(formulas.size))
+    state = _tuple(f"s{i}" if i in formulas.reads else "0.0" for i in range(formulas.size))
+    line = f"{results} = rhs({'t' if formulas.timed else '0.0'}, {state}, c)"
+    return replace(formulas, lines=(line,), rates=rates)
+
+
+def functions(formulas: Formulas, sampled: bool = True, forgiving: bool = True) -> str:
+    """Source of `rhs`, `euler`, `raised` and `step` for these formulas, and of `dense` and `at` if sampled.
+
+    forgiving : Python raises an error on overflow, where compiled code goes on with infinity
+    """
     nothing = _tuple(["nan"] * formulas.size)
-    parts = [
-        _forgiving(_rhs(formulas), nothing),
-        _euler(formulas),
-        _forgiving(_raised(formulas), "m"),
-        _forgiving(_step(formulas), "y, r, f, m, inf, 0.0, ()"),
-    ]
-    parts += [_dense(formulas), _at(formulas)] if sampled else []
+    inner = formulas if forgiving else by_call(formulas)
+    parts = [_rhs(formulas), _raised(inner), _step(inner)]
+    if forgiving:
+        answers = (nothing, "m", "y, r, f, m, inf, 0.0, ()")
+        parts = [_forgiving(part, answer) for part, answer in zip(parts, answers, strict=True)]
+    parts += [_euler(formulas), *([_dense(inner), _at(formulas)] if sampled else [])]
     return "\n\n".join("\n    ".join(part) for part in parts) + "\n"
 
 
