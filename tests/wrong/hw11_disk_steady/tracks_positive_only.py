@@ -1,0 +1,13 @@
+"""A track radius that is not positive is refused.
+
+fails: rolling_precession_holds_on_tracks_of_any_sign, rolling_precession_is_zero_where_nothing_turns_it
+"""
+
+
+_precession = rolling_precession
+
+
+def rolling_precession(lean, track_radius, **disk):
+    if track_radius <= 0.0:
+        raise ValueError("no such circle")
+    return _precession(lean, track_radius, **disk)

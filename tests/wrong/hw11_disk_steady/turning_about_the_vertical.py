@@ -1,0 +1,10 @@
+"""The kinetic energy is A Omega^2 / 2, as if the disk turned about the vertical.
+
+fails: settling_energy_adds_up
+suspect: Omega, about the vertical
+"""
+
+
+def settling_energy(lean, *, mass, radius, inertia, gravity):
+    omega = common_precession(lean, mass=mass, radius=radius, inertia=inertia, gravity=gravity)
+    return inertia[0] * omega**2 / 2 + mass * gravity * radius * math.cos(lean)
