@@ -1,0 +1,587 @@
+"""Hidden checks of hw01. What is right comes from vectors in the plane, elliptic functions, and quadrature."""
+
+import math
+
+import numpy as np
+from scipy.special import ellipj, ellipk, ellipkinc
+
+from tam570_grader import array, check, expect, formula, given, group, number, once, rows, suspect
+
+RESULTS = {
+    "linear_momentum_balance": group(number, number),
+    "angular_momentum_balance": group(number, number, number),
+    "energy_balance": group(number, number, number),
+    "power_balance": group(number, number),
+    "virtual_work": group(number, number),
+    "lagrangian": formula("theta", "omega", "m", "l", "g"),
+    "lagrange_equation": formula("theta", "l", "g"),
+    "action": array(),
+    "small_angle_solution": rows(2),
+    "period": number,
+    "simulate": rows(2),
+}
+NEEDS = ("numpy", "scipy.integrate", "scipy.special", "sympy")
+OFF_LIMITS = {"*": ("tam570.lagrange",)}
+
+POINTWISE = 1e-8  # a few roundings make 1e-15, a derivative by central differences 1e-10
+TRAJECTORY = (
+    2e-5  # LSODA at rtol 1e-9, atol 1e-9 is off by 1.4e-6 after three periods, RK45 and DOP853 by less
+)
+ENERGY = 1e-5  # the same solvers lose 3e-7 of it in thirty periods
+PERIOD = 1e-6  # a quadrature with a singular end, or an event of a simulation, is good to 1e-8
+VARIATION = 1e-4  # (2 pi 1.5/2000)^2/3 = 7e-6 by any quadrature of second order
+ACTION = 1e-5  # (4/4000)^2/3 = 3e-7 by any quadrature of second order; one of first order is off by 2e-4
+
+BALANCES = {
+    "linear_momentum_balance": ("alpha", "tension"),
+    "angular_momentum_balance": ("alpha", "angular momentum", "moment"),
+    "energy_balance": ("alpha", "kinetic energy", "potential energy"),
+    "power_balance": ("alpha", "power"),
+    "virtual_work": ("alpha", "generalized force"),
+}  # function: the quantities of its result
+
+
+def right(theta, omega, *, mass, length, gravity):
+    """Every quantity of the balances, from r, v and F as vectors of the plane."""
+    along, across = (
+        np.array([math.sin(theta), -math.cos(theta)]),
+        np.array([math.cos(theta), math.sin(theta)]),
+    )
+    r, v, force = length * along, length * omega * across, np.array([0.0, -mass * gravity])
+    unknown = np.column_stack([mass * length * across, along])  # m a = -tension along + force
+    alpha, tension = np.linalg.solve(unknown, force + mass * length * omega**2 * along)
+    return {
+        "alpha": alpha,
+        "tension": tension,
+        "angular momentum": mass * (r[0] * v[1] - r[1] * v[0]),
+        "moment": r[0] * force[1] - r[1] * force[0],
+        "kinetic energy": mass * v @ v / 2,
+        "potential energy": mass * gravity * (r[1] + length),
+        "power": force @ v,
+        "generalized force": length * across @ force,
+    }
+
+
+def scales(theta, omega, *, mass, length, gravity):
+    """The scale of each quantity and what to call it."""
+    rate, inertia = abs(omega) + math.sqrt(gravity / length), mass * length**2
+    energy = inertia * rate**2, "of m l (l omega^2 + g)"
+    return {
+        "alpha": (rate**2, "of omega^2 + g/l"),
+        "tension": (mass * length * rate**2, "of m (l omega^2 + g)"),
+        "angular momentum": (inertia * rate, "of m l^2 (omega + sqrt(g/l))"),
+        "power": (inertia * rate**3, "of m l^2 (omega + sqrt(g/l))^3"),
+        **dict.fromkeys(("moment", "kinetic energy", "potential energy", "generalized force"), energy),
+    }
+
+
+def pendulum_of(point):
+    """The arguments of a balance for which the symbols stand."""
+    return point["theta"], point.get("omega", 0.0), point.get("m", 1.0), point["l"], point["g"]
+
+
+def balances_suspect(says, wrong):
+    """All balances with what `wrong(theta, omega, mass, length, gravity)` gives in place of the right quantities."""
+
+    def mistaken(theta, omega, mass, length, gravity):
+        known = right(theta, omega, mass=mass, length=length, gravity=gravity)
+        return {**known, **wrong(theta, omega, mass, length, gravity)}
+
+    def balance(quantities):
+        return lambda *state, **pendulum: tuple(mistaken(*state, **pendulum)[name] for name in quantities)
+
+    def lagrangian(points):
+        found = [mistaken(*pendulum_of(point)) for point in points]
+        return [each["kinetic energy"] - each["potential energy"] for each in found]
+
+    functions = {name: balance(quantities) for name, quantities in BALANCES.items()}
+    functions["lagrange_equation"] = lambda points: [
+        mistaken(*pendulum_of(point))["alpha"] for point in points
+    ]
+    return suspect(says, lagrangian=lagrangian, **functions)
+
+
+def restoring(sine):
+    """The quantities that depend on the sine of theta, with another function in its place."""
+
+    def wrong(theta, omega, mass, length, gravity):
+        moment = -mass * gravity * length * sine(theta)
+        alpha = moment / (mass * length**2)
+        return {"alpha": alpha, "moment": moment, "power": moment * omega, "generalized force": moment}
+
+    return wrong
+
+
+def tension(pull):
+    """A wrong tension; pull(theta, m l omega^2, m g)."""
+    return lambda theta, omega, mass, length, gravity: {
+        "tension": pull(theta, mass * length * omega**2, mass * gravity)
+    }
+
+
+def potential(height):
+    """A wrong potential energy; height(theta) in lengths."""
+    return lambda theta, omega, mass, length, gravity: {
+        "potential energy": mass * gravity * length * height(theta)
+    }
+
+
+BALANCE_SUSPECTS = [
+    balances_suspect("cos theta where sin theta belongs", restoring(math.cos)),
+    balances_suspect("the sign of gravity's term missing", restoring(lambda th: -math.sin(th))),
+    balances_suspect("the linearised equation, theta for sin theta", restoring(lambda th: th)),
+]
+TENSION_SUSPECTS = [
+    balances_suspect(
+        "a tension without m l omega^2", tension(lambda th, spin, weight: weight * math.cos(th))
+    ),
+    balances_suspect(
+        "a tension with -m l omega^2", tension(lambda th, spin, weight: weight * math.cos(th) - spin)
+    ),
+    balances_suspect(
+        "gravity pushing the rod in", tension(lambda th, spin, weight: spin - weight * math.cos(th))
+    ),
+    balances_suspect(
+        "sin theta in the tension", tension(lambda th, spin, weight: spin + weight * math.sin(th))
+    ),
+]
+ENERGY_SUSPECTS = [
+    balances_suspect("a potential energy that is zero at the hinge", potential(lambda th: -math.cos(th))),
+    balances_suspect("the sign of the potential energy reversed", potential(lambda th: math.cos(th) - 1)),
+    balances_suspect("sin theta in the potential energy", potential(math.sin)),
+    balances_suspect("the potential energy of small angles", potential(lambda th: th**2 / 2)),
+]
+
+
+def parameters(draw, gravity=None):
+    """A random mass, length and gravity."""
+    gravity = draw.uniform(1.0, 25.0) if gravity is None else gravity
+    return {"mass": 10 ** draw.uniform(-1, 1), "length": 10 ** draw.uniform(-0.6, 0.8), "gravity": gravity}
+
+
+def states(draw):
+    """Calls at random states, the last of them without gravity."""
+    angles, rates = draw.uniform(-9, 9, 18), draw.uniform(1, 6, 18) * draw.choice([-1, 1], 18)
+    pendulums = [parameters(draw, gravity) for gravity in [None] * 15 + [0.0] * 3]
+    return [given(th, om, **pendulum) for th, om, pendulum in zip(angles, rates, pendulums, strict=True)]
+
+
+def judge(student, name, quantities, calls, hint, kind="a random state, mass and length"):
+    """Compare some of the quantities that a balance gives with the right ones."""
+    for found, call in zip(getattr(student, name).many(calls), calls, strict=True):
+        known, sizes = right(*call.args, **call.kwargs), scales(*call.args, **call.kwargs)
+        for quantity in quantities:
+            value, (scale, unit) = found[BALANCES[name].index(quantity)], sizes[quantity]
+            expect(value, known[quantity], within=POINTWISE, scale=scale, of=quantity, unit=unit, hint=hint, at=call,
+                   kind=kind if call.kwargs["gravity"] else "a pendulum without gravity")  # fmt: skip
+
+
+@check(points=0.5, part="a", suspects=BALANCE_SUSPECTS)
+def newton_gives_the_acceleration(student, draw):
+    """linear_momentum_balance: alpha, by F = m a along the circle."""
+    judge(student, "linear_momentum_balance", ["alpha"], states(draw),
+          "draw the forces, and the component of each along the circle")  # fmt: skip
+
+
+@check(points=0.5, part="a", suspects=BALANCE_SUSPECTS + TENSION_SUSPECTS)
+def newton_gives_the_tension(student, draw):
+    """linear_momentum_balance: the tension, by F = m a along the rod."""
+    judge(student, "linear_momentum_balance", ["tension"], states(draw),
+          "which way along the rod does the acceleration point when omega is not zero?")  # fmt: skip
+
+
+@check(points=0.5, part="a", suspects=BALANCE_SUSPECTS)
+def moments_give_the_acceleration(student, draw):
+    """angular_momentum_balance: alpha, by M = dH/dt about the hinge."""
+    judge(student, "angular_momentum_balance", ["alpha"], states(draw),
+          "which way does the weight turn a pendulum that is out to the right?")  # fmt: skip
+
+
+@check(points=0.5, part="a", suspects=BALANCE_SUSPECTS)
+def momentum_and_moment_are_about_the_hinge(student, draw):
+    """angular_momentum_balance: r x m v and the moment of the weight, about the hinge."""
+    judge(student, "angular_momentum_balance", ["angular momentum", "moment"], states(draw),
+          "how far from the hinge do momentum and weight act?")  # fmt: skip
+
+
+@check(points=0.5, part="a", suspects=BALANCE_SUSPECTS + ENERGY_SUSPECTS)
+def energies_are_right(student, draw):
+    """energy_balance: kinetic energy, and potential energy that is zero at the lowest point."""
+    judge(student, "energy_balance", ["kinetic energy", "potential energy"], states(draw),
+          "how high is the mass above its lowest point?")  # fmt: skip
+
+
+@check(points=0.25, part="a", suspects=BALANCE_SUSPECTS)
+def energy_gives_the_acceleration(student, draw):
+    """energy_balance: alpha, from the constancy of the energy."""
+    judge(student, "energy_balance", ["alpha"], states(draw), "the terms of dE/dt have a factor in common")
+
+
+@check(points=0.5, part="a", suspects=BALANCE_SUSPECTS)
+def power_gives_the_acceleration(student, draw):
+    """power_balance: the power of gravity, and alpha from it."""
+    judge(student, "power_balance", ["power", "alpha"], states(draw),
+          "power is F . v: when does gravity speed the mass up?")  # fmt: skip
+
+
+@check(points=0.25, part="a", after=(energy_gives_the_acceleration, power_gives_the_acceleration))
+def pendulum_at_rest_accelerates(student, draw):
+    """energy_balance and power_balance give alpha where omega is zero too."""
+    calls = [given(draw.uniform(0.3, 2.8), 0.0, **parameters(draw)) for _ in range(5)]
+    for name in ("energy_balance", "power_balance"):
+        judge(
+            student,
+            name,
+            ["alpha"],
+            calls,
+            "the common factor omega is cancelled, not divided by",
+            "omega = 0",
+        )
+
+
+@check(points=0.5, part="a", suspects=BALANCE_SUSPECTS)
+def virtual_work_gives_the_acceleration(student, draw):
+    """virtual_work: the generalized force of gravity, and alpha from it."""
+    judge(student, "virtual_work", ["generalized force", "alpha"], states(draw),
+          "dr is l dtheta, across the rod")  # fmt: skip
+
+
+def points_of(calls, symbols):
+    """The symbols' values for the arguments of calls."""
+    values = [(*call.args, *call.kwargs.values()) for call in calls]
+    named = [dict(zip(("theta", "omega", "m", "l", "g"), row, strict=True)) for row in values]
+    return [{symbol: point[symbol] for symbol in symbols} for point in named]
+
+
+@check(points=0.75, part="a", suspects=ENERGY_SUSPECTS)
+def lagrangian_is_kinetic_less_potential(student, draw):
+    """lagrangian: T - V in theta, omega, m, l, g, with V zero at the lowest point."""
+    calls = states(draw)
+    points = points_of(calls, RESULTS["lagrangian"].symbols)
+    for value, call in zip(student.lagrangian.at(points), calls, strict=True):
+        known, (scale, unit) = right(*call.args, **call.kwargs), scales(*call.args, **call.kwargs)["moment"]
+        expect(value, known["kinetic energy"] - known["potential energy"], within=POINTWISE, scale=scale,
+               of="the Lagrangian", unit=unit, kind="random numbers for the symbols", at=call,
+               hint="put numbers in: at rest at the lowest point it is zero, at rest elsewhere negative")  # fmt: skip
+
+
+@check(points=0.75, part="a", suspects=BALANCE_SUSPECTS)
+def lagrange_gives_the_acceleration(student, draw):
+    """lagrange_equation: alpha in theta, l, g alone."""
+    calls = states(draw)
+    points = points_of(calls, RESULTS["lagrange_equation"].symbols)
+    for value, call in zip(student.lagrange_equation.at(points), calls, strict=True):
+        scale, unit = scales(*call.args, **call.kwargs)["alpha"]
+        expect(value, right(*call.args, **call.kwargs)["alpha"], within=POINTWISE, scale=scale, of="alpha",
+               unit=unit, kind="random numbers for the symbols", at=call,
+               hint="it is the alpha of the other balances")  # fmt: skip
+
+
+def exact(t, theta0, omega0, *, length, gravity):
+    """The motion in Jacobi's elliptic functions; with t = 0 at the start. A turning pendulum has modulus above one."""
+    if gravity == 0:
+        return np.column_stack([theta0 + omega0 * t, np.full(len(t), omega0)])
+    k, around = math.sqrt(gravity / length), 2 * math.pi * round(theta0 / (2 * math.pi))
+    half = (theta0 - around) / 2
+    m = math.sin(half) ** 2 + (omega0 / (2 * k)) ** 2
+    if m < 1:
+        start = ellipkinc(math.atan2(math.sin(half), omega0 / (2 * k)), m)
+        sn, cn, _, _ = ellipj(start + k * t, m)
+        return np.column_stack([around + 2 * np.arcsin(math.sqrt(m) * sn), 2 * k * math.sqrt(m) * cn])
+    spin = math.copysign(k * math.sqrt(m), omega0)
+    _, _, dn, phase = ellipj(ellipkinc(half, 1 / m) + spin * t, 1 / m)
+    return np.column_stack([around + 2 * phase, 2 * spin * dn])
+
+
+def swing(draw):
+    """A start that swings back and forth far from small angles, and its pendulum."""
+    pendulum = parameters(draw)
+    k = math.sqrt(pendulum["gravity"] / pendulum["length"])
+    start = draw.uniform(1.2, 2.2) * draw.choice([-1, 1]), draw.uniform(0.2, 0.6) * k * draw.choice([-1, 1])
+    return start, pendulum, k
+
+
+def turning(draw):
+    """A start that goes over the top, from an angle of more than a turn, and its pendulum."""
+    pendulum = parameters(draw)
+    k = math.sqrt(pendulum["gravity"] / pendulum["length"])
+    sign = draw.choice([-1, 1])
+    return (-sign * draw.uniform(6, 9), sign * draw.uniform(2.3, 3) * k), pendulum, k
+
+
+def variations(s):
+    """Smooth functions of 0 <= s <= 1 that vanish at both ends."""
+    return [np.sin(np.pi * s), np.sin(2 * np.pi * s) * np.exp(-s), s * (1 - s) * (2 + np.cos(5 * s))]
+
+
+def wave(s, start, end, height):
+    """A path that is no motion of a pendulum, over 0 <= s <= 1, with its first and second derivatives."""
+    turn = 2 * np.pi
+    return (
+        start + (end - start) * s + height * np.sin(turn * s),
+        end - start + turn * height * np.cos(turn * s),
+        -(turn**2) * height * np.sin(turn * s),
+    )
+
+
+SMALL = 1e-3  # of a variation; its square is below VARIATION
+
+
+@once
+def varied_paths(draw):
+    """Calls with a path varied to both sides, the right first variation in parts of its scale, and the kind of path."""
+    cases = []
+    for kind in ("a true motion, swinging", "a true motion, turning", "a path that is no motion"):
+        (theta0, omega0), pendulum, k = (turning if "turning" in kind else swing)(draw)
+        t = np.linspace(0, 2 * np.pi * draw.uniform(1.2, 1.5) / k, 2001)
+        length, gravity = pendulum["length"], pendulum["gravity"]
+        path, surplus = exact(t, theta0, omega0, length=length, gravity=gravity)[:, 0], np.zeros(len(t))
+        if "no motion" in kind:
+            path, _, bend = wave(t / t[-1], theta0, theta0 + draw.uniform(1, 2), draw.uniform(0.3, 0.6))
+            surplus = bend / t[-1] ** 2 + gravity / length * np.sin(path)
+        scale = pendulum["mass"] * length * gravity * t[-1]
+        for change in variations(t / t[-1]):
+            both = [given(path + sign * SMALL * change, t[1], **pendulum) for sign in (1, -1)]
+            variation = -pendulum["mass"] * length**2 * np.sum(surplus * change) * t[1]
+            cases.append((both, variation / scale, scale, kind))
+    return cases
+
+
+@check(points=0.5, part="a")
+def action_is_stationary_on_motions(student, draw):
+    """action: its first variation vanishes on true motions, and on other paths it does not."""
+    cases = varied_paths(draw)
+    values = iter(student.action.many([call for both, *_ in cases for call in both]))
+    for both, variation, scale, kind in cases:
+        found = (next(values) - next(values)) / (2 * SMALL * scale)
+        expect(found, variation, within=VARIATION, of="the first variation", unit="of m g l times the duration",
+               kind=kind, at=both[0],
+               hint="is it the integral of T - V, with omega = dtheta/dt from the samples?")  # fmt: skip
+
+
+@once
+def paths(draw):
+    """Calls with paths between different heights, the action by Gauss's quadrature, and its scale."""
+    nodes, weights = np.polynomial.legendre.leggauss(80)
+    fine, cases = np.linspace(0, 1, 4001), []
+    for share, kind in ((1, "a smooth path"), (1, "a smooth path"), (0, "a smooth path without gravity")):
+        pendulum = parameters(draw)
+        span = draw.uniform(3, 4) * math.sqrt(pendulum["length"] / pendulum["gravity"])
+        pendulum["gravity"] *= share
+        shape = draw.uniform(-0.3, 0.3), draw.uniform(2.6, 3.4) * draw.choice([-1, 1]), draw.uniform(0.3, 0.6)
+        theta, slope, _ = wave((nodes + 1) / 2, *shape)
+        kinetic = pendulum["mass"] * (pendulum["length"] * slope / span) ** 2 / 2
+        potential = pendulum["mass"] * pendulum["gravity"] * pendulum["length"] * (1 - np.cos(theta))
+        call = given(wave(fine, *shape)[0], span * fine[1], **pendulum)
+        cases.append(
+            (
+                call,
+                weights @ (kinetic - potential) * span / 2,
+                weights @ (kinetic + potential) * span / 2,
+                kind,
+            )
+        )
+    return cases
+
+
+@check(points=0.5, part="a", after=action_is_stationary_on_motions)
+def action_is_the_integral(student, draw):
+    """action: the integral of T - V itself, to second order in the step."""
+    cases = paths(draw)
+    for value, (call, expected, scale, kind) in zip(
+        student.action.many([case[0] for case in cases]), cases, strict=True
+    ):
+        expect(value / scale, expected / scale, within=ACTION, of="the action", unit="of the integral of T + V",
+               kind=kind, at=call, hint="halve the step: the error must fall to a quarter")  # fmt: skip
+
+
+def times(draw, span, rows, start=None):
+    """Uneven times over a span; they start anywhere but at zero."""
+    steps = np.concatenate([[0.0], np.cumsum(draw.uniform(0.2, 1.8, rows - 1))])
+    start = draw.uniform(0.3, 0.6) * span * draw.choice([-1, 1]) if start is None else start
+    return start + span * steps / steps[-1]
+
+
+def harmonic(t, theta0, omega0, frequency):
+    """The linear oscillation by a complex exponential."""
+    z = (theta0 - 1j * omega0 / frequency) * np.exp(1j * frequency * t)
+    return np.column_stack([z.real, -frequency * z.imag])
+
+
+def small_angle_suspect(says, motion):
+    """`motion(t, theta0, omega0, g_over_l)`, where the right one has the frequency sqrt(g_over_l)."""
+    return suspect(
+        says, small_angle_solution=lambda t, th, om, *, length, gravity: motion(t, th, om, gravity / length)
+    )
+
+
+SMALL_ANGLE_SUSPECTS = [
+    small_angle_suspect("the frequency squared, g/l, for the frequency", harmonic),
+    small_angle_suspect("l/g for g/l", lambda t, th, om, ratio: harmonic(t, th, om, ratio**-0.5)),
+    small_angle_suspect(
+        "the given state as that at t[0], not at t = 0",
+        lambda t, th, om, ratio: harmonic(t - t[0], th, om, ratio**0.5),
+    ),
+    small_angle_suspect(
+        "the full equation, where the linear one is asked",
+        lambda t, th, om, ratio: exact(t, th, om, length=1, gravity=ratio),
+    ),
+]
+
+
+@check(points=0.5, part="a", suspects=SMALL_ANGLE_SUSPECTS)
+def small_angle_solution_is_harmonic(student, draw):
+    """small_angle_solution: theta and omega of theta'' + (g/l) theta = 0, the given state being that at t = 0."""
+    (theta0, omega0), pendulum, k = swing(draw)
+    pendulum.pop("mass")
+    t = times(draw, 20 / k, 50)
+    found = student.small_angle_solution(t, theta0, omega0, **pendulum)
+    expect(found / [1, k], harmonic(t, theta0, omega0, k) / [1, k], within=TRAJECTORY, of="theta, or omega/sqrt(g/l),",
+           unit="rad", t=t, kind="times that do not start at zero", at=(theta0, omega0, pendulum),
+           hint="put t = 0 in: is the state the given one? differentiate theta: is it omega?")  # fmt: skip
+
+
+@check(points=0.25, part="a", after=small_angle_solution_is_harmonic)
+def small_angle_solution_without_gravity(student, draw):
+    """small_angle_solution: without gravity the pendulum turns uniformly."""
+    theta0, omega0, length = draw.uniform(0.5, 1), draw.uniform(-2, -1), draw.uniform(1, 3)
+    t = times(draw, 5.0, 20)
+    found = student.small_angle_solution(t, theta0, omega0, length=length, gravity=0.0)
+    uniform = np.column_stack([theta0 + omega0 * t, np.full(len(t), omega0)])
+    expect(found, uniform, within=TRAJECTORY, of="theta or omega", unit="rad or rad/s", t=t, kind="gravity 0",
+           hint="what becomes of sin(k t)/k as k goes to zero?")  # fmt: skip
+
+
+def period_suspect(says, swings):
+    """`swings`: the wrong period in units of sqrt(length/gravity)."""
+    return suspect(says, period=lambda A, *, length, gravity: swings(A) * math.sqrt(length / gravity))
+
+
+PERIOD_SUSPECTS = [
+    period_suspect("the period of small angles", lambda A: 2 * math.pi),
+    period_suspect(
+        "the first two terms of the series in the amplitude", lambda A: 2 * math.pi * (1 + A**2 / 16)
+    ),
+    period_suspect(
+        "the modulus k where the parameter m = k^2 belongs", lambda A: 4 * ellipk(math.sin(A / 2))
+    ),
+    period_suspect("the amplitude where half the amplitude belongs", lambda A: 4 * ellipk(math.sin(A) ** 2)),
+    period_suspect("half the period", lambda A: 2 * ellipk(math.sin(A / 2) ** 2)),
+]
+
+
+def judge_periods(student, draw, amplitudes, within, kind, hint):
+    """Compare with Legendre's complete integral of the first kind."""
+    calls = []
+    for amplitude in amplitudes:
+        calls.append(given(amplitude, length=10 ** draw.uniform(-1, 1), gravity=draw.uniform(1, 25)))
+    for found, call in zip(student.period.many(calls), calls, strict=True):
+        unit = math.sqrt(call.kwargs["length"] / call.kwargs["gravity"])
+        expected = 4 * ellipk(math.sin(call.args[0] / 2) ** 2)
+        expect(
+            found / unit / expected,
+            1,
+            within=within,
+            of="the period",
+            unit="of itself",
+            kind=kind,
+            hint=hint,
+            at=call,
+        )
+
+
+@check(points=0.75, part="a", suspects=PERIOD_SUSPECTS)
+def period_is_exact(student, draw):
+    """period: exact at large amplitudes."""
+    judge_periods(student, draw, draw.uniform(0.5, 2, 8), PERIOD, "an amplitude between 0.5 and 2 rad",
+                  "the energy gives omega at every theta, and dt = dtheta/omega")  # fmt: skip
+
+
+@check(points=0.25, part="a", after=period_is_exact)
+def period_grows_towards_the_top(student, draw):
+    """period: exact for tiny amplitudes and close to pi, where it grows without bound."""
+    judge_periods(student, draw, 10 ** draw.uniform(-2, -1, 3), PERIOD, "an amplitude of a few hundredths of a radian",
+                  "is a difference of nearly equal cosines taken?")  # fmt: skip
+    judge_periods(student, draw, np.pi - 10 ** draw.uniform(-3, -1, 4), 10 * PERIOD, "an amplitude next to pi",
+                  "a series in the amplitude, or a quadrature of fixed order, does not reach this far")  # fmt: skip
+
+
+def moved(shift):
+    """The motion with the weight turned by an angle: in its own angle from straight down it is the right one."""
+
+    def simulate(t, theta0, omega0, *, length, gravity):
+        return exact(t - t[0], theta0 + shift, omega0, length=length, gravity=gravity) - [shift, 0]
+
+    return simulate
+
+
+def linearised(t, theta0, omega0, *, length, gravity):
+    return harmonic(t - t[0], theta0, omega0, math.sqrt(gravity / length))
+
+
+def from_zero(t, theta0, omega0, *, length, gravity):
+    return exact(t, theta0, omega0, length=length, gravity=gravity)
+
+
+SIMULATE_SUSPECTS = [
+    suspect("cos theta where sin theta belongs", within=1e-4, simulate=moved(math.pi / 2)),
+    suspect("the sign of gravity's term missing", within=1e-4, simulate=moved(math.pi)),
+    suspect("the linearised equation, where the full one is asked", within=1e-4, simulate=linearised),
+    suspect("the given state as that at t = 0, not at t[0]", within=1e-4, simulate=from_zero),
+]
+
+
+def judge_motion(student, t, start, pendulum, kind, hint):
+    """Compare a simulation with elliptic functions; half the points for a tolerance too loose."""
+    given_to = {name: pendulum[name] for name in ("length", "gravity")}
+    expected = exact(t - t[0], *start, **given_to)
+    scale = [1.0, max(abs(start[1]), math.sqrt(pendulum["gravity"] / pendulum["length"]))]
+    found = student.simulate(t, *start, **given_to)
+    expect(found, expected, scale=scale, within=TRAJECTORY, of="theta, or omega in its scale,",
+           unit="rad", t=t, kind=kind, hint=hint, at=(start, pendulum), partial={1e-3: 0.5})  # fmt: skip
+
+
+@check(points=0.75, part="a", suspects=SIMULATE_SUSPECTS)
+def simulate_swings(student, draw):
+    """simulate: large swings, row i at t[i], row 0 the given state."""
+    start, pendulum, k = swing(draw)
+    judge_motion(student, times(draw, 15 / k, 1000), start, pendulum, "a large swing",
+                 "is omega the rate of theta, and alpha that of the balances? is the tolerance tight?")  # fmt: skip
+
+
+@check(points=0.25, part="a", after=simulate_swings, suspects=SIMULATE_SUSPECTS)
+def simulate_needs_no_dense_times(student, draw):
+    """simulate: the same motion when only a few times are asked for."""
+    start, pendulum, k = swing(draw)
+    judge_motion(student, times(draw, 15 / k, 4), start, pendulum, "few times, far apart",
+                 "the steps of the integration are not those of t")  # fmt: skip
+
+
+@check(points=0.25, part="a", after=simulate_swings, suspects=SIMULATE_SUSPECTS)
+def simulate_turns_over_the_top(student, draw):
+    """simulate: a pendulum that turns round and round; theta goes on growing."""
+    start, pendulum, k = turning(draw)
+    judge_motion(student, times(draw, 15 / k, 100), start, pendulum, "a pendulum that goes over the top",
+                 "the angle is never wrapped")  # fmt: skip
+
+
+@check(points=0.25, part="a", after=simulate_swings)
+def simulate_without_gravity(student, draw):
+    """simulate: without gravity it turns uniformly."""
+    start, pendulum = (draw.uniform(0.5, 1), draw.uniform(-2, -1)), parameters(draw, gravity=0.0)
+    judge_motion(
+        student, times(draw, 8.0, 30), start, pendulum, "gravity 0", "is anything divided by gravity?"
+    )
+
+
+@check(points=0.25, part="a", after=simulate_swings)
+def simulate_keeps_the_energy(student, draw):
+    """simulate: the energy stays what it was over many periods."""
+    start, pendulum, k = swing(draw)
+    t = times(draw, 180 / k, 300)
+    theta, omega = student.simulate(t, *start, length=pendulum["length"], gravity=pendulum["gravity"]).T
+    energy = (omega / k) ** 2 / 2 + 2 * np.sin(theta / 2) ** 2
+    expect(energy / energy[0], np.ones(len(t)), within=ENERGY, of="the energy", unit="of itself",
+           t=t, kind="many periods", at=(start, pendulum),
+           hint="a step of fixed length, or a fixed number of them, does not do for every duration",
+           partial={1e-4: 0.6, 1e-2: 0.3})  # fmt: skip
