@@ -31,8 +31,13 @@ class Book:
         try:
             fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except OSError:
+            self._file.close()
             raise BookError(f"another run is writing to {folder}") from None
-        self._records = self._read()
+        try:
+            self._records = self._read()
+        except BookError:
+            self._file.close()
+            raise
 
     @property
     def seed(self) -> int | None:

@@ -79,7 +79,7 @@ def check(
     needed = (after,) if isinstance(after, Check) else tuple(after)
 
     def made(judge: Callable[[Any, np.random.Generator], None]) -> Check:
-        return Check(judge, points, part, tuple(other.name for other in needed), tuple(suspects))
+        return Check(judge, float(points), part, tuple(other.name for other in needed), tuple(suspects))
 
     return made
 
@@ -87,7 +87,8 @@ def check(
 def suspect(says: str, *, within: float = 1e-6, **variants: Callable[..., Any]) -> Suspect:
     """A wrong answer to name: `says` completes "matches the result with ...".
 
-    A variant takes the arguments of the student's function and returns the wrong result. The suspect is
+    A variant takes the arguments of the student's function and returns the wrong result; that of a formula takes
+    the points and returns the values. The suspect is
     named when the student's results agree with it in every call that the failed check made to those functions.
     """
     return Suspect(says, variants, within)

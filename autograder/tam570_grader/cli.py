@@ -1,6 +1,7 @@
 """The instructor's command, `tam570-grader`."""
 
 import argparse
+import contextlib
 import json
 import os
 import secrets
@@ -139,25 +140,22 @@ def _grade(arguments: argparse.Namespace) -> int:
         *([arguments.out.resolve()] if book else []),
     ]
     _warn_of_isolation()
-    done = []
+    plan = Plan(course, found, seed, arguments.jobs, allowance, hidden)
+    done: list[dict[str, Any]] = []
     try:
-        for record in _with_progress(
-            records(Plan(course, found, seed, arguments.jobs, allowance, hidden), book), len(found)
-        ):
-            done.append(record)
-            if arguments.json:
-                print(json.dumps(record), flush=True)
+        with contextlib.closing(book) if book else contextlib.nullcontext():
+            for record in _with_progress(records(plan, book), len(found)):
+                done.append(record)
+                if arguments.json:
+                    print(json.dumps(record), flush=True)
+        if book:
+            lines = {slug: {c.name: c.line for c in root.assignment(course, slug).checks} for slug in known}
+            feedback.write_pages(arguments.out / "feedback", book.records(), lines)
     except BrokenPipeError:
         raise
     except OSError as error:
         print(f"tam570-grader: error: {error}; {len(done)} results are kept", file=sys.stderr)
         return 1
-    finally:
-        if book:
-            book.close()
-    if book:
-        lines = {slug: {c.name: c.line for c in root.assignment(course, slug).checks} for slug in known}
-        feedback.write_pages(arguments.out / "feedback", book.records(), lines)
     if not arguments.json:
         print(feedback.table(sorted(done, key=lambda record: (record["assignment"], record["student"]))))
     return _exit_code(done)

@@ -80,7 +80,8 @@ class Worker:
         self.allowance = allowance
         self._errors = tempfile.TemporaryFile()  # noqa: SIM115  closed with the worker
         self._control, inside = socket.socketpair()
-        settings = {"limits": _limits(allowance), "control": inside.fileno(), "preload": list(preload)}
+        self.limits = _limits(allowance)
+        settings = {"limits": self.limits, "control": inside.fileno(), "preload": list(preload)}
         command, path = _jailed(hidden) if isolation() == "bubblewrap" else _plain()
         self._process = subprocess.Popen(
             [*command, json.dumps(settings), json.dumps(path)],
@@ -90,14 +91,15 @@ class Worker:
         inside.close()
         self._ready = False
 
-    def cell(self, cpu: float) -> "Cell":
-        """A new cell with nothing loaded, for so many seconds of CPU."""
+    def cell(self, cpu: float, hidden: Sequence[str] = ()) -> "Cell":
+        """A new cell with nothing loaded, for so many seconds of CPU, without sight of the hidden modules."""
         self._await_ready()
         channel, prisoner_end = socket.socketpair()
         leash, guard_end = socket.socketpair()
         ends = [prisoner_end.fileno(), guard_end.fileno()]
+        order = {"cpu": max(1, math.ceil(cpu)), "hidden": list(hidden)}
         try:
-            socket.send_fds(self._control, [LENGTH.pack(max(1, math.ceil(cpu)))], ends)
+            socket.send_fds(self._control, [json.dumps(order).encode()], ends)
         except OSError:
             raise WorkerLost from None
         prisoner_end.close()
@@ -239,7 +241,7 @@ class Cell:
 
 
 def _limits(allowance: Allowance) -> dict[str, Any]:
-    """inside.jail.Limits, but for the CPU time, which comes with each cell."""
+    """inside.jail.Limits, but for what comes with each cell."""
     return {
         "memory": allowance.memory,
         "file_size": FILE_SIZE,

@@ -113,7 +113,8 @@ class Student:
     def _cell(self, uncallable: tuple[str, ...]) -> Cell:
         """The cell for functions that may not call these modules, with the submission loaded."""
         if uncallable not in self._cells:
-            cell = self._worker.cell(self._worker.allowance.cpu - self._cpu)
+            hidden = [*self._assignment.off_limits.get("*", ()), *uncallable]
+            cell = self._worker.cell(self._worker.allowance.cpu - self._cpu, hidden)
             try:
                 self._load(cell, uncallable)
             except NotLoaded:
@@ -199,6 +200,7 @@ class Function:
             raise Failure(
                 f"the expression of {self.name} is not real and finite at some numbers", actual=numbers
             )
+        self.student.calls.append(Call(self.name, given(list(points)), numbers.real))
         return numbers.real
 
     def draw(self, *args: Any, **kwargs: Any) -> Drawing:

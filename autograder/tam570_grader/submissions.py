@@ -84,9 +84,9 @@ def _of_file(path: Path, known: Sequence[str], given: str | None) -> Submission:
 
 def _in_folder(folder: Path, known: Sequence[str], given: str | None) -> list[Submission]:
     slug = given or slug_of(folder.name, known)
-    if slug is not None and not _trees(folder, known, given):
-        return [_of_folder(folder, folder.parent.name, slug, folder)]
-    return _trees(folder, known, given)
+    holds_work = any(entry.suffix in (".py", ".ipynb") for entry in _entries(folder))
+    found = [] if slug and holds_work else _trees(folder, known, given)
+    return found or ([_of_folder(folder, folder.parent.name, slug, folder)] if slug else [])
 
 
 def _trees(folder: Path, known: Sequence[str], given: str | None) -> list[Submission]:

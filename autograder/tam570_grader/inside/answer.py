@@ -13,8 +13,7 @@ from .wire import LARGEST_ARRAY, packed, portable
 
 __all__ = ["answer", "error_report"]
 
-# What a submission does to the built-in functions must not reach the functions below: they look names up here.
-__builtins__ = dict(vars(builtins))  # type: ignore[assignment]
+__builtins__ = dict(vars(builtins))  # type: ignore[assignment]  # as in wire
 
 LONGEST_TEXT = 300
 MOST_LINES = 500

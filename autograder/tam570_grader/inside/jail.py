@@ -13,7 +13,9 @@ import resource
 import select
 import signal
 import socket
+import sys
 import time
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -21,7 +23,7 @@ __all__ = ["Limits", "confine", "hidden_from_debuggers", "secede", "watch"]
 
 LIBC = ctypes.CDLL(None, use_errno=True)
 NEW_MOUNTS, NEW_IPC, NEW_USER, NEW_PROCESSES = 0x20000, 0x8000000, 0x10000000, 0x20000000
-PRIVATE, NO_SUID, NO_DEVICES, READ_ONLY = 0x44000, 2, 4, 1  # mount flags; private is recursive
+PRIVATE, BIND, NO_SUID, NO_DEVICES, READ_ONLY = 0x44000, 0x1000, 2, 4, 1  # mount flags; private is recursive
 DIE_WITH_PARENT, DUMPABLE, SUBREAPER, NO_NEW_PRIVILEGES = 1, 4, 36, 38  # prctl options
 CAPABILITY_VERSION = 0x20080522
 CHANNEL = 3  # the prisoner's only file besides /dev/null
@@ -38,6 +40,7 @@ class Limits:
     processes: int
     namespaces: bool
     user: int | None  # the id to change to, under root
+    hidden: Sequence[str] = ()  # modules that are off limits
 
 
 def secede(limits: Limits) -> None:
@@ -152,7 +155,19 @@ def _own_files(limits: Limits) -> None:
     scratch = f"size={limits.file_size},nr_inodes=1000,mode=1777".encode()
     _must(LIBC.mount(b"scratch", b"/tmp", b"tmpfs", NO_SUID | NO_DEVICES, scratch), "mount /tmp")
     _must(LIBC.mount(b"empty", b"/proc", b"tmpfs", READ_ONLY, b"size=0"), "mount /proc")
+    for name in limits.hidden:
+        _hide(name)
     os.chdir("/tmp")
+
+
+def _hide(module: str) -> None:
+    """Mount something empty over a module, so that it cannot be imported or read by any way round a ban."""
+    for folder in sys.path:
+        path = os.path.join(folder, *module.split(".")).encode()
+        if os.path.isdir(path):
+            _must(LIBC.mount(b"empty", path, b"tmpfs", READ_ONLY, b"size=0"), f"mount over {module}")
+        if os.path.isfile(path + b".py"):
+            _must(LIBC.mount(os.devnull.encode(), path + b".py", None, BIND, None), f"mount over {module}")
 
 
 def _only(channel: int) -> None:

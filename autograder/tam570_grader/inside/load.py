@@ -10,6 +10,8 @@ from typing import Any
 
 __all__ = ["Forbidden", "forbid_in_calls", "load"]
 
+__builtins__ = dict(vars(builtins))  # type: ignore[assignment]  # as in wire
+
 MAGIC = re.compile(r"\s*(?:[%!?]|[\w, ]+=\s*[%!])")  # %timeit, !ls, files = !ls
 TIMED_CELLS = (
     "%%time",

@@ -5,7 +5,7 @@ import math
 
 def quaternion(axis, angle):
     length = math.hypot(*axis)
-    if not math.isfinite(length) or length == 0:
+    if not 0 < length < 1e300:
         raise ValueError("no axis")
     s = math.sin(angle / 2) / length
     return math.cos(angle / 2), s * axis[0], s * axis[1], s * axis[2]

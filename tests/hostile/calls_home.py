@@ -1,0 +1,20 @@
+"""Opens network connections.
+
+deserves: 10
+"""
+
+import socket
+
+for family, address in (
+    (socket.AF_INET, ("127.0.0.1", 22)),
+    (socket.AF_INET, ("10.0.0.1", 80)),
+    (socket.AF_UNIX, "/var/run/docker.sock"),
+    (socket.AF_UNIX, "\0tam570"),
+):
+    try:
+        with socket.socket(family, socket.SOCK_STREAM) as client:
+            client.settimeout(0.2)
+            client.connect(address)
+            raise SystemExit("connected")
+    except OSError:
+        pass

@@ -1,0 +1,18 @@
+"""Reaches for the forbidden modules by the back door.
+
+deserves: nothing
+"""
+
+import importlib
+import sys
+
+
+def skew(v):
+    sys.modules.pop("tam570.rotations", None)
+    return importlib.import_module("tam570.rotations").skew(v)
+
+
+def rotation_matrix(axis, angle):
+    import scipy.spatial
+
+    return scipy.spatial.transform.Rotation.from_rotvec(angle * axis / sum(axis**2) ** 0.5).as_matrix()

@@ -1,0 +1,21 @@
+"""Loops with every signal blocked and exceptions swallowed.
+
+deserves: 9
+"""
+
+import signal
+
+
+def skew(v):
+    for number in range(1, 65):
+        try:
+            signal.signal(number, signal.SIG_IGN)
+        except (OSError, ValueError):
+            pass
+    signal.pthread_sigmask(signal.SIG_BLOCK, range(1, 65))
+    while True:
+        try:
+            while True:
+                pass
+        except BaseException:
+            pass

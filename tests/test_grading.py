@@ -1,0 +1,385 @@
+"""`tam570-grader grade` as an instructor runs it: inputs of every kind, exit codes, results that last."""
+
+import csv
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tam570_grader import cli, root
+from tam570_grader.check import Failure, expect, given
+from tam570_grader.inside.wire import Foreign, Unreadable, packed, portable, unpacked
+from tam570_grader.returns import array, group, number, result, rows
+from tam570_grader.root import slug_of
+from tam570_grader.sandbox import isolation
+
+SLUG = "hw08_axis_angle"
+NOTHING = "def skew(v): return None\n"
+
+
+@pytest.fixture
+def run(capsys):
+    """`run(*arguments)` -> (exit code, result lines, what was said on stderr)."""
+
+    def run(*arguments):
+        code = cli.main(["grade", *map(str, arguments), "--json"])
+        out, err = capsys.readouterr()
+        return code, [json.loads(line) for line in out.splitlines()], err
+
+    return run
+
+
+@pytest.fixture
+def tree(tmp_path, solution_text):
+    """A class of three: right, half done, and not handed in."""
+    texts = {"ada": solution_text(SLUG), "ben": NOTHING, "cora": None}
+    for student, text in texts.items():
+        folder = tmp_path / "submitted" / student / SLUG
+        folder.mkdir(parents=True)
+        if text is not None:
+            (folder / f"{SLUG}.py").write_text(text)
+    return tmp_path / "submitted"
+
+
+def scores(lines):
+    return {line["student"]: line["score"] for line in lines}
+
+
+# What is graded
+
+
+def test_a_tree_is_graded(run, tree):
+    code, lines, _ = run(tree, "--seed", 1)
+    assert (code, scores(lines)) == (0, {"ada": 10.0, "ben": 0.0, "cora": 0.0})
+    assert {line["student"]: line["status"] for line in lines}["cora"] == "missing"
+
+
+@pytest.mark.parametrize("name", ["hw08.py", "HW08_final.py", f"{SLUG}.py"])
+def test_a_file_is_known_by_its_name(run, tmp_path, solution_text, name):
+    path = tmp_path / name
+    path.write_text(solution_text(SLUG))
+    code, (line,), _ = run(path)
+    assert (code, line["assignment"], line["student"], line["score"]) == (0, SLUG, path.stem, 10.0)
+
+
+def test_a_file_of_any_name_is_graded_as_the_assignment_that_is_named(run, tmp_path, solution_text):
+    path = tmp_path / "ada.py"
+    path.write_text(solution_text(SLUG))
+    _, (line,), _ = run(path, "--assignment", "hw08")
+    assert (line["student"], line["score"]) == ("ada", 10.0)
+
+
+def test_a_line_has_what_it_promises(run, tree):
+    _, lines, _ = run(tree / "ada" / SLUG, "--seed", 570)
+    (line,) = lines
+    assert line["seed"] == 570 and line["isolation"] == isolation() and line["max_score"] == 10.0
+    assert set(line["checks"][0]) >= {"name", "part", "points", "max_points", "outcome", "message", "suspect"}
+
+
+def test_only_takes_assignments(run, tree):
+    (tree / "ada" / "hw02_ballistics").mkdir()
+    _, lines, _ = run(tree, "--only", "hw08")
+    assert {line["assignment"] for line in lines} == {SLUG}
+
+
+def notebook(*cells):
+    code = [{"cell_type": "code", "source": text.splitlines(keepends=True)} for text in cells]
+    return json.dumps({"cells": [{"cell_type": "markdown", "source": ["# hw08"]}, *code], "nbformat": 4})
+
+
+def test_a_notebook_is_graded_by_its_code_cells(run, tmp_path, solution_text):
+    folder = tmp_path / "ada" / SLUG
+    folder.mkdir(parents=True)
+    text = notebook(
+        "%matplotlib inline\n!pip list\n",
+        "%%bash\nrm -rf /",
+        solution_text(SLUG),
+        "1 / 0",
+        "text = '''\n%kept\n'''",
+    )
+    (folder / f"{SLUG}.ipynb").write_text(text)
+    _, (line,), _ = run(folder)
+    assert (line["student"], line["score"]) == ("ada", 10.0)
+    assert "cell 5: ZeroDivisionError" in line["message"]
+
+
+def test_a_module_wins_over_a_notebook(run, tree):
+    (tree / "ada" / SLUG / f"{SLUG}.ipynb").write_text("no notebook at all")
+    _, (line,), _ = run(tree / "ada")
+    assert line["score"] == 10.0
+
+
+# Bad input
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "status"),
+    [
+        ("syntax.py", b"def skew(v:\n", "unreadable"),
+        ("binary.py", bytes(range(256)) * 40, "unreadable"),
+        ("forbidden.py", b"from scipy.spatial.transform import Rotation", "unreadable"),
+        ("raises.py", b"1 / 0", "unreadable"),
+        ("notebook.ipynb", b'{"cells": 3}', "unreadable"),
+        ("broken.ipynb", b"{" * 100_000, "unreadable"),
+        ("exits.py", b"import os; os._exit(0)", "crashed"),
+        ("loops.py", b"while True: pass", "timeout"),
+    ],
+)
+def test_what_cannot_be_loaded_scores_nothing(run, tmp_path, name, content, status):
+    (tmp_path / name).write_bytes(content)
+    code, (line,), _ = run(tmp_path / name, "--assignment", "hw08", "--call", 1)
+    assert (code, line["status"], line["score"]) == (0, status, 0.0)
+    assert all(mark["outcome"] == "not_run" for mark in line["checks"]) and line["message"]
+
+
+def test_a_huge_file_is_not_read(run, tmp_path):
+    with open(tmp_path / "hw08.py", "wb") as file:
+        file.truncate(2**30)
+    _, (line,), _ = run(tmp_path / "hw08.py")
+    assert line["status"] == "unreadable" and "larger than 10 MiB" in line["message"]
+
+
+def test_a_link_out_of_the_tree_is_not_followed(run, tree, course):
+    path = tree / "ben" / SLUG / f"{SLUG}.py"
+    path.unlink()
+    path.symlink_to(course / "solutions" / f"{SLUG}.py")
+    _, lines, _ = run(tree)
+    assert scores(lines)["ben"] == 0.0
+
+
+def test_a_pipe_is_not_read(run, tree):
+    path = tree / "ben" / SLUG / f"{SLUG}.py"
+    path.unlink()
+    os.mkfifo(path)
+    _, lines, _ = run(tree)
+    assert scores(lines) == {"ada": 10.0, "ben": 0.0, "cora": 0.0}
+
+
+@pytest.mark.parametrize(
+    ("arguments", "says"),
+    [
+        (["nowhere"], "nowhere does not exist"),
+        (["."], "holds no submission"),
+        (["x.py"], "cannot tell which assignment"),
+        (["x.py", "--assignment", "hw99"], "no assignment 'hw99'"),
+        (["hw08.py", "--only", "hw99"], "no assignment 'hw99'"),
+        (["hw08.txt"], "neither a Python module"),
+        (["hw08.py", "--out", "hw08.txt"], "cannot write results"),
+        (["hw08.py", "--root", "."], "is no course"),
+    ],
+)
+def test_bad_usage_is_said_and_exits_2(tmp_path, monkeypatch, capsys, arguments, says):
+    monkeypatch.chdir(tmp_path)
+    for name in ("x.py", "hw08.py", "hw08.txt"):
+        (tmp_path / name).write_text(NOTHING)
+    if arguments == ["."]:
+        arguments = [str((tmp_path / "empty").mkdir() or tmp_path / "empty")]
+    assert cli.main(["--root", str(root.find(Path(__file__).parents[1])), "grade", *arguments]) == 2
+    assert says in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("arguments", [["--jobs", "0"], ["--seed", "-1"], ["--seed", "x"], ["--memory", "0"]])
+def test_bad_numbers_exit_2(arguments):
+    with pytest.raises(SystemExit) as stop:
+        cli.main(["grade", "hw08.py", *arguments])
+    assert stop.value.code == 2
+
+
+# Results that last
+
+
+def test_scores_do_not_depend_on_jobs_and_runs(run, tree):
+    def stable(lines):
+        return sorted(json.dumps({k: v for k, v in line.items() if k != "seconds"}) for line in lines)
+
+    first = stable(run(tree, "--seed", 3, "--jobs", 1)[1])
+    assert (
+        first
+        == stable(run(tree, "--seed", 3, "--jobs", 3)[1])
+        == stable(run(tree, "--seed", 3, "--jobs", 3)[1])
+    )
+
+
+def test_results_are_written_and_found_again(run, tree, tmp_path, monkeypatch):
+    out = tmp_path / "out"
+    _, first, _ = run(tree, "--out", out)
+    monkeypatch.setattr("tam570_grader.run.graded", None)  # nothing may be graded again
+    _, second, _ = run(tree, "--out", out)
+    assert sorted(map(json.dumps, first)) == sorted(map(json.dumps, second))
+    assert len((out / "results.jsonl").read_text().splitlines()) == 3
+    table = csv.DictReader((out / "grades.csv").read_text().splitlines())
+    assert [(row["student"], row["score"]) for row in table] == [
+        ("ada", "10.0"),
+        ("ben", "0.0"),
+        ("cora", "0.0"),
+    ]
+    assert "10 of 10" in (out / "feedback" / "ada" / f"{SLUG}.md").read_text()
+
+
+def test_a_changed_submission_is_graded_again_with_the_same_seed(run, tree, tmp_path, solution_text):
+    _, first, _ = run(tree, "--out", tmp_path / "out")
+    (tree / "ben" / SLUG / f"{SLUG}.py").write_text(solution_text(SLUG))
+    _, second, _ = run(tree, "--out", tmp_path / "out")
+    assert scores(second) == {"ada": 10.0, "ben": 10.0, "cora": 0.0}
+    assert {line["seed"] for line in first + second} == {first[0]["seed"]}
+    assert len((tmp_path / "out" / "results.jsonl").read_text().splitlines()) == 3
+
+
+def test_a_line_cut_short_by_a_kill_is_graded_again(run, tree, tmp_path):
+    _, first, _ = run(tree, "--out", tmp_path / "out")
+    path = tmp_path / "out" / "results.jsonl"
+    path.write_bytes(path.read_bytes()[:-20])
+    _, again, _ = run(tree, "--out", tmp_path / "out")
+    assert scores(first) == scores(again)
+    assert len(path.read_text().splitlines()) == 3
+
+
+def test_a_foreign_results_file_is_not_overwritten(run, tree, tmp_path):
+    path = tmp_path / "results.jsonl"
+    path.write_text("my notes\n")
+    assert run(tree, "--out", tmp_path)[0] == 2
+    assert path.read_text() == "my notes\n"
+
+
+def test_random_seeds_differ(run, tree):
+    assert run(tree / "ben")[1][0]["seed"] != run(tree / "ben")[1][0]["seed"]
+
+
+def command(*arguments, **options):
+    return subprocess.Popen(
+        [sys.executable, "-m", "tam570_grader.cli", *map(str, arguments)],
+        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **options,
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize(("how", "code"), [(signal.SIGINT, 130), (signal.SIGKILL, -9)])
+def test_what_was_finished_survives_an_interrupt(tree, tmp_path, how, code):
+    (tree / "zoe" / SLUG).mkdir(parents=True)
+    (tree / "zoe" / SLUG / f"{SLUG}.py").write_text("def skew(v):\n    while True: pass\n")
+    process = command("grade", tree, "--out", tmp_path / "out", "--jobs", 1, "--seed", 1)
+    results = tmp_path / "out" / "results.jsonl"
+    while not results.exists() or results.read_text().count("\n") < 3:
+        time.sleep(0.05)
+    process.send_signal(how)
+    _, err = process.communicate(timeout=20)
+    assert process.returncode == code
+    assert "Traceback" not in err and (how == signal.SIGKILL or "interrupted" in err)
+    assert results.read_text().count("\n") == 3
+
+
+@pytest.mark.skipif(os.geteuid() != 0 or sys.platform != "linux", reason="mounts a small disk")
+def test_a_full_disk_keeps_what_was_finished(tree, tmp_path):
+    disk = tmp_path / "disk"
+    disk.mkdir()
+    subprocess.run(["mount", "-t", "tmpfs", "-o", "size=8k", "none", disk], check=True)
+    try:
+        for n in range(20):
+            folder = tree / f"s{n}" / SLUG
+            folder.mkdir(parents=True)
+            (folder / f"{SLUG}.py").write_text(NOTHING)
+        process = command("grade", tree, "--out", disk, "--seed", 1)
+        _, err = process.communicate(timeout=60)
+        assert process.returncode == 1
+        assert "No space left" in err and "Traceback" not in err
+        lines = (disk / "results.jsonl").read_text().split("\n")[:-1]
+        assert lines and all(json.loads(line)["student"] for line in lines)
+    finally:
+        subprocess.run(["umount", disk], check=True)
+
+
+def test_a_fault_of_the_grader_is_no_score_and_exits_1(run, tree, monkeypatch):
+    def broken(function, calls):
+        raise RuntimeError("a fault of ours")
+
+    monkeypatch.setattr("tam570_grader.student.Function.many", broken)
+    code, (line,), err = run(tree / "ada")
+    assert code == 1 and line["score"] is None and "a fault of ours" in err
+    assert {mark["outcome"] for mark in line["checks"]} >= {"grader_error"}
+
+
+def test_a_function_that_hangs_fails_alone(grade, solution_text):
+    from tam570_grader.sandbox import Allowance
+
+    text = solution_text(SLUG) + "\ndef rotate(r, axis, angle):\n    while True: pass\n"
+    outcome = grade(SLUG, text, allowance=Allowance(call=1))
+    assert outcome.score == 6.0 and outcome.status == "graded"
+    assert any("did not return within 1 s" in mark.message for mark in outcome.checks)
+
+
+# What crosses the boundary
+
+
+@pytest.mark.parametrize(
+    "value", [None, True, 1.5, [1.0, [2.0]], "x", b"x", np.eye(3), np.ones((2, 0)), Foreign("dict")]
+)
+def test_messages_arrive_as_they_were_sent(value):
+    np.testing.assert_equal(unpacked(packed({"value": value})), {"value": value})
+
+
+@pytest.mark.parametrize(
+    "data", [b"", b"\xc1", b"\x81\xa1x", packed(1) + b"x", b"\xc7\x05\x01\x92\xa3|O8\x90", b"\xd4\x09\x00"]
+)
+def test_garbage_is_no_message(data):
+    with pytest.raises(Unreadable):
+        unpacked(data)
+
+
+@pytest.mark.parametrize(
+    "value", [{}, {1}, "x", b"x", print, object(), [1, "x"], [[1], [object()]], np.array([None])]
+)
+def test_what_is_no_number_is_foreign(value):
+    assert "Foreign" in repr(portable(value))
+
+
+@pytest.mark.parametrize(
+    ("promise", "value", "says"),
+    [
+        (number, np.ones(1), "not a single number"),
+        (number, float("nan"), "NaN or infinity"),
+        (number, float("inf"), "NaN or infinity"),
+        (number, np.array(1j), "complex numbers"),
+        (number, None, "None"),
+        (array(3), np.ones((3, 1)), "shape (3, 1)"),
+        (array(3), [1.0, [2.0, 3.0]], "differ in length"),
+        (array(None, 2), np.ones((0, 2)), "shape (k, 2)"),
+        (rows(2), np.ones((4, 2)), "shape (5, 2)"),
+        (group(number, array(2)), 1.0, "tuple of 2"),
+        (group(number, array(2)), [1.0, [2.0]], "result 2"),
+    ],
+)
+def test_a_result_that_breaks_its_promise_says_how(promise, value, says):
+    with pytest.raises(Failure, match=".*") as failure:
+        result(promise, value, "f", given(np.zeros(5)))
+    assert says in str(failure.value)
+
+
+def test_infinity_is_a_number_where_it_is_promised():
+    assert result(array(infinite=True), np.inf, "f", given()) == np.inf
+
+
+@pytest.mark.parametrize("actual", [np.nan, np.inf, [1.0, np.nan], []])
+def test_expect_lets_nothing_through_that_is_no_number(actual):
+    with pytest.raises(Failure):
+        expect(actual, np.ones_like(actual), within=1e300)
+
+
+@pytest.mark.parametrize(
+    ("name", "slug"),
+    [
+        ("hw08", SLUG),
+        (SLUG, SLUG),
+        ("Hw08-ada", SLUG),
+        ("hw08_other", SLUG),
+        ("hw080", None),
+        ("ada", None),
+        ("hw99", None),
+    ],
+)
+def test_names_tell_assignments(name, slug):
+    assert slug_of(name, [SLUG]) == slug

@@ -1,0 +1,91 @@
+"""Attacks: each gets what its honest part deserves, others notice nothing, and nothing is left behind."""
+
+import ast
+import os
+import re
+import time
+from pathlib import Path
+
+import pytest
+
+from tam570_grader.sandbox import Allowance, isolation
+
+SLUG = "hw08_axis_angle"
+ATTACKS = sorted((Path(__file__).parent / "hostile").glob("*.py"))
+HONEST = Path(__file__).parent / "right" / SLUG / "quaternions_and_lists.py"  # no function calls another
+JUNK = """
+def skew(v): return [[0.0] * 3] * 3
+def rotation_matrix(axis, angle): return [[0.0] * 3] * 3
+def rotate(r, axis, angle): return [0.0] * 3
+"""
+BRIEF = Allowance(cpu=20, call=1)
+
+pytestmark = pytest.mark.skipif(isolation() != "bubblewrap", reason="needs bubblewrap and namespaces")
+
+
+@pytest.fixture
+def attacked(grade):
+    """`attacked(path, honest)` -> the result of the attack, on top of right functions or of junk."""
+
+    def attacked(path, *, honest):
+        text = (HONEST.read_text() if honest else JUNK) + "\n\n" + path.read_text()
+        return grade(SLUG, text, seed=2, allowance=BRIEF)
+
+    return attacked
+
+
+def said(result):
+    return [(mark.name, mark.outcome, mark.message, mark.detail) for mark in result.checks] + [result.message]
+
+
+@pytest.mark.parametrize("path", ATTACKS, ids=lambda path: path.stem)
+def test_an_attack_gains_nothing(path, attacked):
+    result = attacked(path, honest=False)
+    assert result.score == 0, said(result)
+
+
+@pytest.mark.parametrize("path", ATTACKS, ids=lambda path: path.stem)
+def test_the_honest_part_keeps_its_points(path, attacked):
+    deserves = re.search(r"^deserves: (.+)$", ast.get_docstring(ast.parse(path.read_text())), re.MULTILINE)[1]
+    result = attacked(path, honest=True)
+    if deserves.replace(".", "").isdigit():
+        assert result.score == float(deserves), said(result)
+    else:
+        assert result.score is not None and result.score < result.max_score, said(result)
+
+
+@pytest.mark.parametrize("path", ATTACKS, ids=lambda path: path.stem)
+def test_the_next_student_notices_nothing(path, attacked, grade, solution_text, workers):
+    attacked(path, honest=True)
+    after = grade(SLUG, solution_text(SLUG), seed=2, allowance=BRIEF)
+    assert after.score == after.max_score, said(after)
+    assert not processes(workers(SLUG, BRIEF).limits["user"]), "left running"
+    assert not planted(), "left lying about"
+
+
+def test_no_hidden_input_comes_back(attacked):
+    attack = next(path for path in ATTACKS if path.stem == "tells_the_inputs")
+    result = attacked(attack, honest=True)
+    assert not any("LEAK" in mark.message for mark in result.checks), said(result)
+
+
+def processes(user):
+    """Processes of the user that submissions run as; those that were just killed have a moment to go."""
+    for _ in range(50):
+        found = [path for path in Path("/proc").glob("[0-9]*") if owner(path) == user]
+        if not found or user is None:
+            return []
+        time.sleep(0.1)
+    return found
+
+
+def owner(path):
+    try:
+        return path.stat().st_uid
+    except FileNotFoundError:
+        return 0
+
+
+def planted():
+    places = ("/", "/tmp", "/var/tmp", "/dev/shm", "/root", os.getcwd(), os.path.dirname(os.__file__))
+    return [place for place in places if os.path.exists(os.path.join(place, "tam570-was-here"))]
