@@ -48,11 +48,9 @@ def right(theta, omega, *, mass, length, gravity):
         np.array([math.cos(theta), math.sin(theta)]),
     )
     r, v, force = length * along, length * omega * across, np.array([0.0, -mass * gravity])
-    unknown = np.column_stack([mass * length * across, along])  # m a = -tension along + force
-    alpha, tension = np.linalg.solve(unknown, force + mass * length * omega**2 * along)
     return {
-        "alpha": alpha,
-        "tension": tension,
+        "alpha": across @ force / (mass * length),
+        "tension": along @ force + mass * v @ v / length,
         "angular momentum": mass * (r[0] * v[1] - r[1] * v[0]),
         "moment": r[0] * force[1] - r[1] * force[0],
         "kinetic energy": mass * v @ v / 2,
@@ -549,7 +547,7 @@ def simulate_swings(student, draw):
                  "is omega the rate of theta, and alpha that of the balances? is the tolerance tight?")  # fmt: skip
 
 
-@check(points=0.25, part="a", after=simulate_swings, suspects=SIMULATE_SUSPECTS)
+@check(points=0.25, part="a", after=simulate_swings)
 def simulate_needs_no_dense_times(student, draw):
     """simulate: the same motion when only a few times are asked for."""
     start, pendulum, k = swing(draw)
@@ -557,7 +555,7 @@ def simulate_needs_no_dense_times(student, draw):
                  "the steps of the integration are not those of t")  # fmt: skip
 
 
-@check(points=0.25, part="a", after=simulate_swings, suspects=SIMULATE_SUSPECTS)
+@check(points=0.25, part="a", after=simulate_swings)
 def simulate_turns_over_the_top(student, draw):
     """simulate: a pendulum that turns round and round; theta goes on growing."""
     start, pendulum, k = turning(draw)
@@ -568,7 +566,7 @@ def simulate_turns_over_the_top(student, draw):
 @check(points=0.25, part="a", after=simulate_swings)
 def simulate_without_gravity(student, draw):
     """simulate: without gravity it turns uniformly."""
-    start, pendulum = (draw.uniform(0.5, 1), draw.uniform(-2, -1)), parameters(draw, gravity=0.0)
+    start, pendulum = (draw.uniform(0.5, 1), draw.uniform(-0.4, -0.3)), parameters(draw, gravity=0.0)
     judge_motion(
         student, times(draw, 8.0, 30), start, pendulum, "gravity 0", "is anything divided by gravity?"
     )

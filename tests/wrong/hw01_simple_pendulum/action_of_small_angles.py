@@ -1,0 +1,8 @@
+"""The potential energy of small angles in the action.
+
+fails: action_is_stationary_on_motions
+"""
+
+def action(theta, step, *, mass, length, gravity):
+    omega, middle = np.diff(theta) / step, (theta[:-1] + theta[1:]) / 2
+    return step * np.sum(mass * length**2 * omega**2 / 2 - mass * gravity * length * middle**2 / 2)

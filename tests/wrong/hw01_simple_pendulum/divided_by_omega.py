@@ -1,0 +1,8 @@
+"""The acceleration as power over omega: nothing at rest.
+
+fails: pendulum_at_rest_accelerates
+"""
+
+def power_balance(theta, omega, *, mass, length, gravity):
+    power = -mass * gravity * length * math.sin(theta) * omega
+    return power / (mass * length**2 * omega), power

@@ -1,0 +1,9 @@
+"""The small oscillation with 0/0 where there is no gravity.
+
+fails: small_angle_solution_without_gravity
+"""
+
+def small_angle_solution(t, theta0, omega0, *, length, gravity):
+    k = np.sqrt(gravity / length)
+    c, s = np.cos(k * t), np.sin(k * t)
+    return np.column_stack([theta0 * c + omega0 * s / k, omega0 * c - theta0 * k * s])

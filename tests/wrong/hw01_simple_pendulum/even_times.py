@@ -1,0 +1,10 @@
+"""As many even times in place of the times asked for.
+
+fails: simulate_swings
+"""
+
+_right_simulate = simulate
+
+
+def simulate(t, theta0, omega0, *, length, gravity):
+    return _right_simulate(np.linspace(t[0], t[-1], len(t)), theta0, omega0, length=length, gravity=gravity)

@@ -1,0 +1,11 @@
+"""The rows shifted by one: row 0 is not the start.
+
+fails: simulate_swings
+"""
+
+_right_simulate = simulate
+
+
+def simulate(t, theta0, omega0, *, length, gravity):
+    later = np.append(t, 2 * t[-1] - t[-2])
+    return _right_simulate(later, theta0, omega0, length=length, gravity=gravity)[1:]

@@ -1,0 +1,10 @@
+"""The small oscillation as if the given state were that at t[0].
+
+fails: small_angle_solution_is_harmonic
+suspect: the given state as that at t[0], not at t = 0
+"""
+
+def small_angle_solution(t, theta0, omega0, *, length, gravity):
+    k = math.sqrt(gravity / length)
+    c, s = np.cos(k * (t - t[0])), np.sin(k * (t - t[0]))
+    return np.column_stack([theta0 * c + omega0 * s / k, omega0 * c - theta0 * k * s])

@@ -1,0 +1,10 @@
+"""A mass that does not cancel.
+
+fails: lagrange_gives_the_acceleration
+"""
+
+def lagrange_equation():
+    import sympy
+
+    theta, m, l, g = sympy.symbols("theta m l g")
+    return -m * g * sympy.sin(theta) / l

@@ -1,0 +1,10 @@
+"""(2, n) as solve_ivp has it.
+
+fails: simulate_swings
+"""
+
+_right_simulate = simulate
+
+
+def simulate(t, theta0, omega0, *, length, gravity):
+    return _right_simulate(t, theta0, omega0, length=length, gravity=gravity).T
