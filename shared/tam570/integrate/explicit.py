@@ -1,24 +1,19 @@
-"""Runge-Kutta of order 8 with automatic steps: the generated step, driven by Python or, if it repays, compiled."""
+"""Runge-Kutta of order 8 with automatic steps."""
 
-import sys
-import time
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import lru_cache, partial
 from types import FunctionType
 from typing import Any
 
 import numpy as np
 
-from tam570.integrate import drive
+from tam570.integrate import drive, machine
+from tam570.integrate.pace import Loop, carried_through
 from tam570.integrate.problem import Array, Rates, agrees, floats_function
-from tam570.integrate.source import Formulas, call_of, compiled
+from tam570.integrate.source import Formulas, call_of, compiled, functions
 from tam570.integrate.trace import traced
 
-__all__ = ["Engine", "engine", "states"]
-
-PROBE = 100  # steps before the clock is read
-READY = 0.05  # s, to load what was compiled before
-IMPORT = 0.4  # s, of numba
+__all__ = ["Engine", "engine", "shortest_step", "states"]
 
 
 @dataclass(frozen=True)
@@ -26,11 +21,9 @@ class Engine:
     """The functions generated for a right-hand side, and the constants of its scene."""
 
     functions: dict[str, Any]
-    constants: tuple[float, ...] = ()
-    formulas: Formulas | None = None  # None where it could not be traced
-
-    def __getattr__(self, name: str) -> Any:
-        return self.functions[name]
+    constants: tuple[float, ...]
+    formulas: Formulas
+    traced: bool
 
 
 def engine(rates: Rates, times: Array, start: Array) -> Engine:
@@ -38,13 +31,14 @@ def engine(rates: Rates, times: Array, start: Array) -> Engine:
     sampled = len(times) > 2
     try:
         formulas, constants = traced(rates, len(start))
-        functions = _functions(formulas, sampled)
-        if agrees(rates, functions["rhs"], constants, times, start):
-            return Engine(functions, constants, formulas)
+        kit = Engine(_functions(formulas, sampled), constants, formulas, True)
+        if agrees(rates, kit.functions["rhs"], constants, times, start):
+            return kit
     except Exception:  # whatever a function says to symbols, it then gets numbers
         pass
     given = floats_function(rates, float(times[0]), start)
-    return Engine(_with_loop(compiled(call_of(len(start)), sampled, given)))
+    formulas = call_of(len(start))
+    return Engine(_with_loop(compiled(formulas, sampled, given)), (), formulas, False)
 
 
 @lru_cache(maxsize=256)
@@ -52,66 +46,59 @@ def _functions(formulas: Formulas, sampled: bool) -> dict[str, Any]:
     return _with_loop(compiled(formulas, sampled))
 
 
-def _with_loop(functions: dict[str, Any]) -> dict[str, Any]:
+def _with_loop(namespace: dict[str, Any]) -> dict[str, Any]:
     """The generated functions and, with these for its global names, the loop around them."""
-    functions |= {name: value for name, value in vars(drive).items() if name.isupper() or name == "sqrt"}
+    merged = {**vars(drive), **namespace}
     for loop in (drive.first_step, drive.advance):
-        functions[loop.__name__] = FunctionType(loop.__code__, functions)
-    return functions
+        merged[loop.__name__] = FunctionType(loop.__code__, merged)
+    return merged
 
 
-def states(kit: Engine, times: Array, start: Array, rtol: float, *, compile_: bool | None = None) -> Array:
-    """(n, k) states at `times`. compile_: True and False insist; None decides by what is left to do."""
+@lru_cache(maxsize=64)
+def _module(formulas: Formulas) -> str:
+    text = functions(formulas, forgiving=False)
+    return machine.module_source(drive, text, "rhs, raised, step, dense, at", "advance")
+
+
+def states(kit: Engine, times: Array, start: Array, rtol: float, how: str) -> Array:
+    """(n, k) states at `times`; how: "auto", "python" or "numba"."""
     rows = np.empty((len(times), len(start)))
     rows[0] = start
     origin, since = float(times[0]), times - times[0]
-    state = _at_start(kit, origin, float(since[-1]), start)
-    if not compile_:
-        state = _in_python(kit, origin, since, rows, state, rtol, forever=compile_ is False)
-    if state[0] < len(times) and state[2] > 0:
-        from tam570.integrate import machine
+    listed = since.tolist()
 
-        assert kit.formulas is not None
-        walk = machine.walker(kit.formulas)
-        state = walk(origin, since, rows, state, kit.constants, rtol, np.iinfo(np.int64).max)
-    if state[2] == 0.0:
-        raise ArithmeticError(
-            f"no step is short enough at t = {origin + state[1]:.17g}: rhs or solution not finite"
-        )
+    def run(advance: Any, state: Any, budget: int, by_numba: bool) -> Any:
+        return advance(origin, since if by_numba else listed, rows, state, kit.constants, rtol, budget)
+
+    def share(state: Any) -> float:
+        row, reached, h, *_ = state
+        return 1.0 if row == len(rows) or h == 0.0 else reached / listed[-1]
+
+    source = partial(_module, kit.formulas) if kit.traced else None
+    loop = Loop(run, share, kit.functions["advance"], "advance", source)
+    end = carried_through(loop, _at_start(kit, origin, listed[-1], start), how)
+    if end[2] == 0.0:
+        where = origin + end[1]
+        raise ArithmeticError(f"no step is short enough at t = {where:.17g}: rhs or solution not finite")
     return rows
 
 
 def _at_start(kit: Engine, origin: float, span: float, start: Array) -> tuple[Any, ...]:
-    y = tuple(start.tolist())
-    f = kit.rhs(origin, y, kit.constants)
-    h = kit.first_step(origin, span, y, f, tuple(map(abs, y)), kit.constants)
+    y, c = tuple(start.tolist()), kit.constants
+    f = kit.functions["rhs"](origin, y, c)
+    h = kit.functions["first_step"](origin, span, y, f, tuple(map(abs, y)), c)
     m = tuple(max(abs(x), h * abs(rate), 1e-300) for x, rate in zip(y, f, strict=True))  # never 0: it divides
     return 1, 0.0, h, y, (0.0,) * len(y), f, m
 
 
-def _wait(formulas: Formulas) -> float:
-    """Seconds until compiled code could start, on a machine of today; infinite without numba."""
-    from tam570.integrate import machine
-
-    if not machine.available():
-        return float("inf")
-    imported = 0.0 if "numba" in sys.modules else IMPORT
-    return imported + (READY if machine.kept(formulas) else machine.seconds_to_compile(formulas))
-
-
-def _in_python(
-    kit: Engine, origin: float, since: Array, rows: Array, state: Any, rtol: float, *, forever: bool
-) -> Any:
-    """Steps in Python until the end, or until compiled code would get there sooner, compilation included."""
-    list_of_times, budget = since.tolist(), PROBE
-    wait = float("inf") if forever or kit.formulas is None else _wait(kit.formulas)
-    began = time.perf_counter()
-    while True:
-        state = kit.advance(origin, list_of_times, rows, state, kit.constants, rtol, budget)
-        row, reached, h, *_ = state
-        if row == len(rows) or h == 0.0:
-            return state
-        left = (time.perf_counter() - began) * (list_of_times[-1] / reached - 1) if reached else 0.0
-        if left > wait:
-            return state
-        budget *= 2
+def shortest_step(kit: Engine, times: Array, start: Array, rtol: float, *, steps: int = 200) -> float:
+    """The shortest of the first steps that this method takes at `rtol`; s."""
+    origin, span = float(times[0]), float(times[-1] - times[0])
+    rows, state, shortest = np.empty((2, len(start))), _at_start(kit, origin, span, start), span
+    for _ in range(steps):
+        before = state[1]
+        state = kit.functions["advance"](origin, [0.0, span], rows, state, kit.constants, rtol, 1)
+        if state[1] == before and state[2] == 0.0 or state[0] == 2:
+            break
+        shortest = min(shortest, state[2])  # what the controller proposes next
+    return shortest

@@ -8,12 +8,14 @@ import sys
 from collections.abc import Callable
 from functools import lru_cache
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
-from tam570.integrate import drive
-from tam570.integrate.source import Formulas, functions
+__all__ = ["SOONEST", "available", "loaded", "loaded_already", "module_source", "wait"]
 
-__all__ = ["available", "kept", "seconds_to_compile", "walker"]
+IMPORT = 0.4  # s, of numba
+READY = 0.05  # s, to load what was compiled before
+SOONEST = READY
 
 _HEAD = '''"""Written by tam570 for one right-hand side; may be deleted at any time."""
 
@@ -24,8 +26,8 @@ from numba import njit
 
 _TAIL = """
 inner = njit(error_model="numpy", no_cpython_wrapper=True, no_cfunc_wrapper=True)
-rhs, raised, step, dense, at = map(inner, (rhs, raised, step, dense, at))
-advance = njit(cache=True, error_model="numpy")(advance)
+{inner} = [inner(function) for function in ({inner})]
+{entry} = njit(cache=True, error_model="numpy")({entry})
 """
 
 
@@ -34,44 +36,52 @@ def available() -> bool:
     return importlib.util.find_spec("numba") is not None
 
 
-def kept(formulas: Formulas) -> bool:
-    """Whether some process has compiled these formulas."""
-    return any(_folder().joinpath("__pycache__").glob(f"{_name(source(formulas))}*.nbi"))
+def module_source(loop: ModuleType, generated: str, inner: str, entry: str) -> str:
+    """A module of its own: the loop, the generated functions that it calls (`inner`), both to be compiled."""
+    return "\n\n".join([_HEAD, inspect.getsource(loop), generated, _TAIL.format(inner=inner, entry=entry)])
 
 
-def seconds_to_compile(formulas: Formulas) -> float:
-    """Fitted to the time that numba 0.6 took for systems of size 2 to 15 on a machine of 2024."""
-    thousand_characters = len(source(formulas)) / 1000
+def loaded_already(source: Callable[[], str]) -> bool:
+    """Whether this process has the code; without numba that is soon answered."""
+    return "numba" in sys.modules and _name(source()) in sys.modules
+
+
+def wait(source: str) -> float:
+    """Seconds until compiled code could start; infinite without numba."""
+    if not available():
+        return float("inf")
+    imported = 0.0 if "numba" in sys.modules else IMPORT
+    kept = any((_folder() / "__pycache__").glob(f"{_name(source)}*.nbi"))
+    return imported + (READY if kept else _seconds_to_compile(source))
+
+
+def _seconds_to_compile(source: str) -> float:
+    """Fitted to what numba 0.68 took for systems of 2 to 15 components, on two cores of a shared server."""
+    thousand_characters = len(source) / 1000
     return 0.5 + 0.05 * thousand_characters + 0.0008 * thousand_characters**2
 
 
 @lru_cache(maxsize=64)
-def source(formulas: Formulas) -> str:
-    """A module of its own with the driver and the functions of these formulas."""
-    return "\n\n".join([_HEAD, inspect.getsource(drive), functions(formulas, forgiving=False), _TAIL])
-
-
-def _name(text: str) -> str:
-    return "tam570_" + hashlib.sha256(text.encode()).hexdigest()[:24]
-
-
-@lru_cache(maxsize=64)
-def walker(formulas: Formulas) -> Callable[..., Any]:
-    """`drive.advance` for these formulas, compiled at its first call."""
-    text = source(formulas)
-    name = _name(text)
+def loaded(source: str, entry: str) -> Callable[..., Any]:
+    """The function `entry` of a module of that source, compiled at its first call."""
+    name = _name(source)
     path = _folder() / f"{name}.py"
     if not path.exists():
         fresh = path.with_suffix(f".{os.getpid()}")
-        fresh.write_text(text, encoding="utf-8")
+        fresh.write_text(source, encoding="utf-8")
         fresh.replace(path)  # at once: another process may want to read it
     spec = importlib.util.spec_from_file_location(name, path)
     assert spec is not None and spec.loader is not None
     module = importlib.util.module_from_spec(spec)
     sys.modules[name] = module  # numba looks its functions up by module
     spec.loader.exec_module(module)
-    advance: Callable[..., Any] = module.advance
-    return advance
+    function: Callable[..., Any] = getattr(module, entry)
+    return function
+
+
+@lru_cache(maxsize=64)
+def _name(source: str) -> str:
+    return "tam570_" + hashlib.sha256(source.encode()).hexdigest()[:24]
 
 
 def _folder() -> Path:

@@ -6,12 +6,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.integrate import explicit
+from tam570.integrate import explicit, longterm
 from tam570.integrate.problem import Array, bound, initial_state, sample_times, tolerance
 
 __all__ = ["solve"]
 
-METHODS = ("auto", "python", "numba")
+METHODS = ("auto", "python", "numba", *longterm.METHODS)
 
 
 def solve(
@@ -22,6 +22,7 @@ def solve(
     parameters: Mapping[str, Any] | None = None,
     rtol: float = 1e-10,
     method: str = "auto",
+    step: float | None = None,
 ) -> Array:
     """States at the times `t` of y' = rhs(t, y, **parameters), y(t[0]) = y0.
 
@@ -31,7 +32,9 @@ def solve(
     parameters : keyword arguments of rhs, bound before the first step
     rtol       : largest error of a step, relative to the largest magnitude so far of each component
     method     : "auto" runs in Python and goes on compiled by numba where that is installed and repays;
-                 "python" and "numba" insist
+                 "python" and "numba" insist; at a fixed step, for long runs of conservative systems:
+                 "gauss" (Gauss-Legendre, order 12), "composition" (order 8, y0 = (q, v), q' of v, v' of q)
+    step       : s, of the methods with a fixed one; left out it follows from rtol
     Returns (n, k); row 0 is y0. ValueError names the argument that does not fit; ArithmeticError tells where
     the solution or rhs ceases to be finite.
     """
@@ -41,5 +44,6 @@ def solve(
     rates = bound(rhs, parameters)
     with np.errstate(all="ignore"):  # a step that proves too long may overflow: it is taken again
         kit = explicit.engine(rates, times, start)
-        insist = {"auto": None, "python": False, "numba": True}[method]
-        return explicit.states(kit, times, start, rtol, compile_=insist)
+        if method in longterm.METHODS:
+            return longterm.states(method, kit, rates, times, start, rtol, step)
+        return explicit.states(kit, times, start, rtol, method)

@@ -13,7 +13,7 @@ from typing import Any
 
 from tam570.integrate.tableau import FIFTH, NODES, ROWS, THIRD, Row, interpolant
 
-__all__ = ["Formulas", "call_of", "compiled", "functions"]
+__all__ = ["Formulas", "call_of", "compiled", "functions", "tuple_of", "unpacked"]
 
 KEPT = range(5, 12)  # the stages that the interpolant takes over from the step
 
@@ -41,15 +41,15 @@ class Formulas:
 def call_of(size: int) -> Formulas:
     """The right-hand side that is a call of the function `given`."""
     rates = tuple(f"p{i}" for i in range(size))
-    line = f"{_tuple(rates)} = given(t, {_tuple(_names('s', size))})"
+    line = f"{tuple_of(rates)} = given(t, {tuple_of(_names('s', size))})"
     return Formulas((line,), rates, 0, frozenset(range(size)), timed=True)
 
 
 def by_call(formulas: Formulas) -> Formulas:
     """The same right-hand side, as a call of `rhs`: shorter, for a compiler that takes its time."""
     rates = tuple("0.0" if rate == "0.0" else f"p{i}" for i, rate in enumerate(formulas.rates))
-    results = _tuple(f"p{i}" for i in range(formulas.size))
-    state = _tuple(f"s{i}" if i in formulas.reads else "0.0" for i in range(formulas.size))
+    results = tuple_of(f"p{i}" for i in range(formulas.size))
+    state = tuple_of(f"s{i}" if i in formulas.reads else "0.0" for i in range(formulas.size))
     line = f"{results} = rhs({'t' if formulas.timed else '0.0'}, {state}, c)"
     return replace(formulas, lines=(line,), rates=rates)
 
@@ -59,7 +59,7 @@ def functions(formulas: Formulas, sampled: bool = True, forgiving: bool = True) 
 
     forgiving : Python raises an error on overflow, where compiled code goes on with infinity
     """
-    nothing = _tuple(["nan"] * formulas.size)
+    nothing = tuple_of(["nan"] * formulas.size)
     inner = formulas if forgiving else by_call(formulas)
     parts = [_rhs(formulas), _raised(inner), _step(inner)]
     if forgiving:
@@ -80,13 +80,13 @@ def _names(letter: str, size: int) -> list[str]:
     return [f"{letter}{i}" for i in range(size)]
 
 
-def _tuple(names: Iterable[str]) -> str:
+def tuple_of(names: Iterable[str]) -> str:
     return "(" + "".join(f"{name}, " for name in names) + ")"
 
 
-def _unpacked(formulas: Formulas, **letters: str) -> list[str]:
-    lines = [f"{_tuple(_names(letter, formulas.size))} = {name}" for name, letter in letters.items()]
-    constants = [f"{_tuple(_names('c', formulas.constants))} = c"] if formulas.constants else []
+def unpacked(formulas: Formulas, **letters: str) -> list[str]:
+    lines = [f"{tuple_of(_names(letter, formulas.size))} = {name}" for name, letter in letters.items()]
+    constants = [f"{tuple_of(_names('c', formulas.constants))} = c"] if formulas.constants else []
     return lines + constants
 
 
@@ -112,15 +112,15 @@ def _derivative(formulas: Formulas, number: int, time: str) -> list[str]:
 def _rhs(formulas: Formulas) -> list[str]:
     return [
         "def rhs(t, s, c):",
-        *_unpacked(formulas, s="s"),
+        *unpacked(formulas, s="s"),
         *formulas.lines,
-        f"return {_tuple(formulas.rates)}",
+        f"return {tuple_of(formulas.rates)}",
     ]
 
 
 def _euler(formulas: Formulas) -> list[str]:
     states = (f"y[{i}] + h * f[{i}]" for i in range(formulas.size))
-    return ["def euler(h, y, f):", f"return {_tuple(states)}"]
+    return ["def euler(h, y, f):", f"return {tuple_of(states)}"]
 
 
 def _raised(formulas: Formulas) -> list[str]:
@@ -129,16 +129,16 @@ def _raised(formulas: Formulas) -> list[str]:
         (-1) ** i * 2.0**-20 * (1 + 0.1 * (i % 7)) for i in range(formulas.size)
     ]  # no two cancel
     changed = [f"s{i} = y{i} * {1 + d!r}" for i, d in enumerate(sign_and_size) if i in formulas.reads]
-    lines = ["def raised(t, h, y, f, m, c, weight):", *_unpacked(formulas, y="y", m="m"), *changed]
+    lines = ["def raised(t, h, y, f, m, c, weight):", *unpacked(formulas, y="y", m="m"), *changed]
     lines += formulas.lines
     for i in formulas.moving:
         lines += [f"x = abs({formulas.rates[i]} - f[{i}]) * h * weight", f"m{i} = x if x > m{i} else m{i}"]
-    return [*lines, f"return {_tuple(_names('m', formulas.size))}"]
+    return [*lines, f"return {tuple_of(_names('m', formulas.size))}"]
 
 
 def _step(formulas: Formulas) -> list[str]:
     """One step: new state, its rounding, derivative, magnitudes, both estimates squared, stages kept."""
-    lines = ["def step(start, h, y, r, f, m, c):", *_unpacked(formulas, y="y", r="r", f="k0_", m="m")]
+    lines = ["def step(start, h, y, r, f, m, c):", *unpacked(formulas, y="y", r="r", f="k0_", m="m")]
     for number in range(1, 12):
         lines += _stage(formulas, number, ROWS[number], NODES[number])
     for i in range(formulas.size):
@@ -149,8 +149,8 @@ def _step(formulas: Formulas) -> list[str]:
     lines += [f"k12_{i} = 0.0" for i in still] + ["fifth = third = 0.0"]
     for i in formulas.moving:
         lines += _estimate(i)
-    names = (_tuple(_names(letter, formulas.size)) for letter in ("n", "r", "k12_", "m"))
-    return [*lines, f"return {', '.join(names)}, fifth, third, {_tuple(_kept(formulas))}"]
+    names = (tuple_of(_names(letter, formulas.size)) for letter in ("n", "r", "k12_", "m"))
+    return [*lines, f"return {', '.join(names)}, fifth, third, {tuple_of(_kept(formulas))}"]
 
 
 def _kept(formulas: Formulas) -> list[str]:
@@ -180,8 +180,8 @@ def _dense(formulas: Formulas) -> list[str]:
     """Coefficients of theta, theta^2, ... theta^7 inside a step, component by component."""
     rows, nodes, matrix = interpolant()
     lines = ["def dense(start, h, y, n, f, g, stages, c):"]
-    lines += _unpacked(formulas, y="y", n="n", f="k0_", g="k12_")
-    lines += [f"{_tuple(_kept(formulas))} = stages"]
+    lines += unpacked(formulas, y="y", n="n", f="k0_", g="k12_")
+    lines += [f"{tuple_of(_kept(formulas))} = stages"]
     for number in (13, 14, 15):
         lines += _stage(formulas, number, ROWS[number], NODES[number])
     for number, row, node in zip((16, 17, 18, 19), rows, nodes, strict=True):
@@ -193,13 +193,13 @@ def _dense(formulas: Formulas) -> list[str]:
             terms = (f"{float(w)!r} * x{j}" for j, w in enumerate(weights))
             lines.append(f"q{power}_{i} = " + " + ".join(terms))
     coefficients = [f"q{power}_{i}" for i in formulas.moving for power in range(7)]
-    return [*lines, f"return {_tuple(coefficients)}"]
+    return [*lines, f"return {tuple_of(coefficients)}"]
 
 
 def _at(formulas: Formulas) -> list[str]:
     """Write the state at the fraction x of a step into row `row` of `out`."""
     coefficients = [f"q{power}_{i}" for i in formulas.moving for power in range(7)]
-    lines = ["def at(out, row, x, y, q):", f"{_tuple(coefficients)} = q"]
+    lines = ["def at(out, row, x, y, q):", f"{tuple_of(coefficients)} = q"]
     for i in range(formulas.size):
         value = ""
         for power in range(6, -1, -1):

@@ -15,7 +15,7 @@ import numpy as np
 
 from tam570.integrate.source import Formulas
 
-__all__ = ["Untraceable", "traced"]
+__all__ = ["Untraceable", "halves", "traced"]
 
 LONGEST = 200  # characters of one expression: brackets in brackets have a limit
 
@@ -26,15 +26,29 @@ class Untraceable(TypeError):
 
 def traced(rates: Callable[..., Any], size: int) -> tuple[Formulas, tuple[float, ...]]:
     """What rates(t, y) computes, as source, and the constants in it. Raises Untraceable, or what rates raises."""
+    constants: dict[float, str] = {}
+    formulas = _written(*_called(rates, size), constants)
+    return formulas, tuple(constants)
+
+
+def halves(rates: Callable[..., Any], size: int) -> tuple[Formulas, Formulas, tuple[float, ...]]:
+    """The rates of the first half of the state and those of the second, and the constants of both."""
+    tape, values = _called(rates, size)
+    constants: dict[float, str] = {}
+    _written(tape, values, constants)
+    first, second = values[: size // 2], values[size // 2 :]
+    return _written(tape, first, constants), _written(tape, second, constants), tuple(constants)
+
+
+def _called(rates: Callable[..., Any], size: int) -> tuple["Tape", list[Any]]:
     tape = Tape()
     time, state = tape.record("t"), [tape.record(f"s{i}") for i in range(size)]
     values = _translated(rates, {})(time, np.array(state))
-    return _written(tape, [v if isinstance(v, Symbol) else float(v) for v in values])
+    return tape, [v if isinstance(v, Symbol) else float(v) for v in values]
 
 
-def _written(tape: "Tape", values: list[Any]) -> tuple[Formulas, tuple[float, ...]]:
+def _written(tape: "Tape", values: list[Any], constants: dict[float, str]) -> Formulas:
     uses = _uses(tape, values)
-    constants: dict[float, str] = {}
     texts: dict[int, str] = {}
     lines: list[str] = []
 
@@ -54,7 +68,7 @@ def _written(tape: "Tape", values: list[Any]) -> tuple[Formulas, tuple[float, ..
     rates = tuple(text(value) for value in values)
     used = [symbol.name for symbol in tape.symbols.values() if uses[symbol.number] and not symbol.arguments]
     reads = frozenset(int(name[1:]) for name in used if name != "t")
-    return Formulas(tuple(lines), rates, len(constants), reads, "t" in used), tuple(constants)
+    return Formulas(tuple(lines), rates, len(constants), reads, "t" in used)
 
 
 def _uses(tape: "Tape", values: list[Any]) -> list[int]:

@@ -1,0 +1,94 @@
+"""Long runs at a fixed step by the methods that keep the structure of mechanics."""
+
+import math
+from functools import lru_cache, partial
+from types import FunctionType
+from typing import Any
+
+import numpy as np
+
+from tam570.integrate import machine, march
+from tam570.integrate.explicit import Engine, shortest_step
+from tam570.integrate.pace import Loop, carried_through
+from tam570.integrate.problem import Array, Rates
+from tam570.integrate.structure import STAGES, composition_source, gauss_source
+from tam570.integrate.trace import halves
+
+__all__ = ["METHODS", "states"]
+
+METHODS = {"gauss": 2.0, "composition": 0.5}  # step over the shortest that DOP853 takes at the same rtol
+
+
+def states(
+    method: str, kit: Engine, rates: Rates, times: Array, start: Array, rtol: float, step: float | None
+) -> Array:
+    """(n, k) states at `times`, all steps of the same length."""
+    rows = np.empty((len(times), len(start)))
+    rows[0] = start
+    origin, since = float(times[0]), times - times[0]
+    listed, h = since.tolist(), _step(method, kit, times, start, rtol, step)
+    source, constants = _source(method, kit, rates, len(start))
+    python = FunctionType(march.march.__code__, {"leap": _leap(source, kit), "len": len, "range": range})
+
+    def run(function: Any, state: Any, budget: int, by_numba: bool) -> Any:
+        return function(origin, since if by_numba else listed, rows, state, constants, h, budget)
+
+    def share(state: Any) -> float:
+        return 1.0 if state[0] == len(rows) else min(state[1] * h / listed[-1], 0.999)
+
+    module = partial(_module, source) if kit.traced else None
+    carried_through(Loop(run, share, python, "march", module), _at_start(method, kit, origin, start), "auto")
+    if not np.isfinite(rows).all():
+        raise ArithmeticError(f"the stages do not settle at a step of {h:.3g} s: give a shorter `step`")
+    return rows
+
+
+def _step(method: str, kit: Engine, times: Array, start: Array, rtol: float, step: float | None) -> float:
+    """A step that divides the whole run, no longer than asked for."""
+    if step is not None and not step > 0:
+        raise ValueError(f"step: must be positive, got {step!r}")
+    span = float(times[-1] - times[0])
+    longest = step or METHODS[method] * shortest_step(kit, times, start, rtol)
+    return span / math.ceil(span / longest)
+
+
+def _source(method: str, kit: Engine, rates: Rates, size: int) -> tuple[str, tuple[float, ...]]:
+    if method == "gauss":
+        return gauss_source(kit.formulas), kit.constants
+    if not kit.traced or size % 2:
+        raise ValueError(
+            'method: "composition" needs a state (q, v) and a plain rhs without branches; try "gauss"'
+        )
+    drift, kick, constants = halves(rates, size)
+    half = size // 2
+    if (
+        drift.timed
+        or kick.timed
+        or min(drift.reads, default=half) < half
+        or max(kick.reads, default=0) >= half
+    ):
+        raise ValueError('method: "composition" needs q\' from v alone and v\' from q alone; try "gauss"')
+    return composition_source(drift, kick, len(constants)), constants
+
+
+@lru_cache(maxsize=64)
+def _code(source: str) -> Any:
+    return compile(source, "<tam570 leap>", "exec")
+
+
+def _leap(source: str, kit: Engine) -> Any:
+    namespace = {**vars(math), "given": kit.functions["given"]}
+    exec(_code(source), namespace)
+    return namespace["leap"]
+
+
+@lru_cache(maxsize=64)
+def _module(source: str) -> str:
+    return machine.module_source(march, source, "leap", "march")
+
+
+def _at_start(method: str, kit: Engine, origin: float, start: Array) -> tuple[Any, ...]:
+    """Row 1 is to come, no step is done; all stages start with the derivative at the start."""
+    y = tuple(start.tolist())
+    stages = kit.functions["rhs"](origin, y, kit.constants) * STAGES if method == "gauss" else (0.0,)
+    return 1, 0, y, (0.0,) * len(y), stages

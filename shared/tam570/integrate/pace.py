@@ -1,0 +1,63 @@
+"""A loop in Python that goes on compiled where that is installed and gets there sooner, compilation included."""
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+__all__ = ["Loop", "carried_through"]
+
+PROBE = 50  # steps before the clock is read for the first time
+
+
+@dataclass(frozen=True)
+class Loop:
+    """A loop over the steps of one run.
+
+    run    : run(function, state, steps at most, compiled) -> state
+    share  : share(state), the part of the run that is done, 1 at its end
+    python : the function in Python
+    entry  : its name in `source`
+    source : gives the module to compile; None where there is none
+    """
+
+    run: Callable[[Callable[..., Any], Any, int, bool], Any]
+    share: Callable[[Any], float]
+    python: Callable[..., Any]
+    entry: str
+    source: Callable[[], str] | None
+
+
+def carried_through(loop: Loop, state: Any, how: str) -> Any:
+    """The state at the end of the run; how: "python" and "numba" insist, "auto" takes what is sooner."""
+    if how == "python" or loop.source is None:
+        return loop.run(loop.python, state, 2**62, False)
+    if how == "auto":
+        state = _until_it_repays(loop, loop.source, state)
+    return state if loop.share(state) >= 1 else _compiled(loop, loop.source, state)
+
+
+def _compiled(loop: Loop, source: Callable[[], str], state: Any) -> Any:
+    from tam570.integrate import machine
+
+    return loop.run(machine.loaded(source(), loop.entry), state, 2**62, True)
+
+
+def _until_it_repays(loop: Loop, source: Callable[[], str], state: Any) -> Any:
+    """Steps in Python until the end, or until what is left takes longer than loading the compiled loop."""
+    from tam570.integrate import machine
+
+    if machine.loaded_already(source):
+        return state
+    began, budget, wait = time.perf_counter(), PROBE, 0.0
+    while True:
+        state = loop.run(loop.python, state, budget, False)
+        done, passed = loop.share(state), time.perf_counter() - began
+        if done >= 1:
+            return state
+        left = passed * (1 / done - 1) if done else 0.0
+        if left > machine.SOONEST:  # else not worth the question
+            wait = wait or machine.wait(source())
+            if left > wait:
+                return state
+        budget *= 2
