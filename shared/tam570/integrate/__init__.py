@@ -1,5 +1,13 @@
-"""Solve the initial value problems of mechanics: states at the times asked for, nothing else."""
+"""Solve the initial value problems of mechanics: states at the times asked for, nothing else.
 
+solve(rhs, t, y0, parameters=..., rtol=1e-10) is all that most scenes need. For the rest:
+    method="gauss", "composition"  conservative systems over long times, at a fixed step
+    project=function               a holonomic constraint, restored after every step
+    solve_rotation(...)            rotations that stay rotations, by Lie-group steps
+    y0 of shape (m, k)             m starts at once
+"""
+
+from tam570.integrate.lie import solve_rotation
 from tam570.integrate.solver import solve
 
-__all__ = ["solve"]
+__all__ = ["solve", "solve_rotation"]

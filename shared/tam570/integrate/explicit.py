@@ -1,5 +1,6 @@
 """Runge-Kutta of order 8 with automatic steps."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache, partial
 from types import FunctionType
@@ -60,8 +61,15 @@ def _module(formulas: Formulas) -> str:
     return machine.module_source(drive, text, "rhs, raised, step, dense, at", "advance")
 
 
-def states(kit: Engine, times: Array, start: Array, rtol: float, how: str) -> Array:
-    """(n, k) states at `times`; how: "auto", "python" or "numba"."""
+def states(
+    kit: Engine,
+    times: Array,
+    start: Array,
+    rtol: float,
+    how: str,
+    project: Callable[[Array], Any] | None = None,
+) -> Array:
+    """(n, k) states at `times`; how: "auto", "python" or "numba"; project(y) -> y after every step."""
     rows = np.empty((len(times), len(start)))
     rows[0] = start
     origin, since = float(times[0]), times - times[0]
@@ -74,13 +82,27 @@ def states(kit: Engine, times: Array, start: Array, rtol: float, how: str) -> Ar
         row, reached, h, *_ = state
         return 1.0 if row == len(rows) or h == 0.0 else reached / listed[-1]
 
-    source = partial(_module, kit.formulas) if kit.traced else None
-    loop = Loop(run, share, kit.functions["advance"], "advance", source)
+    def projected(advance: Any, state: Any, budget: int, by_numba: bool) -> Any:
+        while share(state) < 1:
+            state = _projected(kit, rows, run(advance, state, 1, by_numba), state[0], origin, project)
+        return state
+
+    source = partial(_module, kit.formulas) if kit.traced and not project else None
+    loop = Loop(projected if project else run, share, kit.functions["advance"], "advance", source)
     end = carried_through(loop, _at_start(kit, origin, listed[-1], start), how)
     if end[2] == 0.0:
         where = origin + end[1]
         raise ArithmeticError(f"no step is short enough at t = {where:.17g}: rhs or solution not finite")
     return rows
+
+
+def _projected(kit: Engine, rows: Array, state: Any, filled: int, origin: float, project: Any) -> Any:
+    """The state, and the rows filled since, brought back to where they belong."""
+    row, t, h, y, _, _, m = state
+    for i in range(filled, row):
+        rows[i] = project(rows[i])
+    y = tuple(np.asarray(project(np.array(y)), dtype=float).tolist())
+    return row, t, h, y, (0.0,) * len(y), kit.functions["rhs"](origin + t, y, kit.constants), m
 
 
 def _at_start(kit: Engine, origin: float, span: float, start: Array) -> tuple[Any, ...]:

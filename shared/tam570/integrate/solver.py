@@ -23,6 +23,7 @@ def solve(
     rtol: float = 1e-10,
     method: str = "auto",
     step: float | None = None,
+    project: Callable[[Array], Any] | None = None,
 ) -> Array:
     """States at the times `t` of y' = rhs(t, y, **parameters), y(t[0]) = y0.
 
@@ -35,6 +36,7 @@ def solve(
                  "python" and "numba" insist; at a fixed step, for long runs of conservative systems:
                  "gauss" (Gauss-Legendre, order 12), "composition" (order 8, y0 = (q, v), q' of v, v' of q)
     step       : s, of the methods with a fixed one; left out it follows from rtol
+    project    : project(y) -> the nearest allowed state, applied after every step: for holonomic constraints
     Returns (n, k); row 0 is y0. ValueError names the argument that does not fit; ArithmeticError tells where
     the solution or rhs ceases to be finite.
     """
@@ -45,5 +47,7 @@ def solve(
     with np.errstate(all="ignore"):  # a step that proves too long may overflow: it is taken again
         kit = explicit.engine(rates, times, start)
         if method in longterm.METHODS:
+            if project is not None:
+                raise ValueError(f'project: goes with method "auto" or "python", not with {method!r}')
             return longterm.states(method, kit, rates, times, start, rtol, step)
-        return explicit.states(kit, times, start, rtol, method)
+        return explicit.states(kit, times, start, rtol, method, project)
