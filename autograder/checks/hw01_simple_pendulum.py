@@ -215,26 +215,35 @@ def energy_gives_the_acceleration(student, draw):
     judge(student, "energy_balance", ["alpha"], states(draw), "the terms of dE/dt have a factor in common")
 
 
-@check(points=0.5, part="a", suspects=BALANCE_SUSPECTS)
+def judge_at_rest(student, draw, name):
+    calls = [given(draw.uniform(0.3, 2.8), 0.0, **parameters(draw)) for _ in range(5)]
+    judge(
+        student,
+        name,
+        ["alpha"],
+        calls,
+        "the common factor omega is cancelled, not divided by",
+        "a pendulum at rest",
+    )
+
+
+@check(points=0.25, part="a", after=energy_gives_the_acceleration)
+def energy_gives_the_acceleration_at_rest(student, draw):
+    """energy_balance: alpha where omega is zero, too."""
+    judge_at_rest(student, draw, "energy_balance")
+
+
+@check(points=0.25, part="a", suspects=BALANCE_SUSPECTS)
 def power_gives_the_acceleration(student, draw):
     """power_balance: the power of gravity, and alpha from it."""
     judge(student, "power_balance", ["power", "alpha"], states(draw),
           "power is F . v: when does gravity speed the mass up?")  # fmt: skip
 
 
-@check(points=0.25, part="a", after=(energy_gives_the_acceleration, power_gives_the_acceleration))
-def pendulum_at_rest_accelerates(student, draw):
-    """energy_balance and power_balance give alpha where omega is zero too."""
-    calls = [given(draw.uniform(0.3, 2.8), 0.0, **parameters(draw)) for _ in range(5)]
-    for name in ("energy_balance", "power_balance"):
-        judge(
-            student,
-            name,
-            ["alpha"],
-            calls,
-            "the common factor omega is cancelled, not divided by",
-            "omega = 0",
-        )
+@check(points=0.25, part="a", after=power_gives_the_acceleration)
+def power_gives_the_acceleration_at_rest(student, draw):
+    """power_balance: alpha where omega is zero, too."""
+    judge_at_rest(student, draw, "power_balance")
 
 
 @check(points=0.5, part="a", suspects=BALANCE_SUSPECTS)

@@ -1,6 +1,6 @@
 """The acceleration as power over omega: nothing at rest.
 
-fails: pendulum_at_rest_accelerates
+fails: power_gives_the_acceleration_at_rest
 """
 
 def power_balance(theta, omega, *, mass, length, gravity):

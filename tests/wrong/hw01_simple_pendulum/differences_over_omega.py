@@ -1,0 +1,9 @@
+"""The acceleration as the rate of the potential over omega: nothing at rest.
+
+fails: energy_gives_the_acceleration_at_rest
+"""
+
+def energy_balance(theta, omega, *, mass, length, gravity):
+    inertia, weight = mass * length**2, mass * gravity * length
+    rate = weight * np.sin(theta) * omega
+    return -rate / np.float64(inertia * omega), inertia * omega**2 / 2, weight * (1 - np.cos(theta))
