@@ -1,0 +1,665 @@
+"""Hidden checks of hw14. What is right comes from Jourdain's principle: balances along the velocities rolling allows.
+
+Trajectories are integrated in the components w1, w2, w3 of omega along e1, e2, e3 (Appell, Korteweg), a fourth way.
+"""
+
+import math
+
+import numpy as np
+from scipy.integrate import solve_ivp
+
+from tam570_grader import array, check, expect, expect_that, given, number, once, rows, suspect
+
+RESULTS = {
+    "euler_state_derivative": array(8),
+    "matrix_state_derivative": array(15),
+    "multiplier_state_derivative": array(15),
+    "matrix_state": array(15),
+    "simulate_euler": rows(8),
+    "simulate_matrix": rows(15),
+    "energy": number,
+    "contact_force": array(3),
+    "steady_residual": number,
+    "critical_speed": number,
+    "growth_rate_squared": number,
+    "wireframe": array(None, 2, 3),
+}
+NEEDS = ("numpy", "scipy.integrate")
+OFF_LIMITS = {}
+MANUAL = {"e": (2, "the demonstration: derivations and animation, with every source of help acknowledged")}
+
+POINTWISE = 1e-9  # careful formulas agree to 1e-13, a numpy.linalg.solve of nine unknowns to 1e-12
+FLAT = 1e-8  # at a tilt of 1e-3 a linear system for the angles loses six of its sixteen digits
+TRAJECTORY = (
+    1e-5  # relative; solve_ivp at rtol 1e-9, atol 1e-9 gets 4e-7 at worst, wrong physics 1e-2 and more
+)
+KEPT = 3e-6  # relative, of integrals over a long run; there the same gets 1e-7 at worst
+Z = np.array([0.0, 0.0, 1.0])
+
+
+# The disk in vectors
+
+
+def frame(state):
+    """Rows e1, e2, e3."""
+    yaw, tilt = state[2:4]
+    e1 = np.array([math.cos(yaw), math.sin(yaw), 0.0])
+    e3 = math.cos(tilt) * Z + math.sin(tilt) * np.cross(e1, Z)
+    return np.array([e1, np.cross(e3, e1), e3])
+
+
+def components(state):
+    """w1, w2, w3 of omega along e1, e2, e3, and the rate of the frame about e3."""
+    _, _, _, tilt, _, yaw_rate, tilt_rate, roll_rate = state
+    turn = yaw_rate * math.cos(tilt)
+    return tilt_rate, yaw_rate * math.sin(tilt), roll_rate + turn, turn
+
+
+def attitude(state):
+    """R, column by column, of e1 and e2 turned by the roll."""
+    (e1, e2, e3), roll = frame(state), state[4]
+    c, s = math.cos(roll), math.sin(roll)
+    return np.column_stack([c * e1 + s * e2, c * e2 - s * e1, e3])
+
+
+def placed(state, *, radius):
+    """The matrix state."""
+    E = frame(state)
+    centre = np.array([state[0], state[1], 0.0]) + radius * E[1]
+    return np.concatenate([centre, attitude(state).ravel(), np.array(components(state)[:3]) @ E])
+
+
+def jourdain(state, *, mass, radius, inertia, gravity):
+    """(yaw'', tilt'', roll''), omega' and the acceleration of the centre."""
+    E, rates = frame(state), np.asarray(state[5:])
+    about = np.array([Z, E[0], E[2]])  # omega = rates @ about
+    omega, turning = rates @ about, rates[0] * Z + rates[1] * E[0]
+    about_rate = np.cross(turning, about) * [[0.0], [1.0], [1.0]]
+    moves, e2_rate = radius * np.cross(about, E[1]), np.cross(turning, E[1])
+    moves_rate = radius * (np.cross(about_rate, E[1]) + np.cross(about, e2_rate))
+    tensor = inertia[0] * np.eye(3) + (inertia[1] - inertia[0]) * np.outer(E[2], E[2])
+    force = mass * (gravity * Z + rates @ moves_rate)
+    moment = tensor @ (rates @ about_rate) + np.cross(omega, tensor @ omega)
+    second = np.linalg.solve(
+        mass * moves @ moves.T + about @ tensor @ about.T, -moves @ force - about @ moment
+    )
+    return second, second @ about + rates @ about_rate, second @ moves + rates @ moves_rate
+
+
+def euler_rates(state, **disk):
+    roll_rate, yaw = state[7], state[2]
+    contact = -disk["radius"] * roll_rate * np.array([math.cos(yaw), math.sin(yaw)])
+    return np.concatenate([contact, state[5:], jourdain(state, **disk)[0]])
+
+
+def matrix_rates_with(omega_rate):
+    """Rates of a matrix state whose omega' this function of the Euler state gives."""
+
+    def rates(state, **disk):
+        E, R, w = frame(state), attitude(state), placed(state, radius=1.0)[12:]
+        velocity = disk["radius"] * np.cross(w, E[1])
+        return np.concatenate([velocity, np.cross(w, R.T).T.ravel(), omega_rate(state, **disk)])
+
+    return rates
+
+
+matrix_rates = matrix_rates_with(lambda state, **disk: jourdain(state, **disk)[1])
+
+
+def energy(state, *, mass, radius, inertia, gravity):
+    w = np.array(components(state)[:3])
+    velocity = radius * np.array([-w[2], 0.0, w[0]])
+    turning = np.array([inertia[0], inertia[0], inertia[1]]) @ w**2
+    return 0.5 * (mass * velocity @ velocity + turning) + mass * gravity * radius * math.sin(state[3])
+
+
+def force(state, *, mass, gravity, **disk):
+    return mass * (jourdain(state, mass=mass, gravity=gravity, **disk)[2] + gravity * Z)
+
+
+# The same in w1, w2, w3, right and wrong
+
+
+def spun(state, *, mass, radius, inertia, gravity, fixed=False, with_body=False, light=False):
+    """(w1', w2', w3'): the contact fixed in the body, the frame turning with it, or no m a^2, if asked."""
+    (A, C), m = inertia, 0.0 if light else mass * radius**2
+    (w1, w2, w3, turn), k = components(state), m if fixed else 0.0
+    turn = w3 if with_body else turn
+    weight = mass * gravity * radius * math.cos(state[3])
+    return (
+        (w2 * ((A + k) * turn - (C + m + k) * w3) - weight) / (A + m),
+        w1 * (C * w3 - A * turn) / A,
+        m * w1 * w2 / (C + m),
+    )
+
+
+def euler_second(state, changed):
+    """yaw'', tilt'', roll'' of these w1', w2', w3'."""
+    tilt, yaw_rate, tilt_rate = state[3], state[5], state[6]
+    c, s = math.cos(tilt), math.sin(tilt)
+    yaw_second = (changed[1] - yaw_rate * tilt_rate * c) / s
+    return yaw_second, changed[0], changed[2] - yaw_second * c + yaw_rate * tilt_rate * s
+
+
+def spun_euler_rates(state, wrong=(), **disk):
+    roll_rate, yaw = state[7], state[2]
+    contact = (-disk["radius"] * roll_rate * math.cos(yaw), -disk["radius"] * roll_rate * math.sin(yaw))
+    return [*contact, *state[5:], *euler_second(state, spun(state, **disk, **dict.fromkeys(wrong, True)))]
+
+
+def spun_omega_rate(state, wrong=(), **disk):
+    """omega': its components change, and the frame turns."""
+    w1, w2, w3, turn = components(state)
+    changed = np.array(spun(state, **disk, **dict.fromkeys(wrong, True)))
+    return (changed + np.cross([w1, w2, turn], [w1, w2, w3])) @ frame(state)
+
+
+def path(t, state, wrong=(), rtol=1e-11, **disk):
+    """(n, 8) Euler states."""
+
+    def rates(_, y):
+        return spun_euler_rates(y.tolist(), wrong, **disk)
+
+    found = solve_ivp(rates, (t[0], t[-1]), state, method="DOP853", t_eval=t, rtol=rtol, atol=rtol)
+    return found.y.T if found.y.shape[1] == len(t) else np.full((len(t), 8), np.nan)
+
+
+def matrix_path(t, state, wrong=(), **disk):
+    return np.array([placed(row, radius=disk["radius"]) for row in path(t, state, wrong, **disk)])
+
+
+# Wrong answers to name
+
+WRONG = {
+    "the contact point taken as fixed in the body (its place in the disk changes as the disk rolls)": (
+        "fixed",
+    ),
+    "the rate of the frame e1, e2, e3 taken for that of the body": ("with_body",),
+    "m a^2 missing: the force that moves the centre has a moment about it too": ("light",),
+}
+SPIN = "roll' taken for the total spin (yaw' has a part along the axle)"
+IN_FRAME = "the frame e1, e2, e3 for R: the roll left out"
+
+
+def told(name, build):
+    return [suspect(says, **{name: build(wrong)}) for says, wrong in WRONG.items()]
+
+
+def euler_of(state):
+    """The Euler state, x and y left out, of a matrix state."""
+    R, w = np.reshape(state[3:12], (3, 3)), np.asarray(state[12:])
+    axle = R[:, 2]
+    s = math.hypot(axle[0], axle[1])
+    yaw, tilt = math.atan2(axle[0], -axle[1]), math.atan2(s, axle[2])
+    e1, e2, _ = frame([0, 0, yaw, tilt])
+    roll = math.atan2(-R[:, 1] @ e1, R[:, 0] @ e1)
+    yaw_rate = w @ e2 / s
+    return np.array([0, 0, yaw, tilt, roll, yaw_rate, w @ e1, w @ axle - yaw_rate * axle[2]])
+
+
+def wrong_euler(wrong):
+    return lambda t, state, **disk: spun_euler_rates(state, wrong, **disk)
+
+
+def wrong_matrix(wrong):
+    def omega_rate(state, **disk):
+        return spun_omega_rate(state, wrong, **disk)
+
+    return lambda t, state, **disk: matrix_rates_with(omega_rate)(euler_of(state), **disk)
+
+
+def wrong_path(wrong):
+    return lambda t, state, **disk: path(t, state, wrong, **disk)
+
+
+def wrong_matrix_path(wrong):
+    return lambda t, state, **disk: on_ground(matrix_path(t, euler_of(state), wrong, **disk), state)
+
+
+def on_ground(states, start):
+    """Shifted to where the start is."""
+    return states + np.concatenate([start[:2] - states[0, :2], np.zeros(13)])
+
+
+def rolling_alone(state):
+    """The state whose total spin is the roll rate of this one."""
+    return np.array([*state[:7], state[7] - state[5] * math.cos(state[3])])
+
+
+def steady(lean, precession, spin):
+    """The Euler state of hw11's motion."""
+    tilt = lean + math.pi / 2
+    return np.array([0, 0, 0, tilt, 0, precession, 0, spin - precession * math.cos(tilt)])
+
+
+def growth(speed, **disk):
+    """d(tilt'')/d(tilt) at w2 = C/A spin d(tilt), the balance about e2; by a five-point difference."""
+    spin, h = speed / disk["radius"], 1e-3
+
+    def second(lean):
+        yaw_rate = disk["inertia"][1] / disk["inertia"][0] * spin * lean / math.cos(lean)
+        return jourdain(steady(lean, yaw_rate, spin), **disk)[0][1]
+
+    return (8 * (second(h) - second(-h)) - second(2 * h) + second(-2 * h)) / (12 * h)
+
+
+def critical(**disk):
+    """The speed at which growth, linear in the square of the speed, is zero."""
+    unit = math.sqrt(disk["gravity"] * disk["radius"])
+    still, moving = growth(0.0, **disk), growth(unit, **disk)
+    return unit * math.sqrt(still / (still - moving))
+
+
+def with_inertia(right, change):
+    return lambda *args, **disk: right(*args, **{**disk, "inertia": change(*disk["inertia"])})
+
+
+# The draws
+
+SHAPES = {"a thin uniform disk": (0.25, 0.5), "a hoop": (0.5, 1.0), "a wheel": None}
+
+
+def a_disk(draw, shape):
+    mass, radius = 10 ** draw.uniform(-1, 1), 10 ** draw.uniform(-1, 0)
+    C = draw.uniform(0.2, 1.1)
+    A, C = SHAPES[shape] or (C * draw.uniform(0.6, 1.3), C)
+    size = mass * radius**2
+    return {
+        "mass": mass,
+        "radius": radius,
+        "inertia": (A * size, C * size),
+        "gravity": draw.uniform(1.6, 25.0),
+    }
+
+
+def usual(disk):
+    """Size of angular rates, rad/s."""
+    return math.sqrt((disk["gravity"] or 10.0) / disk["radius"])
+
+
+def a_state(draw, disk, tilt):
+    place, angles = draw.uniform(-2, 2, 2), draw.uniform(-4, 4, 2)
+    return np.array([*place, angles[0], tilt, angles[1], *(usual(disk) * draw.uniform(-2, 2, 3))])
+
+
+@once
+def instants(draw):
+    """(state, disk, kind) of any motion; the last without gravity."""
+    found = []
+    for kind in [*SHAPES] * 4:
+        disk = a_disk(draw, kind)
+        found.append((a_state(draw, disk, draw.uniform(0.3, 2.8)), disk, kind))
+    found.append((found[-1][0], {**found[-1][1], "gravity": 0.0}, "no gravity"))
+    return found
+
+
+def stays_up(t, state, disk):
+    tilts = path(np.linspace(t[0], t[-1], 100), state, rtol=1e-5, **disk)[:, 3]
+    return np.sin(tilts).min() > 0.4
+
+
+@once
+def starts(draw, span, samples):
+    """(t, state, disk, kind) of motions that stay away from the flat; the last without gravity."""
+    found = []
+    while len(found) < 2:
+        disk = a_disk(draw, ["a wheel", "a hoop"][len(found)])
+        disk["gravity"] *= not found
+        state = a_state(draw, disk, draw.uniform(0.8, 2.3))
+        state[7] += 2 * usual(disk) * np.sign(state[7])
+        t = draw.uniform(-2, 3) + np.sort(draw.uniform(0, span / usual(disk), samples))
+        if stays_up(t, state, disk):
+            found.append((t, state, disk, "no gravity" if found else "a general motion"))
+    return found
+
+
+@once
+def followed(draw):
+    """(t, Euler states, disk, kind)."""
+    return [(t, path(t, state, **disk), disk, kind) for t, state, disk, kind in starts(draw, 4.0, 60)]
+
+
+def second_scale(state, disk):
+    """Size of angular accelerations."""
+    return (np.abs(state[5:]).sum() ** 2 + disk["gravity"] / disk["radius"]) / math.sin(state[3])
+
+
+def euler_scale(state, disk):
+    rate, second = 1e-3 + np.abs(state[5:]).sum(), second_scale(state, disk)
+    return np.array([*[disk["radius"] * rate] * 2, *[rate] * 3, *[second] * 3])
+
+
+def matrix_scale(state, disk):
+    rate, second = 1e-3 + np.abs(state[5:]).sum(), second_scale(state, disk)
+    return np.array([*[disk["radius"] * rate] * 3, *[rate] * 9, *[second] * 3])
+
+
+def columns_scale(states, lengths, radius):
+    """The largest magnitude in each column, no less than the radius for lengths, and than 1 for the others."""
+    least = np.where(np.arange(states.shape[1]) < lengths, radius, 1.0)
+    return np.maximum(np.abs(states).max(axis=0), least)
+
+
+# (a) Three derivations
+
+
+@check(
+    points=0.5, part="a",
+    suspects=[
+        suspect("R column by column, or transposed", matrix_state=lambda state, *, radius: np.concatenate(
+            [(m := placed(state, radius=radius))[:3], m[3:12].reshape(3, 3).T.ravel(), m[12:]])),
+        suspect("omega in body axes", matrix_state=lambda state, *, radius: np.concatenate(
+            [(m := placed(state, radius=radius))[:12], m[12:] @ attitude(state)])),
+        suspect(SPIN, matrix_state=lambda state, *, radius: placed(rolling_alone(state), radius=radius)),
+    ],
+)  # fmt: skip
+def matrix_state_places_the_disk(student, draw):
+    """matrix_state has the centre, R row by row, and the total omega in space axes."""
+    for state, disk, kind in instants(draw):
+        right, radius = placed(state, radius=disk["radius"]), disk["radius"]
+        scale = [*[radius + np.abs(state[:2]).max()] * 3, *[1.0] * 9, *[np.abs(state[5:]).sum()] * 3]
+        expect(student.matrix_state(state, radius=radius), right, within=POINTWISE, scale=scale, of="the matrix state",
+               unit="of its size", at=(state, disk), kind=kind, hint="omega has three parts, one an angle")  # fmt: skip
+
+
+def judged(function, cases, *, given_as, right, scale, within, hint=""):
+    """The student's derivatives against the right ones."""
+    calls = [given(0.0, given_as(state, disk), **disk) for state, disk, _ in cases]
+    for found, (state, disk, kind) in zip(function.many(calls), cases, strict=True):
+        expect(found, right(state, **disk), within=within, scale=scale(state, disk), of="the derivative",
+               unit="of its size", at=(state, disk), kind=kind, hint=hint)  # fmt: skip
+
+
+@check(
+    points=1.25, part="a",
+    suspects=[
+        *told("euler_state_derivative", wrong_euler),
+        suspect("the contact moving as fast as the centre", euler_state_derivative=lambda t, state, **disk:
+            np.concatenate([-disk["radius"] * components(state)[2] * frame(state)[0, :2],
+                            euler_rates(state, **disk)[2:]])),
+        suspect("the contact at rest (the point of the disk there is, the place is not)",
+                euler_state_derivative=lambda t, state, **disk: euler_rates(state, **disk) * ([0] * 2 + [1] * 6)),
+    ],
+)  # fmt: skip
+def euler_equations_hold(student, draw):
+    """euler_state_derivative balances momentum and angular momentum of a rolling disk, hoop and wheel."""
+    judged(student.euler_state_derivative, instants(draw), given_as=lambda state, disk: state, right=euler_rates,
+           scale=euler_scale, within=POINTWISE, hint="test it on straight rolling, then on hw11's circles")  # fmt: skip
+
+
+@check(points=0.25, part="a", after=euler_equations_hold)
+def euler_equations_hold_next_to_flat_and_upright(student, draw):
+    """euler_state_derivative holds at a tilt of 1e-3, and for a disk spinning upright on a point."""
+    disk = a_disk(draw, "a wheel")
+    nearly = [(a_state(draw, disk, tilt), disk, "a nearly flat disk") for tilt in (1e-3, math.pi - 1e-3)]
+    upright = a_state(draw, disk, math.pi / 2) * [1, 1, 1, 1, 1, 1, 0, 0]
+    cases = [*nearly, (upright, disk, "an upright disk that spins on a point")]
+    judged(student.euler_state_derivative, cases, given_as=lambda state, disk: state, right=spun_euler_rates,
+           scale=euler_scale, within=FLAT, hint="no tilt but 0 and pi is singular")  # fmt: skip
+
+
+def as_matrix(state, disk):
+    return placed(state, radius=disk["radius"])
+
+
+@check(points=0.75, part="a", suspects=told("matrix_state_derivative", wrong_matrix))
+def matrix_equations_hold(student, draw):
+    """matrix_state_derivative balances momentum and angular momentum, and turns R by omega in space axes."""
+    judged(student.matrix_state_derivative, instants(draw), given_as=as_matrix, right=matrix_rates, scale=matrix_scale,
+           within=POINTWISE, hint="dR/dt from omega, then the balances in space axes")  # fmt: skip
+
+
+@check(points=0.75, part="a", suspects=told("multiplier_state_derivative", wrong_matrix))
+def multiplier_equations_hold(student, draw):
+    """multiplier_state_derivative balances momentum and angular momentum, the contact held by multipliers."""
+    judged(student.multiplier_state_derivative, instants(draw), given_as=as_matrix, right=matrix_rates,
+           scale=matrix_scale, within=POINTWISE, hint="differentiate the constraint, arm too")  # fmt: skip
+
+
+# (b) Simulation, (c) both ways
+
+PARTIAL = {1e-4: 0.5, 1e-3: 0.25}
+
+
+@check(points=0.75, part="b", suspects=told("simulate_euler", wrong_path))
+def euler_simulation_follows_the_motion(student, draw):
+    """simulate_euler follows the motion from any start, row i at t[i], row 0 the given state."""
+    parts = []
+    for t, right, disk, _ in followed(draw):
+        found = student.simulate_euler(t, right[0], **disk)
+        parts.append((t, found, right, columns_scale(right, 2, disk["radius"])))
+    expect_all(parts, within=TRAJECTORY, of="the state", unit="of its largest", partial=PARTIAL,
+               hint="the times are unevenly spaced, the first is not 0")  # fmt: skip
+
+
+def expect_all(parts, **said):
+    """All runs at once, for the sake of partial credit: (t, found, right, scale) each."""
+    t, found, right, scale = zip(*parts, strict=True)
+    scale = np.concatenate([np.broadcast_to(s, np.shape(r)) for s, r in zip(scale, right, strict=True)])
+    expect(np.concatenate(found), np.concatenate(right), scale=scale, t=np.concatenate(t),
+           kind="motions with gravity and without", **said)  # fmt: skip
+
+
+def appell_and_korteweg(tilts, start, *, mass, radius, inertia, gravity):
+    """(n, 2): w2 and w3, functions of the tilt alone, from the linear equations in it."""
+    (A, C), m = inertia, mass * radius**2
+
+    def rates(tilt, w):
+        return [C / A * w[1] - w[0] / math.tan(tilt), m / (C + m) * w[0]]
+
+    found = []
+    for end in (min(tilts) - 0.01, max(tilts) + 0.01):
+        span, w = (start[3], end), components(start)[1:3]
+        found.append(
+            solve_ivp(rates, span, w, method="DOP853", rtol=1e-11, atol=1e-12, dense_output=True).sol
+        )
+    return np.array([found[int(tilt > start[3])](tilt) for tilt in tilts])
+
+
+@check(points=0.5, part="b", after=euler_simulation_follows_the_motion)
+def euler_simulation_keeps_two_integrals(student, draw):
+    """simulate_euler keeps omega's parts along e2 and e3 functions of the tilt alone, however far apart the times."""
+    parts = []
+    for t, state, disk, kind in starts(draw, 15.0, 6):
+        states = student.simulate_euler(t, state, **disk)
+        expect_that(np.sin(states[:, 3]).min() > 0.1, "the disk falls flat", kind=kind, at=(state, disk))
+        w = np.array([components(row)[1:3] for row in states])
+        right = appell_and_korteweg(states[:, 3], state, **disk)
+        parts.append((t, w, right, np.abs(state[5:]).sum()))
+    expect_all(parts, within=KEPT, of="omega along e2 or e3 as a function of the tilt", unit="of the start's rates",
+               hint="the steps must not depend on the sampling", partial={1e-4: 0.5})  # fmt: skip
+
+
+@check(points=0.75, part="b", suspects=told("simulate_matrix", wrong_matrix_path))
+def matrix_simulation_follows_the_motion(student, draw):
+    """simulate_matrix follows the motion from any start, row i at t[i], row 0 the given state."""
+    parts = []
+    for t, states, disk, _ in followed(draw):
+        right = np.array([as_matrix(row, disk) for row in states])
+        found = student.simulate_matrix(t, right[0], **disk)
+        parts.append((t, found, right, columns_scale(right, 3, disk["radius"])))
+    expect_all(parts, within=TRAJECTORY, of="the state", unit="of its largest", partial=PARTIAL,
+               hint="the times are unevenly spaced, the first is not 0")  # fmt: skip
+
+
+@check(
+    points=0.5, part="c", after=(euler_simulation_follows_the_motion, matrix_simulation_follows_the_motion)
+)
+def both_simulations_agree(student, draw):
+    """Both simulations give one motion over a long time, and R stays a rotation with the disk on the ground."""
+    for t, state, disk, kind in starts(draw, 15.0, 6):
+        found = student.simulate_matrix(t, as_matrix(state, disk), **disk)
+        other = np.array([as_matrix(row, disk) for row in student.simulate_euler(t, state, **disk)])
+        R = found[:, 3:12].reshape(-1, 3, 3)
+        expect(R.transpose(0, 2, 1) @ R, np.broadcast_to(np.eye(3), R.shape), within=KEPT, t=t, of="R^T R", kind=kind,
+               at=(state, disk), hint="the steps must not depend on the sampling")  # fmt: skip
+        expect(found[:, 2], disk["radius"] * np.hypot(R[:, 0, 2], R[:, 1, 2]), within=KEPT, scale=disk["radius"],
+               t=t, of="the centre's height", unit="of the radius", kind=kind, at=(state, disk))  # fmt: skip
+        expect(found, other, within=TRAJECTORY, scale=columns_scale(other, 3, disk["radius"]), t=t, kind=kind,
+               of="one simulation against the other", unit="of the largest", at=(state, disk))  # fmt: skip
+
+
+# (d) Steady circles
+
+
+def steady_second(wrong):
+    return lambda lean, p, spin, **disk: spun(steady(lean, p, spin), **disk, **dict.fromkeys(wrong, True))[0]
+
+
+@check(
+    points=0.75, part="d",
+    suspects=[
+        *told("steady_residual", steady_second),
+        suspect("the spin relative to the turning frame taken for the total spin", steady_residual=lambda lean, p,
+                spin, **disk: steady_second(())(lean, p, spin - p * math.sin(lean), **disk)),
+        suspect("the sign turned round", steady_residual=lambda *a, **k: -steady_second(())(*a, **k)),
+    ],
+)  # fmt: skip
+def steady_residual_is_the_tilt_acceleration(student, draw):
+    """steady_residual is tilt'' of the motion with this lean, precession and total spin, steady or not."""
+    for _, disk, kind in instants(draw):
+        lean, (precession, spin) = draw.uniform(-1.4, 1.4), usual(disk) * draw.uniform(-2, 2, 2)
+        state = steady(lean, precession, spin)
+        expect(student.steady_residual(lean, precession, spin, **disk), jourdain(state, **disk)[0][1], kind=kind,
+               within=POINTWISE, scale=usual(disk) ** 2, of="tilt''", unit="of g/a", at=(state, disk),
+               hint="put tilt = lean + pi/2 and tilt' = 0 into your equations")  # fmt: skip
+
+
+# (e) The picture
+
+
+def angles_in_disk(points, state, radius):
+    """Angles in the body's plane, and how far the points are from the rim, in radii."""
+    body = (points - placed(state, radius=radius)[:3]) @ attitude(state) / radius
+    off = np.hypot(np.hypot(body[..., 0], body[..., 1]) - 1.0, body[..., 2])
+    return np.arctan2(body[..., 1], body[..., 0]), off.max()
+
+
+def turned(angles, by):
+    """Angles less a whole number of `by`, between -by/2 and by/2."""
+    return (angles + by / 2) % by - by / 2
+
+
+@check(points=0.5, part="e")
+def wireframe_is_a_rolling_disk(student, draw):
+    """wireframe is a closed regular polygon on the rim and two perpendicular diameters, fixed in the disk."""
+    disk, sides = a_disk(draw, "a wheel"), int(draw.integers(7, 30))
+    radius, shape, step = disk["radius"], [], 2 * math.pi / sides
+    for state in (a_state(draw, disk, tilt) for tilt in (0.7, 1.3, 2.5)):
+        lines = student.wireframe(state, radius=radius, sides=sides)
+        expect(len(lines), sides + 2, within=0, of="the number of segments")
+        angles, off = angles_in_disk(lines, state, radius)
+        expect(off, 0.0, within=POINTWISE, of="an end of a segment", unit="radii from the rim", at=state,
+               kind="a tilted disk", hint="centre = contact + a e2")  # fmt: skip
+        across = turned(angles[:, 1] - angles[:, 0], 2 * math.pi)
+        middle = np.sort((angles[:sides, 0] + across[:sides] / 2) % (2 * math.pi))
+        expect(np.abs(across), [step] * sides + [math.pi] * 2, within=1e-8, of="the angle that a segment spans",
+               unit="rad", at=state, hint="the polygon first, then the diameters")  # fmt: skip
+        expect(np.diff(middle), step, within=1e-8, of="the angle from side to side", unit="rad", at=state,
+               hint="the polygon is closed")  # fmt: skip
+        quarter = abs(turned(angles[-1, 0] - angles[-2, 0], math.pi))
+        expect(quarter, math.pi / 2, within=1e-8, of="the angle between the diameters", unit="rad", at=state)
+        shape.append(angles)
+    expect(turned(np.diff(shape, axis=0), 2 * math.pi), 0.0, within=1e-8, of="the drawing's place in the disk",
+           unit="rad", at=shape, hint="does it roll with the disk?")  # fmt: skip
+
+
+# (f) Energy and force
+
+
+@check(
+    points=0.5, part="f",
+    suspects=[
+        suspect(SPIN, energy=lambda state, **disk: energy(rolling_alone(state), **disk)),
+        suspect("the energy of turning alone: that of the moving centre left out", energy=lambda state, **disk:
+                energy(state, **disk) - 0.5 * disk["mass"] * disk["radius"]**2 * (
+                    components(state)[0]**2 + components(state)[2]**2)),
+    ],
+)  # fmt: skip
+def energy_is_kinetic_and_potential(student, draw):
+    """energy adds what moves, what turns and what is high."""
+    for state, disk, kind in instants(draw):
+        scale = (disk["mass"] * disk["radius"] ** 2 + sum(disk["inertia"])) * second_scale(state, disk)
+        expect(student.energy(state, **disk), energy(state, **disk), within=POINTWISE, scale=scale, of="the energy",
+               unit="of its terms", at=(state, disk), kind=kind, hint="three parts: which are they?")  # fmt: skip
+
+
+@check(points=0.25, part="f", after=(euler_simulation_follows_the_motion, energy_is_kinetic_and_potential))
+def energy_is_conserved(student, draw):
+    """The energy of simulate_euler's motion stays what it was, over a long time."""
+    parts = []
+    for t, state, disk, _ in starts(draw, 15.0, 6):
+        energies = [energy(row, **disk) for row in student.simulate_euler(t, state, **disk)]
+        parts.append((t, energies, np.full(len(t), energy(state, **disk)), energy(state, **disk)))
+    expect_all(parts, within=KEPT, of="the energy", unit="of itself", partial={1e-5: 0.6, 1e-4: 0.3})
+
+
+def body_fixed_force(state, *, mass, radius, gravity, **rest):
+    """a omega' x e2 + a omega x (omega x e2) for the acceleration, omega' as it would be then."""
+    E, w = frame(state), placed(state, radius=1.0)[12:]
+    alpha = spun_omega_rate(state, ("fixed",), mass=mass, radius=radius, gravity=gravity, **rest)
+    arm = radius * E[1]
+    return mass * (np.cross(alpha, arm) + np.cross(w, np.cross(w, arm)) + gravity * Z)
+
+
+@check(
+    points=0.75, part="f",
+    suspects=[
+        suspect([*WRONG][0], contact_force=body_fixed_force),
+        suspect("the weight left out", contact_force=lambda state, **disk:
+                force(state, **disk) - disk["mass"] * disk["gravity"] * Z),
+        suspect("the force of the disk on the ground", contact_force=lambda *a, **k: -force(*a, **k)),
+        suspect("the components along e1, e2, e3", contact_force=lambda state, **disk:
+                frame(state) @ force(state, **disk)),
+    ],
+)  # fmt: skip
+def contact_force_moves_the_centre(student, draw):
+    """contact_force is what the centre's acceleration and the weight ask for, in space axes."""
+    for state, disk, kind in instants(draw):
+        scale = disk["mass"] * disk["radius"] * second_scale(state, disk)
+        expect(student.contact_force(state, **disk), force(state, **disk), within=POINTWISE, scale=scale,
+               of="the force", unit="of its terms", at=(state, disk), kind=kind, hint="F = m a of G")  # fmt: skip
+
+
+# (g) and (h) Stability
+
+
+@check(
+    points=0.5, part="g",
+    suspects=[
+        suspect(says, critical_speed=with_inertia(critical, change)) for says, change in (
+            ("A and C swapped", lambda A, C: (C, A)), ("the thin uniform disk's inertia", lambda A, C: (C / 2, C)))
+    ] + [
+        suspect("the critical spin for the speed", critical_speed=lambda **disk: critical(**disk) / disk["radius"]),
+    ],
+)  # fmt: skip
+def critical_speed_parts_stable_from_unstable(student, draw):
+    """critical_speed is the centre's speed at which a small lean neither grows nor swings."""
+    for kind in [*SHAPES] * 3:
+        disk = a_disk(draw, kind)
+        right = critical(**disk)
+        expect(student.critical_speed(**disk), right, within=1e-7, scale=right, of="the critical speed",
+               unit="of itself", at=disk, kind=kind, hint="what is yaw' to first order in the lean?")  # fmt: skip
+
+
+@check(
+    points=0.75, part="h",
+    suspects=[
+        suspect("the sign turned round", growth_rate_squared=lambda *a, **k: -growth(*a, **k)),
+        suspect("A and C swapped", growth_rate_squared=with_inertia(growth, lambda A, C: (C, A))),
+        suspect("m a^2 missing about the contact", growth_rate_squared=lambda speed, **disk:
+                growth(speed, **disk) * (1 + disk["mass"] * disk["radius"]**2 / disk["inertia"][0])),
+        suspect("the spin for the speed", growth_rate_squared=lambda speed, **disk:
+                growth(speed * disk["radius"], **disk)),
+    ],
+)  # fmt: skip
+def growth_rate_is_that_of_a_small_lean(student, draw):
+    """growth_rate_squared is the lean's, on both sides of the critical speed, at rest and without gravity."""
+    for kind, ratio in zip([*SHAPES] * 3, (0.0, 0.4, 0.8, 0.95, 1.05, 1.3, 2.0, 4.0, 3.0), strict=True):
+        disk = a_disk(draw, kind)
+        speed = ratio * critical(**disk)
+        disk["gravity"] *= ratio != 3.0
+        scale = growth(0.0, **disk) + abs(growth(speed, **disk))
+        expect(student.growth_rate_squared(speed, **disk), growth(speed, **disk), within=1e-7, scale=scale,
+               of="the square of the rate", unit="of its terms", at=(speed, disk),
+               kind=f"{kind}, {'slow' if ratio < 1 else 'fast'}", hint="linearise tilt'' about upright")  # fmt: skip
