@@ -1,0 +1,63 @@
+"""From a Lagrangian in SymPy to functions of plain floats.
+
+    x, v, m, c, g = sympy.symbols("x v m c g")
+    text = lagrange.source(m * v**2 * (1 + 4 * c**2 * x**2) / 2 - m * g * c * x**2, [x], [v])
+    bead = lagrange.load(text)
+    integrate.solve(bead.rhs, t, [0.5, 0.0], parameters={"m": 1.0, "c": 2.0, "g": 9.81})
+
+`source` needs SymPy and is called once; its text is plain Python on top of `math`, to be loaded, or saved as a
+file and imported, with neither SymPy nor NumPy. It holds, all with the arguments (t, state, *, parameters):
+
+- rhs                 : the rates (velocities, accelerations) of the state (coordinates, velocities)
+- mass_matrix, forcing: M and F of  M a = F + A^T lam, as tuples
+- energy              : Jacobi's integral, sum of v dL/dv less L: T + V in axes that do not move
+- with constraints    : constraint_matrix A, multipliers lam, and constraint_errors, which stay zero;
+                        A^T lam are the generalised constraint forces
+"""
+
+import hashlib
+import linecache
+from collections.abc import Sequence
+from types import ModuleType
+from typing import Any
+
+__all__ = ["load", "source"]
+
+Expression = Any  # what sympy.sympify takes
+Symbol = Any  # sympy.Symbol
+
+
+def source(
+    lagrangian: Expression,
+    coordinates: Sequence[Symbol],
+    velocities: Sequence[Symbol],
+    *,
+    constraints: Sequence[Expression] = (),
+    forces: Sequence[Expression] = (),
+    time: Symbol = None,
+) -> str:
+    """Python text of the equations of motion.
+
+    lagrangian  : expression in the coordinates, velocities, time and parameters, all plain symbols
+    coordinates : n symbols
+    velocities  : n symbols, their rates in the same order
+    constraints : expressions that vanish: of coordinates and time (holonomic), or linear in the velocities
+    forces      : n generalised forces that the Lagrangian does not hold; none if empty
+    time        : the symbol of time, "t" if not given
+    Parameters are the other symbols; they become keyword arguments. ValueError if a name cannot be one, if a
+    coordinate has no inertia of its own, or if a constraint is not linear in the velocities.
+    """
+    from tam570.lagrange import _derivation, _writing  # SymPy only where it is needed
+
+    motion = _derivation.motion(lagrangian, coordinates, velocities, constraints, forces, time)
+    return _writing.module(motion)
+
+
+def load(text: str) -> ModuleType:
+    """A module with the functions of `source`'s text; its lines show in tracebacks and to `inspect`."""
+    name = f"equations_{hashlib.sha256(text.encode()).hexdigest()[:12]}"
+    file = f"<{name}>"
+    linecache.cache[file] = (len(text), None, text.splitlines(keepends=True), file)
+    module = ModuleType(name, text.splitlines()[0])
+    exec(compile(text, file, "exec"), module.__dict__)
+    return module

@@ -1,0 +1,85 @@
+"""Lagrange's equations of the second kind, with multipliers for what constrains them."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import sympy
+
+Expression = Any
+Symbol = Any
+
+
+@dataclass(frozen=True)
+class Motion:
+    """M a = F + A^T lam and A a + bias = 0, for accelerations a and multipliers lam."""
+
+    time: Symbol
+    coordinates: tuple[Symbol, ...]
+    velocities: tuple[Symbol, ...]
+    parameters: tuple[Symbol, ...]
+    mass: tuple[tuple[Expression, ...], ...]  # M
+    forcing: tuple[Expression, ...]  # F
+    matrix: tuple[tuple[Expression, ...], ...]  # A
+    bias: tuple[Expression, ...]
+    errors: tuple[Expression, ...]  # of the holonomic constraints, then of the rates of all
+    energy: Expression
+
+
+def motion(
+    lagrangian: Expression,
+    coordinates: Sequence[Symbol],
+    velocities: Sequence[Symbol],
+    constraints: Sequence[Expression],
+    forces: Sequence[Expression],
+    time: Symbol | None,
+) -> Motion:
+    """d/dt dL/dv - dL/dq = Q + A^T lam, the derivative along the motion written out."""
+    q, v, t = tuple(coordinates), tuple(velocities), sympy.Symbol("t") if time is None else time
+    _check_lengths(q, v, forces)
+    L = sympy.sympify(lagrangian)
+    Q = tuple(sympy.sympify(force) for force in forces) or (sympy.Integer(0),) * len(q)
+    given = tuple(sympy.sympify(constraint) for constraint in constraints)
+    holonomic = tuple(c for c in given if not c.has(*v))
+    rates = tuple(c if c.has(*v) else _carried(c, q, v, t) for c in given)
+    matrix = tuple(tuple(sympy.diff(rate, w) for w in v) for rate in rates)
+    if any(entry.has(*v) for row in matrix for entry in row):
+        raise ValueError("constraints must be linear in the velocities")
+    momenta = [sympy.diff(L, w) for w in v]
+    mass = sympy.Matrix([[sympy.simplify(sympy.diff(p, w)) for w in v] for p in momenta])
+    _check_inertia(mass)
+    used = set().union(*(e.free_symbols for e in (L, *Q, *given)))
+    return Motion(
+        time=t,
+        coordinates=q,
+        velocities=v,
+        parameters=tuple(sorted(used - {t, *q, *v}, key=str)),
+        mass=tuple(map(tuple, mass.tolist())),
+        forcing=tuple(
+            sympy.diff(L, x) - _carried(p, q, v, t) + f for x, p, f in zip(q, momenta, Q, strict=True)
+        ),
+        matrix=matrix,
+        bias=tuple(_carried(rate, q, v, t) for rate in rates),
+        errors=holonomic + rates,
+        energy=sum((p * w for p, w in zip(momenta, v, strict=True)), -L),
+    )
+
+
+def _carried(expression: Expression, q: Sequence[Symbol], v: Sequence[Symbol], t: Symbol) -> Expression:
+    """The rate of an expression along the motion at constant velocities."""
+    return sum((sympy.diff(expression, x) * w for x, w in zip(q, v, strict=True)), sympy.diff(expression, t))
+
+
+def _check_lengths(q: Sequence[Symbol], v: Sequence[Symbol], forces: Sequence[Expression]) -> None:
+    if not q or len(q) != len(v):
+        raise ValueError(f"velocities: one for each coordinate, got {len(v)} for {len(q)}")
+    if forces and len(forces) != len(q):
+        raise ValueError(f"forces: one for each coordinate, got {len(forces)} for {len(q)}")
+
+
+def _check_inertia(mass: Expression) -> None:
+    """The mass matrix, at some numbers, is not singular."""
+    numbers = {s: sympy.Rational(17 + i, 13) for i, s in enumerate(sorted(mass.free_symbols, key=str))}
+    at_numbers = mass.subs(numbers).evalf(30)
+    if abs(at_numbers.det()) <= 1e-20 * at_numbers.norm() ** len(mass.row(0)):  # 30 digits' rounding
+        raise ValueError("lagrangian: the mass matrix is singular; a coordinate has no inertia of its own")

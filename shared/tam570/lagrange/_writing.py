@@ -1,0 +1,205 @@
+"""The equations as Python text: straight lines of plain floats, nothing computed twice, no zero carried along.
+
+Numbers to come are names in the text; a zero that is known beforehand is None. Linear systems are eliminated
+line by line, without pivots: the mass matrix of a system with inertia in every coordinate is positive definite,
+and so is A M^-1 A^T of independent constraints.
+"""
+
+import keyword
+import re
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+import sympy
+from sympy.printing.pycode import PythonCodePrinter
+
+from tam570.lagrange._derivation import Motion
+
+Expression = Any
+Number = str | None  # what stands for it in the text; None is zero
+Lines = list[str]
+System = list[list[Number]]
+
+
+def module(motion: Motion) -> str:
+    """The whole text."""
+    _check_names(motion)
+    functions = [
+        _function(motion, "rhs", "The rates of the state.", _rates),
+        _function(motion, "mass_matrix", "M, by rows.", lambda m, lines: _rows(lines, m.mass)),
+        _function(motion, "forcing", "F.", lambda m, lines: _tuple(_texts(lines, m.forcing))),
+        _function(motion, "energy", "Jacobi's integral.", lambda m, lines: str(_texts(lines, [m.energy])[0])),
+    ]
+    if motion.matrix:
+        functions += [
+            _function(motion, "constraint_matrix", "A, by rows.", lambda m, lines: _rows(lines, m.matrix)),
+            _function(motion, "multipliers", "lam.", lambda m, lines: _tuple(_solution(m, lines)[1])),
+            _function(motion, "constraint_errors", _ERRORS, lambda m, lines: _tuple(_texts(lines, m.errors))),
+        ]
+    return "\n\n\n".join([_head(motion), *functions]) + "\n"
+
+
+_ERRORS = "The holonomic constraints, then the rates of all."
+
+
+def _head(motion: Motion) -> str:
+    names = ", ".join(map(str, motion.coordinates))
+    return (
+        f'"""Equations of motion in {names}; written by tam570.lagrange, not to be edited."""\n\nimport math\n\n'
+        f"STATE = {tuple(map(str, motion.coordinates + motion.velocities))}\n"
+        f"PARAMETERS = {tuple(map(str, motion.parameters))}"
+    )
+
+
+def _function(motion: Motion, name: str, says: str, result: Any) -> str:
+    """A function's text; result(motion, lines) appends to its lines and gives what it returns."""
+    parameters = ", ".join(["*", *map(str, motion.parameters)]) if motion.parameters else ""
+    signature = ", ".join(filter(None, [str(motion.time), "state", parameters]))
+    lines = [f"{', '.join(map(str, motion.coordinates + motion.velocities))} = state"]
+    lines.append(f"return {result(motion, lines)}")
+    return f'def {name}({signature}):\n    """{says}"""\n    ' + "\n    ".join(lines)
+
+
+def _rates(motion: Motion, lines: Lines) -> str:
+    return _tuple([*map(str, motion.velocities), *_solution(motion, lines)[0]])
+
+
+def _solution(motion: Motion, lines: Lines) -> tuple[list[Number], list[Number]]:
+    """Accelerations and multipliers, lam from A M^-1 A^T lam = -(bias + A M^-1 F)."""
+    n, c = len(motion.coordinates), len(motion.matrix)
+    entries = [*sum(motion.mass, ()), *motion.forcing, *sum(motion.matrix, ()), *motion.bias]
+    numbers = iter(_named(lines, _texts(lines, entries)))
+    mass = [[next(numbers) for _ in range(n)] for _ in range(n)]
+    forcing = [next(numbers) for _ in range(n)]
+    matrix = [[next(numbers) for _ in range(n)] for _ in range(c)]
+    bias = list(numbers)
+    free, *pushed = _solved(lines, mass, [forcing, *matrix])
+    if not c:
+        return free, []
+    compliance = [_named(lines, [_sum(_products(row, column)) for column in pushed]) for row in matrix]
+    missing = [_less(None, _products([b, *row], ["1", *free])) for b, row in zip(bias, matrix, strict=True)]
+    (multipliers,) = _solved(lines, compliance, [_named(lines, missing)])
+    rows = zip(free, *pushed, strict=True)
+    return _named(lines, [_sum(_products(row, ["1", *multipliers])) for row in rows]), multipliers
+
+
+def _solved(lines: Lines, matrix: System, columns: System) -> System:
+    """Solutions of a symmetric positive definite system for several right-hand columns."""
+    upper, columns = [list(row) for row in matrix], [list(column) for column in columns]
+    size = len(upper)
+    for k in range(size):
+        for i in range(k + 1, size):
+            if upper[k][i] is not None:
+                (factor,) = _named(lines, [f"{upper[k][i]}/{upper[k][k]}"])
+                upper[i][i:] = _reduced(lines, upper[i][i:], factor, upper[k][i:])
+                for column in columns:
+                    column[i : i + 1] = _reduced(lines, [column[i]], factor, [column[k]])
+    for column in columns:
+        for k in reversed(range(size)):
+            rest = _less(column[k], _products(upper[k][k + 1 :], column[k + 1 :]))
+            column[k : k + 1] = _named(lines, [_quotient(rest, upper[k][k])])
+    return columns
+
+
+def _reduced(lines: Lines, row: list[Number], factor: Number, pivot_row: list[Number]) -> list[Number]:
+    """The row less factor times the pivot's."""
+    return _named(lines, [_less(a, _products([factor], [b])) for a, b in zip(row, pivot_row, strict=True)])
+
+
+def _products(left: Iterable[Number], right: Iterable[Number]) -> list[str]:
+    """The products that are not zero."""
+    pairs = [(a, b) for a, b in zip(left, right, strict=True) if a is not None and b is not None]
+    return [b if a == "1" else a if b == "1" else f"{a}*{b}" for a, b in pairs]
+
+
+def _sum(terms: list[str]) -> Number:
+    return " + ".join(terms) if terms else None
+
+
+def _less(start: Number, terms: list[str]) -> Number:
+    """Start less the terms."""
+    return "".join([start or "", *(f" - {term}" for term in terms)]).strip() or None
+
+
+_ATOM = re.compile(r"-?[\w.]+")
+
+
+def _quotient(top: Number, bottom: Number) -> Number:
+    return top and (f"{top}/{bottom}" if _ATOM.fullmatch(top) else f"({top})/{bottom}")
+
+
+def _named(lines: Lines, texts: Iterable[Number]) -> list[Number]:
+    """Names for what takes operations; what is a name, a number or zero stays."""
+    return [text if text is None or _ATOM.fullmatch(text) else _name(lines, text) for text in texts]
+
+
+def _texts(lines: Lines, expressions: Sequence[Expression]) -> list[Number]:
+    """The expressions as text, after lines for what they have in common."""
+    shared, results = sympy.cse(expressions, symbols=sympy.numbered_symbols(cls=sympy.Dummy))
+    names: dict[Expression, Expression] = {}
+    for symbol, expression in shared:
+        names[symbol] = _symbol(lines, _text(lines, expression.xreplace(names)))
+    return [None if e == 0 else _text(lines, e.xreplace(names)) for e in map(sympy.sympify, results)]
+
+
+def _text(lines: Lines, expression: Expression) -> str:
+    """One expression; bases of whole powers get names, so that x**2 can be written x*x."""
+    for power in sorted(expression.atoms(sympy.Pow), key=sympy.default_sort_key):
+        if _is_product(power) and not power.base.is_Symbol and expression.has(power):
+            base = _symbol(lines, _text(lines, power.base))
+            expression = expression.xreplace({power: sympy.Pow(base, power.exp)})
+    try:
+        text = str(_PRINTER.doprint(expression))
+    except NotImplementedError as error:
+        raise ValueError(f"no function of math computes {expression}") from error
+    if "#" in text:  # where SymPy before 1.13 puts the same into a comment
+        raise ValueError(f"no function of math computes {expression}")
+    return text
+
+
+def _is_product(power: Expression) -> bool:
+    return bool(power.exp.is_Integer and 2 <= abs(power.exp) <= 4)
+
+
+class _Printer(PythonCodePrinter):  # type: ignore[misc]  # SymPy's classes carry no types
+    """SymPy's printer with small whole powers as products: x*x takes a quarter of the time of x**2."""
+
+    def _print_Pow(self, expr: Expression, rational: bool = False) -> str:
+        if not _is_product(expr) or not expr.base.is_Symbol:
+            return str(super()._print_Pow(expr, rational=rational))
+        product = "(" + "*".join([self._print(expr.base)] * abs(int(expr.exp))) + ")"
+        return product if expr.exp > 0 else f"(1/{product})"
+
+
+_PRINTER = _Printer()
+
+
+def _symbol(lines: Lines, text: str) -> Expression:
+    return sympy.Symbol(_name(lines, text))
+
+
+def _name(lines: Lines, text: str) -> str:
+    """A new name for the number that the text computes."""
+    name = f"_{len(lines)}"
+    lines.append(f"{name} = {text}")
+    return name
+
+
+def _tuple(numbers: Iterable[Number]) -> str:
+    texts = [number or "0.0" for number in numbers]
+    return f"({', '.join(texts)}{',' if len(texts) == 1 else ''})"
+
+
+def _rows(lines: Lines, matrix: Sequence[Sequence[Expression]]) -> str:
+    numbers = iter(_texts(lines, [entry for row in matrix for entry in row]))
+    return _tuple([_tuple([next(numbers) for _ in row]) for row in matrix])
+
+
+def _check_names(motion: Motion) -> None:
+    """Every symbol becomes a name in the text."""
+    names = [str(s) for s in (motion.time, *motion.coordinates, *motion.velocities, *motion.parameters)]
+    for name in names:
+        if not name.isidentifier() or keyword.iskeyword(name) or name in ("math", "state") or name[0] == "_":
+            raise ValueError(f"symbol {name!r} cannot be a name in Python here: give it another one")
+        if names.count(name) > 1:
+            raise ValueError(f"symbol {name!r} stands for two things: give one another name")

@@ -1,0 +1,265 @@
+"""Lagrange's equations against motions known from elsewhere, as numbers at states drawn at random."""
+
+import math
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+import sympy
+from sympy import Rational, cos, sin, symbols
+
+from tam570 import integrate, lagrange
+
+DRAW = np.random.default_rng(572)
+t = symbols("t")
+x, y, z, theta, phi = symbols("x y z theta phi")
+u, v, w, p, q = symbols("u v w p q")
+m, g, l, c, I = symbols("m g l c I")  # noqa: E741  as on the blackboard
+NUMBERS = {"m": 1.3, "g": 9.81, "l": 0.7}
+
+# A state is drawn of order one; the equations divide by nothing small there, so that a hundred roundings
+# stay far below this. A wrong term shows in the first digit.
+SAME = 1e-12
+
+
+def built(lagrangian, coordinates, velocities, **how):
+    return lagrange.load(lagrange.source(lagrangian, coordinates, velocities, **how))
+
+
+def states(size, count=5):
+    return DRAW.uniform(-1.5, 1.5, (count, size))
+
+
+def bead_on_wire():
+    return built(m * v**2 * (1 + 4 * c**2 * x**2) / 2 - m * g * c * x**2, [x], [v])
+
+
+def plane_double_pendulum(*, angles):
+    """Two equal point masses on equal rods, by angles or by Cartesian coordinates and two constraints."""
+    if angles:
+        T = m * l**2 * (2 * p**2 + q**2 + 2 * p * q * cos(theta - phi)) / 2
+        return built(T + m * g * l * (2 * cos(theta) + cos(phi)), [theta, phi], [p, q])
+    a, b, x2, y2 = symbols("a b x2 y2")
+    rods = [(x**2 + y**2 - l**2) / 2, ((x2 - x) ** 2 + (y2 - y) ** 2 - l**2) / 2]
+    L = m * (u**2 + v**2 + a**2 + b**2) / 2 - m * g * (y + y2)
+    return built(L, [x, y, x2, y2], [u, v, a, b], constraints=rods)
+
+
+def spherical_pendulum(*, angles):
+    """z up; polar angle from straight down."""
+    if angles:
+        T = m * l**2 * (p**2 + sin(theta) ** 2 * q**2) / 2
+        return built(T + m * g * l * cos(theta), [theta, phi], [p, q])
+    rod = [(x**2 + y**2 + z**2 - l**2) / 2]
+    return built(m * (u**2 + v**2 + w**2) / 2 - m * g * z, [x, y, z], [u, v, w], constraints=rod)
+
+
+def chaplygin_sleigh():
+    """Knife edge in (x, y) along theta, centre of mass a distance c ahead of it, inertia I about that."""
+    vx, vy = u - c * sin(theta) * w, v + c * cos(theta) * w
+    T = m * (vx**2 + vy**2) / 2 + I * w**2 / 2
+    edge = [v * cos(theta) - u * sin(theta)]
+    return built(T, [x, y, theta], [u, v, w], constraints=edge)
+
+
+def test_bead_on_wire_has_newton_s_acceleration():
+    """m a = m g + N with N across the wire, N eliminated: (1 + 4 c^2 x^2) x'' = -2 c x (g + 2 c v^2)."""
+    rhs = bead_on_wire().rhs
+    for place, speed in states(2):
+        by_hand = -2 * 0.4 * place * (9.81 + 2 * 0.4 * speed**2) / (1 + 4 * 0.4**2 * place**2)
+        assert rhs(0.0, (place, speed), m=1.3, c=0.4, g=9.81) == pytest.approx((speed, by_hand), rel=SAME)
+
+
+def test_spherical_pendulum_by_multiplier_is_the_one_by_angles():
+    """The rod's pull is m (v^2 + g cos) / l; with the constraint r^2/2 the multiplier is minus the pull over l."""
+    cartesian, polar = spherical_pendulum(angles=False), spherical_pendulum(angles=True)
+    length = NUMBERS["l"]
+    for th, ph, th_dot, ph_dot in states(4):
+        _, _, th_2, ph_2 = polar.rhs(0.0, (th, ph, th_dot, ph_dot), **NUMBERS)
+        r, along, across = _polar_axes(th, ph)
+        speed = length * (th_dot * along + math.sin(th) * ph_dot * across)
+        state = (*(length * r), *speed)
+        acceleration = length * (
+            (th_2 - math.sin(th) * math.cos(th) * ph_dot**2) * along
+            + (math.sin(th) * ph_2 + 2 * math.cos(th) * th_dot * ph_dot) * across
+            - (th_dot**2 + (math.sin(th) * ph_dot) ** 2) * r
+        )
+        assert cartesian.rhs(0.0, state, **NUMBERS) == pytest.approx((*speed, *acceleration), abs=SAME * 100)
+        pull = NUMBERS["m"] * (speed @ speed / length + NUMBERS["g"] * math.cos(th))
+        assert cartesian.multipliers(0.0, state, **NUMBERS)[0] == pytest.approx(-pull / length, rel=SAME)
+        assert cartesian.constraint_errors(0.0, state, **NUMBERS) == pytest.approx((0, 0), abs=SAME)
+        difference = cartesian.energy(0.0, state, **NUMBERS) - polar.energy(
+            0.0, (th, ph, th_dot, ph_dot), **NUMBERS
+        )
+        assert difference == pytest.approx(0, abs=SAME * 10)
+
+
+def _polar_axes(th, ph):
+    """Unit vectors away from the hinge, of growing theta, of growing phi."""
+    s, k, sp, cp = math.sin(th), math.cos(th), math.sin(ph), math.cos(ph)
+    return np.array([s * cp, s * sp, -k]), np.array([k * cp, k * sp, s]), np.array([-sp, cp, 0.0])
+
+
+def test_double_pendulum_by_two_multipliers_is_the_one_by_angles():
+    cartesian, polar = plane_double_pendulum(angles=False), plane_double_pendulum(angles=True)
+    for a, b, a_dot, b_dot in states(4):
+        *_, a_2, b_2 = polar.rhs(0.0, (a, b, a_dot, b_dot), **NUMBERS)
+        first, second = (_swing(NUMBERS["l"], *motion) for motion in ((a, a_dot, a_2), (b, b_dot, b_2)))
+        place, speed, acceleration = (np.concatenate([f, f + s]) for f, s in zip(first, second, strict=True))
+        result = cartesian.rhs(0.0, (*place, *speed), **NUMBERS)
+        assert result == pytest.approx((*speed, *acceleration), abs=SAME * 100)
+
+
+def _swing(length, angle, rate, rate_2):
+    """Place, velocity and acceleration of a point on a rod, angle from straight down."""
+    out, along = np.array([math.sin(angle), -math.cos(angle)]), np.array([math.cos(angle), math.sin(angle)])
+    return length * out, length * rate * along, length * (rate_2 * along - rate**2 * out)
+
+
+def test_chaplygin_sleigh():
+    """Along the edge V' = c w^2, and (I + m c^2) w' = -m c V w; the side force keeps the edge from slipping."""
+    sleigh, numbers = chaplygin_sleigh(), {"m": 1.3, "c": 0.4, "I": 0.2}
+    for place_x, place_y, heading, V, spin in states(5):
+        ahead, aside = (
+            np.array([math.cos(heading), math.sin(heading)]),
+            np.array([-math.sin(heading), math.cos(heading)]),
+        )
+        state = (place_x, place_y, heading, *(V * ahead), spin)
+        V_dot, spin_dot = 0.4 * spin**2, -1.3 * 0.4 * V * spin / (0.2 + 1.3 * 0.4**2)
+        acceleration = V_dot * ahead + V * spin * aside
+        result = sleigh.rhs(0.0, state, **numbers)
+        assert result == pytest.approx((*(V * ahead), spin, *acceleration, spin_dot), abs=SAME)
+        of_mass_centre = acceleration + 0.4 * (spin_dot * aside - spin**2 * ahead)
+        assert sleigh.multipliers(0.0, state, **numbers)[0] == pytest.approx(
+            1.3 * of_mass_centre @ aside, rel=SAME
+        )
+
+
+def test_chaplygin_sleigh_ends_up_straight():
+    """From a pure spin all the energy ends up in the motion along the edge, however the spin began."""
+    sleigh, numbers = chaplygin_sleigh(), {"m": 1.3, "c": 0.4, "I": 0.2}
+    start = (0.0, 0.0, 0.3, 0.0, 0.0, 2.0)
+    end = integrate.solve(sleigh.rhs, [0.0, 20.0], start, parameters=numbers)[-1]
+    assert sleigh.energy(0.0, end, **numbers) == pytest.approx(sleigh.energy(0.0, start, **numbers), rel=1e-8)
+    final_speed = 2.0 * math.sqrt((0.2 + 1.3 * 0.4**2) / 1.3)  # all the energy along the edge
+    assert math.hypot(*end[3:5]) == pytest.approx(final_speed, rel=1e-6)
+    assert abs(end[5]) < 1e-6
+    assert sleigh.constraint_errors(0.0, end, **numbers)[0] == pytest.approx(0, abs=1e-8)
+
+
+def test_solve_keeps_energy_and_vertical_angular_momentum():
+    """rtol 1e-10 a step, some hundred steps."""
+    polar = spherical_pendulum(angles=True)
+    track = integrate.solve(polar.rhs, np.linspace(0, 10, 11), [1.0, 0.0, 0.2, 1.5], parameters=NUMBERS)
+    energies = [polar.energy(0.0, state, **NUMBERS) for state in track]
+    assert np.ptp(energies) < 1e-7 * NUMBERS["m"] * NUMBERS["g"] * NUMBERS["l"]
+    spin = np.sin(track[:, 0]) ** 2 * track[:, 3]
+    assert np.ptp(spin) < 1e-7
+
+
+def test_forces_do_work_at_the_rate_that_the_energy_changes():
+    """dE/dt along the motion, by the chain rule on a fine difference of the energy's own function."""
+    drag = symbols("drag")
+    L = m * (p**2 + (1 + x**2) * v**2 + p * v * sin(x)) / 2 - m * g * cos(x) * theta
+    system = built(L, [theta, x], [p, v], forces=[-drag * p, 0])
+    numbers = {"m": 1.3, "g": 9.81, "drag": 0.7}
+    for state in states(4):
+        rate = np.array(system.rhs(0.0, state, **numbers))
+        h = 1e-5  # s: truncation h^2 and rounding eps/h are both near 1e-10
+        later, earlier = (system.energy(0.0, state + s * h * rate, **numbers) for s in (1, -1))
+        assert (later - earlier) / (2 * h) == pytest.approx(-0.7 * state[2] ** 2, abs=1e-7)
+
+
+def test_time_in_the_lagrangian():
+    """A bead on a straight wire turned at a rate that grows: r'' = W(t)^2 r; and a hinge on a lift, by a constraint."""
+    turned = built(m * (v**2 + (1 + t) ** 2 * x**2) / 2, [x], [v])
+    assert turned.rhs(2.0, (0.3, -0.4), m=1.3) == pytest.approx((-0.4, 9 * 0.3), rel=SAME)
+    lift = built(m * (u**2 + v**2) / 2 - m * g * y, [x, y], [u, v], constraints=[y - t**3])
+    assert lift.rhs(2.0, (0.1, 8.0, 0.5, 12.0), m=1.3, g=9.81) == pytest.approx(
+        (0.5, 12.0, 0.0, 12.0), rel=SAME
+    )
+    assert lift.multipliers(2.0, (0.1, 8.0, 0.5, 12.0), m=1.3, g=9.81)[0] == pytest.approx(1.3 * (9.81 + 12))
+
+
+def test_mass_matrix_and_forcing_are_what_rhs_solves():
+    for system, size, numbers in (
+        (plane_double_pendulum(angles=True), 4, NUMBERS),
+        (spherical_pendulum(angles=False), 6, NUMBERS),
+        (chaplygin_sleigh(), 6, {"m": 1.3, "c": 0.4, "I": 0.2}),
+    ):
+        for state in states(size):
+            arguments = (0.0, tuple(state))
+            acceleration = np.array(system.rhs(*arguments, **numbers)[size // 2 :])
+            left = np.array(system.mass_matrix(*arguments, **numbers)) @ acceleration
+            right = np.array(system.forcing(*arguments, **numbers))
+            if hasattr(system, "multipliers"):
+                A = np.array(system.constraint_matrix(*arguments, **numbers))
+                right = right + A.T @ system.multipliers(*arguments, **numbers)
+            assert left == pytest.approx(right, abs=SAME * 100)
+
+
+def test_the_text_runs_where_sympy_and_numpy_are_not(tmp_path):
+    """Saved, imported as a file of its own, and loaded by load: the same numbers."""
+    text = lagrange.source(m * v**2 * (1 + 4 * c**2 * x**2) / 2 - m * g * c * x**2, [x], [v])
+    (tmp_path / "bead.py").write_text(text, encoding="utf-8")
+    code = (
+        "import sys; sys.modules['sympy'] = None; sys.path.insert(0, sys.argv[1]);"
+        "import bead; from tam570 import lagrange; from pathlib import Path;"
+        "loaded = lagrange.load(Path(bead.__file__).read_text());"
+        "arguments = (0.0, (0.3, -0.4)), dict(m=1.3, c=0.4, g=9.81);"
+        "print(bead.rhs(*arguments[0], **arguments[1]) == loaded.rhs(*arguments[0], **arguments[1]));"
+        "print(repr(bead.rhs(*arguments[0], **arguments[1]))); print('numpy' in sys.modules)"
+    )
+    command = [sys.executable, "-c", code, str(tmp_path)]
+    printed = subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines()
+    here = bead_on_wire().rhs(0.0, (0.3, -0.4), m=1.3, c=0.4, g=9.81)
+    assert printed == ["True", repr(here), "False"]
+
+
+def test_results_are_plain_floats():
+    assert all(type(number) is float for number in bead_on_wire().rhs(0.0, (0.3, -0.4), m=1.3, c=0.4, g=9.81))
+
+
+def test_nothing_is_computed_twice_and_no_zero_is_carried():
+    source = lagrange.source(
+        m * l**2 * (2 * p**2 + q**2 + 2 * p * q * cos(theta - phi)) / 2
+        + m * g * l * (2 * cos(theta) + cos(phi)),
+        [theta, phi],
+        [p, q],
+    )
+    rhs = source[source.index("def rhs") : source.index("def mass_matrix")]
+    assert rhs.count("sin(") == 3 and rhs.count("cos(") == 1  # of the difference, and each weight
+    assert "**" not in rhs
+    free = lagrange.source(m * (u**2 + v**2 + w**2) / 2, [x, y, z], [u, v, w])
+    assert "return (u, v, w, 0.0, 0.0, 0.0)" in free
+
+
+def test_traceback_and_inspect_show_the_line():
+    import inspect
+
+    assert "x, v = state" in inspect.getsource(bead_on_wire().rhs)
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (lambda: lagrange.source(m * v**2, [x], [v, w]), "^velocities: one for each"),
+        (lambda: lagrange.source(m * v**2, [x], [v], forces=[1, 2]), "^forces: one for each"),
+        (lambda: lagrange.source(m * v**2, [x, y], [v, w]), "^lagrangian: the mass matrix is singular"),
+        (lambda: lagrange.source((v + w) ** 2, [x, y], [v, w]), "^lagrangian: the mass matrix is singular"),
+        (lambda: lagrange.source(m * v**2, [x], [v], constraints=[v**2 - 1]), "^constraints must be linear"),
+        (lambda: lagrange.source(symbols("lambda") * v**2, [x], [v]), "'lambda' cannot be a name"),
+        (lambda: lagrange.source(m * v**2, [t], [v]), "'t' stands for two"),
+        (lambda: lagrange.source(v**2 - sympy.Heaviside(x) * x, [x], [v]), "no function of math computes"),
+    ],
+)
+def test_what_cannot_be_written_is_refused(call, message):
+    with pytest.raises(ValueError, match=message):
+        call()
+
+
+def test_fractions_are_exact():
+    """A third of a Rational is divided once, in double precision, not carried as 0.333."""
+    system = built(Rational(1, 3) * m * v**2 - g * x, [x], [v])
+    assert system.rhs(0.0, (0.0, 0.0), m=1.5, g=1.0)[1] == -1.0
