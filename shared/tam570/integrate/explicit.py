@@ -14,7 +14,7 @@ from tam570.integrate.problem import Array, Rates, agrees, floats_function
 from tam570.integrate.source import Formulas, call_of, compiled, functions
 from tam570.integrate.trace import traced
 
-__all__ = ["Engine", "engine", "shortest_step", "states"]
+__all__ = ["Engine", "at_start", "engine", "module", "shortest_step", "states"]
 
 
 @dataclass(frozen=True)
@@ -56,7 +56,7 @@ def _with_loop(namespace: dict[str, Any]) -> dict[str, Any]:
 
 
 @lru_cache(maxsize=64)
-def _module(formulas: Formulas) -> str:
+def module(formulas: Formulas) -> str:
     text = functions(formulas, forgiving=False)
     return machine.module_source(drive, text, "rhs, raised, step, dense, at", "advance")
 
@@ -87,9 +87,9 @@ def states(
             state = _projected(kit, rows, run(advance, state, 1, by_numba), state[0], origin, project)
         return state
 
-    source = partial(_module, kit.formulas) if kit.traced and not project else None
+    source = partial(module, kit.formulas) if kit.traced and not project else None
     loop = Loop(projected if project else run, share, kit.functions["advance"], "advance", source)
-    end = carried_through(loop, _at_start(kit, origin, listed[-1], start), how)
+    end = carried_through(loop, at_start(kit, origin, listed[-1], start), how)
     if end[2] == 0.0:
         where = origin + end[1]
         raise ArithmeticError(f"no step is short enough at t = {where:.17g}: rhs or solution not finite")
@@ -105,7 +105,7 @@ def _projected(kit: Engine, rows: Array, state: Any, filled: int, origin: float,
     return row, t, h, y, (0.0,) * len(y), kit.functions["rhs"](origin + t, y, kit.constants), m
 
 
-def _at_start(kit: Engine, origin: float, span: float, start: Array) -> tuple[Any, ...]:
+def at_start(kit: Engine, origin: float, span: float, start: Array) -> tuple[Any, ...]:
     y, c = tuple(start.tolist()), kit.constants
     f = kit.functions["rhs"](origin, y, c)
     h = kit.functions["first_step"](origin, span, y, f, tuple(map(abs, y)), c)
@@ -116,7 +116,7 @@ def _at_start(kit: Engine, origin: float, span: float, start: Array) -> tuple[An
 def shortest_step(kit: Engine, times: Array, start: Array, rtol: float, *, steps: int = 200) -> float:
     """The shortest of the first steps that this method takes at `rtol`; s."""
     origin, span = float(times[0]), float(times[-1] - times[0])
-    rows, state, shortest = np.empty((2, len(start))), _at_start(kit, origin, span, start), span
+    rows, state, shortest = np.empty((2, len(start))), at_start(kit, origin, span, start), span
     for _ in range(steps):
         before = state[1]
         state = kit.functions["advance"](origin, [0.0, span], rows, state, kit.constants, rtol, 1)

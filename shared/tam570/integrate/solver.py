@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from tam570.integrate import explicit, longterm
-from tam570.integrate.problem import Array, bound, initial_state, sample_times, tolerance
+from tam570.integrate.problem import Array, Rates, bound, initial_state, sample_times, tolerance
 
 __all__ = ["solve"]
 
@@ -29,7 +29,7 @@ def solve(
 
     rhs        : rhs(t, y, **parameters) -> k numbers; NumPy or plain floats inside
     t          : (n,) strictly increasing, n >= 2; the choice of times does not change the steps taken
-    y0         : (k,)
+    y0         : (k,), or (m, k) for m starts at once
     parameters : keyword arguments of rhs, bound before the first step
     rtol       : largest error of a step, relative to the largest magnitude so far of each component
     method     : "auto" runs in Python and goes on compiled by numba where that is installed and repays;
@@ -37,17 +37,29 @@ def solve(
                  "gauss" (Gauss-Legendre, order 12), "composition" (order 8, y0 = (q, v), q' of v, v' of q)
     step       : s, of the methods with a fixed one; left out it follows from rtol
     project    : project(y) -> the nearest allowed state, applied after every step: for holonomic constraints
-    Returns (n, k); row 0 is y0. ValueError names the argument that does not fit; ArithmeticError tells where
-    the solution or rhs ceases to be finite.
+    Returns (n, k), row 0 is y0; or (m, n, k).
+    ValueError names the argument that does not fit; ArithmeticError tells where the solution or rhs ceases
+    to be finite.
     """
     times, start, rtol = sample_times(t), initial_state(y0), tolerance(rtol)
     if method not in METHODS:
         raise ValueError(f"method: one of {', '.join(METHODS)}, got {method!r}")
     rates = bound(rhs, parameters)
     with np.errstate(all="ignore"):  # a step that proves too long may overflow: it is taken again
+        if start.ndim == 2:
+            return _ensemble(rates, times, start, rtol, method)
         kit = explicit.engine(rates, times, start)
         if method in longterm.METHODS:
             if project is not None:
                 raise ValueError(f'project: goes with method "auto" or "python", not with {method!r}')
             return longterm.states(method, kit, rates, times, start, rtol, step)
         return explicit.states(kit, times, start, rtol, method, project)
+
+
+def _ensemble(rates: Rates, times: Array, starts: Array, rtol: float, method: str) -> Array:
+    from tam570.integrate import ensemble
+
+    if method in longterm.METHODS:
+        raise ValueError(f'y0: several starts at once go with method "auto", not with {method!r}')
+    kit = explicit.engine(rates, times, starts[0])
+    return ensemble.states(kit, times, starts, rtol, method)

@@ -13,7 +13,7 @@ from typing import Any
 
 from tam570.integrate.tableau import FIFTH, NODES, ROWS, THIRD, Row, interpolant
 
-__all__ = ["Formulas", "call_of", "compiled", "functions", "tuple_of", "unpacked"]
+__all__ = ["Formulas", "array_functions", "call_of", "compiled", "functions", "tuple_of", "unpacked"]
 
 KEPT = range(5, 12)  # the stages that the interpolant takes over from the step
 
@@ -52,6 +52,12 @@ def by_call(formulas: Formulas) -> Formulas:
     state = tuple_of(f"s{i}" if i in formulas.reads else "0.0" for i in range(formulas.size))
     line = f"{results} = rhs({'t' if formulas.timed else '0.0'}, {state}, c)"
     return replace(formulas, lines=(line,), rates=rates)
+
+
+def array_functions(formulas: Formulas) -> str:
+    """Source of `step`, `raised`, `dense` and `at` for arrays: a member of an ensemble in each element."""
+    parts = [_step(formulas, arrays=True), _raised(formulas, arrays=True), _dense(formulas), _at(formulas)]
+    return "\n\n".join("\n    ".join(part) for part in parts) + "\n"
 
 
 def functions(formulas: Formulas, sampled: bool = True, forgiving: bool = True) -> str:
@@ -123,7 +129,7 @@ def _euler(formulas: Formulas) -> list[str]:
     return ["def euler(h, y, f):", f"return {tuple_of(states)}"]
 
 
-def _raised(formulas: Formulas) -> list[str]:
+def _raised(formulas: Formulas, arrays: bool = False) -> list[str]:
     """Magnitudes no smaller than `weight` times what a relative change of the state by 2^-20 does to h f."""
     sign_and_size = [
         (-1) ** i * 2.0**-20 * (1 + 0.1 * (i % 7)) for i in range(formulas.size)
@@ -132,11 +138,12 @@ def _raised(formulas: Formulas) -> list[str]:
     lines = ["def raised(t, h, y, f, m, c, weight):", *unpacked(formulas, y="y", m="m"), *changed]
     lines += formulas.lines
     for i in formulas.moving:
-        lines += [f"x = abs({formulas.rates[i]} - f[{i}]) * h * weight", f"m{i} = x if x > m{i} else m{i}"]
+        lines.append(f"x = abs({formulas.rates[i]} - f[{i}]) * h * weight")
+        lines.append(f"m{i} = maximum(m{i}, x)" if arrays else f"m{i} = x if x > m{i} else m{i}")
     return [*lines, f"return {tuple_of(_names('m', formulas.size))}"]
 
 
-def _step(formulas: Formulas) -> list[str]:
+def _step(formulas: Formulas, arrays: bool = False) -> list[str]:
     """One step: new state, its rounding, derivative, magnitudes, both estimates squared, stages kept."""
     lines = ["def step(start, h, y, r, f, m, c):", *unpacked(formulas, y="y", r="r", f="k0_", m="m")]
     for number in range(1, 12):
@@ -148,7 +155,7 @@ def _step(formulas: Formulas) -> list[str]:
     still = set(range(formulas.size)) - set(formulas.moving)
     lines += [f"k12_{i} = 0.0" for i in still] + ["fifth = third = 0.0"]
     for i in formulas.moving:
-        lines += _estimate(i)
+        lines += _largest(i, arrays) + _estimate(i)
     names = (tuple_of(_names(letter, formulas.size)) for letter in ("n", "r", "k12_", "m"))
     return [*lines, f"return {', '.join(names)}, fifth, third, {tuple_of(_kept(formulas))}"]
 
@@ -165,10 +172,14 @@ def _update(formulas: Formulas, i: int) -> list[str]:
     return [change, f"n{i} = y{i} + d", f"r{i} = d - (n{i} - y{i})"]
 
 
+def _largest(i: int, arrays: bool) -> list[str]:
+    if arrays:
+        return [f"m{i} = maximum(m{i}, absolute(n{i}))"]
+    return [f"if n{i} > m{i}: m{i} = n{i}", f"elif -n{i} > m{i}: m{i} = -n{i}"]
+
+
 def _estimate(i: int) -> list[str]:
     return [
-        f"if n{i} > m{i}: m{i} = n{i}",
-        f"elif -n{i} > m{i}: m{i} = -n{i}",
         f"x = h * ({_combination(FIFTH, i)}) / m{i}",
         "fifth += x * x",
         f"x = h * ({_combination(THIRD, i)}) / m{i}",

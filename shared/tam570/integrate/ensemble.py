@@ -1,0 +1,132 @@
+"""Many starts of one system at once: each element of an array is a member, with a time and a step of its own."""
+
+import time
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+
+from tam570.integrate import explicit, machine
+from tam570.integrate.drive import EXPONENT, LARGEST, ROUNDING, SAFETY, SMALLEST
+from tam570.integrate.explicit import Engine
+from tam570.integrate.problem import Array
+from tam570.integrate.source import Formulas, array_functions
+from tam570.integrate.trace import FUNCTIONS
+
+__all__ = ["states"]
+
+WORTH_ARRAYS = 16  # members: with fewer the calls of NumPy cost more than they save
+GAIN = 3.0  # of the arrays over single runs in Python, with thousands of members
+
+
+def states(kit: Engine, times: Array, starts: Array, rtol: float, how: str) -> Array:
+    """(m, n, k) states at `times` from the (m, k) starts; how: "auto", "python" or "numba"."""
+    began = time.perf_counter()
+    first = explicit.states(kit, times, starts[0], rtol, how)
+    alone = (time.perf_counter() - began) * len(starts)
+    by_numba = how == "numba" or (how == "auto" and kit.traced and _numba_repays(kit, alone))
+    if kit.traced and not by_numba and len(starts) >= WORTH_ARRAYS:
+        return _Members(kit, times, starts, rtol).walked()
+    one_by_one = "numba" if by_numba else "python"
+    rest = [explicit.states(kit, times, start, rtol, one_by_one) for start in starts[1:]]
+    return np.array([first, *rest])
+
+
+def _numba_repays(kit: Engine, seconds_alone: float) -> bool:
+    source = explicit.module(kit.formulas)
+    if machine.loaded_already(lambda: source):
+        return True
+    return seconds_alone / GAIN > machine.wait(source)
+
+
+@lru_cache(maxsize=64)
+def _functions(formulas: Formulas) -> dict[str, Any]:
+    numpy_name = {plain: name for name, plain in FUNCTIONS.items() if name.startswith("arc")}
+    names = [name for name in FUNCTIONS.values() if hasattr(np, numpy_name.get(name, name))]
+    namespace = {name: getattr(np, numpy_name.get(name, name)) for name in names}
+    namespace |= {"pow": np.power, "maximum": np.maximum, "absolute": np.absolute}
+    exec(compile(array_functions(formulas), "<tam570 arrays>", "exec"), namespace)
+    return namespace
+
+
+class _Members:
+    """The members still under way; y, r, f, m are (k, members), all else is (members,)."""
+
+    def __init__(self, kit: Engine, times: Array, starts: Array, rtol: float) -> None:
+        self.functions, self.c, self.rtol = _functions(kit.formulas), kit.constants, rtol
+        self.origin, self.since = float(times[0]), times - times[0]
+        self.rows = np.empty((len(starts), len(times), starts.shape[1]))
+        self.rows[:, 0] = starts
+        each = [explicit.at_start(kit, self.origin, float(self.since[-1]), start) for start in starts]
+        self.who, self.row = np.arange(len(starts)), np.ones(len(starts), dtype=int)
+        self.t, self.h = np.zeros(len(starts)), np.array([state[2] for state in each])
+        self.y, self.r, self.f, self.m = (np.array([state[i] for state in each]).T for i in (3, 4, 5, 6))
+        self.growth = np.full(len(starts), LARGEST)
+
+    def walked(self) -> Array:
+        """Step until every member has reached the end."""
+        while len(self.who):
+            self._step()
+            self._keep(self.row < len(self.since))
+        return self.rows
+
+    def _step(self) -> None:
+        left = self.since[-1] - self.t
+        last = self.h >= left
+        new = np.where(last, self.since[-1], self.t + np.where(2 * self.h < left, self.h, left / 2))
+        h = np.where(last, left, new - self.t)
+        if (h <= 2.0**-50 * self.t).any():
+            where = self.origin + self.t[np.argmin(h)]
+            raise ArithmeticError(f"no step is short enough at t = {where:.17g}: rhs or solution not finite")
+        step, start = self.functions["step"], self.origin + self.t
+        n, r, g, m, fifth, third, stages = step(start, h, self.y, self.r, self.f, self.m, self.c)
+        error = np.where(fifth > 0, fifth / (self.rtol * np.sqrt(fifth + 0.01 * third)), fifth)
+        fine = error <= 1
+        self._sample(fine, new, h, np.array(n), _rows(g, h), stages)
+        self._forgive(~fine, h, np.array(n), _rows(g, h))
+        factor = np.clip(SAFETY * np.where(error > 0, error, 1e-30) ** EXPONENT, SMALLEST, self.growth)
+        self.h = h * np.where(np.isfinite(error), factor, 0.1)
+        self.growth = np.where(fine, LARGEST, 1.0)
+        self.t = np.where(fine, new, self.t)
+        for name, value in (("y", n), ("r", r), ("f", g), ("m", m)):
+            setattr(self, name, np.where(fine, _rows(value, h), getattr(self, name)))
+
+    def _sample(self, fine: Any, new: Array, h: Array, n: Array, g: Array, stages: Any) -> None:
+        """Fill the rows that the steps taken have reached."""
+        due = np.flatnonzero(fine & (self.since[np.minimum(self.row, len(self.since) - 1)] <= new))
+        if not len(due):
+            return
+        part = [s[due] if np.ndim(s) else s for s in stages]
+        start, y, inside = self.origin + self.t[due], self.y[:, due], self.functions
+        q = inside["dense"](start, h[due], y, n[:, due], self.f[:, due], g[:, due], part, self.c)
+        flat = self.rows.reshape(-1, self.rows.shape[2])
+        while len(due):
+            at_end = self.since[self.row[due]] == new[due]
+            x = np.where(at_end, 1.0, (self.since[self.row[due]] - self.t[due]) / h[due])
+            inside["at"](flat, self.who[due] * len(self.since) + self.row[due], x, self.y[:, due], q)
+            self.rows[self.who[due[at_end]], self.row[due[at_end]]] = n[:, due[at_end]].T
+            self.row[due] += 1
+            more = self.row[due] < len(self.since)
+            more[more] = self.since[self.row[due[more]]] <= new[due[more]]
+            due, q = due[more], [c[more] if np.ndim(c) else c for c in q]
+
+    def _forgive(self, refused: Any, h: Array, n: Array, g: Array) -> None:
+        """Raise the magnitudes of members whose error is but rounding, as in `drive.advance`."""
+        i = np.flatnonzero(refused & np.isfinite(n).all(axis=0))
+        if len(i):
+            start, weight = self.origin + self.t[i] + h[i], ROUNDING / self.rtol
+            raised = self.functions["raised"](start, h[i], n[:, i], g[:, i], self.m[:, i], self.c, weight)
+            self.m[:, i] = _rows(raised, h[i])
+
+    def _keep(self, going: Any) -> None:
+        if going.all():
+            return
+        for name in ("who", "row", "t", "h", "growth"):
+            setattr(self, name, getattr(self, name)[going])
+        for name in ("y", "r", "f", "m"):
+            setattr(self, name, getattr(self, name)[:, going])
+
+
+def _rows(values: Any, like: Array) -> Array:
+    """(k, members) of k arrays or numbers."""
+    return np.array([np.broadcast_to(value, like.shape) for value in values])
