@@ -34,7 +34,7 @@ def main(argv: list[str] | None = None) -> int:
         )  # the reader has gone; nothing more to say
         return 0
     except Exception as error:
-        if type(error).__name__ not in ("Usage", "BadPath", "BookError", "NoCourse"):
+        if type(error).__name__ not in ("Usage", "BadPath", "BookError", "NoCourse", "NoSandbox"):
             raise
         print(f"tam570-grader: error: {error}", file=sys.stderr)
         return 2

@@ -66,10 +66,11 @@ def _remark(record: Record) -> str:
     named = next((mark["suspect"] for mark in marks if mark["suspect"]), None)
     if named:
         return f"known mistake: {named}"
-    unwritten = sum(mark["outcome"] == "not_run" for mark in record["checks"])
-    first = next((f"{mark['name']}: {mark['message']}" for mark in marks), "")
-    rest = f"{unwritten} checks not run" if unwritten else ""
-    return _short(record.get("message") or first or rest)
+    unwritten = [
+        mark["message"] for mark in record["checks"] if mark["message"].endswith("is not written yet")
+    ]
+    first = [f"{mark['name']}: {mark['message']}" for mark in marks]
+    return _short(record.get("message") or next(iter([*first, *unwritten]), ""))
 
 
 def _short(text: str) -> str:

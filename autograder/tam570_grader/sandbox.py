@@ -8,6 +8,7 @@ import os
 import select
 import shutil
 import socket
+import stat
 import struct
 import subprocess
 import sys
@@ -21,7 +22,7 @@ from typing import Any
 import tam570
 from tam570_grader.inside.wire import Unreadable, packed, unpacked
 
-__all__ = ["Allowance", "Cell", "CellLost", "CellTimeout", "Worker", "WorkerLost", "isolation"]
+__all__ = ["Allowance", "Cell", "CellLost", "CellTimeout", "NoSandbox", "Worker", "WorkerLost", "isolation"]
 
 LENGTH = struct.Struct(">I")
 FILE_SIZE = 2**25  # bytes a submission may write into its scratch folder
@@ -53,6 +54,10 @@ class Allowance:
 
 class CellLost(Exception):
     """The prisoner ended in the middle of a call, or sent what is no reply."""
+
+
+class NoSandbox(Exception):
+    """Submissions cannot be run here; the message says what to do."""
 
 
 class WorkerLost(Exception):
@@ -262,7 +267,21 @@ def _site_folders() -> list[str]:
 
 def _plain() -> tuple[list[str], list[str]]:
     """Command and search path of a worker without a jail."""
-    return _python(), [*_site_folders(), str(Path(tam570.__file__).parents[1]), str(Path(__file__).parent)]
+    path = [*_site_folders(), str(Path(tam570.__file__).parents[1]), str(Path(__file__).parent)]
+    if os.geteuid() == 0:
+        _must_be_readable([sys.base_prefix, *path])
+    return _python(), path
+
+
+def _must_be_readable(folders: Sequence[str]) -> None:
+    """Under root, submissions run as a user that owns nothing: what they import must be open to everyone."""
+    for folder in map(Path, folders):
+        closed = [place for place in (folder, *folder.parents) if not os.stat(place).st_mode & stat.S_IXOTH]
+        if closed:
+            raise NoSandbox(
+                f"without bubblewrap, submissions run as another user than root, who may not enter {closed[-1]}: "
+                "install bubblewrap, or grade as an ordinary user"
+            )
 
 
 def _jailed(hidden: Sequence[Path]) -> tuple[list[str], list[str]]:

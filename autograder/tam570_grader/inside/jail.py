@@ -88,8 +88,10 @@ def hidden_from_debuggers() -> None:
         LIBC.prctl(DUMPABLE, 0, 0, 0, 0)
 
 
-def watch(prisoner: int, leash: socket.socket, group: bool) -> None:
+def watch(prisoner: int, leash: socket.socket, lifeline: int, group: bool) -> None:
     """Until the prisoner ends: answer b"c" with its CPU seconds; kill it on b"k" or when the leash is dropped.
+
+    It is killed too when the lifeline, a pipe that the worker holds the other end of, says that the worker has died.
 
     The last message on the leash is "status cpu": the wait status and the CPU seconds used.
     """
@@ -99,8 +101,9 @@ def watch(prisoner: int, leash: socket.socket, group: bool) -> None:
         ended, status, usage = os.wait4(prisoner, os.WNOHANG)
         if ended:
             break
-        if select.select([leash], [], [], POLL)[0]:
-            _obey(leash.recv(1), prisoner, leash, group)
+        ready = select.select([leash, lifeline], [], [], POLL)[0]
+        if ready:
+            _obey(leash.recv(1) if leash in ready else b"", prisoner, leash, group)
     _reap(group)
     _tell(leash, f"{status} {usage.ru_utime + usage.ru_stime:.6f}\n")
 
@@ -113,7 +116,7 @@ def _obey(order: bytes, prisoner: int, leash: socket.socket, group: bool) -> Non
         _kill_group(prisoner)
     os.kill(prisoner, signal.SIGKILL)
     if not order:
-        time.sleep(POLL)  # the leash stays readable; do not spin until the prisoner is gone
+        time.sleep(POLL)  # what was dropped stays readable; do not spin until the prisoner is gone
 
 
 def _kill_group(prisoner: int) -> None:

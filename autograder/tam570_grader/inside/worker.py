@@ -42,6 +42,7 @@ def main() -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the supervisor decides what an interrupt ends
     gc.collect()
     gc.freeze()
+    lifeline, held = os.pipe()
     control.sendall(b"ready")
     while True:
         order, files, _, _ = socket.recv_fds(control, LONGEST_ORDER, 2)
@@ -49,12 +50,13 @@ def main() -> None:
             return
         if os.fork() == 0:
             control.close()
-            _guard(files, jail.Limits(**settings["limits"], **json.loads(order)))
+            os.close(held)
+            _guard(files, lifeline, jail.Limits(**settings["limits"], **json.loads(order)))
         for file in files:
             os.close(file)
 
 
-def _guard(files: list[int], limits: jail.Limits) -> None:
+def _guard(files: list[int], lifeline: int, limits: jail.Limits) -> None:
     """Fork the prisoner and watch it; never returns."""
     channel, leash = (socket.socket(fileno=file) for file in files)
     signal.signal(signal.SIGCHLD, signal.SIG_DFL)
@@ -68,7 +70,7 @@ def _guard(files: list[int], limits: jail.Limits) -> None:
         if prisoner == 0:
             _serve(channel, limits, folder)
         channel.close()
-        jail.watch(prisoner, leash, group=not limits.namespaces)
+        jail.watch(prisoner, leash, lifeline, group=not limits.namespaces)
     except Exception:
         traceback.print_exc()
     finally:

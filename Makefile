@@ -1,0 +1,41 @@
+# The two commands of a fresh machine: `make demo` and `make test`. Both make .venv if it is not there.
+
+PYTHON ?= python3
+VENV := .venv
+BIN := $(VENV)/bin
+CLASS := build/sample_class
+export OPENBLAS_NUM_THREADS := 1
+
+.PHONY: demo test verify bubblewrap clean
+
+demo: $(VENV)/ready bubblewrap
+	$(BIN)/python tests/sample_class.py $(CLASS)
+	$(BIN)/tam570-grader grade $(CLASS) --out build/sample_results --seed 570 --call 2
+
+test: $(VENV)/ready bubblewrap
+	$(BIN)/ruff check
+	$(BIN)/ruff format --check
+	$(BIN)/mypy
+	$(BIN)/tam570-grader stubs --check
+	$(BIN)/pytest -q -n 2
+
+verify: $(VENV)/ready bubblewrap
+	$(BIN)/pytest -q -n 2 --full
+	$(BIN)/python benchmarks/grading.py
+
+$(VENV)/ready: pyproject.toml
+	@echo "Making $(VENV) and installing the course with all that its tests need (a few minutes, once)"
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { echo "Python 3.11 or newer is needed: make PYTHON=python3.12 ..."; exit 1; }
+	@$(PYTHON) -m venv $(VENV) || { echo "venv is missing: on Debian, apt-get install python3-venv"; exit 1; }
+	$(BIN)/pip install --quiet --disable-pip-version-check -e '.[dev,fast]'
+	@touch $@
+
+bubblewrap:
+	@if [ "$$(uname)" = Linux ] && ! command -v bwrap >/dev/null; then \
+	  if [ "$$(id -u)" = 0 ] && command -v apt-get >/dev/null; then \
+	    echo "Installing bubblewrap, the sandbox of the grader"; \
+	    apt-get update -qq && apt-get install -y -qq bubblewrap >/dev/null; \
+	  else echo "bubblewrap is not installed: submissions will run as plain processes with limits"; fi; fi
+
+clean:
+	rm -rf $(VENV) build

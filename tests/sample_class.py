@@ -1,0 +1,58 @@
+"""Puts together a class of submissions as nbgrader collects them, for `make demo` and for trying the grader.
+
+    python tests/sample_class.py DIR
+
+Every assignment has right answers in different styles, answers that are wrong in known ways, one that is half
+done, one that hangs, one that crashes and one that attacks the grader. They are the submissions of the tests.
+"""
+
+import argparse
+from collections.abc import Iterator
+from pathlib import Path
+
+from tam570_grader import root
+from tam570_grader.stubs import stub
+
+TESTS = Path(__file__).parent
+HANGS = "\n\n_first = __all__[0]\n\n\ndef _hangs(*args, **kwargs):\n    while True:\n        pass\n\n\nglobals()[_first] = _hangs\n"
+CRASHES = HANGS.replace("while True:\n        pass", "__import__('os').abort()").replace("_hangs", "_crashes")
+
+
+def sample_class() -> Iterator[tuple[str, str, str]]:
+    """(student, assignment, text) of every submission."""
+    course = root.find(TESTS.parent)
+    for slug in root.slugs(course):
+        solution = (course / "solutions" / f"{slug}.py").read_text()
+        right, wrong = (sorted((TESTS / kind / slug).glob("*.py")) for kind in ("right", "wrong"))
+        for student, path in zip(("ada", "ben", "cho"), right, strict=False):
+            yield student, slug, path.read_text()
+        for student, path in zip(("dev", "eli", "fay"), wrong[::3], strict=False):
+            yield student, slug, f"{solution}\n\n{path.read_text()}"
+        yield "gus", slug, half_done(solution)
+        yield "hal", slug, solution + HANGS
+        yield "ida", slug, solution + CRASHES
+        yield "kim", slug, stub(solution)
+    for path in sorted((TESTS / "hostile").glob("*.py"))[::10]:
+        yield f"mallory-{path.stem}", "hw08_axis_angle", path.read_text()
+
+
+def half_done(solution: str) -> str:
+    """The solution up to its middle function, and the stub from there on."""
+    released = stub(solution)
+    names = [line.split("(")[0] for line in released.splitlines() if line.startswith("def ")]
+    middle = names[len(names) // 2]
+    return solution + "\n\n" + released[released.index(f"{middle}(") :]
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description="Write a sample class into a folder, as <student>/<assignment>/.")
+    parser.add_argument("folder", type=Path)
+    folder = parser.parse_args().folder
+    for student, slug, text in sample_class():
+        path = folder / student / slug / f"{slug}.py"
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+
+
+if __name__ == "__main__":
+    main()
