@@ -1,0 +1,487 @@
+"""Hidden checks of hw02. What is right is summed here by superposition: each bit of speed that launch and gravity give
+decays on its own, and the sum over them is done by Gauss's quadrature, which drag zero does not trouble.
+"""
+
+import math
+
+import numpy as np
+from scipy.optimize import brentq
+
+from tam570_grader import array, check, drawing, expect, expect_that, given, number, once, rows, suspect
+
+RESULTS = {
+    "state_derivative": array(4),
+    "simulate": rows(4),
+    "trajectory": rows(4),
+    "flight_time": number,
+    "horizontal_range": number,
+    "best_angle": number,
+    "limit_shape": array(3, 2),
+    "plot_comparison": drawing,
+}
+NEEDS = ("numpy", "scipy.integrate", "scipy.optimize", "scipy.special")
+OFF_LIMITS = {"trajectory": ("scipy.integrate", "tam570.integrate")}  # a closed form is asked for
+MANUAL = {"b": (2, "the guess before the work; why the limit has the shape it has")}
+
+POINTWISE = 1e-12  # a few roundings of the accelerations make 1e-15
+SIMULATED = 1e-5  # RK45, DOP853 and LSODA at rtol 1e-9, atol 1e-9 are off by 5e-7 of the size at most
+CLOSED = (
+    1e-10  # 1e-15 with expm1; a Taylor series that takes over where s - 1 + e^-s has lost five digits, 1e-11
+)
+ROOT = 1e-6  # of the time; roots found by brentq or Newton are good to 1e-9, an event of a simulation to 1e-7
+ANGLE = 1e-6  # rad, as the contract asks; minimising the range itself is good to 1e-8
+SWIFT = 1e-2  # of the angle, as the contract asks
+CORNER = 1e-9  # the path below, at a speed of 1e12 terminal speeds, is 5e-11 from its limit
+DRAWN = 1e-4  # of the path's size; a line through 100 points leaves the path by 1e-5 between them, the points by 1e-7
+
+NODES, WEIGHTS = (np.polynomial.legendre.leggauss(40)[0] + 1) / 2, np.polynomial.legendre.leggauss(40)[1] / 2
+
+
+def means(s):
+    """The means of e^(-s u) and of (1 - u) e^(-s u) over 0 < u < 1."""
+    s = np.asarray(s, float)
+    wide = np.maximum(s, 30.0)  # beyond, e^-s is below rounding beside 1
+    decays = np.exp(-np.minimum(s, 30.0)[..., None] * NODES)
+    first, second = decays @ WEIGHTS, decays @ (WEIGHTS * (1 - NODES))
+    late = -np.expm1(-wide) / wide
+    return np.where(s < 30, first, late), np.where(s < 30, second, (1 - late) / wide)
+
+
+def motion(since, vx, vy, fade_x, fade_y, gravity):
+    """(n, 4) states at times since the launch; the components of the velocity fade at rates of their own."""
+    (mean_x, _), (mean_y, late_y) = means(fade_x * since), means(fade_y * since)
+    return np.column_stack([
+        vx * since * mean_x, vy * since * mean_y - gravity * since**2 * late_y,
+        vx * np.exp(-fade_x * since), vy * np.exp(-fade_y * since) - gravity * since * mean_y,
+    ])  # fmt: skip
+
+
+def right(since, speed, angle, *, mass, drag, gravity):
+    return motion(since, speed * math.cos(angle), speed * math.sin(angle), drag / mass, drag / mass, gravity)
+
+
+def quadratic(since, speed, angle, *, mass, drag, gravity):
+    """The motion with the force -c abs(v) v."""
+    from scipy.integrate import solve_ivp
+
+    def rates(t, state):
+        vx, vy = state[2:]
+        fade = drag / mass * math.hypot(vx, vy)
+        return vx, vy, -fade * vx, -fade * vy - gravity
+
+    start = [0.0, 0.0, speed * math.cos(angle), speed * math.sin(angle)]
+    return solve_ivp(rates, (0, since[-1] or 1), start, method="DOP853", t_eval=since, rtol=1e-8).y.T
+
+
+def faded(x, y, gravity_sign=1):
+    """The motion with x c/m and y c/m for the rates at which the velocity's components fade."""
+
+    def wrong(since, speed, angle, *, mass, drag, gravity):
+        fade, (vx, vy) = drag / mass, (speed * math.cos(angle), speed * math.sin(angle))
+        return motion(since, vx, vy, x * fade, y * fade, gravity_sign * gravity)
+
+    return wrong
+
+
+WRONG_MOTIONS = {
+    "quadratic drag, -c v^2; here it is linear": quadratic,
+    "drag on the horizontal component alone": faded(1, 0),
+    "drag on the vertical component alone": faded(0, 1),
+    "no drag at all, a parabola": faded(0, 0),
+    "gravity pointing up": faded(1, 1, -1),
+    "the drag force not divided by the mass": lambda since, *launch, mass, drag, gravity: right(
+        since, *launch, mass=1.0, drag=drag, gravity=gravity
+    ),
+    "the angle measured from the vertical": lambda since, speed, angle, **parameters: right(
+        since, speed, math.pi / 2 - angle, **parameters
+    ),
+    "the angle taken for degrees": lambda since, speed, angle, **parameters: right(
+        since, speed, math.radians(angle), **parameters
+    ),
+}
+
+
+def rates_of(wrong):
+    """state_derivative of a wrong motion: what it does in the first instant after the state."""
+
+    def derivative(t, state, **parameters):
+        vx, vy = state[2:]
+        h = 1e-6
+        late = wrong(np.array([0.0, h]), math.hypot(vx, vy), math.atan2(vy, vx), **parameters)[1]
+        return np.array([vx, vy, *(late[2:] - state[2:]) / h])
+
+    return derivative
+
+
+SIMULATE_SUSPECTS = [
+    suspect(
+        says, within=1e-4,
+        simulate=lambda t, *launch, wrong=wrong, **known: wrong(t - t[0], *launch, **known),
+    )
+    for says, wrong in WRONG_MOTIONS.items()
+]  # fmt: skip
+TRAJECTORY_SUSPECTS = [suspect(says, within=1e-4, trajectory=wrong) for says, wrong in WRONG_MOTIONS.items()]
+RATES_SUSPECTS = [
+    suspect(says, within=1e-3, state_derivative=rates_of(wrong))
+    for says, wrong in WRONG_MOTIONS.items()
+    if "angle" not in says
+]
+
+
+def parameters(draw, **fixed):
+    """A random mass, drag and gravity, some of them fixed; the rate c/m is from .05 to 1.5."""
+    mass = 10 ** draw.uniform(-0.7, 1)
+    free = {"mass": mass, "drag": mass * 10 ** draw.uniform(-1.3, 0.2), "gravity": draw.uniform(1.5, 25)}
+    return {**free, **fixed}
+
+
+def launch(draw):
+    return 10 ** draw.uniform(0.5, 2), draw.uniform(0.15, 1.4)
+
+
+def uneven(draw, span, n, start):
+    """n times of uneven spacing from `start` on."""
+    steps = np.concatenate([[0.0], np.cumsum(draw.uniform(0.2, 1.8, n - 1))])
+    return start + span * steps / steps[-1]
+
+
+@check(points=0.75, part="a", suspects=RATES_SUSPECTS)
+def rates_are_newtons(student, draw):
+    """state_derivative is the velocity and (weight + drag)/mass, for velocities in any direction."""
+    calls = [
+        given(draw.uniform(-5, 5), draw.normal(size=4) * 10 ** draw.uniform(0, 2), **parameters(draw))
+        for _ in range(20)
+    ]
+    judge_rates(student, calls, "a random state, mass, drag and gravity",
+                "draw the two forces on the particle; which way does each point when it falls?")  # fmt: skip
+
+
+@check(points=0.25, part="a", after=rates_are_newtons)
+def rates_without_drag_or_gravity(student, draw):
+    """state_derivative holds where drag or gravity, or both, are zero."""
+    for fixed in ({"drag": 0.0}, {"gravity": 0.0}, {"drag": 0.0, "gravity": 0.0}):
+        calls = [given(0.0, draw.normal(size=4) * 10, **parameters(draw, **fixed)) for _ in range(3)]
+        judge_rates(
+            student, calls, f"zero {' and '.join(fixed)}", "nothing may be divided by drag or gravity"
+        )
+
+
+def judge_rates(student, calls, kind, hint):
+    for found, call in zip(student.state_derivative.many(calls), calls, strict=True):
+        (_, state), (mass, drag, gravity) = call.args, call.kwargs.values()
+        v = state[2:]
+        expected = np.concatenate([v, -drag / mass * v - (0, gravity)])
+        scale = np.linalg.norm(v) * (1 + drag / mass) + gravity
+        expect(found, expected, within=POINTWISE, scale=scale, of="the state's derivative", unit="of v, c v/m and g",
+               kind=kind, hint=hint, at=call)  # fmt: skip
+
+
+def size(expected):
+    """The scale of each column: the largest distance and the largest speed."""
+    return np.repeat([np.abs(expected[:, :2]).max(), np.abs(expected[:, 2:]).max()], 2)
+
+
+@once
+def flights(draw, starts, **fixed):
+    """Calls that launch at t[0], and the right states."""
+    return [flight(draw, start, 0.0, fixed) for start in starts]
+
+
+@once
+def late_flights(draw, starts):
+    """Calls that launch at t = 0 and ask from a later (or earlier) time on, and the right states."""
+    return [flight(draw, start, start, {}) for start in starts]
+
+
+def flight(draw, start, since, fixed):
+    """A call with times from `start` on, of which the first is `since` the launch, and the right states."""
+    (speed, angle), known = launch(draw), parameters(draw, **fixed)
+    fade = known["drag"] / known["mass"] or 0.3
+    t = uneven(draw, draw.uniform(1, 3) / fade, 30, start)
+    return given(t, speed, angle, **known), right(t - t[0] + since, speed, angle, **known)
+
+
+def judge_states(found, cases, within, kind, hint, partial=None):
+    for states, (call, expected) in zip(found, cases, strict=True):
+        expect(states, expected, within=within, scale=size(expected), of="the state", t=call.args[0],
+               unit="of the path's size or its speed", kind=kind, hint=hint, at=call, partial=partial)  # fmt: skip
+
+
+@check(points=1, part="d", suspects=SIMULATE_SUSPECTS)
+def simulation_follows_the_motion(student, draw):
+    """simulate gives the states at uneven times, launched at t[0], whatever t[0] is."""
+    cases = flights(draw, (0.0, 3.7, -2.0, 0.0))
+    judge_states(student.simulate.many([call for call, _ in cases]), cases, SIMULATED, "a random launch",
+                 "is the first row the launch, at the origin? are the tolerances of the integrator tight enough?",
+                 partial={1e-3: 0.5})  # fmt: skip
+
+
+@check(points=0.5, part="d", after=simulation_follows_the_motion)
+def simulation_without_drag_or_gravity(student, draw):
+    """simulate goes straight on without gravity, and on a parabola without drag."""
+    for fixed in ({"drag": 0.0}, {"gravity": 0.0}, {"drag": 0.0, "gravity": 0.0}):
+        cases = flights(draw, (0.0,), **fixed)
+        judge_states(student.simulate.many([call for call, _ in cases]), cases, SIMULATED,
+                     f"zero {' and '.join(fixed)}", "nothing may be divided by drag or gravity")  # fmt: skip
+
+
+@check(points=1, part="c", suspects=TRAJECTORY_SUSPECTS)
+def trajectory_is_the_motion(student, draw):
+    """trajectory gives the states in closed form."""
+    cases = flights(draw, (0.0,) * 6) + flights(draw, (0.0,), gravity=0.0)
+    judge_states(student.trajectory.many([call for call, _ in cases]), cases, CLOSED, "a random launch",
+                 "the equations of vx and vy are linear, of first order and apart; then x and y")  # fmt: skip
+
+
+@check(points=0.25, part="c", after=trajectory_is_the_motion)
+def trajectory_counts_time_from_the_launch(student, draw):
+    """trajectory takes the launch to be at t = 0, wherever the times asked for begin."""
+    cases = late_flights(draw, (2.5, -0.5, 0.7))
+    judge_states(student.trajectory.many([call for call, _ in cases]), cases, CLOSED, "times that do not begin at 0",
+                 "the first time asked for need not be that of the launch")  # fmt: skip
+
+
+@check(points=0.75, part="c", after=trajectory_is_the_motion)
+def trajectory_with_hardly_any_drag(student, draw):
+    """trajectory keeps its digits at drag 1e-12, and at no drag at all."""
+    for drag in (0.0, *10.0 ** draw.uniform(-13, -11, 2), *10.0 ** draw.uniform(-10, -2, 8)):
+        (speed, angle), known = launch(draw), parameters(draw, drag=drag)
+        call = given(uneven(draw, draw.uniform(1, 9), 20, 0.0), speed, angle, **known)
+        cases = [(call, right(*call.args, **call.kwargs))]
+        judge_states(student.trajectory.many([call]), cases, CLOSED, "very little drag, or none",
+                     "1 - e^-s is a difference of nearly equal numbers (see numpy.expm1); y has a worse one")  # fmt: skip
+
+
+def landing(speed, angle, *, mass, drag, gravity):
+    """Time back at launch height, and the state then."""
+    vy = speed * math.sin(angle)
+    lift = drag * vy / (mass * gravity)
+
+    def height(q):
+        mean, late = means(q * lift)
+        return mean - q * late
+
+    time = brentq(height, 0.9, 2.1, xtol=1e-15, rtol=1e-15) * vy / gravity
+    return time, right(np.array([time]), speed, angle, mass=mass, drag=drag, gravity=gravity)[0]
+
+
+@once
+def landings(draw, drags, angles=None):
+    """Calls with random launches, the time of the landing, and its x."""
+    cases = []
+    for i, drag in enumerate(drags):
+        (speed, angle), known = launch(draw), parameters(draw, **({} if drag is None else {"drag": drag}))
+        call = given(speed, angle if angles is None else angles[i], **known)
+        time, state = landing(*call.args, **call.kwargs)
+        cases.append((call, time, state[0]))
+    return cases
+
+
+def judge_landings(found, cases, column, of, kind, hint):
+    for value, case in zip(found, cases, strict=True):
+        expect(value, case[column], within=ROOT, scale=case[column], of=of, unit="of itself", kind=kind, hint=hint,
+               at=case[0])  # fmt: skip
+
+
+def drag_free(speed, angle, *, gravity, **_):
+    return 2 * speed * math.sin(angle) / gravity
+
+
+TIME_SUSPECTS = [
+    suspect("the flight time without drag", flight_time=drag_free),
+    suspect("twice the time to the top; the way down takes longer than the way up",
+            flight_time=lambda speed, angle, *, mass, drag, gravity:
+            2 * mass / drag * math.log1p(drag * speed * math.sin(angle) / (mass * gravity))),
+    suspect("the drag force not divided by the mass",
+            flight_time=lambda *launch, mass, **known: landing(*launch, mass=1.0, **known)[0]),
+]  # fmt: skip
+RANGE_SUSPECTS = [
+    suspect("the range without drag", horizontal_range=lambda speed, angle, **known: speed * math.cos(angle)
+            * drag_free(speed, angle, **known)),
+    suspect("drag on the vertical component alone", horizontal_range=lambda speed, angle, **known: speed
+            * math.cos(angle) * landing(speed, angle, **known)[0]),
+    suspect("drag on the horizontal component alone", horizontal_range=lambda speed, angle, **known:
+            faded(1, 0)(np.array([drag_free(speed, angle, **known)]), speed, angle, **known)[0, 0]),
+    suspect("the drag force not divided by the mass", horizontal_range=lambda *launch, mass, **known:
+            landing(*launch, mass=1.0, **known)[1][0]),
+]  # fmt: skip
+
+
+@check(points=0.75, part="c", suspects=TIME_SUSPECTS)
+def flight_ends_at_launch_height(student, draw):
+    """flight_time is when y is zero again."""
+    cases = landings(draw, (None,) * 12)
+    judge_landings(student.flight_time.many([case[0] for case in cases]), cases, 1, "the flight time",
+                   "a random launch", "put the time into the y of your closed form; is it zero?")  # fmt: skip
+
+
+@check(points=0.5, part="c", after=flight_ends_at_launch_height)
+def flight_time_with_hardly_any_drag(student, draw):
+    """flight_time goes over into 2 v sin(angle)/g without losing its digits."""
+    cases = landings(draw, (0.0, 1e-12, *10.0 ** draw.uniform(-11, -2, 12)))
+    judge_landings(student.flight_time.many([case[0] for case in cases]), cases, 1, "the flight time",
+                   "very little drag, or none", "near its branch point Lambert's W has half of its digits only; "
+                   "a step of Newton's method, on an equation that is good without drag, brings them back")  # fmt: skip
+
+
+@check(points=0.25, part="c", after=flight_ends_at_launch_height)
+def flight_time_with_great_drag_and_straight_up(student, draw):
+    """flight_time holds for launches straight up, nearly flat ones, and drag a thousand times the weight."""
+    cases = landings(
+        draw, (None, None, *10.0 ** draw.uniform(2, 4, 4)), (math.pi / 2, 1e-3, 1.5, 1.2, 0.6, 0.3)
+    )
+    judge_landings(student.flight_time.many([case[0] for case in cases]), cases, 1, "the flight time",
+                   "great drag, or a launch straight up or nearly flat",
+                   "what is left of the equation when e^-s is nothing?")  # fmt: skip
+
+
+@check(points=0.5, part="c", suspects=RANGE_SUSPECTS)
+def range_is_where_it_lands(student, draw):
+    """horizontal_range is x at the flight time."""
+    cases = landings(draw, (None,) * 12)
+    judge_landings(student.horizontal_range.many([case[0] for case in cases]), cases, 2, "the range",
+                   "a random launch", "put the flight time into the x of your closed form")  # fmt: skip
+
+
+@check(points=0.5, part="c", after=range_is_where_it_lands)
+def range_with_hardly_any_drag(student, draw):
+    """horizontal_range goes over into v^2 sin(2 angle)/g without losing its digits."""
+    cases = landings(draw, (0.0, 1e-12, *10.0 ** draw.uniform(-11, -2, 12)))
+    judge_landings(student.horizontal_range.many([case[0] for case in cases]), cases, 2, "the range",
+                   "very little drag, or none", "is it the time or x that has lost its digits?")  # fmt: skip
+
+
+def best(swiftness):
+    """The angle of the largest range, for swiftness = c v/(m g): it lands at right angles to the launch.
+
+    The derivative of the range by the angle is x_a - x_t y_a/y_t with (x_a, y_a) along (-vy, vx) of the launch and
+    (x_t, y_t) the velocity at the landing.
+    """
+
+    def cosine(log_angle):
+        angle = math.exp(log_angle)
+        _, (_, _, vx, vy) = landing(swiftness, angle, mass=1.0, drag=1.0, gravity=1.0)
+        return (math.cos(angle) * vx + math.sin(angle) * vy) / swiftness
+
+    return math.exp(brentq(cosine, math.log(1e-10), math.log(1.0), xtol=1e-14))
+
+
+@once
+def best_angles(draw, swiftnesses):
+    """Calls for the best angle, and that angle."""
+    cases = []
+    for swiftness in swiftnesses:
+        known = parameters(draw)
+        speed = swiftness * known["mass"] * known["gravity"] / known["drag"]
+        cases.append((given(speed, **known), best(swiftness)))
+    return cases
+
+
+BEST_SUSPECTS = [
+    suspect("45 degrees always, which holds without drag alone", best_angle=lambda *_, **__: math.pi / 4),
+    suspect("an angle in degrees", best_angle=lambda speed, *, mass, drag, gravity: math.degrees(
+        best(drag * speed / (mass * gravity)))),
+    suspect("the drag force not divided by the mass", best_angle=lambda speed, *, mass, drag, gravity:
+            best(drag * speed / gravity)),
+]  # fmt: skip
+
+
+@check(points=0.75, part="a", suspects=BEST_SUSPECTS)
+def best_angle_has_the_largest_range(student, draw):
+    """best_angle maximises the range, for speeds below and above the terminal speed."""
+    cases = best_angles(draw, tuple(10.0 ** draw.uniform(-1, 2, 6)))
+    for angle, (call, expected) in zip(
+        student.best_angle.many([case[0] for case in cases]), cases, strict=True
+    ):
+        expect(angle, expected, within=ANGLE, of="the best angle", unit="rad", at=call,
+               kind="a speed from a tenth to a hundred times the terminal speed",
+               hint="compute the range a little above and below your angle: both must be smaller")  # fmt: skip
+
+
+@check(points=0.25, part="a", after=best_angle_has_the_largest_range)
+def best_angle_is_45_degrees_without_drag(student, draw):
+    """best_angle is 45 degrees at no drag, and next to it at very little."""
+    calls = [given(launch(draw)[0], **parameters(draw, drag=drag)) for drag in (0.0, 1e-12, 1e-10)]
+    for angle, call in zip(student.best_angle.many(calls), calls, strict=True):
+        expect(angle, math.pi / 4, within=ANGLE, of="the best angle", unit="rad", at=call,
+               kind="hardly any drag, or none",
+               hint="does your equation for the angle still hold when drag is zero?")  # fmt: skip
+
+
+@check(points=0.5, part="a", after=best_angle_has_the_largest_range)
+def best_angle_at_a_huge_speed(student, draw):
+    """best_angle goes to zero as the speed grows, and stays good to 1 % of itself."""
+    cases = best_angles(draw, tuple(10.0 ** draw.uniform(4, 7, 5)))
+    for angle, (call, expected) in zip(
+        student.best_angle.many([case[0] for case in cases]), cases, strict=True
+    ):
+        expect(angle / expected, 1.0, within=SWIFT, of="the best angle", unit="of itself", at=call, kind="a huge speed",
+               hint="the largest range is very flat there: solve for where its derivative vanishes, and for a small "
+               "angle look on a logarithmic scale")  # fmt: skip
+
+
+def fast_corners(angle):
+    """Corners of the path at a speed of 1e12 times the terminal speed: launch, end of the drag's work, landing."""
+    speed, known = 1e12, {"mass": 1.0, "drag": 1.0, "gravity": 1.0}
+    times = np.array([0.0, 40.0, speed * math.sin(angle)])  # e^-40 is nothing, and 40/1e12 too
+    return right(times, speed, angle, **known)[:, :2] / speed
+
+
+def corners(*points):
+    """A wrong limit_shape with these corners; each takes cosine and sine of the angle."""
+    return lambda angle: np.array([point(math.cos(angle), math.sin(angle)) for point in points], float)
+
+
+def start(c, s):
+    return 0, 0
+
+
+SHAPE_SUSPECTS = [
+    suspect("a parabola, as if the drag did not matter at high speed",
+            limit_shape=corners(start, lambda c, s: (c * s, s * s / 2), lambda c, s: (2 * c * s, 0))),
+    suspect("a path as long on its way down as up",
+            limit_shape=corners(start, lambda c, s: (c, s), lambda c, s: (2 * c, 0))),
+    suspect("the corners from the landing to the launch",
+            limit_shape=corners(lambda c, s: (c, 0), lambda c, s: (c, s), start)),
+    suspect("the angle measured from the vertical",
+            limit_shape=corners(start, lambda c, s: (s, c), lambda c, s: (s, 0))),
+]  # fmt: skip
+
+
+@check(points=1, part="b", suspects=SHAPE_SUSPECTS)
+def path_at_a_huge_speed_has_the_limit_shape(student, draw):
+    """limit_shape has the corners that a path has at a speed of 1e12 terminal speeds."""
+    angles = [*draw.uniform(0.1, 1.5, 6), math.pi / 2]
+    for found, angle in zip(
+        student.limit_shape.many([given(angle) for angle in angles]), angles, strict=True
+    ):
+        expect(found, fast_corners(angle), within=CORNER, of="a corner", unit="m v/c", at=angle, kind="a random angle",
+               hint="plot your closed form at 10, 100 and 1000 times the terminal speed, in units of m v/c; launch and "
+               "return to launch height are corners too")  # fmt: skip
+
+
+@check(points=1, part="e")
+def both_paths_are_drawn(student, draw):
+    """plot_comparison draws both paths from t[0] to t[-1] on the same axes, at the same scale."""
+    (speed, angle), known = launch(draw), parameters(draw)
+    t = np.linspace(0.0, 2.5 * known["mass"] / known["drag"], 200)
+    picture = student.plot_comparison.draw(t, speed, angle, **known)
+    paths = [line.points for line in picture.lines]
+    expect_that(len(paths) == 2, f"there are {len(paths)} curves on the axes, not two")
+    fine = right(np.linspace(0.0, t[-1], 20001), speed, angle, **known)[:, :2]
+    for path in paths:
+        judge_path(path, fine)
+    expect_that("(m)" in picture.xlabel.split() and "(m)" in picture.ylabel.split(),
+                "the axes are not labelled with their unit, as in x (m)")  # fmt: skip
+    expect_that(picture.equal_aspect, "x and y are not drawn at the same scale")
+
+
+def judge_path(path, fine):
+    """A line must begin and end where the motion does, have its points on the path, and be smooth."""
+    scale = np.abs(fine).max()
+    expect_that(len(path) >= 10, "a curve has fewer than ten points")
+    expect(path[[0, -1]], fine[[0, -1]], within=DRAWN, scale=scale, of="an end of a curve", unit="of the path's size",
+           hint="draw from t[0] to t[-1]")  # fmt: skip
+    expect(path[:, 1], np.interp(path[:, 0], *fine.T), within=DRAWN, scale=scale, of="a curve",
+           unit="of the path's size", hint="x to the right, y up")  # fmt: skip
+    expect_that(np.diff(path, axis=0).max() <= 0.2 * scale, "a curve has a gap")
