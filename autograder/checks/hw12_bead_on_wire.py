@@ -1,0 +1,400 @@
+"""Hidden checks of hw12. What is right comes from curvature and arc length of the wire, and from elliptic integrals."""
+
+import math
+
+import numpy as np
+from scipy.integrate import solve_ivp
+from scipy.special import ellipe, ellipeinc, ellipk
+
+from tam570_grader import array, check, expect, formula, given, number, once, rows, suspect
+
+RESULTS = {
+    "lagrangian": formula("x", "v", "m", "c", "g"),
+    "lagrange_equation": formula("x", "v", "c", "g"),
+    "acceleration_newton": number,
+    "constraint_force": array(2),
+    "energy": number,
+    "simulate": rows(2),
+    "period": number,
+}
+NEEDS = ("numpy", "scipy.integrate", "scipy.special", "sympy")
+OFF_LIMITS = {"*": ("tam570.lagrange",)}
+
+POINTWISE = 1e-8  # a few roundings make 1e-15, a derivative by central differences 1e-10
+TRAJECTORY = 2e-5  # LSODA at rtol 1e-9, atol 1e-9 is off by 1e-6 after three periods, RK45 and DOP853 by less
+ENERGY = 1e-5  # the same solvers lose 1e-6 of it in thirty periods
+PERIOD = 1e-6  # a quadrature with a singular end, or an event of a simulation, is good to 1e-8
+
+
+def acceleration(x, v, *, curvature, gravity):
+    """x'' from the acceleration along the wire, which is that of gravity, and the turning of the tangent."""
+    angle = math.atan(2 * curvature * x)  # of the wire
+    speed = v / math.cos(angle)
+    turning = 2 * curvature * math.cos(angle) ** 3 * speed  # rate of the angle: bend of the wire times speed
+    return -gravity * math.sin(angle) * math.cos(angle) - speed * math.sin(angle) * turning
+
+
+def normal_force(x, v, *, mass, curvature, gravity):
+    """Size of the force of the wire: mass times speed^2 over the radius of curvature, and the weight's share."""
+    angle = math.atan(2 * curvature * x)
+    bend = 2 * curvature * math.cos(angle) ** 3
+    return mass * (bend * (v / math.cos(angle)) ** 2 + gravity * math.cos(angle))
+
+
+def energies(x, v, *, mass, curvature, gravity):
+    """Kinetic and potential energy, from the velocity as a vector."""
+    velocity = np.array([v, 2 * curvature * x * v])
+    return mass * velocity @ velocity / 2, mass * gravity * curvature * x**2
+
+
+def bead_of(point):
+    """The state and the wire for which the symbols stand."""
+    return (point["x"], point["v"]), {"curvature": point["c"], "gravity": point["g"]}
+
+
+def equation_suspect(says, wrong):
+    """An acceleration wrong(slope, c, v, g) in place of the right one."""
+
+    def newton(x, v, *, curvature, gravity):
+        return wrong(2 * curvature * x, curvature, v, gravity)
+
+    def lagrange(points):
+        return [newton(*state, **wire) for state, wire in map(bead_of, points)]
+
+    def simulate(t, x, v, **wire):
+        found = solve_ivp(
+            lambda _, y: (y[1], newton(*y, **wire)), (t[0], t[-1]), (x, v), "DOP853", t, rtol=1e-9, atol=1e-9
+        )
+        return found.y.T if found.success else np.full((len(t), 2), np.inf)
+
+    return suspect(
+        says, within=1e-5, acceleration_newton=newton, lagrange_equation=lagrange, simulate=simulate
+    )
+
+
+EQUATION_SUSPECTS = [
+    equation_suspect("the kinetic energy of a flat wire, v for the speed", lambda s, c, v, g: -g * s),
+    equation_suspect("the term 4 c^2 x v^2 missing", lambda s, c, v, g: -g * s / (1 + s**2)),
+    equation_suspect("twice the term 4 c^2 x v^2, no dT/dx", lambda s, c, v, g: -s * (g + 4 * c * v**2) / (1 + s**2)),
+    equation_suspect("the slope 2 c x not squared", lambda s, c, v, g: -(g * s + c * v**2) / (1 + s)),
+    equation_suspect("c x for the slope 2 c x", lambda s, c, v, g: -s * (g + c * v**2 / 2) / (1 + s**2 / 4)),
+    equation_suspect("the sign of gravity's term reversed", lambda s, c, v, g: -s * (2 * c * v**2 - g) / (1 + s**2)),
+]  # fmt: skip
+
+
+def energy_suspect(says, kinetic, potential):
+    """Energies kinetic(slope) m v^2/2 and potential(slope) m g c x^2 in place of the right ones."""
+
+    def both(x, v, *, mass, curvature, gravity):
+        s = 2 * curvature * x
+        return kinetic(s) * mass * v**2 / 2, potential(s) * mass * gravity * curvature * x**2
+
+    def lagrangian(points):
+        found = [
+            both(*state, mass=point["m"], **wire) for point in points for state, wire in [bead_of(point)]
+        ]
+        return [kinetic - potential for kinetic, potential in found]
+
+    return suspect(says, energy=lambda x, v, **bead: sum(both(x, v, **bead)), lagrangian=lagrangian)
+
+
+ENERGY_SUSPECTS = [
+    energy_suspect("the kinetic energy of a flat wire, v for the speed", lambda s: 1, lambda s: 1),
+    energy_suspect("the slope 2 c x not squared", lambda s: 1 + s, lambda s: 1),
+    energy_suspect("c x for the slope 2 c x", lambda s: 1 + s**2 / 4, lambda s: 1),
+    energy_suspect("the sign of the potential energy reversed", lambda s: 1 + s**2, lambda s: -1),
+]
+
+
+def beads(draw):
+    """Calls at random states on flat and on steep places, some without gravity."""
+    calls = []
+    for weight in [1] * 15 + [0] * 3:
+        curvature, gravity = 10 ** draw.uniform(-1, 1), draw.uniform(1, 25)
+        x = 10 ** draw.uniform(-2, 0.6) / curvature * draw.choice([-1, 1])
+        v = draw.uniform(0.4, 2) * math.sqrt(gravity / curvature) * draw.choice([-1, 1])
+        calls.append(
+            given(x, v, mass=10 ** draw.uniform(-1, 1), curvature=curvature, gravity=gravity * weight)
+        )
+    return calls
+
+
+def massless(calls):
+    """The same calls without the mass."""
+    return [
+        given(*call.args, curvature=call.kwargs["curvature"], gravity=call.kwargs["gravity"])
+        for call in calls
+    ]
+
+
+def points_of(calls):
+    """The symbols' values for the arguments of calls."""
+    names = {"mass": "m", "curvature": "c", "gravity": "g"}
+    states = [dict(zip("xv", call.args, strict=True)) for call in calls]
+    wires = [{names[key]: value for key, value in call.kwargs.items()} for call in calls]
+    return [{**state, **wire} for state, wire in zip(states, wires, strict=True)]
+
+
+def kind_of(call, kind):
+    return kind if call.kwargs["gravity"] else "a bead without gravity"
+
+
+@check(points=1, part="a", suspects=ENERGY_SUSPECTS)
+def lagrangian_is_kinetic_less_potential(student, draw):
+    """lagrangian: T - V in x, v, m, c, g, V up to a constant."""
+    calls = beads(draw)
+    points = points_of(calls)
+    level = student.lagrangian.at([{**point, "x": 0.0, "v": 0.0} for point in points])
+    for value, call in zip(student.lagrangian.at(points) - level, calls, strict=True):
+        kinetic, potential = energies(*call.args, **call.kwargs)
+        expect(value, kinetic - potential, within=POINTWISE, scale=kinetic + potential, of="the Lagrangian",
+               unit="of T + V", kind="random numbers for the symbols", at=call,
+               hint="how fast is the bead along the wire when x changes at the rate v?")  # fmt: skip
+
+
+@check(points=1.5, part="a", suspects=EQUATION_SUSPECTS)
+def lagrange_gives_the_acceleration(student, draw):
+    """lagrange_equation: x'' in x, v, c, g alone."""
+    calls = massless(beads(draw))
+    for value, call in zip(student.lagrange_equation.at(points_of(calls)), calls, strict=True):
+        expected = acceleration(*call.args, **call.kwargs)
+        expect(value, expected, within=POINTWISE, scale=abs(expected), of="x''", unit="of itself", at=call,
+               kind="random numbers for the symbols",
+               hint="dT/dv depends on x, so its rate has a term with v; and dT/dx is not zero")  # fmt: skip
+
+
+@check(points=1.5, part="b", suspects=EQUATION_SUSPECTS)
+def newton_gives_the_acceleration(student, draw):
+    """acceleration_newton: x'' by F = m a along the tangent, as Lagrange has it."""
+    calls = massless(beads(draw))
+    for value, call in zip(student.acceleration_newton.many(calls), calls, strict=True):
+        expected = acceleration(*call.args, **call.kwargs)
+        expect(value, expected, within=POINTWISE, scale=abs(expected), of="x''", unit="of itself", at=call,
+               kind=kind_of(call, "a random state and wire"),
+               hint="differentiate y = c x^2 twice: y'' has two terms")  # fmt: skip
+
+
+def wrong_force(says, size, side=1):
+    """A force along the normal of size(m, c v^2, g) over the length of (-side slope, 1)."""
+
+    def force(x, v, *, mass, curvature, gravity):
+        slope = 2 * curvature * x
+        upward = size(mass, curvature * v**2, gravity) / (1 + slope**2)
+        return [-side * slope * upward, upward]
+
+    return suspect(says, constraint_force=force)
+
+
+FORCE_SUSPECTS = [
+    wrong_force("the force on a bead at rest, the term with v^2 missing", lambda m, bend, g: m * g),
+    wrong_force("half the term with v^2", lambda m, bend, g: m * (g + bend)),
+    wrong_force("the sign of the term with v^2 reversed", lambda m, bend, g: m * (g - 2 * bend)),
+    wrong_force("the sign of gravity reversed", lambda m, bend, g: m * (2 * bend - g)),
+]
+DIRECTION_SUSPECTS = [
+    wrong_force("the force reversed, that of the bead on the wire", lambda m, bend, g: -m * (g + 2 * bend)),
+    wrong_force("the normal tilted to the wrong side", lambda m, bend, g: m * (g + 2 * bend), side=-1),
+]
+
+
+def forces(student, draw):
+    """The student's forces, the right sizes, and the calls."""
+    calls = beads(draw)
+    sizes = [normal_force(*call.args, **call.kwargs) for call in calls]
+    return zip(student.constraint_force.many(calls), sizes, calls, strict=True)
+
+
+@check(points=0.75, part="b", suspects=FORCE_SUSPECTS)
+def force_has_the_right_size(student, draw):
+    """constraint_force: as large as carrying and turning the bead takes."""
+    for force, size, call in forces(student, draw):
+        expect(math.hypot(*force), size, within=POINTWISE, scale=size, of="the size of the force", unit="of itself",
+               kind=kind_of(call, "a random state and wire"), at=call,
+               hint="what force does a bead need at the bottom, at rest and passing by?")  # fmt: skip
+
+
+@check(points=0.5, part="b", after=force_has_the_right_size, suspects=DIRECTION_SUSPECTS)
+def force_and_weight_make_the_acceleration(student, draw):
+    """constraint_force: normal to the wire, and with the weight it is m a."""
+    for force, size, call in forces(student, draw):
+        x, v = call.args
+        mass, curvature, gravity = call.kwargs.values()
+        along_x = acceleration(x, v, curvature=curvature, gravity=gravity)
+        along_y = 2 * curvature * (x * along_x + v**2)
+        expect(force, [mass * along_x, mass * (along_y + gravity)], within=POINTWISE, scale=size, of="the force",
+               unit="of its size", kind=kind_of(call, "a random state and wire"), at=call,
+               hint="dot it with the tangent (1, 2 c x); and does it act on the bead?")  # fmt: skip
+
+
+@check(points=1, part="b", suspects=ENERGY_SUSPECTS)
+def energy_is_kinetic_and_potential(student, draw):
+    """energy: of the speed along the wire and of the height above the bottom."""
+    calls = beads(draw)
+    for value, call in zip(student.energy.many(calls), calls, strict=True):
+        expected = sum(energies(*call.args, **call.kwargs))
+        expect(value, expected, within=POINTWISE, scale=expected, of="the energy", unit="of itself", at=call,
+               kind=kind_of(call, "a random state and wire"), hint="v is not the speed along the wire")  # fmt: skip
+
+
+def inverse(function, values, low, high):
+    """Where an increasing function takes these values between low and high, by bisection."""
+    for _ in range(60):
+        middle = (low + high) / 2
+        above = function(middle) > values
+        low, high = np.where(above, low, middle), np.where(above, middle, high)
+    return (low + high) / 2
+
+
+def arc(u):
+    """Length of the parabola y = x^2/2 up to x = u."""
+    return (u * np.sqrt(1 + u**2) + np.arcsinh(u)) / 2
+
+
+def amplitude(x, v, *, curvature, gravity):
+    return math.sqrt(x**2 + (1 + (2 * curvature * x) ** 2) * v**2 / (2 * gravity * curvature))
+
+
+def exact(t, x, v, *, curvature, gravity):
+    """The motion, t = 0 at the start: x = A sin phi, where Legendre's E(phi, -(2 c A)^2) grows evenly."""
+    c, speed = curvature, v * math.hypot(1, 2 * curvature * x)
+    if gravity == 0:
+        u = 2 * c * (x + np.outer([-1, 1], abs(speed) * t))
+        u = inverse(arc, arc(2 * c * x) + 2 * c * speed * t, *u)
+        return np.column_stack([u / (2 * c), speed / np.sqrt(1 + u**2)])
+    size, rate = amplitude(x, v, curvature=c, gravity=gravity), math.sqrt(2 * gravity * c)
+    m = -((2 * c * size) ** 2)
+    grown = ellipeinc(math.atan2(x, speed / rate), m) + rate * t
+    quarter = np.floor(grown / ellipe(m)) * math.pi / 2
+    phi = inverse(lambda phi: ellipeinc(phi, m), grown, quarter, quarter + math.pi / 2)
+    return size * np.column_stack([np.sin(phi), rate * np.cos(phi) / np.sqrt(1 - m * np.sin(phi) ** 2)])
+
+
+def ride(draw, steepness):
+    """A start and a wire, with curvature times amplitude in a range, and the rate sqrt(2 g c) of small motions."""
+    curvature, gravity = 10 ** draw.uniform(-0.7, 0.7), draw.uniform(1, 25)
+    size, rate = draw.uniform(*steepness) / curvature, math.sqrt(2 * gravity * curvature)
+    angle = draw.uniform(0.5, 1.2) * draw.choice([-1, 1])
+    speed = size * rate * math.cos(angle) * draw.choice([-1, 1])
+    x = size * math.sin(angle)
+    return (x, speed / math.hypot(1, 2 * curvature * x)), {"curvature": curvature, "gravity": gravity}, rate
+
+
+def times(draw, span, rows):
+    """Uneven times over a span; they start anywhere but at zero."""
+    steps = np.concatenate([[0.0], np.cumsum(draw.uniform(0.2, 1.8, rows - 1))])
+    return draw.uniform(0.3, 0.6) * span * draw.choice([-1, 1]) + span * steps / steps[-1]
+
+
+@once
+def motion(draw, steepness, turns, rows):
+    """Times, start, wire, the exact motion, and the scales of x and v."""
+    start, wire, rate = ride(draw, steepness)
+    t = times(draw, turns / rate, rows)
+    size = amplitude(*start, **wire)
+    return t, start, wire, exact(t - t[0], *start, **wire), [size, size * rate]
+
+
+def judge_motion(student, case, kind, hint):
+    """Compare a simulation with the exact motion; half the points for a tolerance too loose."""
+    t, start, wire, expected, scale = case
+    found = student.simulate(t, *start, **wire)
+    expect(found, expected, within=TRAJECTORY, scale=scale, of="x, or v,", unit="of its largest value", t=t, kind=kind,
+           hint=hint, at=(start, wire), partial={1e-3: 0.5})  # fmt: skip
+
+
+SIMULATE_SUSPECTS = [
+    *EQUATION_SUSPECTS,
+    suspect("the given state as that at t = 0, not at t[0]", within=1e-4, simulate=exact),
+]
+
+
+@check(points=1, part="b", suspects=SIMULATE_SUSPECTS)
+def simulate_slides(student, draw):
+    """simulate: large motions, row i at t[i], row 0 the given state."""
+    judge_motion(student, motion(draw, (0.4, 1.0), 15.0, 1000), "an amplitude near 1/c",
+                 "is v the rate of x, and x'' that of part (a)? is the tolerance tight?")  # fmt: skip
+
+
+@check(points=0.5, part="b", after=simulate_slides)
+def simulate_needs_no_dense_times(student, draw):
+    """simulate: the same motion when only a few times are asked for."""
+    judge_motion(student, motion(draw, (0.4, 1.0), 15.0, 4), "few times, far apart",
+                 "the steps of the integration are not those of t")  # fmt: skip
+
+
+@check(points=0.25, part="b", after=simulate_slides)
+def simulate_without_gravity(student, draw):
+    """simulate: without gravity the bead goes along the wire at its speed."""
+    start, wire, rate = ride(draw, (0.4, 1.0))
+    wire["gravity"], t = 0.0, times(draw, 6 / rate, 30)
+    expected = exact(t - t[0], *start, **wire)
+    judge_motion(student, (t, start, wire, expected, np.max(np.abs(expected), axis=0)), "gravity 0",
+                 "is anything divided by gravity?")  # fmt: skip
+
+
+@check(points=0.25, part="b", after=simulate_slides)
+def simulate_slides_down_steep_wires(student, draw):
+    """simulate: an amplitude of many 1/c, where the bead turns sharply at the bottom."""
+    judge_motion(student, motion(draw, (5.0, 8.0), 60.0, 60), "an amplitude of several 1/c",
+                 "a step of fixed length misses the turn at the bottom")  # fmt: skip
+
+
+@check(points=0.25, part="b", after=simulate_slides)
+def simulate_keeps_the_energy(student, draw):
+    """simulate: the energy stays what it was over many periods."""
+    start, wire, rate = ride(draw, (0.4, 1.0))
+    t = times(draw, 180 / rate, 300)
+    x, v = student.simulate(t, *start, **wire).T
+    energy = (1 + (2 * wire["curvature"] * x) ** 2) * v**2 + (rate * x) ** 2
+    expect(energy / energy[0], np.ones(len(t)), within=ENERGY, of="the energy", unit="of itself", t=t,
+           kind="many periods", at=(start, wire), partial={1e-4: 0.6, 1e-2: 0.3},
+           hint="a step of fixed length, or a fixed number of them, does not do for every duration")  # fmt: skip
+
+
+def period_suspect(says, swings):
+    """`swings`: the wrong period, in units of 1/sqrt(2 g c), for 2 c A."""
+
+    def period(size, *, curvature, gravity):
+        return swings(2 * curvature * size) / math.sqrt(2 * gravity * curvature)
+
+    return suspect(says, period=period)
+
+
+PERIOD_SUSPECTS = [
+    period_suspect("the period of small amplitudes", lambda a: 2 * math.pi),
+    period_suspect("the integral of the first kind for that of the second", lambda a: 4 * ellipk(-(a**2))),
+    period_suspect("c x for the slope 2 c x", lambda a: 4 * ellipe(-(a**2) / 4)),
+    period_suspect(
+        "the first two terms of the series in the amplitude", lambda a: 2 * math.pi * (1 + a**2 / 4)
+    ),
+    period_suspect("half the period", lambda a: 2 * ellipe(-(a**2))),
+]
+
+
+def judge_periods(student, draw, steepness, kind, hint):
+    """Compare with Legendre's complete integral of the second kind."""
+    curvatures, gravities = 10 ** draw.uniform(-1, 1, len(steepness)), draw.uniform(1, 25, len(steepness))
+    calls = [
+        given(ca / curvature, curvature=curvature, gravity=gravity)
+        for ca, curvature, gravity in zip(steepness, curvatures, gravities, strict=True)
+    ]
+    for found, ca, call in zip(student.period.many(calls), steepness, calls, strict=True):
+        expected = 4 * ellipe(-4 * ca**2) / math.sqrt(2 * call.kwargs["gravity"] * call.kwargs["curvature"])
+        expect(found, expected, within=PERIOD, scale=expected, of="the period", unit="of itself", kind=kind, hint=hint,
+               at=call)  # fmt: skip
+
+
+@check(points=1, part="b", suspects=PERIOD_SUSPECTS)
+def period_is_exact(student, draw):
+    """period: exact for amplitudes near 1/c."""
+    judge_periods(student, draw, draw.uniform(0.2, 0.6, 8), "an amplitude near 1/c",
+                  "the energy gives v at every x, and dt = dx/v")  # fmt: skip
+
+
+@check(points=0.5, part="b", after=period_is_exact)
+def period_of_small_and_of_huge_amplitudes(student, draw):
+    """period: exact where the wire is almost flat and where it is almost upright."""
+    judge_periods(student, draw, 10 ** draw.uniform(-3, -2, 3), "an amplitude of some thousandths of 1/c",
+                  "is a difference of nearly equal heights taken?")  # fmt: skip
+    judge_periods(student, draw, 10 ** draw.uniform(1, 2, 4), "an amplitude of many 1/c",
+                  "a series in the amplitude, or a quadrature of fixed order, does not reach this far")  # fmt: skip
