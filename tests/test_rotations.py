@@ -118,6 +118,12 @@ def test_nearest_has_a_symmetric_stretch_left():
     assert (stretch[:, 0] + stretch[:, 1] > 0).all()
 
 
+def test_nearest_needs_no_singular_values_near_a_rotation(monkeypatch):
+    monkeypatch.setattr(np.linalg, "svd", None)
+    noisy = MATRICES + 1e-2 * DRAW.normal(size=(40, 3, 3))
+    assert largest(rotations.nearest(rotations.nearest(noisy)) - rotations.nearest(noisy)) < 4 * EPS
+
+
 @pytest.mark.parametrize("name", UNARY)
 def test_a_batch_is_its_elements(name):
     """The float path and the array path are one formula: they differ by the libraries' sines at most."""

@@ -150,6 +150,14 @@ def test_round_trips_from_a_matrix():
         assert max(np.abs(rebuilt - single).max() for rebuilt in round_trips(single)) <= ALLOWED
 
 
+def test_round_trips_next_to_half_a_turn():
+    """There a rotation vector's own rounding takes 2 eps, and its length must be right to the last digit."""
+    axes, size = DRAW.normal(size=(100_000, 3)), 10.0 ** DRAW.uniform(-14, -3, 100_000)
+    R = rotations.matrix_from_axis_angle(axes, math.pi - size)
+    assert np.abs(rotations.exp(rotations.log(R)) - R).max() <= ALLOWED
+    assert np.abs(rotations.matrix_from_axis_angle(*rotations.axis_angle_from_matrix(R)) - R).max() <= ALLOWED
+
+
 def middle_angles(sequence):
     """In gimbal lock, next to it and away from it."""
     if sequence[0] == sequence[2]:
@@ -171,18 +179,23 @@ def test_euler_angles_to_matrix_and_back(sequence):
                         assert error(back, exact(angles)) <= ALLOWED, angles
 
 
+def matrices_to_mend():
+    """Little and much noise, extreme sizes, the wrong hand."""
+    for R in rotations.exp(DRAW.normal(size=(20, 3))):
+        noise = DRAW.normal(size=(3, 3))
+        yield from (R + size * noise for size in (0, 1e-12, 1e-3, 1.0))
+        yield from (1e200 * R, 1e-200 * R, 0.3 * noise - R)
+
+
 def test_nearest_rotation():
     """Against 50 digits' singular vectors; rounding M turns the result by its condition, max stretch over sum."""
-    for noise in 0, 1e-12, 1e-3, 1.0, -1.0, 1e200, 1e-200:
-        for R in rotations.exp(DRAW.normal(size=(5, 3))):
-            M = R * noise if abs(noise) in (1e200, 1e-200) else R + abs(noise) * DRAW.normal(size=(3, 3))
-            M = -M if noise < 0 else M
-            U, stretch, Vt = mpmath.svd_r(mpmath.matrix(M.tolist()))
-            sign = mpmath.sign(mpmath.det(U * Vt))
-            reference = np.array((U * mpmath.diag([1, 1, sign]) * Vt).tolist()).reshape(3, 3)
-            condition = max(1.0, float(stretch[0] / (stretch[1] + sign * stretch[2])))
-            for nearest in singly_and_in_a_batch(rotations.nearest, M):
-                assert error(nearest, reference) <= ALLOWED * condition, M
+    for M in matrices_to_mend():
+        U, stretch, Vt = mpmath.svd_r(mpmath.matrix(M.tolist()))
+        sign = mpmath.sign(mpmath.det(U * Vt))
+        reference = np.array((U * mpmath.diag([1, 1, sign]) * Vt).tolist()).reshape(3, 3)
+        condition = max(1.0, float(stretch[0] / (stretch[1] + sign * stretch[2])))
+        for nearest in singly_and_in_a_batch(rotations.nearest, M):
+            assert error(nearest, reference) <= ALLOWED * condition, M
 
 
 @pytest.mark.parametrize("sequence", sorted(SEQUENCES))
