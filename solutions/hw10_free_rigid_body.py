@@ -1,0 +1,237 @@
+"""hw10: Free motion of a rigid body.
+
+inertia = (A, B, C) are the principal moments of inertia about the centre of mass (kg m^2); omega (3,) is the angular
+velocity in rad/s, in components along the body's principal axes; R (3, 3) takes body to space components. No moment
+acts. Axes 0, 1, 2 are those of A, B, C.
+
+Off limits in `euler_rates_313`: tam570.rotations and scipy.spatial.transform, which would answer it.
+"""
+
+import math
+
+import numpy as np
+
+__all__ = [
+    "angular_momentum",
+    "attitude_rate",
+    "energy",
+    "euler_equations",
+    "euler_rates_313",
+    "growth_rate_squared",
+    "plot_rim_paths",
+    "simulate",
+    "symmetric_solution",
+    "tumble_period",
+    "wireframe",
+    "wobble_rate",
+]
+
+
+def euler_equations(omega, *, inertia):
+    """Rate of change of omega, in body components.
+
+    omega   : (3,) rad/s, body components
+    inertia : (A, B, C) kg m^2
+    Returns (3,) rad/s^2.
+    """
+    p, q, r = omega
+    A, B, C = inertia
+    return (B - C) / A * q * r, (C - A) / B * r * p, (A - B) / C * p * q
+
+
+def attitude_rate(R, omega):
+    """Rate of change of R.
+
+    R     : (3, 3), body to space
+    omega : (3,) rad/s, body components
+    Returns (3, 3) 1/s.
+    """
+    p, q, r = omega
+    return np.asarray(R) @ np.array([[0.0, -r, q], [r, 0.0, -p], [-q, p, 0.0]])
+
+
+def euler_rates_313(angles, omega):
+    """Rates of the Euler angles of R = Rz(psi) Rx(theta) Rz(phi).
+
+    angles : (psi, theta, phi) rad
+    omega  : (3,) rad/s, body components
+    Returns (3,) rad/s, the rates of psi, theta, phi.
+    Raises ValueError where abs(sin theta) < 1e-12.
+    """
+    _, theta, phi = angles
+    p, q, r = omega
+    s = math.sin(theta)
+    if abs(s) < 1e-12:
+        raise ValueError(
+            "psi and phi turn about the same line where sin theta is 0; their rates are not determined"
+        )
+    psi_rate = (p * math.sin(phi) + q * math.cos(phi)) / s
+    theta_rate = p * math.cos(phi) - q * math.sin(phi)
+    return np.array([psi_rate, theta_rate, r - psi_rate * math.cos(theta)])
+
+
+def energy(omega, *, inertia):
+    """Kinetic energy of rotation.
+
+    omega   : (3,) rad/s, body components
+    inertia : (A, B, C) kg m^2
+    Returns J.
+    """
+    return 0.5 * sum(moment * w * w for moment, w in zip(inertia, omega, strict=True))
+
+
+def angular_momentum(R, omega, *, inertia):
+    """Angular momentum about the centre of mass, in space components.
+
+    R       : (3, 3), body to space
+    omega   : (3,) rad/s, body components
+    inertia : (A, B, C) kg m^2
+    Returns (3,) kg m^2/s.
+    """
+    return np.asarray(R) @ np.multiply(inertia, omega)
+
+
+def simulate(t, R, omega, *, inertia):
+    """Angular velocities and attitudes at the times `t`; rows 0 are those given.
+
+    t       : (n,) s
+    R       : (3, 3), body to space, at t[0]
+    omega   : (3,) rad/s, body components, at t[0]
+    inertia : (A, B, C) kg m^2
+    Returns (omegas (n, 3), rotations (n, 3, 3)).
+    """
+    from tam570.integrate import solve
+
+    # The attitude relative to the start, as a quaternion: brought to unit length at the end, it is a rotation.
+    start = [*omega, 1.0, 0.0, 0.0, 0.0]
+    states = solve(_rates, t, start, parameters={"inertia": tuple(inertia)}, rtol=TOLERANCE)
+    return states[:, :3], np.asarray(R) @ _matrices(states[:, 3:])
+
+
+def symmetric_solution(t, omega, *, inertia):
+    """(a) omega in body components at the times `t`, in closed form, of a body with A = B.
+
+    t       : (n,) s
+    omega   : (3,) rad/s, body components, at t[0]
+    inertia : (A, A, C) kg m^2
+    Returns (n, 3) rad/s.
+    """
+    p, q, r = omega
+    A, _, C = inertia
+    turned = (C - A) / A * r * (np.asarray(t) - t[0])
+    c, s = np.cos(turned), np.sin(turned)
+    return np.column_stack([p * c - q * s, q * c + p * s, np.full(len(turned), r)])
+
+
+def wobble_rate(omega, *, inertia):
+    """(a) Rate at which the symmetry axis goes round the angular momentum, of a body with A = B.
+
+    omega   : (3,) rad/s, body components, not all zero
+    inertia : (A, A, C) kg m^2
+    Returns rad/s, positive.
+    """
+    # omega = H/A plus a part along the symmetry axis, which does not move that axis.
+    return math.hypot(*np.multiply(inertia, omega)) / inertia[0]
+
+
+def growth_rate_squared(axis, spin, *, inertia):
+    """(b) Square of the rate at which a small deviation from spin about a principal axis grows.
+
+    axis    : 0, 1 or 2, the axis of A, B or C
+    spin    : rad/s about it
+    inertia : (A, B, C) kg m^2
+    Returns 1/s^2: positive where the spin is unstable; -(frequency^2) in (rad/s)^2 where it is stable.
+    """
+    about, next_one, last = (inertia[(axis + k) % 3] for k in range(3))
+    return (last - about) / next_one * ((about - next_one) / last) * spin**2
+
+
+def tumble_period(omega, *, inertia):
+    """(b) Period of omega in body components, A < B < C.
+
+    omega   : (3,) rad/s, body components
+    inertia : (A, B, C) kg m^2
+    Returns s; math.inf on the separatrix; for pure spin about axis 0 or 2 the limit of small oscillations.
+
+    The complete elliptic integral is K = pi / (2 agm(1, k')): Gauss's mean takes the complementary modulus k', which
+    keeps its digits next to the separatrix (Landau and Lifshitz, Mechanics, paragraph 37, for k).
+    """
+    A, B, C = inertia
+    p, q, r = map(abs, omega)
+    # Axis 0 or 2, whichever omega goes round: the distance from the separatrix is a difference of two squares.
+    round_0, round_2 = math.sqrt(A * (B - A)) * p, math.sqrt(C * (C - B)) * r
+    fast = math.sqrt(B * (B - A) * (C - B)) * q
+    larger = math.hypot(fast, math.sqrt(C - A) * max(round_0, round_2))
+    smaller = math.sqrt((C - A) * abs(round_2 - round_0) * (round_2 + round_0))
+    mean = _arithmetic_geometric_mean(larger, smaller)
+    return 2.0 * math.pi * math.sqrt(A * B * C) / mean if mean > 0.0 else math.inf
+
+
+def wireframe(R, *, size):
+    """Edges of a box that is centred on the origin, turned by R.
+
+    R    : (3, 3), body to space
+    size : (3,) m, lengths along the body's axes
+    Returns (12, 2, 3) m: segment i runs from [i, 0] to [i, 1].
+    """
+    half = 0.5 * np.asarray(size, dtype=float)
+    signs = np.array([[1.0, 1.0], [1.0, -1.0], [-1.0, -1.0], [-1.0, 1.0]])
+    edges = np.empty((3, 4, 2, 3))
+    for k in range(3):
+        edges[k, :, :, (k + 1) % 3] = signs[:, :1]
+        edges[k, :, :, (k + 2) % 3] = signs[:, 1:]
+        edges[k, :, :, k] = [-1.0, 1.0]
+    return (edges.reshape(12, 2, 3) * half) @ np.asarray(R).T
+
+
+def plot_rim_paths(ax, t, R, omega, *, inertia, radius):
+    """(a) Draw the paths of the body points (radius, 0, 0) and (-radius, 0, 0), seen along space z.
+
+    ax      : Matplotlib Axes
+    t       : (n,) s
+    R       : (3, 3), body to space, at t[0]
+    omega   : (3,) rad/s, body components, at t[0]
+    inertia : (A, B, C) kg m^2
+    radius  : m
+    """
+    _, rotations = simulate(t, R, omega, inertia=inertia)
+    x, y = radius * rotations[:, :2, 0].T
+    ax.plot(x, y, label="the point (radius, 0, 0)")
+    ax.plot(-x, -y, label="the point (-radius, 0, 0)")
+    ax.set(xlabel="x (m)", ylabel="y (m)", aspect="equal")
+    ax.legend()
+
+
+TOLERANCE = 1e-14  # keeps energy and angular momentum to 1e-12 over 1e3 s of a few radians a second
+
+
+def _rates(t, state, *, inertia):
+    """Rates of omega and of the quaternion (scalar first) of the attitude."""
+    p, q, r, w, x, y, z = state
+    return (
+        *euler_equations((p, q, r), inertia=inertia),
+        -0.5 * (x * p + y * q + z * r),
+        0.5 * (w * p + y * r - z * q),
+        0.5 * (w * q + z * p - x * r),
+        0.5 * (w * r + x * q - y * p),
+    )
+
+
+def _matrices(quaternions):
+    """(n, 3, 3) of quaternions (n, 4) of any length."""
+    w, x, y, z = (quaternions / np.linalg.norm(quaternions, axis=1, keepdims=True)).T
+    rows = [
+        [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)],
+        [2.0 * (x * y + w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - w * x)],
+        [2.0 * (x * z - w * y), 2.0 * (y * z + w * x), 1.0 - 2.0 * (x * x + y * y)],
+    ]
+    return np.moveaxis(np.array(rows), 2, 0)
+
+
+def _arithmetic_geometric_mean(a, b):
+    """Gauss's mean of a >= b >= 0, to the last digits; zero if b is."""
+    if b == 0.0:
+        return 0.0
+    while a - b > 1e-15 * a:
+        a, b = 0.5 * (a + b), math.sqrt(a) * math.sqrt(b)
+    return a
