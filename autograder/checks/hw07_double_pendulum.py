@@ -1,0 +1,609 @@
+"""Hidden checks of hw07. What is right comes from the motion of the two mass centres as complex numbers, x + iy, and
+d'Alembert's principle, for any bars: the known mistakes are bars of another kind.
+"""
+
+import cmath
+import math
+
+import numpy as np
+from scipy.integrate import solve_ivp
+
+from tam570_grader import (
+    array,
+    check,
+    drawing,
+    expect,
+    expect_that,
+    given,
+    group,
+    number,
+    once,
+    rows,
+    suspect,
+)
+
+RESULTS = {
+    "mass_matrix": array(2, 2),
+    "velocity_terms": array(2),
+    "gravity_terms": array(2),
+    "angular_acceleration": array(2),
+    "on_the_fly": group(array(2), array(2, 2)),
+    "energy": number,
+    "angular_momentum": number,
+    "simulate": rows(4),
+    "small_oscillation_frequencies": array(2),
+    "wireframe": array(2, 2, 2),
+    "plot_tip_path": drawing,
+}
+NEEDS = ("numpy", "scipy.integrate", "scipy.linalg")
+OFF_LIMITS = {}
+MANUAL = {"c": (2, "the special cases checked, and what they showed")}
+
+POINTWISE = 1e-8  # a few roundings make 1e-15, derivatives of energies by central differences 1e-9
+MASSLESS = 1e-6  # ten equations for unscaled unknowns, one bar 1e-9 of the other: 1e-8
+FREQUENCY = 1e-6  # an eigenvalue of a matrix that is not symmetric, next to another: 1e-9
+FOLLOWED = (
+    1e-4  # RK45, DOP853 and LSODA at rtol 1e-9, atol 1e-9 are off by 1e-5 at most, sensitive starts included
+)
+ENERGY = 1e-5  # of m g l; the same solvers lose 5e-7 of it in ten seconds
+DRAWN = 1e-3  # of the length; the path between 400 points bends by 2e-4 of it
+
+
+def kinematics(theta, omega, lengths, centre):
+    """Of each mass centre: its place, the velocities per unit of om1 and om2, the acceleration without alpha."""
+    (l1, l2), (om1, om2) = lengths, omega
+    bar1, bar2 = -1j * l1 * cmath.exp(1j * theta[0]), -1j * l2 * cmath.exp(1j * theta[1])
+    places = centre * bar1, bar1 + centre * bar2
+    levers = (centre * 1j * bar1, 0j), (1j * bar1, centre * 1j * bar2)
+    rest = -centre * om1**2 * bar1, -(om1**2) * bar1 - centre * om2**2 * bar2
+    return places, levers, rest
+
+
+def dot(a, b):
+    return (a.conjugate() * b).real
+
+
+def terms(theta, omega, masses, lengths, gravity, *, centre=1 / 2, inertia=1 / 12, sine=1, weight=1):
+    """M, f, g of bars with the mass centre at centre l and the inertia m l^2 about it; sine and weight are signs."""
+    _, (one, two), rest = kinematics(theta, omega, lengths, centre)
+    (m1, m2), (l1, l2) = masses, lengths
+    coupling = m1 * dot(one[0], one[1]) + m2 * dot(two[0], two[1])
+    M = [
+        [m1 * dot(one[0], one[0]) + m2 * dot(two[0], two[0]) + inertia * m1 * l1**2, coupling],
+        [coupling, m1 * dot(one[1], one[1]) + m2 * dot(two[1], two[1]) + inertia * m2 * l2**2],
+    ]
+    f = [sine * (m1 * dot(a, rest[0]) + m2 * dot(b, rest[1])) for a, b in zip(one, two, strict=True)]
+    g = [weight * gravity * (m1 * a.imag + m2 * b.imag) for a, b in zip(one, two, strict=True)]
+    return M, f, g
+
+
+def accelerations(theta, omega, masses, lengths, gravity, **bars):
+    M, f, g = terms(theta, omega, masses, lengths, gravity, **bars)
+    pull1, pull2 = -f[0] - g[0], -f[1] - g[1]
+    determinant = M[0][0] * M[1][1] - M[0][1] * M[1][0]
+    return (M[1][1] * pull1 - M[0][1] * pull2) / determinant, (
+        M[0][0] * pull2 - M[1][0] * pull1
+    ) / determinant
+
+
+def forces(theta, omega, masses, lengths, gravity, **bars):
+    """(2, 2): by Newton's law for bar 2, and for both bars together."""
+    al1, al2 = accelerations(theta, omega, masses, lengths, gravity, **bars)
+    _, levers, rest = kinematics(theta, omega, lengths, bars.get("centre", 1 / 2))
+    moved = [m * (lever[0] * al1 + lever[1] * al2 + a + 1j * gravity)
+             for m, lever, a in zip(masses, levers, rest, strict=True)]  # fmt: skip
+    return np.array([[sum(moved).real, sum(moved).imag], [moved[1].real, moved[1].imag]])
+
+
+def energy(theta, omega, masses, lengths, gravity, **bars):
+    (places, *_), M = (
+        kinematics(theta, omega, lengths, bars.get("centre", 1 / 2)),
+        mass_matrix(theta, masses, lengths, **bars),
+    )
+    return omega @ M @ omega / 2 + gravity * (masses[0] * places[0].imag + masses[1] * places[1].imag)
+
+
+def angular_momentum(theta, omega, masses, lengths, *, centre=1 / 2, inertia=1 / 12):
+    """Sum of r x m v and I omega."""
+    places, levers, _ = kinematics(theta, omega, lengths, centre)
+    velocities = [lever[0] * omega[0] + lever[1] * omega[1] for lever in levers]
+    orbital = [m * (r.conjugate() * v).imag for m, r, v in zip(masses, places, velocities, strict=True)]
+    return sum(orbital) + inertia * np.sum(masses * lengths**2 * omega)
+
+
+def mass_matrix(theta, masses, lengths, **bars):
+    return np.array(terms(theta, (0.0, 0.0), masses, lengths, 0.0, **bars)[0])
+
+
+def velocity_terms(theta, omega, masses, lengths, **bars):
+    return np.array(terms(theta, omega, masses, lengths, 0.0, **bars)[1])
+
+
+def gravity_terms(theta, masses, lengths, gravity, **bars):
+    return np.array(terms(theta, (0.0, 0.0), masses, lengths, gravity, **bars)[2])
+
+
+def angular_acceleration(theta, omega, masses, lengths, gravity, **bars):
+    return np.array(accelerations(theta, omega, masses, lengths, gravity, **bars))
+
+
+def on_the_fly(theta, omega, masses, lengths, gravity, **bars):
+    known = theta, omega, masses, lengths, gravity
+    return angular_acceleration(*known, **bars), forces(*known, **bars)
+
+
+def motion(t, theta, omega, masses, lengths, gravity, *, rtol=1e-11, rates=accelerations, **bars):
+    """(n, 4) states at the times t."""
+
+    def derivative(_, state):
+        th1, th2, om1, om2 = state.tolist()
+        return om1, om2, *rates((th1, th2), (om1, om2), masses, lengths, gravity, **bars)
+
+    start = np.concatenate([theta, omega])
+    found = solve_ivp(derivative, t[[0, -1]], start, method="DOP853", t_eval=t, rtol=rtol, atol=rtol)
+    return found.y.T
+
+
+def frequencies(masses, lengths, gravity, **bars):
+    """By a symmetric eigenvalue problem: M^(-1/2) K M^(-1/2)."""
+    stiffness = gravity_terms((math.pi / 2, math.pi / 2), masses, lengths, gravity, **bars)  # sin = 1
+    inverse = np.linalg.inv(np.linalg.cholesky(mass_matrix((0.0, 0.0), masses, lengths, **bars)))
+    return np.sqrt(np.linalg.eigvalsh(inverse @ np.diag(stiffness) @ inverse.T))
+
+
+def wireframe(theta, lengths):
+    elbow, tip = (lengths * np.exp(1j * (theta - math.pi / 2))).cumsum()
+    return np.array([[[0, 0], [elbow.real, elbow.imag]], [[elbow.real, elbow.imag], [tip.real, tip.imag]]])
+
+
+RIGHT = {
+    "mass_matrix": mass_matrix, "velocity_terms": velocity_terms, "gravity_terms": gravity_terms,
+    "angular_acceleration": angular_acceleration, "on_the_fly": on_the_fly, "energy": energy,
+    "angular_momentum": angular_momentum, "simulate": motion, "small_oscillation_frequencies": frequencies,
+    "wireframe": wireframe,
+}  # fmt: skip
+
+# Known mistakes
+
+BARS = {
+    "point masses at the ends of the bars; here the bars are uniform": {"centre": 1, "inertia": 0},
+    "m l^2/12 where m l^2/3 belongs": {"inertia": 1 / 12 - 1 / 4},
+    "m l^2/3 where m l^2/12 belongs": {"inertia": 1 / 3},
+    "bars without inertia about their mass centres": {"inertia": 0},
+    "the wrong sign of the sine term, that of om^2": {"sine": -1},
+    "the wrong sign of gravity": {"weight": -1},
+}
+RELATIVE = "the relative angle th2 - th1 used for th2"
+B = np.array([[1.0, 0.0], [1.0, 1.0]])  # of relative to absolute angles
+BACK = np.linalg.inv(B)
+
+
+def of_bars(name, bars):
+    """The contract's function with other bars."""
+    return lambda *args, **known: RIGHT[name](*args, **known, **bars)
+
+
+def back(name, result):
+    """A result of absolute angles turned into that of relative ones."""
+    if name == "mass_matrix":
+        return B.T @ result @ B
+    if name in ("velocity_terms", "gravity_terms"):
+        return B.T @ result
+    if name == "on_the_fly":
+        return BACK @ result[0], result[1]
+    if name == "simulate":
+        return result @ np.kron(np.eye(2), BACK.T)
+    return BACK @ result if name == "angular_acceleration" else result
+
+
+def relative(name):
+    """The contract's function for a pendulum whose second angle is taken between the bars."""
+    head = 1 if name == "simulate" else 0
+
+    def wrong(*args, **known):
+        args = [*args[:head], *(B @ arg for arg in args[head:])]
+        return back(name, RIGHT[name](*args, **known))
+
+    return wrong
+
+
+def mistakes(name, *fragments, within=1e-6):
+    """Suspects of a function: bars whose name has one of the fragments, and the relative angle."""
+    wrong = {
+        says: of_bars(name, bars) for says, bars in BARS.items() if any(part in says for part in fragments)
+    }
+    wrong[RELATIVE] = relative(name)
+    return [suspect(says, within=within, **{name: variant}) for says, variant in wrong.items()]
+
+
+INERTIA = ("point", "l^2", "without inertia")
+SIGNS = ("sine", "gravity")
+
+
+# Inputs
+
+
+def pendulum(draw, *names, **fixed):
+    """Random masses, lengths and gravity, those of these names; unequal, and not of size one."""
+    known = {"masses": 10 ** draw.uniform(-0.5, 0.7, 2), "lengths": 10 ** draw.uniform(-0.4, 0.4, 2),
+             "gravity": draw.uniform(1.5, 25.0), **fixed}  # fmt: skip
+    return {name: known[name] for name in names or known}
+
+
+def angles(draw):
+    return draw.uniform(-5, 5, 2)
+
+
+def rates(draw):
+    return draw.uniform(0.5, 5, 2) * draw.choice([-1, 1], 2)
+
+
+def moving(draw, n, *names, **fixed):
+    return [given(angles(draw), rates(draw), **pendulum(draw, *names, **fixed)) for _ in range(n)]
+
+
+def resting(draw, n, *names):
+    return [given(angles(draw), **pendulum(draw, *names)) for _ in range(n)]
+
+
+def sizes(call):
+    """Moment of inertia and square of the angular velocities, for scales."""
+    known, omega = call.kwargs, call.args[1] if len(call.args) > 1 else np.zeros(2)
+    inertia = sum(known.get("masses", (1.0,))) * np.max(known["lengths"]) ** 2
+    return inertia, np.max(omega**2) + known.get("gravity", 0.0) / np.min(known["lengths"])
+
+
+def judge(student, name, calls, scale, of, unit, hint, kind="random angles, masses and lengths"):
+    """Compare what a function gives with what is right; scale takes inertia and square of the angular velocity."""
+    for found, call in zip(getattr(student, name).many(calls), calls, strict=True):
+        expect(found, RIGHT[name](*call.args, **call.kwargs), within=POINTWISE, scale=scale(*sizes(call)), of=of,
+               unit=unit, kind=kind, hint=hint, at=call)  # fmt: skip
+
+
+# The equations of motion
+
+
+@check(points=1, part="a", suspects=mistakes("mass_matrix", *INERTIA))
+def mass_matrix_makes_the_kinetic_energy(student, draw):
+    """mass_matrix: half of omega . M omega is the kinetic energy of the two bars."""
+    judge(student, "mass_matrix", resting(draw, 15, "masses", "lengths"), lambda inertia, _: inertia, "[M]", "of m l^2",
+          "write the velocities of both mass centres by the absolute angular velocities")  # fmt: skip
+
+
+@check(points=1, part="a", suspects=mistakes("velocity_terms", "point", "sine"))
+def velocity_terms_are_centripetal(student, draw):
+    """velocity_terms: {f} of Lagrange's equations."""
+    judge(student, "velocity_terms", moving(draw, 15, "masses", "lengths"), lambda inertia, rate2: inertia * rate2,
+          "{f}", "of m l^2 omega^2", "which way does each mass centre accelerate when alpha is zero?")  # fmt: skip
+
+
+@check(points=0.75, part="a", suspects=mistakes("gravity_terms", "point", "gravity"))
+def gravity_terms_are_moments_of_the_weights(student, draw):
+    """gravity_terms: {g}, the derivatives of the potential energy by th1 and th2."""
+    judge(student, "gravity_terms", resting(draw, 15, "masses", "lengths", "gravity"),
+          lambda inertia, rate2: inertia * rate2, "{g}", "of m g l",
+          "how does the height of each mass centre change with each angle?")  # fmt: skip
+
+
+@check(points=0.75, part="a", suspects=mistakes("angular_acceleration", *INERTIA, *SIGNS))
+def accelerations_obey_the_equations(student, draw):
+    """angular_acceleration: [M]{alpha} + {f} + {g} = 0, without gravity too."""
+    calls = moving(draw, 15) + moving(draw, 3, gravity=0.0)
+    judge(student, "angular_acceleration", calls, lambda _, rate2: rate2, "alpha", "of omega^2 + g/l",
+          "put alpha back into [M]{alpha} + {f} + {g}: is it zero?")  # fmt: skip
+
+
+@once
+def nearly_massless(draw):
+    """Calls with one bar of a mass 1e-9 of the other's; the lighter bar, and what alpha goes over into."""
+    cases = []
+    for light in (1, 0):
+        for _ in range(3):
+            masses = draw.uniform(0.5, 4) * np.where(np.arange(2) == light, 1e-9, 1.0)
+            (call,) = moving(draw, 1, masses=masses)
+            cases.append((call, ("upper", "lower")[light], angular_acceleration(*call.args, **call.kwargs)))
+    return cases
+
+
+def judge_massless(found, cases):
+    for alpha, (call, light, expected) in zip(found, cases, strict=True):
+        expect(alpha, expected, within=MASSLESS, scale=sizes(call)[1], of="alpha", unit="of omega^2 + g/l",
+               kind=f"a nearly massless {light} bar", at=call,
+               hint="below a massless bar, or above one, the other moves by an equation that you know")  # fmt: skip
+
+
+@check(points=0.25, part="a", after=accelerations_obey_the_equations)
+def accelerations_with_a_nearly_massless_bar(student, draw):
+    """angular_acceleration keeps its digits when one bar has 1e-9 of the other's mass."""
+    cases = nearly_massless(draw)
+    judge_massless(student.angular_acceleration.many([case[0] for case in cases]), cases)
+
+
+def fly(student, draw, which):
+    """Compare one of the two results of on_the_fly."""
+    calls = moving(draw, 12) + moving(draw, 3, gravity=0.0)
+    for found, call in zip(student.on_the_fly.many(calls), calls, strict=True):
+        inertia, rate2 = sizes(call)
+        scale = rate2 if which == 0 else inertia / np.max(call.kwargs["lengths"]) * rate2
+        expect(found[which], on_the_fly(*call.args, **call.kwargs)[which], within=POINTWISE, scale=scale,
+               of=("alpha", "a hinge force")[which], unit=("of omega^2 + g/l", "of m (l omega^2 + g)")[which],
+               kind="random angles, masses and lengths", at=call, hint=FLY_HINTS[which])  # fmt: skip
+
+
+FLY_HINTS = (
+    "two bars with three equations each, and two hinges with two constraints each: ten unknowns",
+    "hanging at rest, the ceiling carries both weights, and bar 1 carries bar 2: which rows, which signs?",
+)
+
+
+def other_forces(change):
+    def wrong(*args, **known):
+        alpha, hinges = on_the_fly(*args, **known)
+        return alpha, change(hinges, known["masses"], known["gravity"])
+
+    return wrong
+
+
+FORCE_SUSPECTS = [
+    suspect(says, on_the_fly=other_forces(change))
+    for says, change in {
+        "the force of bar 2 on bar 1 in the second row": lambda F, *_: F * [[1], [-1]],
+        "the forces of the bars on the ceiling and of bar 2 on bar 1": lambda F, *_: -F,
+        "the two rows swapped": lambda F, *_: F[::-1],
+        "rows and columns swapped": lambda F, *_: F.T,
+        "forces without the weights": lambda F, m, g: F - [[0, (m[0] + m[1]) * g], [0, m[1] * g]],
+        "in the first row the resultant of bar 1's hinges": lambda F, *_: np.array([F[0] - F[1], F[1]]),
+    }.items()
+]
+
+
+@check(points=0.5, part="a", suspects=mistakes("on_the_fly", *INERTIA, *SIGNS))
+def free_bars_accelerate_as_lagranges(student, draw):
+    """on_the_fly: alpha from two free bars and two hinge constraints."""
+    fly(student, draw, 0)
+
+
+@check(points=0.75, part="a", suspects=FORCE_SUSPECTS, after=free_bars_accelerate_as_lagranges)
+def hinge_forces_balance(student, draw):
+    """on_the_fly: with the hinge forces and the weights each bar obeys Newton's law."""
+    fly(student, draw, 1)
+
+
+@check(points=0.25, part="a", after=free_bars_accelerate_as_lagranges)
+def free_bars_with_a_nearly_massless_one(student, draw):
+    """on_the_fly keeps its digits when one bar has 1e-9 of the other's mass."""
+    cases = nearly_massless(draw)
+    judge_massless([alpha for alpha, _ in student.on_the_fly.many([case[0] for case in cases])], cases)
+
+
+# Energy, angular momentum
+
+
+def raised(*args, **known):
+    """The energy with its zero at the lowest position."""
+    (m1, m2), (l1, l2) = known["masses"], known["lengths"]
+    return energy(*args, **known) + known["gravity"] * (m1 * l1 / 2 + m2 * (l1 + l2 / 2))
+
+
+def uncoupled(theta, omega, **known):
+    M = mass_matrix(theta, **known)
+    return M[0, 0] * omega[0] + M[1, 1] * omega[1]
+
+
+ENERGY_SUSPECTS = [
+    *mistakes("energy", *INERTIA),
+    suspect("the potential energy zero at the lowest position", energy=raised),
+    suspect("the sign of the potential energy reversed", energy=lambda *args, gravity, **known: energy(
+        *args, **known, gravity=-gravity)),
+    suspect("kinetic energy alone", energy=lambda *args, gravity, **known: energy(*args, **known, gravity=0.0)),
+]  # fmt: skip
+MOMENTUM_SUSPECTS = [
+    *mistakes("angular_momentum", *INERTIA),
+    suspect("the coupling left out: M11 om1 + M22 om2", angular_momentum=uncoupled),
+    suspect("the momentum conjugate to th1 alone", angular_momentum=lambda theta, omega, **known: (
+        mass_matrix(theta, **known) @ omega)[0]),
+]  # fmt: skip
+
+
+@check(points=0.75, part="a", suspects=ENERGY_SUSPECTS)
+def energy_is_kinetic_and_potential(student, draw):
+    """energy: of both bars, the potential energy zero at the ceiling."""
+    judge(student, "energy", moving(draw, 12) + moving(draw, 3, gravity=0.0), lambda inertia, rate2: inertia * rate2,
+          "the energy", "of m l (l omega^2 + g)", "each bar: m v^2/2, I omega^2/2, m g y of its centre")  # fmt: skip
+
+
+@check(points=0.75, part="a", suspects=MOMENTUM_SUSPECTS)
+def angular_momentum_is_about_the_ceiling(student, draw):
+    """angular_momentum: of both bars, about the ceiling hinge."""
+    judge(student, "angular_momentum", moving(draw, 15, "masses", "lengths"),
+          lambda inertia, rate2: inertia * math.sqrt(rate2), "the angular momentum", "of m l^2 omega",
+          "each bar: r x m v of its mass centre, r from the ceiling hinge, and I omega")  # fmt: skip
+
+
+# Motion
+
+
+def uneven(draw, span, n, start):
+    """n times of uneven spacing from `start` on."""
+    steps = np.concatenate([[0.0], np.cumsum(draw.uniform(0.2, 1.8, n - 1))])
+    return start + span * steps / steps[-1]
+
+
+@once
+def motions(draw, starts):
+    """Calls with random starts, times from `starts` on for a period or so, and the right states."""
+    cases = []
+    for start in starts:
+        known = pendulum(draw)
+        time = math.sqrt(np.max(known["lengths"]) / known["gravity"])
+        theta, omega = draw.uniform(-2, 2, 2), draw.uniform(-1, 1, 2) / time
+        call = given(uneven(draw, draw.uniform(4, 6) * time, 40, start), theta, omega, **known)
+        cases.append((call, motion(*call.args, **call.kwargs)))
+    return cases
+
+
+@check(points=0.75, part="a", suspects=mistakes("simulate", *INERTIA, *SIGNS, within=1e-3))
+def simulation_follows_the_equations(student, draw):
+    """simulate: angles and angular velocities at uneven times, whatever t[0] is."""
+    cases = motions(draw, (0.0, 2.3, -1.7))
+    for states, (call, expected) in zip(
+        student.simulate.many([case[0] for case in cases]), cases, strict=True
+    ):
+        expect(states, expected, within=FOLLOWED, scale=np.repeat(np.abs(expected).max(0).reshape(2, 2).max(1), 2),
+               of="the state", unit="of the largest angle or angular velocity", t=call.args[0], at=call,
+               kind="a random start", hint="is the first row the start? are the tolerances of the integrator tight?",
+               partial={1e-2: 0.5})  # fmt: skip
+
+
+def drift(states, known):
+    """Energy along a motion, from its start, relative to m g l of both bars; the bars may be without gravity."""
+    values = np.array([energy(state[:2], state[2:], **known) for state in states])
+    return values - values[0]
+
+
+@check(points=0.5, part="a", after=simulation_follows_the_equations)
+def energy_is_conserved_from_horizontal(student, draw):
+    """simulate: from (pi/2, pi/2) at rest the energy stays for ten seconds."""
+    known = pendulum(draw, masses=draw.uniform(0.5, 2.0, 2), lengths=draw.uniform(0.7, 1.3, 2), gravity=9.81)
+    t = uneven(draw, 10.0, 101, 0.0)
+    states = student.simulate(t, np.full(2, math.pi / 2), np.zeros(2), **known)
+    scale = 9.81 * np.sum(known["masses"]) * np.sum(known["lengths"])
+    expect_that(
+        np.ptp(states[:, 0]) > 1, "the bars do not move", kind="a start at rest, both bars horizontal"
+    )
+    expect(drift(states, known), 0.0, within=ENERGY, scale=scale, of="the energy", unit="of m g l", t=t, at=known,
+           kind="a start at rest, both bars horizontal", hint="tighter tolerances, or a smaller step",
+           partial={1e-4: 0.75, 1e-3: 0.5, 1e-2: 0.25})  # fmt: skip
+
+
+@check(points=0.25, part="a", after=simulation_follows_the_equations)
+def momentum_is_conserved_without_gravity(student, draw):
+    """simulate: without gravity energy and angular momentum stay."""
+    (call,) = moving(draw, 1, gravity=0.0)
+    t, bars = uneven(draw, 3.0, 40, 0.0), {name: call.kwargs[name] for name in ("masses", "lengths")}
+    states = student.simulate(t, *call.args, **call.kwargs)
+    values = np.array([angular_momentum(state[:2], state[2:], **bars) for state in states])
+    inertia, rate2 = sizes(call)
+    expect(values, angular_momentum(*call.args, **bars), within=ENERGY, scale=inertia * math.sqrt(rate2), t=t, at=call,
+           of="the angular momentum", unit="of m l^2 omega", kind="a pendulum without gravity",
+           hint="nothing may be divided by gravity")  # fmt: skip
+    expect(drift(states, call.kwargs), 0.0, within=ENERGY, scale=inertia * rate2, of="the energy", t=t, at=call,
+           unit="of m l^2 omega^2", kind="a pendulum without gravity")  # fmt: skip
+
+
+# Small oscillations
+
+
+FREQUENCY_SUSPECTS = [
+    *(
+        suspect(says, small_oscillation_frequencies=of_bars("small_oscillation_frequencies", bars))
+        for says, bars in BARS.items()
+        if "sign" not in says and bars != {"inertia": 1 / 12 - 1 / 4}  # it has no real frequencies
+    ),
+    suspect("frequencies in Hz", small_oscillation_frequencies=lambda **known: frequencies(**known) / (2 * math.pi)),
+    suspect("the squares of the frequencies", small_oscillation_frequencies=lambda **known: frequencies(**known) ** 2),
+    suspect("the frequencies in descending order",
+            small_oscillation_frequencies=lambda **known: frequencies(**known)[::-1]),
+]  # fmt: skip
+
+
+def judge_frequencies(student, calls, kind, hint):
+    for found, call in zip(student.small_oscillation_frequencies.many(calls), calls, strict=True):
+        known = call.kwargs
+        scale = math.sqrt(known["gravity"] / np.min(known["lengths"])) or 1.0
+        expect(found, frequencies(**known), within=FREQUENCY, scale=scale, of="a frequency", unit="of sqrt(g/l)",
+               kind=kind, hint=hint, at=call)  # fmt: skip
+
+
+@check(points=0.5, part="a", suspects=FREQUENCY_SUSPECTS)
+def small_oscillations_have_two_frequencies(student, draw):
+    """small_oscillation_frequencies: of [M]{th}'' + [K]{th} = 0 about hanging straight down."""
+    judge_frequencies(student, [given(**pendulum(draw)) for _ in range(10)], "random masses and lengths",
+                      "for small angles sin th is th, and terms with omega^2 are nothing")  # fmt: skip
+
+
+@check(points=0.25, part="a", after=small_oscillations_have_two_frequencies)
+def frequencies_in_special_cases(student, draw):
+    """small_oscillation_frequencies: equal bars, a nearly massless bar, no gravity."""
+    length, heavy = draw.uniform(0.5, 2), draw.uniform(0.5, 2)
+    special = {
+        "equal bars": {"masses": np.full(2, heavy), "lengths": np.full(2, length)},
+        "a nearly massless lower bar": {
+            "masses": heavy * np.array([1.0, 1e-9]),
+            "lengths": length * np.array([1, 1.6]),
+        },
+        "a nearly massless upper bar": {"masses": heavy * np.array([1e-9, 1.0])},
+        "no gravity": {"gravity": 0.0},
+    }
+    for kind, fixed in special.items():
+        judge_frequencies(student, [given(**pendulum(draw, **fixed))], kind, "what should this case give?")
+
+
+# Pictures
+
+
+def turned(theta, lengths, *, x, y):
+    """The wireframe with other unit vectors along the bars."""
+    ends = np.cumsum(
+        np.array([[length * x(th), length * y(th)] for th, length in zip(theta, lengths, strict=True)]), 0
+    )
+    return np.array([[np.zeros(2), ends[0]], ends])
+
+
+WIRE_SUSPECTS = [
+    suspect(RELATIVE, wireframe=relative("wireframe")),
+    suspect("y pointing down", wireframe=lambda theta, lengths: turned(theta, lengths, x=math.sin, y=math.cos)),
+    suspect("angles from the x axis", wireframe=lambda theta, lengths: turned(theta, lengths, x=math.cos, y=math.sin)),
+    suspect("angles clockwise positive", wireframe=lambda theta, lengths: wireframe(-theta, lengths)),
+    suspect("both bars at the ceiling hinge", wireframe=lambda theta, lengths: wireframe(theta, lengths)
+            - [[[0, 0], [0, 0]], [wireframe(theta, lengths)[0, 1]] * 2]),
+]  # fmt: skip
+
+
+@check(points=0.5, part="a", suspects=WIRE_SUSPECTS)
+def wireframe_shows_the_bars(student, draw):
+    """wireframe: ceiling hinge to elbow, elbow to tip."""
+    judge(student, "wireframe", [given(angles(draw), lengths=10 ** draw.uniform(-0.4, 0.4, 2)) for _ in range(8)],
+          lambda *_: 1.0, "an end of a bar", "m", "theta zero is down, a small positive angle to the right")  # fmt: skip
+
+
+@once
+def tip_path(draw):
+    """A call, and the right path of the tip."""
+    known = pendulum(draw)
+    time = math.sqrt(np.max(known["lengths"]) / known["gravity"])
+    t = np.linspace(0.0, 4 * time, 401)
+    call = given(t, draw.uniform(1, 2, 2) * draw.choice([-1, 1], 2), draw.uniform(-1, 1, 2) / time, **known)
+    return call, np.array(
+        [wireframe(state[:2], known["lengths"])[1, 1] for state in motion(*call.args, **call.kwargs)]
+    )
+
+
+@check(points=0.5, part="d")
+def tip_path_is_drawn(student, draw):
+    """plot_tip_path draws the tip's path from t[0] to t[-1], at equal scales."""
+    call, tips = tip_path(draw)
+    picture = student.plot_tip_path.draw(*call.args, **call.kwargs)
+    curves = [line.points for line in picture.lines if len(line.points) > 10]
+    expect_that(len(curves) == 1, f"there are {len(curves)} curves on the axes, not one")
+    scale, (curve,) = np.sum(call.kwargs["lengths"]), curves
+    expect(curve[[0, -1]], tips[[0, -1]], within=DRAWN, scale=scale, of="an end of the curve", unit="of l1 + l2",
+           hint="it begins at the tip's place at t[0] and ends at that at t[-1]", at=call)  # fmt: skip
+    for points, path, of in (
+        (curve, tips, "a point of the curve"),
+        (tips, curve, "a point that the tip passes"),
+    ):
+        expect(distances(points, path), 0.0, within=10 * DRAWN if of.endswith("passes") else DRAWN, scale=scale, of=of,
+               unit="of l1 + l2", hint="is it the tip of bar 2?", at=call)  # fmt: skip
+    expect_that("(m)" in picture.xlabel.split() and "(m)" in picture.ylabel.split(),
+                "the axes are not labelled with their unit, as in x (m)")  # fmt: skip
+    expect_that(picture.equal_aspect, "x and y are not drawn at the same scale")
+
+
+def distances(points, path):
+    """(n,) distance of each point from the nearest segment of the path."""
+    steps = np.diff(path, axis=0)
+    from_starts = points[:, None] - path[None, :-1]
+    along = np.sum(from_starts * steps, -1) / np.maximum(np.sum(steps**2, -1), 1e-300)
+    off = from_starts - np.clip(along, 0, 1)[..., None] * steps
+    return np.sqrt(np.min(np.sum(off**2, -1), 1))
