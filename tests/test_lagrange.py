@@ -235,6 +235,28 @@ def test_nothing_is_computed_twice_and_no_zero_is_carried():
     assert "return (u, v, w, 0.0, 0.0, 0.0)" in free
 
 
+def test_a_factor_of_every_term_is_left_out():
+    """The bead's mass: zero will do, and nothing is multiplied by it."""
+    place, speed = 0.3, -0.4
+    heavy, light = (bead_on_wire().rhs(0.0, (place, speed), m=mass, c=0.4, g=9.81) for mass in (1.3, 0.0))
+    assert heavy == light
+
+
+def test_powers_roots_and_constants_are_printed_as_they_are():
+    """A potential of everything the printer writes in its own way; its slope by SymPy's own 30 digits."""
+    V = (
+        sympy.pi / (x + c) ** 2
+        + sympy.sqrt(x) / x**3
+        + sympy.exp(1) * (x - c) ** 4
+        + sympy.atan2(x, c)
+        + 1 / x
+    )
+    rhs = built(v**2 / 2 - V, [x], [v]).rhs
+    for place, curve in DRAW.uniform(0.5, 2, (5, 2)):
+        slope = float(sympy.diff(V, x).evalf(30, subs={x: place, c: curve}))
+        assert rhs(0.0, (place, 0.0), c=curve)[1] == pytest.approx(-slope, rel=SAME)
+
+
 def test_traceback_and_inspect_show_the_line():
     import inspect
 
@@ -249,6 +271,11 @@ def test_traceback_and_inspect_show_the_line():
         (lambda: lagrange.source(m * v**2, [x, y], [v, w]), "^lagrangian: the mass matrix is singular"),
         (lambda: lagrange.source((v + w) ** 2, [x, y], [v, w]), "^lagrangian: the mass matrix is singular"),
         (lambda: lagrange.source(m * v**2, [x], [v], constraints=[v**2 - 1]), "^constraints must be linear"),
+        (lambda: lagrange.source(m * v**2, [x], [v], constraints=[t]), "^constraints are not independent"),
+        (
+            lambda: lagrange.source(u**2 + v**2, [x, y], [u, v], constraints=[x * y, x * v + y * u]),
+            "^constraints are not independent",
+        ),
         (lambda: lagrange.source(symbols("lambda") * v**2, [x], [v]), "'lambda' cannot be a name"),
         (lambda: lagrange.source(m * v**2, [t], [v]), "'t' stands for two"),
         (lambda: lagrange.source(v**2 - sympy.Heaviside(x) * x, [x], [v]), "no function of math computes"),

@@ -45,7 +45,7 @@ def source(
     forces      : n generalised forces that the Lagrangian does not hold; none if empty
     time        : the symbol of time, "t" if not given
     Parameters are the other symbols; they become keyword arguments. ValueError if a name cannot be one, if a
-    coordinate has no inertia of its own, or if a constraint is not linear in the velocities.
+    coordinate has no inertia of its own, or if the constraints are not linear in the velocities or not independent.
     """
     from tam570.lagrange import _derivation, _writing  # SymPy only where it is needed
 

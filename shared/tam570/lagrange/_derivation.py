@@ -42,12 +42,13 @@ def motion(
     given = tuple(sympy.sympify(constraint) for constraint in constraints)
     holonomic = tuple(c for c in given if not c.has(*v))
     rates = tuple(c if c.has(*v) else _carried(c, q, v, t) for c in given)
-    matrix = tuple(tuple(sympy.diff(rate, w) for w in v) for rate in rates)
-    if any(entry.has(*v) for row in matrix for entry in row):
+    matrix = sympy.Matrix(len(rates), len(v), [sympy.diff(rate, w) for rate in rates for w in v])
+    if matrix.has(*v):
         raise ValueError("constraints must be linear in the velocities")
     momenta = [sympy.diff(L, w) for w in v]
     mass = sympy.Matrix([[sympy.simplify(sympy.diff(p, w)) for w in v] for p in momenta])
     _check_inertia(mass)
+    _check_independence(matrix)
     used = set().union(*(e.free_symbols for e in (L, *Q, *given)))
     return Motion(
         time=t,
@@ -58,7 +59,7 @@ def motion(
         forcing=tuple(
             sympy.diff(L, x) - _carried(p, q, v, t) + f for x, p, f in zip(q, momenta, Q, strict=True)
         ),
-        matrix=matrix,
+        matrix=tuple(map(tuple, matrix.tolist())),
         bias=tuple(_carried(rate, q, v, t) for rate in rates),
         errors=holonomic + rates,
         energy=sum((p * w for p, w in zip(momenta, v, strict=True)), -L),
@@ -78,8 +79,18 @@ def _check_lengths(q: Sequence[Symbol], v: Sequence[Symbol], forces: Sequence[Ex
 
 
 def _check_inertia(mass: Expression) -> None:
-    """The mass matrix, at some numbers, is not singular."""
-    numbers = {s: sympy.Rational(17 + i, 13) for i, s in enumerate(sorted(mass.free_symbols, key=str))}
-    at_numbers = mass.subs(numbers).evalf(30)
-    if abs(at_numbers.det()) <= 1e-20 * at_numbers.norm() ** len(mass.row(0)):  # 30 digits' rounding
+    if _rank(mass) < mass.rows:
         raise ValueError("lagrangian: the mass matrix is singular; a coordinate has no inertia of its own")
+
+
+def _check_independence(matrix: Expression) -> None:
+    if _rank(matrix) < matrix.rows:
+        raise ValueError("constraints are not independent: leave out what follows from the others")
+
+
+def _rank(matrix: Expression) -> int:
+    """The rank at some numbers, in 30 digits."""
+    numbers = {s: sympy.Rational(17 + i, 13) for i, s in enumerate(sorted(matrix.free_symbols, key=str))}
+    at_numbers = matrix.subs(numbers).evalf(30)
+    negligible = 1e-20 * at_numbers.norm()  # far above the rounding of 30 digits
+    return int(at_numbers.rank(iszerofunc=lambda x: abs(x) <= negligible))

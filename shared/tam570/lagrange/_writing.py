@@ -68,7 +68,7 @@ def _solution(motion: Motion, lines: Lines) -> tuple[list[Number], list[Number]]
     """Accelerations and multipliers, lam from A M^-1 A^T lam = -(bias + A M^-1 F)."""
     n, c = len(motion.coordinates), len(motion.matrix)
     entries = [*sum(motion.mass, ()), *motion.forcing, *sum(motion.matrix, ()), *motion.bias]
-    numbers = iter(_named(lines, _texts(lines, entries)))
+    numbers = iter(_named(lines, _texts(lines, entries if c else _cancelled(entries, motion.parameters))))
     mass = [[next(numbers) for _ in range(n)] for _ in range(n)]
     forcing = [next(numbers) for _ in range(n)]
     matrix = [[next(numbers) for _ in range(n)] for _ in range(c)]
@@ -81,6 +81,18 @@ def _solution(motion: Motion, lines: Lines) -> tuple[list[Number], list[Number]]
     (multipliers,) = _solved(lines, compliance, [_named(lines, missing)])
     rows = zip(free, *pushed, strict=True)
     return _named(lines, [_sum(_products(row, ["1", *multipliers])) for row in rows]), multipliers
+
+
+def _cancelled(entries: Sequence[Expression], parameters: Sequence[Expression]) -> list[Expression]:
+    """The entries of M and F without the parameters that are factors of all of them, as a single mass is."""
+    factored = [sympy.factor_terms(entry) for entry in entries]
+    powers = [entry.as_powers_dict() for entry in factored if entry != 0]
+    common = [p ** _least([sympy.sympify(power.get(p, 0)) for power in powers]) for p in parameters]
+    return [entry / sympy.Mul(*common) for entry in factored]
+
+
+def _least(exponents: list[Expression]) -> Expression:
+    return min(exponents) if all(e.is_Integer for e in exponents) else 0
 
 
 def _solved(lines: Lines, matrix: System, columns: System) -> System:
