@@ -8,7 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from tam570_grader.sandbox import Allowance, isolation
+from tam570_grader.launch import isolation
+from tam570_grader.sandbox import Allowance
 
 SLUG = "hw08_axis_angle"
 ATTACKS = sorted((Path(__file__).parent / "hostile").glob("*.py"))

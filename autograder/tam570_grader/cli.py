@@ -201,7 +201,7 @@ def _with_progress(records: Iterable[Any], total: int) -> Iterator[Any]:
 
 
 def _warn_of_isolation() -> None:
-    from tam570_grader.sandbox import isolation
+    from tam570_grader.launch import isolation
 
     if isolation() != "bubblewrap":
         print(

@@ -9,8 +9,9 @@ from typing import Any
 import numpy as np
 
 from tam570_grader.check import Check, Failure, Suspect
+from tam570_grader.launch import isolation
 from tam570_grader.root import Assignment
-from tam570_grader.sandbox import Worker, WorkerLost, isolation
+from tam570_grader.sandbox import Worker, WorkerLost
 from tam570_grader.student import BudgetSpent, Call, NotLoaded, NotWritten, Source, Student
 
 __all__ = ["Mark", "Result", "failed_by_us", "graded", "not_graded"]

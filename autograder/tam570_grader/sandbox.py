@@ -1,17 +1,13 @@
 """The supervisor's side of the sandbox: starts a warm worker, opens a cell for a submission, talks to it, ends it."""
 
-import functools
 import itertools
 import json
 import math
 import os
 import select
-import shutil
 import socket
-import stat
 import struct
 import subprocess
-import sys
 import tempfile
 import time
 from collections.abc import Sequence
@@ -19,25 +15,18 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import tam570
 from tam570_grader.inside.wire import Unreadable, packed, unpacked
+from tam570_grader.launch import ENVIRONMENT, isolation, jailed_command, plain_command
 
-__all__ = ["Allowance", "Cell", "CellLost", "CellTimeout", "NoSandbox", "Worker", "WorkerLost", "isolation"]
+__all__ = ["Allowance", "Cell", "CellLost", "CellTimeout", "Worker", "WorkerLost"]
 
 LENGTH = struct.Struct(">I")
 FILE_SIZE = 2**25  # bytes a submission may write into its scratch folder
 LARGEST_REPLY = 2**26  # bytes
-BOOT = "import json, sys; sys.path += json.loads(sys.argv[2]); from inside.worker import main; main()"
 RECONSIDER = 0.25  # s between looks at a call that is late on the wall's clock
 IDLE_SHARE = 0.05  # a call that uses less than this share of a core is asleep, not slow
 PATIENCE = 6  # a call may take this many times its limit in wall time on a busy machine
 LOWEST_USER, USERS = 20_000, 40_000  # ids that belong to nobody, within what a container maps
-SYSTEM_LINKS = ("/lib", "/lib64")  # into /usr on most systems
-ENVIRONMENT = {
-    "PATH": "/usr/bin:/bin", "HOME": "/tmp", "LC_ALL": "C.UTF-8", "PYTHONHASHSEED": "0",
-    "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1",  # a second thread forbids namespaces
-    "MPLBACKEND": "agg", "MPLCONFIGDIR": "/tmp/matplotlib",
-}  # fmt: skip
 
 _serial = itertools.count(os.getpid() * 16)  # a user id for each worker
 
@@ -56,26 +45,12 @@ class CellLost(Exception):
     """The prisoner ended in the middle of a call, or sent what is no reply."""
 
 
-class NoSandbox(Exception):
-    """Submissions cannot be run here; the message says what to do."""
-
-
 class WorkerLost(Exception):
     """The worker itself has died, through no fault of a submission."""
 
 
 class CellTimeout(Exception):
     """A call took longer than it may."""
-
-
-@functools.cache
-def isolation() -> str:
-    """How submissions are kept apart: "bubblewrap", or "processes" where the namespaces are not to be had."""
-    if sys.platform != "linux" or shutil.which("bwrap") is None:
-        return "processes"
-    trial = ["bwrap", "--unshare-all", "--ro-bind", "/", "/", "true"]
-    works = subprocess.run(trial, capture_output=True, timeout=20, check=False).returncode == 0
-    return "bubblewrap" if works else "processes"
 
 
 class Worker:
@@ -87,7 +62,7 @@ class Worker:
         self._control, inside = socket.socketpair()
         self.limits = _limits(allowance)
         settings = {"limits": self.limits, "control": inside.fileno(), "preload": list(preload)}
-        command, path = _jailed(hidden) if isolation() == "bubblewrap" else _plain()
+        command, path = jailed_command(hidden) if isolation() == "bubblewrap" else plain_command()
         self._process = subprocess.Popen(
             [*command, json.dumps(settings), json.dumps(path)],
             pass_fds=[inside.fileno()], env=ENVIRONMENT, stdin=subprocess.DEVNULL,
@@ -254,72 +229,3 @@ def _limits(allowance: Allowance) -> dict[str, Any]:
         "namespaces": isolation() == "bubblewrap",
         "user": LOWEST_USER + next(_serial) % USERS if os.geteuid() == 0 else None,
     }
-
-
-def _python() -> list[str]:
-    """The interpreter below any virtual environment, with a search path that we set."""
-    return [os.path.realpath(sys._base_executable), "-s", "-S", "-P", "-B", "-c", BOOT]  # type: ignore[attr-defined]
-
-
-def _site_folders() -> list[str]:
-    return [folder for folder in sys.path if Path(folder).name in ("site-packages", "dist-packages")]
-
-
-def _plain() -> tuple[list[str], list[str]]:
-    """Command and search path of a worker without a jail."""
-    path = [*_site_folders(), str(Path(tam570.__file__).parents[1]), str(Path(__file__).parent)]
-    if os.geteuid() == 0:
-        _must_be_readable([sys.base_prefix, *path])
-    return _python(), path
-
-
-def _must_be_readable(folders: Sequence[str]) -> None:
-    """Under root, submissions run as a user that owns nothing: what they import must be open to everyone."""
-    for folder in map(Path, folders):
-        closed = [place for place in (folder, *folder.parents) if not os.stat(place).st_mode & stat.S_IXOTH]
-        if closed:
-            raise NoSandbox(
-                f"without bubblewrap, submissions run as another user than root, who may not enter {closed[-1]}: "
-                "install bubblewrap, or grade as an ordinary user"
-            )
-
-
-def _jailed(hidden: Sequence[Path]) -> tuple[list[str], list[str]]:
-    """Command and search path of a worker in bubblewrap: it sees Python, its packages and the course's utilities."""
-    sites = _site_folders()
-    course, inside = Path(tam570.__file__).parent, Path(__file__).parent / "inside"
-    shown = {
-        folder: folder for folder in [*sites, *_python_folders(), _python()[0]] if os.path.exists(folder)
-    }
-    shown |= {"/opt/course/tam570": str(course), "/opt/grader/inside": str(inside)}
-    binds = [(Path(target), ["--ro-bind", os.path.realpath(source)]) for target, source in shown.items()]
-    masks = [
-        (path, ["--tmpfs"]) for path in hidden if any(path.is_relative_to(target) for target, _ in binds)
-    ]
-    command = [
-        "bwrap",
-        "--unshare-pid",
-        "--unshare-ipc",
-        "--unshare-net",
-        "--unshare-uts",
-        "--die-with-parent",
-    ]
-    for target, mount in sorted(masks + binds, key=lambda entry: len(entry[0].parts)):
-        for parent in reversed(target.parents[:-1]):
-            command += ["--perms", "0755", "--dir", str(parent)]  # by default only root may enter it
-        command += [*mount, str(target)]
-    for folder in filter(os.path.islink, SYSTEM_LINKS):
-        command += ["--symlink", os.readlink(folder), folder]
-    command += ["--ro-bind-try", "/etc/ld.so.cache", "/etc/ld.so.cache", "--proc", "/proc", "--dev", "/dev"]
-    command += ["--dir", "/tmp", "--remount-ro", "/dev", "--remount-ro", "/", "--chdir", "/", "--"]
-    return [*command, *_python()], [*sites, "/opt/course", "/opt/grader"]
-
-
-def _python_folders() -> list[str]:
-    """Where the interpreter's own libraries and the system's are."""
-    libraries = [f"{sys.base_prefix}/{name}" for name in ("lib", "lib64")]
-    return [
-        folder
-        for folder in (*libraries, "/usr/lib", "/usr/lib64", *SYSTEM_LINKS)
-        if not os.path.islink(folder)
-    ]

@@ -101,9 +101,9 @@ def watch(prisoner: int, leash: socket.socket, lifeline: int, group: bool) -> No
         ended, status, usage = os.wait4(prisoner, os.WNOHANG)
         if ended:
             break
-        ready = select.select([leash, lifeline], [], [], POLL)[0]
+        ready, _, _ = select.select([leash.fileno(), lifeline], [], [], POLL)
         if ready:
-            _obey(leash.recv(1) if leash in ready else b"", prisoner, leash, group)
+            _obey(leash.recv(1) if leash.fileno() in ready else b"", prisoner, leash, group)
     _reap(group)
     _tell(leash, f"{status} {usage.ru_utime + usage.ru_stime:.6f}\n")
 

@@ -1,0 +1,186 @@
+"""How fast submissions are graded, and what of the time is the students' own; beside nbgrader where it is asked for.
+
+    python benchmarks/grading.py                    200 submissions of each assignment named, on all cores
+    python benchmarks/grading.py --quick            20 of each
+    python benchmarks/grading.py --peers nbgrader   the same functions and tests as a notebook, graded by nbgrader
+
+Prints a table and writes results/grading.json. Times of one run on one machine; compare them with each other.
+"""
+
+import argparse
+import json
+import os
+import resource
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+from tqdm import tqdm
+
+from tam570_grader import root
+from tam570_grader.launch import isolation
+from tam570_grader.run import Plan, records
+from tam570_grader.sandbox import Allowance, Cell
+from tam570_grader.submissions import submissions
+
+RESULTS = Path(__file__).parent / "results" / "grading.json"
+COURSE = root.find(Path(__file__).parents[1])
+
+
+def class_of(slug, count, folder):
+    """A class that hands in the right submissions of the tests, and the solution, over and over."""
+    texts = [path.read_text() for path in sorted((COURSE / "tests" / "right" / slug).glob("*.py"))]
+    texts.append((COURSE / "solutions" / f"{slug}.py").read_text())
+    for n in range(count):
+        path = folder / f"s{n:03}" / slug / f"{slug}.py"
+        path.parent.mkdir(parents=True)
+        path.write_text(texts[n % len(texts)] + f"\n# {n}\n")
+    return folder
+
+
+class Stopwatch:
+    """Time that the grader waits for the replies to calls: the students' own."""
+
+    def __init__(self):
+        self.waited = 0.0
+        self._receive = Cell.receive
+
+    def __enter__(self):
+        def receive(cell):
+            started = time.perf_counter()
+            reply = self._receive(cell)
+            if (
+                isinstance(reply, dict) and "defined" not in reply
+            ):  # that is the import, which we count as ours
+                self.waited += time.perf_counter() - started
+            return reply
+
+        Cell.receive = receive
+        return self
+
+    def __exit__(self, *exception):
+        Cell.receive = self._receive
+
+
+def graded(slug, count, jobs):
+    """Seconds, students' share and peak memory of grading a class."""
+    with tempfile.TemporaryDirectory() as folder, Stopwatch() as watch:
+        found = submissions([class_of(slug, count, Path(folder))], [slug])
+        plan = Plan(COURSE, found, 570, jobs, Allowance(), [COURSE])
+        started, cpu = time.perf_counter(), cpu_seconds()
+        done = list(tqdm(records(plan), total=count, desc=slug, leave=False, disable=None))
+        seconds = time.perf_counter() - started
+    assert all(record["score"] == record["max_score"] for record in done)
+    spent = sum(record["seconds"] for record in done)
+    memory = max(resource.getrusage(who).ru_maxrss for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN))
+    return {
+        "grader": f"tam570-grader, {isolation()}, {jobs} jobs", "assignment": slug, "submissions": count,
+        "seconds": seconds, "seconds_each": seconds / count, "cpu_seconds": cpu_seconds() - cpu,
+        "ours": 1 - watch.waited / spent, "peak_mib": memory / 1024,
+    }  # fmt: skip
+
+
+def cpu_seconds():
+    """Of this process and of the children that have ended."""
+    usages = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
+    return sum(usage.ru_utime + usage.ru_stime for usage in usages)
+
+
+def one_file(slug):
+    """Seconds from the command to the result of one file, the best of five."""
+    command = [sys.executable, "-m", "tam570_grader.cli", "grade", str(COURSE / "solutions" / f"{slug}.py")]
+    times = []
+    for _ in range(5):
+        started = time.perf_counter()
+        subprocess.run(command, check=True, capture_output=True)
+        times.append(time.perf_counter() - started)
+    return {"grader": "tam570-grader, one file from the command line", "assignment": slug, "submissions": 1,
+            "seconds": min(times), "seconds_each": min(times)}  # fmt: skip
+
+
+def nbgrader(slug, count):
+    """The same for nbgrader: the solution as a notebook with the visible tests in a locked cell."""
+    with tempfile.TemporaryDirectory() as folder:
+        course = Path(folder)
+        (course / "nbgrader_config.py").write_text(
+            f'c = get_config()\nc.CourseDirectory.course_id = "c"\nc.CourseDirectory.root = "{folder}"\n'
+        )
+        _notebook(course / "source" / slug / "work.ipynb", slug)
+        _nbgrader(course, "generate_assignment", slug, "--create")
+        for n in range(count):
+            _notebook(course / "submitted" / f"s{n:03}" / slug / "work.ipynb", slug)
+        started = time.perf_counter()
+        _nbgrader(course, "autograde", slug, "--create")
+        seconds = time.perf_counter() - started
+    return {
+        "grader": "nbgrader",
+        "assignment": slug,
+        "submissions": count,
+        "seconds": seconds,
+        "seconds_each": seconds / count,
+    }
+
+
+def _nbgrader(course, *arguments):
+    path = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"  # nbgrader starts alembic and jupyter
+    command = [sys.executable, "-m", "nbgrader", *arguments]
+    subprocess.run(command, cwd=course, check=True, capture_output=True, env={**os.environ, "PATH": path})
+
+
+def _notebook(path, slug):
+    import nbformat
+    from nbformat.v4 import new_code_cell, new_notebook
+
+    solution = (COURSE / "solutions" / f"{slug}.py").read_text()
+    tests = (COURSE / "assignments" / slug / f"test_{slug}.py").read_text()
+    plain = tests.replace(f"import {slug} as hw", "import types\nhw = types.SimpleNamespace(**globals())")
+    calls = "\n".join(
+        f"{line[4:].split('(')[0]}()"
+        for line in tests.splitlines()
+        if line.startswith("def test_") and "()" in line
+    )
+    meta = {
+        "schema_version": 3,
+        "grade": False,
+        "locked": False,
+        "solution": True,
+        "task": False,
+        "grade_id": "work",
+    }
+    lock = {**meta, "grade": True, "locked": True, "solution": False, "grade_id": "tests", "points": 10}
+    cells = [
+        new_code_cell(f"### BEGIN SOLUTION\n{solution}\n### END SOLUTION", metadata={"nbgrader": meta}),
+        new_code_cell(f"{plain}\n{calls}", metadata={"nbgrader": lock}),
+    ]
+    path.parent.mkdir(parents=True)
+    kernel = {"kernelspec": {"name": "python3", "display_name": "Python 3", "language": "python"}}
+    nbformat.write(new_notebook(cells=cells, metadata=kernel), path)
+
+
+def main():
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("--assignments", nargs="+", default=["hw08_axis_angle", "hw07_double_pendulum"])
+    parser.add_argument("--submissions", type=int, default=200)
+    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--quick", action="store_true", help="20 submissions")
+    parser.add_argument("--peers", nargs="*", choices=["nbgrader"], default=[])
+    options = parser.parse_args()
+    count = 20 if options.quick else options.submissions
+    rows = []
+    for slug in options.assignments:
+        rows += [one_file(slug), graded(slug, count, options.jobs)]
+        rows += [nbgrader(slug, 10) for _ in options.peers]
+    for row in rows:
+        ours = f"{row['ours']:6.0%} outside student code, {row['peak_mib']:.0f} MiB" if "ours" in row else ""
+        print(f"{row['assignment']:22} {row['grader']:46} {row['submissions']:4} in {row['seconds']:7.2f} s"
+              f" {row['seconds_each'] * 1000:8.1f} ms each {ours}")  # fmt: skip
+    RESULTS.parent.mkdir(exist_ok=True)
+    RESULTS.write_text(json.dumps(rows, indent=1) + "\n")
+
+
+if __name__ == "__main__":
+    main()

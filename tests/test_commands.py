@@ -1,0 +1,160 @@
+"""The students' command as a student runs it, the kit that they install, and what each command imports."""
+
+import subprocess
+import sys
+import zipfile
+
+import pytest
+
+from tam570 import cli
+from tam570.course import assignments
+from tam570_grader import cli as grader
+from tam570_grader import root
+from tam570_grader.kit import run as make_kit
+
+SLUG = "hw08_axis_angle"
+HEAVY = {"scipy", "matplotlib", "sympy", "pytest", "numba", "nbgrader", "tqdm", "hatchling", "IPython"}
+
+
+@pytest.fixture
+def desk(tmp_path, monkeypatch):
+    """A student's empty folder."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("TAM570_HOME", str(tmp_path / "home"))
+    return tmp_path
+
+
+def imported(code):
+    """The top-level modules that a fresh interpreter has loaded after running the code."""
+    text = f"import sys\n{code}\nprint(*{{name.partition('.')[0] for name in sys.modules}}, file=sys.stderr)"
+    process = subprocess.run([sys.executable, "-c", text], capture_output=True, text=True, check=True)
+    return set(process.stderr.split())
+
+
+@pytest.mark.parametrize("command", ["list", "start hw08", "hint hw08 skew"])
+def test_the_students_command_imports_no_numerical_library(desk, command):
+    code = f"from tam570.cli import main\nassert main({command.split()}) == 0"
+    assert not imported(code) & (HEAVY | {"numpy"})
+
+
+def test_grading_hw08_imports_numpy_and_nothing_heavier(desk, course):
+    path = course / "solutions" / f"{SLUG}.py"
+    code = f"from tam570_grader.cli import main\nassert main(['--root', {str(course)!r}, 'grade', {str(path)!r}]) == 0"
+    modules = imported(code)
+    assert "numpy" in modules and not modules & HEAVY
+
+
+def test_the_help_of_the_grader_imports_nothing_heavy(desk):
+    code = "from tam570_grader.cli import main\ntry: main(['grade', '--help'])\nexcept SystemExit: pass"
+    assert not imported(code) & HEAVY
+
+
+def test_every_assignment_is_listed(desk, capsys, course):
+    assert cli.main(["list"]) == 0
+    assert (
+        [line.split()[0] for line in capsys.readouterr().out.splitlines()]
+        == root.slugs(course)
+        == assignments()
+    )
+
+
+def test_start_gives_the_problem_the_stub_and_the_tests_and_overwrites_nothing(desk):
+    assert cli.main(["start", "hw08"]) == 0
+    stub = desk / SLUG / f"{SLUG}.py"
+    assert {path.name for path in stub.parent.iterdir()} >= {"README.md", stub.name, f"test_{stub.name}"}
+    stub.write_text("my work")
+    (stub.parent / "README.md").unlink()
+    assert cli.main(["start", "hw08"]) == 0
+    assert stub.read_text() == "my work" and (stub.parent / "README.md").exists()
+
+
+def checked(*arguments):
+    process = subprocess.run(
+        [sys.executable, "-m", "tam570.cli", "check", *map(str, arguments)], capture_output=True, text=True
+    )
+    return process.returncode, process.stdout + process.stderr
+
+
+def test_the_visible_tests_pass_on_the_solution_and_fail_on_the_stub(desk, slug, course):
+    code, said = checked(course / "solutions" / f"{slug}.py")
+    assert code == 0, said
+    code, said = checked(course / "assignments" / slug / f"{slug}.py")
+    assert code == 1 and "is not written yet" in said and "passed" not in said.splitlines()[-1]
+
+
+def test_check_finds_what_was_started(desk, solution_text):
+    cli.main(["start", "hw08"])
+    (desk / SLUG / f"{SLUG}.py").write_text(solution_text(SLUG))
+    assert checked()[0] == checked("hw08")[0] == checked(f"{SLUG}/{SLUG}.py")[0] == 0
+
+
+@pytest.mark.parametrize("text", ["def skew(v:", "1 / 0", "import sys; sys.exit(0)"])
+def test_a_file_that_cannot_be_imported_is_said_so(desk, text):
+    (desk / "hw08.py").write_text(text)
+    code, said = checked("hw08.py")
+    assert code == 1 and "cannot be imported" in said
+
+
+BAD = ["check", "check hw08", "check no.py", "check hw99", "start x", "hint hw08 nothing", "hint hw99"]
+
+
+@pytest.mark.parametrize("arguments", BAD)
+def test_bad_usage_exits_2_and_says_what_to_do(desk, capsys, arguments):
+    assert cli.main(arguments.split()) == 2
+    assert "tam570: error: " in capsys.readouterr().err
+
+
+def test_hints_go_one_step_further_each_time(desk, capsys):
+    said = []
+    for _ in range(3):
+        cli.main(["hint", "hw08", "skew"])
+        said.append(capsys.readouterr().out)
+    assert said[0] != said[1] == said[2] and "(1 of 2)" in said[0] and "last" in said[1]
+    cli.main(["hint", "hw08", "skew", "--again"])
+    assert capsys.readouterr().out == said[0]
+
+
+def test_stubs_are_written_and_compared(tmp_path, capsys, course):
+    for folder in ("solutions", "autograder/checks"):
+        (tmp_path / folder).mkdir(parents=True)
+        (tmp_path / folder / f"{SLUG}.py").write_text((course / folder / f"{SLUG}.py").read_text())
+    assert grader.main(["--root", str(tmp_path), "stubs", "--check"]) == 1
+    assert "run tam570-grader stubs" in capsys.readouterr().err
+    assert grader.main(["--root", str(tmp_path), "stubs"]) == 0
+    assert grader.main(["--root", str(tmp_path), "stubs", "--check"]) == 0
+
+
+@pytest.fixture(scope="module")
+def kit(tmp_path_factory, course):
+    folder = tmp_path_factory.mktemp("kit")
+    assert make_kit(course, folder) == 0
+    return folder
+
+
+def test_the_kit_holds_the_assignments_and_no_secret(kit, course):
+    (wheel,) = kit.glob("*.whl")
+    with zipfile.ZipFile(wheel) as archive:
+        names = archive.namelist()
+        texts = b"\n".join(archive.read(name) for name in names if "/grader/" not in name)
+    assert wheel.name in (kit / "README.md").read_text()
+    assert {f"tam570/assignments/{slug}/{slug}.py" for slug in root.slugs(course)} <= set(names)
+    assert not [name for name in names if "solutions" in name or "checks/" in name or "__pycache__" in name]
+    for slug in root.slugs(course):
+        first = root.assignment(course, slug).checks[0]
+        assert f"def {first.name}".encode() not in texts
+
+
+@pytest.mark.full
+def test_a_student_installs_the_kit_in_an_empty_environment_and_works(kit, tmp_path):
+    (wheel,) = kit.glob("*.whl")
+    python = tmp_path / "env" / "bin" / "python"
+    for command in (
+        [sys.executable, "-m", "venv", tmp_path / "env"],
+        [python, "-m", "pip", "install", "-q", wheel],
+        [python, "-m", "tam570.cli", "start", "hw08"],
+    ):
+        subprocess.run(command, check=True, cwd=tmp_path)
+    process = subprocess.run(
+        [python, "-m", "tam570.cli", "check", "hw08"], cwd=tmp_path, capture_output=True, text=True
+    )
+    assert process.returncode == 1 and "is not written yet" in process.stdout
