@@ -65,7 +65,7 @@ def equation_suspect(says, wrong):
         found = solve_ivp(
             lambda _, y: (y[1], newton(*y, **wire)), (t[0], t[-1]), (x, v), "DOP853", t, rtol=1e-9, atol=1e-9
         )
-        return found.y.T if found.success else np.full((len(t), 2), np.inf)
+        return found.y.T if found.success else np.full((len(t), 2), np.nan)
 
     return suspect(
         says, within=1e-5, acceleration_newton=newton, lagrange_equation=lagrange, simulate=simulate

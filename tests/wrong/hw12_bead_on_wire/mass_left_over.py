@@ -1,0 +1,10 @@
+"""A mass that does not cancel.
+
+fails: lagrange_gives_the_acceleration
+"""
+
+def lagrange_equation():
+    import sympy
+
+    x, v, c, g = sympy.symbols("x v c g")
+    return -2 * c * x * (g + 2 * c * v**2) / (1 + 4 * c**2 * x**2) * sympy.Symbol('m')

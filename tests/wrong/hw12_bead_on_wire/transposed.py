@@ -1,0 +1,10 @@
+"""(2, n) as solve_ivp has it.
+
+fails: simulate_slides
+"""
+
+_right_simulate = simulate
+
+
+def simulate(t, x, v, *, curvature, gravity):
+    return _right_simulate(t, x, v, curvature=curvature, gravity=gravity).T
