@@ -564,7 +564,7 @@ WIRE_SUSPECTS = [
 def wireframe_shows_the_bars(student, draw):
     """wireframe: ceiling hinge to elbow, elbow to tip."""
     judge(student, "wireframe", [given(angles(draw), lengths=10 ** draw.uniform(-0.4, 0.4, 2)) for _ in range(8)],
-          lambda *_: 1.0, "an end of a bar", "m", "theta zero is down, a small positive angle to the right")  # fmt: skip
+          lambda *_: 1.0, "an end of a bar", "m", "theta zero is down, a positive angle to the right")  # fmt: skip
 
 
 @once

@@ -1,0 +1,83 @@
+"""Visible tests of hw07: run them with `tam570 check hw07` (or plain pytest) as often as you like."""
+
+import math
+
+import hw07_double_pendulum as hw
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+
+BARS = {"masses": np.array([2.0, 1.5]), "lengths": np.array([1.0, 0.8])}  # kg, m
+PENDULUM = {**BARS, "gravity": 9.81}  # m/s^2
+THETA, OMEGA = np.array([0.7, -0.4]), np.array([1.5, -2.0])  # rad, rad/s
+DOWN, STILL = np.zeros(2), np.zeros(2)
+
+
+def test_bar_2_alone_in_the_mass_matrix_turns_about_its_end():
+    M = np.asarray(hw.mass_matrix(THETA, **BARS))
+    assert M.shape == (2, 2)
+    assert M[1, 1] == pytest.approx(1.5 * 0.8**2 / 3)
+    assert M[0, 1] == pytest.approx(M[1, 0])
+
+
+def test_bars_in_line_have_no_velocity_terms():
+    np.testing.assert_allclose(hw.velocity_terms(np.array([0.3, 0.3]), OMEGA, **BARS), 0, atol=1e-12)
+
+
+def test_hanging_straight_down_nothing_accelerates():
+    np.testing.assert_allclose(hw.gravity_terms(DOWN, **PENDULUM), 0, atol=1e-12)
+    np.testing.assert_allclose(hw.angular_acceleration(DOWN, STILL, **PENDULUM), 0, atol=1e-12)
+
+
+def test_the_accelerations_obey_the_equations_of_motion():
+    alpha = np.asarray(hw.angular_acceleration(THETA, OMEGA, **PENDULUM))
+    f, g = hw.velocity_terms(THETA, OMEGA, **BARS), hw.gravity_terms(THETA, **PENDULUM)
+    np.testing.assert_allclose(hw.mass_matrix(THETA, **BARS) @ alpha + f + g, 0, atol=1e-9)
+
+
+def test_on_the_fly_gives_the_same_accelerations():
+    alpha, _ = hw.on_the_fly(THETA, OMEGA, **PENDULUM)
+    np.testing.assert_allclose(alpha, hw.angular_acceleration(THETA, OMEGA, **PENDULUM), rtol=1e-9)
+
+
+def test_the_ceiling_carries_both_bars_at_rest():
+    _, forces = hw.on_the_fly(DOWN, STILL, **PENDULUM)
+    np.testing.assert_allclose(forces, [[0, 3.5 * 9.81], [0, 1.5 * 9.81]], atol=1e-9)
+
+
+def test_the_energy_of_bars_at_rest_is_potential():
+    assert hw.energy(np.full(2, math.pi / 2), STILL, **PENDULUM) == pytest.approx(0, abs=1e-12)
+    assert hw.energy(DOWN, STILL, **PENDULUM) == pytest.approx(-9.81 * (2.0 * 0.5 + 1.5 * 1.4))
+
+
+def test_bars_turning_as_one_have_the_angular_momentum_of_one_body():
+    M = np.asarray(hw.mass_matrix(THETA, **BARS))
+    assert hw.angular_momentum(THETA, np.full(2, 3.0), **BARS) == pytest.approx(3.0 * M.sum())
+
+
+def test_the_energy_stays():
+    t = np.linspace(0.0, 3.0, 31)
+    states = np.asarray(hw.simulate(t, THETA, OMEGA, **PENDULUM))
+    np.testing.assert_allclose(states[0], [*THETA, *OMEGA])
+    energies = [hw.energy(state[:2], state[2:], **PENDULUM) for state in states]
+    np.testing.assert_allclose(energies, energies[0], atol=1e-4)
+    assert np.ptp(states[:, 0]) > 0.1
+
+
+def test_equal_bars_have_the_frequencies_of_the_book():
+    equal = {"masses": np.ones(2), "lengths": np.ones(2), "gravity": 1.0}
+    frequencies = np.asarray(hw.small_oscillation_frequencies(**equal))
+    np.testing.assert_allclose(frequencies**2, [3 - 6 / math.sqrt(7), 3 + 6 / math.sqrt(7)])
+
+
+def test_the_bars_hang_below_the_ceiling():
+    np.testing.assert_allclose(
+        hw.wireframe(DOWN, lengths=BARS["lengths"]), [[[0, 0], [0, -1]], [[0, -1], [0, -1.8]]], atol=1e-12
+    )
+
+
+def test_the_tip_path_is_drawn():
+    axes = Figure().subplots()
+    hw.plot_tip_path(axes, np.linspace(0.0, 1.0, 101), THETA, OMEGA, **PENDULUM)
+    assert len(axes.lines) == 1
+    assert axes.get_xlabel() == "x (m)"
