@@ -1,0 +1,389 @@
+"""Hidden checks of hw09. What is right is built from the formula of hw08, by vectors, one column after another."""
+
+import math
+
+import numpy as np
+
+from tam570_grader import array, check, expect, expect_that, given, group, number, suspect
+
+RESULTS = {
+    "axis_rotation": array(3, 3),
+    "space_sequence": array(3, 3),
+    "body_sequence": array(3, 3),
+    "book_rotations": group(array(3, 3), array(3, 3)),
+    "axis_angle": group(array(3), number),
+    "book_edges": array(12, 2, 3),
+}
+NEEDS = ("numpy",)
+OFF_LIMITS = {"*": ("scipy.spatial.transform", "tam570.rotations")}
+MANUAL = {
+    "c": (2, "the drawings of the book before and after both sequences"),
+    "e": (1, "the axes n on these drawings, and what shows that they stay where they are"),
+}
+
+# Products of six matrices and quaternions are off by 1e-15; axis and angle by any way that does not divide by a
+# small number, by 1e-15 too. A matrix that takes 1e-12 rad for none is off by 1e-12.
+WITHIN = 1e-13
+RELATIVE = (
+    1e-9  # of a small angle and its axis: they keep 15 digits, and with arccos or an eigenvector 7 at most
+)
+AXES = dict(zip("xyz", np.eye(3), strict=True))
+GENERIC = "an axis and angle far from special ones"
+
+
+def turned(n, angle):
+    """The matrix of a unit axis and an angle; 1 - cos without cancellation."""
+    columns = [
+        math.cos(angle) * e + 2 * math.sin(angle / 2) ** 2 * (n @ e) * n + math.sin(angle) * np.cross(n, e)
+        for e in np.eye(3)
+    ]
+    return np.column_stack(columns)
+
+
+def about(axis, angle):
+    return turned(AXES[axis], angle)
+
+
+def in_space(steps):
+    """Every column is carried through the steps, first step first."""
+    R = np.eye(3)
+    for axis, angle in steps:
+        R = about(axis, angle) @ R
+    return R
+
+
+def with_the_body(steps):
+    return in_space(steps[::-1])
+
+
+def degrees(steps):
+    return [(axis, math.radians(angle)) for axis, angle in steps]
+
+
+def backwards(steps):
+    return [(axis, -angle) for axis, angle in steps]
+
+
+def a_unit_axis(draw):
+    """All components count: the smallest is a tenth at least."""
+    v = draw.uniform(0.3, 1, 3) * draw.choice([-1, 1], 3)
+    return v / np.linalg.norm(v)
+
+
+def a_rotation(draw):
+    return turned(a_unit_axis(draw), draw.uniform(0.5, 2.5))
+
+
+# (a, b) Sequences
+
+
+@check(
+    points=1, part="a",
+    suspects=[
+        suspect("the transpose, the rotation the other way", axis_rotation=lambda axis, th: about(axis, -th)),
+        suspect("the angle taken for degrees", axis_rotation=lambda axis, th: about(axis, math.radians(th))),
+        suspect(
+            "y turned the other way (z, x is the order about y, not x, z)",
+            axis_rotation=lambda axis, th: about(axis, -th if axis == "y" else th),
+        ),
+    ],
+)  # fmt: skip
+def turns_about_the_coordinate_axes(student, draw):
+    """axis_rotation turns by the angle about x, y or z, by the right-hand rule."""
+    calls = [given(axis, angle) for axis in "xyz" for angle in (*draw.uniform(-7, 7, 5), 0.0)]
+    for R, call in zip(student.axis_rotation.many(calls), calls, strict=True):
+        axis = call.args[0]
+        expect(R, about(*call.args), within=WITHIN, of="the matrix", at=call, kind=f"a turn about {axis}",
+               hint="where does a quarter turn take each of the other two axes?")  # fmt: skip
+
+
+@check(points=0.5, part="a", after=turns_about_the_coordinate_axes)
+def other_axes_are_refused(student, draw):
+    """axis_rotation raises ValueError for any other string."""
+    angle = draw.uniform(0.5, 3)
+    for axis in ("w", "X", "xy", "yz", "", "-x", "1"):
+        expect_that(student.axis_rotation.refuses(axis, angle), "axis_rotation does not raise ValueError",
+                    kind=f'the string "{axis}"', at=axis)  # fmt: skip
+
+
+def sequences(draw):
+    """Three to six steps each; neighbours are about different axes, so that the order counts."""
+    orders = ("xyz", "zxz", "yxyz", "zyxzy", "xzyxzy", "yz")
+    return [[(axis, angle) for axis, angle in zip(order, draw.uniform(-4, 4, len(order)), strict=True)]
+            for order in orders]  # fmt: skip
+
+
+def judge_sequences(function, right, draw):
+    cases = sequences(draw)
+    for R, steps in zip(function.many([given(steps) for steps in cases]), cases, strict=True):
+        expect(R, right(steps), within=WITHIN, of="the matrix", at=steps, kind="a sequence of several turns",
+               hint="which matrix acts on a vector first, the leftmost or the rightmost?")  # fmt: skip
+
+
+def judge_short_sequences(function, draw):
+    step = (str(draw.choice(list("xyz"))), draw.uniform(0.5, 3))
+    for steps, kind in (([step], "a single turn"), ([], "no turns at all")):
+        expect(function(steps), in_space(steps), within=WITHIN, of="the matrix", at=steps, kind=kind)
+
+
+@check(
+    points=1, part="a",
+    suspects=[
+        suspect("the order reversed: axes that turn with the body", space_sequence=with_the_body),
+        suspect("the transpose", space_sequence=lambda steps: in_space(steps).T),
+        suspect("every turn the other way", space_sequence=lambda steps: in_space(backwards(steps))),
+        suspect("the angles taken for degrees", space_sequence=lambda steps: in_space(degrees(steps))),
+    ],
+)  # fmt: skip
+def space_sequence_takes_the_first_step_first(student, draw):
+    """space_sequence turns about axes fixed in space, first step first."""
+    judge_sequences(student.space_sequence, in_space, draw)
+
+
+@check(points=0.25, part="a", after=space_sequence_takes_the_first_step_first)
+def space_sequence_takes_few_steps(student, draw):
+    """space_sequence of one step, and of none: the identity."""
+    judge_short_sequences(student.space_sequence, draw)
+
+
+@check(
+    points=1, part="a",
+    suspects=[
+        suspect("the order reversed: axes fixed in space", body_sequence=in_space),
+        suspect("the transpose", body_sequence=lambda steps: with_the_body(steps).T),
+        suspect("every turn the other way", body_sequence=lambda steps: with_the_body(backwards(steps))),
+        suspect("the angles taken for degrees", body_sequence=lambda steps: with_the_body(degrees(steps))),
+    ],
+)  # fmt: skip
+def body_sequence_takes_the_axes_along(student, draw):
+    """body_sequence turns about the axes that the steps before have turned."""
+    judge_sequences(student.body_sequence, with_the_body, draw)
+
+
+@check(points=0.25, part="a", after=body_sequence_takes_the_axes_along)
+def body_sequence_takes_few_steps(student, draw):
+    """body_sequence of one step, and of none: the identity."""
+    judge_short_sequences(student.body_sequence, draw)
+
+
+def books(angle=math.pi / 2, sequence=in_space):
+    z_then_x = [("z", angle), ("x", angle)]
+    return sequence(z_then_x), sequence(z_then_x[::-1])
+
+
+@check(
+    points=1, part="a",
+    suspects=[
+        suspect("(a) and (b) swapped, or axes that turn with the book", book_rotations=lambda: books()[::-1]),
+        suspect("both turns the other way", book_rotations=lambda: books(-math.pi / 2)),
+        suspect("the transposes", book_rotations=lambda: [R.T for R in books()]),
+        suspect("90 radians", book_rotations=lambda: books(90.0)),
+    ],
+)  # fmt: skip
+def the_book_is_turned_in_both_orders(student, draw):
+    """book_rotations: 90 degrees about z then x, and about x then z, axes fixed in space."""
+    for found, right, which in zip(student.book_rotations(), books(), ("(a)", "(b)"), strict=True):
+        expect(found, right, within=WITHIN, of=f"the matrix of {which}",
+               hint="turn a real book, and look where its three edges end")  # fmt: skip
+
+
+# (d, e) Axis and angle
+
+
+def reversed_axis(R):
+    n, angle = by_arctangent(R)
+    return -n, angle
+
+
+def by_arctangent(R):
+    """Axis and angle of a rotation that is not too near a half turn."""
+    v = np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])
+    length = np.linalg.norm(v)
+    return v / length, math.atan2(length, np.trace(R) - 1)
+
+
+def by_arccosine(R):
+    return by_arctangent(R)[0], math.acos(np.clip((np.trace(R) - 1) / 2, -1, 1))
+
+
+def without_axis_at_pi(R):
+    """v / (2 sin angle) where v is zero and the angle pi."""
+    return np.zeros(3), math.pi
+
+
+@check(
+    points=1, part="a",
+    suspects=[
+        suspect("the axis reversed, that of the transpose", axis_angle=reversed_axis),
+        suspect("the angle in degrees", axis_angle=lambda R: (by_arctangent(R)[0], math.degrees(by_arctangent(R)[1]))),
+    ],
+)  # fmt: skip
+def axis_and_angle_are_those_of_the_matrix(student, draw):
+    """axis_angle gives the unit axis and the angle of a rotation, of the book's two and of a quarter turn too."""
+    cases = [(a_unit_axis(draw), draw.uniform(0.3, 2.8)) for _ in range(20)]
+    cases += [(np.array(v) / math.sqrt(3), 2 * math.pi / 3) for v in ((1, -1, 1), (1, 1, 1))]
+    cases += [(sign * n, math.pi / 2) for n in np.eye(3) for sign in (1, -1)]
+    compare_axes(student, cases, GENERIC)
+
+
+def compare_axes(student, cases, kind, hint="which vector does R leave alone, and what is the trace of R?"):
+    calls = [given(turned(n, angle)) for n, angle in cases]
+    for (axis, angle), case, call in zip(student.axis_angle.many(calls), cases, calls, strict=True):
+        expect(angle, case[1], within=WITHIN, of="the angle", unit="rad", at=call, kind=kind, hint=hint)
+        expect(axis, case[0], within=WITHIN, of="the axis", at=call, kind=kind, hint=hint)
+
+
+def distances(draw):
+    """From the special angles, rad."""
+    return [1e-9, 1e-12, *10 ** draw.uniform(-12, -2, 10)]
+
+
+@check(
+    points=0.75, part="a", after=axis_and_angle_are_those_of_the_matrix,
+    suspects=[suspect("arccos of the trace alone, which loses half of the digits", axis_angle=by_arccosine)],
+)  # fmt: skip
+def small_angles_keep_their_digits(student, draw):
+    """axis_angle keeps all digits of axis and angle for angles from 1e-12 to 1e-2."""
+    cases = [(a_unit_axis(draw), angle) for angle in distances(draw)]
+    calls = [given(turned(*case)) for case in cases]
+    for (axis, angle), case, call in zip(student.axis_angle.many(calls), cases, calls, strict=True):
+        for found, right, of in ((angle, case[1], "the angle"), (axis, case[0], "the axis")):
+            expect(found, right, within=RELATIVE, scale=np.max(np.abs(right)), of=of, unit="of itself", at=call,
+                   kind="a very small angle", hint="how flat is the cosine there? and the sine?")  # fmt: skip
+        expect(turned(axis, angle), call.args[0], within=WITHIN, of="the matrix made of axis and angle", at=call,
+               kind="a very small angle")  # fmt: skip
+
+
+@check(
+    points=0.75, part="a", after=axis_and_angle_are_those_of_the_matrix,
+    suspects=[suspect("arccos of the trace alone, which loses half of the digits", axis_angle=by_arccosine)],
+)  # fmt: skip
+def angles_near_pi_keep_their_digits(student, draw):
+    """axis_angle keeps all digits of axis and angle 1e-12 to 1e-2 from a half turn."""
+    cases = [(a_unit_axis(draw), math.pi - distance) for distance in distances(draw)]
+    compare_axes(student, cases, "an angle near pi", "which part of R is large there: R - R^T or R + R^T?")
+
+
+@check(points=0.25, part="a", after=angles_near_pi_keep_their_digits)
+def axes_with_small_components_keep_their_digits(student, draw):
+    """axis_angle keeps all digits near pi where a component of the axis is very small."""
+    cases = []
+    for k in (0, 1, 2):
+        n = a_unit_axis(draw)
+        n[k] = 10 ** draw.uniform(-7, -5) * draw.choice([-1, 1])
+        cases.append((n / np.linalg.norm(n), math.pi - 10 ** draw.uniform(-9, -3)))
+    compare_axes(student, cases, "an angle near pi, a component of the axis near 0",
+                 "a square root of a small difference has half of its digits")  # fmt: skip
+
+
+@check(
+    points=0.25, part="a", after=axis_and_angle_are_those_of_the_matrix,
+    suspects=[suspect("an axis divided by sin(pi) = 0, where R - R^T says nothing", axis_angle=without_axis_at_pi)],
+)  # fmt: skip
+def half_turns_have_their_axis(student, draw):
+    """axis_angle of a half turn: the angle pi and the axis, of either sign."""
+    axes = [
+        *(a_unit_axis(draw) for _ in range(8)),
+        *np.eye(3),
+        np.array([-0.6, 0.8, 0.0]),
+        np.array([0.0, 0.6, -0.8]),
+    ]
+    calls = [given(2 * np.outer(n, n) - np.eye(3)) for n in axes]
+    for (axis, angle), n, call in zip(student.axis_angle.many(calls), axes, calls, strict=True):
+        # 2 n n^T - I of a rounded n is a rotation to 1e-16, and so is the sine that it has
+        expect(angle, math.pi, within=WITHIN, of="the angle", unit="rad", at=call, kind="a half turn")
+        expect(np.outer(axis, axis), np.outer(n, n), within=WITHIN, of="the product n n^T of the axis", at=call,
+               kind="a half turn", hint="what is R + I there?")  # fmt: skip
+
+
+@check(points=0.25, part="a", after=axis_and_angle_are_those_of_the_matrix)
+def no_turn_has_a_unit_axis(student, draw):
+    """axis_angle of the identity: the angle 0 and any unit axis."""
+    axis, angle = student.axis_angle(np.eye(3))
+    expect(angle, 0.0, within=WITHIN, of="the angle", unit="rad", kind="the identity")
+    expect(np.linalg.norm(axis), 1.0, within=WITHIN, of="the length of the axis", kind="the identity")
+
+
+@check(points=0.25, part="a", after=axis_and_angle_are_those_of_the_matrix)
+def what_is_no_rotation_is_refused(student, draw):
+    """axis_angle raises ValueError for what is no rotation, and takes one that is off by 1e-7."""
+    R, noise = a_rotation(draw), draw.uniform(0.3, 1, (3, 3)) * draw.choice([-1, 1], (3, 3))
+    near = R + 1e-7 * noise  # R^T R - I is 6e-7 at most
+    axis, angle = student.axis_angle(near)
+    right = by_arctangent(near)
+    # the two parts of R tell angles and axes that differ by the size of the noise
+    expect(
+        [*axis, angle],
+        [*right[0], right[1]],
+        within=2e-6,
+        of="axis or angle",
+        at=near,
+        kind="a matrix off by 1e-7",
+    )
+    for matrix, kind in no_rotations(R, noise):
+        expect_that(
+            student.axis_angle.refuses(matrix), "axis_angle does not raise ValueError", kind=kind, at=matrix
+        )
+
+
+def no_rotations(R, noise):
+    """Matrices to refuse, and what each is."""
+    holed, infinite = R.copy(), R.copy()
+    holed[0, 1], infinite[2, 0] = np.nan, np.inf
+    return (
+        (-R, "a reflection"),
+        (R @ np.diag([1.0, 1.0, -1.0]), "a reflection"),
+        (1.1 * R, "a rotation times 1.1"),
+        ((1 + 1e-5) * R, "a rotation times 1.00001"),
+        (
+            R @ (np.eye(3) + 1e-5 * np.array([[0, 1, 0], [1, 0, 0], [0, 0, 0]])),
+            "a rotation with a shear of 1e-5",
+        ),
+        (noise, "a matrix of random numbers"),
+        (np.zeros((3, 3)), "the zero matrix"),
+        (holed, "a matrix with a NaN"),
+        (infinite, "a matrix with an infinite element"),
+    )
+
+
+# (c) The book
+
+
+def edges(R, size):
+    """The twelve edges: corners that differ in one sign."""
+    signs = 2 * np.array(list(np.ndindex(2, 2, 2))) - 1
+    pairs = [(i, j) for i in range(8) for j in range(i) if np.count_nonzero(signs[i] != signs[j]) == 1]
+    return (signs[np.array(pairs)] * size / 2) @ R.T
+
+
+def mismatch(found, right):
+    """How far two boxes' edges are apart, in any order and direction: the largest distance to a nearest edge."""
+    both_ways = [np.abs(found[:, None] - one_way).max(axis=(2, 3)) for one_way in (right, right[:, ::-1])]
+    apart = np.minimum(*both_ways)
+    return max(apart.min(axis=0).max(), apart.min(axis=1).max())
+
+
+# Suspects compare numbers in order; the order of edges is free, so these are found here.
+MISTAKEN_BOXES = {
+    "they are those of the transpose": lambda R, size: edges(R.T, size),
+    "they are those of a box twice that size": lambda R, size: edges(R, 2 * size),
+    "they are those of a box with a corner at the origin": lambda R, size: edges(R, size) + R @ size / 2,
+    "they are not turned": lambda R, size: edges(np.eye(3), size),
+}
+
+
+def mistake(found, R, size):
+    """What is wrong, if it is a known mistake, else what to look at."""
+    known = [says for says, box in MISTAKEN_BOXES.items() if mismatch(found, box(R, size)) < 1e-9 * max(size)]
+    return known[0] if known else "three edges meet at each of the eight corners"
+
+
+@check(points=1.5, part="c")
+def the_book_has_its_twelve_edges(student, draw):
+    """book_edges are the edges of the turned book, in any order and direction."""
+    for _ in range(4):
+        R, size = a_rotation(draw), draw.permutation(10 ** draw.uniform(-1, 1) * np.array([1, 1.7, 2.9]))
+        found = student.book_edges(R, size=size)
+        expect(mismatch(found, edges(R, size)), 0.0, within=WITHIN, scale=max(size), of="an edge",
+               unit="of the longest edge", at=(R, size), kind="a random rotation and size",
+               hint=mistake(found, R, size))  # fmt: skip
