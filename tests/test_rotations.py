@@ -177,6 +177,7 @@ def test_arguments_stay_as_they_are():
         (lambda: rotations.matrix_from_euler("313", [0, np.inf, 0]), "angles", "finite"),
         (lambda: rotations.euler_rates("313", [1, 0, 1], [1, 1, 1]), "angles", "another sequence"),
         (lambda: rotations.euler_rates("312", [1, np.pi / 2, 1], [1, 1, 1]), "angles", "another sequence"),
+        (lambda: rotations.matrix_from_axis_angle(VECTORS, [1, 2]), "axis and angle", "broadcast"),
         (lambda: rotations.nearest(np.zeros((3, 3))), "M", "near one rotation"),
         (lambda: rotations.nearest(-np.eye(3)), "M", "near one rotation"),
     ],

@@ -84,6 +84,14 @@ def test_axis_and_angle_to_matrix(length):
                 assert error(R, exact_matrix(scaled, signed)) <= ALLOWED, (scaled, signed)
 
 
+@pytest.mark.parametrize("length", [1e-200, 1e-9, 1e-3, 1e9, 1e200])
+def test_a_small_angle_keeps_its_digits_whatever_the_axis(length):
+    for axis in AXES:
+        for angle in SMALL:
+            R = rotations.matrix_from_axis_angle(length * axis, angle)
+            assert abs(rotations.axis_angle_from_matrix(R)[1] - angle) <= ALLOWED * angle
+
+
 def test_matrix_to_axis_and_angle():
     for axis, angle in CASES:
         R = rounded(exact_matrix(axis, angle))

@@ -83,7 +83,7 @@ def axis_angle_from_matrix(R: ArrayLike) -> tuple[Array, Array]:
     Raises ValueError if R is not a rotation.
     """
     axis_and_angle = evaluate(_formulas.axis_angle_of_matrix, DEFECTS, (4,), ("R", _ROTATION, R))
-    return axis_and_angle[..., :3], axis_and_angle[..., 3]
+    return axis_and_angle[..., :3], axis_and_angle[..., 3][()]  # of one rotation a float
 
 
 def matrix_from_quaternion(q: ArrayLike) -> Array:
@@ -237,7 +237,7 @@ def _into_range(rows: Array) -> Array:
 
 # Measures that need no second look
 FINITE = (0.0, 0.0)
-SQUARES = (1e-200, 1e250)  # squared lengths whose products neither underflow nor overflow
+SQUARES = (1e-6, 1e250)  # squared lengths; times an angle of 1e-300 the least does not underflow
 TURNS = (0.0, 1e300)  # squared lengths of rotation vectors, which may underflow
 STEPS = (0.0, 1e-18)  # square of Newton's last step, which leaves an error of half its square
 DEFECTS = (0.0, 1e-12)  # of a matrix within 1e-6 of a rotation

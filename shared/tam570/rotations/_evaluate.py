@@ -99,7 +99,10 @@ def _evaluate_batch(
     kinds: list[Kind],
     values: list[Array],
 ) -> Array:
-    batch, tables = _tables(kinds, values)
+    try:
+        batch, tables = _tables(kinds, values)
+    except ValueError as error:
+        raise ValueError(f"{' and '.join(names)} do not broadcast: {error}") from None
     results = np.empty((math.prod(batch), math.prod(shape)))
     with np.errstate(all="ignore"):  # what is not a number is refused by name; underflow is harmless
         for start in range(0, len(results), BLOCK):
