@@ -1,0 +1,111 @@
+"""hw05: The pendulum as a constrained particle.
+
+A particle in the plane is kept on the circle x^2 + y^2 = length^2 about a hinge at the origin by a radial force; x
+right, y up. A state is (x, y, vx, vy). States are consistent, on the circle and tangent to it, but for the argument of
+`consistent_state`. The potential energy is zero at y = 0.
+
+Cartesian coordinates only: what is wanted is found from F = m a and the constraint, without an angle.
+"""
+
+import math
+
+import numpy as np
+
+__all__ = ["acceleration", "consistent_state", "constraint_force", "energy", "simulate", "wireframe"]
+
+
+def constraint_force(state, *, mass, length, gravity):
+    """The radial force that keeps the particle on the circle.
+
+    state  : (4,) m, m/s
+    mass   : kg
+    length : m
+    gravity: m/s^2, may be 0
+    Returns (2,), N, the force on the particle.
+    """
+    x, y, vx, vy = state
+    outward = mass * (gravity * y - vx**2 - vy**2) / length**2  # x^2 + y^2 = l^2 differentiated twice
+    return np.array([outward * x, outward * y])
+
+
+def acceleration(state, *, mass, length, gravity):
+    """Acceleration of the particle on the circle.
+
+    state  : (4,) m, m/s
+    mass   : kg
+    length : m
+    gravity: m/s^2, may be 0
+    Returns (2,), m/s^2.
+    """
+    x, y, vx, vy = state
+    centripetal = (vx**2 + vy**2) / length**2
+    fall = gravity * x / length**2  # what is left of the weight, along (y, -x)
+    return np.array([fall * y - centripetal * x, -fall * x - centripetal * y])
+
+
+def consistent_state(state, *, length):
+    """The state put on the circle: the position along its radius, the velocity without its radial part.
+
+    state  : (4,) m, m/s
+    length : m
+    Returns (4,).
+    Raises ValueError if the position is the origin.
+    """
+    x, y, vx, vy = state
+    distance = math.hypot(x, y)
+    if distance == 0:
+        raise ValueError("state: at the origin there is no nearest point of the circle")
+    x, y = x / distance, y / distance
+    along = x * vy - y * vx
+    return np.array([length * x, length * y, -along * y, along * x])
+
+
+def energy(state, *, mass, gravity):
+    """Kinetic plus potential energy; the potential is 0 at y = 0.
+
+    state  : (4,) m, m/s
+    mass   : kg
+    gravity: m/s^2, may be 0
+    Returns J.
+    """
+    _, y, vx, vy = state
+    return mass * (vx**2 + vy**2) / 2 + mass * gravity * y
+
+
+def simulate(t, state, *, mass, length, gravity):
+    """Motion from `state` at t[0]; however long it is, it stays on the circle and tangent to it.
+
+    t      : (n,) s, strictly increasing, n >= 2; its sampling does not change the motion
+    state  : (4,) m, m/s
+    mass   : kg
+    length : m
+    gravity: m/s^2, may be 0
+    Returns (n, 4); row i is the state at t[i].
+    """
+    from tam570.integrate import solve
+
+    x, y, vx, vy = state
+    # A radial force has no moment about the hinge, and the velocity is across the radius: x vy - y vx alone says it.
+    start = x / length, y / length, (x * vy - y * vx) / length**2
+    rows = solve(_rates, t, start, parameters={"pull": gravity / length}, rtol=1e-15)
+    unit = rows[:, :2] / np.hypot(rows[:, 0], rows[:, 1])[:, None]
+    across = np.column_stack([-unit[:, 1], unit[:, 0]])
+    states = length * np.hstack([unit, rows[:, 2:] * across])
+    states[0] = state
+    return states
+
+
+def wireframe(state, *, length):
+    """The rod, from the hinge to the particle.
+
+    state  : (4,) m, m/s
+    length : m
+    Returns (1, 2, 2), m.
+    """
+    return np.array([[[0.0, 0.0], state[:2]]])
+
+
+def _rates(t, state, *, pull):
+    """Rates of the unit vector (x, y)/l and of (x vy - y vx)/l^2."""
+    x, y, turning = state
+    return -turning * y, turning * x, -pull * x
