@@ -3,6 +3,7 @@
 import hashlib
 import queue
 import re
+import threading
 from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass
@@ -66,6 +67,7 @@ def _results(
     everyone = [Worker(preload, plan.allowance, plan.hidden) for _ in range(jobs)]
     for worker in everyone:
         workers.put(worker)
+    ended = threading.Event()
 
     def grade(submission: Submission, source: Source | CannotRead) -> Result:
         assignment = _assignment(plan, submission)
@@ -78,6 +80,8 @@ def _results(
                 try:
                     return graded(submission.student, source, assignment, worker, plan.seed)
                 except WorkerLost:
+                    if ended.is_set():
+                        raise
                     worker.close()
                     worker = Worker(preload, plan.allowance, plan.hidden)
                     everyone.append(worker)
@@ -91,6 +95,7 @@ def _results(
         for task in as_completed(tasks):
             yield task.result(), tasks[task]
     finally:
+        ended.set()
         pool.shutdown(wait=False, cancel_futures=True)
         for worker in everyone:
             worker.close()

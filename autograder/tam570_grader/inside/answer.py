@@ -75,15 +75,14 @@ def _value(function: Callable[..., Any], args: list[Any], kwargs: dict[str, Any]
 def _formula(function: Callable[..., Any], args: list[Any], kwargs: dict[str, Any], request: Any) -> Any:
     """Values of the SymPy expression that the function returns, at the request's points; symbols go by their names."""
     import sympy
+    from sympy.core.function import AppliedUndef
 
     expression = function(*args, **kwargs)
     if not isinstance(expression, sympy.Expr | int | float):
         return portable(expression if isinstance(expression, str) else object())
     expression = sympy.sympify(expression).doit()
     symbols = {symbol: symbol.name for symbol in expression.free_symbols}
-    if not set(symbols.values()) <= set(request["symbols"]) or expression.has(
-        sympy.Function("f").func.__base__
-    ):
+    if not set(symbols.values()) <= set(request["symbols"]) or expression.has(AppliedUndef):
         return {"stranger": True}
     return [
         _number(expression, {s: point[name] for s, name in symbols.items()}) for point in request["points"]
