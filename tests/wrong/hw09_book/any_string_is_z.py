@@ -1,0 +1,10 @@
+"""Whatever is neither x nor y is taken for z.
+
+fails: other_axes_are_refused
+"""
+
+_right = axis_rotation
+
+
+def axis_rotation(axis, angle):
+    return _right(axis if axis in ("x", "y") else "z", angle)

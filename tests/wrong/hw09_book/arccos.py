@@ -1,0 +1,11 @@
+"""The angle by arccos of the trace alone.
+
+fails: small_angles_keep_their_digits, angles_near_pi_keep_their_digits, half_turns_have_their_axis
+suspect: arccos of the trace alone
+"""
+
+_right_axis_angle = axis_angle
+
+
+def axis_angle(R):
+    return _right_axis_angle(R)[0], math.acos(np.clip((np.trace(R) - 1) / 2, -1, 1))

@@ -1,0 +1,12 @@
+"""The axis of the transpose.
+
+fails: axis_and_angle_are_those_of_the_matrix
+suspect: the axis reversed
+"""
+
+_right_axis_angle = axis_angle
+
+
+def axis_angle(R):
+    n, angle = _right_axis_angle(R)
+    return -n, angle

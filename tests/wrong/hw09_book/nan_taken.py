@@ -1,0 +1,10 @@
+"""A comparison with NaN is false, and the matrix goes through.
+
+fails: what_is_no_rotation_is_refused
+"""
+
+
+def _rotation(R):
+    if np.abs(R.T @ R - np.eye(3)).max() > 1e-6 or np.linalg.det(R) < 0:
+        raise ValueError
+    return R

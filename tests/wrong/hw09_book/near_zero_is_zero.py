@@ -1,0 +1,10 @@
+"""What is within 1e-10 of the identity is taken for it.
+
+fails: small_angles_keep_their_digits
+"""
+
+_right_axis_angle = axis_angle
+
+
+def axis_angle(R):
+    return (np.array([0.0, 0.0, 1.0]), 0.0) if np.allclose(R, np.eye(3), rtol=0, atol=1e-10) else _right_axis_angle(R)

@@ -1,0 +1,11 @@
+"""The identity gets a zero axis.
+
+fails: no_turn_has_a_unit_axis
+"""
+
+_right_axis_angle = axis_angle
+
+
+def axis_angle(R):
+    n, angle = _right_axis_angle(R)
+    return (n, angle) if angle > 0 else (0 * n, angle)

@@ -1,0 +1,14 @@
+"""Both sequences begin with the first step and fail where there is none.
+
+fails: space_sequence_takes_few_steps, body_sequence_takes_few_steps
+"""
+
+import functools
+
+
+def space_sequence(steps):
+    return functools.reduce(lambda R, S: S @ R, [axis_rotation(*step) for step in steps])
+
+
+def body_sequence(steps):
+    return functools.reduce(lambda R, S: R @ S, [axis_rotation(*step) for step in steps])

@@ -1,0 +1,10 @@
+"""axis_rotation is right for positive angles only.
+
+fails: turns_about_the_coordinate_axes, space_sequence_takes_the_first_step_first, body_sequence_takes_the_axes_along
+"""
+
+_right = axis_rotation
+
+
+def axis_rotation(axis, angle):
+    return _right(axis, abs(angle))

@@ -1,0 +1,10 @@
+"""The determinant is not looked at.
+
+fails: what_is_no_rotation_is_refused
+"""
+
+
+def _rotation(R):
+    if not np.abs(R.T @ R - np.eye(3)).max() <= 1e-6:
+        raise ValueError
+    return R

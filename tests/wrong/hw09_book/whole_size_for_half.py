@@ -1,0 +1,10 @@
+"""The corners are at the whole size from the centre.
+
+fails: the_book_has_its_twelve_edges
+"""
+
+_right_edges = book_edges
+
+
+def book_edges(R, *, size):
+    return _right_edges(R, size=2 * size)

@@ -1,0 +1,11 @@
+"""The sines of the matrix about y have the signs of those about x and z.
+
+fails: turns_about_the_coordinate_axes, space_sequence_takes_the_first_step_first, body_sequence_takes_the_axes_along
+suspect: y turned the other way
+"""
+
+_right = axis_rotation
+
+
+def axis_rotation(axis, angle):
+    return _right(axis, angle).T if axis == "y" else _right(axis, angle)
