@@ -142,7 +142,7 @@ def test_the_missing_moment_is_half_the_rate_of_the_contact_inertia_times_the_ra
         m, r, e = (cylinder[name] for name in ("mass", "radius", "offset"))
         with mpmath.workdps(50):
 
-            def exact(p, m=m, r=mpmath.mpf(r), e=e):
+            def exact(p, m=m, r=r, e=e):
                 return m * (r**2 + e**2 - 2 * r * e * mpmath.cos(p))
 
             expected = mpmath.diff(exact, phi) * mpmath.mpf(rate) ** 2 / 2

@@ -1,0 +1,474 @@
+"""Hidden checks of hw13. What is right is solved for, with the force, from the balances of momentum about G.
+
+Axes: x down the ramp, y off it; a cylinder that rolls down turns clockwise.
+"""
+
+import math
+
+import numpy as np
+
+from tam570_grader import check, expect, given, group, number, once, rows, suspect
+
+RESULTS = {
+    "acceleration": number,
+    "contact_inertia": number,
+    "naive_contact_acceleration": number,
+    "missing_moment": number,
+    "contact_force": group(number, number),
+    "energy": number,
+    "simulate": rows(2),
+}
+NEEDS = ("numpy", "scipy.integrate")
+OFF_LIMITS = {}
+MANUAL = {"b": (2, "why the two methods agree for the centred cylinder and not for the other")}
+
+FORMULA = (
+    1e-9  # of the largest term: solving for the forces costs a few digits of 1e-16; wrong terms are off by .1
+)
+# solve_ivp at rtol = atol = 1e-9, whatever its method, stays below 5e-8 on these runs; wrong physics is off by .1.
+TRAJECTORY = 1e-6
+ENERGY = 5e-6  # the same integrators drift by up to 4e-7 on the longer runs
+
+
+# The balances, in vectors
+
+
+def arms(phi, radius, offset):
+    """G from the contact C, and its first and second derivatives over phi (G from the ramp's origin moves along)."""
+    c, s = offset * math.cos(phi), offset * math.sin(phi)
+    return np.array([-s, radius - c]), np.array([radius - c, s]), np.array([s, c])
+
+
+def clockwise(r, force):
+    return r[1] * force[0] - r[0] * force[1]
+
+
+def weight(mass, gravity, slope):
+    return mass * gravity * np.array([math.sin(slope), -math.cos(slope)])
+
+
+def balanced(phi, phi_dot, *, mass, radius, offset, inertia, slope, gravity):
+    """(phi'', along, normal): m a = weight + contact force, I phi'' = its moment about G."""
+    arm, first, second = arms(phi, radius, offset)
+    # the moment about G of a force at C is that of the arm from G to C
+    matrix = [
+        [*(mass * first), inertia],
+        [-1, 0, -clockwise(-arm, (1, 0))],
+        [0, -1, -clockwise(-arm, (0, 1))],
+    ]
+    known = [*(weight(mass, gravity, slope) - mass * second * phi_dot**2), 0]
+    return np.linalg.solve(np.transpose(matrix), known)
+
+
+def about_contact(phi, *, mass, radius, offset, inertia):
+    arm = arms(phi, radius, offset)[0]
+    return inertia + mass * (arm @ arm)
+
+
+def moment_of_weight(phi, *, mass, radius, offset, slope, gravity, **_):
+    return clockwise(arms(phi, radius, offset)[0], weight(mass, gravity, slope))
+
+
+def total_energy(phi, phi_dot, *, mass, radius, offset, inertia, slope, gravity):
+    arm, first, _ = arms(phi, radius, offset)
+    position = arm + np.array([radius * phi, -radius])  # of G from where the centre is at phi = 0
+    speed_squared = first @ first * phi_dot**2
+    return (mass * speed_squared + inertia * phi_dot**2) / 2 - weight(mass, gravity, slope) @ position
+
+
+def missing(phi, phi_dot, *, mass, radius, offset):
+    """What is left of I^C phi'' where there is no weight: M_C is zero. It is the same for any inertia."""
+    body = {"mass": mass, "radius": radius, "offset": offset, "inertia": mass * radius**2}
+    phi_ddot = balanced(phi, phi_dot, slope=0.0, gravity=0.0, **body)[0]
+    return -about_contact(phi, **body) * phi_ddot
+
+
+# Wrong answers that are known
+
+
+def naive(phi, **cylinder):
+    body = {name: cylinder[name] for name in ("mass", "radius", "offset", "inertia")}
+    return moment_of_weight(phi, **cylinder) / about_contact(phi, **body)
+
+
+def with_missing(factor):
+    """The acceleration with so many times the missing moment."""
+
+    def acceleration(phi, phi_dot, **cylinder):
+        right = balanced(phi, phi_dot, **cylinder)[0]
+        return naive(phi, **cylinder) + factor * (right - naive(phi, **cylinder))
+
+    return acceleration
+
+
+def offset_reversed(function):
+    return lambda *args, offset, **rest: function(*args, offset=-offset, **rest)
+
+
+def acceleration_of(*args, **cylinder):
+    return balanced(*args, **cylinder)[0]
+
+
+def force_of(phi, phi_dot, **cylinder):
+    """(along, normal) with the acceleration of another formula."""
+    return tuple(balanced(phi, phi_dot, **cylinder)[1:])
+
+
+def force_from(acceleration, centripetal=1.0):
+    def contact_force(phi, phi_dot, **cylinder):
+        _, first, second = arms(phi, cylinder["radius"], cylinder["offset"])
+        of_G = first * acceleration(phi, phi_dot, **cylinder) + centripetal * second * phi_dot**2
+        m = cylinder["mass"]
+        return tuple(m * of_G - weight(m, cylinder["gravity"], cylinder["slope"]))
+
+    return contact_force
+
+
+def up_the_ramp(*args, **cylinder):
+    along, normal = force_of(*args, **cylinder)
+    return -along, normal
+
+
+def integrated(acceleration):
+    """A simulation with this acceleration, within 1e-11."""
+
+    def simulate(t, phi, phi_dot, **cylinder):
+        from scipy.integrate import solve_ivp
+
+        def rates(_, state):
+            return state[1], acceleration(*state, **cylinder)
+
+        # short steps: between them it interpolates
+        options = {"method": "DOP853", "rtol": 1e-12, "atol": 1e-12, "max_step": (t[-1] - t[0]) / 60}
+        return solve_ivp(rates, (t[0], t[-1]), [phi, phi_dot], t_eval=t, **options).y.T
+
+    return simulate
+
+
+WRONG_ACCELERATIONS = {
+    "M_C = I^C phi'', which leaves out that G is not above C": with_missing(0),
+    "half the term that M_C = I^C phi'' lacks": with_missing(0.5),
+    "twice the term that M_C = I^C phi'' lacks": with_missing(2),
+    "the term that M_C = I^C phi'' lacks, its sign reversed": with_missing(-1),
+    "G on the other side of the centre": offset_reversed(acceleration_of),
+}
+ACCELERATION_SUSPECTS = [suspect(says, acceleration=wrong) for says, wrong in WRONG_ACCELERATIONS.items()]
+SIMULATE_SUSPECTS = [
+    suspect(says, within=1e-4, simulate=integrated(wrong)) for says, wrong in WRONG_ACCELERATIONS.items()
+]
+
+
+# Cylinders and motions
+
+
+def cylinder(draw, **fixed):
+    mass, radius = draw.uniform(0.3, 5), draw.uniform(0.2, 3)
+    drawn = {
+        "mass": mass, "radius": radius, "offset": radius * draw.uniform(0.3, 0.6),
+        "inertia": mass * radius**2 * draw.uniform(0.2, 0.8), "slope": draw.uniform(0.15, 1.2),
+        "gravity": draw.uniform(1, 20),
+    }  # fmt: skip
+    return {**drawn, **fixed}
+
+
+def usual(cylinder):
+    """Size of rates, rad/s."""
+    return math.sqrt((cylinder["gravity"] or 5.0) / cylinder["radius"])
+
+
+def cases(draw, count, **fixed):
+    """Angles of several turns, both signs of the rate: (phi, phi_dot, cylinder)."""
+    drawn = [cylinder(draw, **fixed) for _ in range(count)]
+    return [(draw.uniform(-9, 9), draw.choice([-1, 1]) * draw.uniform(0.5, 2) * usual(c), c) for c in drawn]
+
+
+def calls(of, *names):
+    """One call for each case, with these of the parameters."""
+    return [given(*motion, **{name: c[name] for name in names}) for *motion, c in of]
+
+
+def moment_scale(phi, phi_dot, cylinder):
+    return cylinder["mass"] * cylinder["radius"] ** 2 * (usual(cylinder) ** 2 + phi_dot**2)
+
+
+def parts(cylinder, *names):
+    return {name: cylinder[name] for name in names}
+
+
+BODY = ("mass", "radius", "offset", "inertia")
+ALL = (*BODY, "slope", "gravity")
+
+
+# Part a: I^G and I^C
+
+
+def judge_accelerations(student, of, kind, hint):
+    for found, (phi, phi_dot, c) in zip(student.acceleration.many(calls(of, *ALL)), of, strict=True):
+        scale = moment_scale(phi, phi_dot, c) / about_contact(phi, **parts(c, *BODY))
+        expect(found, balanced(phi, phi_dot, **c)[0], within=FORMULA, scale=scale, of="phi''",
+               unit="of the size of its terms", kind=kind, hint=hint, at=(phi, phi_dot, c))  # fmt: skip
+
+
+@check(points=0.5, part="a")
+def centred_cylinder_rolls_by_both_methods(student, draw):
+    """With G at the centre, acceleration and naive_contact_acceleration are both right."""
+    of = cases(draw, 8, offset=0.0)
+    judge_accelerations(student, of, "a cylinder with its centre of mass at its centre",
+                        "balance momentum about G: friction alone turns it")  # fmt: skip
+    found = student.naive_contact_acceleration.many([given(phi, **c) for phi, _, c in of])
+    for value, (phi, phi_dot, c) in zip(found, of, strict=True):
+        right = balanced(phi, phi_dot, **c)[0]
+        expect(value / right, 1, within=FORMULA, of="phi'' from M_C = I^C phi''", unit="of itself",
+               kind="a cylinder with its centre of mass at its centre", at=(phi, c))  # fmt: skip
+
+
+@check(points=1.5, part="a", suspects=ACCELERATION_SUSPECTS)
+def acceleration_balances_momentum_about_G(student, draw):
+    """acceleration: the force of the ramp that G's acceleration needs gives, about G, the moment I^G phi''."""
+    judge_accelerations(student, cases(draw, 20), "G off the centre, any angle and rate",
+                        "differentiate the position of G twice; mind the terms in phi_dot squared")  # fmt: skip
+
+
+@check(points=0.5, part="a", after=acceleration_balances_momentum_about_G)
+def acceleration_level_and_without_gravity(student, draw):
+    """acceleration: on level ground, and without gravity."""
+    judge_accelerations(
+        student, cases(draw, 5, slope=0.0), "level ground", "is anything divided by the slope?"
+    )
+    judge_accelerations(student, cases(draw, 5, gravity=0.0), "gravity 0",
+                        "without weight it still does not turn uniformly")  # fmt: skip
+
+
+def at_rest(of):
+    return [(phi, c) for phi, _, c in of]
+
+
+CONTACT_INERTIA_SUSPECTS = [
+    suspect("the inertia about the centre",
+            contact_inertia=lambda phi, **c: c["inertia"] + c["mass"] * c["offset"] ** 2),
+    suspect("the distance from C to the centre, where that to G belongs",
+            contact_inertia=lambda phi, **c: c["inertia"] + c["mass"] * c["radius"] ** 2),
+    suspect("the given inertia taken as that about the centre",
+            contact_inertia=lambda phi, **c: about_contact(phi, **c) - c["mass"] * c["offset"] ** 2),
+    suspect("G on the other side of the centre", contact_inertia=offset_reversed(about_contact)),
+]  # fmt: skip
+
+
+@check(points=1, part="a", suspects=CONTACT_INERTIA_SUSPECTS)
+def contact_inertia_by_the_parallel_axis_theorem(student, draw):
+    """contact_inertia: I^G plus the mass times the distance from C to G squared."""
+    of = at_rest(cases(draw, 12)) + at_rest(cases(draw, 3, offset=0.0))
+    for found, (phi, c) in zip(student.contact_inertia.many(calls(of, *BODY)), of, strict=True):
+        expect(found / about_contact(phi, **parts(c, *BODY)), 1, within=FORMULA, of="I^C", unit="of itself",
+               kind="any angle", at=(phi, c), hint="how far is G from the contact, at this phi?")  # fmt: skip
+
+
+NAIVE_SUSPECTS = [
+    suspect("G on the other side of the centre", naive_contact_acceleration=offset_reversed(naive)),
+    suspect("the moment of a weight at the centre, where it acts at G",
+            naive_contact_acceleration=lambda phi, **c: c["mass"] * c["gravity"] * c["radius"] * math.sin(c["slope"])
+            / about_contact(phi, **parts(c, *BODY))),
+    suspect("phi measured from the vertical, where it is measured from the normal of the ramp",
+            naive_contact_acceleration=lambda phi, **c: naive(phi - c["slope"], **c)),
+]  # fmt: skip
+
+
+@check(points=0.75, part="a", suspects=NAIVE_SUSPECTS)
+def naive_acceleration_is_the_moment_over_the_inertia(student, draw):
+    """naive_contact_acceleration: the moment of the weight about C over I^C, at any angle."""
+    of = at_rest(cases(draw, 10)) + at_rest(cases(draw, 3, slope=0.0)) + at_rest(cases(draw, 2, gravity=0.0))
+    for found, (phi, c) in zip(student.naive_contact_acceleration.many(calls(of, *ALL)), of, strict=True):
+        scale = moment_scale(phi, 0.0, c) / about_contact(phi, **parts(c, *BODY))
+        expect(found, naive(phi, **c), within=FORMULA, scale=scale, of="phi'' from M_C = I^C phi''",
+               unit="of the size of its terms", kind="G off the centre", at=(phi, c),
+               hint="only the weight has a moment about C; where does it act?")  # fmt: skip
+
+
+# Part b: what is missing, the force, the energy, the motion
+
+
+def missing_suspect(says, wrong):
+    return suspect(says, missing_moment=wrong)
+
+
+MISSING_SUSPECTS = [
+    missing_suspect("half the term", lambda *args, **c: missing(*args, **c) / 2),
+    missing_suspect("twice the term: the whole rate of I^C times phi'", lambda *args, **c: 2 * missing(*args, **c)),
+    missing_suspect("the sign reversed", lambda *args, **c: -missing(*args, **c)),
+    missing_suspect("phi' where its square belongs", lambda phi, rate, **c: missing(phi, rate, **c) / rate),
+    missing_suspect("the cosine of phi for the sine",
+                    lambda phi, rate, **c: missing(phi + math.pi / 2, rate, **c)),
+]  # fmt: skip
+
+
+@check(points=1.25, part="b", suspects=MISSING_SUSPECTS)
+def missing_moment_makes_it_right(student, draw):
+    """missing_moment: with it, I^C phi'' + missing_moment = M_C has the phi'' of the balances."""
+    of = cases(draw, 20)
+    found = student.missing_moment.many(calls(of, "mass", "radius", "offset"))
+    for value, (phi, phi_dot, c) in zip(found, of, strict=True):
+        expect(value, missing(phi, phi_dot, **parts(c, "mass", "radius", "offset")), within=FORMULA,
+               scale=moment_scale(phi, phi_dot, c), of="the missing moment", unit="of m r^2 (g/r + phi_dot^2)",
+               kind="any angle and rate", at=(phi, phi_dot, c),
+               hint="what is the acceleration of the point of the cylinder that touches the ramp?")  # fmt: skip
+
+
+FORCE_SUSPECTS = [
+    suspect("the friction positive up the ramp", contact_force=up_the_ramp),
+    suspect("normal first, along second", contact_force=lambda *args, **c: force_of(*args, **c)[::-1]),
+    suspect("M_C = I^C phi'' for the acceleration", contact_force=force_from(with_missing(0))),
+    suspect("the acceleration of G without its terms in phi_dot squared",
+            contact_force=force_from(acceleration_of, centripetal=0.0)),
+    suspect("G on the other side of the centre", contact_force=offset_reversed(force_of)),
+]  # fmt: skip
+
+
+def judge_forces(student, of, kind, hint):
+    for found, (phi, phi_dot, c) in zip(student.contact_force.many(calls(of, *ALL)), of, strict=True):
+        scale = moment_scale(phi, phi_dot, c) / c["radius"]
+        expect(found, force_of(phi, phi_dot, **c), within=FORMULA, scale=scale, of="the contact force",
+               unit="of m (g + r phi_dot^2)", kind=kind, hint=hint, at=(phi, phi_dot, c))  # fmt: skip
+
+
+@check(points=1.25, part="b", suspects=FORCE_SUSPECTS)
+def contact_force_accelerates_G(student, draw):
+    """contact_force: with the weight it is the mass times the acceleration of G; (along, normal)."""
+    for fixed, kind in (({}, "G off the centre"), ({"offset": 0.0}, "G at the centre")):
+        slow = [(phi, rate / 5, c) for phi, rate, c in cases(draw, 8, **fixed)]  # the weight presses it down
+        judge_forces(student, slow, kind, "along is positive down the ramp: on which part does friction act?")
+
+
+@check(points=0.25, part="b", after=contact_force_accelerates_G)
+def contact_force_may_pull(student, draw):
+    """contact_force: contact is kept in fast rolling too, where the ramp must pull, and without gravity."""
+    hint = "contact is kept: the force is what keeping it needs"
+    fast = [
+        (phi / 9 + math.pi, 4 * rate, c) for phi, rate, c in cases(draw, 8)
+    ]  # G is high: it must be pulled
+    judge_forces(student, fast, "a normal force below zero", hint)
+    judge_forces(student, cases(draw, 5, gravity=0.0), "gravity 0", hint)
+
+
+def potential_from(level):
+    """The energy with the potential zero elsewhere: `level` above where it belongs, in the cylinder's numbers."""
+    return lambda *args, **c: total_energy(*args, **c) - c["mass"] * c["gravity"] * level(c)
+
+
+ENERGY_SUSPECTS = [
+    suspect("the potential zero with G where it is at phi = 0",
+            energy=potential_from(lambda c: -c["offset"] * math.cos(c["slope"]))),
+    suspect("the potential zero on the ramp", energy=potential_from(lambda c: -c["radius"] * math.cos(c["slope"]))),
+    suspect("the centre's speed for that of G",
+            energy=lambda phi, rate, **c: total_energy(phi, 0.0, **c)
+            + (c["mass"] * c["radius"] ** 2 + c["inertia"]) * rate**2 / 2),
+    suspect("the kinetic energy without that of G", energy=lambda phi, rate, **c: total_energy(phi, 0.0, **c)
+            + c["inertia"] * rate**2 / 2),
+    suspect("G on the other side of the centre", energy=offset_reversed(total_energy)),
+]  # fmt: skip
+
+
+@check(points=1, part="b", suspects=ENERGY_SUSPECTS)
+def energy_of_G_and_of_turning(student, draw):
+    """energy: of the motion of G, of the turning, and of the height of G."""
+    of = cases(draw, 12) + cases(draw, 3, gravity=0.0)
+    for found, (phi, phi_dot, c) in zip(student.energy.many(calls(of, *ALL)), of, strict=True):
+        expect(found, total_energy(phi, phi_dot, **c), within=FORMULA, scale=9 * moment_scale(phi, phi_dot, c),
+               of="the energy", unit="of its largest term", kind="any angle and rate", at=(phi, phi_dot, c),
+               hint="where is G, and how high above the centre's place at phi = 0?")  # fmt: skip
+
+
+def times(draw, span, count):
+    """Uneven times over a span; they start anywhere but at zero."""
+    steps = np.concatenate([[0.0], np.cumsum(draw.uniform(0.2, 1.8, count - 1))])
+    return span * (draw.uniform(0.3, 0.6) * draw.choice([-1, 1]) + steps / steps[-1])
+
+
+@once
+def runs(draw, count):
+    """Two calls to simulate, what is right for each, and the kind of motion: rolling down, and rocking in a hollow."""
+    rolling = cylinder(draw, slope=draw.uniform(0.2, 0.5))
+    # fast enough to pass every top with energy to spare
+    start = draw.uniform(-2, 2), draw.uniform(3, 4) * usual(rolling)
+    two = [(rolling, start, "a cylinder that rolls down")]
+    rocking = cylinder(draw, slope=draw.uniform(0.05, 0.15))
+    rest = math.asin(rocking["radius"] * math.sin(rocking["slope"]) / rocking["offset"]) - rocking["slope"]
+    start = rest + draw.choice([-1, 1]) * draw.uniform(0.5, 0.9), -draw.uniform(0.1, 0.3) * usual(rocking)
+    two.append((rocking, start, "a cylinder that rocks"))
+    cases = []
+    for c, start, kind in two:
+        t = times(draw, 8 / usual(c), count)
+        cases.append((given(t, *start, **c), integrated(acceleration_of)(t, *start, **c), usual(c), kind))
+    return cases
+
+
+def judge_runs(student, cases, hint):
+    found = student.simulate.many([call for call, *_ in cases])
+    judged = []
+    for states, (call, expected, rate, kind) in zip(found, cases, strict=True):
+        far = max(1.0, np.ptp(expected[:, 0]))
+        judged.append((states / [far, rate * far], expected / [far, rate * far], call, kind))
+    for states, expected, call, kind in sorted(
+        judged, key=error_of_run, reverse=True
+    ):  # partial points: worst first
+        expect(states, expected, within=TRAJECTORY, of="phi, or phi_dot in its scale,", unit="of the distance rolled",
+               t=call.args[0], kind=kind, hint=hint, at=call, partial={1e-3: 0.5})  # fmt: skip
+
+
+def error_of_run(run):
+    return np.max(np.abs(run[0] - run[1]))
+
+
+@check(points=1, part="b", suspects=SIMULATE_SUSPECTS)
+def simulate_rolls_and_rocks(student, draw):
+    """simulate: rolling down and rocking, row i at t[i], row 0 the given state."""
+    judge_runs(student, runs(draw, 200), "put `acceleration` into an integrator; is its tolerance tight?")
+
+
+@check(points=0.25, part="b", after=simulate_rolls_and_rocks, suspects=SIMULATE_SUSPECTS)
+def simulate_needs_no_dense_times(student, draw):
+    """simulate: the same motion when only a few times are asked for."""
+    judge_runs(student, runs(draw, 4), "the steps of the integration are not those of t")
+
+
+@once
+def small_rocking(draw):
+    """A call with a small start on level ground, and the linear solution: its inertia is that about C at phi = 0."""
+    c = cylinder(draw, slope=0.0)
+    stiffness = c["mass"] * c["gravity"] * c["offset"]
+    k = math.sqrt(stiffness / about_contact(0.0, **parts(c, *BODY)))
+    t, amplitude = times(draw, 25 / k, 60), draw.uniform(1, 2) * 1e-3
+    angle = k * (t - t[0])
+    expected = np.column_stack([amplitude * np.cos(angle), -amplitude * k * np.sin(angle)])
+    return given(t, amplitude, 0.0, **c), expected / [amplitude, amplitude * k], [amplitude, amplitude * k]
+
+
+ROCKING = 5e-4  # of the amplitude: solve_ivp at 1e-9 is off by 4e-5, the square of the amplitude by 3e-5
+
+
+@check(points=0.25, part="b", after=simulate_rolls_and_rocks)
+def simulate_rocks_at_the_linear_frequency(student, draw):
+    """simulate: small rocking on level ground has the frequency of the linear equation."""
+    call, expected, scale = small_rocking(draw)
+    expect(student.simulate(*call.args, **call.kwargs) / scale, expected, within=ROCKING, of="phi or phi_dot",
+           unit="of its amplitude", t=call.args[0], kind="small rocking on level ground", at=call,
+           hint="is the tolerance absolute, and too coarse for a small motion?")  # fmt: skip
+
+
+@check(points=0.5, part="b", after=simulate_rolls_and_rocks)
+def simulate_keeps_the_energy(student, draw):
+    """simulate: the energy stays what it was over many turns, with and without gravity."""
+    runs = (({"gravity": 0.0}, "many turns without gravity"), ({"slope": 0.0}, "many turns on level ground"))
+    judged = [(*energies(student, draw, fixed), kind) for fixed, kind in runs]
+    for found, expected, t, at, kind in sorted(judged, key=error_of_run, reverse=True):
+        expect(found, expected, within=ENERGY, of="the energy", unit="of m r^2 (g/r + phi_dot^2) at the start",
+               t=t, kind=kind, at=at, partial={1e-4: 0.6, 1e-2: 0.3},
+               hint="a step of fixed length, or a fixed number of them, does not do for every duration")  # fmt: skip
+
+
+def energies(student, draw, fixed):
+    """The energies of a long run, what they should be, both in the scale of the start, the times, and the input."""
+    c = cylinder(draw, **fixed)
+    t, start = times(draw, 50 / usual(c), 150), (draw.uniform(-2, 2), 3 * usual(c))
+    found = [total_energy(*state, **c) for state in student.simulate(t, *start, **c)]
+    scale = moment_scale(*start, c)
+    return np.array(found) / scale, np.full(len(t), total_energy(*start, **c) / scale), t, (start, c)

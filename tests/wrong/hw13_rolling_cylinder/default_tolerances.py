@@ -1,0 +1,10 @@
+"""solve_ivp with its default tolerances.
+
+fails: simulate_rolls_and_rocks
+"""
+
+
+def simulate(t, phi, phi_dot, **c):
+    from scipy.integrate import solve_ivp
+
+    return solve_ivp(lambda s, y: (y[1], acceleration(*y, **c)), (t[0], t[-1]), (phi, phi_dot), t_eval=t).y.T

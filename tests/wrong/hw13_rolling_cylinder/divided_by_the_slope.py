@@ -1,0 +1,11 @@
+"""The sine of the slope taken out as a factor: no level ground.
+
+fails: acceleration_level_and_without_gravity, simulate_rocks_at_the_linear_frequency, simulate_keeps_the_energy
+"""
+
+_right = acceleration
+
+
+def acceleration(phi, phi_dot, **cylinder):
+    s = math.sin(cylinder["slope"])
+    return s * (_right(phi, phi_dot, **cylinder) / s)

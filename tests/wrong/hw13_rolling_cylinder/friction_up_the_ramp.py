@@ -1,0 +1,12 @@
+"""along positive up the ramp.
+
+fails: contact_force_accelerates_G
+suspect: positive up the ramp
+"""
+
+_right = contact_force
+
+
+def contact_force(phi, phi_dot, **cylinder):
+    along, normal = _right(phi, phi_dot, **cylinder)
+    return -along, normal

@@ -1,0 +1,9 @@
+"""Half the missing moment.
+
+fails: missing_moment_makes_it_right
+suspect: half the term
+"""
+
+
+def missing_moment(phi, phi_dot, *, mass, radius, offset):
+    return mass * radius * offset * math.sin(phi) * phi_dot**2 / 2

@@ -1,0 +1,11 @@
+"""Half the missing moment in the acceleration.
+
+fails: acceleration_balances_momentum_about_G, contact_force_accelerates_G, simulate_rolls_and_rocks
+suspect: half the term
+"""
+
+
+def acceleration(phi, phi_dot, *, mass, radius, offset, inertia, slope, gravity):
+    body = {"mass": mass, "radius": radius, "offset": offset}
+    M = mass * gravity * (radius * math.sin(slope) - offset * math.sin(phi + slope))
+    return (M - missing_moment(phi, phi_dot, **body) / 2) / contact_inertia(phi, inertia=inertia, **body)

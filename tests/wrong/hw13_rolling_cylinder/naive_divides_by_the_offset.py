@@ -1,0 +1,10 @@
+"""The moment arm by the offset: none for a centred cylinder.
+
+fails: centred_cylinder_rolls_by_both_methods
+"""
+
+_right = naive_contact_acceleration
+
+
+def naive_contact_acceleration(phi, *, offset, **rest):
+    return offset * (_right(phi, offset=offset, **rest) / offset)

@@ -1,0 +1,11 @@
+"""G's acceleration without its terms in phi_dot squared.
+
+fails: contact_force_accelerates_G
+suspect: terms in phi_dot squared
+"""
+
+
+def contact_force(phi, phi_dot, *, mass, radius, offset, slope, gravity, **rest):
+    a = acceleration(phi, phi_dot, mass=mass, radius=radius, offset=offset, slope=slope, gravity=gravity, **rest)
+    along = mass * (radius - offset * math.cos(phi)) * a - mass * gravity * math.sin(slope)
+    return along, mass * offset * math.sin(phi) * a + mass * gravity * math.cos(slope)

@@ -1,0 +1,9 @@
+"""phi_dot not squared.
+
+fails: missing_moment_makes_it_right
+suspect: phi' where its square belongs
+"""
+
+
+def missing_moment(phi, phi_dot, *, mass, radius, offset):
+    return mass * radius * offset * math.sin(phi) * phi_dot

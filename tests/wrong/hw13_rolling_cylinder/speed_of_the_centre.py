@@ -1,0 +1,11 @@
+"""The centre's speed in the kinetic energy.
+
+fails: energy_of_G_and_of_turning
+suspect: centre's speed
+"""
+
+_right = energy
+
+
+def energy(phi, phi_dot, **c):
+    return _right(phi, 0.0, **c) + (c["inertia"] + c["mass"] * c["radius"] ** 2) * phi_dot**2 / 2
