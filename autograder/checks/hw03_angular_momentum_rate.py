@@ -1,0 +1,363 @@
+"""Hidden checks of hw03. P and C move along random polynomials; what is right is the derivative of their products."""
+
+import numpy as np
+
+from tam570_grader import array, check, expect, expect_that, given, group, once, suspect
+
+RESULTS = {
+    "moment": array(3),
+    "angular_momentum": array(3),
+    "rate": array(3),
+    "discrepancy": array(3),
+    "special_motion": group(array(None, 3), array(None, 3)),
+}
+NEEDS = ("numpy",)
+OFF_LIMITS: dict[str, tuple[str, ...]] = {}
+MANUAL = {
+    "a": (2, "in words: which definitions have rate = moment in general, which in special cases, and why"),
+}
+
+POINTWISE = 1e-8  # a few roundings make 1e-15, a rate by differences of a Taylor series 1e-11
+IDENTITY = (
+    1e-12  # relative, of a coefficient: those of a motion, and so their products, are rounded to 1e-16 each
+)
+CERTAIN = 1e-9  # relative, of a coefficient that is there for certain
+NOTHING = 1e-8  # of the largest: a polynomial that vanishes twice is found to be below the root of rounding
+LONGEST = 100  # coefficients of a motion that are looked at
+
+
+def cross(p, q):
+    """Coefficients (k, 3) of the vector product of two vectors of polynomials."""
+    product = np.zeros((len(p) + len(q) - 1, 3))
+    for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+        product[:, k] = np.convolve(p[:, i], q[:, j]) - np.convolve(p[:, j], q[:, i])
+    return product
+
+
+def derivative(p):
+    return p[1:] * np.arange(1, len(p))[:, None] if len(p) > 1 else np.zeros((1, 3))
+
+
+def difference(p, q):
+    longer = max(len(p), len(q))
+    p, q = (np.vstack([f, np.zeros((longer - len(f), 3))]) for f in (p, q))
+    return p - q
+
+
+def value(p, t):
+    """Of a vector of polynomials, at numbers t: (..., 3)."""
+    return np.moveaxis(np.polynomial.polynomial.polyval(t, p), 0, -1)
+
+
+def momentum(definition, p, c, mass, now):
+    """The angular momentum as polynomials in time; C' is where C is at the time `now`."""
+    held = value(c, now)[None] if definition == "a" else c
+    velocity = derivative(difference(p, c)) if definition == "c" else derivative(p)
+    return mass * cross(difference(p, held), velocity)
+
+
+@once
+def motions(draw):
+    """Random motions of P and C, and for each the mass, the time, and the state (r_p, v_p, a_p, r_c, v_c, a_c) then."""
+    cases = []
+    for _ in range(8):
+        p, c = draw.normal(size=(2, 5, 3)) * draw.uniform(0.3, 3, (2, 5, 1))
+        mass, now = 10 ** draw.uniform(-1, 1), draw.uniform(-0.8, 0.8)
+        orders = (f for path in (p, c) for f in (path, derivative(path), derivative(derivative(path))))
+        cases.append((p, c, mass, now, tuple(value(f, now) for f in orders)))
+    return cases
+
+
+def size(state, mass):
+    """The size of a moment, N m, and of an angular momentum, kg m^2/s, in such a state."""
+    r, v, a = (np.linalg.norm(state[i]) + np.linalg.norm(state[i + 3]) for i in range(3))
+    return mass * (r * a + v**2), mass * r * v
+
+
+def moment_variant(says, wrong):
+    return suspect(says, moment=lambda r_p, a_p, r_c, mass: wrong(r_p, a_p, r_c, mass))
+
+
+MOMENT_SUSPECTS = [
+    moment_variant("the moment about O in place of C", lambda r_p, a_p, r_c, m: np.cross(r_p, m * a_p)),
+    moment_variant("the lever arm from P to C", lambda r_p, a_p, r_c, m: np.cross(r_c - r_p, m * a_p)),
+    moment_variant("the moment without the mass", lambda r_p, a_p, r_c, m: np.cross(r_p - r_c, a_p)),
+]  # fmt: skip
+
+
+@check(points=1, part="a", suspects=MOMENT_SUSPECTS)
+def moment_is_about_C(student, draw):
+    """moment: that of the total force on P, about C."""
+    cases = motions(draw)
+    calls = [given(s[0], s[2], s[3], mass=mass) for _, _, mass, _, s in cases]
+    for found, call, (p, c, mass, now, state) in zip(student.moment.many(calls), calls, cases, strict=True):
+        force = mass * derivative(derivative(p))
+        expect(found, value(cross(difference(p, c), force), now), within=POINTWISE, scale=size(state, mass)[0],
+               of="the moment", unit="of its size", kind="random positions and accelerations", at=call,
+               hint="the lever arm runs from C to P, and the force on P is all of its m a")  # fmt: skip
+
+
+def momentum_variant(says, velocity, arm=lambda r_p, r_c: r_p - r_c):
+    """With velocity(definition, v_p, v_c) in place of the right one."""
+
+    def wrong(definition, r_p, v_p, r_c, v_c, mass):
+        return np.cross(arm(r_p, r_c), mass * velocity(definition, v_p, v_c))
+
+    return suspect(says, angular_momentum=wrong)
+
+
+MOMENTUM_SUSPECTS = [
+    momentum_variant("the other definition: are b and c swapped?", lambda d, v_p, v_c: v_p - v_c if d == "b" else v_p),
+    momentum_variant("the velocity of C for that of P", lambda d, v_p, v_c: v_c - v_p if d == "c" else v_c),
+    momentum_variant("the angular momentum about O in place of C",
+                     lambda d, v_p, v_c: v_p - v_c if d == "c" else v_p, lambda r_p, r_c: r_p),
+]  # fmt: skip
+IN_EVERY = momentum_variant("the velocity relative to C in every definition", lambda d, v_p, v_c: v_p - v_c)
+
+
+def judge_momentum(student, draw, definitions, hint):
+    for definition in definitions:
+        cases = motions(draw)
+        calls = [given(definition, s[0], s[1], s[3], s[4], mass=mass) for _, _, mass, _, s in cases]
+        found = student.angular_momentum.many(calls)
+        for one, call, (p, c, mass, now, state) in zip(found, calls, cases, strict=True):
+            expect(one, value(momentum(definition, p, c, mass, now), now), within=POINTWISE,
+                   scale=size(state, mass)[1], of="the angular momentum", unit="of its size",
+                   kind=f"definition {definition}", hint=hint, at=call)  # fmt: skip
+
+
+@check(points=1, part="a", suspects=[*MOMENTUM_SUSPECTS, IN_EVERY])
+def momentum_with_the_velocity_in_F(student, draw):
+    """angular_momentum by definitions a and b: the lever arm from C, the velocity as F sees it."""
+    judge_momentum(student, draw, "ab", "at one instant, can definitions a and b differ?")
+
+
+@check(points=0.75, part="a", suspects=MOMENTUM_SUSPECTS)
+def momentum_with_the_velocity_relative_to_C(student, draw):
+    """angular_momentum by definition c: the velocity as one sees it who moves along with C."""
+    judge_momentum(student, draw, "c", "whose velocity, seen from where?")
+
+
+def refuses_others(student, draw, name):
+    """The function refuses letters that name no definition."""
+    _, _, mass, _, state = motions(draw)[0]
+    arguments = state if name != "angular_momentum" else (*state[:2], *state[3:5])
+    for definition in ("d", "ab", ""):
+        expect_that(getattr(student, name).refuses(definition, *arguments, mass=mass),
+                    f"{name} takes a definition that there is none of", at=definition,
+                    hint="raise ValueError for anything but the three letters")  # fmt: skip
+
+
+@check(
+    points=0.25, part="a", after=(momentum_with_the_velocity_in_F, momentum_with_the_velocity_relative_to_C)
+)
+def momentum_refuses_other_definitions(student, draw):
+    """angular_momentum raises ValueError for another definition."""
+    refuses_others(student, draw, "angular_momentum")
+
+
+def terms(state, mass):
+    """The moment, and the terms by which the rates of b and of c differ from it."""
+    r_p, v_p, a_p, r_c, v_c, a_c = state
+    r = r_p - r_c
+    return np.cross(r, mass * a_p), -np.cross(v_c, mass * v_p), -np.cross(r, mass * a_c)
+
+
+def rate_variant(says, by):
+    """With by[definition](moment, b's term, c's term) for the discrepancy."""
+
+    def discrepancy(definition, *state, mass):
+        return by[definition](*terms(state, mass))
+
+    def rate(definition, *state, mass):
+        return terms(state, mass)[0] + by[definition](*terms(state, mass))
+
+    return suspect(says, rate=rate, discrepancy=discrepancy)
+
+
+def nothing(moment, b, c):
+    return np.zeros(3)
+
+
+RIGHT = {"a": nothing, "b": lambda moment, b, c: b, "c": lambda moment, b, c: c}
+SWAPPED = rate_variant(
+    "the other definition: are b and c swapped?", {**RIGHT, "b": RIGHT["c"], "c": RIGHT["b"]}
+)
+A_SUSPECTS = [
+    rate_variant("the rate of definition b: a point C' that moves", {**RIGHT, "a": RIGHT["b"]}),
+    rate_variant("the rate of definition c: velocities relative to C", {**RIGHT, "a": RIGHT["c"]}),
+]
+B_SUSPECTS = [
+    SWAPPED,
+    rate_variant("the moment for the rate: in definition b, C moves while time goes on", {**RIGHT, "b": nothing}),
+    rate_variant("the sign of the velocity of C's term reversed", {**RIGHT, "b": lambda moment, b, c: -b}),
+]  # fmt: skip
+C_SUSPECTS = [
+    SWAPPED,
+    rate_variant("the acceleration of C forgotten", {**RIGHT, "c": nothing}),
+    rate_variant("the sign of the acceleration of C reversed", {**RIGHT, "c": lambda moment, b, c: -c}),
+    rate_variant("the term of definition b in definition c too", {**RIGHT, "c": lambda moment, b, c: b + c}),
+]
+
+
+def judge_rate(student, draw, name, definition, hint):
+    """Compare the rate, or the rate less the moment, with the derivative of the polynomials."""
+    cases = motions(draw)
+    calls = [given(definition, *state, mass=mass) for _, _, mass, _, state in cases]
+    for found, call, (p, c, mass, now, state) in zip(
+        getattr(student, name).many(calls), calls, cases, strict=True
+    ):
+        expected = derivative(momentum(definition, p, c, mass, now))
+        if name == "discrepancy":
+            expected = difference(expected, mass * cross(difference(p, c), derivative(derivative(p))))
+        expect(found, value(expected, now), within=POINTWISE, scale=size(state, mass)[0], of=f"the {name}",
+               unit="of a moment's size", kind=f"definition {definition}", hint=hint, at=call)  # fmt: skip
+
+
+FIXED = "C' stays where C is at this instant: what is its velocity?"
+PRODUCT = "differentiate the product: which vectors change with time?"
+
+
+@check(points=0.5, part="a", suspects=A_SUSPECTS)
+def rate_about_a_fixed_point(student, draw):
+    """rate by definition a: the derivative while C' stays where it is."""
+    judge_rate(student, draw, "rate", "a", FIXED)
+
+
+@check(points=1, part="a", suspects=B_SUSPECTS)
+def rate_with_the_velocity_in_F(student, draw):
+    """rate by definition b: the derivative of its angular momentum along any motion of P and C."""
+    judge_rate(student, draw, "rate", "b", PRODUCT)
+
+
+@check(points=0.75, part="a", suspects=C_SUSPECTS)
+def rate_with_the_velocity_relative_to_C(student, draw):
+    """rate by definition c: the derivative of its angular momentum along any motion of P and C."""
+    judge_rate(student, draw, "rate", "c", PRODUCT)
+
+
+@check(points=0.25, part="a", after=(rate_about_a_fixed_point, rate_with_the_velocity_in_F))
+def rate_refuses_other_definitions(student, draw):
+    """rate raises ValueError for another definition."""
+    refuses_others(student, draw, "rate")
+
+
+@check(points=0.5, part="a", suspects=B_SUSPECTS)
+def discrepancy_with_the_velocity_in_F(student, draw):
+    """discrepancy by definition b: its rate less the moment."""
+    judge_rate(
+        student, draw, "discrepancy", "b", "it is your rate less your moment: what is left of it on paper?"
+    )
+
+
+@check(points=0.5, part="a", suspects=C_SUSPECTS)
+def discrepancy_with_the_velocity_relative_to_C(student, draw):
+    """discrepancy by definition c: its rate less the moment."""
+    judge_rate(
+        student, draw, "discrepancy", "c", "it is your rate less your moment: what is left of it on paper?"
+    )
+
+
+@check(points=0.25, part="a", after=discrepancy_with_the_velocity_in_F, suspects=A_SUSPECTS)
+def no_discrepancy_about_a_fixed_point(student, draw):
+    """discrepancy by definition a."""
+    judge_rate(student, draw, "discrepancy", "a", FIXED)
+
+
+@check(points=0.25, part="a", after=discrepancy_with_the_velocity_in_F)
+def discrepancy_refuses_other_definitions(student, draw):
+    """discrepancy raises ValueError for another definition."""
+    refuses_others(student, draw, "discrepancy")
+
+
+GRID = np.linspace(0, 1, 2001)
+
+
+def smallest(p):
+    """Smallest magnitude of a vector of polynomials for 0 <= t <= 1, by bisection about every dip of a fine grid."""
+
+    def magnitude(t):
+        return np.linalg.norm(value(p, t), axis=-1)
+
+    known = magnitude(GRID)
+    around = np.flatnonzero(
+        (known <= np.append(known[1:], np.inf)) & (known <= np.insert(known[:-1], 0, np.inf))
+    )
+    low, high = GRID[np.maximum(around - 1, 0)], GRID[np.minimum(around + 1, len(GRID) - 1)]
+    for _ in range(100):  # thirds: 1e-17 of an interval
+        a, b = low + (high - low) / 3, high - (high - low) / 3
+        left = magnitude(a) < magnitude(b)
+        low, high = np.where(left, low, a), np.where(left, b, high)
+    return min(known.min(), magnitude((low + high) / 2).min())
+
+
+def extent(p):
+    """What a vector of polynomials cannot exceed for 0 <= t <= 1."""
+    return np.abs(p).sum()
+
+
+def violation(definition, p, c):
+    """The product that vanishes at every t if the definition holds, its size, and that of what it is rounded from."""
+    if definition == "b":  # -v_C x m v_P
+        one, other = derivative(c), derivative(p)
+        rounded = extent(one) * extent(other)
+    else:  # -r_{P/C} x m a_C
+        one, other = difference(p, c), derivative(derivative(c))
+        rounded = (extent(p) + extent(c)) * extent(other)
+    return np.abs(cross(one, other)).max(), extent(one) * extent(other), rounded
+
+
+def holds(definition, p, c):
+    """Whether rate = moment at every t: all coefficients of the violation are zero, but for rounding."""
+    worst, _, rounded = violation(definition, p, c)
+    return worst <= IDENTITY * rounded
+
+
+def fails(definition, p, c):
+    """Whether rate and moment differ at some t for certain."""
+    worst, whole, rounded = violation(definition, p, c)
+    return worst > max(CERTAIN * whole, IDENTITY * rounded)
+
+
+def judge_motion(definition, p, c):
+    """The motion of P and C must be one for which this definition holds and the other does not."""
+    expect_that(max(len(p), len(c)) <= LONGEST, f"the motion has more than {LONGEST} coefficients")
+    apart, moves, speeds = difference(p, c), derivative(c), derivative(derivative(c))
+    known = {"kind": f"definition {definition}", "at": (p, c)}
+    expect_that(
+        smallest(moves) > NOTHING * extent(moves), "the velocity of C vanishes at some time in 0..1", **known
+    )
+    expect_that(smallest(speeds) > NOTHING * extent(moves), "the acceleration of C vanishes at some time in 0..1",
+                **known, hint="the sum starts at j = 0: p[0] and c[0] are the positions at t = 0")  # fmt: skip
+    rounded = IDENTITY * (extent(p) + extent(c))
+    expect_that(
+        smallest(apart) > max(NOTHING * extent(apart), rounded), "P and C meet at some time in 0..1", **known
+    )
+    expect_that(np.abs(apart[1:]).max(initial=0) > max(CERTAIN * extent(moves), rounded),
+                "P moves along with C: the vector between them does not change", **known)  # fmt: skip
+    other = {"b": "c", "c": "b"}[definition]
+    expect_that(holds(definition, p, c), "the rate differs from the moment at some time", **known,
+                hint=f"it does not for definition {other}" if holds(other, p, c) else
+                "which product must vanish, and at every t? Multiply the polynomials out")  # fmt: skip
+    expect_that(fails(other, p, c), f"definition {other} holds too, at every t", **known)
+
+
+@check(points=1.5, part="a")
+def special_motion_of_b(student, draw):
+    """special_motion of b: a motion with C speeding, for which definition b holds at every t, and c does not."""
+    judge_motion("b", *student.special_motion("b"))
+
+
+@check(points=1.25, part="a")
+def special_motion_of_c(student, draw):
+    """special_motion of c: a motion with C speeding, for which definition c holds at every t, and b does not."""
+    judge_motion("c", *student.special_motion("c"))
+
+
+@check(points=0.25, part="a", after=(special_motion_of_b, special_motion_of_c))
+def special_motion_refuses_other_definitions(student, draw):
+    """special_motion raises ValueError for another definition."""
+    for definition in ("d", "bc", ""):
+        expect_that(student.special_motion.refuses(definition), at=definition,
+                    says="special_motion takes a definition that there is none of",
+                    hint='raise ValueError for anything but "b" and "c"')  # fmt: skip
