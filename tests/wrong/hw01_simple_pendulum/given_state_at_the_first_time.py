@@ -1,7 +1,7 @@
 """The small oscillation as if the given state were that at t[0].
 
 fails: small_angle_solution_is_harmonic
-suspect: the given state as that at t[0], not at t = 0
+suspect: the state at t[0] for that at t = 0
 """
 
 def small_angle_solution(t, theta0, omega0, *, length, gravity):

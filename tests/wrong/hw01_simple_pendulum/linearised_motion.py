@@ -1,7 +1,7 @@
 """The small oscillation for the simulation.
 
 fails: simulate_swings
-suspect: the linearised equation, where the full one is asked
+suspect: the linearised equation, theta for sin theta
 """
 
 def simulate(t, theta0, omega0, *, length, gravity):

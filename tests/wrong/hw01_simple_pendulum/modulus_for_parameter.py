@@ -1,7 +1,7 @@
 """SciPy's ellipk takes m = k^2, and gets k.
 
 fails: period_is_exact
-suspect: the modulus k where the parameter m = k^2 belongs
+suspect: the modulus k for the parameter m = k^2
 """
 
 def period(amplitude, *, length, gravity):
