@@ -4,7 +4,7 @@ The particle feels its weight, m g down, and the drag -c v. x is to the right, y
 the origin at `angle` above the horizontal. There is no ground: it goes on below y = 0. A state is
 x, y, vx, vy in m and m/s.
 
-Nothing is off limits in this file.
+Off limits inside `trajectory`: scipy.integrate and tam570.integrate. A closed form is asked for.
 """
 
 import numpy as np

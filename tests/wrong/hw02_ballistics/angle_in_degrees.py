@@ -1,0 +1,11 @@
+"""The closed form takes the angle for degrees.
+
+fails: trajectory_is_the_motion, both_paths_are_drawn
+suspect: the angle taken for degrees
+"""
+
+in_radians = trajectory
+
+
+def trajectory(t, speed, angle, **known):
+    return in_radians(t, speed, np.radians(angle), **known)

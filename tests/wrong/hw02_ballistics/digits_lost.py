@@ -1,0 +1,14 @@
+"""The textbook formula, in which little drag leaves no digits.
+
+fails: trajectory_with_hardly_any_drag
+"""
+
+
+def trajectory(t, speed, angle, *, mass, drag, gravity):
+    vx, vy = speed * math.cos(angle), speed * math.sin(angle)
+    if drag == 0:
+        return np.column_stack([vx * t, vy * t - gravity * t**2 / 2, vx + 0 * t, vy - gravity * t])
+    k = drag / mass
+    decay = np.exp(-k * t)
+    y = (vy + gravity / k) * (1 - decay) / k - gravity * t / k
+    return np.column_stack([vx * (1 - decay) / k, y, vx * decay, (vy + gravity / k) * decay - gravity / k])

@@ -1,0 +1,14 @@
+"""The best angle by a search for the maximum, which is too flat at a huge speed.
+
+fails: best_angle_at_a_huge_speed
+"""
+
+
+def best_angle(speed, **known):
+    from scipy.optimize import minimize_scalar
+
+    found = minimize_scalar(
+        lambda angle: -horizontal_range(speed, angle, **known) / speed,
+        bounds=(1e-4, 1.5), method="bounded", options={"xatol": 1e-9},
+    )
+    return found.x

@@ -1,0 +1,13 @@
+"""The flight time by Lambert's W alone, which has half of its digits next to its branch point.
+
+fails: flight_time_with_hardly_any_drag, range_with_hardly_any_drag
+"""
+
+
+def flight_time(speed, angle, *, mass, drag, gravity):
+    from scipy.special import lambertw
+
+    if drag < 1e-9:
+        return 2 * speed * math.sin(angle) / gravity
+    a = 1 + drag * speed * math.sin(angle) / (mass * gravity)
+    return mass / drag * (a + lambertw(-a * np.exp(-a)).real)

@@ -1,0 +1,8 @@
+"""The simulation is launched at t = 0 instead of t[0].
+
+fails: simulation_follows_the_motion
+"""
+
+
+def simulate(t, speed, angle, **known):
+    return trajectory(t, speed, angle, **known)

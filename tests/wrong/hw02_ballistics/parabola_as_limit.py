@@ -1,0 +1,10 @@
+"""The limit of the shape is taken for the parabola without drag: launch, top, landing.
+
+fails: path_at_a_huge_speed_has_the_limit_shape
+suspect: a parabola
+"""
+
+
+def limit_shape(angle):
+    length, height = np.sin(2 * angle), np.sin(angle) ** 2 / 2
+    return [[0, 0], [length / 2, height], [length, 0]]

@@ -1,0 +1,15 @@
+"""The simulation returns (4, n).
+
+fails: simulation_follows_the_motion
+"""
+
+
+def simulate(t, speed, angle, **known):
+    return trajectory(t - t[0], speed, angle, **known).T
+
+
+def plot_comparison(ax, t, speed, angle, **known):
+    x, y, _, _ = trajectory(t, speed, angle, **known).T
+    ax.plot(x, y)
+    ax.plot(x, y)
+    ax.set(xlabel="x (m)", ylabel="y (m)", aspect="equal")

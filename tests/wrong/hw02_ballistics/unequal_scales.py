@@ -1,0 +1,10 @@
+"""The plot has different scales for x and y.
+
+fails: both_paths_are_drawn
+"""
+
+
+def plot_comparison(ax, t, speed, angle, **known):
+    for motion in (simulate, trajectory):
+        ax.plot(*motion(t, speed, angle, **known)[:, :2].T)
+    ax.set(xlabel="x (m)", ylabel="y (m)")

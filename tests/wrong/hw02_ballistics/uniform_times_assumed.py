@@ -1,0 +1,8 @@
+"""The simulation takes the times for evenly spaced.
+
+fails: simulation_follows_the_motion
+"""
+
+
+def simulate(t, speed, angle, **known):
+    return trajectory(np.linspace(0, t[-1] - t[0], len(t)), speed, angle, **known)
