@@ -8,7 +8,7 @@ __all__ = ["advance", "first_step"]
 SAFETY = 0.9
 LARGEST, SMALLEST = 6.0, 0.2  # change of the step size from one step to the next
 EXPONENT = -1 / 8
-ROUNDING = 2.0**20 * 10 * 2.0**-53  # ten roundings of each term, seen through a change by 2^-20
+ROUNDING = 10.0  # an error within ten times what rounding does to the derivative is not the method's
 
 # The functions generated for one right-hand side: the loops below run with these for their global names.
 rhs: Any = None
@@ -19,20 +19,24 @@ dense: Any = None
 at: Any = None
 
 
-def first_step(origin: Any, span: Any, y: Any, f: Any, m: Any, c: Any) -> Any:
+def first_step(origin: Any, span: Any, y: Any, f: Any, c: Any) -> Any:
     """A step across which the derivative changes little, found from above: a derivative of zero deceives nobody."""
     h = span / 100
-    while h > 1e-9 * span:
-        g = rhs(origin + h, euler(h, y, f), c)
-        restless = 0
-        for i in range(len(y)):
-            scale = max(m[i], h * abs(f[i]), h * abs(g[i]))
-            if not h * abs(g[i] - f[i]) <= 0.1 * scale:
-                restless += 1
-        if restless == 0:
-            break
+    while h > 1e-9 * span and restless(h, y, f, rhs(origin + h, euler(h, y, f), c)):
         h /= 4
     return h
+
+
+def restless(h: Any, y: Any, f: Any, g: Any) -> Any:
+    """Whether the derivative changes by more than a tenth of the state, or of itself, within h.
+
+    What starts at zero with zero rate has no scale to compare with and is left to the estimates of the steps.
+    """
+    for i in range(len(y)):
+        size = max(abs(y[i]), h * abs(f[i]))
+        if size > 0 and not h * abs(g[i] - f[i]) <= 0.1 * max(size, h * abs(g[i])):
+            return True
+    return False
 
 
 def advance(origin: Any, times: Any, out: Any, state: Any, c: Any, rtol: Any, budget: Any) -> Any:
@@ -71,7 +75,7 @@ def advance(origin: Any, times: Any, out: Any, state: Any, c: Any, rtol: Any, bu
             growth = LARGEST
         else:
             if error < 1e300:
-                m = raised(origin + new, h, n, g, m, c, ROUNDING / rtol)
+                m = raised(origin + t, h, y, f, m, c, ROUNDING / rtol)
             h *= max(SMALLEST, SAFETY * error**EXPONENT) if error < 1e300 else 0.1
             growth = 1.0
     return row, t, h, y, r, f, m

@@ -83,7 +83,7 @@ class _Members:
         error = np.where(fifth > 0, fifth / (self.rtol * np.sqrt(fifth + 0.01 * third)), fifth)
         fine = error <= 1
         self._sample(fine, new, h, np.array(n), _rows(g, h), stages)
-        self._forgive(~fine, h, np.array(n), _rows(g, h))
+        self._forgive(~fine, h)
         factor = np.clip(SAFETY * np.where(error > 0, error, 1e-30) ** EXPONENT, SMALLEST, self.growth)
         self.h = h * np.where(np.isfinite(error), factor, 0.1)
         self.growth = np.where(fine, LARGEST, 1.0)
@@ -110,12 +110,12 @@ class _Members:
             more[more] = self.since[self.row[due[more]]] <= new[due[more]]
             due, q = due[more], [c[more] if np.ndim(c) else c for c in q]
 
-    def _forgive(self, refused: Any, h: Array, n: Array, g: Array) -> None:
+    def _forgive(self, refused: Any, h: Array) -> None:
         """Raise the magnitudes of members whose error is but rounding, as in `drive.advance`."""
-        i = np.flatnonzero(refused & np.isfinite(n).all(axis=0))
+        i = np.flatnonzero(refused)
         if len(i):
-            start, weight = self.origin + self.t[i] + h[i], ROUNDING / self.rtol
-            raised = self.functions["raised"](start, h[i], n[:, i], g[:, i], self.m[:, i], self.c, weight)
+            start, y, f, m = self.origin + self.t[i], self.y[:, i], self.f[:, i], self.m[:, i]
+            raised = self.functions["raised"](start, h[i], y, f, m, self.c, ROUNDING / self.rtol)
             self.m[:, i] = _rows(raised, h[i])
 
     def _keep(self, going: Any) -> None:

@@ -10,7 +10,7 @@ import numpy as np
 
 from tam570.integrate import drive, machine
 from tam570.integrate.pace import Loop, carried_through
-from tam570.integrate.problem import Array, Rates, agrees, floats_function
+from tam570.integrate.problem import Array, Rates, agrees, check_start, floats_function
 from tam570.integrate.source import Formulas, call_of, compiled, functions
 from tam570.integrate.trace import traced
 
@@ -30,6 +30,7 @@ class Engine:
 def engine(rates: Rates, times: Array, start: Array) -> Engine:
     """Functions for the right-hand side as traced, if it can be and agrees; else for calls of it."""
     sampled = len(times) > 2
+    check_start(rates, float(times[0]), start)
     try:
         formulas, constants = traced(rates, len(start))
         kit = Engine(_functions(formulas, sampled), constants, formulas, True)
@@ -50,7 +51,7 @@ def _functions(formulas: Formulas, sampled: bool) -> dict[str, Any]:
 def _with_loop(namespace: dict[str, Any]) -> dict[str, Any]:
     """The generated functions and, with these for its global names, the loop around them."""
     merged = {**vars(drive), **namespace}
-    for loop in (drive.first_step, drive.advance):
+    for loop in (drive.restless, drive.first_step, drive.advance):
         merged[loop.__name__] = FunctionType(loop.__code__, merged)
     return merged
 
@@ -68,8 +69,14 @@ def states(
     rtol: float,
     how: str,
     project: Callable[[Array], Any] | None = None,
+    longest: Callable[[Array], float] | None = None,
 ) -> Array:
-    """(n, k) states at `times`; how: "auto", "python" or "numba"; project(y) -> y after every step."""
+    """(n, k) states at `times`.
+
+    how     : "auto", "python" or "numba"
+    project : project(y) -> y after every step
+    longest : longest(y) -> s, no step from y is longer; only together with project
+    """
     rows = np.empty((len(times), len(start)))
     rows[0] = start
     origin, since = float(times[0]), times - times[0]
@@ -84,7 +91,11 @@ def states(
 
     def projected(advance: Any, state: Any, budget: int, by_numba: bool) -> Any:
         while share(state) < 1:
-            state = _projected(kit, rows, run(advance, state, 1, by_numba), state[0], origin, project)
+            row, t, h, y, *rest = state
+            if longest:
+                h = min(h, longest(np.array(y)))
+            state = run(advance, (row, t, h, y, *rest), 1, by_numba)
+            state = _projected(kit, rows, state, row, origin, project)
         return state
 
     source = partial(module, kit.formulas) if kit.traced and not project else None
@@ -108,9 +119,16 @@ def _projected(kit: Engine, rows: Array, state: Any, filled: int, origin: float,
 def at_start(kit: Engine, origin: float, span: float, start: Array) -> tuple[Any, ...]:
     y, c = tuple(start.tolist()), kit.constants
     f = kit.functions["rhs"](origin, y, c)
-    h = kit.functions["first_step"](origin, span, y, f, tuple(map(abs, y)), c)
-    m = tuple(max(abs(x), h * abs(rate), 1e-300) for x, rate in zip(y, f, strict=True))  # never 0: it divides
+    h = kit.functions["first_step"](origin, span, y, f, c)
+    soon = kit.functions["rhs"](origin + h / 100, kit.functions["euler"](h / 100, y, f), c)
+    m = tuple(map(_magnitude, y, f, soon, [h] * len(y)))
     return 1, 0.0, h, y, (0.0,) * len(y), f, m
+
+
+def _magnitude(y: float, rate: float, soon: float, h: float) -> float:
+    """The size of a component, or where it starts at zero what it will be before long; never 0, as it divides."""
+    moved = h * abs(rate) or h / 100 * abs(soon)
+    return max(abs(y), moved if moved < float("inf") else 0.0, 1e-300)
 
 
 def shortest_step(kit: Engine, times: Array, start: Array, rtol: float, *, steps: int = 200) -> float:

@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.integrate.problem import Array
-from tam570.integrate.solver import solve
+from tam570.integrate import explicit
+from tam570.integrate.problem import Array, initial_state, sample_times, tolerance
 
 __all__ = ["solve_rotation"]
 
@@ -49,7 +49,9 @@ def solve_rotation(
         return [*acceleration(time, spin, **fixed), *_vector_rate(u, spin), *[0.0] * 9]
 
     start = np.concatenate([np.asarray(omega, dtype=float), np.zeros(3), turned.ravel()])
-    states = solve(rates, t, start, rtol=rtol, project=_recentred)
+    times, tolerated = sample_times(t), tolerance(rtol)
+    kit = explicit.engine(rates, times, initial_state(start))
+    states = explicit.states(kit, times, start, tolerated, "python", _recentred, _one_radian)
     rotations = states[:, 6:].reshape(-1, 3, 3)
     rotations[0] = turned
     return states[:, :3], rotations
@@ -67,6 +69,11 @@ def _vector_rate(u: Any, omega: Any) -> list[Any]:
 
 def _cross(a: Any, b: Any) -> tuple[Any, Any, Any]:
     return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
+
+
+def _one_radian(state: Array) -> float:
+    """s, in which the body turns by one radian: up to there the series is good to rounding."""
+    return float(1 / max(np.abs(state[:3]).sum(), 1e-300))
 
 
 def _recentred(state: Array) -> Array:

@@ -12,6 +12,7 @@ __all__ = [
     "Rates",
     "agrees",
     "bound",
+    "check_start",
     "floats_function",
     "initial_state",
     "sample_times",
@@ -77,17 +78,21 @@ def bound(rhs: Callable[..., Any], parameters: Mapping[str, Any] | None) -> Rate
     return lambda t, y: rhs(t, y, **fixed)
 
 
+def check_start(rates: Rates, t: float, y0: Array) -> None:
+    """ValueError unless rhs gives as many finite real numbers as y0 has."""
+    found = _checked(rates(t, y0.copy()), len(y0))
+    if not np.isfinite(found).all():
+        raise ValueError(f"rhs: gives {found} at the start, t = {t:g}; is the start allowed?")
+
+
 def floats_function(rates: Rates, t: float, y0: Array) -> Rates:
     """`rates` as a function from a tuple of floats to a sequence of floats.
 
     Whether it may be given the tuple, or needs an array, is tried here, once: it may if both give the same.
     """
-    expected = _checked(rates(t, y0.copy()), len(y0))
     nearby = y0 * 1.01 + 0.01
     if _same_on_tuples(rates, t, y0) and _same_on_tuples(rates, t, nearby):
         return _to_floats(rates, rates(t, tuple(y0.tolist())), tuple)
-    if not np.isfinite(expected).all():
-        raise ValueError(f"rhs: gives {expected} at the start, t = {t:g}; is the start allowed?")
     return _to_floats(rates, rates(t, y0.copy()), np.array)
 
 

@@ -130,16 +130,21 @@ def _euler(formulas: Formulas) -> list[str]:
 
 
 def _raised(formulas: Formulas, arrays: bool = False) -> list[str]:
-    """Magnitudes no smaller than `weight` times what a relative change of the state by 2^-20 does to h f."""
-    sign_and_size = [
-        (-1) ** i * 2.0**-20 * (1 + 0.1 * (i % 7)) for i in range(formulas.size)
+    """Magnitudes no smaller than `weight` times what a change of the state by a few roundings does to h f.
+
+    Tried a little way into the step: at its start too many things may be exactly zero.
+    """
+    roundings = [
+        (-1) ** i * 2.0**-50 * (1.37 + 0.41 * (i % 5)) for i in range(formulas.size)
     ]  # no two cancel
-    changed = [f"s{i} = y{i} * {1 + d!r}" for i, d in enumerate(sign_and_size) if i in formulas.reads]
-    lines = ["def raised(t, h, y, f, m, c, weight):", *unpacked(formulas, y="y", m="m"), *changed]
-    lines += formulas.lines
+    lines = ["def raised(start, h, y, f, m, c, weight):", *unpacked(formulas, y="y", f="f", m="m")]
+    lines += [f"s{i} = y{i} + 0.001 * h * f{i}" for i in sorted(formulas.reads)]
+    lines += [*_derivative(formulas, 0, "start + 0.001 * h")]
+    lines += [f"s{i} = s{i} * {1 + roundings[i]!r}" for i in sorted(formulas.reads)]
+    lines += [*_derivative(formulas, 1, "start + 0.001 * h")]
     for i in formulas.moving:
-        lines.append(f"x = abs({formulas.rates[i]} - f[{i}]) * h * weight")
-        lines.append(f"m{i} = maximum(m{i}, x)" if arrays else f"m{i} = x if x > m{i} else m{i}")
+        lines.append(f"x = abs(k1_{i} - k0_{i}) * h * weight")
+        lines.append(f"m{i} = maximum(m{i}, x)" if arrays else f"m{i} = x if m{i} < x < inf else m{i}")
     return [*lines, f"return {tuple_of(_names('m', formulas.size))}"]
 
 
