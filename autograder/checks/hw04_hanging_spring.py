@@ -1,0 +1,438 @@
+"""Hidden checks of hw04. What is right comes from a matrix exponential and from the oscillator's (Fradkin's) tensor."""
+
+import math
+
+import numpy as np
+from scipy.linalg import expm
+
+from tam570_grader import (
+    array,
+    check,
+    drawing,
+    expect,
+    expect_that,
+    given,
+    group,
+    number,
+    once,
+    rows,
+    suspect,
+)
+
+RESULTS = {
+    "state_derivative": array(6),
+    "simulate": rows(6),
+    "solution": rows(6),
+    "energy": number,
+    "orbit": group(array(3), array(2, 3)),
+    "project": array("n", 2),
+    "plot_projection": drawing,
+}
+NEEDS = ("numpy", "scipy.integrate", "matplotlib.figure")
+OFF_LIMITS: dict[str, tuple[str, ...]] = {}
+MANUAL = {
+    "b": (2, "the wildest motion found, with its plot"),
+    "c": (2, "why nothing wild can happen"),
+}
+
+POINTWISE = 1e-9  # a few roundings make 1e-14
+TRAJECTORY = 1e-5  # solve_ivp at rtol 1e-9, atol 1e-9 is off by 7e-7 after three periods, LSODA most
+ENERGY = 1e-5  # the same solvers lose 5e-7 of it in ten periods
+TENSOR = 1e-9  # of the square of the larger axis; an eigenvalue that is zero comes out as 1e-16
+RIGHT_ANGLE = 1e-7  # of the larger axis, along the smaller; eigenvectors are good to rounding over the gap
+DRAWN = 1e-2  # of the picture: between points of a line that looks smooth
+
+
+def parameters(draw, *, gravity=None):
+    """A random mass, stiffness and gravity; the spring is stretched by 0.2 to 5 m by the weight."""
+    stiffness, sag = 10 ** draw.uniform(-0.3, 1.3), draw.uniform(0.2, 5.0)
+    strength = draw.uniform(2.0, 25.0) if gravity is None else gravity
+    mass = 10 ** draw.uniform(-0.5, 0.5) if gravity == 0 else stiffness * sag / strength
+    return {"mass": mass, "stiffness": stiffness, "gravity": strength}
+
+
+def rate_of(mass, stiffness, gravity):
+    return math.sqrt(stiffness / mass)
+
+
+def start(draw, k):
+    """A random position and velocity of similar importance."""
+    return draw.normal(size=3) * draw.uniform(1, 3), k * draw.normal(size=3) * draw.uniform(1, 3)
+
+
+def generator(mass, stiffness, gravity):
+    """The matrix of the linear equation for (r, v, 1)."""
+    matrix = np.zeros((7, 7))
+    matrix[:3, 3:6] = np.eye(3)
+    matrix[3:6, :3] = -stiffness / mass * np.eye(3)
+    matrix[5, 6] = -gravity
+    return matrix
+
+
+def motion(t, position, velocity, *, mass, stiffness, gravity):
+    """The state at times t, with position and velocity at t = 0."""
+    matrix = generator(mass, stiffness, gravity)
+    return np.array([expm(matrix * time) @ [*position, *velocity, 1.0] for time in t])[:, :6]
+
+
+def extent(position, velocity, *, mass, stiffness, gravity):
+    """The size of the motion, m, and of its velocities, m/s: six numbers for the six of a state."""
+    k = rate_of(mass, stiffness, gravity)
+    length = np.linalg.norm(position) + np.linalg.norm(velocity) / k + gravity / k**2
+    return np.array([length] * 3 + [k * length] * 3)
+
+
+def cases(draw, number, without=2):
+    """Random starts and parameters, the last ones without gravity."""
+    found = []
+    for gravity in [None] * (number - without) + [0.0] * without:
+        known = parameters(draw, gravity=gravity)
+        found.append((*start(draw, rate_of(**known)), known))
+    return found
+
+
+# The equations
+
+
+def wrong_force(says, force):
+    """With force(r, length, mass, stiffness, gravity) in place of the right one."""
+
+    def derivative(t, state, *, mass, stiffness, gravity):
+        r = np.asarray(state[:3])
+        return np.hstack([state[3:], force(r, np.linalg.norm(r), mass, stiffness, gravity) / mass])
+
+    return suspect(says, state_derivative=derivative)
+
+
+Z = np.array([0.0, 0.0, 1.0])
+FORCE_SUSPECTS = [
+    wrong_force("gravity pulling up", lambda r, d, m, k, g: -k * r + m * g * Z),
+    wrong_force("a spring with a rest length of 1 m", lambda r, d, m, k, g: -k * (d - 1) / d * r - m * g * Z),
+    wrong_force("the equilibrium at the origin: no weight", lambda r, d, m, k, g: -k * r),
+    wrong_force("a weight without the mass in it", lambda r, d, m, k, g: -k * r - g * Z),
+    wrong_force("a spring that pushes", lambda r, d, m, k, g: k * r - m * g * Z),
+    wrong_force("the force for the acceleration: divide by the mass", lambda r, d, m, k, g: m * (-k * r - m * g * Z)),
+]  # fmt: skip
+
+
+@check(points=1.5, part="a", suspects=FORCE_SUSPECTS)
+def derivative_is_velocity_and_force_over_mass(student, draw):
+    """state_derivative: the velocity, and the acceleration by the spring and the weight."""
+    found = cases(draw, 12)
+    calls = [given(draw.uniform(-5, 5), np.hstack([r, v]), **known) for r, v, known in found]
+    for rates, call, (r, v, known) in zip(student.state_derivative.many(calls), calls, found, strict=True):
+        k = rate_of(**known)
+        expect(rates, (generator(**known) @ [*r, *v, 1.0])[:6], within=POINTWISE,
+               scale=k * extent(r, v, **known), of="a rate", unit="of its size", kind="a random state", at=call,
+               hint="which two forces act on the mass, and which way, when it is below the origin?")  # fmt: skip
+
+
+def wrong_energy(says, potential):
+    """With potential(r, mass, stiffness, gravity) in place of the right one."""
+
+    def total(state, *, mass, stiffness, gravity):
+        r, v = np.asarray(state[:3]), np.asarray(state[3:])
+        return mass * v @ v / 2 + potential(r, mass, stiffness, gravity)
+
+    return suspect(says, energy=total)
+
+
+ENERGY_SUSPECTS = [
+    wrong_energy("the weight's potential energy of the wrong sign", lambda r, m, k, g: k * r @ r / 2 - m * g * r[2]),
+    wrong_energy("the energy of a spring with a rest length of 1 m",
+                 lambda r, m, k, g: k * (np.linalg.norm(r) - 1) ** 2 / 2 + m * g * r[2]),
+    wrong_energy("the equilibrium at the origin: no weight", lambda r, m, k, g: k * r @ r / 2),
+    wrong_energy("zero energy at the equilibrium in place of the origin",
+                 lambda r, m, k, g: k * np.sum((r + m * g / k * Z) ** 2) / 2),
+    wrong_energy("the energy of the spring without its half", lambda r, m, k, g: k * r @ r + m * g * r[2]),
+]  # fmt: skip
+
+
+@check(points=1, part="a", suspects=ENERGY_SUSPECTS)
+def energy_is_that_of_motion_spring_and_weight(student, draw):
+    """energy: kinetic, of the spring, of the weight; zero at rest at the origin."""
+    found = [(*case, kind) for kind in ("a random state", "rest at the origin") for case in cases(draw, 8)]
+    states = [np.hstack([r, v]) * (kind == "a random state") for r, v, _, kind in found]
+    calls = [given(state, **case[2]) for state, case in zip(states, found, strict=True)]
+    for energy, call, state, (r, v, known, kind) in zip(
+        student.energy.many(calls), calls, states, found, strict=True
+    ):
+        matrix = np.diag([known["stiffness"]] * 3 + [known["mass"]] * 3)
+        right = state @ matrix @ state / 2 + known["mass"] * known["gravity"] * state[2]
+        expect(energy, right, within=POINTWISE, scale=known["stiffness"] * extent(r, v, **known)[0] ** 2,
+               of="the energy", unit="of its size", kind=kind, at=call,
+               hint="three terms: speed, stretch, height")  # fmt: skip
+
+
+# The closed form
+
+
+def formula_suspect(says, names, wrong):
+    """With wrong(t, r, v, k, sag) in place of the motion: the state (n, 6) at the time t since the given state."""
+
+    def states(t, position, velocity, *, mass, stiffness, gravity):
+        k = rate_of(mass, stiffness, gravity)
+        r, v, since = np.asarray(position), np.asarray(velocity), np.asarray(t)[:, None]
+        return wrong(since, r, v, k, gravity / k**2 * Z)
+
+    def from_start(t, *args, **kwargs):
+        return states(np.asarray(t) - t[0], *args, **kwargs)
+
+    variants = {"solution": states, "simulate": from_start}
+    return suspect(says, within=1e-5, **{name: variants[name] for name in names})
+
+
+def oscillation(t, r, v, k, centre):
+    c, s = np.cos(k * t), np.sin(k * t)
+    return np.hstack([centre + (r - centre) * c + v / k * s, -k * (r - centre) * s + v * c])
+
+
+def motion_suspects(*names):
+    return [
+        formula_suspect("gravity pulling up", names, lambda t, r, v, k, sag: oscillation(t, r, v, k, sag)),
+        formula_suspect("the equilibrium at the origin: no weight", names,
+                        lambda t, r, v, k, sag: oscillation(t, r, v, k, 0 * sag)),
+        formula_suspect("the position measured from the equilibrium", names,
+                        lambda t, r, v, k, sag: oscillation(t, r, v, k, 0 * sag) - np.hstack([sag, 0 * sag])),
+        formula_suspect("the sine's amplitude not divided by the frequency", names,
+                        lambda t, r, v, k, sag: oscillation(t, r, v * k, k, -sag)),
+    ]  # fmt: skip
+
+
+def times(draw, span, number, first=0.0):
+    """Uneven times over a span."""
+    steps = np.append(0.0, np.cumsum(draw.uniform(0.2, 1.8, number - 1)))
+    return first + span * steps / steps[-1]
+
+
+@once
+def timed(draw, number, periods, shifted, without):
+    """For random starts: uneven times, the states there, and the case; shifted times do not start at zero."""
+    found = []
+    for r, v, known in cases(draw, number, without):
+        period = 2 * math.pi / rate_of(**known)
+        first = draw.uniform(0.2, 0.9) * period * draw.choice([-1, 1]) if shifted else 0.0
+        t = times(draw, periods * period, 12, first)
+        found.append((t, motion(t - first, r, v, **known), (r, v, known)))
+    return found
+
+
+def judge_motion(student, name, found, within, kind, hint):
+    calls = [given(t, r, v, **known) for t, _, (r, v, known) in found]
+    for states, call, (t, expected, (r, v, known)) in zip(
+        getattr(student, name).many(calls), calls, found, strict=True
+    ):
+        expect(states, expected, within=within, scale=extent(r, v, **known), of="the motion", unit="of its size",
+               t=t, kind=kind, hint=hint, at=call)  # fmt: skip
+
+
+@check(points=1.5, part="a", suspects=motion_suspects("solution"))
+def solution_is_the_motion(student, draw):
+    """solution: position and velocity in closed form, given those at t = 0."""
+    judge_motion(student, "solution", timed(draw, 4, 1.7, False, 0), POINTWISE, "a random start",
+                 "about which point does it oscillate, and how fast?")  # fmt: skip
+
+
+@check(points=0.5, part="a", after=solution_is_the_motion)
+def solution_holds_without_gravity_and_from_any_time(student, draw):
+    """solution: without gravity too, and at times of which none is zero."""
+    for count, shifted, without, kind in (
+        (2, False, 2, "no gravity"),
+        (2, True, 0, "times that do not start at 0"),
+    ):
+        found = [(t, expected, case) for t, expected, case in timed(draw, count, 1.3, shifted, without)]
+        if shifted:
+            found = [(t, motion(t, r, v, **known), (r, v, known)) for t, _, (r, v, known) in found]
+        judge_motion(student, "solution", found, POINTWISE, kind, "the given state is that at t = 0")
+
+
+# The simulation
+
+
+@check(points=1, part="a", suspects=motion_suspects("simulate"))
+def simulate_moves_as_it_must(student, draw):
+    """simulate: the state at few and uneven times, the first of which is not 0."""
+    judge_motion(student, "simulate", timed(draw, 4, 2.3, True, 1), TRAJECTORY, "a random start, uneven times",
+                 "row i is the state at t[i], and the given state is that at t[0]")  # fmt: skip
+
+
+@check(points=0.5, part="a", after=simulate_moves_as_it_must)
+def simulate_does_not_depend_on_the_sampling(student, draw):
+    """simulate: only two times, many periods apart, and the same state as by many."""
+    found = [(t[[0, -1]], states[[0, -1]], case) for t, states, case in timed(draw, 2, 6.4, True, 0)]
+    judge_motion(student, "simulate", found, 3 * TRAJECTORY, "two times far apart",
+                 "steps between the times, as short as the motion asks for")  # fmt: skip
+
+
+@check(points=0.5, part="a", after=simulate_moves_as_it_must)
+def energy_stays(student, draw):
+    """simulate: the energy after ten periods is that of the start."""
+    ((r, v, known),) = cases(draw, 1, 0)
+    t = times(draw, 20 * math.pi / rate_of(**known), 60, 1.0)
+    states = student.simulate(t, r, v, **known)
+    centre = -known["mass"] * known["gravity"] / known["stiffness"] * Z
+    energies = known["stiffness"] * np.sum((states[:, :3] - centre) ** 2, axis=1)
+    energies += known["mass"] * np.sum(states[:, 3:] ** 2, axis=1)
+    expect(energies / energies[0], 1.0, within=ENERGY, of="the energy", unit="of its start", t=t, at=(r, v, known),
+           kind="ten periods", hint="ask the integrator for a smaller error",
+           partial={1e-3: 0.6, 1e-2: 0.3})  # fmt: skip
+
+
+# The ellipse
+
+
+def orbit_cases(draw):
+    """Starts whose ellipse is general, a circle, a line, a point; with what to call them."""
+    found = [(*case, "a general ellipse") for case in cases(draw, 6)]
+    for kind in ("a circle", "a circle", "a line", "a line", "a point"):
+        r, v, known = cases(draw, 1, 0)[0]
+        k, centre = rate_of(**known), -known["mass"] * known["gravity"] / known["stiffness"] * Z
+        if kind == "a circle":
+            v = np.cross(r - centre, draw.normal(size=3))
+            v *= k * np.linalg.norm(r - centre) / np.linalg.norm(v)
+        if kind == "a line":
+            v = k * draw.uniform(-2, 2) * (r - centre) * draw.integers(2)
+        if kind == "a point":
+            r, v = centre, np.zeros(3)
+        found.append((r, v, known, kind))
+    return found
+
+
+def tensor(r, v, centre, k):
+    """Fradkin's tensor, over stiffness/2: constant; the ellipse's squared axes are its eigenvalues."""
+    return np.outer(r - centre, r - centre) + np.outer(v, v) / k**2
+
+
+def wrong_orbit(says, ellipse):
+    """With ellipse(r, v, k, centre): centre and two conjugate radii."""
+
+    def orbit(position, velocity, *, mass, stiffness, gravity):
+        k, r, v = rate_of(mass, stiffness, gravity), np.asarray(position), np.asarray(velocity)
+        centre, *radii = ellipse(r, v, k, -gravity / k**2 * Z)
+        _, lengths, directions = np.linalg.svd(np.array(radii), full_matrices=False)
+        return centre, lengths[:, None] * directions
+
+    return suspect(says, orbit=orbit)
+
+
+ORBIT_SUSPECTS = [
+    wrong_orbit("gravity pulling up", lambda r, v, k, centre: (-centre, r + centre, v / k)),
+    wrong_orbit("the equilibrium at the origin", lambda r, v, k, centre: (0 * centre, r, v / k)),
+]
+
+
+@check(points=0.5, part="c", suspects=ORBIT_SUSPECTS)
+def orbit_has_its_centre_at_the_equilibrium(student, draw):
+    """orbit: the centre is where the mass can rest."""
+    found = orbit_cases(draw)
+    calls = [given(r, v, **known) for r, v, known, _ in found]
+    for (centre, _), call, (r, v, known, kind) in zip(student.orbit.many(calls), calls, found, strict=True):
+        rest = np.linalg.solve(generator(**known)[3:6, :3], [0, 0, known["gravity"]])
+        expect(centre, rest, within=POINTWISE, scale=extent(r, v, **known)[0], of="the centre",
+               unit="of the motion's size", kind=kind, hint="where do spring and weight balance?", at=call)  # fmt: skip
+
+
+def judge_axes(student, draw, kinds):
+    """Semi-axes a, b are perpendicular, a the larger, and a a^T + b b^T is Fradkin's tensor."""
+    found = [case for case in orbit_cases(draw) if case[3] in kinds]
+    calls = [given(r, v, **known) for r, v, known, _ in found]
+    for (_, (a, b)), call, (r, v, known, kind) in zip(student.orbit.many(calls), calls, found, strict=True):
+        k, centre = rate_of(**known), -known["mass"] * known["gravity"] / known["stiffness"] * Z
+        whole = tensor(r, v, centre, k)
+        square = (
+            np.trace(whole) + (1e-12 * extent(r, v, **known)[0]) ** 2
+        )  # a point is no smaller than roundings
+        what = {"kind": kind, "at": call}
+        expect(np.outer(a, a) + np.outer(b, b), whole, within=TENSOR, scale=square, **what,
+               of="the ellipse", unit="of the square of its size", hint="do r and v/sqrt(k/m) lie on your ellipse, as "
+               "seen from its centre?")  # fmt: skip
+        expect(a @ b, 0.0, within=RIGHT_ANGLE, scale=square, of="the product of the axes", unit="of the larger one's "
+               "square", **what, hint="two radii that give the ellipse need not be its axes")  # fmt: skip
+        expect_that(a @ a >= b @ b - RIGHT_ANGLE * square, "the larger axis is not the first", **what)
+
+
+@check(points=1, part="c", suspects=ORBIT_SUSPECTS)
+def orbit_is_the_ellipse_of_the_motion(student, draw):
+    """orbit: the semi-axes, perpendicular, the larger first."""
+    judge_axes(student, draw, ("a general ellipse", "a circle"))
+
+
+@check(points=0.5, part="c", after=orbit_is_the_ellipse_of_the_motion)
+def orbit_may_be_a_line_or_a_point(student, draw):
+    """orbit: an ellipse with one axis or both zero."""
+    judge_axes(student, draw, ("a line", "a point"))
+
+
+# The picture
+
+
+def wrong_projection(says, right, up):
+    """With right(ca, sa, ce, se) and up(...) in place of the right directions."""
+
+    def projected(points, azimuth, elevation):
+        c = math.cos(azimuth), math.sin(azimuth), math.cos(elevation), math.sin(elevation)
+        return np.asarray(points) @ np.column_stack([right(*c), up(*c)])
+
+    return suspect(says, project=projected)
+
+
+PROJECTION_SUSPECTS = [
+    wrong_projection("left for right", lambda ca, sa, ce, se: (sa, -ca, 0),
+                     lambda ca, sa, ce, se: (-se * ca, -se * sa, ce)),
+    wrong_projection("the elevation's sign reversed", lambda ca, sa, ce, se: (-sa, ca, 0),
+                     lambda ca, sa, ce, se: (se * ca, se * sa, ce)),
+    wrong_projection("up for right", lambda ca, sa, ce, se: (-se * ca, -se * sa, ce),
+                     lambda ca, sa, ce, se: (-sa, ca, 0)),
+    wrong_projection("the azimuth's sign reversed", lambda ca, sa, ce, se: (sa, ca, 0),
+                     lambda ca, sa, ce, se: (-se * ca, se * sa, ce)),
+]  # fmt: skip
+
+
+@check(points=1, part="a", suspects=PROJECTION_SUSPECTS)
+def projection_is_orthographic(student, draw):
+    """project: what an eye far away sees, right and up."""
+    for count in (1, 5, 30):
+        points, azimuth, elevation = (
+            draw.normal(size=(count, 3)),
+            draw.uniform(-6, 6),
+            draw.uniform(-1.5, 1.5),
+        )
+        eye = np.array([math.cos(azimuth), math.sin(azimuth)]) * math.cos(elevation)
+        eye = np.append(eye, math.sin(elevation))  # towards it
+        right = np.cross(Z, eye) / math.cos(elevation)
+        expected = np.column_stack([points @ right, points @ np.cross(eye, right)])
+        expect(student.project(points, azimuth, elevation), expected, within=POINTWISE, of="a point of the picture",
+               unit="m", kind="random points and directions", at=(points, azimuth, elevation),
+               hint="try one axis at a time: where does (0, 0, 1) go?")  # fmt: skip
+
+
+@check(points=0.5, part="a", after=projection_is_orthographic)
+def the_path_is_drawn(student, draw):
+    """plot_projection draws the projected path from t[0] to t[-1], with labels and equal scales."""
+    ((r, v, known),) = cases(draw, 1, 0)
+    azimuth, elevation = draw.uniform(-3, 3), draw.uniform(0.3, 1.2)
+    t = np.linspace(0.0, 0.9 * 2 * math.pi / rate_of(**known), 150)
+    picture = student.plot_projection.draw(t, r, v, azimuth, elevation, **known)
+    expect_that(len(picture.lines) == 1, f"there are {len(picture.lines)} curves on the axes, not one")
+    judge_path(picture.lines[0].points, seen(motion(t, r, v, **known)[:, :3], azimuth, elevation))
+    units = "(m)" in picture.xlabel.split() and "(m)" in picture.ylabel.split()
+    expect_that(units, "the axes are not labelled with their unit, as in x (m)")
+    expect_that(picture.equal_aspect, "right and up are not drawn at the same scale")
+
+
+def seen(points, azimuth, elevation):
+    """The points in coordinates turned by the azimuth about z, then by the elevation about the y axis."""
+    plane = (points[:, 0] + 1j * points[:, 1]) * np.exp(-1j * azimuth)
+    tilted = (plane.real + 1j * points[:, 2]) * np.exp(-1j * elevation)
+    return np.column_stack([plane.imag, tilted.imag])
+
+
+def judge_path(path, expected):
+    """The line begins and ends where the motion does, and each has all of its points next to the other."""
+    scale = np.abs(expected - expected.mean(axis=0)).max()
+    expect_that(len(path) >= 20, "the curve has fewer than twenty points")
+    expect(path[[0, -1]], expected[[0, -1]], within=DRAWN, scale=scale, of="an end of the curve",
+           unit="of its size", hint="draw from t[0] to t[-1]; right is drawn to the right")  # fmt: skip
+    gaps = np.linalg.norm(path[:, None] - expected, axis=2)
+    expect(max(gaps.min(axis=0).max(), gaps.min(axis=1).max()), 0.0, within=0.1, scale=scale, of="the curve",
+           unit="of its size", hint="is it the path of the mass, projected?")  # fmt: skip
