@@ -24,10 +24,8 @@ OFF_LIMITS = {"trajectory": ("scipy.integrate", "tam570.integrate")}  # a closed
 MANUAL = {"b": (2, "the guess before the work; why the limit has the shape it has")}
 
 POINTWISE = 1e-12  # a few roundings of the accelerations make 1e-15
-SIMULATED = 1e-6  # RK45, DOP853 and LSODA at rtol 1e-9, atol 1e-9 are off by 1.3e-9 of the size, RK4 by fine steps by 1e-8
-CLOSED = (
-    1e-10  # 1e-15 with expm1; a Taylor series that takes over where s - 1 + e^-s has lost five digits, 1e-11
-)
+SIMULATED = 1e-6  # RK45, DOP853, LSODA at rtol 1e-9, atol 1e-9 are off by 1.3e-9 of the size, RK4 by 1e-8
+CLOSED = 1e-10  # 1e-15 with expm1; a Taylor series that takes over where five digits are lost, 1e-11
 ROOT = 1e-6  # of the time; roots found by brentq or Newton are good to 1e-9, an event of a simulation to 1e-7
 ANGLE = 1e-6  # rad, as the contract asks; minimising the range itself is good to 1e-8
 SWIFT = 1e-2  # of the angle, as the contract asks
