@@ -15,7 +15,7 @@ def simulate(t, x, v, *, curvature, gravity):
     wire = {"curvature": curvature, "gravity": gravity}
     rows = [(x, v)]
     for span in np.diff(t):
-        steps = math.ceil(span * math.sqrt(2 * curvature * (gravity or 10.0)) / 0.02)
+        steps = math.ceil(span * math.sqrt(2 * curvature * (gravity or 10.0)) / 0.04)
         for _ in range(steps):
             x, v = _rk4_step(x, v, span / steps, wire)
         rows.append((x, v))
