@@ -13,6 +13,7 @@ from typing import Any
 __all__ = ["main"]
 
 INTERRUPTED = 130
+Commands = Any  # argparse keeps the name of its subparsers' type to itself
 
 
 class Usage(Exception):
@@ -42,90 +43,75 @@ def main(argv: list[str] | None = None) -> int:
 
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="tam570-grader", description="Grade the assignments of the course.")
-    parser.add_argument(
-        "--root", metavar="DIR", help="the course (default: the checkout you are in, or the installed one)"
-    )
+    _add_root(parser, None)
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
-    _add_grade(commands)
-    _add_stubs(commands)
-    _add_kit(commands)
+    for add in (_add_grade, _add_stubs, _add_kit):
+        _add_root(add(commands), argparse.SUPPRESS)
     return parser
 
 
-def _add_grade(commands: Any) -> None:
-    grade = commands.add_parser(
+def _add_root(parser: argparse.ArgumentParser, default: str | None) -> None:
+    """--root, before the command and after it."""
+    where = "the course (default: the checkout you are in, else the one that is installed)"
+    parser.add_argument("--root", metavar="DIR", default=default, help=where)
+
+
+def _add_grade(commands: Commands) -> argparse.ArgumentParser:
+    grade: argparse.ArgumentParser = commands.add_parser(
         "grade",
         help="grade submissions",
         description="Grade modules, notebooks, their folders, or a tree of submissions <student>/<assignment>/.",
         epilog="The exit code is 0 when grading worked, whatever the scores; 1 when the grader failed; 2 on bad usage.",
     )
     grade.set_defaults(command=_grade)
-    grade.add_argument(
-        "paths", nargs="+", type=Path, metavar="PATH", help="a module, a notebook, a folder or a tree"
-    )
-    grade.add_argument(
-        "--out", type=Path, metavar="DIR", help="write results.jsonl, grades.csv and feedback there"
-    )
-    grade.add_argument(
-        "--json", action="store_true", help="print a JSON object for each submission, one a line"
-    )
-    grade.add_argument(
+    add = grade.add_argument
+    add("paths", nargs="+", type=Path, metavar="PATH", help="a module, a notebook, a folder or a tree")
+    add("--out", type=Path, metavar="DIR", help="write results.jsonl, grades.csv and feedback there")
+    add("--json", action="store_true", help="print a JSON object for each submission, one a line")
+    add(
         "--seed",
         type=_natural,
         metavar="S",
         help="of the hidden inputs (default: that of --out, else random)",
     )
-    grade.add_argument(
-        "--jobs", type=_positive, metavar="N", default=_cores(), help="workers (default: %(default)s)"
-    )
-    grade.add_argument("--assignment", metavar="SLUG", help="which one it is, where the names do not tell")
-    grade.add_argument("--only", nargs="+", metavar="SLUG", help="grade these assignments alone")
-    grade.add_argument(
-        "--memory",
-        type=_positive,
-        metavar="MIB",
-        default=1024,
-        help="for a submission (default: %(default)s)",
-    )
-    grade.add_argument(
-        "--cpu",
-        type=_positive,
-        metavar="S",
-        default=60,
-        help="CPU seconds for a submission (default: %(default)s)",
-    )
-    grade.add_argument(
-        "--call",
-        type=_positive,
-        metavar="S",
-        default=10,
-        help="CPU seconds for a call (default: %(default)s)",
-    )
-    grade.add_argument(
-        "--processes", type=_positive, metavar="N", default=1, help="for a submission (default: %(default)s)"
-    )
-    grade.add_argument("--root", metavar="DIR", default=argparse.SUPPRESS, help=argparse.SUPPRESS)
+    add("--assignment", metavar="SLUG", help="which one it is, where the names do not tell")
+    add("--only", nargs="+", metavar="SLUG", help="grade these assignments alone")
+    for name, unit, default, what in (
+        ("--jobs", "N", _cores(), "workers"),
+        ("--memory", "MIB", 1024, "memory of a submission"),
+        ("--cpu", "S", 60, "processor time of a submission"),
+        ("--call", "S", 10, "processor time of one call"),
+        ("--processes", "N", 1, "processes of a submission"),
+    ):
+        add(name, type=_positive, metavar=unit, default=default, help=f"{what} (default: %(default)s)")
+    return grade
 
 
-def _add_stubs(commands: Any) -> None:
-    stubs = commands.add_parser("stubs", help="make the students' stubs from the solutions")
+def _add_stubs(commands: Commands) -> argparse.ArgumentParser:
+    stubs: argparse.ArgumentParser = commands.add_parser(
+        "stubs", help="make the students' stubs from the solutions"
+    )
     stubs.set_defaults(command=_stubs)
     stubs.add_argument("--check", action="store_true", help="write nothing; exit 1 if a stub is out of date")
+    return stubs
 
 
-def _add_kit(commands: Any) -> None:
-    kit = commands.add_parser("kit", help="make what students install and start from")
+def _add_kit(commands: Commands) -> argparse.ArgumentParser:
+    kit: argparse.ArgumentParser = commands.add_parser(
+        "kit", help="make what students install and start from"
+    )
     kit.set_defaults(command=_kit)
     kit.add_argument("folder", type=Path, metavar="DIR", help="where to put it")
+    return kit
 
 
 def _grade(arguments: argparse.Namespace) -> int:
+    _must_be_posix()
     from tam570_grader import feedback, root
     from tam570_grader.book import Book
     from tam570_grader.run import Plan, records
     from tam570_grader.sandbox import Allowance
 
-    _must_be_posix()
     course = root.find(arguments.root)
     known = root.slugs(course)
     found = _submissions(arguments, known)
@@ -158,6 +144,7 @@ def _grade(arguments: argparse.Namespace) -> int:
         return 1
     if not arguments.json:
         print(feedback.table(sorted(done, key=lambda record: (record["assignment"], record["student"]))))
+        print(f"\nseed {seed}; the same seed gives the same hidden inputs and the same scores")
     return _exit_code(done)
 
 

@@ -4,6 +4,7 @@ import sys
 from pathlib import Path
 
 from tam570_grader.book import written
+from tam570_grader.root import NoCourse
 
 __all__ = ["run"]
 
@@ -38,8 +39,10 @@ def run(course: Path, folder: Path) -> int:
 
 def _wheel(course: Path, folder: Path) -> Path:
     """Build the wheel, which holds no solution and no check, from a clean copy of what goes into it."""
-    from hatchling.builders.wheel import WheelBuilder
-
+    try:
+        from hatchling.builders.wheel import WheelBuilder
+    except ImportError:
+        raise NoCourse("building the wheel needs hatchling: pip install 'tam570[grader]'") from None
     for old in folder.glob("tam570-*.whl"):
         old.unlink()
     return Path(next(iter(WheelBuilder(str(course)).build(directory=str(folder), versions=["standard"]))))

@@ -85,7 +85,7 @@ def _check(arguments: argparse.Namespace) -> int:
     from tam570.checking import check
 
     what = arguments.what
-    if what is not None and (what.endswith(".py") or os.sep in what):
+    if what is not None and (what.endswith(".py") or len(Path(what).parts) > 1):
         file = Path(what)
         if not file.is_file():
             raise Unknown(f"there is no file {what}")

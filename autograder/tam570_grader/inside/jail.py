@@ -26,6 +26,7 @@ NEW_MOUNTS, NEW_IPC, NEW_USER, NEW_PROCESSES = 0x20000, 0x8000000, 0x10000000, 0
 PRIVATE, BIND, NO_SUID, NO_DEVICES, READ_ONLY = 0x44000, 0x1000, 2, 4, 1  # mount flags; private is recursive
 DIE_WITH_PARENT, DUMPABLE, SUBREAPER, NO_NEW_PRIVILEGES = 1, 4, 36, 38  # prctl options
 CAPABILITY_VERSION = 0x20080522
+MOST_FILES = 2**16  # that the supervisor may have open; the limit itself is endless on some systems
 CHANNEL = 3  # the prisoner's only file besides /dev/null
 POLL = 0.02  # s between looks at a prisoner that may have ended
 
@@ -179,7 +180,7 @@ def _only(channel: int) -> None:
     os.dup2(channel, CHANNEL) if channel != CHANNEL else None
     for standard in range(3):
         os.dup2(nowhere, standard)
-    os.closerange(CHANNEL + 1, resource.getrlimit(resource.RLIMIT_NOFILE)[0])
+    os.closerange(CHANNEL + 1, MOST_FILES)
 
 
 def _limit(limits: Limits) -> None:
@@ -188,11 +189,13 @@ def _limit(limits: Limits) -> None:
         (resource.RLIMIT_FSIZE, limits.file_size),
         (resource.RLIMIT_NOFILE, 64),
         (resource.RLIMIT_CORE, 0),
-        (resource.RLIMIT_AS, limits.memory + _address_space()),
-        (resource.RLIMIT_NPROC, limits.processes if limits.namespaces or limits.user is not None else None),
     ):
-        if most is not None:
-            resource.setrlimit(what, (most, most))
+        resource.setrlimit(what, (most, most))
+    if sys.platform == "linux":  # elsewhere address space is not limited, or far beyond what is used
+        memory = limits.memory + _address_space()
+        resource.setrlimit(resource.RLIMIT_AS, (memory, memory))
+    if limits.namespaces or limits.user is not None:  # else all processes of the teacher would count
+        resource.setrlimit(resource.RLIMIT_NPROC, (limits.processes, limits.processes))
 
 
 def _address_space() -> int:
