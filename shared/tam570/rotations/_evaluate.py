@@ -69,26 +69,30 @@ def evaluate(
     within    : least and greatest measure (the formula's first result) of input that needs no second look
     arguments : name, kind and value of each
     """
-    values = [_floats(*argument) for argument in arguments]
-    kinds = [kind for _, kind, _ in arguments]
-    if all(value.ndim == len(kind.shape) for value, kind in zip(values, kinds, strict=True)):
-        numbers = [number for value in values for number in value.ravel().tolist()]
-        try:
-            measure, *results = formula(FLOATS, *numbers)
-        except (ValueError, ArithmeticError):  # math's way to say not a number
-            measure = math.nan
-        if within[0] <= measure <= within[1]:
-            return np.array(results).reshape(shape)
-    return _evaluate_batch(formula, within, shape, [a[0] for a in arguments], kinds, values)
+    names, kinds = [name for name, _, _ in arguments], [kind for _, kind, _ in arguments]
+    values = [np.asarray(value, dtype=np.float64) for _, _, value in arguments]
+    single = _evaluate_single(formula, within, shape, kinds, values)
+    return _evaluate_batch(formula, within, shape, names, kinds, values) if single is None else single
 
 
-def _floats(name: str, kind: Kind, value: ArrayLike) -> Array:
-    """The value as floats, its shape checked."""
-    numbers = np.asarray(value, dtype=np.float64)
-    if numbers.shape[numbers.ndim - len(kind.shape) :] != kind.shape:
-        wanted = ", ".join(["...", *map(str, kind.shape)])
-        raise ValueError(f"{name} has shape {numbers.shape}, but must have shape ({wanted})")
-    return numbers
+def _evaluate_single(
+    formula: Formula,
+    within: tuple[float, float],
+    shape: tuple[int, ...],
+    kinds: list[Kind],
+    values: list[Array],
+) -> Array | None:
+    """On floats; None if there is more than one rotation, or input that needs a second look."""
+    numbers: list[float] = []
+    for kind, value in zip(kinds, values, strict=True):
+        if value.shape != kind.shape:
+            return None
+        numbers += value.ravel().tolist()
+    try:
+        measure, *results = formula(FLOATS, *numbers)
+    except (ValueError, ArithmeticError):  # math's way to say not a number
+        return None
+    return np.array(results).reshape(shape) if within[0] <= measure <= within[1] else None
 
 
 def _evaluate_batch(
@@ -99,10 +103,7 @@ def _evaluate_batch(
     kinds: list[Kind],
     values: list[Array],
 ) -> Array:
-    try:
-        batch, tables = _tables(kinds, values)
-    except ValueError as error:
-        raise ValueError(f"{' and '.join(names)} do not broadcast: {error}") from None
+    batch, tables = _tables(names, kinds, values)
     results = np.empty((math.prod(batch), math.prod(shape)))
     with np.errstate(all="ignore"):  # what is not a number is refused by name; underflow is harmless
         for start in range(0, len(results), BLOCK):
@@ -114,15 +115,25 @@ def _evaluate_batch(
     return results.reshape(batch + shape)
 
 
-def _tables(kinds: list[Kind], values: list[Array]) -> tuple[tuple[int, ...], list[Array]]:
+def _tables(names: list[str], kinds: list[Kind], values: list[Array]) -> tuple[tuple[int, ...], list[Array]]:
     """The batch's shape, and each argument as rows (n, k)."""
-    batches = [value.shape[: value.ndim - len(kind.shape)] for kind, value in zip(kinds, values, strict=True)]
-    batch = batches[0] if batches.count(batches[0]) == len(batches) else np.broadcast_shapes(*batches)
-    shapes = [batch + kind.shape for kind in kinds]
-    spread = [v if v.shape == s else np.broadcast_to(v, s) for v, s in zip(values, shapes, strict=True)]
-    return batch, [
-        v.reshape(math.prod(batch), math.prod(k.shape)) for v, k in zip(spread, kinds, strict=True)
-    ]
+    batches = list(map(_batch, names, kinds, values))
+    try:
+        batch = np.broadcast_shapes(*batches) if len(batches) > 1 else batches[0]
+    except ValueError as error:
+        raise ValueError(f"{' and '.join(names)} do not broadcast: {error}") from None
+    spread = [np.broadcast_to(value, batch + kind.shape) for value, kind in zip(values, kinds, strict=True)]
+    rows, widths = math.prod(batch), [math.prod(kind.shape) for kind in kinds]
+    return batch, [value.reshape(rows, width) for value, width in zip(spread, widths, strict=True)]
+
+
+def _batch(name: str, kind: Kind, value: Array) -> tuple[int, ...]:
+    """The leading axes."""
+    rank = value.ndim - len(kind.shape)
+    if value.shape[rank:] != kind.shape or rank < 0:
+        wanted = ", ".join(["...", *map(str, kind.shape)])
+        raise ValueError(f"{name} has shape {value.shape}, but must have shape ({wanted})")
+    return value.shape[:rank]
 
 
 def _columns(rows: Iterable[Array]) -> list[Array]:
