@@ -1,0 +1,341 @@
+"""Hidden checks of hw05. What is right comes from the linear equations for acceleration and constraint force together,
+and from elliptic functions."""
+
+import math
+
+import numpy as np
+from scipy.special import ellipj, ellipkinc
+
+from tam570_grader import array, check, expect, expect_that, given, number, once, rows, suspect
+
+RESULTS = {
+    "constraint_force": array(2),
+    "acceleration": array(2),
+    "consistent_state": array(4),
+    "energy": number,
+    "simulate": rows(4),
+    "wireframe": array(1, 2, 2),
+}
+NEEDS = ("numpy", "scipy.integrate")
+OFF_LIMITS: dict[str, tuple[str, ...]] = {}
+
+POINTWISE = 1e-9  # a few roundings make 1e-15, a linear system 1e-14
+TRAJECTORY = 2e-5  # solve_ivp at rtol 1e-9, atol 1e-9 is off by 2e-6 after three periods, LSODA most
+ENERGY = 1e-5  # the same solvers lose 1e-6 of it in the 100 s
+CONSTRAINT = 1e-9  # of the contract: any step back onto the circle makes 1e-15, and 1e-12 between steps
+TOP = 1e-6  # an angle of pi, which is rounded, falls by 1e-16 exp(8) = 4e-13
+LONG = 100.0  # s
+
+
+def parameters(draw, *, gravity=None, length=None):
+    """A random mass, length and gravity."""
+    return {
+        "mass": 10 ** draw.uniform(-1, 1),
+        "length": 10 ** draw.uniform(-0.5, 0.8) if length is None else length,
+        "gravity": draw.uniform(2.0, 25.0) if gravity is None else gravity,
+    }
+
+
+def on_circle(theta, omega, length):
+    """The state (..., 4) at an angle from straight down."""
+    s, c, speed = np.sin(theta), np.cos(theta), length * np.asarray(omega)
+    return np.stack([length * s, -length * c, speed * c, speed * s], axis=-1)
+
+
+def kinds(draw):
+    """Random consistent states with parameters: moving, at rest, without gravity; and what to call them."""
+    found = []
+    for kind in ["a random state"] * 10 + ["a particle at rest"] * 3 + ["no gravity"] * 4:
+        known = parameters(draw, gravity=0.0 if kind == "no gravity" else None)
+        omega = draw.uniform(1, 5) * draw.choice([-1, 1]) * (kind != "a particle at rest")
+        found.append((on_circle(draw.uniform(-3, 3), omega, known["length"]), known, kind))
+    return found
+
+
+def size(state, *, mass, length, gravity):
+    """The size of an acceleration, m/s^2."""
+    return state[2:] @ state[2:] / length + gravity
+
+
+def together(state, *, mass, length, gravity):
+    """Acceleration and constraint force as one linear system: m a - N r = (0, -m g), r . a = -v . v."""
+    r, v = state[:2], state[2:]
+    matrix = np.block([[mass * np.eye(2), -r[:, None]], [r, np.zeros(1)]])
+    *a, pull = np.linalg.solve(matrix, [0.0, -mass * gravity, -v @ v])
+    return np.array(a), pull * r
+
+
+def wrong_law(says, outward):
+    """With outward(y, v^2, m, l, g) for the radial component of the constraint force."""
+
+    def force(state, *, mass, length, gravity):
+        x, y, vx, vy = state
+        return outward(y, vx**2 + vy**2, mass, length, gravity) * np.array([x, y]) / length
+
+    def acceleration(state, *, mass, length, gravity):
+        return force(state, mass=mass, length=length, gravity=gravity) / mass - [0.0, gravity]
+
+    return suspect(says, constraint_force=force, acceleration=acceleration)
+
+
+LAW_SUSPECTS = [
+    wrong_law("the constraint differentiated once, to r . v = 0, and r . a = 0 for the second time: the centripetal "
+              "term is missing", lambda y, vv, m, L, g: m * g * y / L),
+    wrong_law("a radial force without the weight's share", lambda y, vv, m, L, g: -m * vv / L),
+    wrong_law("the centripetal term of the wrong sign", lambda y, vv, m, L, g: m * (g * y + vv) / L),
+    wrong_law("the weight's share of the wrong sign", lambda y, vv, m, L, g: -m * (g * y + vv) / L),
+    wrong_law("the force for a length of 1 m", lambda y, vv, m, L, g: m * (g * y - vv)),
+]  # fmt: skip
+
+
+def judge_law(student, draw, name, index, says, hint):
+    """Compare acceleration (index 0) or force (index 1) with the solution of the linear system."""
+    found = kinds(draw)
+    calls = [given(state, **known) for state, known, _ in found]
+    for vector, call, (state, known, kind) in zip(
+        getattr(student, name).many(calls), calls, found, strict=True
+    ):
+        unit = known["mass"] if index else 1.0
+        expect(vector, together(state, **known)[index], within=POINTWISE, scale=unit * size(state, **known),
+               of=says, unit="of its size", kind=kind, hint=hint, at=call)  # fmt: skip
+
+
+@check(points=2, part="a", suspects=LAW_SUSPECTS)
+def force_keeps_the_particle_on_the_circle(student, draw):
+    """constraint_force: radial, and such that F = m a keeps x^2 + y^2 as it is."""
+    judge_law(student, draw, "constraint_force", 1, "the constraint force",
+              "differentiate x^2 + y^2 = l^2 twice; F = m a then leaves one unknown")  # fmt: skip
+
+
+@check(points=1.5, part="a", suspects=LAW_SUSPECTS)
+def acceleration_is_that_of_both_forces(student, draw):
+    """acceleration: by the weight and the constraint force."""
+    judge_law(student, draw, "acceleration", 0, "the acceleration", "what is r . a on the circle?")
+
+
+def wrong_state(says, mended):
+    """With mended(x, y, vx, vy, l) for the consistent state."""
+    return suspect(says, consistent_state=lambda state, length: mended(*state, length))
+
+
+def without_radial_part(x, y, vx, vy):
+    along = (x * vx + y * vy) / (x**2 + y**2)
+    return vx - along * x, vy - along * y
+
+
+STATE_SUSPECTS = [
+    wrong_state("the velocity left as it was",
+                lambda x, y, vx, vy, L: (*np.array([x, y]) * L / math.hypot(x, y), vx, vy)),
+    wrong_state("the position left as it was", lambda x, y, vx, vy, L: (x, y, *without_radial_part(x, y, vx, vy))),
+    wrong_state("a position moved along y, not along its radius",
+                lambda x, y, vx, vy, L: (x, math.copysign(math.sqrt(max(L**2 - x**2, 0)), y), vx, vy)),
+    wrong_state("a velocity turned into the tangent with all of its speed", lambda x, y, vx, vy, L: (
+        *np.array([x, y]) * L / math.hypot(x, y),
+        *np.array([-y, x]) / math.hypot(x, y) * math.copysign(math.hypot(vx, vy), x * vy - y * vx))),
+    wrong_state("a velocity scaled as the position is", lambda x, y, vx, vy, L: (
+        *np.array([x, y]) * L / math.hypot(x, y),
+        *np.array(without_radial_part(x, y, vx, vy)) * L / math.hypot(x, y))),
+]  # fmt: skip
+
+
+@check(points=1.25, part="a", suspects=STATE_SUSPECTS)
+def consistent_state_is_the_nearest(student, draw):
+    """consistent_state: the position goes along its radius onto the circle, the velocity loses its radial part."""
+    calls = [
+        given(draw.normal(size=4) * draw.uniform(0.5, 4), length=10 ** draw.uniform(-0.5, 0.8))
+        for _ in range(12)
+    ]
+    for found, call in zip(student.consistent_state.many(calls), calls, strict=True):
+        (state,), length = call.args, call.kwargs["length"]
+        place, velocity = complex(*state[:2]), complex(*state[2:])
+        outward = place / abs(place)
+        across = 1j * outward * (velocity / outward).imag
+        right = [*(length * np.array([outward.real, outward.imag])), across.real, across.imag]
+        expect(found, right, within=POINTWISE, scale=np.repeat([length, abs(velocity)], 2), of="the state",
+               unit="of its size", kind="a random state off the circle", at=call,
+               hint="the nearest point of the circle is on the same radius; which part of v is along it?")  # fmt: skip
+
+
+@check(points=0.25, part="a", after=consistent_state_is_the_nearest)
+def consistent_state_refuses_the_origin(student, draw):
+    """consistent_state raises ValueError where no point of the circle is the nearest."""
+    state = np.append([0.0, 0.0], draw.normal(size=2))
+    expect_that(student.consistent_state.refuses(state, length=draw.uniform(0.5, 2)), at=state,
+                says="a state at the origin is taken",
+                hint="which point of the circle is nearest to its centre?")  # fmt: skip
+
+
+ENERGY_SUSPECTS = [
+    suspect("the weight's potential energy of the wrong sign",
+            energy=lambda state, mass, gravity: mass * (state[2:] @ state[2:] / 2 - gravity * state[1])),
+    suspect("the kinetic energy without its half",
+            energy=lambda state, mass, gravity: mass * (state[2:] @ state[2:] + gravity * state[1])),
+    suspect("the height taken along x",
+            energy=lambda state, mass, gravity: mass * (state[2:] @ state[2:] / 2 + gravity * state[0])),
+    suspect("the energy of a mass of 1 kg",
+            energy=lambda state, mass, gravity: state[2:] @ state[2:] / 2 + gravity * state[1]),
+]  # fmt: skip
+
+
+@check(points=1, part="a", suspects=ENERGY_SUSPECTS)
+def energy_is_kinetic_and_potential(student, draw):
+    """energy: m v^2/2 and that of the weight, zero at y = 0."""
+    found = kinds(draw)
+    calls = [given(state, mass=known["mass"], gravity=known["gravity"]) for state, known, _ in found]
+    for energy, call, (state, known, kind) in zip(student.energy.many(calls), calls, found, strict=True):
+        weight = np.array([0.0, -known["mass"] * known["gravity"]])
+        right = known["mass"] * abs(complex(*state[2:])) ** 2 / 2 - weight @ state[:2]
+        scale = known["mass"] * known["length"] * size(state, **known)
+        expect(energy, right, within=POINTWISE, scale=scale, of="the energy", unit="of its size", kind=kind, at=call,
+               hint="how high is it above y = 0, and how fast?")  # fmt: skip
+
+
+def exact(t, theta, omega, *, mass, length, gravity):
+    """States at times t since (theta, omega), |theta| < pi, by Jacobi's functions; above modulus one it turns."""
+    if gravity == 0:
+        return on_circle(theta + omega * t, np.full(len(t), omega), length)
+    k, half = math.sqrt(gravity / length), theta / 2
+    m = math.sin(half) ** 2 + (omega / (2 * k)) ** 2
+    if m < 1:
+        since = ellipkinc(math.atan2(math.sin(half), omega / (2 * k)), m)
+        sn, cn, _, _ = ellipj(since + k * t, m)
+        return on_circle(2 * np.arcsin(math.sqrt(m) * sn), 2 * k * math.sqrt(m) * cn, length)
+    spin = math.copysign(k * math.sqrt(m), omega)
+    _, _, dn, phase = ellipj(ellipkinc(half, 1 / m) + spin * t, 1 / m)
+    return on_circle(2 * phase, 2 * spin * dn, length)
+
+
+def uneven(draw, span, count):
+    """Uneven times over a span that do not start at zero."""
+    steps = np.append(0.0, np.cumsum(draw.uniform(0.2, 1.8, count - 1)))
+    return span * (draw.uniform(0.2, 0.8) * draw.choice([-1, 1]) + steps / steps[-1])
+
+
+def start(draw, kind, known):
+    """Angle and its rate of a motion of this kind, and the time that it takes to go round once, about."""
+    sign = draw.choice([-1, 1], 2)
+    if kind == "no gravity":
+        omega = draw.uniform(1, 4) * sign[0]
+        return draw.uniform(-3, 3), omega, 2 * math.pi / abs(omega)
+    k = math.sqrt(known["gravity"] / known["length"])
+    theta, omega = {
+        "swinging": (draw.uniform(0.8, 2.2), draw.uniform(0.2, 0.6) * k),
+        "going round over the top": (draw.uniform(0, 3), draw.uniform(2.3, 3) * k),
+    }[kind]
+    return theta * sign[0], omega * sign[1], 2 * math.pi / k
+
+
+@once
+def timed(draw, kind, turns, count):
+    """Uneven times, the right states, and the parameters of a random motion of this kind."""
+    known = parameters(draw, gravity=0.0 if kind == "no gravity" else None)
+    theta, omega, turn = start(draw, kind, known)
+    t = uneven(draw, turns * turn, count)
+    return t, exact(t - t[0], theta, omega, **known), known
+
+
+def speed_of(states, known):
+    """The size of the speeds along a motion."""
+    return max(np.abs(states[:, 2:]).max(), math.sqrt(known["gravity"] * known["length"]))
+
+
+def judge_motion(student, found, within, kind, hint):
+    t, expected, known = found
+    states = student.simulate(t, expected[0], **known)
+    scale = np.repeat([known["length"], speed_of(expected, known)], 2)
+    expect(states, expected, within=within, scale=scale, of="the motion", unit="of its size", t=t, kind=kind,
+           hint=hint, at=found)  # fmt: skip
+
+
+def wrong_motion(says, law):
+    """With law(r, v, l, g) for the acceleration, integrated."""
+
+    def simulate(t, state, *, mass, length, gravity):
+        from scipy.integrate import solve_ivp
+
+        def rates(time, y):
+            return [*y[2:], *law(y[:2], y[2:], length, gravity)]
+
+        return solve_ivp(rates, (t[0], t[-1]), state, t_eval=t, rtol=1e-10, atol=1e-10).y.T
+
+    return suspect(says, simulate=simulate, within=1e-4)
+
+
+MOTION_SUSPECTS = [
+    wrong_motion("the centripetal term missing from the acceleration: the constraint differentiated once, r . a = 0",
+                 lambda r, v, L, g: np.array([g * r[0] * r[1], -g * r[0] ** 2]) / L**2),
+    wrong_motion("gravity pulling up",
+                 lambda r, v, L, g: -np.array([g * r[0] * r[1], -g * r[0] ** 2]) / L**2 - v @ v * r / L**2),
+]  # fmt: skip
+
+
+@check(points=0.75, part="a", suspects=MOTION_SUSPECTS[:1])
+def without_gravity_it_goes_round_uniformly(student, draw):
+    """simulate: uniform motion around the circle where there is no gravity."""
+    judge_motion(student, timed(draw, "no gravity", 2.3, 12), TRAJECTORY, "no gravity",
+                 "how does the velocity turn if only the constraint force acts?")  # fmt: skip
+
+
+@check(points=1, part="a", suspects=MOTION_SUSPECTS)
+def with_gravity_it_swings_or_goes_round(student, draw):
+    """simulate: the state at few and uneven times, the first of which is not 0."""
+    for kind in ("swinging", "going round over the top"):
+        judge_motion(student, timed(draw, kind, 1.8, 9), TRAJECTORY, kind,
+                     "row i is the state at t[i], and the given state is that at t[0]")  # fmt: skip
+    t, expected, known = timed(draw, "swinging", 3.1, 9)
+    judge_motion(student, (t[[0, -1]], expected[[0, -1]], known), 2 * TRAJECTORY, "two times far apart",
+                 "steps between the times, as short as the motion asks for")  # fmt: skip
+
+
+@once
+def long_motion(draw):
+    """Times over 100 s, a start and parameters: about ten to twenty swings."""
+    known = parameters(draw, gravity=draw.uniform(3, 6), length=draw.uniform(3, 6))
+    theta, omega, _ = start(draw, "swinging", known)
+    return np.linspace(0.0, LONG, 60), on_circle(theta, omega, known["length"]), known
+
+
+@check(points=1, part="a", after=with_gravity_it_swings_or_goes_round)
+def it_stays_on_the_circle(student, draw):
+    """simulate: after 100 s the particle is still on the circle, and its velocity tangent to it."""
+    t, state, known = long_motion(draw)
+    states = student.simulate(t, state, **known)
+    (x, y, vx, vy), length = states.T, known["length"]
+    off = (x**2 + y**2) / length**2 - 1
+    out = (x * vx + y * vy) / (length * np.hypot(vx, vy).max())
+    expect(np.column_stack([off, out]), 0.0, within=CONSTRAINT, of="x^2 + y^2 = l^2 or r . v = 0", t=t,
+           unit="of its size", kind="100 s", at=(state, known), partial={1e-7: 0.5, 1e-5: 0.25},
+           hint="the drift is not controlled: the acceleration keeps the second derivative of the constraint zero, and "
+           "nothing takes back the errors of the steps")  # fmt: skip
+
+
+@check(points=0.25, part="a", after=with_gravity_it_swings_or_goes_round)
+def energy_stays(student, draw):
+    """simulate: after 100 s the energy is that of the start."""
+    t, state, known = long_motion(draw)
+    states = student.simulate(t, state, **known)
+    energies = np.sum(states[:, 2:] ** 2, axis=1) / 2 + known["gravity"] * states[:, 1]
+    expect(energies, energies[0], within=ENERGY, scale=known["gravity"] * known["length"], of="the energy",
+           unit="of m g l", t=t, kind="100 s", hint="ask the integrator for a smaller error", at=state,
+           partial={1e-3: 0.6, 1e-2: 0.3})  # fmt: skip
+
+
+@check(points=0.5, part="a", after=with_gravity_it_swings_or_goes_round)
+def at_the_very_top_it_stays(student, draw):
+    """simulate: at rest straight above the hinge it is in equilibrium."""
+    known = parameters(draw)
+    t = np.linspace(0.0, 8 * math.sqrt(known["length"] / known["gravity"]), 9)
+    states = student.simulate(t, np.array([0.0, known["length"], 0.0, 0.0]), **known)
+    scale = np.repeat([known["length"], math.sqrt(known["gravity"] * known["length"])], 2)
+    expect(states, [0.0, known["length"], 0.0, 0.0], within=TOP, scale=scale, of="the motion", t=t,
+           unit="of its size", kind="a start at rest at the very top", at=known,
+           hint="what do the two forces add up to there?")  # fmt: skip
+
+
+@check(points=0.5, part="a")
+def wireframe_is_the_rod(student, draw):
+    """wireframe: one segment, from the hinge to the particle."""
+    for state, known, _ in kinds(draw)[:3]:
+        expect(student.wireframe(state, length=known["length"]), [[[0.0, 0.0], state[:2]]], within=POINTWISE,
+               scale=known["length"], of="the rod", unit="of its length", kind="a random state",
+               hint="its first end is the hinge, its second the particle", at=state)  # fmt: skip
