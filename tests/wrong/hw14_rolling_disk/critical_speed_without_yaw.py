@@ -1,0 +1,12 @@
+"""The inertias are swapped in the critical speed.
+
+fails: critical_speed_parts_stable_from_unstable
+suspect: A and C swapped
+"""
+
+
+_speed = critical_speed
+
+
+def critical_speed(*, inertia, **disk):
+    return _speed(inertia=inertia[::-1], **disk)

@@ -1,0 +1,13 @@
+"""The diameters are radii.
+
+fails: wireframe_is_a_rolling_disk
+"""
+
+
+_drawn = wireframe
+
+
+def wireframe(state, *, radius, sides):
+    lines = _drawn(state, radius=radius, sides=sides)
+    lines[sides:, 0] = lines[sides:].mean(axis=1)
+    return lines

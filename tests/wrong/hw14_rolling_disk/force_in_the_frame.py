@@ -1,0 +1,12 @@
+"""The contact force has the components along e1, e2, e3.
+
+fails: contact_force_moves_the_centre
+suspect: the components along e1, e2, e3
+"""
+
+
+_force = contact_force
+
+
+def contact_force(state, **disk):
+    return _frame(state) @ _force(state, **disk)

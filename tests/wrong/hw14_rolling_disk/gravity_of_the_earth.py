@@ -1,0 +1,21 @@
+"""The Euler equations have 9.81 m/s^2 for gravity.
+
+fails: euler_equations_hold, contact_force_moves_the_centre, euler_simulation_follows_the_motion
+"""
+
+
+def euler_state_derivative(t, state, *, mass, radius, inertia, gravity):
+    x, y, yaw, tilt, roll, yaw_rate, tilt_rate, roll_rate = state
+    A, C = inertia
+    c, s = math.cos(tilt), math.sin(tilt)
+    m = mass * radius**2
+    w2, spin, turn = yaw_rate * s, roll_rate + yaw_rate * c, yaw_rate * c
+    first = (w2 * (A * turn - (C + m) * spin) - mass * 9.81 * radius * c) / (A + m)
+    second = tilt_rate * (C * spin - A * turn) / A
+    third = m * tilt_rate * w2 / (C + m)
+    yaw_second = (second - yaw_rate * tilt_rate * c) / s
+    roll_second = third - yaw_second * c + yaw_rate * tilt_rate * s
+    return (
+        -radius * roll_rate * math.cos(yaw), -radius * roll_rate * math.sin(yaw),
+        yaw_rate, tilt_rate, roll_rate, yaw_second, first, roll_second,
+    )

@@ -1,0 +1,11 @@
+"""Where the motion is stable the rate is said to be zero.
+
+fails: growth_rate_is_that_of_a_small_lean
+"""
+
+
+_growth = growth_rate_squared
+
+
+def growth_rate_squared(speed, **disk):
+    return max(_growth(speed, **disk), 0.0)

@@ -1,0 +1,12 @@
+"""The inertia about the contact lacks m a^2.
+
+fails: growth_rate_is_that_of_a_small_lean
+suspect: m a^2 missing about the contact
+"""
+
+
+_growth = growth_rate_squared
+
+
+def growth_rate_squared(speed, **disk):
+    return _growth(speed, **disk) * (disk["inertia"][0] + disk["mass"] * disk["radius"] ** 2) / disk["inertia"][0]

@@ -1,0 +1,12 @@
+"""simulate_euler with the default tolerances of solve_ivp.
+
+fails: euler_simulation_follows_the_motion
+"""
+
+
+def simulate_euler(t, state, **disk):
+    from scipy.integrate import solve_ivp
+
+    return solve_ivp(
+        lambda time, y: euler_state_derivative(time, y, **disk), (t[0], t[-1]), state, t_eval=t
+    ).y.T

@@ -1,0 +1,13 @@
+"""The matrix state has omega in body axes.
+
+fails: matrix_state_places_the_disk
+suspect: omega in body axes
+"""
+
+
+_placed = matrix_state
+
+
+def matrix_state(state, *, radius):
+    m = _placed(state, radius=radius)
+    return np.concatenate([m[:12], m[12:] @ m[3:12].reshape(3, 3)])

@@ -1,0 +1,12 @@
+"""tilt'' of steady motion with the contact fixed in the body.
+
+fails: steady_residual_is_the_tilt_acceleration
+suspect: the contact point taken as fixed in the body
+"""
+
+
+def steady_residual(lean, precession, spin, *, mass, radius, inertia, gravity):
+    A, C = inertia
+    m, c, s = mass * radius**2, math.cos(lean), math.sin(lean)
+    gyroscopic = precession * c * ((A + m) * precession * s + (C + 2 * m) * spin)
+    return (mass * gravity * radius * s - gyroscopic) / (A + m)
