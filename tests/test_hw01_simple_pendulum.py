@@ -242,3 +242,14 @@ def test_without_gravity_it_turns_uniformly():
     found = hw.simulate(t, 0.3, -4.0, length=1.7, gravity=0.0)
     np.testing.assert_allclose(found, np.column_stack([0.3 - 4.0 * (t + 3), np.full(50, -4.0)]), rtol=1e-13)
     assert np.all(hw.simulate(t, 0.3, 0.0, length=1.7, gravity=0.0) == [0.3, 0.0])
+
+
+@pytest.mark.parametrize("length", [1e-6, 1e-3, 1e3, 1e6])
+@pytest.mark.parametrize("gravity", [1e-6, 1e3])
+def test_the_energy_stays_for_rods_of_any_length(length, gravity):
+    k = math.sqrt(gravity / length)
+    t = np.linspace(5, 5 + 30 / k, 50)
+    for start in ((2.5, 0.3 * k), (7.0, -3 * k)):
+        theta, omega = hw.simulate(t, *start, length=length, gravity=gravity).T
+        energy = (omega / k) ** 2 / 2 + 2 * np.sin(theta / 2) ** 2
+        np.testing.assert_allclose(energy / energy[0], 1, rtol=1e-12)

@@ -175,3 +175,16 @@ def test_without_gravity_it_goes_along_the_wire_at_its_speed():
     speed = 0.9 * math.hypot(1, 2 * c * 1.3)
     np.testing.assert_allclose(arc - arc[0], speed * (t + 2), rtol=1e-12, atol=1e-12)
     np.testing.assert_allclose(v * np.hypot(1, u), speed, rtol=1e-12)
+
+
+@pytest.mark.parametrize("curvature", [1e-6, 1e-3, 1e3, 1e6])
+@pytest.mark.parametrize("gravity", [1e-6, 1e3])
+def test_wires_of_any_size_bring_the_bead_back_after_three_periods(curvature, gravity):
+    wire = {"curvature": curvature, "gravity": gravity}
+    for steepness in (1e-8, 1.0, 1e4):
+        amplitude = steepness / curvature
+        t = np.linspace(5, 5 + 3 * hw.period(amplitude, **wire), 20)
+        motion = hw.simulate(t, amplitude, 0.0, **wire)
+        assert motion[-1, 0] == pytest.approx(amplitude, rel=1e-12)
+        energy = hw.energy(*motion.T, mass=2.0, **wire)
+        np.testing.assert_allclose(energy / energy[0], 1, rtol=1e-12)
