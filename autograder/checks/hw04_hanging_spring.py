@@ -36,8 +36,8 @@ MANUAL = {
 }
 
 POINTWISE = 1e-9  # a few roundings make 1e-14
-TRAJECTORY = 1e-5  # solve_ivp at rtol 1e-9, atol 1e-9 is off by 7e-7 after three periods, LSODA most
-ENERGY = 1e-5  # the same solvers lose 5e-7 of it in ten periods
+TRAJECTORY = 1e-5  # solve_ivp at rtol 1e-9, atol 1e-9 is off by less than 1e-6 after three periods
+ENERGY = 1e-5  # the same solvers lose less than 1e-6 of it in ten periods
 TENSOR = 1e-9  # of the square of the larger axis; an eigenvalue that is zero comes out as 1e-16
 RIGHT_ANGLE = 1e-7  # of the larger axis, along the smaller; eigenvectors are good to rounding over the gap
 DRAWN = 1e-2  # of the picture: between points of a line that looks smooth
