@@ -57,9 +57,11 @@ ROTATE_SUSPECTS = [suspect(says, rotate=rotated(wrong)) for says, wrong in WRONG
 
 @once
 def rotations(draw, angles):
-    """Calls with random axes of lengths from .1 to 10, and what is right for each."""
+    """Axes of lengths from .1 to 10, angles, and the right matrices; every third axis lies in a coordinate plane, one on an axis."""
     angles = draw.uniform(-4 * np.pi, 4 * np.pi, 25) if angles is None else angles
     axes = draw.normal(size=(len(angles), 3)) * 10 ** draw.uniform(-1, 1, (len(angles), 1))
+    axes[::3, draw.integers(3)] = 0.0
+    axes[0] = np.roll([axes[0, 0] + axes[0, 1], 0.0, 0.0], draw.integers(3))
     return [(axis, angle, turned(axis, angle)) for axis, angle in zip(axes, angles, strict=True)]
 
 

@@ -45,7 +45,7 @@ def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="tam570-grader", description="Grade the assignments of the course.")
     _add_root(parser, None)
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
-    for add in (_add_grade, _add_stubs, _add_kit):
+    for add in (_add_grade, _add_stubs, _add_kit, _add_audit):
         _add_root(add(commands), argparse.SUPPRESS)
     return parser
 
@@ -105,6 +105,22 @@ def _add_kit(commands: Commands) -> argparse.ArgumentParser:
     return kit
 
 
+def _add_audit(commands: Commands) -> argparse.ArgumentParser:
+    audit: argparse.ArgumentParser = commands.add_parser(
+        "audit",
+        help="grade the grader: does it catch what it must?",
+        description="Run mutants of the reference solutions, one slip each, through the grader. "
+        "Exits 1 if one survives that is not listed as equivalent.",
+    )
+    audit.set_defaults(command=_audit)
+    audit.add_argument("assignments", nargs="*", metavar="SLUG", help="default: all")
+    audit.add_argument("--quick", action="store_true", help="a few mutants of each assignment")
+    audit.add_argument(
+        "--jobs", type=_positive, metavar="N", default=_cores(), help="workers (default: %(default)s)"
+    )
+    return audit
+
+
 def _grade(arguments: argparse.Namespace) -> int:
     _must_be_posix()
     from tam570_grader import feedback, root
@@ -148,18 +164,20 @@ def _grade(arguments: argparse.Namespace) -> int:
     return _exit_code(done)
 
 
-def _submissions(arguments: argparse.Namespace, known: list[str]) -> list[Any]:
+def _slug(name: str, known: list[str]) -> str:
     from tam570_grader.root import slug_of
+
+    found = slug_of(name, known)
+    if found is None:
+        raise Usage(f"there is no assignment {name!r}; there are: {', '.join(known)}")
+    return found
+
+
+def _submissions(arguments: argparse.Namespace, known: list[str]) -> list[Any]:
     from tam570_grader.submissions import submissions
 
-    def slug(name: str) -> str:
-        found = slug_of(name, known)
-        if found is None:
-            raise Usage(f"there is no assignment {name!r}; there are: {', '.join(known)}")
-        return found
-
-    given = slug(arguments.assignment) if arguments.assignment else None
-    only = [slug(name) for name in arguments.only or known]
+    given = _slug(arguments.assignment, known) if arguments.assignment else None
+    only = [_slug(name, known) for name in arguments.only or known]
     found = [one for one in submissions(arguments.paths, known, given) if one.slug in only]
     if not found:
         raise Usage(f"there is no submission of {', '.join(only)} at these paths")
@@ -208,6 +226,17 @@ def _kit(arguments: argparse.Namespace) -> int:
     from tam570_grader import kit, root
 
     return kit.run(root.find(arguments.root), arguments.folder)
+
+
+def _audit(arguments: argparse.Namespace) -> int:
+    _must_be_posix()
+    from tam570_grader import audit, root
+
+    course = root.find(arguments.root)
+    known = root.slugs(course)
+    slugs = [_slug(name, known) for name in arguments.assignments] or known
+    _warn_of_isolation()
+    return audit.run(course, slugs, jobs=arguments.jobs, quick=arguments.quick)
 
 
 def _must_be_posix() -> None:

@@ -20,7 +20,7 @@ from tam570_grader.sandbox import Allowance, Worker, WorkerLost
 from tam570_grader.student import Source
 from tam570_grader.submissions import CannotRead, Submission, read
 
-__all__ = ["Plan", "records"]
+__all__ = ["Plan", "graded_sources", "records"]
 
 COMMON = ("matplotlib.pyplot", "scipy.integrate", "scipy.linalg", "scipy.optimize", "scipy.special", "sympy")
 TRIES = 3  # workers that a submission may see die under it before we give up
@@ -50,15 +50,15 @@ def records(plan: Plan, book: Book | None = None) -> Iterator[Record]:
             yield known
         else:
             fresh.append((submission, source, digest))
-    for result, digest in _results(plan, fresh):
+    for result, digest in graded_sources(plan, fresh):
         record = {**result.record(), "digest": digest}
         if book:
             book.add(record)
         yield record
 
 
-def _results(
-    plan: Plan, fresh: list[tuple[Submission, Source | CannotRead, str]]
+def graded_sources(
+    plan: Plan, fresh: Sequence[tuple[Submission, Source | CannotRead, str]]
 ) -> Iterator[tuple[Result, str]]:
     """Grade on as many workers as there are jobs; an interrupt ends them all."""
     jobs = min(plan.jobs, len(fresh))
@@ -101,7 +101,9 @@ def _results(
             worker.close()
 
 
-def _preload(plan: Plan, fresh: list[tuple[Submission, Source | CannotRead, str]], jobs: int) -> list[str]:
+def _preload(
+    plan: Plan, fresh: Sequence[tuple[Submission, Source | CannotRead, str]], jobs: int
+) -> list[str]:
     """What the assignments need, and the common libraries that repay it: imported by two submissions a worker."""
     needs = {name for submission, *_ in fresh for name in _assignment(plan, submission).needs}
     texts = [source.text for _, source, _ in fresh if isinstance(source, Source)]

@@ -1,0 +1,192 @@
+"""Wrong solutions by the dozen: one physics-minded slip in the syntax tree of a reference solution each.
+
+The operators are the mistakes that people make with formulas: a sign, a factor of two, a term dropped or counted
+twice, sine for cosine, swapped arguments or indices, another exponent, a transposed product, a missing copy, the
+wrong branch at the special case.
+"""
+
+import ast
+import collections
+import copy
+import hashlib
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import TypeVar
+
+__all__ = ["Mutant", "mutants"]
+
+COUNTERPARTS = {
+    "sin": "cos", "cos": "sin", "sinh": "cosh", "cosh": "sinh", "tan": "sin", "exp": "expm1", "arctan2": "arcsin",
+    "min": "max", "max": "min", "minimum": "maximum", "maximum": "minimum",
+}  # fmt: skip
+OPPOSITES: dict[type[ast.AST], type[ast.AST]] = {
+    ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult,
+    ast.Lt: ast.LtE, ast.LtE: ast.Lt, ast.Gt: ast.GtE, ast.GtE: ast.Gt, ast.Eq: ast.NotEq, ast.NotEq: ast.Eq,
+    ast.And: ast.Or, ast.Or: ast.And,
+}  # fmt: skip
+Node = TypeVar("Node", bound=ast.AST)
+COPIES = ("copy", "array", "asarray")
+
+
+@dataclass(frozen=True)
+class Mutant:
+    """A solution with one slip."""
+
+    slug: str
+    function: str
+    line: int
+    was: str
+    now: str
+    nth: int  # of the slips in the function that read alike
+    text: str
+
+    @property
+    def name(self) -> str:
+        """A name that stays the same as long as the expression does."""
+        slip = hashlib.sha256(f"{self.was} -> {self.now} {self.nth}".encode()).hexdigest()[:8]
+        return f"{self.slug[:4]}.{self.function}.{slip}"
+
+
+def mutants(slug: str, source: str) -> list[Mutant]:
+    """All mutants of a solution's source, in the order of the source."""
+    found: dict[str, Mutant] = {}
+    for function in (node for node in ast.parse(source).body if isinstance(node, ast.FunctionDef)):
+        count: collections.Counter[tuple[str, str]] = collections.Counter()
+        for node, slip in _slips(function):
+            was, now = ast.unparse(node), ast.unparse(slip)
+            if was != now:
+                text = _replaced(source, node, now)
+                found[text] = Mutant(slug, function.name, node.lineno, was, now, count[was, now], text)
+                count[was, now] += 1
+    return list(found.values())
+
+
+def _replaced(source: str, node: ast.expr, text: str) -> str:
+    """The source with other text in the place of an expression."""
+    lines = source.encode().splitlines(keepends=True)
+    assert node.end_lineno is not None and node.end_col_offset is not None
+    start = sum(map(len, lines[: node.lineno - 1])) + node.col_offset
+    end = sum(map(len, lines[: node.end_lineno - 1])) + node.end_col_offset
+    whole = b"".join(lines)
+    return (whole[:start] + f"({text})".encode() + whole[end:]).decode()
+
+
+def _slips(function: ast.FunctionDef) -> Iterator[tuple[ast.expr, ast.expr]]:
+    """Every expression of a function's body beside what a slip makes of it."""
+    messages = {
+        id(inner) for node in ast.walk(function) if isinstance(node, ast.Raise) for inner in ast.walk(node)
+    }
+    for statement in function.body:
+        for node in ast.walk(statement):
+            if isinstance(node, ast.expr) and id(node) not in messages:
+                for operator in OPERATORS:
+                    for slip in operator(node):
+                        yield node, slip
+
+
+def _signs(node: ast.expr) -> Iterator[ast.expr]:
+    if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub | ast.Not):
+        yield node.operand
+
+
+def _operations(node: ast.expr) -> Iterator[ast.expr]:
+    """a + b becomes a - b, a, b and a + 2 b; a * b becomes a / b; A @ B becomes B @ A and A.T @ B."""
+    if not isinstance(node, ast.BinOp):
+        return
+    if type(node.op) in OPPOSITES:
+        yield _with(node, op=OPPOSITES[type(node.op)]())
+    if isinstance(node.op, ast.Add | ast.Sub):
+        yield from (node.left, node.right, _with(node, right=_times(2, node.right)))
+    if isinstance(node.op, ast.MatMult):
+        yield _with(node, left=node.right, right=node.left)
+        yield _with(node, left=ast.Attribute(node.left, "T", ast.Load()))
+
+
+def _exponents(node: ast.expr) -> Iterator[ast.expr]:
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Pow) and isinstance(node.right, ast.Constant):
+        yield _with(node, right=ast.Constant(_number(node.right) + 1))
+        yield _with(node, right=ast.Constant(_number(node.right) - 1))
+
+
+def _factors(node: ast.expr) -> Iterator[ast.expr]:
+    """A number becomes twice and half of itself."""
+    if (
+        isinstance(node, ast.Constant)
+        and isinstance(node.value, int | float)
+        and not isinstance(node.value, bool)
+        and node.value
+    ):
+        yield ast.Constant(2 * node.value)
+        if isinstance(node.value, float):
+            yield ast.Constant(node.value / 2)
+
+
+def _counterparts(node: ast.expr) -> Iterator[ast.expr]:
+    """sin becomes cos, and so on; a copy becomes what it copied."""
+    if not isinstance(node, ast.Call):
+        return
+    if isinstance(node.func, ast.Attribute) and node.func.attr in COUNTERPARTS:
+        yield _with(node, func=_with(node.func, attr=COUNTERPARTS[node.func.attr]))
+    if isinstance(node.func, ast.Attribute) and node.func.attr in COPIES and len(node.args) == 1:
+        yield node.args[0]
+    if isinstance(node.func, ast.Attribute) and node.func.attr == "copy" and not node.args:
+        yield node.func.value
+
+
+def _arguments(node: ast.expr) -> Iterator[ast.expr]:
+    """Neighbouring arguments, or parts of a tuple, change places."""
+    for field in ("args", "elts"):
+        parts = getattr(node, field, [])
+        if isinstance(node, ast.Call | ast.Tuple | ast.List) and isinstance(
+            getattr(node, "ctx", ast.Load()), ast.Load
+        ):
+            for i in range(len(parts) - 1):
+                yield _with(node, **{field: [*parts[:i], parts[i + 1], parts[i], *parts[i + 2 :]]})
+
+
+def _indices(node: ast.expr) -> Iterator[ast.expr]:
+    if (
+        isinstance(node, ast.Subscript)
+        and isinstance(node.slice, ast.Constant)
+        and isinstance(node.ctx, ast.Load)
+    ):
+        index = node.slice.value
+        if isinstance(index, int):
+            yield _with(node, slice=ast.Constant(index - 1 if index else 1))
+
+
+def _transposes(node: ast.expr) -> Iterator[ast.expr]:
+    if isinstance(node, ast.Attribute) and node.attr == "T":
+        yield node.value
+
+
+def _conditions(node: ast.expr) -> Iterator[ast.expr]:
+    """< becomes <=, and becomes or; a choice takes the other branch always."""
+    if isinstance(node, ast.Compare) and len(node.ops) == 1 and type(node.ops[0]) in OPPOSITES:
+        yield _with(node, ops=[OPPOSITES[type(node.ops[0])]()])
+    if isinstance(node, ast.BoolOp):
+        yield _with(node, op=OPPOSITES[type(node.op)]())
+    if isinstance(node, ast.IfExp):
+        yield from (node.body, node.orelse)
+
+
+OPERATORS: tuple[Callable[[ast.expr], Iterator[ast.expr]], ...] = (
+    _signs, _operations, _exponents, _factors, _counterparts, _arguments, _indices, _transposes, _conditions,
+)  # fmt: skip
+
+
+def _with(node: Node, **fields: object) -> Node:
+    """A copy of the node, but for these fields."""
+    changed = copy.copy(node)
+    for name, value in fields.items():
+        setattr(changed, name, value)
+    return changed
+
+
+def _times(number: int, node: ast.expr) -> ast.expr:
+    return ast.BinOp(ast.Constant(number), ast.Mult(), node)
+
+
+def _number(node: ast.Constant) -> float:
+    assert isinstance(node.value, int | float)
+    return node.value
