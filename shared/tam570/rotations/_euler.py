@@ -64,8 +64,8 @@ def _times(s: int, vector: dict[int, Component]) -> dict[int, Component]:
 def angles_of_matrix(order: Sequence) -> Formula:
     """The formula of the three angles of a rotation matrix.
 
-    The first angle is read off, its rotation is undone, and the last angle is read off what remains:
-    near gimbal lock, where the two are ill determined one by one, they still belong together and rebuild R.
+    The first angle is read off, its rotation is undone, and the last angle is read off what remains: near
+    gimbal lock, where the two are ill determined one by one, they still belong together and rebuild R.
     """
 
     def formula(f: Functions, *R: Component) -> Numbers:
@@ -73,14 +73,15 @@ def angles_of_matrix(order: Sequence) -> Formula:
         rows = [R[0:3], R[3:6], R[6:9]]
         of_i = [row[order.i] if order.proper else -s * row[k] for row in rows]
         of_k = [row[k] if order.proper else s * row[order.i] for row in rows]
-        sa, ca, cb = of_i[j], -s * of_i[k], of_i[order.i]  # sin b times the sine and cosine of a
+        sa, ca, cb = of_i[j], 0.0 - s * of_i[k], of_i[order.i]  # sin b times the sine and cosine of a
         sb = f.hypot(sa, ca)
-        ca = f.where(sb == 0, 1.0, ca)  # only a + c or a - c is determined: a = 0
+        a = f.atan2(sa, ca)  # 0 for 0 and 0: ca is never -0
+        sa, ca = f.sin(a), f.cos(a)  # of the rounded angle: c makes up for what it lacks
         sc = -s * (ca * of_k[j] + s * sa * of_k[k])  # c turns e_j, seen from the frame before it
         cc = ca * rows[j][j] + s * sa * rows[k][j]
         if order.proper:
-            return defect(*R), f.atan2(sa, ca), f.atan2(sb, cb), f.atan2(sc, cc)
-        return defect(*R), f.atan2(sa, ca), f.atan2(-cb, sb), f.atan2(-s * sc, cc)
+            return defect(*R), a, f.atan2(sb, cb), f.atan2(sc, cc)
+        return defect(*R), a, f.atan2(-cb, sb), f.atan2(-s * sc, cc)
 
     return formula
 

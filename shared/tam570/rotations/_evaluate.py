@@ -119,12 +119,15 @@ def _tables(names: list[str], kinds: list[Kind], values: list[Array]) -> tuple[t
     """The batch's shape, and each argument as rows (n, k)."""
     batches = list(map(_batch, names, kinds, values))
     try:
-        batch = np.broadcast_shapes(*batches) if len(batches) > 1 else batches[0]
+        batch = batches[0] if len(set(batches)) == 1 else np.broadcast_shapes(*batches)
     except ValueError as error:
         raise ValueError(f"{' and '.join(names)} do not broadcast: {error}") from None
-    spread = [np.broadcast_to(value, batch + kind.shape) for value, kind in zip(values, kinds, strict=True)]
-    rows, widths = math.prod(batch), [math.prod(kind.shape) for kind in kinds]
-    return batch, [value.reshape(rows, width) for value, width in zip(spread, widths, strict=True)]
+    return batch, [_rows(value, batch, kind.shape) for value, kind in zip(values, kinds, strict=True)]
+
+
+def _rows(value: Array, batch: tuple[int, ...], shape: tuple[int, ...]) -> Array:
+    spread = value if value.shape == batch + shape else np.broadcast_to(value, batch + shape)
+    return spread.reshape(math.prod(batch), math.prod(shape))
 
 
 def _batch(name: str, kind: Kind, value: Array) -> tuple[int, ...]:
