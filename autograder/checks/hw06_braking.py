@@ -1,0 +1,705 @@
+"""Hidden checks of hw06. What is right is found in the ground's axes, the free axle's side force a Lagrange multiplier.
+
+Forces and velocities in the car's axes are (forward, left) pairs; axles are at distances forward of G.
+"""
+
+import math
+
+import numpy as np
+
+from tam570_grader import array, check, expect, expect_that, given, number, once, rows, suspect
+
+RESULTS = {
+    "axle_load": number,
+    "friction_force": array(2),
+    "state_derivative": array(5),
+    "simulate": rows(5),
+    "kinetic_energy": number,
+    "yaw_growth_rate": number,
+    "critical_speed": array(infinite=True),
+    "small_yaw_rate": number,
+}
+NEEDS = ("numpy", "scipy.integrate")
+OFF_LIMITS = {}
+MANUAL = {"c": (2, "the definition of steering stability, with plots that answer the question by it")}
+
+FORMULA = 1e-9  # of the largest term: roundings make 1e-15, solving for the side force 1e-13; wrong terms .1
+GROWTH = 1e-6  # a student's central difference is good to 1e-9; wrong terms are off by .1
+SMALL_YAW = 1e-6  # the same, and an integral by rtol 1e-9 in the place of the closed form
+# solve_ivp at rtol = atol = 1e-9, whatever its method, stays below 8e-8 well before the stop.
+TRAJECTORY = 1e-6
+AT_REST = 1e-3  # of the first speed: a threshold below which a student calls it rest
+STOPPED = 1e-5  # of the distance friction needs: the way from such a threshold to the stop is its square
+
+
+# The car
+
+
+def axles(locked, front, rear):
+    """Positions of the free and of the dragging axle."""
+    return (-rear, front) if locked == "front" else (front, -rear)
+
+
+def other(locked):
+    return "rear" if locked == "front" else "front"
+
+
+def load(locked, *, mass, front, rear, gravity):
+    """By the moments of the weight and of this load about the other axle."""
+    free, dragging = axles(locked, front, rear)
+    return mass * gravity * (0 - free) / (dragging - free)
+
+
+def velocity_of(point, state, locked, front, rear):
+    """Of a point of the centreline: the free axle has none to the left."""
+    speed, yaw_rate = state[3:]
+    return np.array([speed, (point - axles(locked, front, rear)[0]) * yaw_rate])
+
+
+def against(velocity, size):
+    fast = np.hypot(*velocity)
+    return -size * velocity / fast if fast else np.zeros(2)
+
+
+def coulomb(state, locked, *, mass, front, rear, friction, gravity):
+    dragging = axles(locked, front, rear)[1]
+    size = friction * load(locked, mass=mass, front=front, rear=rear, gravity=gravity)
+    return against(velocity_of(dragging, state, locked, front, rear), size)
+
+
+def derivative(state, locked, *, force=coulomb, yaw_inertia, **car):
+    """F = m a, moments about G, and the free axle's sideways velocity stays zero: four equations, the last unknown a
+    multiplier."""
+    mass, (free, dragging) = car["mass"], axles(locked, car["front"], car["rear"])
+    heading, speed, yaw_rate = state[2:]
+    forward, left = np.array(
+        [[math.cos(heading), math.sin(heading)], [-math.sin(heading), math.cos(heading)]]
+    )
+    velocity = np.array([forward, left]).T @ velocity_of(0.0, state, locked, car["front"], car["rear"])
+    applied = force(state, locked, **car)
+    row = np.array([*left, free])  # of sideways velocity over vx, vy, yaw rate
+    matrix = np.zeros((4, 4))
+    matrix[[0, 1, 2], [0, 1, 2]] = mass, mass, yaw_inertia
+    matrix[:3, 3], matrix[3, :3] = -row, row
+    known = [
+        *(applied[0] * forward + applied[1] * left),
+        dragging * applied[1],
+        yaw_rate * (forward @ velocity),
+    ]
+    *acceleration, turning, _ = np.linalg.solve(matrix, known)
+    slowing = np.dot(acceleration, forward) + yaw_rate * (velocity @ left)
+    return np.array([*velocity, yaw_rate, slowing, turning])
+
+
+def inertia_about_free(locked, *, mass, yaw_inertia, front, rear):
+    return yaw_inertia + mass * axles(locked, front, rear)[0] ** 2
+
+
+# Wrong answers that are known
+
+
+def swapped(function):
+    return lambda state, locked, **car: function(state, other(locked), **car)
+
+
+def load_of_the_other(state, locked, *, front, rear, **road):
+    return coulomb(state, locked, front=front, rear=rear, **road) * (
+        front / rear if locked == "front" else rear / front
+    )
+
+
+def straight_back(state, locked, *, mass, front, rear, friction, gravity):
+    size = friction * load(locked, mass=mass, front=front, rear=rear, gravity=gravity)
+    return np.array([-size * np.sign(state[3]), 0.0])
+
+
+def against_G(state, locked, *, mass, front, rear, friction, gravity):
+    size = friction * load(locked, mass=mass, front=front, rear=rear, gravity=gravity)
+    return against(velocity_of(0.0, state, locked, front, rear), size)
+
+
+def under(force):
+    return lambda state, locked, **car: derivative(state, locked, force=force, **car)
+
+
+def without_turning_term(state, locked, *, friction, gravity, **body):
+    rates = derivative(state, locked, friction=friction, gravity=gravity, **body)
+    free = axles(locked, body["front"], body["rear"])[0]
+    rates[4] -= body["mass"] * free * state[3] * state[4] / inertia_about_free(locked, **body)
+    return rates
+
+
+def without_centripetal_term(state, locked, *, front, rear, **car):
+    rates = derivative(state, locked, front=front, rear=rear, **car)
+    rates[3] += axles(locked, front, rear)[0] * state[4] ** 2
+    return rates
+
+
+def about_G(state, locked, *, friction, gravity, **body):
+    rates = derivative(state, locked, friction=friction, gravity=gravity, **body)
+    rates[4] *= inertia_about_free(locked, **body) / body["yaw_inertia"]
+    return rates
+
+
+SWAPPED = "the locked axle and the free one exchanged"
+WRONG_FORCES = {
+    SWAPPED: swapped(coulomb),
+    "the load of the other axle": load_of_the_other,
+    "friction straight back along the car, whatever way the locked axle moves": straight_back,
+    "friction against the velocity of G, where it is the locked axle that drags": against_G,
+}
+WRONG_RATES = {
+    SWAPPED: swapped(derivative),
+    **{says: under(force) for says, force in WRONG_FORCES.items() if says != SWAPPED},
+    "the term with mass, speed and yaw rate (m d v omega) missing from the turning": without_turning_term,
+    "the term with the square of the yaw rate missing from the speed's rate": without_centripetal_term,
+    "the inertia about G where that about the free axle belongs": about_G,
+}
+FORCE_SUSPECTS = [suspect(says, friction_force=wrong) for says, wrong in WRONG_FORCES.items()]
+RATE_SUSPECTS = [
+    suspect(says, state_derivative=lambda t, state, locked, wrong=wrong, **car: wrong(state, locked, **car))
+    for says, wrong in WRONG_RATES.items()
+]
+
+
+# Cars and their motions
+
+
+def car(draw, **fixed):
+    mass, (front, rear) = 10 ** draw.uniform(0.5, 3.3), draw.uniform(0.3, 2, 2)
+    drawn = {
+        "mass": mass, "yaw_inertia": mass * front * rear * draw.uniform(0.4, 2), "front": front, "rear": rear,
+        "friction": draw.uniform(0.2, 1), "gravity": draw.uniform(2, 20),
+    }  # fmt: skip
+    return {**drawn, **fixed}
+
+
+def usual(car):
+    """Size of speeds, m/s: friction stops it within about a wheelbase."""
+    return math.sqrt(max(car["friction"] * car["gravity"], 0.2) * wheelbase(car))
+
+
+def wheelbase(car):
+    return car["front"] + car["rear"]
+
+
+def state(draw, car, speed, yaw):
+    """Anywhere, any heading; speed in the usual speed, yaw in that per wheelbase."""
+    return np.array(
+        [*draw.uniform(-5, 5, 2), draw.uniform(-7, 7), speed * usual(car), yaw * usual(car) / wheelbase(car)]
+    )
+
+
+def parts(car, *names):
+    return {name: car[name] for name in names}
+
+
+BODY = ("mass", "yaw_inertia", "front", "rear")
+FORCE = ("mass", "front", "rear", "friction", "gravity")
+ALL = (*BODY, "friction", "gravity")
+LOAD = ("mass", "front", "rear", "gravity")
+
+
+def signed(draw, low, high):
+    return draw.choice([-1, 1]) * draw.uniform(low, high)
+
+
+def motions(draw, count, speed, yaw, **fixed):
+    """For each axle so many (state, locked, car), with speeds and yaw rates made by these functions of draw."""
+    made = []
+    for locked in ("front", "rear"):
+        for _ in range(count):
+            c = car(draw, **fixed)
+            made.append((state(draw, c, speed(draw), yaw(draw)), locked, c))
+    return made
+
+
+def forwards(draw):
+    return draw.uniform(0.3, 2)
+
+
+def backwards(draw):
+    return -draw.uniform(0.3, 2)
+
+
+def turning(draw):
+    return signed(draw, 0.3, 2)
+
+
+def nothing(draw):
+    return 0.0
+
+
+KINDS = {
+    "a car in reverse": (backwards, turning),
+    "a car that turns about its free axle on the spot": (nothing, turning),
+    "straight motion": (forwards, nothing),
+    "straight motion in reverse": (backwards, nothing),
+}
+
+
+# Part a: forces, equations of motion
+
+
+LOAD_SUSPECTS = [
+    suspect("the load of the other axle", axle_load=lambda locked, **c: load(other(locked), **c)),
+    suspect("the whole weight", axle_load=lambda locked, **c: c["mass"] * c["gravity"]),
+    suspect("half the weight", axle_load=lambda locked, **c: c["mass"] * c["gravity"] / 2),
+]
+
+
+@check(points=0.75, part="a", suspects=LOAD_SUSPECTS)
+def axle_load_balances_the_weight(student, draw):
+    """axle_load: what the locked axle carries of the weight of a car at rest."""
+    cases = [(locked, car(draw)) for locked in ("front", "rear") * 6] + [("front", car(draw, gravity=0.0))]
+    found = student.axle_load.many([given(locked, **parts(c, *LOAD)) for locked, c in cases])
+    for value, (locked, c) in zip(found, cases, strict=True):
+        scale = c["mass"] * (c["gravity"] or 1.0)
+        expect(value, load(locked, **parts(c, *LOAD)), within=FORMULA, scale=scale, of="the load", unit="of the weight",
+               kind=f"a locked {locked} axle", at=(locked, c),
+               hint="which axle carries more, the one near G or the one far from it?")  # fmt: skip
+
+
+def judge_forces(student, cases, kind, hint):
+    found = student.friction_force.many([given(s, locked, **parts(c, *FORCE)) for s, locked, c in cases])
+    for value, (s, locked, c) in zip(found, cases, strict=True):
+        scale = c["mass"] * max(c["friction"] * c["gravity"], 0.1)
+        expect(value, coulomb(s, locked, **parts(c, *FORCE)), within=FORMULA, scale=scale, of="the friction force",
+               unit="of friction times the weight", kind=f"{kind}, a locked {locked} axle", hint=hint,
+               at=(s, locked, c))  # fmt: skip
+
+
+@check(points=1, part="a", suspects=FORCE_SUSPECTS)
+def friction_opposes_the_sliding(student, draw):
+    """friction_force: forward and left, against the velocity of the axle that drags, in proportion to its load."""
+    judge_forces(student, motions(draw, 8, forwards, turning), "a car that goes forwards and turns",
+                 "which way does the locked axle move, seen from the car?")  # fmt: skip
+
+
+@check(points=0.5, part="a", after=friction_opposes_the_sliding)
+def friction_in_any_motion_and_at_rest(student, draw):
+    """friction_force: in reverse, turning on the spot, straight, without friction; zero at rest."""
+    for kind, (speed, yaw) in KINDS.items():
+        judge_forces(
+            student,
+            motions(draw, 3, speed, yaw),
+            kind,
+            "Coulomb friction is along the velocity, not the axes",
+        )
+    judge_forces(student, motions(draw, 2, forwards, turning, friction=0.0), "friction 0", "")
+    judge_forces(student, motions(draw, 2, nothing, nothing), "a car at rest", "what is zero over zero?")
+
+
+def judge_rates(student, cases, kind, hint):
+    calls = [given(t, s, locked, **parts(c, *ALL)) for t, (s, locked, c) in enumerate(cases)]
+    for found, (s, locked, c) in zip(student.state_derivative.many(calls), cases, strict=True):
+        expected = derivative(s, locked, **parts(c, *ALL))
+        v, length = usual(c) + abs(s[3]) + abs(s[4]) * wheelbase(c), wheelbase(c)
+        # in a turn about an axle the inertia may be less than m length^2, by the smaller of the two
+        quick = c["mass"] * length**2 / inertia_about_free(locked, **parts(c, *BODY))
+        scale = [v, v, v / length, v * v / length, quick * (v / length) ** 2]
+        for name, index in (("the velocity of G", [0, 1]), ("the rate of heading", [2]), ("the rate of speed", [3]),
+                            ("the yaw acceleration", [4])):  # fmt: skip
+            expect(found[index], expected[index], within=FORMULA, scale=np.array(scale)[index], of=name,
+                   unit="of the size of its terms", kind=f"{kind}, a locked {locked} axle", hint=hint,
+                   at=(s, locked, c))  # fmt: skip
+
+
+@check(points=1.25, part="a", suspects=RATE_SUSPECTS)
+def equations_of_motion(student, draw):
+    """state_derivative: the balances of momentum, and a free axle that does not slip sideways."""
+    judge_rates(student, motions(draw, 10, forwards, turning), "a car that goes forwards and turns",
+                "G does slip sideways: the free axle is elsewhere")  # fmt: skip
+
+
+@check(points=0.5, part="a", after=equations_of_motion)
+def equations_in_any_motion(student, draw):
+    """state_derivative: in reverse, turning on the spot, straight."""
+    for kind, (speed, yaw) in KINDS.items():
+        judge_rates(
+            student, motions(draw, 3, speed, yaw), kind, "the direction of friction is that of a velocity"
+        )
+
+
+@check(points=0.5, part="a", after=equations_of_motion)
+def equations_without_friction_and_at_rest(student, draw):
+    """state_derivative: without friction, without gravity; all zero at rest."""
+    for fixed, kind in (({"friction": 0.0}, "friction 0"), ({"gravity": 0.0}, "gravity 0")):
+        judge_rates(
+            student, motions(draw, 3, forwards, turning, **fixed), kind, "the free axle guides it still"
+        )
+    judge_rates(student, motions(draw, 2, nothing, nothing), "a car at rest", "what is zero over zero?")
+
+
+def energy(state, locked, *, mass, yaw_inertia, front, rear):
+    v = velocity_of(0.0, state, locked, front, rear)
+    return (mass * (v @ v) + yaw_inertia * state[4] ** 2) / 2
+
+
+ENERGY_SUSPECTS = [
+    suspect(SWAPPED, kinetic_energy=swapped(energy)),
+    suspect("G's velocity to the side left out",
+            kinetic_energy=lambda s, locked, **c: (c["mass"] * s[3] ** 2 + c["yaw_inertia"] * s[4] ** 2) / 2),
+    suspect("the turning left out",
+            kinetic_energy=lambda s, locked, **c: energy(s, locked, **{**c, "yaw_inertia": 0.0})),
+]  # fmt: skip
+
+
+@check(points=0.5, part="a", suspects=ENERGY_SUSPECTS)
+def kinetic_energy_of_G_and_of_turning(student, draw):
+    """kinetic_energy: of G, which moves to the side too, and of the turning about it."""
+    cases = motions(draw, 5, forwards, turning) + motions(draw, 3, backwards, turning)
+    found = student.kinetic_energy.many([given(s, locked, **parts(c, *BODY)) for s, locked, c in cases])
+    for value, (s, locked, c) in zip(found, cases, strict=True):
+        right = energy(s, locked, **parts(c, *BODY))
+        expect(value / right, 1, within=FORMULA, of="the kinetic energy", unit="of itself", at=(s, locked, c),
+               kind=f"a locked {locked} axle", hint="what is the velocity of G?")  # fmt: skip
+
+
+# Part a: motion
+
+
+def integrated(t, start, locked, rates=derivative, **car):
+    """States at t, and the time when it stops (or infinity); within 1e-9 of its scales until shortly before."""
+    from scipy.integrate import solve_ivp
+
+    far = axles(locked, car["front"], car["rear"])[1]
+
+    def sliding(_, s):
+        return np.hypot(*velocity_of(far, s, locked, car["front"], car["rear"])) - 1e-6 * usual(car)
+
+    sliding.terminal = True
+    options = {"method": "DOP853", "rtol": 1e-11, "atol": 1e-12, "max_step": (t[-1] - t[0]) / 40}
+    run = solve_ivp(
+        lambda _, s: rates(s, locked, **car),
+        (t[0], t[-1]),
+        start,
+        dense_output=True,
+        events=sliding,
+        **options,
+    )
+    stop = run.t[-1] if run.status == 1 else math.inf
+    states = run.sol(np.minimum(t, run.t[-1])).T
+    states[t > stop, 3:] = 0.0
+    return states, stop
+
+
+def simulate_suspect(says, wrong):
+    """Compared loosely: the right answer ends well before the stop, a wrong one may run into it."""
+    return suspect(
+        says, within=1e-4, simulate=lambda t, s, locked, **c: integrated(t, s, locked, wrong, **c)[0]
+    )
+
+
+SIMULATE_SUSPECTS = [simulate_suspect(says, wrong) for says, wrong in WRONG_RATES.items()]
+
+
+def times(draw, span, count):
+    """Uneven times over a span; they start anywhere but at zero."""
+    steps = np.concatenate([[0.0], np.cumsum(draw.uniform(0.2, 1.8, count - 1))])
+    return span * (draw.uniform(0.3, 0.6) * draw.choice([-1, 1]) + steps / steps[-1])
+
+
+def time_to_stop(start, locked, car):
+    """Later than this it cannot stop: friction is never less than the smaller of its effects on speed and turning."""
+    v = abs(start[3]) + abs(start[4]) * wheelbase(car)
+    least = min(load(which, **parts(car, *LOAD)) for which in ("front", "rear"))
+    latest = 3 * v * car["mass"] / (car["friction"] * least)
+    return integrated(np.array([0.0, latest]), start, locked, **car)[1]
+
+
+def scales(start, car):
+    v = abs(start[3]) + abs(start[4]) * wheelbase(car)
+    far = v * v / max(car["friction"] * car["gravity"], 0.1)
+    return np.array([far, far, 1.0, v, v / wheelbase(car)])
+
+
+@once
+def braking(draw, count):
+    """Calls to simulate that end well before the stop, what is right for each, its scales and the kind of motion."""
+    cases = []
+    for locked, sign, kind in (("front", 1, ""), ("rear", 1, ""), ("front", -1, " in reverse")):
+        c = car(draw)
+        start = state(draw, c, sign * draw.uniform(1, 2), signed(draw, 0.2, 0.6))
+        t = times(draw, 0.75 * time_to_stop(start, locked, c), count)
+        expected = integrated(t, start, locked, **c)[0]
+        cases.append(
+            (given(t, start, locked, **c), expected, scales(start, c), f"a locked {locked} axle{kind}")
+        )
+    return cases
+
+
+COLUMNS = (
+    ("the place", [0, 1], "of the distance that friction needs"),
+    ("the heading", [2], "rad"),
+    ("the speed", [3], "of that at the start"),
+    ("the yaw rate", [4], "of the speed over the wheelbase"),
+)
+
+
+def judge_runs(student, cases, hint, columns=COLUMNS):
+    """Compare simulations column by column, the worst first: it decides about partial points."""
+    found = student.simulate.many([call for call, *_ in cases])
+    judged = []
+    for states, (call, expected, scale, kind) in zip(found, cases, strict=True):
+        for name, at, unit in columns:
+            error = np.max(np.abs(states - expected)[:, at] / scale[at])
+            judged.append((error, states[:, at], expected[:, at], scale[at], name, unit, call, kind))
+    for _, states, expected, scale, name, unit, call, kind in sorted(
+        judged, key=lambda it: it[0], reverse=True
+    ):
+        expect(states, expected, scale=scale, within=TRAJECTORY, of=name, unit=unit, t=call.args[0], kind=kind,
+               hint=hint, at=call, partial={1e-3: 0.5})  # fmt: skip
+
+
+@check(points=1, part="a", suspects=SIMULATE_SUSPECTS)
+def simulate_brakes(student, draw):
+    """simulate: braking with either axle locked, row i at t[i], row 0 the given state."""
+    judge_runs(
+        student, braking(draw, 100), "put `state_derivative` into an integrator; is its tolerance tight?"
+    )
+
+
+@check(points=0.25, part="a", after=simulate_brakes, suspects=SIMULATE_SUSPECTS)
+def simulate_needs_no_dense_times(student, draw):
+    """simulate: the same motion when only a few times are asked for."""
+    judge_runs(student, braking(draw, 4), "the steps of the integration are not those of t")
+
+
+def sleigh(t, start, locked, *, mass, yaw_inertia, front, rear):
+    """Heading, speed and yaw rate without friction (Chaplygin), t = 0 at the start.
+
+    With u = V cos psi and sqrt(J/m) r = V sin psi the energy is m V^2/2, and tan(psi/2) grows exponentially.
+    """
+    free = axles(locked, front, rear)[0]
+    gyration = math.sqrt(
+        inertia_about_free(locked, mass=mass, yaw_inertia=yaw_inertia, front=front, rear=rear) / mass
+    )
+    V, psi0 = math.hypot(start[3], gyration * start[4]), math.atan2(gyration * start[4], start[3])
+    psi = 2 * np.arctan(math.tan(psi0 / 2) * np.exp(free * V / gyration**2 * t))
+    heading = start[2] + (psi - psi0) * gyration / free
+    return np.column_stack([heading, V * np.cos(psi), V * np.sin(psi) / gyration])
+
+
+@check(points=0.5, part="a", after=simulate_brakes)
+def simulate_glides_without_friction(student, draw):
+    """simulate: without friction or gravity it keeps its energy and ends with G ahead of the free axle."""
+    cases = []
+    for locked, speed, fixed in (
+        ("front", backwards, {"friction": 0.0}),
+        ("rear", forwards, {"gravity": 0.0}),
+    ):
+        c = car(draw, **fixed)
+        start = state(draw, c, speed(draw), signed(draw, 0.1, 0.3))
+        t = times(draw, 8 * wheelbase(c) / abs(start[3]), 60)
+        expected = np.zeros((60, 5))  # the place is judged where it brakes
+        expected[:, 2:] = sleigh(t - t[0], start, locked, **parts(c, *BODY))
+        kind = f"{min(fixed)} 0, a locked {locked} axle"
+        cases.append((given(t, start, locked, **c), expected, scales(start, c), kind))
+    judge_runs(student, cases, "is the car stopped, or held straight, by anything but friction?", COLUMNS[1:])
+
+
+@once
+def stops(draw):
+    """Calls to simulate that go on well beyond the stop, the right place and heading there, the rows after the stop."""
+    cases = []
+    for locked, sign in (("front", 1), ("rear", -1), ("rear", 1)):
+        c = car(draw)
+        start = state(draw, c, sign * draw.uniform(0.7, 1.5), signed(draw, 0.2, 0.6))
+        latest = time_to_stop(start, locked, c)
+        t = times(draw, latest * draw.uniform(1.8, 2.5), 40)
+        place = integrated(np.array([0.0, 2 * latest]), start, locked, **c)[0][-1, :3]
+        cases.append((given(t, start, locked, **c), place, t - t[0] > 1.1 * latest, scales(start, c)))
+    return cases
+
+
+@check(points=0.75, part="a", after=simulate_brakes)
+def simulate_comes_to_rest_and_stays(student, draw):
+    """simulate: a car that has come to rest stays where it is, in place and heading; one at rest does not start."""
+    cases = stops(draw)
+    found = student.simulate.many([call for call, *_ in cases])
+    for states, (call, place, after, scale) in zip(found, cases, strict=True):
+        kind, later = f"times after the stop, a locked {call.args[2]} axle", call.args[0][after]
+        expect(states[after, 3:] / scale[3:], np.zeros((after.sum(), 2)), within=AT_REST, of="speed or yaw rate",
+               unit="of that at the start", t=later, kind=kind, at=call,
+               hint="find the time at which it stops; from then on nothing changes")  # fmt: skip
+        expect(states[after, :3] / scale[:3], np.tile(place / scale[:3], (after.sum(), 1)), within=STOPPED,
+               of="place or heading, in its scale,", t=later, kind=kind, at=call,
+               hint="is it where it stops, and does it stay there?")  # fmt: skip
+    judge_start_at_rest(student, draw)
+
+
+def judge_start_at_rest(student, draw):
+    c = car(draw)
+    t, start = times(draw, 3.0, 10), state(draw, c, 0.0, 0.0)
+    for locked in ("front", "rear"):
+        expect(student.simulate(t, start, locked, **c), np.tile(start, (10, 1)), within=FORMULA, of="the state", t=t,
+               kind="a car at rest from the start", at=(start, c), hint="what is zero over zero?")  # fmt: skip
+
+
+# Part a and d: is it stable?
+
+
+def growth(speed, locked, **car):
+    """The yaw acceleration, odd in the yaw rate, differenced to fourth order."""
+    step = 1e-3 * speed / wheelbase(car)
+    once_, twice = (derivative([0, 0, 0, speed, k * step], locked, **car)[4] for k in (1, 2))
+    return (8 * once_ - twice) / (6 * step)
+
+
+def frictionless_growth(speed, locked, **car):
+    return growth(speed, locked, **{**car, "friction": 0.0})
+
+
+def growth_with(rates):
+    def yaw_growth_rate(speed, locked, **car):
+        step = 1e-6 * speed / wheelbase(car)
+        return rates(np.array([0, 0, 0, speed, step]), locked, **car)[4] / step
+
+    return yaw_growth_rate
+
+
+GROWTH_SUSPECTS = [
+    suspect(says, within=1e-5, yaw_growth_rate=growth_with(wrong))
+    for says, wrong in WRONG_RATES.items() if "square" not in says and "straight" not in says
+] + [suspect("friction left out", yaw_growth_rate=frictionless_growth),
+     suspect("friction's part with the wrong sign", yaw_growth_rate=lambda speed, locked, **c:
+             2 * frictionless_growth(speed, locked, **c) - growth(speed, locked, **c))]  # fmt: skip
+
+
+@check(points=0.75, part="a", suspects=GROWTH_SUSPECTS)
+def growth_rate_is_the_slope(student, draw):
+    """yaw_growth_rate: how fast the yaw acceleration rises with a small yaw rate, at low and high speed."""
+    kinds = ("front", {}), ("rear", {}), ("rear", {"friction": 0.0}), ("front", {"gravity": 0.0})
+    cases = [(locked, car(draw, **fixed)) for locked, fixed in kinds * 3]
+    calls = [given(draw.uniform(0.3, 3) * usual(c), locked, **c) for locked, c in cases]
+    for found, call in zip(student.yaw_growth_rate.many(calls), calls, strict=True):
+        c, (speed, locked) = call.kwargs, call.args
+        quick = c["mass"] * wheelbase(c) ** 2 / inertia_about_free(locked, **parts(c, *BODY))
+        scale = quick * (speed / wheelbase(c) + c["friction"] * c["gravity"] / speed)
+        expect(found, growth(*call.args, **c), within=GROWTH, scale=scale, of="the growth rate",
+               unit="of the size of its terms", kind=f"a locked {locked} axle", at=call,
+               hint="linearise at yaw_rate 0; friction's sideways part is linear in it too")  # fmt: skip
+
+
+def critical(locked, *, front, rear, friction, gravity):
+    return math.sqrt(friction * gravity * (front + rear)) if locked == "rear" else math.inf
+
+
+CRITICAL_SUSPECTS = [
+    suspect("the distance from G to an axle for the wheelbase",
+            critical_speed=lambda locked, front, **c: critical(locked, front=front, **{**c, "rear": 0.0})),
+    suspect("the square of the speed", critical_speed=lambda locked, **c: critical(locked, **c) ** 2),
+]  # fmt: skip
+
+
+@check(points=0.5, part="a", suspects=CRITICAL_SUSPECTS)
+def critical_speed_is_where_growth_begins(student, draw):
+    """critical_speed: with the rear locked, that at which the growth rate is zero; with the front locked, math.inf."""
+    names = ("front", "rear", "friction", "gravity")
+    cars = [car(draw) for _ in range(6)] + [car(draw, friction=0.0), car(draw, gravity=0.0)]
+    calls = [given("rear", **parts(c, *names)) for c in cars]
+    for found, call in zip(student.critical_speed.many(calls), calls, strict=True):
+        right = critical(*call.args, **call.kwargs)
+        expect_that(math.isfinite(found), "critical_speed is infinite", kind="a locked rear axle", at=call,
+                    hint="with one axle locked the car is never unstable: with which?")  # fmt: skip
+        kind = "a locked rear axle" if right else "a locked rear axle without friction or gravity"
+        expect(found, right, within=FORMULA, scale=right or 1.0, of="the critical speed", unit="of itself", kind=kind,
+               at=call, hint="where is your growth rate zero?")  # fmt: skip
+    for c in (car(draw), car(draw, friction=0.0)):
+        call = given("front", **parts(c, *names))
+        expect_that(student.critical_speed(*call.args, **call.kwargs) == math.inf, "critical_speed is not math.inf",
+                    kind="a locked front axle", at=call, hint="can your growth rate be positive there?")  # fmt: skip
+
+
+def slowed(speed, speed0, yaw_rate0, locked, **car):
+    """ln r changes by the integral of growth/u' over the speed; Gauss-Legendre in ln u."""
+    nodes, weights = np.polynomial.legendre.leggauss(24)
+    low, high = math.log(speed), math.log(speed0)
+    speeds = np.exp((high + low) / 2 + (high - low) / 2 * nodes)
+    rates = np.array([growth(u, locked, **car) for u in speeds])
+    slowing = derivative([0, 0, 0, speed0, 0], locked, **car)[3]
+    return yaw_rate0 * math.exp(-(high - low) / 2 * np.sum(weights * speeds * rates / slowing))
+
+
+def power_law(speed, speed0, yaw_rate0, locked, **car):
+    """Friction's part alone."""
+    power = car["mass"] * wheelbase(car) ** 2 / inertia_about_free(locked, **parts(car, *BODY))
+    return yaw_rate0 * (speed / speed0) ** power
+
+
+def without_power_law(*motion, **car):
+    return motion[2] * slowed(*motion, **car) / power_law(*motion, **car)
+
+
+def constant_rate(speed, speed0, yaw_rate0, locked, **car):
+    """The growth rate of the start all the time."""
+    slowing = derivative([0, 0, 0, speed0, 0], locked, **car)[3]
+    return yaw_rate0 * math.exp(growth(speed0, locked, **car) * (speed - speed0) / slowing)
+
+
+SLOWED_SUSPECTS = [
+    suspect(SWAPPED, small_yaw_rate=lambda u, u0, r0, locked, **c: slowed(u, u0, r0, other(locked), **c)),
+    suspect("friction's part alone", small_yaw_rate=power_law),
+    suspect("friction's part left out", small_yaw_rate=without_power_law),
+    suspect("the growth rate of the first speed at every speed", small_yaw_rate=constant_rate),
+]  # fmt: skip
+
+
+@once
+def slowing(draw):
+    """Calls to small_yaw_rate and what is right."""
+    calls = []
+    for locked in ("front", "rear") * 4:
+        c = car(draw)
+        speed0 = draw.uniform(0.7, 1.8) * usual(c)
+        calls.append(given(draw.uniform(0.1, 0.7) * speed0, speed0, signed(draw, 0.01, 2), locked, **c))
+    return [(call, slowed(*call.args, **call.kwargs)) for call in calls]
+
+
+@check(points=0.75, part="d", suspects=SLOWED_SUSPECTS)
+def small_yaw_rate_is_the_linear_solution(student, draw):
+    """small_yaw_rate: the linear equation, solved exactly over the falling speed."""
+    cases = slowing(draw)
+    for found, (call, expected) in zip(
+        student.small_yaw_rate.many([call for call, _ in cases]), cases, strict=True
+    ):
+        expect(found / expected, 1, within=SMALL_YAW, of="the yaw rate", unit="of itself", at=call,
+               kind=f"a locked {call.args[3]} axle",
+               hint="divide the yaw acceleration by the rate of speed: time is gone; separate, integrate")  # fmt: skip
+
+
+@check(points=0.25, part="a", after=(axle_load_balances_the_weight, friction_opposes_the_sliding, equations_of_motion,
+                                     kinetic_energy_of_G_and_of_turning, simulate_brakes))  # fmt: skip
+def mechanics_refuses_other_axles(student, draw):
+    """axle_load, friction_force, state_derivative, kinetic_energy, simulate: ValueError for another `locked`."""
+    c = car(draw)
+    s = state(draw, c, 1.0, 0.5)
+    for locked in ("both", "left"):
+        for function, call in (
+            (student.axle_load, given(locked, **parts(c, *LOAD))),
+            (student.friction_force, given(s, locked, **parts(c, *FORCE))),
+            (student.state_derivative, given(0.0, s, locked, **c)),
+            (student.kinetic_energy, given(s, locked, **parts(c, *BODY))),
+            (student.simulate, given(np.array([0.0, 0.1]), s, locked, **c)),
+        ):
+            refused(function, call)
+
+
+@check(points=0.25, part="a", after=(growth_rate_is_the_slope, critical_speed_is_where_growth_begins,
+                                     small_yaw_rate_is_the_linear_solution))  # fmt: skip
+def stability_refuses_other_axles(student, draw):
+    """yaw_growth_rate, critical_speed, small_yaw_rate: ValueError for another `locked`."""
+    c = car(draw)
+    for locked in ("both", "left"):
+        for function, call in (
+            (student.yaw_growth_rate, given(2.0, locked, **c)),
+            (student.critical_speed, given(locked, **parts(c, "front", "rear", "friction", "gravity"))),
+            (student.small_yaw_rate, given(1.0, 2.0, 0.1, locked, **c)),
+        ):
+            refused(function, call)
+
+
+def refused(function, call):
+    expect_that(function.refuses(*call.args, **call.kwargs), f"{function.name} does not raise ValueError",
+                kind='a `locked` that is neither "front" nor "rear"', at=call)  # fmt: skip

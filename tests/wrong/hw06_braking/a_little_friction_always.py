@@ -1,0 +1,10 @@
+"""Friction no smaller than 0.01.
+
+fails: simulate_glides_without_friction
+"""
+
+_right = simulate
+
+
+def simulate(t, state, locked, *, friction, gravity, **car):
+    return _right(t, state, locked, friction=max(friction, 0.01), gravity=max(gravity, 0.1), **car)

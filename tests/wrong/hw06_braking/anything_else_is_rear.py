@@ -1,0 +1,10 @@
+"""Whatever is not "front" is taken for "rear".
+
+fails: mechanics_refuses_other_axles, stability_refuses_other_axles
+"""
+
+_right = _axles
+
+
+def _axles(locked, front, rear):
+    return _right("front" if locked == "front" else "rear", front, rear)

@@ -1,0 +1,11 @@
+"""The distance to the front axle for the wheelbase.
+
+fails: critical_speed_is_where_growth_begins
+suspect: for the wheelbase
+"""
+
+_right = critical_speed
+
+
+def critical_speed(locked, *, front, rear, friction, gravity):
+    return _right(locked, front=front, rear=0.0, friction=friction, gravity=gravity)

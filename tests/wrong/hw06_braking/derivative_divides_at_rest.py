@@ -1,0 +1,10 @@
+"""No rates at rest: zero over zero.
+
+fails: equations_without_friction_and_at_rest
+"""
+
+_right = state_derivative
+
+
+def state_derivative(t, state, locked, **car):
+    return _right(t, state, locked, **car) / (1.0 if any(state[3:]) else math.nan)

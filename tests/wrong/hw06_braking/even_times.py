@@ -1,0 +1,10 @@
+"""Times taken to be even.
+
+fails: simulate_brakes
+"""
+
+_right = simulate
+
+
+def simulate(t, state, locked, **car):
+    return _right(np.linspace(t[0], t[-1], len(t)), state, locked, **car)

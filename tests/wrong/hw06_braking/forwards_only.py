@@ -1,0 +1,11 @@
+"""The equations of motion take the speed for positive.
+
+fails: equations_in_any_motion
+"""
+
+_right = state_derivative
+
+
+def state_derivative(t, state, locked, **car):
+    forwards = np.array([*state[:3], abs(state[3]), state[4]])
+    return _right(t, forwards, locked, **car)

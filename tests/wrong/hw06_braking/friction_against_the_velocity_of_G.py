@@ -1,0 +1,11 @@
+"""The friction force has the direction of the velocity of G.
+
+fails: friction_opposes_the_sliding
+suspect: against the velocity of G
+"""
+
+
+def friction_force(state, locked, *, mass, front, rear, friction, gravity):
+    free, arm = _axles(locked, front, rear)
+    drag = friction * axle_load(locked, mass=mass, front=front, rear=rear, gravity=gravity)
+    return np.array(_drag_force(*state[3:], arm=-free, drag=drag))

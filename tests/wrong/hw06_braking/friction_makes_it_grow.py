@@ -1,0 +1,11 @@
+"""Friction's part of the growth rate with the wrong sign.
+
+fails: growth_rate_is_the_slope
+suspect: wrong sign
+"""
+
+_right = yaw_growth_rate
+
+
+def yaw_growth_rate(speed, locked, *, friction, **car):
+    return _right(speed, locked, friction=-friction, **car)

@@ -1,0 +1,8 @@
+"""The same critical speed for both axles.
+
+fails: critical_speed_is_where_growth_begins
+"""
+
+
+def critical_speed(locked, *, front, rear, friction, gravity):
+    return math.sqrt(friction * gravity * abs(_axles(locked, front, rear)[1]))

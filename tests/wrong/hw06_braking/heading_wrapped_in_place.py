@@ -1,0 +1,11 @@
+"""Wraps the heading in the array that it is given.
+
+fails: equations_of_motion
+"""
+
+_right = state_derivative
+
+
+def state_derivative(t, state, locked, **car):
+    state[2] %= 2 * math.pi
+    return _right(t, state, locked, **car)

@@ -1,0 +1,10 @@
+"""The load of the free axle.
+
+fails: axle_load_balances_the_weight, friction_opposes_the_sliding, equations_of_motion, simulate_brakes, growth_rate_is_the_slope, small_yaw_rate_is_the_linear_solution
+suspect: load of the other axle
+"""
+
+
+def axle_load(locked, *, mass, front, rear, gravity):
+    free, arm = _axles(locked, front, rear)
+    return mass * gravity * (1 - abs(free / arm))

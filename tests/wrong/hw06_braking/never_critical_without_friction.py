@@ -1,0 +1,10 @@
+"""Without friction no critical speed, where it is zero.
+
+fails: critical_speed_is_where_growth_begins
+"""
+
+_right = critical_speed
+
+
+def critical_speed(locked, **car):
+    return _right(locked, **car) or math.inf

@@ -1,0 +1,10 @@
+"""m d v omega is missing.
+
+fails: equations_of_motion, simulate_brakes
+suspect: m d v omega
+"""
+
+
+def _accelerations(speed, yaw_rate, *, mass, inertia, free, arm, drag):
+    forward, left = _drag_force(speed, yaw_rate, arm=arm, drag=drag)
+    return forward / mass - free * yaw_rate * yaw_rate, arm * left / inertia

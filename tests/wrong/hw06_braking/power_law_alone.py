@@ -1,0 +1,10 @@
+"""Friction's part of the linear solution alone.
+
+fails: small_yaw_rate_is_the_linear_solution
+suspect: friction's part alone
+"""
+
+
+def small_yaw_rate(speed, speed0, yaw_rate0, locked, **car):
+    c = _car(locked, **car)
+    return yaw_rate0 * (speed / speed0) ** (c["mass"] * c["arm"] ** 2 / c["inertia"])

@@ -1,0 +1,11 @@
+"""The growth rate of the first speed all the time.
+
+fails: small_yaw_rate_is_the_linear_solution
+suspect: first speed at every speed
+"""
+
+
+def small_yaw_rate(speed, speed0, yaw_rate0, locked, **car):
+    c = _car(locked, **car)
+    time = (speed0 - speed) * c["mass"] / c["drag"]
+    return yaw_rate0 * math.exp(yaw_growth_rate(speed0, locked, **car) * time)

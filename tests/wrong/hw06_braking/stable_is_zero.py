@@ -1,0 +1,10 @@
+"""A growth rate below zero cut off.
+
+fails: growth_rate_is_the_slope
+"""
+
+_right = yaw_growth_rate
+
+
+def yaw_growth_rate(speed, locked, **car):
+    return max(_right(speed, locked, **car), 0.0)

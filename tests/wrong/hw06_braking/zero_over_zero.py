@@ -1,0 +1,11 @@
+"""At rest the friction has no direction, and this one divides by zero.
+
+fails: friction_in_any_motion_and_at_rest
+"""
+
+
+def friction_force(state, locked, *, mass, front, rear, friction, gravity):
+    drag = friction * axle_load(locked, mass=mass, front=front, rear=rear, gravity=gravity)
+    velocity = np.array([state[3], _axles(locked, front, rear)[1] * state[4]])
+    with np.errstate(all="ignore"):
+        return -drag * velocity / np.sqrt(velocity @ velocity)
