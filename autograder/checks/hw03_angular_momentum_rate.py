@@ -274,21 +274,21 @@ GRID = np.linspace(0, 1, 2001)
 
 
 def smallest(p):
-    """Smallest magnitude of a vector of polynomials for 0 <= t <= 1, by bisection about every dip of a fine grid."""
+    """Smallest magnitude of a vector of polynomials for 0 <= t <= 1, and where: by thirds about each dip of a grid."""
 
     def magnitude(t):
         return np.linalg.norm(value(p, t), axis=-1)
 
-    known = magnitude(GRID)
-    around = np.flatnonzero(
-        (known <= np.append(known[1:], np.inf)) & (known <= np.insert(known[:-1], 0, np.inf))
-    )
-    low, high = GRID[np.maximum(around - 1, 0)], GRID[np.minimum(around + 1, len(GRID) - 1)]
-    for _ in range(100):  # thirds: 1e-17 of an interval
+    known = np.pad(magnitude(GRID), 1, constant_values=np.inf)
+    dips = np.flatnonzero((known[1:-1] <= known[2:]) & (known[1:-1] <= known[:-2]))
+    low, high = GRID[np.maximum(dips - 1, 0)], GRID[np.minimum(dips + 1, len(GRID) - 1)]
+    for _ in range(100):  # 1e-17 of an interval
         a, b = low + (high - low) / 3, high - (high - low) / 3
         left = magnitude(a) < magnitude(b)
         low, high = np.where(left, low, a), np.where(left, b, high)
-    return min(known.min(), magnitude((low + high) / 2).min())
+    times = np.append((low + high) / 2, [0.0, 1.0])
+    where = np.argmin(magnitude(times))
+    return magnitude(times)[where], times[where]
 
 
 def extent(p):
@@ -319,27 +319,30 @@ def fails(definition, p, c):
     return worst > max(CERTAIN * whole, IDENTITY * rounded)
 
 
+def expect_nowhere_zero(p, limit, what, **known):
+    """Fail with the time at which a vector of polynomials is no longer than the limit."""
+    least, when = smallest(p)
+    expect_that(least > limit, f"{what} at t = {when:.2g}", **known)
+
+
 def judge_motion(definition, p, c):
     """The motion of P and C must be one for which this definition holds and the other does not."""
-    expect_that(max(len(p), len(c)) <= LONGEST, f"the motion has more than {LONGEST} coefficients")
-    apart, moves, speeds = difference(p, c), derivative(c), derivative(derivative(c))
     known = {"kind": f"definition {definition}", "at": (p, c)}
-    expect_that(
-        smallest(moves) > NOTHING * extent(moves), "the velocity of C vanishes at some time in 0..1", **known
-    )
-    expect_that(smallest(speeds) > NOTHING * extent(moves), "the acceleration of C vanishes at some time in 0..1",
-                **known, hint="the sum starts at j = 0: p[0] and c[0] are the positions at t = 0")  # fmt: skip
-    rounded = IDENTITY * (extent(p) + extent(c))
-    expect_that(
-        smallest(apart) > max(NOTHING * extent(apart), rounded), "P and C meet at some time in 0..1", **known
-    )
-    expect_that(np.abs(apart[1:]).max(initial=0) > max(CERTAIN * extent(moves), rounded),
+    expect_that(max(len(p), len(c)) <= LONGEST, f"the motion has more than {LONGEST} coefficients", **known)
+    apart, speed = difference(p, c), derivative(c)
+    still, rounded = NOTHING * extent(speed), IDENTITY * (extent(p) + extent(c))
+    expect_nowhere_zero(speed, still, "the velocity of C vanishes", **known)
+    expect_nowhere_zero(derivative(speed), still, "the acceleration of C vanishes", **known,
+                        hint="the sum starts at j = 0: p[0] and c[0] are the positions at t = 0")  # fmt: skip
+    expect_nowhere_zero(apart, max(NOTHING * extent(apart), rounded), "P and C meet", **known)
+    expect_that(extent(apart[1:]) > max(CERTAIN * extent(speed), rounded),
                 "P moves along with C: the vector between them does not change", **known)  # fmt: skip
     other = {"b": "c", "c": "b"}[definition]
-    expect_that(holds(definition, p, c), "the rate differs from the moment at some time", **known,
-                hint=f"it does not for definition {other}" if holds(other, p, c) else
+    worst, whole, _ = violation(definition, p, c)
+    expect_that(holds(definition, p, c), f"rate and moment differ by {worst / whole:.1e} of their size", **known,
+                hint=f"they do not by definition {other}" if holds(other, p, c) else
                 "which product must vanish, and at every t? Multiply the polynomials out")  # fmt: skip
-    expect_that(fails(other, p, c), f"definition {other} holds too, at every t", **known)
+    expect_that(fails(other, p, c), f"rate and moment are the same by definition {other} too", **known)
 
 
 @check(points=1.5, part="a")

@@ -1,0 +1,11 @@
+"""C' taken to move with C.
+
+fails: rate_about_a_fixed_point, no_discrepancy_about_a_fixed_point
+suspect: a point C' that moves
+"""
+
+_right_discrepancy = discrepancy
+
+
+def discrepancy(definition, *state, mass):
+    return _right_discrepancy("b" if definition == "a" else definition, *state, mass=mass)

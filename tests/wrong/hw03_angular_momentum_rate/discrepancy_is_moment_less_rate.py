@@ -1,0 +1,16 @@
+"""Moment less rate, where rate less moment is asked.
+
+fails: discrepancy_with_the_velocity_in_F, discrepancy_with_the_velocity_relative_to_C
+suspect: sign of the
+"""
+
+_right_discrepancy = discrepancy
+
+
+def rate(definition, r_p, v_p, a_p, r_c, v_c, a_c, *, mass):
+    surplus = _right_discrepancy(definition, r_p, v_p, a_p, r_c, v_c, a_c, mass=mass)
+    return moment(r_p, a_p, r_c, mass=mass) + surplus
+
+
+def discrepancy(definition, *state, mass):
+    return -_right_discrepancy(definition, *state, mass=mass)

@@ -1,0 +1,8 @@
+"""The moment about O.
+
+fails: moment_is_about_C, rate_about_a_fixed_point, rate_with_the_velocity_in_F, rate_with_the_velocity_relative_to_C
+suspect: about O in place of C
+"""
+
+def moment(r_p, a_p, r_c, *, mass):
+    return np.cross(r_p, mass * a_p)

@@ -1,0 +1,9 @@
+"""Definitions b and c of the angular momentum swapped.
+
+fails: momentum_with_the_velocity_in_F, momentum_with_the_velocity_relative_to_C
+suspect: are b and c swapped
+"""
+
+def angular_momentum(definition, r_p, v_p, r_c, v_c, *, mass):
+    _check(definition)
+    return np.cross(r_p - r_c, mass * (v_p - v_c if definition == "b" else v_p))

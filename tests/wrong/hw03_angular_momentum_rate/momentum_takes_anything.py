@@ -1,0 +1,7 @@
+"""Any letter but c means a or b.
+
+fails: momentum_refuses_other_definitions
+"""
+
+def angular_momentum(definition, r_p, v_p, r_c, v_c, *, mass):
+    return np.cross(r_p - r_c, mass * (v_p - v_c if definition == "c" else v_p))

@@ -1,0 +1,14 @@
+"""Any other letter gets the motion of c.
+
+fails: special_motion_refuses_other_definitions
+"""
+
+_right_motion = special_motion
+
+
+def special_motion(definition):
+    if definition == "b":
+        return _right_motion("b")
+    if definition == "c":
+        return _right_motion("c")
+    return _right_motion("c")

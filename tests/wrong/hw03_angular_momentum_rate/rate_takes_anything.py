@@ -1,0 +1,10 @@
+"""Any other letter means a. The discrepancy is right.
+
+fails: rate_refuses_other_definitions
+"""
+
+_right_rate = rate
+
+
+def rate(definition, *state, mass):
+    return _right_rate(definition if definition in ("b", "c") else "a", *state, mass=mass)

@@ -1,0 +1,12 @@
+"""The rates of b and c swapped.
+
+fails: rate_with_the_velocity_in_F, rate_with_the_velocity_relative_to_C
+suspect: are b and c swapped
+"""
+
+_right_rate = rate
+
+
+def rate(definition, *state, mass):
+    _check(definition)
+    return _right_rate({"a": "a", "b": "c", "c": "b"}[definition], *state, mass=mass)
