@@ -57,7 +57,7 @@ ROTATE_SUSPECTS = [suspect(says, rotate=rotated(wrong)) for says, wrong in WRONG
 
 @once
 def rotations(draw, angles):
-    """Axes of lengths from .1 to 10, angles, and the right matrices; every third axis lies in a coordinate plane, one on an axis."""
+    """Axes of lengths from .1 to 10, some in coordinate planes and one on an axis, angles, and the right matrices."""
     angles = draw.uniform(-4 * np.pi, 4 * np.pi, 25) if angles is None else angles
     axes = draw.normal(size=(len(angles), 3)) * 10 ** draw.uniform(-1, 1, (len(angles), 1))
     axes[::3, draw.integers(3)] = 0.0
