@@ -1,0 +1,717 @@
+"""Hidden checks of hw10. What is right comes from H' = 0 in vectors, elliptic functions, and a wheel's two turns."""
+
+import math
+
+import numpy as np
+from scipy.integrate import solve_ivp
+from scipy.special import ellipj, ellipk, ellipkinc, elliprf
+
+from tam570_grader import (
+    array,
+    check,
+    drawing,
+    expect,
+    expect_that,
+    given,
+    group,
+    number,
+    once,
+    rows,
+    suspect,
+)
+
+RESULTS = {
+    "euler_equations": array(3),
+    "attitude_rate": array(3, 3),
+    "euler_rates_313": array(3),
+    "energy": number,
+    "angular_momentum": array(3),
+    "simulate": group(rows(3), rows(3, 3)),
+    "symmetric_solution": rows(3),
+    "wobble_rate": number,
+    "growth_rate_squared": number,
+    "tumble_period": array(infinite=True),
+    "wireframe": array(12, 2, 3),
+    "plot_rim_paths": drawing,
+}
+NEEDS = ("numpy", "scipy.integrate", "scipy.special", "matplotlib.figure")
+OFF_LIMITS = {"euler_rates_313": ("tam570.rotations", "scipy.spatial.transform")}
+MANUAL = {
+    "a": (2, "a simple explanation of the two tilted circles"),
+    "b": (2, "the prediction for (0, 1, eps), made before looking, and the plot that shows the instability"),
+}
+
+POINTWISE = 1e-8  # a few roundings make 1e-15; a derivative by central differences, 1e-9
+# solve_ivp at rtol 1e-9, atol 1e-9 is off by 1e-7 rad after the longest of these runs (LSODA the most), an explicit
+# method of order 2 at a thousand steps a radian by 1e-6.
+TRAJECTORY = 1e-5
+PERIOD = 1e-6  # a period measured on a simulation is good to 1e-8
+NEAR_PERIOD = 1e-4  # 1 - k^2 is 1e-7 there: as a difference it has 9 digits; a simulation has 5
+
+
+# The motion in vectors
+
+
+def moving(omega, *, inertia):
+    """omega', from H' = 0: the rate of H in the body's axes is H x omega."""
+    inertia = np.asarray(inertia)
+    return np.cross(inertia * omega, omega) / inertia
+
+
+def hat(omega):
+    """The matrix of omega x."""
+    return np.cross(omega, np.eye(3)).T
+
+
+def turned(v):
+    """The rotation by |v| about v."""
+    angle = np.linalg.norm(v)
+    n = v / angle if angle else v
+    return (
+        np.cos(angle) * np.eye(3) + 2 * math.sin(angle / 2) ** 2 * np.outer(n, n) + math.sin(angle) * hat(n)
+    )
+
+
+def right_attitude(R, omega):
+    """Every row of R, an axis of space seen from the body, turns backwards."""
+    return np.cross(R, omega)
+
+
+def motion(t, R, omega, *, inertia, euler=moving, attitude=right_attitude):
+    """omegas and rotations by DOP853, or NaN where there is no such motion."""
+
+    def rates(_, y):
+        return np.concatenate([euler(y[:3], inertia=inertia), attitude(y[3:].reshape(3, 3), y[:3]).ravel()])
+
+    start = np.concatenate([omega, np.ravel(R)])
+    found = solve_ivp(rates, (t[0], t[-1]), start, method="DOP853", t_eval=t, rtol=1e-11, atol=1e-11)
+    states = found.y.T if found.success else np.full((len(t), 12), np.nan)
+    return states[:, :3], states[:, 3:].reshape(-1, 3, 3)
+
+
+def elliptic(t, omega, inertia):
+    """omega at the times t in Jacobi's elliptic functions, for any three different inertias."""
+    order = np.argsort(inertia)
+    (A, B, C), w = inertia[order], omega[order]
+    double, square = 2 * energy(omega, inertia=inertia), np.sum((inertia * omega) ** 2)
+    outward = slice(None, None, 1 if square > double * B else -1)  # ends with the axis that omega goes round
+    (A, B, C), w = inertia[order][outward], w[outward]
+    beside, along = double * C - square, square - double * A
+    amplitudes = np.sqrt([beside / (A * (C - A)), beside / (B * (C - B)), along / (C * (C - A))])
+    m, rate = (B - A) * beside / ((C - B) * along), math.sqrt((C - B) * along / (A * B * C))
+    sign = math.copysign(1.0, w[2])
+    handedness = np.linalg.det(np.eye(3)[order])  # axes in a left-handed order see the motion backwards
+    start = ellipkinc(math.atan2(sign * w[1] / amplitudes[1], w[0] / amplitudes[0]), m)
+    sn, cn, dn, _ = ellipj(start + handedness * rate * (t - t[0]), m)
+    found = np.column_stack([cn, sign * sn, sign * dn]) * amplitudes
+    return found[:, outward][:, np.argsort(order)]
+
+
+def energy(omega, *, inertia):
+    return 0.5 * np.sum(inertia * omega**2)
+
+
+def wheel(t, R, omega, inertia):
+    """omegas and rotations of a body with A = B: its wobble about H in space, its slip about its own axis."""
+    A, _, C = inertia
+    H, slip = R @ (inertia * omega), np.array([0.0, 0.0, (1 - C / A) * omega[2]])
+    omegas = [turned(-slip * tau) @ omega for tau in t - t[0]]
+    return np.array(omegas), np.array([turned(H / A * tau) @ R @ turned(slip * tau) for tau in t - t[0]])
+
+
+# The draws
+
+
+def a_body(draw):
+    """Inertias in any order, each less than the sum of the other two, of any size."""
+    spread = draw.permutation([draw.uniform(0.1, 0.25), draw.uniform(0.4, 0.6), draw.uniform(0.8, 1)])
+    return (spread.sum() - spread) * 10 ** draw.uniform(-2, 2)
+
+
+def a_wheel(draw):
+    """A = B, and C from a rod's to that of a disk."""
+    A = 10 ** draw.uniform(-2, 2)
+    return np.array([A, A, A * draw.choice([draw.uniform(0.2, 0.7), draw.uniform(1.3, 1.9)])])
+
+
+def an_omega(draw):
+    """No component is small, and the size is between .5 and 6 rad/s."""
+    return draw.uniform(0.4, 1, 3) * draw.choice([-1, 1], 3) * 10 ** draw.uniform(0, 0.5)
+
+
+def an_attitude(draw):
+    return turned(draw.uniform(0.4, 1.2, 3) * draw.choice([-1, 1], 3))
+
+
+def times(draw, omega, radians, count=25):
+    """Uneven times, from a start that is not 0, for so many radians."""
+    span = radians / np.linalg.norm(omega)
+    inner = np.sort(draw.uniform(0.02, 0.98, count - 2))
+    return draw.uniform(-3, 3) + span * np.concatenate([[0.0], inner, [1.0]])
+
+
+def sorted_body(draw):
+    return np.sort(a_body(draw))
+
+
+# Pointwise
+
+
+def judge(function, calls, right, *, size=None, within=POINTWISE, unit="of itself", **says):
+    """Compare with right(...) of the same arguments, relative to size(...) of them or to the size of what is right."""
+    for found, call in zip(function.many(calls), calls, strict=True):
+        expected = right(*call.args, **call.kwargs)
+        scale = size(*call.args, **call.kwargs) if size else np.linalg.norm(expected)
+        expect(found, expected, within=within, scale=scale, unit=unit, at=call, **says)
+
+
+def signs_changed(*signs):
+    return lambda omega, *, inertia: moving(omega, inertia=inertia) * signs
+
+
+@check(
+    points=0.75, part="a",
+    suspects=[
+        suspect("every sign in Euler's equations changed", euler_equations=signs_changed(-1, -1, -1)),
+        suspect("a sign changed in the first of Euler's equations", euler_equations=signs_changed(-1, 1, 1)),
+        suspect("a sign changed in the second of Euler's equations", euler_equations=signs_changed(1, -1, 1)),
+        suspect("a sign changed in the third of Euler's equations", euler_equations=signs_changed(1, 1, -1)),
+        suspect("the moments H x omega not divided by A, B, C",
+                euler_equations=lambda w, *, inertia: np.cross(inertia * w, w)),
+    ],
+)  # fmt: skip
+def euler_equations_keep_the_angular_momentum(student, draw):
+    """euler_equations: omega' of a body without moments, for any three inertias, equal ones too."""
+    A, k = draw.uniform(0.5, 2, 2)
+    bodies = [a_body(draw) for _ in range(12)] + [a_wheel(draw) for _ in range(4)]
+    bodies += [np.array([A, A, A]), np.array([k * A, A, A])]
+    judge(student.euler_equations, [given(an_omega(draw), inertia=body) for body in bodies], moving,
+          size=lambda omega, inertia: omega @ omega, of="omega'", unit="of omega^2", kind="a random body and omega",
+          hint="the rate of H in body components plus omega x H is zero")  # fmt: skip
+
+
+@check(
+    points=0.5, part="a",
+    suspects=[
+        suspect("omega-hat R for R omega-hat: omega is in body components", attitude_rate=lambda R, w: hat(w) @ R),
+        suspect("the sign of omega-hat changed", attitude_rate=lambda R, w: -R @ hat(w)),
+        suspect("the rate of the transpose", attitude_rate=lambda R, w: (R @ hat(w)).T),
+    ],
+)  # fmt: skip
+def attitude_follows_omega(student, draw):
+    """attitude_rate: dR/dt for omega in body components."""
+    calls = [given(an_attitude(draw), an_omega(draw)) for _ in range(15)]
+    judge(student.attitude_rate, calls, right_attitude, of="dR/dt", kind="a random attitude and omega",
+          hint="the columns of R are the body's axes in space; each moves at omega x itself")  # fmt: skip
+
+
+@check(
+    points=0.5, part="a",
+    suspects=[
+        suspect("an energy without the half", energy=lambda w, *, inertia: np.sum(inertia * w**2)),
+        suspect("the inertias squared", energy=lambda w, *, inertia: 0.5 * np.sum((w * inertia) ** 2)),
+    ],
+)  # fmt: skip
+def energy_is_half_omega_h(student, draw):
+    """energy: half of omega . H."""
+    calls = [given(an_omega(draw), inertia=a_body(draw)) for _ in range(10)]
+    judge(student.energy, calls, energy, of="the energy", kind="a random body and omega")
+
+
+def momentum(R, omega, *, inertia):
+    return np.sum([moment * w * axis for moment, w, axis in zip(inertia, omega, R.T, strict=True)], axis=0)
+
+
+@check(
+    points=0.5, part="a",
+    suspects=[
+        suspect("body components", angular_momentum=lambda R, w, *, inertia: inertia * w),
+        suspect("R^T for R", angular_momentum=lambda R, w, *, inertia: R.T @ (inertia * w)),
+        suspect("R omega times A, B, C: the inertias belong to body axes",
+                angular_momentum=lambda R, w, *, inertia: inertia * (R @ w)),
+    ],
+)  # fmt: skip
+def angular_momentum_is_in_space_axes(student, draw):
+    """angular_momentum: the vector H in space components."""
+    calls = [given(an_attitude(draw), an_omega(draw), inertia=a_body(draw)) for _ in range(10)]
+    judge(student.angular_momentum, calls, momentum, of="H", kind="a random body, attitude and omega")
+
+
+def omega_of_rates(angles):
+    """(3, 3): the columns are omega, in body components, of unit rates of psi, theta and phi."""
+    _, theta, phi = angles
+    x, z = np.eye(3)[[0, 2]]
+    after_phi = turned(-phi * z)
+    return np.column_stack([after_phi @ turned(-theta * x) @ z, after_phi @ x, z])
+
+
+def rates_313(angles, omega):
+    return np.linalg.solve(omega_of_rates(angles), omega)
+
+
+def rates_of_space_omega(angles, omega):
+    """As if omega were in space components: psi and phi change places and signs."""
+    psi, theta, phi = angles
+    return -rates_313([-phi, -theta, -psi], omega)[::-1]
+
+
+@check(
+    points=0.75, part="a",
+    suspects=[
+        suspect("omega taken in space components", euler_rates_313=rates_of_space_omega),
+        suspect("psi and phi exchanged in the angles", euler_rates_313=lambda angles, w: rates_313(angles[::-1], w)),
+        suspect("the rates in the order phi, theta, psi", euler_rates_313=lambda angles, w: rates_313(angles, w)[::-1]),
+        suspect("omega of these rates: the matrix for its inverse",
+                euler_rates_313=lambda angles, rates: omega_of_rates(angles) @ rates),
+    ],
+)  # fmt: skip
+def euler_rates_make_omega(student, draw):
+    """euler_rates_313: the rates of psi, theta, phi that make this omega, for theta of any sign."""
+    thetas = [*draw.uniform(0.3, 2.8, 6), *-draw.uniform(0.3, 2.8, 4), *draw.uniform(3.5, 5.9, 4)]
+    calls = [given(np.array([psi, theta, phi]), an_omega(draw))
+             for theta, psi, phi in zip(thetas, *draw.uniform(-4, 4, (2, 14)), strict=True)]  # fmt: skip
+    for found, call in zip(student.euler_rates_313.many(calls), calls, strict=True):
+        angles, omega = call.args
+        expect(omega_of_rates(angles) @ found, omega, within=POINTWISE, scale=np.linalg.norm(omega),
+               of="omega of the rates", unit="of omega", kind="random Euler angles", at=call,
+               hint="omega is psi' along space z, theta' along the line of nodes, phi' along body z")  # fmt: skip
+
+
+UNDETERMINED = {"theta = 0": 0.0, "theta = pi": math.pi, "theta = -pi": -math.pi, "theta next to 0": 1e-13}
+
+
+@check(points=0.25, part="a", after=euler_rates_make_omega)
+def euler_rates_are_refused_where_undetermined(student, draw):
+    """euler_rates_313 raises ValueError where abs(sin theta) < 1e-12, and nowhere else."""
+    psi, phi = draw.uniform(-3, 3, 2)
+    omega = an_omega(draw)
+    for kind, theta in UNDETERMINED.items():
+        expect_that(student.euler_rates_313.refuses(np.array([psi, theta, phi]), omega),
+                    "euler_rates_313 does not raise ValueError", kind=kind)  # fmt: skip
+    for theta in (1e-8, math.pi - 1e-8):
+        found = student.euler_rates_313(np.array([psi, theta, phi]), omega)
+        expect(omega_of_rates([psi, theta, phi]) @ found, omega, within=POINTWISE, scale=np.abs(found).max(),
+               of="omega of the rates", unit="of the largest rate", kind="sin theta = 1e-8")  # fmt: skip
+
+
+# Motions
+
+
+def side(omega, inertia):
+    """Positive where omega goes round the axis of the largest inertia; in units of 2 B times the energy."""
+    return np.sum((inertia * omega) ** 2) / (2 * energy(omega, inertia=inertia) * np.median(inertia)) - 1
+
+
+def on_side(draw, sign):
+    """A body and an omega well on one side of the separatrix."""
+    while True:
+        body, omega = a_body(draw), an_omega(draw)
+        if sign * side(omega, body) > 0.05:
+            return body, omega
+
+
+@once
+def tumbles(draw):
+    """Calls on both sides of the separatrix and near it, and the right omegas."""
+    near = draw.uniform(1, 3) * np.array([draw.uniform(0, 0.003), 1.0, draw.uniform(0.01, 0.02)])
+    cases = [(*on_side(draw, 1), 14), (*on_side(draw, -1), 14), (sorted_body(draw), near, 25)]
+    calls = [
+        given(times(draw, omega, radians), an_attitude(draw), omega, inertia=body)
+        for body, omega, radians in cases
+    ]
+    return calls, [elliptic(call.args[0], call.args[2], call.kwargs["inertia"]) for call in calls]
+
+
+@once
+def attitudes(draw):
+    """Calls and the right rotations."""
+    omegas = [an_omega(draw) for _ in range(2)]
+    calls = [
+        given(times(draw, omega, 12), an_attitude(draw), omega, inertia=a_body(draw)) for omega in omegas
+    ]
+    return calls, [motion(*call.args, **call.kwargs)[1] for call in calls]
+
+
+def wrong_motion(**equations):
+    return lambda t, R, omega, *, inertia: motion(t, R, omega, inertia=inertia, **equations)
+
+
+def from_identity(t, R, omega, *, inertia):
+    return motion(t, np.eye(3), omega, inertia=inertia)
+
+
+def to_body(t, R, omega, *, inertia):
+    omegas, rotations = motion(t, R, omega, inertia=inertia)
+    return omegas, rotations.transpose(0, 2, 1)
+
+
+MOTION_SUSPECTS = [
+    suspect("every sign in Euler's equations changed", within=1e-4,
+            simulate=wrong_motion(euler=signs_changed(-1, -1, -1))),
+    suspect("omega-hat R for R omega-hat: omega is in body components", within=1e-4,
+            simulate=wrong_motion(attitude=lambda R, w: hat(w) @ R)),
+    suspect("the sign of omega-hat changed", within=1e-4, simulate=wrong_motion(attitude=lambda R, w: -R @ hat(w))),
+    suspect("rotations that start with the identity, not with the given R", within=1e-4, simulate=from_identity),
+    suspect("the transposes, from space to body", within=1e-4, simulate=to_body),
+]  # fmt: skip
+
+
+def judge_motions(found, right, calls, sizes, start, **says):
+    """All motions in one comparison, so that the worst decides on partial credit."""
+    for values, call, size in zip(found, calls, sizes, strict=True):
+        expect(values[0], call.args[start], within=1e-12, scale=size, of="the first row", at=call)
+    scale = np.concatenate([np.full(values.shape, size) for values, size in zip(right, sizes, strict=True)])
+    t = np.concatenate([call.args[0] for call in calls])
+    expect(np.concatenate(found), np.concatenate(right), within=TRAJECTORY, scale=scale, t=t, at=calls,
+           partial={1e-3: 0.5, 1e-2: 0.25}, **says)  # fmt: skip
+
+
+@check(points=0.75, part="a", suspects=MOTION_SUSPECTS[:1])
+def omega_follows_elliptic_functions(student, draw):
+    """simulate: omega against Jacobi's elliptic functions, on both sides of the separatrix and near it."""
+    calls, right = tumbles(draw)
+    found = [omegas for omegas, _ in student.simulate.many(calls)]
+    judge_motions(found, right, calls, [np.linalg.norm(call.args[2]) for call in calls], 2, of="omega",
+                  unit="of its start", kind="omega round the first and the last axis, and near the middle one",
+                  hint="does euler_equations pass? are the times those asked for?")  # fmt: skip
+
+
+@check(points=0.75, part="a", suspects=MOTION_SUSPECTS)
+def attitude_follows_the_motion(student, draw):
+    """simulate: the rotations along a general motion, from any attitude at the start."""
+    calls, right = attitudes(draw)
+    found = [rotations for _, rotations in student.simulate.many(calls)]
+    judge_motions(found, right, calls, [1.0, 1.0], 1, of="R", kind="a general body, attitude and omega",
+                  hint="does attitude_rate pass? which components has omega?")  # fmt: skip
+
+
+@check(points=0.5, part="a", after=(omega_follows_elliptic_functions, attitude_follows_the_motion))
+def invariants_stay_over_many_turns(student, draw):
+    """simulate: R^T R = I, the vector H in space and the energy over many turns."""
+    omega, body, R = an_omega(draw), a_body(draw), an_attitude(draw)
+    t = times(draw, omega, 45, count=12)
+    omegas, rotations = student.simulate(t, R, omega, inertia=body)
+    expect(rotations.transpose(0, 2, 1) @ rotations, np.broadcast_to(np.eye(3), rotations.shape), within=TRAJECTORY,
+           of="R^T R", t=t, at=(R, omega, body), hint="is what you integrate still a rotation?")  # fmt: skip
+    H = np.einsum("nij,nj->ni", rotations, body * omegas)
+    expect(H, np.broadcast_to(H[0], H.shape), within=TRAJECTORY, scale=np.linalg.norm(H[0]), of="H in space",
+           unit="of itself", t=t, at=(R, omega, body))  # fmt: skip
+    energies = np.array([energy(w, inertia=body) for w in omegas])
+    expect(energies, np.full(len(t), energies[0]), within=TRAJECTORY, scale=energies[0], of="the energy",
+           unit="of its start", t=t, at=(R, omega, body), partial={1e-4: 0.5, 1e-2: 0.25})  # fmt: skip
+
+
+@once
+def special_motions(draw):
+    """Calls with equal inertias or nothing to turn, what is right, and the kind."""
+    cases = {
+        "a body with A = B": (a_wheel(draw), an_omega(draw)),
+        "a flat disk": (np.array([1.0, 1.0, 2.0]) * 10 ** draw.uniform(-2, 2), an_omega(draw)),
+        "three equal inertias": (np.full(3, 10 ** draw.uniform(-2, 2)), an_omega(draw)),
+        "a wheel at rest": (a_wheel(draw), np.zeros(3)),
+    }
+    for kind, (body, omega) in cases.items():
+        t, R = times(draw, omega if omega.any() else np.ones(3), 10), an_attitude(draw)
+        cases[kind] = given(t, R, omega, inertia=body), wheel(t, R, omega, body)
+    return cases
+
+
+@check(points=0.5, part="a", after=(omega_follows_elliptic_functions, attitude_follows_the_motion))
+def special_bodies_move_too(student, draw):
+    """simulate: two or three equal inertias, and a body at rest."""
+    cases = special_motions(draw)
+    found = student.simulate.many([call for call, _ in cases.values()])
+    for (omegas, rotations), (kind, (call, right)) in zip(found, cases.items(), strict=True):
+        says = {"within": TRAJECTORY, "t": call.args[0], "kind": kind, "at": call}
+        expect(
+            omegas,
+            right[0],
+            scale=np.linalg.norm(call.args[2]) or 1.0,
+            of="omega",
+            unit="of its start",
+            **says,
+        )
+        expect(rotations, right[1], of="R", **says)
+
+
+# (a) A = B
+
+
+def precessing(rate, since_start=True):
+    """omega whose part across the axis turns at rate(inertia, omega)."""
+
+    def solution(t, omega, *, inertia):
+        tau = t - t[0] if since_start else t
+        across = (omega[0] + 1j * omega[1]) * np.exp(1j * rate(inertia, omega) * tau)
+        return np.column_stack([across.real, across.imag, np.full(len(t), omega[2])])
+
+    return solution
+
+
+def body_rate(inertia, omega):
+    """Minus the slip of `wheel`."""
+    return (inertia[2] / inertia[0] - 1) * omega[2]
+
+
+symmetric = precessing(body_rate)
+
+
+def space_rate(inertia, omega):
+    """How fast the symmetry axis e, which moves at omega x e, goes round H."""
+    H, e = inertia * omega, np.array([0.0, 0.0, 1.0])
+    return np.linalg.norm(H) * np.linalg.norm(np.cross(omega, e)) / np.linalg.norm(np.cross(H, e))
+
+
+@check(
+    points=0.75, part="a",
+    suspects=[
+        suspect("the precession reversed", symmetric_solution=precessing(lambda inertia, w: -body_rate(inertia, w))),
+        suspect("the given omega taken at t = 0, not at t[0]",
+                symmetric_solution=precessing(body_rate, since_start=False)),
+        suspect("the rate C/A omega_3, as seen from space",
+                symmetric_solution=precessing(lambda inertia, w: inertia[2] / inertia[0] * w[2])),
+        suspect("the rate |H|/A of the wobble in space", symmetric_solution=precessing(space_rate)),
+    ],
+)  # fmt: skip
+def symmetric_bodies_precess(student, draw):
+    """symmetric_solution: omega in body components at all times, from omega at t[0]."""
+    bodies = [*(a_wheel(draw) for _ in range(6)), np.full(3, draw.uniform(0.1, 10))]
+    calls = []
+    for body in bodies:
+        omega = an_omega(draw)
+        calls.append(given(times(draw, omega, 40), omega, inertia=body))
+    for found, call in zip(student.symmetric_solution.many(calls), calls, strict=True):
+        t, omega = call.args
+        expect(found, symmetric(t, omega, **call.kwargs), within=POINTWISE, scale=np.linalg.norm(omega), of="omega",
+               unit="of its start", t=t, kind="a random body with A = B", at=call,
+               hint="compare with euler_equations at the first time")  # fmt: skip
+
+
+@check(
+    points=0.5, part="a",
+    suspects=[
+        suspect("the rate (C - A)/A omega_3 at which omega goes round in the body",
+                wobble_rate=lambda w, *, inertia: abs(body_rate(inertia, w))),
+        suspect("C/A omega_3, for spin very near the axis",
+                wobble_rate=lambda w, *, inertia: inertia[2] / inertia[0] * abs(w[2])),
+        suspect("|H|/C", wobble_rate=lambda w, *, inertia: np.linalg.norm(inertia * w) / inertia[2]),
+        suspect("|omega|", wobble_rate=lambda w, *, inertia: np.linalg.norm(w)),
+    ],
+)  # fmt: skip
+def wobble_goes_round_the_angular_momentum(student, draw):
+    """wobble_rate: the rate at which the symmetry axis goes round H, at any angle between them."""
+    omegas = [an_omega(draw) for _ in range(8)] + [an_omega(draw) * [0.01, 0.01, 1] for _ in range(4)]
+    judge(student.wobble_rate, [given(omega, inertia=a_wheel(draw)) for omega in omegas],
+          lambda omega, inertia: space_rate(inertia, omega), of="the rate", kind="a random body with A = B",
+          hint="split omega into a part along H and one along the symmetry axis")  # fmt: skip
+
+
+# (b) Stability and tumbling
+
+
+def linear_rates(axis, spin, inertia):
+    """(3, 3): the rates of small deviations from spin about an axis."""
+    inertia, omega = np.asarray(inertia), spin * np.eye(3)[axis]
+    columns = [(np.cross(inertia * d, omega) + np.cross(inertia * omega, d)) / inertia for d in np.eye(3)]
+    return np.column_stack(columns)
+
+
+def growth(axis, spin, *, inertia):
+    """Deviations of the next axis grow at a rate whose square is this."""
+    M, other = linear_rates(axis, spin, inertia), (axis + 1) % 3
+    return (M @ M)[other, other]
+
+
+def growth_of(wrong):
+    """A variant that gives wrong(spin, right)."""
+    return lambda axis, spin, *, inertia: wrong(spin, growth(axis, spin, inertia=inertia))
+
+
+@check(
+    points=0.75, part="b",
+    suspects=[
+        suspect("the sign changed", growth_rate_squared=growth_of(lambda spin, right: -right)),
+        suspect("the rate, not its square",
+                growth_rate_squared=growth_of(lambda spin, right: np.sign(right) * math.sqrt(abs(right)))),
+        suspect("the spin not squared", growth_rate_squared=growth_of(lambda spin, right: right / abs(spin))),
+        suspect("axes counted from 1",
+                growth_rate_squared=lambda axis, spin, *, inertia: growth((axis - 1) % 3, spin, inertia=inertia)),
+    ],
+)  # fmt: skip
+def small_deviations_grow_at_this_rate(student, draw):
+    """growth_rate_squared: positive where spin about the axis is unstable, minus the frequency's square where not."""
+    bodies = [*(a_body(draw) for _ in range(6)), a_wheel(draw)]
+    for axis in (0, 1, 2):
+        spins = draw.uniform(1.5, 6, 7) * draw.choice([-1, 1], 7)
+        calls = [given(axis, spin, inertia=body) for spin, body in zip(spins, bodies, strict=True)]
+        judge(student.growth_rate_squared, calls, growth, size=lambda axis, spin, inertia: spin**2, unit="of spin^2",
+              of="the square of the rate", kind=f"axis {axis}",
+              hint="keep what is linear in the two small components of omega")  # fmt: skip
+
+
+def squares(omega, inertia):
+    """Squares of the two numbers whose arithmetic-geometric mean gives the period, smaller first; ABC beside them."""
+    A, B, C = inertia
+    p, q, r = np.square(omega)
+    beside = B * (B - A) * (C - B) * q
+    round_first, round_last = A * (B - A) * p, C * (C - B) * r
+    return (C - A) * abs(round_last - round_first), beside + (C - A) * max(round_first, round_last), A * B * C
+
+
+def tumbling(omega, *, inertia):
+    """The period, 4 K(k) over the rate, by Carlson's integral."""
+    smaller, larger, product = squares(omega, inertia)
+    return 4 * math.sqrt(product) * elliprf(0.0, smaller, larger)
+
+
+def modulus_for_parameter(omega, *, inertia):
+    smaller, larger, product = squares(omega, inertia)
+    return 4 * math.sqrt(product / larger) * ellipk(math.sqrt(1 - smaller / larger))
+
+
+def one_side_only(omega, *, inertia):
+    """The formula for omega round the last axis, for both."""
+    A, B, C = inertia
+    double, square = 2 * energy(omega, inertia=inertia), np.sum((inertia * omega) ** 2)
+    m = (B - A) * (double * C - square) / ((C - B) * (square - double * A))
+    return 4 * math.sqrt(A * B * C / ((C - B) * (square - double * A))) * ellipk(m)
+
+
+TUMBLE_SUSPECTS = [
+    suspect("half of the period", tumble_period=lambda w, *, inertia: tumbling(w, inertia=inertia) / 2),
+    suspect("twice the period", tumble_period=lambda w, *, inertia: tumbling(w, inertia=inertia) * 2),
+    suspect("k where ellipk wants k^2", tumble_period=modulus_for_parameter),
+]
+
+
+def judge_periods(student, draw, sign, kind):
+    cases = [on_side(draw, sign) for _ in range(6)]
+    calls = [given(omega[np.argsort(body)], inertia=np.sort(body)) for body, omega in cases]
+    judge(student.tumble_period, calls, tumbling, within=PERIOD, of="the period", kind=kind,
+          hint="after what time is omega back, sign and all?")  # fmt: skip
+
+
+@check(points=0.375, part="b", suspects=TUMBLE_SUSPECTS)
+def period_round_the_last_axis(student, draw):
+    """tumble_period where omega goes round the axis of the largest inertia."""
+    judge_periods(student, draw, 1, "omega round the axis of the largest inertia")
+
+
+@check(
+    points=0.375, part="b",
+    suspects=[*TUMBLE_SUSPECTS,
+              suspect("the formula for the other side of the separatrix", tumble_period=one_side_only)],
+)  # fmt: skip
+def period_round_the_first_axis(student, draw):
+    """tumble_period where omega goes round the axis of the smallest inertia."""
+    judge_periods(student, draw, -1, "omega round the axis of the smallest inertia")
+
+
+@check(points=0.25, part="b", after=(period_round_the_last_axis, period_round_the_first_axis))
+def period_of_pure_spin_is_that_of_small_oscillations(student, draw):
+    """tumble_period for pure spin about axis 0 or 2: the period of small oscillations about it."""
+    for axis in (0, 2):
+        spin = draw.uniform(1, 4) * draw.choice([-1, 1])
+        judge(student.tumble_period, [given(spin * np.eye(3)[axis], inertia=sorted_body(draw))],
+              lambda omega, inertia, axis=axis: 2 * math.pi / math.sqrt(-growth(axis, omega[axis], inertia=inertia)),
+              within=PERIOD, of="the period", kind=f"pure spin about axis {axis}", hint="k = 0 there")  # fmt: skip
+
+
+@check(points=0.25, part="b", after=(period_round_the_last_axis, period_round_the_first_axis))
+def period_grows_to_infinity_at_the_separatrix(student, draw):
+    """tumble_period near the separatrix, on both sides of it, and math.inf on it."""
+    spins = draw.uniform(1, 4, 4) * draw.choice([-1, 1], 4)
+    near = [(0, 1, 1e-4), (0, 1, -1e-3), (1e-4, 1, 0), (-1e-3, 1, 0)]
+    calls = [
+        given(spin * np.array(omega), inertia=sorted_body(draw))
+        for spin, omega in zip(spins, near, strict=True)
+    ]
+    judge(student.tumble_period, calls, tumbling, within=NEAR_PERIOD, of="the period",
+          kind="omega almost about the middle axis")  # fmt: skip
+    # Whole numbers times powers of two: on the separatrix, 3 (4 - 3) 2^2 = 6 (6 - 4) 1^2, without any rounding
+    body = np.array([3.0, 4.0, 6.0]) * 2.0 ** draw.integers(-5, 6)
+    for omega, kind in (
+        ((0, 1, 0), "pure spin about the middle axis"),
+        ((2, 1, -1), "omega on the separatrix"),
+    ):
+        found = student.tumble_period(np.array(omega) * 0.25 * draw.integers(1, 9), inertia=body)
+        expect_that(found == math.inf, "the period is finite", kind=kind, hint="what is K(k) for k = 1?")
+
+
+# Drawing
+
+
+def edges(R, size):
+    """The twelve edges of a box: corners that differ in one sign."""
+    signs = 2 * np.array(list(np.ndindex(2, 2, 2))) - 1
+    pairs = [(i, j) for i in range(8) for j in range(i) if np.count_nonzero(signs[i] != signs[j]) == 1]
+    return (signs[np.array(pairs)] * size / 2) @ R.T
+
+
+def mismatch(found, right):
+    """How far two boxes' edges are apart, in any order and direction: the largest distance to a nearest edge."""
+    both_ways = [np.abs(found[:, None] - one_way).max(axis=(2, 3)) for one_way in (right, right[:, ::-1])]
+    apart = np.minimum(*both_ways)
+    return max(apart.min(axis=0).max(), apart.min(axis=1).max())
+
+
+@check(points=0.5, part="b")
+def the_box_has_its_twelve_edges(student, draw):
+    """wireframe: the edges of the turned box, in any order and direction."""
+    for _ in range(3):
+        R, size = an_attitude(draw), draw.permutation(10 ** draw.uniform(-1, 1) * np.array([1, 1.7, 2.9]))
+        found = student.wireframe(R, size=size)
+        transposed = mismatch(found, edges(R.T, size)) < 1e-9 * max(size)
+        hint = (
+            "it is that of the transpose" if transposed else "edges are `size` long; the centre is the origin"
+        )
+        expect(mismatch(found, edges(R, size)), 0.0, within=POINTWISE, scale=max(size), of="an edge",
+               unit="of the longest edge", kind="a random attitude and size", at=(R, size), hint=hint)  # fmt: skip
+
+
+@once
+def wobble(draw):
+    """A call of plot_rim_paths with a disk near its spin axis, and the two paths, finely."""
+    body = np.array([1.0, 1.0, 2.0]) * 10 ** draw.uniform(-2, 2)
+    spin, radius = draw.uniform(1, 4), 10 ** draw.uniform(-1, 1)
+    omega = spin * np.array([*draw.uniform(0.1, 0.2, 2), 1.0])
+    start, end = draw.uniform(-2, 2) + np.array([0, draw.uniform(4, 6)]) / spin
+    R = an_attitude(draw)
+    fine = radius * wheel(np.linspace(start, end, 401), R, omega, body)[1][:, :2, 0]
+    return given(np.linspace(start, end, 200), R, omega, inertia=body, radius=radius), (fine, -fine)
+
+
+def strays(path, fine):
+    """How far a drawn path is from the right one, both taken as polygons that begin and end alike."""
+    ends = np.linalg.norm(path[[0, -1]] - fine[[0, -1]], axis=1)
+    return max(*ends, distances(path, fine).max(), distances(fine, path).max())
+
+
+def distances(points, polygon):
+    """From each point to the nearest point of a polygon, in the complex plane."""
+    points, corners = (curve[:, 0] + 1j * curve[:, 1] for curve in (points, polygon))
+    sides = np.diff(corners)
+    sides[sides == 0] = 1e-300
+    share = np.clip(((points[:, None] - corners[:-1]) / sides).real, 0, 1)
+    return np.abs(points[:, None] - corners[:-1] - share * sides).min(axis=1)
+
+
+@check(points=0.5, part="a")
+def rim_paths_are_drawn(student, draw):
+    """plot_rim_paths: the two paths as seen along z, from t[0] to t[-1], with labels and equal scales."""
+    call, rims = wobble(draw)
+    picture = student.plot_rim_paths.draw(*call.args, **call.kwargs)
+    expect_that(len(picture.lines) == 2, f"there are {len(picture.lines)} curves on the axes, not two")
+    radius, found = call.kwargs["radius"], [line.points for line in picture.lines]
+    expect_that(
+        min(map(len, found)) > 20 and np.isfinite(np.concatenate(found)).all(), "a curve has too few points"
+    )
+    if np.linalg.norm(found[0][0] - rims[0][0]) > radius / 100:  # either may be drawn first
+        found.reverse()
+    # chords of 200 samples over less than a turn leave the curve by (6/200)^2/8 = 1e-4 of the radius
+    expect(max(map(strays, found, rims)), 0.0, within=1e-3, scale=radius, of="a path", unit="of the radius", at=call,
+           kind="a disk near its spin axis",
+           hint="x and y, in space, of the body's points (radius, 0, 0) and (-radius, 0, 0)")  # fmt: skip
+    expect_that("(m)" in picture.xlabel.split() and "(m)" in picture.ylabel.split(),
+                "the axes are not labelled with their unit, as in x (m)")  # fmt: skip
+    expect_that(picture.equal_aspect, "x and y are not drawn at the same scale")
