@@ -22,7 +22,7 @@ __all__ = [
 Array = NDArray[np.float64]
 Rates = Callable[[float, Any], Any]
 
-SMALLEST_RTOL = 1e-16  # below the rounding of a double there is nothing to gain
+SMALLEST_RTOL = 1e-18  # below that nothing but rounding is left to control
 
 
 def sample_times(t: ArrayLike) -> Array:

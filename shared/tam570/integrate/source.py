@@ -135,7 +135,7 @@ def _raised(formulas: Formulas, arrays: bool = False) -> list[str]:
     Tried a little way into the step: at its start too many things may be exactly zero.
     """
     roundings = [
-        (-1) ** i * 2.0**-50 * (1.37 + 0.41 * (i % 5)) for i in range(formulas.size)
+        (-1) ** i * 2.0**-52 * (1.37 + 0.41 * (i % 5)) for i in range(formulas.size)
     ]  # no two cancel
     lines = ["def raised(start, h, y, f, m, c, weight):", *unpacked(formulas, y="y", f="f", m="m")]
     lines += [f"s{i} = y{i} + 0.001 * h * f{i}" for i in sorted(formulas.reads)]
