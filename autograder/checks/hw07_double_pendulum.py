@@ -45,7 +45,7 @@ FREQUENCY = 1e-6  # an eigenvalue of a matrix that is not symmetric, next to ano
 FOLLOWED = (
     1e-4  # RK45, DOP853 and LSODA at rtol 1e-9, atol 1e-9 are off by 1e-5 at most, sensitive starts included
 )
-ENERGY = 1e-5  # of m g l; the same solvers lose 5e-7 of it in ten seconds
+ENERGY = 1e-5  # of m g l; the same solvers lose 5e-8 of it in ten seconds, a symplectic method of fixed steps 1e-6
 DRAWN = 1e-3  # of the length; the path between 400 points bends by 2e-4 of it
 
 
@@ -436,7 +436,8 @@ def motions(draw, starts):
     for start in starts:
         known = pendulum(draw)
         time = math.sqrt(np.max(known["lengths"]) / known["gravity"])
-        theta, omega = draw.uniform(-2, 2, 2), draw.uniform(-1, 1, 2) / time
+        turns = 2 * math.pi * np.sign(start) * np.array([1, -1])  # an angle beyond pi stays there
+        theta, omega = draw.uniform(-2, 2, 2) + turns, draw.uniform(-1, 1, 2) / time
         call = given(uneven(draw, draw.uniform(4, 6) * time, 40, start), theta, omega, **known)
         cases.append((call, motion(*call.args, **call.kwargs)))
     return cases
@@ -452,7 +453,7 @@ def simulation_follows_the_equations(student, draw):
         expect(states, expected, within=FOLLOWED, scale=np.repeat(np.abs(expected).max(0).reshape(2, 2).max(1), 2),
                of="the state", unit="of the largest angle or angular velocity", t=call.args[0], at=call,
                kind="a random start", hint="is the first row the start? are the tolerances of the integrator tight?",
-               partial={1e-2: 0.5})  # fmt: skip
+               partial={1e-3: 0.5})  # fmt: skip
 
 
 def drift(states, known):

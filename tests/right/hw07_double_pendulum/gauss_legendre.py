@@ -96,7 +96,7 @@ def simulate(t, theta, omega, *, masses, lengths, gravity):
     rows = [[*theta, *omega]]
     rate = np.sqrt(gravity / np.min(lengths)) + np.max(np.abs(omega))
     for span in np.diff(t):
-        n = int(np.ceil(span * rate / 0.06))
+        n = int(np.ceil(span * rate / 0.03))
         for _ in range(n):
             z = step(z, span / n, system)
         rows.append([*z[:2], *np.linalg.solve(mass_matrix(z[:2], **bars), z[2:])])

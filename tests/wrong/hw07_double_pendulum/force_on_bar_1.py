@@ -1,0 +1,12 @@
+"""The elbow's force is that of bar 2 on bar 1.
+
+fails: hinge_forces_balance
+suspect: the force of bar 2 on bar 1
+"""
+
+on_bar_2 = on_the_fly
+
+
+def on_the_fly(theta, omega, **known):
+    alpha, forces = on_bar_2(theta, omega, **known)
+    return alpha, [forces[0], -forces[1]]

@@ -1,0 +1,12 @@
+"""The hinge forces are in the columns.
+
+fails: hinge_forces_balance
+suspect: rows and columns swapped
+"""
+
+in_rows = on_the_fly
+
+
+def on_the_fly(theta, omega, **known):
+    alpha, forces = in_rows(theta, omega, **known)
+    return alpha, forces.T

@@ -1,0 +1,11 @@
+"""The frequencies are in Hz.
+
+fails: small_oscillations_have_two_frequencies
+suspect: frequencies in Hz
+"""
+
+circular = small_oscillation_frequencies
+
+
+def small_oscillation_frequencies(**known):
+    return circular(**known) / (2 * math.pi)

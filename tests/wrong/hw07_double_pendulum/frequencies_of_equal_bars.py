@@ -1,0 +1,8 @@
+"""The frequencies of equal bars are taken for those of any.
+
+fails: small_oscillations_have_two_frequencies
+"""
+
+
+def small_oscillation_frequencies(*, masses, lengths, gravity):
+    return np.sqrt(gravity / lengths[0] * np.array([3 - 6 / math.sqrt(7), 3 + 6 / math.sqrt(7)]))

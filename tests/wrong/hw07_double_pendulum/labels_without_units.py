@@ -1,0 +1,11 @@
+"""The plot's labels have no unit.
+
+fails: tip_path_is_drawn
+"""
+
+labelled = plot_tip_path
+
+
+def plot_tip_path(ax, t, theta, omega, **known):
+    labelled(ax, t, theta, omega, **known)
+    ax.set(xlabel="x", ylabel="y")

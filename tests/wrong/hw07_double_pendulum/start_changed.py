@@ -1,0 +1,12 @@
+"""The start is advanced in place.
+
+fails: simulation_follows_the_equations, tip_path_is_drawn
+"""
+
+unharmed = simulate
+
+
+def simulate(t, theta, omega, **known):
+    states = unharmed(t, theta, omega, **known)
+    theta[:], omega[:] = states[-1, :2], states[-1, 2:]
+    return states

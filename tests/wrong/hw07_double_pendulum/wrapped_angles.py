@@ -1,0 +1,12 @@
+"""The angles are wrapped to -pi to pi.
+
+fails: simulation_follows_the_equations
+"""
+
+unwrapped = simulate
+
+
+def simulate(t, theta, omega, **known):
+    states = unwrapped(t, theta, omega, **known)
+    states[:, :2] = (states[:, :2] + math.pi) % (2 * math.pi) - math.pi
+    return states

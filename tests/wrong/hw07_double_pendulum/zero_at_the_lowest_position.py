@@ -1,0 +1,13 @@
+"""The potential energy is zero at the lowest position.
+
+fails: energy_is_kinetic_and_potential
+suspect: zero at the lowest position
+"""
+
+zero_at_the_ceiling = energy
+
+
+def energy(theta, omega, *, masses, lengths, gravity):
+    lowest = masses[0] * lengths[0] / 2 + masses[1] * (lengths[0] + lengths[1] / 2)
+    known = {"masses": masses, "lengths": lengths, "gravity": gravity}
+    return zero_at_the_ceiling(theta, omega, **known) + gravity * lowest
