@@ -58,6 +58,22 @@ def test_euler_angles_turn_about_the_body_s_axes_in_turn(sequence):
     )
 
 
+@pytest.mark.parametrize("sequence", sorted(SEQUENCES))
+def test_in_gimbal_lock_the_first_angle_is_zero(sequence):
+    """Quarter turns, rounded to the signed permutations that they are: locked exactly, zeros of either sign."""
+    locks = (0.0, np.pi) if sequence[0] == sequence[2] else (np.pi / 2, -np.pi / 2)
+    quarters = np.pi / 2 * np.arange(4)
+    for middle in locks:
+        angles = np.array([(a, middle, c) for a in quarters for c in quarters])
+        R = np.round(rotations.matrix_from_euler(sequence, angles))
+        for back in (
+            rotations.euler_from_matrix(sequence, R),
+            [rotations.euler_from_matrix(sequence, r) for r in R],
+        ):
+            assert (np.asarray(back)[:, 0] == 0).all()
+            assert largest(rotations.matrix_from_euler(sequence, back) - R) < 4 * EPS
+
+
 def test_the_course_s_sequence_is_written_out():
     psi, theta, phi = 0.3, 1.1, -2.0
     z, x = [0, 0, 1], [1, 0, 0]
