@@ -24,10 +24,10 @@ Quaternion from rotation matrix, J. Guidance and Control 1 (1978).
 """
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from tam570.rotations import _euler, _formulas
-from tam570.rotations._evaluate import Array, Kind, evaluate
+from tam570.rotations import _euler, _formulas, _kinds
+from tam570.rotations._evaluate import Array, evaluate
 
 __all__ = [
     "axis_angle_from_matrix",
@@ -54,7 +54,7 @@ def skew(v: ArrayLike) -> Array:
 
     v : (..., 3)
     """
-    return evaluate(_formulas.skew_of_vector, FINITE, (3, 3), ("v", _VECTOR, v))
+    return evaluate(_formulas.skew_of_vector, _kinds.FINITE, (3, 3), ("v", _kinds.VECTOR, v))
 
 
 def unskew(S: ArrayLike) -> Array:
@@ -62,7 +62,7 @@ def unskew(S: ArrayLike) -> Array:
 
     S : (..., 3, 3)
     """
-    return evaluate(_formulas.vector_of_skew, FINITE, (3,), ("S", _MATRIX, S))
+    return evaluate(_formulas.vector_of_skew, _kinds.FINITE, (3,), ("S", _kinds.MATRIX, S))
 
 
 def matrix_from_axis_angle(axis: ArrayLike, angle: ArrayLike) -> Array:
@@ -73,7 +73,9 @@ def matrix_from_axis_angle(axis: ArrayLike, angle: ArrayLike) -> Array:
     Raises ValueError if the axis is zero, or either is not finite.
     """
     formula = _formulas.matrix_of_axis_angle
-    return evaluate(formula, SQUARES, (3, 3), ("axis", _AXIS, axis), ("angle", _ANGLE, angle))
+    return evaluate(
+        formula, _kinds.SQUARES, (3, 3), ("axis", _kinds.AXIS, axis), ("angle", _kinds.ANGLE, angle)
+    )
 
 
 def axis_angle_from_matrix(R: ArrayLike) -> tuple[Array, Array]:
@@ -82,7 +84,7 @@ def axis_angle_from_matrix(R: ArrayLike) -> tuple[Array, Array]:
     R : (..., 3, 3)
     Raises ValueError if R is not a rotation.
     """
-    axis_and_angle = evaluate(_formulas.axis_angle_of_matrix, DEFECTS, (4,), ("R", _ROTATION, R))
+    axis_and_angle = evaluate(_formulas.axis_angle_of_matrix, _kinds.DEFECTS, (4,), ("R", _kinds.ROTATION, R))
     return axis_and_angle[..., :3], axis_and_angle[..., 3][()]  # of one rotation a float
 
 
@@ -92,7 +94,7 @@ def matrix_from_quaternion(q: ArrayLike) -> Array:
     q : (..., 4), scalar first, any nonzero length
     Raises ValueError if q is zero or not finite.
     """
-    return evaluate(_formulas.matrix_of_quaternion, SQUARES, (3, 3), ("q", _QUATERNION, q))
+    return evaluate(_formulas.matrix_of_quaternion, _kinds.SQUARES, (3, 3), ("q", _kinds.QUATERNION, q))
 
 
 def quaternion_from_matrix(R: ArrayLike) -> Array:
@@ -101,7 +103,7 @@ def quaternion_from_matrix(R: ArrayLike) -> Array:
     R : (..., 3, 3)
     Raises ValueError if R is not a rotation.
     """
-    return evaluate(_formulas.quaternion_of_matrix, DEFECTS, (4,), ("R", _ROTATION, R))
+    return evaluate(_formulas.quaternion_of_matrix, _kinds.DEFECTS, (4,), ("R", _kinds.ROTATION, R))
 
 
 def composition(p: ArrayLike, q: ArrayLike) -> Array:
@@ -110,7 +112,13 @@ def composition(p: ArrayLike, q: ArrayLike) -> Array:
     p, q : (..., 4), scalar first; the length of the product is the product of the lengths
     Raises ValueError if p or q is not finite.
     """
-    return evaluate(_formulas.product_of_quaternions, FINITE, (4,), ("p", _FACTOR, p), ("q", _FACTOR, q))
+    return evaluate(
+        _formulas.product_of_quaternions,
+        _kinds.FINITE,
+        (4,),
+        ("p", _kinds.FACTOR, p),
+        ("q", _kinds.FACTOR, q),
+    )
 
 
 def matrix_from_euler(sequence: str, angles: ArrayLike) -> Array:
@@ -121,7 +129,7 @@ def matrix_from_euler(sequence: str, angles: ArrayLike) -> Array:
     Raises ValueError if there is no such sequence or an angle is not finite.
     """
     formula = _euler.matrix_of_angles(_order(sequence))
-    return evaluate(formula, FINITE, (3, 3), ("angles", _VECTOR, angles))
+    return evaluate(formula, _kinds.FINITE, (3, 3), ("angles", _kinds.VECTOR, angles))
 
 
 def euler_from_matrix(sequence: str, R: ArrayLike) -> Array:
@@ -132,7 +140,7 @@ def euler_from_matrix(sequence: str, R: ArrayLike) -> Array:
     Raises ValueError if there is no such sequence or R is not a rotation.
     """
     formula = _euler.angles_of_matrix(_order(sequence))
-    return evaluate(formula, DEFECTS, (3,), ("R", _ROTATION, R))
+    return evaluate(formula, _kinds.DEFECTS, (3,), ("R", _kinds.ROTATION, R))
 
 
 def euler_rates(sequence: str, angles: ArrayLike, omega: ArrayLike) -> Array:
@@ -144,7 +152,9 @@ def euler_rates(sequence: str, angles: ArrayLike, omega: ArrayLike) -> Array:
     Raises ValueError in gimbal lock: |sin b| < 1e-12 ("313"), |cos b| < 1e-12 ("312").
     """
     formula = _euler.rates(_order(sequence))
-    result = evaluate(formula, FINITE, (4,), ("angles", _VECTOR, angles), ("omega", _VECTOR, omega))
+    result = evaluate(
+        formula, _kinds.FINITE, (4,), ("angles", _kinds.VECTOR, angles), ("omega", _kinds.VECTOR, omega)
+    )
     if (np.abs(result[..., 3]) < LOCK).any():
         raise ValueError(
             f"angles in gimbal lock: no rates of {sequence} there; take another sequence or a matrix"
@@ -158,7 +168,7 @@ def exp(v: ArrayLike) -> Array:
     v : (..., 3), rad
     Raises ValueError if v is not finite.
     """
-    return evaluate(_formulas.matrix_of_vector, TURNS, (3, 3), ("v", _TURN, v))
+    return evaluate(_formulas.matrix_of_vector, _kinds.TURNS, (3, 3), ("v", _kinds.TURN, v))
 
 
 def log(R: ArrayLike) -> Array:
@@ -167,7 +177,7 @@ def log(R: ArrayLike) -> Array:
     R : (..., 3, 3)
     Raises ValueError if R is not a rotation.
     """
-    return evaluate(_formulas.vector_of_matrix, DEFECTS, (3,), ("R", _ROTATION, R))
+    return evaluate(_formulas.vector_of_matrix, _kinds.DEFECTS, (3,), ("R", _kinds.ROTATION, R))
 
 
 def nearest(M: ArrayLike) -> Array:
@@ -176,78 +186,10 @@ def nearest(M: ArrayLike) -> Array:
     M : (..., 3, 3), any matrix, of either handedness
     Raises ValueError if M is not finite or several rotations are equally near.
     """
-    return evaluate(_formulas.nearest_rotation, STEPS, (3, 3), ("M", _NEAR_ONE, M))
+    return evaluate(_formulas.nearest_rotation, _kinds.STEPS, (3, 3), ("M", _kinds.NEAR_ONE, M))
 
 
 def _order(sequence: str) -> _euler.Sequence:
     if sequence not in SEQUENCES:
         raise ValueError(f"sequence {sequence!r} is none of the twelve: {', '.join(sorted(SEQUENCES))}")
     return SEQUENCES[sequence]
-
-
-def _is_finite(rows: Array) -> NDArray[np.bool_]:
-    return np.asarray(np.isfinite(rows).all(axis=1))
-
-
-def _is_short(rows: Array) -> NDArray[np.bool_]:
-    return np.asarray(
-        np.abs(rows).max(axis=1) < 1e150
-    )  # rad; a turn this long has lost its angle 1e134 times over
-
-
-def _is_direction(rows: Array) -> NDArray[np.bool_]:
-    return _is_finite(rows) & rows.any(axis=1)
-
-
-def _is_rotation(rows: Array) -> NDArray[np.bool_]:
-    return np.asarray(_formulas.defect(*rows.T) <= DEFECTS[1])
-
-
-def _has_one_nearest(rows: Array) -> NDArray[np.bool_]:
-    """Whether the two smaller stretches, the last one negative for a left-handed matrix, do not cancel."""
-    finite = _is_finite(rows)
-    matrices = np.where(finite[:, None], rows, 0.0).reshape(-1, 3, 3)
-    U, stretch, Vt = np.linalg.svd(matrices)
-    cancelled = stretch[:, 1] + np.linalg.det(U @ Vt) * stretch[:, 2] <= 1e-15 * stretch[:, 0]  # round-off
-    return np.asarray(finite & ~cancelled)
-
-
-def _nearest_by_svd(rows: Array) -> Array:
-    """Nearest rotations where Newton's iteration is slow or left-handed (Kabsch 1978).
-
-    At the nearest rotation R^T M is symmetric; turning by what is left of its antisymmetric part takes away the
-    rounding errors of the singular vectors.
-    """
-    M = rows.reshape(-1, 3, 3)
-    M = M / np.abs(M).max(axis=(1, 2), keepdims=True)
-    U, _, Vt = np.linalg.svd(M)
-    U[:, :, 2] *= np.sign(np.linalg.det(U @ Vt))[:, None]
-    R = U @ Vt
-    S = np.swapaxes(R, 1, 2) @ M
-    stiffness = np.trace(S, axis1=1, axis2=2)[:, None, None] * np.eye(3) - S
-    turn = np.linalg.solve(stiffness, 2 * unskew(S)[:, :, None])[:, :, 0]
-    return np.asarray((R + R @ skew(turn)).reshape(-1, 9))
-
-
-def _into_range(rows: Array) -> Array:
-    """Rows scaled by powers of two, exactly, to a largest component in [1/2, 1)."""
-    _, exponent = np.frexp(np.abs(rows).max(axis=1, keepdims=True))
-    return np.asarray(np.ldexp(rows, -exponent))
-
-
-# Measures that need no second look
-FINITE = (0.0, 0.0)
-SQUARES = (1e-6, 1e250)  # squared lengths; times an angle of 1e-300 the least does not underflow
-TURNS = (0.0, 1e300)  # squared lengths of rotation vectors, which may underflow
-STEPS = (0.0, 1e-18)  # square of Newton's last step, which leaves an error of half its square
-DEFECTS = (0.0, 1e-12)  # of a matrix within 1e-6 of a rotation
-
-_ANGLE = Kind((), _is_finite, "must be finite")
-_VECTOR = Kind((3,), _is_finite, "must be finite")
-_MATRIX = Kind((3, 3), _is_finite, "must be finite")
-_FACTOR = Kind((4,), _is_finite, "must be finite")
-_TURN = Kind((3,), _is_short, "must be finite and shorter than 1e150 rad")
-_AXIS = Kind((3,), _is_direction, "must be finite and not zero: give a vector along the axis", _into_range)
-_QUATERNION = Kind((4,), _is_direction, "must be finite and not zero: no turn is (1, 0, 0, 0)", _into_range)
-_NEAR_ONE = Kind((3, 3), _has_one_nearest, "must be finite and near one rotation only", _nearest_by_svd)
-_ROTATION = Kind((3, 3), _is_rotation, "is not a rotation (off by more than 1e-6): repair it with nearest(R)")
