@@ -74,7 +74,9 @@ def graded(slug, count, jobs):
         seconds = time.perf_counter() - started
     assert all(record["score"] == record["max_score"] for record in done)
     spent = sum(record["seconds"] for record in done)
-    memory = max(resource.getrusage(who).ru_maxrss for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN))
+    memory = max(
+        resource.getrusage(who).ru_maxrss for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)
+    )
     return {
         "grader": f"tam570-grader, {isolation()}, {jobs} jobs", "assignment": slug, "submissions": count,
         "seconds": seconds, "seconds_each": seconds / count, "cpu_seconds": cpu_seconds() - cpu,

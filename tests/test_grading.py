@@ -15,9 +15,9 @@ import pytest
 from tam570_grader import cli, root
 from tam570_grader.check import Failure, expect, given
 from tam570_grader.inside.wire import Foreign, Unreadable, packed, portable, unpacked
+from tam570_grader.launch import isolation
 from tam570_grader.returns import array, group, number, result, rows
 from tam570_grader.root import slug_of
-from tam570_grader.launch import isolation
 
 SLUG = "hw08_axis_angle"
 NOTHING = "def skew(v): return None\n"
