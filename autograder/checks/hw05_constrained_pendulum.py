@@ -115,7 +115,7 @@ def acceleration_is_that_of_both_forces(student, draw):
 
 def wrong_state(says, mended):
     """With mended(x, y, vx, vy, l) for the consistent state."""
-    return suspect(says, consistent_state=lambda state, length: mended(*state, length))
+    return suspect(says, consistent_state=lambda state, length: np.array(mended(*state, length)))
 
 
 def without_radial_part(x, y, vx, vy):
@@ -316,7 +316,8 @@ def energy_stays(student, draw):
     states = student.simulate(t, state, **known)
     energies = np.sum(states[:, 2:] ** 2, axis=1) / 2 + known["gravity"] * states[:, 1]
     expect(energies, energies[0], within=ENERGY, scale=known["gravity"] * known["length"], of="the energy",
-           unit="of m g l", t=t, kind="100 s", hint="ask the integrator for a smaller error", at=state,
+           unit="of m g l", t=t, kind="100 s", at=state,
+           hint="ask the integrator for a smaller error; does it leave the circle between the samples?",
            partial={1e-3: 0.6, 1e-2: 0.3})  # fmt: skip
 
 

@@ -1,0 +1,7 @@
+"""The picture without names on its axes, and stretched.
+
+fails: the_path_is_drawn
+"""
+
+def plot_projection(ax, t, position, velocity, azimuth, elevation, **parameters):
+    ax.plot(*project(simulate(t, position, velocity, **parameters)[:, :3], azimuth, elevation).T)

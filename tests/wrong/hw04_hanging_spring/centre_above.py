@@ -1,0 +1,11 @@
+"""The centre above the origin.
+
+fails: orbit_has_its_centre_at_the_equilibrium
+"""
+
+_right_orbit = orbit
+
+
+def orbit(*start, **parameters):
+    centre, axes = _right_orbit(*start, **parameters)
+    return -centre, axes

@@ -1,0 +1,9 @@
+"""Position and velocity from the centre as they are: radii, not axes.
+
+fails: orbit_is_the_ellipse_of_the_motion
+"""
+
+def orbit(position, velocity, *, mass, stiffness, gravity):
+    centre = np.array([0, 0, -mass * gravity / stiffness])
+    radii = sorted([position - centre, velocity * np.sqrt(mass / stiffness)], key=lambda r: -(r @ r))
+    return centre, np.array(radii)

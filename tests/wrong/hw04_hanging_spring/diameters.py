@@ -1,0 +1,11 @@
+"""Axes for semi-axes.
+
+fails: orbit_is_the_ellipse_of_the_motion
+"""
+
+_right_orbit = orbit
+
+
+def orbit(*start, **parameters):
+    centre, axes = _right_orbit(*start, **parameters)
+    return centre, 2 * axes

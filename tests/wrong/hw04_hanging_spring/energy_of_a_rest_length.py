@@ -1,0 +1,9 @@
+"""The energy of a spring of 1 m.
+
+fails: energy_is_that_of_motion_spring_and_weight
+suspect: rest length of 1 m
+"""
+
+def energy(state, *, mass, stiffness, gravity):
+    r, v = state[:3], state[3:]
+    return mass * v @ v / 2 + stiffness * (np.sqrt(r @ r) - 1) ** 2 / 2 + mass * gravity * r[2]

@@ -1,0 +1,9 @@
+"""The equilibrium taken for the origin, so that the weight drops out.
+
+fails: derivative_is_velocity_and_force_over_mass, simulate_moves_as_it_must, the_path_is_drawn
+suspect: equilibrium at the origin
+"""
+
+def state_derivative(t, state, *, mass, stiffness, gravity):
+    k = stiffness / mass
+    return np.concatenate([state[3:], np.multiply(state[:3], -k)])

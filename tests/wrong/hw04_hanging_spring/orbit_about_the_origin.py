@@ -1,0 +1,11 @@
+"""The ellipse of the motion without gravity.
+
+fails: orbit_has_its_centre_at_the_equilibrium, orbit_is_the_ellipse_of_the_motion
+suspect: equilibrium at the origin
+"""
+
+_right_orbit = orbit
+
+
+def orbit(position, velocity, *, mass, stiffness, gravity):
+    return _right_orbit(position, velocity, mass=mass, stiffness=stiffness, gravity=0.0)

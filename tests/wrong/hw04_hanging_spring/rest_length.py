@@ -1,0 +1,10 @@
+"""A spring with a rest length of 1 m.
+
+fails: derivative_is_velocity_and_force_over_mass, simulate_moves_as_it_must, the_path_is_drawn
+suspect: rest length of 1 m
+"""
+
+def state_derivative(t, state, *, mass, stiffness, gravity):
+    x, y, z, vx, vy, vz = state
+    stretch = stiffness / mass * (1 - 1 / np.sqrt(x * x + y * y + z * z))
+    return vx, vy, vz, -stretch * x, -stretch * y, -stretch * z - gravity

@@ -1,0 +1,11 @@
+"""Left for right.
+
+fails: projection_is_orthographic
+suspect: left for right
+"""
+
+_right_project = project
+
+
+def project(points, azimuth, elevation):
+    return _right_project(points, azimuth, elevation) * [-1, 1]

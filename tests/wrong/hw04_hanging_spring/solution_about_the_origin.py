@@ -1,0 +1,10 @@
+"""The closed form oscillates about the origin.
+
+fails: solution_is_the_motion
+suspect: equilibrium at the origin
+"""
+
+def solution(t, position, velocity, *, mass, stiffness, gravity):
+    k = np.sqrt(stiffness / mass)
+    c, s = np.cos(k * t)[:, None], np.sin(k * t)[:, None]
+    return np.hstack([position * c + velocity / k * s, velocity * c - position * k * s])

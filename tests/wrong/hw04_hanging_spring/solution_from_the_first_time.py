@@ -1,0 +1,10 @@
+"""The given state taken for that at t[0].
+
+fails: solution_holds_without_gravity_and_from_any_time
+"""
+
+_right_solution = solution
+
+
+def solution(t, *start, **parameters):
+    return _right_solution(t - t[0], *start, **parameters)

@@ -1,0 +1,12 @@
+"""Lengths in units of g m/k, which there is none of without gravity.
+
+fails: solution_holds_without_gravity_and_from_any_time
+"""
+
+_right_solution = solution
+
+
+def solution(t, position, velocity, *, mass, stiffness, gravity):
+    unit = gravity * mass / stiffness
+    with np.errstate(all="ignore"):
+        return unit * _right_solution(t, position / unit, velocity / unit, mass=mass, stiffness=stiffness, gravity=gravity / unit)

@@ -1,0 +1,11 @@
+"""The closed form oscillates about a point above the origin.
+
+fails: solution_is_the_motion
+suspect: gravity pulling up
+"""
+
+_right_solution = solution
+
+
+def solution(t, position, velocity, *, mass, stiffness, gravity):
+    return _right_solution(t, position, velocity, mass=mass, stiffness=stiffness, gravity=-gravity)

@@ -1,0 +1,22 @@
+"""Four hundred Runge-Kutta steps, however long the time between the first two samples is.
+
+fails: simulate_does_not_depend_on_the_sampling, energy_stays
+"""
+
+def simulate(t, position, velocity, **parameters):
+    def f(y):
+        return np.array(state_derivative(0, y, **parameters))
+
+    y, rows = np.concatenate([position, velocity]), []
+    rate = np.sqrt(parameters["stiffness"] / parameters["mass"])
+    for before, after in zip(t, [*t[1:], t[-1]]):
+        rows.append(y)
+        steps = 40 if rate * (after - before) < 6 else 80
+        for _ in range(steps if rate * (t[-1] - t[0]) < 30 else 8):
+            h = (after - before) / (steps if rate * (t[-1] - t[0]) < 30 else 8)
+            a = f(y)
+            b = f(y + h / 2 * a)
+            c = f(y + h / 2 * b)
+            d = f(y + h * c)
+            y = y + h / 6 * (a + 2 * b + 2 * c + d)
+    return np.array(rows)

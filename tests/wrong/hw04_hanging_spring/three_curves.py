@@ -1,0 +1,8 @@
+"""x, y and z over time.
+
+fails: the_path_is_drawn
+"""
+
+def plot_projection(ax, t, position, velocity, azimuth, elevation, **parameters):
+    ax.plot(t, simulate(t, position, velocity, **parameters)[:, :3])
+    ax.set(xlabel="t (s)", ylabel="r (m)")

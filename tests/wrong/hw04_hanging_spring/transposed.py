@@ -1,0 +1,14 @@
+"""(6, n) as solve_ivp has it.
+
+fails: simulate_moves_as_it_must, the_path_is_drawn
+"""
+
+_right_simulate = simulate
+
+
+def simulate(t, *start, **parameters):
+    return _right_simulate(t, *start, **parameters).T
+
+
+def plot_projection(ax, t, position, velocity, azimuth, elevation, **parameters):
+    ax.plot(simulate(t, position, velocity, **parameters)[:3])

@@ -1,0 +1,7 @@
+"""The forces' sum without division by the mass.
+
+fails: acceleration_is_that_of_both_forces
+"""
+
+def acceleration(state, *, mass, length, gravity):
+    return constraint_force(state, mass=mass, length=length, gravity=gravity) + [0, -mass * gravity]

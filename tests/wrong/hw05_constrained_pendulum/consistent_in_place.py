@@ -1,0 +1,11 @@
+"""The given state is mended itself.
+
+fails: consistent_state_is_the_nearest
+"""
+
+_right_state = consistent_state
+
+
+def consistent_state(state, *, length):
+    state[:] = _right_state(state, length=length)
+    return state

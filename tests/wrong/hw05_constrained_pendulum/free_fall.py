@@ -1,0 +1,7 @@
+"""The acceleration of a free particle.
+
+fails: acceleration_is_that_of_both_forces
+"""
+
+def acceleration(state, *, mass, length, gravity):
+    return np.array([0.0, -gravity])

@@ -1,0 +1,9 @@
+"""Gravity pulls up.
+
+fails: with_gravity_it_swings_or_goes_round
+suspect: gravity pulling up
+"""
+
+def _rates(t, state, *, pull):
+    x, y, turning = state
+    return -turning * y, turning * x, pull * x

@@ -1,0 +1,12 @@
+"""A projection that takes some energy away.
+
+fails: energy_stays
+"""
+
+_right_simulate = simulate
+
+
+def simulate(t, state, **parameters):
+    states = _right_simulate(t, state, **parameters)
+    states[:, 2:] *= np.exp(-1e-7 * (t - t[0]) * np.hypot(*states[:, 2:].T))[:, None]
+    return states

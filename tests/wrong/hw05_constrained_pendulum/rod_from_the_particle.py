@@ -1,0 +1,10 @@
+"""From the particle to the hinge.
+
+fails: wireframe_is_the_rod
+"""
+
+_right_wireframe = wireframe
+
+
+def wireframe(state, *, length):
+    return _right_wireframe(state, length=length)[:, ::-1]

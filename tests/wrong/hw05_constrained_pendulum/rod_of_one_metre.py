@@ -1,0 +1,10 @@
+"""A rod of one metre in the right direction.
+
+fails: wireframe_is_the_rod
+"""
+
+_right_wireframe = wireframe
+
+
+def wireframe(state, *, length):
+    return _right_wireframe(state, length=length) / length

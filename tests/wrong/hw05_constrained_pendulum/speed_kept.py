@@ -1,0 +1,13 @@
+"""All of the speed along the tangent.
+
+fails: consistent_state_is_the_nearest
+suspect: with all of its speed
+"""
+
+_right_state = consistent_state
+
+
+def consistent_state(state, *, length):
+    new = _right_state(state, length=length)
+    new[2:] *= math.hypot(state[2], state[3]) / math.hypot(new[2], new[3])
+    return new

@@ -1,0 +1,10 @@
+"""(4, n) as solve_ivp has it.
+
+fails: without_gravity_it_goes_round_uniformly, with_gravity_it_swings_or_goes_round
+"""
+
+_right_simulate = simulate
+
+
+def simulate(t, state, **parameters):
+    return _right_simulate(t, state, **parameters).T
