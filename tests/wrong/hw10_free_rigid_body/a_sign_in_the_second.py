@@ -1,0 +1,19 @@
+"""The second of Euler's equations has A - C for C - A; the simulation has it right.
+
+fails: euler_equations_keep_the_angular_momentum
+suspect: a sign changed in the second
+"""
+
+_right_euler, _right_rates = euler_equations, _rates
+
+
+def euler_equations(omega, *, inertia):
+    p, q, r = _right_euler(omega, inertia=inertia)
+    return p, -q, r
+
+
+def _rates(t, state, *, inertia):
+    p, q, r = state[:3]
+    A, B, C = inertia
+    rest = _right_rates(t, state, inertia=inertia)[3:]
+    return ((B - C) / A * q * r, (C - A) / B * r * p, (A - B) / C * p * q, *rest)

@@ -1,0 +1,10 @@
+"""The modulus is kept below one.
+
+fails: period_grows_to_infinity_at_the_separatrix
+"""
+
+_right_period = tumble_period
+
+
+def tumble_period(omega, *, inertia):
+    return min(_right_period(omega, inertia=inertia), 1e6)

@@ -1,0 +1,12 @@
+"""Time is measured in 1/|omega|: a body at rest divides by zero.
+
+fails: special_bodies_move_too
+"""
+
+_right_simulate = simulate
+
+
+def simulate(t, R, omega, *, inertia):
+    speed = np.linalg.norm(omega)
+    omegas, rotations = _right_simulate(t * speed, R, omega / speed, inertia=inertia)
+    return omegas * speed, rotations

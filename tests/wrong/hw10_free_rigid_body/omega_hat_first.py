@@ -1,0 +1,10 @@
+"""attitude_rate is omega-hat R, as if omega were in space components.
+
+fails: attitude_follows_omega
+suspect: omega-hat R for R omega-hat
+"""
+
+
+def attitude_rate(R, omega):
+    p, q, r = omega
+    return np.array([[0.0, -r, q], [r, 0.0, -p], [-q, p, 0.0]]) @ R

@@ -1,0 +1,14 @@
+"""The formula for omega round the axis of the largest inertia, on both sides of the separatrix.
+
+fails: period_round_the_first_axis
+"""
+
+
+def tumble_period(omega, *, inertia):
+    from scipy.special import ellipk
+
+    A, B, C = inertia
+    double, square = np.sum(inertia * omega**2), np.sum((inertia * omega) ** 2)
+    along = (C - B) * (square - double * A)
+    m = (B - A) * (double * C - square) / along
+    return 4 * ellipk(m if m < 1 else 1 / m) * math.sqrt(A * B * C / along)

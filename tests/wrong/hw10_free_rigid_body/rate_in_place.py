@@ -1,0 +1,11 @@
+"""attitude_rate writes its result into R.
+
+fails: attitude_follows_omega
+"""
+
+_right_rate = attitude_rate
+
+
+def attitude_rate(R, omega):
+    R[:] = _right_rate(R, omega)
+    return R

@@ -1,0 +1,10 @@
+"""euler_rates_313 asks tam570.rotations.
+
+fails: euler_rates_make_omega
+"""
+
+from tam570 import rotations
+
+
+def euler_rates_313(angles, omega):
+    return rotations.euler_rates("313", angles, omega)

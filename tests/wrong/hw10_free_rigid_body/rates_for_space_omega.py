@@ -1,0 +1,15 @@
+"""euler_rates_313 takes omega in space components.
+
+fails: euler_rates_make_omega
+suspect: omega taken in space components
+"""
+
+
+def euler_rates_313(angles, omega):
+    psi, theta, phi = angles
+    p, q, r = omega
+    s = math.sin(theta)
+    if abs(s) < 1e-12:
+        raise ValueError
+    phi_rate = (p * math.sin(psi) - q * math.cos(psi)) / s
+    return np.array([r - phi_rate * math.cos(theta), p * math.cos(psi) + q * math.sin(psi), phi_rate])

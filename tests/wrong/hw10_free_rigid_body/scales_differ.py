@@ -1,0 +1,11 @@
+"""Circles look like ellipses.
+
+fails: rim_paths_are_drawn
+"""
+
+_right_plot = plot_rim_paths
+
+
+def plot_rim_paths(ax, t, R, omega, *, inertia, radius):
+    _right_plot(ax, t, R, omega, inertia=inertia, radius=radius)
+    ax.set_aspect("auto")

@@ -1,0 +1,11 @@
+"""Stable axes have a positive number.
+
+fails: small_deviations_grow_at_this_rate
+suspect: the sign changed
+"""
+
+_right_growth = growth_rate_squared
+
+
+def growth_rate_squared(axis, spin, *, inertia):
+    return -_right_growth(axis, spin, inertia=inertia)

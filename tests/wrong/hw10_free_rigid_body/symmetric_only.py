@@ -1,0 +1,10 @@
+"""A = B is put into Euler's equations: the symmetry axis keeps its spin.
+
+fails: euler_equations_keep_the_angular_momentum, omega_follows_elliptic_functions, attitude_follows_the_motion
+"""
+
+
+def euler_equations(omega, *, inertia):
+    p, q, r = omega
+    A, B, C = inertia
+    return (B - C) / A * q * r, (C - A) / B * r * p, 0.0 * p

@@ -1,0 +1,12 @@
+"""The simulation's rotations take space to body components.
+
+fails: attitude_follows_the_motion, rim_paths_are_drawn
+suspect: the transposes
+"""
+
+_right_simulate = simulate
+
+
+def simulate(t, R, omega, *, inertia):
+    omegas, rotations = _right_simulate(t, R, omega, inertia=inertia)
+    return omegas, rotations.transpose(0, 2, 1)

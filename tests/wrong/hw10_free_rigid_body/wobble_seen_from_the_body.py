@@ -1,0 +1,9 @@
+"""The rate at which omega goes round the symmetry axis in the body.
+
+fails: wobble_goes_round_the_angular_momentum
+suspect: the rate (C - A)/A omega_3
+"""
+
+
+def wobble_rate(omega, *, inertia):
+    return abs((inertia[2] - inertia[0]) / inertia[0] * omega[2])
