@@ -14,8 +14,16 @@ from tam570_grader import root
 from tam570_grader.stubs import stub
 
 TESTS = Path(__file__).parent
-HANGS = "\n\n_first = __all__[0]\n\n\ndef _hangs(*args, **kwargs):\n    while True:\n        pass\n\n\nglobals()[_first] = _hangs\n"
-CRASHES = HANGS.replace("while True:\n        pass", "__import__('os').abort()").replace("_hangs", "_crashes")
+REPLACED = """
+
+def _replacement(*args, **kwargs):
+    {body}
+
+
+globals()[__all__[0]] = _replacement
+"""
+HANGS = REPLACED.format(body="while True: pass")
+CRASHES = REPLACED.format(body="__import__('os').abort()")
 
 
 def sample_class() -> Iterator[tuple[str, str, str]]:
