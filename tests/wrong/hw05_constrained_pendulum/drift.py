@@ -1,4 +1,4 @@
-"""Nothing brings the particle back to the circle: rtol 1e-9.
+"""Nothing brings the particle back to the circle: rtol 1e-8.
 
 fails: it_stays_on_the_circle
 """

@@ -1,0 +1,103 @@
+"""hw04: A mass that hangs on a zero-rest-length spring.
+
+The spring is hung at the origin and pulls the mass there with stiffness times distance; z points up and gravity acts
+along -z. A state is (x, y, z, vx, vy, vz). The potential energy is zero at the origin.
+"""
+
+import numpy as np
+
+__all__ = ["energy", "orbit", "plot_projection", "project", "simulate", "solution", "state_derivative"]
+
+
+def state_derivative(t, state, *, mass, stiffness, gravity):
+    """Rates of the state.
+
+    t         : s, does not matter
+    state     : (6,) position in m, velocity in m/s
+    mass      : kg
+    stiffness : N/m, > 0
+    gravity   : m/s^2, may be 0
+    Returns (6,): velocity, acceleration.
+    """
+    raise NotImplementedError
+
+
+def simulate(t, position, velocity, *, mass, stiffness, gravity):
+    """Motion by numerical integration from position and velocity at t[0].
+
+    t         : (n,) s, strictly increasing, n >= 2; its sampling does not change the motion
+    position  : (3,) m
+    velocity  : (3,) m/s
+    mass      : kg
+    stiffness : N/m, > 0
+    gravity   : m/s^2, may be 0
+    Returns (n, 6); row i is the state at t[i].
+    """
+    raise NotImplementedError
+
+
+def solution(t, position, velocity, *, mass, stiffness, gravity):
+    """The same motion in closed form, position and velocity being those at t = 0.
+
+    t         : (n,) s
+    position  : (3,) m
+    velocity  : (3,) m/s
+    mass      : kg
+    stiffness : N/m, > 0
+    gravity   : m/s^2, may be 0
+    Returns (n, 6).
+    """
+    raise NotImplementedError
+
+
+def energy(state, *, mass, stiffness, gravity):
+    """Kinetic energy plus that of the spring plus that of the weight.
+
+    state     : (6,) position in m, velocity in m/s
+    mass      : kg
+    stiffness : N/m, > 0
+    gravity   : m/s^2, may be 0
+    Returns J; zero for a mass at rest at the origin.
+    """
+    raise NotImplementedError
+
+
+def orbit(position, velocity, *, mass, stiffness, gravity):
+    """The ellipse on which the mass moves. A line or a point is an ellipse with zero axes.
+
+    position  : (3,) m, at any time
+    velocity  : (3,) m/s, then
+    mass      : kg
+    stiffness : N/m, > 0
+    gravity   : m/s^2, may be 0
+    Returns (centre, semi_axes): (3,) and (2, 3) in m; the larger semi-axis first, the other perpendicular to it,
+    each in one of its two directions; of a circle any two perpendicular radii.
+    """
+    raise NotImplementedError
+
+
+def project(points, azimuth, elevation):
+    """Orthographic picture of points, seen from the direction of azimuth and elevation.
+
+    points    : (n, 3) m
+    azimuth   : rad, of the eye, from the x axis
+    elevation : rad, of the eye, from the x-y plane
+    Returns (n, 2) m: to the right along (-sin az, cos az, 0), up along (-sin el cos az, -sin el sin az, cos el).
+    """
+    raise NotImplementedError
+
+
+def plot_projection(ax, t, position, velocity, azimuth, elevation, *, mass, stiffness, gravity):
+    """Draw the simulated path, projected, as one line.
+
+    ax        : matplotlib Axes to draw on
+    t         : (n,) s, strictly increasing
+    position  : (3,) m, at t[0]
+    velocity  : (3,) m/s, at t[0]
+    azimuth   : rad
+    elevation : rad
+    mass      : kg
+    stiffness : N/m, > 0
+    gravity   : m/s^2, may be 0
+    """
+    raise NotImplementedError

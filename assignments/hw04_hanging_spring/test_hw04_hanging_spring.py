@@ -1,0 +1,77 @@
+"""Visible tests of hw04: run them with `tam570 check hw04` (or plain pytest) as often as you like."""
+
+import hw04_hanging_spring as hw
+import numpy as np
+import pytest
+
+SPRING = {"mass": 2.0, "stiffness": 8.0, "gravity": 10.0}  # kg, N/m, m/s^2; it can rest at z = -2.5 m
+START = np.array([1.0, 2.0, -0.5]), np.array([3.0, 0.0, -1.0])  # m, m/s
+PERIOD = np.pi  # s
+
+
+def test_at_the_origin_it_falls_freely():
+    rates = hw.state_derivative(0.0, np.array([0, 0, 0, 1.0, 2.0, 3.0]), **SPRING)
+    assert rates == pytest.approx([1, 2, 3, 0, 0, -10])
+
+
+def test_the_spring_pulls_it_back_to_the_origin():
+    rates = hw.state_derivative(0.0, np.array([1.0, -2.0, 0, 0, 0, 0]), **SPRING)
+    assert rates[3:5] == pytest.approx([-4, 8])
+
+
+def test_where_spring_and_weight_balance_nothing_happens():
+    assert hw.state_derivative(0.0, np.array([0, 0, -2.5, 0, 0, 0]), **SPRING) == pytest.approx(np.zeros(6))
+
+
+def test_the_energy_has_three_terms():
+    assert hw.energy(np.array([0, 0, 0, 0, 3.0, 0]), **SPRING) == pytest.approx(9)
+    assert hw.energy(np.array([0.5, 0, 0, 0, 0, 0]), **SPRING) == pytest.approx(1)
+    assert hw.energy(np.array([0, 0, -1.0, 0, 0, 0]), **SPRING) == pytest.approx(4 - 20)
+
+
+def test_after_a_period_it_is_back():
+    start = np.concatenate(START)
+    assert hw.solution(np.array([0.0, PERIOD]), *START, **SPRING)[1] == pytest.approx(start)
+    assert hw.simulate(np.array([0.0, PERIOD]), *START, **SPRING)[1] == pytest.approx(start, abs=1e-4)
+
+
+def test_simulation_and_solution_agree():
+    t = np.array([0.0, 0.1, 0.7, 2.0])
+    expected = hw.solution(t, *START, **SPRING)
+    assert np.shape(expected) == (4, 6)
+    np.testing.assert_allclose(hw.simulate(t, *START, **SPRING), expected, atol=1e-4)
+
+
+def test_the_simulation_begins_with_the_given_state():
+    states = hw.simulate(np.array([5.0, 5.1, 5.2]), *START, **SPRING)
+    assert states[0] == pytest.approx(np.concatenate(START))
+
+
+def test_the_ellipse_of_a_start_at_its_end():
+    """1 m beside the centre, moving across at 1 m/s: half a metre in the other direction."""
+    centre, axes = hw.orbit(np.array([1.0, 0, -2.5]), np.array([0, 1.0, 0]), **SPRING)
+    assert centre == pytest.approx([0, 0, -2.5])
+    assert np.abs(axes) == pytest.approx(np.array([[1, 0, 0], [0, 0.5, 0]]))
+
+
+def test_let_go_at_rest_it_moves_on_a_line():
+    _, (larger, smaller) = hw.orbit(np.array([3.0, 0, 1.5]), np.zeros(3), **SPRING)
+    assert np.linalg.norm(larger) == pytest.approx(5)
+    assert smaller == pytest.approx(np.zeros(3), abs=1e-6)
+
+
+def test_seen_from_the_x_axis_y_is_to_the_right_and_z_up():
+    assert hw.project(np.array([[1.0, 2.0, 3.0]]), 0.0, 0.0) == pytest.approx(np.array([[2, 3]]))
+
+
+def test_seen_from_straight_above():
+    assert hw.project(np.array([[1.0, 2.0, 3.0]]), 0.0, np.pi / 2) == pytest.approx(np.array([[2, -1]]))
+
+
+def test_the_picture_has_one_line_and_names_on_its_axes():
+    from matplotlib.figure import Figure
+
+    ax = Figure().add_subplot()
+    hw.plot_projection(ax, np.linspace(0, PERIOD, 50), *START, 0.5, 0.3, **SPRING)
+    assert len(ax.lines) == 1
+    assert "(m)" in ax.get_xlabel() and "(m)" in ax.get_ylabel()
