@@ -1,6 +1,6 @@
 """Runge-Kutta of order 8 with automatic steps."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache, partial
 from types import FunctionType
@@ -10,7 +10,7 @@ import numpy as np
 
 from tam570.integrate import drive, machine
 from tam570.integrate.pace import Loop, carried_through
-from tam570.integrate.problem import Array, Rates, agrees, check_start, floats_function
+from tam570.integrate.problem import Array, agrees, bound, check_start, floats_function
 from tam570.integrate.source import Formulas, call_of, compiled, functions
 from tam570.integrate.trace import traced
 
@@ -27,20 +27,38 @@ class Engine:
     traced: bool
 
 
-def engine(rates: Rates, times: Array, start: Array) -> Engine:
+def engine(
+    rhs: Callable[..., Any], parameters: Mapping[str, Any] | None, times: Array, start: Array
+) -> Engine:
     """Functions for the right-hand side as traced, if it can be and agrees; else for calls of it."""
-    sampled = len(times) > 2
+    rates, sampled = bound(rhs, parameters), len(times) > 2
     check_start(rates, float(times[0]), start)
     try:
-        formulas, constants = traced(rates, len(start))
-        kit = Engine(_functions(formulas, sampled), constants, formulas, True)
-        if agrees(rates, kit.functions["rhs"], constants, times, start):
+        kit = _traced(rhs, tuple((parameters or {}).items()), len(start), sampled)
+        if agrees(rates, kit.functions["rhs"], kit.constants, times, start):
             return kit
     except Exception:  # whatever a function says to symbols, it then gets numbers
         pass
     given = floats_function(rates, float(times[0]), start)
     formulas = call_of(len(start))
     return Engine(_with_loop(compiled(formulas, sampled, given)), (), formulas, False)
+
+
+def _traced(rhs: Callable[..., Any], items: tuple[tuple[str, Any], ...], size: int, sampled: bool) -> Engine:
+    """The engine of a traced right-hand side, kept for the next run with these very parameters.
+
+    Kept ones are compared with the function again, as all are: what it refers to may have changed.
+    """
+    try:
+        formulas, constants = _formulas(rhs, items, size)
+    except TypeError:  # parameters that cannot be told apart by a hash, arrays for one
+        formulas, constants = traced(bound(rhs, dict(items)), size)
+    return Engine(_functions(formulas, sampled), constants, formulas, True)
+
+
+@lru_cache(maxsize=256)
+def _formulas(rhs: Any, items: tuple[tuple[str, Any], ...], size: int) -> tuple[Formulas, tuple[float, ...]]:
+    return traced(bound(rhs, dict(items)), size)
 
 
 @lru_cache(maxsize=256)

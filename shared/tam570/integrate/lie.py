@@ -50,7 +50,7 @@ def solve_rotation(
 
     start = np.concatenate([np.asarray(omega, dtype=float), np.zeros(3), turned.ravel()])
     times, tolerated = sample_times(t), tolerance(rtol)
-    kit = explicit.engine(rates, times, initial_state(start))
+    kit = explicit.engine(rates, None, times, initial_state(start))
     states = explicit.states(kit, times, start, tolerated, "python", _recentred, _one_radian)
     rotations = states[:, 6:].reshape(-1, 3, 3)
     rotations[0] = turned

@@ -26,7 +26,7 @@ from numba import njit
 
 _TAIL = """
 inner = njit(error_model="numpy", no_cpython_wrapper=True, no_cfunc_wrapper=True)
-{inner} = [inner(function) for function in ({inner})]
+{inner}, = [inner(function) for function in ({inner},)]
 {entry} = njit(cache=True, error_model="numpy")({entry})
 """
 

@@ -32,9 +32,15 @@ def carried_through(loop: Loop, state: Any, how: str) -> Any:
     """The state at the end of the run; how: "python" and "numba" insist, "auto" takes what is sooner."""
     if how == "python" or loop.source is None:
         return loop.run(loop.python, state, 2**62, False)
-    if how == "auto":
-        state = _until_it_repays(loop, loop.source, state)
-    return state if loop.share(state) >= 1 else _compiled(loop, loop.source, state)
+    if how == "numba":
+        return _compiled(loop, loop.source, state)
+    state = _until_it_repays(loop, loop.source, state)
+    if loop.share(state) >= 1:
+        return state
+    try:
+        return _compiled(loop, loop.source, state)
+    except Exception:  # a broken numba, a folder not to be written: nobody asked for it
+        return loop.run(loop.python, state, 2**62, False)
 
 
 def _compiled(loop: Loop, source: Callable[[], str], state: Any) -> Any:

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from tam570.integrate import explicit, longterm
-from tam570.integrate.problem import Array, Rates, bound, initial_state, sample_times, tolerance
+from tam570.integrate.problem import Array, bound, initial_state, sample_times, tolerance
 
 __all__ = ["solve"]
 
@@ -44,22 +44,23 @@ def solve(
     times, start, rtol = sample_times(t), initial_state(y0), tolerance(rtol)
     if method not in METHODS:
         raise ValueError(f"method: one of {', '.join(METHODS)}, got {method!r}")
-    rates = bound(rhs, parameters)
     with np.errstate(all="ignore"):  # a step that proves too long may overflow: it is taken again
         if start.ndim == 2:
-            return _ensemble(rates, times, start, rtol, method)
-        kit = explicit.engine(rates, times, start)
+            return _ensemble(rhs, parameters, times, start, rtol, method)
+        kit = explicit.engine(rhs, parameters, times, start)
         if method in longterm.METHODS:
             if project is not None:
                 raise ValueError(f'project: goes with method "auto" or "python", not with {method!r}')
-            return longterm.states(method, kit, rates, times, start, rtol, step)
+            return longterm.states(method, kit, bound(rhs, parameters), times, start, rtol, step)
         return explicit.states(kit, times, start, rtol, method, project)
 
 
-def _ensemble(rates: Rates, times: Array, starts: Array, rtol: float, method: str) -> Array:
+def _ensemble(
+    rhs: Callable[..., Any], parameters: Any, times: Array, starts: Array, rtol: float, method: str
+) -> Array:
     from tam570.integrate import ensemble
 
     if method in longterm.METHODS:
         raise ValueError(f'y0: several starts at once go with method "auto", not with {method!r}')
-    kit = explicit.engine(rates, times, starts[0])
+    kit = explicit.engine(rhs, parameters, times, starts[0])
     return ensemble.states(kit, times, starts, rtol, method)

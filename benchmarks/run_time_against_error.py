@@ -1,0 +1,275 @@
+"""Run time against error: every method and every peer installed, on the scene of each assignment that simulates.
+
+The error is that of the state at the end, its largest component over the largest of the state, against a reference
+to 30 digits. Warm times are the smallest of repeated runs in this process; cold ones are those of a new process,
+imports and compilation included, at the first tolerance that reaches an error of 1e-9.
+
+    python benchmarks/run_time_against_error.py            all; writes results/run_time_against_error.json and .png
+    python benchmarks/run_time_against_error.py --quick    three scenes, four tolerances, no cold processes
+"""
+
+import argparse
+import json
+import os
+import platform
+import subprocess
+import sys
+import tempfile
+import time
+import warnings
+from pathlib import Path
+
+import numpy as np
+from tqdm import tqdm
+
+HERE = Path(__file__).parent
+sys.path.insert(0, str(HERE / "run_time"))
+
+import methods  # noqa: E402
+import scenes  # noqa: E402
+
+RESULTS = HERE / "results" / "run_time_against_error.json"
+REFERENCES = HERE / "results" / "run_time_references.json"
+
+TOLERANCES = [10.0**-k for k in range(3, 16)]
+QUICK_TOLERANCES = [1e-4, 1e-7, 1e-10, 1e-13]
+QUICK_SCENES = ["ballistics", "hanging spring", "braking car"]
+TARGETS = (1e-6, 1e-9)
+LONGEST = 2.0  # s of one run; a method that takes longer is not asked for more digits
+REPEATED = 0.15  # s spent on the repeats of a run
+EPS = 2.0**-52
+
+
+def references(names):
+    """The end state of each scene, strings of 30 digits; computed where they are not kept for these very scenes."""
+    import mpmath
+    import taylor
+
+    kept = json.loads(REFERENCES.read_text()) if REFERENCES.exists() else {}
+    for name in tqdm(names, desc="references", disable=None):
+        rhs, start, parameters, end = scenes.scene(name)
+        asked = repr((rhs.__name__, start, parameters, end))
+        if kept.get(name, {}).get("asked") != asked:
+            state = taylor.end_state((rhs, start, parameters, end))
+            kept[name] = {"asked": asked, "state": [mpmath.nstr(x, 30) for x in state]}
+            REFERENCES.write_text(json.dumps(kept, indent=1))
+    return {name: kept[name]["state"] for name in names}
+
+
+def error(state, reference):
+    """Largest component of the error over the largest of the state."""
+    from mpmath import mpf, workdps
+
+    with workdps(30):
+        exact = [mpf(x) for x in reference]
+        wrong = max(abs(mpf(float(x)) - y) for x, y in zip(state, exact, strict=True))
+        return float(wrong / max(map(abs, exact)))
+
+
+def condition(scene):
+    """Relative change of the end state over that of the start, the worst component; and over that of the duration."""
+    rhs, start, parameters, end = scene
+    solve = methods.solve
+    largest = np.abs(solve(rhs, np.linspace(0, end, 400), start, parameters=parameters)).max(axis=0)
+    final = solve(rhs, (0, end), start, parameters=parameters, rtol=1e-15)[-1]
+    changes = [end * np.abs(np.array(rhs(end, final, **parameters), dtype=float)).max()]
+    for i in np.flatnonzero(largest):
+        near = [np.array(start), np.array(start)]
+        near[0][i] += 1e-6 * largest[i]
+        near[1][i] -= 1e-6 * largest[i]
+        up, down = (solve(rhs, (0, end), y, parameters=parameters, rtol=1e-15)[-1] for y in near)
+        changes.append(np.abs(up - down).max() / 2e-6)
+    return float(max(changes) / np.abs(final).max())
+
+
+def measured(method, scene, tolerance, reference):
+    """(seconds, error) of one method at one tolerance, or None where it gives up."""
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # odeint and LSODA complain beyond their own rounding
+            run = methods.METHODS[method](scene, tolerance)
+            state = run()
+            seconds = _smallest_time(run)
+            return (seconds, error(state, reference)) if np.isfinite(state).all() else None
+    except (ValueError, ArithmeticError, RuntimeError, NotImplementedError):
+        return None
+
+
+def _smallest_time(run):
+    times, began = [], time.perf_counter()
+    while len(times) < 3 or (time.perf_counter() - began < REPEATED and len(times) < 50):
+        start = time.perf_counter()
+        run()
+        times.append(time.perf_counter() - start)
+        if times[-1] > 1.0:
+            break
+    return min(times)
+
+
+def curves(name, tolerances, reference, names):
+    """{method: [[tolerance, seconds, error], ...]} of one scene. Methods take turns, so that all see the same noise."""
+    scene, found, done = scenes.scene(name), {method: [] for method in names}, set()
+    for tolerance in tolerances:
+        for method in (m for m in names if m not in done):
+            result = measured(method, scene, tolerance, reference)
+            if result is None or result[0] > LONGEST:
+                done.add(method)
+            if result is not None:
+                found[method].append([tolerance, *result])
+    return found
+
+
+def time_to(target, curve):
+    """Seconds to an error of `target`, between the two runs that enclose it, in logarithms; None if not reached."""
+    for (_, t1, e1), (_, t2, e2) in zip(curve, curve[1:], strict=False):
+        if e1 > target >= e2 > 0:
+            share = np.log(e1 / target) / np.log(e1 / e2)
+            return float(t1 * (t2 / t1) ** share)
+    return curve[0][1] if curve and curve[0][2] <= target else None
+
+
+def cold_times(name, found):
+    """{method: seconds} from the start of a new process to its first result, of those that reach 1e-9.
+
+    Compiled code kept on disk counts as warm: "(first)" has an empty cache.
+    """
+    times = {}
+    for method, curve in found.items():
+        tolerance = next((tol for tol, _, e in curve if e <= 1e-9), None)
+        if tolerance is None:
+            continue
+        times[method] = min(_process(name, method, tolerance) for _ in range(2))
+        if method in ("tam570, numba", "tam570, auto"):
+            with tempfile.TemporaryDirectory() as empty:
+                times[f"{method} (first)"] = _process(name, method, tolerance, XDG_CACHE_HOME=empty)
+    return times
+
+
+def _process(name, method, tolerance, **environment):
+    code = (
+        f"import sys; sys.path.insert(0, {str(HERE / 'run_time')!r}); import scenes, methods; "
+        f"methods.METHODS[{method!r}](scenes.scene({name!r}), {tolerance!r})()"
+    )
+    start = time.perf_counter()
+    subprocess.run(
+        [sys.executable, "-c", code], env={**os.environ, **environment}, check=True, capture_output=True
+    )
+    return time.perf_counter() - start
+
+
+def ratios(found, target):
+    """Median over the scenes, and the largest, of each method's time over that of SciPy's DOP853 at that error."""
+    table = {}
+    for method in methods.METHODS:
+        pairs = [
+            (time_to(target, s.get(method, [])), time_to(target, s.get("SciPy DOP853", [])))
+            for s in found.values()
+        ]
+        values = [ours / peer for ours, peer in pairs if ours and peer]
+        if values:
+            table[method] = {"median": float(np.median(values)), "worst": max(values), "scenes": len(values)}
+    return table
+
+
+def report(results):
+    """The tables, as printed."""
+    for target in TARGETS:
+        print(f"\ntime to an error of {target:g}, SciPy DOP853 = 1")
+        for method, row in results["ratios"][f"{target:g}"].items():
+            print(
+                f"  {method:22} median {row['median']:8.4f}   worst {row['worst']:8.4f}   scenes {row['scenes']}"
+            )
+    print("\nsmallest error over condition number times eps")
+    for name, scene in results["scenes"].items():
+        floor = scene["condition"] * EPS
+        best = {m: min(e for *_, e in curve) / floor for m, curve in scene["curves"].items() if curve}
+        print(f"  {name:22} {floor:.1e}  " + ", ".join(f"{m} {x:.2g}" for m, x in best.items()))
+    for name, scene in results["scenes"].items():
+        if scene.get("cold"):
+            print(f"\nfirst result from a cold process, s: {name}")
+            print(
+                "  "
+                + ", ".join(
+                    f"{m} {s:.2f}" for m, s in sorted(scene["cold"].items(), key=lambda item: item[1])
+                )
+            )
+
+
+def picture(results, path):
+    """One panel a scene: seconds over error, both in decades."""
+    import matplotlib
+
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+
+    names = list(results["scenes"])
+    columns = min(5, len(names))
+    rows = -(-len(names) // columns)
+    figure, axes = plt.subplots(rows, columns, figsize=(4 * columns, 3.6 * rows), sharex=True, squeeze=False)
+    colours = dict(zip(methods.METHODS, plt.colormaps["tab20"].colors, strict=False))
+    for ax, name in zip(axes.flat, names, strict=False):
+        scene = results["scenes"][name]
+        for method, curve in scene["curves"].items():
+            if curve:
+                _, seconds, errors = np.transpose(curve)
+                ours = method.startswith("tam570")
+                ax.loglog(
+                    np.maximum(errors, 1e-18), seconds, "o-" if ours else ".--", ms=3.5,
+                    lw=1.8 if ours else 0.9, color=colours[method], label=method,
+                )  # fmt: skip
+        ax.axvline(scene["condition"] * EPS, color="0.7", lw=1)
+        ax.set_title(name, fontsize=10)
+        ax.grid(alpha=0.3)
+    for ax in axes[-1]:
+        ax.set_xlabel("relative error at the end")
+    for ax in axes[:, 0]:
+        ax.set_ylabel("run time (s)")
+    axes[0, 0].set_xlim(1.0, 1e-18)
+    lines = {
+        line.get_label(): line for ax in axes.flat for line in ax.get_lines() if line.get_label()[0] != "_"
+    }
+    figure.legend(lines.values(), lines.keys(), loc="lower center", ncol=7, frameon=False, fontsize=9)
+    figure.tight_layout(rect=(0, 0.08, 1, 1))
+    figure.savefig(path, dpi=110)
+
+
+def measure(names, tolerances, cold):
+    exact = references(names)
+    installed = [method for method in methods.METHODS if methods.available(method)]
+    found = {}
+    for name in tqdm(names, desc="scenes", disable=None):
+        scene = {"condition": condition(scenes.scene(name))}
+        scene["curves"] = curves(name, tolerances, exact[name], installed)
+        scene["cold"] = cold_times(name, scene["curves"]) if cold else {}
+        found[name] = scene
+    all_curves = {name: scene["curves"] for name, scene in found.items()}
+    return {
+        "machine": f"{platform.processor() or platform.machine()}, {os.cpu_count()} cores",
+        "python": platform.python_version(),
+        "scenes": found,
+        "ratios": {f"{target:g}": ratios(all_curves, target) for target in TARGETS},
+    }
+
+
+def main():
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument(
+        "--quick", action="store_true", help="three scenes, four tolerances, no cold processes"
+    )
+    parser.add_argument("--scenes", nargs="+", choices=scenes.SCENES, help="these alone")
+    parser.add_argument("--out", type=Path, help="JSON to write; the picture goes beside it")
+    given = parser.parse_args()
+    names = given.scenes or (QUICK_SCENES if given.quick else list(scenes.SCENES))
+    results = measure(names, QUICK_TOLERANCES if given.quick else TOLERANCES, cold=not given.quick)
+    report(results)
+    out = given.out or (None if given.quick else RESULTS)
+    if out:
+        out.write_text(json.dumps(results, indent=1) + "\n")
+        picture(results, out.with_suffix(".png"))
+        print(f"\nwritten: {out}, {out.with_suffix('.png')}")
+
+
+if __name__ == "__main__":
+    main()
