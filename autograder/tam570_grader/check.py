@@ -175,7 +175,7 @@ def _time(t: Any, errors: Any, worst: int) -> str:
 
 
 def _two_digits(error: float) -> str:
-    return f"{error:.1e}" if np.isfinite(error) else "no number at all"
+    return f"{error:.1e}" if np.isfinite(error) else "more than any number"
 
 
 def once(compute: Callable[..., T]) -> Callable[..., T]:
