@@ -280,9 +280,9 @@ def smallest(p):
         return np.linalg.norm(value(p, t), axis=-1)
 
     known = np.pad(magnitude(GRID), 1, constant_values=np.inf)
-    dips = np.flatnonzero((known[1:-1] <= known[2:]) & (known[1:-1] <= known[:-2]))
+    dips = np.flatnonzero((known[1:-1] < known[2:]) & (known[1:-1] <= known[:-2]))
     low, high = GRID[np.maximum(dips - 1, 0)], GRID[np.minimum(dips + 1, len(GRID) - 1)]
-    for _ in range(100):  # 1e-17 of an interval
+    for _ in range(80):  # 1e-17
         a, b = low + (high - low) / 3, high - (high - low) / 3
         left = magnitude(a) < magnitude(b)
         low, high = np.where(left, low, a), np.where(left, b, high)
@@ -339,7 +339,7 @@ def judge_motion(definition, p, c):
                 "P moves along with C: the vector between them does not change", **known)  # fmt: skip
     other = {"b": "c", "c": "b"}[definition]
     worst, whole, _ = violation(definition, p, c)
-    expect_that(holds(definition, p, c), f"rate and moment differ by {worst / whole:.1e} of their size", **known,
+    expect_that(holds(definition, p, c), f"rate and moment differ by {worst / (whole or 1.0):.1e} of their size", **known,
                 hint=f"they do not by definition {other}" if holds(other, p, c) else
                 "which product must vanish, and at every t? Multiply the polynomials out")  # fmt: skip
     expect_that(fails(other, p, c), f"definition {other} has rate = moment along this motion, too", at=(p, c))
