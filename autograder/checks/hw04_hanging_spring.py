@@ -309,13 +309,13 @@ def tensor(r, v, centre, k):
 def wrong_orbit(says, ellipse):
     """With ellipse(r, v, k, centre): centre and two conjugate radii."""
 
-    def orbit(position, velocity, *, mass, stiffness, gravity):
+    def mistaken(position, velocity, *, mass, stiffness, gravity):
         k, r, v = rate_of(mass, stiffness, gravity), np.asarray(position), np.asarray(velocity)
         centre, *radii = ellipse(r, v, k, -gravity / k**2 * Z)
         _, lengths, directions = np.linalg.svd(np.array(radii), full_matrices=False)
         return centre, lengths[:, None] * directions
 
-    return suspect(says, orbit=orbit)
+    return suspect(says, orbit=mistaken)
 
 
 ORBIT_SUSPECTS = [

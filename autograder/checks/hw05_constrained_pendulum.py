@@ -72,10 +72,10 @@ def wrong_law(says, outward):
         x, y, vx, vy = state
         return outward(y, vx**2 + vy**2, mass, length, gravity) * np.array([x, y]) / length
 
-    def acceleration(state, *, mass, length, gravity):
+    def sum_over_mass(state, *, mass, length, gravity):
         return force(state, mass=mass, length=length, gravity=gravity) / mass - [0.0, gravity]
 
-    return suspect(says, constraint_force=force, acceleration=acceleration)
+    return suspect(says, constraint_force=force, acceleration=sum_over_mass)
 
 
 LAW_SUSPECTS = [
@@ -250,7 +250,7 @@ def judge_motion(student, found, within, kind, hint):
 def wrong_motion(says, law):
     """With law(r, v, l, g) for the acceleration, integrated."""
 
-    def simulate(t, state, *, mass, length, gravity):
+    def integrated(t, state, *, mass, length, gravity):
         from scipy.integrate import solve_ivp
 
         def rates(time, y):
@@ -258,7 +258,7 @@ def wrong_motion(says, law):
 
         return solve_ivp(rates, (t[0], t[-1]), state, t_eval=t, rtol=1e-10, atol=1e-10).y.T
 
-    return suspect(says, simulate=simulate, within=1e-4)
+    return suspect(says, simulate=integrated, within=1e-4)
 
 
 MOTION_SUSPECTS = [
