@@ -359,25 +359,23 @@ def kinetic_energy_of_G_and_of_turning(student, draw):
 # Part a: motion
 
 
-def integrated(t, start, locked, rates=derivative, **car):
+def integrated(t, start, locked, rates=derivative, rtol=1e-11, **car):
     """States at t, and the time when it stops (or infinity); within 1e-9 of its scales until shortly before."""
     from scipy.integrate import solve_ivp
 
     far = axles(locked, car["front"], car["rear"])[1]
 
     def sliding(_, s):
-        return np.hypot(*velocity_of(far, s, locked, car["front"], car["rear"])) - 1e-6 * usual(car)
+        # the way from here to the stop is the square of this, 1e-8
+        return np.hypot(*velocity_of(far, s, locked, car["front"], car["rear"])) - 1e-4 * usual(car)
+
+    def moving(_, s):
+        return rates(s, locked, **car)
 
     sliding.terminal = True
-    options = {"method": "DOP853", "rtol": 1e-11, "atol": 1e-12, "max_step": (t[-1] - t[0]) / 40}
-    run = solve_ivp(
-        lambda _, s: rates(s, locked, **car),
-        (t[0], t[-1]),
-        start,
-        dense_output=True,
-        events=sliding,
-        **options,
-    )
+    # short steps: between them it interpolates
+    options = {"method": "DOP853", "rtol": rtol, "atol": rtol / 10, "max_step": (t[-1] - t[0]) / 30}
+    run = solve_ivp(moving, (t[0], t[-1]), start, dense_output=True, events=sliding, **options)
     stop = run.t[-1] if run.status == 1 else math.inf
     states = run.sol(np.minimum(t, run.t[-1])).T
     states[t > stop, 3:] = 0.0
@@ -404,11 +402,11 @@ def times(draw, span, count):
 
 
 def time_to_stop(start, locked, car):
-    """Later than this it cannot stop: friction is never less than the smaller of its effects on speed and turning."""
+    """To a thousandth. The inertia about the free axle is below mass wheelbase^2 (as G is between the axles, and by
+    the draw of yaw_inertia), so that sqrt(2 energy/mass) is below v and falls no slower than friction slows."""
     v = abs(start[3]) + abs(start[4]) * wheelbase(car)
-    least = min(load(which, **parts(car, *LOAD)) for which in ("front", "rear"))
-    latest = 3 * v * car["mass"] / (car["friction"] * least)
-    return integrated(np.array([0.0, latest]), start, locked, **car)[1]
+    latest = 1.1 * v * car["mass"] / (car["friction"] * load(locked, **parts(car, *LOAD)))
+    return integrated(np.array([0.0, latest]), start, locked, rtol=1e-6, **car)[1]
 
 
 def scales(start, car):
