@@ -250,9 +250,9 @@ def rates_313(angles, omega):
 
 
 def rates_of_space_omega(angles, omega):
-    """As if omega were in space components: psi and phi change places and signs."""
+    """As if omega were in space components: R^T has the angles (-phi, -theta, -psi), and minus this omega."""
     psi, theta, phi = angles
-    return -rates_313([-phi, -theta, -psi], omega)[::-1]
+    return rates_313([-phi, -theta, -psi], omega)[::-1]
 
 
 @check(
