@@ -28,8 +28,8 @@ GROWTH = 1e-6  # a student's central difference is good to 1e-9; wrong terms are
 SMALL_YAW = 1e-6  # the same, and an integral by rtol 1e-9 in the place of the closed form
 # solve_ivp at rtol = atol = 1e-9, whatever its method, stays below 8e-8 well before the stop.
 TRAJECTORY = 1e-6
-AT_REST = 1e-3  # of the first speed: a threshold below which a student calls it rest
-STOPPED = 1e-5  # of the distance friction needs: the way from such a threshold to the stop is its square
+AT_REST = 5e-3  # of the first speed: a student may call it rest below 1e-3 m/s, and cars start from 0.4 m/s
+STOPPED = 5e-5  # of the distance friction needs: from that threshold to the stop it is the square, up to 1e-5
 
 
 # The car

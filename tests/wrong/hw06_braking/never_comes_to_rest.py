@@ -12,7 +12,7 @@ def simulate(t, state, locked, **car):
 
     rows = [np.array(state)]
     for h in np.diff(t):
-        y, n = rows[-1], math.ceil(3000 * h / (t[-1] - t[0]))
+        y, n = rows[-1], math.ceil(1000 * h / (t[-1] - t[0]))
         for _ in range(n):
             k1 = rates(y)
             k2 = rates(y + h / n / 2 * k1)
