@@ -19,9 +19,12 @@ def drift(invariant: Callable[[Any], Any], states: ArrayLike) -> Array:
     Returns (n,); absolute where the invariant is zero throughout.
     """
     values = np.array([np.ravel(invariant(state)) for state in np.asarray(states)])
-    size = np.linalg.norm(values, axis=1).max()
+    largest = np.abs(values).max()
+    if largest > 0:
+        values = values / largest  # first, lest the squares of small ones vanish
+        values = values / np.linalg.norm(values, axis=1).max()
     moved: Array = np.linalg.norm(values - values[0], axis=1)
-    return moved / size if size > 0 else moved
+    return moved
 
 
 def violation(constraint: Callable[[Any], Any], states: ArrayLike) -> Array:

@@ -21,7 +21,7 @@ at: Any = None
 
 def first_step(origin: Any, span: Any, y: Any, f: Any, c: Any) -> Any:
     """A step across which the derivative changes little, found from above: a derivative of zero deceives nobody."""
-    h = span / 100
+    h = span / 100 or span
     while h > 1e-9 * span and restless(h, y, f, rhs(origin + h, euler(h, y, f), c)):
         h /= 4
     return h

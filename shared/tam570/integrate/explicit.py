@@ -150,13 +150,14 @@ def _magnitude(y: float, rate: float, soon: float, h: float) -> float:
 
 
 def shortest_step(kit: Engine, times: Array, start: Array, rtol: float, *, steps: int = 200) -> float:
-    """The shortest of the first steps that this method takes at `rtol`; s."""
+    """The shortest of the steps that this method takes at `rtol` once it has found its pace; s."""
     origin, span = float(times[0]), float(times[-1] - times[0])
     rows, state, shortest = np.empty((2, len(start))), at_start(kit, origin, span, start), span
-    for _ in range(steps):
+    for step in range(steps):
         before = state[1]
         state = kit.functions["advance"](origin, [0.0, span], rows, state, kit.constants, rtol, 1)
-        if state[1] == before and state[2] == 0.0 or state[0] == 2:
+        if state[0] == 2 or state[2] == 0.0:
             break
-        shortest = min(shortest, state[2])  # what the controller proposes next
+        if step > 5 and state[1] > before:  # taken, not refused
+            shortest = min(shortest, state[1] - before)
     return shortest

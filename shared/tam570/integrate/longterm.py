@@ -18,6 +18,8 @@ __all__ = ["METHODS", "states"]
 
 METHODS = {"gauss": 2.0, "composition": 0.5}  # step over the shortest that DOP853 takes at the same rtol
 
+TOIL = {"gauss": 3.0, "composition": 1.0}  # of compiling it: the sweeps are one long loop
+
 
 def states(
     method: str, kit: Engine, rates: Rates, times: Array, start: Array, rtol: float, step: float | None
@@ -37,7 +39,9 @@ def states(
         return 1.0 if state[0] == len(rows) else min(state[1] * h / listed[-1], 0.999)
 
     module = partial(_module, source) if kit.traced else None
-    carried_through(Loop(run, share, python, "march", module), _at_start(method, kit, origin, start), "auto")
+    carried_through(
+        Loop(run, share, python, "march", module, TOIL[method]), _at_start(method, kit, origin, start), "auto"
+    )
     if not np.isfinite(rows).all():
         raise ArithmeticError(f"the stages do not settle at a step of {h:.3g} s: give a shorter `step`")
     return rows

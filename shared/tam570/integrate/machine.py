@@ -46,13 +46,13 @@ def loaded_already(source: Callable[[], str]) -> bool:
     return "numba" in sys.modules and _name(source()) in sys.modules
 
 
-def wait(source: str) -> float:
+def wait(source: str, toil: float = 1.0) -> float:
     """Seconds until compiled code could start; infinite without numba."""
     if not available():
         return float("inf")
     imported = 0.0 if "numba" in sys.modules else IMPORT
     kept = any((_folder() / "__pycache__").glob(f"{_name(source)}*.nbi"))
-    return imported + (READY if kept else _seconds_to_compile(source))
+    return imported + (READY if kept else toil * _seconds_to_compile(source))
 
 
 def _seconds_to_compile(source: str) -> float:

@@ -26,10 +26,15 @@ class Loop:
     python: Callable[..., Any]
     entry: str
     source: Callable[[], str] | None
+    toil: float = 1.0  # how much longer than a step of DOP853 of that length its source takes to compile
 
 
 def carried_through(loop: Loop, state: Any, how: str) -> Any:
     """The state at the end of the run; how: "python" and "numba" insist, "auto" takes what is sooner."""
+    if how == "numba" and loop.source is None:
+        raise ValueError(
+            'method: "numba" needs an rhs without branches or conversions, and no project; try "auto"'
+        )
     if how == "python" or loop.source is None:
         return loop.run(loop.python, state, 2**62, False)
     if how == "numba":
@@ -63,7 +68,7 @@ def _until_it_repays(loop: Loop, source: Callable[[], str], state: Any) -> Any:
             return state
         left = passed * (1 / done - 1) if done else 0.0
         if left > machine.SOONEST:  # else not worth the question
-            wait = wait or machine.wait(source())
+            wait = wait or machine.wait(source(), loop.toil)
             if left > wait:
                 return state
         budget *= 2
