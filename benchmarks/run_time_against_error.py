@@ -35,8 +35,8 @@ TOLERANCES = [10.0**-k for k in range(3, 16)]
 QUICK_TOLERANCES = [1e-4, 1e-7, 1e-10, 1e-13]
 QUICK_SCENES = ["ballistics", "hanging spring", "braking car"]
 TARGETS = (1e-6, 1e-9)
-LONGEST = 2.0  # s of one run; a method that takes longer is not asked for more digits
-REPEATED = 0.15  # s spent on the repeats of a run
+LONGEST = 1.0  # s of one run; a method that takes longer is not asked for more digits
+REPEATED = 0.05  # s spent on the repeats of a run
 EPS = 2.0**-52
 
 
@@ -233,15 +233,21 @@ def picture(results, path):
     figure.savefig(path, dpi=110)
 
 
-def measure(names, tolerances, cold):
+def measure(names, tolerances, cold, keep):
+    """The results, handed to `keep` after every scene: a run that is stopped has not been for nothing."""
     exact = references(names)
     installed = [method for method in methods.METHODS if methods.available(method)]
     found = {}
-    for name in tqdm(names, desc="scenes", disable=None):
+    for name in tqdm(names, desc="scenes"):
         scene = {"condition": condition(scenes.scene(name))}
         scene["curves"] = curves(name, tolerances, exact[name], installed)
         scene["cold"] = cold_times(name, scene["curves"]) if cold else {}
         found[name] = scene
+        keep(summary(found))
+    return summary(found)
+
+
+def summary(found):
     all_curves = {name: scene["curves"] for name, scene in found.items()}
     return {
         "machine": f"{platform.processor() or platform.machine()}, {os.cpu_count()} cores",
@@ -259,14 +265,21 @@ def main():
         "--quick", action="store_true", help="three scenes, four tolerances, no cold processes"
     )
     parser.add_argument("--scenes", nargs="+", choices=scenes.SCENES, help="these alone")
+    parser.add_argument("--tolerances", nargs="+", type=float, help="these alone")
+    parser.add_argument("--no-cold", action="store_true", help="no cold processes")
     parser.add_argument("--out", type=Path, help="JSON to write; the picture goes beside it")
     given = parser.parse_args()
     names = given.scenes or (QUICK_SCENES if given.quick else list(scenes.SCENES))
-    results = measure(names, QUICK_TOLERANCES if given.quick else TOLERANCES, cold=not given.quick)
-    report(results)
+    tolerances = given.tolerances or (QUICK_TOLERANCES if given.quick else TOLERANCES)
     out = given.out or (None if given.quick else RESULTS)
+    keep = (
+        (lambda results: out.write_text(json.dumps(results, indent=1) + "\n"))
+        if out
+        else (lambda results: None)
+    )
+    results = measure(names, tolerances, not (given.quick or given.no_cold), keep)
+    report(results)
     if out:
-        out.write_text(json.dumps(results, indent=1) + "\n")
         picture(results, out.with_suffix(".png"))
         print(f"\nwritten: {out}, {out.with_suffix('.png')}")
 
