@@ -101,7 +101,7 @@ def result(promise: Array | Group, value: Any, name: str, call: Given) -> Any:
     shape = tuple(len(call.args[0]) if size == "n" else size for size in promise.shape)
     if not _fits(found.shape, shape):
         raise Failure(f"{name} returned {_shaped(found.shape)}, not {_shaped(shape)}", actual=found, at=call)
-    if np.isnan(found).any() or not (promise.infinite or np.isfinite(found).all()):
+    if not np.isfinite(found).all() and (not promise.infinite or np.isnan(found).any()):
         raise Failure(f"{name} returned NaN or infinity", actual=found, at=call)
     return found if found.ndim else float(found)
 

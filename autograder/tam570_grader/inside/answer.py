@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import numpy.random  # before the fork: NumPy puts it off until it is used
 
-from .wire import LARGEST_ARRAY, packed, portable
+from .wire import LARGEST_ARRAY, portable
 
 __all__ = ["answer", "error_report"]
 
@@ -25,9 +25,9 @@ def answer(
     """The reply to one call: {"value": ..., "changed": were the arguments changed} or {"error": ...}."""
     try:
         function = getattr(module, request["function"])
-        before = packed([args, kwargs])
+        before = _contents(args, kwargs)
         value = MODES[request["mode"]](function, args, kwargs, request)
-        return {"value": value, "changed": _bytes_of(args, kwargs) != before}
+        return {"value": value, "changed": _contents(args, kwargs) != before}
     except BaseException as error:
         return {"error": error_report(error)}
 
@@ -61,11 +61,10 @@ def _text(error: BaseException) -> str:
         return ""
 
 
-def _bytes_of(args: list[Any], kwargs: dict[str, Any]) -> bytes:
-    try:
-        return packed([args, kwargs])
-    except BaseException:
-        return b""  # no longer what was given
+def _contents(args: list[Any], kwargs: dict[str, Any]) -> list[Any]:
+    """What the arguments hold now; of an array the bytes, for a NaN is not equal to itself."""
+    given = [*args, *kwargs.values()]
+    return [one.tobytes() if isinstance(one, np.ndarray) else repr(one) for one in given]
 
 
 def _value(function: Callable[..., Any], args: list[Any], kwargs: dict[str, Any], request: Any) -> Any:

@@ -98,31 +98,24 @@ def watch(prisoner: int, leash: socket.socket, lifeline: int, group: bool) -> No
     """
     if group and hasattr(LIBC, "prctl"):
         LIBC.prctl(SUBREAPER, 1, 0, 0, 0)
-    while True:
-        ended, status, usage = os.wait4(prisoner, os.WNOHANG)
-        if ended:
-            break
+    ended = 0
+    while not ended:
         ready, _, _ = select.select([leash.fileno(), lifeline], [], [], POLL)
-        if ready:
-            _obey(leash.recv(1) if leash.fileno() in ready else b"", prisoner, leash, group)
+        order = leash.recv(1) if leash.fileno() in ready else b"" if ready else None
+        if order == b"c":
+            _tell(leash, f"{_cpu_seconds(prisoner):.6f}\n")
+        elif order is not None:
+            _kill(prisoner, group)
+        ended, status, usage = os.wait4(prisoner, 0 if ready and order != b"c" else os.WNOHANG)
     _reap(group)
     _tell(leash, f"{status} {usage.ru_utime + usage.ru_stime:.6f}\n")
 
 
-def _obey(order: bytes, prisoner: int, leash: socket.socket, group: bool) -> None:
-    if order == b"c":
-        _tell(leash, f"{_cpu_seconds(prisoner):.6f}\n")
-        return
+def _kill(prisoner: int, group: bool) -> None:
     if group:
-        _kill_group(prisoner)
+        with contextlib.suppress(OSError):  # it has not made its group yet, or has gone
+            os.killpg(prisoner, signal.SIGKILL)
     os.kill(prisoner, signal.SIGKILL)
-    if not order:
-        time.sleep(POLL)  # what was dropped stays readable; do not spin until the prisoner is gone
-
-
-def _kill_group(prisoner: int) -> None:
-    with contextlib.suppress(OSError):  # it has not made its group yet, or has gone
-        os.killpg(prisoner, signal.SIGKILL)
 
 
 def _reap(group: bool) -> None:
