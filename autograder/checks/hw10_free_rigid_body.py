@@ -382,7 +382,14 @@ def attitude_follows_the_motion(student, draw):
     calls, right = attitudes(draw)
     found = [rotations for _, rotations in student.simulate.many(calls)]
     judge_motions(found, right, calls, [1.0, 1.0], 1, of="R", kind="a general body, attitude and omega",
-                  hint="does attitude_rate pass? which components has omega?")  # fmt: skip
+                  hint=look_at_attitude(np.concatenate(found)))  # fmt: skip
+
+
+def look_at_attitude(rotations):
+    defect = np.abs(rotations.transpose(0, 2, 1) @ rotations - np.eye(3)).max()
+    if defect > 1e-4:  # the steps are too long, or each one is R + dt R'
+        return "R is not kept orthogonal: R^T R is no longer I"
+    return "does attitude_rate pass? which components has omega?"
 
 
 @check(points=0.5, part="a", after=(omega_follows_elliptic_functions, attitude_follows_the_motion))
