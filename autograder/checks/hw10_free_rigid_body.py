@@ -45,9 +45,8 @@ POINTWISE = 1e-8  # a few roundings make 1e-15; a derivative by central differen
 # solve_ivp at rtol 1e-9, atol 1e-9 is off by 6e-8 at the most (LSODA), an explicit method of order 2 at a thousand
 # steps a radian by 1e-6; at its own tolerances solve_ivp is off by 2e-5.
 TRAJECTORY = 3e-6
-INVARIANT = (
-    1e-5  # the same solvers lose 7e-8 of R^T R = I in 45 radians; with order 2 the energy may swing by 1e-6
-)
+# The same solvers lose 7e-8 of R^T R = I in 45 radians; with order 2 the energy may swing by 1e-6.
+INVARIANT = 1e-5
 PERIOD = 1e-6  # a period measured on a simulation is good to 1e-8
 NEAR_PERIOD = 1e-4  # 1 - k^2 is 1e-7 there: as a difference it has 9 digits; a simulation has 5
 
