@@ -588,6 +588,7 @@ def critical(locked, *, front, rear, friction, gravity):
 
 
 CRITICAL_SUSPECTS = [
+    suspect(SWAPPED, critical_speed=lambda locked, **c: critical(other(locked), **c)),
     suspect("the distance from G to an axle for the wheelbase",
             critical_speed=lambda locked, front, **c: critical(locked, front=front, **{**c, "rear": 0.0})),
     suspect("the square of the speed", critical_speed=lambda locked, **c: critical(locked, **c) ** 2),
