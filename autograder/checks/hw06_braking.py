@@ -603,9 +603,9 @@ def critical_speed_is_where_growth_begins(student, draw):
     calls = [given("rear", **parts(c, *names)) for c in cars]
     for found, call in zip(student.critical_speed.many(calls), calls, strict=True):
         right = critical(*call.args, **call.kwargs)
-        expect_that(math.isfinite(found), "critical_speed is infinite", kind="a locked rear axle", at=call,
-                    hint="with one axle locked the car is never unstable: with which?")  # fmt: skip
         kind = "a locked rear axle" if right else "a locked rear axle without friction or gravity"
+        expect_that(math.isfinite(found), "critical_speed is infinite", kind=kind, at=call,
+                    hint="is it unstable at any speed at all there?")  # fmt: skip
         expect(found, right, within=FORMULA, scale=right or 1.0, of="the critical speed", unit="of itself", kind=kind,
                at=call, hint="where is your growth rate zero?")  # fmt: skip
     for c in (car(draw), car(draw, friction=0.0)):
