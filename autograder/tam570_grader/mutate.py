@@ -137,6 +137,8 @@ def _arguments(node: ast.expr) -> Iterator[ast.expr]:
     """Neighbouring arguments, or parts of a tuple, change places."""
     for field in ("args", "elts"):
         parts = getattr(node, field, [])
+        if any(isinstance(part, ast.Slice) for part in parts):
+            continue  # A[:, 1] is no tuple
         if isinstance(node, ast.Call | ast.Tuple | ast.List) and isinstance(
             getattr(node, "ctx", ast.Load()), ast.Load
         ):
