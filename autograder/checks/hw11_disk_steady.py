@@ -380,6 +380,7 @@ def rolling_track_has_the_contact_at_rest(student, draw):
         suspect(RELATIVE, rolling_precession=precession_with_relative_spin),
         suspect(SWAPPED, rolling_precession=swapped(balanced_precession)),
         suspect(NO_MA2, rolling_precession=precession_without_ma2),
+        suspect(REVERSED, rolling_precession=reversed_sign(balanced_precession)),
     ],
 )  # fmt: skip
 def rolling_precession_balances_the_moments(student, draw):

@@ -1,6 +1,7 @@
 """The negative root of Omega^2.
 
 fails: rolling_precession_balances_the_moments
+suspect: the sign turned round
 """
 
 
