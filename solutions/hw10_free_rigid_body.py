@@ -155,10 +155,9 @@ def tumble_period(omega, *, inertia):
     omega   : (3,) rad/s, body components
     inertia : (A, B, C) kg m^2
     Returns s; math.inf on the separatrix; for pure spin about axis 0 or 2 the limit of small oscillations.
-
-    The complete elliptic integral is K = pi / (2 agm(1, k')): Gauss's mean takes the complementary modulus k', which
-    keeps its digits next to the separatrix (Landau and Lifshitz, Mechanics, paragraph 37, for k).
     """
+    # 4 K(k) over a rate (Landau and Lifshitz, Mechanics, paragraph 37), with K = pi / (2 agm(1, k')): Gauss's mean
+    # takes the complementary modulus k', which keeps its digits next to the separatrix.
     A, B, C = inertia
     p, q, r = map(abs, omega)
     # Axis 0 or 2, whichever omega goes round: the distance from the separatrix is a difference of two squares.

@@ -127,9 +127,6 @@ def tumble_period(omega, *, inertia):
     omega   : (3,) rad/s, body components
     inertia : (A, B, C) kg m^2
     Returns s; math.inf on the separatrix; for pure spin about axis 0 or 2 the limit of small oscillations.
-
-    The complete elliptic integral is K = pi / (2 agm(1, k')): Gauss's mean takes the complementary modulus k', which
-    keeps its digits next to the separatrix (Landau and Lifshitz, Mechanics, paragraph 37, for k).
     """
     raise NotImplementedError
 
