@@ -100,13 +100,18 @@ def gauss_source(formulas: Formulas) -> str:
     ]  # it did not settle: the step is too long
     for i in range(size):
         low, high = (" + ".join(f"{w[part]!r} * k{j}_{i}" for j, w in enumerate(weights)) for part in (1, 0))
-        lines += [f"d = h * ({high}) + (h * ({low}) + r{i})", f"n{i} = y{i} + d", f"r{i} = d - (n{i} - y{i})"]
+        lines += [f"d = h * ({high})", f"rest = h * ({low}) + r{i}", *_added(i)]
     guesses = (
         " + ".join(f"{w!r} * k{j}_{i}" for j, w in enumerate(row)) for row in onward for i in range(size)
     )
     new = [tuple_of(f"{letter}{i}" for i in range(size)) for letter in "nr"]
     lines.append(f"return {new[0]}, {new[1]}, {tuple_of(guesses)}")
     return "\n    ".join(["def leap(start, h, y, r, k, c):", *lines]) + "\n"
+
+
+def _added(i: int) -> list[str]:
+    """y + d + rest in two doubles: were `rest` added to d first, its tail would go the same way at every step."""
+    return [f"n = y{i} + d", f"rest += d - (n - y{i})", f"n{i} = n + rest", f"r{i} = rest - (n{i} - n)"]
 
 
 def _collocation(formulas: Formulas, number: int, row: list[Pair], node: float) -> list[str]:
@@ -138,8 +143,9 @@ def composition_source(drift: Formulas, kick: Formulas, constants: int) -> str:
     for fraction, formulas, first in (("d", drift, 0), ("k_", kick, half)):
         lines += [f"    {line}" for line in formulas.lines]
         for i, rate in enumerate(formulas.rates, start=first):
-            lines.append(f"    x{i} = r{i} + {fraction} * h * {rate}")
+            lines.append(f"    d{i} = {fraction} * h * {rate}")
         for i in range(first, first + len(formulas.rates)):
-            lines += [f"    n = s{i} + x{i}", f"    r{i} = x{i} - (n - s{i})", f"    s{i} = n"]
+            lines += [f"    n = s{i} + d{i}", f"    rest = r{i} + (d{i} - (n - s{i}))"]
+            lines += [f"    s{i} = n + rest", f"    r{i} = rest - (s{i} - n)"]
     lines.append(f"return {names[0]}, {names[1]}, k")
     return "\n    ".join(["def leap(start, h, y, r, k, c):", *lines]) + "\n"
