@@ -339,7 +339,8 @@ def judge_motion(definition, p, c):
                 "P moves along with C: the vector between them does not change", **known)  # fmt: skip
     other = {"b": "c", "c": "b"}[definition]
     worst, whole, _ = violation(definition, p, c)
-    expect_that(holds(definition, p, c), f"rate and moment differ by {worst / (whole or 1.0):.1e} of their size", **known,
+    differ = f"rate and moment differ by {worst / (whole or 1.0):.1e} of their size"
+    expect_that(holds(definition, p, c), differ, **known,
                 hint=f"they do not by definition {other}" if holds(other, p, c) else
                 "which product must vanish, and at every t? Multiply the polynomials out")  # fmt: skip
     expect_that(fails(other, p, c), f"definition {other} has rate = moment along this motion, too", at=(p, c))
