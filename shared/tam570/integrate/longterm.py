@@ -16,7 +16,7 @@ from tam570.integrate.trace import halves
 
 __all__ = ["METHODS", "states"]
 
-METHODS = {"gauss": 2.0, "composition": 0.5}  # step over the shortest that DOP853 takes at the same rtol
+METHODS = {"gauss": 3.5, "composition": 0.5}  # step over the shortest that DOP853 takes at the same rtol
 
 TOIL = {"gauss": 3.0, "composition": 1.0}  # of compiling it: the sweeps are one long loop
 
