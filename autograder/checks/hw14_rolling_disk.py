@@ -375,17 +375,34 @@ def matrix_state_places_the_disk(student, draw):
     """matrix_state has the centre, R row by row, and the total omega in space axes."""
     for state, disk, kind in instants(draw):
         right, radius = placed(state, radius=disk["radius"]), disk["radius"]
-        scale = [*[radius + np.abs(state[:2]).max()] * 3, *[1.0] * 9, *[np.abs(state[5:]).sum()] * 3]
-        expect(student.matrix_state(state, radius=radius), right, within=POINTWISE, scale=scale, of="the matrix state",
-               unit="of its size", at=(state, disk), kind=kind, hint="omega has three parts, one an angle")  # fmt: skip
+        sizes = (radius + np.abs(state[:2]).max(), 1.0, np.abs(state[5:]).sum())
+        expect_parts(
+            PLACE, student.matrix_state(state, radius=radius), right, np.repeat(sizes, [3, 9, 3]),
+            within=POINTWISE, at=(state, disk), kind=kind,
+        )  # fmt: skip
 
 
-def judged(function, cases, *, given_as, right, scale, within, hint=""):
+CENTRE, MATRIX, OMEGA = slice(0, 3), slice(3, 12), slice(12, 15)
+PLACE = {"the centre": CENTRE, "R, row by row,": MATRIX, "omega in space axes": OMEGA}
+MATRIX_RATES = {"the centre's velocity": CENTRE, "dR/dt": MATRIX, "omega'": OMEGA}
+EULER_RATES = {
+    "the contact's velocity": slice(0, 2), "an angle's rate": slice(2, 5), "yaw'', tilt'' or roll''": slice(5, 8),
+}  # fmt: skip
+
+
+def expect_parts(parts, found, right, scale, **said):
+    """Part by part, so that the message names what is wrong."""
+    for of, part in parts.items():
+        expect(found[part], right[part], scale=scale[part], of=of, unit="of its size", **said)
+
+
+def judged(function, cases, parts, *, given_as, right, scale, within, hint=""):
     """The student's derivatives against the right ones."""
     calls = [given(0.0, given_as(state, disk), **disk) for state, disk, _ in cases]
     for found, (state, disk, kind) in zip(function.many(calls), cases, strict=True):
-        expect(found, right(state, **disk), within=within, scale=scale(state, disk), of="the derivative",
-               unit="of its size", at=(state, disk), kind=kind, hint=hint)  # fmt: skip
+        expected = np.asarray(right(state, **disk))
+        expect_parts(parts, found, expected, scale(state, disk), within=within, at=(state, disk), kind=kind,
+                     hint=hint)  # fmt: skip
 
 
 @check(
@@ -401,7 +418,7 @@ def judged(function, cases, *, given_as, right, scale, within, hint=""):
 )  # fmt: skip
 def euler_equations_hold(student, draw):
     """euler_state_derivative balances momentum and angular momentum of a rolling disk, hoop and wheel."""
-    judged(student.euler_state_derivative, instants(draw), given_as=lambda state, disk: state, right=euler_rates,
+    judged(student.euler_state_derivative, instants(draw), EULER_RATES, given_as=as_euler, right=euler_rates,
            scale=euler_scale, within=POINTWISE, hint="test it on straight rolling, then on hw11's circles")  # fmt: skip
 
 
@@ -412,8 +429,12 @@ def euler_equations_hold_next_to_flat_and_upright(student, draw):
     nearly = [(a_state(draw, disk, tilt), disk, "a nearly flat disk") for tilt in (1e-3, math.pi - 1e-3)]
     upright = a_state(draw, disk, math.pi / 2) * [1, 1, 1, 1, 1, 1, 0, 0]
     cases = [*nearly, (upright, disk, "an upright disk that spins on a point")]
-    judged(student.euler_state_derivative, cases, given_as=lambda state, disk: state, right=spun_euler_rates,
+    judged(student.euler_state_derivative, cases, EULER_RATES, given_as=as_euler, right=spun_euler_rates,
            scale=euler_scale, within=FLAT, hint="no tilt but 0 and pi is singular")  # fmt: skip
+
+
+def as_euler(state, disk):
+    return state
 
 
 def as_matrix(state, disk):
@@ -423,14 +444,14 @@ def as_matrix(state, disk):
 @check(points=0.75, part="a", suspects=told("matrix_state_derivative", wrong_matrix))
 def matrix_equations_hold(student, draw):
     """matrix_state_derivative balances momentum and angular momentum, and turns R by omega in space axes."""
-    judged(student.matrix_state_derivative, instants(draw), given_as=as_matrix, right=matrix_rates, scale=matrix_scale,
-           within=POINTWISE, hint="dR/dt from omega, then the balances in space axes")  # fmt: skip
+    judged(student.matrix_state_derivative, instants(draw), MATRIX_RATES, given_as=as_matrix, right=matrix_rates,
+           scale=matrix_scale, within=POINTWISE, hint="dR/dt from omega, then the balances in space axes")  # fmt: skip
 
 
 @check(points=0.75, part="a", suspects=told("multiplier_state_derivative", wrong_matrix))
 def multiplier_equations_hold(student, draw):
     """multiplier_state_derivative balances momentum and angular momentum, the contact held by multipliers."""
-    judged(student.multiplier_state_derivative, instants(draw), given_as=as_matrix, right=matrix_rates,
+    judged(student.multiplier_state_derivative, instants(draw), MATRIX_RATES, given_as=as_matrix, right=matrix_rates,
            scale=matrix_scale, within=POINTWISE, hint="differentiate the constraint, arm too")  # fmt: skip
 
 
@@ -447,7 +468,7 @@ def euler_simulation_follows_the_motion(student, draw):
         found = student.simulate_euler(t, right[0], **disk)
         parts.append((t, found, right, columns_scale(right, 2, disk["radius"])))
     expect_all(parts, within=TRAJECTORY, of="the state", unit="of its largest", partial=PARTIAL,
-               hint="the times are unevenly spaced, the first is not 0")  # fmt: skip
+               hint="derivatives right? the times are unevenly spaced, the first is not 0")  # fmt: skip
 
 
 def expect_all(parts, **said):
@@ -497,7 +518,7 @@ def matrix_simulation_follows_the_motion(student, draw):
         found = student.simulate_matrix(t, right[0], **disk)
         parts.append((t, found, right, columns_scale(right, 3, disk["radius"])))
     expect_all(parts, within=TRAJECTORY, of="the state", unit="of its largest", partial=PARTIAL,
-               hint="the times are unevenly spaced, the first is not 0")  # fmt: skip
+               hint="derivatives right? the times are unevenly spaced, the first is not 0")  # fmt: skip
 
 
 @check(
