@@ -24,7 +24,9 @@ LENGTH = struct.Struct(">I")
 FILE_SIZE = 2**25  # bytes a submission may write into its scratch folder
 LARGEST_REPLY = 2**26  # bytes
 RECONSIDER = 0.25  # s between looks at a call that is late on the wall's clock
-IDLE_SHARE = 0.05  # a call that uses less than this share of a core is asleep, not slow
+IDLE_SHARE = (
+    0.02  # a call that for so long as its limit uses less than this share of a core is asleep, not slow
+)
 PATIENCE = 6  # a call may take this many times its limit in wall time on a busy machine
 LOWEST_USER, USERS = 20_000, 40_000  # ids that belong to nobody, within what a container maps
 
@@ -122,7 +124,11 @@ class Cell:
         self._leash.settimeout(5)  # s; the guard answers within a few hundredths
         self._received = bytearray()
         self._waited = 0.0  # s, in earlier calls: no less than the CPU time they took
-        self._cpu = 0.0  # s, when the guard was last asked
+        self._cpu = 0.0  # s, at the end
+        self._looked_at = (
+            0.0,
+            0.0,
+        )  # when we last asked for the CPU time to see whether it grows, and what it was
         self.guarded = True  # until the guard does not answer
 
     def send(self, request: Any) -> None:
@@ -145,7 +151,7 @@ class Cell:
         while (data := self._message()) is None:
             if self._ready(select.POLLIN, started + patience - time.monotonic()):
                 self._read()
-            elif self._overdue(time.monotonic() - started):
+            elif self._overdue(started):
                 raise CellTimeout
             else:
                 patience += RECONSIDER
@@ -199,16 +205,21 @@ class Cell:
         del self._received[: LENGTH.size + size]
         return data
 
-    def _overdue(self, waited: float) -> bool:
+    def _overdue(self, started: float) -> bool:
         """Whether a call has had its CPU time, or uses none: on a busy machine its time on the wall says little."""
         try:
             self._leash.sendall(b"c")
             cpu = float(self._leash_line().split()[0])
         except (OSError, IndexError):
             return True
-        idle = cpu - self._cpu < IDLE_SHARE * (self._limit if self._cpu == 0.0 else RECONSIDER)
-        self._cpu = cpu
-        return idle or cpu - self._waited >= self._limit or waited > PATIENCE * self._limit
+        now = time.monotonic()
+        since, cpu_then = max(self._looked_at, (started, 0.0))
+        idle = cpu - cpu_then < IDLE_SHARE * self._limit
+        if now - since >= self._limit:
+            self._looked_at = now, cpu
+        else:
+            idle = False
+        return idle or cpu - self._waited >= self._limit or now - started > PATIENCE * self._limit
 
     def _leash_line(self) -> str:
         line = b""
