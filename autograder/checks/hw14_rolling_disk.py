@@ -3,6 +3,7 @@
 Trajectories are integrated in the components w1, w2, w3 of omega along e1, e2, e3 (Appell, Korteweg), a fourth way.
 """
 
+import itertools
 import math
 
 import numpy as np
@@ -33,6 +34,7 @@ FLAT = 1e-8  # at a tilt of 1e-3 a linear system for the angles loses six of its
 TRAJECTORY = 1e-5  # relative; solve_ivp at rtol 1e-9, atol 1e-9 gets 6e-7 (LSODA)
 KEPT = 1e-6  # relative, of what does not change; there the same gets 3e-8 (R^T R with RK45)
 ENERGY = 2e-7  # relative, over 20 sqrt(a/g); there it gets 2e-8 (LSODA)
+MOST_CALLS = 10_000  # of the rates; a motion that stays off the flat takes 3000
 Z = np.array([0.0, 0.0, 1.0])
 
 
@@ -153,13 +155,23 @@ def spun_omega_rate(state, wrong=(), **disk):
     return (changed + np.cross([w1, w2, turn], [w1, w2, w3])) @ frame(state)
 
 
+class Flat(Exception):
+    """The disk falls flat, and the steps never end."""
+
+
 def path(t, state, wrong=(), rtol=1e-11, **disk):
-    """(n, 8) Euler states."""
+    """(n, 8) Euler states; NaN where the motion, a wrong one as a rule, takes too many steps."""
+    calls = itertools.count()
 
     def rates(_, y):
+        if next(calls) > MOST_CALLS:
+            raise Flat
         return spun_euler_rates(y.tolist(), wrong, **disk)
 
-    found = solve_ivp(rates, (t[0], t[-1]), state, method="DOP853", t_eval=t, rtol=rtol, atol=rtol)
+    try:
+        found = solve_ivp(rates, (t[0], t[-1]), state, method="DOP853", t_eval=t, rtol=rtol, atol=rtol)
+    except (Flat, ArithmeticError, ValueError):  # or a tilt of 0, or infinite
+        return np.full((len(t), 8), np.nan)
     return found.y.T if found.y.shape[1] == len(t) else np.full((len(t), 8), np.nan)
 
 
