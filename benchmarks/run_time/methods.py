@@ -36,8 +36,15 @@ def odeint(scene, tolerance):
 
     rhs, start, parameters, end = scene
     f = functools.partial(rhs, **parameters)
-    given = {"tfirst": True, "rtol": tolerance, "atol": tolerance, "mxstep": 10**7}
-    return lambda: odepack(f, start, (0.0, end), **given)[-1]
+    given = {"tfirst": True, "rtol": tolerance, "atol": tolerance, "mxstep": 10**7, "full_output": True}
+
+    def states():
+        found, told = odepack(f, start, (0.0, end), **given)
+        if told["message"] != "Integration successful.":
+            raise RuntimeError(told["message"])  # it returns what it has, and no error
+        return found[-1]
+
+    return states
 
 
 def cyrk(scene, tolerance):
@@ -116,7 +123,9 @@ def _rates_in(rhs, parameters, size, library, time):
     code = compile("\n".join([*lines, f"rates = [{', '.join(formulas.rates)}]"]), "<rates>", "exec")
 
     def rates(state):
-        names = {name: getattr(library, name) for name in dir(library) if name in ("sin", "cos", "sqrt", "exp")}
+        names = {
+            name: getattr(library, name) for name in dir(library) if name in ("sin", "cos", "sqrt", "exp")
+        }
         names |= {"hypot": lambda a, b: library.sqrt(a * a + b * b)}
         names |= {"t": time, **{f"s{i}": state[i] for i in range(size)}}
         exec(code, names)
