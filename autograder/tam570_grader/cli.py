@@ -10,6 +10,8 @@ from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
+from tam570_grader.handover import add_course, add_gradescope, add_lms
+
 __all__ = ["main"]
 
 INTERRUPTED = 130
@@ -45,7 +47,7 @@ def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="tam570-grader", description="Grade the assignments of the course.")
     _add_root(parser, None)
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
-    for add in (_add_grade, _add_stubs, _add_kit, _add_audit):
+    for add in (_add_grade, _add_stubs, _add_kit, add_course, add_gradescope, add_lms, _add_audit):
         _add_root(add(commands), argparse.SUPPRESS)
     return parser
 
@@ -68,6 +70,12 @@ def _add_grade(commands: Commands) -> argparse.ArgumentParser:
     add("paths", nargs="+", type=Path, metavar="PATH", help="a module, a notebook, a folder or a tree")
     add("--out", type=Path, metavar="DIR", help="write results.jsonl, grades.csv and feedback there")
     add("--json", action="store_true", help="print a JSON object for each submission, one a line")
+    add(
+        "--format",
+        choices=["table", "gradescope"],
+        default="table",
+        help="of what is printed (default: table)",
+    )
     add(
         "--seed",
         type=_natural,
@@ -158,10 +166,25 @@ def _grade(arguments: argparse.Namespace) -> int:
     except OSError as error:
         print(f"tam570-grader: error: {error}; {len(done)} results are kept", file=sys.stderr)
         return 1
+    if arguments.format == "gradescope":
+        return _print_gradescope(course, done)
     if not arguments.json:
         print(feedback.table(sorted(done, key=lambda record: (record["assignment"], record["student"]))))
         print(f"\nseed {seed}; the same seed gives the same hidden inputs and the same scores")
     return _exit_code(done)
+
+
+def _print_gradescope(course: Path, done: list[dict[str, Any]]) -> int:
+    """results.json of the one submission, or nothing if the grader failed on it; the exit code."""
+    from tam570_grader import gradescope, root
+
+    if len(done) != 1:
+        raise Usage(f"--format gradescope is for one submission; there are {len(done)} at these paths")
+    if code := _exit_code(done):
+        return code
+    lines = {check.name: check.line for check in root.assignment(course, done[0]["assignment"]).checks}
+    print(json.dumps(gradescope.results(done[0], lines), indent=1))
+    return 0
 
 
 def _slug(name: str, known: list[str]) -> str:

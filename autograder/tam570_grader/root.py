@@ -31,6 +31,7 @@ class Assignment:
     needs: Sequence[str]
     off_limits: Mapping[str, Sequence[str]]
     source: bytes  # of the checks file
+    manual: Mapping[str, tuple[float, str]]  # part: points given by hand, and for what
 
     @property
     def max_score(self) -> float:
@@ -72,7 +73,8 @@ def assignment(root: Path, slug: str) -> Assignment:
     module = _loaded(path, f"_checks_{slug}")
     checks = tuple(value for value in vars(module).values() if isinstance(value, Check))
     off_limits: dict[str, Sequence[str]] = getattr(module, "OFF_LIMITS", {})
-    return Assignment(slug, checks, module.RESULTS, module.NEEDS, off_limits, path.read_bytes())
+    manual: dict[str, tuple[float, str]] = getattr(module, "MANUAL", {})
+    return Assignment(slug, checks, module.RESULTS, module.NEEDS, off_limits, path.read_bytes(), manual)
 
 
 def solution(slug: str, root: Path | None = None) -> Any:

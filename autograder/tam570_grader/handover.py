@@ -1,0 +1,77 @@
+"""The commands that hand the course, or its scores, to other systems: nbgrader, Gradescope, Canvas, Moodle."""
+
+import argparse
+from pathlib import Path
+from typing import Any
+
+__all__ = ["add_course", "add_gradescope", "add_lms"]
+
+Commands = Any  # argparse keeps the name of its subparsers' type to itself
+
+
+def add_course(commands: Commands) -> argparse.ArgumentParser:
+    course: argparse.ArgumentParser = commands.add_parser("course", help="make a course that nbgrader runs")
+    course.set_defaults(command=_course)
+    course.add_argument("folder", type=Path, metavar="DIR", help="where to put it")
+    course.add_argument("assignments", nargs="*", metavar="SLUG", help="default: all")
+    return course
+
+
+def add_gradescope(commands: Commands) -> argparse.ArgumentParser:
+    gradescope: argparse.ArgumentParser = commands.add_parser(
+        "gradescope", help="make the archives that Gradescope runs"
+    )
+    gradescope.set_defaults(command=_gradescope)
+    gradescope.add_argument("folder", type=Path, metavar="DIR", help="where to put them")
+    gradescope.add_argument("assignments", nargs="*", metavar="SLUG", help="default: all")
+    return gradescope
+
+
+def add_lms(commands: Commands) -> argparse.ArgumentParser:
+    lms: argparse.ArgumentParser = commands.add_parser(
+        "lms", help="make a table that Canvas or Moodle imports"
+    )
+    lms.set_defaults(command=_lms)
+    add = lms.add_argument
+    add("grades", type=Path, metavar="GRADES", help="grades.csv of `grade --out`, or of `nbgrader export`")
+    add("--to", choices=["canvas", "moodle"], required=True, help="the system")
+    add(
+        "--roster",
+        type=Path,
+        metavar="FILE",
+        help="a gradebook exported from Canvas, for its names and numbers",
+    )
+    add("--identity", choices=["username", "idnumber", "email"], default="username", help="in Moodle")
+    add("--out", type=Path, metavar="FILE", help="default: print it")
+    return lms
+
+
+def _course(arguments: argparse.Namespace) -> int:
+    from tam570_grader import course
+
+    return course.run(*_course_and_slugs(arguments))
+
+
+def _gradescope(arguments: argparse.Namespace) -> int:
+    from tam570_grader import gradescope
+
+    return gradescope.run(*_course_and_slugs(arguments))
+
+
+def _lms(arguments: argparse.Namespace) -> int:
+    from tam570_grader import lms
+
+    return lms.run(arguments.grades, arguments.to, arguments.roster, arguments.identity, arguments.out)
+
+
+def _course_and_slugs(arguments: argparse.Namespace) -> tuple[Path, Path, list[str]]:
+    """The checkout, the folder to write to, the assignments."""
+    from tam570_grader import root
+
+    course = root.find(arguments.root)
+    known = root.slugs(course)
+    slugs = [(name, root.slug_of(name, known)) for name in arguments.assignments]
+    for name, slug in slugs:
+        if slug is None:
+            raise root.NoCourse(f"there is no assignment {name!r}; there are: {', '.join(known)}")
+    return course, arguments.folder, [slug for _, slug in slugs if slug] or known

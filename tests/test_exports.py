@@ -1,0 +1,232 @@
+"""What goes to other systems: results and archives for Gradescope, tables for Canvas and Moodle."""
+
+import csv
+import json
+import os
+import subprocess
+import sys
+import zipfile
+
+import pytest
+
+from tam570_grader import cli, gradescope, lms, root
+from tam570_grader.grade import failed_by_us
+from tam570_grader.stubs import stub
+
+ONE = "hw08_axis_angle"
+FORMATS = {"text", "html", "simple_format", "md", "ansi"}
+VISIBLE = {"hidden", "after_due_date", "after_published", "visible"}
+# The specification of Gradescope, "Output format": each field and what it may hold.
+WHOLE = {
+    "score": lambda v: isinstance(v, int | float), "execution_time": lambda v: isinstance(v, int | float),
+    "output": lambda v: isinstance(v, str), "output_format": FORMATS.__contains__,
+    "test_output_format": FORMATS.__contains__, "test_name_format": FORMATS.__contains__,
+    "visibility": VISIBLE.__contains__, "stdout_visibility": VISIBLE.__contains__,
+    "extra_data": lambda v: isinstance(v, dict), "tests": lambda v: isinstance(v, list),
+    "leaderboard": lambda v: isinstance(v, list),
+}  # fmt: skip
+TEST = {
+    "score": lambda v: isinstance(v, int | float), "max_score": lambda v: isinstance(v, int | float),
+    "status": {"passed", "failed"}.__contains__, "name": lambda v: isinstance(v, str),
+    "name_format": FORMATS.__contains__, "number": lambda v: isinstance(v, str),
+    "output": lambda v: isinstance(v, str), "output_format": FORMATS.__contains__,
+    "tags": lambda v: isinstance(v, list), "visibility": VISIBLE.__contains__,
+    "extra_data": lambda v: isinstance(v, dict),
+}  # fmt: skip
+
+
+def violations(found, schema):
+    """The fields that the specification does not know, or not with such a value."""
+    return [name for name, value in found.items() if name not in schema or not schema[name](value)]
+
+
+def as_gradescope_reads_it(text):
+    """The results, after every rule of the specification."""
+    found = json.loads(text)
+    assert not violations(found, WHOLE)
+    assert not [name for test in found["tests"] for name in violations(test, TEST)]
+    assert found["score"] == pytest.approx(sum(test["score"] for test in found["tests"]))
+    return found
+
+
+@pytest.fixture
+def submission(tmp_path, solution_text):
+    """`submission(text)` -> a folder with the module in it."""
+
+    def submission(text=None):
+        folder = tmp_path / "submission"
+        folder.mkdir(exist_ok=True)
+        (folder / f"{ONE}.py").write_text(solution_text(ONE) if text is None else text)
+        return folder
+
+    return submission
+
+
+def test_the_schema_tells_right_from_wrong():
+    assert violations({"score": "ten", "points": 3, "output_format": "rtf"}, WHOLE) == [
+        "score",
+        "points",
+        "output_format",
+    ]
+    assert violations({"status": "not_run", "visibility": "visible"}, TEST) == ["status"]
+
+
+@pytest.mark.parametrize("what", ["solution", "stub", "transposed", "no_syntax"])
+def test_results_are_what_gradescope_accepts(course, submission, solution_text, capsys, what):
+    solution = solution_text(ONE)
+    wrong = (course / "tests" / "wrong" / ONE / "transposed.py").read_text()
+    texts = {
+        "solution": solution,
+        "stub": stub(solution),
+        "transposed": solution + wrong,
+        "no_syntax": "def f(:",
+    }
+    grade = [
+        "grade",
+        str(submission(texts[what])),
+        "--assignment",
+        ONE,
+        "--seed",
+        "3",
+        "--format",
+        "gradescope",
+    ]
+    assert cli.main(["--root", str(course), *grade]) == 0
+    found = as_gradescope_reads_it(capsys.readouterr().out)
+    assert (found["score"] == 10) == (what == "solution") and (found["score"] == 0) == (
+        what in ("stub", "no_syntax")
+    )
+    assert sum(test["max_score"] for test in found["tests"]) == 10
+    assert all(test["output"] for test in found["tests"] if test["status"] == "failed")
+    assert bool(found["output"]) == (what == "no_syntax")
+
+
+def test_results_hold_nothing_hidden(course, grade, solution_text):
+    wrong = (course / "tests" / "wrong" / ONE / "transposed.py").read_text()
+    record = grade(ONE, solution_text(ONE) + wrong).record()
+    hidden = [text for mark in record["checks"] for text in mark["detail"].values()]
+    page = json.dumps(gradescope.results(record, {}))
+    assert hidden and not any(json.dumps(text)[1:-1] in page for text in hidden)
+
+
+def test_two_submissions_are_not_one(course, tmp_path, submission, capsys):
+    folder = submission()
+    command = ["grade", str(folder), str(folder / f"{ONE}.py"), "--assignment", ONE, "--format", "gradescope"]
+    assert cli.main(["--root", str(course), *command]) == 2
+    assert "one submission" in capsys.readouterr().err
+
+
+def test_a_failure_of_ours_leaves_no_results(course, submission, capsys, monkeypatch):
+    broken = failed_by_us("s", root.assignment(course, ONE), "a bug", 3).record()
+    monkeypatch.setattr("tam570_grader.run.records", lambda plan, book: iter([broken]))
+    grade = ["grade", str(submission()), "--assignment", ONE, "--format", "gradescope"]
+    assert cli.main(["--root", str(course), *grade]) == 1
+    assert capsys.readouterr().out == ""
+
+
+@pytest.fixture
+def container(course, tmp_path, submission):
+    """A folder laid out as Gradescope's /autograder, with the archive unpacked and a submission in it."""
+    assert cli.main(["--root", str(course), "gradescope", str(tmp_path), ONE]) == 0
+    submission()
+    with zipfile.ZipFile(tmp_path / f"{ONE}.zip") as archive:
+        archive.extractall(tmp_path / "source")
+        assert all(
+            archive.getinfo(name).external_attr >> 16 & 0o111 for name in ("setup.sh", "run_autograder")
+        )
+    return tmp_path
+
+
+def test_the_archive_grades_by_itself(container):
+    course = container / "source" / "course"
+    ours = os.pathsep.join([str(course / "shared"), str(course / "autograder")])
+    environment = {"PATH": os.environ["PATH"], "PYTHON": sys.executable, "PYTHONPATH": ours}
+    run = ["sh", str(container / "source" / "run_autograder")]
+    done = subprocess.run(run, cwd=container, env=environment, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    assert as_gradescope_reads_it((container / "results" / "results.json").read_text())["score"] == 10
+
+
+def test_the_archive_holds_one_assignment_and_shell_scripts_that_parse(container):
+    source = container / "source"
+    assert [path.stem for path in (source / "course" / "solutions").iterdir()] == [ONE]
+    assert [path.stem for path in (source / "course" / "autograder" / "checks").iterdir()] == [ONE]
+    for name in ("setup.sh", "run_autograder"):
+        subprocess.run(["sh", "-n", str(source / name)], check=True)
+
+
+def test_an_archive_keeps_one_seed_for_the_class(container):
+    assert " --seed " in (container / "source" / "run_autograder").read_text()
+
+
+SCORES = {
+    ("ann", "hw07_x"): ("9.5", "10.0"),
+    ("ben", "hw07_x"): ("", "10.0"),
+    ("ann", "hw08_y"): ("10.0", "10.0"),
+}
+ROSTER = [
+    ["Student", "ID", "SIS User ID", "SIS Login ID", "Section", "hw07_x (4711)", "Final Score"],
+    ["    Points Possible", "", "", "", "", "10", "(read only)"],
+    ["Lee, Ann", "17", "A1", "ann", "570", "", ""],
+    ["Ray, Cho", "18", "A3", "cho", "570", "", ""],
+]
+
+
+def test_canvas_without_a_roster_knows_students_by_login():
+    table = lms.canvas(SCORES)
+    assert table[0] == ["Student", "ID", "SIS User ID", "SIS Login ID", "Section", "hw07_x", "hw08_y"]
+    assert table[1] == ["    Points Possible", "", "", "", "", "10.0", "10.0"]
+    assert table[2:] == [["ann", "", "", "ann", "", "9.5", "10.0"], ["ben", "", "", "ben", "", "", ""]]
+
+
+def test_canvas_with_a_roster_keeps_its_names_numbers_and_columns():
+    table = lms.canvas(SCORES, ROSTER)
+    assert table[0][5:] == ["hw07_x (4711)", "hw08_y"]
+    assert table[2:] == [["Lee, Ann", "17", "A1", "ann", "570", "9.5", "10.0"], [*ROSTER[3][:5], "", ""]]
+
+
+@pytest.mark.parametrize("name", ["17", "A1"])
+def test_canvas_finds_a_student_by_any_of_its_numbers(name):
+    assert lms.canvas({(name, "hw07_x"): ("9.5", "10.0")}, ROSTER)[2][5:] == ["9.5"]
+
+
+def test_moodle_knows_students_by_the_field_that_is_named():
+    assert lms.moodle(SCORES, "email")[0] == ["Email address", "hw07_x", "hw08_y"]
+    assert lms.moodle(SCORES)[1:] == [["ann", "9.5", "10.0"], ["ben", "", ""]]
+
+
+@pytest.mark.parametrize("system, who", [("canvas", 3), ("moodle", 0)])
+def test_the_grades_of_a_run_arrive(course, tmp_path, submission, system, who):
+    submission()
+    assert (
+        cli.main(
+            [
+                "--root",
+                str(course),
+                "grade",
+                str(tmp_path / "submission" / f"{ONE}.py"),
+                "--out",
+                str(tmp_path),
+            ]
+        )
+        == 0
+    )
+    out = tmp_path / "table.csv"
+    assert cli.main(["lms", str(tmp_path / "grades.csv"), "--to", system, "--out", str(out)]) == 0
+    with open(out, newline="") as file:
+        heading, *_, row = csv.reader(file)
+    assert heading[-1] == ONE and row[who] == ONE and float(row[-1]) == 10
+
+
+def test_nbgraders_export_will_do(tmp_path, capsys):
+    export = "assignment,duedate,timestamp,student_id,raw_score,score,max_score\nhw07_x,,,ann,9,8.5,12\n"
+    (tmp_path / "grades.csv").write_text(export)
+    assert cli.main(["lms", str(tmp_path / "grades.csv"), "--to", "moodle"]) == 0
+    assert capsys.readouterr().out.splitlines() == ["Username,hw07_x", "ann,8.5"]
+
+
+@pytest.mark.parametrize("text", ["", "a,b\n1,2\n"])
+def test_what_is_no_table_of_grades_is_refused(tmp_path, capsys, text):
+    (tmp_path / "grades.csv").write_text(text)
+    assert cli.main(["lms", str(tmp_path / "grades.csv"), "--to", "canvas"]) == 2
+    assert "grades.csv" in capsys.readouterr().err
