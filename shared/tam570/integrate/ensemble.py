@@ -34,7 +34,7 @@ def states(kit: Engine, times: Array, starts: Array, rtol: float, how: str) -> A
 
 def _numba_repays(kit: Engine, seconds_alone: float) -> bool:
     source = explicit.module(kit.formulas)
-    if machine.loaded_already(lambda: source):
+    if machine.loaded_already(source):
         return True
     return seconds_alone / GAIN > machine.wait(source)
 

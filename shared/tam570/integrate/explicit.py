@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from tam570.integrate import drive, machine
+from tam570.integrate import drive
 from tam570.integrate.pace import Loop, carried_through
 from tam570.integrate.problem import Array, agrees, bound, check_start, floats_function
 from tam570.integrate.source import Formulas, call_of, compiled, functions
@@ -76,6 +76,9 @@ def _with_loop(namespace: dict[str, Any]) -> dict[str, Any]:
 
 @lru_cache(maxsize=64)
 def module(formulas: Formulas) -> str:
+    """The module that numba compiles for these formulas."""
+    from tam570.integrate import machine
+
     text = functions(formulas, forgiving=False)
     return machine.module_source(drive, text, "rhs, raised, step, dense, at", "advance")
 
@@ -107,15 +110,9 @@ def states(
         row, reached, h, *_ = state
         return 1.0 if row == len(rows) or h == 0.0 else reached / listed[-1]
 
-    def projected(advance: Any, state: Any, budget: int, by_numba: bool) -> Any:
-        assert project
-        while share(state) < 1:
-            state = run(advance, _shortened(state, longest), 1, by_numba)
-            state = _projected(kit, state, origin, project)
-        return state
-
     source = partial(module, kit.formulas) if kit.traced and not project else None
-    loop = Loop(projected if project else run, share, kit.functions["advance"], "advance", source)
+    by_steps = _stepwise(kit, run, share, origin, project, longest) if project else run
+    loop = Loop(by_steps, share, kit.functions["advance"], "advance", source)
     _, reached, h, *_ = carried_through(loop, at_start(kit, origin, listed[-1], start), how)
     if h == 0.0:
         raise ArithmeticError(
@@ -124,6 +121,20 @@ def states(
     if project:
         rows[1:] = [project(row) for row in rows[1:]]
     return rows
+
+
+def _stepwise(
+    kit: Engine, run: Any, share: Any, origin: float, project: Callable[[Array], Any], longest: Any
+) -> Callable[..., Any]:
+    """`run` to the end with every step limited before and projected after."""
+
+    def projected(advance: Any, state: Any, _budget: int, by_numba: bool) -> Any:
+        while share(state) < 1:
+            state = run(advance, _shortened(state, longest), 1, by_numba)
+            state = _projected(kit, state, origin, project)
+        return state
+
+    return projected
 
 
 def _shortened(state: Any, longest: Callable[[Array], float] | None) -> Any:

@@ -11,11 +11,10 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-__all__ = ["SOONEST", "available", "loaded", "loaded_already", "module_source", "wait"]
+__all__ = ["available", "loaded", "loaded_already", "module_source", "wait"]
 
 IMPORT = 0.4  # s, of numba
 READY = 0.05  # s, to load what was compiled before
-SOONEST = READY
 
 _HEAD = '''"""Written by tam570 for one right-hand side; may be deleted at any time."""
 
@@ -41,9 +40,9 @@ def module_source(loop: ModuleType, generated: str, inner: str, entry: str) -> s
     return "\n\n".join([_HEAD, inspect.getsource(loop), generated, _TAIL.format(inner=inner, entry=entry)])
 
 
-def loaded_already(source: Callable[[], str]) -> bool:
-    """Whether this process has the code; without numba that is soon answered."""
-    return "numba" in sys.modules and _name(source()) in sys.modules
+def loaded_already(source: str) -> bool:
+    """Whether this process has the compiled code."""
+    return _name(source) in sys.modules
 
 
 def wait(source: str, toil: float = 1.0) -> float:

@@ -1,5 +1,6 @@
 """A loop in Python that goes on compiled where that is installed and gets there sooner, compilation included."""
 
+import sys
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -8,6 +9,7 @@ from typing import Any
 __all__ = ["Loop", "carried_through"]
 
 PROBE = 50  # steps before the clock is read for the first time
+SOONEST = 0.05  # s, in which no compiled code was ever loaded
 
 
 @dataclass(frozen=True)
@@ -56,9 +58,7 @@ def _compiled(loop: Loop, source: Callable[[], str], state: Any) -> Any:
 
 def _until_it_repays(loop: Loop, source: Callable[[], str], state: Any) -> Any:
     """Steps in Python until the end, or until what is left takes longer than loading the compiled loop."""
-    from tam570.integrate import machine
-
-    if machine.loaded_already(source):
+    if "numba" in sys.modules and _loaded_already(source()):
         return state
     began, budget, wait = time.perf_counter(), PROBE, 0.0
     while True:
@@ -67,8 +67,20 @@ def _until_it_repays(loop: Loop, source: Callable[[], str], state: Any) -> Any:
         if done >= 1:
             return state
         left = passed * (1 / done - 1) if done else 0.0
-        if left > machine.SOONEST:  # else not worth the question
-            wait = wait or machine.wait(source(), loop.toil)
+        if left > SOONEST:  # else not worth the question
+            wait = wait or _wait(source(), loop.toil)
             if left > wait:
                 return state
         budget *= 2
+
+
+def _loaded_already(source: str) -> bool:
+    from tam570.integrate import machine
+
+    return machine.loaded_already(source)
+
+
+def _wait(source: str, toil: float) -> float:
+    from tam570.integrate import machine
+
+    return machine.wait(source, toil)

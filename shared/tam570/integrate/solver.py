@@ -6,12 +6,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.integrate import explicit, longterm
+from tam570.integrate import explicit
 from tam570.integrate.problem import Array, bound, initial_state, sample_times, tolerance
 
 __all__ = ["solve"]
 
-METHODS = ("auto", "python", "numba", *longterm.METHODS)
+FIXED_STEP = ("gauss", "composition")
+METHODS = ("auto", "python", "numba", *FIXED_STEP)
 
 
 def solve(
@@ -42,25 +43,25 @@ def solve(
     to be finite.
     """
     times, start, rtol = sample_times(t), initial_state(y0), tolerance(rtol)
-    if method not in METHODS:
-        raise ValueError(f"method: one of {', '.join(METHODS)}, got {method!r}")
+    _check_method(method, several=start.ndim == 2, projected=project is not None)
     with np.errstate(all="ignore"):  # a step that proves too long may overflow: it is taken again
         if start.ndim == 2:
-            return _ensemble(rhs, parameters, times, start, rtol, method)
+            from tam570.integrate import ensemble
+
+            kit = explicit.engine(rhs, parameters, times, start[0])
+            return ensemble.states(kit, times, start, rtol, method)
         kit = explicit.engine(rhs, parameters, times, start)
-        if method in longterm.METHODS:
-            if project is not None:
-                raise ValueError(f'project: goes with method "auto" or "python", not with {method!r}')
+        if method in FIXED_STEP:
+            from tam570.integrate import longterm
+
             return longterm.states(method, kit, bound(rhs, parameters), times, start, rtol, step)
         return explicit.states(kit, times, start, rtol, method, project)
 
 
-def _ensemble(
-    rhs: Callable[..., Any], parameters: Any, times: Array, starts: Array, rtol: float, method: str
-) -> Array:
-    from tam570.integrate import ensemble
-
-    if method in longterm.METHODS:
+def _check_method(method: str, *, several: bool, projected: bool) -> None:
+    if method not in METHODS:
+        raise ValueError(f"method: one of {', '.join(METHODS)}, got {method!r}")
+    if method in FIXED_STEP and several:
         raise ValueError(f'y0: several starts at once go with method "auto", not with {method!r}')
-    kit = explicit.engine(rhs, parameters, times, starts[0])
-    return ensemble.states(kit, times, starts, rtol, method)
+    if projected and (method in FIXED_STEP or several):
+        raise ValueError('project: goes with one start and method "auto" or "python" alone')
