@@ -231,6 +231,9 @@ def test_tolerances_beyond_rounding_finish():
         ({"method": "gauss", "step": -1.0}, "^step: "),
         ({"method": "composition", "rhs": lambda t, y: (y[1], -y[0] - y[1])}, "^method: "),
         ({"method": "gauss", "project": lambda y: y}, "^project: "),
+        ({"y0": [[1.0, 0.0], [0.0, 1.0]], "project": lambda y: y}, "^project: "),
+        ({"y0": [[1.0, 0.0], [0.0, 1.0]], "method": "gauss"}, "^y0: "),
+        ({"method": "numba", "rhs": lambda t, y: (y[1], -y[0]) if y[0] > 0 else (0.0, 1.0)}, "^method: "),
     ],
 )
 def test_bad_input_is_named_with_its_remedy(change, message):

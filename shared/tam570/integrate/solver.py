@@ -39,8 +39,7 @@ def solve(
     step       : s, of the methods with a fixed one; left out it follows from rtol
     project    : project(y) -> the nearest allowed state, applied after every step: for holonomic constraints
     Returns (n, k), row 0 is y0; or (m, n, k).
-    ValueError names the argument that does not fit; ArithmeticError tells where the solution or rhs ceases
-    to be finite.
+    ValueError names the argument, ArithmeticError the time at which rhs or solution cease to be finite.
     """
     times, start, rtol = sample_times(t), initial_state(y0), tolerance(rtol)
     _check_method(method, several=start.ndim == 2, projected=project is not None)
