@@ -12,8 +12,12 @@ from pathlib import Path
 import pytest
 
 from tam570_grader import cli, root
+from tam570_grader.course import TEMPLATES
+from tam570_grader.notebook import functions_by_part, notebook, part_points, problem, visible_by_part
+from tam570_grader.stubs import stub
 
 TESTS = Path(__file__).parent
+PICTURES = TEMPLATES / "pictures"
 IN_CI = {  # assignment: the slip in what the second student hands in
     "hw07_double_pendulum": "too_few_steps",
     "hw08_axis_angle": "skew_transposed",
@@ -65,7 +69,7 @@ def nbgrader(tmp_path_factory):
 def made_course(course, folder, slugs):
     """The course as the command writes it, with an exchange beside it."""
     assert cli.main(["--root", str(course), "course", str(folder / "course"), *slugs]) == 0
-    (folder / "exchange").mkdir(mode=0o777)
+    (folder / "exchange").mkdir(mode=0o777, exist_ok=True)
     setting = f'\nc.Exchange.root = "{folder / "exchange"}"\n'
     with open(folder / "course" / "nbgrader_config.py", "a") as config:
         config.write(setting)
@@ -365,3 +369,110 @@ def test_a_submission_without_its_notebook_is_named_and_left(odd_class, nbgrader
     nb_of(folder).unlink()
     assert "no_notebook" in nbgrader(made, "autograde", ONE, "--student", "no_notebook", fails=True)
     assert (folder / f"{ONE}.py").exists() and ("no_notebook", ONE, "part-a") not in scores(made)
+
+
+# The notebook
+
+
+def made_notebook(course, slug):
+    released = course / "assignments" / slug
+    texts = [(released / name).read_text() for name in ("README.md", f"test_{slug}.py")]
+    return notebook(root.assignment(course, slug), *texts, (PICTURES / f"{slug}.md").read_text())
+
+
+def test_every_part_has_its_text_and_its_points(course, slug):
+    assignment, cells = root.assignment(course, slug), made_notebook(course, slug)["cells"]
+    given = problem((course / "assignments" / slug / "README.md").read_text())
+    graded = {
+        one["metadata"]["nbgrader"]["grade_id"]: one["metadata"]["nbgrader"]["points"]
+        for one in cells
+        if one["metadata"]
+    }
+    assert given.parts and {*part_points(assignment), *assignment.manual} <= set(given.parts)
+    assert {
+        f"part-{part}": points for part, points in part_points(assignment).items()
+    }.items() <= graded.items()
+    assert {
+        f"manual-{part}": points for part, (points, _) in assignment.manual.items()
+    }.items() <= graded.items()
+    assert sum(graded.values()) == assignment.max_score + sum(
+        points for points, _ in assignment.manual.values()
+    )
+    assert len({one["id"] for one in cells}) == len(cells)
+
+
+def test_every_visible_test_belongs_to_one_part_and_every_function_to_its_check(course, slug):
+    assignment, text = (
+        root.assignment(course, slug),
+        (course / "assignments" / slug / f"test_{slug}.py").read_text(),
+    )
+    placed = [name for names in visible_by_part(assignment, text).values() for name in names]
+    assert sorted(placed) == sorted(
+        line[4:].split("(")[0] for line in text.splitlines() if line.startswith("def test_")
+    )
+    assert set(functions_by_part(assignment).values()) <= set(part_points(assignment))
+
+
+def test_a_test_waits_for_the_last_part_that_it_uses(course):
+    assignment = root.assignment(course, "hw12_bead_on_wire")
+    one, two = "def test_one():\n    hw.lagrangian()\n", "def test_two():\n    both(), hw.lagrangian()\n"
+    text = f"def both():\n    hw.period(1)\n{one}{two}"
+    assert visible_by_part(assignment, text) == {"a": ["test_one"], "b": ["test_two"]}
+
+
+def test_everything_that_a_student_gets_is_no_secret(course, tmp_path, slug):
+    made, _ = made_course(course, tmp_path, [slug])
+    names = {f"{slug}.py", f"{slug}.ipynb", f"test_{slug}.py", "README.md", "lab.py"}
+    assert {path.name for path in (made / "source" / slug).iterdir()} == names
+    assert (made / "source" / slug / f"{slug}.py").read_text() == stub(
+        (course / "solutions" / f"{slug}.py").read_text()
+    )
+
+
+def test_a_course_that_is_made_again_keeps_what_the_teacher_changed(course, tmp_path):
+    made, _ = made_course(course, tmp_path, [ONE])
+    before = (made / "nbgrader_config.py").read_text()
+    assert "Exchange.root" in before and cli.main(["--root", str(course), "course", str(made), ONE]) == 0
+    assert (made / "nbgrader_config.py").read_text() == before
+
+
+def run_top_to_bottom(course, folder, slug, module):
+    """The outputs of the notebook beside this module, as text."""
+    made, _ = made_course(course, folder, [slug])
+    work = made / "source" / slug
+    (work / f"{slug}.py").write_text(module)
+    command = ["-m", "jupyter", "nbconvert", "--to", "notebook", "--execute", "--inplace", f"{slug}.ipynb"]
+    done = subprocess.run([sys.executable, *command], cwd=work, capture_output=True, text=True, timeout=300)
+    assert done.returncode == 0, done.stderr[-2000:]
+    cells = json.loads((work / f"{slug}.ipynb").read_text())["cells"]
+    outputs = [one for cell in cells for one in cell.get("outputs", [])]
+    assert not [one for one in outputs if one["output_type"] == "error" or one.get("name") == "stderr"]
+    return "".join("".join(one.get("text", [])) for one in outputs), outputs
+
+
+def assert_the_notebook_runs(course, folder, slug):
+    """With the stub it says what is missing, with the solution it shows it."""
+    solution = (course / "solutions" / f"{slug}.py").read_text()
+    said, _ = run_top_to_bottom(course, folder / "stub", slug, stub(solution))
+    assert "Nothing to see yet" in said and "is not written yet" in said
+    said, outputs = run_top_to_bottom(course, folder / "solution", slug, solution)
+    assert "Nothing to see" not in said and "This stopped" not in said and "\n- " not in said
+    assert any({"image/png", "text/html"} & set(one.get("data", {})) for one in outputs)
+
+
+def test_a_notebook_runs_with_the_stub_and_with_the_solution(course, tmp_path):
+    assert_the_notebook_runs(course, tmp_path, ONE)
+
+
+@pytest.mark.full
+def test_every_notebook_runs_with_the_stub_and_with_the_solution(course, tmp_path, slug):
+    assert_the_notebook_runs(course, tmp_path, slug)
+
+
+def test_validate_says_whether_the_visible_tests_pass(course, tmp_path, nbgrader):
+    made, _ = made_course(course, tmp_path, [ONE])
+    nbgrader(made, "generate_assignment", ONE)
+    work = made / "release" / ONE
+    assert "Partial credit" in nbgrader(work, "validate", f"{ONE}.ipynb")
+    shutil.copy(course / "solutions" / f"{ONE}.py", work)
+    assert "Success" in nbgrader(work, "validate", f"{ONE}.ipynb")

@@ -70,12 +70,7 @@ def _add_grade(commands: Commands) -> argparse.ArgumentParser:
     add("paths", nargs="+", type=Path, metavar="PATH", help="a module, a notebook, a folder or a tree")
     add("--out", type=Path, metavar="DIR", help="write results.jsonl, grades.csv and feedback there")
     add("--json", action="store_true", help="print a JSON object for each submission, one a line")
-    add(
-        "--format",
-        choices=["table", "gradescope"],
-        default="table",
-        help="of what is printed (default: table)",
-    )
+    add("--format", choices=["table", "gradescope"], default="table", help="of what is printed")
     add(
         "--seed",
         type=_natural,
@@ -169,9 +164,15 @@ def _grade(arguments: argparse.Namespace) -> int:
     if arguments.format == "gradescope":
         return _print_gradescope(course, done)
     if not arguments.json:
-        print(feedback.table(sorted(done, key=lambda record: (record["assignment"], record["student"]))))
-        print(f"\nseed {seed}; the same seed gives the same hidden inputs and the same scores")
+        _print_table(done, seed)
     return _exit_code(done)
+
+
+def _print_table(done: list[dict[str, Any]], seed: int) -> None:
+    from tam570_grader import feedback
+
+    print(feedback.table(sorted(done, key=lambda record: (record["assignment"], record["student"]))))
+    print(f"\nseed {seed}; the same seed gives the same hidden inputs and the same scores")
 
 
 def _print_gradescope(course: Path, done: list[dict[str, Any]]) -> int:

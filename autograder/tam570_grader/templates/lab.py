@@ -31,11 +31,8 @@ def shown() -> Iterator[None]:
     """Run what is below; if your module cannot do it yet, say what is missing, and go on."""
     try:
         yield
-    except NotImplementedError as error:
-        print(f"Nothing to see yet: {_last_call(error).name} is not written.")
     except Exception as error:
-        call = _last_call(error)
-        print(f"This stopped in {call.name}, line {call.lineno}: {type(error).__name__}: {error}")
+        print(_said(error))
     else:
         return
     if "matplotlib.pyplot" in sys.modules:
@@ -88,11 +85,16 @@ def tests(*names: str, points: float) -> float:
     return points * int(passed) / int(total)
 
 
-def _last_call(error: Exception) -> traceback.FrameSummary:
-    """Where it was raised, in the student's module if it went through it."""
+def _said(error: Exception) -> str:
+    """What is missing or wrong, and where in the student's module."""
     calls = traceback.extract_tb(error.__traceback__)
     own = [call for call in calls if Path(call.filename).name.startswith("hw")]
-    return (own or list(calls))[-1]
+    if isinstance(error, NotImplementedError):
+        return f"Nothing to see yet: {(own or list(calls))[-1].name} is not written."
+    if isinstance(error, NameError) and not own:
+        return f"Nothing to see yet: {error.name} comes from a cell above that shows nothing yet."
+    place = f"in {own[-1].name}, line {own[-1].lineno}" if own else "with what your functions returned"
+    return f"This stopped {place}: {type(error).__name__}: {error}"
 
 
 def _in_the_plane(wires: Any) -> Any:
