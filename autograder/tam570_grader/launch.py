@@ -19,6 +19,7 @@ ENVIRONMENT = {
     "PATH": "/usr/bin:/bin", "HOME": "/tmp", "LC_ALL": "C.UTF-8", "PYTHONHASHSEED": "0",
     "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1",  # a second thread forbids namespaces
     "MPLBACKEND": "agg", "MPLCONFIGDIR": "/tmp/matplotlib",
+    "TAM570_NUMBA": "0",  # compiling costs seconds that a call may not have, and when it starts depends on the clock
 }  # fmt: skip
 
 

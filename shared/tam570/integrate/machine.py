@@ -31,8 +31,8 @@ inner = njit(error_model="numpy", no_cpython_wrapper=True, no_cfunc_wrapper=True
 
 
 def available() -> bool:
-    """Whether numba is installed; it is not imported for that."""
-    return importlib.util.find_spec("numba") is not None
+    """Whether numba is installed, and not forbidden by TAM570_NUMBA=0; it is not imported for that."""
+    return os.environ.get("TAM570_NUMBA") != "0" and importlib.util.find_spec("numba") is not None
 
 
 def module_source(loop: ModuleType, generated: str, inner: str, entry: str) -> str:
