@@ -268,21 +268,21 @@ def judge(student, name, calls, scale, of, unit, hint, kind="random angles, mass
 @check(points=1, part="a", suspects=mistakes("mass_matrix", *INERTIA))
 def mass_matrix_makes_the_kinetic_energy(student, draw):
     """mass_matrix: half of omega . M omega is the kinetic energy of the two bars."""
-    judge(student, "mass_matrix", resting(draw, 15, "masses", "lengths"), lambda inertia, _: inertia, "[M]", "of m l^2",
+    judge(student, "mass_matrix", resting(draw, 8, "masses", "lengths"), lambda inertia, _: inertia, "[M]", "of m l^2",
           "write the velocities of both mass centres by the absolute angular velocities")  # fmt: skip
 
 
 @check(points=1, part="a", suspects=mistakes("velocity_terms", "point", "sine"))
 def velocity_terms_are_centripetal(student, draw):
     """velocity_terms: {f} of Lagrange's equations."""
-    judge(student, "velocity_terms", moving(draw, 15, "masses", "lengths"), lambda inertia, rate2: inertia * rate2,
+    judge(student, "velocity_terms", moving(draw, 8, "masses", "lengths"), lambda inertia, rate2: inertia * rate2,
           "{f}", "of m l^2 omega^2", "which way does each mass centre accelerate when alpha is zero?")  # fmt: skip
 
 
 @check(points=0.75, part="a", suspects=mistakes("gravity_terms", "point", "gravity"))
 def gravity_terms_are_moments_of_the_weights(student, draw):
     """gravity_terms: {g}, the derivatives of the potential energy by th1 and th2."""
-    judge(student, "gravity_terms", resting(draw, 15, "masses", "lengths", "gravity"),
+    judge(student, "gravity_terms", resting(draw, 8, "masses", "lengths", "gravity"),
           lambda inertia, rate2: inertia * rate2, "{g}", "of m g l",
           "how does the height of each mass centre change with each angle?")  # fmt: skip
 
@@ -290,7 +290,7 @@ def gravity_terms_are_moments_of_the_weights(student, draw):
 @check(points=0.75, part="a", suspects=mistakes("angular_acceleration", *INERTIA, *SIGNS))
 def accelerations_obey_the_equations(student, draw):
     """angular_acceleration: [M]{alpha} + {f} + {g} = 0, without gravity too."""
-    calls = moving(draw, 15) + moving(draw, 3, gravity=0.0)
+    calls = moving(draw, 8) + moving(draw, 3, gravity=0.0)
     judge(student, "angular_acceleration", calls, lambda _, rate2: rate2, "alpha", "of omega^2 + g/l",
           "put alpha back into [M]{alpha} + {f} + {g}: is it zero?")  # fmt: skip
 
@@ -323,7 +323,7 @@ def accelerations_with_a_nearly_massless_bar(student, draw):
 
 def fly(student, draw, which):
     """Compare one of the two results of on_the_fly."""
-    calls = moving(draw, 12) + moving(draw, 3, gravity=0.0)
+    calls = moving(draw, 7) + moving(draw, 3, gravity=0.0)
     for found, call in zip(student.on_the_fly.many(calls), calls, strict=True):
         inertia, rate2 = sizes(call)
         scale = rate2 if which == 0 else inertia / np.max(call.kwargs["lengths"]) * rate2
@@ -410,14 +410,14 @@ MOMENTUM_SUSPECTS = [
 @check(points=0.75, part="a", suspects=ENERGY_SUSPECTS)
 def energy_is_kinetic_and_potential(student, draw):
     """energy: of both bars, the potential energy zero at the ceiling."""
-    judge(student, "energy", moving(draw, 12) + moving(draw, 3, gravity=0.0), lambda inertia, rate2: inertia * rate2,
+    judge(student, "energy", moving(draw, 7) + moving(draw, 3, gravity=0.0), lambda inertia, rate2: inertia * rate2,
           "the energy", "of m l (l omega^2 + g)", "each bar: m v^2/2, I omega^2/2, m g y of its centre")  # fmt: skip
 
 
 @check(points=0.75, part="a", suspects=MOMENTUM_SUSPECTS)
 def angular_momentum_is_about_the_ceiling(student, draw):
     """angular_momentum: of both bars, about the ceiling hinge."""
-    judge(student, "angular_momentum", moving(draw, 15, "masses", "lengths"),
+    judge(student, "angular_momentum", moving(draw, 8, "masses", "lengths"),
           lambda inertia, rate2: inertia * math.sqrt(rate2), "the angular momentum", "of m l^2 omega",
           "each bar: r x m v of its mass centre, r from the ceiling hinge, and I omega")  # fmt: skip
 
