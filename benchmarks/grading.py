@@ -8,12 +8,14 @@ Prints a table and writes results/grading.json. Times of one run on one machine;
 """
 
 import argparse
+import contextlib
 import json
 import os
 import resource
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 from pathlib import Path
 
@@ -27,11 +29,15 @@ from tam570_grader.submissions import submissions
 
 RESULTS = Path(__file__).parent / "results" / "grading.json"
 COURSE = root.find(Path(__file__).parents[1])
+CLASSES = {  # what everybody in the class hands in
+    "hw08_axis_angle": "solutions/hw08_axis_angle.py",
+    "hw07_double_pendulum": "tests/right/hw07_double_pendulum/rk45_and_lists.py",
+}
 
 
 def class_of(slug, count, folder):
-    """A class that hands in the solution, with a number in it so that no two are alike."""
-    text = (COURSE / "solutions" / f"{slug}.py").read_text()
+    """A class that hands in the same work, with a number in it so that no two are alike."""
+    text = (COURSE / CLASSES[slug]).read_text()
     for n in range(count):
         path = folder / f"s{n:03}" / slug / f"{slug}.py"
         path.parent.mkdir(parents=True)
@@ -40,10 +46,11 @@ def class_of(slug, count, folder):
 
 
 class Stopwatch:
-    """Time that the grader waits for the replies to calls: the students' own."""
+    """Time that the grader waits for the replies to calls, the students' own; and the most memory at any look."""
 
     def __init__(self):
-        self.waited = 0.0
+        self.waited, self.memory = 0.0, 0.0
+        self._over = threading.Event()
         self._receive = Cell.receive
 
     def __enter__(self):
@@ -57,10 +64,16 @@ class Stopwatch:
             return reply
 
         Cell.receive = receive
+        threading.Thread(target=self._look).start()
         return self
 
     def __exit__(self, *exception):
         Cell.receive = self._receive
+        self._over.set()
+
+    def _look(self):
+        while not self._over.wait(0.5):
+            self.memory = max(self.memory, memory())
 
 
 def graded(slug, count, jobs):
@@ -73,14 +86,21 @@ def graded(slug, count, jobs):
         seconds = time.perf_counter() - started
     assert all(record["score"] == record["max_score"] for record in done)
     spent = sum(record["seconds"] for record in done)
-    memory = max(
-        resource.getrusage(who).ru_maxrss for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)
-    )
     return {
         "grader": f"tam570-grader, {isolation()}, {jobs} jobs", "assignment": slug, "submissions": count,
         "seconds": seconds, "seconds_each": seconds / count, "cpu_seconds": cpu_seconds() - cpu,
-        "ours": 1 - watch.waited / spent, "peak_mib": memory / 1024,
+        "ours": 1 - watch.waited / spent, "mib_a_job": watch.memory / jobs,
     }  # fmt: skip
+
+
+def memory():
+    """MiB of this process and of all workers, what they share counted once (Linux)."""
+    total = 0
+    for process in Path("/proc").glob("[0-9]*"):
+        with contextlib.suppress(OSError):
+            if process.name == str(os.getpid()) or b"inside.worker" in (process / "cmdline").read_bytes():
+                total += int((process / "smaps_rollup").read_text().split("Pss:")[1].split()[0])
+    return total / 1024
 
 
 def cpu_seconds():
@@ -91,7 +111,8 @@ def cpu_seconds():
 
 def one_file(slug):
     """Seconds from the command to the result of one file, the best of five."""
-    command = [sys.executable, "-m", "tam570_grader.cli", "grade", str(COURSE / "solutions" / f"{slug}.py")]
+    work = str(COURSE / CLASSES[slug])
+    command = [sys.executable, "-m", "tam570_grader.cli", "grade", work, "--assignment", slug]
     times = []
     for _ in range(5):
         started = time.perf_counter()
@@ -102,7 +123,7 @@ def one_file(slug):
 
 
 def nbgrader(slug, count):
-    """The same for nbgrader: the solution as a notebook with the visible tests in a locked cell."""
+    """The same for nbgrader: the same work as a notebook with the visible tests in a locked cell."""
     with tempfile.TemporaryDirectory() as folder:
         course = Path(folder)
         (course / "nbgrader_config.py").write_text(
@@ -134,7 +155,7 @@ def _notebook(path, slug):
     import nbformat
     from nbformat.v4 import new_code_cell, new_notebook
 
-    solution = (COURSE / "solutions" / f"{slug}.py").read_text()
+    solution = (COURSE / CLASSES[slug]).read_text()
     tests = (COURSE / "assignments" / slug / f"test_{slug}.py").read_text()
     plain = tests.replace(f"import {slug} as hw", "import types\nhw = types.SimpleNamespace(**globals())")
     calls = "\n".join(
@@ -164,7 +185,7 @@ def main():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    parser.add_argument("--assignments", nargs="+", default=["hw08_axis_angle", "hw07_double_pendulum"])
+    parser.add_argument("--assignments", nargs="+", choices=list(CLASSES), default=list(CLASSES))
     parser.add_argument("--submissions", type=int, default=200)
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--quick", action="store_true", help="20 submissions")
@@ -176,7 +197,11 @@ def main():
         rows += [one_file(slug), graded(slug, count, options.jobs)]
         rows += [nbgrader(slug, 10) for _ in options.peers]
     for row in rows:
-        ours = f"{row['ours']:6.0%} outside student code, {row['peak_mib']:.0f} MiB" if "ours" in row else ""
+        ours = (
+            f"{row['ours']:6.0%} outside student code, {row['mib_a_job']:.0f} MiB a job"
+            if "ours" in row
+            else ""
+        )
         print(f"{row['assignment']:22} {row['grader']:46} {row['submissions']:4} in {row['seconds']:7.2f} s"
               f" {row['seconds_each'] * 1000:8.1f} ms each {ours}")  # fmt: skip
     RESULTS.parent.mkdir(exist_ok=True)
