@@ -229,7 +229,7 @@ def _row(mark: Mapping[str, Any], line: str) -> str:
     message = "" if mark["outcome"] == "passed" else f"<br>{says}: {html.escape(mark['message'])}"
     points = f"{mark['points']:g} / {mark['max_points']:g}"
     return (
-        f'<tr><td style="color:{colour};white-space:nowrap">{points}</td>'
+        f'<tr><td style="color:{colour};white-space:nowrap;padding-right:1em">{points}</td>'
         f'<td style="text-align:left">{html.escape(line)}{message}</td></tr>'
     )
 
