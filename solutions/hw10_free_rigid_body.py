@@ -160,11 +160,11 @@ def tumble_period(omega, *, inertia):
     # takes the complementary modulus k', which keeps its digits next to the separatrix.
     A, B, C = inertia
     p, q, r = map(abs, omega)
-    # Axis 0 or 2, whichever omega goes round: the distance from the separatrix is a difference of two squares.
-    round_0, round_2 = math.sqrt(A * (B - A)) * p, math.sqrt(C * (C - B)) * r
+    # Axis 0 or 2, whichever omega goes round; on the separatrix the two squares are equal, and no root is taken first.
+    round_0, round_2 = A * (B - A) * p * p, C * (C - B) * r * r
     fast = math.sqrt(B * (B - A) * (C - B)) * q
-    larger = math.hypot(fast, math.sqrt(C - A) * max(round_0, round_2))
-    smaller = math.sqrt((C - A) * abs(round_2 - round_0) * (round_2 + round_0))
+    larger = math.hypot(fast, math.sqrt((C - A) * max(round_0, round_2)))
+    smaller = math.sqrt((C - A) * abs(round_2 - round_0))
     mean = _arithmetic_geometric_mean(larger, smaller)
     return 2.0 * math.pi * math.sqrt(A * B * C) / mean if mean > 0.0 else math.inf
 

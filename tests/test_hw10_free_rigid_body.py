@@ -309,3 +309,21 @@ def test_the_paths_of_the_rim_start_where_the_points_are():
     starts = [line.get_xydata()[0] for line in ax.lines]
     np.testing.assert_allclose(starts, [0.5 * R[:2, 0], -0.5 * R[:2, 0]], atol=1e-15)
     assert (ax.get_xlabel(), ax.get_ylabel(), ax.get_aspect()) == ("x (m)", "y (m)", 1.0)
+
+
+def test_the_period_on_the_separatrix_is_infinite():
+    """Where both sides of C (C - B) r^2 = A (B - A) p^2 are whole numbers, no rounding hides that they are equal."""
+    found = 0
+    for C in range(3, 40):
+        for B in range(2, C):
+            for A in range(max(1, C - B), B):
+                p, r = math.isqrt(C * (C - B)), math.isqrt(A * (B - A))
+                if p * p == C * (C - B) and r * r == A * (B - A):
+                    found += 1
+                    assert (
+                        hw.tumble_period(np.array([p, 1.0, r]), inertia=np.array([A, B, C], float))
+                        == math.inf
+                    )
+    assert found > 10
+    omega, inertia = np.array([5.0, 1.0, 3.0]), np.array([8.0, 17.0, 25.0])  # 8 9 5^2 = 25 8 3^2
+    assert hw.tumble_period(omega, inertia=inertia) == math.inf

@@ -29,7 +29,9 @@ def test_the_axis_stays():
 
 def test_rotate_agrees_with_the_matrix():
     r = np.array([0.3, -1.0, 2.0])
-    np.testing.assert_allclose(hw.rotate(r, AXIS, ANGLE), np.asarray(hw.rotation_matrix(AXIS, ANGLE)) @ r, atol=1e-14)
+    np.testing.assert_allclose(
+        hw.rotate(r, AXIS, ANGLE), np.asarray(hw.rotation_matrix(AXIS, ANGLE)) @ r, atol=1e-14
+    )
 
 
 @pytest.mark.parametrize("axis", [np.zeros(3), np.array([np.nan, 0.0, 1.0])])

@@ -514,22 +514,6 @@ def stops(draw):
     return cases
 
 
-@check(points=0.75, part="a", after=simulate_brakes)
-def simulate_comes_to_rest_and_stays(student, draw):
-    """simulate: a car that has come to rest stays where it is, in place and heading; one at rest does not start."""
-    cases = stops(draw)
-    found = student.simulate.many([call for call, *_ in cases])
-    for states, (call, place, after, scale) in zip(found, cases, strict=True):
-        kind, later = f"times after the stop, a locked {call.args[2]} axle", call.args[0][after]
-        expect(states[after, 3:] / scale[3:], np.zeros((after.sum(), 2)), within=AT_REST, of="speed or yaw rate",
-               unit="of that at the start", t=later, kind=kind, at=call,
-               hint="find the time at which it stops; from then on nothing changes")  # fmt: skip
-        expect(states[after, :3] / scale[:3], np.tile(place / scale[:3], (after.sum(), 1)), within=STOPPED,
-               of="place or heading, in its scale,", t=later, kind=kind, at=call,
-               hint="is it where it stops, and does it stay there?")  # fmt: skip
-    judge_start_at_rest(student, draw)
-
-
 def judge_start_at_rest(student, draw):
     c = car(draw)
     t, start = times(draw, 3.0, 10), state(draw, c, 0.0, 0.0)
@@ -705,3 +689,22 @@ def stability_refuses_other_axles(student, draw):
 def refused(function, call):
     expect_that(function.refuses(*call.args, **call.kwargs), f"{function.name} does not raise ValueError",
                 kind='a `locked` that is neither "front" nor "rear"', at=call)  # fmt: skip
+
+
+# Last: a student whose integrator never gets past the stop shall lose nothing else by it.
+
+
+@check(points=0.75, part="a", after=simulate_brakes)
+def simulate_comes_to_rest_and_stays(student, draw):
+    """simulate: a car that has come to rest stays where it is, in place and heading; one at rest does not start."""
+    cases = stops(draw)
+    found = student.simulate.many([call for call, *_ in cases])
+    for states, (call, place, after, scale) in zip(found, cases, strict=True):
+        kind, later = f"times after the stop, a locked {call.args[2]} axle", call.args[0][after]
+        expect(states[after, 3:] / scale[3:], np.zeros((after.sum(), 2)), within=AT_REST, of="speed or yaw rate",
+               unit="of that at the start", t=later, kind=kind, at=call,
+               hint="find the time at which it stops; from then on nothing changes")  # fmt: skip
+        expect(states[after, :3] / scale[:3], np.tile(place / scale[:3], (after.sum(), 1)), within=STOPPED,
+               of="place or heading, in its scale,", t=later, kind=kind, at=call,
+               hint="is it where it stops, and does it stay there?")  # fmt: skip
+    judge_start_at_rest(student, draw)
