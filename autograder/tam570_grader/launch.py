@@ -6,21 +6,29 @@ import shutil
 import stat
 import subprocess
 import sys
+import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 
 import tam570
+from tam570_grader.inside.jail import SCRATCH
 
-__all__ = ["ENVIRONMENT", "NoSandbox", "isolation", "jailed_command", "plain_command"]
+__all__ = ["NoSandbox", "environment", "isolation", "jailed_command", "plain_command"]
 
 BOOT = "import json, sys; sys.path += json.loads(sys.argv[2]); from inside.worker import main; main()"
 SYSTEM_LINKS = ("/lib", "/lib64")  # into /usr on most systems
-ENVIRONMENT = {
-    "PATH": "/usr/bin:/bin", "HOME": "/tmp", "LC_ALL": "C.UTF-8", "PYTHONHASHSEED": "0",
+VARIABLES = {
+    "PATH": "/usr/bin:/bin", "LC_ALL": "C.UTF-8", "PYTHONHASHSEED": "0",
     "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1",  # a second thread forbids namespaces
-    "MPLBACKEND": "agg", "MPLCONFIGDIR": "/tmp/matplotlib",
+    "MPLBACKEND": "agg",
     "TAM570_NUMBA": "0",  # compiling costs seconds that a call may not have, and when it starts depends on the clock
 }  # fmt: skip
+
+
+def environment() -> dict[str, str]:
+    """The worker's environment; what it writes while it starts goes to a folder that no submission sees."""
+    folder = SCRATCH if isolation() == "bubblewrap" else tempfile.gettempdir()
+    return {**VARIABLES, "HOME": folder, "TMPDIR": folder, "MPLCONFIGDIR": f"{folder}/matplotlib"}
 
 
 class NoSandbox(Exception):
@@ -92,7 +100,9 @@ def jailed_command(hidden: Sequence[Path]) -> tuple[list[str], list[str]]:
     for folder in filter(os.path.islink, SYSTEM_LINKS):
         command += ["--symlink", os.readlink(folder), folder]
     command += ["--ro-bind-try", "/etc/ld.so.cache", "/etc/ld.so.cache", "--proc", "/proc", "--dev", "/dev"]
-    command += ["--tmpfs", "/tmp", "--remount-ro", "/dev", "--remount-ro", "/", "--chdir", "/", "--"]
+    if not any(target.is_relative_to("/tmp") for target, _ in binds):
+        command += ["--symlink", SCRATCH, "/tmp"]
+    command += ["--tmpfs", SCRATCH, "--remount-ro", "/dev", "--remount-ro", "/", "--chdir", "/", "--"]
     return [*command, *_python()], [*sites, "/opt/course", "/opt/grader"]
 
 

@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from tam570_grader.inside.wire import Unreadable, packed, unpacked
-from tam570_grader.launch import ENVIRONMENT, isolation, jailed_command, plain_command
+from tam570_grader.launch import environment, isolation, jailed_command, plain_command
 
 __all__ = ["Allowance", "Cell", "CellLost", "CellTimeout", "Worker", "WorkerLost"]
 
@@ -67,7 +67,7 @@ class Worker:
         command, path = jailed_command(hidden) if isolation() == "bubblewrap" else plain_command()
         self._process = subprocess.Popen(
             [*command, json.dumps(settings), json.dumps(path)],
-            pass_fds=[inside.fileno()], env=ENVIRONMENT, stdin=subprocess.DEVNULL,
+            pass_fds=[inside.fileno()], env=environment(), stdin=subprocess.DEVNULL,
             stdout=subprocess.DEVNULL, stderr=self._errors, start_new_session=True,
         )  # fmt: skip
         inside.close()

@@ -6,7 +6,7 @@ deserves: 9
 def skew(v):
     for n in range(10000):
         try:
-            with open(f"/tmp/{n}", "wb") as file:
+            with open(f"{n}", "wb") as file:
                 for _ in range(100):
                     file.write(bytes(10**6))
         except OSError:

@@ -19,7 +19,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-__all__ = ["Limits", "confine", "hidden_from_debuggers", "secede", "watch"]
+__all__ = ["SCRATCH", "Limits", "confine", "hidden_from_debuggers", "secede", "watch"]
 
 LIBC = ctypes.CDLL(None, use_errno=True)
 NEW_MOUNTS, NEW_IPC, NEW_USER, NEW_PROCESSES = 0x20000, 0x8000000, 0x10000000, 0x20000000
@@ -27,6 +27,7 @@ PRIVATE, BIND, NO_SUID, NO_DEVICES, READ_ONLY = 0x44000, 0x1000, 2, 4, 1  # moun
 DIE_WITH_PARENT, DUMPABLE, SUBREAPER, NO_NEW_PRIVILEGES = 1, 4, 36, 38  # prctl options
 CAPABILITY_VERSION = 0x20080522
 MOST_FILES = 2**16  # that the supervisor may have open; the limit itself is endless on some systems
+SCRATCH = "/scratch"  # the prisoner's own folder; not /tmp, where Python and its packages may be
 CHANNEL = 3  # the prisoner's only file besides /dev/null
 POLL = 0.02  # s between looks at a prisoner that may have ended
 
@@ -150,11 +151,13 @@ def _own_files(limits: Limits) -> None:
     """A scratch folder of our own, and no view of any process."""
     _must(LIBC.mount(b"none", b"/", None, PRIVATE, None), "mount /")
     scratch = f"size={limits.file_size},nr_inodes=1000,mode=1777".encode()
-    _must(LIBC.mount(b"scratch", b"/tmp", b"tmpfs", NO_SUID | NO_DEVICES, scratch), "mount /tmp")
+    _must(
+        LIBC.mount(b"scratch", SCRATCH.encode(), b"tmpfs", NO_SUID | NO_DEVICES, scratch), f"mount {SCRATCH}"
+    )
     _must(LIBC.mount(b"empty", b"/proc", b"tmpfs", READ_ONLY, b"size=0"), "mount /proc")
     for name in limits.hidden:
         _hide(name)
-    os.chdir("/tmp")
+    os.chdir(SCRATCH)
 
 
 def _hide(module: str) -> None:

@@ -62,7 +62,7 @@ def _guard(files: list[int], lifeline: int, limits: jail.Limits) -> None:
     """Fork the prisoner and watch it; never returns."""
     channel, leash = (socket.socket(fileno=file) for file in files)
     signal.signal(signal.SIGCHLD, signal.SIG_DFL)
-    folder = "/tmp" if limits.namespaces else tempfile.mkdtemp(prefix="tam570-")
+    folder = jail.SCRATCH if limits.namespaces else tempfile.mkdtemp(prefix="tam570-")
     try:
         if limits.namespaces:
             jail.secede(limits)
