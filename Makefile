@@ -21,7 +21,10 @@ test: $(VENV)/ready bubblewrap
 
 verify: $(VENV)/ready bubblewrap
 	$(BIN)/pytest -q -n 2 --full
-	$(BIN)/python benchmarks/grading.py
+	$(BIN)/python benchmarks/grading.py --peers nbgrader
+	$(BIN)/python benchmarks/autograde.py
+	$(BIN)/python benchmarks/rotations.py
+	$(BIN)/python benchmarks/run_time_against_error.py
 
 $(VENV)/ready: pyproject.toml
 	@echo "Making $(VENV) and installing the course with all that its tests need (a few minutes, once)"
