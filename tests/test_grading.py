@@ -383,3 +383,31 @@ def test_expect_lets_nothing_through_that_is_no_number(actual):
 )
 def test_names_tell_assignments(name, slug):
     assert slug_of(name, [SLUG]) == slug
+
+
+def test_a_worker_that_dies_is_replaced(solution_text, course):
+    from tam570_grader.run import Plan, graded_sources
+    from tam570_grader.sandbox import Allowance, Worker
+    from tam570_grader.student import Source
+    from tam570_grader.submissions import Submission
+
+    started = []
+
+    class Mortal(Worker):
+        """The first worker is killed before it is ready, the second once it is."""
+
+        def __init__(self, *arguments):
+            super().__init__(*arguments)
+            started.append(self)
+            if len(started) == 1:
+                self._process.kill()
+            elif len(started) == 2:
+                self._await_ready()
+                self._process.kill()
+
+    plan = Plan(course, [], 1, 1, Allowance())
+    work = [(Submission("ada", SLUG, None, course), Source(solution_text(SLUG).encode()), "digest")]
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("tam570_grader.run.Worker", Mortal)
+        ((outcome, _),) = graded_sources(plan, work)
+    assert outcome.score == 10.0 and len(started) == 3

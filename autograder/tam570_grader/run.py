@@ -74,18 +74,19 @@ def graded_sources(
         if isinstance(source, CannotRead):
             status = "missing" if submission.path is None else "unreadable"
             return not_graded(submission.student, assignment, status, str(source), plan.seed)
-        worker = workers.get()
+        worker, error = workers.get(), ""
         try:
             for _ in range(TRIES):
                 try:
                     return graded(submission.student, source, assignment, worker, plan.seed)
-                except WorkerLost:
+                except WorkerLost as lost:
+                    error = str(lost)
                     if ended.is_set():
                         raise
                     worker.close()
                     worker = Worker(preload, plan.allowance, plan.hidden)
                     everyone.append(worker)
-            return failed_by_us(submission.student, assignment, "its worker died three times", plan.seed)
+            return failed_by_us(submission.student, assignment, error, plan.seed)
         finally:
             workers.put(worker)
 

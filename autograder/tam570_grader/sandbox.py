@@ -83,7 +83,7 @@ class Worker:
         try:
             socket.send_fds(self._control, [json.dumps(order).encode()], ends)
         except OSError:
-            raise WorkerLost from None
+            raise WorkerLost("the worker died") from None
         prisoner_end.close()
         guard_end.close()
         return Cell(channel, leash, self.allowance.call)
@@ -94,7 +94,7 @@ class Worker:
             self._process.wait(timeout=1)
         except subprocess.TimeoutExpired:
             return
-        raise WorkerLost
+        raise WorkerLost("the worker died")
 
     def close(self) -> None:
         """End the worker and everything in it."""
@@ -106,10 +106,14 @@ class Worker:
     def _await_ready(self) -> None:
         if self._ready:
             return
-        if self._control.recv(5) != b"ready":
+        try:
+            said = self._control.recv(5)
+        except OSError:
+            said = b""
+        if said != b"ready":
             self._process.wait()
             self._errors.seek(0)
-            raise RuntimeError(
+            raise WorkerLost(
                 f"the sandbox did not start: {self._errors.read()[-500:].decode(errors='replace')}"
             )
         self._ready = True
