@@ -400,10 +400,10 @@ def test_a_worker_that_dies_is_replaced(solution_text, course):
             super().__init__(*arguments)
             started.append(self)
             if len(started) == 1:
-                self._process.kill()
+                self.kill()
             elif len(started) == 2:
                 self._await_ready()
-                self._process.kill()
+                self.kill()
 
     plan = Plan(course, [], 1, 1, Allowance())
     work = [(Submission("ada", SLUG, None, course), Source(solution_text(SLUG).encode()), "digest")]

@@ -1,10 +1,12 @@
 """The supervisor's side of the sandbox: starts a warm worker, opens a cell for a submission, talks to it, ends it."""
 
+import contextlib
 import itertools
 import json
 import math
 import os
 import select
+import signal
 import socket
 import struct
 import subprocess
@@ -99,9 +101,14 @@ class Worker:
     def close(self) -> None:
         """End the worker and everything in it."""
         self._control.close()
-        self._process.kill()
+        self.kill()
         self._process.wait()
         self._errors.close()
+
+    def kill(self) -> None:
+        """Kill the worker at once: its whole group, for a half-started bubblewrap's child outlives its parent."""
+        with contextlib.suppress(ProcessLookupError, PermissionError):  # macOS refuses for one that has ended
+            os.killpg(self._process.pid, signal.SIGKILL)
 
     def _await_ready(self) -> None:
         if self._ready:
