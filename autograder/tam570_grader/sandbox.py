@@ -85,9 +85,12 @@ class Worker:
         try:
             socket.send_fds(self._control, [json.dumps(order).encode()], ends)
         except OSError:
+            channel.close()
+            leash.close()
             raise WorkerLost("the worker died") from None
-        prisoner_end.close()
-        guard_end.close()
+        finally:
+            prisoner_end.close()
+            guard_end.close()
         return Cell(channel, leash, self.allowance.call)
 
     def must_live(self) -> None:
