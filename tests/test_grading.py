@@ -7,10 +7,14 @@ import signal
 import subprocess
 import sys
 import time
+from decimal import Decimal
+from fractions import Fraction
 from pathlib import Path
 
+import mpmath
 import numpy as np
 import pytest
+import sympy
 
 from tam570_grader import cli, root
 from tam570_grader.check import Failure, expect, given
@@ -331,7 +335,22 @@ def test_garbage_is_no_message(data):
 
 
 @pytest.mark.parametrize(
-    "value", [{}, {1}, "x", b"x", print, object(), [1, "x"], [[1], [object()]], np.array([None])]
+    ("value", "numbers"),
+    [
+        (mpmath.mpf("1.5"), 1.5),
+        ([sympy.Rational(1, 2), 2], [0.5, 2.0]),
+        ((np.array([1.0]), Fraction(1, 4)), [[1.0], 0.25]),
+        (sympy.Matrix([[1, 2]]), [[1.0, 2.0]]),
+        (np.array([[Decimal("0.5"), mpmath.pi]], dtype=object), [[0.5, np.pi]]),
+    ],
+)
+def test_numbers_of_other_libraries_are_numbers(value, numbers):
+    sent = portable(value)
+    np.testing.assert_equal(sent, numbers)
+
+
+@pytest.mark.parametrize(
+    "value", [{}, {1}, "x", b"x", print, object(), [1, "x"], [[1], [object()]], np.array([object()])]
 )
 def test_what_is_no_number_is_foreign(value):
     assert "Foreign" in repr(portable(value))

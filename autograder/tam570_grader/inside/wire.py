@@ -55,20 +55,30 @@ def portable(value: Any, depth: int = 0) -> Any:
     if depth > DEEPEST:
         return Foreign("too deep a list")
     try:
-        return _portable_array(array(value))
-    except (ValueError, _Objects):
-        if isinstance(value, list | tuple):
-            return [portable(item, depth + 1) for item in value]
+        numbers = array(value)
+    except ValueError:  # ragged
+        numbers = None
+    if numbers is not None and numbers.dtype.kind != "O":
+        return _portable_array(numbers)
+    if isinstance(value, list | tuple):
+        return [portable(item, depth + 1) for item in value]
+    if numbers is not None and numbers.ndim:
+        return [portable(item, depth + 1) for item in numbers]
+    if hasattr(
+        type(value), "__float__"
+    ):  # of SymPy, mpmath, fractions: numpy.asarray(value, float) takes it too
+        return _real(value)
     return Foreign("an array of objects" if isinstance(value, ndarray) else type(value).__name__)
 
 
-class _Objects(Exception):
-    pass
+def _real(number: Any) -> Any:
+    try:
+        return 0.0 + float(number)  # of a subclass of float: a plain one
+    except Exception:  # an expression with symbols in it
+        return Foreign(type(number).__name__)
 
 
 def _portable_array(numbers: Any) -> Any:
-    if numbers.dtype.kind == "O":
-        raise _Objects
     if numbers.dtype.kind not in "fiubc":
         return Foreign("an array of strings")
     if numbers.nbytes > LARGEST_ARRAY:
