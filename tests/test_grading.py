@@ -223,7 +223,7 @@ def test_results_are_written_and_found_again(run, tree, tmp_path, monkeypatch):
         ("ben", "0.0"),
         ("cora", "0.0"),
     ]
-    assert "10 of 10" in (out / "feedback" / "ada" / f"{SLUG}.md").read_text()
+    assert "10 of 10" in (out / "feedback" / "ada" / f"{SLUG}.html").read_text()
 
 
 def test_a_changed_submission_is_graded_again_with_the_same_seed(run, tree, tmp_path, solution_text):

@@ -23,6 +23,8 @@ from typing import Any, TypeVar
 
 import numpy as np
 
+from tam570_grader.curves import Curve, curve
+
 __all__ = [
     "Check",
     "Failure",
@@ -95,13 +97,21 @@ def suspect(says: str, *, within: float = 1e-6, **variants: Callable[..., Any]) 
 
 
 class Failure(Exception):
-    """The student's result is wrong. The message is the student's; the other fields are the instructor's."""
+    """The student's result is wrong. Message and picture are the student's; the other fields are the instructor's."""
 
     def __init__(
-        self, message: str, *, fraction: float = 0.0, expected: Any = None, actual: Any = None, at: Any = None
+        self,
+        message: str,
+        *,
+        fraction: float = 0.0,
+        expected: Any = None,
+        actual: Any = None,
+        at: Any = None,
+        picture: Curve | None = None,
     ) -> None:
         super().__init__(message)
         self.fraction = fraction
+        self.picture = picture
         self.expected = expected
         self.actual = actual
         self.at = at
@@ -154,7 +164,8 @@ def expect(
     says = f"{of} is off by {_two_digits(error)}{' ' + unit if unit else ''} (allowed {within:.0e})"
     message = "; ".join([" ".join([says, *where]), *([hint] if hint else [])])
     fraction = max((f for limit, f in (partial or {}).items() if error <= limit), default=0.0)
-    raise Failure(message, fraction=fraction, expected=expected, actual=actual, at=at)
+    picture = None if t is None else curve(t, actual, expected, scale, within=within, of=of, unit=unit)
+    raise Failure(message, fraction=fraction, expected=expected, actual=actual, at=at, picture=picture)
 
 
 def expect_that(holds: Any, says: str, *, kind: str = "", hint: str = "", at: Any = None) -> None:

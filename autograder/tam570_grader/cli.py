@@ -134,6 +134,8 @@ def _grade(arguments: argparse.Namespace) -> int:
     course = root.find(arguments.root)
     known = root.slugs(course)
     found = _submissions(arguments, known)
+    if arguments.out:
+        feedback.must_write_pages()
     book = Book(arguments.out) if arguments.out else None
     seed = next(
         s for s in (arguments.seed, book.seed if book else None, secrets.randbelow(2**31)) if s is not None
@@ -154,8 +156,7 @@ def _grade(arguments: argparse.Namespace) -> int:
                 if arguments.json:
                     print(json.dumps(record), flush=True)
         if book:
-            lines = {slug: {c.name: c.line for c in root.assignment(course, slug).checks} for slug in known}
-            feedback.write_pages(arguments.out / "feedback", book.records(), lines)
+            feedback.write_pages(arguments.out / "feedback", book.records(), course)
     except BrokenPipeError:
         raise
     except OSError as error:

@@ -1,11 +1,16 @@
 """What a student reads of a result, and what a teacher reads of a class; nothing of the hidden inputs."""
 
-from collections.abc import Iterable, Sequence
+import functools
+import importlib.util
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
-from tam570_grader.book import Record, written
+from tam570_grader.book import Record
 
-__all__ = ["page", "table", "write_pages"]
+__all__ = ["Sheet", "must_write_pages", "page", "sheet", "table", "template", "write_pages"]
 
 SIGNS = {"passed": "+", "failed": "-", "not_run": "o", "grader_error": "!"}
 HEADINGS: tuple[str, ...] = ("student", "assignment", "score", "status", "time", "what to look at first")
@@ -17,34 +22,126 @@ NOTES = {
 }
 
 
-def page(record: Record, lines: dict[str, str]) -> str:
-    """A student's feedback on one assignment, as Markdown; `lines` says what each check tests."""
-    head = [f"# {record['assignment']}: {_points(record['score'])} of {record['max_score']:g} points", ""]
-    if note := " ".join(filter(None, (NOTES.get(record["status"]), record.get("message")))):
-        head += [note, ""]
-    body = []
-    for part in sorted({mark["part"] for mark in record["checks"]}):
-        marks = [mark for mark in record["checks"] if mark["part"] == part]
-        body += [f"## Part ({part})", ""] + [_entry(mark, lines) for mark in marks] + [""]
-    return "\n".join(head + body)
+@dataclass(frozen=True)
+class Sheet:
+    """What a page says of an assignment, whoever handed it in."""
+
+    title: str
+    lines: Mapping[str, str]  # what each check tests
+    functions: Sequence[str]  # those that there are hints for
+    manual: Mapping[str, tuple[float, str]]  # part: points given by hand, and for what
 
 
-def _entry(mark: Record, lines: dict[str, str]) -> str:
-    line = lines.get(mark["name"], mark["name"])
-    entry = f"- {SIGNS[mark['outcome']]} {_points(mark['points'])}/{mark['max_points']:g} {line}"
-    return (
-        entry
-        if mark["outcome"] == "passed"
-        else f"{entry}\n  {mark['outcome'].replace('_', ' ')}: {mark['message']}"
+def sheet(course: Path, slug: str) -> Sheet:
+    """The sheet of an assignment; of one that is no longer in the course, its name."""
+    from tam570_grader import root
+
+    if slug not in root.slugs(course):
+        return Sheet(slug, {}, (), {})
+    assignment = root.assignment(course, slug)
+    lines = {check.name: check.line for check in assignment.checks}
+    return Sheet(_title(course / "assignments" / slug, slug), lines, [*assignment.results], assignment.manual)
+
+
+def _title(folder: Path, slug: str) -> str:
+    try:
+        with open(folder / "README.md", encoding="utf-8") as file:
+            return file.readline().partition(": ")[2].strip() or slug
+    except OSError:
+        return slug
+
+
+def page(record: Record, sheet: Sheet) -> str:
+    """A student's feedback on one assignment: one HTML file that needs nothing else."""
+    parts = [_part(letter, record, sheet) for letter in sorted({mark["part"] for mark in record["checks"]})]
+    marks = [mark for part in parts for mark in part["marks"]]
+    wrong = [mark for mark in marks if mark["outcome"] == "failed"]
+    told = [mark for mark in wrong if mark["suspect"]]
+    text: str = template("feedback.html").render(
+        slug=record["assignment"],
+        student=record["student"],
+        title=sheet.title,
+        score=_points(record["score"]),
+        max_score=_points(record["max_score"]),
+        note=" ".join(filter(None, (NOTES.get(record["status"]), record.get("message")))),
+        parts=parts,
+        manual=[(letter, _points(points), what) for letter, (points, what) in sheet.manual.items()],
+        first=next(iter([*told, *wrong]), None),
     )
+    return text
 
 
-def write_pages(folder: Path, records: Iterable[Record], lines: dict[str, dict[str, str]]) -> None:
-    """A page for each student and assignment, `<student>/<assignment>.md`."""
+def must_write_pages() -> None:
+    """Say before grading, not after it, that pages cannot be written."""
+    from tam570_grader.root import NoCourse
+
+    if importlib.util.find_spec("jinja2") is None:
+        raise NoCourse("the pages of --out need Jinja2: pip install 'tam570[grader]'")
+
+
+@functools.cache
+def template(name: str) -> Any:
+    """A page's template; whatever is put into it is escaped."""
+    import jinja2
+
+    loader = jinja2.FileSystemLoader(Path(__file__).parent / "templates" / "pages")
+    pages = jinja2.Environment(
+        loader=loader, autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True
+    )
+    return pages.get_template(name)
+
+
+def _part(letter: str, record: Record, sheet: Sheet) -> dict[str, Any]:
+    marks = [mark for mark in record["checks"] if mark["part"] == letter]
+    points = [mark["points"] for mark in marks]
+    earned, most = None if None in points else sum(points), sum(mark["max_points"] for mark in marks)
+    return {
+        "letter": letter,
+        "points": _points(earned),
+        "max_points": _points(most),
+        "share": round(100 * (earned or 0) / most, 1) if most else 0,
+        "marks": [_shown(mark, sheet) for mark in marks],
+    }
+
+
+def _shown(mark: Record, sheet: Sheet) -> dict[str, Any]:
+    """A mark as the page shows it; never its detail, which is the instructor's."""
+    line = sheet.lines.get(mark["name"], mark["name"])
+    stuck = mark["outcome"] == "failed" or mark["message"].endswith("is not written yet")
+    return {
+        "name": mark["name"],
+        "outcome": mark["outcome"],
+        "line": line,
+        "points": _points(mark["points"]),
+        "max_points": _points(mark["max_points"]),
+        "says": mark["message"].removesuffix(f"; it matches the result with {mark['suspect']}"),
+        "suspect": mark["suspect"],
+        "picture": _picture(mark.get("picture")),
+        "hint": next((word for word in re.findall(r"\w+", line) if stuck and word in sheet.functions), None),
+    }
+
+
+def _picture(curve: Any) -> Any:
+    """The drawing; results of an older run have none."""
+    if not curve:
+        return None
+    from tam570_grader.pictures import picture
+
+    return picture(curve)
+
+
+def write_pages(folder: Path, records: Iterable[Record], course: Path) -> None:
+    """A page for each student and assignment, `<student>/<assignment>.html`; one that is there already is left."""
+    sheets: dict[str, Sheet] = {}
     for record in records:
-        path = folder / record["student"] / f"{record['assignment']}.md"
-        path.parent.mkdir(parents=True, exist_ok=True)
-        written(path, page(record, lines.get(record["assignment"], {})))
+        slug = record["assignment"]
+        if slug not in sheets:
+            sheets[slug] = sheet(course, slug)
+        path = folder / record["student"] / f"{slug}.html"
+        text = page(record, sheets[slug])
+        if not path.exists() or path.read_text(encoding="utf-8") != text:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, encoding="utf-8")  # no fsync: it is made again from the results
 
 
 def table(records: Sequence[Record]) -> str:

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from tam570_grader.check import Check, Failure, Suspect
+from tam570_grader.curves import Curve
 from tam570_grader.launch import isolation
 from tam570_grader.root import Assignment
 from tam570_grader.sandbox import Worker, WorkerLost
@@ -32,6 +33,7 @@ class Mark:
     message: str
     suspect: str | None = None
     detail: dict[str, str] = field(default_factory=dict)
+    picture: Curve | None = None
 
 
 @dataclass(frozen=True)
@@ -148,7 +150,9 @@ def _failed(check: Check, failure: Failure, calls: Sequence[Call]) -> Mark:
     points = round(failure.fraction * check.points, 6)
     detail = {"expected": failure.expected, "actual": failure.actual, "at": failure.at}
     shown = {key: repr(value)[:LONGEST_DETAIL] for key, value in detail.items() if value is not None}
-    return Mark(check.name, check.part, points, check.points, "failed", message, suspect, shown)
+    return Mark(
+        check.name, check.part, points, check.points, "failed", message, suspect, shown, failure.picture
+    )
 
 
 def _not_run(check: Check, message: str) -> Mark:

@@ -1,0 +1,70 @@
+"""How an error or an invariant goes along a motion: what a picture is drawn from, kept with the result.
+
+It is coarse, so that code which knows the hidden inputs cannot write them into the shape of its own errors.
+"""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+__all__ = ["Curve", "curve"]
+
+Curve = dict[str, Any]  # of, unit, within, span, scale ("log" or "linear"), values: plain data
+Array = NDArray[np.float64]
+
+SLOTS = 64  # of the duration, the largest error in each
+LEVELS = 8  # to a decade of an error
+STEPS = 40  # to the largest drift of an invariant
+FLOOR, CEILING = -3, 12  # decades below and above the limit that are told apart
+
+
+def curve(
+    t: Any, actual: Any, expected: Any, scale: Any, *, within: float, of: str, unit: str
+) -> Curve | None:
+    """The error along the times t, None if there is no course of it to draw.
+
+    An invariant (one number at each time, expected to stay) keeps its sign: whether energy is lost or gained tells.
+    Of several motions in a row, that with the largest error is taken.
+    """
+    t, signed = np.asarray(t, float), (actual - expected) / scale
+    rows = signed.reshape(len(signed), -1) if signed.ndim else signed
+    if t.ndim != 1 or len(t) < 3 or rows.shape[:1] != t.shape or not np.isfinite(rows).all():
+        return None
+    sizes = np.abs(rows).max(axis=1)
+    motion = _one_motion(t, int(np.argmax(sizes)))
+    t, rows, sizes = t[motion], rows[motion], sizes[motion]
+    if len(t) < 3:
+        return None
+    stays = rows.shape[1] == 1 and np.ptp(np.broadcast_to(expected, signed.shape)[motion]) == 0
+    slots = _slots(t, sizes)
+    values = _steps(rows[:, 0], slots) if stays else _levels(sizes, slots, within)
+    span = [float(f"{time:.2g}") for time in (t[0], t[-1])]
+    scaled = "linear" if stays else "log"
+    return {"of": of, "unit": unit, "within": within, "span": span, "scale": scaled, "values": values}
+
+
+def _one_motion(t: Array, row: int) -> slice:
+    """The rows around this one along which time goes on."""
+    breaks = np.flatnonzero(np.diff(t) <= 0) + 1
+    ends = np.concatenate([[0], breaks, [len(t)]])
+    index = int(np.searchsorted(ends, row, side="right"))
+    return slice(int(ends[index - 1]), int(ends[index]))
+
+
+def _slots(t: Array, sizes: Array) -> list[int | None]:
+    """In equal slots of the duration, the row with the largest error."""
+    slot = np.minimum((SLOTS * (t - t[0]) / (t[-1] - t[0])).astype(int), SLOTS - 1)
+    return [int(rows[np.argmax(sizes[rows])]) if len(rows := np.flatnonzero(slot == k)) else None
+            for k in range(SLOTS)]  # fmt: skip
+
+
+def _levels(sizes: Array, slots: list[int | None], within: float) -> list[float | None]:
+    """Decades above the limit, below it where negative."""
+    decades = np.log10(np.maximum(sizes, 1e-300) / within).clip(FLOOR, CEILING)
+    return [None if row is None else round(LEVELS * decades[row]) / LEVELS for row in slots]
+
+
+def _steps(drift: Array, slots: list[int | None]) -> list[float | None]:
+    step = np.abs(drift).max() / STEPS
+    return [None if row is None else float(f"{round(drift[row] / step) * step:.2g}") for row in slots]
