@@ -413,7 +413,8 @@ def best_angle_is_45_degrees_without_drag(student, draw):
 @check(points=0.5, part="a", after=best_angle_has_the_largest_range)
 def best_angle_at_a_huge_speed(student, draw):
     """best_angle goes to zero as the speed grows, and stays good to 1 % of itself."""
-    cases = best_angles(draw, tuple(10.0 ** draw.uniform(4, 7, 5)))
+    # minimising the range on a logarithmic scale is good to 1e-4 of the angle up to 1e6 terminal speeds, not at 1e7
+    cases = best_angles(draw, tuple(10.0 ** draw.uniform(4, 6, 5)))
     for angle, (call, expected) in zip(
         student.best_angle.many([case[0] for case in cases]), cases, strict=True
     ):
