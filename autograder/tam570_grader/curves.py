@@ -27,10 +27,10 @@ def curve(
     An invariant (one number at each time, expected to stay) keeps its sign: whether energy is lost or gained tells.
     Of several motions in a row, that with the largest error is taken.
     """
-    t, signed = np.asarray(t, float), (actual - expected) / scale
-    rows = signed.reshape(len(signed), -1) if signed.ndim else signed
-    if t.ndim != 1 or len(t) < 3 or rows.shape[:1] != t.shape or not np.isfinite(rows).all():
+    t, signed = np.asarray(t, float), np.asarray((actual - expected) / scale)
+    if t.ndim != 1 or len(t) < 3 or signed.shape[:1] != t.shape or not np.isfinite(signed).all():
         return None
+    rows = signed.reshape(len(t), -1)
     sizes = np.abs(rows).max(axis=1)
     motion = _one_motion(t, int(np.argmax(sizes)))
     t, rows, sizes = t[motion], rows[motion], sizes[motion]

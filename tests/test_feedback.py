@@ -1,0 +1,209 @@
+"""The students' pages: they say what is wrong, and nothing of what is hidden."""
+
+import html
+import json
+import math
+import re
+from pathlib import Path
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+
+from tam570_grader import feedback
+from tam570_grader.check import Failure, expect
+from tam570_grader.curves import SLOTS, curve
+from tam570_grader.pictures import BOTTOM, LEFT, RIGHT, TOP, picture
+
+WRONG = Path(__file__).parent / "wrong"
+NUMBER = re.compile(r"-?\d+\.\d{3,}(?:e[-+]?\d+)?")  # more digits than a message has
+
+
+@pytest.fixture(scope="module")
+def page(course):
+    """`page(result)` -> its page, as a student opens it."""
+    return lambda result: feedback.page(result.record(), feedback.sheet(course, result.assignment))
+
+
+def failing(slug, grade, solution_text, count=None):
+    """Results of wrong submissions of an assignment."""
+    for path in sorted((WRONG / slug).glob("*.py"))[:count]:
+        yield grade(slug, solution_text(slug) + "\n\n" + path.read_text(), seed=1)
+
+
+def wrong(slug, name, grade, solution_text):
+    return grade(slug, solution_text(slug) + "\n\n" + (WRONG / slug / f"{name}.py").read_text(), seed=1)
+
+
+def texts(page):
+    return html.unescape(re.sub(r"<style>.*?</style>", "", page, flags=re.DOTALL))
+
+
+def test_a_page_says_every_line_message_and_suspect_and_no_detail(slug, page, grade, solution_text, course):
+    lines = feedback.sheet(course, slug).lines
+    shown = 0
+    for result in failing(slug, grade, solution_text, 6):
+        text = texts(page(result))
+        for mark in result.checks:
+            says = mark.message.removesuffix(f"; it matches the result with {mark.suspect}")
+            assert lines[mark.name] in text and (mark.outcome == "passed" or says in text)
+            assert not mark.suspect or f"your result is that with {mark.suspect}" in text
+            hidden = {number for value in mark.detail.values() for number in NUMBER.findall(value)}
+            told = "".join([*lines.values(), *(one.message for one in result.checks)])
+            assert not {number for number in hidden if number in text and number not in told}
+            assert not any(value in text for value in mark.detail.values() if len(value) > 8)
+            shown += len(hidden)
+    assert shown, "there was something to hide"
+
+
+def test_the_detail_would_be_found_if_it_were_there(page, grade, solution_text):
+    slug = "hw07_double_pendulum"
+    result = wrong(slug, "point_masses", grade, solution_text)
+    record = result.record()
+    detail = next(mark.detail for mark in result.checks if mark.detail)
+    number = next(number for value in detail.values() for number in NUMBER.findall(value))
+    leaking = json.loads(json.dumps(record).replace('"message": "', f'"message": "{number} ', 1))
+    assert number in texts(feedback.page(leaking, feedback.Sheet(slug, {}, (), {})))
+
+
+def test_what_a_student_calls_things_is_text_and_no_markup(page, grade):
+    evil = "<script>alert(1)</script><img src=x onerror=alert(2)>\"'&"
+    result = grade("hw08_axis_angle", f"raise ValueError({evil!r})")
+    record = {**result.record(), "student": evil}
+    made = feedback.page(record, feedback.Sheet(evil, {}, (), {"a": (1, evil)}))
+    assert "<script" not in made and "<img" not in made
+    assert texts(made).count("<script>alert(1)</script>") >= 3
+    assert "default-src 'none'" in made
+
+
+def test_what_a_function_raises_in_a_hidden_call_is_not_on_the_page(page, grade, solution_text):
+    text = solution_text("hw08_axis_angle") + (
+        "\ndef skew(v):\n    print('LEAK', v)\n    raise ValueError(f'LEAK {v}')\n"
+    )
+    result = grade("hw08_axis_angle", text)
+    made = page(result)
+    assert "skew raised ValueError" in made and "LEAK" not in made
+
+
+def test_a_page_needs_no_other_file(page, grade, solution_text):
+    result = wrong("hw07_double_pendulum", "point_masses", grade, solution_text)
+    assert not re.search(r"(?:src|href)=\"(?!#)|url\(|@import|<script", page(result))
+
+
+def test_a_page_of_an_older_run_has_no_picture_and_is_whole(page, grade, solution_text, course):
+    result = wrong("hw07_double_pendulum", "too_few_steps", grade, solution_text)
+    record = json.loads(json.dumps(result.record()))
+    assert "<figure" in feedback.page(record, feedback.sheet(course, result.assignment))
+    for mark in record["checks"]:
+        del mark["picture"]
+    old = feedback.page(record, feedback.sheet(course, result.assignment))
+    assert "<figure" not in old and "9.5 of 10 points" in old
+
+
+# Curves
+
+
+def test_the_curve_of_an_error_tells_when_it_grows_and_passes_the_limit():
+    t = np.linspace(2.0, 12.0, 501)
+    error = 1e-8 * np.exp(2 * (t - 2))
+    found = curve(
+        t, np.column_stack([t, t + error]), np.column_stack([t, t]), 1.0, within=1e-4, of="x", unit="m"
+    )
+    levels = np.array(found["values"])
+    assert found["scale"] == "log" and found["span"] == [2.0, 12.0]
+    slope = np.polyfit(np.linspace(0, 10, SLOTS)[12:], levels[12:], 1)[0]  # beyond the floor of the levels
+    assert slope == pytest.approx(2 / math.log(10), rel=0.02)
+    crossed = 2 + math.log(1e4) / 2
+    says = picture(found).says
+    assert float(re.search(r"passes the limit about t = ([\d.]+)", says)[1]) == pytest.approx(
+        crossed, abs=0.3
+    )
+
+
+@pytest.mark.parametrize(("rate", "word"), [(1e-3, "above"), (-1e-3, "below")])
+def test_the_curve_of_an_invariant_keeps_its_sign(rate, word):
+    t = np.linspace(0, 10, 101)
+    found = curve(t, 1 + rate * t, np.ones(101), 1.0, within=1e-5, of="the energy", unit="of itself")
+    assert found["scale"] == "linear"
+    assert np.sign(found["values"][-1]) == np.sign(rate) and word in picture(found).says
+
+
+def test_of_several_motions_in_a_row_the_worst_is_drawn():
+    t = np.concatenate([np.linspace(0, 4, 9), np.linspace(3, 7, 9)])
+    wrong = np.where(np.arange(18) > 8, 1.0, 0.1)[:, None] * np.ones(2)
+    assert curve(t, wrong, np.zeros((18, 2)), 1.0, within=1e-3, of="x", unit="")["span"] == [3.0, 7.0]
+
+
+@pytest.mark.parametrize(
+    ("t", "actual"),
+    [([0.0, 1.0], [1.0, 2.0]), ([0.0, 1.0, 2.0], [1.0, np.nan, 2.0]), ([0.0, 1.0, 2.0], 1.0), ([], [])],
+)
+def test_what_has_no_course_is_not_drawn(t, actual):
+    with np.errstate(all="ignore"):
+        assert (
+            curve(t, np.asarray(actual), np.zeros(np.shape(actual)), 1.0, within=1, of="x", unit="") is None
+        )
+
+
+def test_a_curve_says_too_little_to_carry_an_input_out():
+    """Each value is one of few levels, and the times are told to two digits."""
+    draw = np.random.default_rng(3)
+    t = np.cumsum(draw.uniform(0.1, 1.0, 1000))
+    found = curve(
+        t, 10 ** draw.uniform(-9, 3, (1000, 2)), np.zeros((1000, 2)), 1.0, within=1e-5, of="x", unit=""
+    )
+    assert len(found["values"]) == SLOTS and all((8 * level).is_integer() for level in found["values"])
+    assert found["span"] == [float(f"{time:.2g}") for time in (t[0], t[-1])]
+    invariant = curve(t, draw.normal(size=1000), np.zeros(1000), 1.0, within=1e-5, of="x", unit="")
+    assert len(set(map(abs, invariant["values"]))) <= 41
+
+
+def test_the_failure_of_an_expect_with_times_carries_its_curve():
+    t = np.linspace(0, 1, 20)
+    with pytest.raises(Failure) as failure:
+        expect(t + 1, t, within=1e-3, t=t)
+    assert failure.value.picture["within"] == 1e-3
+    with pytest.raises(Failure) as failure:
+        expect(1.0, 0.0, within=1e-3)
+    assert failure.value.picture is None
+
+
+@pytest.mark.parametrize("scale", ["log", "linear"])
+@pytest.mark.parametrize("largest", [1e-4, 1.0, 1e9])
+def test_every_place_of_a_picture_is_in_its_frame(scale, largest):
+    draw = np.random.default_rng(1)
+    values = draw.uniform(-3, 12, 30) if scale == "log" else draw.uniform(-1, 1, 30) * largest
+    drawn = picture({"of": "x", "unit": "m", "within": 1e-5, "span": [0, 3], "scale": scale,
+                     "values": [None, *values.tolist(), None]})  # fmt: skip
+    places = np.array(re.findall(r"([-\d.]+) ([-\d.]+)", drawn.path), float)
+    assert len(places) == 30
+    assert places[:, 0].min() >= LEFT and places[:, 0].max() <= RIGHT
+    assert places[:, 1].min() >= TOP and places[:, 1].max() <= BOTTOM
+    heights = sorted(y for y, _ in drawn.y)
+    assert heights[0] >= TOP and heights[-1] <= BOTTOM and min(np.diff(heights)) > 10
+
+
+def test_every_picture_has_a_text_alternative(page, grade, solution_text):
+    for result in failing("hw05_constrained_pendulum", grade, solution_text):
+        for svg in re.findall(r"<svg.*?</svg>", page(result), re.DOTALL):
+            drawn = ElementTree.fromstring(svg)
+            if drawn.get("role") == "img":
+                assert len(drawn.find("title").text) > 60
+            else:
+                assert drawn.get("aria-hidden") == "true"
+
+
+def test_pages_are_written_beside_the_results_and_left_when_nothing_changed(
+    tmp_path, grade, course, solution_text
+):
+    record = grade("hw08_axis_angle", solution_text("hw08_axis_angle")).record()
+    feedback.write_pages(tmp_path, [record], course)
+    (path,) = tmp_path.rglob("*.html")
+    assert path.relative_to(tmp_path).parts == ("someone", "hw08_axis_angle.html")
+    before = path.stat().st_mtime_ns
+    feedback.write_pages(tmp_path, [record], course)
+    assert path.stat().st_mtime_ns == before
+
+
+def test_a_result_of_an_assignment_that_is_gone_still_has_a_page(course):
+    assert feedback.sheet(course, "hw99_gone").title == "hw99_gone"
