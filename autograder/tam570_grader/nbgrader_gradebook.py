@@ -1,0 +1,45 @@
+"""nbgrader's gradebook, set up once a command: nbgrader opens it, and looks for its tables, ten times a submission."""
+
+import functools
+from typing import Any
+
+from nbgrader.api import Gradebook  # type: ignore[import-untyped]
+from nbgrader.converters import autograde  # type: ignore[import-untyped]
+from nbgrader.preprocessors import (  # type: ignore[import-untyped]
+    latesubmissions,
+    overwritecells,
+    overwritekernelspec,
+    saveautogrades,
+)
+from sqlalchemy.orm import scoped_session, sessionmaker
+
+__all__ = ["OpenGradebook", "keep_gradebooks_open"]
+
+OPENERS = (autograde, latesubmissions, overwritecells, overwritekernelspec, saveautogrades)
+
+
+class OpenGradebook(Gradebook):  # type: ignore[misc]
+    """A session of its own, as with nbgrader's; but the connection stays, and SQLAlchemy remembers the queries."""
+
+    def __init__(self, db_url: str, course_id: str = "default_course", authenticator: Any = None) -> None:
+        self.engine = _engine(db_url, course_id)
+        self.db = scoped_session(sessionmaker(autoflush=True, bind=self.engine, future=True))
+        self.course_id, self.authenticator = course_id, authenticator
+
+    def close(self) -> None:
+        """End the session."""
+        self.db.remove()
+
+
+@functools.cache
+def _engine(db_url: str, course_id: str) -> Any:
+    """The engine of a gradebook with its tables and its course."""
+    with Gradebook(db_url, course_id) as gradebook:
+        return gradebook.engine
+
+
+def keep_gradebooks_open() -> None:
+    """From now on autograde uses open gradebooks; what was open, a server's earlier command perhaps, is opened anew."""
+    _engine.cache_clear()
+    for module in OPENERS:
+        module.Gradebook = OpenGradebook
