@@ -76,7 +76,7 @@ def must_write_pages() -> None:
     from tam570_grader.root import NoCourse
 
     if importlib.util.find_spec("jinja2") is None:
-        raise NoCourse("the pages of --out need Jinja2: pip install 'tam570[grader]'")
+        raise NoCourse("the pages of feedback and the report need Jinja2: pip install 'tam570[grader]'")
 
 
 @functools.cache

@@ -1,10 +1,10 @@
-"""The commands that hand the course, or its scores, to other systems: nbgrader, Gradescope, Canvas, Moodle."""
+"""The commands that hand the course, or its scores, on: to nbgrader, Gradescope, Canvas, Moodle, the instructor."""
 
 import argparse
 from pathlib import Path
 from typing import Any
 
-__all__ = ["add_course", "add_gradescope", "add_lms"]
+__all__ = ["add_course", "add_gradescope", "add_lms", "add_report"]
 
 Commands = Any  # argparse keeps the name of its subparsers' type to itself
 
@@ -46,6 +46,23 @@ def add_lms(commands: Commands) -> argparse.ArgumentParser:
     return lms
 
 
+def add_report(commands: Commands) -> argparse.ArgumentParser:
+    report: argparse.ArgumentParser = commands.add_parser(
+        "report", help="make one page on the class: scores, checks, known mistakes, who is missing"
+    )
+    report.set_defaults(command=_report)
+    add = report.add_argument
+    add("folder", type=Path, metavar="DIR", help="what `grade --out` wrote")
+    add(
+        "--roster",
+        type=Path,
+        metavar="FILE",
+        help="all students, one a line or in the first column of a table",
+    )
+    add("--out", type=Path, metavar="FILE", help="default: DIR/report.html, beside the feedback it links to")
+    return report
+
+
 def _course(arguments: argparse.Namespace) -> int:
     from tam570_grader import course
 
@@ -62,6 +79,13 @@ def _lms(arguments: argparse.Namespace) -> int:
     from tam570_grader import lms
 
     return lms.run(arguments.grades, arguments.to, arguments.roster, arguments.identity, arguments.out)
+
+
+def _report(arguments: argparse.Namespace) -> int:
+    from tam570_grader import feedback, report, root
+
+    feedback.must_write_pages()
+    return report.run(arguments.folder, root.find(arguments.root), arguments.roster, arguments.out)
 
 
 def _course_and_slugs(arguments: argparse.Namespace) -> tuple[Path, Path, list[str]]:
