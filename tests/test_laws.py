@@ -175,8 +175,8 @@ def test_an_endless_loop_scores_nothing(slug, grade, course):
 
 
 WRAPPERS = {
-    "complex numbers": "lambda x: x + 0j if np.ndim(x) or True else x",
-    "arrays of objects": "lambda x: np.asarray(x, dtype=object).reshape(np.shape(x) or (1,))[...]",
+    "complex numbers": "lambda x: np.asarray(x) + 0j",
+    "numbers as text": "lambda x: np.asarray(x).astype(str)",
     "one axis too many": "lambda x: np.asarray(x)[None]",
     "NaN in one place": "lambda x: np.where(np.arange(np.size(x)).reshape(np.shape(x)) == 0, np.nan, x)",
 }
@@ -189,19 +189,35 @@ def test_right_numbers_in_a_wrong_form_score_nothing(slug, what, grade, course, 
     assert not kept - only_drawings_and_formulas(slug, course), failures(result)
 
 
+@pytest.mark.parametrize(
+    "form", ["lambda x: np.asarray(x).tolist()", "lambda x: np.asarray(x, dtype=object)"]
+)
+def test_right_numbers_in_any_form_that_asarray_takes_have_full_marks(
+    slug, form, grade, course, solution_text
+):
+    result = grade(slug, solution_text(slug) + wrapped(root.assignment(course, slug).results, form))
+    assert result.score == result.max_score, failures(result)
+
+
 def wrapped(results, wrapper):
-    """Code that wraps each function whose result is numbers."""
+    """Code that changes what the grader gets of each function whose result is numbers, not what another one gets."""
     numeric = [name for name, promise in results.items() if isinstance(promise, Array | Group)]
     return f"""
 import numpy as np
-def _wrap(function):
-    change = {wrapper}
+_callers = []
+def _wrap(function, change):
     def wrapper(*args, **kwargs):
-        result = function(*args, **kwargs)
-        return tuple(map(change, result)) if isinstance(result, tuple) else change(np.asarray(result))
+        _callers.append(function)
+        try:
+            result = function(*args, **kwargs)
+        finally:
+            _callers.pop()
+        if _callers:
+            return result
+        return tuple(map(change, result)) if isinstance(result, tuple) else change(result)
     return wrapper
-for _name in {numeric}:
-    globals()[_name] = _wrap(globals()[_name])
+for _name in {list(results)}:
+    globals()[_name] = _wrap(globals()[_name], ({wrapper}) if _name in {numeric} else lambda x: x)
 """
 
 
