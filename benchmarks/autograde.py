@@ -1,96 +1,136 @@
-"""What a submission costs in `nbgrader autograde`: graded by our preprocessor, or run as a notebook by nbgrader's own.
+"""What a submission costs in `nbgrader autograde`: graded by our preprocessors, or run as a notebook by nbgrader's own.
 
-    python benchmarks/autograde.py [--assignment SLUG] [--ours 40] [--theirs 6]
+    python benchmarks/autograde.py [--assignments SLUG ...] [--submissions 20] [--repeats 1]
 
-The same class in the same course is graded by our preprocessor, which runs the hidden checks, and by nbgrader's own,
-which run each notebook with its visible tests; then the same functions as a smaller notebook, with nothing but them
-and the visible tests in it, as in grading.py. A command's time for one submission is taken from that for many, so
-that starting nbgrader counts for none. Prints a line for each and writes results/autograde.json.
+The same class in the same course, with the same notebooks and modules, by three commands: our preprocessors, which
+run the hidden checks on the module; nbgrader's own, which run each notebook with its visible tests; and nbgrader's
+own on the same functions as a smaller notebook, with nothing but them and the visible tests in it. The class is timed
+twice, all of it right, and with one endless loop in it. A submission's share of the command, start-up included, is
+printed, and what one more costs, from classes of one and of all. Writes results/autograde.json.
 """
 
 import argparse
 import json
+import shutil
 import tempfile
 import time
 from pathlib import Path
 
-from grading import COURSE, _nbgrader, _notebook, class_of
+from grading import CLASSES, COURSE, _nbgrader, _notebook, class_of
 
 from tam570_grader.course import run as make_course
 
 RESULTS = Path(__file__).parent / "results" / "autograde.json"
+OWN = (
+    "Execute",
+    "IgnorePattern",
+    "LimitOutput",
+    "SaveAutoGrades",
+    "AssignLatePenalties",
+    "CheckCellMetadata",
+)
+HANGS = """
+
+def _for_ever(*args, **kwargs):
+    while True:
+        pass
 
 
-def ours(slug, folder, count):
-    """Our course with a class of so many."""
+globals()[__all__[0]] = _for_ever
+"""
+
+
+def ours(slug, folder, count, hang):
+    """Our course with a class of so many, the last of them with an endless loop."""
     make_course(COURSE, folder, [slug])
     _nbgrader(folder, "generate_assignment", slug)
     class_of(slug, count, folder / "submitted")
-    for work in (folder / "submitted").glob(f"*/{slug}"):
-        notebook = folder / "release" / slug / f"{slug}.ipynb"
-        (work / notebook.name).write_text(notebook.read_text())
+    works = sorted((folder / "submitted").glob(f"*/{slug}"))
+    for work in works:
+        shutil.copy(folder / "release" / slug / f"{slug}.ipynb", work)
+        for name in (f"test_{slug}.py", "lab.py"):
+            shutil.copy(folder / "release" / slug / name, work)
+    if hang:
+        module = works[-1] / f"{slug}.py"
+        module.write_text(f"{(COURSE / 'solutions' / f'{slug}.py').read_text()}{HANGS}")
 
 
-def executed(slug, folder, count):
+def executed(slug, folder, count, hang):
     """The same course and class, with nbgrader's own preprocessors."""
-    ours(slug, folder, count)
-    names = (
-        "Execute",
-        "IgnorePattern",
-        "LimitOutput",
-        "SaveAutoGrades",
-        "AssignLatePenalties",
-        "CheckCellMetadata",
-    )
-    listed = [f"nbgrader.preprocessors.{name}" for name in names]
+    ours(slug, folder, count, hang)
+    listed = [f"nbgrader.preprocessors.{name}" for name in OWN]
     with open(folder / "nbgrader_config.py", "a") as config:
         config.write(f"\nc.Autograde.autograde_preprocessors = {listed}\n")
 
 
-def small(slug, folder, count):
-    """nbgrader with nothing of ours, and notebooks that hold the solution and the visible tests."""
+def small(slug, folder, count, hang):
+    """nbgrader with nothing of ours, and notebooks that hold the functions and the visible tests."""
     config = f'c = get_config()\nc.CourseDirectory.course_id = "c"\nc.CourseDirectory.root = "{folder}"\n'
     (folder / "nbgrader_config.py").write_text(config)
     _notebook(folder / "source" / slug / "work.ipynb", slug)
     _nbgrader(folder, "generate_assignment", slug)
     for n in range(count):
-        _notebook(folder / "submitted" / f"s{n:03}" / slug / "work.ipynb", slug)
+        path = folder / "submitted" / f"s{n:03}" / slug / "work.ipynb"
+        _notebook(path, slug)
+    if hang:
+        found = json.loads(path.read_text())
+        found["cells"][0]["source"] = "".join(found["cells"][0]["source"]) + HANGS
+        path.write_text(json.dumps(found))
 
 
-def seconds(prepare, slug, count):
+WAYS = {
+    "our preprocessors": ours,
+    "nbgrader's own, the same notebooks": executed,
+    "nbgrader's own, small notebooks": small,
+}
+
+
+def seconds(prepare, slug, count, hang=False):
     """Of `nbgrader autograde` on a class of so many."""
     with tempfile.TemporaryDirectory() as folder:
-        prepare(slug, Path(folder), count)
+        prepare(slug, Path(folder), count, hang)
         started = time.perf_counter()
         _nbgrader(Path(folder), "autograde", slug)
         return time.perf_counter() - started
 
 
-def each(prepare, slug, count):
-    """Seconds for one more submission."""
-    return (seconds(prepare, slug, 1 + count) - seconds(prepare, slug, 1)) / count
+def measured(slug, count, repeats):
+    """Rows of one assignment; the ways take turns, and the best of each is taken."""
+    rows = []
+    for hang in (False, True):
+        turns = [
+            {name: (seconds(way, slug, 1), seconds(way, slug, count, hang)) for name, way in WAYS.items()}
+            for _ in range(repeats)
+        ]
+        for name in WAYS:
+            one, everyone = (min(turn[name][k] for turn in turns) for k in (0, 1))
+            rows.append({
+                "assignment": slug, "way": name, "endless_loop": hang, "submissions": count, "seconds": everyone,
+                "seconds_each": everyone / count, "one_more": (everyone - one) / (count - 1),
+            })  # fmt: skip
+    return rows
 
 
 def main():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    parser.add_argument("--assignment", default="hw08_axis_angle")
-    parser.add_argument("--ours", type=int, default=40, metavar="N", help="submissions beyond the first")
-    parser.add_argument("--theirs", type=int, default=6, metavar="N")
+    parser.add_argument("--assignments", nargs="+", choices=list(CLASSES), default=list(CLASSES))
+    parser.add_argument("--submissions", type=int, default=20, metavar="N")
+    parser.add_argument("--repeats", type=int, default=1, metavar="N")
     options = parser.parse_args()
-    rows = {
-        "tam570-grader's preprocessor": each(ours, options.assignment, options.ours),
-        "nbgrader's own, the same notebooks": each(executed, options.assignment, options.theirs),
-        "nbgrader's own, small notebooks": each(small, options.assignment, options.theirs),
-    }
-    first = next(iter(rows.values()))
-    for name, each_more in rows.items():
-        print(
-            f"{name:36} {each_more * 1000:8.0f} ms for a submission more, {each_more / first:5.1f} times ours"
-        )
+    rows = [
+        row for slug in options.assignments for row in measured(slug, options.submissions, options.repeats)
+    ]
+    first = {}
+    for row in rows:
+        base = first.setdefault((row["assignment"], row["endless_loop"]), row)
+        ratios = [row[key] / base[key] for key in ("seconds_each", "one_more")]
+        print(f"{row['assignment']:22} {'one hangs' if row['endless_loop'] else 'all right':9} {row['way']:35}"
+              f" {1000 * row['seconds_each']:7.0f} ms each ({ratios[0]:5.1f})"
+              f" {1000 * row['one_more']:7.0f} ms one more ({ratios[1]:5.1f})")  # fmt: skip
     RESULTS.parent.mkdir(exist_ok=True)
-    RESULTS.write_text(json.dumps({"assignment": options.assignment, "seconds_each": rows}, indent=1) + "\n")
+    RESULTS.write_text(json.dumps(rows, indent=1) + "\n")
 
 
 if __name__ == "__main__":

@@ -1,8 +1,14 @@
-"""What the tests share: the course, seeds, and grading in the real sandbox without a command line around it."""
+"""What the tests share: the course, seeds, grading in the real sandbox without a command line around it, nbgrader."""
+
+import json
+import os
+import subprocess
+import sys
+import warnings
 
 import pytest
 
-from tam570_grader import root
+from tam570_grader import cli, root
 from tam570_grader.grade import graded
 from tam570_grader.sandbox import Allowance, Worker
 from tam570_grader.student import Source
@@ -10,6 +16,22 @@ from tam570_grader.student import Source
 COURSE = root.find()
 SLUGS = root.slugs(COURSE)
 QUICK_SEEDS, FULL_SEEDS = 5, 50
+NBGRADER = """
+import json, os, sys, warnings
+from nbgrader.apps import NbGraderApp
+for line in sys.stdin:
+    where, log, *command = json.loads(line)
+    child = os.fork()
+    if child == 0:
+        os.chdir(where)
+        os.environ["HOME"] = os.environ["JUPYTER_DATA_DIR"] = where
+        for stream in (1, 2):
+            os.dup2(os.open(log, os.O_WRONLY | os.O_CREAT | os.O_APPEND), stream)
+        NbGraderApp.launch_instance(command)
+        sys.stdout.flush()
+        os._exit(0)
+    print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), flush=True)
+"""
 
 
 def pytest_addoption(parser):
@@ -76,3 +98,71 @@ def grade(workers):
 def solution_text():
     """The source of the reference solution of an assignment."""
     return lambda slug: (COURSE / "solutions" / f"{slug}.py").read_text()
+
+
+@pytest.fixture(scope="session")
+def jupyter_environment():
+    """Ours, with the commands of this Python on the path: nbgrader starts alembic and jupyter."""
+    return {**os.environ, "PATH": f"{os.path.dirname(sys.executable)}{os.pathsep}{os.environ['PATH']}"}
+
+
+@pytest.fixture(scope="session")
+def nbgrader(tmp_path_factory, jupyter_environment):
+    """`nbgrader(folder, *command)` -> what it says; the command line in a process that has imported it already."""
+    log = tmp_path_factory.mktemp("log") / "log.txt"
+    server = subprocess.Popen(
+        [sys.executable, "-c", NBGRADER], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True,
+        env=jupyter_environment,
+    )  # fmt: skip
+
+    def nbgrader(folder, *command, fails=False):
+        log.write_text("")
+        server.stdin.write(json.dumps([str(folder), str(log), *command]) + "\n")
+        server.stdin.flush()
+        code = int(server.stdout.readline())
+        assert (code != 0) == fails, log.read_text()
+        return log.read_text()
+
+    yield nbgrader
+    server.stdin.close()
+    server.wait()
+    server.stdout.close()
+
+
+@pytest.fixture(scope="session")
+def made_course():
+    """`made_course(folder, slugs)` -> the course as the command writes it, with an exchange, and a student's config."""
+
+    def made_course(folder, slugs):
+        assert cli.main(["--root", str(COURSE), "course", str(folder / "course"), *slugs]) == 0
+        (folder / "exchange").mkdir(mode=0o777, exist_ok=True)
+        setting = f'\nc.Exchange.root = "{folder / "exchange"}"\n'
+        with open(folder / "course" / "nbgrader_config.py", "a") as config:
+            config.write(setting)
+        return folder / "course", f'c = get_config()\nc.CourseDirectory.course_id = "tam570"\n{setting}'
+
+    return made_course
+
+
+@pytest.fixture(scope="session")
+def nbgrader_grades():
+    """`nbgrader_grades(course)` -> {(student, assignment, cell): grade}, by nbgrader's gradebook."""
+
+    def grades(course):
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # nbgrader's own, of SQLAlchemy
+            from nbgrader.api import Gradebook
+
+            with Gradebook(f"sqlite:///{course / 'gradebook.db'}") as book:
+                return {
+                    (submission.student_id, assignment.name, grade.name): (
+                        grade.auto_score,
+                        grade.manual_score,
+                    )
+                    for assignment in book.assignments
+                    for submission in assignment.submissions
+                    for one in submission.notebooks
+                    for grade in one.grades
+                }
+
+    return grades
