@@ -6,9 +6,11 @@ import os
 import sys
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 from tam570 import __version__
 from tam570.course import Unknown, assignments, folder, start, title
+from tam570.progress import home, recalled
 
 __all__ = ["main"]
 
@@ -24,6 +26,9 @@ def main(argv: list[str] | None = None) -> int:
     except Unknown as error:
         print(f"tam570: error: {error}", file=sys.stderr)
         return 2
+    except BrokenPipeError:  # the reader has gone; nothing more to say
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 0
     except OSError as error:
         print(f"tam570: error: {error.filename or ''}: {error.strerror}", file=sys.stderr)
         return 2
@@ -37,7 +42,7 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--version", action="version", version=f"tam570 {__version__}")
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
 
-    command = commands.add_parser("list", help="the assignments, and which of them you have started here")
+    command = commands.add_parser("list", help="the assignments, and how far you are with those here")
     command.set_defaults(command=_list)
 
     command = commands.add_parser(
@@ -53,6 +58,7 @@ def _parser() -> argparse.ArgumentParser:
         "what", nargs="?", metavar="ASSIGNMENT|FILE", help="default: all that you have started here"
     )
     command.add_argument("--assignment", metavar="SLUG", help="which one a FILE of another name is")
+    command.add_argument("--watch", action="store_true", help="test what has changed each time you save")
 
     command = commands.add_parser("hint", help="one more hint each time you ask")
     command.set_defaults(command=_hint)
@@ -63,10 +69,25 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _list(arguments: argparse.Namespace) -> int:
+    points = most = 0.0
     for slug in assignments():
-        state = "started" if _work(slug) else ""
-        print(f"{slug:<26} {title(slug):<44} {state}".rstrip())
+        work = _work(slug)
+        known = recalled(work) if work else None
+        print(f"{slug:<26} {title(slug):<44} {_state(work, known)}".rstrip())
+        if known:
+            points, most = points + known[0]["points"], most + known[0]["most"]
+    if most:
+        print(f"\n{points:g} of {most:g} points by the visible tests of what you have checked here")
     return 0
+
+
+def _state(file: Path | None, known: tuple[dict[str, Any], bool] | None) -> str:
+    """How far the work on one assignment is, by the tests as they were run last; nothing is run for it."""
+    if known is None:
+        return "started" if file else ""
+    found, current = known
+    ahead = f"next: {found['next']}" if found["next"] else "done"
+    return f"{found['points']:g} of {found['most']:g}, {ahead}{'' if current else '; changed since: tam570 check'}"
 
 
 def _start(arguments: argparse.Namespace) -> int:
@@ -82,19 +103,28 @@ def _start(arguments: argparse.Namespace) -> int:
 
 
 def _check(arguments: argparse.Namespace) -> int:
+    work = _chosen(arguments.what, arguments.assignment)
+    if arguments.watch:
+        from tam570.watching import watch
+
+        return watch(work)
     from tam570.checking import check
 
-    what = arguments.what
+    return max(check(file, slug) for file, slug in work)
+
+
+def _chosen(what: str | None, assignment: str | None) -> list[tuple[Path, str]]:
+    """The files that are meant, and their assignments."""
     if what is not None and (what.endswith(".py") or len(Path(what).parts) > 1):
         file = Path(what)
         if not file.is_file():
             raise Unknown(f"there is no file {what}")
-        return check(file, folder(arguments.assignment or _named(file)).name)
-    slugs = [folder(what).name] if what else [slug for slug in assignments() if _work(slug)]
-    files = [(_work(slug), slug) for slug in slugs]
-    if not files or files[0][0] is None:
+        return [(file, folder(assignment or _named(file)).name)]
+    slugs = [folder(what).name] if what else assignments()
+    found = [(work, slug) for slug in slugs if (work := _work(slug))]
+    if not found:
         raise Unknown(f"{what or 'nothing'} is started here; begin with: tam570 start {what or 'hw01'}")
-    return max(check(file, slug) for file, slug in files if file)
+    return found
 
 
 def _named(file: Path) -> str:
@@ -129,7 +159,7 @@ def _work(slug: str) -> Path | None:
 
 
 def _memory() -> Path:
-    return Path(os.environ.get("TAM570_HOME", Path.home() / ".tam570")) / "hints.json"
+    return home() / "hints.json"
 
 
 def _all_given() -> dict[str, dict[str, int]]:

@@ -1,0 +1,133 @@
+"""Which tests a change of the code concerns: those that call a function of which something has become different.
+
+Comments, blank lines and docstrings are no difference.
+"""
+
+import ast
+import hashlib
+from collections.abc import Iterable, Iterator, Mapping
+
+__all__ = ["ANY", "calls", "keys"]
+
+ANY = "*"  # among the functions that a test calls: it may call any
+Statements = Mapping[str, list[ast.stmt]]  # of a module, by the names that they bind; "" is what concerns all
+
+
+def keys(tests: str, code: str, module: str) -> dict[str, str]:
+    """A digest for each test, of all that its outcome depends on in these two sources.
+
+    module : the name by which the tests import the code
+    SyntaxError if one of the sources is none.
+    """
+    here, there = _statements(tests), _statements(code)
+    found = {}
+    for name, used in calls(tests, module).items():
+        own = _digest(here, [name])
+        found[name] = _hash([own, _digest(there, sorted(there if ANY in used else used))])
+    return found
+
+
+def calls(tests: str, module: str) -> dict[str, set[str]]:
+    """The functions of the module that each test names, itself or in its helpers.
+
+    Where the module itself is handed on (to getattr, say), these are ANY and all that is named in strings.
+    """
+    here = _statements(tests)
+    aliases, members = _imported(here, module)
+    found: dict[str, set[str]] = {}
+    for name in here:
+        if name.startswith(("test_", "Test")):
+            nodes = [node for one in _reached(here, [name]) for node in here[one]]
+            found[name] = _named(nodes, aliases, members)
+    return found
+
+
+def _named(nodes: Iterable[ast.stmt], aliases: set[str], members: Mapping[str, str]) -> set[str]:
+    found: set[str] = set()
+    strings: set[str] = set()
+    through_alias = alone = 0
+    for node in (inner for statement in nodes for inner in ast.walk(statement)):
+        if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name) and node.value.id in aliases:
+            found.add(node.attr)
+            through_alias += 1
+        elif isinstance(node, ast.Name):
+            alone += node.id in aliases
+            found |= {members[node.id]} if node.id in members else set()
+        elif isinstance(node, ast.Constant) and isinstance(node.value, str):
+            strings.add(node.value)
+    return found if alone == through_alias else found | strings | {ANY}
+
+
+def _imported(statements: Statements, module: str) -> tuple[set[str], dict[str, str]]:
+    """The names that stand for the module, and those that stand for its members."""
+    aliases: set[str] = set()
+    members: dict[str, str] = {}
+    for node in (node for nodes in statements.values() for node in nodes):
+        if isinstance(node, ast.Import):
+            aliases |= {alias.asname or alias.name for alias in node.names if alias.name == module}
+        if isinstance(node, ast.ImportFrom) and node.module == module:
+            members |= {alias.asname or alias.name: alias.name for alias in node.names}
+    return aliases, members
+
+
+def _statements(source: str) -> Statements:
+    found: dict[str, list[ast.stmt]] = {"": []}
+    for node in map(_undocumented, ast.parse(source).body):
+        for name in _bound(node) or [""]:
+            found.setdefault(name, []).append(node)
+    return found
+
+
+def _bound(node: ast.stmt) -> list[str]:
+    """The names that a statement binds; none if it may do anything."""
+    if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef):
+        return [node.name]
+    if isinstance(node, ast.Import | ast.ImportFrom):
+        names = [alias.asname or alias.name.partition(".")[0] for alias in node.names]
+        return [] if "*" in names else names
+    if isinstance(node, ast.Assign | ast.AnnAssign):
+        targets = node.targets if isinstance(node, ast.Assign) else [node.target]
+        inner = [one for target in targets for one in ast.walk(target)]
+        plain = all(isinstance(one, ast.Name | ast.Tuple | ast.expr_context) for one in inner)
+        return [one.id for one in inner if isinstance(one, ast.Name)] if plain else []
+    return []
+
+
+def _reached(statements: Statements, names: Iterable[str]) -> set[str]:
+    """These names and all that their definitions use, directly or not; what may do anything is used by all."""
+    reached: set[str] = set()
+    waiting = ["", *names]
+    while waiting:
+        name = waiting.pop()
+        if name in statements and name not in reached:
+            reached.add(name)
+            waiting += [used for node in statements[name] for used in _uses(node)]
+    return reached
+
+
+def _uses(node: ast.stmt) -> Iterator[str]:
+    for inner in ast.walk(node):
+        if isinstance(inner, ast.Name):
+            yield inner.id
+        elif isinstance(inner, ast.arg):
+            yield inner.arg  # a fixture is asked for by the name of an argument
+
+
+def _digest(statements: Statements, names: Iterable[str]) -> str:
+    names = list(names)
+    reached = sorted(_reached(statements, names))
+    written = [ast.dump(node) for name in reached for node in statements[name]]
+    return _hash([*names, *written])
+
+
+def _undocumented(node: ast.stmt) -> ast.stmt:
+    """The statement without its docstring."""
+    if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant):
+        return ast.Pass()
+    if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef) and ast.get_docstring(node):
+        node.body = node.body[1:] or [ast.Pass()]
+    return node
+
+
+def _hash(texts: Iterable[str]) -> str:
+    return hashlib.sha256("\0".join(texts).encode()).hexdigest()[:16]
