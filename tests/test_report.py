@@ -1,0 +1,176 @@
+"""The instructor's page on a class: its numbers, its limits, and no script of a student in it."""
+
+import base64
+import hashlib
+import json
+import re
+from html.parser import HTMLParser
+
+import pytest
+
+from tam570_grader import cli, report
+from tam570_grader.book import BookError
+from tam570_grader.feedback import Sheet
+
+SLUGS = ("hw07_double_pendulum", "hw08_axis_angle")
+SHEETS = {slug: Sheet(f"Title of {slug[:4]}", {}, (), {}) for slug in SLUGS}
+
+
+def mark(name, outcome="passed", suspect=None, points=5.0):
+    earned = {"passed": points, "grader_error": None}.get(outcome, 0.0)
+    return {"name": name, "part": "a", "points": earned, "max_points": points, "outcome": outcome, "message": "",
+            "suspect": suspect, "detail": {"error": "a fault of ours"}}  # fmt: skip
+
+
+def record(student, slug, *marks, status="graded", seconds=0.1):
+    points = [one["points"] for one in marks]
+    score = None if None in points else sum(points)
+    return {"student": student, "assignment": slug, "status": status, "score": score, "max_score": 10.0, "seed": 1,
+            "seconds": seconds, "isolation": "bubblewrap", "checks": list(marks)}  # fmt: skip
+
+
+CLASS = [
+    record("ada", SLUGS[0], mark("first"), mark("second"), seconds=0.5),
+    record("ada", SLUGS[1], mark("third"), mark("fourth", "failed", "degrees for radians")),
+    record("ben", SLUGS[0], mark("first"), mark("second", "failed", "the wrong sign"), seconds=9.0),
+    record("ben", SLUGS[1], mark("third", "failed", "degrees for radians"), mark("fourth", "not_run")),
+    record("cora", SLUGS[0], mark("first", "grader_error"), mark("second", "grader_error")),
+    record("dan", SLUGS[0], mark("first", "not_run"), mark("second", "not_run"), status="missing"),
+]
+
+
+class Tables(HTMLParser):
+    """The text of the cells of the tables, by the section that they are in."""
+
+    def __init__(self):
+        super().__init__()
+        self.tables, self._section, self._cell = {}, None, None
+
+    def handle_starttag(self, tag, attrs):
+        if tag == "section":
+            self._section = self.tables.setdefault(dict(attrs)["id"], [])
+        elif tag == "tr":
+            self._section.append([])
+        elif tag in ("td", "th"):
+            self._section[-1].append("")
+            self._cell = True
+
+    def handle_endtag(self, tag):
+        if tag in ("td", "th"):
+            self._cell = None
+
+    def handle_data(self, data):
+        if self._cell:
+            self._section[-1][-1] += data.strip()
+
+
+def tables(text):
+    parser = Tables()
+    parser.feed(re.sub(r"<title>.*?</title>", "", text))
+    return {name: rows[1:] for name, rows in parser.tables.items()}
+
+
+@pytest.fixture(scope="module")
+def rows():
+    return tables(report.report(CLASS, SHEETS, ["eve"]))
+
+
+def test_mistakes_are_counted_by_students(rows):
+    assert [row[:3] for row in rows["lecture"]] == [
+        ["2", "hw08", "degrees for radians"],
+        ["1", "hw07", "the wrong sign"],
+    ]
+
+
+def test_the_share_that_passed_a_check_is_of_those_who_handed_in(rows):
+    found = {row[2]: row[4:5] + row[6:] for row in rows["checks"]}
+    assert found == {
+        "first": ["66.7", "0", "0", "1"],
+        "second": ["33.3", "1", "0", "1"],
+        "third": ["50.0", "1", "0", "0"],
+        "fourth": ["0.0", "1", "1", "0"],
+    }
+
+
+def test_assignments_have_their_mean_and_median(rows):
+    assert [row[1:5] for row in rows["assignments"]] == [["3", "7.5", "7.5", "1"], ["2", "2.5", "2.5", "0"]]
+
+
+def test_every_student_has_a_row_of_scores(rows):
+    assert rows["scores"] == [
+        ["ada", "10", "5", "15"],
+        ["ben", "5", "0", "5"],
+        ["cora", "error", "", "0"],
+        ["dan", "", "", "0"],
+        ["eve", "", "", "0"],
+    ]
+
+
+def test_who_has_not_handed_in_is_named_those_on_the_roster_too(rows):
+    assert [row[1:] for row in rows["absent"]] == [["2", "dan, eve"], ["3", "cora, dan, eve"]]
+
+
+def test_the_slowest_come_first_and_errors_are_told(rows):
+    assert [row[1] for row in rows["slowest"]][:2] == ["ben", "ada"]
+    assert [row[0::2] for row in rows["errors"]] == [["cora", "first"], ["cora", "second"]]
+    assert "a fault of ours" in rows["errors"][0][3]
+
+
+def test_names_and_errors_are_text_and_only_our_script_may_run():
+    evil = "<script>alert(1)</script>\"'><img src=x onerror=alert(1)>"
+    bad = record(evil, SLUGS[0], mark("first", "grader_error", evil))
+    bad["checks"][0]["detail"]["error"] = bad["message"] = evil
+    text = report.report([bad], {SLUGS[0]: Sheet(evil, {"first": evil}, (), {})}, [evil])
+    scripts = re.findall(r"<script>(.*?)</script>", text, re.DOTALL)
+    assert len(scripts) == 1 and "<img" not in text
+    allowed = base64.b64encode(hashlib.sha256(scripts[0].encode()).digest()).decode()
+    assert f"default-src 'none'; style-src 'unsafe-inline'; script-src 'sha256-{allowed}'" in text
+
+
+def test_the_newest_result_counts_and_a_line_in_the_making_is_left_out(tmp_path):
+    lines = [json.dumps(one) for one in (CLASS[2], {**CLASS[2], "score": 7.0}, CLASS[0])]
+    (tmp_path / "results.jsonl").write_text("\n".join(lines) + '\n{"student": "zo')
+    assert [(one["student"], one["score"]) for one in report.results(tmp_path)] == [
+        ("ada", 10.0),
+        ("ben", 7.0),
+    ]
+
+
+@pytest.mark.parametrize("text", [None, "", "my notes\n", "[1]\n"])
+def test_what_holds_no_results_is_said_so(tmp_path, text, capsys):
+    if text is not None:
+        (tmp_path / "results.jsonl").write_text(text)
+    with pytest.raises(BookError, match=re.escape(str(tmp_path))):
+        report.results(tmp_path)
+    assert cli.main(["report", str(tmp_path)]) == 2
+    assert "tam570-grader: error: " in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("text", ["ada\neve\n", 'student,mail\nada,a@b\n"eve",e@b\n', "\ufeffName\nada\neve"])
+def test_a_roster_is_names_or_the_first_column_of_a_table(tmp_path, text):
+    (tmp_path / "roster").write_text(text, encoding="utf-8")
+    assert report._names(tmp_path / "roster") == ["ada", "eve"]
+
+
+def test_the_command_writes_the_page_beside_the_feedback(tmp_path, capsys, solution_text):
+    slug = SLUGS[1]
+    (tmp_path / "in" / "ada" / slug).mkdir(parents=True)
+    (tmp_path / "in" / "ada" / slug / f"{slug}.py").write_text(solution_text(slug))
+    out = tmp_path / "out"
+    assert cli.main(["grade", str(tmp_path / "in"), "--out", str(out)]) == 0
+    assert cli.main(["report", str(out)]) == 0
+    assert capsys.readouterr().out.splitlines()[-1] == str(out / "report.html")
+    links = re.findall(r'href="([^"#]+)"', (out / "report.html").read_text())
+    assert links and all((out / link).is_file() for link in links)
+    assert cli.main(["report", str(tmp_path / "none")]) == 2
+
+
+def test_a_large_class_is_one_page_of_a_size_that_opens():
+    """500 students, fourteen assignments: a cell takes what its link needs, and no more."""
+    slugs = [f"hw{k:02}_an_assignment" for k in range(1, 15)]
+    sheets = {slug: Sheet(slug, {}, (), {}) for slug in slugs}
+    large = [
+        record(f"student{k:03}", slug, mark("first"), mark("second")) for k in range(500) for slug in slugs
+    ]
+    text = report.report(large, sheets)
+    assert len(text) < 2e6 and text.count("<tr") > 500
