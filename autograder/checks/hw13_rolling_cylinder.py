@@ -427,7 +427,7 @@ def simulate_rolls_and_rocks(student, draw):
 @check(points=0.25, part="b", after=simulate_rolls_and_rocks, suspects=SIMULATE_SUSPECTS)
 def simulate_needs_no_dense_times(student, draw):
     """simulate: the same motion when only a few times are asked for."""
-    few = runs(draw, 8)  # not fewer: odeint takes no more than 500 steps from one time to the next unless told to
+    few = runs(draw, 8)  # not fewer: odeint takes no more than 500 steps from one to the next unless told to
     judge_runs(student, few, "the steps of the integration are not those of t")
 
 
