@@ -13,7 +13,7 @@ from typing import Any
 
 __all__ = ["available", "loaded", "loaded_already", "module_source", "wait"]
 
-IMPORT = 0.4  # s, of numba
+IMPORT = 0.5  # s, of numba
 READY = 0.05  # s, to load what was compiled before
 
 _HEAD = '''"""Written by tam570 for one right-hand side; may be deleted at any time."""

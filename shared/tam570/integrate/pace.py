@@ -10,6 +10,7 @@ __all__ = ["Loop", "carried_through"]
 
 PROBE = 50  # steps before the clock is read for the first time
 SOONEST = 0.05  # s, in which no compiled code was ever loaded
+SOONEST_COLD = 0.5  # s, the same where numba is not imported yet; asking more closely costs imports too
 
 
 @dataclass(frozen=True)
@@ -60,14 +61,17 @@ def _until_it_repays(loop: Loop, source: Callable[[], str], state: Any) -> Any:
     """Steps in Python until the end, or until what is left takes longer than loading the compiled loop."""
     if "numba" in sys.modules and _loaded_already(source()):
         return state
-    began, budget, wait = time.perf_counter(), PROBE, 0.0
+    soonest = SOONEST if "numba" in sys.modules else SOONEST_COLD
+    passed, budget, wait = 0.0, PROBE, 0.0
     while True:
+        began = time.perf_counter()
         state = loop.run(loop.python, state, budget, False)
-        done, passed = loop.share(state), time.perf_counter() - began
+        passed += time.perf_counter() - began
+        done = loop.share(state)
         if done >= 1:
             return state
         left = passed * (1 / done - 1) if done else 0.0
-        if left > SOONEST:  # else not worth the question
+        if left > soonest:  # else not worth the question
             wait = wait or _wait(source(), loop.toil)
             if left > wait:
                 return state
