@@ -44,7 +44,8 @@ def folder(tmp_path_factory, course, workers):
         for student, text in {"ada": right, "ben": f"{right}\n\n{wrong}", "cora": ""}.items():
             source = Source(text.encode())
             records.append(graded(student, source, assignment, workers(slug, Allowance()), 1).record())
-    records.append(not_graded("dan", assignment, "missing", "no file", 1).record())
+    for slug in ("hw03_angular_momentum_rate", assignment.slug):  # one with a long title
+        records.append(not_graded("dan", root.assignment(course, slug), "missing", "no file", 1).record())
     (folder / "results.jsonl").write_text("".join(json.dumps(one) + "\n" for one in records))
     feedback.write_pages(folder / "feedback", records, course)
     assert report.run(folder, course, None, None) == 0

@@ -183,7 +183,7 @@ def _worst(errors: Any) -> int:
 
 def _time(t: Any, errors: Any, worst: int) -> str:
     row = int(np.unravel_index(worst, errors.shape)[0])
-    return f"at t = {float(t[row]):.2g} s"
+    return f"at t = {float(f'{t[row]:.2g}'):g} s"
 
 
 def _two_digits(error: float) -> str:
