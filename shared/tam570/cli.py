@@ -60,6 +60,14 @@ def _parser() -> argparse.ArgumentParser:
     command.add_argument("--assignment", metavar="SLUG", help="which one a FILE of another name is")
     command.add_argument("--watch", action="store_true", help="test what has changed each time you save")
 
+    command = commands.add_parser("show", help="see what your functions do, as a scene that moves")
+    command.set_defaults(command=_show)
+    command.add_argument("assignment", help="hw07, say")
+    command.add_argument("file", nargs="?", type=Path, metavar="FILE", help="default: yours that is here")
+    command.add_argument(
+        "--save", type=Path, metavar="FILE", help="a page (.html), picture (.png), .gif or .mp4"
+    )
+
     command = commands.add_parser("hint", help="one more hint each time you ask")
     command.set_defaults(command=_hint)
     command.add_argument("assignment")
@@ -131,6 +139,18 @@ def _named(file: Path) -> str:
     """The name that tells the assignment: the file's, else its folder's."""
     name = file.stem
     return name if any(name.startswith(slug[:4]) for slug in assignments()) else file.resolve().parent.name
+
+
+def _show(arguments: argparse.Namespace) -> int:
+    from tam570.show import command
+
+    slug = folder(arguments.assignment).name
+    file = arguments.file or _work(slug)
+    if file is None:
+        raise Unknown(f"{slug} is not started here; begin with: tam570 start {slug[:4]}")
+    if not file.is_file():
+        raise Unknown(f"there is no file {file}")
+    return command(file, slug, arguments.save)
 
 
 def _hint(arguments: argparse.Namespace) -> int:

@@ -1,0 +1,115 @@
+"""Scenes that move: `show` runs the student's own functions and shows what they do."""
+
+from dataclasses import dataclass
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+from tam570.course import folder
+from tam570.show.film import Film
+from tam570.show.student import Student, Trouble, loaded
+
+__all__ = ["Shown", "Trouble", "command", "film_of", "save", "show"]
+
+SAVED_AS = (".html", ".png", ".gif", ".mp4")
+
+
+@dataclass(frozen=True)
+class Shown:
+    """A film, or why there is none; a notebook shows it inline.
+
+    film    : None if it could not be made
+    trouble : why not
+    """
+
+    film: Film | None
+    trouble: str = ""
+    height: int = 620  # pixels, in a notebook
+
+    def _repr_html_(self) -> str:
+        import html
+
+        from tam570.show.page import framed, page
+
+        if self.film is None:
+            return f"<pre>{html.escape(self.trouble)}</pre>"
+        return framed(page(self.film), self.film.title, self.height)
+
+    def __repr__(self) -> str:
+        return self.trouble if self.film is None else f"<{self.film.title}: {self.film.times[-1]:g} s>"
+
+    def save(self, file: str | Path) -> None:
+        """Write it to FILE.html, .png, .gif or .mp4. Trouble if it cannot be."""
+        if self.film is None:
+            raise Trouble(self.trouble)
+        save(self.film, Path(file))
+
+
+def show(what: Any, *, assignment: str | None = None, height: int = 620) -> Shown:
+    """The scene of an assignment, driven by the student's functions.
+
+    what       : the student's module, or its file; in a notebook also `globals()`, with the assignment's name
+    assignment : hw07, say, where the name of the module does not tell
+    height     : in a notebook, pixels
+    """
+    try:
+        return Shown(_film(what, assignment), height=height)
+    except Trouble as trouble:
+        return Shown(None, str(trouble), height)
+
+
+def _film(what: Any, assignment: str | None) -> Film:
+    if isinstance(what, str | Path):
+        slug = folder(assignment or Path(what).stem).name
+        return film_of(loaded(Path(what), slug), slug)
+    if isinstance(what, dict):
+        from types import SimpleNamespace
+
+        what = SimpleNamespace(**what)
+    return film_of(what, folder(assignment or what.__name__).name)
+
+
+def film_of(module: Any, slug: str) -> Film:
+    """The film of the assignment, by the functions of a module. Trouble if it cannot be made."""
+    try:
+        scene = import_module(f"tam570.show.scenes.{slug[:4]}")
+    except ModuleNotFoundError:
+        raise Trouble(f"{slug} has no scene") from None
+    film: Film = scene.film(Student(module))
+    return film
+
+
+def command(file: Path, slug: str, where: Path | None) -> int:
+    """What `tam570 show` does: save the film of a file, or show it in a window; 0, or 1 if it cannot be."""
+    import sys
+
+    try:
+        film = film_of(loaded(file, slug), slug)
+        if where:
+            save(film, where)
+        else:
+            from tam570.show.pictures import window
+
+            window(film)
+    except Trouble as trouble:
+        print(f"tam570: {trouble}", file=sys.stderr)
+        return 1
+    for note in film.notes:
+        print(note, file=sys.stderr)
+    if where:
+        print(where)
+    return 0
+
+
+def save(film: Film, file: Path) -> None:
+    """Write a film to a file of the kind that its name says. Trouble if it cannot be."""
+    if file.suffix == ".html":
+        from tam570.show.page import page
+
+        file.write_text(page(film), encoding="utf-8")
+    elif file.suffix in SAVED_AS:
+        from tam570.show.pictures import write
+
+        write(film, file)
+    else:
+        raise Trouble(f"{file.name} is to end in {', '.join(SAVED_AS)}")

@@ -1,0 +1,200 @@
+"""A film in as few numbers as a screen needs.
+
+Coordinates are whole numbers of half pixels. A point that never moves by one is stored once; points that move as one
+body are stored as combinations of three or four of them; and a sample that linear interpolation between its
+neighbours gives to half a pixel is not stored at all.
+"""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tam570.show.film import Film, Panel, Part, Strip
+from tam570.show.student import Trouble
+
+__all__ = ["kept_samples", "packed"]
+
+Array = NDArray[np.float64]
+
+PIXELS = 1000  # the larger side of a panel on a large screen
+STEPS = 2  # whole numbers to a pixel
+STRIP_PIXELS = 300  # height of a strip
+TRACK, FIXED, MIXED = range(3)  # kinds of points; a point's number is 3 * index + kind
+
+
+def packed(film: Film) -> dict[str, Any]:
+    """The film as the player reads it: numbers, strings, lists."""
+    points = _Points()
+    panels = [_packed_panel(panel, points, film.in_space) for panel in film.panels]
+    kept = kept_samples(np.concatenate(points.tracks, axis=1)) if points.tracks else np.array([0])
+    kept = np.union1d(kept, [0, len(film.times) - 1])
+    return {
+        "title": film.title,
+        "sight": film.sight,
+        "view": film.view,
+        "poster": film.poster,
+        "start": _figures(film.times[0]),
+        "step": _figures(film.times[1] - film.times[0], 12),
+        "keys": _differences(kept),
+        "tracks": [[_differences(axis) for axis in track[kept].T] for track in points.tracks],
+        "fixed": points.fixed,
+        "mixed": points.mixed,
+        "panels": panels,
+        "strips": [_packed_strip(strip) for strip in film.strips],
+    }
+
+
+class _Points:
+    """Collects the points of a film and numbers them; each is stored once."""
+
+    def __init__(self) -> None:
+        self.tracks: list[Array] = []
+        self.fixed: list[list[int]] = []
+        self.mixed: list[list[list[float]]] = []  # pairs of a point's number and its weight
+        self._known: dict[bytes, int] = {}
+
+    def still(self, point: Array) -> int:
+        """The number of a point (dim,) that stands still."""
+        place = np.rint(point).astype(int)
+        return self._number(place.tobytes(), self.fixed, FIXED, place.tolist)
+
+    def moving(self, track: Array) -> int:
+        """The number of a point with this track (n, dim)."""
+        if np.ptp(track, axis=0).max() < 1.0:
+            return self.still(track[0])
+        return self._number(np.rint(track).tobytes(), self.tracks, TRACK, lambda: track)
+
+    def _number(self, key: bytes, stored: list[Any], kind: int, value: Callable[[], Any]) -> int:
+        if key not in self._known:
+            self._known[key] = 3 * len(stored) + kind
+            stored.append(value())
+        return self._known[key]
+
+    def body(self, tracks: Array) -> list[int]:
+        """The numbers of points with these tracks (n, m, dim), most of which may move as one body."""
+        base, weights = _affine_base(tracks)
+        numbers = {i: self.moving(tracks[:, i]) for i in base}
+        for i in range(tracks.shape[1]):
+            if i not in numbers:
+                numbers[i] = self._combination([numbers[j] for j in base], weights[:, i])
+        return [numbers[i] for i in range(tracks.shape[1])]
+
+    def _combination(self, base: list[int], weights: Array) -> int:
+        parts = [[number, _figures(w, 4)] for number, w in zip(base, weights, strict=True) if abs(w) > 1e-4]
+        if len(parts) == 1:
+            return int(parts[0][0])
+        return self._number(repr(parts).encode(), self.mixed, MIXED, lambda: parts)
+
+
+def _affine_base(tracks: Array) -> tuple[list[int], Array]:
+    """Points of which all others are fixed combinations to half a unit, and the weights (len(base), m).
+
+    Greedy: the next is the one farthest from what those before span, which keeps the weights small. Points that do
+    not move as one body are all taken.
+    """
+    n, m, dim = tracks.shape
+    relative = np.moveaxis(tracks - tracks[:, :1], 1, 2).reshape(n * dim, m)
+    rest, base = relative.copy(), [0]
+    while np.abs(rest).max() > 0.5:
+        if len(base) > dim:
+            return list(range(m)), np.eye(m)
+        farthest = int(np.linalg.norm(rest, axis=0).argmax())
+        direction = rest[:, farthest] / np.linalg.norm(rest[:, farthest])
+        rest -= np.outer(direction, direction @ rest)
+        base.append(farthest)
+    weights = np.linalg.lstsq(relative[:, base[1:]], relative, rcond=None)[0]
+    return base, np.vstack([1.0 - weights.sum(axis=0), weights])
+
+
+def kept_samples(tracks: Array, within: float = STEPS / 2) -> NDArray[np.int64]:
+    """The samples (n, k) between which linear interpolation gives all others to `within` (Douglas and Peucker)."""
+    n = len(tracks)
+    kept, intervals = {0, n - 1}, [(0, n - 1)]
+    while intervals:
+        first, last = intervals.pop()
+        if last - first < 2:
+            continue
+        share = np.arange(1, last - first)[:, None] / (last - first)
+        line = tracks[first] + share * (tracks[last] - tracks[first])
+        off = np.abs(tracks[first + 1 : last] - line).max(axis=1)
+        worst = int(off.argmax())
+        if off[worst] > within:
+            middle = first + 1 + worst
+            kept.add(middle)
+            intervals += [(first, middle), (middle, last)]
+    return np.array(sorted(kept))
+
+
+def _packed_panel(panel: Panel, points: _Points, in_space: bool) -> dict[str, Any]:
+    low, high = _box(panel)
+    flat = panel.parts[0].points.shape[-1] == 2
+    unit = float((high - low).max() or 1.0) / (PIXELS * STEPS)  # m
+    middle = (low + high) / 2
+    scaled = [_in_space((part.points - middle) / unit, in_space) for part in panel.parts]
+    reach = max(float(np.sqrt((points**2).sum(axis=-1)).max()) for points in scaled)
+    return {
+        "title": panel.title,
+        "flat": flat,
+        "ruler": panel.ruler,
+        "unit": unit,
+        "size": [_figures(side, 6) for side in (high - low)[:2] / unit] if flat else [2 * reach, 2 * reach],
+        "parts": [_packed_part(part, at, points) for part, at in zip(panel.parts, scaled, strict=True)],
+    }
+
+
+def _box(panel: Panel) -> tuple[Array, Array]:
+    """Corners of the box around all that the panel ever shows. Trouble if it is too large for numbers."""
+    rows = [part.points.reshape(-1, part.points.shape[-1]) for part in panel.parts]
+    low = np.min([row.min(axis=0) for row in rows], axis=0)
+    high = np.max([row.max(axis=0) for row in rows], axis=0)
+    with np.errstate(over="ignore"):
+        if not np.isfinite(high - low).all():
+            raise Trouble(
+                f"the motion goes as far as {max(high.max(), -low.min()):.1e} m: no screen shows that"
+            )
+    return low, high
+
+
+def _in_space(points: Array, in_space: bool) -> Array:
+    """Points of a flat panel get a third coordinate where the film has three."""
+    if in_space and points.shape[-1] == 2:
+        return np.concatenate([points, np.zeros((*points.shape[:-1], 1))], axis=-1)
+    return points
+
+
+def _packed_part(part: Part, points: Array, store: _Points) -> dict[str, Any]:
+    still = points.ndim == 2
+    numbers = [store.still(point) for point in points] if still else store.body(points)
+    found = {"kind": part.kind, "at": numbers, "color": part.color, "width": part.width}
+    optional = {"name": part.name, "words": part.words, "faint": part.faint}
+    return found | {name: value for name, value in optional.items() if value}
+
+
+def _packed_strip(strip: Strip) -> dict[str, Any]:
+    low, high = strip.span
+    unit = (high - low) / STRIP_PIXELS
+    curves = np.array(list(strip.curves.values())).T / unit
+    kept = kept_samples(curves, within=0.5)
+    return {
+        "title": strip.title,
+        "names": list(strip.curves),
+        "times": [_figures(t, 6) for t in strip.times[kept]],
+        "curves": [_differences(curve) for curve in curves[kept].T],
+        "scale": unit,
+        "span": strip.span,
+        "unit": strip.unit,
+        "note": strip.note,
+        "alarm": strip.alarm,
+    }
+
+
+def _differences(values: NDArray[Any]) -> list[int]:
+    """Rounded, and each but the first less the one before: short numbers."""
+    whole: list[int] = np.diff(np.rint(values).astype(np.int64), prepend=0).tolist()
+    return whole
+
+
+def _figures(value: float, figures: int = 9) -> float:
+    return float(f"{value:.{figures}g}")

@@ -1,0 +1,183 @@
+"""What is seen: a film of panels and strips, made of numbers. A scene makes it, the player and the savers show it."""
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+__all__ = [
+    "GREY",
+    "INK",
+    "Array",
+    "Film",
+    "Panel",
+    "Part",
+    "Strip",
+    "clock",
+    "conserved",
+    "energy_strip",
+    "followed",
+    "moving",
+    "strip_samples",
+]
+
+Array = NDArray[np.float64]
+
+RATE = 60  # samples a second, as screens show
+STRIP_SAMPLES = 400  # of a strip, which is about as many pixels wide
+
+INK, GREY = -1, -2  # colours beside the numbered ones of the palette
+LEAST_SPAN = (
+    0.01  # of a strip of deviations: what is conserved to a pixel in it looks flat, whatever the rounding
+)
+LARGE = 1e-3  # a deviation that no careful integration has; 1e-6 is a careless one
+
+
+@dataclass(frozen=True)
+class Part:
+    """One thing that is drawn.
+
+    kind   : "lines" (points in pairs), "path", "fill", "dot", "trail" (where the point has been), "arrow", "text"
+    points : (m, dim) if it stands still, else (n, m, dim) at the film's times; m
+    color  : of the palette, or INK or GREY
+    name   : for the legend
+    words  : of a text
+    width  : of the line or size of the dot, pixels
+    faint  : half transparent
+    """
+
+    kind: str
+    points: Array
+    color: int = INK
+    name: str = ""
+    words: str = ""
+    width: float = 2.0
+    faint: bool = False
+
+
+@dataclass(frozen=True)
+class Panel:
+    """Parts that share a scale. A flat panel of a scene in space does not turn with the others.
+
+    ruler : whether to show how long a metre is
+    """
+
+    parts: Sequence[Part]
+    title: str = ""
+    ruler: bool = True
+
+
+@dataclass(frozen=True)
+class Strip:
+    """Curves over time beside the motion.
+
+    times  : (m,) s
+    curves : by name, (m,) each
+    span   : of the axis
+    unit   : of the curves and the axis
+    note   : what they come to
+    alarm  : the note says that something is wrong
+    """
+
+    title: str
+    times: Array
+    curves: Mapping[str, Array]
+    span: tuple[float, float]
+    unit: str
+    note: str = ""
+    alarm: bool = False
+
+
+@dataclass(frozen=True)
+class Film:
+    """A scene in motion.
+
+    times : (n,) s, evenly spaced
+    sight : what is seen, in words, for those who do not see it
+    view  : azimuth and elevation of the eye in a scene in space, rad
+    poster : share of the time at which a single picture tells most
+    notes : what could not be shown, and why
+    """
+
+    title: str
+    sight: str
+    times: Array
+    panels: Sequence[Panel]
+    strips: Sequence[Strip] = ()
+    view: tuple[float, float] = (0.7, 0.35)
+    poster: float = 0.6
+    notes: Sequence[str] = field(default_factory=list)
+
+    @property
+    def in_space(self) -> bool:
+        """Whether any panel has three dimensions."""
+        return any(part.points.shape[-1] == 3 for panel in self.panels for part in panel.parts)
+
+
+def clock(seconds: float) -> Array:
+    """(n,) s, evenly spaced, from 0."""
+    return np.linspace(0.0, seconds, math.ceil(RATE * seconds) + 1)
+
+
+def strip_samples(times: Array) -> NDArray[np.int64]:
+    """Which of the times a strip needs."""
+    count = min(len(times), STRIP_SAMPLES + 1)
+    return np.rint(np.linspace(0, len(times) - 1, count)).astype(np.int64)
+
+
+def moving(*points: ArrayLike) -> Array:
+    """(n, m, dim) of m points that are (n, dim) each, or (dim,) if they stand still."""
+    arrays = np.broadcast_arrays(*(np.asarray(point, dtype=float) for point in points))
+    return np.stack(arrays, axis=-2)
+
+
+def conserved(title: str, times: Array, curves: Mapping[str, ArrayLike], scale: float, of: str) -> Strip:
+    """A strip of what should not change: how far each is from its first value.
+
+    curves : by name, (m,) numbers or (m, k) vectors
+    scale  : what the deviations are measured by, > 0
+    of     : its name, as in "the largest kinetic energy"
+    """
+    deviations = {name: 100.0 * _deviation(np.asarray(v, dtype=float)) / scale for name, v in curves.items()}
+    largest = max(float(np.abs(deviation).max()) for deviation in deviations.values()) / 100.0
+    half = 100.0 * max(LEAST_SPAN, 1.1 * largest)
+    alarm = largest > LARGE
+    note = f"{'not conserved: ' if alarm else ''}relative drift {largest:.1e} of {of}"
+    return Strip(title, times, deviations, (-half, half), "%", note, alarm)
+
+
+def energy_strip(
+    times: Array, total: Array, potential: Array, title: str = "energy, change since the start"
+) -> Strip:
+    """A strip of the energy; its potential part tells how much of it is in play.
+
+    total, potential : (m,) J
+    """
+    kinetic = float(np.abs(total - potential).max())
+    scale = kinetic or float(np.abs(total).max()) or 1.0
+    return conserved(title, times, {"": total}, scale, "the largest kinetic energy")
+
+
+def _deviation(values: Array) -> Array:
+    """(m,) difference from the first value; of a vector its size."""
+    moved: Array = values - values[0]
+    return moved if moved.ndim == 1 else np.linalg.norm(moved, axis=1)
+
+
+def followed(
+    title: str,
+    times: Array,
+    curves: Mapping[str, ArrayLike],
+    unit: str,
+    note: str = "",
+    *,
+    alarm: bool = False,
+) -> Strip:
+    """A strip of what may change, as it is."""
+    values = {name: np.asarray(curve, dtype=float) for name, curve in curves.items()}
+    low = min(0.0, *(float(curve.min()) for curve in values.values()))
+    high = max(0.0, *(float(curve.max()) for curve in values.values()))
+    margin = 0.05 * (high - low) or 1.0
+    return Strip(title, times, values, (low - margin, high + margin), unit, note, alarm)

@@ -1,0 +1,186 @@
+"""A film by Matplotlib: a window, a picture, a GIF, a video. Frames are made one by one, and only those asked for."""
+
+import re
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from matplotlib.animation import AbstractMovieWriter, FFMpegWriter, FuncAnimation, PillowWriter
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.patches import Polygon
+
+from tam570.show.film import Array, Film, Panel, Part, Strip
+from tam570.show.page import HERE
+from tam570.show.student import Trouble
+
+__all__ = ["frames", "window", "write"]
+
+SIZE = (10.0, 5.6)  # inches
+DPI = 100
+EVERY = {".gif": 3, ".mp4": 2}  # samples to a frame: 20 and 30 frames a second
+ANCHORED = re.compile(r"--(\w+): (#\w+);")
+
+Update = Callable[[int], None]
+
+
+def write(film: Film, file: Path) -> None:
+    """Save a picture (.png), a GIF or a video (.mp4). Trouble if its writer is not installed."""
+    figure = Figure(figsize=SIZE, dpi=DPI, layout="constrained")
+    update = _drawn(film, figure)
+    if file.suffix == ".png":
+        update(round(film.poster * (len(film.times) - 1)))
+        figure.savefig(file)
+        return
+    writer = _writer(file.suffix)
+    with writer.saving(figure, str(file), DPI):
+        for sample in frames(film, file.suffix):
+            update(sample)
+            writer.grab_frame()
+
+
+def frames(film: Film, suffix: str) -> range:
+    """The samples that become frames of a file of this kind."""
+    return range(0, len(film.times), EVERY[suffix])
+
+
+def window(film: Film) -> None:
+    """Show the film in a window until it is closed. Trouble where there is no screen."""
+    import matplotlib
+    from matplotlib import pyplot
+
+    try:
+        figure = pyplot.figure(figsize=SIZE, layout="constrained")
+    except ImportError:  # a backend that is asked for and cannot be had
+        figure = None
+    if figure is None or matplotlib.get_backend().lower() == "agg":
+        raise Trouble("there is no screen to open a window on; save a page instead: --save FILE.html")
+    update = _drawn(film, figure)
+    step = EVERY[".mp4"]
+    playing = FuncAnimation(
+        figure,
+        lambda sample: (update(sample), [])[1],
+        frames=range(0, len(film.times), step),
+        interval=1000 * step * (film.times[1] - film.times[0]),
+    )
+    pyplot.show()
+    del playing  # until now it had to live
+
+
+def _writer(suffix: str) -> AbstractMovieWriter:
+    if suffix == ".gif":
+        return PillowWriter(fps=20)
+    if not FFMpegWriter.isAvailable():
+        raise Trouble("a video needs ffmpeg, which is not installed; .gif and .html need nothing more")
+    return FFMpegWriter(fps=30, bitrate=1800)
+
+
+def _palette() -> list[str]:
+    """The colours of the page in light, INK and GREY last, as their numbers have it."""
+    known = dict(reversed(ANCHORED.findall((HERE / "page.css").read_text(encoding="utf-8"))))
+    return [known[name] for name in ("c0", "c1", "c2", "c3", "c4", "c5", "soft", "ink")]
+
+
+def _drawn(film: Film, figure: Figure) -> Update:
+    """Draw the film's first frame; what takes it to the frame of another sample."""
+    halves = figure.subfigures(1, 2, squeeze=False, width_ratios=[2.6, 1] if film.strips else [1, 0.01])
+    wide, narrow = halves[0]
+    figure.suptitle(film.title)
+    columns = len(film.panels) if len(film.panels) < 4 else 2
+    axes = wide.subplots(-(-len(film.panels) // columns), columns, squeeze=False).ravel()
+    updates = [one for ax, panel in zip(axes, film.panels, strict=False) for one in _panel(ax, panel, film)]
+    for ax in axes:
+        ax.set_axis_off()
+    if film.strips:
+        tall = narrow.subplots(len(film.strips), 1, squeeze=False).ravel()
+        updates += [_strip(ax, strip, film) for ax, strip in zip(tall, film.strips, strict=True)]
+
+    def update(sample: int) -> None:
+        for one in updates:
+            one(sample)
+
+    update(0)
+    return update
+
+
+def _panel(ax: Axes, panel: Panel, film: Film) -> list[Update]:
+    parts = [(part, _seen(part.points, film.view)) for part in panel.parts]
+    rows = np.concatenate([points.reshape(-1, 2) for _, points in parts])
+    low, high = rows.min(axis=0), rows.max(axis=0)
+    margin = 0.03 * float((high - low).max() or 1.0)
+    ax.set(xlim=(low[0] - margin, high[0] + margin), ylim=(low[1] - margin, high[1] + margin), aspect="equal")
+    ax.set_title(panel.title, fontsize=10)
+    updates = [_part(ax, part, points) for part, points in parts]
+    if any(part.name for part in panel.parts):
+        ax.legend(loc="upper left", fontsize=8, frameon=False)
+    return updates
+
+
+def _seen(points: Array, view: tuple[float, float]) -> Array:
+    """(..., 2) points as they are seen from an azimuth and an elevation, without perspective."""
+    if points.shape[-1] == 2:
+        return points
+    (ca, ce), (sa, se) = np.cos(view), np.sin(view)
+    flat: Array = points @ np.array([[-sa, ca, 0.0], [-se * ca, -se * sa, ce]]).T
+    return flat
+
+
+def _part(ax: Axes, part: Part, points: Array) -> Update:
+    """Draw one part; what takes it to another sample."""
+    look: dict[str, Any] = {"color": _palette()[part.color], "alpha": 0.25 if part.faint else 1.0}
+    still = points.ndim == 2
+
+    def at(sample: int) -> Array:
+        chosen: Array = points if still else points[sample]
+        return chosen
+
+    if part.kind == "fill":
+        patch = Polygon(at(0), closed=True, linewidth=0, **look)
+        ax.add_patch(patch)
+        return lambda sample: patch.set_xy(at(sample))
+    if part.kind == "text":
+        text = ax.text(at(0)[0, 0], at(0)[0, 1], part.words, **look)
+        return lambda sample: text.set_position(at(sample)[0])
+    shape = {"lines": _apart, "arrow": _arrows}.get(part.kind, lambda rows: rows)
+    style: dict[str, Any] = (
+        {"marker": "o", "markersize": 1.5 * part.width, "linestyle": ""} if part.kind == "dot" else {}
+    )
+    (line,) = ax.plot([], [], linewidth=0.8 * part.width, label=part.name or "_", **style, **look)
+    if part.kind == "trail":
+        so_far = np.concatenate([points, np.full((1, *points.shape[1:]), np.nan)])
+        return lambda sample: line.set_data(
+            *so_far[np.r_[0 : sample + 1, -1]].swapaxes(0, 1).reshape(-1, 2).T
+        )
+    return lambda sample: line.set_data(*shape(at(sample)).T)
+
+
+def _apart(points: Array) -> Array:
+    """Pairs of points with gaps between them."""
+    pairs = points.reshape(-1, 2, 2)
+    gaps = np.full((len(pairs), 1, 2), np.nan)
+    return np.concatenate([pairs, gaps], axis=1).reshape(-1, 2)
+
+
+def _arrows(points: Array) -> Array:
+    """Pairs of tail and tip as lines with barbs."""
+    tails, tips = points[::2], points[1::2]
+    along = 0.15 * (tips - tails)
+    across = 0.5 * np.column_stack([-along[:, 1], along[:, 0]])
+    gap = np.full_like(tips, np.nan)
+    strokes = [tails, tips, tips - along + across, tips, tips - along - across, gap]
+    return np.stack(strokes, axis=1).reshape(-1, 2)
+
+
+def _strip(ax: Axes, strip: Strip, film: Film) -> Update:
+    for color, (name, curve) in zip(_palette(), strip.curves.items(), strict=False):
+        ax.plot(strip.times, curve, color=color, linewidth=1.2, label=name or "_")
+    ax.set(xlim=film.times[[0, -1]], ylim=strip.span, xlabel="t (s)", ylabel=f"({strip.unit})")
+    ax.set_title(
+        f"{strip.title}\n{strip.note}", fontsize=8, color="#b00020" if strip.alarm else "#1b1f24", wrap=True
+    )
+    ax.tick_params(labelsize=8)
+    if len(strip.curves) > 1:
+        ax.legend(fontsize=7)
+    now = ax.axvline(0.0, color="#667080", linewidth=1)
+    return lambda sample: now.set_xdata([film.times[sample]] * 2)

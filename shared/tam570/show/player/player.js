@@ -1,0 +1,359 @@
+"use strict";
+const byId = (id) => document.getElementById(id);
+const film = JSON.parse(byId("film").textContent);
+const sums = (steps) => { let sum = 0; return steps.map((step) => (sum += step)); };
+
+// What the file holds: differences between the samples that matter.
+const keys = sums(film.keys);
+const tracks = film.tracks.map((track) => track.map(sums));
+const duration = keys[keys.length - 1] * film.step;
+const strips = film.strips.map((strip) => ({...strip, curves: strip.curves.map(sums)}));
+const state = {time: 0, speed: 1, playing: false, last: 0};
+
+// Where things are
+
+function keyBefore(time) {
+  let low = 0, high = keys.length - 1;
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (keys[middle] * film.step <= time) low = middle; else high = middle;
+  }
+  return low;
+}
+
+// Position of a point at a key and a share of the way to the next, as [x, y(, z)] in half pixels of the large screen.
+function place(point, key, share) {
+  const index = Math.floor(point / 3), kind = point % 3;
+  if (kind === 1) return film.fixed[index];
+  if (kind === 0) {
+    return tracks[index].map((axis) => (share ? axis[key] + share * (axis[key + 1] - axis[key]) : axis[key]));
+  }
+  const sum = [0, 0, 0];
+  for (const [part, weight] of film.mixed[index]) {
+    place(part, key, share).forEach((value, axis) => { sum[axis] += weight * value; });
+  }
+  return sum;
+}
+
+// What is drawn on
+
+let colors = {};
+function readColors() {
+  const style = getComputedStyle(document.documentElement);
+  for (const name of ["paper", "ink", "soft", "line", "alarm", "c0", "c1", "c2", "c3", "c4", "c5"]) {
+    colors[name] = style.getPropertyValue(`--${name}`).trim();
+  }
+}
+const colorOf = (number) => (number === -1 ? colors.ink : number === -2 ? colors.soft : colors[`c${number}`]);
+
+// A canvas of as many pixels as the screen has there; drawn in CSS pixels.
+function fitted(canvas) {
+  const {width, height} = canvas.getBoundingClientRect(), ratio = window.devicePixelRatio || 1;
+  canvas.width = Math.round(width * ratio);
+  canvas.height = Math.round(height * ratio);
+  const context = canvas.getContext("2d");
+  context.setTransform(ratio, 0, 0, ratio, 0, 0);
+  context.lineCap = context.lineJoin = "round";
+  return {context, width, height};
+}
+
+// The rectangles of the panels, in the grid of rows and columns in which they are largest.
+const MARGIN = 14, TITLE = 20;
+function layout(width, height) {
+  const titled = film.panels.some((panel) => panel.title) ? TITLE : 0, count = film.panels.length;
+  let best = null;
+  for (let columns = 1; columns <= count; columns++) {
+    const w = width / columns, h = height / Math.ceil(count / columns);
+    const scales = film.panels.map(({size}) => Math.min((w - 2 * MARGIN) / (size[0] || 1), (h - titled - 2 * MARGIN) / (size[1] || 1)));
+    const smallest = Math.min(...scales);
+    if (!best || smallest > best.smallest) best = {smallest, scales, columns, w, h};
+  }
+  return film.panels.map((panel, i) => ({
+    panel, scale: best.scales[i], left: (i % best.columns) * best.w, top: Math.floor(i / best.columns) * best.h,
+    bottom: (Math.floor(i / best.columns) + 1) * best.h,
+    x: (i % best.columns + 0.5) * best.w, y: (Math.floor(i / best.columns) + 0.5) * best.h + titled / 2,
+  }));
+}
+
+// Drawing
+
+const stage = {};
+const toScreen = (frame, [x, y, z]) => {
+  const [right, up] = seen(x, y, z, frame.panel.flat);
+  return [frame.x + frame.scale * right, frame.y - frame.scale * up];
+};
+function line(context, points) {
+  context.beginPath();
+  points.forEach(([x, y], i) => (i ? context.lineTo(x, y) : context.moveTo(x, y)));
+}
+// A line through points without corners: parabolas between the middles of the segments.
+function curve(context, points) {
+  if (points.length < 3) return line(context, points);
+  context.beginPath();
+  context.moveTo(...points[0]);
+  for (let i = 1; i + 1 < points.length; i++) {
+    const [x, y] = points[i], [nx, ny] = points[i + 1];
+    context.quadraticCurveTo(x, y, (x + nx) / 2, (y + ny) / 2);
+  }
+  context.lineTo(...points[points.length - 1]);
+}
+const draw = {
+  lines(context, points) {
+    context.beginPath();
+    for (let i = 0; i + 1 < points.length; i += 2) {
+      context.moveTo(...points[i]);
+      context.lineTo(...points[i + 1]);
+    }
+    context.stroke();
+  },
+  path(context, points) { line(context, points); context.stroke(); },
+  fill(context, points) { line(context, points); context.closePath(); context.fill(); },
+  dot(context, points, part) {
+    for (const [x, y] of points) {
+      context.beginPath();
+      context.arc(x, y, part.width, 0, 7);
+      context.fill();
+    }
+  },
+  arrow(context, points, part) {
+    for (let i = 0; i + 1 < points.length; i += 2) arrow(context, points[i], points[i + 1], part.width);
+  },
+  text(context, points, part) {
+    context.font = "600 14px system-ui, sans-serif";
+    context.fillText(part.words, points[0][0] + 8, points[0][1] - 8);
+  },
+};
+function arrow(context, [x, y], [ex, ey], width) {
+  const length = Math.hypot(ex - x, ey - y), head = Math.min(4 + 2.5 * width, length);
+  if (length < 0.5) return;
+  const ux = (ex - x) / length, uy = (ey - y) / length, bx = ex - head * ux, by = ey - head * uy;
+  line(context, [[x, y], [bx, by]]);
+  context.stroke();
+  line(context, [[ex, ey], [bx - 0.45 * head * uy, by + 0.45 * head * ux], [bx + 0.45 * head * uy, by - 0.45 * head * ux]]);
+  context.fill();
+}
+function drawPart(context, frame, part, key, share) {
+  context.strokeStyle = context.fillStyle = colorOf(part.color);
+  context.lineWidth = part.width;
+  context.globalAlpha = part.faint ? 0.22 : 1;
+  if (part.kind === "trail") drawTrail(context, frame, part, key, share);
+  else draw[part.kind](context, part.at.map((point) => toScreen(frame, place(point, key, share))), part);
+  context.globalAlpha = 1;
+}
+
+// All of the way so far thinly, the last second in full.
+function drawTrail(context, frame, part, key, share) {
+  const recent = keyBefore(keys[key] * film.step - 1);
+  for (const point of part.at) {
+    const points = [];
+    for (let k = 0; k <= key; k++) points.push(toScreen(frame, place(point, k, 0)));
+    points.push(toScreen(frame, place(point, key, share)));
+    context.globalAlpha = 0.45;
+    curve(context, points);
+    context.stroke();
+    context.globalAlpha = 1;
+    curve(context, points.slice(recent));
+    context.stroke();
+  }
+}
+const moves = (part) => part.kind === "trail" || part.at.some((point) => point % 3 !== 1);
+
+// The layer of what stands still is drawn when the view changes; the other one at every frame.
+function drawStill() {
+  Object.assign(stage, {still: fitted(byId("still")), live: fitted(byId("live"))});
+  stage.frames = layout(stage.live.width, stage.live.height);
+  const {context} = stage.still;
+  for (const frame of stage.frames) {
+    for (const part of frame.panel.parts) if (!moves(part)) drawPart(context, frame, part, 0, 0);
+    context.fillStyle = colors.soft;
+    context.font = "14px system-ui, sans-serif";
+    context.fillText(frame.panel.title, frame.left + 4, frame.top + 15);
+    drawRuler(context, frame);
+  }
+  strips.forEach(drawStripAxes);
+  drawLive();
+}
+
+// A length to compare with: 1, 2 or 5 times a power of ten, a tenth to a third of the panel.
+function drawRuler(context, frame) {
+  if (!frame.panel.ruler) return;
+  const perMetre = frame.scale / frame.panel.unit, about = 110 / perMetre, power = 10 ** Math.floor(Math.log10(about));
+  const metres = power * [5, 2, 1].find((step) => step * power <= about);
+  const x = frame.left + 6, y = frame.bottom - 6, text = `${Number(metres.toPrecision(1))} m`;
+  context.strokeStyle = colors.soft;
+  context.lineWidth = 1.5;
+  line(context, [[x, y - 4], [x, y], [x + metres * perMetre, y], [x + metres * perMetre, y - 4]]);
+  context.stroke();
+  context.fillText(text, x + 4, y - 6);
+}
+function drawLive() {
+  const {context, width, height} = stage.live;
+  const key = keyBefore(state.time), from = keys[key] * film.step, to = keys[Math.min(key + 1, keys.length - 1)] * film.step;
+  const share = to > from ? Math.min(1, (state.time - from) / (to - from)) : 0;
+  context.clearRect(0, 0, width, height);
+  for (const frame of stage.frames) {
+    for (const part of frame.panel.parts) if (moves(part)) drawPart(context, frame, part, key, share);
+  }
+  strips.forEach(drawStripNow);
+  showTime();
+}
+
+// Strips
+
+const PAD = 6;
+function figure(strip) {
+  const box = document.createElement("figure"), caption = document.createElement("figcaption");
+  const title = document.createElement("b"), note = document.createElement("span"), now = document.createElement("span");
+  title.textContent = strip.title;
+  note.textContent = strip.note;
+  if (strip.alarm) note.className = "alarm";
+  caption.append(title, note, now);
+  strip.now = now;
+  const holder = document.createElement("div");
+  strip.axes = document.createElement("canvas");
+  strip.front = document.createElement("canvas");
+  strip.axes.setAttribute("aria-hidden", "true");
+  strip.front.setAttribute("role", "img");
+  strip.front.setAttribute("aria-label", `${strip.title} over time. ${strip.note}`);
+  holder.append(strip.axes, strip.front);
+  box.append(caption, holder);
+  byId("strips").append(box);
+}
+const stripX = (strip, time) => PAD + (strip.size.width - 2 * PAD) * time / duration;
+const stripY = (strip, value) => {
+  const [low, high] = strip.span;
+  return PAD + (strip.size.height - 2 * PAD) * (high - value) / (high - low);
+};
+const curveColor = (strip, i) => (strip.alarm && strip.curves.length === 1 ? colors.alarm : colors[`c${i}`]);
+const figures = (value) => Number(value.toPrecision(2)).toString();
+function drawStripAxes(strip) {
+  strip.size = fitted(strip.axes);
+  strip.live = fitted(strip.front).context;
+  const {context, width} = strip.size, [low, high] = strip.span;
+  context.strokeStyle = colors.line;
+  context.fillStyle = colors.soft;
+  context.font = "12px system-ui, sans-serif";
+  for (const value of [low, 0, high]) {
+    line(context, [[0, stripY(strip, value)], [width, stripY(strip, value)]]);
+    context.stroke();
+    if (value || (low && high)) context.fillText(`${figures(value)} ${strip.unit}`, 4, stripY(strip, value) + (value < high ? -3 : 13));
+  }
+  strip.curves.forEach((curve, i) => strokeCurve(context, strip, curve, i, strip.times.length - 1, 0.3));
+}
+function strokeCurve(context, strip, curve, i, last, alpha) {
+  context.globalAlpha = alpha;
+  context.strokeStyle = curveColor(strip, i);
+  context.lineWidth = 1.8;
+  line(context, strip.times.slice(0, last + 1).map((time, k) => [stripX(strip, time), stripY(strip, curve[k] * strip.scale)]));
+  context.stroke();
+  context.globalAlpha = 1;
+}
+function drawStripNow(strip) {
+  const context = strip.live, {width, height} = strip.size;
+  let k = strip.times.findIndex((time) => time > state.time) - 1;
+  if (k < 0) k = Math.max(0, strip.times.length - 2);
+  const share = Math.min(1, (state.time - strip.times[k]) / (strip.times[k + 1] - strip.times[k]));
+  context.clearRect(0, 0, width, height);
+  context.strokeStyle = colors.soft;
+  context.lineWidth = 1;
+  line(context, [[stripX(strip, state.time), 0], [stripX(strip, state.time), height]]);
+  context.stroke();
+  const now = strip.curves.map((curve, i) => {
+    strokeCurve(context, strip, curve, i, k, 1);
+    const value = strip.scale * (curve[k] + share * (curve[k + 1] - curve[k]));
+    context.fillStyle = curveColor(strip, i);
+    draw.dot(context, [[stripX(strip, state.time), stripY(strip, value)]], {width: 4});
+    return `${strip.names[i]} ${figures(value)} ${strip.unit}`.trim();
+  });
+  strip.now.textContent = `now ${now.join(", ")}`;
+}
+
+// Controls
+
+function showTime() {
+  const text = `${(film.start + state.time).toFixed(2)} s`;
+  byId("scrub").value = state.time;
+  byId("scrub").setAttribute("aria-valuetext", `${text} of ${(film.start + duration).toFixed(2)} s`);
+  byId("clock").textContent = text;
+}
+function goTo(time) {
+  state.time = Math.max(0, Math.min(duration, time));
+  drawLive();
+}
+function setPlaying(playing) {
+  state.playing = playing;
+  byId("play").textContent = playing ? "Pause" : "Play";
+  if (playing) {
+    if (state.time >= duration) state.time = 0;
+    state.last = performance.now();
+    requestAnimationFrame(advance);
+  }
+}
+function advance(now) {
+  if (!state.playing) return;
+  const time = state.time + state.speed * Math.max(0, now - state.last) / 1000;
+  state.last = now;
+  goTo(time > duration ? 0 : time);
+  requestAnimationFrame(advance);
+}
+function turn(right, up) {
+  camera.azimuth -= right;
+  camera.elevation = Math.max(-1.55, Math.min(1.55, camera.elevation + up));
+  drawStill();
+}
+function resetView() {
+  [camera.azimuth, camera.elevation] = film.view;
+  drawStill();
+}
+function allowTurning() {
+  const canvas = byId("live");
+  let from = null;
+  canvas.classList.add("space");
+  byId("reset").hidden = false;
+  byId("reset").addEventListener("click", resetView);
+  canvas.addEventListener("pointerdown", (event) => { from = event; canvas.setPointerCapture(event.pointerId); });
+  canvas.addEventListener("pointermove", (event) => {
+    if (!from) return;
+    turn((event.clientX - from.clientX) / 150, (event.clientY - from.clientY) / 150);
+    from = event;
+  });
+  for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, () => { from = null; });
+}
+const TURNS = {ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, 0.1], ArrowDown: [0, -0.1]};
+function onKey(event) {
+  if (["INPUT", "SELECT", "BUTTON"].includes(event.target.tagName) || event.ctrlKey || event.metaKey || event.altKey) return;
+  if (event.key === " ") setPlaying(!state.playing);
+  else if (camera && event.shiftKey && TURNS[event.key]) turn(...TURNS[event.key]);
+  else if (event.key === "ArrowLeft") goTo(state.time - 1 / 30);
+  else if (event.key === "ArrowRight") goTo(state.time + 1 / 30);
+  else if (event.key === "Home") goTo(0);
+  else if (event.key === "End") goTo(duration);
+  else return;
+  event.preventDefault();
+}
+function showLegend() {
+  for (const part of film.panels.flatMap((panel) => panel.parts)) {
+    if (!part.name) continue;
+    const item = document.createElement("li"), swatch = document.createElement("i");
+    swatch.style.borderColor = part.color < 0 ? `var(--${part.color === -1 ? "ink" : "soft"})` : `var(--c${part.color})`;
+    item.append(swatch, part.name);
+    byId("legend").append(item);
+  }
+}
+function begin() {
+  readColors();
+  showLegend();
+  strips.forEach(figure);
+  if (camera) { [camera.azimuth, camera.elevation] = film.view; allowTurning(); }
+  byId("keys").textContent = `Keys: space plays and pauses, ← → step, Home, End${camera ? "; shift and arrows, or the mouse, turn the view" : ""}.`;
+  Object.assign(byId("scrub"), {max: duration, step: "any"});
+  byId("scrub").addEventListener("input", (event) => { setPlaying(false); goTo(Number(event.target.value)); });
+  byId("play").addEventListener("click", () => setPlaying(!state.playing));
+  byId("speed").addEventListener("change", (event) => { state.speed = Number(event.target.value); });
+  document.addEventListener("keydown", onKey);
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => { readColors(); drawStill(); });
+  new ResizeObserver(drawStill).observe(byId("stage"));
+  drawStill();
+  if (!matchMedia("(prefers-reduced-motion: reduce)").matches) setPlaying(true);
+}
+begin();

@@ -1,0 +1,60 @@
+"""hw07: the two bars, and the path of the tip."""
+
+import math
+from typing import Any
+
+import numpy as np
+
+from tam570.show.film import (
+    GREY,
+    INK,
+    Array,
+    Film,
+    Panel,
+    Part,
+    Strip,
+    clock,
+    energy_strip,
+    moving,
+    strip_samples,
+)
+from tam570.show.student import Student
+
+__all__ = ["film"]
+
+BARS: dict[str, Any] = {"masses": np.array([1.0, 1.0]), "lengths": np.array([1.0, 1.0])}  # kg, m
+GRAVITY = 9.81  # m/s^2
+START = np.full(2, math.pi / 2)  # rad, part (d): at rest, both bars level
+SECONDS = 20.0
+
+
+def film(student: Student) -> Film:
+    """The motion of part (d)."""
+    times = clock(SECONDS)
+    states = student("simulate", times, START, np.zeros(2), **BARS, gravity=GRAVITY, shape=(len(times), 4))
+    bars = student.each("wireframe", states[:, :2], lengths=BARS["lengths"], shape=(2, 2, 2))
+    hinge, elbow, tip = bars[:, 0, 0], bars[:, 1, 0], bars[:, 1, 1]
+    parts = [
+        Part("lines", np.array([[-0.4, 0.0], [0.4, 0.0]]), GREY, width=3),
+        Part("trail", tip[:, None], 2, "path of the tip", width=1.5),
+        Part("lines", bars[:, 0], 0, "bar 1", width=6),
+        Part("lines", bars[:, 1], 1, "bar 2", width=6),
+        Part("dot", moving(hinge, elbow), INK, width=5),
+        Part("dot", tip[:, None], 2, width=5),
+    ]
+    return Film(
+        "Double pendulum",
+        "Two bars hang one below the other from a hinge. They start level and at rest, fall, and tumble; a trail "
+        "shows the path of the tip.",
+        times,
+        [Panel(parts)],
+        [_energy(student, times, states)],
+    )
+
+
+def _energy(student: Student, times: Array, states: Array) -> Strip:
+    shown = strip_samples(times)
+    known: dict[str, Any] = {**BARS, "gravity": GRAVITY}
+    theta, omega = states[shown, :2], states[shown, 2:]
+    total = student.each("energy", theta, omega, **known)
+    return energy_strip(times[shown], total, student.each("energy", theta, 0 * omega, **known))

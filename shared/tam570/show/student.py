@@ -1,0 +1,110 @@
+"""The student's functions, called with care: what goes wrong in them is said in a sentence or two."""
+
+import importlib.util
+import sys
+import traceback
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+__all__ = ["Student", "Trouble", "loaded"]
+
+Array = NDArray[np.float64]
+
+
+class Trouble(Exception):
+    """The scene cannot be shown; the message says why, in the student's terms."""
+
+
+def loaded(file: Path, slug: str) -> ModuleType:
+    """The module in a file, imported under the assignment's name. Trouble if it cannot be."""
+    spec = importlib.util.spec_from_file_location(slug, file)
+    if spec is None or spec.loader is None:
+        raise Trouble(f"{file} is no Python file")
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[slug] = module
+    try:
+        spec.loader.exec_module(module)
+    except (Exception, SystemExit) as error:
+        raise Trouble(f"{file} cannot be imported:\n{_said(error, str(spec.origin))}") from error
+    return module
+
+
+class Student:
+    """`student(name, ...)` calls the function of that name and gives its numbers."""
+
+    def __init__(self, module: Any) -> None:
+        self._module = module
+        self._file = str(getattr(module, "__file__", None) or "")
+
+    def __call__(self, name: str, *arguments: Any, shape: Sequence[int] | None = None, **known: Any) -> Array:
+        """What the function returns, as an array of this shape. Trouble if it does not, or is not finite."""
+        return self._finite(name, _numbers(name, self.raw(name, *arguments, **known), shape))
+
+    def raw(self, name: str, *arguments: Any, **known: Any) -> Any:
+        """What the function returns, whatever it is."""
+        return self._guarded(name, lambda function: function(*arguments, **known))
+
+    def each(self, name: str, *rows: Any, shape: Sequence[int] = (), **known: Any) -> Array:
+        """(n, *shape) of the function called with row i of every argument in turn."""
+        results = self._guarded(
+            name, lambda function: [function(*row, **known) for row in zip(*rows, strict=True)]
+        )
+        try:  # all at once: one by one takes longer than the student's function
+            values = np.array(results, dtype=float)
+        except (TypeError, ValueError):
+            values = np.array([_numbers(name, result, shape) for result in results])
+        return self._finite(name, _numbers(name, values, (len(results), *shape)))
+
+    def _guarded(self, name: str, use: Callable[[Callable[..., Any]], Any]) -> Any:
+        function = getattr(self._module, name, None)
+        if not callable(function):
+            raise Trouble(f"there is no function {name}{f' in {self._file}' if self._file else ''}")
+        try:
+            return use(function)
+        except NotImplementedError as error:
+            *_, last = traceback.extract_tb(error.__traceback__)
+            raise Trouble(f"{last.name} is not written yet") from error
+        except (Exception, SystemExit) as error:
+            raise Trouble(f"{name} raises an exception\n{_said(error, self._file)}") from error
+
+    def _finite(self, name: str, values: Array) -> Array:
+        if np.isfinite(values).all():
+            return values
+        if values.ndim < 2 or len(values) < 2:
+            raise Trouble(f"{name} gives numbers that are not finite: {values}")
+        rows = np.all(np.isfinite(values.reshape(len(values), -1)), axis=1, keepdims=True)
+        raise Trouble(
+            f"{name} gives numbers that are not finite, first in row {rows.argmin()} of {len(rows)}"
+        )
+
+
+def _numbers(name: str, result: Any, shape: Sequence[int] | None) -> Array:
+    try:
+        values = np.asarray(result)
+        if values.dtype.kind == "c":
+            raise TypeError
+        values = values.astype(float)
+    except (TypeError, ValueError):
+        raise Trouble(f"{name} gives no numbers but {_short(result)}") from None
+    if shape is not None and values.shape != tuple(shape):
+        raise Trouble(f"{name} gives an array of shape {values.shape}; {tuple(shape)} is asked for")
+    return values
+
+
+def _short(result: Any) -> str:
+    text = repr(result)
+    return text if len(text) <= 60 else f"{text[:57]}..."
+
+
+def _said(error: BaseException, file: str) -> str:
+    """The exception and the last line of the student's file that led to it."""
+    if isinstance(error, SyntaxError):
+        return "".join(traceback.format_exception_only(error)).rstrip()
+    frames = [frame for frame in traceback.extract_tb(error.__traceback__) if frame.filename == file]
+    said = traceback.format_exception_only(error)[-1].rstrip()
+    return "".join(traceback.format_list(frames[-1:])) + said
