@@ -100,6 +100,30 @@ def test_a_page_of_an_older_run_has_no_picture_and_is_whole(page, grade, solutio
     assert "<figure" not in old and "9.5 of 10 points" in old
 
 
+@pytest.mark.parametrize(
+    ("slug", "mistake", "stays"),
+    [
+        ("hw01_simple_pendulum", "upside_down", False),
+        ("hw05_constrained_pendulum", "gravity_up", False),
+        ("hw05_constrained_pendulum", "from_time_zero", True),
+        ("hw07_double_pendulum", "sign_of_the_sine_term", False),
+        ("hw07_double_pendulum", "uniform_times_assumed", True),
+    ],
+)
+def test_beside_a_wrong_motion_is_what_becomes_of_the_energy_along_it(
+    slug, mistake, stays, grade, solution_text, page
+):
+    """A mistake in the forces changes the energy; one in the times alone does not."""
+    result = wrong(slug, mistake, grade, solution_text)
+    curves = [mark.picture["keeps"] for mark in result.checks if mark.picture and mark.picture.get("keeps")]
+    assert curves
+    largest = max(abs(value) for one in curves for value in one["values"] if value is not None)
+    assert (largest <= curves[0]["within"]) == stays
+    assert page(result).count("<figure") == len(curves) + sum(
+        mark.picture is not None for mark in result.checks
+    )
+
+
 # Curves
 
 

@@ -5,7 +5,7 @@ import math
 import numpy as np
 from scipy.special import ellipj, ellipk, ellipkinc
 
-from tam570_grader import array, check, expect, formula, given, group, number, once, rows, suspect
+from tam570_grader import array, check, expect, formula, given, group, kept, number, once, rows, suspect
 
 RESULTS = {
     "linear_momentum_balance": group(number, number),
@@ -518,7 +518,16 @@ def judge_motion(student, t, start, pendulum, kind, hint):
     scale = [1.0, max(abs(start[1]), math.sqrt(rod["gravity"] / rod["length"]))]
     found = student.simulate(t, *start, **rod)
     expect(found, exact(t - t[0], *start, **rod), scale=scale, within=TRAJECTORY, of="theta, or omega in its scale,",
-           unit="rad", t=t, kind=kind, hint=hint, at=(start, pendulum), partial={1e-3: 0.5})  # fmt: skip
+           unit="rad", t=t, kind=kind, hint=hint, at=(start, pendulum), partial={1e-3: 0.5},
+           keeps=lambda: kept(t, energy_along(found, rod), within=ENERGY, of="the energy",
+                              unit="of itself"))  # fmt: skip
+
+
+def energy_along(states, rod):
+    """The energy along a motion, zero at the lowest point, over its first value."""
+    theta, omega = states.T
+    energies = omega**2 / 2 + 2 * rod["gravity"] / rod["length"] * np.sin(theta / 2) ** 2
+    return energies / energies[0]
 
 
 @check(points=0.75, part="a", suspects=SIMULATE_SUSPECTS)
@@ -558,9 +567,9 @@ def simulate_keeps_the_energy(student, draw):
     """simulate: the energy stays what it was over many periods."""
     start, pendulum, k = swing(draw)
     t = times(draw, 180 / k, 300)
-    theta, omega = student.simulate(t, *start, length=pendulum["length"], gravity=pendulum["gravity"]).T
-    energy = (omega / k) ** 2 / 2 + 2 * np.sin(theta / 2) ** 2
-    expect(energy / energy[0], np.ones(len(t)), within=ENERGY, of="the energy", unit="of itself",
+    rod = {name: pendulum[name] for name in ("length", "gravity")}
+    energy = energy_along(student.simulate(t, *start, **rod), rod)
+    expect(energy, np.ones(len(t)), within=ENERGY, of="the energy", unit="of itself",
            t=t, kind="many periods", at=(start, pendulum),
            hint="a step of fixed length, or a fixed number of them, does not do for every duration",
            partial={1e-4: 0.6, 1e-2: 0.3})  # fmt: skip

@@ -13,6 +13,7 @@ from tam570_grader import (
     expect_that,
     given,
     group,
+    kept,
     number,
     once,
     rows,
@@ -223,7 +224,16 @@ def judge_motion(student, name, found, within, kind, hint):
         getattr(student, name).many(calls), calls, found, strict=True
     ):
         expect(states, expected, within=within, scale=extent(r, v, **known), of="the motion", unit="of its size",
-               t=t, kind=kind, hint=hint, at=call)  # fmt: skip
+               t=t, kind=kind, hint=hint, at=call, keeps=lambda t=t, states=states, known=known: kept(
+                   t, energy_along(states, known), within=ENERGY, of="the energy", unit="of its start"))  # fmt: skip
+
+
+def energy_along(states, known):
+    """2 E along a motion, from the place of rest, over its first value."""
+    centre = -known["mass"] * known["gravity"] / known["stiffness"] * Z
+    energies = known["stiffness"] * np.sum((states[:, :3] - centre) ** 2, axis=1)
+    energies += known["mass"] * np.sum(states[:, 3:] ** 2, axis=1)
+    return energies / energies[0]
 
 
 @check(points=1.5, part="a", suspects=motion_suspects("solution"))
@@ -269,11 +279,8 @@ def energy_stays(student, draw):
     """simulate: the energy after ten periods is that of the start."""
     ((r, v, known),) = cases(draw, 1, 0)
     t = times(draw, 20 * math.pi / rate_of(**known), 60, 1.0)
-    states = student.simulate(t, r, v, **known)
-    centre = -known["mass"] * known["gravity"] / known["stiffness"] * Z
-    energies = known["stiffness"] * np.sum((states[:, :3] - centre) ** 2, axis=1)
-    energies += known["mass"] * np.sum(states[:, 3:] ** 2, axis=1)
-    expect(energies / energies[0], 1.0, within=ENERGY, of="the energy", unit="of its start", t=t, at=(r, v, known),
+    energies = energy_along(student.simulate(t, r, v, **known), known)
+    expect(energies, 1.0, within=ENERGY, of="the energy", unit="of its start", t=t, at=(r, v, known),
            kind="ten periods", hint="ask the integrator for a smaller error",
            partial={1e-3: 0.6, 1e-2: 0.3})  # fmt: skip
 

@@ -6,7 +6,7 @@ import math
 import numpy as np
 from scipy.special import ellipj, ellipkinc
 
-from tam570_grader import array, check, expect, expect_that, given, number, once, rows, suspect
+from tam570_grader import array, check, expect, expect_that, given, kept, number, once, rows, suspect
 
 RESULTS = {
     "constraint_force": array(2),
@@ -244,7 +244,13 @@ def judge_motion(student, found, within, kind, hint):
     states = student.simulate(t, expected[0], **known)
     scale = np.repeat([known["length"], speed_of(expected, known)], 2)
     expect(states, expected, within=within, scale=scale, of="the motion", unit="of its size", t=t, kind=kind,
-           hint=hint, at=found)  # fmt: skip
+           hint=hint, at=found, keeps=lambda: kept(t, energies(states, known) / speed_of(expected, known) ** 2,
+                                                   within=ENERGY, of="the energy", unit="of m v^2"))  # fmt: skip
+
+
+def energies(states, known):
+    """E/m along a motion."""
+    return np.sum(states[:, 2:] ** 2, axis=1) / 2 + known["gravity"] * states[:, 1]
 
 
 def wrong_motion(says, law):
@@ -314,8 +320,8 @@ def energy_stays(student, draw):
     """simulate: after 100 s the energy is that of the start."""
     t, state, known = long_motion(draw)
     states = student.simulate(t, state, **known)
-    energies = np.sum(states[:, 2:] ** 2, axis=1) / 2 + known["gravity"] * states[:, 1]
-    expect(energies, energies[0], within=ENERGY, scale=known["gravity"] * known["length"], of="the energy",
+    found = energies(states, known)
+    expect(found, found[0], within=ENERGY, scale=known["gravity"] * known["length"], of="the energy",
            unit="of m g l", t=t, kind="100 s", at=state,
            hint="ask the integrator for a smaller error; does it leave the circle between the samples?",
            partial={1e-3: 0.6, 1e-2: 0.3})  # fmt: skip

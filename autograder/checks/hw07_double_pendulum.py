@@ -3,6 +3,7 @@ d'Alembert's principle, for any bars: the known mistakes are bars of another kin
 """
 
 import cmath
+import functools
 import math
 
 import numpy as np
@@ -16,6 +17,7 @@ from tam570_grader import (
     expect_that,
     given,
     group,
+    kept,
     number,
     once,
     rows,
@@ -445,6 +447,13 @@ def motions(draw, starts):
     return cases
 
 
+def energy_along(states, call):
+    """What becomes of the energy along a motion, for a picture."""
+    known = call.kwargs
+    scale = known["gravity"] * np.sum(known["masses"]) * np.sum(known["lengths"])
+    return kept(call.args[0], drift(states, known) / scale, within=ENERGY, of="the energy", unit="of m g l")
+
+
 @check(points=0.75, part="a", suspects=mistakes("simulate", *INERTIA, *SIGNS, within=1e-3))
 def simulation_follows_the_equations(student, draw):
     """simulate: angles and angular velocities at uneven times, whatever t[0] is."""
@@ -455,7 +464,7 @@ def simulation_follows_the_equations(student, draw):
         expect(states, expected, within=FOLLOWED, scale=np.repeat(np.abs(expected).max(0).reshape(2, 2).max(1), 2),
                of="the state", unit="of the largest angle or angular velocity", t=call.args[0], at=call,
                kind="a random start", hint="is the first row the start? are the tolerances of the integrator tight?",
-               partial={1e-3: 0.5})  # fmt: skip
+               partial={1e-3: 0.5}, keeps=functools.partial(energy_along, states, call))  # fmt: skip
 
 
 def drift(states, known):

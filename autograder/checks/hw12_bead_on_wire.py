@@ -6,7 +6,7 @@ import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.special import ellipe, ellipeinc, ellipk
 
-from tam570_grader import array, check, expect, formula, given, number, once, rows, suspect
+from tam570_grader import array, check, expect, formula, given, kept, number, once, rows, suspect
 
 RESULTS = {
     "lagrangian": formula("x", "v", "m", "c", "g"),
@@ -300,7 +300,17 @@ def judge_motion(student, case, kind, hint, within=TRAJECTORY):
     t, start, wire, expected, scale = case
     found = student.simulate(t, *start, **wire)
     expect(found, expected, within=within, scale=scale, of="x, or v,", unit="of its largest value", t=t, kind=kind,
-           hint=hint, at=(start, wire), partial={1e-3: 0.5})  # fmt: skip
+           hint=hint, at=(start, wire), partial={1e-3: 0.5},
+           keeps=lambda: kept(t, energy_along(found, wire), within=ENERGY, of="the energy",
+                              unit="of itself"))  # fmt: skip
+
+
+def energy_along(states, wire):
+    """2 E/m along a motion, over its first value."""
+    x, v = states.T
+    curvature = wire["curvature"]
+    energies = (1 + (2 * curvature * x) ** 2) * v**2 + 2 * wire["gravity"] * curvature * x**2
+    return energies / energies[0]
 
 
 SIMULATE_SUSPECTS = [
@@ -345,9 +355,8 @@ def simulate_keeps_the_energy(student, draw):
     """simulate: the energy stays what it was over many periods."""
     start, wire, rate = ride(draw, (0.4, 1.0))
     t = times(draw, 180 / rate, 300)
-    x, v = student.simulate(t, *start, **wire).T
-    energy = (1 + (2 * wire["curvature"] * x) ** 2) * v**2 + (rate * x) ** 2
-    expect(energy / energy[0], np.ones(len(t)), within=ENERGY, of="the energy", unit="of itself", t=t,
+    energy = energy_along(student.simulate(t, *start, **wire), wire)
+    expect(energy, np.ones(len(t)), within=ENERGY, of="the energy", unit="of itself", t=t,
            kind="many periods", at=(start, wire), partial={1e-4: 0.6, 1e-2: 0.3},
            hint="a step of fixed length, or a fixed number of them, does not do for every duration")  # fmt: skip
 

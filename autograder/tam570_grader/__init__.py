@@ -1,9 +1,10 @@
 """The grading engine of tam570, and, for the checks files, all that hidden checks are written with."""
 
 from tam570_grader.check import Failure, check, expect, expect_that, given, once, suspect
+from tam570_grader.curves import kept
 from tam570_grader.returns import array, drawing, formula, group, number, rows
 
 __all__ = [
-    "Failure", "array", "check", "drawing", "expect", "expect_that", "formula", "given", "group", "number",
+    "Failure", "array", "check", "drawing", "expect", "expect_that", "formula", "given", "group", "kept", "number",
     "once", "rows", "suspect",
 ]  # fmt: skip

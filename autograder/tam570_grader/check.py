@@ -143,6 +143,7 @@ def expect(
     hint: str = "",
     at: Any = None,
     partial: Mapping[float, float] | None = None,
+    keeps: Callable[[], Curve | None] | None = None,
 ) -> None:
     """Fail unless every abs(actual - expected) / scale is at most `within`; a NaN fails.
 
@@ -150,6 +151,7 @@ def expect(
     t        : times along the first axis of actual; the message names the time of the largest error
     kind     : the kind of input, in words that give no input away; `at` is the input itself, for the instructor
     partial  : {limit: fraction of the points} for errors above `within`; such an expect must be a check's last
+    keeps    : `kept(...)`, asked for on failure: what becomes of an invariant along the student's motion
     """
     actual, expected = np.asarray(actual, float), np.asarray(expected, float)
     errors = np.abs(actual - expected) / scale
@@ -165,6 +167,8 @@ def expect(
     message = "; ".join([" ".join([says, *where]), *([hint] if hint else [])])
     fraction = max((f for limit, f in (partial or {}).items() if error <= limit), default=0.0)
     picture = None if t is None else curve(t, actual, expected, scale, within=within, of=of, unit=unit)
+    if picture and keeps:
+        picture["keeps"] = keeps()
     raise Failure(message, fraction=fraction, expected=expected, actual=actual, at=at, picture=picture)
 
 

@@ -8,9 +8,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Curve", "curve"]
+__all__ = ["Curve", "curve", "kept"]
 
-Curve = dict[str, Any]  # of, unit, within, span, scale ("log" or "linear"), values: plain data
+Curve = dict[
+    str, Any
+]  # plain data: of, unit, within, span, scale ("log" or "linear"), values; keeps: another
 Array = NDArray[np.float64]
 
 SLOTS = 64  # of the duration, the largest error in each
@@ -44,6 +46,12 @@ def curve(
     return {"of": of, "unit": unit, "within": within, "span": span, "scale": scaled, "values": values}
 
 
+def kept(t: Any, values: Any, *, within: float, of: str, unit: str = "") -> Curve | None:
+    """What becomes of a number that the right motion keeps, along the student's, from its first value on."""
+    values = np.asarray(values, float)
+    return curve(t, values, np.broadcast_to(values[:1], values.shape), 1.0, within=within, of=of, unit=unit)
+
+
 def _one_motion(t: Array, row: int) -> slice:
     """The rows around this one along which time goes on."""
     breaks = np.flatnonzero(np.diff(t) <= 0) + 1
@@ -66,5 +74,5 @@ def _levels(sizes: Array, slots: list[int | None], within: float) -> list[float 
 
 
 def _steps(drift: Array, slots: list[int | None]) -> list[float | None]:
-    step = np.abs(drift).max() / STEPS
+    step = np.abs(drift).max() / STEPS or 1.0
     return [None if row is None else float(f"{round(drift[row] / step) * step:.2g}") for row in slots]

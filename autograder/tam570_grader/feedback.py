@@ -116,18 +116,18 @@ def _shown(mark: Record, sheet: Sheet) -> dict[str, Any]:
         "max_points": _points(mark["max_points"]),
         "says": mark["message"].removesuffix(f"; it matches the result with {mark['suspect']}"),
         "suspect": mark["suspect"],
-        "picture": _picture(mark.get("picture")),
+        "pictures": _pictures(mark.get("picture")),
         "hint": next((word for word in re.findall(r"\w+", line) if stuck and word in sheet.functions), None),
     }
 
 
-def _picture(curve: Any) -> Any:
-    """The drawing; results of an older run have none."""
+def _pictures(curve: Any) -> list[Any]:
+    """The drawings of a failure: the error, and what becomes of an invariant; results of an older run have none."""
     if not curve:
-        return None
+        return []
     from tam570_grader.pictures import picture
 
-    return picture(curve)
+    return [picture(one) for one in (curve, curve.get("keeps")) if one]
 
 
 def write_pages(folder: Path, records: Iterable[Record], course: Path) -> None:

@@ -45,7 +45,7 @@ def _error(curve: Curve) -> Picture:
     line = _up(limit, low, high)
     return _picture(
         curve,
-        f"The error of {curve['of']} along the motion",
+        f"The error of {curve['of']} along your motion",
         f"{_course(curve)} {_crossing(curve)}",
         places,
         (line, BOTTOM - line),
@@ -66,7 +66,7 @@ def _drift(curve: Curve) -> Picture:
     says = f"{ends}, off by {abs(last):.1e}; the largest drift is {max(known, key=abs):.1e}."
     return _picture(
         curve,
-        f"What becomes of {curve['of']} along the motion",
+        f"What becomes of {curve['of']} along your motion",
         says,
         places,
         (top, max(bottom - top, 0.0)),
