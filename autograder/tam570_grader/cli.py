@@ -47,7 +47,8 @@ def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="tam570-grader", description="Grade the assignments of the course.")
     _add_root(parser, None)
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
-    for add in (_add_grade, _add_stubs, _add_kit, add_course, add_gradescope, add_lms, add_report, _add_audit):
+    known = _add_grade, _add_stubs, _add_kit, add_course, add_gradescope, add_lms, add_report, _add_audit
+    for add in known:
         _add_root(add(commands), argparse.SUPPRESS)
     return parser
 
