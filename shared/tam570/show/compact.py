@@ -186,7 +186,7 @@ def _packed_strip(strip: Strip) -> dict[str, Any]:
         "span": strip.span,
         "unit": strip.unit,
         "note": strip.note,
-        "alarm": strip.alarm,
+        "alarm": bool(strip.alarm),
     }
 
 

@@ -133,19 +133,38 @@ def moving(*points: ArrayLike) -> Array:
     return np.stack(arrays, axis=-2)
 
 
-def conserved(title: str, times: Array, curves: Mapping[str, ArrayLike], scale: float, of: str) -> Strip:
+def conserved(
+    title: str,
+    times: Array,
+    curves: Mapping[str, ArrayLike],
+    scale: float,
+    of: str,
+    *,
+    beside: Mapping[str, ArrayLike] | None = None,
+) -> Strip:
     """A strip of what should not change: how far each is from its first value.
 
     curves : by name, (m,) numbers or (m, k) vectors
     scale  : what the deviations are measured by, > 0
     of     : its name, as in "the largest kinetic energy"
+    beside : curves that are shown, and need not be constant
     """
-    deviations = {name: 100.0 * _deviation(np.asarray(v, dtype=float)) / scale for name, v in curves.items()}
-    largest = max(float(np.abs(deviation).max()) for deviation in deviations.values()) / 100.0
-    half = 100.0 * max(LEAST_SPAN, 1.1 * largest)
+    judged, others = (
+        {name: _percent(v, scale) for name, v in some.items()} for some in (curves, beside or {})
+    )
+    largest = max(float(np.abs(curve).max()) for curve in judged.values()) / 100.0
+    shown = {**judged, **others}
+    half = 1.1 * max(100.0 * LEAST_SPAN / 1.1, *(float(np.abs(curve).max()) for curve in shown.values()))
     alarm = largest > LARGE
     note = f"{'not conserved: ' if alarm else ''}relative drift {largest:.1e} of {of}"
-    return Strip(title, times, deviations, (-half, half), "%", note, alarm)
+    return Strip(title, times, shown, (-half, half), "%", note, alarm)
+
+
+def _percent(values: ArrayLike, scale: float) -> Array:
+    """(m,) difference from the first value, of a vector its size, in % of the scale."""
+    array = np.asarray(values, dtype=float)
+    moved: Array = 100.0 * (array - array[0]) / scale
+    return moved if moved.ndim == 1 else np.linalg.norm(moved, axis=1)
 
 
 def energy_strip(
@@ -160,12 +179,6 @@ def energy_strip(
     return conserved(title, times, {"": total}, scale, "the largest kinetic energy")
 
 
-def _deviation(values: Array) -> Array:
-    """(m,) difference from the first value; of a vector its size."""
-    moved: Array = values - values[0]
-    return moved if moved.ndim == 1 else np.linalg.norm(moved, axis=1)
-
-
 def followed(
     title: str,
     times: Array,
@@ -174,10 +187,11 @@ def followed(
     note: str = "",
     *,
     alarm: bool = False,
+    least: float = 0.0,
 ) -> Strip:
-    """A strip of what may change, as it is."""
+    """A strip of what may change, as it is; its axis reaches to `least` at least."""
     values = {name: np.asarray(curve, dtype=float) for name, curve in curves.items()}
     low = min(0.0, *(float(curve.min()) for curve in values.values()))
-    high = max(0.0, *(float(curve.max()) for curve in values.values()))
+    high = max(least, *(float(curve.max()) for curve in values.values()))
     margin = 0.05 * (high - low) or 1.0
     return Strip(title, times, values, (low - margin, high + margin), unit, note, alarm)

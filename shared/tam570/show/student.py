@@ -6,14 +6,15 @@ import traceback
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from types import ModuleType
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Student", "Trouble", "loaded"]
+__all__ = ["Student", "Trouble", "loaded", "tried"]
 
 Array = NDArray[np.float64]
+Made = TypeVar("Made")
 
 
 class Trouble(Exception):
@@ -32,6 +33,17 @@ def loaded(file: Path, slug: str) -> ModuleType:
     except (Exception, SystemExit) as error:
         raise Trouble(f"{file} cannot be imported:\n{_said(error, str(spec.origin))}") from error
     return module
+
+
+def tried(notes: list[str], *makers: Callable[[], Made]) -> list[Made]:
+    """What can be made of what a scene shows beside the motion; why the rest cannot is added to the notes."""
+    made = []
+    for maker in makers:
+        try:
+            made.append(maker())
+        except Trouble as trouble:
+            notes.append(str(trouble))
+    return made
 
 
 class Student:

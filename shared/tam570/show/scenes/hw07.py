@@ -18,7 +18,7 @@ from tam570.show.film import (
     moving,
     strip_samples,
 )
-from tam570.show.student import Student
+from tam570.show.student import Student, tried
 
 __all__ = ["film"]
 
@@ -30,7 +30,7 @@ SECONDS = 20.0
 
 def film(student: Student) -> Film:
     """The motion of part (d)."""
-    times = clock(SECONDS)
+    times, notes = clock(SECONDS), list[str]()
     states = student("simulate", times, START, np.zeros(2), **BARS, gravity=GRAVITY, shape=(len(times), 4))
     bars = student.each("wireframe", states[:, :2], lengths=BARS["lengths"], shape=(2, 2, 2))
     hinge, elbow, tip = bars[:, 0, 0], bars[:, 1, 0], bars[:, 1, 1]
@@ -48,7 +48,8 @@ def film(student: Student) -> Film:
         "shows the path of the tip.",
         times,
         [Panel(parts)],
-        [_energy(student, times, states)],
+        tried(notes, lambda: _energy(student, times, states)),
+        notes=notes,
     )
 
 

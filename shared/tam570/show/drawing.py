@@ -1,0 +1,44 @@
+"""Parts that several scenes have: a floor, axes, circles, a disk."""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from tam570.show.film import GREY, Array, Part
+
+__all__ = ["axes", "circle", "floor", "unit_circle"]
+
+
+def unit_circle(count: int) -> Array:
+    """(count, 2) points on it, closed."""
+    angles = np.linspace(0.0, 2.0 * np.pi, count)
+    return np.column_stack([np.cos(angles), np.sin(angles)])
+
+
+def circle(centre: ArrayLike, one: ArrayLike, other: ArrayLike, count: int = 61) -> Array:
+    """Closed path of points about a centre, of the semi-axes given: (..., count, dim) of (..., dim) each."""
+    c, s = unit_circle(count).T[..., None]
+    centre, one, other = (np.asarray(vector, dtype=float)[..., None, :] for vector in (centre, one, other))
+    path: Array = centre + c * one + s * other
+    return path
+
+
+def axes(length: float, *, origin: ArrayLike = (0.0, 0.0, 0.0)) -> list[Part]:
+    """The axes x, y, z of space, from the origin."""
+    start, ends = np.asarray(origin, dtype=float), length * np.eye(3)
+    tails = np.stack([np.broadcast_to(start, (3, 3)), start + ends], axis=1).reshape(6, 3)
+    names = [
+        Part("text", (start + end)[None], GREY, words=name) for name, end in zip("xyz", ends, strict=True)
+    ]
+    return [Part("arrow", tails, GREY, width=1.2), *names]
+
+
+def floor(low: ArrayLike, high: ArrayLike, step: float, **look: Any) -> Part:
+    """Lines of a square grid on z = 0 that covers the rectangle from low to high."""
+    first, last = np.floor(np.divide(low, step)), np.ceil(np.divide(high, step))
+    (x0, y0), (x1, y1) = first * step, last * step
+    xs = np.arange(first[0], last[0] + 1) * step
+    ys = np.arange(first[1], last[1] + 1) * step
+    lines = [((x, y0, 0.0), (x, y1, 0.0)) for x in xs] + [((x0, y, 0.0), (x1, y, 0.0)) for y in ys]
+    return Part("lines", np.array(lines).reshape(-1, 3), GREY, width=1, faint=True, **look)

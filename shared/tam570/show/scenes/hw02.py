@@ -1,0 +1,74 @@
+"""hw02: throws at several angles, by the numerical solution and by the closed form."""
+
+import math
+from typing import Any
+
+import numpy as np
+
+from tam570.show.film import GREY, INK, Array, Film, Panel, Part, Strip, clock, followed, strip_samples
+from tam570.show.student import Student
+
+__all__ = ["film"]
+
+SPEED = 50.0  # m/s
+BALL = {"mass": 1.0, "drag": 0.2, "gravity": 9.81}  # kg, kg/s, m/s^2
+ANGLES = (15, 30, 60, 75)  # degrees, beside the best
+LARGE = 1e-3  # of the range: a pixel
+
+
+def film(student: Student) -> Film:
+    """Each ball flies until it is back at launch height."""
+    best = float(student("best_angle", SPEED, **BALL, shape=()))
+    angles = sorted([*map(math.radians, ANGLES), best])
+    flights = [float(student("flight_time", SPEED, angle, **BALL, shape=())) for angle in angles]
+    times = clock(1.1 * max(flights))
+    pairs = [_both(student, times, angle, flight) for angle, flight in zip(angles, flights, strict=True)]
+    parts = [part for angle, pair in zip(angles, pairs, strict=True) for part in _throw(*pair, angle == best)]
+    farthest = max(closed[:, 0].max() for _, closed in pairs)
+    ground = Part("lines", np.array([[0.0, 0.0], [1.02 * farthest, 0.0]]), GREY, width=2)
+    return Film(
+        "Ballistics with drag",
+        f"Balls leave one point together at {len(angles)} angles and land one after the other; the farthest is the one "
+        f"at {math.degrees(best):.1f} degrees. The numerical solution runs on the curve of the closed form.",
+        times,
+        [Panel([ground, *parts])],
+        [_apart(times, pairs, farthest)],
+        poster=0.45,
+    )
+
+
+def _both(student: Student, times: Array, angle: float, flight: float) -> tuple[Array, Array]:
+    """(n, 2) paths by both solutions; where it has landed the ball stays."""
+    if not 0.0 < flight < 1e4:
+        from tam570.show.student import Trouble
+
+        raise Trouble(f"flight_time gives {flight} s at {math.degrees(angle):.0f} degrees and {SPEED} m/s")
+    flown = np.append(times[times < flight], flight)
+    landed = np.minimum(np.arange(len(times)), len(flown) - 1)
+    shape = (len(flown), 4)
+    known: dict[str, Any] = {**BALL, "shape": shape}
+    numerical = student("simulate", flown, SPEED, angle, **known)
+    closed = student("trajectory", flown, SPEED, angle, **known)
+    return numerical[landed, :2], closed[landed, :2]
+
+
+def _throw(numerical: Array, closed: Array, best: bool) -> list[Part]:
+    color = 2 if best else 0
+    name = ("numerical, at the best angle" if best else "numerical") if best or numerical is None else ""
+    return [
+        Part("path", closed[::3], INK, "", width=1, faint=True),
+        Part("trail", numerical[:, None], color, name, width=2.5 if best else 1.5),
+        Part("dot", closed[:, None], 1, "", width=8 if best else 7),
+        Part("dot", numerical[:, None], color, "", width=5 if best else 4),
+    ]
+
+
+def _apart(times: Array, pairs: list[tuple[Array, Array]], farthest: float) -> Strip:
+    shown = strip_samples(times)
+    gaps = np.max([np.linalg.norm(one - other, axis=1) for one, other in pairs], axis=0)[shown]
+    largest = float(gaps.max()) / farthest
+    note = f"{'they differ: ' if largest > LARGE else ''}at most {largest:.1e} of the range"
+    return followed(
+        "numerical from closed form, largest distance", times[shown], {"": gaps}, "m", note,
+        alarm=largest > LARGE, least=0.01 * farthest,
+    )  # fmt: skip

@@ -1,0 +1,139 @@
+"""hw03: what each definition's angular momentum does, as vectors at C, while P and C move."""
+
+from typing import Any
+
+import numpy as np
+
+from tam570.show.drawing import axes
+from tam570.show.film import (
+    GREY,
+    INK,
+    Array,
+    Film,
+    Panel,
+    Part,
+    Strip,
+    clock,
+    followed,
+    moving,
+    strip_samples,
+)
+from tam570.show.student import Student, tried
+
+__all__ = ["film"]
+
+MASS = 1.0  # kg
+SECONDS = 2 * np.pi
+# Harmonics of the two points: frequency, cosine and sine coefficients of x, y, z; rad/s, m
+P = [(1.0, (2.0, 0.0, 0.0), (0.0, 1.5, 0.5)), (2.0, (0.0, 0.0, 0.3), (0.2, 0.0, 0.0))]
+C = [(1.0, (-0.6, 0.3, 0.0), (0.3, 0.4, 0.0)), (3.0, (0.0, 0.0, 0.15), (0.1, 0.0, 0.0))]
+DEFINITIONS = "abc"
+COLORS = {"a": 0, "b": 1, "c": 3}
+LARGE = 1e-4  # of the largest rate; differences are good to 1e-7 of it
+STEP = 1e-4  # s, of the differences
+
+
+def film(student: Student) -> Film:
+    """Two points go round, each its own way."""
+    times, notes = clock(SECONDS), list[str]()
+    motion = [*_moves(P, times), *_moves(C, times)]
+    r_p, v_p, a_p, r_c, v_c, _ = motion
+    momenta = {
+        d: student.each("angular_momentum", [d] * len(times), r_p, v_p, r_c, v_c, mass=MASS, shape=(3,))
+        for d in "bc"
+    }
+    rates = {d: student.each("rate", [d] * len(times), *motion, mass=MASS, shape=(3,)) for d in DEFINITIONS}
+    moment = student.each("moment", r_p, a_p, r_c, mass=MASS, shape=(3,))
+    names = {"b": "(a) and (b): r_P/C × m v_P", "c": "(c): r_P/C × m v_P/C"}
+    left = [_arrow(r_c, momenta[d], momenta, COLORS[d], names[d]) for d in "bc"]
+    right = [_arrow(r_c, moment, rates, INK, "moment about C", width=6)]
+    right += [_arrow(r_c, rates[d], rates, COLORS[d], f"rate of ({d})") for d in DEFINITIONS]
+    return Film(
+        "Rate of change of angular momentum",
+        "Two points, P and C, go round in space. Arrows at C show the angular momentum of P about C by the three "
+        "definitions, and beside them their rates of change and the moment: the rate of definition (a) is the moment, "
+        "those of (b) and (c) are not.",
+        times,
+        [
+            Panel([*_points(r_p, r_c), *left], "angular momentum"),
+            Panel([*_points(r_p, r_c), *right], "rate of change, and moment"),
+        ],
+        tried(notes, lambda: _discrepancies(student, times, motion), lambda: _checked(student, times, rates)),
+        view=(0.9, 0.5),
+        notes=notes,
+        poster=0.3,
+    )
+
+
+def _moves(harmonics: Any, times: Array) -> tuple[Array, Array, Array]:
+    """(n, 3) each: position, velocity, acceleration."""
+    r, v, a = np.zeros((3, len(times), 3))
+    for w, cosine, sine in harmonics:
+        c, s = np.outer(np.cos(w * times), cosine), np.outer(np.sin(w * times), sine)
+        r += c + s
+        a -= w**2 * (c + s)
+        v += w * (np.outer(np.cos(w * times), sine) - np.outer(np.sin(w * times), cosine))
+    return r, v, a
+
+
+def _points(r_p: Array, r_c: Array) -> list[Part]:
+    return [
+        *axes(0.5),
+        Part("path", np.vstack([r_p[::4], r_p[:1]]), GREY, width=1.5, faint=True),
+        Part("path", np.vstack([r_c[::4], r_c[:1]]), GREY, width=1.5, faint=True),
+        Part("lines", moving(r_c, r_p), GREY, width=1),
+        Part("dot", r_p[:, None], 2, width=7),
+        Part("text", r_p[:, None], 2, words="P"),
+        Part("dot", r_c[:, None], INK, width=5),
+        Part("text", r_c[:, None], INK, words="C"),
+    ]
+
+
+def _arrow(
+    tail: Array, vector: Array, all_of_them: dict[str, Array], color: int, name: str, width: float = 3
+) -> Part:
+    """An arrow; the longest of all of them has 2 m."""
+    longest = max(float(np.linalg.norm(one, axis=1).max()) for one in all_of_them.values()) or 1.0
+    return Part("arrow", moving(tail, tail + 2.0 * vector / longest), color, name, width=width)
+
+
+def _discrepancies(student: Student, times: Array, motion: list[Array]) -> Strip:
+    shown = strip_samples(times)
+    sizes = {
+        f"({d})": np.linalg.norm(
+            student.each("discrepancy", [d] * len(shown), *(x[shown] for x in motion), mass=MASS, shape=(3,)),
+            axis=1,
+        )
+        for d in DEFINITIONS
+    }
+    return followed("rate less moment, size", times[shown], sizes, "N m")
+
+
+def _checked(student: Student, times: Array, rates: dict[str, Array]) -> Strip:
+    """The rates beside differences of the student's own angular momentum."""
+    shown = strip_samples(times)
+    scale = max(float(np.linalg.norm(one, axis=1).max()) for one in rates.values()) or 1.0
+    off = {
+        f"({d})": 100
+        * np.linalg.norm(rates[d][shown] - _differences(student, d, times[shown]), axis=1)
+        / scale
+        for d in DEFINITIONS
+    }
+    largest = max(float(one.max()) for one in off.values()) / 100
+    note = f"{'they differ: ' if largest > LARGE else ''}at most {largest:.1e} of the largest rate"
+    title = "rate() from dH/dt by differences"
+    return followed(title, times[shown], off, "%", note, alarm=largest > LARGE, least=1.0)
+
+
+def _differences(student: Student, definition: str, times: Array) -> Array:
+    """(m, 3) central differences of angular_momentum; by (a) C stays where it is meanwhile."""
+
+    def momentum(shift: float) -> Array:
+        r_p, v_p, _ = _moves(P, times + shift)
+        r_c, v_c, _ = _moves(C, times + (0.0 if definition == "a" else shift))
+        moments = student.each(
+            "angular_momentum", [definition] * len(times), r_p, v_p, r_c, v_c, mass=MASS, shape=(3,)
+        )
+        return moments
+
+    return (momentum(STEP) - momentum(-STEP)) / (2 * STEP)

@@ -1,0 +1,76 @@
+"""hw05: the particle on its circle, by Cartesian coordinates."""
+
+from typing import Any
+
+import numpy as np
+
+from tam570.show.drawing import unit_circle
+from tam570.show.film import (
+    GREY,
+    INK,
+    Array,
+    Film,
+    Panel,
+    Part,
+    Strip,
+    clock,
+    conserved,
+    energy_strip,
+    moving,
+    strip_samples,
+)
+from tam570.show.student import Student, tried
+
+__all__ = ["film"]
+
+MASS, LENGTH, GRAVITY = 1.0, 1.0, 9.81  # kg, m, m/s^2
+ABOVE = 0.1  # rad from the very top
+SECONDS = 12.0
+ARROW = 0.15  # m, of the weight
+
+
+def film(student: Student) -> Film:
+    """Let go at rest next to the top."""
+    times, notes = clock(SECONDS), list[str]()
+    start = np.array([LENGTH * np.sin(ABOVE), LENGTH * np.cos(ABOVE), 0.0, 0.0])
+    known: dict[str, Any] = {"mass": MASS, "length": LENGTH, "gravity": GRAVITY}
+    states = student("simulate", times, start, **known, shape=(len(times), 4))
+    rod = student.each("wireframe", states, length=LENGTH, shape=(1, 2, 2))[:, 0]
+    parts = [
+        Part("path", LENGTH * unit_circle(121), GREY, "the circle", width=1.5),
+        Part("lines", rod, 0, "rod", width=5),
+        *tried(notes, lambda: _force(student, states, known)),
+        Part("dot", np.zeros((1, 2)), INK, width=5),
+        Part("dot", rod[:, 1:], 1, "particle", width=10),
+    ]
+    return Film(
+        "Pendulum as a constrained particle",
+        "A particle on a rod falls from next to the top of its circle, swings through the bottom almost back to the top "
+        "and returns. An arrow shows the force of the rod.",
+        times,
+        [Panel(parts)],
+        tried(notes, lambda: _energy(student, times, states), lambda: _radius(times, states)),
+        notes=notes,
+        poster=0.13,
+    )
+
+
+def _force(student: Student, states: Array, known: dict[str, Any]) -> Part:
+    force = student.each("constraint_force", states, **known, shape=(2,)) / (MASS * GRAVITY)
+    return Part(
+        "arrow", moving(states[:, :2], states[:, :2] + ARROW * force), 3, "constraint force", width=2.5
+    )
+
+
+def _energy(student: Student, times: Array, states: Array) -> Strip:
+    shown = strip_samples(times)
+    at_rest = states[shown] * [1, 1, 0, 0]
+    known: dict[str, Any] = {"mass": MASS, "gravity": GRAVITY}
+    total, potential = (student.each("energy", rows, **known) for rows in (states[shown], at_rest))
+    return energy_strip(times[shown], total, potential)
+
+
+def _radius(times: Array, states: Array) -> Strip:
+    shown = strip_samples(times)
+    distance = np.hypot(*states[shown, :2].T)
+    return conserved("distance from the hinge, change", times[shown], {"": distance}, LENGTH, "the length")

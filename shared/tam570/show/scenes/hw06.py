@@ -1,0 +1,120 @@
+"""hw06: two cars brake side by side, one with the front wheels locked, one with the rear wheels."""
+
+from typing import Any
+
+import numpy as np
+
+from tam570.show.film import GREY, INK, Array, Film, Panel, Part, Strip, clock, conserved, strip_samples
+from tam570.show.student import Student, Trouble, tried
+
+__all__ = ["film"]
+
+CAR: dict[str, Any] = {"mass": 1200.0, "front": 1.2, "rear": 1.4}  # kg, m, m
+TURNING: dict[str, Any] = {"yaw_inertia": 1700.0}  # kg m^2
+ROAD: dict[str, Any] = {"friction": 0.7, "gravity": 9.81}  # -, m/s^2
+SPEED, YAW_RATE = 14.0, 0.05  # m/s, rad/s: almost straight
+LANES = {"front": 3.5, "rear": -3.5}  # m
+SECONDS = 6.0
+HALF_WIDTH, OVERHANG, WHEEL = 0.8, 0.7, 0.32  # m
+
+
+def film(student: Student) -> Film:
+    """Both go straight ahead at the same speed, but for the same small yaw rate."""
+    times, notes = clock(SECONDS), list[str]()
+    motions = {locked: _motion(student, times, locked) for locked in LANES}
+    ends = max(float(states[:, 0].max()) for states in motions.values()) + 4.0
+    parts = [_road(y, ends) for y in LANES.values()]
+    for locked, states in motions.items():
+        parts += _car(states, locked, LANES[locked])
+    return Film(
+        "Braking with one axle locked",
+        "Two cars brake side by side. The one with locked front wheels comes to rest pointing ahead; the one with "
+        "locked rear wheels swings round.",
+        times,
+        [Panel(parts)],
+        tried(notes, lambda: _energy(student, times, motions), lambda: _heading(times, motions)),
+        notes=notes,
+        poster=0.45,
+    )
+
+
+def _motion(student: Student, times: Array, locked: str) -> Array:
+    start = np.array([0.0, 0.0, 0.0, SPEED, YAW_RATE])
+    return student("simulate", times, start, locked, **CAR, **TURNING, **ROAD, shape=(len(times), 5))
+
+
+def _road(y: float, end: float) -> Part:
+    return Part("lines", np.array([[-4.0, y], [end, y]]), GREY, width=1, faint=True)
+
+
+def _placed(states: Array, outline: Array, y: float) -> Array:
+    """(n, m, 2) points given forward and left of G, where the car has them."""
+    c, s = np.cos(states[:, 2]), np.sin(states[:, 2])
+    forward, left = np.stack([c, s], axis=-1), np.stack([-s, c], axis=-1)
+    centre = states[:, :2] + [0.0, y]
+    placed: Array = centre[:, None] + outline[:, :1] * forward[:, None] + outline[:, 1:] * left[:, None]
+    return placed
+
+
+def _car(states: Array, locked: str, y: float) -> list[Part]:
+    nose, tail, side = CAR["front"] + OVERHANG, -CAR["rear"] - OVERHANG, HALF_WIDTH
+    body = np.array(
+        [[nose - 0.5, side], [tail, side], [tail, -side], [nose - 0.5, -side], [nose, -0.5], [nose, 0.5]]
+    )
+    color = 0 if locked == "front" else 1
+    axles = {"front": CAR["front"], "rear": -CAR["rear"]}
+    wheels = {name: _wheels(at) for name, at in axles.items()}
+    free = "rear" if locked == "front" else "front"
+    return [
+        Part("trail", states[:, None, :2] + [0.0, y], color, width=1.5),
+        Part("fill", _placed(states, body, y), color, faint=True),
+        Part(
+            "path", _placed(states, np.vstack([body, body[:1]]), y), color, f"{locked} wheels locked", width=2
+        ),
+        Part("lines", _placed(states, wheels[free], y), INK, width=3),
+        Part(
+            "lines", _placed(states, wheels[locked], y), 5, "wheels that are locked" if color else "", width=5
+        ),
+        Part("text", np.array([[-4.0, y + 1.6]]), color, words=f"{locked} locked"),
+    ]
+
+
+def _wheels(at: float) -> Array:
+    """(4, 2) ends of the two wheels of an axle."""
+    return np.array(
+        [(at + end, side) for side in (HALF_WIDTH - 0.1, 0.1 - HALF_WIDTH) for end in (-WHEEL, WHEEL)]
+    )
+
+
+def _energy(student: Student, times: Array, motions: dict[str, Array]) -> Strip:
+    """Kinetic energy less the work of friction along the way of the locked axle."""
+    shown = strip_samples(times)
+    sums = {}
+    for locked, states in motions.items():
+        energy = student.each("kinetic_energy", states[shown], [locked] * len(shown), **CAR, **TURNING)
+        sums[f"{locked} locked"] = energy - _work(student, states, locked)[shown]
+    scale = max(abs(float(one[0])) for one in sums.values())
+    if not scale:
+        raise Trouble("kinetic_energy gives 0 for a car that moves")
+    return conserved(
+        "kinetic energy less work of friction", times[shown], sums, scale, "the energy at the start"
+    )
+
+
+def _work(student: Student, states: Array, locked: str) -> Array:
+    """(n,) J, of friction up to each time, by the trapezoidal rule along the path of the axle."""
+    force = student.each("friction_force", states, [locked] * len(states), **CAR, **ROAD, shape=(2,))
+    c, s = np.cos(states[:, 2]), np.sin(states[:, 2])
+    in_space = np.column_stack([c * force[:, 0] - s * force[:, 1], s * force[:, 0] + c * force[:, 1]])
+    at = CAR["front"] if locked == "front" else -CAR["rear"]
+    steps = np.diff(_placed(states, np.array([[at, 0.0]]), 0.0)[:, 0], axis=0)
+    middle = (in_space[1:] + in_space[:-1]) / 2
+    return np.concatenate([[0.0], np.cumsum((middle * steps).sum(axis=1))])
+
+
+def _heading(times: Array, motions: dict[str, Array]) -> Strip:
+    from tam570.show.film import followed
+
+    shown = strip_samples(times)
+    degrees = {f"{locked} locked": np.degrees(states[shown, 2]) for locked, states in motions.items()}
+    return followed("heading", times[shown], degrees, "°", least=10.0)
