@@ -111,7 +111,12 @@ def gauss_source(formulas: Formulas) -> str:
 
 def _added(i: int) -> list[str]:
     """y + d + rest in two doubles: were `rest` added to d first, its tail would go the same way at every step."""
-    return [f"n = y{i} + d", f"rest += d - (n - y{i})", f"n{i} = n + rest", f"r{i} = rest - (n{i} - n)"]
+    return [*_sum_and_error(f"y{i}", "d"), "rest += error", f"n{i} = n + rest", f"r{i} = rest - (n{i} - n)"]
+
+
+def _sum_and_error(y: str, d: str) -> list[str]:
+    """n = y + d and what it lacks, whichever is larger: where y passes zero, d - (n - y) errs, always one way."""
+    return [f"n = {y} + {d}", f"part = n - {y}", f"error = ({y} - (n - part)) + ({d} - part)"]
 
 
 def _collocation(formulas: Formulas, number: int, row: list[Pair], node: float) -> list[str]:
@@ -145,7 +150,7 @@ def composition_source(drift: Formulas, kick: Formulas, constants: int) -> str:
         for i, rate in enumerate(formulas.rates, start=first):
             lines.append(f"    d{i} = {fraction} * h * {rate}")
         for i in range(first, first + len(formulas.rates)):
-            lines += [f"    n = s{i} + d{i}", f"    rest = r{i} + (d{i} - (n - s{i}))"]
-            lines += [f"    s{i} = n + rest", f"    r{i} = rest - (s{i} - n)"]
+            moved = [*_sum_and_error(f"s{i}", f"d{i}"), f"rest = r{i} + error"]
+            lines += [f"    {line}" for line in (*moved, f"s{i} = n + rest", f"r{i} = rest - (s{i} - n)")]
     lines.append(f"return {names[0]}, {names[1]}, k")
     return "\n    ".join(["def leap(start, h, y, r, k, c):", *lines]) + "\n"
