@@ -42,7 +42,9 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import lab
-import {slug} as hw"""
+import {slug} as hw
+from tam570.show import show"""
+SCENE = "**What it looks like**, by your functions. Run the cell again when you have changed them."
 TESTS = "# Part ({part}): your visible tests. This cell is locked; it carries the points of the hidden ones.\n{call}"
 BY_HAND = (
     "**By hand ({part}), {points:g} points:** {what}. Put plots into cells of their own above; words here."
@@ -86,7 +88,8 @@ def notebook(assignment: Assignment, readme: str, tests: str, pictures: str) -> 
         cells += _part(
             assignment, part, given.parts.get(part, f"**({part})**"), shown.get(part), tested.get(part, [])
         )
-    return {**FORMAT, "metadata": KERNEL, "cells": [*cells, text_cell("graded", given.rest)]}
+    cells += [text_cell("look", SCENE), _code("scene", "show(hw)"), text_cell("graded", given.rest)]
+    return {**FORMAT, "metadata": KERNEL, "cells": cells}
 
 
 def part_points(assignment: Assignment) -> dict[str, float]:
@@ -154,8 +157,15 @@ def _part(
     if part in assignment.manual:
         cells += _by_hand(part, *assignment.manual[part])
     if part in part_points(assignment):
-        cells.append(_locked(part, part_points(assignment)[part], tests))
+        cells.append(_locked(assignment, part, tests))
     return cells
+
+
+def _used_in(assignment: Assignment, part: str) -> list[str]:
+    """The functions that the checks of a part call."""
+    definitions = _definitions(assignment.source.decode())
+    checks = [definitions[check.name] for check in assignment.checks if check.part == part]
+    return sorted({name for check in checks for name in _mentioned("student", check, definitions)})
 
 
 def _by_hand(part: str, points: float, what: str) -> list[Cell]:
@@ -166,10 +176,12 @@ def _by_hand(part: str, points: float, what: str) -> list[Cell]:
     return [text_cell(f"task-{part}", task), _code(f"work-{part}", "# your plots and numbers\n"), answer]
 
 
-def _locked(part: str, points: float, tests: Iterable[str]) -> Cell:
+def _locked(assignment: Assignment, part: str, tests: Iterable[str]) -> Cell:
     """The cell that runs the visible tests of a part for the student, and carries the points of its checks."""
+    points = part_points(assignment)[part]
     names = "".join(f"    {json.dumps(name)},\n" for name in tests)
-    call = f"lab.tests(\n{names}    points={points!r},\n)"
+    functions = "" if names else f"    functions={json.dumps(_used_in(assignment, part))},\n"
+    call = f"lab.tests(\n{names}{functions}    points={points!r},\n)"
     cell = _code(f"{LOCKED}{part}", TESTS.format(part=part, call=call))
     cell["metadata"] = _nbgrader(f"{LOCKED}{part}", points, locked=True, solution=False)
     return cell
