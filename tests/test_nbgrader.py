@@ -173,6 +173,22 @@ def test_all_fourteen_by_nbgraders_commands(course, a_whole_term, nbgrader_grade
     assert_the_feedback_says_what_was_lost(term)
 
 
+def test_the_commands_of_the_courses_readme_in_their_order(course, tmp_path, nbgrader, made_course):
+    made, config = made_course(tmp_path, [ONE])
+    lines = [line.split("#")[0].split() for line in (made / "README.md").read_text().splitlines()]
+    commands = [line for line in lines if line[:1] == ["nbgrader"]]
+    assert len(commands) == 6 and ["jupyter", "lab"] in lines
+    for command in commands:
+        if command[1] == "collect":
+            (tmp_path / "nbgrader_config.py").write_text(config)
+            nbgrader(tmp_path, "fetch_assignment", ONE)
+            shutil.copy(course / "solutions" / f"{ONE}.py", tmp_path / ONE)
+            nbgrader(tmp_path, "submit", ONE, "--student", "ann")
+        nbgrader(made, *command[1:])
+    nbgrader(tmp_path, "fetch_feedback", ONE, "--student", "ann")
+    assert "skew(v) r = v x r" in next((tmp_path / ONE / "feedback").rglob("*.html")).read_text()
+
+
 # Odd submissions: one class, one autograde
 
 
@@ -349,6 +365,31 @@ def test_nothing_of_a_student_runs_in_the_teachers_browser(odd_class):
 def test_late_work_is_graded_and_known_as_late(odd_class):
     _, said = odd_class
     assert "86400" in said.replace(".0", "")
+
+
+def test_nbgraders_rule_for_late_work_is_applied(odd_class, nbgrader):
+    made, _ = odd_class
+    config = made / "nbgrader_config.py"
+    rule, before = '\nc.LateSubmissionPlugin.penalty_method = "zero"\n', config.read_text()
+    config.write_text(before + rule)
+    nbgrader(made, "autograde", ONE, "--student", "late", "--force")
+    nbgrader(made, "export")
+    config.write_text(before)
+    rows = {row["student_id"]: row for row in csv.DictReader((made / "grades.csv").read_text().splitlines())}
+    assert float(rows["late"]["late_submission_penalty"]) == float(rows["late"]["raw_score"]) == 10.0
+    assert float(rows["late"]["score"]) == 0.0 and float(rows["as_it_is"]["score"]) == 10.0
+
+
+def test_nothing_that_was_handed_in_is_lost(odd_class):
+    made, _ = odd_class
+    for odd in (*FULL_MARKS, *NO_POINTS):
+        came = made / "submitted" / odd.__name__ / ONE
+        modules = [path for path in came.glob("*.py") if path.name not in ("lab.py", f"test_{ONE}.py")]
+        for module in modules:
+            assert (
+                made / "autograded" / odd.__name__ / ONE / module.name
+            ).read_bytes() == module.read_bytes()
+        assert modules or odd is no_module
 
 
 def test_a_new_submission_is_graded_anew_with_the_same_inputs(odd_class, nbgrader, nbgrader_grades, course):
