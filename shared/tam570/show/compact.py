@@ -133,15 +133,23 @@ def _packed_panel(panel: Panel, points: _Points, in_space: bool) -> dict[str, An
     unit = float((high - low).max() or 1.0) / (PIXELS * STEPS)  # m
     middle = (low + high) / 2
     scaled = [_in_space((part.points - middle) / unit, in_space) for part in panel.parts]
-    reach = max(float(np.sqrt((points**2).sum(axis=-1)).max()) for points in scaled)
     return {
         "title": panel.title,
         "flat": flat,
         "ruler": panel.ruler,
         "unit": unit,
-        "size": [_figures(side, 6) for side in (high - low)[:2] / unit] if flat else [2 * reach, 2 * reach],
+        "size": [
+            _figures(side, 6)
+            for side in (_size_in_space(scaled) if in_space and not flat else (high - low) / unit)
+        ],
         "parts": [_packed_part(part, at, points) for part, at in zip(panel.parts, scaled, strict=True)],
     }
+
+
+def _size_in_space(scaled: list[Array]) -> tuple[float, float]:
+    """Width, seen from whatever side, and height of points about the origin."""
+    width = max(float(np.hypot(points[..., 0], points[..., 1]).max()) for points in scaled)
+    return 2.0 * width, 2.0 * max(float(np.abs(points[..., 2]).max()) for points in scaled)
 
 
 def _box(panel: Panel) -> tuple[Array, Array]:

@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike
 
 from tam570.show.film import GREY, Array, Part
 
-__all__ = ["axes", "circle", "floor", "unit_circle"]
+__all__ = ["axes", "box_face", "circle", "floor", "unit_circle"]
 
 
 def unit_circle(count: int) -> Array:
@@ -42,3 +42,11 @@ def floor(low: ArrayLike, high: ArrayLike, step: float, **look: Any) -> Part:
     ys = np.arange(first[1], last[1] + 1) * step
     lines = [((x, y0, 0.0), (x, y1, 0.0)) for x in xs] + [((x0, y, 0.0), (x1, y, 0.0)) for y in ys]
     return Part("lines", np.array(lines).reshape(-1, 3), GREY, width=1, faint=True, **look)
+
+
+def box_face(rotations: Array, size: ArrayLike) -> Array:
+    """(n, 4, 3) corners of the face at +z/2 of a box about the origin, turned by rotations (n, 3, 3)."""
+    half = np.asarray(size, dtype=float) / 2.0
+    corners = half * np.array([[1, 1, 1], [-1, 1, 1], [-1, -1, 1], [1, -1, 1]])
+    turned: Array = corners @ np.swapaxes(rotations, -1, -2)
+    return turned

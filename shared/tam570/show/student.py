@@ -57,6 +57,10 @@ class Student:
         """What the function returns, as an array of this shape. Trouble if it does not, or is not finite."""
         return self._finite(name, _numbers(name, self.raw(name, *arguments, **known), shape))
 
+    def checked(self, name: str, result: Any, shape: Sequence[int]) -> Array:
+        """A part of what the function returned, as an array of this shape."""
+        return self._finite(name, _numbers(name, result, shape))
+
     def raw(self, name: str, *arguments: Any, **known: Any) -> Any:
         """What the function returns, whatever it is."""
         return self._guarded(name, lambda function: function(*arguments, **known))

@@ -57,6 +57,12 @@ function fitted(canvas) {
   return {context, width, height};
 }
 
+// What a panel takes, in half pixels of the large screen; one in space whatever the azimuth.
+function sizeNow({size: [width, height], flat}) {
+  if (flat || !camera) return [width || 1, height || 1];
+  return [width || 1, height * Math.cos(camera.elevation) + width * Math.abs(Math.sin(camera.elevation)) || 1];
+}
+
 // The rectangles of the panels, in the grid of rows and columns in which they are largest.
 const MARGIN = 14, TITLE = 20;
 function layout(width, height) {
@@ -64,7 +70,7 @@ function layout(width, height) {
   let best = null;
   for (let columns = 1; columns <= count; columns++) {
     const w = width / columns, h = height / Math.ceil(count / columns);
-    const scales = film.panels.map(({size}) => Math.min((w - 2 * MARGIN) / (size[0] || 1), (h - titled - 2 * MARGIN) / (size[1] || 1)));
+    const scales = film.panels.map(sizeNow).map((size) => Math.min((w - 2 * MARGIN) / size[0], (h - titled - 2 * MARGIN) / size[1]));
     const smallest = Math.min(...scales);
     if (!best || smallest > best.smallest) best = {smallest, scales, columns, w, h};
   }
@@ -236,7 +242,7 @@ function drawStripAxes(strip) {
   for (const value of [low, 0, high]) {
     line(context, [[0, stripY(strip, value)], [width, stripY(strip, value)]]);
     context.stroke();
-    if (value || (low && high)) context.fillText(`${figures(value)} ${strip.unit}`, 4, stripY(strip, value) + (value < high ? -3 : 13));
+    if (!value || Math.abs(value) > 0.15 * (high - low)) context.fillText(`${figures(value)} ${strip.unit}`, 4, stripY(strip, value) + (value < high ? -3 : 13));
   }
   strip.curves.forEach((curve, i) => strokeCurve(context, strip, curve, i, strip.times.length - 1, 0.3));
 }
@@ -263,7 +269,8 @@ function drawStripNow(strip) {
     const value = strip.scale * (curve[k] + share * (curve[k + 1] - curve[k]));
     context.fillStyle = curveColor(strip, i);
     draw.dot(context, [[stripX(strip, state.time), stripY(strip, value)]], {width: 4});
-    return `${strip.names[i]} ${figures(value)} ${strip.unit}`.trim();
+    const said = `${figures(value)} ${strip.unit}`.trim();
+    return strip.names[i] ? `${strip.names[i]}: ${said}` : said;
   });
   strip.now.textContent = `now ${now.join(", ")}`;
 }
@@ -332,8 +339,8 @@ function onKey(event) {
   event.preventDefault();
 }
 function showLegend() {
-  for (const part of film.panels.flatMap((panel) => panel.parts)) {
-    if (!part.name) continue;
+  const named = film.panels.flatMap((panel) => panel.parts).filter((part) => part.name);
+  for (const part of new Map(named.map((part) => [part.name, part])).values()) {
     const item = document.createElement("li"), swatch = document.createElement("i");
     swatch.style.borderColor = part.color < 0 ? `var(--${part.color === -1 ? "ink" : "soft"})` : `var(--c${part.color})`;
     item.append(swatch, part.name);

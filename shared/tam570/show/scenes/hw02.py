@@ -53,13 +53,12 @@ def _both(student: Student, times: Array, angle: float, flight: float) -> tuple[
 
 
 def _throw(numerical: Array, closed: Array, best: bool) -> list[Part]:
-    color = 2 if best else 0
-    name = ("numerical, at the best angle" if best else "numerical") if best or numerical is None else ""
+    color, name, size = (2, "numerical, at the best angle", 6) if best else (0, "numerical", 4)
     return [
-        Part("path", closed[::3], INK, "", width=1, faint=True),
-        Part("trail", numerical[:, None], color, name, width=2.5 if best else 1.5),
-        Part("dot", closed[:, None], 1, "", width=8 if best else 7),
-        Part("dot", numerical[:, None], color, "", width=5 if best else 4),
+        Part("path", closed[::3], INK, width=1, faint=True),
+        Part("trail", numerical[:, None], color, name, width=size / 2.5),
+        Part("dot", closed[:, None], 1, "closed form", width=size + 3),
+        Part("dot", numerical[:, None], color, width=size),
     ]
 
 

@@ -26,9 +26,9 @@ MASS = 1.0  # kg
 SECONDS = 2 * np.pi
 # Harmonics of the two points: frequency, cosine and sine coefficients of x, y, z; rad/s, m
 P = [(1.0, (2.0, 0.0, 0.0), (0.0, 1.5, 0.5)), (2.0, (0.0, 0.0, 0.3), (0.2, 0.0, 0.0))]
-C = [(1.0, (-0.6, 0.3, 0.0), (0.3, 0.4, 0.0)), (3.0, (0.0, 0.0, 0.15), (0.1, 0.0, 0.0))]
+C = [(1.0, (-0.6, 0.3, 0.0), (0.3, 0.4, 0.0)), (2.0, (0.0, 0.0, 0.1), (0.1, 0.0, 0.0))]
 DEFINITIONS = "abc"
-COLORS = {"a": 0, "b": 1, "c": 3}
+COLORS = {"a": 0, "b": 1, "c": 2}
 LARGE = 1e-4  # of the largest rate; differences are good to 1e-7 of it
 STEP = 1e-4  # s, of the differences
 
@@ -82,8 +82,8 @@ def _points(r_p: Array, r_c: Array) -> list[Part]:
         Part("path", np.vstack([r_p[::4], r_p[:1]]), GREY, width=1.5, faint=True),
         Part("path", np.vstack([r_c[::4], r_c[:1]]), GREY, width=1.5, faint=True),
         Part("lines", moving(r_c, r_p), GREY, width=1),
-        Part("dot", r_p[:, None], 2, width=7),
-        Part("text", r_p[:, None], 2, words="P"),
+        Part("dot", r_p[:, None], 4, width=7),
+        Part("text", r_p[:, None], 4, words="P"),
         Part("dot", r_c[:, None], INK, width=5),
         Part("text", r_c[:, None], INK, words="C"),
     ]

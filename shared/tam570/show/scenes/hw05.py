@@ -38,15 +38,15 @@ def film(student: Student) -> Film:
     rod = student.each("wireframe", states, length=LENGTH, shape=(1, 2, 2))[:, 0]
     parts = [
         Part("path", LENGTH * unit_circle(121), GREY, "the circle", width=1.5),
-        Part("lines", rod, 0, "rod", width=5),
+        Part("lines", rod, GREY, "rod", width=2),
         *tried(notes, lambda: _force(student, states, known)),
         Part("dot", np.zeros((1, 2)), INK, width=5),
         Part("dot", rod[:, 1:], 1, "particle", width=10),
     ]
     return Film(
         "Pendulum as a constrained particle",
-        "A particle on a rod falls from next to the top of its circle, swings through the bottom almost back to the top "
-        "and returns. An arrow shows the force of the rod.",
+        "A particle on a rod falls from next to the top of its circle, swings through the bottom almost back to "
+        "the top and returns. An arrow shows the force of the rod.",
         times,
         [Panel(parts)],
         tried(notes, lambda: _energy(student, times, states), lambda: _radius(times, states)),
@@ -57,9 +57,7 @@ def film(student: Student) -> Film:
 
 def _force(student: Student, states: Array, known: dict[str, Any]) -> Part:
     force = student.each("constraint_force", states, **known, shape=(2,)) / (MASS * GRAVITY)
-    return Part(
-        "arrow", moving(states[:, :2], states[:, :2] + ARROW * force), 3, "constraint force", width=2.5
-    )
+    return Part("arrow", moving(states[:, :2], states[:, :2] + ARROW * force), 3, "constraint force", width=4)
 
 
 def _energy(student: Student, times: Array, states: Array) -> Strip:

@@ -13,7 +13,7 @@ CAR: dict[str, Any] = {"mass": 1200.0, "front": 1.2, "rear": 1.4}  # kg, m, m
 TURNING: dict[str, Any] = {"yaw_inertia": 1700.0}  # kg m^2
 ROAD: dict[str, Any] = {"friction": 0.7, "gravity": 9.81}  # -, m/s^2
 SPEED, YAW_RATE = 14.0, 0.05  # m/s, rad/s: almost straight
-LANES = {"front": 3.5, "rear": -3.5}  # m
+LANES = {"front": -3.5, "rear": 3.5}  # m
 SECONDS = 6.0
 HALF_WIDTH, OVERHANG, WHEEL = 0.8, 0.7, 0.32  # m
 

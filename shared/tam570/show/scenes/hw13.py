@@ -26,18 +26,22 @@ __all__ = ["film"]
 
 BODY: dict[str, Any] = {"mass": 1.0, "radius": 0.3, "offset": 0.12, "inertia": 0.03}  # kg, m, m, kg m^2
 RAMP: dict[str, Any] = {"slope": math.radians(6.0), "gravity": 9.81}  # rad, m/s^2
+START = (0.0, 8.0)  # rad, rad/s: enough to roll over the place where the centre of mass is highest
 SECONDS = 3.0
 DOWN = np.array([math.cos(RAMP["slope"]), -math.sin(RAMP["slope"])])
 OFF = np.array([-DOWN[1], DOWN[0]])
 
 
 def film(student: Student) -> Film:
-    """Let go at rest with the centre of mass lowest."""
+    """Pushed off with the centre of mass lowest."""
     times, notes = clock(SECONDS), list[str]()
-    right = student("simulate", times, 0.0, 0.0, **BODY, **RAMP, shape=(len(times), 2))
+    right = student("simulate", times, *START, **BODY, **RAMP, shape=(len(times), 2))
     wrong = tried(notes, lambda: _naive(student, times))
-    panels = [Panel(_rolling(right[:, 0], 0, ""), "by the balance about G")]
-    panels += [Panel(_rolling(states[:, 0], 1, ""), "as M_C = I^C φ'' would have it") for states in wrong]
+    farthest = max(float(np.abs(states[:, 0]).max()) for states in (right, *wrong))
+    panels = [Panel(_rolling(right[:, 0], 0, farthest), "by the balance about G")]
+    panels += [
+        Panel(_rolling(states[:, 0], 1, farthest), "as M_C = I^C φ'' would have it") for states in wrong
+    ]
     return Film(
         "Rolling cylinder",
         "A cylinder rolls down a ramp; its centre of mass, beside its centre, draws a wavy line. Below, the same "
@@ -56,24 +60,24 @@ def _naive(student: Student, times: Array) -> Array:
     def rates(t: float, state: Array) -> tuple[float, float]:
         return state[1], float(student("naive_contact_acceleration", state[0], **BODY, **RAMP, shape=()))
 
-    return solve(rates, times, (0.0, 0.0), rtol=1e-8)
+    return solve(rates, times, START, rtol=1e-8)
 
 
-def _rolling(phi: Array, color: int, name: str) -> list[Part]:
+def _rolling(phi: Array, color: int, farthest: float) -> list[Part]:
     radius, offset = BODY["radius"], BODY["offset"]
     contact = radius * phi[:, None] * DOWN
     centre = contact + radius * OFF
     across, down = -_turned(DOWN, phi), -_turned(OFF, phi)
     mass = centre + offset * down
-    end = 1.02 * float(np.abs(contact[:, 0]).max() + radius)
+    end = radius * (farthest + 1.5)
     return [
         Part("lines", np.array([-radius * DOWN, end * DOWN]), GREY, width=3),
         Part("fill", circle(centre, radius * across, radius * down), color, faint=True),
-        Part("path", circle(centre, radius * across, radius * down), color, name, width=2.5),
+        Part("path", circle(centre, radius * across, radius * down), color, width=2.5),
         Part("lines", moving(centre, centre + radius * down), color, width=1.5),
-        Part("trail", mass[:, None], 2, name and "path of the centre of mass", width=2),
+        Part("trail", mass[:, None], 2, width=2),
         Part("dot", centre[:, None], INK, width=3),
-        Part("dot", mass[:, None], 2, "centre of mass" if color == 0 else "", width=7),
+        Part("dot", mass[:, None], 2, "centre of mass", width=7),
     ]
 
 

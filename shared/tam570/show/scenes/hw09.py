@@ -1,0 +1,79 @@
+"""hw09: the book, turned about z and x in one order and in the other, and the axis of the whole turn."""
+
+import math
+from functools import partial
+
+import numpy as np
+
+from tam570.show.drawing import axes, box_face
+from tam570.show.film import GREY, Array, Film, Panel, Part, Strip, clock, followed, strip_samples
+from tam570.show.student import Student, tried
+
+__all__ = ["film"]
+
+SIZE = np.array([1.2, 1.8, 0.3])  # m
+ORDERS = {"(a) about z, then about x": "zx", "(b) about x, then about z": "xz"}
+BEGINS, LASTS = (0.7, 2.7), 1.5  # s, of the two turns
+SECONDS = 5.5
+LARGE = 1e-9
+
+
+def film(student: Student) -> Film:
+    """Both orders side by side; the axes are fixed in space."""
+    times, notes = clock(SECONDS), list[str]()
+    turned = {title: _turns(student, times, order) for title, order in ORDERS.items()}
+    before = student("book_edges", np.eye(3), size=SIZE, shape=(12, 2, 3)).reshape(24, 3)
+    panels = []
+    for i, (title, rotations) in enumerate(turned.items()):
+        edges = student.each("book_edges", rotations, size=SIZE, shape=(12, 2, 3)).reshape(-1, 24, 3)
+        parts = [
+            *axes(1.3),
+            Part("lines", before, GREY, "before", width=1.5),
+            Part("fill", box_face(rotations, SIZE), i, faint=True),
+            Part("lines", edges, i, f"book ({'ab'[i]})", width=2.5),
+            *tried(notes, partial(_axis, student, rotations[-1])),
+        ]
+        panels.append(Panel(parts, title, ruler=False))
+    return Film(
+        "Finite rotations of a book",
+        "Two books turn by 90 degrees about two axes fixed in space, in opposite orders, and end in different "
+        "positions. Drawn through each is the axis about which one turn would bring it there.",
+        times,
+        panels,
+        [_defect(times, turned)],
+        notes=notes,
+        poster=1.0,
+    )
+
+
+def _turns(student: Student, times: Array, order: str) -> Array:
+    """(n, 3, 3) rotations: one axis after the other."""
+    angles = [math.pi / 2 * _gently((times - begin) / LASTS) for begin in BEGINS]
+    steps = [list(zip(order, pair, strict=True)) for pair in zip(*angles, strict=True)]
+    return student.each("space_sequence", steps, shape=(3, 3))
+
+
+def _gently(share: Array) -> Array:
+    """From 0 to 1 with no jerk at the ends."""
+    share = np.clip(share, 0.0, 1.0)
+    smooth: Array = share**2 * (3.0 - 2.0 * share)
+    return smooth
+
+
+def _axis(student: Student, R: Array) -> Part:
+    axis, _ = student.raw("axis_angle", R)
+    n = np.asarray(axis, dtype=float)
+    return Part("arrow", 1.4 * np.array([-n, n]), 2, "axis of the whole turn, by axis_angle()", width=2.5)
+
+
+def _defect(times: Array, turned: dict[str, Array]) -> Strip:
+    shown = strip_samples(times)
+    off = {}
+    for title, rotations in turned.items():
+        R = rotations[shown]
+        off[title[:3]] = np.abs(np.swapaxes(R, 1, 2) @ R - np.eye(3)).max(axis=(1, 2))
+    largest = max(float(one.max()) for one in off.values())
+    note = f"{'no rotation: ' if largest > LARGE else ''}at most {largest:.1e}"
+    return followed(
+        "largest element of RᵀR - I", times[shown], off, "", note, alarm=largest > LARGE, least=0.01
+    )

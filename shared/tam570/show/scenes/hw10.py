@@ -1,0 +1,174 @@
+"""hw10: a box that flips about its middle axis, its polhode, and a symmetric body with its two cones."""
+
+from typing import Any
+
+import numpy as np
+
+from tam570.show.drawing import box_face
+from tam570.show.film import (
+    GREY,
+    Array,
+    Film,
+    Panel,
+    Part,
+    Strip,
+    clock,
+    conserved,
+    moving,
+    strip_samples,
+)
+from tam570.show.student import Student, tried
+
+__all__ = ["film"]
+
+SECONDS = 16.0
+BOX = np.array([2.4, 1.6, 0.4])  # m: the moments of inertia ascend
+FLIP = np.array([0.02, 2.5, 0.0])  # rad/s: almost about the middle axis
+ROD = np.array([0.9, 0.9, 2.2])  # m: two moments are equal
+WOBBLE = np.array([1.0, 0.0, 2.5])  # rad/s
+MASS = 1.0  # kg
+UP = np.eye(3)[2]
+
+
+def film(student: Student) -> Film:
+    """Both bodies are thrown at once."""
+    times, notes = clock(SECONDS), list[str]()
+    inertia = _inertia(BOX)
+    omegas, rotations = _motion(student, times, _attitude(FLIP, inertia), FLIP, inertia)
+    panels = [Panel(_box(student, notes, rotations, omegas, inertia), "box in space", ruler=False)]
+    panels += tried(notes, lambda: _polhode(student, omegas, inertia), lambda: _cones(student, times))
+    return Film(
+        "Free rigid body",
+        "A box that spins about its middle axis flips over, and back, again and again, while its angular "
+        "momentum stays. Beside it the tip of its angular velocity, in axes of the body, runs along a curve on the energy "
+        "ellipsoid; and the cone of a symmetric body rolls on the cone in space.",
+        times,
+        panels,
+        tried(notes, lambda: _energy(student, times, omegas, inertia),
+              lambda: _momentum(student, times, omegas, rotations, inertia)),
+        view=(0.6, 0.3),
+        notes=notes,
+        poster=0.34,
+    )  # fmt: skip
+
+
+def _inertia(size: Array) -> Array:
+    """(3,) kg m^2 of a uniform box."""
+    squares = size**2
+    moments: Array = MASS * (squares.sum() - squares) / 12.0
+    return moments
+
+
+def _attitude(omega: Array, inertia: Array) -> Array:
+    """R at the start, that has the angular momentum point upwards."""
+    along = inertia * omega
+    third = along / np.linalg.norm(along)
+    first = np.cross(third, np.roll(UP, 1) if abs(third[0]) < 0.9 else UP)
+    first /= np.linalg.norm(first)
+    return np.array([first, np.cross(third, first), third])
+
+
+def _motion(student: Student, times: Array, R: Array, omega: Array, inertia: Array) -> tuple[Array, Array]:
+    result = student.raw("simulate", times, R, omega, inertia=inertia)
+    n, (omegas, rotations) = len(times), result
+    return student.checked("simulate", omegas, (n, 3)), student.checked("simulate", rotations, (n, 3, 3))
+
+
+def _box(student: Student, notes: list[str], rotations: Array, omegas: Array, inertia: Array) -> list[Part]:
+    edges = student.each("wireframe", rotations, size=BOX, shape=(12, 2, 3)).reshape(-1, 24, 3)
+    omega = _in_space(rotations, omegas)
+    reach = 1.5 / np.linalg.norm(FLIP)  # m per rad/s
+    return [
+        Part("fill", box_face(rotations, BOX), 0, faint=True),
+        Part("lines", edges, 0, "box", width=2.5),
+        *tried(notes, lambda: _momentum_arrow(student, rotations, omegas, inertia)),
+        Part("arrow", moving(np.zeros(3), reach * omega), 1, "angular velocity", width=2.5),
+        Part("trail", moving(rotations[:, :, 1] * BOX[1] / 2), 4, "end of the middle axis", width=1.2),
+    ]
+
+
+def _momentum_arrow(student: Student, rotations: Array, omegas: Array, inertia: Array) -> Part:
+    H = student.each("angular_momentum", rotations, omegas, inertia=inertia, shape=(3,))
+    return Part("arrow", moving(np.zeros(3), 1.7 * H / np.linalg.norm(H[0])), 2, "angular momentum", width=3)
+
+
+def _in_space(rotations: Array, vectors: Array) -> Array:
+    """(n, 3) vectors given in axes of the body."""
+    turned: Array = np.einsum("nij,nj->ni", rotations, vectors)
+    return turned
+
+
+def _polhode(student: Student, omegas: Array, inertia: Array) -> Panel:
+    energy = student.each("energy", omegas[:1], inertia=inertia)[0]
+    semi_axes = np.sqrt(2.0 * energy / inertia)
+    if not np.isfinite(semi_axes).all():
+        from tam570.show.student import Trouble
+
+        raise Trouble(f"energy gives {energy} J: there is no ellipsoid of it")
+    mesh = [Part("path", line * semi_axes, GREY, width=1, faint=True) for line in _sphere()]
+    names = zip("ABC", 1.15 * np.diag(semi_axes), strict=True)
+    mesh += [Part("text", end[None], GREY, words=name) for name, end in names]
+    tip = Part("dot", omegas[:, None], 1, width=6)
+    trail = Part("trail", omegas[:, None], 1, "polhode", width=2.5)
+    return Panel([*mesh, trail, tip], "energy ellipsoid, in the body", ruler=False)
+
+
+def _sphere() -> list[Array]:
+    """Circles of latitude and longitude."""
+    u = np.linspace(0.0, 2.0 * np.pi, 49)
+    meridians = [
+        np.column_stack([np.sin(u) * np.cos(a), np.sin(u) * np.sin(a), np.cos(u)])
+        for a in np.arange(6) * np.pi / 6
+    ]
+    heights = np.sin(np.arange(-2, 3) * np.pi / 6)
+    return meridians + [
+        np.column_stack([np.sqrt(1 - z * z) * np.cos(u), np.sqrt(1 - z * z) * np.sin(u), 0 * u + z])
+        for z in heights
+    ]
+
+
+def _cones(student: Student, times: Array) -> Panel:
+    """The body cone, of the directions that omega has in the body, and the space cone, of those it has in space."""
+    inertia = _inertia(ROD)
+    omegas, rotations = _motion(student, times, _attitude(WOBBLE, inertia), WOBBLE, inertia)
+    edges = student.each("wireframe", rotations, size=ROD, shape=(12, 2, 3)).reshape(-1, 24, 3)
+    length = 1.6 / np.linalg.norm(WOBBLE)
+    in_body, in_space = length * omegas, length * _in_space(rotations, omegas)
+    body_rim = _once_round(in_body, UP)
+    space_rim = _once_round(in_space, UP)
+    parts = [
+        Part("lines", edges, GREY, width=1.5),
+        *_cone(space_rim, 2, "space cone"),
+        *_cone(body_rim @ np.swapaxes(rotations, 1, 2), 0, "body cone"),
+        Part("arrow", moving(np.zeros(3), in_space), 1, width=2.5),
+    ]
+    return Panel(parts, "symmetric body, in space", ruler=False)
+
+
+def _once_round(vectors: Array, axis: Array) -> Array:
+    """(m, 3) of the vectors (n, 3) as far as they first close a turn about the axis, or all."""
+    across = np.unwrap(np.arctan2(vectors[:, 1], vectors[:, 0]))
+    beyond = np.flatnonzero(np.abs(across - across[0]) >= 2.0 * np.pi)
+    last = beyond[0] if len(beyond) else len(vectors) - 1
+    chosen: Array = vectors[np.rint(np.linspace(0, last, 37)).astype(int)]
+    return chosen
+
+
+def _cone(rim: Array, color: int, name: str) -> list[Part]:
+    """A rim, still or moving, and lines to it from the origin."""
+    spokes = rim[..., ::3, :]
+    lines = np.stack([np.zeros_like(spokes), spokes], axis=-2).reshape(*rim.shape[:-2], -1, 3)
+    return [Part("path", rim, color, name, width=2), Part("lines", lines, color, width=1)]
+
+
+def _energy(student: Student, times: Array, omegas: Array, inertia: Array) -> Strip:
+    shown = strip_samples(times)
+    energy = student.each("energy", omegas[shown], inertia=inertia)
+    return conserved("energy of the box, change", times[shown], {"": energy}, abs(energy[0]) or 1.0, "itself")
+
+
+def _momentum(student: Student, times: Array, omegas: Array, rotations: Array, inertia: Any) -> Strip:
+    shown = strip_samples(times)
+    H = student.each("angular_momentum", rotations[shown], omegas[shown], inertia=inertia, shape=(3,))
+    size = float(np.linalg.norm(H[0])) or 1.0
+    return conserved("angular momentum in space, change", times[shown], {"": H}, size, "itself")
