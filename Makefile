@@ -25,6 +25,7 @@ verify: $(VENV)/ready bubblewrap
 	$(BIN)/python benchmarks/autograde.py
 	$(BIN)/python benchmarks/rotations.py
 	$(BIN)/python benchmarks/run_time_against_error.py
+	$(BIN)/python benchmarks/run_time_for_pages.py
 
 $(VENV)/ready: pyproject.toml
 	@echo "Making $(VENV) and installing the course with all that its tests need (a few minutes, once)"

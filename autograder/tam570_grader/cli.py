@@ -78,6 +78,7 @@ def _add_grade(commands: Commands) -> argparse.ArgumentParser:
         metavar="S",
         help="of the hidden inputs (default: that of --out, else random)",
     )
+    add("--speed", action="store_true", help="also measure the run time of simulations, for the pages")
     add("--assignment", metavar="SLUG", help="which one it is, where the names do not tell")
     add("--only", nargs="+", metavar="SLUG", help="grade these assignments alone")
     for name, unit, default, what in (
@@ -148,7 +149,7 @@ def _grade(arguments: argparse.Namespace) -> int:
         *([arguments.out.resolve()] if book else []),
     ]
     _warn_of_isolation()
-    plan = Plan(course, found, seed, arguments.jobs, allowance, hidden)
+    plan = Plan(course, found, seed, arguments.jobs, allowance, hidden, arguments.speed)
     done: list[dict[str, Any]] = []
     try:
         with contextlib.closing(book) if book else contextlib.nullcontext():

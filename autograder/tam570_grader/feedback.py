@@ -67,6 +67,7 @@ def page(record: Record, sheet: Sheet) -> str:
         parts=parts,
         manual=[(letter, _points(points), what) for letter, (points, what) in sheet.manual.items()],
         first=next(iter([*told, *wrong]), None),
+        among=_among(record),
     )
     return text
 
@@ -128,6 +129,15 @@ def _pictures(curve: Any) -> list[Any]:
     from tam570_grader.pictures import picture
 
     return [picture(one) for one in (curve, curve.get("keeps")) if one]
+
+
+def _among(record: Record) -> Any:
+    """The student's run time among the methods, if it was measured."""
+    if not record.get("speed"):
+        return None
+    from tam570_grader.pictures import among
+
+    return among(record["assignment"], record["speed"])
 
 
 def write_pages(folder: Path, records: Iterable[Record], course: Path) -> None:

@@ -3,7 +3,7 @@
 import time
 import zlib
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -13,6 +13,7 @@ from tam570_grader.curves import Curve
 from tam570_grader.launch import isolation
 from tam570_grader.root import Assignment
 from tam570_grader.sandbox import Worker, WorkerLost
+from tam570_grader.speed import Speed, Yardstick
 from tam570_grader.student import BudgetSpent, Call, NotLoaded, NotWritten, Source, Student
 
 __all__ = ["Mark", "Result", "failed_by_us", "graded", "not_graded"]
@@ -50,23 +51,38 @@ class Result:
     isolation: str
     checks: tuple[Mark, ...]
     message: str = ""
+    speed: Speed | None = None
 
     def record(self) -> dict[str, Any]:
-        """The result line as plain data."""
-        return {key: value for key, value in asdict(self).items() if value != "" or key != "message"}
+        """The result line as plain data; a message or a speed that there is not is left out."""
+        optional = {"message": "", "speed": None}
+        return {
+            key: value for key, value in asdict(self).items() if key not in optional or value != optional[key]
+        }
 
 
-def graded(name: str, source: Source, assignment: Assignment, worker: Worker, seed: int) -> Result:
-    """Grade one submission of the student `name`; the same submission and seed give the same score."""
+def graded(
+    name: str,
+    source: Source,
+    assignment: Assignment,
+    worker: Worker,
+    seed: int,
+    yardstick: Yardstick | None = None,
+) -> Result:
+    """Grade one submission of the student `name`; the same submission and seed give the same score.
+
+    yardstick : measures the speed of the simulation too, when all is graded
+    """
     started = time.perf_counter()
     student = Student(source, assignment, worker)
     marks: dict[str, Mark] = {}
-    status, message = "graded", ""
+    status, message, speed = "graded", "", None
     try:
         student.load()
         for check in assignment.checks:
             marks[check.name] = _mark(check, student, assignment, seed, marks)
         message = _skipped(student.skipped)
+        speed = yardstick.speed(student, assignment, worker) if yardstick else None
     except NotLoaded as failure:
         status, message = failure.status, str(failure)
     except BudgetSpent:
@@ -77,7 +93,8 @@ def graded(name: str, source: Source, assignment: Assignment, worker: Worker, se
     finally:
         student.leave()
     rest = tuple(marks.get(check.name) or _not_run(check, message) for check in assignment.checks)
-    return _result(name, assignment, status, seed, time.perf_counter() - started, rest, message)
+    seconds = time.perf_counter() - started
+    return replace(_result(name, assignment, status, seed, seconds, rest, message), speed=speed)
 
 
 def not_graded(name: str, assignment: Assignment, status: str, message: str, seed: int) -> Result:

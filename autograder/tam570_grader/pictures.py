@@ -1,17 +1,19 @@
 """Curves as drawings for a page: places in a frame, ticks, and the words that say the same."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from tam570_grader.curves import Curve
+from tam570_grader.speed import Speed, scenes, time_to
 
-__all__ = ["Picture", "picture"]
+__all__ = ["Among", "Picture", "among", "picture"]
 
 WIDTH, HEIGHT = 360, 200  # of the drawing, in its own unit: a phone's pixel
 LEFT, RIGHT, TOP, BOTTOM = 52, 350, 10, 166  # of the frame
 DOT = 20  # up to so many samples are marked one by one
+LAST = 268  # of the frame where the names of curves stand to the right of it
 NARROW = 3  # of the frame's height, units: a band below that is a line
 
 
@@ -28,6 +30,83 @@ class Picture:
     x: Sequence[tuple[float, str]]  # ticks
     y: Sequence[tuple[float, str]]
     along: str = "t (s)"
+
+
+@dataclass(frozen=True)
+class Among:
+    """A student's point among the curves of the methods, run time over error."""
+
+    caption: str
+    says: str
+    paths: Sequence[tuple[str, str]]  # name and path
+    names: Sequence[tuple[float, str]]  # where the names stand
+    point: tuple[float, float]
+    machine: float  # this machine's time over that of the curves
+    x: Sequence[tuple[float, str]]
+    y: Sequence[tuple[float, str]]
+
+
+def among(slug: str, speed: Speed) -> Among:
+    """The picture of run time against error; smaller errors to the right, as in the benchmark's."""
+    curves = {
+        name: [(machine_seconds * speed["machine"], error) for machine_seconds, error in curve]
+        for name, curve in scenes()[slug]["curves"].items()
+    }
+    everything = [
+        (speed["seconds"], speed["error"]),
+        *(point for curve in curves.values() for point in curve),
+    ]
+    seconds, errors = (
+        [math.log10(numbers) for numbers in column] for column in zip(*everything, strict=True)
+    )
+    x0, x1, y0, y1 = (
+        math.floor(min(errors)),
+        math.ceil(max(errors)),
+        math.floor(min(seconds)),
+        math.ceil(max(seconds)),
+    )
+
+    def place(point: tuple[float, float]) -> tuple[float, float]:
+        across = (x1 - math.log10(point[1])) / (x1 - x0)
+        return round(LEFT + (LAST - LEFT) * across, 1), round(_up(math.log10(point[0]), y0, y1), 1)
+
+    known = {name: [place(point) for point in curve] for name, curve in curves.items() if curve}
+    own = place((speed["seconds"], speed["error"]))
+    decades = range(x1, x0 - 1, -max(1, math.ceil((x1 - x0) / 6)))
+    return Among(
+        caption=f"Run time against error of {speed['function']}, scene: {speed['scene']}.",
+        says=_compared(speed, curves),
+        paths=[(name, _path(places)) for name, places in known.items()],
+        names=_spread([(places[-1][1], name) for name, places in known.items()]),
+        point=own,
+        machine=speed["machine"],
+        x=[(LEFT + (LAST - LEFT) * (x1 - k) / (x1 - x0), f"1e{k}") for k in decades],
+        y=[(round(_up(k, y0, y1), 1), f"1e{k}") for k in range(y0, y1 + 1)],
+    )
+
+
+def _compared(speed: Speed, curves: Mapping[str, Sequence[tuple[float, float]]]) -> str:
+    """The student's numbers and what the methods take to the same error."""
+    times = {name: time_to(speed["error"], curve) for name, curve in curves.items()}
+    others = [
+        f"{name} {time:.2g} s" if time else f"{name} does not get there" for name, time in times.items()
+    ]
+    return (
+        f"Yours takes {speed['seconds']:.2g} s of processor time to an error of {speed['error']:.0e} at the end. "
+        f"To the same error: {', '.join(others)}."
+    )
+
+
+def _spread(names: Sequence[tuple[float, str]]) -> list[tuple[float, str]]:
+    """The names from the top down, each clear of the one above."""
+    found: list[tuple[float, str]] = []
+    for place, name in sorted(names):
+        found.append((max(place, found[-1][0] + 12 if found else TOP + 4), name))
+    return found
+
+
+def _path(places: Sequence[tuple[float, float]]) -> str:
+    return "M" + " L".join(f"{x:.1f} {y:.1f}" for x, y in places)
 
 
 def picture(curve: Curve) -> Picture:
@@ -88,7 +167,7 @@ def _picture(
     return Picture(
         caption=f"{caption}{unit}.",
         says=f"From t = {first:g} s to {last:g} s. {says} {allowed.capitalize()}.",
-        path="M" + " L".join(f"{x:.1f} {y:.1f}" for x, y in places),
+        path=_path(places),
         dots=[(round(x, 1), round(y, 1)) for x, y in places] if len(places) <= DOT else [],
         band=(round(band[0], 1), round(band[1], 1)),
         limit=allowed if band[1] >= NARROW else f"{allowed}, too narrow to see",

@@ -17,6 +17,7 @@ from tam570_grader.book import Book, Record
 from tam570_grader.grade import Result, failed_by_us, graded, not_graded
 from tam570_grader.root import Assignment
 from tam570_grader.sandbox import Allowance, Worker, WorkerLost
+from tam570_grader.speed import Yardstick
 from tam570_grader.student import Source
 from tam570_grader.submissions import CannotRead, Submission, read
 
@@ -36,6 +37,7 @@ class Plan:
     jobs: int
     allowance: Allowance
     hidden: Sequence[Path] = ()
+    speed: bool = False  # measure run time against error too
 
 
 def records(plan: Plan, book: Book | None = None) -> Iterator[Record]:
@@ -68,6 +70,7 @@ def graded_sources(
     for worker in everyone:
         workers.put(worker)
     ended = threading.Event()
+    yardstick = Yardstick(plan.course) if plan.speed else None
 
     def grade(submission: Submission, source: Source | CannotRead) -> Result:
         assignment = _assignment(plan, submission)
@@ -78,7 +81,7 @@ def graded_sources(
         try:
             for _ in range(TRIES):
                 try:
-                    return graded(submission.student, source, assignment, worker, plan.seed)
+                    return graded(submission.student, source, assignment, worker, plan.seed, yardstick)
                 except WorkerLost as lost:
                     error = str(lost)
                     if ended.is_set():
@@ -147,7 +150,8 @@ def _digest(engine: bytes, plan: Plan, submission: Submission, source: Source | 
 
 def _engine_digest(plan: Plan) -> bytes:
     """Of the seed, the limits, the grader, and the utilities that students call."""
-    digest = hashlib.sha256(repr((plan.seed, plan.allowance, np.__version__)).encode())
+    asked = (plan.seed, plan.allowance, np.__version__, *(("speed",) if plan.speed else ()))
+    digest = hashlib.sha256(repr(asked).encode())
     for package in (Path(__file__).parent, Path(tam570.__file__).parent):
         for path in sorted(package.rglob("*.py")):
             digest.update(path.read_bytes())

@@ -175,6 +175,14 @@ class Cell:
         except Unreadable:
             raise CellLost from None
 
+    def seconds(self) -> float:
+        """The CPU seconds that the prisoner has used so far, by the kernel's clock; CellLost if its guard has gone."""
+        try:
+            self._leash.sendall(b"c")
+            return float(self._leash_line().split()[0])
+        except (OSError, IndexError):
+            raise CellLost from None
+
     def end(self) -> float:
         """Kill the prisoner; the CPU seconds it has used. A guard that does not answer has died with its worker."""
         try:
@@ -222,9 +230,8 @@ class Cell:
     def _overdue(self, started: float) -> bool:
         """Whether a call has had its CPU time, or uses none: on a busy machine its time on the wall says little."""
         try:
-            self._leash.sendall(b"c")
-            cpu = float(self._leash_line().split()[0])
-        except (OSError, IndexError):
+            cpu = self.seconds()
+        except CellLost:
             return True
         now = time.monotonic()
         since, cpu_then = max(self._looked_at, (started, 0.0))

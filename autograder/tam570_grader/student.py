@@ -69,6 +69,10 @@ class Student:
         """Import the submission, or raise NotLoaded."""
         self._cell(())
 
+    def seconds(self) -> float:
+        """CPU seconds that the submission has used."""
+        return self._cpu + sum(cell.seconds() for cell in self._cells.values())
+
     def leave(self) -> None:
         """End the submission's processes."""
         for cell in self._cells.values():
@@ -91,9 +95,8 @@ class Student:
         except CellTimeout:
             self._end(uncallable, name, f"{name} did not return within {self._worker.allowance.call:g} s")
         except CellLost:
-            self._end(
-                uncallable, name, f"{name} ended its process: it exited, crashed or used too much memory"
-            )
+            how = "it exited, crashed or used too much memory"
+            self._end(uncallable, name, f"{name} ended its process: {how}")
         return replies
 
     def _end(self, uncallable: tuple[str, ...], name: str, message: str) -> None:
@@ -134,17 +137,15 @@ class Student:
             )  # fmt: skip
             reply = cell.receive()
         except CellTimeout:
-            raise NotLoaded(
-                "timeout", "importing the file took too long: does it run a simulation by itself?"
-            ) from None
+            slow = "importing the file took too long: does it run a simulation by itself?"
+            raise NotLoaded("timeout", slow) from None
         except CellLost:
             raise NotLoaded("crashed", "importing the file ended its process") from None
         if not isinstance(reply, dict) or "error" in reply:
             raise _not_loaded(_error(reply), self._assignment)
         self._defined = set(reply["defined"]) if _strings(reply.get("defined")) else set()
-        self.skipped = (
-            [text[:100] for text in reply["skipped"][:50]] if _strings(reply.get("skipped")) else []
-        )
+        skipped = reply["skipped"] if _strings(reply.get("skipped")) else []
+        self.skipped = [text[:100] for text in skipped[:50]]
 
 
 @dataclass(frozen=True)
