@@ -306,27 +306,33 @@ def no_turn_has_a_unit_axis(student, draw):
 
 @check(points=0.25, part="a", after=axis_and_angle_are_those_of_the_matrix)
 def what_is_no_rotation_is_refused(student, draw):
-    """axis_angle raises ValueError for what is no rotation, and takes one that is off by 1e-7."""
+    """axis_angle raises ValueError for what is no rotation, and takes one with R^T R off by 7e-7."""
     R, noise = a_rotation(draw), draw.uniform(0.3, 1, (3, 3)) * draw.choice([-1, 1], (3, 3))
-    near = R + 1e-7 * noise  # R^T R - I is 6e-7 at most
+    near = off_by(R, draw, 7e-7)
     axis, angle = student.axis_angle(near)
     right = by_arctangent(near)
-    # the two parts of R tell angles and axes that differ by the size of the noise
-    expect(
-        [*axis, angle],
-        [*right[0], right[1]],
-        within=2e-6,
-        of="axis or angle",
-        at=near,
-        kind="a matrix off by 1e-7",
-    )
-    for matrix, kind in no_rotations(R, noise):
+    # the two parts of R tell angles and axes that differ by the size of the shear
+    expect([*axis, angle], [*right[0], right[1]], within=5e-6, of="axis or angle", at=near,
+           kind="a matrix with R^T R off by 7e-7")  # fmt: skip
+    for matrix, kind in no_rotations(R, noise, draw):
         expect_that(
             student.axis_angle.refuses(matrix), "axis_angle does not raise ValueError", kind=kind, at=matrix
         )
 
 
-def no_rotations(R, noise):
+def off_by(R, draw, defect):
+    """R sheared: max abs(R^T R - I) is `defect`, and that of R R^T - I, which some take, within a tenth of it."""
+    while True:
+        shear = draw.uniform(-1, 1, (3, 3))
+        shear = (shear + shear.T) * (
+            1 - np.eye(3)
+        )  # the diagonal stays out: allclose allows 1e-5 beside a one
+        ours, theirs = np.abs(shear).max(), np.abs(R @ shear @ R.T).max()
+        if abs(theirs / ours - 1) < 0.1:
+            return R @ (np.eye(3) + 0.5 * defect / ours * shear)
+
+
+def no_rotations(R, noise, draw):
     """Matrices to refuse, and what each is."""
     holed, infinite = R.copy(), R.copy()
     holed[0, 1], infinite[2, 0] = np.nan, np.inf
@@ -339,6 +345,7 @@ def no_rotations(R, noise):
             R @ (np.eye(3) + 1e-5 * np.array([[0, 1, 0], [1, 0, 0], [0, 0, 0]])),
             "a rotation with a shear of 1e-5",
         ),
+        (off_by(R, draw, 1.5e-6), "a matrix with R^T R off by 1.5e-6"),
         (noise, "a matrix of random numbers"),
         (np.zeros((3, 3)), "the zero matrix"),
         (holed, "a matrix with a NaN"),

@@ -279,7 +279,7 @@ def euler_rates_make_omega(student, draw):
                hint="omega is psi' along space z, theta' along the line of nodes, phi' along body z")  # fmt: skip
 
 
-UNDETERMINED = {"theta = 0": 0.0, "theta = pi": math.pi, "theta = -pi": -math.pi, "theta next to 0": 1e-13}
+UNDETERMINED = {"theta = 0": 0.0, "theta = pi": math.pi, "theta = -pi": -math.pi, "theta next to 0": 7e-13}
 
 
 @check(points=0.25, part="a", after=euler_rates_make_omega)
@@ -290,10 +290,11 @@ def euler_rates_are_refused_where_undetermined(student, draw):
     for kind, theta in UNDETERMINED.items():
         expect_that(student.euler_rates_313.refuses(np.array([psi, theta, phi]), omega),
                     "euler_rates_313 does not raise ValueError", kind=kind)  # fmt: skip
-    for theta in (1e-8, math.pi - 1e-8):
+    for theta in (1.4e-12, -1.4e-12, 1e-8, math.pi - 1e-8):
         found = student.euler_rates_313(np.array([psi, theta, phi]), omega)
         expect(omega_of_rates([psi, theta, phi]) @ found, omega, within=POINTWISE, scale=np.abs(found).max(),
-               of="omega of the rates", unit="of the largest rate", kind="sin theta = 1e-8")  # fmt: skip
+               of="omega of the rates", unit="of the largest rate", kind="sin theta small, but not below 1e-12",
+               hint="which angles are refused? theta may be negative")  # fmt: skip
 
 
 # Motions

@@ -2,7 +2,8 @@
 
 import sys
 import tomllib
-from collections.abc import Iterator, Sequence
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
 from tam570_grader.book import Record
@@ -16,17 +17,21 @@ __all__ = ["run"]
 
 ALLOWANCE = Allowance(cpu=20, call=2)  # solutions take hundredths of a second a call; a slip may never end
 QUICK = 10  # mutants of an assignment in the quick form
+FATES = KILLED, EQUIVALENT, SURVIVES = "killed", "equivalent", "survive"
 
 
 def run(course: Path, slugs: Sequence[str], *, jobs: int, quick: bool) -> int:
-    """Print what became of the mutants; the exit code is 1 if one survives that is not known to be equivalent."""
-    survivors = 0
+    """Print what became of the mutants; 1 if one survives that is not listed, or one is listed that does not."""
+    faults = 0
     for slug in slugs:
         found = mutants(slug, (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8"))
         chosen = found[:: max(1, len(found) // QUICK)] if quick else found
         outcome = dict(_graded(course, chosen, jobs))
-        survivors += _report(slug, chosen, outcome, _equivalents(course))
-    return 1 if survivors else 0
+        listed = {name: why for name, why in _equivalents(course).items() if name.startswith(slug[:4])}
+        faults += _report(slug, chosen, outcome, listed)
+        if not quick:
+            faults += _report_of_idle_lines(listed, chosen, outcome)
+    return 1 if faults else 0
 
 
 def _graded(course: Path, chosen: Sequence[Mutant], jobs: int) -> Iterator[tuple[str, Record]]:
@@ -45,33 +50,55 @@ def _graded(course: Path, chosen: Sequence[Mutant], jobs: int) -> Iterator[tuple
 def _report(
     slug: str, chosen: Sequence[Mutant], outcome: dict[str, Record], equivalent: dict[str, str]
 ) -> int:
-    """Print the counts and the survivors of an assignment; how many survive."""
-    alive = [mutant for mutant in chosen if _survives(outcome[mutant.name])]
-    unknown = [mutant for mutant in alive if mutant.name not in equivalent]
-    known = len(alive) - len(unknown)
-    counts = f"{len(chosen) - len(alive)} killed, {known} equivalent, {len(unknown)} survive"
-    print(f"{slug}: {len(chosen)} mutants, {counts}")
-    for mutant in unknown:
-        print(f"  {mutant.name} line {mutant.line}: {mutant.was} -> {mutant.now}")
-    for name in _unneeded(outcome):
-        print(f"  no mutant needs {name}")
+    """Print the counts by function and check, and the survivors of an assignment; how many survive."""
+    fates = {mutant.name: _fate(outcome[mutant.name], mutant.name in equivalent) for mutant in chosen}
+    counts = Counter(fates.values())
+    print(f"{slug}: {len(chosen)} mutants, " + ", ".join(f"{counts[fate]} {fate}" for fate in FATES))
+    for function in dict.fromkeys(mutant.function for mutant in chosen):
+        of_it = Counter(fates[mutant.name] for mutant in chosen if mutant.function == function)
+        print(f"  {function:<34}" + "".join(f"{of_it[fate]:>6} {fate}" for fate in FATES if of_it[fate]))
+    for check, (first, alone) in _catches(outcome.values()).items():
+        print(
+            f"  {check:<48} first to catch {first}, alone {alone}" + ("" if alone else ": no mutant needs it")
+        )
+    for mutant in (mutant for mutant in chosen if fates[mutant.name] == SURVIVES):
+        print(f"  SURVIVES {mutant.name} line {mutant.line}: {mutant.was} -> {mutant.now}")
     sys.stdout.flush()
-    return len(unknown)
+    return counts[SURVIVES]
+
+
+def _report_of_idle_lines(
+    listed: dict[str, str], chosen: Sequence[Mutant], outcome: dict[str, Record]
+) -> int:
+    """Print the listed equivalents that are no longer made, or lose points; how many they are."""
+    made = {mutant.name for mutant in chosen}
+    idle = [name for name in listed if name not in made or not _survives(outcome[name])]
+    for name in idle:
+        print(
+            f"  LISTED IN VAIN {name}: " + ("it loses points" if name in made else "there is no such mutant")
+        )
+    return len(idle)
+
+
+def _fate(record: Record, listed: bool) -> str:
+    return KILLED if not _survives(record) else EQUIVALENT if listed else SURVIVES
 
 
 def _survives(record: Record) -> bool:
     return bool(record["score"] == record["max_score"])
 
 
-def _unneeded(outcome: dict[str, Record]) -> list[str]:
-    """Checks without which every mutant would still lose points."""
-    losses = [
-        [mark["name"] for mark in record["checks"] if mark["outcome"] == "failed"]
-        for record in outcome.values()
-    ]
-    alone = {names[0] for names in losses if len(names) == 1}
-    some = next(iter(outcome.values()), None)
-    return [mark["name"] for mark in some["checks"] if mark["name"] not in alone] if some else []
+def _catches(records: Iterable[Record]) -> dict[str, tuple[int, int]]:
+    """For each check the number of mutants that it is the first to catch, and that it alone catches."""
+    first: Counter[str] = Counter()
+    alone: Counter[str] = Counter()
+    names: list[str] = []
+    for record in records:
+        names = [mark["name"] for mark in record["checks"]]
+        failed = [mark["name"] for mark in record["checks"] if mark["outcome"] == "failed"]
+        first.update(failed[:1])
+        alone.update(failed if len(failed) == 1 else [])
+    return {name: (first[name], alone[name]) for name in names}
 
 
 def _equivalents(course: Path) -> dict[str, str]:

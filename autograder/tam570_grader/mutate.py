@@ -25,7 +25,7 @@ OPPOSITES: dict[type[ast.AST], type[ast.AST]] = {
     ast.And: ast.Or, ast.Or: ast.And,
 }  # fmt: skip
 Node = TypeVar("Node", bound=ast.AST)
-COPIES = ("copy", "array", "asarray")
+SYMMETRIC = {"dot", "hypot", "max", "maximum", "min", "minimum", "multiply"}  # functions of two arguments
 
 
 @dataclass(frozen=True)
@@ -72,16 +72,21 @@ def _replaced(source: str, node: ast.expr, text: str) -> str:
 
 
 def _slips(function: ast.FunctionDef) -> Iterator[tuple[ast.expr, ast.expr]]:
-    """Every expression of a function's body beside what a slip makes of it."""
-    messages = {
-        id(inner) for node in ast.walk(function) if isinstance(node, ast.Raise) for inner in ast.walk(node)
-    }
+    """Every expression of a function's body beside what a slip makes of it; messages and tolerances are no physics."""
+    spared = {id(inner) for node in ast.walk(function) if _is_spared(node) for inner in ast.walk(node)}
+    inputs = {argument.arg for argument in (*function.args.args, *function.args.kwonlyargs)}
     for statement in function.body:
         for node in ast.walk(statement):
-            if isinstance(node, ast.expr) and id(node) not in messages:
+            if isinstance(node, ast.expr) and id(node) not in spared:
                 for operator in OPERATORS:
                     for slip in operator(node):
                         yield node, slip
+                for slip in _copies(node, inputs):
+                    yield node, slip
+
+
+def _is_spared(node: ast.AST) -> bool:
+    return isinstance(node, ast.Raise) or (isinstance(node, ast.keyword) and node.arg == "rtol")
 
 
 def _signs(node: ast.expr) -> Iterator[ast.expr]:
@@ -122,19 +127,24 @@ def _factors(node: ast.expr) -> Iterator[ast.expr]:
 
 
 def _counterparts(node: ast.expr) -> Iterator[ast.expr]:
-    """sin becomes cos, and so on; a copy becomes what it copied."""
-    if not isinstance(node, ast.Call):
-        return
-    if isinstance(node.func, ast.Attribute) and node.func.attr in COUNTERPARTS:
+    """sin becomes cos, and so on."""
+    if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr in COUNTERPARTS:
         yield _with(node, func=_with(node.func, attr=COUNTERPARTS[node.func.attr]))
-    if isinstance(node.func, ast.Attribute) and node.func.attr in COPIES and len(node.args) == 1:
-        yield node.args[0]
-    if isinstance(node.func, ast.Attribute) and node.func.attr == "copy" and not node.args:
-        yield node.func.value
+
+
+def _copies(node: ast.expr, inputs: set[str]) -> Iterator[ast.expr]:
+    """A copy of an input becomes the input."""
+    if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
+        if node.func.attr == "array" and len(node.args) == 1 and getattr(node.args[0], "id", None) in inputs:
+            yield node.args[0]
+        if node.func.attr == "copy" and not node.args:
+            yield node.func.value
 
 
 def _arguments(node: ast.expr) -> Iterator[ast.expr]:
     """Neighbouring arguments, or parts of a tuple, change places."""
+    if isinstance(node, ast.Call) and _name_of(node.func) in SYMMETRIC:
+        return
     for field in ("args", "elts"):
         parts = getattr(node, field, [])
         if any(isinstance(part, ast.Slice) for part in parts):
@@ -187,6 +197,10 @@ def _with(node: Node, **fields: object) -> Node:
 
 def _times(number: int, node: ast.expr) -> ast.expr:
     return ast.BinOp(ast.Constant(number), ast.Mult(), node)
+
+
+def _name_of(function: ast.expr) -> str:
+    return getattr(function, "attr", getattr(function, "id", ""))
 
 
 def _number(node: ast.Constant) -> float:
