@@ -15,7 +15,7 @@ from tam570_grader.submissions import Submission
 
 __all__ = ["run"]
 
-ALLOWANCE = Allowance(cpu=20, call=2)  # solutions take hundredths of a second a call; a slip may never end
+ALLOWANCE = Allowance(cpu=10, call=1)  # solutions take hundredths of a second a call; a slip may never end
 QUICK = 10  # mutants of an assignment in the quick form
 FATES = KILLED, EQUIVALENT, SURVIVES = "killed", "equivalent", "survive"
 
@@ -37,7 +37,9 @@ def run(course: Path, slugs: Sequence[str], *, jobs: int, quick: bool) -> int:
 def _graded(course: Path, chosen: Sequence[Mutant], jobs: int) -> Iterator[tuple[str, Record]]:
     from tqdm import tqdm
 
-    plan = Plan(course, [], 570, jobs, ALLOWANCE, [course])
+    plan = Plan(
+        course, [], 570, jobs, ALLOWANCE, [course], enough=2
+    )  # one tells less: was it caught by that alone?
     work = [
         (Submission(mutant.name, mutant.slug, None, course), Source(mutant.text.encode()), mutant.name)
         for mutant in chosen

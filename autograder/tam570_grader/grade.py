@@ -68,10 +68,12 @@ def graded(
     worker: Worker,
     seed: int,
     yardstick: Yardstick | None = None,
+    enough: int | None = None,
 ) -> Result:
     """Grade one submission of the student `name`; the same submission and seed give the same score.
 
     yardstick : measures the speed of the simulation too, when all is graded
+    enough    : failed checks after which the rest is not run
     """
     started = time.perf_counter()
     student = Student(source, assignment, worker)
@@ -81,6 +83,8 @@ def graded(
         student.load()
         for check in assignment.checks:
             marks[check.name] = _mark(check, student, assignment, seed, marks)
+            if enough and sum(mark.outcome == "failed" for mark in marks.values()) >= enough:
+                break
         message = _skipped(student.skipped)
         speed = yardstick.speed(student, assignment, worker) if yardstick else None
     except NotLoaded as failure:

@@ -38,6 +38,7 @@ class Plan:
     allowance: Allowance
     hidden: Sequence[Path] = ()
     speed: bool = False  # measure run time against error too
+    enough: int | None = None  # failed checks after which the rest of a submission's are not run
 
 
 def records(plan: Plan, book: Book | None = None) -> Iterator[Record]:
@@ -81,7 +82,9 @@ def graded_sources(
         try:
             for _ in range(TRIES):
                 try:
-                    return graded(submission.student, source, assignment, worker, plan.seed, yardstick)
+                    return graded(
+                        submission.student, source, assignment, worker, plan.seed, yardstick, plan.enough
+                    )
                 except WorkerLost as lost:
                     error = str(lost)
                     if ended.is_set():
