@@ -12,7 +12,7 @@ README = """# Your kit for Intermediate Dynamics
 
 You need Python 3.11 or newer. In this folder:
 
-    python -m venv dynamics
+    python3 -m venv dynamics           # on Windows: python -m venv dynamics
     . dynamics/bin/activate            # on Windows: dynamics\\Scripts\\activate
     pip install {wheel}
 
@@ -21,6 +21,7 @@ Then, wherever you want to work:
     tam570 list                        # the assignments
     tam570 start hw08                  # makes a folder with the problem, the file to fill in, and tests
     tam570 check hw08                  # runs the tests on what you have written so far
+    tam570 check hw08 --watch          # runs those that a change concerns, each time you save
     tam570 hint hw08 rotation_matrix   # a first hint; ask again for the next one
 
 Fill in the functions of `hw08_axis_angle.py`; everything asked for is in the README beside it. Hand in that

@@ -149,7 +149,7 @@ def _drift(curve: Curve) -> Picture:
         says,
         places,
         (top, max(bottom - top, 0.0)),
-        _apart([(_up(value, low, high), f"{value:.0e}" if value else "0") for value in (0.0, *_ends(known))]),
+        _apart([(_up(value, low, high), f"{value:.1g}") for value in (0.0, *_ends(known))]),
     )
 
 
