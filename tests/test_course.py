@@ -102,12 +102,14 @@ def assert_the_notebook_runs(course, work):
         solution = (course / "solutions" / f"{slug}.py").read_text()
         cells = run_top_to_bottom(work(slug, stub(solution)), slug)
         for cell in cells:
-            if cell["id"].startswith(("part-", "picture-")):
+            if cell["id"].startswith(("part-", "picture-", "scene")):
                 assert any(word in said([cell]) for word in MISSING), cell
         cells = run_top_to_bottom(work(slug, solution), slug)
         assert not [word for word in ("Nothing to see", "This stopped", "\n- ") if word in said(cells)]
         for cell in cells:
-            assert not cell["id"].startswith(("picture-", "scene")) or cell["outputs"]
+            assert not cell["id"].startswith("picture-") or cell["outputs"]
+        (moving,) = next(cell for cell in cells if cell["id"] == "scene")["outputs"]
+        assert "<iframe" in "".join(moving["data"]["text/html"])
 
     return assert_the_notebook_runs
 
