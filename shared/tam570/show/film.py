@@ -156,7 +156,7 @@ def conserved(
     shown = {**judged, **others}
     half = 1.1 * max(100.0 * LEAST_SPAN / 1.1, *(float(np.abs(curve).max()) for curve in shown.values()))
     alarm = largest > LARGE
-    note = f"{'not conserved: ' if alarm else ''}relative drift {largest:.1e} of {of}"
+    note = f"{'not conserved: ' if alarm else ''}relative drift {largest:.2g} of {of}"
     return Strip(title, times, shown, (-half, half), "%", note, alarm)
 
 

@@ -71,9 +71,11 @@ class Student:
             name, lambda function: [function(*row, **known) for row in zip(*rows, strict=True)]
         )
         try:  # all at once: one by one takes longer than the student's function
-            values = np.array(results, dtype=float)
-        except (TypeError, ValueError):
+            values = np.array(results)
+        except ValueError:  # of different shapes
             values = np.array([_numbers(name, result, shape) for result in results])
+        if values.shape[1:] != tuple(shape):
+            _numbers(name, results[0], shape)
         return self._finite(name, _numbers(name, values, (len(results), *shape)))
 
     def _guarded(self, name: str, use: Callable[[Callable[..., Any]], Any]) -> Any:
@@ -102,7 +104,9 @@ class Student:
 def _numbers(name: str, result: Any, shape: Sequence[int] | None) -> Array:
     try:
         values = np.asarray(result)
-        if values.dtype.kind == "c":
+        if values.dtype.kind == "O":  # of SymPy, say
+            values = np.reshape([float(value) for value in values.ravel()], values.shape)
+        if values.dtype.kind not in "biuf":
             raise TypeError
         values = values.astype(float)
     except (TypeError, ValueError):

@@ -57,11 +57,8 @@ function fitted(canvas) {
   return {context, width, height};
 }
 
-// What a panel takes, in half pixels of the large screen; one in space whatever the azimuth.
-function sizeNow({size: [width, height], flat}) {
-  if (flat || !camera) return [width || 1, height || 1];
-  return [width || 1, height * Math.cos(camera.elevation) + width * Math.abs(Math.sin(camera.elevation)) || 1];
-}
+// What a panel takes, in half pixels of the large screen.
+const sizeNow = ({size, flat}) => (flat ? size : sizeSeen(size)).map((side) => side || 1);
 
 // The rectangles of the panels, in the grid of rows and columns in which they are largest.
 const MARGIN = 14, TITLE = 20;
@@ -76,7 +73,7 @@ function layout(width, height) {
   }
   return film.panels.map((panel, i) => ({
     panel, scale: best.scales[i], left: (i % best.columns) * best.w, top: Math.floor(i / best.columns) * best.h,
-    bottom: (Math.floor(i / best.columns) + 1) * best.h,
+    width: best.w, bottom: (Math.floor(i / best.columns) + 1) * best.h,
     x: (i % best.columns + 0.5) * best.w, y: (Math.floor(i / best.columns) + 0.5) * best.h + titled / 2,
   }));
 }
@@ -173,7 +170,7 @@ function drawStill() {
     for (const part of frame.panel.parts) if (!moves(part)) drawPart(context, frame, part, 0, 0);
     context.fillStyle = colors.soft;
     context.font = "14px system-ui, sans-serif";
-    context.fillText(frame.panel.title, frame.left + 4, frame.top + 15);
+    context.fillText(frame.panel.title, frame.left + 4, frame.top + 15, frame.width - 8);
     drawRuler(context, frame);
   }
   strips.forEach(drawStripAxes);
@@ -303,34 +300,10 @@ function advance(now) {
   goTo(time > duration ? 0 : time);
   requestAnimationFrame(advance);
 }
-function turn(right, up) {
-  camera.azimuth -= right;
-  camera.elevation = Math.max(-1.55, Math.min(1.55, camera.elevation + up));
-  drawStill();
-}
-function resetView() {
-  [camera.azimuth, camera.elevation] = film.view;
-  drawStill();
-}
-function allowTurning() {
-  const canvas = byId("live");
-  let from = null;
-  canvas.classList.add("space");
-  byId("reset").hidden = false;
-  byId("reset").addEventListener("click", resetView);
-  canvas.addEventListener("pointerdown", (event) => { from = event; canvas.setPointerCapture(event.pointerId); });
-  canvas.addEventListener("pointermove", (event) => {
-    if (!from) return;
-    turn((event.clientX - from.clientX) / 150, (event.clientY - from.clientY) / 150);
-    from = event;
-  });
-  for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, () => { from = null; });
-}
-const TURNS = {ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, 0.1], ArrowDown: [0, -0.1]};
 function onKey(event) {
   if (["INPUT", "SELECT", "BUTTON"].includes(event.target.tagName) || event.ctrlKey || event.metaKey || event.altKey) return;
   if (event.key === " ") setPlaying(!state.playing);
-  else if (camera && event.shiftKey && TURNS[event.key]) turn(...TURNS[event.key]);
+  else if (camera && camera.onKey(event)) { /* it turned the view */ }
   else if (event.key === "ArrowLeft") goTo(state.time - 1 / 30);
   else if (event.key === "ArrowRight") goTo(state.time + 1 / 30);
   else if (event.key === "Home") goTo(0);
@@ -351,8 +324,8 @@ function begin() {
   readColors();
   showLegend();
   strips.forEach(figure);
-  if (camera) { [camera.azimuth, camera.elevation] = film.view; allowTurning(); }
-  byId("keys").textContent = `Keys: space plays and pauses, ← → step, Home, End${camera ? "; shift and arrows, or the mouse, turn the view" : ""}.`;
+  if (camera) camera.begin();
+  byId("keys").textContent = `Keys: space plays and pauses, ← → step, Home, End${camera ? camera.keys : ""}.`;
   Object.assign(byId("scrub"), {max: duration, step: "any"});
   byId("scrub").addEventListener("input", (event) => { setPlaying(false); goTo(Number(event.target.value)); });
   byId("play").addEventListener("click", () => setPlaying(!state.playing));

@@ -66,7 +66,7 @@ def _apart(times: Array, pairs: list[tuple[Array, Array]], farthest: float) -> S
     shown = strip_samples(times)
     gaps = np.max([np.linalg.norm(one - other, axis=1) for one, other in pairs], axis=0)[shown]
     largest = float(gaps.max()) / farthest
-    note = f"{'they differ: ' if largest > LARGE else ''}at most {largest:.1e} of the range"
+    note = f"{'they differ: ' if largest > LARGE else ''}at most {largest:.2g} of the range"
     return followed(
         "numerical from closed form, largest distance", times[shown], {"": gaps}, "m", note,
         alarm=largest > LARGE, least=0.01 * farthest,

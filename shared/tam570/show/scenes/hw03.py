@@ -56,7 +56,7 @@ def film(student: Student) -> Film:
         times,
         [
             Panel([*_points(r_p, r_c), *left], "angular momentum"),
-            Panel([*_points(r_p, r_c), *right], "rate of change, and moment"),
+            Panel([*_points(r_p, r_c), *right], "its rate, and the moment"),
         ],
         tried(notes, lambda: _discrepancies(student, times, motion), lambda: _checked(student, times, rates)),
         view=(0.9, 0.5),
@@ -120,7 +120,7 @@ def _checked(student: Student, times: Array, rates: dict[str, Array]) -> Strip:
         for d in DEFINITIONS
     }
     largest = max(float(one.max()) for one in off.values()) / 100
-    note = f"{'they differ: ' if largest > LARGE else ''}at most {largest:.1e} of the largest rate"
+    note = f"{'they differ: ' if largest > LARGE else ''}at most {largest:.2g} of the largest rate"
     title = "rate() from dH/dt by differences"
     return followed(title, times[shown], off, "%", note, alarm=largest > LARGE, least=1.0)
 

@@ -71,5 +71,5 @@ def _apart(student: Student, times: Array, by_matrix: Array, corner: Array) -> S
 
 def _small(title: str, times: Array, values: Array, unit: str) -> Strip:
     largest = float(values.max())
-    note = f"{'not zero: ' if largest > LARGE else ''}at most {largest:.1e}"
+    note = f"{'not zero: ' if largest > LARGE else ''}at most {largest:.2g}"
     return followed(title, times, {"": values}, unit, note, alarm=largest > LARGE, least=0.01)

@@ -40,8 +40,8 @@ def film(student: Student) -> Film:
     return Film(
         "Free rigid body",
         "A box that spins about its middle axis flips over, and back, again and again, while its angular "
-        "momentum stays. Beside it the tip of its angular velocity, in axes of the body, runs along a curve on the energy "
-        "ellipsoid; and the cone of a symmetric body rolls on the cone in space.",
+        "momentum stays. Beside it the tip of its angular velocity, in axes of the body, runs along a curve on the "
+        "energy ellipsoid; and the cone of a symmetric body rolls on the cone in space.",
         times,
         panels,
         tried(notes, lambda: _energy(student, times, omegas, inertia),
@@ -110,7 +110,7 @@ def _polhode(student: Student, omegas: Array, inertia: Array) -> Panel:
     mesh += [Part("text", end[None], GREY, words=name) for name, end in names]
     tip = Part("dot", omegas[:, None], 1, width=6)
     trail = Part("trail", omegas[:, None], 1, "polhode", width=2.5)
-    return Panel([*mesh, trail, tip], "energy ellipsoid, in the body", ruler=False)
+    return Panel([*mesh, trail, tip], "energy ellipsoid", ruler=False)
 
 
 def _sphere() -> list[Array]:

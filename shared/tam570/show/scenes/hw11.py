@@ -96,7 +96,7 @@ def _residuals(student: Student, times: Array, coins: list[Circling]) -> Strip:
     weight = COIN["mass"] * GRAVITY * COIN["radius"]
     off = {f"lean {c.lean:g}": np.full(2, 100.0 * _residual(student, c) / weight) for c in coins}
     largest = max(float(np.abs(one).max()) for one in off.values()) / 100.0
-    note = f"{'not steady: ' if largest > LARGE else ''}at most {largest:.1e} of m g a"
+    note = f"{'not steady: ' if largest > LARGE else ''}at most {largest:.2g} of m g a"
     return followed("moment_residual()", times[shown], off, "%", note, alarm=largest > LARGE, least=1.0)
 
 

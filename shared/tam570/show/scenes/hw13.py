@@ -25,9 +25,9 @@ from tam570.show.student import Student, tried
 __all__ = ["film"]
 
 BODY: dict[str, Any] = {"mass": 1.0, "radius": 0.3, "offset": 0.12, "inertia": 0.03}  # kg, m, m, kg m^2
-RAMP: dict[str, Any] = {"slope": math.radians(6.0), "gravity": 9.81}  # rad, m/s^2
+RAMP: dict[str, Any] = {"slope": math.radians(4.0), "gravity": 9.81}  # rad, m/s^2
 START = (0.0, 8.0)  # rad, rad/s: enough to roll over the place where the centre of mass is highest
-SECONDS = 3.0
+SECONDS = 2.5
 DOWN = np.array([math.cos(RAMP["slope"]), -math.sin(RAMP["slope"])])
 OFF = np.array([-DOWN[1], DOWN[0]])
 

@@ -66,7 +66,7 @@ def _ways_apart(student: Student, times: Array, frame: Array) -> Strip:
     shown = strip_samples(times)
     off = np.linalg.norm(states[:, :3] - frame[:, -1].mean(axis=1), axis=1)[shown]
     largest = float(off.max()) / DISK["radius"]
-    note = f"{'they differ: ' if largest > LARGE else ''}at most {largest:.1e} of the radius"
+    note = f"{'they differ: ' if largest > LARGE else ''}at most {largest:.2g} of the radius"
     title = "centre, by matrices from by Euler angles"
     return followed(
         title, times[shown], {"": off}, "m", note, alarm=largest > LARGE, least=0.01 * DISK["radius"]

@@ -1,0 +1,361 @@
+"""The scenes, by the reference solutions and by files that are wrong, half done, or hostile."""
+
+import importlib
+import json
+import re
+import shutil
+import subprocess
+import sys
+from html import unescape
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from PIL import Image
+
+from tam570 import cli
+from tam570.show import Trouble, film_of, loaded, pictures, save, show
+from tam570.show.compact import PIXELS, STEPS, kept_samples, packed
+from tam570.show.film import Film, Panel, Part, clock, conserved
+from tam570.show.page import page
+from tam570.show.scenes import hw11, hw13
+
+WRONG = Path(__file__).parent / "wrong"
+HW07 = "hw07_double_pendulum"
+IN_SPACE = {"hw03", "hw04", "hw08", "hw09", "hw10", "hw11", "hw14"}
+LARGEST = 200_000  # bytes of a page
+
+
+@pytest.fixture(scope="module")
+def films(course):
+    """`films(slug)` -> the film of the reference solution, made once."""
+    made = {}
+
+    def film(slug):
+        if slug not in made:
+            made[slug] = film_of(loaded(course / "solutions" / f"{slug}.py", slug), slug)
+        return made[slug]
+
+    return film
+
+
+@pytest.fixture
+def edited(tmp_path, solution_text):
+    """`edited(slug, text)` -> a file with the solution and then this text."""
+
+    def edited(slug, text):
+        file = tmp_path / f"{slug}.py"
+        file.write_text(f"{solution_text(slug)}\n\n{text}\n")
+        return file
+
+    return edited
+
+
+def data(document):
+    """What the player of a page reads."""
+    return json.loads(
+        re.search(r'<script type="application/json" id="film">(.*?)</script>', document, re.S)[1]
+    )
+
+
+def unpacked(found):
+    """Points of each part of a packed film at every sample, in pixels, as the player finds them: (n, m, dim) each."""
+    keys = np.cumsum(found["keys"])
+    samples = np.arange(keys[-1] + 1)
+    tracks = [
+        np.column_stack([np.interp(samples, keys, np.cumsum(axis)) for axis in track])
+        for track in found["tracks"]
+    ]
+
+    def place(number):
+        index, kind = divmod(number, 3)
+        if kind == 2:
+            return sum(weight * place(part) for part, weight in found["mixed"][index])
+        return tracks[index] if kind == 0 else np.array(found["fixed"][index], dtype=float)
+
+    return [
+        np.stack(np.broadcast_arrays(*(place(number) for number in part["at"])), axis=-2) / STEPS
+        for panel in found["panels"]
+        for part in panel["parts"]
+    ]
+
+
+def in_pixels(film):
+    """The points of each part about the middle of its panel, in pixels of a large screen."""
+    for panel in film.panels:
+        rows = np.concatenate([part.points.reshape(-1, part.points.shape[-1]) for part in panel.parts])
+        low, high = rows.min(axis=0), rows.max(axis=0)
+        for part in panel.parts:
+            points = (part.points - (low + high) / 2) / (high - low).max() * PIXELS
+            yield np.pad(
+                points, [(0, 0)] * (points.ndim - 1) + [(0, film.in_space and points.shape[-1] == 2)]
+            )
+
+
+def test_the_scene_of_right_functions_shows_their_laws(films, slug):
+    film = films(slug)
+    assert not film.notes and film.strips and not any(strip.alarm for strip in film.strips)
+    assert film.in_space == (slug[:4] in IN_SPACE)
+    assert len(film.sight) > 60
+
+
+def test_a_page_is_small_and_needs_nothing_else(films, slug):
+    document = page(films(slug))
+    assert len(document.encode()) < LARGEST
+    assert not re.search(r"https?://|\bsrc=|\bhref=|@import|url\(", document)
+    assert ("azimuth" in document) == films(slug).in_space
+
+
+def test_what_is_stored_is_the_motion_to_a_pixel(films, slug):
+    stored = unpacked(packed(films(slug)))
+    for points, found in zip(in_pixels(films(slug)), stored, strict=True):
+        # half a pixel by interpolation, a quarter by rounding, as much again by combining rounded points
+        assert np.abs(found - points).max() < 1.5
+
+
+@given(st.integers(2, 60), st.integers(0, 2**32 - 1))
+def test_samples_are_left_out_only_where_a_line_gives_them(n, seed):
+    tracks = np.cumsum(np.random.default_rng(seed).normal(size=(n, 2)), axis=0)
+    kept = kept_samples(tracks, within=1.0)
+    again = np.column_stack([np.interp(np.arange(n), kept, axis) for axis in tracks[kept].T])
+    assert np.abs(again - tracks).max() <= 1.0 + 1e-12
+    assert kept[0] == 0 and kept[-1] == n - 1
+
+
+def test_a_straight_motion_is_two_samples_and_a_rigid_body_three_points():
+    times = clock(2.0)
+    assert len(kept_samples(np.outer(times, [3.0, -4.0]) * 100)) == 2
+    turn = np.column_stack([np.cos(times), np.sin(times), -np.sin(times), np.cos(times)]).reshape(-1, 2, 2)
+    angles = np.linspace(0.0, 6.0, 40)
+    rim = np.column_stack([np.cos(angles), np.sin(angles)]) @ turn
+    found = packed(Film("", "", times, [Panel([Part("path", rim + times[:, None, None])])]))
+    assert len(found["tracks"]) == 3 and len(found["mixed"]) == 37
+
+
+def test_what_moves_by_less_than_half_a_pixel_is_stored_once():
+    times = clock(2.0)
+    quiver = np.column_stack([1.0 + 1e-4 * np.sin(9 * times), 0 * times])[:, None]
+    found = packed(Film("", "", times, [Panel([Part("dot", quiver), Part("lines", np.eye(2))])]))
+    assert not found["tracks"] and len(found["keys"]) == 2 and len(found["fixed"]) == 2  # one is a corner
+
+
+def test_a_page_takes_neither_matplotlib_nor_scipy(course, tmp_path):
+    file = course / "solutions" / f"{HW07}.py"
+    code = f"""
+import sys
+from tam570.cli import main
+assert main(["show", "hw07", {str(file)!r}, "--save", {str(tmp_path / "hw07.html")!r}]) == 0
+print(*sys.modules, file=sys.stderr)
+"""
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    modules = {name.partition(".")[0] for name in run.stderr.split()}
+    assert "numpy" in modules and not modules & {"matplotlib", "scipy", "sympy", "PIL", "IPython", "pytest"}
+    assert (tmp_path / "hw07.html").stat().st_size < LARGEST
+
+
+def test_of_a_stub_the_command_says_what_is_not_written(course, slug, tmp_path, capsys):
+    stub = course / "assignments" / slug / f"{slug}.py"
+    assert cli.main(["show", slug, str(stub), "--save", str(tmp_path / "a.html")]) == 1
+    assert re.fullmatch(r"tam570: \w+ is not written yet\n", capsys.readouterr().err)
+    assert not (tmp_path / "a.html").exists()
+
+
+TROUBLES = {
+    "simulate = lambda t, *_, **__: np.full((len(t), 4), np.nan)": "simulate gives numbers that are not finite",
+    "def simulate(t, *_, **__):\n    a = np.ones((len(t), 4))\n    a[37:] = np.inf\n    return a": "first in row 37 of",
+    "simulate = lambda t, *_, **__: np.zeros((4, len(t)))": r"shape \(4, 1201\); \(1201, 4\) is asked for",
+    "def simulate(t, *_, **__):\n    raise ValueError('</pre>no step left')": r"line \d+, in simulate\n.*\n.*left",
+    "def simulate(t, *_, **__):\n    raise SystemExit('bye')": "simulate raises an exception",
+    "simulate = lambda *_, **__: None": "simulate gives no numbers but None",
+    "simulate = lambda t, *_, **__: np.zeros((len(t), 4)) + 1j": "simulate gives no numbers",
+    "del simulate": "there is no function simulate",
+    "wireframe = lambda theta, lengths: [[[0, 0], [1, 1]]]": r"shape \(1, 2, 2\); \(2, 2, 2\) is asked for",
+    "wireframe = lambda theta, lengths: np.full((2, 2, 2), np.nan)": "first in row 0",
+    "wireframe = lambda theta, lengths: np.full((2, 2, 2), 1e308 * np.sign(theta[0] - 1))": "no screen shows that",
+    "wireframe = lambda theta, lengths: None": "wireframe gives no numbers but None",
+    "def simulate(:": r"cannot be imported(.|\n)*SyntaxError",
+    "1 / 0": r"cannot be imported(.|\n)*line \d+(.|\n)*ZeroDivisionError",
+    "raise SystemExit(0)": "cannot be imported",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("text", TROUBLES)
+def test_what_cannot_be_shown_is_said(edited, tmp_path, capsys, text):
+    file = edited(HW07, text)
+    assert cli.main(["show", "hw07", str(file), "--save", str(tmp_path / "a.html")]) == 1
+    said = capsys.readouterr().err
+    assert re.search(TROUBLES[text], said) and "tam570/show" not in said
+    assert not (tmp_path / "a.html").exists()
+
+
+@pytest.mark.parametrize(
+    "text", ["def energy(*_, **__):\n    raise NotImplementedError", "energy = lambda *_, **__: np.nan"]
+)
+def test_without_an_energy_the_motion_is_shown_all_the_same(edited, tmp_path, capsys, text):
+    where = tmp_path / "a.html"
+    assert cli.main(["show", "hw07", str(edited(HW07, text)), "--save", str(where)]) == 0
+    assert "energy" in capsys.readouterr().err
+    assert 'class="note">energy ' in where.read_text() and not data(where.read_text())["strips"]
+
+
+def test_wrong_physics_looks_wrong(edited):
+    wrong = (WRONG / HW07 / "sign_of_the_sine_term.py").read_text()
+    (strip,) = show(edited(HW07, wrong)).film.strips
+    assert strip.alarm and "not conserved" in strip.note and strip.span[1] > 10.0  # %
+
+
+def test_rounding_does_not_look_wrong():
+    times = clock(1.0)
+    strip = conserved("energy", times, {"": 1e-12 * np.sin(99 * times)}, 1.0, "itself")
+    assert strip.span == (-1.0, 1.0) and not strip.alarm
+
+
+def test_a_file_elsewhere_and_one_that_is_not_there(edited, tmp_path, monkeypatch, capsys):
+    edited("hw05_constrained_pendulum", "")
+    monkeypatch.chdir(tmp_path)
+    assert cli.main(["show", "hw05", "--save", "swing.html"]) == 0 and "swing.html" in capsys.readouterr().out
+    assert (
+        cli.main(["show", "hw07"]) == cli.main(["show", "hw05", "no.py"]) == cli.main(["show", "hw99"]) == 2
+    )
+    assert cli.main(["show", "hw05", "--save", "swing.txt"]) == 1
+    assert ".html, .png" in capsys.readouterr().err
+
+
+def test_strings_stay_data(films, tmp_path):
+    film, bad = films(HW07), "</script><script>document.title='taken'</script><!--"
+    parts = [Part("text", np.zeros((1, 2)), words=bad, name=bad)]
+    document = page(Film(bad, f'"{bad}', film.times, [Panel(parts, bad)], film.strips, notes=[bad]))
+    assert document.count("</script>") == 2 and document.count("<script") == 2 and "<!--" not in document
+    assert data(document)["panels"][0]["parts"][0]["words"] == bad
+
+
+def test_a_notebook_shows_the_page_in_a_frame_that_cannot_reach_out(course, films):
+    file = course / "solutions" / f"{HW07}.py"
+    inline = show(loaded(file, HW07))._repr_html_()
+    assert 'sandbox="allow-scripts"' in inline
+    assert unescape(re.search(r'srcdoc="([^"]*)"', inline)[1]) == page(films(HW07))
+    functions = vars(loaded(file, HW07))
+    assert show(dict(functions), assignment="hw07").film is not None
+
+
+def test_a_notebook_is_told_what_is_missing(course):
+    stub = course / "assignments" / HW07 / f"{HW07}.py"
+    shown = show(stub)
+    assert shown._repr_html_() == "<pre>simulate is not written yet</pre>" and "not written" in repr(shown)
+    with pytest.raises(Trouble, match="not written"):
+        shown.save("x.html")
+
+
+# Pictures
+
+
+@pytest.fixture
+def short(films):
+    """Half a second of the double pendulum."""
+    film = films(HW07)
+    n = 31
+    panels = [
+        Panel(
+            [
+                Part(p.kind, p.points if p.points.ndim == 2 else p.points[:n], p.color, p.name)
+                for p in panel.parts
+            ]
+        )
+        for panel in film.panels
+    ]
+    return Film(film.title, film.sight, film.times[:n], panels, film.strips)
+
+
+def test_a_picture_is_one_frame(short, tmp_path, monkeypatch):
+    drawn = []
+    monkeypatch.setattr(pictures, "_drawn", lambda film, figure: drawn.append)
+    save(short, tmp_path / "a.png")
+    assert drawn == [round(0.6 * 30)]
+    with Image.open(tmp_path / "a.png") as picture:
+        assert picture.size == (1000, 560)
+
+
+def test_a_gif_has_the_frames_of_the_film(short, tmp_path):
+    save(short, tmp_path / "a.gif")
+    with Image.open(tmp_path / "a.gif") as picture:
+        assert picture.n_frames == len(pictures.frames(short, ".gif")) == 11
+
+
+@pytest.mark.skipif(shutil.which("ffmpeg") is None, reason="ffmpeg is not installed")
+def test_a_video_is_written(short, tmp_path):
+    save(short, tmp_path / "a.mp4")
+    assert b"ftyp" in (tmp_path / "a.mp4").read_bytes()[:16]
+
+
+def test_without_ffmpeg_a_video_is_refused_and_another_way_is_named(short, tmp_path, monkeypatch):
+    monkeypatch.setenv("PATH", str(tmp_path))
+    with pytest.raises(Trouble, match=r"needs ffmpeg.*\.gif"):
+        save(short, tmp_path / "a.mp4")
+    assert not list(tmp_path.iterdir())
+
+
+def test_every_scene_has_a_picture(films, slug, tmp_path):
+    save(films(slug), tmp_path / "a.png")
+    with Image.open(tmp_path / "a.png") as picture:
+        assert len(picture.convert("RGB").getcolors(1 << 20)) > 20
+
+
+def test_without_a_screen_a_window_is_refused_and_the_page_named(course, capsys):
+    code = f"""
+import sys
+from tam570.cli import main
+sys.exit(main(["show", "hw05", {str(course / "solutions" / "hw05_constrained_pendulum.py")!r}]))
+"""
+    run = subprocess.run(
+        [sys.executable, "-c", code], env={"PATH": "", "HOME": "/"}, capture_output=True, text=True
+    )
+    assert run.returncode == 1 and "--save FILE.html" in run.stderr and "Traceback" not in run.stderr
+
+
+def test_the_pictures_eye_is_that_of_hw04(course):
+    points = np.random.default_rng(1).normal(size=(20, 3))
+    solution = loaded(course / "solutions" / "hw04_hanging_spring.py", "hw04_hanging_spring")
+    np.testing.assert_allclose(
+        pictures._seen(points, (0.7, -0.4)), solution.project(points, 0.7, -0.4), atol=1e-15
+    )
+
+
+# What a scene adds to the student's numbers is where things are; that must be right, too.
+
+
+def speed_at_the_ground(points, height, times):
+    """Speed of a material point where it is lowest, relative to its largest speed."""
+    speeds = np.linalg.norm(np.gradient(points, times, axis=0), axis=1)
+    return speeds[height.argmin()] / speeds.max()
+
+
+def test_the_mark_of_a_rolling_coin_stands_still_on_the_ground(course):
+    solution = loaded(course / "solutions" / "hw11_disk_steady.py", "hw11_disk_steady")
+    from tam570.show.student import Student
+
+    times = np.linspace(0.0, 2.0, 40001)
+    for lean, track_radius in hw11.ROLLING.items():
+        coin = hw11._rolling(Student(solution), lean, track_radius)
+        mark = next(part for part in hw11._coin(times, coin, 0) if part.kind == "lines").points[:, 1]
+        assert speed_at_the_ground(mark, mark[:, 2], times) < 1e-3  # a step of time from the ground itself
+        assert abs(mark[:, 2].min()) < 1e-6
+
+
+def test_the_spoke_of_a_rolling_cylinder_stands_still_on_the_ramp():
+    times = np.linspace(0.0, 2.0, 40001)
+    spoke = next(
+        part
+        for part in hw13._rolling(5.0 * times - 1.0, 0, 9.0)
+        if part.points.shape[1] == 2 and part.points.ndim == 3
+    )
+    end = spoke.points[:, 1]
+    assert speed_at_the_ground(end, end @ hw13.OFF, times) < 1e-3
+    assert abs((end @ hw13.OFF).min()) < 1e-6
+
+
+def test_no_scene_integrates_equations_of_its_own(slug):
+    """hw13 alone integrates, the student's own naive acceleration."""
+    scene = importlib.import_module(f"tam570.show.scenes.{slug[:4]}")
+    assert hasattr(scene, "solve") == (slug[:4] == "hw13")
