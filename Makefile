@@ -11,6 +11,7 @@ export OPENBLAS_NUM_THREADS := 1
 demo: $(VENV)/ready bubblewrap
 	$(BIN)/python tests/sample_class.py $(CLASS)
 	$(BIN)/tam570-grader grade $(CLASS) --out build/sample_results --seed 570 --call 2
+	$(BIN)/tam570-grader report build/sample_results
 
 test: $(VENV)/ready bubblewrap
 	$(BIN)/ruff check

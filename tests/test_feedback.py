@@ -9,6 +9,8 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from tam570_grader import feedback
 from tam570_grader.check import Failure, expect
@@ -190,6 +192,23 @@ def test_the_failure_of_an_expect_with_times_carries_its_curve():
     with pytest.raises(Failure) as failure:
         expect(1.0, 0.0, within=1e-3)
     assert failure.value.picture is None
+
+
+@settings(max_examples=100, deadline=None)
+@given(
+    rows=st.lists(st.floats(allow_nan=False, allow_infinity=False), min_size=3, max_size=200),
+    stays=st.booleans(),
+    steps=st.floats(1e-6, 1e6),
+)
+def test_whatever_numbers_come_back_they_can_be_drawn(rows, stays, steps):
+    t = steps * np.arange(len(rows))
+    actual = np.array(rows) if stays else np.column_stack([rows, rows])
+    with np.errstate(all="ignore"):
+        found = curve(t, actual, np.ones_like(actual), 1.0, within=1e-6, of="x", unit="m")
+    if found is not None:
+        drawn = picture(json.loads(json.dumps(found)))
+        places = np.array(re.findall(r"([-\w.+]+) ([-\w.+]+)", drawn.path[1:].replace("L", "")), float)
+        assert len(places) and np.isfinite(places).all() and (places >= 0).all() and "nan" not in drawn.says
 
 
 @pytest.mark.parametrize("scale", ["log", "linear"])

@@ -33,17 +33,20 @@ def folder(tmp_path_factory, course, workers):
     from tam570_grader import root
     from tam570_grader.grade import graded, not_graded
     from tam570_grader.sandbox import Allowance
+    from tam570_grader.speed import Yardstick
     from tam570_grader.student import Source
 
     folder = tmp_path_factory.mktemp("class")
-    records = []
+    records, yardstick = [], Yardstick(course)
     for slug, mistake in SHOWN.items():
         right = (course / "solutions" / f"{slug}.py").read_text()
         wrong = (WRONG / slug / f"{mistake}.py").read_text()
         assignment = root.assignment(course, slug)
         for student, text in {"ada": right, "ben": f"{right}\n\n{wrong}", "cora": ""}.items():
             source = Source(text.encode())
-            records.append(graded(student, source, assignment, workers(slug, Allowance()), 1).record())
+            records.append(
+                graded(student, source, assignment, workers(slug, Allowance()), 1, yardstick).record()
+            )
     for slug in ("hw03_angular_momentum_rate", assignment.slug):  # one with a long title
         records.append(not_graded("dan", root.assignment(course, slug), "missing", "no file", 1).record())
     (folder / "results.jsonl").write_text("".join(json.dumps(one) + "\n" for one in records))
@@ -74,7 +77,11 @@ def opened(browser, folder):
     assert not complaints
 
 
-FILES = ["report.html", *(f"feedback/ben/{slug}.html" for slug in SHOWN)]
+FILES = [
+    "report.html",
+    "feedback/ada/hw07_double_pendulum.html",
+    *(f"feedback/ben/{slug}.html" for slug in SHOWN),
+]
 
 
 @pytest.mark.parametrize("width", WIDTHS.values(), ids=WIDTHS)
@@ -123,13 +130,13 @@ def test_every_text_can_be_read_in_light_and_dark(opened, file, scheme):
 
 
 def test_pictures_have_a_name_for_those_who_do_not_see_them(opened):
-    page = opened(FILES[1])
+    page = opened("feedback/ben/hw07_double_pendulum.html")
     named = page.get_by_role("img", name="From t = 0 s to 10 s.")
     assert named.count() == 1 and "energy" in named.locator("title").text_content()
 
 
 def test_the_first_thing_to_look_at_is_a_link_to_it(opened):
-    page = opened(FILES[1])
+    page = opened("feedback/ben/hw07_double_pendulum.html")
     page.get_by_text("Look at this first").get_by_role("link").click()
     assert page.evaluate("document.querySelector(':target').className") == "failed"
 

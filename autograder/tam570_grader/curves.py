@@ -19,6 +19,7 @@ SLOTS = 64  # of the duration, the largest error in each
 LEVELS = 8  # to a decade of an error
 STEPS = 40  # to the largest drift of an invariant
 FLOOR, CEILING = -3, 12  # decades below and above the limit that are told apart
+LARGEST = 1e100  # of a drift; what is larger is drawn as this
 
 
 def curve(
@@ -74,5 +75,6 @@ def _levels(sizes: Array, slots: list[int | None], within: float) -> list[float 
 
 
 def _steps(drift: Array, slots: list[int | None]) -> list[float | None]:
+    drift = drift.clip(-LARGEST, LARGEST)
     step = np.abs(drift).max() / STEPS or 1.0
     return [None if row is None else float(f"{round(drift[row] / step) * step:.2g}") for row in slots]

@@ -93,7 +93,7 @@ def _digest(file: Path) -> str:
 
 def _all() -> dict[str, Any]:
     try:
-        known: dict[str, Any] = json.loads((home() / "progress.json").read_text())
-        return known
+        known = json.loads((home() / "progress.json").read_text())
     except (OSError, ValueError):
         return {}
+    return known if isinstance(known, dict) else {}
