@@ -65,6 +65,18 @@ def rotations(draw, angles):
     return [(axis, angle, turned(axis, angle)) for axis, angle in zip(axes, angles, strict=True)]
 
 
+PLAIN = "no turn, a quarter or a half turn, about a coordinate axis or a diagonal"
+
+
+@once
+def plain_turns(draw):
+    """No turn, quarter, half and whole turns about axes of whole numbers, and the right matrices."""
+    ways = [*np.eye(3), *-np.eye(3), np.array([1.0, 0.0, -1.0]), np.array([-1.0, -1.0, -1.0])]
+    turns = np.array([0.0, 0.5, 1.0, -0.5, -1.0, 2.0]) * np.pi
+    cases = [(draw.integers(1, 4) * way, angle) for way in ways for angle in turns]
+    return [(axis, angle, turned(axis, angle)) for axis, angle in cases]
+
+
 def matrices(student, cases):
     """The student's matrices beside the cases."""
     return zip(
@@ -75,13 +87,12 @@ def matrices(student, cases):
 @check(points=1, part="a", suspects=[suspect("the transpose, r x v", skew=lambda v: np.cross(v, np.eye(3)))])
 def skew_is_the_cross_product(student, draw):
     """skew(v) r = v x r, for any v and r."""
-    vectors = draw.normal(size=(8, 3)) * 10 ** draw.uniform(-3, 3, (8, 1))
+    vectors = [*(draw.normal(size=(8, 3)) * 10 ** draw.uniform(-3, 3, (8, 1))), *-np.eye(3), np.zeros(3)]
     for v, matrix in zip(vectors, student.skew.many([given(v) for v in vectors]), strict=True):
         r = draw.normal(size=3)
-        expect(
-            matrix @ r, np.cross(v, r), within=POINTWISE, scale=np.linalg.norm(v), of="skew(v) r",
-            unit="of the length of v", at=(v, r), kind="random vectors",
-        )  # fmt: skip
+        expect(matrix @ r, np.cross(v, r), within=POINTWISE, scale=np.linalg.norm(v) or 1.0, of="skew(v) r",
+               unit="of the length of v", at=(v, r),
+               kind="random vectors" if v.all() else "a v with zeros in it")  # fmt: skip
 
 
 @check(points=2, part="a", suspects=MATRIX_SUSPECTS)
@@ -90,6 +101,9 @@ def matrix_turns_by_the_right_hand_rule(student, draw):
     for R, case in matrices(student, rotations(draw, None)):
         expect(R, case[2], within=POINTWISE, of="the matrix", at=case, kind="a random axis and angle",
                hint="try a quarter turn about z, and an axis twice as long")  # fmt: skip
+    for R, case in matrices(student, plain_turns(draw)):
+        expect(R, case[2], within=POINTWISE, of="the matrix", at=case, kind=PLAIN,
+               hint="where do the coordinate axes go?")  # fmt: skip
 
 
 @check(points=1, part="a", after=matrix_turns_by_the_right_hand_rule)
@@ -142,12 +156,19 @@ NO_AXES = (
     ((0.0, 0.0, 0.0), "the zero axis"),
     ((0.0, np.nan, 1.0), "an axis with a NaN"),
     ((np.inf, 0.0, 1.0), "an infinite axis"),
+    ((0.0, -np.inf, 0.0), "an axis with minus infinity"),
 )
 
 
 def turned_vectors(student, draw, cases):
     """The student's turned vectors beside the right ones and the case."""
-    vectors = draw.normal(size=(len(cases), 3)) * 10 ** draw.uniform(-2, 2, (len(cases), 1))
+    return beside(
+        student, draw.normal(size=(len(cases), 3)) * 10 ** draw.uniform(-2, 2, (len(cases), 1)), cases
+    )
+
+
+def beside(student, vectors, cases):
+    """The student's turned vectors beside these vectors and the case."""
     calls = [given(r, axis, angle) for r, (axis, angle, _) in zip(vectors, cases, strict=True)]
     return zip(student.rotate.many(calls), vectors, cases, strict=True)
 
@@ -158,6 +179,15 @@ def vector_turns_by_the_right_hand_rule(student, draw):
     for r1, r, case in turned_vectors(student, draw, rotations(draw, None)):
         expect(r1, case[2] @ r, within=POINTWISE, scale=np.linalg.norm(r), of="the turned vector",
                unit="of its length", at=(r, *case), kind="a random vector, axis and angle")  # fmt: skip
+    plain = plain_turns(draw)
+    for r1, r, case in turned_vectors(student, draw, plain):
+        expect(r1, case[2] @ r, within=POINTWISE, scale=np.linalg.norm(r), of="the turned vector",
+               unit="of its length", at=(r, *case), kind=PLAIN)  # fmt: skip
+    for r1, r, case in beside(student, [-2.0 * axis for axis, *_ in plain], plain):
+        expect(r1, r, within=POINTWISE, scale=np.linalg.norm(r), of="the turned vector", unit="of its length",
+               at=(r, *case), kind="a vector along the axis")  # fmt: skip
+    expect(student.rotate(np.zeros(3), *plain[1][:2]), np.zeros(3), within=POINTWISE, of="the turned vector",
+           kind="the zero vector")  # fmt: skip
 
 
 @check(points=1, part="a", after=vector_turns_by_the_right_hand_rule)
