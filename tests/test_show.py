@@ -6,6 +6,7 @@ import re
 import shutil
 import subprocess
 import sys
+import warnings
 from html import unescape
 from pathlib import Path
 
@@ -204,6 +205,15 @@ def test_wrong_physics_looks_wrong(edited):
     wrong = (WRONG / HW07 / "sign_of_the_sine_term.py").read_text()
     (strip,) = show(edited(HW07, wrong)).film.strips
     assert strip.alarm and "not conserved" in strip.note and strip.span[1] > 10.0  # %
+
+
+@pytest.mark.full
+def test_no_wrong_file_breaks_a_page(edited, slug, capsys):
+    """Each is shown, in numbers that JSON has, or it is said why not."""
+    for wrong in sorted((WRONG / slug).glob("*.py")):
+        with np.errstate(all="ignore"), warnings.catch_warnings(action="ignore"):
+            shown = show(edited(slug, wrong.read_text()))
+        assert data(page(shown.film)) if shown.film else shown.trouble, wrong.stem
 
 
 def test_rounding_does_not_look_wrong():

@@ -7,6 +7,8 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from tam570.show.student import Trouble
+
 __all__ = [
     "GREY",
     "INK",
@@ -32,6 +34,7 @@ INK, GREY = -1, -2  # colours beside the numbered ones of the palette
 LEAST_SPAN = (
     0.01  # of a strip of deviations: what is conserved to a pixel in it looks flat, whatever the rounding
 )
+LARGEST = 1e200  # of what is drawn: its square is a number
 LARGE = 1e-3  # a deviation that no careful integration has; 1e-6 is a careless one
 
 
@@ -157,13 +160,14 @@ def conserved(
     half = 1.1 * max(100.0 * LEAST_SPAN / 1.1, *(float(np.abs(curve).max()) for curve in shown.values()))
     alarm = largest > LARGE
     note = f"{'not conserved: ' if alarm else ''}relative drift {largest:.2g} of {of}"
-    return Strip(title, times, shown, (-half, half), "%", note, alarm)
+    return _drawable(Strip(title, times, shown, (-half, half), "%", note, alarm))
 
 
 def _percent(values: ArrayLike, scale: float) -> Array:
     """(m,) difference from the first value, of a vector its size, in % of the scale."""
     array = np.asarray(values, dtype=float)
-    moved: Array = 100.0 * (array - array[0]) / scale
+    with np.errstate(over="ignore"):
+        moved: Array = 100.0 * ((array - array[0]) / scale)
     return moved if moved.ndim == 1 else np.linalg.norm(moved, axis=1)
 
 
@@ -194,4 +198,11 @@ def followed(
     low = min(0.0, *(float(curve.min()) for curve in values.values()))
     high = max(least, *(float(curve.max()) for curve in values.values()))
     margin = 0.05 * (high - low) or 1.0
-    return Strip(title, times, values, (low - margin, high + margin), unit, note, alarm)
+    return _drawable(Strip(title, times, values, (low - margin, high + margin), unit, note, alarm))
+
+
+def _drawable(strip: Strip) -> Strip:
+    """The strip, if its numbers have a size that can be drawn. Trouble if not."""
+    if not max(map(abs, strip.span)) < LARGEST:
+        raise Trouble(f"{strip.title}: the numbers are too large to be drawn")
+    return strip

@@ -55,13 +55,18 @@ class Student:
 
     def __call__(self, name: str, *arguments: Any, shape: Sequence[int] | None = None, **known: Any) -> Array:
         """What the function returns, as an array of this shape. Trouble if it does not, or is not finite."""
-        return self._finite(name, _numbers(name, self.raw(name, *arguments, **known), shape))
+        return self._finite(name, _numbers(name, self._raw(name, *arguments, **known), shape))
 
-    def checked(self, name: str, result: Any, shape: Sequence[int]) -> Array:
-        """A part of what the function returned, as an array of this shape."""
-        return self._finite(name, _numbers(name, result, shape))
+    def group(self, name: str, *arguments: Any, shapes: Sequence[Sequence[int]], **known: Any) -> list[Array]:
+        """The arrays that the function returns together, each of its shape."""
+        result = self._raw(name, *arguments, **known)
+        if not isinstance(result, Sequence | np.ndarray) or len(result) != len(shapes):
+            raise Trouble(f"{name} gives {_short(result)}; {len(shapes)} results are asked for")
+        return [
+            self._finite(name, _numbers(name, one, shape)) for one, shape in zip(result, shapes, strict=True)
+        ]
 
-    def raw(self, name: str, *arguments: Any, **known: Any) -> Any:
+    def _raw(self, name: str, *arguments: Any, **known: Any) -> Any:
         """What the function returns, whatever it is."""
         return self._guarded(name, lambda function: function(*arguments, **known))
 

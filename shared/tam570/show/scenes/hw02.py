@@ -6,13 +6,14 @@ from typing import Any
 import numpy as np
 
 from tam570.show.film import GREY, INK, Array, Film, Panel, Part, Strip, clock, followed, strip_samples
-from tam570.show.student import Student
+from tam570.show.student import Student, Trouble
 
 __all__ = ["film"]
 
 SPEED = 50.0  # m/s
 BALL = {"mass": 1.0, "drag": 0.2, "gravity": 9.81}  # kg, kg/s, m/s^2
 ANGLES = (15, 30, 60, 75)  # degrees, beside the best
+LONGEST = 100.0  # s, of a flight; this ball falls for 8 s at most
 LARGE = 1e-3  # of the range: a pixel
 
 
@@ -39,9 +40,7 @@ def film(student: Student) -> Film:
 
 def _both(student: Student, times: Array, angle: float, flight: float) -> tuple[Array, Array]:
     """(n, 2) paths by both solutions; where it has landed the ball stays."""
-    if not 0.0 < flight < 1e4:
-        from tam570.show.student import Trouble
-
+    if not 0.0 < flight < LONGEST:
         raise Trouble(f"flight_time gives {flight} s at {math.degrees(angle):.0f} degrees and {SPEED} m/s")
     flown = np.append(times[times < flight], flight)
     landed = np.minimum(np.arange(len(times)), len(flown) - 1)

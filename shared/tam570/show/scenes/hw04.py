@@ -57,8 +57,7 @@ def film(student: Student) -> Film:
 
 
 def _ellipse(student: Student) -> Part:
-    centre, semi_axes = student.raw("orbit", START, VELOCITY, **SPRING)
-    centre, semi_axes = np.asarray(centre, dtype=float), np.asarray(semi_axes, dtype=float)
+    centre, semi_axes = student.group("orbit", START, VELOCITY, **SPRING, shapes=((3,), (2, 3)))
     return Part("path", circle(centre, *semi_axes), GREY, "ellipse of orbit()", width=5, faint=True)
 
 

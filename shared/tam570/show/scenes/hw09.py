@@ -61,8 +61,7 @@ def _gently(share: Array) -> Array:
 
 
 def _axis(student: Student, R: Array) -> Part:
-    axis, _ = student.raw("axis_angle", R)
-    n = np.asarray(axis, dtype=float)
+    n, _ = student.group("axis_angle", R, shapes=((3,), ()))
     return Part("arrow", 1.4 * np.array([-n, n]), 2, "axis of the whole turn, by axis_angle()", width=2.5)
 
 

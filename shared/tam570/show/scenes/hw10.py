@@ -17,7 +17,7 @@ from tam570.show.film import (
     moving,
     strip_samples,
 )
-from tam570.show.student import Student, tried
+from tam570.show.student import Student, Trouble, tried
 
 __all__ = ["film"]
 
@@ -69,9 +69,9 @@ def _attitude(omega: Array, inertia: Array) -> Array:
 
 
 def _motion(student: Student, times: Array, R: Array, omega: Array, inertia: Array) -> tuple[Array, Array]:
-    result = student.raw("simulate", times, R, omega, inertia=inertia)
-    n, (omegas, rotations) = len(times), result
-    return student.checked("simulate", omegas, (n, 3)), student.checked("simulate", rotations, (n, 3, 3))
+    shapes = ((len(times), 3), (len(times), 3, 3))
+    omegas, rotations = student.group("simulate", times, R, omega, inertia=inertia, shapes=shapes)
+    return omegas, rotations
 
 
 def _box(student: Student, notes: list[str], rotations: Array, omegas: Array, inertia: Array) -> list[Part]:
@@ -100,11 +100,9 @@ def _in_space(rotations: Array, vectors: Array) -> Array:
 
 def _polhode(student: Student, omegas: Array, inertia: Array) -> Panel:
     energy = student.each("energy", omegas[:1], inertia=inertia)[0]
-    semi_axes = np.sqrt(2.0 * energy / inertia)
-    if not np.isfinite(semi_axes).all():
-        from tam570.show.student import Trouble
-
+    if energy <= 0.0:
         raise Trouble(f"energy gives {energy} J: there is no ellipsoid of it")
+    semi_axes = np.sqrt(2.0 * energy / inertia)
     mesh = [Part("path", line * semi_axes, GREY, width=1, faint=True) for line in _sphere()]
     names = zip("ABC", 1.15 * np.diag(semi_axes), strict=True)
     mesh += [Part("text", end[None], GREY, words=name) for name, end in names]

@@ -20,7 +20,7 @@ from tam570.show.film import (
     moving,
     strip_samples,
 )
-from tam570.show.student import Student, tried
+from tam570.show.student import Student, Trouble, tried
 
 __all__ = ["film"]
 
@@ -60,7 +60,10 @@ def _naive(student: Student, times: Array) -> Array:
     def rates(t: float, state: Array) -> tuple[float, float]:
         return state[1], float(student("naive_contact_acceleration", state[0], **BODY, **RAMP, shape=()))
 
-    return solve(rates, times, START, rtol=1e-8)
+    try:
+        return solve(rates, times, START, rtol=1e-8)
+    except ArithmeticError as error:
+        raise Trouble(f"naive_contact_acceleration cannot be integrated: {error}") from error
 
 
 def _rolling(phi: Array, color: int, farthest: float) -> list[Part]:
