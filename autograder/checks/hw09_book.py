@@ -90,7 +90,8 @@ def a_rotation(draw):
 )  # fmt: skip
 def turns_about_the_coordinate_axes(student, draw):
     """axis_rotation turns by the angle about x, y or z, by the right-hand rule."""
-    calls = [given(axis, angle) for axis in "xyz" for angle in (*draw.uniform(-7, 7, 5), 0.0)]
+    quarters = np.array([0, 1, -1, 2, -2, 4]) * math.pi / 2
+    calls = [given(axis, angle) for axis in "xyz" for angle in (*draw.uniform(-7, 7, 5), *quarters)]
     for R, call in zip(student.axis_rotation.many(calls), calls, strict=True):
         axis = call.args[0]
         expect(R, about(*call.args), within=WITHIN, of="the matrix", at=call, kind=f"a turn about {axis}",
@@ -107,10 +108,12 @@ def other_axes_are_refused(student, draw):
 
 
 def sequences(draw):
-    """Three to six steps each; neighbours are about different axes, so that the order counts."""
-    orders = ("xyz", "zxz", "yxyz", "zyxzy", "xzyxzy", "yz")
-    return [[(axis, angle) for axis, angle in zip(order, draw.uniform(-4, 4, len(order)), strict=True)]
-            for order in orders]  # fmt: skip
+    """Two to twelve steps each, quarter turns and none among the last ones; the order counts in all of them."""
+    orders = ("xyz", "zxz", "yxyz", "zyxzy", "xzyxzy", "yz", "zxyxzzyxyxyz", "xxyyz")
+    angles = [draw.uniform(-4, 4, len(order)) for order in orders]
+    angles += [np.array([1, 0, 1, -1, 2]) * math.pi / 2, np.array([-1, 1, 0]) * math.pi / 2]
+    return [list(zip(order, turns.tolist(), strict=True))
+            for order, turns in zip((*orders, "zyxyz", "xyz"), angles, strict=True)]  # fmt: skip
 
 
 def judge_sequences(function, right, draw):
@@ -223,7 +226,13 @@ def axis_and_angle_are_those_of_the_matrix(student, draw):
     cases = [(a_unit_axis(draw), draw.uniform(0.3, 2.8)) for _ in range(20)]
     cases += [(np.array(v) / math.sqrt(3), 2 * math.pi / 3) for v in ((1, -1, 1), (1, 1, 1))]
     cases += [(sign * n, math.pi / 2) for n in np.eye(3) for sign in (1, -1)]
+    cases += [
+        (a_unit_axis(draw), angle) for angle in (*draw.uniform(0.05, 0.3, 3), *draw.uniform(2.8, 3.09, 3))
+    ]
     compare_axes(student, cases, GENERIC)
+    planes = [sign * np.roll([0.0, 0.6, -0.8], k) for k in (0, 1, 2) for sign in (1, -1)]
+    turns = [(n, angle) for n in (*np.eye(3), *-np.eye(3), *planes) for angle in (0.1, 1.0, 2.0, 3.0)]
+    compare_axes(student, turns, "an axis along a coordinate axis or in a coordinate plane")
 
 
 def compare_axes(student, cases, kind, hint="which vector does R leave alone, and what is the trace of R?"):
@@ -245,6 +254,7 @@ def distances(draw):
 def small_angles_keep_their_digits(student, draw):
     """axis_angle keeps all digits of axis and angle for angles from 1e-12 to 1e-2."""
     cases = [(a_unit_axis(draw), angle) for angle in distances(draw)]
+    cases += [(n, angle) for n in (*np.eye(3), *-np.eye(3)) for angle in (1e-9, 1e-3)]
     calls = [given(turned(*case)) for case in cases]
     for (axis, angle), case, call in zip(student.axis_angle.many(calls), cases, calls, strict=True):
         for found, right, of in ((angle, case[1], "the angle"), (axis, case[0], "the axis")):
@@ -272,7 +282,11 @@ def axes_with_small_components_keep_their_digits(student, draw):
         n = a_unit_axis(draw)
         n[k] = 10 ** draw.uniform(-7, -5) * draw.choice([-1, 1])
         cases.append((n / np.linalg.norm(n), math.pi - 10 ** draw.uniform(-9, -3)))
-    compare_axes(student, cases, "an angle near pi, a component of the axis near 0",
+    near = [
+        np.roll(n, k) for k in (0, 1, 2) for n in ([1.0, 0, 0], [-1.0, 0, 0], [0, 0.6, -0.8], [0, -0.8, 0.6])
+    ]
+    cases += [(n, math.pi - distance) for n in near for distance in (1e-9, 1e-3)]
+    compare_axes(student, cases, "an angle near pi, a component of the axis near 0 or 0",
                  "a square root of a small difference has half of its digits")  # fmt: skip
 
 
@@ -285,8 +299,7 @@ def half_turns_have_their_axis(student, draw):
     axes = [
         *(a_unit_axis(draw) for _ in range(8)),
         *np.eye(3),
-        np.array([-0.6, 0.8, 0.0]),
-        np.array([0.0, 0.6, -0.8]),
+        *(np.roll(n, k) for k in (0, 1, 2) for n in ([0.0, 0.6, -0.8], [0.0, 0.6, 0.8])),
     ]
     calls = [given(2 * np.outer(n, n) - np.eye(3)) for n in axes]
     for (axis, angle), n, call in zip(student.axis_angle.many(calls), axes, calls, strict=True):
@@ -388,9 +401,13 @@ def mistake(found, R, size):
 @check(points=1.5, part="c")
 def the_book_has_its_twelve_edges(student, draw):
     """book_edges are the edges of the turned book, in any order and direction."""
-    for _ in range(4):
-        R, size = a_rotation(draw), draw.permutation(10 ** draw.uniform(-1, 1) * np.array([1, 1.7, 2.9]))
+    sizes = [draw.permutation(10 ** draw.uniform(-1, 1) * np.array([1, 1.7, 2.9])) for _ in range(6)]
+    cases = [(a_rotation(draw), size, "a random rotation and size") for size in sizes[:4]]
+    quarter = about(str(draw.choice(list("xyz"))), math.pi / 2)
+    cases += [(np.eye(3), sizes[4], "a book that is not turned"), (quarter, sizes[5], "a quarter turn"),
+              (a_rotation(draw), np.full(3, sizes[0][0]), "a cube")]  # fmt: skip
+    for R, size, kind in cases:
         found = student.book_edges(R, size=size)
         expect(mismatch(found, edges(R, size)), 0.0, within=WITHIN, scale=max(size), of="an edge",
-               unit="of the longest edge", at=(R, size), kind="a random rotation and size",
+               unit="of the longest edge", at=(R, size), kind=kind,
                hint=mistake(found, R, size))  # fmt: skip
