@@ -105,3 +105,13 @@ def test_a_part_is_graded_by_hand_and_the_total_adds_up(
     nbgrader(graded_course, "generate_feedback", SLUG)
     text = (graded_course / "feedback" / "ben" / SLUG / f"{SLUG}.html").read_text()
     assert REMARK in text and f"Score: {TYPED} / {POSSIBLE}" in text
+
+
+def test_autograde_by_a_click_in_formgrader(formgrader, page, graded_course, nbgrader_grades):
+    folder = graded_course / "autograded" / "ben" / SLUG
+    before = (folder / f"{SLUG}.ipynb").stat().st_mtime_ns
+    page.goto(f"{formgrader}/manage_submissions/{SLUG}", wait_until="domcontentloaded")
+    page.locator(".autograde a").first.click()
+    page.get_by_text("Successfully").first.wait_for(timeout=60_000)
+    assert (folder / f"{SLUG}.ipynb").stat().st_mtime_ns > before
+    assert nbgrader_grades(graded_course)["ben", SLUG, "part-d"][0] == 0.5
