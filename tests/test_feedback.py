@@ -4,6 +4,8 @@ import html
 import json
 import math
 import re
+import subprocess
+import sys
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -246,6 +248,31 @@ def test_pages_are_written_beside_the_results_and_left_when_nothing_changed(
     before = path.stat().st_mtime_ns
     feedback.write_pages(tmp_path, [record], course)
     assert path.stat().st_mtime_ns == before
+
+
+@pytest.mark.parametrize(
+    ("options", "right", "needed"),
+    [
+        ([], False, set()),
+        (["--out", "out"], True, {"jinja2"}),
+        (["--out", "out"], False, {"jinja2", "tam570_grader.pictures"}),
+    ],
+)
+def test_what_draws_is_imported_where_something_is_drawn(
+    options, right, needed, tmp_path, course, solution_text
+):
+    slug = "hw02_ballistics"
+    mistake = "" if right else (WRONG / slug / "euler_steps.py").read_text()
+    (tmp_path / f"{slug}.py").write_text(solution_text(slug) + "\n\n" + mistake)
+    code = (
+        "import sys\nfrom tam570_grader.cli import main\n"
+        f"assert main(['--root', {str(course)!r}, 'grade', '{slug}.py', *{options}]) == 0\n"
+        "print(*sys.modules, file=sys.stderr)"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, check=True
+    )
+    assert set(done.stderr.split()) & {"jinja2", "tam570_grader.pictures", "matplotlib.pyplot"} == needed
 
 
 def test_a_result_of_an_assignment_that_is_gone_still_has_a_page(course):

@@ -360,13 +360,13 @@ MOTION_SUSPECTS = [
 
 
 def judge_motions(found, right, calls, sizes, start, **says):
-    """All motions in one comparison, so that the worst decides on partial credit."""
+    """The worst motion first, for it decides on partial credit."""
     for values, call, size in zip(found, calls, sizes, strict=True):
         expect(values[0], call.args[start], within=1e-12, scale=size, of="the first row", at=call)
-    scale = np.concatenate([np.full(values.shape, size) for values, size in zip(right, sizes, strict=True)])
-    t = np.concatenate([call.args[0] for call in calls])
-    expect(np.concatenate(found), np.concatenate(right), within=TRAJECTORY, scale=scale, t=t, at=calls,
-           partial={1e-3: 0.5, 1e-2: 0.25}, **says)  # fmt: skip
+    errors = [np.max(np.abs(a - b)) / size for a, b, size in zip(found, right, sizes, strict=True)]
+    for worst in np.argsort(errors)[::-1]:
+        expect(found[worst], right[worst], within=TRAJECTORY, scale=sizes[worst], t=calls[worst].args[0],
+               at=calls[worst], partial={1e-3: 0.5, 1e-2: 0.25}, **says)  # fmt: skip
 
 
 @check(points=0.75, part="a", suspects=MOTION_SUSPECTS[:1])
