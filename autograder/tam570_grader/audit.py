@@ -1,12 +1,12 @@
 """Grades the grader: does it catch what it must? Mutants of every solution are run through it in the sandbox."""
 
 import sys
-import tomllib
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from tam570_grader.book import Record
+from tam570_grader.equivalents import Slip, entry, equivalents, idle
 from tam570_grader.mutate import Mutant, mutants
 from tam570_grader.run import Plan, graded_sources
 from tam570_grader.sandbox import Allowance
@@ -20,17 +20,19 @@ QUICK = 10  # mutants of an assignment in the quick form
 FATES = KILLED, EQUIVALENT, SURVIVES = "killed", "equivalent", "survive"
 
 
-def run(course: Path, slugs: Sequence[str], *, jobs: int, quick: bool) -> int:
+def run(
+    course: Path, slugs: Sequence[str], *, jobs: int, quick: bool = False, functions: Sequence[str] = ()
+) -> int:
     """Print what became of the mutants; 1 if one survives that is not listed, or one is listed that does not."""
     faults = 0
     for slug in slugs:
         found = mutants(slug, (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8"))
-        chosen = found[:: max(1, len(found) // QUICK)] if quick else found
+        asked = [mutant for mutant in found if not functions or mutant.function in functions]
+        chosen = asked[:: max(1, len(asked) // QUICK)] if quick else asked
         outcome = dict(_graded(course, chosen, jobs))
-        listed = {name: why for name, why in _equivalents(course).items() if name.startswith(slug[:4])}
+        listed = equivalents(course, slug)
         faults += _report(slug, chosen, outcome, listed)
-        if not quick:
-            faults += _report_of_idle_lines(listed, chosen, outcome)
+        faults += _report_of_idle_lines(listed, found, outcome)
     return 1 if faults else 0
 
 
@@ -50,10 +52,10 @@ def _graded(course: Path, chosen: Sequence[Mutant], jobs: int) -> Iterator[tuple
 
 
 def _report(
-    slug: str, chosen: Sequence[Mutant], outcome: dict[str, Record], equivalent: dict[str, str]
+    slug: str, chosen: Sequence[Mutant], outcome: Mapping[str, Record], listed: Mapping[Slip, str]
 ) -> int:
     """Print the counts by function and check, and the survivors of an assignment; how many survive."""
-    fates = {mutant.name: _fate(outcome[mutant.name], mutant.name in equivalent) for mutant in chosen}
+    fates = {mutant.name: _fate(outcome[mutant.name], _slip(mutant) in listed) for mutant in chosen}
     counts = Counter(fates.values())
     print(f"{slug}: {len(chosen)} mutants, " + ", ".join(f"{counts[fate]} {fate}" for fate in FATES))
     for function in dict.fromkeys(mutant.function for mutant in chosen):
@@ -64,22 +66,34 @@ def _report(
             f"  {check:<48} first to catch {first}, alone {alone}" + ("" if alone else ": no mutant needs it")
         )
     for mutant in (mutant for mutant in chosen if fates[mutant.name] == SURVIVES):
-        print(f"  SURVIVES {mutant.name} line {mutant.line}: {mutant.was} -> {mutant.now}")
+        _show(mutant)
     sys.stdout.flush()
     return counts[SURVIVES]
 
 
+def _show(mutant: Mutant) -> None:
+    """Print where a survivor is, its line as it was and is, and the line that would list it."""
+    print(f"  SURVIVES solutions/{mutant.slug}.py:{mutant.line} in {mutant.function}: {mutant.operator}")
+    for mark, line in zip("-+", (mutant.before, mutant.after), strict=True):
+        print(f"      {mark} {line.strip()}")
+    for line in entry(mutant).splitlines():
+        print(f"    {line}")
+
+
 def _report_of_idle_lines(
-    listed: dict[str, str], chosen: Sequence[Mutant], outcome: dict[str, Record]
+    listed: Mapping[Slip, str], made: Iterable[Mutant], outcome: Mapping[str, Record]
 ) -> int:
-    """Print the listed equivalents that are no longer made, or lose points; how many they are."""
-    made = {mutant.name for mutant in chosen}
-    idle = [name for name in listed if name not in made or not _survives(outcome[name])]
-    for name in idle:
-        print(
-            f"  LISTED IN VAIN {name}: " + ("it loses points" if name in made else "there is no such mutant")
-        )
-    return len(idle)
+    """Print the lines that list in vain; how many they are."""
+    names = {_slip(mutant): mutant.name for mutant in made}
+    killed = {slip for slip, name in names.items() if name in outcome and not _survives(outcome[name])}
+    faults = idle(listed, names, killed)
+    for (function, slip), fault in faults.items():
+        print(f"  LISTED IN VAIN {function}: {slip}: {fault}")
+    return len(faults)
+
+
+def _slip(mutant: Mutant) -> Slip:
+    return mutant.function, mutant.slip
 
 
 def _fate(record: Record, listed: bool) -> str:
@@ -101,9 +115,3 @@ def _catches(records: Iterable[Record]) -> dict[str, tuple[int, int]]:
         first.update(failed[:1])
         alone.update(failed if len(failed) == 1 else [])
     return {name: (first[name], alone[name]) for name in names}
-
-
-def _equivalents(course: Path) -> dict[str, str]:
-    """Mutants that are no mistakes, and why, in one line each."""
-    path = course / "autograder" / "equivalent_mutants.toml"
-    return tomllib.loads(path.read_text(encoding="utf-8")) if path.exists() else {}

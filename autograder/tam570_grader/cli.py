@@ -15,6 +15,7 @@ from tam570_grader.handover import add_course, add_gradescope, add_lms, add_repo
 __all__ = ["main"]
 
 INTERRUPTED = 130
+SHORTEST_KEY = 16  # bytes
 Commands = Any  # argparse keeps the name of its subparsers' type to itself
 
 
@@ -78,6 +79,18 @@ def _add_grade(commands: Commands) -> argparse.ArgumentParser:
         metavar="S",
         help="of the hidden inputs (default: that of --out, else random)",
     )
+    add(
+        "--vary",
+        type=Path,
+        metavar="KEYFILE",
+        help="give each student other inputs, by the key in this file; made if new",
+    )
+    add(
+        "--against",
+        type=Path,
+        metavar="OLD",
+        help="say which scores of these results change, and why; what is as it was is not run",
+    )
     add("--speed", action="store_true", help="also measure the run time of simulations, for the pages")
     add("--assignment", metavar="SLUG", help="which one it is, where the names do not tell")
     add("--only", nargs="+", metavar="SLUG", help="grade these assignments alone")
@@ -120,6 +133,7 @@ def _add_audit(commands: Commands) -> argparse.ArgumentParser:
     audit.set_defaults(command=_audit)
     audit.add_argument("assignments", nargs="*", metavar="SLUG", help="default: all")
     audit.add_argument("--quick", action="store_true", help="a few mutants of each assignment")
+    audit.add_argument("--function", nargs="+", metavar="NAME", default=[], help="mutants of these alone")
     audit.add_argument(
         "--jobs", type=_positive, metavar="N", default=_cores(), help="workers (default: %(default)s)"
     )
@@ -128,8 +142,8 @@ def _add_audit(commands: Commands) -> argparse.ArgumentParser:
 
 def _grade(arguments: argparse.Namespace) -> int:
     _must_be_posix()
-    from tam570_grader import feedback, root
-    from tam570_grader.book import Book
+    from tam570_grader import feedback, regrading, root
+    from tam570_grader.book import Book, read
     from tam570_grader.run import Plan, records
     from tam570_grader.sandbox import Allowance
 
@@ -138,25 +152,23 @@ def _grade(arguments: argparse.Namespace) -> int:
     found = _submissions(arguments, known)
     if arguments.out:
         feedback.must_write_pages()
+    old = read(arguments.against) if arguments.against else []
     book = Book(arguments.out) if arguments.out else None
-    seed = next(
-        s for s in (arguments.seed, book.seed if book else None, secrets.randbelow(2**31)) if s is not None
-    )
+    key = _key(arguments.vary, bool(old or (book and book.records()))) if arguments.vary else None
+    seed = _seed(arguments.seed, [*old, *(book.records() if book else [])], key)
     allowance = Allowance(arguments.memory * 2**20, arguments.cpu, arguments.call, arguments.processes)
-    hidden = [
-        course,
-        *(path.resolve() for path in arguments.paths),
-        *([arguments.out.resolve()] if book else []),
-    ]
+    ours = [*arguments.paths, *filter(None, (arguments.out, arguments.against, arguments.vary))]
+    hidden = [course, *(path.resolve() for path in ours)]
     _warn_of_isolation()
-    plan = Plan(course, found, seed, arguments.jobs, allowance, hidden, arguments.speed)
+    plan = Plan(course, found, seed, arguments.jobs, allowance, hidden, arguments.speed, key=key)
+    before = regrading.newest(old)
     done: list[dict[str, Any]] = []
     try:
         with contextlib.closing(book) if book else contextlib.nullcontext():
-            for record in _with_progress(records(plan, book), len(found)):
+            for record in _with_progress(records(plan, book, old), len(found)):
                 done.append(record)
                 if arguments.json:
-                    print(json.dumps(record), flush=True)
+                    print(json.dumps(_compared(record, before) if arguments.against else record), flush=True)
         if book:
             feedback.write_pages(arguments.out / "feedback", book.records(), course)
     except BrokenPipeError:
@@ -167,15 +179,63 @@ def _grade(arguments: argparse.Namespace) -> int:
     if arguments.format == "gradescope":
         return _print_gradescope(course, done)
     if not arguments.json:
-        _print_table(done, seed)
+        _print_table(done, f"key in {arguments.vary}" if key else f"seed {seed}")
+        if arguments.against:
+            changes = [regrading.change(before.get(_who(record)), record) for record in done]
+            print("\n" + regrading.table(filter(None, changes), len(done)))
     return _exit_code(done)
 
 
-def _print_table(done: list[dict[str, Any]], seed: int) -> None:
+def _seed(given: int | None, earlier: list[dict[str, Any]], key: bytes | None) -> int:
+    """The seed asked for, else that of the results that are there, else any."""
+    from tam570_grader.book import seed_of
+
+    if key is not None and given is not None:
+        raise Usage("--seed and --vary: a seed is for the whole class, a key varies it; give one of them")
+    if key is not None or given is not None:
+        return given or 0
+    found = seed_of(earlier)
+    return secrets.randbelow(2**31) if found is None else found
+
+
+def _key(path: Path, needed: bool) -> bytes:
+    """The key in the file; a new one if there is no file and nothing was graded with it yet."""
+    if not path.exists():
+        if needed:
+            raise Usage(
+                f"there is no key in {path}, and the earlier results want the one they were graded with"
+            )
+        with open(os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600), "w", encoding="ascii") as file:
+            file.write(secrets.token_hex(32) + "\n")
+        print(f"tam570-grader: a new key: {path}; keep it, the scores hang on it", file=sys.stderr)
+    try:
+        key = path.read_bytes().strip()
+    except OSError as error:
+        raise Usage(f"cannot read the key {path}: {error.strerror}") from None
+    if len(key) < SHORTEST_KEY:
+        raise Usage(
+            f"{path} is no key: it holds fewer than {SHORTEST_KEY} bytes; name a new file to have one made"
+        )
+    return key
+
+
+def _who(record: dict[str, Any]) -> tuple[str, str]:
+    return record["student"], record["assignment"]
+
+
+def _compared(record: dict[str, Any], before: dict[tuple[str, str], dict[str, Any]]) -> dict[str, Any]:
+    """The result line with what became of the old score; null if it is the same."""
+    from tam570_grader import regrading
+
+    changed = regrading.change(before.get(_who(record)), record)
+    return {**record, "change": changed.record() if changed else None}
+
+
+def _print_table(done: list[dict[str, Any]], inputs: str) -> None:
     from tam570_grader import feedback
 
     print(feedback.table(sorted(done, key=lambda record: (record["assignment"], record["student"]))))
-    print(f"\nseed {seed}; the same seed gives the same hidden inputs and the same scores")
+    print(f"\n{inputs}; the same again gives the same hidden inputs and the same scores")
 
 
 def _print_gradescope(course: Path, done: list[dict[str, Any]]) -> int:
@@ -263,7 +323,7 @@ def _audit(arguments: argparse.Namespace) -> int:
     known = root.slugs(course)
     slugs = [_slug(name, known) for name in arguments.assignments] or known
     _warn_of_isolation()
-    return audit.run(course, slugs, jobs=arguments.jobs, quick=arguments.quick)
+    return audit.run(course, slugs, jobs=arguments.jobs, quick=arguments.quick, functions=arguments.function)
 
 
 def _must_be_posix() -> None:

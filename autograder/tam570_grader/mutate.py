@@ -11,6 +11,7 @@ import copy
 import hashlib
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import partial
 from typing import TypeVar
 
 __all__ = ["Mutant", "mutants"]
@@ -25,6 +26,7 @@ OPPOSITES: dict[type[ast.AST], type[ast.AST]] = {
     ast.And: ast.Or, ast.Or: ast.And,
 }  # fmt: skip
 Node = TypeVar("Node", bound=ast.AST)
+Operator = Callable[[ast.expr], Iterator[ast.expr]]
 SYMMETRIC = {"dot", "hypot", "max", "maximum", "min", "minimum", "multiply"}  # functions of two arguments
 
 
@@ -34,17 +36,24 @@ class Mutant:
 
     slug: str
     function: str
+    operator: str
     line: int
     was: str
     now: str
-    nth: int  # of the slips in the function that read alike
+    nth: int  # of the slips in the function that read alike, from 1
     text: str
+    before: str  # the line
+    after: str
+
+    @property
+    def slip(self) -> str:
+        """What was done in the function; it reads the same as long as the expression does."""
+        return f"{self.was} -> {self.now}" + (f" #{self.nth}" if self.nth > 1 else "")
 
     @property
     def name(self) -> str:
-        """A name that stays the same as long as the expression does."""
-        slip = hashlib.sha256(f"{self.was} -> {self.now} {self.nth}".encode()).hexdigest()[:8]
-        return f"{self.slug[:4]}.{self.function}.{slip}"
+        """A short name among all mutants."""
+        return f"{self.slug[:4]}.{self.function}.{hashlib.sha256(self.slip.encode()).hexdigest()[:8]}"
 
 
 def mutants(slug: str, source: str) -> list[Mutant]:
@@ -52,12 +61,15 @@ def mutants(slug: str, source: str) -> list[Mutant]:
     found: dict[str, Mutant] = {}
     for function in (node for node in ast.parse(source).body if isinstance(node, ast.FunctionDef)):
         count: collections.Counter[tuple[str, str]] = collections.Counter()
-        for node, slip in _slips(function):
+        for node, operator, slip in _slips(function):
             was, now = ast.unparse(node), ast.unparse(slip)
-            if was != now:
-                text = _replaced(source, node, now)
-                found[text] = Mutant(slug, function.name, node.lineno, was, now, count[was, now], text)
-                count[was, now] += 1
+            if was == now or (text := _replaced(source, node, now)) in found:
+                continue
+            count[was, now] += 1
+            lines = (whole.splitlines()[node.lineno - 1] for whole in (source, text))
+            found[text] = Mutant(
+                slug, function.name, operator, node.lineno, was, now, count[was, now], text, *lines
+            )
     return list(found.values())
 
 
@@ -71,18 +83,19 @@ def _replaced(source: str, node: ast.expr, text: str) -> str:
     return (whole[:start] + f"({text})".encode() + whole[end:]).decode()
 
 
-def _slips(function: ast.FunctionDef) -> Iterator[tuple[ast.expr, ast.expr]]:
-    """Every expression of a function's body beside what a slip makes of it; messages and tolerances are no physics."""
+def _slips(function: ast.FunctionDef) -> Iterator[tuple[ast.expr, str, ast.expr]]:
+    """Every expression of a body, and what an operator makes of it; messages and tolerances are no physics."""
     spared = {id(inner) for node in ast.walk(function) if _is_spared(node) for inner in ast.walk(node)}
     inputs = {argument.arg for argument in (*function.args.args, *function.args.kwonlyargs)}
+    operators: dict[str, Operator] = {**OPERATORS, "a missing copy": partial(_copies, inputs=inputs)}
     for statement in function.body:
         for node in ast.walk(statement):
+            if isinstance(node, ast.If):
+                yield from ((node.test, "a branch", ast.Constant(always)) for always in (True, False))
             if isinstance(node, ast.expr) and id(node) not in spared:
-                for operator in OPERATORS:
+                for name, operator in operators.items():
                     for slip in operator(node):
-                        yield node, slip
-                for slip in _copies(node, inputs):
-                    yield node, slip
+                        yield node, name, slip
 
 
 def _is_spared(node: ast.AST) -> bool:
@@ -153,7 +166,12 @@ def _arguments(node: ast.expr) -> Iterator[ast.expr]:
             getattr(node, "ctx", ast.Load()), ast.Load
         ):
             for i in range(len(parts) - 1):
-                yield _with(node, **{field: [*parts[:i], parts[i + 1], parts[i], *parts[i + 2 :]]})
+                if not _equal(parts[i], parts[i + 1]):
+                    yield _with(node, **{field: [*parts[:i], parts[i + 1], parts[i], *parts[i + 2 :]]})
+
+
+def _equal(one: ast.expr, other: ast.expr) -> bool:
+    return isinstance(one, ast.Constant) and isinstance(other, ast.Constant) and one.value == other.value
 
 
 def _indices(node: ast.expr) -> Iterator[ast.expr]:
@@ -182,9 +200,11 @@ def _conditions(node: ast.expr) -> Iterator[ast.expr]:
         yield from (node.body, node.orelse)
 
 
-OPERATORS: tuple[Callable[[ast.expr], Iterator[ast.expr]], ...] = (
-    _signs, _operations, _exponents, _factors, _counterparts, _arguments, _indices, _transposes, _conditions,
-)  # fmt: skip
+OPERATORS: dict[str, Operator] = {
+    "a sign": _signs, "a term or product": _operations, "an exponent": _exponents, "a factor": _factors,
+    "another function": _counterparts, "swapped arguments": _arguments, "an index": _indices,
+    "a transpose": _transposes, "a condition": _conditions,
+}  # fmt: skip
 
 
 def _with(node: Node, **fields: object) -> Node:
