@@ -141,6 +141,23 @@ def an_omega(draw):
     return draw.uniform(0.4, 1, 3) * draw.choice([-1, 1], 3) * 10 ** draw.uniform(0, 0.5)
 
 
+PLAIN = "omega along a principal axis, in a principal plane, of one sign, or zero"
+
+
+def plain_omegas(draw):
+    """Spins about each axis both ways, omegas with one zero, without one but of one sign, and none."""
+    size = np.abs(an_omega(draw))
+    return [
+        sign * size * some + 0.0 for some in np.ndindex(2, 2, 2) for sign in (1, -1)
+    ]  # no zero has a sign
+
+
+def plain_attitudes(draw):
+    """The body's axes along those of space: as they are, and after a quarter turn and a half turn."""
+    axis = draw.permutation(np.eye(3))[0]
+    return [np.eye(3), *(np.round(turned(angle * axis)) + 0.0 for angle in (math.pi / 2, math.pi))]
+
+
 def an_attitude(draw):
     return turned(draw.uniform(0.4, 1.2, 3) * draw.choice([-1, 1], 3))
 
@@ -164,7 +181,7 @@ def judge(function, calls, right, *, size=None, within=POINTWISE, unit="of itsel
     for found, call in zip(function.many(calls), calls, strict=True):
         expected = right(*call.args, **call.kwargs)
         scale = size(*call.args, **call.kwargs) if size else np.linalg.norm(expected)
-        expect(found, expected, within=within, scale=scale, unit=unit, at=call, **says)
+        expect(found, expected, within=within, scale=scale or 1.0, unit=unit, at=call, **says)
 
 
 def signs_changed(*signs):
@@ -190,6 +207,13 @@ def euler_equations_keep_the_angular_momentum(student, draw):
     judge(student.euler_equations, [given(an_omega(draw), inertia=body) for body in bodies], moving,
           size=lambda omega, inertia: omega @ omega, of="omega'", unit="of omega^2", kind="a random body and omega",
           hint="the rate of H in body components plus omega x H is zero")  # fmt: skip
+    plain = [
+        given(omega, inertia=body)
+        for body in (a_body(draw), np.array([2.0, 1.0, 2.0]))
+        for omega in plain_omegas(draw)
+    ]
+    judge(student.euler_equations, plain, moving, size=lambda omega, inertia: omega @ omega, of="omega'",
+          unit="of omega^2", kind=PLAIN, hint="which of the three products are zero?")  # fmt: skip
 
 
 @check(
@@ -205,6 +229,11 @@ def attitude_follows_omega(student, draw):
     calls = [given(an_attitude(draw), an_omega(draw)) for _ in range(15)]
     judge(student.attitude_rate, calls, right_attitude, of="dR/dt", kind="a random attitude and omega",
           hint="the columns of R are the body's axes in space; each moves at omega x itself")  # fmt: skip
+    plain = [
+        given(R, omega) for R in (*plain_attitudes(draw), an_attitude(draw)) for omega in plain_omegas(draw)
+    ]
+    judge(student.attitude_rate, plain, right_attitude, of="dR/dt", size=lambda R, omega: np.linalg.norm(omega),
+          unit="of omega", kind=f"{PLAIN}, or axes along those of space")  # fmt: skip
 
 
 @check(
@@ -218,6 +247,8 @@ def energy_is_half_omega_h(student, draw):
     """energy: half of omega . H."""
     calls = [given(an_omega(draw), inertia=a_body(draw)) for _ in range(10)]
     judge(student.energy, calls, energy, of="the energy", kind="a random body and omega")
+    plain = [given(omega, inertia=a_body(draw)) for omega in plain_omegas(draw)]
+    judge(student.energy, plain, energy, of="the energy", kind=PLAIN)
 
 
 def momentum(R, omega, *, inertia):
@@ -237,6 +268,10 @@ def angular_momentum_is_in_space_axes(student, draw):
     """angular_momentum: the vector H in space components."""
     calls = [given(an_attitude(draw), an_omega(draw), inertia=a_body(draw)) for _ in range(10)]
     judge(student.angular_momentum, calls, momentum, of="H", kind="a random body, attitude and omega")
+    plain = [
+        given(R, omega, inertia=a_body(draw)) for R in plain_attitudes(draw) for omega in plain_omegas(draw)
+    ]
+    judge(student.angular_momentum, plain, momentum, of="H", kind=f"{PLAIN}, and axes along those of space")
 
 
 def omega_of_rates(angles):
@@ -272,10 +307,17 @@ def euler_rates_make_omega(student, draw):
     thetas = [*draw.uniform(0.3, 2.8, 6), *-draw.uniform(0.3, 2.8, 4), *draw.uniform(3.5, 5.9, 4)]
     calls = [given(np.array([psi, theta, phi]), an_omega(draw))
              for theta, psi, phi in zip(thetas, *draw.uniform(-4, 4, (2, 14)), strict=True)]  # fmt: skip
+    judge_rates(student, calls, "random Euler angles")
+    quarters = np.array([(0, 1, 0), (0, -1, 0), (1, 1, 0), (0, 1, 1), (2, -1, 1), (-1, 3, 2)]) * math.pi / 2
+    plain = [given(angles, omega) for angles in quarters for omega in plain_omegas(draw)]
+    judge_rates(student, plain, f"Euler angles of quarter and half turns, {PLAIN}")
+
+
+def judge_rates(student, calls, kind):
     for found, call in zip(student.euler_rates_313.many(calls), calls, strict=True):
         angles, omega = call.args
-        expect(omega_of_rates(angles) @ found, omega, within=POINTWISE, scale=np.linalg.norm(omega),
-               of="omega of the rates", unit="of omega", kind="random Euler angles", at=call,
+        expect(omega_of_rates(angles) @ found, omega, within=POINTWISE, scale=np.linalg.norm(omega) or 1.0,
+               of="omega of the rates", unit="of omega", kind=kind, at=call,
                hint="omega is psi' along space z, theta' along the line of nodes, phi' along body z")  # fmt: skip
 
 
@@ -423,12 +465,29 @@ def special_motions(draw):
     for kind, (body, omega) in cases.items():
         t, R = times(draw, omega if omega.any() else np.ones(3), 10), an_attitude(draw)
         cases[kind] = given(t, R, omega, inertia=body), wheel(t, R, omega, body)
+    omega, body = an_omega(draw), a_wheel(draw)
+    t, R = times(draw, omega, 5, count=2), np.eye(3)
+    cases["two times, and axes along those of space at the start"] = (
+        given(t, R, omega, inertia=body), wheel(t, R, omega, body),
+    )  # fmt: skip
+    for axis in (0, 1, 2):
+        body, omega = a_body(draw), draw.choice([-1, 1]) * draw.uniform(1, 4) * np.eye(3)[axis] + 0.0
+        t, R = times(draw, omega, 4), an_attitude(draw)
+        cases[f"spin about the principal axis {axis}"] = (
+            given(t, R, omega, inertia=body),
+            spinning(t, R, omega),
+        )
     return cases
+
+
+def spinning(t, R, omega):
+    """omegas and rotations of a body that goes on turning about one of its principal axes."""
+    return np.tile(omega, (len(t), 1)), np.array([R @ turned(omega * tau) for tau in t - t[0]])
 
 
 @check(points=0.5, part="a", after=(omega_follows_elliptic_functions, attitude_follows_the_motion))
 def special_bodies_move_too(student, draw):
-    """simulate: two or three equal inertias, and a body at rest."""
+    """simulate: two or three equal inertias, a body at rest, spin about a principal axis, and two times alone."""
     cases = special_motions(draw)
     found = student.simulate.many([call for call, _ in cases.values()])
     for (omegas, rotations), (kind, (call, right)) in zip(found, cases.items(), strict=True):
@@ -490,10 +549,18 @@ def symmetric_bodies_precess(student, draw):
     for body in bodies:
         omega = an_omega(draw)
         calls.append(given(times(draw, omega, 40), omega, inertia=body))
+    judge_precession(student, calls, "a random body with A = B")
+    plain = [
+        given(times(draw, np.ones(3), 10, 2), omega, inertia=a_wheel(draw)) for omega in plain_omegas(draw)
+    ]
+    judge_precession(student, plain, f"two times, and {PLAIN}")
+
+
+def judge_precession(student, calls, kind):
     for found, call in zip(student.symmetric_solution.many(calls), calls, strict=True):
         t, omega = call.args
-        expect(found, symmetric(t, omega, **call.kwargs), within=POINTWISE, scale=np.linalg.norm(omega), of="omega",
-               unit="of its start", t=t, kind="a random body with A = B", at=call,
+        expect(found, symmetric(t, omega, **call.kwargs), within=POINTWISE, scale=np.linalg.norm(omega) or 1.0,
+               of="omega", unit="of its start", t=t, kind=kind, at=call,
                hint="compare with euler_equations at the first time")  # fmt: skip
 
 
@@ -514,6 +581,10 @@ def wobble_goes_round_the_angular_momentum(student, draw):
     judge(student.wobble_rate, [given(omega, inertia=a_wheel(draw)) for omega in omegas],
           lambda omega, inertia: space_rate(inertia, omega), of="the rate", kind="a random body with A = B",
           hint="split omega into a part along H and one along the symmetry axis")  # fmt: skip
+    # about the symmetry axis alone nothing wobbles
+    across = [given(omega, inertia=a_wheel(draw)) for omega in plain_omegas(draw) if omega[:2].any()]
+    judge(student.wobble_rate, across, lambda omega, inertia: space_rate(inertia, omega), of="the rate",
+          kind="omega across the symmetry axis, or in a principal plane")  # fmt: skip
 
 
 # (b) Stability and tumbling
@@ -557,6 +628,10 @@ def small_deviations_grow_at_this_rate(student, draw):
         judge(student.growth_rate_squared, calls, growth, size=lambda axis, spin, inertia: spin**2, unit="of spin^2",
               of="the square of the rate", kind=f"axis {axis}",
               hint="keep what is linear in the two small components of omega")  # fmt: skip
+        spin, A = draw.uniform(1.5, 6), draw.uniform(0.5, 2)
+        plain = [given(axis, spin, inertia=np.full(3, A)), given(axis, 0.0, inertia=a_body(draw))]
+        judge(student.growth_rate_squared, plain, growth, size=lambda axis, spin, inertia: spin**2, unit="of spin^2",
+              of="the square of the rate", kind="three equal inertias, or no spin")  # fmt: skip
 
 
 def squares(omega, inertia):
@@ -599,6 +674,24 @@ def judge_periods(student, draw, sign, kind):
     calls = [given(omega[np.argsort(body)], inertia=np.sort(body)) for body, omega in cases]
     judge(student.tumble_period, calls, tumbling, within=PERIOD, of="the period", kind=kind,
           hint="after what time is omega back, sign and all?")  # fmt: skip
+    body = sorted_body(draw)
+    plain = [given(omega, inertia=body) for omega in in_planes(body, sign)]
+    judge(
+        student.tumble_period,
+        plain,
+        tumbling,
+        within=PERIOD,
+        of="the period",
+        kind=f"{kind}, in a principal plane",
+    )
+
+
+def in_planes(body, sign):
+    """omegas in principal planes, round the last axis for sign 1, round the first for -1."""
+    A, B, C = body
+    first, middle, last = np.diag([1 / math.sqrt(A * (B - A)), 1 / B, 1 / math.sqrt(C * (C - B))])
+    about, other = (last, first) if sign > 0 else (first, last)
+    return [about + other / 2, about - other / 2, -about + middle, -about - middle]
 
 
 @check(points=0.375, part="b", suspects=TUMBLE_SUSPECTS)
@@ -668,15 +761,20 @@ def mismatch(found, right):
 @check(points=0.5, part="b")
 def the_box_has_its_twelve_edges(student, draw):
     """wireframe: the edges of the turned box, in any order and direction."""
-    for _ in range(3):
-        R, size = an_attitude(draw), draw.permutation(10 ** draw.uniform(-1, 1) * np.array([1, 1.7, 2.9]))
+    sizes = [draw.permutation(10 ** draw.uniform(-1, 1) * np.array([1, 1.7, 2.9])) for _ in range(6)]
+    cases = [(an_attitude(draw), size, "a random attitude and size") for size in sizes[:3]]
+    cases += [
+        (R, size, "a box along the axes of space")
+        for R, size in zip(plain_attitudes(draw), sizes[3:], strict=True)
+    ]
+    for R, size, kind in [*cases, (an_attitude(draw), np.full(3, sizes[0][0]), "a cube")]:
         found = student.wireframe(R, size=size)
         transposed = mismatch(found, edges(R.T, size)) < 1e-9 * max(size)
         hint = (
             "it is that of the transpose" if transposed else "edges are `size` long; the centre is the origin"
         )
         expect(mismatch(found, edges(R, size)), 0.0, within=POINTWISE, scale=max(size), of="an edge",
-               unit="of the longest edge", kind="a random attitude and size", at=(R, size), hint=hint)  # fmt: skip
+               unit="of the longest edge", kind=kind, at=(R, size), hint=hint)  # fmt: skip
 
 
 @once

@@ -1,0 +1,12 @@
+"""Asked for two times alone, it gives the start twice.
+
+fails: special_bodies_move_too
+"""
+
+_right = simulate
+
+
+def simulate(t, R, omega, *, inertia):
+    omegas, rotations = _right(t, R, omega, inertia=inertia)
+    last = 0 if len(t) == 2 else slice(None)
+    return omegas * 0 + omegas[last], rotations * 0 + rotations[last]
