@@ -22,6 +22,7 @@ def page(film: Film) -> str:
         notes="".join(f'<p class="note">{html.escape(note)}</p>' for note in film.notes),
         style=_part("page.css"),
         view=_part("space.js" if film.in_space else "plane.js"),
+        strips=_part("strips.js"),
         player=_part("player.js"),
         film=_data(packed(film)),
     )

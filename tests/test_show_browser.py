@@ -1,0 +1,293 @@
+"""The scenes in headless Chromium: played, scrubbed, turned, by mouse, keys and touch; wide, narrow, light, dark."""
+
+import shutil
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from tam570.show import film_of, loaded
+from tam570.show.film import Film, Panel, Part, clock
+from tam570.show.page import framed, page
+
+BROWSERS = ("chromium", "chromium-browser", "google-chrome", "chrome")
+PLANE, SPACE = "hw07_double_pendulum", "hw14_rolling_disk"
+SIZES = {"desktop": (1280, 720), "phone": (390, 844)}
+PIXELS = "id => document.getElementById(id).toDataURL()"
+TIME = "() => Number(document.getElementById('scrub').value)"
+
+
+@pytest.fixture(scope="module")
+def browser():
+    driver = pytest.importorskip("playwright.sync_api", reason="no playwright: pip install playwright")
+    chromium = next((path for name in BROWSERS if (path := shutil.which(name))), None)
+    if chromium is None:
+        pytest.skip("there is no Chromium here")
+    with driver.sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=chromium, args=["--no-sandbox"])
+        yield browser
+        browser.close()
+
+
+@pytest.fixture(scope="module")
+def films(course):
+    made = {}
+
+    def film(slug):
+        if slug not in made:
+            made[slug] = film_of(loaded(course / "solutions" / f"{slug}.py", slug), slug)
+        return made[slug]
+
+    return film
+
+
+@pytest.fixture
+def opened(browser, films, tmp_path):
+    """`opened(slug or document)` -> the page, paused unless motion is wanted; it must not complain."""
+    contexts, complaints = [], []
+
+    def opened(what, size="desktop", scheme="light", motion="reduce", **options):
+        document = what if what.startswith("<") else page(films(what))
+        (tmp_path / "scene.html").write_text(document, encoding="utf-8")
+        width, height = SIZES[size]
+        context = browser.new_context(
+            viewport={"width": width, "height": height}, color_scheme=scheme, reduced_motion=motion, **options
+        )
+        contexts.append(context)
+        tab = context.new_page()
+        tab.on("console", lambda message: complaints.append(message.text))
+        tab.on("pageerror", lambda error: complaints.append(str(error)))
+        tab.on(
+            "request",
+            lambda request: (
+                None if request.url.startswith(("file:", "data:")) else complaints.append(request.url)
+            ),
+        )
+        tab.goto((tmp_path / "scene.html").as_uri())
+        return tab
+
+    yield opened
+    for context in contexts:
+        context.close()
+    assert not complaints
+
+
+def until(tab, condition):
+    """Wait for it; the page's own policy forbids the driver's way of waiting."""
+    for _ in range(200):
+        if tab.evaluate(condition):
+            return
+        tab.wait_for_timeout(50)
+    raise AssertionError(f"not within 10 s: {condition}")
+
+
+def ink(tab, canvas):
+    """How many pixels of a canvas are drawn on."""
+    return tab.evaluate(
+        """id => { const canvas = document.getElementById(id), copy = new OffscreenCanvas(canvas.width, canvas.height);
+                   copy.getContext("2d").drawImage(canvas, 0, 0);
+                   const {data} = copy.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+                   let count = 0;
+                   for (let i = 3; i < data.length; i += 4) count += data[i] > 0;
+                   return count; }""",
+        canvas,
+    )
+
+
+def test_every_scene_is_drawn_fits_and_has_names(opened, slug, films):
+    tab, film = opened(slug), films(slug)
+    tab.keyboard.press("End")
+    for width, height in SIZES.values():
+        tab.set_viewport_size({"width": width, "height": height})
+        until(tab, f"stage.live.width < {width} && stage.live.width > {width} / 2")
+        assert ink(tab, "live") > 300
+        assert tab.evaluate("document.documentElement.scrollWidth") <= width
+        for name in ("#live", "#play", "#scrub", "#speed"):
+            box = tab.locator(name).bounding_box()
+            assert box["x"] >= 0 and box["x"] + box["width"] <= width and box["y"] + box["height"] <= height
+    assert tab.get_by_role("img", name=film.sight, exact=True).count() == 1
+    assert tab.get_by_role("img").count() == 1 + len(film.strips)
+    assert tab.get_by_role("button", name="Play", exact=True).count() == 1
+    assert (
+        tab.get_by_role("slider", name="Time").count()
+        == tab.get_by_role("combobox", name="Speed").count()
+        == 1
+    )
+    assert tab.get_by_role("button", name="Reset view").count() == film.in_space
+
+
+def test_it_plays_by_itself_and_stops_and_goes_on(opened):
+    tab = opened(PLANE, motion="no-preference")
+    until(tab, "state.time > 0.1")
+    tab.get_by_role("button", name="Pause").click()
+    stopped, picture = tab.evaluate(TIME), tab.evaluate(PIXELS, "live")
+    tab.wait_for_timeout(150)
+    assert tab.evaluate(TIME) == stopped and tab.evaluate(PIXELS, "live") == picture
+    tab.locator("h1").click()
+    tab.keyboard.press("Space")
+    until(tab, f"state.time > {stopped} + 0.1")
+    assert tab.evaluate(PIXELS, "live") != picture
+
+
+def test_it_waits_where_motion_is_not_wanted(opened):
+    tab = opened(PLANE)
+    tab.wait_for_timeout(150)
+    assert tab.evaluate(TIME) == 0 and tab.get_by_role("button", name="Play").is_visible()
+
+
+def test_at_the_end_it_begins_again(opened):
+    tab = opened(PLANE)
+    tab.keyboard.press("End")
+    assert tab.evaluate(TIME) == pytest.approx(20.0)
+    tab.keyboard.press("Space")
+    until(tab, "state.time < 5")
+
+
+def test_a_speed_is_a_speed(opened):
+    tab = opened(PLANE)
+    tab.get_by_label("Speed").select_option("0.25")
+    assert tab.evaluate("state.speed") == 0.25
+    tab.evaluate("() => { state.playing = true; state.last = 1000; advance(1400); state.playing = false; }")
+    assert tab.evaluate(TIME) == pytest.approx(0.1)
+
+
+def test_the_time_is_scrubbed_by_keys_and_by_mouse(opened):
+    tab = opened(PLANE)
+    tab.keyboard.press("ArrowRight")
+    assert tab.evaluate(TIME) == pytest.approx(1 / 30)
+    tab.keyboard.press("ArrowLeft")
+    assert tab.evaluate(TIME) == 0
+    before = tab.evaluate(PIXELS, "live")
+    box = tab.locator("#scrub").bounding_box()
+    tab.mouse.click(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    assert tab.evaluate(TIME) == pytest.approx(10.0, abs=0.3)
+    assert tab.evaluate(PIXELS, "live") != before and tab.locator("#clock").inner_text().endswith(" s")
+    tab.locator("#scrub").press("Home")
+    assert tab.evaluate(TIME) == 0 and tab.evaluate(PIXELS, "live") == before
+
+
+def dragged(tab, by):
+    box = tab.locator("#live").bounding_box()
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    tab.mouse.move(x, y)
+    tab.mouse.down()
+    tab.mouse.move(x + by[0], y + by[1], steps=3)
+    tab.mouse.up()
+    tab.mouse.move(x, y)
+
+
+def test_a_scene_in_space_is_turned_by_mouse_and_keys_and_back(opened):
+    tab = opened(SPACE)
+    pictures = [tab.evaluate(PIXELS, "still")]
+    dragged(tab, (90, 30))
+    pictures.append(tab.evaluate(PIXELS, "still"))
+    tab.get_by_role("button", name="Reset view").click()
+    assert tab.evaluate(PIXELS, "still") == pictures[0]
+    tab.locator("#live").focus()
+    for key in ("Shift+ArrowLeft", "Shift+ArrowUp"):
+        tab.keyboard.press(key)
+        pictures.append(tab.evaluate(PIXELS, "still"))
+    assert len(set(pictures)) == 4 and tab.evaluate(TIME) == 0
+
+
+def test_a_scene_in_space_is_turned_by_touch(opened):
+    tab = opened(SPACE, "phone", has_touch=True)
+    before = tab.evaluate("camera.azimuth")
+    session = tab.context.new_cdp_session(tab)
+    for kind, points in (("touchStart", [(150, 300)]), ("touchMove", [(220, 300)]), ("touchEnd", [])):
+        session.send(
+            "Input.dispatchTouchEvent", {"type": kind, "touchPoints": [{"x": x, "y": y} for x, y in points]}
+        )
+    assert tab.evaluate("camera.azimuth") != before
+
+
+def test_a_scene_in_the_plane_does_not_turn(opened):
+    tab = opened(PLANE)
+    before = tab.evaluate(PIXELS, "live")
+    dragged(tab, (90, 30))
+    assert (
+        tab.evaluate(PIXELS, "live") == before
+        and not tab.get_by_role("button", name="Reset view").is_visible()
+    )
+
+
+@pytest.mark.parametrize("slug", [PLANE, SPACE])
+def test_what_stands_still_is_drawn_once(opened, slug):
+    tab = opened(slug)
+    assert ink(tab, "still") > 50
+    tab.evaluate("stage.still.context.fillRect(0, 0, 7, 7)")
+    marked = tab.evaluate(PIXELS, "still")
+    for _ in range(3):
+        tab.keyboard.press("ArrowRight")
+    assert tab.evaluate(PIXELS, "still") == marked
+
+
+def test_the_tip_is_where_the_student_has_it(opened, films):
+    tab, film = opened(PLANE), films(PLANE)
+    (tip,) = (part.points[:, 0] for part in film.panels[0].parts if part.kind == "trail")
+    for sample in (0, 333, 700, 1200):
+        tab.evaluate("time => goTo(time)", film.times[sample])
+        x, y, unit = tab.evaluate(
+            """() => { const {parts, unit} = film.panels[0], key = keyBefore(state.time);
+                       const [from, next] = [key, key + 1].map((k) => keys[k] * film.step);
+                       const trail = parts.find((one) => one.kind === "trail").at[0];
+                       const hinge = parts.find((one) => one.kind === "dot").at.find((point) => point % 3 === 1);
+                       const [x, y] = place(trail, key, Math.min(1, (state.time - from) / (next - from)));
+                       const [ox, oy] = place(hinge, 0, 0);
+                       return [x - ox, y - oy, unit]; }"""
+        )
+        off = np.hypot(x * unit - tip[sample, 0], y * unit - tip[sample, 1])
+        assert off < 2.5 * unit  # a pixel, which is two units, and rounding
+
+
+def test_the_eye_is_that_of_hw04(opened, course):
+    solution = loaded(course / "solutions" / "hw04_hanging_spring.py", "hw04_hanging_spring")
+    tab, points = opened(SPACE), np.random.default_rng(2).normal(size=(5, 3))
+    tab.evaluate("() => { camera.azimuth = 0.7; camera.elevation = -0.4; }")
+    found = [tab.evaluate("p => seen(...p, false)", point) for point in points.tolist()]
+    np.testing.assert_allclose(found, solution.project(points, 0.7, -0.4), atol=1e-12)
+
+
+def test_dark_is_dark(opened):
+    colors = {}
+    for scheme in ("light", "dark"):
+        tab = opened(PLANE, scheme=scheme)
+        colors[scheme] = (
+            tab.evaluate("getComputedStyle(document.body).backgroundColor"),
+            tab.evaluate("colors.ink"),
+        )
+    assert colors["light"][0] != colors["dark"][0] and colors["light"][1] != colors["dark"][1]
+    tab.emulate_media(color_scheme="light")
+    until(tab, f"colors.ink === '{colors['light'][1]}'")
+
+
+def test_a_window_made_smaller_is_drawn_anew(opened):
+    tab = opened(PLANE)
+    tab.set_viewport_size({"width": 390, "height": 844})
+    until(tab, "stage.live.width < 400")
+    assert ink(tab, "live") > 300
+
+
+def test_a_hostile_string_stays_text(opened):
+    bad = "</script><script>document.title='taken'</script><img src=x onerror=\"document.title='taken'\">"
+    dot = np.zeros((1, 2))
+    parts = [Part("dot", dot, name=bad), Part("text", dot, words=bad)]
+    tab = opened(page(Film("title", bad, clock(1.0), [Panel(parts, bad)], notes=[bad])))
+    assert tab.title() == "title" and tab.get_by_text(bad).count() == 2
+
+
+def test_in_a_notebook_it_plays_in_its_frame(opened, films):
+    tab = opened(f"<!doctype html><title>book</title>{framed(page(films(PLANE)), 'Double pendulum', 620)}")
+    frame = tab.frame_locator("iframe[title='Double pendulum']")
+    if frame.locator("#play").inner_text() == "Play":
+        frame.locator("#play").click()
+    until(tab.frames[1], "state.time > 0")
+    frame.get_by_role("button", name="Pause").click()
+    assert frame.locator("#clock").inner_text() != "0.00 s"
+
+
+def test_a_student_without_strips_has_a_page(opened, course, films):
+    solution = vars(loaded(course / "solutions" / f"{PLANE}.py", PLANE))
+    shown = SimpleNamespace(**{name: solution[name] for name in ("simulate", "wireframe")})
+    tab = opened(page(film_of(shown, PLANE)))
+    assert "no function energy" in tab.locator(".note").inner_text() and not tab.locator("figure").count()
