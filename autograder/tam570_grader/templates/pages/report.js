@@ -5,6 +5,8 @@ const key = (row, column) => {
   return cell.dataset.value ?? cell.textContent.trim();
 };
 
+const alphabet = new Intl.Collator(undefined, { numeric: true }); // hw2 before hw10
+
 const numeric = (rows, column) => rows.every((row) => /^(-?[\d.]+(e[-+]?\d+)?)?$/.test(key(row, column)));
 
 function sort(button) {
@@ -20,7 +22,7 @@ function sort(button) {
   const decorated = rows.map((row, index) => [key(row, column), index, row]);
   decorated.sort(([a, i], [b, j]) => {
     if (a === "" || b === "") return (a === "") - (b === "") || i - j; // what is missing comes last
-    return sign * (numbers ? a - b : a.localeCompare(b, undefined, { numeric: true })) || i - j;
+    return sign * (numbers ? a - b : alphabet.compare(a, b)) || i - j;
   });
   body.append(...decorated.map(([, , row]) => row));
   say(`sorted by ${button.textContent.trim()}, ${order}`);
