@@ -9,7 +9,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
-__all__ = ["Book", "BookError", "Record"]
+__all__ = ["Book", "BookError", "Record", "read", "seed_of", "written"]
 
 Record = dict[str, Any]  # a result line, with "digest": of all that the result depends on
 
@@ -42,14 +42,12 @@ class Book:
     @property
     def seed(self) -> int | None:
         """The seed of the results that are there."""
-        return next((int(record["seed"]) for record in reversed(self._records.values())), None)
-
-    def known(self, digest: str) -> Record | None:
-        """The result with this digest."""
-        return next((record for record in self._records.values() if record.get("digest") == digest), None)
+        return seed_of(self._records.values())
 
     def add(self, record: Record) -> None:
-        """Write a result down; when this returns, it is on the disk."""
+        """Write a result down, if it is new; when this returns, it is on the disk."""
+        if self._records.get(_key(record)) == record:
+            return
         self._file.write(json.dumps(record).encode() + b"\n")
         self._file.flush()
         os.fsync(self._file.fileno())
@@ -74,12 +72,36 @@ class Book:
         data = self._file.read()
         whole = data[: data.rfind(b"\n") + 1]
         self._file.truncate(len(whole))
-        try:
-            records = [json.loads(line) for line in whole.splitlines()]
-            return {_key(record): record for record in records}
-        except (ValueError, TypeError, KeyError):
-            path = self._folder / "results.jsonl"
-            raise BookError(f"{path} holds a line that is no result; move the file away") from None
+        return _parsed(whole, self._folder / "results.jsonl")
+
+
+def read(path: Path) -> list[Record]:
+    """The newest result of every student and assignment, in a folder of results or its `results.jsonl`."""
+    path = path / "results.jsonl" if path.is_dir() else path
+    try:
+        data = path.read_bytes()
+    except OSError as error:
+        raise BookError(f"cannot read results from {path}: {error.strerror}") from None
+    return list(_parsed(data[: data.rfind(b"\n") + 1], path).values())
+
+
+def seed_of(records: Iterable[Record]) -> int | None:
+    """The seed that these results have in common; None if there are none."""
+    seeds = {int(record["seed"]) for record in records}
+    if len(seeds) > 1:
+        raise BookError(
+            "these results have more than one seed: give the key that they were varied by (--vary), or a --seed"
+        )
+    return next(iter(seeds), None)
+
+
+def _parsed(lines: bytes, path: Path) -> dict[tuple[str, str], Record]:
+    """The results by student and assignment."""
+    try:
+        records = [json.loads(line) for line in lines.splitlines()]
+        return {_key(record): record for record in records}
+    except (ValueError, TypeError, KeyError):
+        raise BookError(f"{path} holds a line that is no result; move the file away") from None
 
 
 def written(path: Path, text: str) -> None:

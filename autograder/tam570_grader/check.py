@@ -39,6 +39,7 @@ __all__ = [
 ]
 
 T = TypeVar("T")
+MOST_KNOWN = 64  # values that `once` keeps; with inputs of its own for each student a run makes thousands
 
 
 @dataclass(frozen=True)
@@ -209,6 +210,8 @@ def once(compute: Callable[..., T]) -> Callable[..., T]:
         with lock:
             if key not in known:
                 known[key] = (compute(draw, *args), draw.bit_generator.state)
+                if len(known) > MOST_KNOWN:
+                    del known[next(iter(known))]
             value, draw.bit_generator.state = known[key]
         return value
 

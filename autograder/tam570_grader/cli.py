@@ -16,6 +16,7 @@ __all__ = ["main"]
 
 INTERRUPTED = 130
 SHORTEST_KEY = 16  # bytes
+Record = dict[str, Any]  # a result line
 Commands = Any  # argparse keeps the name of its subparsers' type to itself
 
 
@@ -142,33 +143,22 @@ def _add_audit(commands: Commands) -> argparse.ArgumentParser:
 
 def _grade(arguments: argparse.Namespace) -> int:
     _must_be_posix()
-    from tam570_grader import feedback, regrading, root
+    from tam570_grader import feedback, root
     from tam570_grader.book import Book, read
-    from tam570_grader.run import Plan, records
-    from tam570_grader.sandbox import Allowance
 
     course = root.find(arguments.root)
-    known = root.slugs(course)
-    found = _submissions(arguments, known)
+    found = _submissions(arguments, root.slugs(course))
+    if arguments.vary and arguments.seed is not None:
+        raise Usage("--seed and --vary: a seed is for the whole class, a key varies it; give one of them")
     if arguments.out:
         feedback.must_write_pages()
     old = read(arguments.against) if arguments.against else []
-    book = Book(arguments.out) if arguments.out else None
-    key = _key(arguments.vary, bool(old or (book and book.records()))) if arguments.vary else None
-    seed = _seed(arguments.seed, [*old, *(book.records() if book else [])], key)
-    allowance = Allowance(arguments.memory * 2**20, arguments.cpu, arguments.call, arguments.processes)
-    ours = [*arguments.paths, *filter(None, (arguments.out, arguments.against, arguments.vary))]
-    hidden = [course, *(path.resolve() for path in ours)]
-    _warn_of_isolation()
-    plan = Plan(course, found, seed, arguments.jobs, allowance, hidden, arguments.speed, key=key)
-    before = regrading.newest(old)
-    done: list[dict[str, Any]] = []
+    done: list[Record] = []
     try:
-        with contextlib.closing(book) if book else contextlib.nullcontext():
-            for record in _with_progress(records(plan, book, old), len(found)):
-                done.append(record)
-                if arguments.json:
-                    print(json.dumps(_compared(record, before) if arguments.against else record), flush=True)
+        with contextlib.closing(Book(arguments.out)) if arguments.out else contextlib.nullcontext() as book:
+            plan = _plan(arguments, course, found, [*old, *(book.records() if book else [])])
+            _warn_of_isolation()
+            _run(plan, book, old, done, arguments)
         if book:
             feedback.write_pages(arguments.out / "feedback", book.records(), course)
     except BrokenPipeError:
@@ -179,19 +169,40 @@ def _grade(arguments: argparse.Namespace) -> int:
     if arguments.format == "gradescope":
         return _print_gradescope(course, done)
     if not arguments.json:
-        _print_table(done, f"key in {arguments.vary}" if key else f"seed {seed}")
-        if arguments.against:
-            changes = [regrading.change(before.get(_who(record)), record) for record in done]
-            print("\n" + regrading.table(filter(None, changes), len(done)))
+        _print_tables(done, plan, old if arguments.against else None)
     return _exit_code(done)
 
 
-def _seed(given: int | None, earlier: list[dict[str, Any]], key: bytes | None) -> int:
+def _plan(arguments: argparse.Namespace, course: Path, found: list[Any], earlier: list[Record]) -> Any:
+    """What is graded and how; of the results that are there it takes the seed."""
+    from tam570_grader.run import Plan
+    from tam570_grader.sandbox import Allowance
+
+    key = _key(arguments.vary, bool(earlier)) if arguments.vary else None
+    seed = _seed(arguments.seed, earlier, key)
+    allowance = Allowance(arguments.memory * 2**20, arguments.cpu, arguments.call, arguments.processes)
+    ours = [*arguments.paths, *filter(None, (arguments.out, arguments.against, arguments.vary))]
+    hidden = [course, *(path.resolve() for path in ours)]
+    return Plan(course, found, seed, arguments.jobs, allowance, hidden, arguments.speed, key=key)
+
+
+def _run(plan: Any, book: Any, old: list[Record], done: list[Record], arguments: argparse.Namespace) -> None:
+    """Grade, and put each result into `done` as soon as it is there."""
+    from tam570_grader import regrading
+    from tam570_grader.run import records
+
+    before = regrading.newest(old)
+    for record in _with_progress(records(plan, book, old), len(plan.submissions)):
+        done.append(record)
+        if arguments.json:
+            compared = {"change": regrading.told(before, record)} if arguments.against else {}
+            print(json.dumps({**record, **compared}), flush=True)
+
+
+def _seed(given: int | None, earlier: list[Record], key: bytes | None) -> int:
     """The seed asked for, else that of the results that are there, else any."""
     from tam570_grader.book import seed_of
 
-    if key is not None and given is not None:
-        raise Usage("--seed and --vary: a seed is for the whole class, a key varies it; give one of them")
     if key is not None or given is not None:
         return given or 0
     found = seed_of(earlier)
@@ -219,26 +230,17 @@ def _key(path: Path, needed: bool) -> bytes:
     return key
 
 
-def _who(record: dict[str, Any]) -> tuple[str, str]:
-    return record["student"], record["assignment"]
-
-
-def _compared(record: dict[str, Any], before: dict[tuple[str, str], dict[str, Any]]) -> dict[str, Any]:
-    """The result line with what became of the old score; null if it is the same."""
-    from tam570_grader import regrading
-
-    changed = regrading.change(before.get(_who(record)), record)
-    return {**record, "change": changed.record() if changed else None}
-
-
-def _print_table(done: list[dict[str, Any]], inputs: str) -> None:
-    from tam570_grader import feedback
+def _print_tables(done: list[Record], plan: Any, old: list[Record] | None) -> None:
+    from tam570_grader import feedback, regrading
 
     print(feedback.table(sorted(done, key=lambda record: (record["assignment"], record["student"]))))
-    print(f"\n{inputs}; the same again gives the same hidden inputs and the same scores")
+    inputs = "the same key" if plan.key else f"seed {plan.seed}; the same seed"
+    print(f"\n{inputs} gives the same hidden inputs and the same scores")
+    if old is not None:
+        print("\n" + regrading.table(regrading.changes(old, done), len(done)))
 
 
-def _print_gradescope(course: Path, done: list[dict[str, Any]]) -> int:
+def _print_gradescope(course: Path, done: list[Record]) -> int:
     """results.json of the one submission, or nothing if the grader failed on it; the exit code."""
     from tam570_grader import gradescope, root
 
@@ -271,7 +273,7 @@ def _submissions(arguments: argparse.Namespace, known: list[str]) -> list[Any]:
     return found
 
 
-def _exit_code(done: list[dict[str, Any]]) -> int:
+def _exit_code(done: list[Record]) -> int:
     failed = [r for r in done if r["score"] is None]
     for record in failed:
         errors = {mark["detail"]["error"] for mark in record["checks"] if mark["outcome"] == "grader_error"}

@@ -1,10 +1,11 @@
 """A run of the grader: workers, one for each job; what is known already is not graded again."""
 
 import hashlib
+import hmac
 import queue
 import re
 import threading
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass
 from pathlib import Path
@@ -39,25 +40,36 @@ class Plan:
     hidden: Sequence[Path] = ()
     speed: bool = False  # measure run time against error too
     enough: int | None = None  # failed checks after which the rest of a submission's are not run
+    key: bytes | None = None  # varies the hidden inputs from student to student; `seed` is then not used
+
+    def seed_of(self, submission: Submission) -> int:
+        """The seed of a submission's hidden inputs: the class's, else one that only the key tells."""
+        if self.key is None:
+            return self.seed
+        name = f"{submission.student}\n{submission.slug}".encode()
+        return int.from_bytes(hmac.digest(self.key, name, "sha256")[:4]) >> 1
 
 
-def records(plan: Plan, book: Book | None = None) -> Iterator[Record]:
-    """The result lines, each as soon as it is there and written into the book."""
+def records(plan: Plan, book: Book | None = None, old: Iterable[Record] = ()) -> Iterator[Record]:
+    """The result lines, each as soon as it is there and written into the book; what `old` knows is not run again."""
+    known = {record.get("digest"): record for record in (*old, *(book.records() if book else ()))}
     engine = _engine_digest(plan)
     fresh: list[tuple[Submission, Source | CannotRead, str]] = []
     for submission in plan.submissions:
         source = _source(submission)
         digest = _digest(engine, plan, submission, source)
-        known = book.known(digest) if book else None
-        if known:
-            yield known
+        if digest in known:
+            yield _kept(known[digest], book)
         else:
             fresh.append((submission, source, digest))
     for result, digest in graded_sources(plan, fresh):
-        record = {**result.record(), "digest": digest}
-        if book:
-            book.add(record)
-        yield record
+        yield _kept({**result.record(), "digest": digest}, book)
+
+
+def _kept(record: Record, book: Book | None) -> Record:
+    if book:
+        book.add(record)
+    return record
 
 
 def graded_sources(
@@ -74,16 +86,16 @@ def graded_sources(
     yardstick = Yardstick(plan.course) if plan.speed else None
 
     def grade(submission: Submission, source: Source | CannotRead) -> Result:
-        assignment = _assignment(plan, submission)
+        assignment, seed = _assignment(plan, submission), plan.seed_of(submission)
         if isinstance(source, CannotRead):
             status = "missing" if submission.path is None else "unreadable"
-            return not_graded(submission.student, assignment, status, str(source), plan.seed)
+            return not_graded(submission.student, assignment, status, str(source), seed)
         worker, error = workers.get(), ""
         try:
             for _ in range(TRIES):
                 try:
                     return graded(
-                        submission.student, source, assignment, worker, plan.seed, yardstick, plan.enough
+                        submission.student, source, assignment, worker, seed, yardstick, plan.enough
                     )
                 except WorkerLost as lost:
                     error = str(lost)
@@ -92,7 +104,7 @@ def graded_sources(
                     worker.close()
                     worker = Worker(preload, plan.allowance, plan.hidden)
                     everyone.append(worker)
-            return failed_by_us(submission.student, assignment, error, plan.seed)
+            return failed_by_us(submission.student, assignment, error, seed)
         finally:
             workers.put(worker)
 
@@ -146,14 +158,15 @@ def _digest(engine: bytes, plan: Plan, submission: Submission, source: Source | 
         submission.slug.encode(),
         text,
         _assignment(plan, submission).source,
+        str(plan.seed_of(submission)).encode(),
         engine,
     )
     return hashlib.sha256(b"".join(hashlib.sha256(part).digest() for part in parts)).hexdigest()
 
 
 def _engine_digest(plan: Plan) -> bytes:
-    """Of the seed, the limits, the grader, and the utilities that students call."""
-    asked = (plan.seed, plan.allowance, np.__version__, *(("speed",) if plan.speed else ()))
+    """Of the limits, the grader, and the utilities that students call."""
+    asked = (plan.allowance, np.__version__, *(("speed",) if plan.speed else ()))
     digest = hashlib.sha256(repr(asked).encode())
     for package in (Path(__file__).parent, Path(tam570.__file__).parent):
         for path in sorted(package.rglob("*.py")):
