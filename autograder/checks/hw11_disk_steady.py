@@ -129,7 +129,8 @@ def sliding(lean, precession, **disk):
 
 
 def common(lean, *, mass, radius, inertia, gravity):
-    """Omega of the members of both families: no spin, and the weight's moment alone."""
+    """Omega of the members of both families: no spin, and the weight's moment alone; upright it is a limit."""
+    lean = lean or 1e-5  # the lean enters by its square
     disk = {"mass": mass, "radius": radius, "inertia": inertia, "gravity": gravity}
     weight = mass * gravity * radius * math.sin(lean)
     return root(weight / (weight - unbalanced(lean, 1.0, 0.0, sliding_force, **disk)))
@@ -274,6 +275,11 @@ def usual(disk):
     return math.sqrt(disk["gravity"] / disk["radius"])
 
 
+def usual_force(disk):
+    """Size of forces for a unit of mass, m/s^2."""
+    return disk["gravity"] or 10.0
+
+
 def agree(function, cases, *, of, unit, hint=""):
     """The student's function gives what is right in every case: (call, what is right, scale, kind)."""
     for found, (call, right, scale, kind) in zip(
@@ -294,6 +300,26 @@ def members(draw, force):
             (given(lean, precession, **disk), spin, spin_scale(lean, precession, force, **disk), KINDS[make])
         )
     return cases
+
+
+UNIT = {"mass": 1.0, "radius": 1.0, "inertia": (0.25, 0.5), "gravity": 1.0}  # a thin uniform disk
+
+
+@once
+def plain_members(draw, force):
+    """The same for upright disks, without gravity, and for whole numbers."""
+    cases = []
+    for make in WHEELS:
+        disk, precession = a_disk(draw, make), draw.choice([-1, 1]) * draw.uniform(0.5, 5)
+        still = {**disk, "gravity": 0.0}
+        cases += [(0.0, precession, disk, "an upright disk"), (a_lean(draw), precession, still, "no gravity")]
+        cases.append((0.0, precession, still, "an upright disk without gravity"))
+    cases += [(sign * math.pi / 4, turn, UNIT, "whole numbers") for sign in (1, -1) for turn in (1.0, -1.0)]
+    return [
+        (given(lean, precession, **disk), balanced_spin(lean, precession, force, **disk),
+         spin_scale(lean, precession, force, **disk), kind)
+        for lean, precession, disk, kind in cases
+    ]  # fmt: skip
 
 
 def smallest_track(lean, *, mass, radius, inertia, gravity):
@@ -322,6 +348,25 @@ def whirls(draw):
     ]
 
 
+@once
+def plain_whirls(draw):
+    """Motions in which something is zero: lean, spin, gravity; not the precession, for a circle has one."""
+    cases = []
+    for make in WHEELS:
+        disk = a_disk(draw, make)
+        precession, spin = usual(disk) * draw.uniform(0.3, 3, 2) * draw.choice([-1, 1], 2)
+        lean, still = a_lean(draw), {**disk, "gravity": 0.0}
+        cases += [
+            (0.0, precession, spin, disk, "an upright disk"),
+            (lean, precession, 0.0, disk, "no spin"), (lean, precession, spin, still, "no gravity"),
+        ]  # fmt: skip
+    return [
+        *cases,
+        (math.pi / 4, 1.0, 1.0, UNIT, "whole numbers"),
+        (-math.pi / 4, -1.0, 1.0, UNIT, "whole numbers"),
+    ]
+
+
 # (a) Rolling
 
 
@@ -343,14 +388,8 @@ def rolling_spin_balances_the_moments(student, draw):
 @check(points=0.25, part="a", after=rolling_spin_balances_the_moments)
 def rolling_spin_holds_upright_and_without_gravity(student, draw):
     """rolling_spin holds for an upright disk and for no gravity."""
-    cases = []
-    for make in WHEELS:
-        disk, precession = a_disk(draw, make), draw.choice([-1, 1]) * draw.uniform(0.5, 5)
-        upright = (0.0, disk, "an upright disk")
-        for lean, there, kind in (upright, (a_lean(draw), {**disk, "gravity": 0.0}, "no gravity")):
-            right, scale = (f(lean, precession, **there) for f in (balanced_spin, spin_scale))
-            cases.append((given(lean, precession, **there), right, scale, kind))
-    agree(student.rolling_spin, cases, of="the spin", unit="of its largest term")
+    agree(student.rolling_spin, plain_members(draw, rolling_force), of="the spin", unit="of its largest term",
+          hint="which of its terms are zero there?")  # fmt: skip
 
 
 @check(
@@ -364,13 +403,19 @@ def rolling_spin_holds_upright_and_without_gravity(student, draw):
 )  # fmt: skip
 def rolling_track_has_the_contact_at_rest(student, draw):
     """rolling_track_radius is the radius, with its sign, of the contact point's track."""
+    for drawn in (members, plain_members):
+        agree(student.rolling_track_radius, contact_tracks(drawn(draw, rolling_force)), of="the radius of the track",
+              unit="of its largest term", hint="the point of the disk on the ground has no velocity")  # fmt: skip
+
+
+def contact_tracks(cases_of_spin):
+    """The cases of track radii made of those of spins."""
     cases = []
-    for call, spin, size, kind in members(draw, rolling_force):
+    for call, spin, size, kind in cases_of_spin:
         (lean, precession), radius = call.args, call.kwargs["radius"]
         scale = radius * (1 + size / abs(precession))
         cases.append((call, track_of(lean, precession, spin, radius), scale, kind))
-    agree(student.rolling_track_radius, cases, of="the radius of the track", unit="of its largest term",
-          hint="the point of the disk on the ground has no velocity")  # fmt: skip
+    return cases
 
 
 @check(
@@ -399,7 +444,11 @@ def rolling_precession_holds_on_tracks_of_any_sign(student, draw):
     disk, lean = a_disk(draw, roller), draw.uniform(0.2, 1.2)
     right = balanced_precession(lean, 0.0, **disk)
     still = (given(lean, 0.0, **disk), right, right, "a long roller whose contact rests")
-    agree(student.rolling_precession, [*mirrored, still], of="the precession", unit="of itself",
+    track = smallest_track(lean, **disk) * draw.uniform(0.2, 0.8)
+    right = balanced_precession(lean, track, **disk)
+    beyond = [(given(sign * lean, sign * track, **disk), right, right,
+               "a long roller whose contact lies beyond the centre of the circle") for sign in (1, -1)]  # fmt: skip
+    agree(student.rolling_precession, [*mirrored, still, *beyond], of="the precession", unit="of itself",
           hint="which sign must the moment of the weight have?")  # fmt: skip
 
 
@@ -450,6 +499,8 @@ def sliding_spin_balances_the_moments(student, draw):
     """sliding_spin is the total spin that keeps lean and precession steady where only the normal force acts."""
     agree(student.sliding_spin, members(draw, sliding_force), of="the spin", unit="of its largest term",
           hint="which part of the contact force is gone?")  # fmt: skip
+    agree(student.sliding_spin, plain_members(draw, sliding_force), of="the spin", unit="of its largest term",
+          hint="which of its terms are zero there?")  # fmt: skip
 
 
 @check(
@@ -462,18 +513,16 @@ def sliding_spin_balances_the_moments(student, draw):
 )  # fmt: skip
 def sliding_track_is_around_the_resting_centre(student, draw):
     """sliding_track_radius is the contact's distance from the vertical through G, signed as R is."""
-    leans, radii = [a_lean(draw) for _ in range(10)], 10 ** draw.uniform(-1.5, 1, 10)
+    leans, radii = [*(a_lean(draw) for _ in range(10)), 0.0], 10 ** draw.uniform(-1.5, 1, 11)
     cases = [
-        (given(lean, radius=a), rim(lean, a) @ X, a, "a lean inwards" if lean > 0 else "a negative lean")
+        (given(lean, radius=a), rim(lean, a) @ X, a, SIGNS[np.sign(lean)])
         for lean, a in zip(leans, radii, strict=True)
     ]
-    agree(
-        student.sliding_track_radius,
-        cases,
-        of="the radius of the track",
-        unit="of the disk's",
-        hint="where is G?",
-    )
+    agree(student.sliding_track_radius, cases, of="the radius of the track", unit="of the disk's",
+          hint="where is G?")  # fmt: skip
+
+
+SIGNS = {1: "a lean inwards", -1: "a negative lean", 0: "an upright disk"}
 
 
 # (c) Both
@@ -493,6 +542,8 @@ def common_precession_is_in_both_families(student, draw):
         disk, lean = a_disk(draw, make), a_lean(draw)
         right = common(lean, **disk)
         cases.append((given(lean, **disk), right, right, KINDS[make]))
+    right = common(math.pi / 4, **UNIT)
+    cases += [(given(sign * math.pi / 4, **UNIT), right, right, "whole numbers") for sign in (1, -1)]
     agree(student.common_precession, cases, of="the precession", unit="of itself",
           hint="both tracks must be the same circle: what is the spin then?")  # fmt: skip
 
@@ -519,7 +570,7 @@ def common_precession_has_a_limit_upright(student, draw):
 def contact_force_moves_the_centre(student, draw):
     """contact_force gives the mass its centripetal acceleration and carries its weight."""
     cases = []
-    for lean, precession, spin, disk, kind in whirls(draw):
+    for lean, precession, spin, disk, kind in whirls(draw) + plain_whirls(draw):
         disk = only(disk, "mass", "radius", "gravity")
         scale = disk["mass"] * (disk["gravity"] + disk["radius"] * (abs(precession * spin) + precession**2))
         right = rolling_force(lean, precession, spin, **disk)
@@ -539,8 +590,12 @@ def contact_force_moves_the_centre(student, draw):
 def moment_residual_is_moment_minus_rate(student, draw):
     """moment_residual is the moment about G less the rate of angular momentum, for any motion and force."""
     cases = []
-    for lean, precession, spin, disk, kind in whirls(draw):
-        inward, normal = disk["mass"] * disk["gravity"] * draw.uniform(-2, 2, 2)
+    whirling = whirls(draw) + plain_whirls(draw)
+    straight = [(lean, 0.0, spin, disk, "no precession") for lean, _, spin, disk, _ in whirling[-6:]]
+    for lean, precession, spin, disk, kind in whirling + straight:
+        inward, normal = disk["mass"] * usual_force(disk) * draw.uniform(-2, 2, 2)
+        if len(cases) % 5 == 4:
+            inward, kind = 0.0, f"{kind}, no inward force"
         disk = only(disk, "mass", "radius", "inertia")
         scale = disk["radius"] * (abs(inward) + abs(normal)) + sum(disk["inertia"]) * (
             precession**2 + spin**2
@@ -570,5 +625,9 @@ def settling_energy_adds_up(student, draw):
         disk, lean = a_disk(draw, make), a_lean(draw)
         scale = disk["mass"] * disk["gravity"] * disk["radius"]
         cases.append((given(lean, **disk), energy_with(turning_energy)(lean, **disk), scale, KINDS[make]))
+        if len(cases) % 3 == 1:
+            cases.append(
+                (given(0.0, **disk), energy_with(turning_energy)(0.0, **disk), scale, "an upright disk")
+            )
     agree(student.settling_energy, cases, of="the energy", unit="of m g a",
           hint="G is at rest; about which axis does the disk turn?")  # fmt: skip

@@ -1,0 +1,10 @@
+"""The energy of the limit upright has no kinetic part: a coin that stands.
+
+fails: settling_energy_adds_up
+"""
+
+_right = settling_energy
+
+
+def settling_energy(lean, **disk):
+    return _right(lean, **disk) if lean else disk["mass"] * disk["gravity"] * disk["radius"]
