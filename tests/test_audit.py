@@ -2,7 +2,8 @@
 
 import pytest
 
-from tam570_grader import audit, cli, root
+from tam570_grader import cli, root
+from tam570_grader.equivalents import equivalents
 from tam570_grader.mutate import mutants
 
 SLUG = "hw08_axis_angle"
@@ -60,7 +61,7 @@ def test_the_audit_of_an_assignment_finds_no_survivor(capsys):
 
 
 def test_the_audit_fails_when_a_mutant_survives_and_says_how_to_list_it(capsys, monkeypatch):
-    monkeypatch.setattr("tam570_grader.audit.equivalents", lambda course, slug: {})
+    monkeypatch.setattr("tam570_grader.mutation.equivalents", lambda course, slug: {})
     assert cli.main(["audit", "hw08"]) == 1
     assert '[_unit]\n    "scaled @ scaled -> scaled.T @ scaled" = ""' in capsys.readouterr().out
 
@@ -74,7 +75,7 @@ def test_the_audit_fails_when_a_mutant_survives_and_says_how_to_list_it(capsys, 
     ],
 )
 def test_the_audit_fails_when_a_line_lists_in_vain(slip, proof, fault, capsys, monkeypatch):
-    known = audit.equivalents(root.find(), SLUG)
-    monkeypatch.setattr("tam570_grader.audit.equivalents", lambda course, slug: {**known, slip: proof})
+    known = equivalents(root.find(), SLUG)
+    monkeypatch.setattr("tam570_grader.mutation.equivalents", lambda course, slug: {**known, slip: proof})
     assert cli.main(["audit", "hw08", "--function", "_unit"]) == 1
     assert f"LISTED IN VAIN _unit: {slip[1]}: {fault}" in capsys.readouterr().out

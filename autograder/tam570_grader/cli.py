@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
+from tam570_grader.audit import add_audit
 from tam570_grader.handover import add_course, add_gradescope, add_lms, add_report
 
 __all__ = ["main"]
@@ -125,20 +126,7 @@ def _add_kit(commands: Commands) -> argparse.ArgumentParser:
 
 
 def _add_audit(commands: Commands) -> argparse.ArgumentParser:
-    audit: argparse.ArgumentParser = commands.add_parser(
-        "audit",
-        help="grade the grader: does it catch what it must?",
-        description="Run mutants of the reference solutions, one slip each, through the grader. "
-        "Exits 1 if one survives that is not listed as equivalent.",
-    )
-    audit.set_defaults(command=_audit)
-    audit.add_argument("assignments", nargs="*", metavar="SLUG", help="default: all")
-    audit.add_argument("--quick", action="store_true", help="a few mutants of each assignment")
-    audit.add_argument("--function", nargs="+", metavar="NAME", default=[], help="mutants of these alone")
-    audit.add_argument(
-        "--jobs", type=_positive, metavar="N", default=_cores(), help="workers (default: %(default)s)"
-    )
-    return audit
+    return add_audit(commands, _audit, _cores())
 
 
 def _grade(arguments: argparse.Namespace) -> int:
@@ -325,7 +313,7 @@ def _audit(arguments: argparse.Namespace) -> int:
     known = root.slugs(course)
     slugs = [_slug(name, known) for name in arguments.assignments] or known
     _warn_of_isolation()
-    return audit.run(course, slugs, jobs=arguments.jobs, quick=arguments.quick, functions=arguments.function)
+    return audit.run(course, slugs, arguments)
 
 
 def _must_be_posix() -> None:
