@@ -87,11 +87,14 @@ def _drawn(film: Film, figure: Figure) -> Update:
     halves = figure.subfigures(1, 2, squeeze=False, width_ratios=[2.6, 1] if film.strips else [1, 0.01])
     wide, narrow = halves[0]
     figure.suptitle(film.title)
-    columns = len(film.panels) if len(film.panels) < 4 else 2
+    columns = 1 if _is_wide(film.panels[0]) else min(len(film.panels), 3)
     axes = wide.subplots(-(-len(film.panels) // columns), columns, squeeze=False).ravel()
     updates = [one for ax, panel in zip(axes, film.panels, strict=False) for one in _panel(ax, panel, film)]
     for ax in axes:
         ax.set_axis_off()
+    named = {name: line for ax in axes for line, name in zip(*ax.get_legend_handles_labels(), strict=True)}
+    if named:
+        wide.legend(named.values(), named, loc="outside lower left", ncols=4, fontsize=8, frameon=False)
     if film.strips:
         tall = narrow.subplots(len(film.strips), 1, squeeze=False).ravel()
         updates += [_strip(ax, strip, film) for ax, strip in zip(tall, film.strips, strict=True)]
@@ -111,10 +114,14 @@ def _panel(ax: Axes, panel: Panel, film: Film) -> list[Update]:
     margin = 0.03 * float((high - low).max() or 1.0)
     ax.set(xlim=(low[0] - margin, high[0] + margin), ylim=(low[1] - margin, high[1] + margin), aspect="equal")
     ax.set_title(panel.title, fontsize=10)
-    updates = [_part(ax, part, points) for part, points in parts]
-    if any(part.name for part in panel.parts):
-        ax.legend(loc="upper left", fontsize=8, frameon=False)
-    return updates
+    return [_part(ax, part, points) for part, points in parts]
+
+
+def _is_wide(panel: Panel) -> bool:
+    """Whether it is much wider than high, so that panels go below each other."""
+    rows = np.concatenate([part.points.reshape(-1, part.points.shape[-1]) for part in panel.parts])
+    sides = np.ptp(rows, axis=0)
+    return bool(sides[0] > 2.0 * sides[-1])
 
 
 def _seen(points: Array, view: tuple[float, float]) -> Array:
