@@ -25,6 +25,7 @@ verify: $(VENV)/ready bubblewrap
 	$(BIN)/python benchmarks/grading.py --peers nbgrader
 	$(BIN)/python benchmarks/autograde.py
 	$(BIN)/python benchmarks/rotations.py
+	$(BIN)/python benchmarks/show.py --peers
 	$(BIN)/python benchmarks/run_time_against_error.py
 	$(BIN)/python benchmarks/run_time_for_pages.py
 
