@@ -419,3 +419,24 @@ def test_a_submission_without_its_notebook_is_named_and_left(odd_class, nbgrader
     nb_of(folder).unlink()
     assert "no_notebook" in nbgrader(made, "autograde", ONE, "--student", "no_notebook", fails=True)
     assert (folder / f"{ONE}.py").exists() and ("no_notebook", ONE, "part-a") not in nbgrader_grades(made)
+
+
+@pytest.mark.filterwarnings("ignore")  # nbgrader's own, of SQLAlchemy
+def test_a_gradebook_is_set_up_once_a_command(tmp_path, monkeypatch, jupyter_environment):
+    from nbgrader import api
+
+    from tam570_grader.nbgrader_gradebook import OpenGradebook, keep_gradebooks_open
+
+    monkeypatch.setenv("PATH", jupyter_environment["PATH"])
+    made, create = [], api.create_engine
+    monkeypatch.setattr(api, "create_engine", lambda *a, **k: made.append(create(*a, **k)) or made[-1])
+    for command in (1, 2):
+        keep_gradebooks_open()
+        for name in ("ann", "ben"):
+            with OpenGradebook(f"sqlite:///{tmp_path / 'gradebook.db'}", "tam570") as gradebook:
+                gradebook.update_or_create_student(name)
+        assert len(made) == command
+    with api.Gradebook(f"sqlite:///{tmp_path / 'gradebook.db'}", "tam570") as gradebook:
+        assert [student.id for student in gradebook.students] == ["ann", "ben"]
+    for engine in made:
+        engine.dispose()
