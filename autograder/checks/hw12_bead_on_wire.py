@@ -117,7 +117,22 @@ def beads(draw):
         calls.append(
             given(x, v, mass=10 ** draw.uniform(-1, 1), curvature=curvature, gravity=gravity * weight)
         )
-    return calls
+    return calls + plain_beads(calls[0])
+
+
+def plain_beads(call):
+    """Calls with this x or v and the other zero, with both zero, and with whole numbers; with gravity and without."""
+    x, v = call.args
+    states = [(0.0, abs(v)), (0.0, -abs(v)), (abs(x), 0.0), (-abs(x), 0.0), (0.0, 0.0)]
+    whole = {"mass": 1.0, "curvature": 1.0, "gravity": 1.0}
+    return [
+        *(
+            given(*state, **{**call.kwargs, "gravity": g})
+            for state in states
+            for g in (call.kwargs["gravity"], 0.0)
+        ),
+        *(given(*state, **whole) for state in ((1.0, 1.0), (-1.0, 1.0), (1.0, -1.0))),
+    ]
 
 
 def massless(calls):
@@ -137,7 +152,18 @@ def points_of(calls):
 
 
 def kind_of(call, kind):
-    return kind if call.kwargs["gravity"] else "a bead without gravity"
+    x, v = call.args
+    where = (
+        ("a bead" if v else "a bead at rest") + ("" if x else " at the bottom") if not x or not v else kind
+    )
+    return where if call.kwargs["gravity"] else f"{where}, without gravity"
+
+
+def largest_term(call):
+    """Size of x'' or of what cancels in it, m/s^2."""
+    x, v = call.args
+    wire = call.kwargs
+    return abs(acceleration(x, v, **wire)) or wire["gravity"] + wire["curvature"] * v**2 or 1.0
 
 
 @check(points=1, part="a", suspects=ENERGY_SUSPECTS)
@@ -148,8 +174,8 @@ def lagrangian_is_kinetic_less_potential(student, draw):
     level = student.lagrangian.at([{**point, "x": 0.0, "v": 0.0} for point in points])
     for value, call in zip(student.lagrangian.at(points) - level, calls, strict=True):
         kinetic, potential = energies(*call.args, **call.kwargs)
-        expect(value, kinetic - potential, within=POINTWISE, scale=kinetic + potential, of="the Lagrangian",
-               unit="of T + V", kind="random numbers for the symbols", at=call,
+        expect(value, kinetic - potential, within=POINTWISE, scale=kinetic + potential or 1.0,
+               of="the Lagrangian", unit="of T + V", kind=kind_of(call, "random numbers for the symbols"), at=call,
                hint="how fast is the bead along the wire when x changes at the rate v?")  # fmt: skip
 
 
@@ -159,8 +185,8 @@ def lagrange_gives_the_acceleration(student, draw):
     calls = massless(beads(draw))
     for value, call in zip(student.lagrange_equation.at(points_of(calls)), calls, strict=True):
         expected = acceleration(*call.args, **call.kwargs)
-        expect(value, expected, within=POINTWISE, scale=abs(expected), of="x''", unit="of itself", at=call,
-               kind="random numbers for the symbols",
+        expect(value, expected, within=POINTWISE, scale=largest_term(call), of="x''", unit="of itself", at=call,
+               kind=kind_of(call, "random numbers for the symbols"),
                hint="dT/dv depends on x, so its rate has a term with v; and dT/dx is not zero")  # fmt: skip
 
 
@@ -170,7 +196,7 @@ def newton_gives_the_acceleration(student, draw):
     calls = massless(beads(draw))
     for value, call in zip(student.acceleration_newton.many(calls), calls, strict=True):
         expected = acceleration(*call.args, **call.kwargs)
-        expect(value, expected, within=POINTWISE, scale=abs(expected), of="x''", unit="of itself", at=call,
+        expect(value, expected, within=POINTWISE, scale=largest_term(call), of="x''", unit="of itself", at=call,
                kind=kind_of(call, "a random state and wire"),
                hint="differentiate y = c x^2 twice: y'' has two terms")  # fmt: skip
 
@@ -209,8 +235,8 @@ def forces(student, draw):
 def force_has_the_right_size(student, draw):
     """constraint_force: as large as carrying and turning the bead takes."""
     for force, size, call in forces(student, draw):
-        expect(math.hypot(*force), size, within=POINTWISE, scale=size, of="the size of the force", unit="of itself",
-               kind=kind_of(call, "a random state and wire"), at=call,
+        expect(math.hypot(*force), size, within=POINTWISE, scale=size or 1.0, of="the size of the force",
+               unit="of itself", kind=kind_of(call, "a random state and wire"), at=call,
                hint="what force does a bead need at the bottom, at rest and passing by?")  # fmt: skip
 
 
@@ -222,7 +248,7 @@ def force_and_weight_make_the_acceleration(student, draw):
         mass, curvature, gravity = call.kwargs.values()
         along_x = acceleration(x, v, curvature=curvature, gravity=gravity)
         along_y = 2 * curvature * (x * along_x + v**2)
-        expect(force, [mass * along_x, mass * (along_y + gravity)], within=POINTWISE, scale=size, of="the force",
+        expect(force, [mass * along_x, mass * (along_y + gravity)], within=POINTWISE, scale=size or 1.0, of="the force",
                unit="of its size", kind=kind_of(call, "a random state and wire"), at=call,
                hint="dot it with the tangent (1, 2 c x); and does it act on the bead?")  # fmt: skip
 
@@ -233,7 +259,7 @@ def energy_is_kinetic_and_potential(student, draw):
     calls = beads(draw)
     for value, call in zip(student.energy.many(calls), calls, strict=True):
         expected = sum(energies(*call.args, **call.kwargs))
-        expect(value, expected, within=POINTWISE, scale=expected, of="the energy", unit="of itself", at=call,
+        expect(value, expected, within=POINTWISE, scale=expected or 1.0, of="the energy", unit="of itself", at=call,
                kind=kind_of(call, "a random state and wire"), hint="v is not the speed along the wire")  # fmt: skip
 
 
@@ -331,6 +357,27 @@ def simulate_needs_no_dense_times(student, draw):
     """simulate: the same motion when only a few times are asked for."""
     judge_motion(student, motion(draw, (0.4, 1.0), 15.0, 4), "few times, far apart",
                  "the steps of the integration are not those of t")  # fmt: skip
+    for case, kind in plain_motions(draw):
+        judge_motion(
+            student, case, f"two times, the bead let go {kind}", "row 0 is the start, row 1 the other time"
+        )
+    t, wire = times(draw, 5.0, 2), {"curvature": draw.uniform(0.5, 2), "gravity": draw.uniform(1, 25)}
+    expect(student.simulate(t, 0.0, 0.0, **wire), np.zeros((2, 2)), within=TRAJECTORY, of="x or v",
+           unit="m or m/s", kind="a bead at rest at the bottom, where it stays", at=wire)  # fmt: skip
+
+
+@once
+def plain_motions(draw):
+    """As `motion`, each with its kind: let go at rest on either side, and at the bottom either way."""
+    cases = []
+    for kind in ("at rest", "at the bottom"):
+        for sign in (1, -1):
+            _, wire, rate = ride(draw, (0.4, 1.0))
+            size, t = sign * draw.uniform(0.4, 1.0) / wire["curvature"], times(draw, 5.0 / rate, 2)
+            start = (size, 0.0) if kind == "at rest" else (0.0, size * rate)
+            scale = [abs(size), abs(size) * rate]
+            cases.append(((t, start, wire, exact(t - t[0], *start, **wire), scale), kind))
+    return cases
 
 
 @check(points=0.25, part="b", after=simulate_slides)
