@@ -118,7 +118,7 @@ def test_two_submissions_are_not_one(course, tmp_path, submission, capsys):
 
 def test_a_failure_of_ours_leaves_no_results(course, submission, capsys, monkeypatch):
     broken = failed_by_us("s", root.assignment(course, ONE), "a bug", 3).record()
-    monkeypatch.setattr("tam570_grader.run.records", lambda plan, book: iter([broken]))
+    monkeypatch.setattr("tam570_grader.run.records", lambda plan, book, old: iter([broken]))
     grade = ["grade", str(submission()), "--assignment", ONE, "--format", "gradescope"]
     assert cli.main(["--root", str(course), *grade]) == 1
     assert capsys.readouterr().out == ""

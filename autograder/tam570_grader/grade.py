@@ -69,14 +69,16 @@ def graded(
     seed: int,
     yardstick: Yardstick | None = None,
     enough: int | None = None,
+    forgiving: bool = False,
 ) -> Result:
     """Grade one submission of the student `name`; the same submission and seed give the same score.
 
     yardstick : measures the speed of the simulation too, when all is graded
     enough    : failed checks after which the rest is not run
+    forgiving : raise WorkerLost where the submission was killed by a stranger, instead of failing it
     """
     started = time.perf_counter()
-    student = Student(source, assignment, worker)
+    student = Student(source, assignment, worker, forgiving)
     marks: dict[str, Mark] = {}
     status, message, speed = "graded", "", None
     try:

@@ -77,47 +77,62 @@ def graded_sources(
 ) -> Iterator[tuple[Result, str]]:
     """Grade on as many workers as there are jobs; an interrupt ends them all."""
     jobs = min(plan.jobs, len(fresh))
-    preload = _preload(plan, fresh, jobs)
-    workers: queue.SimpleQueue[Worker] = queue.SimpleQueue()
-    everyone = [Worker(preload, plan.allowance, plan.hidden) for _ in range(jobs)]
-    for worker in everyone:
-        workers.put(worker)
-    ended = threading.Event()
-    yardstick = Yardstick(plan.course) if plan.speed else None
-
-    def grade(submission: Submission, source: Source | CannotRead) -> Result:
-        assignment, seed = _assignment(plan, submission), plan.seed_of(submission)
-        if isinstance(source, CannotRead):
-            status = "missing" if submission.path is None else "unreadable"
-            return not_graded(submission.student, assignment, status, str(source), seed)
-        worker, error = workers.get(), ""
-        try:
-            for _ in range(TRIES):
-                try:
-                    return graded(
-                        submission.student, source, assignment, worker, seed, yardstick, plan.enough
-                    )
-                except WorkerLost as lost:
-                    error = str(lost)
-                    if ended.is_set():
-                        raise
-                    worker.close()
-                    worker = Worker(preload, plan.allowance, plan.hidden)
-                    everyone.append(worker)
-            return failed_by_us(submission.student, assignment, error, seed)
-        finally:
-            workers.put(worker)
-
+    crew = _Crew(plan, _preload(plan, fresh, jobs), jobs)
     pool = ThreadPoolExecutor(max(1, jobs))
     try:
-        tasks = {pool.submit(grade, submission, source): digest for submission, source, digest in fresh}
+        tasks = {pool.submit(crew.graded, submission, source): digest for submission, source, digest in fresh}
         for task in as_completed(tasks):
             yield task.result(), tasks[task]
     finally:
-        ended.set()
+        crew.ended.set()
         pool.shutdown(wait=False, cancel_futures=True)
-        for worker in everyone:
+        crew.dismiss()
+
+
+class _Crew:
+    """Warm workers, one for each job; one that dies is replaced."""
+
+    def __init__(self, plan: Plan, preload: Sequence[str], jobs: int) -> None:
+        self.ended = threading.Event()
+        self._plan, self._preload = plan, preload
+        self._yardstick = Yardstick(plan.course) if plan.speed else None
+        self._everyone: list[Worker] = []
+        self._idle: queue.SimpleQueue[Worker] = queue.SimpleQueue()
+        for _ in range(jobs):
+            self._idle.put(self._hired())
+
+    def graded(self, submission: Submission, source: Source | CannotRead) -> Result:
+        """The result of a submission, from the first worker that is free."""
+        assignment = _assignment(self._plan, submission)
+        seed = self._plan.seed_of(submission)
+        if isinstance(source, CannotRead):
+            status = "missing" if submission.path is None else "unreadable"
+            return not_graded(submission.student, assignment, status, str(source), seed)
+        worker, error = self._idle.get(), ""
+        try:
+            for forgiving in (*[True] * (TRIES - 1), False):
+                try:
+                    return graded(
+                        submission.student, source, assignment, worker, seed,
+                        self._yardstick, self._plan.enough, forgiving,
+                    )  # fmt: skip
+                except WorkerLost as lost:
+                    error = str(lost)
+                    if self.ended.is_set():
+                        raise
+                    worker.close()
+                    worker = self._hired()
+            return failed_by_us(submission.student, assignment, error, seed)
+        finally:
+            self._idle.put(worker)
+
+    def dismiss(self) -> None:
+        for worker in self._everyone:
             worker.close()
+
+    def _hired(self) -> Worker:
+        self._everyone.append(Worker(self._preload, self._plan.allowance, self._plan.hidden))
+        return self._everyone[-1]
 
 
 def _preload(

@@ -81,7 +81,8 @@ class Worker:
         channel, prisoner_end = socket.socketpair()
         leash, guard_end = socket.socketpair()
         ends = [prisoner_end.fileno(), guard_end.fileno()]
-        order = {"cpu": max(1, math.ceil(cpu)), "hidden": list(hidden)}
+        most = max(1, math.ceil(cpu))
+        order = {"cpu": most, "hidden": list(hidden)}
         try:
             socket.send_fds(self._control, [json.dumps(order).encode()], ends)
         except OSError:
@@ -91,7 +92,7 @@ class Worker:
         finally:
             prisoner_end.close()
             guard_end.close()
-        return Cell(channel, leash, self.allowance.call)
+        return Cell(channel, leash, self.allowance.call, most)
 
     def must_live(self) -> None:
         """Raise WorkerLost if the worker is ending or has ended."""
@@ -132,8 +133,9 @@ class Worker:
 class Cell:
     """One submission's prisoner: requests in, replies out, each with a limit."""
 
-    def __init__(self, channel: socket.socket, leash: socket.socket, call_limit: float) -> None:
-        self._channel, self._leash, self._limit = channel, leash, call_limit
+    def __init__(self, channel: socket.socket, leash: socket.socket, call_limit: float, most: int) -> None:
+        self._channel, self._leash, self._limit, self._most = channel, leash, call_limit, most
+        self._ended = False  # the prisoner has closed its end
         self._channel.setblocking(False)
         self._leash.settimeout(5)  # s; the guard answers within a few hundredths
         self._received = bytearray()
@@ -144,6 +146,7 @@ class Cell:
             0.0,
         )  # when we last asked for the CPU time to see whether it grows, and what it was
         self.guarded = True  # until the guard does not answer
+        self.murdered = False  # at the end: it was killed, and neither by us nor for its CPU time
 
     def send(self, request: Any) -> None:
         """Send a request, or raise CellLost or CellTimeout."""
@@ -156,6 +159,7 @@ class Cell:
             try:
                 unsent = unsent[self._channel.send(unsent) :]
             except OSError:
+                self._ended = True
                 raise CellLost from None
         self._waited += time.monotonic() - started
 
@@ -190,6 +194,7 @@ class Cell:
             while len(words := self._leash_line().split()) == 1:
                 pass  # the answer to an earlier question
             self._cpu = float(words[1])
+            self.murdered = self._ended and int(words[0]) == signal.SIGKILL and self._cpu < self._most - 0.5
         except OSError:
             self.guarded, self._cpu = False, max(self._cpu, self._waited)
         self.drop()
@@ -211,6 +216,7 @@ class Cell:
         except OSError:
             chunk = b""
         if not chunk:
+            self._ended = True
             raise CellLost
         self._received += chunk
 

@@ -10,7 +10,7 @@ import numpy as np
 from tam570_grader.check import Failure, Given, given
 from tam570_grader.returns import Drawing, Formula, Line, result
 from tam570_grader.root import Assignment
-from tam570_grader.sandbox import Cell, CellLost, CellTimeout, Worker
+from tam570_grader.sandbox import Cell, CellLost, CellTimeout, Worker, WorkerLost
 
 __all__ = ["BudgetSpent", "Call", "NotLoaded", "NotWritten", "Source", "Student"]
 
@@ -49,9 +49,15 @@ class BudgetSpent(Exception):
 
 
 class Student:
-    """One submission in the sandbox. `student.f` is the function f of the contract."""
+    """One submission in the sandbox. `student.f` is the function f of the contract.
 
-    def __init__(self, source: Source, assignment: Assignment, worker: Worker) -> None:
+    A forgiving one that somebody else killed, the machine out of memory perhaps, is taken for a loss of the worker.
+    """
+
+    def __init__(
+        self, source: Source, assignment: Assignment, worker: Worker, forgiving: bool = False
+    ) -> None:
+        self._forgiving = forgiving
         self.calls: list[Call] = []  # of the check that is running
         self.skipped: list[str] = []  # notebook cells
         self._source, self._assignment, self._worker = source, assignment, worker
@@ -108,10 +114,12 @@ class Student:
         raise Failure(message)
 
     def _bury(self, cell: Cell) -> None:
-        """End a cell and count its CPU time; WorkerLost if it died with its worker."""
+        """End a cell and count its CPU time; WorkerLost if it died with its worker, or by another's hand."""
         self._cpu += cell.end()
         if not cell.guarded:
             self._worker.must_live()
+        if self._forgiving and (cell.murdered or not cell.guarded):
+            raise WorkerLost("the submission was killed by another process")
 
     def _cell(self, uncallable: tuple[str, ...]) -> Cell:
         """The cell for functions that may not call these modules, with the submission loaded."""
