@@ -312,6 +312,18 @@ def test_every_scene_has_a_picture(films, slug, tmp_path):
         assert len(picture.convert("RGB").getcolors(1 << 20)) > 20
 
 
+def test_a_window_keeps_the_time(short, monkeypatch):
+    drawn, moments = [], iter([0.0, 0.1, 0.4, 0.6])
+    monkeypatch.setattr(pictures, "_drawn", lambda film, figure: drawn.append)
+    monkeypatch.setattr(pictures.time, "monotonic", lambda: next(moments))
+    monkeypatch.setattr("matplotlib.get_backend", lambda: "tkagg")
+    made = []
+    monkeypatch.setattr(pictures, "FuncAnimation", lambda figure, frame, **_: made.append(frame))
+    monkeypatch.setattr("matplotlib.pyplot.show", lambda: [made[0](0) for _ in range(3)])
+    pictures.window(short)
+    assert drawn == [6, 24, 36 - 31]
+
+
 def test_without_a_screen_a_window_is_refused_and_the_page_named(course, capsys):
     code = f"""
 import sys

@@ -12,6 +12,7 @@ from tam570.show.student import Trouble
 __all__ = [
     "GREY",
     "INK",
+    "RATE",
     "Array",
     "Film",
     "Panel",

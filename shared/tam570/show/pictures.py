@@ -1,17 +1,20 @@
 """A film by Matplotlib: a window, a picture, a GIF, a video. Frames are made one by one, and only those asked for."""
 
 import re
+import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from matplotlib.animation import AbstractMovieWriter, FFMpegWriter, FuncAnimation, PillowWriter
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.patches import Polygon
 
-from tam570.show.film import Array, Film, Panel, Part, Strip
+from tam570.show.film import RATE, Array, Film, Panel, Part, Strip
 from tam570.show.page import HERE
 from tam570.show.student import Trouble
 
@@ -27,7 +30,7 @@ Update = Callable[[int], None]
 
 def write(film: Film, file: Path) -> None:
     """Save a picture (.png), a GIF or a video (.mp4). Trouble if its writer is not installed."""
-    figure = Figure(figsize=SIZE, dpi=DPI, layout="constrained")
+    figure = Figure(figsize=SIZE, dpi=DPI)
     update = _drawn(film, figure)
     if file.suffix == ".png":
         update(round(film.poster * (len(film.times) - 1)))
@@ -51,19 +54,22 @@ def window(film: Film) -> None:
     from matplotlib import pyplot
 
     try:
-        figure = pyplot.figure(figsize=SIZE, layout="constrained")
+        figure = pyplot.figure(figsize=SIZE)
     except ImportError:  # a backend that is asked for and cannot be had
         figure = None
     if figure is None or matplotlib.get_backend().lower() == "agg":
-        raise Trouble("there is no screen to open a window on; save a page instead: --save FILE.html")
+        raise Trouble(
+            "there is no screen to open a window on, or no toolkit for windows; save a page: --save FILE.html"
+        )
     update = _drawn(film, figure)
-    step = EVERY[".mp4"]
-    playing = FuncAnimation(
-        figure,
-        lambda sample: (update(sample), [])[1],
-        frames=range(0, len(film.times), step),
-        interval=1000 * step * (film.times[1] - film.times[0]),
-    )
+    started = time.monotonic()
+
+    def now(_: int) -> list[Artist]:
+        """The frame of this moment: a slow machine shows fewer of them, and the same motion."""
+        update(int((time.monotonic() - started) * RATE) % len(film.times))
+        return []
+
+    playing = FuncAnimation(figure, now, interval=1000 / RATE, cache_frame_data=False)
     pyplot.show()
     del playing  # until now it had to live
 
@@ -87,6 +93,7 @@ def _drawn(film: Film, figure: Figure) -> Update:
     halves = figure.subfigures(1, 2, squeeze=False, width_ratios=[2.6, 1] if film.strips else [1, 0.01])
     wide, narrow = halves[0]
     figure.suptitle(film.title)
+    figure.set_layout_engine(ConstrainedLayoutEngine(rect=(0.0, 0.0, 0.985, 1.0)))
     columns = 1 if _is_wide(film.panels[0]) else min(len(film.panels), 3)
     axes = wide.subplots(-(-len(film.panels) // columns), columns, squeeze=False).ravel()
     updates = [one for ax, panel in zip(axes, film.panels, strict=False) for one in _panel(ax, panel, film)]
@@ -104,6 +111,8 @@ def _drawn(film: Film, figure: Figure) -> Update:
             one(sample)
 
     update(0)
+    figure.draw_without_rendering()  # lays it out, once for all frames
+    figure.set_layout_engine("none")
     return update
 
 
