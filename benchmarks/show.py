@@ -4,7 +4,8 @@
     python benchmarks/show.py --quick    the double pendulum alone
     python benchmarks/show.py --peers    beside them, the pendulum's film as Matplotlib's own page of pictures
 
-Prints a table and, with --peers, writes results/show.json. Times of one run on one machine; compare them with each other.
+Prints a table and, with --peers, writes results/show.json. Times of one run on one machine; compare them with each
+other.
 """
 
 import argparse
