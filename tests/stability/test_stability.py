@@ -105,6 +105,29 @@ def test_a_force_that_is_not_there_yet_is_noticed():
     assert states[:, 0] == pytest.approx(exact, rel=1e-9)
 
 
+@pytest.mark.parametrize("rate", [0.0, 1e-12, 1e-9])
+def test_a_disk_upright_to_the_last_digits_rolls_on(rate):
+    """Its tilt is pi/2 rounded: what that does to other rates, one after another, is not to be resolved."""
+    hw14 = _loaded(ROOT / "solutions" / "hw14_rolling_disk.py")
+    disk = {"mass": 1.0, "radius": 0.5, "inertia": (0.0625, 0.125), "gravity": G}
+    calls = []
+
+    def counted(t, state):
+        calls.append(float(state[0]))  # asks for a value: called at every stage
+        return hw14.euler_state_derivative(t, state, **disk)
+
+    def rolled(tilt_rate):
+        calls.clear()
+        end = solve(counted, [0, 10], [0, 0, 0, QUARTER, 0, 0, tilt_rate, 8.0], rtol=1e-12)[-1]
+        return end, len(calls)
+
+    (end, cost), (wobble, ordinary) = rolled(rate), rolled(1e-3)
+    assert cost < 2 * ordinary  # sixty times as many where each rounding is taken for motion
+    assert end[[0, 4, 7]] == pytest.approx([-40, 80, 8], rel=1e-10)  # straight on
+    if rate == 1e-9:  # small motions are proportional to their start, but for the rounding of the tilt
+        assert end[[2, 5]] * 1e6 == pytest.approx(wobble[[2, 5]], abs=1e-5 * abs(wobble[5]))
+
+
 # Separatrices
 
 
