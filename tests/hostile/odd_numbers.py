@@ -1,0 +1,25 @@
+"""Numbers at the edge: an integer of 4000 digits, not-a-numbers with a payload, an infinity, a negative zero.
+
+Published against comparisons of the form not (difference > tolerance), which a not-a-number passes: Gradescope and
+PrairieLearn leave it to each test to think of it.
+
+deserves: 9
+"""
+
+import struct
+
+(odd,) = struct.unpack("<d", struct.pack("<Q", 0x7FF8DEADBEEF0001))
+ANSWERS = [
+    [[odd] * 3] * 3,
+    [[10**4000] * 3] * 3,
+    [[float("inf")] * 3] * 3,
+    [[-0.0] * 3] * 3,
+    [[complex(odd, odd)] * 3] * 3,
+]
+turn = 0
+
+
+def skew(v):
+    global turn
+    turn += 1
+    return ANSWERS[turn % 3]
