@@ -182,6 +182,26 @@ def cases(draw, count, **fixed):
     return [(draw.uniform(-9, 9), draw.choice([-1, 1]) * draw.uniform(0.5, 2) * usual(c), c) for c in drawn]
 
 
+PLAIN = "phi = 0 or a quarter turn, no rate, a ramp upwards, whole numbers"
+QUARTERS = np.array([0, 1, -1, 2]) * math.pi / 2
+
+
+def plain_cases(draw):
+    """As `cases`: phi of no and of quarter turns, at rest or not, on ramps down and up, G off the centre or not."""
+    down = cylinder(draw)
+    ones = {"mass": 1.0, "radius": 1.0, "offset": 0.5, "inertia": 0.5, "slope": math.pi / 6, "gravity": 1.0}
+    return turning([down, {**down, "slope": -down["slope"]}, cylinder(draw, offset=0.0), ones])
+
+
+def level_cases(draw):
+    """The same on level ground and without gravity."""
+    return turning([cylinder(draw, slope=0.0), cylinder(draw, gravity=0.0)])
+
+
+def turning(cylinders):
+    return [(angle, sign * usual(c), c) for c in cylinders for angle in QUARTERS for sign in (0.0, 1.0, -1.0)]
+
+
 def calls(of, *names):
     """One call for each case, with these of the parameters."""
     return [given(*motion, **{name: c[name] for name in names}) for *motion, c in of]
@@ -227,6 +247,7 @@ def acceleration_balances_momentum_about_G(student, draw):
     """acceleration: the force of the ramp that G's acceleration needs gives, about G, the moment I^G phi''."""
     judge_accelerations(student, cases(draw, 20), "G off the centre, any angle and rate",
                         "differentiate the position of G twice; mind the terms in phi_dot squared")  # fmt: skip
+    judge_accelerations(student, plain_cases(draw), PLAIN, "which terms are zero there?")
 
 
 @check(points=0.5, part="a", after=acceleration_balances_momentum_about_G)
@@ -237,6 +258,9 @@ def acceleration_level_and_without_gravity(student, draw):
     )
     judge_accelerations(student, cases(draw, 5, gravity=0.0), "gravity 0",
                         "without weight it still does not turn uniformly")  # fmt: skip
+    judge_accelerations(
+        student, level_cases(draw), f"level ground or no gravity, {PLAIN}", "which terms are zero?"
+    )
 
 
 def at_rest(of):
@@ -257,10 +281,13 @@ CONTACT_INERTIA_SUSPECTS = [
 @check(points=1, part="a", suspects=CONTACT_INERTIA_SUSPECTS)
 def contact_inertia_by_the_parallel_axis_theorem(student, draw):
     """contact_inertia: I^G plus the mass times the distance from C to G squared."""
-    of = at_rest(cases(draw, 12)) + at_rest(cases(draw, 3, offset=0.0))
-    for found, (phi, c) in zip(student.contact_inertia.many(calls(of, *BODY)), of, strict=True):
-        expect(found / about_contact(phi, **parts(c, *BODY)), 1, within=FORMULA, of="I^C", unit="of itself",
-               kind="any angle", at=(phi, c), hint="how far is G from the contact, at this phi?")  # fmt: skip
+    for of in (
+        at_rest(cases(draw, 12)) + at_rest(cases(draw, 3, offset=0.0)),
+        at_rest((plain_cases(draw) + level_cases(draw))[::3]),
+    ):
+        for found, (phi, c) in zip(student.contact_inertia.many(calls(of, *BODY)), of, strict=True):
+            expect(found / about_contact(phi, **parts(c, *BODY)), 1, within=FORMULA, of="I^C", unit="of itself",
+                   kind="any angle", at=(phi, c), hint="how far is G from the contact, at this phi?")  # fmt: skip
 
 
 NAIVE_SUSPECTS = [
@@ -276,12 +303,15 @@ NAIVE_SUSPECTS = [
 @check(points=0.75, part="a", suspects=NAIVE_SUSPECTS)
 def naive_acceleration_is_the_moment_over_the_inertia(student, draw):
     """naive_contact_acceleration: the moment of the weight about C over I^C, at any angle."""
-    of = at_rest(cases(draw, 10)) + at_rest(cases(draw, 3, slope=0.0)) + at_rest(cases(draw, 2, gravity=0.0))
-    for found, (phi, c) in zip(student.naive_contact_acceleration.many(calls(of, *ALL)), of, strict=True):
-        scale = moment_scale(phi, 0.0, c) / about_contact(phi, **parts(c, *BODY))
-        expect(found, naive(phi, **c), within=FORMULA, scale=scale, of="phi'' from M_C = I^C phi''",
-               unit="of the size of its terms", kind="G off the centre", at=(phi, c),
-               hint="only the weight has a moment about C; where does it act?")  # fmt: skip
+    for of in (
+        at_rest(cases(draw, 10)) + at_rest(cases(draw, 3, slope=0.0)) + at_rest(cases(draw, 2, gravity=0.0)),
+        at_rest((plain_cases(draw) + level_cases(draw))[::3]),
+    ):
+        for found, (phi, c) in zip(student.naive_contact_acceleration.many(calls(of, *ALL)), of, strict=True):
+            scale = moment_scale(phi, 0.0, c) / about_contact(phi, **parts(c, *BODY))
+            expect(found, naive(phi, **c), within=FORMULA, scale=scale, of="phi'' from M_C = I^C phi''",
+                   unit="of the size of its terms", kind="any angle, on ramps down, up and level", at=(phi, c),
+                   hint="only the weight has a moment about C; where does it act?")  # fmt: skip
 
 
 # Part b: what is missing, the force, the energy, the motion
@@ -295,7 +325,7 @@ MISSING_SUSPECTS = [
     missing_suspect("half the term", lambda *args, **c: missing(*args, **c) / 2),
     missing_suspect("twice the term: the whole rate of I^C times phi'", lambda *args, **c: 2 * missing(*args, **c)),
     missing_suspect("the sign reversed", lambda *args, **c: -missing(*args, **c)),
-    missing_suspect("phi' where its square belongs", lambda phi, rate, **c: missing(phi, rate, **c) / rate),
+    missing_suspect("phi' where its square belongs", lambda phi, rate, **c: missing(phi, rate, **c) / (rate or 1.0)),
     missing_suspect("the cosine of phi for the sine",
                     lambda phi, rate, **c: missing(phi + math.pi / 2, rate, **c)),
 ]  # fmt: skip
@@ -304,13 +334,16 @@ MISSING_SUSPECTS = [
 @check(points=1.25, part="b", suspects=MISSING_SUSPECTS)
 def missing_moment_makes_it_right(student, draw):
     """missing_moment: with it, I^C phi'' + missing_moment = M_C has the phi'' of the balances."""
-    of = cases(draw, 20)
-    found = student.missing_moment.many(calls(of, "mass", "radius", "offset"))
-    for value, (phi, phi_dot, c) in zip(found, of, strict=True):
-        expect(value, missing(phi, phi_dot, **parts(c, "mass", "radius", "offset")), within=FORMULA,
-               scale=moment_scale(phi, phi_dot, c), of="the missing moment", unit="of m r^2 (g/r + phi_dot^2)",
-               kind="any angle and rate", at=(phi, phi_dot, c),
-               hint="what is the acceleration of the point of the cylinder that touches the ramp?")  # fmt: skip
+    for of in (
+        cases(draw, 20),
+        plain_cases(draw) + level_cases(draw),
+    ):
+        found = student.missing_moment.many(calls(of, "mass", "radius", "offset"))
+        for value, (phi, phi_dot, c) in zip(found, of, strict=True):
+            expect(value, missing(phi, phi_dot, **parts(c, "mass", "radius", "offset")), within=FORMULA,
+                   scale=moment_scale(phi, phi_dot, c), of="the missing moment", unit="of m r^2 (g/r + phi_dot^2)",
+                   kind="any angle and rate", at=(phi, phi_dot, c),
+                   hint="what is the acceleration of the point of the cylinder that touches the ramp?")  # fmt: skip
 
 
 FORCE_SUSPECTS = [
@@ -336,6 +369,7 @@ def contact_force_accelerates_G(student, draw):
     for fixed, kind in (({}, "G off the centre"), ({"offset": 0.0}, "G at the centre")):
         slow = [(phi, rate / 5, c) for phi, rate, c in cases(draw, 8, **fixed)]  # the weight presses it down
         judge_forces(student, slow, kind, "along is positive down the ramp: on which part does friction act?")
+    judge_forces(student, plain_cases(draw), PLAIN, "which terms are zero there?")
 
 
 @check(points=0.25, part="b", after=contact_force_accelerates_G)
@@ -347,6 +381,7 @@ def contact_force_may_pull(student, draw):
     ]  # G is high: it must be pulled
     judge_forces(student, fast, "a normal force below zero", hint)
     judge_forces(student, cases(draw, 5, gravity=0.0), "gravity 0", hint)
+    judge_forces(student, level_cases(draw), f"level ground or no gravity, {PLAIN}", hint)
 
 
 def potential_from(level):
@@ -370,11 +405,14 @@ ENERGY_SUSPECTS = [
 @check(points=1, part="b", suspects=ENERGY_SUSPECTS)
 def energy_of_G_and_of_turning(student, draw):
     """energy: of the motion of G, of the turning, and of the height of G."""
-    of = cases(draw, 12) + cases(draw, 3, gravity=0.0)
-    for found, (phi, phi_dot, c) in zip(student.energy.many(calls(of, *ALL)), of, strict=True):
-        expect(found, total_energy(phi, phi_dot, **c), within=FORMULA, scale=9 * moment_scale(phi, phi_dot, c),
-               of="the energy", unit="of its largest term", kind="any angle and rate", at=(phi, phi_dot, c),
-               hint="where is G, and how high above the centre's place at phi = 0?")  # fmt: skip
+    for of in (
+        cases(draw, 12) + cases(draw, 3, gravity=0.0),
+        plain_cases(draw) + level_cases(draw),
+    ):
+        for found, (phi, phi_dot, c) in zip(student.energy.many(calls(of, *ALL)), of, strict=True):
+            expect(found, total_energy(phi, phi_dot, **c), within=FORMULA, scale=9 * moment_scale(phi, phi_dot, c),
+                   of="the energy", unit="of its largest term", kind="any angle, rate and ramp", at=(phi, phi_dot, c),
+                   hint="where is G, and how high above the centre's place at phi = 0?")  # fmt: skip
 
 
 def times(draw, span, count):
@@ -429,6 +467,23 @@ def simulate_needs_no_dense_times(student, draw):
     """simulate: the same motion when only a few times are asked for."""
     few = runs(draw, 8)  # not fewer: odeint takes no more than 500 steps from one to the next unless told to
     judge_runs(student, few, "the steps of the integration are not those of t")
+    judge_runs(student, plain_runs(draw), "row 0 is the start, row 1 the other time")
+
+
+@once
+def plain_runs(draw):
+    """As `runs`, for two times: from rest at phi = 0, up a ramp, with G at the centre, and where nothing moves."""
+    starts = (
+        (cylinder(draw), 0.0, "two times, let go at rest at phi = 0"),
+        (cylinder(draw, slope=-draw.uniform(0.2, 0.5)), 1.0, "two times, up a ramp"),
+        (cylinder(draw, offset=0.0), -1.0, "two times, G at the centre"),
+        (cylinder(draw, slope=0.0), 0.0, "a cylinder at rest, G at its lowest, where it stays"),
+    )
+    cases = []
+    for c, rate, kind in starts:
+        t, start = times(draw, 2 / usual(c), 2), (0.0, rate * usual(c))
+        cases.append((given(t, *start, **c), integrated(acceleration_of)(t, *start, **c), usual(c), kind))
+    return cases
 
 
 @once

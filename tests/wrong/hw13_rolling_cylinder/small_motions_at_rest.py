@@ -1,6 +1,6 @@
 """A start of less than a hundredth of a radian is taken for rest.
 
-fails: simulate_rocks_at_the_linear_frequency
+fails: simulate_needs_no_dense_times, simulate_rocks_at_the_linear_frequency
 """
 
 _right = simulate
