@@ -304,6 +304,27 @@ def instants(draw):
     return found
 
 
+@once
+def plain_instants(draw):
+    """As `instants`: at rest, upright, rolling straight, spinning on a point, without yaw or roll, whole numbers."""
+    disk, found = a_disk(draw, "a wheel"), []
+    rates = usual(disk) * draw.uniform(0.5, 2, 3) * draw.choice([-1, 1], 3)
+    motions = (
+        ("a disk at rest", (0, 0, 0)), ("a disk that only rolls", (0, 0, 1)), ("a disk that only yaws", (1, 0, 0)),
+        ("a disk that only tilts", (0, 1, 0)), ("a steady tilt", (1, 0, 1)), ("no roll", (1, 1, 0)),
+    )  # fmt: skip
+    for kind, some in motions:
+        for tilt, how in ((math.pi / 2, "upright"), (draw.uniform(0.4, 1.4), "tilted"), (2.0, "tilted")):
+            state = np.array(
+                [*draw.uniform(-2, 2, 2), draw.uniform(-4, 4), tilt, draw.uniform(-4, 4), *rates * some]
+            )
+            found.append((state + 0.0, disk, f"{kind}, {how}"))
+    ones = {"mass": 1.0, "radius": 1.0, "inertia": (0.25, 0.5), "gravity": 1.0}
+    whole = np.array([0, 0, 0, math.pi / 4, 0, 1, 1, 1])
+    far = a_state(draw, disk, 1.0) + [300, -200, 0, 0, 0, 0, 0, 0]
+    return [*found, (whole, ones, "whole numbers, at the origin"), (far, disk, "a disk far from the origin")]
+
+
 def stays_up(t, state, disk):
     tilts = path(np.linspace(t[0], t[-1], 100), state, rtol=1e-5, **disk)[:, 3]
     return np.sin(tilts).min() > 0.4
@@ -385,9 +406,9 @@ def columns_scale(states, lengths, radius):
 )  # fmt: skip
 def matrix_state_places_the_disk(student, draw):
     """matrix_state has the centre, R row by row, and the total omega in space axes."""
-    for state, disk, kind in instants(draw):
+    for state, disk, kind in instants(draw) + plain_instants(draw):
         right, radius = placed(state, radius=disk["radius"]), disk["radius"]
-        sizes = (radius + np.abs(state[:2]).max(), 1.0, np.abs(state[5:]).sum())
+        sizes = (radius + np.abs(state[:2]).max(), 1.0, np.abs(state[5:]).sum() or 1.0)
         expect_parts(
             PLACE, student.matrix_state(state, radius=radius), right, np.repeat(sizes, [3, 9, 3]),
             within=POINTWISE, at=(state, disk), kind=kind,
@@ -430,7 +451,8 @@ def judged(function, cases, parts, *, given_as, right, scale, within, hint=""):
 )  # fmt: skip
 def euler_equations_hold(student, draw):
     """euler_state_derivative balances momentum and angular momentum of a rolling disk, hoop and wheel."""
-    judged(student.euler_state_derivative, instants(draw), EULER_RATES, given_as=as_euler, right=euler_rates,
+    judged(student.euler_state_derivative, [*instants(draw), *plain_instants(draw)], EULER_RATES,
+           given_as=as_euler, right=euler_rates,
            scale=euler_scale, within=POINTWISE, hint="test it on straight rolling, then on hw11's circles")  # fmt: skip
 
 
@@ -456,14 +478,16 @@ def as_matrix(state, disk):
 @check(points=0.75, part="a", suspects=told("matrix_state_derivative", wrong_matrix))
 def matrix_equations_hold(student, draw):
     """matrix_state_derivative balances momentum and angular momentum, and turns R by omega in space axes."""
-    judged(student.matrix_state_derivative, instants(draw), MATRIX_RATES, given_as=as_matrix, right=matrix_rates,
+    judged(student.matrix_state_derivative, [*instants(draw), *plain_instants(draw)], MATRIX_RATES,
+           given_as=as_matrix, right=matrix_rates,
            scale=matrix_scale, within=POINTWISE, hint="dR/dt from omega, then the balances in space axes")  # fmt: skip
 
 
 @check(points=0.75, part="a", suspects=told("multiplier_state_derivative", wrong_matrix))
 def multiplier_equations_hold(student, draw):
     """multiplier_state_derivative balances momentum and angular momentum, the contact held by multipliers."""
-    judged(student.multiplier_state_derivative, instants(draw), MATRIX_RATES, given_as=as_matrix, right=matrix_rates,
+    judged(student.multiplier_state_derivative, [*instants(draw), *plain_instants(draw)], MATRIX_RATES,
+           given_as=as_matrix, right=matrix_rates,
            scale=matrix_scale, within=POINTWISE, hint="differentiate the constraint, arm too")  # fmt: skip
 
 
@@ -481,6 +505,27 @@ def euler_simulation_follows_the_motion(student, draw):
         parts.append((t, found, right, columns_scale(right, 2, disk["radius"])))
     expect_all(parts, within=TRAJECTORY, of="the state", unit="of its largest", partial=PARTIAL,
                hint="derivatives right? the times are unevenly spaced, the first is not 0")  # fmt: skip
+    for t, right, disk, kind in plain_paths(draw):
+        found = student.simulate_euler(t, right[0], **disk)
+        expect(found, right, within=TRAJECTORY, scale=columns_scale(right, 2, disk["radius"]), of="the state",
+               unit="of its largest", t=t, kind=kind, at=(right[0], disk))  # fmt: skip
+
+
+@once
+def plain_paths(draw):
+    """As `followed`, for two times: let go at rest, rolling straight upright, spinning upright on a point, at rest."""
+    disk, found = a_disk(draw, "a wheel"), []
+    rate, still = usual(disk), {**disk, "gravity": 0.0}
+    for tilt, rates, which, kind in (
+        (1.1, (0, 0, 0), disk, "let go at rest"),
+        (math.pi / 2, (0, 0, 3), disk, "rolling straight, upright"),
+        (math.pi / 2, (3, 0, 0), disk, "spinning upright on a point"),
+        (1.1, (0, 0, 0), still, "at rest without gravity, where it stays"),
+    ):
+        start = np.array([*draw.uniform(-2, 2, 3), tilt, draw.uniform(-2, 2), *np.multiply(rates, rate)])
+        t = draw.uniform(0.5, 3) + np.array([0.0, 0.6]) / rate
+        found.append((t, path(t, start, **which), which, f"two times, a disk {kind}"))
+    return found
 
 
 def expect_all(parts, **said):
@@ -534,6 +579,11 @@ def matrix_simulation_follows_the_motion(student, draw):
         parts.append((t, found, right, columns_scale(right, 3, disk["radius"])))
     expect_all(parts, within=TRAJECTORY, of="the state", unit="of its largest", partial=PARTIAL,
                hint="derivatives right? the times are unevenly spaced, the first is not 0")  # fmt: skip
+    for t, states, disk, kind in plain_paths(draw):
+        right = np.array([as_matrix(row, disk) for row in states])
+        found = student.simulate_matrix(t, right[0], **disk)
+        expect(found, right, within=TRAJECTORY, scale=columns_scale(right, 3, disk["radius"]), of="the state",
+               unit="of its largest", t=t, kind=kind, at=(right[0], disk))  # fmt: skip
 
 
 @check(
@@ -571,8 +621,19 @@ def steady_second(wrong):
 )  # fmt: skip
 def steady_residual_is_the_tilt_acceleration(student, draw):
     """steady_residual is tilt'' of the motion with this lean, precession and total spin, steady or not."""
-    for _, disk, kind in instants(draw):
-        lean, (precession, spin) = draw.uniform(-1.4, 1.4), usual(disk) * draw.uniform(-2, 2, 2)
+    drawn = [((draw.uniform(-1.4, 1.4), *(usual(disk) * draw.uniform(-2, 2, 2))), disk, kind)
+             for _, disk, kind in instants(draw)]  # fmt: skip
+    lean, precession, spin = abs(drawn[0][0][0]) + 0.1, *drawn[0][0][1:]
+    plain = {
+        "exactly upright": (0.0, precession, spin), "no precession": (lean, 0.0, spin), 
+        "no spin": (-lean, precession, 0.0),
+        "a disk let go at rest": (lean, 0.0, 0.0), "straight rolling upright": (0.0, 0.0, spin),
+        "spinning upright on a point": (0.0, precession, 0.0),
+    }  # fmt: skip
+    for (lean, precession, spin), disk, kind in [
+        *drawn,
+        *((motion, drawn[0][1], kind) for kind, motion in plain.items()),
+    ]:
         state = steady(lean, precession, spin)
         expect(student.steady_residual(lean, precession, spin, **disk), jourdain(state, **disk)[0][1], kind=kind,
                within=POINTWISE, scale=usual(disk) ** 2, of="tilt''", unit="of g/a", at=(state, disk),
@@ -597,25 +658,39 @@ def turned(angles, by):
 @check(points=0.5, part="e")
 def wireframe_is_a_rolling_disk(student, draw):
     """wireframe is a closed regular polygon on the rim and two perpendicular diameters, fixed in the disk."""
-    disk, sides = a_disk(draw, "a wheel"), int(draw.integers(7, 30))
+    for sides in (int(draw.integers(7, 30)), 3, 4, int(draw.choice([5, 6]))):
+        judge_wireframe(
+            student, draw, a_disk(draw, "a wheel"), sides, f"{sides} sides" if sides < 7 else "many sides"
+        )
+
+
+def judge_wireframe(student, draw, disk, sides, kind):
     radius, shape, step = disk["radius"], [], 2 * math.pi / sides
-    for state in (a_state(draw, disk, tilt) for tilt in (0.7, 1.3, 2.5)):
+    for state in (a_state(draw, disk, tilt) for tilt in (0.7, 1.3, 2.5, math.pi / 2)):
         lines = student.wireframe(state, radius=radius, sides=sides)
-        expect(len(lines), sides + 2, within=0, of="the number of segments")
+        expect(len(lines), sides + 2, within=0, of="the number of segments", kind=kind)
         angles, off = angles_in_disk(lines, state, radius)
         expect(off, 0.0, within=POINTWISE, of="an end of a segment", unit="radii from the rim", at=state,
-               kind="a tilted disk", hint="centre = contact + a e2")  # fmt: skip
+               kind=f"a tilted disk, {kind}", hint="centre = contact + a e2")  # fmt: skip
         across = turned(angles[:, 1] - angles[:, 0], 2 * math.pi)
         middle = np.sort((angles[:sides, 0] + across[:sides] / 2) % (2 * math.pi))
         expect(np.abs(across), [step] * sides + [math.pi] * 2, within=1e-8, of="the angle that a segment spans",
-               unit="rad", at=state, hint="the polygon first, then the diameters")  # fmt: skip
-        expect(np.diff(middle), step, within=1e-8, of="the angle from side to side", unit="rad", at=state,
+               unit="rad", at=state, kind=kind, hint="the polygon first, then the diameters")  # fmt: skip
+        expect(np.diff(middle), step, within=1e-8, of="the angle from side to side", unit="rad", at=state, kind=kind,
                hint="the polygon is closed")  # fmt: skip
         quarter = abs(turned(angles[-1, 0] - angles[-2, 0], math.pi))
-        expect(quarter, math.pi / 2, within=1e-8, of="the angle between the diameters", unit="rad", at=state)
+        expect(
+            quarter,
+            math.pi / 2,
+            within=1e-8,
+            of="the angle between the diameters",
+            unit="rad",
+            at=state,
+            kind=kind,
+        )
         shape.append(angles)
     expect(turned(np.diff(shape, axis=0), 2 * math.pi), 0.0, within=1e-8, of="the drawing's place in the disk",
-           unit="rad", at=shape, hint="does it roll with the disk?")  # fmt: skip
+           unit="rad", at=shape, kind=kind, hint="does it roll with the disk?")  # fmt: skip
 
 
 # (f) Energy and force
@@ -632,7 +707,7 @@ def wireframe_is_a_rolling_disk(student, draw):
 )  # fmt: skip
 def energy_is_kinetic_and_potential(student, draw):
     """energy adds what moves, what turns and what is high."""
-    for state, disk, kind in instants(draw):
+    for state, disk, kind in instants(draw) + plain_instants(draw):
         scale = (disk["mass"] * disk["radius"] ** 2 + sum(disk["inertia"])) * second_scale(state, disk)
         expect(student.energy(state, **disk), energy(state, **disk), within=POINTWISE, scale=scale, of="the energy",
                unit="of its terms", at=(state, disk), kind=kind, hint="three parts: which are they?")  # fmt: skip
@@ -669,7 +744,7 @@ def body_fixed_force(state, *, mass, radius, gravity, **rest):
 )  # fmt: skip
 def contact_force_moves_the_centre(student, draw):
     """contact_force is what the centre's acceleration and the weight ask for, in space axes."""
-    for state, disk, kind in instants(draw):
+    for state, disk, kind in instants(draw) + plain_instants(draw):
         scale = disk["mass"] * disk["radius"] * second_scale(state, disk)
         expect(student.contact_force(state, **disk), force(state, **disk), within=POINTWISE, scale=scale,
                of="the force", unit="of its terms", at=(state, disk), kind=kind, hint="F = m a of G")  # fmt: skip

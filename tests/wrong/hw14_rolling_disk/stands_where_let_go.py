@@ -1,0 +1,14 @@
+"""A disk let go at rest stays at rest.
+
+fails: euler_simulation_follows_the_motion, matrix_simulation_follows_the_motion
+"""
+
+_euler, _matrix = simulate_euler, simulate_matrix
+
+
+def simulate_euler(t, state, **disk):
+    return _euler(t, state, **disk) if np.any(state[5:]) else np.tile(state, (len(t), 1))
+
+
+def simulate_matrix(t, state, **disk):
+    return _matrix(t, state, **disk) if np.any(state[12:]) else np.tile(state, (len(t), 1))
