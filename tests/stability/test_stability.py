@@ -262,18 +262,17 @@ def test_energy_over_many_periods(method):
 
 
 @pytest.mark.full
-@pytest.mark.parametrize(("method", "exponent"), [("gauss", 0.8), ("composition", 0.6)])
-def test_energy_over_ten_thousand_periods(method, exponent):
-    """Accumulated rounding, the mean over six motions: one random walk alone has no exponent to speak of."""
+@pytest.mark.parametrize("method", ["gauss", "composition"])
+def test_energy_over_ten_thousand_periods(method):
+    """Accumulated rounding, the mean over twelve motions: one random walk alone has no exponent to speak of."""
     errors, share = [], np.geomspace(0.01, 1, 60)
-    for amplitude in (0.5, 1.0, 1.5, 2.0, 2.5, 3.0):
+    for amplitude in np.linspace(0.5, 3.0, 12):
         t = np.concatenate([[0.0], 1e4 * period(amplitude) * share])
         states = solve(pendulum, t, [amplitude, 0.0], parameters={"length": 1.0}, method=method, rtol=1e-13)
         errors.append(drift(pendulum_energy, states)[1:])
     assert np.max(errors) < 5e-14
-    assert (
-        growth_exponent(share, np.sqrt(np.mean(np.square(errors), axis=0))) < exponent
-    )  # a drift would be 1
+    mean = np.sqrt(np.mean(np.square(errors), axis=0))
+    assert growth_exponent(share, mean) < 0.6  # a random walk is 0.5, a drift would be 1
 
 
 @pytest.mark.full
