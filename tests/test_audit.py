@@ -1,8 +1,10 @@
 """Mutants of the solutions, and what the audit says of them."""
 
+import math
+
 import pytest
 
-from tam570_grader import cli, root
+from tam570_grader import cli, diagnosis, fairness, root
 from tam570_grader.equivalents import equivalents
 from tam570_grader.mutate import mutants
 
@@ -79,3 +81,39 @@ def test_the_audit_fails_when_a_line_lists_in_vain(slip, proof, fault, capsys, m
     monkeypatch.setattr("tam570_grader.mutation.equivalents", lambda course, slug: {**known, slip: proof})
     assert cli.main(["audit", "hw08", "--function", "_unit"]) == 1
     assert f"LISTED IN VAIN _unit: {slip[1]}: {fault}" in capsys.readouterr().out
+
+
+def test_the_bound_on_a_rate_is_that_of_the_binomial():
+    """With no failure in n runs the bound p solves (1 - p)^n = 5 %; with k it leaves a chance of 5 % for k or fewer."""
+    assert fairness.upper_bound(0, 100) == pytest.approx(1 - 0.05 ** (1 / 100), rel=1e-12)
+    p = fairness.upper_bound(2, 50)
+    assert sum(math.comb(50, k) * p**k * (1 - p) ** (50 - k) for k in range(3)) == pytest.approx(0.05)
+    assert fairness.upper_bound(3, 3) == 1
+
+
+def test_right_submissions_are_fair_and_what_is_kept_is_not_run_again(tmp_path, capsys, monkeypatch):
+    keep = tmp_path / "fair.jsonl"
+    command = ["audit", "hw08", "--fairness", "2", "--jobs", "1", "--keep", str(keep)]
+    assert cli.main(command) == 0
+    out, lines = capsys.readouterr().out, keep.read_text()
+    assert "hw08_axis_angle:     10 runs, 0 false fails, rate below 25.89%" in out
+    keep.write_text(lines + '{"half a li')
+    monkeypatch.setattr("tam570_grader.fairness._graded", None)
+    assert cli.main(command) == 0
+    assert capsys.readouterr().out == out
+
+
+def test_a_false_fail_is_told_with_check_seed_and_message(capsys, monkeypatch):
+    wrong = {"wrong": "def skew(v): return [[0.0] * 3] * 3"}
+    monkeypatch.setattr("tam570_grader.fairness.submissions", lambda course, kind, slug: wrong)
+    assert cli.main(["audit", "hw08", "--fairness", "1", "--jobs", "1"]) == 1
+    assert "seed 5000: skew_is_the_cross_product: " in capsys.readouterr().out
+
+
+def test_a_diagnosis_tells_named_from_unnamed_and_misled():
+    said = diagnosis.Diagnosis("a", "the transpose", True, ("the transpose",), (), 0.0)
+    silent = diagnosis.Diagnosis("b", "", False, (), ("off by 1",), 0.0)
+    wrong = diagnosis.Diagnosis("c", "", False, ("the transpose",), (), 0.0)
+    assert [one.misled for one in (said, silent, wrong)] == [False, False, True]
+    assert diagnosis.faults([said, silent]) == 1 and diagnosis.faults([said]) == 0
+    assert diagnosis.faults([said, said, wrong]) == 1

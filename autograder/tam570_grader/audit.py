@@ -8,6 +8,8 @@ from typing import Any
 
 __all__ = ["add_audit"]
 
+QUICK_SEEDS = 2
+Answer = tuple[Any, list[str], int]  # plain data, lines to print, faults
 Commands = Any  # argparse keeps the name of its subparsers' type to itself
 
 
@@ -18,16 +20,39 @@ def add_audit(
         "audit",
         help="grade the grader: does it catch what it must?",
         description="Run mutants of the reference solutions, one slip each, through the grader.",
-        epilog="The exit code is 1 if a mutant survives that is not listed as equivalent, or one is listed in vain.",
+        epilog="The exit code is 0 if all is well; 1 if a mutant survives that is not listed as equivalent or one is "
+        "listed in vain, if a right submission loses points, a mistake gets a wrong name or too few get one; "
+        "2 on bad usage.",
     )
     audit.set_defaults(command=run)
     add = audit.add_argument
     add("assignments", nargs="*", metavar="SLUG", help="default: all")
     add("--quick", action="store_true", help="a small fixed sample")
     add("--json", action="store_true", help="print a JSON object for each assignment, one a line")
+    _add_questions(audit.add_mutually_exclusive_group().add_argument)
+    add(
+        "--keep",
+        type=Path,
+        metavar="FILE",
+        help="add the lines of --fairness there; what is there is not run again",
+    )
     add("--function", nargs="+", metavar="NAME", default=[], help="mutants of these functions alone")
     add("--jobs", type=_positive, metavar="N", default=cores, help="processes (default: %(default)s)")
     return audit
+
+
+def _add_questions(add: Callable[..., Any]) -> None:
+    """What is asked instead of what becomes of mutants."""
+    add(
+        "--fairness", nargs="?", type=_positive, const=100, metavar="N",
+        help="do right submissions ever lose points? with N seeds (default: %(const)s)",
+    )  # fmt: skip
+    add(
+        "--diagnosis",
+        action="store_true",
+        default=None,
+        help="does feedback name the mistakes of wrong ones?",
+    )
 
 
 def _positive(text: str) -> int:
@@ -38,12 +63,39 @@ def _positive(text: str) -> int:
 
 def run(course: Path, slugs: Sequence[str], arguments: argparse.Namespace) -> int:
     """Print what is asked for, an assignment at a time; 1 if there is a fault."""
-    from tam570_grader import mutation
-
+    asked = [question for name, question in QUESTIONS.items() if getattr(arguments, name) is not None]
+    question = asked[0] if asked else _mutation
     faults = 0
     for slug in slugs:
-        found = mutation.fates(course, slug, arguments.jobs, arguments.quick, arguments.function)
-        lines = [json.dumps(mutation.as_json(found))] if arguments.json else mutation.report(found)
-        print(*lines, sep="\n", flush=True)
-        faults += found.faults
+        data, lines, found = question(course, slug, arguments)
+        print(*([json.dumps(data)] if arguments.json else lines), sep="\n", flush=True)
+        faults += found
     return 1 if faults else 0
+
+
+def _mutation(course: Path, slug: str, arguments: argparse.Namespace) -> Answer:
+    from tam570_grader import mutation
+
+    found = mutation.fates(course, slug, arguments.jobs, arguments.quick, arguments.function)
+    return mutation.as_json(found), mutation.report(found), found.faults
+
+
+def _fairness(course: Path, slug: str, arguments: argparse.Namespace) -> Answer:
+    from tam570_grader import fairness
+
+    seeds = QUICK_SEEDS if arguments.quick else arguments.fairness
+    lines = fairness.fair(course, slug, seeds, arguments.jobs, arguments.keep)
+    return lines, fairness.report(lines), sum(bool(line["fails"]) for line in lines)
+
+
+def _diagnosis(course: Path, slug: str, arguments: argparse.Namespace) -> Answer:
+    from tam570_grader import diagnosis
+
+    found = diagnosis.diagnoses(course, slug, arguments.jobs)
+    return diagnosis.as_json(slug, found), diagnosis.report(slug, found), diagnosis.faults(found)
+
+
+QUESTIONS: dict[str, Callable[[Path, str, argparse.Namespace], Answer]] = {
+    "fairness": _fairness,
+    "diagnosis": _diagnosis,
+}

@@ -1,0 +1,85 @@
+"""Does the feedback name the mistake? Wrong submissions say in their headers what it must say of them.
+
+`suspect: FRAGMENT` is in the name of a suspect, `names: FRAGMENT` in a message (its hint, its kind of input).
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from tam570_grader.trials import Trial, done, header, progress, submissions, tried
+
+__all__ = ["ENOUGH", "Diagnosis", "as_json", "diagnoses", "report"]
+
+ENOUGH = 0.6  # share of the mistakes that the feedback must name
+SEED = 1
+
+
+@dataclass(frozen=True)
+class Diagnosis:
+    """What the feedback says of a wrong submission, and what it must say."""
+
+    name: str
+    expected: str  # "" if the header does not say
+    named: bool
+    suspects: tuple[str, ...]
+    messages: tuple[str, ...]
+    seconds: float
+
+    @property
+    def misled(self) -> bool:
+        """A suspect was named that is not what the header says."""
+        return any(self.expected not in says or not self.expected for says in self.suspects)
+
+
+def diagnoses(course: Path, slug: str, jobs: int) -> list[Diagnosis]:
+    """The diagnosis of each wrong submission of an assignment."""
+    solution = (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8")
+    wrong = submissions(course, "wrong", slug)
+    tasks = [Trial(course, slug, name, f"{solution}\n\n{text}", SEED) for name, text in wrong.items()]
+    results = progress(done(tried, tasks, jobs), len(tasks), "submission")
+    return [_diagnosis(result, header(wrong[result.student])) for result in results]
+
+
+def _diagnosis(result: Any, says: Any) -> Diagnosis:
+    failed = [mark for mark in result.checks if mark.outcome == "failed"]
+    suspects = tuple(mark.suspect for mark in failed if mark.suspect)
+    messages = tuple(mark.message for mark in failed)
+    expected, fragment = says.get("suspect", ""), says.get("names", "")
+    by_suspect = bool(expected) and any(expected in one for one in suspects)
+    by_message = bool(fragment) and any(fragment in one for one in messages)
+    return Diagnosis(result.student, expected, by_suspect or by_message, suspects, messages, result.seconds)
+
+
+def faults(found: Sequence[Diagnosis]) -> int:
+    """Wrong names, and one more if too few mistakes are named."""
+    return sum(one.misled for one in found) + (share(found) < ENOUGH)
+
+
+def share(found: Sequence[Diagnosis]) -> float:
+    """Of the mistakes that are named."""
+    return sum(one.named for one in found) / len(found)
+
+
+def as_json(slug: str, found: Sequence[Diagnosis]) -> dict[str, Any]:
+    """The report as plain data."""
+    return {
+        "assignment": slug,
+        "wrong": len(found),
+        "named": sum(one.named for one in found),
+        "unnamed": [one.name for one in found if not one.named],
+        "misled": [one.name for one in found if one.misled],
+    }
+
+
+def report(slug: str, found: Sequence[Diagnosis]) -> list[str]:
+    """The lines to print: the share, what is said of a mistake that is not named, and where a wrong one is."""
+    named = sum(one.named for one in found)
+    lines = [f"{slug}: {named} of {len(found)} mistakes are named ({share(found):.0%})"]
+    for one in found:
+        if not one.named:
+            lines.append(f"  {one.name}: {'; '.join(one.messages)}")
+        if one.misled:
+            lines.append(f"  MISLED {one.name}: {'; '.join(one.suspects)}")
+    return lines

@@ -1,0 +1,127 @@
+"""Does a right answer ever lose points? Right submissions, with many seeds, and a bound on what was not seen."""
+
+import contextlib
+import hashlib
+import json
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import tam570
+from tam570_grader import root
+from tam570_grader.trials import Trial, done, progress, submissions, tried
+
+__all__ = ["fair", "report", "upper_bound"]
+
+FIRST_SEED = 5000
+CONFIDENCE = 0.95
+Line = dict[str, Any]  # assignment, submission, digest, seed, fails: [[check, message], ...]
+
+
+@dataclass(frozen=True)
+class Class:
+    """The right submissions of an assignment that are to be graded with one seed: what is expected is computed once."""
+
+    course: Path
+    slug: str
+    seed: int
+    texts: Mapping[str, str]  # by name
+    digests: Mapping[str, str]
+
+
+def fair(course: Path, slug: str, seeds: int, jobs: int, keep: Path | None = None) -> list[Line]:
+    """A line for each right submission and seed; what the file `keep` has is not graded again, the rest is added."""
+    texts = {
+        "solution": (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8"),
+        **submissions(course, "right", slug),
+    }
+    digests = {name: _digest(course, slug, text) for name, text in texts.items()}
+    known = {
+        (line["submission"], line["seed"]): line for line in _kept(keep) if line["digest"] in digests.values()
+    }
+    tasks = []
+    for seed in range(FIRST_SEED, FIRST_SEED + seeds):
+        fresh = {name: text for name, text in texts.items() if (name, seed) not in known}
+        if fresh:
+            tasks.append(Class(course, slug, seed, fresh, digests))
+    asked = range(FIRST_SEED, FIRST_SEED + seeds)
+    lines = [line for (_, seed), line in known.items() if seed in asked]
+    for graded in progress(done(_graded, tasks, jobs), len(tasks), "seed"):
+        _add(keep, graded)
+        lines += graded
+    return lines
+
+
+def _graded(group: Class) -> list[Line]:
+    lines = []
+    for name, text in group.texts.items():
+        result = tried(Trial(group.course, group.slug, name, text, group.seed))
+        fails = [[mark.name, mark.message] for mark in result.checks if mark.outcome != "passed"]
+        lines.append(
+            {
+                "assignment": group.slug,
+                "submission": name,
+                "digest": group.digests[name],
+                "seed": group.seed,
+                "fails": fails,
+            }
+        )
+    return lines
+
+
+def _digest(course: Path, slug: str, text: str) -> str:
+    """Of all that the outcome depends on: the submission, the checks, the solution, the grader, the utilities."""
+    solution = (course / "solutions" / f"{slug}.py").read_bytes()
+    digest = hashlib.sha256(b"\0".join((text.encode(), root.assignment(course, slug).source, solution)))
+    for package in (Path(__file__).parent, Path(tam570.__file__).parent):
+        for name in (
+            "check.py",
+            "grade.py",
+            "returns.py",
+            "student.py",
+            "integrate.py",
+            "rotations.py",
+            "lagrange.py",
+        ):
+            if (package / name).exists():
+                digest.update((package / name).read_bytes())
+    return digest.hexdigest()
+
+
+def _kept(keep: Path | None) -> Iterator[Line]:
+    """The lines of an earlier run, but for one that an interrupt has broken."""
+    text = keep.read_text(encoding="utf-8") if keep and keep.exists() else ""
+    for line in text.splitlines():
+        with contextlib.suppress(json.JSONDecodeError):
+            yield json.loads(line)
+
+
+def _add(keep: Path | None, lines: Iterable[Line]) -> None:
+    if keep:
+        with keep.open("a", encoding="utf-8") as file:
+            file.writelines(f"{json.dumps(line)}\n" for line in lines)
+
+
+def upper_bound(failures: int, runs: int) -> float:
+    """The largest false-fail rate that so few failures leave possible, with 95 % confidence (Clopper and Pearson)."""
+    from scipy.stats import beta
+
+    return 1.0 if failures == runs else float(beta.ppf(CONFIDENCE, failures + 1, runs - failures))
+
+
+def report(lines: Sequence[Line]) -> list[str]:
+    """The lines to print of an assignment's: runs, false fails and bound of each submission, and every false fail."""
+    shown = []
+    for name in dict.fromkeys(line["submission"] for line in lines):
+        of_it = [line for line in lines if line["submission"] == name]
+        shown.append(f"  {name:<32}{counted(of_it)}")
+        for line in of_it:
+            shown += [f"    seed {line['seed']}: {check}: {says}" for check, says in line["fails"]]
+    return [f"{lines[0]['assignment']}: {counted(lines)}", *shown]
+
+
+def counted(lines: Sequence[Line]) -> str:
+    """Runs, false fails and the bound, in words."""
+    fails = sum(bool(line["fails"]) for line in lines)
+    return f"{len(lines):>6} runs, {fails} false fails, rate below {upper_bound(fails, len(lines)):.2%}"
