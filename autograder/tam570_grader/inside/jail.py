@@ -9,10 +9,12 @@ Where namespaces are not to be had, the limits and the process group remain.
 import contextlib
 import ctypes
 import os
+import platform
 import resource
 import select
 import signal
 import socket
+import struct
 import sys
 import time
 from collections.abc import Sequence
@@ -29,6 +31,15 @@ CAPABILITY_VERSION = 0x20080522
 MOST_FILES = 2**16  # that the supervisor may have open; the limit itself is endless on some systems
 SCRATCH = "/scratch"  # the prisoner's own folder; not /tmp, where Python and its packages may be
 CHANNEL = 3  # the prisoner's only file besides /dev/null
+REFUSED = {  # system calls, by machine: what the kernel's audit calls it, then their numbers there
+    # add_key, request_key, keyctl, bpf, perf_event_open, userfaultfd, io_uring_setup, ptrace, process_vm_*, pidfd_getfd
+    "x86_64": (0xC000003E, (248, 249, 250, 321, 298, 323, 425, 101, 310, 311, 438)),
+    "aarch64": (0xC00000B7, (217, 218, 219, 280, 241, 282, 425, 117, 270, 271, 438)),
+}
+SECCOMP, FILTER = 22, 2  # of prctl
+LOAD, EQUAL, ABOVE, RETURN = 0x20, 0x15, 0x35, 0x06  # instructions of a filter
+FOREIGN_CALLS = 0x40000000  # and above: the numbers of x32, whose calls have the name of x86-64
+ALLOWED, FORBIDDEN = 0x7FFF0000, 0x50001  # what a filter returns; the second is EPERM
 POLL = 0.02  # s between looks at a prisoner that may have ended
 
 
@@ -82,6 +93,32 @@ def confine(limits: Limits, channel: int, folder: str) -> None:
         LIBC.prctl(NO_NEW_PRIVILEGES, 1, 0, 0, 0)
         LIBC.prctl(DIE_WITH_PARENT, signal.SIGKILL, 0, 0, 0)
         hidden_from_debuggers()
+        _refuse_calls()
+
+
+def _refuse_calls() -> None:
+    """Have the kernel refuse what no submission needs: keyrings, which outlive a process, and ways to other processes.
+
+    A kernel without filters takes no notice; the namespaces and the other user remain.
+    """
+    if sys.platform != "linux" or sys.maxsize < 2**32 or platform.machine() not in REFUSED:  # 32 bits: others
+        return
+    name, numbers = REFUSED[platform.machine()]
+    refuse = len(numbers) + 2  # instructions from the first comparison of the number to the refusal
+    steps = [
+        (LOAD, 0, 0, 4),
+        (EQUAL, 0, refuse + 1, name),
+        (LOAD, 0, 0, 0),
+        (ABOVE, refuse - 1, 0, FOREIGN_CALLS),
+    ]
+    steps += [(EQUAL, refuse - 2 - i, 0, number) for i, number in enumerate(numbers)]
+    steps += [(RETURN, 0, 0, ALLOWED), (RETURN, 0, 0, FORBIDDEN)]
+    program = ctypes.create_string_buffer(b"".join(struct.pack("=HBBI", *step) for step in steps))
+    LIBC.prctl(SECCOMP, FILTER, ctypes.byref(_Filter(len(steps), ctypes.addressof(program))), 0, 0)
+
+
+class _Filter(ctypes.Structure):
+    _fields_ = [("steps", ctypes.c_ushort), ("program", ctypes.c_void_p)]
 
 
 def hidden_from_debuggers() -> None:
