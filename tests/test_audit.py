@@ -1,11 +1,13 @@
 """Mutants of the solutions, and what the audit says of them."""
 
+import json
 import math
 
 import pytest
 
 from tam570_grader import cli, diagnosis, fairness, root
 from tam570_grader.equivalents import equivalents
+from tam570_grader.margins import Margin
 from tam570_grader.mutate import mutants
 
 SLUG = "hw08_axis_angle"
@@ -117,3 +119,16 @@ def test_a_diagnosis_tells_named_from_unnamed_and_misled():
     assert [one.misled for one in (said, silent, wrong)] == [False, False, True]
     assert diagnosis.faults([said, silent]) == 1 and diagnosis.faults([said]) == 0
     assert diagnosis.faults([said, said, wrong]) == 1
+
+
+def test_the_margins_of_a_check_are_measured_from_both_sides(capsys):
+    assert cli.main(["audit", "hw12", "--margins", "--quick", "--jobs", "1", "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)["checks"]
+    careful, (name, careless) = found["simulate_keeps_the_energy"]
+    assert 0 < 10 * careful < 1 < careless / 10 and name
+    assert not any("accelerat" in check for check in found)
+
+
+def test_a_margin_is_small_on_either_side():
+    margins = [Margin("a", 0.2, None), Margin("b", 0.0, ("c", 9.0)), Margin("d", 0.05, ("e", 11.0))]
+    assert [one.small for one in margins] == [True, True, False]

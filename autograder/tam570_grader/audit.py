@@ -21,8 +21,8 @@ def add_audit(
         help="grade the grader: does it catch what it must?",
         description="Run mutants of the reference solutions, one slip each, through the grader.",
         epilog="The exit code is 0 if all is well; 1 if a mutant survives that is not listed as equivalent or one is "
-        "listed in vain, if a right submission loses points, a mistake gets a wrong name or too few get one; "
-        "2 on bad usage.",
+        "listed in vain, if a right submission loses points, a mistake gets a wrong name, too few get one, or a margin "
+        "is too small; 2 on bad usage.",
     )
     audit.set_defaults(command=run)
     add = audit.add_argument
@@ -53,6 +53,10 @@ def _add_questions(add: Callable[..., Any]) -> None:
         default=None,
         help="does feedback name the mistakes of wrong ones?",
     )
+    add(
+        "--margins", action="store_true", default=None,
+        help="how far do limits lie from a careful student's errors, and from wrong physics?",
+    )  # fmt: skip
 
 
 def _positive(text: str) -> int:
@@ -95,7 +99,15 @@ def _diagnosis(course: Path, slug: str, arguments: argparse.Namespace) -> Answer
     return diagnosis.as_json(slug, found), diagnosis.report(slug, found), diagnosis.faults(found)
 
 
+def _margins(course: Path, slug: str, arguments: argparse.Namespace) -> Answer:
+    from tam570_grader import margins
+
+    found = margins.margins(course, slug, QUICK_SEEDS if arguments.quick else margins.SEEDS, arguments.jobs)
+    return margins.as_json(slug, found), margins.report(slug, found), margins.faults(found)
+
+
 QUESTIONS: dict[str, Callable[[Path, str, argparse.Namespace], Answer]] = {
     "fairness": _fairness,
     "diagnosis": _diagnosis,
+    "margins": _margins,
 }
