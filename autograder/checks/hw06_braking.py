@@ -502,15 +502,22 @@ def simulate_glides_without_friction(student, draw):
 
 @once
 def stops(draw):
-    """Calls to simulate that go on well beyond the stop, the right place and heading there, the rows after the stop."""
+    """Calls to simulate that go on beyond the stop, the right place and heading there, the rows after it, the kind."""
     cases = []
-    for locked, sign in (("front", 1), ("rear", -1), ("rear", 1)):
+    for locked, speed, yaw, count, slippery, kind in (
+        ("front", (0.7, 1.5), (0.2, 0.6), 40, 1.0, "a locked front axle"),
+        ("rear", (-1.5, -0.7), (0.2, 0.6), 40, 1.0, "a locked rear axle, in reverse"),
+        ("rear", (0.7, 1.5), (0.2, 0.6), 2, 1.0, "a locked rear axle, only two times asked for"),
+        ("rear", (0.05, 0.2), (0.8, 1.2), 30, 0.03, "a locked rear axle, spinning on ice"),
+        ("front", (0.05, 0.2), (0.8, 1.2), 2, 1.0, "a locked front axle, spinning, only two times asked for"),
+    ):
         c = car(draw)
-        start = state(draw, c, sign * draw.uniform(0.7, 1.5), signed(draw, 0.2, 0.6))
+        start = state(draw, c, draw.uniform(*speed), signed(draw, *yaw))
+        c["friction"] *= slippery
         latest = time_to_stop(start, locked, c)
-        t = times(draw, latest * draw.uniform(1.8, 2.5), 40)
+        t = times(draw, latest * (draw.uniform(1.8, 2.5) if count > 2 else 1.12), count)
         place = integrated(np.array([0.0, 2 * latest]), start, locked, **c)[0][-1, :3]
-        cases.append((given(t, start, locked, **c), place, t - t[0] > 1.1 * latest, scales(start, c)))
+        cases.append((given(t, start, locked, **c), place, t - t[0] > 1.1 * latest, scales(start, c), kind))
     return cases
 
 
@@ -699,8 +706,8 @@ def simulate_comes_to_rest_and_stays(student, draw):
     """simulate: a car that has come to rest stays where it is, in place and heading; one at rest does not start."""
     cases = stops(draw)
     found = student.simulate.many([call for call, *_ in cases])
-    for states, (call, place, after, scale) in zip(found, cases, strict=True):
-        kind, later = f"times after the stop, a locked {call.args[2]} axle", call.args[0][after]
+    for states, (call, place, after, scale, kind) in zip(found, cases, strict=True):
+        later = call.args[0][after]
         expect(states[after, 3:] / scale[3:], np.zeros((after.sum(), 2)), within=AT_REST, of="speed or yaw rate",
                unit="of that at the start", t=later, kind=kind, at=call,
                hint="find the time at which it stops; from then on nothing changes")  # fmt: skip
