@@ -64,6 +64,11 @@ def test_the_audit_of_an_assignment_finds_no_survivor(capsys):
     assert " 1 equivalent, 0 survive" in capsys.readouterr().out
 
 
+@pytest.mark.parametrize("sample", [["--quick"], pytest.param([], marks=pytest.mark.full)])
+def test_no_slip_in_a_solution_keeps_full_marks(slug, sample, capsys):
+    assert cli.main(["audit", slug, "--jobs", "1", *sample]) == 0, capsys.readouterr().out
+
+
 def test_the_audit_fails_when_a_mutant_survives_and_says_how_to_list_it(capsys, monkeypatch):
     monkeypatch.setattr("tam570_grader.mutation.equivalents", lambda course, slug: {})
     assert cli.main(["audit", "hw08"]) == 1
