@@ -233,11 +233,13 @@ def picture(results, path):
     figure.savefig(path, dpi=110)
 
 
-def measure(names, tolerances, cold, keep):
-    """The results, handed to `keep` after every scene: a run that is stopped has not been for nothing."""
+def measure(names, tolerances, cold, keep, found):
+    """The results, handed to `keep` after every scene: a run that is stopped has not been for nothing.
+
+    found : scenes measured before, which stay beside those measured now
+    """
     exact = references(names)
     installed = [method for method in methods.METHODS if methods.available(method)]
-    found = {}
     for name in tqdm(names, desc="scenes"):
         scene = {"condition": condition(scenes.scene(name))}
         scene["curves"] = curves(name, tolerances, exact[name], installed)
@@ -264,7 +266,9 @@ def main():
     parser.add_argument(
         "--quick", action="store_true", help="three scenes, four tolerances, no cold processes"
     )
-    parser.add_argument("--scenes", nargs="+", choices=scenes.SCENES, help="these alone")
+    parser.add_argument(
+        "--scenes", nargs="+", choices=scenes.SCENES, help="these alone; what is kept of others stays"
+    )
     parser.add_argument("--tolerances", nargs="+", type=float, help="these alone")
     parser.add_argument("--no-cold", action="store_true", help="no cold processes")
     parser.add_argument("--out", type=Path, help="JSON to write; the picture goes beside it")
@@ -277,7 +281,8 @@ def main():
         if out
         else (lambda results: None)
     )
-    results = measure(names, tolerances, not (given.quick or given.no_cold), keep)
+    kept = json.loads(out.read_text())["scenes"] if given.scenes and out and out.exists() else {}
+    results = measure(names, tolerances, not (given.quick or given.no_cold), keep, kept)
     report(results)
     if out:
         picture(results, out.with_suffix(".png"))
