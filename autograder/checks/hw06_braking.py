@@ -238,6 +238,53 @@ KINDS = {
 }
 
 
+ODD_CARS = {
+    "G half way between the axles": {"front": 1.2, "rear": 1.2},
+    "all parameters 1": dict.fromkeys(("mass", "yaw_inertia", "front", "rear", "friction", "gravity"), 1.0),
+    "friction 0": {"friction": 0.0},
+    "gravity 0": {"gravity": 0.0},
+    "friction and gravity 0": {"friction": 0.0, "gravity": 0.0},
+}
+
+
+def odd_cars(draw):
+    """(locked, car, kind), for each axle: of exact values that no draw hits."""
+    found = []
+    for kind, fixed in ODD_CARS.items():
+        for locked in ("front", "rear"):
+            c = car(draw, **fixed)
+            if "front" in fixed and "mass" not in fixed:
+                c["yaw_inertia"] = c["mass"] * c["front"] * c["rear"] * draw.uniform(0.4, 2)
+            found.append((locked, c, kind))
+    return found
+
+
+def odd_motions(draw):
+    """(kind, [(state, locked, car)]): each odd car going forwards, on the spot, straight on and at rest."""
+    ways = {
+        "a car that goes forwards and turns": (forwards, turning),
+        "a car that turns about its free axle on the spot": (nothing, turning),
+        "straight motion": (forwards, nothing),
+        "at rest": (nothing, nothing),
+    }
+    return [
+        (f"{kind}, {says}", [(state(draw, c, speed(draw), yaw(draw)), locked, c)])
+        for locked, c, kind in odd_cars(draw)
+        for says, (speed, yaw) in ways.items()
+    ]
+
+
+def odd_headings(draw):
+    """As `odd_motions`: G at the origin, along the axes and beyond a turn, forwards and in reverse."""
+    found = []
+    for heading in (0.0, math.pi / 2, math.pi, -math.pi / 2, 9.0, -20.0):
+        cases = motions(draw, 1, forwards, turning) + motions(draw, 1, backwards, nothing)
+        for s, _, _ in cases:
+            s[:3] = 0.0, 0.0, heading
+        found.append((f"G at the origin, heading {heading:.3g}", cases))
+    return found
+
+
 # Part a: forces, equations of motion
 
 
@@ -251,7 +298,8 @@ LOAD_SUSPECTS = [
 @check(points=0.75, part="a", suspects=LOAD_SUSPECTS)
 def axle_load_balances_the_weight(student, draw):
     """axle_load: what the locked axle carries of the weight of a car at rest."""
-    cases = [(locked, car(draw)) for locked in ("front", "rear") * 6] + [("front", car(draw, gravity=0.0))]
+    cases = [(locked, car(draw)) for locked in ("front", "rear") * 6]
+    cases += [(locked, c) for locked, c, _ in odd_cars(draw)]
     found = student.axle_load.many([given(locked, **parts(c, *LOAD)) for locked, c in cases])
     for value, (locked, c) in zip(found, cases, strict=True):
         scale = c["mass"] * (c["gravity"] or 1.0)
@@ -288,6 +336,8 @@ def friction_in_any_motion_and_at_rest(student, draw):
         )
     judge_forces(student, motions(draw, 2, forwards, turning, friction=0.0), "friction 0", "")
     judge_forces(student, motions(draw, 2, nothing, nothing), "a car at rest", "what is zero over zero?")
+    for kind, cases in odd_motions(draw) + odd_headings(draw):
+        judge_forces(student, cases, kind, "")
 
 
 def judge_rates(student, cases, kind, hint):
@@ -319,6 +369,8 @@ def equations_in_any_motion(student, draw):
         judge_rates(
             student, motions(draw, 3, speed, yaw), kind, "the direction of friction is that of a velocity"
         )
+    for kind, cases in odd_headings(draw):
+        judge_rates(student, cases, kind, "does it matter where it goes?")
 
 
 @check(points=0.5, part="a", after=equations_of_motion)
@@ -329,6 +381,8 @@ def equations_without_friction_and_at_rest(student, draw):
             student, motions(draw, 3, forwards, turning, **fixed), kind, "the free axle guides it still"
         )
     judge_rates(student, motions(draw, 2, nothing, nothing), "a car at rest", "what is zero over zero?")
+    for kind, cases in odd_motions(draw):
+        judge_rates(student, cases, kind, "which terms are zero, and which are not?")
 
 
 def energy(state, locked, *, mass, yaw_inertia, front, rear):
@@ -349,11 +403,12 @@ ENERGY_SUSPECTS = [
 def kinetic_energy_of_G_and_of_turning(student, draw):
     """kinetic_energy: of G, which moves to the side too, and of the turning about it."""
     cases = motions(draw, 5, forwards, turning) + motions(draw, 3, backwards, turning)
+    cases += [case for _, odd in odd_motions(draw) + odd_headings(draw) for case in odd]
     found = student.kinetic_energy.many([given(s, locked, **parts(c, *BODY)) for s, locked, c in cases])
     for value, (s, locked, c) in zip(found, cases, strict=True):
         right = energy(s, locked, **parts(c, *BODY))
-        expect(value / right, 1, within=FORMULA, of="the kinetic energy", unit="of itself", at=(s, locked, c),
-               kind=f"a locked {locked} axle", hint="what is the velocity of G?")  # fmt: skip
+        expect(value, right, within=FORMULA, scale=right or 1.0, of="the kinetic energy", unit="of itself",
+               kind=f"a locked {locked} axle", at=(s, locked, c), hint="what is the velocity of G?")  # fmt: skip
 
 
 # Part a: motion
@@ -465,6 +520,40 @@ def simulate_brakes(student, draw):
 def simulate_needs_no_dense_times(student, draw):
     """simulate: the same motion when only a few times are asked for."""
     judge_runs(student, braking(draw, 4), "the steps of the integration are not those of t")
+    judge_runs(student, plain_runs(draw, True), "row 0 is the start, row 1 the state at the other time")
+
+
+RUNS = {
+    True: (
+        ("straight motion", forwards, nothing, {}),
+        ("straight motion in reverse", backwards, nothing, {}),
+        ("a turn on the spot", nothing, turning, {}),
+        ("all parameters 1", forwards, turning, ODD_CARS["all parameters 1"]),
+    ),
+    False: (
+        ("straight motion, friction 0", forwards, nothing, {"friction": 0.0}),
+        ("straight motion in reverse, gravity 0", backwards, nothing, {"gravity": 0.0}),
+        ("a turn on the spot, friction 0", nothing, turning, {"friction": 0.0}),
+    ),
+}
+
+
+@once
+def plain_runs(draw, slowed):
+    """As `braking`, at two times: straight on, or turning on the spot, slowed by friction or without it."""
+    cases = []
+    for kind, speed, yaw, fixed in RUNS[slowed]:
+        for locked in ("front", "rear"):
+            c = car(draw, **fixed)
+            start = state(draw, c, speed(draw), yaw(draw))
+            start[:3] *= draw.integers(0, 2)  # from the origin along x, or from anywhere
+            v = abs(start[3]) + abs(start[4]) * wheelbase(c)
+            t = times(draw, 0.6 * time_to_stop(start, locked, c) if slowed else wheelbase(c) / v, 2)
+            expected = integrated(t, start, locked, **c)[0]
+            cases.append(
+                (given(t, start, locked, **c), expected, scales(start, c), f"{kind}, a locked {locked} axle")
+            )
+    return cases
 
 
 def sleigh(t, start, locked, *, mass, yaw_inertia, front, rear):
@@ -497,7 +586,9 @@ def simulate_glides_without_friction(student, draw):
         expected[:, 2:] = sleigh(t - t[0], start, locked, **parts(c, *BODY))
         kind = f"{min(fixed)} 0, a locked {locked} axle"
         cases.append((given(t, start, locked, **c), expected, scales(start, c), kind))
-    judge_runs(student, cases, "is the car stopped, or held straight, by anything but friction?", COLUMNS[1:])
+    hint = "is the car stopped, or held straight, by anything but friction?"
+    judge_runs(student, cases, hint, COLUMNS[1:])
+    judge_runs(student, plain_runs(draw, False), hint)
 
 
 @once
@@ -564,7 +655,9 @@ def growth_rate_is_the_slope(student, draw):
     """yaw_growth_rate: how fast the yaw acceleration rises with a small yaw rate, at low and high speed."""
     kinds = ("front", {}), ("rear", {}), ("rear", {"friction": 0.0}), ("front", {"gravity": 0.0})
     cases = [(locked, car(draw, **fixed)) for locked, fixed in kinds * 3]
+    cases += [(locked, c) for locked, c, _ in odd_cars(draw)]
     calls = [given(draw.uniform(0.3, 3) * usual(c), locked, **c) for locked, c in cases]
+    calls += [given(1.0, locked, **ODD_CARS["all parameters 1"]) for locked in ("front", "rear")]
     for found, call in zip(student.yaw_growth_rate.many(calls), calls, strict=True):
         c, (speed, locked) = call.kwargs, call.args
         quick = c["mass"] * wheelbase(c) ** 2 / inertia_about_free(locked, **parts(c, *BODY))
@@ -591,6 +684,7 @@ def critical_speed_is_where_growth_begins(student, draw):
     """critical_speed: with the rear locked, that at which the growth rate is zero; with the front locked, math.inf."""
     names = ("front", "rear", "friction", "gravity")
     cars = [car(draw) for _ in range(6)] + [car(draw, friction=0.0), car(draw, gravity=0.0)]
+    cars += [c for _, c, _ in odd_cars(draw)]
     calls = [given("rear", **parts(c, *names)) for c in cars]
     for found, call in zip(student.critical_speed.many(calls), calls, strict=True):
         right = critical(*call.args, **call.kwargs)
@@ -599,7 +693,7 @@ def critical_speed_is_where_growth_begins(student, draw):
                     hint="is it unstable at any speed at all there?")  # fmt: skip
         expect(found, right, within=FORMULA, scale=right or 1.0, of="the critical speed", unit="of itself", kind=kind,
                at=call, hint="where is your growth rate zero?")  # fmt: skip
-    for c in (car(draw), car(draw, friction=0.0)):
+    for c in (car(draw), *(c for _, c, _ in odd_cars(draw))):
         call = given("front", **parts(c, *names))
         expect_that(student.critical_speed(*call.args, **call.kwargs) == math.inf, "critical_speed is not math.inf",
                     kind="a locked front axle", at=call, hint="can your growth rate be positive there?")  # fmt: skip
@@ -622,7 +716,9 @@ def power_law(speed, speed0, yaw_rate0, locked, **car):
 
 
 def without_power_law(*motion, **car):
-    return motion[2] * slowed(*motion, **car) / power_law(*motion, **car)
+    speed, speed0, yaw_rate0, locked = motion
+    unit = speed, speed0, 1.0, locked
+    return yaw_rate0 * slowed(*unit, **car) / power_law(*unit, **car)
 
 
 def constant_rate(speed, speed0, yaw_rate0, locked, **car):
@@ -647,6 +743,11 @@ def slowing(draw):
         c = car(draw)
         speed0 = draw.uniform(0.7, 1.8) * usual(c)
         calls.append(given(draw.uniform(0.1, 0.7) * speed0, speed0, signed(draw, 0.01, 2), locked, **c))
+    plain = [(locked, c) for locked, c, kind in odd_cars(draw) if c["friction"] * c["gravity"]]
+    for locked, c in plain:
+        for fast, slow, yaw in ((1.0, 1.0, 0.3), (1.0, 0.4, 0.0), (1.0, 1.0, 0.0), (0.8, 0.5, 1.0)):
+            calls.append(given(slow * usual(c), fast * usual(c), yaw, locked, **c))
+        calls.append(given(1.0, 2.0, -1.0, locked, **c))
     return [(call, slowed(*call.args, **call.kwargs)) for call in calls]
 
 
@@ -657,7 +758,8 @@ def small_yaw_rate_is_the_linear_solution(student, draw):
     for found, (call, expected) in zip(
         student.small_yaw_rate.many([call for call, _ in cases]), cases, strict=True
     ):
-        expect(found / expected, 1, within=SMALL_YAW, of="the yaw rate", unit="of itself", at=call,
+        expect(found, expected, within=SMALL_YAW, scale=abs(expected) or 1.0, of="the yaw rate", unit="of itself",
+               at=call,
                kind=f"a locked {call.args[3]} axle",
                hint="divide the yaw acceleration by the rate of speed: time is gone; separate, integrate")  # fmt: skip
 
