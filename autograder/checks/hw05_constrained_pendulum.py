@@ -25,6 +25,7 @@ ENERGY = 1e-5  # the same solvers lose less than 1e-6 of it in the 100 s
 CONSTRAINT = 1e-9  # of the contract: any step back onto the circle makes 1e-15, and 1e-12 between steps
 TOP = 1e-6  # an angle of pi, which is rounded, falls by 1e-16 exp(8) = 4e-13
 LONG = 100.0  # s
+UNITS = ("mass", "length", "gravity")
 
 
 def parameters(draw, *, gravity=None, length=None):
@@ -49,12 +50,33 @@ def kinds(draw):
         known = parameters(draw, gravity=0.0 if kind == "no gravity" else None)
         omega = draw.uniform(1, 5) * draw.choice([-1, 1]) * (kind != "a particle at rest")
         found.append((on_circle(draw.uniform(-3, 3), omega, known["length"]), known, kind))
+    return found + plain(draw)
+
+
+PLACES = {"the bottom": (0.0, -1.0), "the top": (0.0, 1.0), "the right": (1.0, 0.0), "the left": (-1.0, 0.0)}
+PACES = {"moving either way": (1.0, -1.0), "at rest": (0.0,)}
+
+
+def plain(draw):
+    """As `kinds`: states with exact zeros in them, moving and at rest, with gravity and without, and of unit size."""
+    found = []
+    for place, (x, y) in PLACES.items():
+        for pace, signs in PACES.items():
+            for known, rest in (
+                (parameters(draw), ""),
+                (parameters(draw, gravity=0.0), ", no gravity"),
+                (dict.fromkeys(UNITS, 1.0), ", all parameters 1"),
+            ):
+                length, speed = known["length"], 1.0 if "1" in rest else draw.uniform(1, 5)
+                for sign in signs:
+                    state = np.array([x * length, y * length, -y * sign * speed, x * sign * speed])
+                    found.append((state, known, f"a particle at {place}, {pace}{rest}"))
     return found
 
 
 def size(state, *, mass, length, gravity):
     """The size of an acceleration, m/s^2."""
-    return state[2:] @ state[2:] / length + gravity
+    return state[2:] @ state[2:] / length + gravity or 1.0
 
 
 def together(state, *, mass, length, gravity):
@@ -138,6 +160,21 @@ STATE_SUSPECTS = [
 ]  # fmt: skip
 
 
+def plainly_off(call):
+    """Calls on an axis, on the circle and just off it, its velocity along an axis, aslant or none."""
+    (state,), length = call.args, call.kwargs["length"]
+    speed = math.hypot(*state[2:])
+    directions = *PLACES.values(), (0.0, 0.0), (0.6, 0.8)
+    calls = [
+        given(np.array([x * far, y * far, vx * speed, vy * speed]), length=length)
+        for x, y in (*PLACES.values(), (0.6, -0.8))
+        for far in (length, length * (1 + 1e-7), length / 2, length * 20)
+        for vx, vy in directions
+    ]
+    whole = (1.0, 0.0, 0.0, 1.0), (0.0, -2.0, 1.0, 1.0), (3.0, 4.0, 0.0, 0.0), (-3.0, 4.0, -3.0, 4.0)
+    return calls + [given(np.array(numbers), length=1.0) for numbers in whole]
+
+
 @check(points=1.25, part="a", suspects=STATE_SUSPECTS)
 def consistent_state_is_the_nearest(student, draw):
     """consistent_state: the position goes along its radius onto the circle, the velocity loses its radial part."""
@@ -145,14 +182,15 @@ def consistent_state_is_the_nearest(student, draw):
         given(draw.normal(size=4) * draw.uniform(0.5, 4), length=10 ** draw.uniform(-0.5, 0.8))
         for _ in range(12)
     ]
+    calls += plainly_off(calls[0])
     for found, call in zip(student.consistent_state.many(calls), calls, strict=True):
         (state,), length = call.args, call.kwargs["length"]
         place, velocity = complex(*state[:2]), complex(*state[2:])
         outward = place / abs(place)
         across = 1j * outward * (velocity / outward).imag
         right = [*(length * np.array([outward.real, outward.imag])), across.real, across.imag]
-        expect(found, right, within=POINTWISE, scale=np.repeat([length, abs(velocity)], 2), of="the state",
-               unit="of its size", kind="a random state off the circle", at=call,
+        expect(found, right, within=POINTWISE, scale=np.repeat([length, abs(velocity) or 1.0], 2), of="the state",
+               unit="of its size", kind="a state on the circle or off it", at=call,
                hint="the nearest point of the circle is on the same radius; which part of v is along it?")  # fmt: skip
 
 
@@ -236,7 +274,7 @@ def timed(draw, kind, turns, count):
 
 def speed_of(states, known):
     """The size of the speeds along a motion."""
-    return max(np.abs(states[:, 2:]).max(), math.sqrt(known["gravity"] * known["length"]))
+    return max(np.abs(states[:, 2:]).max(), math.sqrt(known["gravity"] * known["length"])) or 1.0
 
 
 def judge_motion(student, found, within, kind, hint):
@@ -275,11 +313,28 @@ MOTION_SUSPECTS = [
 ]  # fmt: skip
 
 
+# kind, angle, its rate in sqrt(g/l) or 1/s, what is not random
+WITHOUT_GRAVITY = (
+    ("at rest, no gravity", 1.0, 0.0, {"gravity": 0.0}),
+    ("moving at the bottom, no gravity", 0.0, 1.0, {"gravity": 0.0}),
+)
+WITH_GRAVITY = (
+    ("let go at rest", 1.3, 0.0, {}),
+    ("let go at rest, the rod horizontal", math.pi / 2, 0.0, {}),
+    ("at rest at the bottom", 0.0, 0.0, {}),
+    ("moving at the bottom", 0.0, 1.2, {}),
+    ("moving at the top", math.pi, 2.5, {}),
+    ("moving, the rod horizontal, all parameters 1", -math.pi / 2, 1.0, dict.fromkeys(UNITS, 1.0)),
+)
+
+
 @check(points=0.75, part="a", suspects=MOTION_SUSPECTS[:1])
 def without_gravity_it_goes_round_uniformly(student, draw):
     """simulate: uniform motion around the circle where there is no gravity."""
     judge_motion(student, timed(draw, "no gravity", 2.3, 12), TRAJECTORY, "no gravity",
                  "how does the velocity turn if only the constraint force acts?")  # fmt: skip
+    for found, kind in plain_motions(draw, False):
+        judge_motion(student, found, TRAJECTORY, kind, "what is there to change its velocity?")
 
 
 @check(points=1, part="a", suspects=MOTION_SUSPECTS)
@@ -291,6 +346,23 @@ def with_gravity_it_swings_or_goes_round(student, draw):
     t, expected, known = timed(draw, "swinging", 3.1, 9)
     judge_motion(student, (t[[0, -1]], expected[[0, -1]], known), 2 * TRAJECTORY, "two times far apart",
                  "steps between the times, as short as the motion asks for")  # fmt: skip
+    for found, kind in plain_motions(draw, True):
+        judge_motion(student, found, TRAJECTORY, kind, "which force is zero there, and which is not?")
+
+
+@once
+def plain_motions(draw, weight):
+    """As `timed`, at two or three times, each with its kind: from exact places, at rest or moving."""
+    found = []
+    for kind, theta, pace, fixed in WITH_GRAVITY if weight else WITHOUT_GRAVITY:
+        for count in (2, 3):
+            known = {**parameters(draw), **fixed}
+            k, sign = math.sqrt(known["gravity"] / known["length"]), draw.choice([-1, 1])
+            t = uneven(draw, draw.uniform(2, 5) / (k or 1.0), count)
+            states = exact(t - t[0], theta * sign, pace * (k or 1.0) * sign, **known)
+            states[0][np.abs(states[0]) < 1e-15 * np.abs(states[0]).max()] = 0.0  # sin pi and cos pi/2
+            found.append(((t, states, known), f"{kind}; {count} times"))
+    return found
 
 
 @once
@@ -342,7 +414,9 @@ def at_the_very_top_it_stays(student, draw):
 @check(points=0.5, part="a")
 def wireframe_is_the_rod(student, draw):
     """wireframe: one segment, from the hinge to the particle."""
-    for state, known, _ in kinds(draw)[:3]:
-        expect(student.wireframe(state, length=known["length"]), [[[0.0, 0.0], state[:2]]], within=POINTWISE,
-               scale=known["length"], of="the rod", unit="of its length", kind="a random state",
+    found = kinds(draw)
+    rods = student.wireframe.many([given(state, length=known["length"]) for state, known, _ in found])
+    for rod, (state, known, kind) in zip(rods, found, strict=True):
+        expect(rod, [[[0.0, 0.0], state[:2]]], within=POINTWISE,
+               scale=known["length"], of="the rod", unit="of its length", kind=kind,
                hint="its first end is the hinge, its second the particle", at=state)  # fmt: skip
