@@ -26,7 +26,7 @@ Quaternion from rotation matrix, J. Guidance and Control 1 (1978).
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.rotations import _euler, _formulas, _kinds
+from tam570.rotations import _euler, _formulas, _kinds, _stacked
 from tam570.rotations._evaluate import Array, evaluate
 
 __all__ = [
@@ -74,7 +74,12 @@ def matrix_from_axis_angle(axis: ArrayLike, angle: ArrayLike) -> Array:
     """
     formula = _formulas.matrix_of_axis_angle
     return evaluate(
-        formula, _kinds.SQUARES, (3, 3), ("axis", _kinds.AXIS, axis), ("angle", _kinds.ANGLE, angle)
+        formula,
+        _kinds.SQUARES,
+        (3, 3),
+        ("axis", _kinds.AXIS, axis),
+        ("angle", _kinds.ANGLE, angle),
+        stacked=_stacked.matrix_of_axis_angle,
     )
 
 
@@ -94,7 +99,8 @@ def matrix_from_quaternion(q: ArrayLike) -> Array:
     q : (..., 4), scalar first, any nonzero length
     Raises ValueError if q is zero or not finite.
     """
-    return evaluate(_formulas.matrix_of_quaternion, _kinds.SQUARES, (3, 3), ("q", _kinds.QUATERNION, q))
+    formula, stacked = _formulas.matrix_of_quaternion, _stacked.matrix_of_quaternion
+    return evaluate(formula, _kinds.SQUARES, (3, 3), ("q", _kinds.QUATERNION, q), stacked=stacked)
 
 
 def quaternion_from_matrix(R: ArrayLike) -> Array:
@@ -168,7 +174,8 @@ def exp(v: ArrayLike) -> Array:
     v : (..., 3), rad
     Raises ValueError if v is not finite.
     """
-    return evaluate(_formulas.matrix_of_vector, _kinds.TURNS, (3, 3), ("v", _kinds.TURN, v))
+    formula, stacked = _formulas.matrix_of_vector, _stacked.matrix_of_vector
+    return evaluate(formula, _kinds.TURNS, (3, 3), ("v", _kinds.TURN, v), stacked=stacked)
 
 
 def log(R: ArrayLike) -> Array:

@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 Array = NDArray[np.float64]
 Component = Any  # a float, or an array of floats with one entry per rotation
 Formula = Callable[..., tuple[Component, ...]]
+Stacked = Callable[[list[Array]], tuple[Array, Array]]  # of arguments (k, n): measure (n,), results (n, m)
 
 BLOCK = 4096  # rotations evaluated together: their components fit in the second-level cache
 
@@ -63,16 +64,20 @@ def evaluate(
     within: tuple[float, float],
     shape: tuple[int, ...],
     *arguments: tuple[str, Kind, ArrayLike],
+    stacked: Stacked | None = None,
 ) -> Array:
     """`formula` of the arguments' components, for every rotation in the batch; results of `shape` each.
 
     within    : least and greatest measure (the formula's first result) of input that needs no second look
     arguments : name, kind and value of each
+    stacked   : the same formula for batches, where it is written for whole stacks of components
     """
     names, kinds = [name for name, _, _ in arguments], [kind for _, kind, _ in arguments]
     values = [np.asarray(value, dtype=np.float64) for _, _, value in arguments]
     single = _evaluate_single(formula, within, shape, kinds, values)
-    return _evaluate_batch(formula, within, shape, names, kinds, values) if single is None else single
+    if single is not None:
+        return single
+    return _evaluate_batch(stacked or _by_component(formula), within, shape, names, kinds, values)
 
 
 def _evaluate_single(
@@ -95,8 +100,18 @@ def _evaluate_single(
     return np.array(results).reshape(shape) if within[0] <= measure <= within[1] else None
 
 
+def _by_component(formula: Formula) -> Stacked:
+    """A formula on stacks: component by component."""
+
+    def stacked(tables: list[Array]) -> tuple[Array, Array]:
+        measure, *columns = formula(ARRAYS, *_columns(tables))
+        return measure, np.concatenate(columns).reshape(len(columns), -1).T
+
+    return stacked
+
+
 def _evaluate_batch(
-    formula: Formula,
+    formula: Stacked,
     within: tuple[float, float],
     shape: tuple[int, ...],
     names: list[str],
@@ -104,15 +119,26 @@ def _evaluate_batch(
     values: list[Array],
 ) -> Array:
     batch, tables = _tables(names, kinds, values)
-    results = np.empty((math.prod(batch), math.prod(shape)))
+    count = math.prod(batch)
     with np.errstate(all="ignore"):  # what is not a number is refused by name; underflow is harmless
-        for start in range(0, len(results), BLOCK):
-            rows = [table[start : start + BLOCK] for table in tables]
-            measure, *columns = formula(ARRAYS, *_columns(rows))
-            if not (measure.min() >= within[0] and measure.max() <= within[1]):
-                _, *columns = formula(ARRAYS, *_columns(map(_mended, names, kinds, rows)))
-            results[start : start + BLOCK] = np.concatenate(columns).reshape(len(columns), -1).T
+        if 0 < count <= BLOCK:
+            results = np.ascontiguousarray(_block(formula, within, names, kinds, tables))
+        else:
+            results = np.empty((count, math.prod(shape)))
+            for start in range(0, count, BLOCK):
+                rows = [table[start : start + BLOCK] for table in tables]
+                results[start : start + BLOCK] = _block(formula, within, names, kinds, rows)
     return results.reshape(batch + shape)
+
+
+def _block(
+    formula: Stacked, within: tuple[float, float], names: list[str], kinds: list[Kind], rows: list[Array]
+) -> Array:
+    measure, results = formula([table.T for table in rows])
+    least, greatest = measure[measure.argmin()], measure[measure.argmax()]  # no number if one is none
+    if not (least >= within[0] and greatest <= within[1]):
+        _, results = formula([_mended(*each).T for each in zip(names, kinds, rows, strict=True)])
+    return results
 
 
 def _tables(names: list[str], kinds: list[Kind], values: list[Array]) -> tuple[tuple[int, ...], list[Array]]:
@@ -139,9 +165,9 @@ def _batch(name: str, kind: Kind, value: Array) -> tuple[int, ...]:
     return value.shape[:rank]
 
 
-def _columns(rows: Iterable[Array]) -> list[Array]:
+def _columns(stacks: Iterable[Array]) -> list[Array]:
     """The components of all arguments, each contiguous."""
-    return [column for table in rows for column in np.ascontiguousarray(table.T)]
+    return [column for stack in stacks for column in np.ascontiguousarray(stack)]
 
 
 def _mended(name: str, kind: Kind, rows: Array) -> Array:
