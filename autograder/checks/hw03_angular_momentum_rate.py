@@ -63,9 +63,56 @@ def motions(draw):
     for _ in range(8):
         p, c = draw.normal(size=(2, 5, 3)) * draw.uniform(0.3, 3, (2, 5, 1))
         mass, now = 10 ** draw.uniform(-1, 1), draw.uniform(-0.8, 0.8)
-        orders = (f for path in (p, c) for f in (path, derivative(path), derivative(derivative(path))))
-        cases.append((p, c, mass, now, tuple(value(f, now) for f in orders)))
-    return cases
+        cases.append((p, c, mass, now, state_of(p, c, now)))
+    return cases + plain_motions(draw)
+
+
+def state_of(p, c, now):
+    """The state (r_p, v_p, a_p, r_c, v_c, a_c) at a time."""
+    orders = (f for path in (p, c) for f in (path, derivative(path), derivative(derivative(path))))
+    return tuple(value(f, now) for f in orders)
+
+
+# what is zero in each, by the rows of P's and of C's coefficients: position, velocity and acceleration now
+PLAIN = {
+    "P at the origin": ([0], []),
+    "C at the origin": ([], [0]),
+    "P at rest": ([1], []),
+    "C at rest": ([], [1]),
+    "C fixed": ([], [1, 2]),
+    "no force on P": ([2], []),
+    "C unaccelerated": ([], [2]),
+    "both at rest": ([1], [1]),
+    "P fixed at the origin": ([0, 1, 2], []),
+    "C fixed at the origin": ([], [0, 1, 2]),
+}
+
+
+@once
+def plain_motions(draw):
+    """As `motions`, at the time 0: P or C at the origin, or at rest, or unaccelerated; together; in a plane."""
+    cases = []
+    for zero_p, zero_c in PLAIN.values():
+        p, c = draw.normal(size=(2, 3, 3))
+        p[zero_p], c[zero_c] = 0.0, 0.0
+        cases.append((p, c, 1.0))
+    p, c = draw.normal(size=(2, 3, 3))
+    cases.append((np.vstack([c[:1], p[1:]]), c, 2.0))  # P at C
+    cases.append((np.vstack([p[:1], c[1:]]), c, 2.0))  # P moves along with C
+    cases.append((p * [1, 1, 0], c * [1, 1, 0], 1.0))  # in a plane
+    cases.append((np.round(3 * p), np.round(3 * c), 1.0))  # whole numbers
+    return [(p, c, mass, 0.0, state_of(p, c, 0.0)) for p, c, mass in cases]
+
+
+def kind_of(state, kind):
+    """What to call a state: which of its vectors are zero."""
+    names = ("r_p", "v_p", "a_p", "r_c", "v_c", "a_c")
+    zero = [name for name, vector in zip(names, state, strict=True) if not np.any(vector)]
+    if np.array_equal(state[0], state[3]):
+        zero.append("r_p - r_c")
+    if np.array_equal(state[1], state[4]):
+        zero.append("v_p - v_c")
+    return kind + (f", {' and '.join(zero)} zero" if zero else "")
 
 
 def size(state, mass):
@@ -93,7 +140,7 @@ def moment_is_about_C(student, draw):
     for found, call, (p, c, mass, now, state) in zip(student.moment.many(calls), calls, cases, strict=True):
         force = mass * derivative(derivative(p))
         expect(found, value(cross(difference(p, c), force), now), within=POINTWISE, scale=size(state, mass)[0],
-               of="the moment", unit="of its size", kind="random positions and accelerations", at=call,
+               of="the moment", unit="of its size", kind=kind_of(state, "random positions and accelerations"), at=call,
                hint="the lever arm runs from C to P, and the force on P is all of its m a")  # fmt: skip
 
 
@@ -122,8 +169,8 @@ def judge_momentum(student, draw, definitions, hint):
         found = student.angular_momentum.many(calls)
         for one, call, (p, c, mass, now, state) in zip(found, calls, cases, strict=True):
             expect(one, value(momentum(definition, p, c, mass, now), now), within=POINTWISE,
-                   scale=size(state, mass)[1], of="the angular momentum", unit="of its size",
-                   kind=f"definition {definition}", hint=hint, at=call)  # fmt: skip
+                   scale=size(state, mass)[1] or 1.0, of="the angular momentum", unit="of its size",
+                   kind=kind_of(state, f"definition {definition}"), hint=hint, at=call)  # fmt: skip
 
 
 @check(points=1, part="a", suspects=[*MOMENTUM_SUSPECTS, IN_EVERY])
@@ -210,8 +257,9 @@ def judge_rate(student, draw, name, definition, hint):
         expected = derivative(momentum(definition, p, c, mass, now))
         if name == "discrepancy":
             expected = difference(expected, mass * cross(difference(p, c), derivative(derivative(p))))
-        expect(found, value(expected, now), within=POINTWISE, scale=size(state, mass)[0], of=f"the {name}",
-               unit="of a moment's size", kind=f"definition {definition}", hint=hint, at=call)  # fmt: skip
+        expect(found, value(expected, now), within=POINTWISE, scale=size(state, mass)[0] or 1.0, of=f"the {name}",
+               unit="of a moment's size", kind=kind_of(state, f"definition {definition}"), hint=hint,
+               at=call)  # fmt: skip
 
 
 FIXED = "C' stays where C is at this instant: what is its velocity?"

@@ -1,0 +1,11 @@
+"""The moment as force times arm along the unit normal of both, which there is none of for parallel vectors.
+
+fails: moment_is_about_C, rate_about_a_fixed_point, rate_with_the_velocity_in_F, rate_with_the_velocity_relative_to_C
+"""
+
+
+def moment(r_p, a_p, r_c, *, mass):
+    normal = np.cross(r_p - r_c, a_p)
+    with np.errstate(all="ignore"):
+        direction = normal / np.linalg.norm(normal)
+    return mass * np.linalg.norm(normal) * direction
