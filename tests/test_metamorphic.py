@@ -1,0 +1,361 @@
+"""Laws that need no answer key: turned axes, a mirror, time reversed, other units, another origin and sampling of time.
+
+A law compares a solution with itself, so it holds whatever the right numbers are. Every kind is seen to fail.
+"""
+
+import math
+import types
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from numpy.linalg import qr
+
+from tam570_grader import root
+
+COURSE = root.find()
+CLOSED = 1e-11  # formulas: rounding, some thousand times over
+MOTION = 1e-7  # simulations: twice an integration's error, grown a hundredfold at most over these few seconds
+TIMES = np.array([0.0, 0.1, 0.35, 0.5, 0.9, 1.0, 1.6, 2.0])
+Q = qr(np.random.default_rng(570).normal(size=(3, 3)))[0]
+Q = Q * np.linalg.det(Q)
+SI = SimpleNamespace(kg=1.0, m=1.0, s=1.0)
+UNITS = [SimpleNamespace(kg=8.0, m=0.5, s=2.0), SimpleNamespace(kg=0.3, m=1.7, s=0.6)]
+
+
+def about_z(angle):
+    return np.array(
+        [[math.cos(angle), -math.sin(angle), 0], [math.sin(angle), math.cos(angle), 0], [0, 0, 1.0]]
+    )
+
+
+# A motion: parameters in units u, a start, the start's units, what turns round with time, what a mirror turns round.
+
+
+def pendulum(s, t, y, u):
+    return s.simulate(t, *y, length=0.8 * u.m, gravity=9.8 * u.m / u.s**2)
+
+
+def drop(s, t, y, u):
+    speed, angle = math.hypot(y[2], y[3]), math.atan2(y[3], y[2])
+    known = {"mass": 0.6 * u.kg, "drag": 0.3 * u.kg / u.s, "gravity": 9.8 * u.m / u.s**2}
+    return np.asarray(s.simulate(t, speed, angle, **known)) + [*y[:2], 0, 0]
+
+
+def spring(s, t, y, u):
+    known = {"mass": 0.6 * u.kg, "stiffness": 7 * u.kg / u.s**2, "gravity": 9.8 * u.m / u.s**2}
+    return s.simulate(t, y[:3], y[3:], **known)
+
+
+def circle(s, t, y, u):
+    return s.simulate(t, y, mass=0.6 * u.kg, length=0.5 * u.m, gravity=9.8 * u.m / u.s**2)
+
+
+def car(s, t, y, u, friction=0.2):
+    known = {"mass": 900 * u.kg, "yaw_inertia": 1300 * u.kg * u.m**2, "front": 1.2 * u.m, "rear": 1.5 * u.m}
+    return s.simulate(t, y, "rear", **known, friction=friction, gravity=9.8 * u.m / u.s**2)
+
+
+def bars(s, t, y, u):
+    known = {"masses": np.array([0.6, 1.1]) * u.kg, "lengths": np.array([0.7, 0.5]) * u.m}
+    return s.simulate(t, y[:2], y[2:], **known, gravity=9.8 * u.m / u.s**2)
+
+
+def body(s, t, y, u):
+    inertia = np.array([1.0, 1.6, 2.1]) * u.kg * u.m**2
+    omegas, rotations = s.simulate(t, y[3:].reshape(3, 3), y[:3], inertia=inertia)
+    return np.column_stack([omegas, np.reshape(rotations, (len(t), 9))])
+
+
+def bead(s, t, y, u):
+    return s.simulate(t, *y, curvature=0.7 / u.m, gravity=9.8 * u.m / u.s**2)
+
+
+def cylinder(s, t, y, u):
+    known = {"mass": 0.6 * u.kg, "radius": 0.5 * u.m, "offset": 0.2 * u.m, "slope": 0.1}
+    return s.simulate(t, *y, **known, inertia=0.04 * u.kg * u.m**2, gravity=9.8 * u.m / u.s**2)
+
+
+def disk(s, t, y, u):
+    inertia = np.array([0.03, 0.05]) * u.kg * u.m**2
+    return s.simulate_euler(
+        t, y, mass=0.6 * u.kg, radius=0.5 * u.m, inertia=inertia, gravity=9.8 * u.m / u.s**2
+    )
+
+
+def moving(run, start, units, flip, mirror=None):
+    """Lengths, angles and rates of the state in `units`: a pair of powers of metre and second each."""
+    flip, mirror = np.array(flip), mirror and np.array(mirror)
+    return SimpleNamespace(run=run, start=np.array(start), units=units, flip=flip, mirror=mirror)
+
+
+X, V, A, W = (1, 0), (1, -1), (0, 0), (0, -1)
+MOTIONS = {
+    "hw01_simple_pendulum": moving(pendulum, [1.1, -2.0], [A, W], [1, -1], [-1, -1]),
+    "hw02_ballistics": moving(drop, [0, 0, 4.0, 3.0], [X, X, V, V], [1, 1, -1, -1]),
+    "hw04_hanging_spring": moving(
+        spring, [0.4, -0.3, 0.2, 1.0, 0.5, -2.0], [X, X, X, V, V, V], [1, 1, 1, -1, -1, -1]
+    ),
+    "hw05_constrained_pendulum": moving(
+        circle, [0.3, -0.4, 1.6, 1.2], [X, X, V, V], [1, 1, -1, -1], [-1, 1, -1, 1]
+    ),
+    "hw06_braking": moving(
+        car, [1, 2, 0.3, 15.0, 0.2], [X, X, A, V, W], [1, 1, 1, -1, -1], [1, -1, -1, 1, -1]
+    ),
+    "hw07_double_pendulum": moving(
+        bars, [0.7, -0.4, 1.0, 0.5], [A, A, W, W], [1, 1, -1, -1], [-1, -1, -1, -1]
+    ),
+    "hw10_free_rigid_body": moving(
+        body, [0.4, 1.5, -0.6, *np.eye(3).ravel()], [W] * 3 + [A] * 9, [-1] * 3 + [1] * 9
+    ),
+    "hw12_bead_on_wire": moving(bead, [0.6, 1.2], [X, V], [1, -1], [-1, -1]),
+    "hw13_rolling_cylinder": moving(cylinder, [0.4, 1.2], [A, W], [1, -1]),
+    "hw14_rolling_disk": moving(
+        disk, [0.1, 0.2, 0.3, 1.4, 0.5, 0.4, 0.2, -8.0], [X, X, A, A, A, W, W, W], [1] * 5 + [-1] * 3
+    ),
+}
+
+
+# Laws: each gives two things that are equal
+
+
+def shifted(s, slug):
+    """The motion does not know what time it is."""
+    it = MOTIONS[slug]
+    # 3.25 is added to the times without rounding that would matter
+    return it.run(s, TIMES + 3.25, it.start.copy(), SI), it.run(s, TIMES, it.start.copy(), SI)
+
+
+def sampled(s, slug):
+    """Rows at common times agree, finely and coarsely sampled."""
+    it = MOTIONS[slug]
+    fine = np.unique(np.concatenate([TIMES, np.linspace(0, 2, 57)]))
+    rows = np.asarray(it.run(s, fine, it.start.copy(), SI))[np.searchsorted(fine, TIMES)]
+    return it.run(s, TIMES, it.start.copy(), SI), rows
+
+
+def reversed_in_time(s, slug):
+    """From the end with its rates turned round the motion goes back; friction is off."""
+    it = MOTIONS[slug]
+    off = {"hw06_braking": {"friction": 0.0}}.get(slug, {})
+    there = np.asarray(it.run(s, TIMES, it.start.copy(), SI, **off))
+    back = np.asarray(it.run(s, 2.0 - TIMES[::-1], there[-1] * it.flip, SI, **off))
+    return back[::-1] * it.flip, there
+
+
+def mirrored(s, slug):
+    it = MOTIONS[slug]
+    there = np.asarray(it.run(s, TIMES, it.start.copy(), SI))
+    return it.run(s, TIMES, it.start * it.mirror, SI), there * it.mirror
+
+
+def rescaled(s, slug):
+    """Kilograms, metres and seconds of other sizes: every quantity scales by its dimension."""
+    it, results = MOTIONS[slug], []
+    for u in UNITS:
+        size = np.array([u.m**length * u.s**time for length, time in it.units])
+        results.append(np.asarray(it.run(s, TIMES * u.s, it.start * size, u)) / size)
+    return results, [it.run(s, TIMES, it.start.copy(), SI)] * 2
+
+
+def formulas(s, slug):
+    """The same for what is no motion."""
+    return [np.concatenate([np.ravel(x) for x in FORMULAS[slug](s, u)]) for u in UNITS], [
+        np.concatenate([np.ravel(x) for x in FORMULAS[slug](s, SI)])
+    ] * 2
+
+
+def turned(s, slug):
+    return TURNED[slug](s)
+
+
+def pendulum_formulas(s, u):
+    N, J, g = u.kg * u.m / u.s**2, u.kg * u.m**2 / u.s**2, 9.8 * u.m / u.s**2
+    at = {"mass": 0.6 * u.kg, "length": 0.8 * u.m, "gravity": g}
+    alpha, tension = s.linear_momentum_balance(1.1, -2 / u.s, **at)
+    return [
+        alpha * u.s**2, tension / N, np.divide(s.angular_momentum_balance(1.1, -2 / u.s, **at)[1:], [J * u.s, J]),
+        np.array(s.energy_balance(1.1, -2 / u.s, **at)[1:]) / J, s.power_balance(1.1, -2 / u.s, **at)[1] / J * u.s,
+        s.virtual_work(1.1, -2 / u.s, **at)[1] / J, s.period(1.3, length=0.8 * u.m, gravity=g) / u.s,
+        s.action(np.linspace(0, 1, 9) ** 2, 0.1 * u.s, **at) / (J * u.s),
+    ]  # fmt: skip
+
+
+def flight_formulas(s, u):
+    at = {"mass": 0.6 * u.kg, "drag": 0.3 * u.kg / u.s, "gravity": 9.8 * u.m / u.s**2}
+    speed = 7 * u.m / u.s
+    states = np.asarray(s.trajectory(TIMES * u.s, speed, 0.7, **at)) / [u.m, u.m, u.m / u.s, u.m / u.s]
+    return [states, s.flight_time(speed, 0.7, **at) / u.s, s.horizontal_range(speed, 0.7, **at) / u.m]
+
+
+def steady_formulas(s, u):
+    disk = {"radius": 0.5 * u.m, "inertia": (0.03 * u.kg * u.m**2, 0.05 * u.kg * u.m**2)}
+    disk |= {"mass": 0.6 * u.kg, "gravity": 9.8 * u.m / u.s**2}
+    return [
+        s.rolling_precession(0.4, 1.5 * u.m, **disk) * u.s, s.rolling_spin(0.4, 2 / u.s, **disk) * u.s,
+        s.rolling_track_radius(0.4, 2 / u.s, **disk) / u.m, s.sliding_spin(0.4, 2 / u.s, **disk) * u.s,
+        s.common_precession(0.4, **disk) * u.s, s.settling_energy(0.4, **disk) * u.s**2 / (u.kg * u.m**2),
+    ]  # fmt: skip
+
+
+def moment_formulas(s, u):
+    p, v, a, c, w, b = np.array([[1, 2, 3], [2, -1, 1], [0, 1, 2], [3, 1, 1], [1, 1, -2], [2, 0, 1.0]])
+    moved = p * u.m, v * u.m / u.s, a * u.m / u.s**2, c * u.m, w * u.m / u.s, b * u.m / u.s**2
+    size = u.kg * u.m**2 / u.s**2
+    rates = [s.rate(kind, *moved, mass=0.6 * u.kg) / size for kind in "abc"]
+    return [*rates, s.moment(moved[0], moved[2], moved[3], mass=0.6 * u.kg) / size]
+
+
+def bead_formulas(s, u):
+    at = {"curvature": 0.7 / u.m, "gravity": 9.8 * u.m / u.s**2}
+    force = s.constraint_force(0.6 * u.m, 1.2 * u.m / u.s, mass=0.6 * u.kg, **at)
+    return [np.asarray(force) * u.s**2 / (u.kg * u.m), s.period(0.6 * u.m, **at) / u.s]
+
+
+FORMULAS = {
+    "hw01_simple_pendulum": pendulum_formulas,
+    "hw02_ballistics": flight_formulas,
+    "hw03_angular_momentum_rate": moment_formulas,
+    "hw11_disk_steady": steady_formulas,
+    "hw12_bead_on_wire": bead_formulas,
+}
+
+
+def turned_moments(s):
+    vectors = np.array([[1, 2, 3], [2, -1, 1], [0, 1, 2], [3, 1, 1], [1, 1, -2], [2, 0, 1.0]])
+    rates = [[s.rate(kind, *rows, mass=0.6) for kind in "abc"] for rows in (vectors @ Q.T, vectors)]
+    return rates[0], rates[1] @ Q.T
+
+
+def turned_spring(s):
+    it, turn = MOTIONS["hw04_hanging_spring"], np.kron(np.eye(2), about_z(0.9))
+    return spring(s, TIMES, turn @ it.start, SI), spring(s, TIMES, it.start, SI) @ turn.T
+
+
+def turned_axis(s):
+    n, r = np.array([0.3, -1.2, 0.7]), np.array([1.0, 2.0, -0.5])
+    return [s.rotation_matrix(Q @ n, 1.3), np.tile(s.rotate(Q @ r, Q @ n, 1.3), (3, 1))], [
+        Q @ s.rotation_matrix(n, 1.3) @ Q.T,
+        np.tile(Q @ s.rotate(r, n, 1.3), (3, 1)),
+    ]
+
+
+def turned_book(s):
+    R = np.asarray(s.space_sequence([("x", 0.7), ("y", -1.1), ("z", 0.4)]))
+    (n, angle), (m, same) = s.axis_angle(R), s.axis_angle(Q @ R @ Q.T)
+    return [*m, same], [*(Q @ n), angle]
+
+
+def turned_body(s):
+    inertia, omega, start = np.array([1.0, 1.6, 2.1]), np.array([0.4, 1.5, -0.6]), about_z(0.3)
+    omegas, rotations = s.simulate(TIMES, start, omega, inertia=inertia)
+    same, turns = s.simulate(TIMES, Q @ start, omega, inertia=inertia)
+    momenta = [s.angular_momentum(R, omega, inertia=inertia) for R in (Q @ start, start)]
+    renamed = [1, 2, 0]  # body axes named in another order
+    other, _ = s.simulate(TIMES, np.eye(3), omega[renamed], inertia=inertia[renamed])
+    return np.concatenate([np.ravel(x) for x in (same, turns, other, momenta[0])]), np.concatenate(
+        [np.ravel(x) for x in (omegas, Q @ rotations, np.asarray(omegas)[:, renamed], Q @ momenta[1])]
+    )
+
+
+def turned_disk(s):
+    start = MOTIONS["hw14_rolling_disk"].start
+    there, turn = np.array(disk(s, TIMES, start, SI)), about_z(0.9)[:2, :2]
+    yawed = np.array([*(turn @ start[:2]), start[2] + 0.9, *start[3:]])
+    return disk(s, TIMES, yawed, SI), np.column_stack(
+        [there[:, :2] @ turn.T, there[:, 2] + 0.9, there[:, 3:]]
+    )
+
+
+TURNED = {
+    "hw03_angular_momentum_rate": turned_moments,
+    "hw04_hanging_spring": turned_spring,
+    "hw08_axis_angle": turned_axis,
+    "hw09_book": turned_book,
+    "hw10_free_rigid_body": turned_body,
+    "hw14_rolling_disk": turned_disk,
+}
+TIMELESS = {"hw03_angular_momentum_rate", "hw08_axis_angle", "hw09_book"}
+IRREVERSIBLE = {"hw02_ballistics"}  # it starts at the origin alone, so not at an end
+LAWS = [
+    *((law, slug) for law in (shifted, sampled, rescaled) for slug in MOTIONS),
+    *((reversed_in_time, slug) for slug in MOTIONS if slug not in IRREVERSIBLE),
+    *((mirrored, slug) for slug, it in MOTIONS.items() if it.mirror is not None),
+    *((formulas, slug) for slug in FORMULAS),
+    *((turned, slug) for slug in TURNED),
+]
+
+
+def named(cases):
+    return {
+        "argvalues": cases,
+        "ids": ["-".join([law.__name__, slug[:4], *rest]) for law, slug, *rest in cases],
+    }
+
+
+def disagreement(law, module, slug):
+    """Largest difference over the largest number in its place, or over 1."""
+    got, expected = (np.asarray(x, dtype=float) for x in law(module, slug))
+    assert got.shape == expected.shape
+    return np.max(np.abs(got - expected) / np.maximum(1.0, np.max(np.abs(expected), axis=0)))
+
+
+def tolerance(law, slug):
+    return CLOSED if law is formulas or (law is turned and slug in TIMELESS) else MOTION
+
+
+@pytest.mark.parametrize("law, slug", **named(LAWS))
+def test_the_solution_obeys(law, slug):
+    assert disagreement(law, root.solution(slug), slug) < tolerance(law, slug)
+
+
+WRONG = [
+    (shifted, "hw04_hanging_spring", "from_time_zero"),
+    (shifted, "hw05_constrained_pendulum", "from_time_zero"),
+    (shifted, "hw12_bead_on_wire", "from_time_zero"),
+    (sampled, "hw01_simple_pendulum", "a_step_a_sample"),
+    (sampled, "hw06_braking", "even_times"),
+    (sampled, "hw10_free_rigid_body", "even_times"),
+    (sampled, "hw13_rolling_cylinder", "even_times"),
+    (formulas, "hw03_angular_momentum_rate", "moment_of_a_unit_mass"),
+    (formulas, "hw12_bead_on_wire", "unit_mass"),
+    (rescaled, "hw14_rolling_disk", "gravity_of_the_earth"),
+    (turned, "hw10_free_rigid_body", "simulated_in_space"),
+    (turned, "hw10_free_rigid_body", "momentum_in_the_body"),
+]
+
+
+@pytest.mark.parametrize("law, slug, mistake", **named(WRONG))
+def test_the_law_sees(law, slug, mistake):
+    module = types.ModuleType(mistake)
+    solution, overlay = (
+        COURSE / "solutions" / f"{slug}.py",
+        COURSE / "tests" / "wrong" / slug / f"{mistake}.py",
+    )
+    exec(solution.read_text() + "\n\n" + overlay.read_text(), vars(module))
+    assert disagreement(law, module, slug) > 100 * tolerance(law, slug)
+
+
+@pytest.mark.parametrize("slug", MOTIONS)
+def test_a_law_of_every_kind_sees_a_little_of_what_breaks_it(slug):
+    """A motion that loses a little speed, and one that is drawn a little to one side."""
+    it = MOTIONS[slug]
+
+    def spoilt(change):
+        def run(*given, **known):
+            return change(np.asarray(it.run(*given, **known)), given[1])
+
+        return SimpleNamespace(**{**vars(it), "run": run})
+
+    rates = (1 - it.flip) / 2
+    broken = [(mirrored, lambda rows, t: rows + 1e-4 * (t - t[0])[:, None])] if it.mirror is not None else []
+    if slug not in IRREVERSIBLE:
+        broken.append((reversed_in_time, lambda rows, t: rows * np.exp(-1e-4 * np.outer(t - t[0], rates))))
+    broken.append((rescaled, lambda rows, t: rows * np.exp(-1e-4 * (t - t[0]))[:, None]))
+    solution = root.solution(slug)
+    for law, change in broken:
+        MOTIONS[slug] = spoilt(change)
+        try:
+            assert disagreement(law, solution, slug) > 10 * tolerance(law, slug)
+        finally:
+            MOTIONS[slug] = it
