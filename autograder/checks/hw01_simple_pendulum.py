@@ -158,7 +158,45 @@ def states(draw):
     """Calls at random states, the last of them without gravity."""
     angles, rates = draw.uniform(-9, 9, 18), draw.uniform(1, 6, 18) * draw.choice([-1, 1], 18)
     pendulums = [parameters(draw, gravity) for gravity in [None] * 15 + [0.0] * 3]
-    return [given(th, om, **pendulum) for th, om, pendulum in zip(angles, rates, pendulums, strict=True)]
+    calls = [given(th, om, **pendulum) for th, om, pendulum in zip(angles, rates, pendulums, strict=True)]
+    return calls + plain_states(calls[0])
+
+
+PLAIN = {
+    0.0: "at the bottom",
+    math.pi / 2: "level with the hinge",
+    -math.pi / 2: "level with the hinge",
+    math.pi: "at the top",
+    -math.pi: "at the top",
+}  # angle: what to call it
+
+
+def plain_states(call):
+    """Calls at the angles that have a name, with this speed either way, with gravity and without; whole numbers."""
+    speed, gravity = abs(call.args[1]), call.kwargs["gravity"]
+    named = [
+        given(angle, turn * speed, **{**call.kwargs, "gravity": pull})
+        for angle in PLAIN
+        for turn, pull in ((1, gravity), (-1, gravity), (1, 0.0))
+    ]
+    whole = {"mass": 1.0, "length": 1.0, "gravity": 1.0}
+    return [*named, *(given(*state, **whole) for state in ((1.0, 1.0), (-1.0, 2.0), (0.01, -1.0)))]
+
+
+def at_rest(draw):
+    """Calls at rest: anywhere, and at the angles that have a name; with gravity and without."""
+    angles = [*draw.uniform(0.3, 2.8, 5), *draw.uniform(-2.8, -0.3, 2), *PLAIN, 1.0]
+    return [given(th, 0.0, **parameters(draw, pull)) for th in angles for pull in (None, 0.0)]
+
+
+def kind_of(call, kind):
+    """What to call the pendulum of a call."""
+    named = PLAIN.get(call.args[0], "")
+    rest = "" if call.args[1] else "at rest"
+    where = f"a pendulum {' '.join(filter(None, (rest, named)))}" if named or rest else kind
+    if call.kwargs["gravity"]:
+        return where
+    return f"{where}, without gravity" if where != kind else "a pendulum without gravity"
 
 
 def judge(student, name, quantities, calls, hint, kind="a random state, mass and length"):
@@ -167,35 +205,35 @@ def judge(student, name, quantities, calls, hint, kind="a random state, mass and
         known, sizes = right(*call.args, **call.kwargs), scales(*call.args, **call.kwargs)
         for quantity in quantities:
             value, (scale, unit) = found[BALANCES[name].index(quantity)], sizes[quantity]
-            expect(value, known[quantity], within=POINTWISE, scale=scale, of=quantity, unit=unit, hint=hint, at=call,
-                   kind=kind if call.kwargs["gravity"] else "a pendulum without gravity")  # fmt: skip
+            expect(value, known[quantity], within=POINTWISE, scale=scale or 1.0, of=quantity, unit=unit, hint=hint,
+                   at=call, kind=kind_of(call, kind))  # fmt: skip
 
 
 @check(points=0.5, part="a", suspects=BALANCE_SUSPECTS)
 def newton_gives_the_acceleration(student, draw):
     """linear_momentum_balance: alpha, by F = m a along the circle."""
-    judge(student, "linear_momentum_balance", ["alpha"], states(draw),
+    judge(student, "linear_momentum_balance", ["alpha"], states(draw) + at_rest(draw),
           "draw the forces, and the component of each along the circle")  # fmt: skip
 
 
 @check(points=0.5, part="a", suspects=BALANCE_SUSPECTS + TENSION_SUSPECTS)
 def newton_gives_the_tension(student, draw):
     """linear_momentum_balance: the tension, by F = m a along the rod."""
-    judge(student, "linear_momentum_balance", ["tension"], states(draw),
+    judge(student, "linear_momentum_balance", ["tension"], states(draw) + at_rest(draw),
           "which way along the rod does the acceleration point when omega is not zero?")  # fmt: skip
 
 
 @check(points=0.5, part="a", suspects=BALANCE_SUSPECTS)
 def moments_give_the_acceleration(student, draw):
     """angular_momentum_balance: alpha, by M = dH/dt about the hinge."""
-    judge(student, "angular_momentum_balance", ["alpha"], states(draw),
+    judge(student, "angular_momentum_balance", ["alpha"], states(draw) + at_rest(draw),
           "which way does the weight turn a pendulum that is out to the right?")  # fmt: skip
 
 
 @check(points=0.5, part="a", suspects=BALANCE_SUSPECTS)
 def momentum_and_moment_are_about_the_hinge(student, draw):
     """angular_momentum_balance: r x m v and the moment of the weight, about the hinge."""
-    judge(student, "angular_momentum_balance", ["angular momentum", "moment"], states(draw),
+    judge(student, "angular_momentum_balance", ["angular momentum", "moment"], states(draw) + at_rest(draw),
           "how far from the hinge do momentum and weight act?")  # fmt: skip
 
 
@@ -213,11 +251,8 @@ def energy_gives_the_acceleration(student, draw):
 
 
 def judge_at_rest(student, draw, name):
-    """Compare alpha at rest."""
-    calls = [given(draw.uniform(0.3, 2.8), 0.0, **parameters(draw)) for _ in range(5)]
-    judge(
-        student, name, ["alpha"], calls, "the factor omega is cancelled, not divided by", "a pendulum at rest"
-    )
+    """Compare alpha, and the kinetic energy or the power, at rest."""
+    judge(student, name, BALANCES[name][:2], at_rest(draw), "the factor omega is cancelled, not divided by")
 
 
 @check(points=0.25, part="a", after=energy_gives_the_acceleration)
@@ -242,7 +277,7 @@ def power_gives_the_acceleration_at_rest(student, draw):
 @check(points=0.5, part="a", suspects=BALANCE_SUSPECTS)
 def virtual_work_gives_the_acceleration(student, draw):
     """virtual_work: the generalized force of gravity, and alpha from it."""
-    judge(student, "virtual_work", ["generalized force", "alpha"], states(draw),
+    judge(student, "virtual_work", ["generalized force", "alpha"], states(draw) + at_rest(draw),
           "dr is l dtheta, across the rod")  # fmt: skip
 
 
@@ -256,24 +291,25 @@ def points_of(calls, symbols):
 @check(points=0.75, part="a", suspects=ENERGY_SUSPECTS)
 def lagrangian_is_kinetic_less_potential(student, draw):
     """lagrangian: T - V in theta, omega, m, l, g, with V zero at the lowest point."""
-    calls = states(draw)
+    calls = states(draw) + at_rest(draw)
     points = points_of(calls, RESULTS["lagrangian"].symbols)
     for value, call in zip(student.lagrangian.at(points), calls, strict=True):
         known, (scale, unit) = right(*call.args, **call.kwargs), scales(*call.args, **call.kwargs)["moment"]
-        expect(value, known["kinetic energy"] - known["potential energy"], within=POINTWISE, scale=scale,
-               of="the Lagrangian", unit=unit, kind="random numbers for the symbols", at=call,
+        expect(value, known["kinetic energy"] - known["potential energy"], within=POINTWISE,
+               scale=scale or 1.0, of="the Lagrangian", unit=unit, at=call,
+               kind=kind_of(call, "random numbers for the symbols"),
                hint="put numbers in: at rest at the lowest point it is zero, at rest elsewhere negative")  # fmt: skip
 
 
 @check(points=0.75, part="a", suspects=BALANCE_SUSPECTS)
 def lagrange_gives_the_acceleration(student, draw):
     """lagrange_equation: alpha in theta, l, g alone."""
-    calls = states(draw)
+    calls = states(draw) + at_rest(draw)
     points = points_of(calls, RESULTS["lagrange_equation"].symbols)
     for value, call in zip(student.lagrange_equation.at(points), calls, strict=True):
         scale, unit = scales(*call.args, **call.kwargs)["alpha"]
-        expect(value, right(*call.args, **call.kwargs)["alpha"], within=POINTWISE, scale=scale, of="alpha",
-               unit=unit, kind="random numbers for the symbols", at=call,
+        expect(value, right(*call.args, **call.kwargs)["alpha"], within=POINTWISE, scale=scale or 1.0,
+               of="alpha", unit=unit, at=call, kind=kind_of(call, "random numbers for the symbols"),
                hint="it is the alpha of the other balances")  # fmt: skip
 
 
@@ -375,7 +411,26 @@ def paths(draw):
         call = given(wave(fine, *shape)[0], span * fine[1], **pendulum)
         action, scale = (weights @ (kinetic + sign * potential) * span / 2 for sign in (-1, 1))
         cases.append((call, action, scale, kind))
-    return cases
+    return cases + plain_paths(draw)
+
+
+def plain_paths(draw):
+    """As `paths`: at rest anywhere and at the named angles; turning evenly without gravity; even numbers of samples."""
+    cases = []
+    for theta in (draw.uniform(0.3, 2.8), *PLAIN):
+        pendulum, samples, step = (
+            parameters(draw),
+            2 * int(draw.integers(200, 300)),
+            10 ** draw.uniform(-3, -1),
+        )
+        depth = pendulum["mass"] * pendulum["gravity"] * pendulum["length"] * (1 - math.cos(theta))
+        action = -depth * step * (samples - 1)
+        call = given(np.full(samples, theta), step, **pendulum)
+        cases.append((call, action, abs(action) or 1.0, kind_of(given(theta, 0.0, gravity=1.0), "")))
+    pendulum, omega, samples = parameters(draw, gravity=0.0), draw.uniform(-3, -1), 500
+    action = pendulum["mass"] * (pendulum["length"] * omega) ** 2 / 2 * 0.01 * (samples - 1)
+    call = given(omega * 0.01 * np.arange(samples), 0.01, **pendulum)
+    return [*cases, (call, action, action, "a pendulum that turns evenly, without gravity")]
 
 
 @check(points=0.5, part="a", after=action_is_stationary_on_motions)
@@ -428,10 +483,19 @@ def small_angle_solution_is_harmonic(student, draw):
     (theta0, omega0), pendulum, k = swing(draw)
     pendulum.pop("mass")
     t = times(draw, 20 / k, 50)
-    found = student.small_angle_solution(t, theta0, omega0, **pendulum)
-    expect(found, harmonic(t, theta0, omega0, k), scale=[1, k], within=TRAJECTORY, of="theta, or omega/sqrt(g/l),",
-           unit="rad", t=t, kind="times that do not start at zero", at=(theta0, omega0, pendulum),
-           hint="put t = 0 in: is the state the given one? differentiate theta: is it omega?")  # fmt: skip
+    starts = {
+        "times that do not start at zero": (t, theta0, omega0),
+        "two times, the first of them zero": (t[:2] - t[0], theta0, omega0),
+        "a pendulum let go at rest": (t, theta0, 0.0),
+        "a pendulum that starts at the bottom": (t, 0.0, omega0),
+        "a pendulum at rest at the bottom": (t, 0.0, 0.0),
+        "a pendulum that starts level with the hinge": (t, math.copysign(math.pi / 2, theta0), omega0),
+    }
+    calls = [given(*start, **pendulum) for start in starts.values()]
+    for found, call, kind in zip(student.small_angle_solution.many(calls), calls, starts, strict=True):
+        expect(found, harmonic(*call.args, k), scale=[1, k], within=TRAJECTORY, of="theta, or omega/sqrt(g/l),",
+               unit="rad", t=call.args[0], kind=kind, at=call,
+               hint="put t = 0 in: is the state the given one? differentiate theta: is it omega?")  # fmt: skip
 
 
 @check(points=0.25, part="a", after=small_angle_solution_is_harmonic)
@@ -439,10 +503,13 @@ def small_angle_solution_without_gravity(student, draw):
     """small_angle_solution: without gravity the pendulum turns uniformly."""
     theta0, omega0, length = draw.uniform(0.5, 1), draw.uniform(-2, -1), draw.uniform(1, 3)
     t = times(draw, 5.0, 20)
-    found = student.small_angle_solution(t, theta0, omega0, length=length, gravity=0.0)
-    uniform = np.column_stack([theta0 + omega0 * t, np.full(len(t), omega0)])
-    expect(found, uniform, within=TRAJECTORY, of="theta or omega", unit="rad or rad/s", t=t, kind="gravity 0",
-           hint="what becomes of sin(k t)/k as k goes to zero?")  # fmt: skip
+    starts = {"": (theta0, omega0), ", let go at rest": (theta0, 0.0), ", from the bottom": (0.0, omega0)}
+    calls = [given(t, *start, length=length, gravity=0.0) for start in starts.values()]
+    for found, call, kind in zip(student.small_angle_solution.many(calls), calls, starts, strict=True):
+        angle, rate = call.args[1:]
+        uniform = np.column_stack([angle + rate * t, np.full(len(t), rate)])
+        expect(found, uniform, within=TRAJECTORY, of="theta or omega", unit="rad or rad/s", t=t,
+               kind=f"gravity 0{kind}", at=call, hint="what becomes of sin(k t)/k as k goes to zero?")  # fmt: skip
 
 
 def period_suspect(says, swings):
@@ -462,6 +529,7 @@ PERIOD_SUSPECTS = [
 def judge_periods(student, draw, amplitudes, within, kind, hint):
     """Compare with Legendre's complete integral of the first kind."""
     rods = [{"length": 10 ** draw.uniform(-1, 1), "gravity": draw.uniform(1, 25)} for _ in amplitudes]
+    rods[-1] = {"length": 1.0, "gravity": 1.0}
     calls = [given(amplitude, **rod) for amplitude, rod in zip(amplitudes, rods, strict=True)]
     for found, call in zip(student.period.many(calls), calls, strict=True):
         unit = math.sqrt(call.kwargs["length"] / call.kwargs["gravity"])
@@ -473,7 +541,8 @@ def judge_periods(student, draw, amplitudes, within, kind, hint):
 @check(points=0.75, part="a", suspects=PERIOD_SUSPECTS)
 def period_is_exact(student, draw):
     """period: exact at large amplitudes."""
-    judge_periods(student, draw, draw.uniform(0.5, 2, 8), PERIOD, "an amplitude between 0.5 and 2 rad",
+    amplitudes = [*draw.uniform(0.5, 2, 8), math.pi / 2, math.pi / 2, 1.0]
+    judge_periods(student, draw, amplitudes, PERIOD, "an amplitude between 0.5 and 2 rad",
                   "the energy gives omega at every theta, and dt = dtheta/omega")  # fmt: skip
 
 
@@ -544,6 +613,32 @@ def simulate_needs_no_dense_times(student, draw):
     start, pendulum, k = swing(draw)
     judge_motion(student, times(draw, 15 / k, 4), start, pendulum, "few times, far apart",
                  "the steps of the integration are not those of t")  # fmt: skip
+    for (angle, rate), kind in plain_starts(start):
+        t = times(draw, 5 / k, 2)
+        judge_motion(student, t, (angle, rate), pendulum, f"two times, {kind}", "row 0 is the start")
+    judge_equilibria(student, times(draw, 5 / k, 2), [0.0], pendulum)
+
+
+def plain_starts(start):
+    """Starts with an angle that has a name, or none of the speed, and what to call each."""
+    angle, rate = start
+    return (
+        ((angle, 0.0), "let go at rest"),
+        ((-angle, 0.0), "let go at rest"),
+        ((0.0, rate), "from the bottom"),
+        ((0.0, -rate), "from the bottom"),
+        ((math.pi / 2, 0.0), "let go level with the hinge"),
+    )
+
+
+def judge_equilibria(student, t, angles, pendulum):
+    """At rest at these angles the pendulum stays."""
+    rod = {name: pendulum[name] for name in ("length", "gravity")}
+    calls = [given(t, angle, 0.0, **rod) for angle in angles]
+    for found, call in zip(student.simulate.many(calls), calls, strict=True):
+        expect(found, [[call.args[1], 0.0]] * len(t), within=TRAJECTORY, of="theta or omega", unit="rad or rad/s", t=t,
+               kind=kind_of(given(*call.args[1:], **call.kwargs), ""), at=call,
+               hint="what is alpha there?")  # fmt: skip
 
 
 @check(points=0.25, part="a", after=simulate_swings)
@@ -552,6 +647,7 @@ def simulate_turns_over_the_top(student, draw):
     start, pendulum, k = turning(draw)
     judge_motion(student, times(draw, 15 / k, 100), start, pendulum, "a pendulum that goes over the top",
                  "the angle is never wrapped")  # fmt: skip
+    judge_equilibria(student, times(draw, 5 / k, 2), [math.pi, -math.pi], pendulum)
 
 
 @check(points=0.25, part="a", after=simulate_swings)
@@ -560,6 +656,7 @@ def simulate_without_gravity(student, draw):
     start, pendulum = (draw.uniform(0.5, 1), draw.uniform(-0.4, -0.3)), parameters(draw, gravity=0.0)
     t = times(draw, 8.0, 30)
     judge_motion(student, t, start, pendulum, "gravity 0", "is anything divided by gravity?")
+    judge_equilibria(student, t[:2], [0.0, 1.0, -1.0], pendulum)
 
 
 @check(points=0.25, part="a", after=simulate_swings)
