@@ -150,8 +150,23 @@ def rates_are_newtons(student, draw):
         given(draw.uniform(-5, 5), draw.normal(size=4) * 10 ** draw.uniform(0, 2), **parameters(draw))
         for _ in range(20)
     ]
-    judge_rates(student, calls, "a random state, mass, drag and gravity",
-                "draw the two forces on the particle; which way does each point when it falls?")  # fmt: skip
+    hint = "draw the two forces on the particle; which way does each point when it falls?"
+    judge_rates(student, calls, "a random state, mass, drag and gravity", hint)
+    for kind, velocity in PLAIN_VELOCITIES.items():
+        places = [draw.normal(size=2) * 10, np.zeros(2), -np.ones(2)]
+        states = [np.append(place, velocity * draw.uniform(1, 9)) for place in places]
+        judge_rates(student, [given(0.0, state, **parameters(draw)) for state in states], kind, hint)
+    whole = {"mass": 1.0, "drag": 1.0, "gravity": 1.0}
+    judge_rates(student, [given(0.0, np.array([1.0, 1.0, -1.0, 1.0]), **whole)], "whole numbers", hint)
+
+
+PLAIN_VELOCITIES = {
+    "a particle at rest": np.zeros(2),
+    "a particle at the top of its path": np.array([1.0, 0.0]),
+    "a particle at the top of its path, thrown to the left": np.array([-1.0, 0.0]),
+    "a particle on its way straight up": np.array([0.0, 1.0]),
+    "a particle that falls straight down": np.array([0.0, -1.0]),
+}
 
 
 ZEROS = (("drag",), ("gravity",), ("drag", "gravity"))
@@ -162,8 +177,8 @@ def rates_without_drag_or_gravity(student, draw):
     """state_derivative holds where drag or gravity, or both, are zero."""
     for zero in ZEROS:
         calls = [
-            given(0.0, draw.normal(size=4) * 10, **parameters(draw, **dict.fromkeys(zero, 0.0)))
-            for _ in range(3)
+            given(0.0, draw.normal(size=4) * moving * 10, **parameters(draw, **dict.fromkeys(zero, 0.0)))
+            for moving in (1, 1, 1, [1, 1, 0, 0], [1, 1, 0, 1], [1, 1, 1, 0])
         ]
         judge_rates(student, calls, f"zero {' and '.join(zero)}", "nothing may be divided by drag or gravity")
 
@@ -174,8 +189,8 @@ def judge_rates(student, calls, kind, hint):
         v = state[2:]
         expected = np.concatenate([v, -drag / mass * v - (0, gravity)])
         scale = np.linalg.norm(v) * (1 + drag / mass) + gravity
-        expect(found, expected, within=POINTWISE, scale=scale, of="the state's derivative", unit="of v, c v/m and g",
-               kind=kind, hint=hint, at=call)  # fmt: skip
+        expect(found, expected, within=POINTWISE, scale=scale or 1.0, of="the state's derivative",
+               unit="of v, c v/m and g", kind=kind, hint=hint, at=call)  # fmt: skip
 
 
 def size(expected):
@@ -203,6 +218,42 @@ def flight(draw, start, since, fixed):
     return given(t, speed, angle, **known), right(t - t[0] + since, speed, angle, **known)
 
 
+DIRECTIONS = {
+    "a launch along x": 0.0,
+    "a launch straight up": math.pi / 2,
+    "a launch straight down": -math.pi / 2,
+    "a launch to the left": math.pi,
+    "a launch to the left, upwards": 2.0,
+    "a launch downwards": -0.7,
+    "a launch at 45 degrees": math.pi / 4,
+}
+
+
+@once
+def plain_flights(draw, shifted):
+    """As `flights`, two times each, with what to call it: directions that have a name, a drop, whole numbers.
+
+    The launch is at t[0], which is zero unless the times are shifted.
+    """
+    known = {"mass": 1.0, "drag": 1.0, "gravity": 1.0}
+    starts = [(kind, launch(draw)[0], angle, parameters(draw)) for kind, angle in DIRECTIONS.items()]
+    starts += [("a particle dropped", 0.0, 1.0, parameters(draw)), ("whole numbers", 1.0, 1.0, known)]
+    cases = []
+    for kind, speed, angle, known in starts:
+        first = shifted * draw.uniform(0.2, 2) * draw.integers(2)
+        t = np.array([first, first + draw.uniform(1, 3) * known["mass"] / known["drag"]])
+        call = given(t, speed, angle, **known)
+        cases.append((kind, (call, right(t - first, speed, angle, **known))))
+    return cases
+
+
+def judge_plain_flights(function, draw, shifted, within, hint):
+    named = plain_flights(draw, shifted)
+    found = function.many([call for _, (call, _) in named])
+    for states, (kind, case) in zip(found, named, strict=True):
+        judge_states([states], [case], within, f"two times, {kind}", hint)
+
+
 def judge_states(found, cases, within, kind, hint, partial=None):
     for states, (call, expected) in zip(found, cases, strict=True):
         expect(states, expected, within=within, scale=size(expected), of="the state", t=call.args[0],
@@ -216,6 +267,7 @@ def simulation_follows_the_motion(student, draw):
     judge_states(student.simulate.many([call for call, _ in cases]), cases, SIMULATED, "a random launch",
                  "is the first row the launch, at the origin? are the tolerances of the integrator tight enough?",
                  partial={1e-4: 0.5})  # fmt: skip
+    judge_plain_flights(student.simulate, draw, True, SIMULATED, "row 0 is the launch, row 1 the other time")
 
 
 @check(points=0.5, part="d", after=simulation_follows_the_motion)
@@ -233,6 +285,9 @@ def trajectory_is_the_motion(student, draw):
     cases = flights(draw, (0.0,) * 6) + flights(draw, (0.0,), ("gravity",))
     judge_states(student.trajectory.many([call for call, _ in cases]), cases, CLOSED, "a random launch",
                  "the equations of vx and vy are linear, of first order and apart; then x and y")  # fmt: skip
+    judge_plain_flights(
+        student.trajectory, draw, False, CLOSED, "which way does it fly, and is it launched at the origin?"
+    )
 
 
 @check(points=0.25, part="c", after=trajectory_is_the_motion)
@@ -281,8 +336,21 @@ def landings(draw, drags, angles=None):
 
 def judge_landings(found, cases, column, of, kind, hint):
     for value, case in zip(found, cases, strict=True):
-        expect(value, case[column], within=ROOT, scale=case[column], of=of, unit="of itself", kind=kind, hint=hint,
-               at=case[0])  # fmt: skip
+        upright = case[0].args[1] == math.pi / 2 and of == "the range"  # and zero, but for rounding
+        scale = case[0].args[0] * case[1] if upright else case[column]
+        expect(value, case[column], within=ROOT, scale=scale, of=of, kind=kind, hint=hint, at=case[0],
+               unit="of the speed times the flight time" if upright else "of itself")  # fmt: skip
+
+
+def plain_landings(draw):
+    """As `landings`: straight up, at 45 degrees, nearly flat, each with drag and without; and whole numbers."""
+    angles = (math.pi / 2, math.pi / 4, 0.01)
+    cases = landings(draw, (None,) * 3, angles) + landings(draw, (0.0,) * 3, angles)
+    for speed, angle, drag in ((1.0, 1.0, 1.0), (2.0, 1.0, 0.0), (1.0, math.pi / 2, 1.0)):
+        call = given(speed, angle, mass=1.0, drag=drag, gravity=1.0)
+        time, state = landing(*call.args, **call.kwargs)
+        cases.append((call, time, state[0]))
+    return cases
 
 
 def drag_free(speed, angle, *, gravity, **_):
@@ -315,6 +383,10 @@ def flight_ends_at_launch_height(student, draw):
     cases = landings(draw, (None,) * 12)
     judge_landings(student.flight_time.many([case[0] for case in cases]), cases, 1, "the flight time",
                    "a random launch", "put the time into the y of your closed form; is it zero?")  # fmt: skip
+    cases = plain_landings(draw)
+    judge_landings(student.flight_time.many([case[0] for case in cases]), cases, 1, "the flight time",
+                   "a launch straight up, at 45 degrees, nearly flat, or of whole numbers",
+                   "does it hold without drag, and straight up?")  # fmt: skip
 
 
 @check(points=0.5, part="c", after=flight_ends_at_launch_height)
@@ -343,6 +415,10 @@ def range_is_where_it_lands(student, draw):
     cases = landings(draw, (None,) * 12)
     judge_landings(student.horizontal_range.many([case[0] for case in cases]), cases, 2, "the range",
                    "a random launch", "put the flight time into the x of your closed form")  # fmt: skip
+    cases = plain_landings(draw)
+    judge_landings(student.horizontal_range.many([case[0] for case in cases]), cases, 2, "the range",
+                   "a launch straight up, at 45 degrees, nearly flat, or of whole numbers",
+                   "does it hold without drag, and straight up?")  # fmt: skip
 
 
 @check(points=0.5, part="c", after=range_is_where_it_lands)
@@ -379,6 +455,12 @@ def best_angles(draw, swiftnesses):
     return cases
 
 
+def best_angle_of_whole_numbers():
+    """As `best_angles`: at the terminal speed, and at twice that."""
+    known = {"mass": 1.0, "drag": 1.0, "gravity": 1.0}
+    return [(given(speed, **known), best(speed)) for speed in (1.0, 2.0)]
+
+
 BEST_SUSPECTS = [
     suspect("45 degrees always, which holds without drag alone", best_angle=lambda *_, **__: math.pi / 4),
     suspect("an angle in degrees", best_angle=lambda speed, *, mass, drag, gravity: math.degrees(
@@ -391,7 +473,7 @@ BEST_SUSPECTS = [
 @check(points=0.75, part="a", suspects=BEST_SUSPECTS)
 def best_angle_has_the_largest_range(student, draw):
     """best_angle maximises the range, for speeds below and above the terminal speed."""
-    cases = best_angles(draw, tuple(10.0 ** draw.uniform(-1, 2, 6)))
+    cases = best_angles(draw, tuple(10.0 ** draw.uniform(-1, 2, 6))) + best_angle_of_whole_numbers()
     for angle, (call, expected) in zip(
         student.best_angle.many([case[0] for case in cases]), cases, strict=True
     ):
@@ -454,7 +536,7 @@ SHAPE_SUSPECTS = [
 @check(points=1, part="b", suspects=SHAPE_SUSPECTS)
 def path_at_a_huge_speed_has_the_limit_shape(student, draw):
     """limit_shape has the corners that a path has at a speed of 1e12 terminal speeds."""
-    angles = [*draw.uniform(0.1, 1.5, 6), math.pi / 2]
+    angles = [*draw.uniform(0.1, 1.5, 6), math.pi / 2, math.pi / 4, math.pi / 3, 1.0, 0.01]
     for found, angle in zip(
         student.limit_shape.many([given(angle) for angle in angles]), angles, strict=True
     ):

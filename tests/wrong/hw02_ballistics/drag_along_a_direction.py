@@ -1,0 +1,12 @@
+"""The drag along the direction of the velocity, which a particle at rest has none of.
+
+fails: rates_are_newtons
+"""
+
+
+def state_derivative(t, state, *, mass, drag, gravity):
+    velocity = np.asarray(state[2:])
+    speed = np.linalg.norm(velocity)
+    with np.errstate(all="ignore"):
+        direction = velocity / speed
+    return np.hstack([velocity, -drag * speed / mass * direction - [0.0, gravity]])
