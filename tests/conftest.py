@@ -2,6 +2,7 @@
 
 import json
 import os
+import shutil
 import subprocess
 import sys
 import warnings
@@ -15,6 +16,7 @@ from tam570_grader.student import Source
 
 COURSE = root.find()
 SLUGS = root.slugs(COURSE)
+BROWSERS = ("chromium", "chromium-browser", "google-chrome", "chrome")
 QUICK_SEEDS, FULL_SEEDS = 5, 50
 NBGRADER = """
 import json, os, sys, warnings
@@ -98,6 +100,34 @@ def grade(workers):
 def solution_text():
     """The source of the reference solution of an assignment."""
     return lambda slug: (COURSE / "solutions" / f"{slug}.py").read_text()
+
+
+@pytest.fixture(scope="session")
+def browser():
+    """Headless Chromium, driven by Playwright; skips where one of the two is missing."""
+    driver = pytest.importorskip("playwright.sync_api", reason="no playwright: pip install playwright")
+    chromium = next((path for name in BROWSERS if (path := shutil.which(name))), None)
+    if chromium is None:
+        pytest.skip("there is no Chromium here")
+    with driver.sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=chromium, args=["--no-sandbox"])
+        yield browser
+        browser.close()
+
+
+@pytest.fixture(scope="session")
+def films():
+    """`films(slug)` -> the film of the reference solution, made once."""
+    from tam570.show import film_of, loaded
+
+    made = {}
+
+    def film(slug):
+        if slug not in made:
+            made[slug] = film_of(loaded(COURSE / "solutions" / f"{slug}.py", slug), slug)
+        return made[slug]
+
+    return film
 
 
 @pytest.fixture(scope="session")

@@ -1,7 +1,6 @@
 """The pages in headless Chromium: wide and narrow, light and dark, by mouse and by keyboard."""
 
 import json
-import shutil
 from pathlib import Path
 
 import pytest
@@ -9,22 +8,9 @@ import pytest
 from tam570_grader import feedback, report
 
 WRONG = Path(__file__).parent / "wrong"
-BROWSERS = ("chromium", "chromium-browser", "google-chrome", "chrome")
 SHOWN = {"hw07_double_pendulum": "too_few_steps", "hw05_constrained_pendulum": "differentiated_once"}
 WIDTHS = {"desktop": 1280, "phone": 390}
 CONTRAST = 4.5  # of text, WCAG 2 AA
-
-
-@pytest.fixture(scope="module")
-def browser():
-    driver = pytest.importorskip("playwright.sync_api", reason="no playwright: pip install playwright")
-    chromium = next((path for name in BROWSERS if (path := shutil.which(name))), None)
-    if chromium is None:
-        pytest.skip("there is no Chromium here")
-    with driver.sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=chromium, args=["--no-sandbox"])
-        yield browser
-        browser.close()
 
 
 @pytest.fixture(scope="module")

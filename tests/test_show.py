@@ -17,7 +17,7 @@ from hypothesis import strategies as st
 from PIL import Image
 
 from tam570 import cli
-from tam570.show import Trouble, film_of, loaded, pictures, save, show
+from tam570.show import Trouble, loaded, pictures, save, show
 from tam570.show.compact import PIXELS, STEPS, kept_samples, packed
 from tam570.show.film import Film, Panel, Part, clock, conserved
 from tam570.show.page import page
@@ -27,19 +27,6 @@ WRONG = Path(__file__).parent / "wrong"
 HW07 = "hw07_double_pendulum"
 IN_SPACE = {"hw03", "hw04", "hw08", "hw09", "hw10", "hw11", "hw14"}
 LARGEST = 200_000  # bytes of a page
-
-
-@pytest.fixture(scope="module")
-def films(course):
-    """`films(slug)` -> the film of the reference solution, made once."""
-    made = {}
-
-    def film(slug):
-        if slug not in made:
-            made[slug] = film_of(loaded(course / "solutions" / f"{slug}.py", slug), slug)
-        return made[slug]
-
-    return film
 
 
 @pytest.fixture

@@ -1,6 +1,5 @@
 """The scenes in headless Chromium: played, scrubbed, turned, by mouse, keys and touch; wide, narrow, light, dark."""
 
-import shutil
 from types import SimpleNamespace
 
 import numpy as np
@@ -10,35 +9,10 @@ from tam570.show import film_of, loaded
 from tam570.show.film import Film, Panel, Part, clock
 from tam570.show.page import framed, page
 
-BROWSERS = ("chromium", "chromium-browser", "google-chrome", "chrome")
 PLANE, SPACE = "hw07_double_pendulum", "hw14_rolling_disk"
 SIZES = {"desktop": (1280, 720), "phone": (390, 844)}
 PIXELS = "id => document.getElementById(id).toDataURL()"
 TIME = "() => Number(document.getElementById('scrub').value)"
-
-
-@pytest.fixture(scope="module")
-def browser():
-    driver = pytest.importorskip("playwright.sync_api", reason="no playwright: pip install playwright")
-    chromium = next((path for name in BROWSERS if (path := shutil.which(name))), None)
-    if chromium is None:
-        pytest.skip("there is no Chromium here")
-    with driver.sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=chromium, args=["--no-sandbox"])
-        yield browser
-        browser.close()
-
-
-@pytest.fixture(scope="module")
-def films(course):
-    made = {}
-
-    def film(slug):
-        if slug not in made:
-            made[slug] = film_of(loaded(course / "solutions" / f"{slug}.py", slug), slug)
-        return made[slug]
-
-    return film
 
 
 @pytest.fixture
