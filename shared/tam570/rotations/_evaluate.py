@@ -20,6 +20,7 @@ Formula = Callable[..., tuple[Component, ...]]
 Stacked = Callable[[list[Array]], tuple[Array, Array]]  # of arguments (k, n): measure (n,), results (n, m)
 
 BLOCK = 4096  # rotations evaluated together: their components fit in the second-level cache
+STACK = 1024  # fewer where they are stacked: larger arrays go back to the system block by block, at a price
 
 
 @dataclass(frozen=True)
@@ -77,7 +78,9 @@ def evaluate(
     single = _evaluate_single(formula, within, shape, kinds, values)
     if single is not None:
         return single
-    return _evaluate_batch(stacked or _by_component(formula), within, shape, names, kinds, values)
+    if stacked is not None:
+        return _evaluate_batch(stacked, STACK, within, shape, names, kinds, values)
+    return _evaluate_batch(_by_component(formula), BLOCK, within, shape, names, kinds, values)
 
 
 def _evaluate_single(
@@ -112,6 +115,7 @@ def _by_component(formula: Formula) -> Stacked:
 
 def _evaluate_batch(
     formula: Stacked,
+    block: int,
     within: tuple[float, float],
     shape: tuple[int, ...],
     names: list[str],
@@ -121,13 +125,13 @@ def _evaluate_batch(
     batch, tables = _tables(names, kinds, values)
     count = math.prod(batch)
     with np.errstate(all="ignore"):  # what is not a number is refused by name; underflow is harmless
-        if 0 < count <= BLOCK:
+        if 0 < count <= block:
             results = np.ascontiguousarray(_block(formula, within, names, kinds, tables))
         else:
             results = np.empty((count, math.prod(shape)))
-            for start in range(0, count, BLOCK):
-                rows = [table[start : start + BLOCK] for table in tables]
-                results[start : start + BLOCK] = _block(formula, within, names, kinds, rows)
+            for start in range(0, count, block):
+                rows = [table[start : start + block] for table in tables]
+                results[start : start + block] = _block(formula, within, names, kinds, rows)
     return results.reshape(batch + shape)
 
 
