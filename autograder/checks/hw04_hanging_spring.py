@@ -83,6 +83,15 @@ def extent(position, velocity, *, mass, stiffness, gravity):
     return np.array([length] * 3 + [k * length] * 3)
 
 
+def size(position, velocity, known):
+    """As `extent`; of a mass at rest for good at the origin, 1."""
+    return (
+        extent(position, velocity, **known)
+        if np.any([*position, *velocity, known["gravity"]])
+        else np.ones(6)
+    )
+
+
 def cases(draw, number, without=2):
     """Random starts and parameters, the last ones without gravity."""
     found = []
@@ -90,6 +99,53 @@ def cases(draw, number, without=2):
         known = parameters(draw, gravity=gravity)
         found.append((*start(draw, rate_of(**known)), known))
     return found
+
+
+WHOLE = {"mass": 1.0, "stiffness": 1.0, "gravity": 1.0}
+PLAIN = {
+    "at rest": lambda r, v, centre: (r, 0 * v),
+    "at the origin": lambda r, v, centre: (0 * r, v),
+    "at rest at the origin": lambda r, v, centre: (0 * r, 0 * v),
+    "at the place of rest": lambda r, v, centre: (centre, v),
+    "above the origin, going up": lambda r, v, centre: (abs(r) * Z, abs(v) * Z),
+    "below the origin, going down": lambda r, v, centre: (-abs(r) * Z, -abs(v) * Z),
+    "level with the origin": lambda r, v, centre: (r * (1 - Z), v * (1 - Z)),
+    "in the plane y = 0": lambda r, v, centre: (r * [1, 0, 1], v * [1, 0, 1]),
+}  # kind: the position and velocity, of random ones and the place of rest
+
+
+@once
+def plain_cases(draw):
+    """As `cases`, each with its kind: positions and velocities with zeros, with gravity and without; whole numbers."""
+    found = []
+    for kind, plain in PLAIN.items():
+        for r, v, known in cases(draw, 2, 1):
+            centre = -known["mass"] * known["gravity"] / known["stiffness"] * Z
+            without = "" if known["gravity"] else ", without gravity"
+            found.append((*plain(r, v, centre), known, f"a mass {kind}{without}"))
+    whole = np.array([1.0, -1.0, 2.0]), np.array([-1.0, 1.0, 1.0])
+    return [
+        *found,
+        (*whole, WHOLE, "whole numbers"),
+        (whole[0], np.zeros(3), WHOLE, "whole numbers, at rest"),
+    ]
+
+
+@once
+def plain_motions(draw, shifted):
+    """As `timed`, two times each, with the kind of case; shifted times need not start at zero."""
+    found = []
+    for r, v, known, kind in plain_cases(draw):
+        period = 2 * math.pi / rate_of(**known)
+        t = np.array([0.0, draw.uniform(0.3, 1.3) * period])
+        later = shifted * draw.integers(2) * draw.uniform(-1, 1) * period
+        found.append(((t + later, motion(t, r, v, **known), (r, v, known)), kind))
+    return found
+
+
+def judge_plain_motions(student, name, found, within, hint):
+    for case, kind in found:
+        judge_motion(student, name, [case], within, f"two times, {kind}", hint)
 
 
 # The equations
@@ -119,12 +175,14 @@ FORCE_SUSPECTS = [
 @check(points=1.5, part="a", suspects=FORCE_SUSPECTS)
 def derivative_is_velocity_and_force_over_mass(student, draw):
     """state_derivative: the velocity, and the acceleration by the spring and the weight."""
-    found = cases(draw, 12)
-    calls = [given(draw.uniform(-5, 5), np.hstack([r, v]), **known) for r, v, known in found]
-    for rates, call, (r, v, known) in zip(student.state_derivative.many(calls), calls, found, strict=True):
+    found = [(*case, "a random state") for case in cases(draw, 12)] + plain_cases(draw)
+    calls = [given(draw.uniform(-5, 5), np.hstack([r, v]), **known) for r, v, known, _ in found]
+    for rates, call, (r, v, known, kind) in zip(
+        student.state_derivative.many(calls), calls, found, strict=True
+    ):
         k = rate_of(**known)
         expect(rates, (generator(**known) @ [*r, *v, 1.0])[:6], within=POINTWISE,
-               scale=k * extent(r, v, **known), of="a rate", unit="of its size", kind="a random state", at=call,
+               scale=k * size(r, v, known), of="a rate", unit="of its size", kind=kind, at=call,
                hint="which two forces act on the mass, and which way, when it is below the origin?")  # fmt: skip
 
 
@@ -154,13 +212,14 @@ def energy_is_that_of_motion_spring_and_weight(student, draw):
     """energy: kinetic, of the spring, of the weight; zero at rest at the origin."""
     found = [(*case, kind) for kind in ("a random state", "rest at the origin") for case in cases(draw, 8)]
     states = [np.hstack([r, v]) * (kind == "a random state") for r, v, _, kind in found]
+    found, states = found + plain_cases(draw), states + [np.hstack(case[:2]) for case in plain_cases(draw)]
     calls = [given(state, **case[2]) for state, case in zip(states, found, strict=True)]
     for energy, call, state, (r, v, known, kind) in zip(
         student.energy.many(calls), calls, states, found, strict=True
     ):
         matrix = np.diag([known["stiffness"]] * 3 + [known["mass"]] * 3)
         right = state @ matrix @ state / 2 + known["mass"] * known["gravity"] * state[2]
-        expect(energy, right, within=POINTWISE, scale=known["stiffness"] * extent(r, v, **known)[0] ** 2,
+        expect(energy, right, within=POINTWISE, scale=known["stiffness"] * size(r, v, known)[0] ** 2,
                of="the energy", unit="of its size", kind=kind, at=call,
                hint="three terms: speed, stretch, height")  # fmt: skip
 
@@ -223,7 +282,7 @@ def judge_motion(student, name, found, within, kind, hint):
     for states, call, (t, expected, (r, v, known)) in zip(
         getattr(student, name).many(calls), calls, found, strict=True
     ):
-        expect(states, expected, within=within, scale=extent(r, v, **known), of="the motion", unit="of its size",
+        expect(states, expected, within=within, scale=size(r, v, known), of="the motion", unit="of its size",
                t=t, kind=kind, hint=hint, at=call, keeps=lambda t=t, states=states, known=known: kept(
                    t, energy_along(states, known), within=ENERGY, of="the energy", unit="of its start"))  # fmt: skip
 
@@ -233,7 +292,7 @@ def energy_along(states, known):
     centre = -known["mass"] * known["gravity"] / known["stiffness"] * Z
     energies = known["stiffness"] * np.sum((states[:, :3] - centre) ** 2, axis=1)
     energies += known["mass"] * np.sum(states[:, 3:] ** 2, axis=1)
-    return energies / energies[0]
+    return energies / (energies[0] or 1.0)
 
 
 @check(points=1.5, part="a", suspects=motion_suspects("solution"))
@@ -241,6 +300,8 @@ def solution_is_the_motion(student, draw):
     """solution: position and velocity in closed form, given those at t = 0."""
     judge_motion(student, "solution", timed(draw, 4, 1.7, False, 0), POINTWISE, "a random start",
                  "about which point does it oscillate, and how fast?")  # fmt: skip
+    heavy = [(case, kind) for case, kind in plain_motions(draw, False) if case[2][2]["gravity"]]
+    judge_plain_motions(student, "solution", heavy, POINTWISE, "the given state is that at t = 0")
 
 
 @check(points=0.5, part="a", after=solution_is_the_motion)
@@ -254,6 +315,8 @@ def solution_holds_without_gravity_and_from_any_time(student, draw):
         if shifted:
             found = [(t, motion(t, r, v, **known), (r, v, known)) for t, _, (r, v, known) in found]
         judge_motion(student, "solution", found, POINTWISE, kind, "the given state is that at t = 0")
+    light = [(case, kind) for case, kind in plain_motions(draw, False) if not case[2][2]["gravity"]]
+    judge_plain_motions(student, "solution", light, POINTWISE, "is anything divided by gravity?")
 
 
 # The simulation
@@ -272,6 +335,8 @@ def simulate_does_not_depend_on_the_sampling(student, draw):
     found = [(t[[0, -1]], states[[0, -1]], case) for t, states, case in timed(draw, 2, 6.4, True, 0)]
     judge_motion(student, "simulate", found, 3 * TRAJECTORY, "two times far apart",
                  "steps between the times, as short as the motion asks for")  # fmt: skip
+    cases = plain_motions(draw, True)
+    judge_plain_motions(student, "simulate", cases, TRAJECTORY, "row 0 is the given state, that at t[0]")
 
 
 @check(points=0.5, part="a", after=simulate_moves_as_it_must)
@@ -294,8 +359,8 @@ PROPER = ("a general ellipse", "a circle")
 def orbit_cases(draw):
     """Starts whose ellipse is general, a circle, a line, a point; with what to call them."""
     found = [(*case, "a general ellipse") for case in cases(draw, 6)]
-    for kind in ("a circle", "a circle", "a line", "a line", "a point"):
-        r, v, known = cases(draw, 1, 0)[0]
+    for kind in ("a circle", "a circle", "a line", "a line", "a point") * 2:
+        r, v, known = cases(draw, 1, len(found) > 10)[0]
         k, centre = rate_of(**known), -known["mass"] * known["gravity"] / known["stiffness"] * Z
         if kind == "a circle":
             v = np.cross(r - centre, draw.normal(size=3))
@@ -305,7 +370,23 @@ def orbit_cases(draw):
         if kind == "a point":
             r, v = centre, np.zeros(3)
         found.append((r, v, known, kind))
-    return found
+    return found + plain_orbits()
+
+
+def plain_orbits():
+    """As `orbit_cases`, of whole numbers, about (0, 0, -1): level or upright circle and ellipse, lines, the point."""
+    x, y, centre = np.array([1.0, 0.0, 0.0]), np.array([0.0, 1.0, 0.0]), -Z
+    return [
+        (centre + x, y, WHOLE, "a circle"),
+        (centre + x, Z, WHOLE, "a circle"),
+        (centre + 2 * x, y, WHOLE, "a general ellipse"),
+        (centre + x, 2 * y, WHOLE, "a general ellipse"),
+        (0 * x, x, WHOLE, "a circle"),
+        (0 * x, 0 * x, WHOLE, "a line"),
+        (centre + x, 0 * x, WHOLE, "a line"),
+        (centre, y, WHOLE, "a line"),
+        (centre, 0 * x, WHOLE, "a point"),
+    ]
 
 
 def tensor(r, v, centre, k):
@@ -349,9 +430,7 @@ def judge_axes(student, draw, kinds):
     for (_, (a, b)), call, (r, v, known, kind) in zip(student.orbit.many(calls), calls, found, strict=True):
         k, centre = rate_of(**known), -known["mass"] * known["gravity"] / known["stiffness"] * Z
         whole = tensor(r, v, centre, k)
-        square = (
-            np.trace(whole) + (1e-12 * extent(r, v, **known)[0]) ** 2
-        )  # a point is no smaller than roundings
+        square = np.trace(whole) + (1e-12 * size(r, v, known)[0]) ** 2  # a point is no smaller than roundings
         what = {"kind": kind, "at": call}
         expect(np.outer(a, a) + np.outer(b, b), whole, within=TENSOR, scale=square, **what,
                of="the ellipse", unit="of the square of its size", hint="do r and v/sqrt(k/m) lie on your ellipse, as "
@@ -414,6 +493,25 @@ def projection_is_orthographic(student, draw):
         expect(student.project(points, azimuth, elevation), expected, within=POINTWISE, of="a point of the picture",
                unit="m", kind="random points and directions", at=(points, azimuth, elevation),
                hint="try one axis at a time: where does (0, 0, 1) go?")  # fmt: skip
+    calls = [given(points, *view) for view in PLAIN_VIEWS for points in (np.eye(3), draw.normal(size=(2, 3)))]
+    for found, call in zip(student.project.many(calls), calls, strict=True):
+        expect(found, seen(*call.args), within=POINTWISE, of="a point of the picture", unit="m", at=call,
+               kind=f"a view from {PLAIN_VIEWS[call.args[1:]]}",
+               hint="try one axis at a time: where does (0, 0, 1) go?")  # fmt: skip
+
+
+PLAIN_VIEWS = {
+    (0.0, 0.0): "along x",
+    (math.pi / 2, 0.0): "along y",
+    (-math.pi / 2, 0.0): "along y, from behind",
+    (math.pi, 0.0): "along x, from behind",
+    (0.0, math.pi / 2): "straight above",
+    (0.0, -math.pi / 2): "straight below",
+    (1.0, math.pi / 2): "straight above, turned",
+    (0.0, 1.0): "above the x axis",
+    (1.0, 0.0): "the level of the origin",
+    (1.0, 2.0): "beyond straight above",
+}  # azimuth and elevation: what to call them
 
 
 @check(points=0.5, part="a", after=projection_is_orthographic)

@@ -1,0 +1,14 @@
+"""The turn from conjugate radii to the axes by its tangent, which a circle has none of.
+
+fails: orbit_has_its_centre_at_the_equilibrium, orbit_is_the_ellipse_of_the_motion
+"""
+
+
+def orbit(position, velocity, *, mass, stiffness, gravity):
+    k = np.sqrt(stiffness / mass)
+    centre = np.array([0.0, 0.0, -gravity / k**2])
+    p, q = position - centre, velocity / k
+    with np.errstate(all="ignore"):
+        turn = np.arctan(2 * (p @ q) / (p @ p - q @ q)) / 2
+    axes = [p * np.cos(turn) + q * np.sin(turn), q * np.cos(turn) - p * np.sin(turn)]
+    return centre, np.array(sorted(axes, key=lambda axis: -(axis @ axis)))
