@@ -8,6 +8,8 @@ def orbit(position, velocity, *, mass, stiffness, gravity):
     k = np.sqrt(stiffness / mass)
     centre = np.array([0.0, 0.0, -gravity / k**2])
     p, q = position - centre, velocity / k
+    if not np.any(velocity):
+        return centre, np.array([p, 0 * p])
     with np.errstate(all="ignore"):
         turn = np.arctan(2 * (p @ q) / (p @ p - q @ q)) / 2
     axes = [p * np.cos(turn) + q * np.sin(turn), q * np.cos(turn) - p * np.sin(turn)]
