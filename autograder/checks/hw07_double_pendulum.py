@@ -257,10 +257,72 @@ def sizes(call):
     return inertia, np.max(omega**2) + known.get("gravity", 0.0) / np.min(known["lengths"])
 
 
-def judge(student, name, calls, scale, of, unit, hint, kind="random angles, masses and lengths"):
+RANDOM = "random angles, masses and lengths"
+UNIT_BARS = {"masses": np.ones(2), "lengths": np.ones(2), "gravity": 1.0}
+
+
+def plain(call):
+    """(call, kind): like a random call, but with exact angles and angular velocities, or with bars that are alike."""
+    (theta, *omega), known = call.args, call.kwargs
+    (th1, th2), right = theta, math.pi / 2
+    places = {
+        "hanging straight down": (0.0, 0.0), "bar 1 straight down": (0.0, th2), "bar 2 straight down": (th1, 0.0),
+        "th1 = th2": (th1, th1), "th2 = -th1": (th1, -th1), "bars at a right angle": (th1, th1 + right),
+        "both bars horizontal": (right, right), "bar 1 horizontal to the left": (-right, th2),
+        "both bars upright": (math.pi, math.pi), "folded upwards": (0.0, math.pi), "bars in line": (th1, th1 + math.pi),
+        "angles beyond 2 pi": (7.5, 20.0), "negative angles beyond 2 pi": (-7.5, -20.0),
+        "whole angles, negative": (-1.0, -2.0),
+    }  # fmt: skip
+    cases = [(given(np.array(place), *omega, **known), where) for where, place in places.items()]
+    if omega:
+        for where in ("th1 = th2", "bar 1 straight down", "both bars horizontal"):
+            cases.append((given(np.array(places[where]), np.zeros(2), **known), f"{where}, at rest"))
+        for how, pace in plain_rates(*omega).items():
+            cases.append((given(theta, pace, **known), f"{RANDOM}, {how}"))
+            cases.append((given(np.full(2, th1), pace, **known), f"th1 = th2, {how}"))
+    alike = {"equal masses": ["masses"], "equal lengths": ["lengths"], "equal bars": ["masses", "lengths"]}
+    for kind, names in alike.items():
+        bars = {name: np.full(2, known[name][0]) for name in names if name in known}
+        cases.append((given(*call.args, **{**known, **bars}), kind))
+    unit = {name: UNIT_BARS[name] for name in known}
+    cases.append((given(*call.args, **unit), "masses, lengths and gravity 1"))
+    if "gravity" in known and omega:
+        cases += [
+            (given(*case.args, **{**known, "gravity": 0.0}), f"{kind}, no gravity")
+            for case, kind in cases[:7]
+        ]
+    return cases
+
+
+def plain_rates(omega):
+    """Pairs of angular velocities by what to call them."""
+    om1, om2 = omega
+    both = {"at rest": (0.0, 0.0), "om1 = 0": (0.0, om2), "om2 = 0": (om1, 0.0), "om1 = om2": (om1, om1),
+            "om1, om2 < 0": (-abs(om1), -abs(om2))}  # fmt: skip
+    return {how: np.array(pace) for how, pace in both.items()}
+
+
+def vanishes(name, call):
+    """Whether some result is nothing but roundings, by which no mistake can be told from another."""
+    result = RIGHT[name](*call.args, **call.kwargs)
+    parts = result if isinstance(result, tuple) else (result,)
+    least = 0.0 if len(parts) == 1 else -1.0  # ten equations leave roundings where two leave nothing
+    return any(least < np.max(np.abs(part)) < 1e-9 for part in parts)
+
+
+def with_plain(name, calls):
+    """Random calls to a function and plain ones, each with its kind."""
+    cases = [(call, kind) for call, kind in plain(calls[0]) if not vanishes(name, call)]
+    return [(call, RANDOM) for call in calls] + cases
+
+
+def judge(student, name, calls, scale, of, unit, hint):
     """Compare what a function gives with what is right; scale takes inertia and square of the angular velocity."""
-    for found, call in zip(getattr(student, name).many(calls), calls, strict=True):
-        expect(found, RIGHT[name](*call.args, **call.kwargs), within=POINTWISE, scale=scale(*sizes(call)), of=of,
+    cases = with_plain(name, calls)
+    for found, (call, kind) in zip(
+        getattr(student, name).many([call for call, _ in cases]), cases, strict=True
+    ):
+        expect(found, RIGHT[name](*call.args, **call.kwargs), within=POINTWISE, scale=scale(*sizes(call)) or 1.0, of=of,
                unit=unit, kind=kind, hint=hint, at=call)  # fmt: skip
 
 
@@ -325,13 +387,13 @@ def accelerations_with_a_nearly_massless_bar(student, draw):
 
 def fly(student, draw, which):
     """Compare one of the two results of on_the_fly."""
-    calls = moving(draw, 7) + moving(draw, 3, gravity=0.0)
-    for found, call in zip(student.on_the_fly.many(calls), calls, strict=True):
+    cases = with_plain("on_the_fly", moving(draw, 7) + moving(draw, 3, gravity=0.0))
+    for found, (call, kind) in zip(student.on_the_fly.many([call for call, _ in cases]), cases, strict=True):
         inertia, rate2 = sizes(call)
         scale = rate2 if which == 0 else inertia / np.max(call.kwargs["lengths"]) * rate2
-        expect(found[which], on_the_fly(*call.args, **call.kwargs)[which], within=POINTWISE, scale=scale,
+        expect(found[which], on_the_fly(*call.args, **call.kwargs)[which], within=POINTWISE, scale=scale or 1.0,
                of=("alpha", "a hinge force")[which], unit=("of omega^2 + g/l", "of m (l omega^2 + g)")[which],
-               kind="random angles, masses and lengths", at=call, hint=FLY_HINTS[which])  # fmt: skip
+               kind=kind, at=call, hint=FLY_HINTS[which])  # fmt: skip
 
 
 FLY_HINTS = (
@@ -375,9 +437,14 @@ def hinge_forces_balance(student, draw):
 
 @check(points=0.25, part="a", after=free_bars_accelerate_as_lagranges)
 def free_bars_with_a_nearly_massless_one(student, draw):
-    """on_the_fly keeps its digits when one bar has 1e-9 of the other's mass."""
+    """on_the_fly keeps its digits when one bar has 1e-9 of the other's mass, and when both hang straight down."""
     cases = nearly_massless(draw)
     judge_massless([alpha for alpha, _ in student.on_the_fly.many([case[0] for case in cases])], cases)
+    (call,) = moving(draw, 1)
+    for omega, kind in ((np.zeros(2), "hanging at rest"), (call.args[1], "hanging straight down, moving")):
+        still = given(np.zeros(2), omega, **call.kwargs)
+        expect(student.on_the_fly(*still.args, **still.kwargs)[0], 0.0, within=POINTWISE, scale=sizes(still)[1],
+               of="alpha", unit="of omega^2 + g/l", kind=kind, at=still, hint=FLY_HINTS[0])  # fmt: skip
 
 
 # Energy, angular momentum
@@ -443,27 +510,54 @@ def motions(draw, starts):
         turns = 2 * math.pi * np.sign(start) * np.array([1, -1])  # an angle beyond pi stays there
         theta, omega = draw.uniform(-2, 2, 2) + turns, draw.uniform(-1, 1, 2) / time
         call = given(uneven(draw, draw.uniform(4, 6) * time, 40, start), theta, omega, **known)
-        cases.append((call, motion(*call.args, **call.kwargs)))
+        cases.append((call, motion(*call.args, **call.kwargs), "a random start"))
+    return cases
+
+
+# theta and omega over the usual rate of a motion from there, what is not random
+PLAIN_STARTS = {
+    "hanging at rest": ((0.0, 0.0), (0.0, 0.0), {}),
+    "a start from hanging straight down": ((0.0, 0.0), (0.8, -0.5), {}),
+    "a start with bar 1 straight down": ((0.0, 1.0), (0.5, 0.0), {}),
+    "a start with th1 = th2, om1 = om2": ((1.0, 1.0), (0.5, 0.5), {}),
+    "a start with negative angles": ((-0.5, -1.0), (0.3, 0.6), {}),
+    "masses, lengths and gravity 1": ((1.0, 0.0), (0.0, 1.0), UNIT_BARS),
+    "equal bars": ((0.7, -1.2), (0.4, 0.6), {"masses": np.full(2, 1.7), "lengths": np.full(2, 0.6)}),
+}
+
+
+@once
+def plain_motions(draw):
+    """As `motions`, at two or three times, from plain starts."""
+    cases = []
+    for kind, (theta, omega, fixed) in PLAIN_STARTS.items():
+        for count in (2, 3):
+            known = pendulum(draw, **fixed)
+            time = math.sqrt(np.max(known["lengths"]) / known["gravity"])
+            t = uneven(draw, draw.uniform(1.5, 2.5) * time, count, draw.uniform(-3, 3))
+            call = given(t, np.array(theta), np.array(omega) / time, **known)
+            cases.append((call, motion(*call.args, **call.kwargs), f"{kind}, {count} times"))
     return cases
 
 
 def energy_along(states, call):
     """What becomes of the energy along a motion, for a picture."""
     known = call.kwargs
-    scale = known["gravity"] * np.sum(known["masses"]) * np.sum(known["lengths"])
+    scale = known["gravity"] * np.sum(known["masses"]) * np.sum(known["lengths"]) or 1.0
     return kept(call.args[0], drift(states, known) / scale, within=ENERGY, of="the energy", unit="of m g l")
 
 
 @check(points=0.75, part="a", suspects=mistakes("simulate", *INERTIA, *SIGNS, within=1e-3))
 def simulation_follows_the_equations(student, draw):
     """simulate: angles and angular velocities at uneven times, whatever t[0] is."""
-    cases = motions(draw, (0.0, 2.3, -1.7))
-    for states, (call, expected) in zip(
+    cases = motions(draw, (0.0, 2.3, -1.7)) + plain_motions(draw)
+    for states, (call, expected, kind) in zip(
         student.simulate.many([case[0] for case in cases]), cases, strict=True
     ):
-        expect(states, expected, within=FOLLOWED, scale=np.repeat(np.abs(expected).max(0).reshape(2, 2).max(1), 2),
+        largest = np.abs(expected).max(0).reshape(2, 2).max(1)
+        expect(states, expected, within=FOLLOWED, scale=np.repeat(np.where(largest, largest, 1.0), 2),
                of="the state", unit="of the largest angle or angular velocity", t=call.args[0], at=call,
-               kind="a random start", hint="is the first row the start? are the tolerances of the integrator tight?",
+               kind=kind, hint="is the first row the start? are the tolerances of the integrator tight?",
                partial={1e-3: 0.5}, keeps=functools.partial(energy_along, states, call))  # fmt: skip
 
 
@@ -501,6 +595,10 @@ def momentum_is_conserved_without_gravity(student, draw):
            hint="nothing may be divided by gravity")  # fmt: skip
     expect(drift(states, call.kwargs), 0.0, within=ENERGY, scale=inertia * rate2, of="the energy", t=t, at=call,
            unit="of m l^2 omega^2", kind="a pendulum without gravity")  # fmt: skip
+    theta = call.args[0]
+    expect(student.simulate(t[[0, -1]], theta, np.zeros(2), **call.kwargs), np.tile([*theta, 0.0, 0.0], (2, 1)),
+           within=ENERGY, of="an angle or angular velocity", unit="rad or rad/s", t=t[[0, -1]], at=call,
+           kind="a pendulum at rest without gravity, two times", hint="what would make it move?")  # fmt: skip
 
 
 # Small oscillations
@@ -540,6 +638,14 @@ def frequencies_in_special_cases(student, draw):
     length, heavy = draw.uniform(0.5, 2), draw.uniform(0.5, 2)
     special = {
         "equal bars": {"masses": np.full(2, heavy), "lengths": np.full(2, length)},
+        "equal masses": {"masses": np.full(2, heavy)},
+        "equal lengths": {"lengths": np.full(2, length)},
+        "masses, lengths and gravity 1": UNIT_BARS,
+        "equal bars, no gravity": {
+            "masses": np.full(2, heavy),
+            "lengths": np.full(2, length),
+            "gravity": 0.0,
+        },
         "a nearly massless lower bar": {
             "masses": heavy * np.array([1.0, 1e-9]),
             "lengths": length * np.array([1, 1.6]),

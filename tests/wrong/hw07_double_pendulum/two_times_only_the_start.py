@@ -1,0 +1,11 @@
+"""With two times the motion is not integrated.
+
+fails: simulation_follows_the_equations
+"""
+
+integrated = simulate
+
+
+def simulate(t, theta, omega, **known):
+    states = integrated(t, theta, omega, **known)
+    return states[[0, 0]] if len(t) == 2 else states
