@@ -112,10 +112,10 @@ def curves(name, tolerances, reference, names):
     for tolerance in tolerances:
         for method in (m for m in names if m not in done):
             result = measured(method, scene, tolerance, reference)
-            if result is None or result[0] > LONGEST:
-                done.add(method)
             if result is not None:
                 found[method].append([tolerance, *result])
+                if result[0] > LONGEST:
+                    done.add(method)
     return found
 
 
