@@ -2,6 +2,7 @@
 
 import csv
 import json
+import math
 import os
 import signal
 import subprocess
@@ -17,11 +18,13 @@ import pytest
 import sympy
 
 from tam570_grader import cli, root
-from tam570_grader.check import Failure, expect, given
+from tam570_grader.check import Failure, expect, given, suspect
+from tam570_grader.grade import agrees
 from tam570_grader.inside.wire import Foreign, Unreadable, packed, portable, unpacked
 from tam570_grader.launch import isolation
 from tam570_grader.returns import array, group, number, result, rows
 from tam570_grader.root import slug_of
+from tam570_grader.student import Call
 
 SLUG = "hw08_axis_angle"
 NOTHING = "def skew(v): return None\n"
@@ -430,3 +433,17 @@ def test_a_worker_that_dies_is_replaced(solution_text, course):
         patch.setattr("tam570_grader.run.Worker", Mortal)
         ((outcome, _),) = graded_sources(plan, work)
     assert outcome.score == 10.0 and len(started) == 3
+
+
+@pytest.mark.parametrize(
+    "variant",
+    [lambda x: 1 / x, lambda x: math.sqrt(x - 1), lambda x: np.linalg.inv([[x]])],
+    ids=["ArithmeticError", "ValueError", "LinAlgError"],
+)
+def test_a_suspect_without_a_value_does_not_agree(variant):
+    assert not agrees(suspect("a wrong formula", f=variant), [Call("f", given(0.0), 1.0)])
+
+
+def test_a_slip_in_a_suspect_is_not_hidden():
+    with pytest.raises(TypeError):
+        agrees(suspect("a wrong formula", f=lambda: 1.0), [Call("f", given(0.0), 1.0)])

@@ -301,7 +301,14 @@ def lagrangian_is_kinetic_less_potential(student, draw):
                hint="put numbers in: at rest at the lowest point it is zero, at rest elsewhere negative")  # fmt: skip
 
 
-@check(points=0.75, part="a", suspects=BALANCE_SUSPECTS)
+UPSIDE_DOWN = "the sign of gravity's term missing, as with the sign of the potential energy reversed"
+LAGRANGE_SUSPECTS = [
+    balances_suspect(UPSIDE_DOWN, restoring(lambda th: -math.sin(th))),
+    *(one for one in BALANCE_SUSPECTS if "gravity's term" not in one.says),
+]
+
+
+@check(points=0.75, part="a", suspects=LAGRANGE_SUSPECTS)
 def lagrange_gives_the_acceleration(student, draw):
     """lagrange_equation: alpha in theta, l, g alone."""
     calls = states(draw) + at_rest(draw)

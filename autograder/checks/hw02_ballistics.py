@@ -358,7 +358,7 @@ def drag_free(speed, angle, *, gravity, **_):
 
 
 TIME_SUSPECTS = [
-    suspect("the flight time without drag", flight_time=drag_free),
+    suspect("the flight time without drag, or with drag on the horizontal component alone", flight_time=drag_free),
     suspect("twice the time to the top; the way down takes longer than the way up",
             flight_time=lambda speed, angle, *, mass, drag, gravity:
             2 * mass / drag * math.log1p(drag * speed * math.sin(angle) / (mass * gravity))),

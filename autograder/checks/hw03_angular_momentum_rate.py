@@ -241,7 +241,7 @@ B_SUSPECTS = [
 ]  # fmt: skip
 C_SUSPECTS = [
     SWAPPED,
-    rate_variant("the acceleration of C forgotten", {**RIGHT, "c": nothing}),
+    rate_variant("the moment for the rate: the acceleration of C forgotten", {**RIGHT, "c": nothing}),
     rate_variant("the sign of the acceleration of C reversed", {**RIGHT, "c": lambda moment, b, c: -c}),
     rate_variant("the term of definition b in definition c too", {**RIGHT, "c": lambda moment, b, c: b + c}),
 ]

@@ -411,7 +411,13 @@ def at_the_very_top_it_stays(student, draw):
            hint="what do the two forces add up to there?")  # fmt: skip
 
 
-@check(points=0.5, part="a")
+ROD_SUSPECTS = [
+    suspect("a rod from the particle to the hinge", wireframe=lambda state, length: [[state[:2], [0.0, 0.0]]]),
+    suspect("a rod of one metre", wireframe=lambda state, length: [[[0.0, 0.0], state[:2] / length]]),
+]  # fmt: skip
+
+
+@check(points=0.5, part="a", suspects=ROD_SUSPECTS)
 def wireframe_is_the_rod(student, draw):
     """wireframe: one segment, from the hinge to the particle."""
     found = kinds(draw)

@@ -289,7 +289,10 @@ def odd_headings(draw):
 
 
 LOAD_SUSPECTS = [
-    suspect("the load of the other axle", axle_load=lambda locked, **c: load(other(locked), **c)),
+    suspect(
+        "the load of the other axle: the locked axle and the free one exchanged",
+        axle_load=lambda locked, **c: load(other(locked), **c),
+    ),
     suspect("the whole weight", axle_load=lambda locked, **c: c["mass"] * c["gravity"]),
     suspect("half the weight", axle_load=lambda locked, **c: c["mass"] * c["gravity"] / 2),
 ]

@@ -1,6 +1,7 @@
 """One Runge-Kutta step from each time to the next, however far.
 
 fails: simulate_needs_no_dense_times, simulate_turns_over_the_top, simulate_keeps_the_energy
+names: the steps of the integration are not those of t
 """
 
 def _rk4_step(state, h, ratio):

@@ -1,6 +1,7 @@
 """The action right, and the path it was given spoilt.
 
 fails: action_is_stationary_on_motions
+names: action changes the arrays
 """
 
 def action(theta, step, *, mass, length, gravity):

@@ -1,6 +1,7 @@
 """The formula as a string.
 
 fails: lagrange_gives_the_acceleration
+names: does not return a SymPy expression
 """
 
 def lagrange_equation():

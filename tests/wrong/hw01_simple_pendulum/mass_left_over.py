@@ -1,6 +1,7 @@
 """A mass that does not cancel.
 
 fails: lagrange_gives_the_acceleration
+names: in theta, l, g alone
 """
 
 def lagrange_equation():

@@ -1,6 +1,7 @@
 """A pendulum let go at rest is taken to stay.
 
 fails: simulate_needs_no_dense_times
+names: let go at rest
 """
 
 _right_simulate = simulate

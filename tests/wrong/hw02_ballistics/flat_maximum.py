@@ -1,6 +1,7 @@
 """The best angle by a search for the maximum, which is too flat at a huge speed.
 
 fails: best_angle_at_a_huge_speed
+names: the largest range is very flat there
 """
 
 

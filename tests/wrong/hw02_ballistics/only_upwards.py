@@ -1,6 +1,7 @@
 """The simulation takes every launch for one upwards.
 
 fails: simulation_follows_the_motion
+names: a launch straight down
 """
 
 _right_simulate = simulate

@@ -1,6 +1,7 @@
 """The closed form takes the sine for the root of what the cosine leaves, so every launch goes up.
 
 fails: trajectory_is_the_motion
+names: a launch straight down
 """
 
 _right_trajectory = trajectory

@@ -1,6 +1,7 @@
 """The closed form scales the times in place.
 
 fails: trajectory_is_the_motion
+names: trajectory changes the arrays
 """
 
 unharmed = trajectory

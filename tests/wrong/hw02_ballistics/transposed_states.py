@@ -1,6 +1,7 @@
 """The simulation returns (4, n).
 
 fails: simulation_follows_the_motion
+names: not an array of shape (30, 4)
 """
 
 

@@ -1,6 +1,7 @@
 """The plot has different scales for x and y.
 
 fails: both_paths_are_drawn
+names: not drawn at the same scale
 """
 
 

@@ -1,6 +1,7 @@
 """By definition c nothing is left over for a P at rest.
 
 fails: discrepancy_with_the_velocity_relative_to_C, rate_with_the_velocity_relative_to_C
+names: definition c, v_p zero
 """
 
 _right_discrepancy = discrepancy

@@ -1,6 +1,7 @@
 """The lever arm is computed in the place of r_P.
 
 fails: momentum_with_the_velocity_in_F, momentum_with_the_velocity_relative_to_C
+names: angular_momentum changes the arrays
 """
 
 def angular_momentum(definition, r_p, v_p, r_c, v_c, *, mass):

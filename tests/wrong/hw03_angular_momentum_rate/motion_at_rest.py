@@ -1,6 +1,7 @@
 """C stands still.
 
 fails: special_motion_of_b, special_motion_of_c
+names: the velocity of C vanishes
 """
 
 _right_motion = special_motion

@@ -1,6 +1,7 @@
 """P is C.
 
 fails: special_motion_of_b, special_motion_of_c
+names: P and C meet at t = 0
 """
 
 _right_motion = special_motion

@@ -1,6 +1,7 @@
 """P and C meet at t = 0.5.
 
 fails: special_motion_of_b, special_motion_of_c
+names: P and C meet at t = 0.5
 """
 
 _right_motion = special_motion

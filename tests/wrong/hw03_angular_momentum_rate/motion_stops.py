@@ -1,6 +1,7 @@
 """C turns back at t = 0.3, and its acceleration changes sign at t = 0.7.
 
 fails: special_motion_of_b, special_motion_of_c
+names: the velocity of C vanishes at t = 0.3
 """
 
 _right_motion = special_motion

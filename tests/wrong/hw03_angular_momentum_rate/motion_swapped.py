@@ -1,6 +1,7 @@
 """The motions of b and c swapped.
 
 fails: special_motion_of_b, special_motion_of_c
+names: they do not by definition c
 """
 
 _right_motion = special_motion

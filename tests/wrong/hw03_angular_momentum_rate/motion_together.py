@@ -1,6 +1,7 @@
 """P and C move together.
 
 fails: special_motion_of_b, special_motion_of_c
+names: P moves along with C
 """
 
 _right_motion = special_motion

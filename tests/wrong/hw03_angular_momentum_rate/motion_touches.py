@@ -1,6 +1,7 @@
 """C stops for an instant, as (t - 1/3)^2 does.
 
 fails: special_motion_of_b
+names: the velocity of C vanishes at t = 0.33
 """
 
 _right_motion = special_motion

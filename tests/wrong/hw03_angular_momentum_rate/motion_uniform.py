@@ -1,6 +1,7 @@
 """C moves uniformly: c holds, but a_C is zero.
 
 fails: special_motion_of_c
+names: the acceleration of C vanishes
 """
 
 _right_motion = special_motion

@@ -1,6 +1,7 @@
 """The picture without names on its axes, and stretched.
 
 fails: the_path_is_drawn
+names: not labelled with their unit
 """
 
 def plot_projection(ax, t, position, velocity, azimuth, elevation, **parameters):

@@ -1,6 +1,7 @@
 """Position and velocity from the centre as they are: radii, not axes.
 
 fails: orbit_is_the_ellipse_of_the_motion
+names: two radii that give the ellipse need not be its axes
 """
 
 def orbit(position, velocity, *, mass, stiffness, gravity):

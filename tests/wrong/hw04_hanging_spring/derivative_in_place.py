@@ -1,6 +1,7 @@
 """The rates are written over the state. The simulation has a copy.
 
 fails: derivative_is_velocity_and_force_over_mass
+names: state_derivative changes the arrays
 """
 
 def _rates(t, y, k, g):

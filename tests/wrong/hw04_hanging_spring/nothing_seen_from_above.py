@@ -1,6 +1,7 @@
 """Right as the vertical times the direction of the eye, which there is none of from straight above.
 
 fails: projection_is_orthographic
+names: a view from straight above
 """
 
 

@@ -1,6 +1,7 @@
 """A mass let go at rest is taken to stay.
 
 fails: simulate_does_not_depend_on_the_sampling
+names: a mass at rest
 """
 
 _right_simulate = simulate

@@ -1,6 +1,7 @@
 """The smaller axis first.
 
 fails: orbit_is_the_ellipse_of_the_motion
+names: the larger axis is not the first
 """
 
 _right_orbit = orbit

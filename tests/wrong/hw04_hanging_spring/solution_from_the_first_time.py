@@ -1,6 +1,7 @@
 """The given state taken for that at t[0].
 
 fails: solution_holds_without_gravity_and_from_any_time
+names: times that do not start at 0
 """
 
 _right_solution = solution

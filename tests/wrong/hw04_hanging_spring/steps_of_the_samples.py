@@ -1,6 +1,7 @@
 """Four hundred Runge-Kutta steps, however long the time between the first two samples is.
 
 fails: simulate_does_not_depend_on_the_sampling, energy_stays
+names: steps between the times
 """
 
 def simulate(t, position, velocity, **parameters):

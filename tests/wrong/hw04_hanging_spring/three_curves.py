@@ -1,6 +1,7 @@
 """x, y and z over time.
 
 fails: the_path_is_drawn
+names: there are 3 curves
 """
 
 def plot_projection(ax, t, position, velocity, azimuth, elevation, **parameters):

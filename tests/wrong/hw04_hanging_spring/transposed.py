@@ -1,6 +1,7 @@
 """(6, n) as solve_ivp has it.
 
 fails: simulate_moves_as_it_must, the_path_is_drawn
+names: not an array of shape (12, 6)
 """
 
 _right_simulate = simulate

@@ -1,6 +1,7 @@
 """The given state is mended itself.
 
 fails: consistent_state_is_the_nearest
+names: consistent_state changes the arrays
 """
 
 _right_state = consistent_state

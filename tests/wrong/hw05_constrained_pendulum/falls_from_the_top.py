@@ -1,6 +1,7 @@
 """A little push, so that something happens.
 
 fails: at_the_very_top_it_stays
+names: a start at rest at the very top
 """
 
 _right_simulate = simulate

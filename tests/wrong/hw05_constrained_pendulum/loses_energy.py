@@ -1,6 +1,7 @@
 """A projection that takes some energy away.
 
 fails: energy_stays
+names: the energy is off
 """
 
 _right_simulate = simulate

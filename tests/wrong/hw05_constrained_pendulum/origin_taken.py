@@ -1,6 +1,7 @@
 """At the origin, the lowest point.
 
 fails: consistent_state_refuses_the_origin
+names: a state at the origin is taken
 """
 
 _right_state = consistent_state

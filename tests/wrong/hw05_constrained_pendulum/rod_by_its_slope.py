@@ -1,6 +1,7 @@
 """The rod is drawn by its slope y/x, and one straight up or down lies along x.
 
 fails: wireframe_is_the_rod
+names: at the bottom
 """
 
 

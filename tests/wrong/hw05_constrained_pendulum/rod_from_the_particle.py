@@ -1,6 +1,7 @@
 """From the particle to the hinge.
 
 fails: wireframe_is_the_rod
+suspect: from the particle to the hinge
 """
 
 _right_wireframe = wireframe

@@ -1,6 +1,7 @@
 """(4, n) as solve_ivp has it.
 
 fails: without_gravity_it_goes_round_uniformly, with_gravity_it_swings_or_goes_round
+names: not an array of shape (12, 4)
 """
 
 _right_simulate = simulate

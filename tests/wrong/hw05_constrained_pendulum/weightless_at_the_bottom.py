@@ -1,6 +1,7 @@
 """Straight below the hinge or above it the weight is left out of the force, as if it had no moment there to balance.
 
 fails: force_keeps_the_particle_on_the_circle
+names: at the bottom
 """
 
 _right_force = constraint_force

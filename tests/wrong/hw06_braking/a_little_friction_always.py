@@ -1,6 +1,7 @@
 """Friction no smaller than 0.01.
 
 fails: simulate_glides_without_friction
+names: for friction 0
 """
 
 _right = simulate

@@ -1,6 +1,7 @@
 """The equations of motion take the speed for positive.
 
 fails: equations_in_any_motion
+names: a car in reverse
 """
 
 _right = state_derivative

@@ -1,6 +1,7 @@
 """Wraps the heading in the array that it is given.
 
 fails: equations_of_motion
+names: state_derivative changes the arrays
 """
 
 _right = state_derivative

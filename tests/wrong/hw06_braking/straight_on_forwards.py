@@ -1,6 +1,7 @@
 """A car that does not turn is stopped by a formula of its own, which takes it to go forwards.
 
 fails: simulate_needs_no_dense_times, simulate_glides_without_friction
+names: straight motion in reverse
 """
 
 _right = simulate

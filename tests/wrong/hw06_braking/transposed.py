@@ -1,6 +1,7 @@
 """A row for each number of the state.
 
 fails: simulate_brakes
+names: not an array of shape (100, 5)
 """
 
 _right = simulate

@@ -1,6 +1,7 @@
 """A pendulum at rest is taken to be in equilibrium.
 
 fails: energy_is_conserved_from_horizontal
+names: the bars do not move
 """
 
 released = simulate

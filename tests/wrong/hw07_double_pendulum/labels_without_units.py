@@ -1,6 +1,7 @@
 """The plot's labels have no unit.
 
 fails: tip_path_is_drawn
+names: not labelled with their unit
 """
 
 labelled = plot_tip_path

@@ -1,6 +1,7 @@
 """Bars in line that turn alike are taken for one bar, and its angular acceleration for that of both.
 
 fails: accelerations_obey_the_equations
+names: th1 = th2
 """
 
 accelerated = angular_acceleration

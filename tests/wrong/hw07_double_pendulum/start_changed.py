@@ -1,6 +1,7 @@
 """The start is advanced in place.
 
 fails: simulation_follows_the_equations, tip_path_is_drawn
+names: simulate changes the arrays
 """
 
 unharmed = simulate

@@ -1,6 +1,7 @@
 """With two times the motion is not integrated.
 
 fails: simulation_follows_the_equations
+names: 2 times
 """
 
 integrated = simulate
