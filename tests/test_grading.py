@@ -24,7 +24,8 @@ from tam570_grader.inside.wire import Foreign, Unreadable, packed, portable, unp
 from tam570_grader.launch import isolation
 from tam570_grader.returns import array, group, number, result, rows
 from tam570_grader.root import slug_of
-from tam570_grader.student import Call
+from tam570_grader.sandbox import Allowance
+from tam570_grader.student import Call, Source, Student
 
 SLUG = "hw08_axis_angle"
 NOTHING = "def skew(v): return None\n"
@@ -447,3 +448,16 @@ def test_a_suspect_without_a_value_does_not_agree(variant):
 def test_a_slip_in_a_suspect_is_not_hidden():
     with pytest.raises(TypeError):
         agrees(suspect("a wrong formula", f=lambda: 1.0), [Call("f", given(0.0), 1.0)])
+
+
+@pytest.mark.parametrize("body", ["raise ValueError", "return float('nan')", "return None"])
+def test_a_call_that_fails_says_for_what_kind_of_input(body, course, workers):
+    text = f"def skew(v):\n    {body}\n"
+    student = Student(Source(text.encode()), root.assignment(course, SLUG), workers(SLUG, Allowance()))
+    for call in (
+        lambda: student.on("a short v").skew([1.0, 2.0, 3.0]),
+        lambda: student.skew.many([given([1.0, 2.0, 3.0]).on("a short v")]),
+    ):
+        with pytest.raises(Failure, match="for a short v$"):
+            call()
+    student.leave()

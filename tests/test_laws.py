@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from tam570_grader import root
+from tam570_grader.diagnosis import diagnosis
 from tam570_grader.grade import agrees
 from tam570_grader.returns import Array, Drawing, Formula, Group
 from tam570_grader.sandbox import Allowance
@@ -106,9 +107,9 @@ def test_a_wrong_submission_fails_its_checks_and_no_other(slug, path, grade, sol
     expected = header(path)
     result = grade(slug, solution_text(slug) + "\n\n" + path.read_text(), seed=1)
     assert outcomes(result, "failed") == set(expected["fails"].split(", ")), failures(result)
-    if "suspect" in expected:
-        suspects = [mark.suspect for mark in result.checks if mark.suspect]
-        assert any(expected["suspect"] in says for says in suspects), failures(result)
+    found = diagnosis(result, expected)
+    assert found.named or not {"suspect", "names"} & set(expected), failures(result)
+    assert not found.misled, failures(result)
 
 
 @pytest.mark.parametrize(("slug", "check"), **named(CHECKS))

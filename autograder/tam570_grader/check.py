@@ -11,14 +11,15 @@ A check is a plain function `name(student, draw)` whose docstring is the line th
 
 `student.f(...)` calls the student's function in the sandbox and returns what RESULTS promises, as float64
 arrays, or ends the check with a message; `student.f.many([given(...), ...])` makes many calls in one round
-trip; `student.f.refuses(...)` tells whether a call raises ValueError. `draw` is a random generator that
-belongs to the check and is the same for every student of a run.
+trip; `student.f.refuses(...)` tells whether a call raises ValueError. `student.on("a half turn").f(...)` and
+`given(...).on("a half turn")` let the message say for what kind of input a call raises or returns no numbers.
+`draw` is a random generator that belongs to the check and is the same for every student of a run.
 """
 
 import functools
 import threading
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, TypeVar
 
 import numpy as np
@@ -111,19 +112,28 @@ class Failure(Exception):
         picture: Curve | None = None,
     ) -> None:
         super().__init__(message)
+        self.message = message
         self.fraction = fraction
         self.picture = picture
         self.expected = expected
         self.actual = actual
         self.at = at
 
+    def __str__(self) -> str:
+        return self.message
+
 
 @dataclass(frozen=True)
 class Given:
-    """The arguments of one call."""
+    """The arguments of one call, and the kind of input that they are."""
 
     args: tuple[Any, ...] = ()
     kwargs: Mapping[str, Any] = field(default_factory=dict)
+    kind: str = ""
+
+    def on(self, kind: str) -> "Given":
+        """The same arguments, of which the student is told the kind if the call itself fails."""
+        return replace(self, kind=kind)
 
 
 def given(*args: Any, **kwargs: Any) -> Given:

@@ -1,16 +1,18 @@
 """Does the feedback name the mistake? Wrong submissions say in their headers what it must say of them.
 
-`suspect: FRAGMENT` is in the name of a suspect, `names: FRAGMENT` in a message (its hint, its kind of input).
+`suspect: FRAGMENT` is in the name of a suspect, `names: FRAGMENT` in a message (its hint, its kind of input); one of
+several fragments, `A | B`, is enough.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from tam570_grader.grade import Result
 from tam570_grader.trials import Trial, done, header, progress, submissions, tried
 
-__all__ = ["ENOUGH", "Diagnosis", "as_json", "diagnoses", "report"]
+__all__ = ["ENOUGH", "Diagnosis", "as_json", "diagnoses", "diagnosis", "report"]
 
 ENOUGH = 0.6  # share of the mistakes that the feedback must name
 SEED = 1
@@ -30,7 +32,7 @@ class Diagnosis:
     @property
     def misled(self) -> bool:
         """A suspect was named that is not what the header says."""
-        return any(self.expected not in says or not self.expected for says in self.suspects)
+        return any(not _in(says, self.expected) for says in self.suspects)
 
 
 def diagnoses(course: Path, slug: str, jobs: int) -> list[Diagnosis]:
@@ -39,17 +41,23 @@ def diagnoses(course: Path, slug: str, jobs: int) -> list[Diagnosis]:
     wrong = submissions(course, "wrong", slug)
     tasks = [Trial(course, slug, name, f"{solution}\n\n{text}", SEED) for name, text in wrong.items()]
     results = progress(done(tried, tasks, jobs), len(tasks), "submission")
-    return [_diagnosis(result, header(wrong[result.student])) for result in results]
+    return [diagnosis(result, header(wrong[result.student])) for result in results]
 
 
-def _diagnosis(result: Any, says: Any) -> Diagnosis:
+def diagnosis(result: Result, says: Mapping[str, str]) -> Diagnosis:
+    """What the feedback of a wrong submission says, beside what its header `says` that it must."""
     failed = [mark for mark in result.checks if mark.outcome == "failed"]
     suspects = tuple(mark.suspect for mark in failed if mark.suspect)
     messages = tuple(mark.message for mark in failed)
     expected, fragment = says.get("suspect", ""), says.get("names", "")
-    by_suspect = bool(expected) and any(expected in one for one in suspects)
-    by_message = bool(fragment) and any(fragment in one for one in messages)
+    by_suspect = any(_in(one, expected) for one in suspects)
+    by_message = any(_in(one, fragment) for one in messages)
     return Diagnosis(result.student, expected, by_suspect or by_message, suspects, messages, result.seconds)
+
+
+def _in(says: str, expected: str) -> bool:
+    """Whether one of the expected fragments is in what is said."""
+    return any(fragment and fragment in says for fragment in expected.split(" | "))
 
 
 def faults(found: Sequence[Diagnosis]) -> int:

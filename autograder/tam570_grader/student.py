@@ -1,14 +1,16 @@
 """The student as a check sees it: functions to call, each call made in the sandbox, each result what was promised."""
 
 import builtins
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from tam570_grader.check import Failure, Given, given
-from tam570_grader.returns import Drawing, Formula, Line, result
+from tam570_grader.replies import checked, drawn, error_of, sent, strings
+from tam570_grader.returns import Drawing, Formula, result
 from tam570_grader.root import Assignment
 from tam570_grader.sandbox import Cell, CellLost, CellTimeout, Worker, WorkerLost
 
@@ -71,6 +73,10 @@ class Student:
             raise AttributeError(f"the contract of {self._assignment.slug} has no function {name}")
         return Function(self, name, self._assignment.results[name])
 
+    def on(self, kind: str) -> "Asked":
+        """The functions, for calls on one kind of input: said to the student where a call itself fails."""
+        return Asked(self, kind)
+
     def load(self) -> None:
         """Import the submission, or raise NotLoaded."""
         self._cell(())
@@ -95,9 +101,9 @@ class Student:
             raise NotWritten(name)
         replies: list[dict[str, Any]] = []
         try:
-            cell.send({"function": name, **mode, "calls": [_sent(call) for call in calls]})
+            cell.send({"function": name, **mode, "calls": [sent(call) for call in calls]})
             while len(replies) < len(calls) and not (replies and "error" in replies[-1]):
-                replies.append(_checked(cell.receive()))
+                replies.append(checked(cell.receive()))
         except CellTimeout:
             self._end(uncallable, name, f"{name} did not return within {self._worker.allowance.call:g} s")
         except CellLost:
@@ -150,10 +156,21 @@ class Student:
         except CellLost:
             raise NotLoaded("crashed", "importing the file ended its process") from None
         if not isinstance(reply, dict) or "error" in reply:
-            raise _not_loaded(_error(reply), self._assignment)
-        self._defined = set(reply["defined"]) if _strings(reply.get("defined")) else set()
-        skipped = reply["skipped"] if _strings(reply.get("skipped")) else []
+            raise _not_loaded(error_of(reply), self._assignment)
+        self._defined = set(reply["defined"]) if strings(reply.get("defined")) else set()
+        skipped = reply["skipped"] if strings(reply.get("skipped")) else []
         self.skipped = [text[:100] for text in skipped[:50]]
+
+
+@dataclass(frozen=True)
+class Asked:
+    """A student's functions, to be called on one kind of input."""
+
+    student: Student
+    kind: str
+
+    def __getattr__(self, name: str) -> "Function":
+        return replace(self.student.__getattr__(name), kind=self.kind)
 
 
 @dataclass(frozen=True)
@@ -163,6 +180,7 @@ class Function:
     student: Student
     name: str
     promise: Any
+    kind: str = ""  # of the input, unless a call says its own
 
     def __call__(self, *args: Any, **kwargs: Any) -> Any:
         """The result of one call, in the promised form."""
@@ -172,8 +190,9 @@ class Function:
         """The results of many calls, made in one round trip."""
         results = []
         for call, reply in zip(calls, self.student.replies(self.name, calls, mode="value"), strict=False):
-            self._must_be_fair(reply, call)
-            results.append(result(self.promise, reply["value"], self.name, call))
+            with _saying(call.kind or self.kind):
+                self._must_be_fair(reply, call)
+                results.append(result(self.promise, reply["value"], self.name, call))
             self.student.calls.append(Call(self.name, call, results[-1]))
         return results
 
@@ -181,9 +200,10 @@ class Function:
         """Whether the call raises ValueError; another exception is a Failure."""
         call = given(*args, **kwargs)
         reply = self.student.replies(self.name, [call], mode="value")[0]
-        if "ValueError" in _error(reply)["kinds"]:
+        if "ValueError" in error_of(reply)["kinds"]:
             return True
-        self._must_be_fair(reply, call)
+        with _saying(self.kind):
+            self._must_be_fair(reply, call)
         return False
 
     def at(self, points: Sequence[Mapping[str, float]]) -> np.ndarray:
@@ -216,21 +236,32 @@ class Function:
         """What the plot function draws on the Axes that it is given, before these arguments."""
         call = given(*args, **kwargs)
         reply = self.student.replies(self.name, [call], mode="drawing")[0]
-        self._must_be_fair(reply, call)
+        with _saying(self.kind):
+            self._must_be_fair(reply, call)
         try:
-            return _drawing(reply["value"])
+            return drawn(reply["value"])
         except (KeyError, TypeError, ValueError):
             raise Failure(f"{self.name} draws too much, or nothing that can be read") from None
 
     def _must_be_fair(self, reply: dict[str, Any], call: Given) -> None:
         """Raise NotWritten or Failure for an exception, and for arguments changed in place."""
         if "error" in reply:
-            error = _error(reply)
+            error = error_of(reply)
             if error["kinds"][:1] == ["NotImplementedError"]:
                 raise NotWritten(self.name)
             raise Failure(_raised(self.name, error, self.student._assignment), actual=error["text"], at=call)
         if reply.get("changed"):
             raise Failure(f"{self.name} changes the arrays it is given; work on copies", at=call)
+
+
+@contextmanager
+def _saying(kind: str) -> Iterator[None]:
+    """A failure of a call says for what kind of input."""
+    try:
+        yield
+    except Failure as failure:
+        failure.message += f" for {kind}" if kind else ""
+        raise
 
 
 def _raised(name: str, error: dict[str, Any], assignment: Assignment) -> str:
@@ -255,54 +286,3 @@ def _not_loaded(error: dict[str, Any], assignment: Assignment) -> NotLoaded:
         return NotLoaded("crashed", "importing the file ends its process")
     where = f" at line {error['line']}" if error["line"] else ""
     return NotLoaded("unreadable", f"the file cannot be imported: {_known(error)}{where}: {error['text']}")
-
-
-def _error(reply: Any) -> dict[str, Any]:
-    """The error of a reply, {"kinds": [], ...} where there is none, and nothing that is not of the right type."""
-    error = reply.get("error") if isinstance(reply, dict) else None
-    if not isinstance(error, dict) or not _strings(error.get("kinds")):
-        return {"kinds": [], "text": "", "line": 0}
-    line, text = error.get("line"), error.get("text")
-    return {
-        "kinds": error["kinds"],
-        "text": text[:300] if isinstance(text, str) else "",
-        "line": line if isinstance(line, int) else 0,
-    }
-
-
-def _checked(reply: Any) -> dict[str, Any]:
-    if not isinstance(reply, dict) or not ("value" in reply or "error" in reply):
-        raise CellLost
-    return reply
-
-
-def _strings(value: Any) -> bool:
-    return isinstance(value, list) and all(isinstance(item, str) for item in value)
-
-
-def _drawing(value: dict[str, Any]) -> Drawing:
-    lines = [
-        Line(np.asarray(line["points"], float).reshape(-1, 2), str(line["label"]), bool(line["scatter"]))
-        for line in value["lines"]
-    ]
-    return Drawing(tuple(lines), str(value["xlabel"]), str(value["ylabel"]), bool(value["equal_aspect"]))
-
-
-def _sent(call: Given) -> list[Any]:
-    return [
-        [_argument(value) for value in call.args],
-        {key: _argument(value) for key, value in call.kwargs.items()},
-    ]
-
-
-def _argument(value: Any) -> Any:
-    """An argument as it is sent: any sequence of numbers is a float64 array, as the contract promises."""
-    if isinstance(value, np.generic):
-        return value.item()
-    if isinstance(value, np.ndarray):
-        return value.astype(float)
-    if isinstance(value, list | tuple) and value:
-        if all(isinstance(item, int | float | np.number) for item in value):
-            return np.array(value, float)
-        return [_argument(item) for item in value]
-    return list(value) if isinstance(value, tuple) else value

@@ -1,0 +1,62 @@
+"""What goes to a submission and what comes back: arguments as sent, and replies, of which nothing is trusted."""
+
+from typing import Any
+
+import numpy as np
+
+from tam570_grader.check import Given
+from tam570_grader.returns import Drawing, Line
+from tam570_grader.sandbox import CellLost
+
+__all__ = ["checked", "drawn", "error_of", "sent", "strings"]
+
+
+def error_of(reply: Any) -> dict[str, Any]:
+    """The error of a reply, {"kinds": [], ...} where there is none, and nothing that is not of the right type."""
+    error = reply.get("error") if isinstance(reply, dict) else None
+    if not isinstance(error, dict) or not strings(error.get("kinds")):
+        return {"kinds": [], "text": "", "line": 0}
+    line, text = error.get("line"), error.get("text")
+    return {
+        "kinds": error["kinds"],
+        "text": text[:300] if isinstance(text, str) else "",
+        "line": line if isinstance(line, int) else 0,
+    }
+
+
+def checked(reply: Any) -> dict[str, Any]:
+    if not isinstance(reply, dict) or not ("value" in reply or "error" in reply):
+        raise CellLost
+    return reply
+
+
+def strings(value: Any) -> bool:
+    return isinstance(value, list) and all(isinstance(item, str) for item in value)
+
+
+def drawn(value: dict[str, Any]) -> Drawing:
+    lines = [
+        Line(np.asarray(line["points"], float).reshape(-1, 2), str(line["label"]), bool(line["scatter"]))
+        for line in value["lines"]
+    ]
+    return Drawing(tuple(lines), str(value["xlabel"]), str(value["ylabel"]), bool(value["equal_aspect"]))
+
+
+def sent(call: Given) -> list[Any]:
+    return [
+        [_argument(value) for value in call.args],
+        {key: _argument(value) for key, value in call.kwargs.items()},
+    ]
+
+
+def _argument(value: Any) -> Any:
+    """An argument as it is sent: any sequence of numbers is a float64 array, as the contract promises."""
+    if isinstance(value, np.generic):
+        return value.item()
+    if isinstance(value, np.ndarray):
+        return value.astype(float)
+    if isinstance(value, list | tuple) and value:
+        if all(isinstance(item, int | float | np.number) for item in value):
+            return np.array(value, float)
+        return [_argument(item) for item in value]
+    return list(value) if isinstance(value, tuple) else value
