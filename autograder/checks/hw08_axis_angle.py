@@ -3,6 +3,8 @@
 What is right is built another way than by the formula: by turning a frame that has the axis as third vector.
 """
 
+import math
+
 import numpy as np
 
 from tam570_grader import array, check, expect, expect_that, given, once, suspect
@@ -14,6 +16,7 @@ OFF_LIMITS = {"*": ("scipy.spatial.transform", "tam570.rotations")}
 POINTWISE = (
     1e-12  # a few roundings of numbers of size 1 make 1e-15; quaternions and products of matrices, 1e-14
 )
+TINY = 1e-14  # the rounding of the cosine; a tiny angle taken for 0 is off by 1e-12
 HUGE_ANGLE = 1e-9  # 1e6 rad, reduced modulo 2 pi by hand, is off by 1e6 eps = 2e-10
 
 
@@ -35,6 +38,25 @@ def in_degrees(axis, angle):
     return turned(axis, np.radians(angle))
 
 
+def by_its_size(axis, angle):
+    return turned(axis, abs(angle))
+
+
+def none_for_half(axis, angle):
+    """A turn is taken for none where the sine of its angle is zero."""
+    return turned(axis, angle if abs(np.sin(angle)) > 1e-15 else 0.0)
+
+
+def none_below(smallest):
+    """Smaller angles are taken for none."""
+    return lambda axis, angle: turned(axis, angle if abs(angle) > smallest else 0.0)
+
+
+def in_single_precision(axis, angle):
+    single = np.float32(angle)
+    return turned(axis, math.atan2(np.sin(single), np.cos(single)))
+
+
 def by_formula(n, angle):
     """The formula with whatever vector it is given for the unit vector."""
     cross = np.array([[0, -n[2], n[1]], [n[2], 0, -n[0]], [-n[1], n[0], 0]])
@@ -46,13 +68,23 @@ def rotated(matrix):
     return lambda r, axis, angle: matrix(axis, angle) @ r
 
 
+def suspects(wrong_matrices, within=1e-6):
+    """For rotation_matrix, and for rotate."""
+    matrices = [suspect(says, within=within, rotation_matrix=wrong) for says, wrong in wrong_matrices.items()]
+    vectors = [suspect(says, within=within, rotate=rotated(wrong)) for says, wrong in wrong_matrices.items()]
+    return matrices, vectors
+
+
 WRONG_MATRICES = {
     "the transpose, the rotation the other way (look at the sign of the sin th term)": transposed,
     "the angle taken for degrees": in_degrees,
     "the axis not made a unit vector": by_formula,
+    "the sign of the angle dropped": by_its_size,
 }
-MATRIX_SUSPECTS = [suspect(says, rotation_matrix=wrong) for says, wrong in WRONG_MATRICES.items()]
-ROTATE_SUSPECTS = [suspect(says, rotate=rotated(wrong)) for says, wrong in WRONG_MATRICES.items()]
+# Right but for a few angles: compared as closely as the checks do, so that nothing else that is nearly right agrees.
+WRONG_AT_PI = {"a half turn taken for no turn: the sine of its angle is zero, too": none_for_half}
+WRONG_WHEN_SMALL = {f"a turn by {what} taken for no turn": none_below(smallest)
+                    for what, smallest in (("1e-12", 1e-10), ("1e-9", 1e-8))}  # fmt: skip
 
 
 @once
@@ -65,9 +97,6 @@ def rotations(draw, angles):
     return [(axis, angle, turned(axis, angle)) for axis, angle in zip(axes, angles, strict=True)]
 
 
-PLAIN = "no turn, a quarter or a half turn, about a coordinate axis or a diagonal"
-
-
 @once
 def plain_turns(draw):
     """No turn, quarter, half and whole turns about axes of whole numbers, and the right matrices."""
@@ -77,58 +106,92 @@ def plain_turns(draw):
     return [(axis, angle, turned(axis, angle)) for axis, angle in cases]
 
 
-def matrices(student, cases):
-    """The student's matrices beside the cases."""
-    return zip(
-        student.rotation_matrix.many([given(axis, angle) for axis, angle, _ in cases]), cases, strict=True
-    )
+TURNS = {0.0: "no turn", 0.5: "a quarter turn", 1.0: "a half turn", 2.0: "a whole turn"}
+
+
+def plain_kind(axis, angle):
+    """What a plain turn is called."""
+    about = "a coordinate axis" if np.count_nonzero(axis) == 1 else "a diagonal"
+    return f"{TURNS[abs(angle) / np.pi]} about {about}"
+
+
+def any_kind(axis, angle):
+    return "a random axis and angle"
+
+
+def matrices(student, cases, kind):
+    """The student's matrices beside the cases and the kind(axis, angle) of each."""
+    kinds = [kind(axis, angle) for axis, angle, _ in cases]
+    calls = [given(*case[:2]).on(kind) for case, kind in zip(cases, kinds, strict=True)]
+    return zip(student.rotation_matrix.many(calls), cases, kinds, strict=True)
 
 
 @check(points=1, part="a", suspects=[suspect("the transpose, r x v", skew=lambda v: np.cross(v, np.eye(3)))])
 def skew_is_the_cross_product(student, draw):
     """skew(v) r = v x r, for any v and r."""
     vectors = [*(draw.normal(size=(8, 3)) * 10 ** draw.uniform(-3, 3, (8, 1))), *-np.eye(3), np.zeros(3)]
-    for v, matrix in zip(vectors, student.skew.many([given(v) for v in vectors]), strict=True):
+    kinds = ["a v of random numbers"] * 8 + ["a v along a coordinate axis"] * 3 + ["a v of zeros"]
+    calls = [given(v).on(kind) for v, kind in zip(vectors, kinds, strict=True)]
+    for v, matrix, kind in zip(vectors, student.skew.many(calls), kinds, strict=True):
         r = draw.normal(size=3)
         expect(matrix @ r, np.cross(v, r), within=POINTWISE, scale=np.linalg.norm(v) or 1.0, of="skew(v) r",
-               unit="of the length of v", at=(v, r),
-               kind="random vectors" if v.all() else "a v with zeros in it")  # fmt: skip
+               unit="of the length of v", at=(v, r), kind=kind)  # fmt: skip
 
 
-@check(points=2, part="a", suspects=MATRIX_SUSPECTS)
+@check(points=2, part="a", suspects=suspects(WRONG_MATRICES)[0] + suspects(WRONG_AT_PI, POINTWISE)[0])
 def matrix_turns_by_the_right_hand_rule(student, draw):
     """rotation_matrix turns by the angle about the axis, right-handed, whatever the axis's length."""
-    for R, case in matrices(student, rotations(draw, None)):
-        expect(R, case[2], within=POINTWISE, of="the matrix", at=case, kind="a random axis and angle",
+    for R, case, kind in matrices(student, rotations(draw, None), any_kind):
+        expect(R, case[2], within=POINTWISE, of="the matrix", at=case, kind=kind,
                hint="try a quarter turn about z, and an axis twice as long")  # fmt: skip
-    for R, case in matrices(student, plain_turns(draw)):
-        expect(R, case[2], within=POINTWISE, of="the matrix", at=case, kind=PLAIN,
+    for R, case, kind in matrices(student, plain_turns(draw), plain_kind):
+        expect(R, case[2], within=POINTWISE, of="the matrix", at=case, kind=kind,
                hint="where do the coordinate axes go?")  # fmt: skip
 
 
-@check(points=1, part="a", after=matrix_turns_by_the_right_hand_rule)
+@check(points=1, part="a", after=matrix_turns_by_the_right_hand_rule,
+       suspects=suspects(WRONG_WHEN_SMALL, TINY)[0])  # fmt: skip
 def matrix_holds_for_every_angle(student, draw):
     """An angle of 1e-12 turns by 1e-12, one of 1e6 by 1e6; R^T R = I and det R = 1 for all of them."""
-    for angles, within in every_angle(draw):
-        for R, case in matrices(student, rotations(draw, angles)):
-            expect(R, case[2], within=within, of="the matrix", at=case, kind="a very small or very large angle",
-                   hint="look at what each term becomes there")  # fmt: skip
-            expect(R.T @ R, np.eye(3), within=POINTWISE, of="R^T R", at=case, kind="angles from 1e-12 to 1e6")
-            expect(
-                np.linalg.det(R), 1.0, within=POINTWISE, of="det R", at=case, kind="angles from 1e-12 to 1e6"
-            )
+    for angles, within, kind in every_angle(draw):
+        for R, case, _ in matrices(student, rotations(draw, angles), lambda axis, angle, kind=kind: kind):
+            expect(R, case[2], within=within, of="the matrix", at=case, kind=kind,
+                   hint=terms(R, *case[:2], within))  # fmt: skip
+            expect(R.T @ R, np.eye(3), within=POINTWISE, of="R^T R", at=case, kind=kind)
+            expect(np.linalg.det(R), 1.0, within=POINTWISE, of="det R", at=case, kind=kind)
+
+
+AS_FLOAT32 = "it is that of the angle in single precision"
+
+
+def nearer(found, wrong, right):
+    """Whether a result is much nearer to what is wrong than to what is right."""
+    return np.linalg.norm(found - wrong) < np.linalg.norm(found - right) / 4
+
+
+def terms(R, axis, angle, within):
+    """Which of sine and cosine the matrix has wrong, if it is one of them: the trace has the one, R - R^T the other."""
+    cosine, sine = (np.trace(R) - 1) / 2, np.sum((R - R.T) * turned(axis, np.pi / 2)) / 4
+    if nearer(R, in_single_precision(axis, angle), turned(axis, angle)):
+        return AS_FLOAT32
+    wrong = abs(cosine - np.cos(angle)) > within, abs(sine - np.sin(angle)) > within
+    return {
+        (True, False): "the sine is right in it, the cosine is not",
+        (False, True): "the cosine is right in it, the sine is not",
+    }.get(wrong, "look at what each term becomes there")
 
 
 def every_angle(draw):
-    """Angles by size, and how near to right the matrix must be."""
+    """Angles by size, how near to right the matrix must be, and what the angles are called."""
     signs = draw.choice([-1, 1], 4)
-    yield (
-        (-1e-12, 1e-12, -1e-9, 1e-9),
-        1e-14,
-    )  # the rounding of the cosine; a tiny angle taken for 0 is off by 1e-12
-    yield tuple(10 ** draw.uniform(-8, 0, 4) * signs), POINTWISE
-    yield (np.pi - 1e-9, 1e-9 - np.pi, 2 * np.pi), POINTWISE
-    yield tuple(10 ** draw.uniform(2, 6, 4) * signs), HUGE_ANGLE
+    yield (-1e-12, 1e-12, -1e-9, 1e-9), TINY, "an angle of 1e-12 or 1e-9"
+    yield tuple(10 ** draw.uniform(-8, 0, 4) * signs), POINTWISE, "an angle from 1e-8 to 1"
+    yield (np.pi - 1e-9, 1e-9 - np.pi, 2 * np.pi), POINTWISE, "an angle next to a half turn, or a whole turn"
+    yield tuple(10 ** draw.uniform(2, 6, 4) * signs), HUGE_ANGLE, "an angle from 100 to 1e6"
+
+
+def length_kind(length):
+    return "a very short axis" if length < 1 else "a very long axis"
 
 
 @check(points=1, part="a", after=matrix_turns_by_the_right_hand_rule)
@@ -136,11 +199,9 @@ def matrix_depends_on_the_direction_alone(student, draw):
     """Axes of length 1e-100 or 1e100 give the same matrix as the unit axis."""
     n, angle = draw.normal(size=3), draw.uniform(0.5, 3)
     lengths = 10.0 ** draw.uniform(-100, 100, 4)  # beyond 1e150 the square of a length overflows
-    for length, R in zip(
-        lengths, student.rotation_matrix.many([given(k * n, angle) for k in lengths]), strict=True
-    ):
-        expect(R, turned(n, angle), within=POINTWISE, of="the matrix", at=(n, angle, length),
-               kind="a very long or very short axis")  # fmt: skip
+    calls = [given(length * n, angle).on(length_kind(length)) for length in lengths]
+    for length, R, call in zip(lengths, student.rotation_matrix.many(calls), calls, strict=True):
+        expect(R, turned(n, angle), within=POINTWISE, of="the matrix", at=(n, angle, length), kind=call.kind)
 
 
 @check(points=1, part="a", after=matrix_turns_by_the_right_hand_rule)
@@ -148,7 +209,7 @@ def matrix_refuses_what_is_no_axis(student, draw):
     """rotation_matrix raises ValueError for an axis that is zero or not finite."""
     angle = draw.uniform(0.5, 3)
     for axis, kind in NO_AXES:
-        expect_that(student.rotation_matrix.refuses(np.array(axis), angle),
+        expect_that(student.on(kind).rotation_matrix.refuses(np.array(axis), angle),
                     "rotation_matrix does not raise ValueError", kind=kind)  # fmt: skip
 
 
@@ -160,45 +221,52 @@ NO_AXES = (
 )
 
 
-def turned_vectors(student, draw, cases):
-    """The student's turned vectors beside the right ones and the case."""
-    return beside(
-        student, draw.normal(size=(len(cases), 3)) * 10 ** draw.uniform(-2, 2, (len(cases), 1)), cases
-    )
+def turned_vectors(student, draw, cases, kind):
+    """The student's turned vectors beside the right ones, the case and its kind."""
+    vectors = draw.normal(size=(len(cases), 3)) * 10 ** draw.uniform(-2, 2, (len(cases), 1))
+    return beside(student, vectors, cases, kind)
 
 
-def beside(student, vectors, cases):
-    """The student's turned vectors beside these vectors and the case."""
-    calls = [given(r, axis, angle) for r, (axis, angle, _) in zip(vectors, cases, strict=True)]
-    return zip(student.rotate.many(calls), vectors, cases, strict=True)
+def beside(student, vectors, cases, kind):
+    """The student's turned vectors beside these vectors, the case and the kind(axis, angle) of it."""
+    kinds = [kind(axis, angle) for axis, angle, _ in cases]
+    calls = [
+        given(r, axis, angle).on(kind)
+        for r, (axis, angle, _), kind in zip(vectors, cases, kinds, strict=True)
+    ]
+    return zip(student.rotate.many(calls), vectors, cases, kinds, strict=True)
 
 
-@check(points=2, part="a", suspects=ROTATE_SUSPECTS)
+@check(points=2, part="a", suspects=suspects(WRONG_MATRICES)[1] + suspects(WRONG_AT_PI, POINTWISE)[1])
 def vector_turns_by_the_right_hand_rule(student, draw):
     """rotate turns r as the matrix would, whatever the axis's length."""
-    for r1, r, case in turned_vectors(student, draw, rotations(draw, None)):
+    for r1, r, case, kind in turned_vectors(student, draw, rotations(draw, None), any_kind):
         expect(r1, case[2] @ r, within=POINTWISE, scale=np.linalg.norm(r), of="the turned vector",
-               unit="of its length", at=(r, *case), kind="a random vector, axis and angle")  # fmt: skip
+               unit="of its length", at=(r, *case), kind=kind)  # fmt: skip
     plain = plain_turns(draw)
-    for r1, r, case in turned_vectors(student, draw, plain):
+    for r1, r, case, kind in turned_vectors(student, draw, plain, plain_kind):
         expect(r1, case[2] @ r, within=POINTWISE, scale=np.linalg.norm(r), of="the turned vector",
-               unit="of its length", at=(r, *case), kind=PLAIN)  # fmt: skip
-    for r1, r, case in beside(student, [-2.0 * axis for axis, *_ in plain], plain):
+               unit="of its length", at=(r, *case), kind=kind)  # fmt: skip
+    along = [-2.0 * axis for axis, *_ in plain]
+    for r1, r, case, kind in beside(student, along, plain, lambda axis, angle: "a vector along the axis"):
         expect(r1, r, within=POINTWISE, scale=np.linalg.norm(r), of="the turned vector", unit="of its length",
-               at=(r, *case), kind="a vector along the axis")  # fmt: skip
-    expect(student.rotate(np.zeros(3), *plain[1][:2]), np.zeros(3), within=POINTWISE, of="the turned vector",
-           kind="the zero vector")  # fmt: skip
+               at=(r, *case), kind=kind)  # fmt: skip
+    nothing = student.on("the zero vector").rotate(np.zeros(3), *plain[1][:2])
+    expect(nothing, np.zeros(3), within=POINTWISE, of="the turned vector", kind="the zero vector")
 
 
-@check(points=1, part="a", after=vector_turns_by_the_right_hand_rule)
+@check(points=1, part="a", after=vector_turns_by_the_right_hand_rule,
+       suspects=suspects(WRONG_WHEN_SMALL, TINY)[1])  # fmt: skip
 def vector_turns_by_every_angle(student, draw):
     """rotate holds for angles from 1e-12 to 1e6 and axes from 1e-100 to 1e100 long."""
-    for angles, within in every_angle(draw):
+    for angles, within, kind in every_angle(draw):
         length = 10.0 ** draw.uniform(-100, 100)
         cases = [(length * axis, angle, right) for axis, angle, right in rotations(draw, angles)]
-        for r1, r, case in turned_vectors(student, draw, cases):
+        about = f"{kind}, {length_kind(length)}"
+        for r1, r, case, _ in turned_vectors(student, draw, cases, lambda axis, angle, about=about: about):
+            single = nearer(r1, in_single_precision(*case[:2]) @ r, case[2] @ r)
             expect(r1, case[2] @ r, within=within, scale=np.linalg.norm(r), of="the turned vector",
-                   unit="of its length", at=(r, *case), kind="a very small or large angle or axis")  # fmt: skip
+                   unit="of its length", at=(r, *case), kind=about, hint=AS_FLOAT32 if single else "")  # fmt: skip
 
 
 @check(points=1, part="a", after=vector_turns_by_the_right_hand_rule)
@@ -206,6 +274,5 @@ def rotate_refuses_what_is_no_axis(student, draw):
     """rotate raises ValueError for an axis that is zero or not finite."""
     r, angle = draw.normal(size=3), draw.uniform(0.5, 3)
     for axis, kind in NO_AXES:
-        expect_that(
-            student.rotate.refuses(r, np.array(axis), angle), "rotate does not raise ValueError", kind=kind
-        )
+        expect_that(student.on(kind).rotate.refuses(r, np.array(axis), angle),
+                    "rotate does not raise ValueError", kind=kind)  # fmt: skip

@@ -1,6 +1,7 @@
 """An axis that is not finite is not refused, by either function.
 
 fails: matrix_refuses_what_is_no_axis, rotate_refuses_what_is_no_axis
+names: an axis with a NaN
 """
 
 

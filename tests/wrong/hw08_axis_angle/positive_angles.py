@@ -1,6 +1,7 @@
 """The matrix is right for positive angles only.
 
 fails: matrix_turns_by_the_right_hand_rule
+suspect: the sign of the angle dropped
 """
 
 

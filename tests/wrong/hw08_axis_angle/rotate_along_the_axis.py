@@ -1,6 +1,7 @@
 """rotate makes a frame of r and the axis, which there is none of where r is along the axis.
 
 fails: vector_turns_by_the_right_hand_rule
+names: a vector along the axis
 """
 
 _right = rotate

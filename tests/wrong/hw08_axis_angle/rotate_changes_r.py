@@ -1,6 +1,7 @@
 """rotate works in place.
 
 fails: vector_turns_by_the_right_hand_rule
+names: rotate changes the arrays
 """
 
 

@@ -1,6 +1,7 @@
 """rotate reduces the angle in single precision where it is large.
 
 fails: vector_turns_by_every_angle
+names: it is that of the angle in single precision
 """
 
 

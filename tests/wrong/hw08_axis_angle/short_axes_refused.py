@@ -1,6 +1,7 @@
 """A short axis is taken for none.
 
 fails: matrix_depends_on_the_direction_alone
+names: rotation_matrix raised ValueError for a very short axis
 """
 
 

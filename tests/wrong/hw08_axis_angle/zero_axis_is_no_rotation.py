@@ -1,6 +1,7 @@
 """The zero axis gives the identity.
 
 fails: matrix_refuses_what_is_no_axis
+names: does not raise ValueError for the zero axis
 """
 
 
