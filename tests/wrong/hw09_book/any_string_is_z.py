@@ -1,6 +1,7 @@
 """Whatever is neither x nor y is taken for z.
 
 fails: other_axes_are_refused
+names: the string "w"
 """
 
 _right = axis_rotation

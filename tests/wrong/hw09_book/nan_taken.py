@@ -1,6 +1,7 @@
 """A comparison with NaN is false, and the matrix goes through.
 
 fails: what_is_no_rotation_is_refused
+names: a matrix with a NaN
 """
 
 

@@ -1,6 +1,7 @@
 """The identity gets a zero axis.
 
 fails: no_turn_has_a_unit_axis
+names: the axis is the zero vector for the identity
 """
 
 _right_axis_angle = axis_angle

@@ -1,6 +1,7 @@
 """Both sequences begin with the first step and fail where there is none.
 
 fails: space_sequence_takes_few_steps, body_sequence_takes_few_steps
+names: sequence raised TypeError for no turns at all
 """
 
 import functools

@@ -1,6 +1,7 @@
 """The determinant is not looked at.
 
 fails: what_is_no_rotation_is_refused
+names: does not raise ValueError for a reflection
 """
 
 

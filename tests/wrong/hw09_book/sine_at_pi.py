@@ -1,6 +1,7 @@
 """The axis is (R - R^T) / (2 sin angle), zero by zero at a half turn.
 
 fails: angles_near_pi_keep_their_digits, half_turns_have_their_axis
+suspect: an axis divided by sin(pi) = 0
 """
 
 

@@ -1,6 +1,7 @@
 """The size is turned, and the box drawn along the axes.
 
 fails: the_book_has_its_twelve_edges
+names: it is the size that is turned
 """
 
 _right_edges = book_edges
