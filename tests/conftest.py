@@ -11,6 +11,7 @@ import pytest
 
 from tam570_grader import cli, root
 from tam570_grader.grade import graded
+from tam570_grader.preload import imported
 from tam570_grader.sandbox import Allowance, Worker
 from tam570_grader.student import Source
 
@@ -70,14 +71,14 @@ def course():
 
 @pytest.fixture(scope="session")
 def workers():
-    """A warm worker for each assignment and allowance, started when it is first asked for."""
+    """A warm worker for each assignment, what a text imports, and allowance, started when it is first asked for."""
     started = {}
 
-    def worker(slug, allowance):
-        key = (root.assignment(COURSE, slug).needs, allowance)
-        if key not in started:
-            started[key] = Worker(key[0], allowance)
-        return started[key]
+    def worker(slug, allowance, text=b""):
+        needs = tuple(sorted({*root.assignment(COURSE, slug).needs, *imported(text)}))
+        if (needs, allowance) not in started:
+            started[needs, allowance] = Worker(needs, allowance)
+        return started[needs, allowance]
 
     yield worker
     for one in started.values():
@@ -90,7 +91,7 @@ def grade(workers):
 
     def grade(slug, text, seed=0, *, allowance=None, notebook=False):
         source = Source(text.encode() if isinstance(text, str) else text, notebook)
-        worker = workers(slug, allowance or Allowance())
+        worker = workers(slug, allowance or Allowance(), source.text)
         return graded("someone", source, root.assignment(COURSE, slug), worker, seed)
 
     return grade

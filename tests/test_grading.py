@@ -22,6 +22,7 @@ from tam570_grader.check import Failure, expect, given, suspect
 from tam570_grader.grade import agrees
 from tam570_grader.inside.wire import Foreign, Unreadable, packed, portable, unpacked
 from tam570_grader.launch import isolation
+from tam570_grader.preload import imported
 from tam570_grader.returns import array, group, number, result, rows
 from tam570_grader.root import slug_of
 from tam570_grader.sandbox import Allowance
@@ -461,3 +462,19 @@ def test_a_call_that_fails_says_for_what_kind_of_input(body, course, workers):
         with pytest.raises(Failure, match="for a short v$"):
             call()
     student.leave()
+
+
+@pytest.mark.parametrize(
+    ("line", "names"),
+    [
+        ("import scipy.integrate", {"scipy.integrate"}),
+        ("    from scipy.integrate import solve_ivp  # inside a function", {"scipy.integrate"}),
+        ("from scipy import optimize, integrate", {"scipy.integrate", "scipy.optimize"}),
+        ("import sympy as sp", {"sympy"}),
+        ("import sympyx, scipyxintegrate", set()),
+        ("# import sympy", set()),
+        ("from tam570.integrate import solve", set()),
+    ],
+)
+def test_what_a_submission_imports_is_read_from_its_text(line, names):
+    assert imported(f"import math\n{line}\n".encode()) == names

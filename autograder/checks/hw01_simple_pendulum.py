@@ -20,7 +20,7 @@ RESULTS = {
     "period": number,
     "simulate": rows(2),
 }
-NEEDS = ("numpy", "scipy.integrate", "scipy.special", "sympy")
+NEEDS = ("numpy", "sympy")
 OFF_LIMITS = {"*": ("tam570.lagrange",)}
 
 POINTWISE = 1e-8  # a few roundings make 1e-15, a derivative by central differences 1e-10

@@ -19,7 +19,7 @@ RESULTS = {
     "limit_shape": array(3, 2),
     "plot_comparison": drawing,
 }
-NEEDS = ("numpy", "scipy.integrate", "scipy.optimize", "scipy.special", "matplotlib.figure")
+NEEDS = ("numpy", "matplotlib.figure")
 OFF_LIMITS = {"trajectory": ("scipy.integrate", "tam570.integrate")}  # a closed form is asked for
 MANUAL = {"b": (2, "the guess before the work; why the limit has the shape it has")}
 

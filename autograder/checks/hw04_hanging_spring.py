@@ -29,7 +29,7 @@ RESULTS = {
     "project": array("n", 2),
     "plot_projection": drawing,
 }
-NEEDS = ("numpy", "scipy.integrate", "matplotlib.figure")
+NEEDS = ("numpy", "matplotlib.figure")
 OFF_LIMITS: dict[str, tuple[str, ...]] = {}
 MANUAL = {
     "b": (2, "the wildest motion found, with its plot"),

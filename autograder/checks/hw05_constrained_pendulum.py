@@ -16,7 +16,7 @@ RESULTS = {
     "simulate": rows(4),
     "wireframe": array(1, 2, 2),
 }
-NEEDS = ("numpy", "scipy.integrate")
+NEEDS = ("numpy",)
 OFF_LIMITS: dict[str, tuple[str, ...]] = {}
 
 POINTWISE = 1e-9  # a few roundings make 1e-15, a linear system 1e-14

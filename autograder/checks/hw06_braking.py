@@ -19,7 +19,7 @@ RESULTS = {
     "critical_speed": array(infinite=True),
     "small_yaw_rate": number,
 }
-NEEDS = ("numpy", "scipy.integrate")
+NEEDS = ("numpy",)
 OFF_LIMITS = {}
 MANUAL = {"c": (2, "the definition of steering stability, with plots that answer the question by it")}
 
@@ -53,12 +53,12 @@ def load(locked, *, mass, front, rear, gravity):
 def velocity_of(point, state, locked, front, rear):
     """Of a point of the centreline: the free axle has none to the left."""
     speed, yaw_rate = state[3:]
-    return np.array([speed, (point - axles(locked, front, rear)[0]) * yaw_rate])
+    return float(speed), float((point - axles(locked, front, rear)[0]) * yaw_rate)
 
 
 def against(velocity, size):
-    fast = np.hypot(*velocity)
-    return -size * velocity / fast if fast else np.zeros(2)
+    fast = math.hypot(*velocity)
+    return tuple(-size * v / fast for v in velocity) if fast else (0.0, 0.0)
 
 
 def coulomb(state, locked, *, mass, front, rear, friction, gravity):
@@ -68,27 +68,21 @@ def coulomb(state, locked, *, mass, front, rear, friction, gravity):
 
 
 def derivative(state, locked, *, force=coulomb, yaw_inertia, **car):
-    """F = m a, moments about G, and the free axle's sideways velocity stays zero: four equations, the last unknown a
-    multiplier."""
+    """F = m a, moments about G, and the free axle's sideways velocity stays zero, by a Lagrange multiplier."""
     mass, (free, dragging) = car["mass"], axles(locked, car["front"], car["rear"])
-    heading, speed, yaw_rate = state[2:]
-    forward, left = np.array(
-        [[math.cos(heading), math.sin(heading)], [-math.sin(heading), math.cos(heading)]]
-    )
-    velocity = np.array([forward, left]).T @ velocity_of(0.0, state, locked, car["front"], car["rear"])
-    applied = force(state, locked, **car)
-    row = np.array([*left, free])  # of sideways velocity over vx, vy, yaw rate
-    matrix = np.zeros((4, 4))
-    matrix[[0, 1, 2], [0, 1, 2]] = mass, mass, yaw_inertia
-    matrix[:3, 3], matrix[3, :3] = -row, row
-    known = [
-        *(applied[0] * forward + applied[1] * left),
-        dragging * applied[1],
-        yaw_rate * (forward @ velocity),
-    ]
-    *acceleration, turning, _ = np.linalg.solve(matrix, known)
-    slowing = np.dot(acceleration, forward) + yaw_rate * (velocity @ left)
-    return np.array([*velocity, yaw_rate, slowing, turning])
+    heading, yaw_rate = float(state[2]), float(state[4])
+    c, s = math.cos(heading), math.sin(heading)
+    forward, left = velocity_of(0.0, state, locked, car["front"], car["rear"])
+    along, aside = force(state, locked, **car)
+    known = along * c - aside * s, along * s + aside * c, dragging * aside
+    inertia = mass, mass, yaw_inertia
+    # of the sideways velocity over vx, vy and yaw rate, whose rates give yaw_rate * forward
+    row = -s, c, free
+    lacking = yaw_rate * forward - sum(r * f / m for r, f, m in zip(row, known, inertia, strict=True))
+    multiplier = lacking / sum(r * r / m for r, m in zip(row, inertia, strict=True))
+    ax, ay, turning = ((f + r * multiplier) / m for r, f, m in zip(row, known, inertia, strict=True))
+    slowing = ax * c + ay * s + yaw_rate * left
+    return np.array([forward * c - left * s, forward * s + left * c, yaw_rate, slowing, turning])
 
 
 def inertia_about_free(locked, *, mass, yaw_inertia, front, rear):
@@ -103,14 +97,13 @@ def swapped(function):
 
 
 def load_of_the_other(state, locked, *, front, rear, **road):
-    return coulomb(state, locked, front=front, rear=rear, **road) * (
-        front / rear if locked == "front" else rear / front
-    )
+    ratio = front / rear if locked == "front" else rear / front
+    return tuple(ratio * force for force in coulomb(state, locked, front=front, rear=rear, **road))
 
 
 def straight_back(state, locked, *, mass, front, rear, friction, gravity):
     size = friction * load(locked, mass=mass, front=front, rear=rear, gravity=gravity)
-    return np.array([-size * np.sign(state[3]), 0.0])
+    return -size * float(np.sign(state[3])), 0.0
 
 
 def against_G(state, locked, *, mass, front, rear, friction, gravity):
@@ -155,7 +148,10 @@ WRONG_RATES = {
     "the term with the square of the yaw rate missing from the speed's rate": without_centripetal_term,
     "the inertia about G where that about the free axle belongs": about_G,
 }
-FORCE_SUSPECTS = [suspect(says, friction_force=wrong) for says, wrong in WRONG_FORCES.items()]
+FORCE_SUSPECTS = [
+    suspect(says, friction_force=lambda *of, wrong=wrong, **car: np.array(wrong(*of, **car)))
+    for says, wrong in WRONG_FORCES.items()
+]
 RATE_SUSPECTS = [
     suspect(says, state_derivative=lambda t, state, locked, wrong=wrong, **car: wrong(state, locked, **car))
     for says, wrong in WRONG_RATES.items()
@@ -389,8 +385,8 @@ def equations_without_friction_and_at_rest(student, draw):
 
 
 def energy(state, locked, *, mass, yaw_inertia, front, rear):
-    v = velocity_of(0.0, state, locked, front, rear)
-    return (mass * (v @ v) + yaw_inertia * state[4] ** 2) / 2
+    forward, left = velocity_of(0.0, state, locked, front, rear)
+    return (mass * (forward**2 + left**2) + yaw_inertia * state[4] ** 2) / 2
 
 
 ENERGY_SUSPECTS = [
@@ -417,7 +413,7 @@ def kinetic_energy_of_G_and_of_turning(student, draw):
 # Part a: motion
 
 
-def integrated(t, start, locked, rates=derivative, rtol=1e-11, **car):
+def integrated(t, start, locked, rates=derivative, rtol=1e-10, **car):
     """States at t, and the time when it stops (or infinity); within 1e-9 of its scales until shortly before."""
     from scipy.integrate import solve_ivp
 
@@ -425,14 +421,15 @@ def integrated(t, start, locked, rates=derivative, rtol=1e-11, **car):
 
     def sliding(_, s):
         # the way from here to the stop is the square of this, 1e-8
-        return np.hypot(*velocity_of(far, s, locked, car["front"], car["rear"])) - 1e-4 * usual(car)
+        return math.hypot(*velocity_of(far, s, locked, car["front"], car["rear"])) - 1e-4 * usual(car)
 
     def moving(_, s):
         return rates(s, locked, **car)
 
     sliding.terminal = True
-    # short steps: between them it interpolates
-    options = {"method": "DOP853", "rtol": rtol, "atol": rtol / 10, "max_step": (t[-1] - t[0]) / 30}
+    # short steps where it interpolates between them
+    longest = (t[-1] - t[0]) / 30 if len(t) > 2 else np.inf
+    options = {"method": "DOP853", "rtol": rtol, "atol": rtol / 10, "max_step": longest}
     run = solve_ivp(moving, (t[0], t[-1]), start, dense_output=True, events=sliding, **options)
     stop = run.t[-1] if run.status == 1 else math.inf
     states = run.sol(np.minimum(t, run.t[-1])).T

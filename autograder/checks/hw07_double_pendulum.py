@@ -37,7 +37,7 @@ RESULTS = {
     "wireframe": array(2, 2, 2),
     "plot_tip_path": drawing,
 }
-NEEDS = ("numpy", "scipy.integrate", "scipy.linalg", "matplotlib.figure")
+NEEDS = ("numpy", "matplotlib.figure")
 OFF_LIMITS = {}
 MANUAL = {"c": (2, "the special cases checked, and what they showed")}
 

@@ -3,8 +3,8 @@
 import hashlib
 import hmac
 import queue
-import re
 import threading
+from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass
@@ -16,6 +16,7 @@ import tam570
 from tam570_grader import root
 from tam570_grader.book import Book, Record
 from tam570_grader.grade import Result, failed_by_us, graded, not_graded
+from tam570_grader.preload import imported
 from tam570_grader.root import Assignment
 from tam570_grader.sandbox import Allowance, Worker, WorkerLost
 from tam570_grader.speed import Yardstick
@@ -24,7 +25,6 @@ from tam570_grader.submissions import CannotRead, Submission, read
 
 __all__ = ["Plan", "graded_sources", "records"]
 
-COMMON = ("matplotlib.pyplot", "scipy.integrate", "scipy.linalg", "scipy.optimize", "scipy.special", "sympy")
 TRIES = 3  # workers that a submission may see die under it before we give up
 
 
@@ -140,16 +140,9 @@ def _preload(
 ) -> list[str]:
     """What the assignments need, and the common libraries that repay it: imported by two submissions a worker."""
     needs = {name for submission, *_ in fresh for name in _assignment(plan, submission).needs}
-    texts = [source.text for _, source, _ in fresh if isinstance(source, Source)]
-    for name in COMMON:
-        package, _, module = name.encode().partition(b".")
-        pattern = rb"^\s*(?:import\s+%b|from\s+%b\s|from\s+%b\s+import\s.*\b%b\b)"
-        imports = re.compile(
-            pattern % (name.encode(), name.encode(), package, module or package), re.MULTILINE
-        )
-        if sum(bool(imports.search(text)) for text in texts) >= 2 * jobs:
-            needs.add(name)
-    return sorted(needs)
+    texts = (source.text for _, source, _ in fresh if isinstance(source, Source))
+    users = Counter(name for text in texts for name in imported(text))
+    return sorted(needs | {name for name, count in users.items() if count >= 2 * jobs})
 
 
 def _assignment(plan: Plan, submission: Submission) -> Assignment:

@@ -10,6 +10,7 @@ from typing import Any, TypeVar
 
 from tam570_grader import root
 from tam570_grader.grade import Result, graded
+from tam570_grader.preload import imported
 from tam570_grader.sandbox import Allowance, Worker, WorkerLost
 from tam570_grader.student import Source
 
@@ -43,12 +44,13 @@ def tried(trial: Trial) -> Result:
         free = (replace(check, after=tuple(set(check.after) & trial.checks)) for check in kept)
         assignment = replace(assignment, checks=tuple(free))
     source = Source(trial.text.encode())
+    needs = sorted({*assignment.needs, *imported(source.text)})
     for last in (False,) * (TRIES - 1) + (True,):
-        worker = _worker(assignment.needs, trial)
+        worker = _worker(needs, trial)
         try:
             return graded(trial.name, source, assignment, worker, trial.seed, enough=trial.enough)
         except WorkerLost:
-            _warm.pop(_key(assignment.needs, trial)).close()
+            _warm.pop(_key(needs, trial)).close()
             if last:
                 raise
     raise AssertionError("the last try returns or raises")

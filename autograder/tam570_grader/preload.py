@@ -1,0 +1,22 @@
+"""The libraries that submissions import by themselves, which a worker may import for all of them."""
+
+import re
+
+__all__ = ["imported"]
+
+COMMON = ("matplotlib.pyplot", "scipy.integrate", "scipy.linalg", "scipy.optimize", "scipy.special", "sympy")
+
+
+def imported(text: bytes) -> frozenset[str]:
+    """Those of the common libraries that a submission's import statements name, wherever they stand in it."""
+    return frozenset(name for name, pattern in PATTERNS.items() if pattern.search(text))
+
+
+def _pattern(name: str) -> re.Pattern[bytes]:
+    package, _, module = name.partition(".")
+    name = re.escape(name)
+    ways = rf"import\s+{name}\b|from\s+{name}\s|from\s+{package}\s+import\s.*\b{module or package}\b"
+    return re.compile(rf"^\s*(?:{ways})".encode(), re.MULTILINE)
+
+
+PATTERNS = {name: _pattern(name) for name in COMMON}
