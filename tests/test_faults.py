@@ -47,7 +47,11 @@ def grading(tree, out):
         "2",
     ]
     return subprocess.Popen(
-        list(map(str, command)), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True
+        list(map(str, command)),
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
     )
 
 
@@ -98,12 +102,12 @@ def test_a_run_killed_at_random_moments_ends_as_an_undisturbed_one(tmp_path, sol
     finished(grading(tree, tmp_path / "calm"))
     span = time.monotonic() - began
     moments = random.Random(students)
-    for _ in range(kills):
+    for kill in (os.kill, os.killpg) * (kills // 2):
         process = grading(tree, tmp_path / "killed")
         # the start takes its share each time; what is left over is spread over the kills
         time.sleep(moments.uniform(0.2, 0.8 + 2 * span / kills))
         below = descendants(process.pid)
-        process.send_signal(signal.SIGKILL)
+        kill(process.pid, signal.SIGKILL)
         process.communicate()
         gone(below)
     finished(grading(tree, tmp_path / "killed"))
