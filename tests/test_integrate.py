@@ -10,7 +10,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from tam570.integrate import explicit, solve, solve_rotation, tableau
+from tam570.integrate import explicit, machine, solve, solve_rotation, tableau
 from tam570.integrate.source import compiled, functions
 from tam570.integrate.trace import Untraceable, traced
 from tam570.invariants import drift, observed_order, rotation_defect, violation
@@ -455,6 +455,22 @@ def test_compiled_and_interpreted_agree():
             for m in ("numba", "python")
         )
         assert compiled_ == pytest.approx(plain, abs=1e-11)  # the same steps, sines rounded otherwise
+
+
+def test_where_nothing_may_be_written_it_goes_on_in_python(tmp_path, monkeypatch):
+    pytest.importorskip("numba")
+    (tmp_path / "file").touch()
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "file"))
+    assert machine.wait("no such source") == np.inf
+
+    def rates(t, state):  # of this test alone: no process has it compiled
+        return state[1], -math.sin(state[0]) - 0.0123 * state[1]
+
+    t, starts = np.linspace(0, 1000, 4), np.array([[2.0, 0.0], [1.0, 0.0]])
+    rows = solve(rates, t, starts, rtol=1e-12)
+    assert rows == pytest.approx(solve(rates, t, starts, rtol=1e-12, method="python"), abs=1e-12)
+    with pytest.raises(OSError, match="file"):
+        solve(rates, t, starts[0], method="numba")
 
 
 def test_importing_loads_numpy_at_most():

@@ -80,6 +80,7 @@ def _digest(course: Path, slug: str, text: str) -> str:
             "grade.py",
             "returns.py",
             "student.py",
+            "replies.py",
             "integrate.py",
             "rotations.py",
             "lagrange.py",

@@ -46,11 +46,15 @@ def loaded_already(source: str) -> bool:
 
 
 def wait(source: str, toil: float = 1.0) -> float:
-    """Seconds until compiled code could start; infinite without numba."""
+    """Seconds until compiled code could start; infinite without numba, or without a folder to keep it in."""
     if not available():
         return float("inf")
+    try:
+        folder = _folder()
+    except (OSError, RuntimeError):  # a home that may not be written, or none at all
+        return float("inf")
     imported = 0.0 if "numba" in sys.modules else IMPORT
-    kept = any((_folder() / "__pycache__").glob(f"{_name(source)}*.nbi"))
+    kept = any((folder / "__pycache__").glob(f"{_name(source)}*.nbi"))
     return imported + (READY if kept else toil * _seconds_to_compile(source))
 
 
@@ -87,4 +91,8 @@ def _folder() -> Path:
     base = os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
     folder = Path(base) / "tam570"
     folder.mkdir(parents=True, exist_ok=True)
+    if not os.access(folder, os.W_OK):
+        raise PermissionError(
+            f"{folder} may not be written: set XDG_CACHE_HOME to a folder for compiled code"
+        )
     return folder
