@@ -30,6 +30,8 @@ ROOT = 1e-6  # of the time; roots found by brentq or Newton are good to 1e-9, an
 ANGLE = 1e-6  # rad, as the contract asks; minimising the range itself is good to 1e-8
 SWIFT = 1e-2  # of the angle, as the contract asks
 CORNER = 1e-9  # the path below, at a speed of 1e12 terminal speeds, is 5e-11 from its limit
+NEAR = 2e-3  # rad; a search among a thousand angles gets there, to choose the words
+NEARLY = 1e-2  # below it a right equation is solved coarsely, to choose the words
 DRAWN = 1e-4  # of the path's size; a line through 100 points leaves the path by 1e-5 between them, the points by 1e-7
 
 NODES, WEIGHTS = (np.polynomial.legendre.leggauss(40)[0] + 1) / 2, np.polynomial.legendre.leggauss(40)[1] / 2
@@ -111,19 +113,31 @@ def rates_of(wrong):
     return derivative
 
 
+def timed_suspect(says, since):
+    """The right motion at since(t), for times since the launch that are t - t[0]."""
+    return suspect(says, within=1e-4, simulate=lambda t, *launch, **known: right(since(t), *launch, **known))
+
+
 SIMULATE_SUSPECTS = [
     suspect(
         says, within=1e-4,
         simulate=lambda t, *launch, wrong=wrong, **known: wrong(t - t[0], *launch, **known),
     )
     for says, wrong in WRONG_MOTIONS.items()
+] + [
+    timed_suspect("the launch at t = 0 for that at t[0]", lambda t: t),
+    timed_suspect("evenly spaced times for those of t", lambda t: np.linspace(0, t[-1] - t[0], len(t))),
 ]  # fmt: skip
 TRAJECTORY_SUSPECTS = [suspect(says, within=1e-4, trajectory=wrong) for says, wrong in WRONG_MOTIONS.items()]
 RATES_SUSPECTS = [
     suspect(says, within=1e-3, state_derivative=rates_of(wrong))
     for says, wrong in WRONG_MOTIONS.items()
     if "angle" not in says
-]
+] + [
+    suspect("a drag that points down in the fall, too",
+            state_derivative=lambda t, state, *, mass, drag, gravity: np.array([
+                *state[2:], -drag / mass * state[2], -drag / mass * abs(state[3]) - gravity])),
+]  # fmt: skip
 
 
 def parameters(draw, **fixed):
@@ -184,7 +198,7 @@ def rates_without_drag_or_gravity(student, draw):
 
 
 def judge_rates(student, calls, kind, hint):
-    for found, call in zip(student.state_derivative.many(calls), calls, strict=True):
+    for found, call in zip(student.on(kind).state_derivative.many(calls), calls, strict=True):
         (_, state), (mass, drag, gravity) = call.args, call.kwargs.values()
         v = state[2:]
         expected = np.concatenate([v, -drag / mass * v - (0, gravity)])
@@ -249,9 +263,14 @@ def plain_flights(draw, shifted):
 
 def judge_plain_flights(function, draw, shifted, within, hint):
     named = plain_flights(draw, shifted)
-    found = function.many([call for _, (call, _) in named])
+    found = function.many([call.on(f"two times, {kind}") for kind, (call, _) in named])
     for states, (kind, case) in zip(found, named, strict=True):
         judge_states([states], [case], within, f"two times, {kind}", hint)
+
+
+def nearly(states, expected):
+    """Whether a motion is off by no more than a coarse integration is."""
+    return np.all(np.abs(states - expected) <= NEARLY * size(expected))
 
 
 def judge_states(found, cases, within, kind, hint, partial=None):
@@ -264,9 +283,11 @@ def judge_states(found, cases, within, kind, hint, partial=None):
 def simulation_follows_the_motion(student, draw):
     """simulate gives the states at uneven times, launched at t[0], whatever t[0] is."""
     cases = flights(draw, (0.0, 3.7, -2.0, 0.0))
-    judge_states(student.simulate.many([call for call, _ in cases]), cases, SIMULATED, "a random launch",
-                 "is the first row the launch, at the origin? are the tolerances of the integrator tight enough?",
-                 partial={1e-4: 0.5})  # fmt: skip
+    found = student.on("a random launch").simulate.many([call for call, _ in cases])
+    hint = "are the steps short, and the tolerances of the integrator tight enough?"
+    if not all(nearly(states, expected) for states, (_, expected) in zip(found, cases, strict=True)):
+        hint = "is the first row the launch, at the origin?"
+    judge_states(found, cases, SIMULATED, "a random launch", hint, partial={1e-4: 0.5})
     judge_plain_flights(student.simulate, draw, True, SIMULATED, "row 0 is the launch, row 1 the other time")
 
 
@@ -274,16 +295,17 @@ def simulation_follows_the_motion(student, draw):
 def simulation_without_drag_or_gravity(student, draw):
     """simulate goes straight on without gravity, and on a parabola without drag."""
     for zero in ZEROS:
-        cases = flights(draw, (0.0,), zero)
-        judge_states(student.simulate.many([call for call, _ in cases]), cases, SIMULATED,
-                     f"zero {' and '.join(zero)}", "nothing may be divided by drag or gravity")  # fmt: skip
+        cases, kind = flights(draw, (0.0,), zero), f"zero {' and '.join(zero)}"
+        judge_states(student.on(kind).simulate.many([call for call, _ in cases]), cases, SIMULATED, kind,
+                     "nothing may be divided by drag or gravity")  # fmt: skip
 
 
 @check(points=1, part="c", suspects=TRAJECTORY_SUSPECTS)
 def trajectory_is_the_motion(student, draw):
     """trajectory gives the states in closed form."""
     cases = flights(draw, (0.0,) * 6) + flights(draw, (0.0,), ("gravity",))
-    judge_states(student.trajectory.many([call for call, _ in cases]), cases, CLOSED, "a random launch",
+    found = student.on("a random launch").trajectory.many([call for call, _ in cases])
+    judge_states(found, cases, CLOSED, "a random launch",
                  "the equations of vx and vy are linear, of first order and apart; then x and y")  # fmt: skip
     judge_plain_flights(
         student.trajectory, draw, False, CLOSED, "which way does it fly, and is it launched at the origin?"
@@ -304,8 +326,8 @@ def trajectory_with_hardly_any_drag(student, draw):
     for drag in (0.0, *10.0 ** draw.uniform(-14, -11, 3), *10.0 ** draw.uniform(-10, -2, 8)):
         (speed, angle), known = launch(draw), parameters(draw, drag=drag)
         call = given(uneven(draw, draw.uniform(1, 9), 20, 0.0), speed, angle, **known)
-        cases = [(call, right(*call.args, **call.kwargs))]
-        judge_states(student.trajectory.many([call]), cases, CLOSED, "very little drag, or none",
+        cases, kind = [(call, right(*call.args, **call.kwargs))], "very little drag" if drag else "no drag"
+        judge_states(student.on(kind).trajectory.many([call]), cases, CLOSED, kind,
                      "1 - e^-s is a difference of nearly equal numbers (see numpy.expm1); so is y")  # fmt: skip
 
 
@@ -334,12 +356,29 @@ def landings(draw, drags, angles=None):
     return cases
 
 
-def judge_landings(found, cases, column, of, kind, hint):
+TIME, RANGE = ("flight_time", 1, "the flight time"), ("horizontal_range", 2, "the range")
+
+
+def judge_landings(student, what, cases, kind, hint):
+    """Compare TIME or RANGE with those of `landings`; `kind` is the kind of all, or tells it of a call."""
+    (name, column, of), kind_of = what, kind if callable(kind) else lambda call: kind
+    found = getattr(student, name).many([case[0].on(kind_of(case[0])) for case in cases])
     for value, case in zip(found, cases, strict=True):
-        upright = case[0].args[1] == math.pi / 2 and of == "the range"  # and zero, but for rounding
+        upright = case[0].args[1] == math.pi / 2 and what == RANGE  # and zero, but for rounding
         scale = case[0].args[0] * case[1] if upright else case[column]
-        expect(value, case[column], within=ROOT, scale=scale, of=of, kind=kind, hint=hint, at=case[0],
+        expect(value, case[column], within=ROOT, scale=scale, of=of, kind=kind_of(case[0]), hint=hint, at=case[0],
                unit="of the speed times the flight time" if upright else "of itself")  # fmt: skip
+
+
+def direction_of(call):
+    """What to call a launch by its angle and drag."""
+    names = {math.pi / 2: "a launch straight up", math.pi / 4: "a launch at 45 degrees", 1.0: "whole numbers"}
+    return names.get(call.args[1], "a nearly flat launch") + (", no drag" if call.kwargs["drag"] == 0 else "")
+
+
+def drag_of(call):
+    """What to call a launch by its drag."""
+    return "very little drag" if call.kwargs["drag"] else "no drag"
 
 
 def plain_landings(draw):
@@ -381,20 +420,19 @@ RANGE_SUSPECTS = [
 def flight_ends_at_launch_height(student, draw):
     """flight_time is when y is zero again."""
     cases = landings(draw, (None,) * 12)
-    judge_landings(student.flight_time.many([case[0] for case in cases]), cases, 1, "the flight time",
-                   "a random launch", "put the time into the y of your closed form; is it zero?")  # fmt: skip
-    cases = plain_landings(draw)
-    judge_landings(student.flight_time.many([case[0] for case in cases]), cases, 1, "the flight time",
-                   "a launch straight up, at 45 degrees, nearly flat, or of whole numbers",
-                   "does it hold without drag, and straight up?")  # fmt: skip
+    judge_landings(student, TIME, cases, "a random launch",
+                   "put the time into the y of your closed form; is it zero?")  # fmt: skip
+    judge_landings(
+        student, TIME, plain_landings(draw), direction_of, "does it hold without drag, and straight up?"
+    )
 
 
 @check(points=0.5, part="c", after=flight_ends_at_launch_height)
 def flight_time_with_hardly_any_drag(student, draw):
     """flight_time goes over into 2 v sin(angle)/g without losing its digits."""
     cases = landings(draw, (0.0, *10.0 ** draw.uniform(-14, -12, 4), *10.0 ** draw.uniform(-12, -2, 12)))
-    judge_landings(student.flight_time.many([case[0] for case in cases]), cases, 1, "the flight time",
-                   "very little drag, or none", "near its branch point Lambert's W has half of its digits only; "
+    judge_landings(student, TIME, cases, drag_of,
+                   "near its branch point Lambert's W has half of its digits only; "
                    "a step of Newton's method, on an equation that is good without drag, brings them back")  # fmt: skip
 
 
@@ -404,29 +442,37 @@ def flight_time_with_great_drag_and_straight_up(student, draw):
     cases = landings(
         draw, (None, None, *10.0 ** draw.uniform(2, 4, 4)), (math.pi / 2, 1e-3, 1.5, 1.2, 0.6, 0.3)
     )
-    judge_landings(student.flight_time.many([case[0] for case in cases]), cases, 1, "the flight time",
-                   "great drag, or a launch straight up or nearly flat",
-                   "what is left of the equation when e^-s is nothing?")  # fmt: skip
+    hint = "what is left of the equation when e^-s is nothing?"
+    judge_landings(student, TIME, cases[:2], direction_of, hint)
+    judge_landings(student, TIME, cases[2:], "great drag", hint)
 
 
 @check(points=0.5, part="c", suspects=RANGE_SUSPECTS)
 def range_is_where_it_lands(student, draw):
     """horizontal_range is x at the flight time."""
     cases = landings(draw, (None,) * 12)
-    judge_landings(student.horizontal_range.many([case[0] for case in cases]), cases, 2, "the range",
-                   "a random launch", "put the flight time into the x of your closed form")  # fmt: skip
-    cases = plain_landings(draw)
-    judge_landings(student.horizontal_range.many([case[0] for case in cases]), cases, 2, "the range",
-                   "a launch straight up, at 45 degrees, nearly flat, or of whole numbers",
-                   "does it hold without drag, and straight up?")  # fmt: skip
+    judge_landings(student, RANGE, cases, "a random launch",
+                   "put the flight time into the x of your closed form")  # fmt: skip
+    judge_landings(
+        student, RANGE, plain_landings(draw), direction_of, "does it hold without drag, and straight up?"
+    )
 
 
-@check(points=0.5, part="c", after=range_is_where_it_lands)
+def by_a_difference(speed, angle, *, mass, drag, gravity):
+    """The range by 1 - e^-s, which little drag leaves few digits, and the same few whoever computes it."""
+    time, (x, *_) = landing(speed, angle, mass=mass, drag=drag, gravity=gravity)
+    return speed * math.cos(angle) * mass / drag * (1 - math.exp(-drag * time / mass)) if drag else x
+
+
+DIGITS_SUSPECTS = [suspect("1 - e^-s as a difference, which loses digits", horizontal_range=by_a_difference)]
+
+
+@check(points=0.5, part="c", after=range_is_where_it_lands, suspects=DIGITS_SUSPECTS)
 def range_with_hardly_any_drag(student, draw):
     """horizontal_range goes over into v^2 sin(2 angle)/g without losing its digits."""
     cases = landings(draw, (0.0, *10.0 ** draw.uniform(-14, -12, 4), *10.0 ** draw.uniform(-12, -2, 12)))
-    judge_landings(student.horizontal_range.many([case[0] for case in cases]), cases, 2, "the range",
-                   "very little drag, or none", "is it the time or x that has lost its digits?")  # fmt: skip
+    judge_landings(student, RANGE, cases, drag_of,
+                   "is it the time or x that has lost its digits?")  # fmt: skip
 
 
 def best(swiftness):
@@ -474,21 +520,24 @@ BEST_SUSPECTS = [
 def best_angle_has_the_largest_range(student, draw):
     """best_angle maximises the range, for speeds below and above the terminal speed."""
     cases = best_angles(draw, tuple(10.0 ** draw.uniform(-1, 2, 6))) + best_angle_of_whole_numbers()
-    for angle, (call, expected) in zip(
-        student.best_angle.many([case[0] for case in cases]), cases, strict=True
-    ):
-        expect(angle, expected, within=ANGLE, of="the best angle", unit="rad", at=call,
-               kind="a speed from a tenth to a hundred times the terminal speed",
-               hint="compute the range a little above and below your angle: both must be smaller")  # fmt: skip
+    found = student.best_angle.many([case[0] for case in cases])
+    near = np.abs(np.subtract(found, [expected for _, expected in cases])).max() <= NEAR
+    hint = ("near its largest the range is flat, and a search stops early: solve for where its derivative vanishes"
+            if near else "compute the range a little above and below your angle: both must be smaller")  # fmt: skip
+    for angle, (call, expected) in zip(found, cases, strict=True):
+        expect(angle, expected, within=ANGLE, of="the best angle", unit="rad", at=call, hint=hint,
+               kind="a speed from a tenth to a hundred times the terminal speed")  # fmt: skip
 
 
 @check(points=0.25, part="a", after=best_angle_has_the_largest_range)
 def best_angle_is_45_degrees_without_drag(student, draw):
     """best_angle is 45 degrees at no drag, and next to it at very little."""
     calls = [given(launch(draw)[0], **parameters(draw, drag=drag)) for drag in (0.0, 1e-12, 1e-10)]
-    for angle, call in zip(student.best_angle.many(calls), calls, strict=True):
+    for angle, call in zip(
+        student.best_angle.many([call.on(drag_of(call)) for call in calls]), calls, strict=True
+    ):
         expect(angle, math.pi / 4, within=ANGLE, of="the best angle", unit="rad", at=call,
-               kind="hardly any drag, or none",
+               kind=drag_of(call),
                hint="does your equation for the angle still hold when drag is zero?")  # fmt: skip
 
 
@@ -555,18 +604,20 @@ def both_paths_are_drawn(student, draw):
     expect_that(len(paths) == 2, f"there are {len(paths)} curves on the axes, not two")
     fine = right(np.linspace(0.0, t[-1], 20001), speed, angle, **known)[:, :2]
     for path in paths:
-        judge_path(path, fine)
+        over_time = np.allclose(path[-1:], [t[-1], fine[-1, 1]], rtol=0, atol=DRAWN * np.abs(fine).max())
+        ends = "a path is y over x, not over the time" if over_time else "draw from t[0] to t[-1]"
+        judge_path(path, fine, ends)
     expect_that("(m)" in picture.xlabel.split() and "(m)" in picture.ylabel.split(),
                 "the axes are not labelled with their unit, as in x (m)")  # fmt: skip
     expect_that(picture.equal_aspect, "x and y are not drawn at the same scale")
 
 
-def judge_path(path, fine):
+def judge_path(path, fine, ends):
     """A line must begin and end where the motion does, have its points on the path, and be smooth."""
     scale = np.abs(fine).max()
     expect_that(len(path) >= 10, "a curve has fewer than ten points")
     expect(path[[0, -1]], fine[[0, -1]], within=DRAWN, scale=scale, of="an end of a curve", unit="of the path's size",
-           hint="draw from t[0] to t[-1]")  # fmt: skip
+           hint=ends)  # fmt: skip
     expect(path[:, 1], np.interp(path[:, 0], *fine.T), within=DRAWN, scale=scale, of="a curve",
            unit="of the path's size", hint="x to the right, y up")  # fmt: skip
     expect_that(np.diff(path, axis=0).max() <= 0.2 * scale, "a curve has a gap")

@@ -1,6 +1,7 @@
 """The best angle is the best of a thousand.
 
 fails: best_angle_has_the_largest_range
+names: a search stops early
 """
 
 

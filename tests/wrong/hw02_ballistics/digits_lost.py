@@ -1,7 +1,7 @@
 """The textbook formula, in which little drag leaves no digits.
 
 fails: trajectory_with_hardly_any_drag
-names: a difference of nearly equal numbers
+names: for very little drag
 """
 
 

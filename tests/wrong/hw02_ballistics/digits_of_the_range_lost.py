@@ -1,7 +1,7 @@
 """The range by 1 - e^-s.
 
 fails: range_with_hardly_any_drag
-names: lost its digits
+suspect: 1 - e^-s as a difference
 """
 
 

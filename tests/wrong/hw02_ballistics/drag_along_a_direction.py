@@ -1,6 +1,7 @@
 """The drag along the direction of the velocity, which a particle at rest has none of.
 
 fails: rates_are_newtons
+names: NaN or infinity for a particle at rest
 """
 
 

@@ -1,6 +1,7 @@
 """The drag always points down: right on the way up only.
 
 fails: rates_are_newtons
+suspect: points down in the fall, too
 """
 
 

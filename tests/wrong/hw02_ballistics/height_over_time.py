@@ -1,6 +1,7 @@
 """The plot shows the heights over the time.
 
 fails: both_paths_are_drawn
+names: not over the time
 """
 
 

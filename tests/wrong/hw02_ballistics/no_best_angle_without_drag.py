@@ -1,6 +1,7 @@
 """The equation for the best angle is divided by the drag.
 
 fails: best_angle_is_45_degrees_without_drag
+names: ZeroDivisionError for no drag
 """
 
 with_drag = best_angle

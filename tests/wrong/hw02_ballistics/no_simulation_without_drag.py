@@ -1,6 +1,7 @@
 """The simulation scales the time by m/c and the speed by m g/c.
 
 fails: simulation_without_drag_or_gravity
+names: ZeroDivisionError for zero drag
 """
 
 

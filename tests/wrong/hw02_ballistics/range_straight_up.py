@@ -1,6 +1,7 @@
 """A launch straight up is given a range, that of one at 45 degrees without drag.
 
 fails: range_is_where_it_lands
+names: a launch straight up
 """
 
 _right_range = horizontal_range

@@ -1,6 +1,7 @@
 """The equations are scaled by the terminal speed m g/c, which is no number without drag, and zero without gravity.
 
 fails: rates_without_drag_or_gravity
+names: NaN or infinity for zero gravity
 """
 
 

@@ -1,6 +1,7 @@
 """The flight time is sought up to two hundred times m/c only.
 
 fails: flight_time_with_great_drag_and_straight_up
+names: great drag
 """
 
 sought_everywhere = flight_time
