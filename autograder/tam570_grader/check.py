@@ -151,7 +151,7 @@ def expect(
     unit: str = "",
     t: Any = None,
     kind: str = "",
-    hint: str = "",
+    hint: str | Callable[[], str] = "",
     at: Any = None,
     partial: Mapping[float, float] | None = None,
     keeps: Callable[[], Curve | None] | None = None,
@@ -161,6 +161,7 @@ def expect(
     of, unit : what is compared and its unit, for the message; with a scale the unit says of what ("of the energy")
     t        : times along the first axis of actual; the message names the time of the largest error
     kind     : the kind of input, in words that give no input away; `at` is the input itself, for the instructor
+    hint     : where to look; a function is asked on failure, to look closer at the result than is worth it before
     partial  : {limit: fraction of the points} for errors above `within`; such an expect must be a check's last
     keeps    : `kept(...)`, asked for on failure: what becomes of an invariant along the student's motion
     """
@@ -175,7 +176,7 @@ def expect(
     where = [_time(t, errors, worst)] if t is not None else []
     where += [f"for {kind}"] if kind else []
     says = f"{of} is off by {_two_digits(error)}{' ' + unit if unit else ''} (allowed {within:.0e})"
-    message = "; ".join([" ".join([says, *where]), *([hint] if hint else [])])
+    message = _hinted(" ".join([says, *where]), hint)
     fraction = max((f for limit, f in (partial or {}).items() if error <= limit), default=0.0)
     picture = None if t is None else curve(t, actual, expected, scale, within=within, of=of, unit=unit)
     if picture and keeps:
@@ -183,12 +184,18 @@ def expect(
     raise Failure(message, fraction=fraction, expected=expected, actual=actual, at=at, picture=picture)
 
 
-def expect_that(holds: Any, says: str, *, kind: str = "", hint: str = "", at: Any = None) -> None:
+def expect_that(
+    holds: Any, says: str, *, kind: str = "", hint: str | Callable[[], str] = "", at: Any = None
+) -> None:
     """Fail with `says` (what is wrong) unless the condition holds."""
     if holds:
         return
-    message = "; ".join([f"{says}{f' for {kind}' if kind else ''}", *([hint] if hint else [])])
-    raise Failure(message, at=at)
+    raise Failure(_hinted(f"{says}{f' for {kind}' if kind else ''}", hint), at=at)
+
+
+def _hinted(says: str, hint: str | Callable[[], str]) -> str:
+    told = hint() if callable(hint) else hint
+    return f"{says}; {told}" if told else says
 
 
 def _worst(errors: Any) -> int:
