@@ -19,7 +19,7 @@ trip; `student.f.refuses(...)` tells whether a call raises ValueError. `student.
 import functools
 import threading
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any, TypeVar
 
 import numpy as np
@@ -133,7 +133,7 @@ class Given:
 
     def on(self, kind: str) -> "Given":
         """The same arguments, of which the student is told the kind if the call itself fails."""
-        return replace(self, kind=kind)
+        return Given(self.args, self.kwargs, kind)
 
 
 def given(*args: Any, **kwargs: Any) -> Given:
