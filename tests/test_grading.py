@@ -271,7 +271,7 @@ def command(*arguments, **options):
 def test_what_was_finished_survives_an_interrupt(tree, tmp_path, how, code):
     (tree / "zoe" / SLUG).mkdir(parents=True)
     (tree / "zoe" / SLUG / f"{SLUG}.py").write_text("def skew(v):\n    while True: pass\n")
-    process = command("grade", tree, "--out", tmp_path / "out", "--jobs", 1, "--seed", 1)
+    process = command("grade", tree, "--out", tmp_path / "out", "--jobs", 1, "--seed", 1, "--call", 50)
     results = tmp_path / "out" / "results.jsonl"
     while not results.exists() or results.read_text().count("\n") < 3:
         time.sleep(0.05)
