@@ -19,6 +19,7 @@ RESULTS = {
 NEEDS = ("numpy",)
 OFF_LIMITS: dict[str, tuple[str, ...]] = {}
 
+KNOWN = 1e-6  # to tell one mistake from another
 POINTWISE = 1e-9  # a few roundings make 1e-15, a linear system 1e-14
 TRAJECTORY = 3e-5  # solve_ivp at rtol 1e-9, atol 1e-9 is off by 3e-6 after three periods
 ENERGY = 1e-5  # the same solvers lose less than 1e-6 of it in the 100 s
@@ -107,19 +108,49 @@ LAW_SUSPECTS = [
     wrong_law("the centripetal term of the wrong sign", lambda y, vv, m, L, g: m * (g * y + vv) / L),
     wrong_law("the weight's share of the wrong sign", lambda y, vv, m, L, g: -m * (g * y + vv) / L),
     wrong_law("the force for a length of 1 m", lambda y, vv, m, L, g: m * (g * y - vv)),
+    wrong_law("the force on the hinge, which is opposite", lambda y, vv, m, L, g: m * (vv - g * y) / L),
+    wrong_law("no constraint force, a free fall", lambda y, vv, m, L, g: 0.0),
+    wrong_law("a string, which does not push", lambda y, vv, m, L, g: min(m * (g * y - vv) / L, 0.0)),
 ]  # fmt: skip
+
+
+def summed(state, *, mass, length, gravity):
+    """The sum of both forces."""
+    return mass * together(state, mass=mass, length=length, gravity=gravity)[0]
+
+
+def below(state, *, mass, length, gravity):
+    """The acceleration at the point of the circle below the particle."""
+    lower = np.array([state[0], -math.sqrt(max(length**2 - state[0] ** 2, 0.0)), *state[2:]])
+    return together(lower, mass=mass, length=length, gravity=gravity)[0]
+
+
+# What to say of these, which are no suspects: where they are zero nothing but rounding is left to compare.
+KNOWN_ACCELERATIONS = {
+    "it is the forces' sum, not divided by the mass": summed,
+    "it is right below the hinge alone, where y = -sqrt(l^2 - x^2)": below,
+}
 
 
 def judge_law(student, draw, name, index, says, hint):
     """Compare acceleration (index 0) or force (index 1) with the solution of the linear system."""
     found = kinds(draw)
-    calls = [given(state, **known) for state, known, _ in found]
-    for vector, call, (state, known, kind) in zip(
-        getattr(student, name).many(calls), calls, found, strict=True
-    ):
+    vectors = getattr(student, name).many([given(state, **known).on(kind) for state, known, kind in found])
+    for vector, (state, known, kind) in zip(vectors, found, strict=True):
         unit = known["mass"] if index else 1.0
-        expect(vector, together(state, **known)[index], within=POINTWISE, scale=unit * size(state, **known),
-               of=says, unit="of its size", kind=kind, hint=hint, at=call)  # fmt: skip
+        expect(vector, together(state, **known)[index], within=POINTWISE, scale=unit * size(state, **known), of=says,
+               unit="of its size", kind=kind, at=(state, known),
+               hint=lambda: known_acceleration(vectors, found) or hint)  # fmt: skip
+
+
+def known_acceleration(vectors, found):
+    """What to say if the results are one of KNOWN_ACCELERATIONS."""
+    for says, wrong in KNOWN_ACCELERATIONS.items():
+        pairs = [(vector - wrong(state, **known), known["mass"] * size(state, **known))
+                 for vector, (state, known, _) in zip(vectors, found, strict=True)]  # fmt: skip
+        if all(np.abs(off).max() <= KNOWN * largest for off, largest in pairs):
+            return says
+    return ""
 
 
 @check(points=2, part="a", suspects=LAW_SUSPECTS)
@@ -145,12 +176,20 @@ def without_radial_part(x, y, vx, vy):
     return vx - along * x, vy - along * y
 
 
+def above_or_below(x, y, vx, vy, L):
+    """The point of the circle on the same upright line, the velocity tangent there."""
+    y = math.copysign(math.sqrt(max(L**2 - x**2, 0)), y)
+    along = (x * vx + y * vy) / L**2
+    return x, y, vx - along * x, vy - along * y
+
+
 STATE_SUSPECTS = [
     wrong_state("the velocity left as it was",
                 lambda x, y, vx, vy, L: (*np.array([x, y]) * L / math.hypot(x, y), vx, vy)),
     wrong_state("the position left as it was", lambda x, y, vx, vy, L: (x, y, *without_radial_part(x, y, vx, vy))),
     wrong_state("a position moved along y, not along its radius",
                 lambda x, y, vx, vy, L: (x, math.copysign(math.sqrt(max(L**2 - x**2, 0)), y), vx, vy)),
+    wrong_state("a position moved along y, not along its radius, and a velocity tangent there", above_or_below),
     wrong_state("a velocity turned into the tangent with all of its speed", lambda x, y, vx, vy, L: (
         *np.array([x, y]) * L / math.hypot(x, y),
         *np.array([-y, x]) / math.hypot(x, y) * math.copysign(math.hypot(vx, vy), x * vy - y * vx))),
@@ -175,6 +214,13 @@ def plainly_off(call):
     return calls + [given(np.array(numbers), length=1.0) for numbers in whole]
 
 
+def where(call):
+    """What to call a state by its distance from the circle."""
+    off = abs(math.hypot(*call.args[0][:2]) / call.kwargs["length"] - 1)
+    beside = "just off the circle" if off < 1e-6 else "off the circle"
+    return f"a particle {'on the circle already' if off < 1e-12 else beside}"
+
+
 @check(points=1.25, part="a", suspects=STATE_SUSPECTS)
 def consistent_state_is_the_nearest(student, draw):
     """consistent_state: the position goes along its radius onto the circle, the velocity loses its radial part."""
@@ -183,14 +229,16 @@ def consistent_state_is_the_nearest(student, draw):
         for _ in range(12)
     ]
     calls += plainly_off(calls[0])
-    for found, call in zip(student.consistent_state.many(calls), calls, strict=True):
+    kinds = [where(call) for call in calls]
+    named = [call.on(kind) for call, kind in zip(calls, kinds, strict=True)]
+    for found, call, kind in zip(student.consistent_state.many(named), calls, kinds, strict=True):
         (state,), length = call.args, call.kwargs["length"]
         place, velocity = complex(*state[:2]), complex(*state[2:])
         outward = place / abs(place)
         across = 1j * outward * (velocity / outward).imag
         right = [*(length * np.array([outward.real, outward.imag])), across.real, across.imag]
         expect(found, right, within=POINTWISE, scale=np.repeat([length, abs(velocity) or 1.0], 2), of="the state",
-               unit="of its size", kind="a state on the circle or off it", at=call,
+               unit="of its size", kind=kind, at=call,
                hint="the nearest point of the circle is on the same radius; which part of v is along it?")  # fmt: skip
 
 
@@ -220,6 +268,7 @@ def energy_is_kinetic_and_potential(student, draw):
     """energy: m v^2/2 and that of the weight, zero at y = 0."""
     found = kinds(draw)
     calls = [given(state, mass=known["mass"], gravity=known["gravity"]) for state, known, _ in found]
+    calls = [call.on(kind) for call, (*_, kind) in zip(calls, found, strict=True)]
     for energy, call, (state, known, kind) in zip(student.energy.many(calls), calls, found, strict=True):
         weight = np.array([0.0, -known["mass"] * known["gravity"]])
         right = known["mass"] * abs(complex(*state[2:])) ** 2 / 2 - weight @ state[:2]
@@ -279,7 +328,7 @@ def speed_of(states, known):
 
 def judge_motion(student, found, within, kind, hint):
     t, expected, known = found
-    states = student.simulate(t, expected[0], **known)
+    states = student.on(kind).simulate(t, expected[0], **known)
     scale = np.repeat([known["length"], speed_of(expected, known)], 2)
     expect(states, expected, within=within, scale=scale, of="the motion", unit="of its size", t=t, kind=kind,
            hint=hint, at=found, keeps=lambda: kept(t, energies(states, known) / speed_of(expected, known) ** 2,
@@ -305,11 +354,38 @@ def wrong_motion(says, law):
     return suspect(says, simulate=integrated, within=1e-4)
 
 
+def angles(state, length):
+    """Angle from straight down, and its rate."""
+    x, y, vx, vy = state
+    return math.atan2(x, -y), (x * vy - y * vx) / length**2
+
+
+def timed_suspect(says, since):
+    """The right motion at since(t), for times since the start that are t - t[0]."""
+    return suspect(
+        says, within=1e-4,
+        simulate=lambda t, state, **known: exact(since(t), *angles(state, known["length"]), **known),
+    )  # fmt: skip
+
+
+def linear(t, state, *, mass, length, gravity):
+    """The motion around the circle that small angles would have."""
+    angle, rate = angles(state, length)
+    k = math.sqrt(gravity / length) or 1e-9
+    z = (angle - 1j * rate / k) * np.exp(1j * k * (t - t[0]))
+    return on_circle(z.real, -k * z.imag, length)
+
+
+TIME_SUSPECTS = [
+    timed_suspect("the given state taken for that at t = 0", lambda t: t),
+    timed_suspect("evenly spaced times, the first step for all", lambda t: (t[1] - t[0]) * np.arange(len(t))),
+]
 MOTION_SUSPECTS = [
     wrong_motion("the centripetal term missing from the acceleration: the constraint differentiated once, r . a = 0",
                  lambda r, v, L, g: np.array([g * r[0] * r[1], -g * r[0] ** 2]) / L**2),
     wrong_motion("gravity pulling up",
                  lambda r, v, L, g: -np.array([g * r[0] * r[1], -g * r[0] ** 2]) / L**2 - v @ v * r / L**2),
+    suspect("the oscillation of small angles", within=1e-4, simulate=linear),
 ]  # fmt: skip
 
 
@@ -328,7 +404,7 @@ WITH_GRAVITY = (
 )
 
 
-@check(points=0.75, part="a", suspects=MOTION_SUSPECTS[:1])
+@check(points=0.75, part="a", suspects=MOTION_SUSPECTS[:1] + TIME_SUSPECTS)
 def without_gravity_it_goes_round_uniformly(student, draw):
     """simulate: uniform motion around the circle where there is no gravity."""
     judge_motion(student, timed(draw, "no gravity", 2.3, 12), TRAJECTORY, "no gravity",
@@ -337,7 +413,7 @@ def without_gravity_it_goes_round_uniformly(student, draw):
         judge_motion(student, found, TRAJECTORY, kind, "what is there to change its velocity?")
 
 
-@check(points=1, part="a", suspects=MOTION_SUSPECTS)
+@check(points=1, part="a", suspects=MOTION_SUSPECTS + TIME_SUSPECTS)
 def with_gravity_it_swings_or_goes_round(student, draw):
     """simulate: the state at few and uneven times, the first of which is not 0."""
     for kind in ("swinging", "going round over the top"):
@@ -373,6 +449,17 @@ def long_motion(draw):
     return np.linspace(0.0, LONG, 60), on_circle(theta, omega, known["length"]), known
 
 
+DRIFTS = {
+    (False, False): ("x^2 + y^2 = l^2 or r . v = 0",
+                     "neither place nor velocity is kept: the acceleration keeps the second derivative of the "
+                     "constraint zero, and nothing takes back the errors of the steps"),
+    (True, False): ("r . v = 0", "the place is put back onto the circle, the velocity is not made tangent to it"),
+    (False, True): ("x^2 + y^2 = l^2", "the velocity is made tangent, the place is not put back onto the circle"),
+    (True, True): ("nothing", ""),
+}  # fmt: skip
+# whether place and velocity are right: what is off, and why
+
+
 @check(points=1, part="a", after=with_gravity_it_swings_or_goes_round)
 def it_stays_on_the_circle(student, draw):
     """simulate: after 100 s the particle is still on the circle, and its velocity tangent to it."""
@@ -381,10 +468,10 @@ def it_stays_on_the_circle(student, draw):
     (x, y, vx, vy), length = states.T, known["length"]
     off = (x**2 + y**2) / length**2 - 1
     out = (x * vx + y * vy) / (length * np.hypot(vx, vy).max())
-    expect(np.column_stack([off, out]), 0.0, within=CONSTRAINT, of="x^2 + y^2 = l^2 or r . v = 0", t=t,
+    of, hint = DRIFTS[bool(np.abs(off).max() <= CONSTRAINT), bool(np.abs(out).max() <= CONSTRAINT)]
+    expect(np.column_stack([off, out]), 0.0, within=CONSTRAINT, of=of, t=t,
            unit="of its size", kind="100 s", at=(state, known), partial={1e-7: 0.5, 1e-5: 0.25},
-           hint="the drift is not controlled: the acceleration keeps the second derivative of the constraint zero, and "
-           "nothing takes back the errors of the steps")  # fmt: skip
+           hint=hint)  # fmt: skip
 
 
 @check(points=0.25, part="a", after=with_gravity_it_swings_or_goes_round)

@@ -1,6 +1,7 @@
 """The forces' sum without division by the mass.
 
 fails: acceleration_is_that_of_both_forces
+names: not divided by the mass
 """
 
 def acceleration(state, *, mass, length, gravity):

@@ -1,6 +1,7 @@
 """A particle on the circle is given back as it is, whatever its velocity.
 
 fails: consistent_state_is_the_nearest
+names: on the circle already
 """
 
 _right_consistent = consistent_state

@@ -1,7 +1,7 @@
 """Nothing brings the particle back to the circle: rtol 1e-8.
 
 fails: it_stays_on_the_circle
-names: the drift is not controlled
+names: neither place nor velocity is kept
 """
 
 def _off_the_circle(y, gravity):

@@ -1,7 +1,7 @@
 """The position is put back onto the circle, the velocity is left as it came.
 
 fails: it_stays_on_the_circle
-names: the drift is not controlled
+names: the velocity is not made tangent
 """
 
 def _off_the_circle(y, gravity):

@@ -1,6 +1,7 @@
 """The force on the hinge, not on the particle.
 
 fails: force_keeps_the_particle_on_the_circle
+suspect: the force on the hinge
 """
 
 _right_force = constraint_force

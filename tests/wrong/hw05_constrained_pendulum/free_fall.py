@@ -1,6 +1,7 @@
 """The acceleration of a free particle.
 
 fails: acceleration_is_that_of_both_forces
+suspect: a free fall
 """
 
 def acceleration(state, *, mass, length, gravity):

@@ -1,6 +1,7 @@
 """x as the coordinate, y = -sqrt(l^2 - x^2): wrong above the hinge.
 
 fails: acceleration_is_that_of_both_forces
+names: right below the hinge alone
 """
 
 def acceleration(state, *, mass, length, gravity):

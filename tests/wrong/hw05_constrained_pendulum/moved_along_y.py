@@ -1,6 +1,7 @@
 """The point of the circle above or below.
 
 fails: consistent_state_is_the_nearest
+suspect: moved along y
 """
 
 def consistent_state(state, *, length):

@@ -1,6 +1,7 @@
 """Time in units of sqrt(l/g), which there is none of without gravity.
 
 fails: without_gravity_it_goes_round_uniformly
+names: ValueError for no gravity
 """
 
 _right_simulate = simulate

@@ -1,6 +1,7 @@
 """A harmonic oscillator, wrapped around the circle.
 
 fails: with_gravity_it_swings_or_goes_round
+suspect: the oscillation of small angles
 """
 
 def simulate(t, state, *, mass, length, gravity):

@@ -1,6 +1,7 @@
 """The first step taken for all.
 
 fails: without_gravity_it_goes_round_uniformly, with_gravity_it_swings_or_goes_round
+suspect: the first step for all
 """
 
 _right_simulate = simulate
