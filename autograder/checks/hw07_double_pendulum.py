@@ -220,8 +220,33 @@ def mistakes(name, *fragments, within=1e-6):
     return [suspect(says, within=within, **{name: variant}) for says, variant in wrong.items()]
 
 
+def made(name, says, change, within=1e-6):
+    """A suspect that gives change(result) for the right result of a function."""
+    return suspect(says, within=within, **{name: lambda *args, **known: change(RIGHT[name](*args, **known))})
+
+
+def retimed(says, times, rows=slice(None)):
+    """A suspect that gives some of the states at times(t) for those at t."""
+    return suspect(
+        says, within=1e-3, simulate=lambda t, *start, **known: motion(times(t), *start, **known)[rows]
+    )
+
+
+def wrapped(states):
+    """With angles between -pi and pi."""
+    return np.hstack([(states[:, :2] + math.pi) % (2 * math.pi) - math.pi, states[:, 2:]])
+
+
 INERTIA = ("point", "l^2", "without inertia")
 SIGNS = ("sine", "gravity")
+SIMULATE_SUSPECTS = [
+    *mistakes("simulate", *INERTIA, *SIGNS, within=1e-3),
+    made("simulate", "the columns th1, om1, th2, om2", lambda states: states[:, [0, 2, 1, 3]], 1e-3),
+    made("simulate", "angles wrapped to -pi and pi", wrapped, 1e-3),
+    retimed("evenly spaced times for those of t", lambda t: np.linspace(t[0], t[-1], len(t))),
+    retimed("the state after a step for the start in the first row",
+            lambda t: np.append(t, 2 * t[-1] - t[-2]), slice(1, None)),
+]  # fmt: skip
 
 
 # Inputs
@@ -320,7 +345,7 @@ def judge(student, name, calls, scale, of, unit, hint):
     """Compare what a function gives with what is right; scale takes inertia and square of the angular velocity."""
     cases = with_plain(name, calls)
     for found, (call, kind) in zip(
-        getattr(student, name).many([call for call, _ in cases]), cases, strict=True
+        getattr(student, name).many([call.on(kind) for call, kind in cases]), cases, strict=True
     ):
         expect(found, RIGHT[name](*call.args, **call.kwargs), within=POINTWISE, scale=scale(*sizes(call)) or 1.0, of=of,
                unit=unit, kind=kind, hint=hint, at=call)  # fmt: skip
@@ -336,14 +361,31 @@ def mass_matrix_makes_the_kinetic_energy(student, draw):
           "write the velocities of both mass centres by the absolute angular velocities")  # fmt: skip
 
 
-@check(points=1, part="a", suspects=mistakes("velocity_terms", "point", "sine"))
+def without_lengths(theta, omega, masses, lengths):
+    """As a formula: bars in line leave no roundings."""
+    return masses[1] / 2 * math.sin(theta[0] - theta[1]) * omega[::-1] ** 2 * [1, -1]
+
+
+VELOCITY_SUSPECTS = [
+    *mistakes("velocity_terms", "point", "sine"),
+    suspect("lengths of 1 m", velocity_terms=without_lengths),
+]
+
+
+@check(points=1, part="a", suspects=VELOCITY_SUSPECTS)
 def velocity_terms_are_centripetal(student, draw):
     """velocity_terms: {f} of Lagrange's equations."""
     judge(student, "velocity_terms", moving(draw, 8, "masses", "lengths"), lambda inertia, rate2: inertia * rate2,
           "{f}", "of m l^2 omega^2", "which way does each mass centre accelerate when alpha is zero?")  # fmt: skip
 
 
-@check(points=0.75, part="a", suspects=mistakes("gravity_terms", "point", "gravity"))
+GRAVITY_SUSPECTS = [
+    *mistakes("gravity_terms", "point", "gravity"),
+    made("gravity_terms", "moments that are never negative: the sign of the sine lost", np.abs),
+]
+
+
+@check(points=0.75, part="a", suspects=GRAVITY_SUSPECTS)
 def gravity_terms_are_moments_of_the_weights(student, draw):
     """gravity_terms: {g}, the derivatives of the potential energy by th1 and th2."""
     judge(student, "gravity_terms", resting(draw, 8, "masses", "lengths", "gravity"),
@@ -351,7 +393,17 @@ def gravity_terms_are_moments_of_the_weights(student, draw):
           "how does the height of each mass centre change with each angle?")  # fmt: skip
 
 
-@check(points=0.75, part="a", suspects=mistakes("angular_acceleration", *INERTIA, *SIGNS))
+def of_one_mass(*state, masses, **known):
+    return angular_acceleration(*state, masses=masses[[1, 1]], **known)
+
+
+ALPHA_SUSPECTS = [
+    *mistakes("angular_acceleration", *INERTIA, *SIGNS),
+    suspect("the mass of bar 2 for both", angular_acceleration=of_one_mass),
+]
+
+
+@check(points=0.75, part="a", suspects=ALPHA_SUSPECTS)
 def accelerations_obey_the_equations(student, draw):
     """angular_acceleration: [M]{alpha} + {f} + {g} = 0, without gravity too."""
     calls = moving(draw, 8) + moving(draw, 3, gravity=0.0)
@@ -371,10 +423,14 @@ def nearly_massless(draw):
     return cases
 
 
+def massless_calls(cases):
+    return [call.on(f"a nearly massless {light} bar") for call, light, _ in cases]
+
+
 def judge_massless(found, cases):
-    for alpha, (call, light, expected) in zip(found, cases, strict=True):
+    for alpha, call, (*_, expected) in zip(found, massless_calls(cases), cases, strict=True):
         expect(alpha, expected, within=MASSLESS, scale=sizes(call)[1], of="alpha", unit="of omega^2 + g/l",
-               kind=f"a nearly massless {light} bar", at=call,
+               kind=call.kind, at=call,
                hint="below a massless bar, or above one, the other moves by an equation that you know")  # fmt: skip
 
 
@@ -382,13 +438,14 @@ def judge_massless(found, cases):
 def accelerations_with_a_nearly_massless_bar(student, draw):
     """angular_acceleration keeps its digits when one bar has 1e-9 of the other's mass."""
     cases = nearly_massless(draw)
-    judge_massless(student.angular_acceleration.many([case[0] for case in cases]), cases)
+    judge_massless(student.angular_acceleration.many(massless_calls(cases)), cases)
 
 
 def fly(student, draw, which):
     """Compare one of the two results of on_the_fly."""
     cases = with_plain("on_the_fly", moving(draw, 7) + moving(draw, 3, gravity=0.0))
-    for found, (call, kind) in zip(student.on_the_fly.many([call for call, _ in cases]), cases, strict=True):
+    results = student.on_the_fly.many([call.on(kind) for call, kind in cases])
+    for found, (call, kind) in zip(results, cases, strict=True):
         inertia, rate2 = sizes(call)
         scale = rate2 if which == 0 else inertia / np.max(call.kwargs["lengths"]) * rate2
         expect(found[which], on_the_fly(*call.args, **call.kwargs)[which], within=POINTWISE, scale=scale or 1.0,
@@ -439,12 +496,13 @@ def hinge_forces_balance(student, draw):
 def free_bars_with_a_nearly_massless_one(student, draw):
     """on_the_fly keeps its digits when one bar has 1e-9 of the other's mass, and when both hang straight down."""
     cases = nearly_massless(draw)
-    judge_massless([alpha for alpha, _ in student.on_the_fly.many([case[0] for case in cases])], cases)
+    judge_massless([alpha for alpha, _ in student.on_the_fly.many(massless_calls(cases))], cases)
     (call,) = moving(draw, 1)
     for omega, kind in ((np.zeros(2), "hanging at rest"), (call.args[1], "hanging straight down, moving")):
         still = given(np.zeros(2), omega, **call.kwargs)
-        expect(student.on_the_fly(*still.args, **still.kwargs)[0], 0.0, within=POINTWISE, scale=sizes(still)[1],
-               of="alpha", unit="of omega^2 + g/l", kind=kind, at=still, hint=FLY_HINTS[0])  # fmt: skip
+        alpha, _ = student.on(kind).on_the_fly(*still.args, **still.kwargs)
+        expect(alpha, 0.0, within=POINTWISE, scale=sizes(still)[1], of="alpha", unit="of omega^2 + g/l", kind=kind,
+               at=still, hint=FLY_HINTS[0])  # fmt: skip
 
 
 # Energy, angular momentum
@@ -547,12 +605,12 @@ def energy_along(states, call):
     return kept(call.args[0], drift(states, known) / scale, within=ENERGY, of="the energy", unit="of m g l")
 
 
-@check(points=0.75, part="a", suspects=mistakes("simulate", *INERTIA, *SIGNS, within=1e-3))
+@check(points=0.75, part="a", suspects=SIMULATE_SUSPECTS)
 def simulation_follows_the_equations(student, draw):
     """simulate: angles and angular velocities at uneven times, whatever t[0] is."""
     cases = motions(draw, (0.0, 2.3, -1.7)) + plain_motions(draw)
     for states, (call, expected, kind) in zip(
-        student.simulate.many([case[0] for case in cases]), cases, strict=True
+        student.simulate.many([call.on(kind) for call, _, kind in cases]), cases, strict=True
     ):
         largest = np.abs(expected).max(0).reshape(2, 2).max(1)
         expect(states, expected, within=FOLLOWED, scale=np.repeat(np.where(largest, largest, 1.0), 2),
@@ -572,13 +630,12 @@ def energy_is_conserved_from_horizontal(student, draw):
     """simulate: from (pi/2, pi/2) at rest the energy stays for ten seconds."""
     known = pendulum(draw, masses=draw.uniform(0.5, 2.0, 2), lengths=draw.uniform(0.7, 1.3, 2), gravity=9.81)
     t = uneven(draw, 10.0, 101, 0.0)
-    states = student.simulate(t, np.full(2, math.pi / 2), np.zeros(2), **known)
+    start = "a start at rest, both bars horizontal"
+    states = student.on(start).simulate(t, np.full(2, math.pi / 2), np.zeros(2), **known)
     scale = 9.81 * np.sum(known["masses"]) * np.sum(known["lengths"])
-    expect_that(
-        np.ptp(states[:, 0]) > 1, "the bars do not move", kind="a start at rest, both bars horizontal"
-    )
+    expect_that(np.ptp(states[:, 0]) > 1, "the bars do not move", kind=start)
     expect(drift(states, known), 0.0, within=ENERGY, scale=scale, of="the energy", unit="of m g l", t=t, at=known,
-           kind="a start at rest, both bars horizontal", hint="tighter tolerances, or a smaller step",
+           kind=start, hint="tighter tolerances, or a smaller step",
            partial={1e-4: 0.75, 1e-3: 0.5, 1e-2: 0.25})  # fmt: skip
 
 
@@ -587,7 +644,7 @@ def momentum_is_conserved_without_gravity(student, draw):
     """simulate: without gravity energy and angular momentum stay."""
     (call,) = moving(draw, 1, gravity=0.0)
     t, bars = uneven(draw, 3.0, 40, 0.0), {name: call.kwargs[name] for name in ("masses", "lengths")}
-    states = student.simulate(t, *call.args, **call.kwargs)
+    states = student.on("a pendulum without gravity").simulate(t, *call.args, **call.kwargs)
     values = np.array([angular_momentum(state[:2], state[2:], **bars) for state in states])
     inertia, rate2 = sizes(call)
     expect(values, angular_momentum(*call.args, **bars), within=ENERGY, scale=inertia * math.sqrt(rate2), t=t, at=call,
@@ -610,6 +667,8 @@ FREQUENCY_SUSPECTS = [
         for says, bars in BARS.items()
         if "sign" not in says and bars != {"inertia": 1 / 12 - 1 / 4}  # it has no real frequencies
     ),
+    suspect("the frequencies of equal bars, of the first one's length", small_oscillation_frequencies=lambda **known:
+            np.sqrt(known["gravity"] / known["lengths"][0] * (3 + np.array([-6, 6]) / math.sqrt(7)))),
     suspect("frequencies in Hz", small_oscillation_frequencies=lambda **known: frequencies(**known) / (2 * math.pi)),
     suspect("the squares of the frequencies", small_oscillation_frequencies=lambda **known: frequencies(**known) ** 2),
     suspect("the frequencies in descending order",
@@ -618,7 +677,7 @@ FREQUENCY_SUSPECTS = [
 
 
 def judge_frequencies(student, calls, kind, hint):
-    for found, call in zip(student.small_oscillation_frequencies.many(calls), calls, strict=True):
+    for found, call in zip(student.on(kind).small_oscillation_frequencies.many(calls), calls, strict=True):
         known = call.kwargs
         scale = math.sqrt(known["gravity"] / np.min(known["lengths"])) or 1.0
         expect(found, frequencies(**known), within=FREQUENCY, scale=scale, of="a frequency", unit="of sqrt(g/l)",
@@ -687,26 +746,27 @@ def wireframe_shows_the_bars(student, draw):
 
 @once
 def tip_path(draw):
-    """A call, and the right path of the tip."""
+    """A call, and the right paths of elbow and tip."""
     known = pendulum(draw)
     time = math.sqrt(np.max(known["lengths"]) / known["gravity"])
     t = np.linspace(0.0, 4 * time, 401)
     call = given(t, draw.uniform(1, 2, 2) * draw.choice([-1, 1], 2), draw.uniform(-1, 1, 2) / time, **known)
-    return call, np.array(
-        [wireframe(state[:2], known["lengths"])[1, 1] for state in motion(*call.args, **call.kwargs)]
-    )
+    frames = [wireframe(state[:2], known["lengths"]) for state in motion(*call.args, **call.kwargs)]
+    return call, *np.array(frames)[:, :, 1].swapaxes(0, 1)
 
 
 @check(points=0.5, part="d")
 def tip_path_is_drawn(student, draw):
     """plot_tip_path draws the tip's path from t[0] to t[-1], at equal scales."""
-    call, tips = tip_path(draw)
+    call, elbows, tips = tip_path(draw)
     picture = student.plot_tip_path.draw(*call.args, **call.kwargs)
     curves = [line.points for line in picture.lines if len(line.points) > 10]
     expect_that(len(curves) == 1, f"there are {len(curves)} curves on the axes, not one")
     scale, (curve,) = np.sum(call.kwargs["lengths"]), curves
+    of_elbow = np.allclose(curve[[0, -1]], elbows[[0, -1]], rtol=0, atol=DRAWN * scale)
+    hint = "it begins at the tip's place at t[0] and ends at that at t[-1]"
     expect(curve[[0, -1]], tips[[0, -1]], within=DRAWN, scale=scale, of="an end of the curve", unit="of l1 + l2",
-           hint="it begins at the tip's place at t[0] and ends at that at t[-1]", at=call)  # fmt: skip
+           hint="it is the elbow's path" if of_elbow else hint, at=call)  # fmt: skip
     for points, path, of, within in (
         (curve, tips, "a point of the curve", DRAWN),
         (tips, curve, "a point that the tip passes", 10 * DRAWN),  # the curve may have fewer points

@@ -1,6 +1,7 @@
 """The first row is the state after a step, not the start.
 
 fails: simulation_follows_the_equations
+suspect: the state after a step
 """
 
 from_the_start = simulate

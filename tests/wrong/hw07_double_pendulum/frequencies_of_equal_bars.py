@@ -1,6 +1,7 @@
 """The frequencies of equal bars are taken for those of any.
 
 fails: small_oscillations_have_two_frequencies
+suspect: the frequencies of equal bars
 """
 
 

@@ -1,7 +1,7 @@
 """At rest there is no kinetic energy, so that the energy is taken for zero, and the hinges for free of force.
 
 fails: energy_is_kinetic_and_potential, hinge_forces_balance
-names: at rest
+names: for th1 = th2, at rest
 """
 
 whole, flown = energy, on_the_fly

@@ -1,6 +1,7 @@
 """The plot shows the elbow's path.
 
 fails: tip_path_is_drawn
+names: it is the elbow's path
 """
 
 

@@ -1,6 +1,7 @@
 """The lengths are left out of the velocity terms.
 
 fails: velocity_terms_are_centripetal
+suspect: lengths of 1 m
 """
 
 

@@ -1,6 +1,7 @@
 """The time is scaled by sqrt(l/g), which is no number without gravity.
 
 fails: momentum_is_conserved_without_gravity
+names: ValueError for a pendulum without gravity
 """
 
 unscaled = simulate

@@ -1,6 +1,7 @@
 """The times are taken for evenly spaced.
 
 fails: simulation_follows_the_equations
+suspect: evenly spaced times
 """
 
 at_the_times = simulate

@@ -1,6 +1,7 @@
 """The angles are wrapped to -pi to pi.
 
 fails: simulation_follows_the_equations
+suspect: angles wrapped
 """
 
 unwrapped = simulate
