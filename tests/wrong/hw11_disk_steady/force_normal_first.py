@@ -1,6 +1,7 @@
 """The pair comes the other way round.
 
 fails: contact_force_moves_the_centre
+suspect: the normal force first
 """
 
 

@@ -1,6 +1,7 @@
 """Without gravity it refuses, as if nothing could roll then.
 
 fails: rolling_precession_is_zero_where_nothing_turns_it
+names: raised ValueError for no gravity
 """
 
 

@@ -1,6 +1,7 @@
 """The lean is taken for degrees.
 
 fails: common_precession_is_in_both_families
+suspect: the lean taken for degrees
 """
 
 

@@ -1,6 +1,7 @@
 """An upright disk rolls straight on: no inward force, whatever its precession; and no moment.
 
 fails: contact_force_moves_the_centre, moment_residual_is_moment_minus_rate
+names: for an upright disk
 """
 
 _force, _residual = contact_force, moment_residual

@@ -1,6 +1,7 @@
 """An upright disk slides in no steady circle: its spin is refused, its track has the radius of the disk.
 
 fails: sliding_spin_balances_the_moments, sliding_track_is_around_the_resting_centre
+names: sliding_spin raised ValueError for an upright disk
 """
 
 _spin, _track = sliding_spin, sliding_track_radius

@@ -1,6 +1,7 @@
 """The forces given are ignored for those of steady rolling on a floor.
 
 fails: moment_residual_is_moment_minus_rate
+suspect: the inward force of steady rolling
 """
 
 

@@ -1,6 +1,7 @@
 """The angular momentum is that of the spin alone.
 
 fails: moment_residual_is_moment_minus_rate
+suspect: the angular momentum of the spin alone
 """
 
 

@@ -1,6 +1,7 @@
 """The formula for the thin uniform disk, whatever the inertias.
 
 fails: rolling_precession_balances_the_moments
+suspect: A and C of a thin uniform disk
 """
 
 

@@ -1,6 +1,7 @@
 """A disk whose lean and track radius have different signs is refused, a long roller too.
 
 fails: rolling_precession_holds_on_tracks_of_any_sign
+names: raised ValueError for a long roller whose contact lies beyond
 """
 
 _right = rolling_precession

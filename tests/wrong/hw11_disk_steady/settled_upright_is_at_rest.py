@@ -1,6 +1,7 @@
 """The energy of the limit upright has no kinetic part: a coin that stands.
 
 fails: settling_energy_adds_up
+names: for an upright disk
 """
 
 _right = settling_energy

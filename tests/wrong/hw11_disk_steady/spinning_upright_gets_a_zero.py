@@ -1,6 +1,7 @@
 """Omega is 0 for an upright disk, even where it is not determined.
 
 fails: rolling_precession_refuses_what_does_not_exist
+names: does not raise ValueError for an upright disk on a point
 """
 
 

@@ -1,6 +1,7 @@
 """The sliding track is a distance, without its sign.
 
 fails: sliding_track_is_around_the_resting_centre
+suspect: the lean taken without its sign
 """
 
 
