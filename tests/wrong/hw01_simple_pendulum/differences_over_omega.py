@@ -1,6 +1,7 @@
 """The acceleration as the rate of the potential over omega: nothing at rest.
 
 fails: energy_gives_the_acceleration_at_rest
+names: energy_balance (result 1) returned NaN or infinity
 """
 
 def energy_balance(theta, omega, *, mass, length, gravity):

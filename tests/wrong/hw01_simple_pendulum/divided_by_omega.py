@@ -1,6 +1,7 @@
 """The acceleration as power over omega: nothing at rest.
 
 fails: power_gives_the_acceleration_at_rest
+names: power_balance raised ZeroDivisionError
 """
 
 def power_balance(theta, omega, *, mass, length, gravity):

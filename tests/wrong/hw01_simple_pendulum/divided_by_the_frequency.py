@@ -1,6 +1,7 @@
 """The small oscillation with 0/0 where there is no gravity.
 
 fails: small_angle_solution_without_gravity
+names: small_angle_solution returned NaN or infinity
 """
 
 def small_angle_solution(t, theta0, omega0, *, length, gravity):

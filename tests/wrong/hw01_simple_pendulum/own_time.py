@@ -1,6 +1,7 @@
 """Time in units of sqrt(length/gravity), which there is none of without gravity.
 
 fails: simulate_without_gravity
+names: simulate raised ValueError
 """
 
 def simulate(t, theta0, omega0, *, length, gravity):

@@ -1,7 +1,6 @@
 """The angle brought back between -pi and pi.
 
 fails: simulate_turns_over_the_top
-names: the angle is never wrapped
 """
 
 _right_simulate = simulate

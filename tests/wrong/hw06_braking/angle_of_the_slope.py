@@ -1,7 +1,6 @@
 """The direction by atan of left over forward: half of all directions, none on the spot.
 
 fails: friction_in_any_motion_and_at_rest
-names: a car in reverse
 """
 
 _right = friction_force

@@ -1,6 +1,7 @@
 """A car at rest from the start is divided by its speed.
 
 fails: simulate_comes_to_rest_and_stays
+names: simulate returned NaN or infinity
 """
 
 _right = simulate

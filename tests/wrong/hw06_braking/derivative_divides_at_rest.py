@@ -1,6 +1,7 @@
 """No rates at rest: zero over zero.
 
 fails: equations_without_friction_and_at_rest
+names: state_derivative returned NaN or infinity
 """
 
 _right = state_derivative

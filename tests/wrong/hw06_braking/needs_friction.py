@@ -1,6 +1,7 @@
 """The rates are divided by friction: none without.
 
 fails: equations_without_friction_and_at_rest
+names: state_derivative raised ZeroDivisionError
 """
 
 _right = state_derivative

@@ -1,6 +1,7 @@
 """At rest the friction has no direction, and this one divides by zero.
 
 fails: friction_in_any_motion_and_at_rest
+names: friction_force returned NaN or infinity
 """
 
 
