@@ -136,11 +136,14 @@ MOMENT_SUSPECTS = [
 def moment_is_about_C(student, draw):
     """moment: that of the total force on P, about C."""
     cases = motions(draw)
-    calls = [given(s[0], s[2], s[3], mass=mass) for _, _, mass, _, s in cases]
+    kinds = [kind_of(state, "random positions and accelerations") for *_, state in cases]
+    calls = [
+        given(s[0], s[2], s[3], mass=m).on(kind) for (*_, m, _, s), kind in zip(cases, kinds, strict=True)
+    ]
     for found, call, (p, c, mass, now, state) in zip(student.moment.many(calls), calls, cases, strict=True):
         force = mass * derivative(derivative(p))
         expect(found, value(cross(difference(p, c), force), now), within=POINTWISE, scale=size(state, mass)[0],
-               of="the moment", unit="of its size", kind=kind_of(state, "random positions and accelerations"), at=call,
+               of="the moment", unit="of its size", kind=call.kind, at=call,
                hint="the lever arm runs from C to P, and the force on P is all of its m a")  # fmt: skip
 
 
@@ -165,12 +168,15 @@ IN_EVERY = momentum_variant("the velocity relative to C in every definition", la
 def judge_momentum(student, draw, definitions, hint):
     for definition in definitions:
         cases = motions(draw)
-        calls = [given(definition, s[0], s[1], s[3], s[4], mass=mass) for _, _, mass, _, s in cases]
+        calls = [
+            given(definition, s[0], s[1], s[3], s[4], mass=mass).on(kind_of(s, f"definition {definition}"))
+            for _, _, mass, _, s in cases
+        ]
         found = student.angular_momentum.many(calls)
         for one, call, (p, c, mass, now, state) in zip(found, calls, cases, strict=True):
             expect(one, value(momentum(definition, p, c, mass, now), now), within=POINTWISE,
                    scale=size(state, mass)[1] or 1.0, of="the angular momentum", unit="of its size",
-                   kind=kind_of(state, f"definition {definition}"), hint=hint, at=call)  # fmt: skip
+                   kind=call.kind, hint=hint, at=call)  # fmt: skip
 
 
 @check(points=1, part="a", suspects=[*MOMENTUM_SUSPECTS, IN_EVERY])
@@ -230,6 +236,11 @@ RIGHT = {"a": nothing, "b": lambda moment, b, c: b, "c": lambda moment, b, c: c}
 SWAPPED = rate_variant(
     "the other definition: are b and c swapped?", {**RIGHT, "b": RIGHT["c"], "c": RIGHT["b"]}
 )
+OF_UNIT_MASS = suspect(
+    "the discrepancy without the mass",
+    discrepancy=lambda definition, *state, mass: RIGHT[definition](*terms(state, 1.0)),
+    rate=lambda definition, *state, mass: terms(state, mass)[0] + RIGHT[definition](*terms(state, 1.0)),
+)  # fmt: skip
 A_SUSPECTS = [
     rate_variant("the rate of definition b: a point C' that moves", {**RIGHT, "a": RIGHT["b"]}),
     rate_variant("the rate of definition c: velocities relative to C", {**RIGHT, "a": RIGHT["c"]}),
@@ -238,19 +249,24 @@ B_SUSPECTS = [
     SWAPPED,
     rate_variant("the moment for the rate: in definition b, C moves while time goes on", {**RIGHT, "b": nothing}),
     rate_variant("the sign of the velocity of C's term reversed", {**RIGHT, "b": lambda moment, b, c: -b}),
+    OF_UNIT_MASS,
 ]  # fmt: skip
 C_SUSPECTS = [
     SWAPPED,
     rate_variant("the moment for the rate: the acceleration of C forgotten", {**RIGHT, "c": nothing}),
     rate_variant("the sign of the acceleration of C reversed", {**RIGHT, "c": lambda moment, b, c: -c}),
     rate_variant("the term of definition b in definition c too", {**RIGHT, "c": lambda moment, b, c: b + c}),
+    OF_UNIT_MASS,
 ]
 
 
 def judge_rate(student, draw, name, definition, hint):
     """Compare the rate, or the rate less the moment, with the derivative of the polynomials."""
     cases = motions(draw)
-    calls = [given(definition, *state, mass=mass) for _, _, mass, _, state in cases]
+    calls = [
+        given(definition, *state, mass=mass).on(kind_of(state, f"definition {definition}"))
+        for _, _, mass, _, state in cases
+    ]
     for found, call, (p, c, mass, now, state) in zip(
         getattr(student, name).many(calls), calls, cases, strict=True
     ):
@@ -258,7 +274,7 @@ def judge_rate(student, draw, name, definition, hint):
         if name == "discrepancy":
             expected = difference(expected, mass * cross(difference(p, c), derivative(derivative(p))))
         expect(found, value(expected, now), within=POINTWISE, scale=size(state, mass)[0] or 1.0, of=f"the {name}",
-               unit="of a moment's size", kind=kind_of(state, f"definition {definition}"), hint=hint,
+               unit="of a moment's size", kind=call.kind, hint=hint,
                at=call)  # fmt: skip
 
 

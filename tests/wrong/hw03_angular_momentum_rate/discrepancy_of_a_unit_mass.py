@@ -1,6 +1,7 @@
 """The discrepancy of 1 kg.
 
 fails: discrepancy_with_the_velocity_in_F, discrepancy_with_the_velocity_relative_to_C
+suspect: the discrepancy without the mass
 """
 
 _right_discrepancy = discrepancy
