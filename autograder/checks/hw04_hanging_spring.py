@@ -148,6 +148,11 @@ def judge_plain_motions(student, name, found, within, hint):
         judge_motion(student, name, [case], within, f"two times, {kind}", hint)
 
 
+def named(calls, found):
+    """Calls with the kinds of the cases, which come last in each."""
+    return [call.on(kind) for call, (*_, kind) in zip(calls, found, strict=True)]
+
+
 # The equations
 
 
@@ -167,6 +172,7 @@ FORCE_SUSPECTS = [
     wrong_force("a spring with a rest length of 1 m", lambda r, d, m, k, g: -k * (d - 1) / d * r - m * g * Z),
     wrong_force("the equilibrium at the origin: no weight", lambda r, d, m, k, g: -k * r),
     wrong_force("a weight without the mass in it", lambda r, d, m, k, g: -k * r - g * Z),
+    wrong_force("the spring's force not divided by the mass", lambda r, d, m, k, g: -m * k * r - m * g * Z),
     wrong_force("a spring that pushes", lambda r, d, m, k, g: k * r - m * g * Z),
     wrong_force("the force for the acceleration: divide by the mass", lambda r, d, m, k, g: m * (-k * r - m * g * Z)),
 ]  # fmt: skip
@@ -178,7 +184,7 @@ def derivative_is_velocity_and_force_over_mass(student, draw):
     found = [(*case, "a random state") for case in cases(draw, 12)] + plain_cases(draw)
     calls = [given(draw.uniform(-5, 5), np.hstack([r, v]), **known) for r, v, known, _ in found]
     for rates, call, (r, v, known, kind) in zip(
-        student.state_derivative.many(calls), calls, found, strict=True
+        student.state_derivative.many(named(calls, found)), calls, found, strict=True
     ):
         k = rate_of(**known)
         expect(rates, (generator(**known) @ [*r, *v, 1.0])[:6], within=POINTWISE,
@@ -215,7 +221,7 @@ def energy_is_that_of_motion_spring_and_weight(student, draw):
     found, states = found + plain_cases(draw), states + [np.hstack(case[:2]) for case in plain_cases(draw)]
     calls = [given(state, **case[2]) for state, case in zip(states, found, strict=True)]
     for energy, call, state, (r, v, known, kind) in zip(
-        student.energy.many(calls), calls, states, found, strict=True
+        student.energy.many(named(calls, found)), calls, states, found, strict=True
     ):
         matrix = np.diag([known["stiffness"]] * 3 + [known["mass"]] * 3)
         right = state @ matrix @ state / 2 + known["mass"] * known["gravity"] * state[2]
@@ -259,6 +265,23 @@ def motion_suspects(*names):
     ]  # fmt: skip
 
 
+def timed_suspect(says, since):
+    """A simulation that gives the right states at since(t) after the start."""
+
+    def states(t, position, velocity, **known):
+        k = rate_of(**known)
+        return oscillation(since(t)[:, None], position, velocity, k, -known["gravity"] / k**2 * Z)
+
+    return suspect(says, within=1e-5, simulate=states)
+
+
+TIME_SUSPECTS = [
+    timed_suspect("the given state taken for that at t = 0", lambda t: t),
+    timed_suspect("evenly spaced times, the first step for all", lambda t: (t[1] - t[0]) * np.arange(len(t))),
+    timed_suspect("the start left out, the last row twice", lambda t: t[[*range(1, len(t)), -1]] - t[0]),
+]
+
+
 def times(draw, span, number, first=0.0):
     """Uneven times over a span."""
     steps = np.append(0.0, np.cumsum(draw.uniform(0.2, 1.8, number - 1)))
@@ -278,7 +301,7 @@ def timed(draw, number, periods, shifted, without):
 
 
 def judge_motion(student, name, found, within, kind, hint):
-    calls = [given(t, r, v, **known) for t, _, (r, v, known) in found]
+    calls = [given(t, r, v, **known).on(kind) for t, _, (r, v, known) in found]
     for states, call, (t, expected, (r, v, known)) in zip(
         getattr(student, name).many(calls), calls, found, strict=True
     ):
@@ -322,7 +345,7 @@ def solution_holds_without_gravity_and_from_any_time(student, draw):
 # The simulation
 
 
-@check(points=1, part="a", suspects=motion_suspects("simulate"))
+@check(points=1, part="a", suspects=motion_suspects("simulate") + TIME_SUSPECTS)
 def simulate_moves_as_it_must(student, draw):
     """simulate: the state at few and uneven times, the first of which is not 0."""
     judge_motion(student, "simulate", timed(draw, 4, 2.3, True, 1), TRAJECTORY, "a random start, uneven times",
@@ -417,24 +440,32 @@ def orbit_has_its_centre_at_the_equilibrium(student, draw):
     """orbit: the centre is where the mass can rest."""
     found = [case for case in orbit_cases(draw) if case[3] in PROPER]
     calls = [given(r, v, **known) for r, v, known, _ in found]
-    for (centre, _), call, (r, v, known, kind) in zip(student.orbit.many(calls), calls, found, strict=True):
+    for (centre, _), call, (r, v, known, kind) in zip(
+        student.orbit.many(named(calls, found)), calls, found, strict=True
+    ):
         rest = np.linalg.solve(generator(**known)[3:6, :3], [0, 0, known["gravity"]])
-        expect(centre, rest, within=POINTWISE, scale=extent(r, v, **known)[0], of="the centre",
-               unit="of the motion's size", kind=kind, hint="where do spring and weight balance?", at=call)  # fmt: skip
+        above = np.allclose(centre, -rest, rtol=0, atol=POINTWISE * extent(r, v, **known)[0])
+        expect(centre, rest, within=POINTWISE, scale=extent(r, v, **known)[0], of="the centre", kind=kind, at=call,
+               unit="of the motion's size",
+               hint="it is above the origin" if above else "where do spring and weight balance?")  # fmt: skip
 
 
 def judge_axes(student, draw, kinds):
     """Semi-axes a, b are perpendicular, a the larger, and a a^T + b b^T is Fradkin's tensor."""
     found = [case for case in orbit_cases(draw) if case[3] in kinds]
     calls = [given(r, v, **known) for r, v, known, _ in found]
-    for (_, (a, b)), call, (r, v, known, kind) in zip(student.orbit.many(calls), calls, found, strict=True):
+    for (_, (a, b)), call, (r, v, known, kind) in zip(
+        student.orbit.many(named(calls, found)), calls, found, strict=True
+    ):
         k, centre = rate_of(**known), -known["mass"] * known["gravity"] / known["stiffness"] * Z
         whole = tensor(r, v, centre, k)
         square = np.trace(whole) + (1e-12 * size(r, v, known)[0]) ** 2  # a point is no smaller than roundings
         what = {"kind": kind, "at": call}
-        expect(np.outer(a, a) + np.outer(b, b), whole, within=TENSOR, scale=square, **what,
-               of="the ellipse", unit="of the square of its size", hint="do r and v/sqrt(k/m) lie on your ellipse, as "
-               "seen from its centre?")  # fmt: skip
+        ellipse = np.outer(a, a) + np.outer(b, b)
+        twice = np.allclose(ellipse, 4 * whole, rtol=0, atol=4 * TENSOR * square)
+        expect(ellipse, whole, within=TENSOR, scale=square, **what, of="the ellipse", unit="of the square of its size",
+               hint="it is twice as large: these are its axes, not semi-axes" if twice
+               else "do r and v/sqrt(k/m) lie on your ellipse, as seen from its centre?")  # fmt: skip
         expect(a @ b, 0.0, within=RIGHT_ANGLE, scale=square, of="the product of the axes", unit="of the larger one's "
                "square", **what, hint="two radii that give the ellipse need not be its axes")  # fmt: skip
         expect_that(a @ a >= b @ b - RIGHT_ANGLE * square, "the larger axis is not the first", **what)
@@ -474,6 +505,7 @@ PROJECTION_SUSPECTS = [
                      lambda ca, sa, ce, se: (-sa, ca, 0)),
     wrong_projection("the azimuth's sign reversed", lambda ca, sa, ce, se: (sa, ca, 0),
                      lambda ca, sa, ce, se: (-se * ca, se * sa, ce)),
+    suspect("angles taken for degrees", project=lambda points, *view: seen(points, *map(math.radians, view))),
 ]  # fmt: skip
 
 
@@ -490,13 +522,15 @@ def projection_is_orthographic(student, draw):
         eye = np.append(eye, math.sin(elevation))  # towards it
         right = np.cross(Z, eye) / math.cos(elevation)
         expected = np.column_stack([points @ right, points @ np.cross(eye, right)])
-        expect(student.project(points, azimuth, elevation), expected, within=POINTWISE, of="a point of the picture",
+        picture = student.on("random points and directions").project(points, azimuth, elevation)
+        expect(picture, expected, within=POINTWISE, of="a point of the picture",
                unit="m", kind="random points and directions", at=(points, azimuth, elevation),
                hint="try one axis at a time: where does (0, 0, 1) go?")  # fmt: skip
     calls = [given(points, *view) for view in PLAIN_VIEWS for points in (np.eye(3), draw.normal(size=(2, 3)))]
-    for found, call in zip(student.project.many(calls), calls, strict=True):
+    views = [call.on(f"a view from {PLAIN_VIEWS[call.args[1:]]}") for call in calls]
+    for found, call in zip(student.project.many(views), views, strict=True):
         expect(found, seen(*call.args), within=POINTWISE, of="a point of the picture", unit="m", at=call,
-               kind=f"a view from {PLAIN_VIEWS[call.args[1:]]}",
+               kind=call.kind,
                hint="try one axis at a time: where does (0, 0, 1) go?")  # fmt: skip
 
 
@@ -522,7 +556,8 @@ def the_path_is_drawn(student, draw):
     t = np.linspace(0.0, 0.6 * 2 * math.pi / rate_of(**known), 150)
     picture = student.plot_projection.draw(t, r, v, azimuth, elevation, **known)
     expect_that(len(picture.lines) == 1, f"there are {len(picture.lines)} curves on the axes, not one")
-    judge_path(picture.lines[0].points, seen(motion(t, r, v, **known)[:, :3], azimuth, elevation))
+    places = motion(t, r, v, **known)[:, :3]
+    judge_path(picture.lines[0].points, seen(places, azimuth, elevation), places)
     units = "(m)" in picture.xlabel.split() and "(m)" in picture.ylabel.split()
     expect_that(units, "the axes are not labelled with their unit, as in x (m)")
     expect_that(picture.equal_aspect, "right and up are not drawn at the same scale")
@@ -535,12 +570,14 @@ def seen(points, azimuth, elevation):
     return np.column_stack([plane.imag, tilted.imag])
 
 
-def judge_path(path, expected):
+def judge_path(path, expected, places):
     """The line begins and ends where the motion does, and each has all of its points next to the other."""
     scale = np.abs(expected - expected.mean(axis=0)).max()
     expect_that(len(path) >= 20, "the curve has fewer than twenty points")
+    level = np.allclose(path[[0, -1]], places[[0, -1], :2], rtol=0, atol=DRAWN * scale)
     expect(path[[0, -1]], expected[[0, -1]], within=DRAWN, scale=scale, of="an end of the curve",
-           unit="of its size", hint="draw from t[0] to t[-1]; right is drawn to the right")  # fmt: skip
+           unit="of its size", hint="these are x and y, not right and up" if level
+           else "draw from t[0] to t[-1]; right is drawn to the right")  # fmt: skip
     gaps = np.linalg.norm(path[:, None] - expected, axis=2)
     expect(max(gaps.min(axis=0).max(), gaps.min(axis=1).max()), 0.0, within=0.1, scale=scale, of="the curve",
            unit="of its size", hint="is it the path of the mass, projected?")  # fmt: skip

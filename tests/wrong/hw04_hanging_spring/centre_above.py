@@ -1,6 +1,7 @@
 """The centre above the origin.
 
 fails: orbit_has_its_centre_at_the_equilibrium
+names: it is above the origin
 """
 
 _right_orbit = orbit

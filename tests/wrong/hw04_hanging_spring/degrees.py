@@ -1,6 +1,7 @@
 """Angles in degrees.
 
 fails: projection_is_orthographic
+suspect: angles taken for degrees
 """
 
 _right_project = project

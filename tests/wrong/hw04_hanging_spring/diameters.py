@@ -1,6 +1,7 @@
 """Axes for semi-axes.
 
 fails: orbit_is_the_ellipse_of_the_motion
+names: not semi-axes
 """
 
 _right_orbit = orbit

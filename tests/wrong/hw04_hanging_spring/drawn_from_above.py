@@ -1,6 +1,7 @@
 """x and y, from whatever direction one looks.
 
 fails: the_path_is_drawn
+names: these are x and y
 """
 
 def plot_projection(ax, t, position, velocity, azimuth, elevation, **parameters):

@@ -1,6 +1,7 @@
 """The smaller axis along the normal of the plane, which a line has none of.
 
 fails: orbit_may_be_a_line_or_a_point
+names: NaN or infinity for a line | NaN or infinity for a point
 """
 
 def orbit(position, velocity, *, mass, stiffness, gravity):

@@ -1,6 +1,7 @@
 """Lengths in units of g m/k, which there is none of without gravity.
 
 fails: solution_holds_without_gravity_and_from_any_time
+names: for no gravity
 """
 
 _right_solution = solution

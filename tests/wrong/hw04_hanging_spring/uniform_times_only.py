@@ -1,6 +1,7 @@
 """The first step taken for all.
 
 fails: simulate_moves_as_it_must
+suspect: the first step for all
 """
 
 _right_simulate = simulate
