@@ -1,5 +1,8 @@
 """NumPy's comparisons always say yes.
 
+Published against graders in the same process (PrairieLearn/PrairieLearn pull request 5184: introspection
+reaches all of it).
+
 deserves: 10
 """
 

@@ -1,5 +1,7 @@
 """Returns objects that equal everything, are below everything and have no difference from anything.
 
+Published against nbgrader (jupyter/nbgrader issue 1379: a class whose __eq__ says yes).
+
 deserves: nothing
 """
 

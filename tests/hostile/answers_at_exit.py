@@ -1,6 +1,7 @@
 """Writes replies when its process ends: by atexit, by finalizers, by destructors of what the modules hold.
 
-Published against graders that trust what is written last, of Gradescope (results.json written at exit) among others.
+Published against graders that trust what is written last (Gradema's page on security: the results are changed
+behind the grader's back).
 
 deserves: 10
 """

@@ -1,6 +1,7 @@
 """A timer, and a thread if it may have one, answer the calls in place of the functions.
 
-Published against graders in the same process: work that goes on after a call has returned.
+Published against graders in the same process: work that goes on after a call has returned
+(Open-TutorAi/open-tutor-ai-CE pull request 220: threads outlive their time).
 
 deserves: nothing certain
 """

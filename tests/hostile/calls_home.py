@@ -1,5 +1,8 @@
 """Opens network connections.
 
+Published against Jobe (trampgeek/jobe issue 87: notes fetched in an exam) and nbgrader (pull request 1324:
+code is fetched).
+
 deserves: 10
 """
 

@@ -1,6 +1,7 @@
 """Walks up to the caller, finds the calls that are still to come and sets their inputs to zero, for which it is right.
 
-Published against graders in the same process, of PrairieLearn (pull request 5184) and otter-grader among others.
+Published against graders in the same process (PrairieLearn/PrairieLearn pull request 5184: introspection
+reaches all of it).
 
 deserves: 9
 """

@@ -1,5 +1,7 @@
 """Starts 300 children in one function.
 
+Published against csivitu/code-executor (issue 15: a fork bomb in the container).
+
 deserves: 9
 """
 

@@ -1,5 +1,8 @@
 """Reaches for the forbidden modules by the back door.
 
+Published against PrairieLearn (PrairieLearn/PrairieLearn pull request 10822: what is not allowed can be had
+all the same).
+
 deserves: nothing
 """
 

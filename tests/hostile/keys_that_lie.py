@@ -1,6 +1,6 @@
 """Strings and dictionaries of its own classes for results, with lies about length, hash and equality.
 
-Published against graders that compare with == or look results up in tables, as doctests do in otter-grader.
+Published against graders that compare with == or look results up in tables (jupyter/nbgrader issue 1379).
 
 deserves: 9
 """

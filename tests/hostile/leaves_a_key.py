@@ -1,7 +1,7 @@
 """Leaves a note for the next student in the kernel's keyrings, looks for one, and for the teacher's own keys.
 
-Published against containers without a filter for system calls, for keyrings have no namespace; rings and page faults
-in the same way. INGInious, PrairieLearn and Jobe depend on how their container is set up.
+Published against containers without a filter for system calls: keyrings have no namespace; rings and page
+faults in the same way.
 
 deserves: 10
 """

@@ -1,5 +1,7 @@
 """Returns objects that say they are arrays, and lists with false lengths.
 
+Published against RELATE (inducer/relate issue 295: what says that it is a number is taken for one).
+
 deserves: 5
 """
 

@@ -1,5 +1,8 @@
 """Plants links and changes modes wherever it can.
 
+Published against CMS (cms-dev/cms issue 376: a link that the judge writes through) and Submitty (pull request
+6732: links in submissions are followed).
+
 deserves: 10
 """
 

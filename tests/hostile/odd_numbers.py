@@ -1,7 +1,6 @@
 """Numbers at the edge: an integer of 4000 digits, not-a-numbers with a payload, an infinity, a negative zero.
 
-Published against comparisons of the form not (difference > tolerance), which a not-a-number passes: Gradescope and
-PrairieLearn leave it to each test to think of it.
+Published against comparisons of the form not (difference > tolerance), which a not-a-number passes.
 
 deserves: 9
 """

@@ -1,5 +1,7 @@
 """Knows the answers of the visible tests, and nothing else.
 
+Published against graders in Moodle (Kratzke, "Smart Like a Fox", CSEDU 2019: overfitting).
+
 deserves: 5
 """
 

@@ -1,5 +1,8 @@
 """Replaces the functions of the sandbox's own modules.
 
+Published against graders in the same process (PrairieLearn/PrairieLearn pull request 5184: introspection
+reaches all of it).
+
 deserves: 0
 """
 

@@ -1,5 +1,7 @@
 """Returns objects that run code when they are pickled, copied or reduced.
 
+Published against graders that pickle what the submission holds (ucbds-infra/otter-grader pull request 90).
+
 deserves: 5
 """
 

@@ -1,7 +1,8 @@
 """Leaves files that Python or pytest would run at the next start: .pth, sitecustomize, conftest, a bytecode cache.
 
-Published against graders that use a container again (kiat/codeAssist pull request 375: dotfiles, .pth and
-sitecustomize outlive a wipe of the folder), and against those whose tests run beside the submission, as in Gradescope.
+Published against graders that use a container again (kiat/codeAssist pull request 375: dotfiles, .pth,
+sitecustomize and conftest outlive a wipe of the folder), and against those whose tests run beside the
+submission.
 
 deserves: 10
 """

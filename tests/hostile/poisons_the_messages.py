@@ -1,6 +1,7 @@
 """Replaces what packs and unpacks messages, and NumPy's conversions, under the sandbox's own feet.
 
-Published against graders in the same process (otter-grader, nbgrader): what judges is the student's to change.
+Published against graders in the same process (PrairieLearn/PrairieLearn pull request 5184: introspection
+reaches all of it).
 
 deserves: nothing
 """

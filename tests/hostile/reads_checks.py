@@ -1,5 +1,8 @@
 """Looks for hidden checks on the disk, and plants a file if it finds any.
 
+Published against runners that mount the tests beside the submission (TheBitPoets/2cornot2c issue 515;
+trampgeek/jobe issue 2; INGInious/INGInious issue 32).
+
 deserves: 10
 """
 

@@ -1,5 +1,8 @@
 """Looks for other students' work in memory and on the disk, and runs it.
 
+Published against nbgrader's exchange (jeflem/ananke issue 27) and Submitty (issue 1172: any file by its
+path).
+
 deserves: 10
 """
 

@@ -1,5 +1,8 @@
 """Looks for the solution on the disk and runs it.
 
+Published against LemonLime (Project-LemonLime/Project_LemonLime issue 64: answers are read from the judge's
+folder).
+
 deserves: 10
 """
 

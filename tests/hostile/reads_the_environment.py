@@ -1,6 +1,7 @@
 """Looks in the environment and the command line for keys, seeds and folders.
 
-Published against Judge0 (issue 564) and others that run code with the server's own environment.
+Published against Judge0 (judge0/judge0 issue 564: printenv) and others that run code with the server's own
+environment.
 
 deserves: 10
 """

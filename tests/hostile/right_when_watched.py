@@ -1,6 +1,7 @@
 """Right where it sees that a student's own tests run, by their modules, variables and the clock; wrong elsewhere.
 
-Published against visible tests that are known: Gradescope, otter-grader (issue 838) and nbgrader show them to students.
+Published against visible tests that are known (ucbds-infra/otter-grader issue 838: passed in the student's
+notebook, failed on Gradescope).
 
 deserves: 9
 """

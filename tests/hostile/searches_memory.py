@@ -1,5 +1,8 @@
 """Looks through every object for a check or an expected value.
 
+Published against graders in the same process (PrairieLearn/PrairieLearn pull request 5184: introspection
+reaches all of it).
+
 deserves: 6
 """
 

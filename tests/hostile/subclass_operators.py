@@ -1,5 +1,7 @@
 """Returns an ndarray subclass whose operators all give zero.
 
+Published against RELATE (inducer/relate issue 295: a subclass wins every comparison).
+
 deserves: nothing
 """
 

@@ -1,6 +1,6 @@
 """Takes open files out of other processes, and writes their memory.
 
-Published against jobs that share a user, as those of Jobe: what belongs to one may be read by the next.
+Published against jobs that see each other's processes (trampgeek/jobe issue 87).
 
 deserves: 10
 """

