@@ -4,6 +4,7 @@ What is right is built another way than by the formula: by turning a frame that 
 """
 
 import math
+from functools import partial
 
 import numpy as np
 
@@ -42,11 +43,6 @@ def by_its_size(axis, angle):
     return turned(axis, abs(angle))
 
 
-def none_for_half(axis, angle):
-    """A turn is taken for none where the sine of its angle is zero."""
-    return turned(axis, angle if abs(np.sin(angle)) > 1e-15 else 0.0)
-
-
 def none_below(smallest):
     """Smaller angles are taken for none."""
     return lambda axis, angle: turned(axis, angle if abs(angle) > smallest else 0.0)
@@ -81,8 +77,7 @@ WRONG_MATRICES = {
     "the axis not made a unit vector": by_formula,
     "the sign of the angle dropped": by_its_size,
 }
-# Right but for a few angles: compared as closely as the checks do, so that nothing else that is nearly right agrees.
-WRONG_AT_PI = {"a half turn taken for no turn: the sine of its angle is zero, too": none_for_half}
+# Right but for a few angles: compared as closely as the check does, so that nothing else that is nearly right agrees.
 WRONG_WHEN_SMALL = {f"a turn by {what} taken for no turn": none_below(smallest)
                     for what, smallest in (("1e-12", 1e-10), ("1e-9", 1e-8))}  # fmt: skip
 
@@ -119,6 +114,12 @@ def any_kind(axis, angle):
     return "a random axis and angle"
 
 
+def not_turned(found, before, otherwise=""):
+    """What to say where a turn has left all as it was, or otherwise."""
+    same = np.allclose(found, before, rtol=POINTWISE, atol=POINTWISE)
+    return "it is taken for no turn" if same else otherwise
+
+
 def matrices(student, cases, kind):
     """The student's matrices beside the cases and the kind(axis, angle) of each."""
     kinds = [kind(axis, angle) for axis, angle, _ in cases]
@@ -138,7 +139,7 @@ def skew_is_the_cross_product(student, draw):
                unit="of the length of v", at=(v, r), kind=kind)  # fmt: skip
 
 
-@check(points=2, part="a", suspects=suspects(WRONG_MATRICES)[0] + suspects(WRONG_AT_PI, POINTWISE)[0])
+@check(points=2, part="a", suspects=suspects(WRONG_MATRICES)[0])
 def matrix_turns_by_the_right_hand_rule(student, draw):
     """rotation_matrix turns by the angle about the axis, right-handed, whatever the axis's length."""
     for R, case, kind in matrices(student, rotations(draw, None), any_kind):
@@ -146,7 +147,7 @@ def matrix_turns_by_the_right_hand_rule(student, draw):
                hint="try a quarter turn about z, and an axis twice as long")  # fmt: skip
     for R, case, kind in matrices(student, plain_turns(draw), plain_kind):
         expect(R, case[2], within=POINTWISE, of="the matrix", at=case, kind=kind,
-               hint="where do the coordinate axes go?")  # fmt: skip
+               hint=partial(not_turned, R, np.eye(3), "where do the coordinate axes go?"))  # fmt: skip
 
 
 @check(points=1, part="a", after=matrix_turns_by_the_right_hand_rule,
@@ -156,7 +157,7 @@ def matrix_holds_for_every_angle(student, draw):
     for angles, within, kind in every_angle(draw):
         for R, case, _ in matrices(student, rotations(draw, angles), lambda axis, angle, kind=kind: kind):
             expect(R, case[2], within=within, of="the matrix", at=case, kind=kind,
-                   hint=terms(R, *case[:2], within))  # fmt: skip
+                   hint=partial(terms, R, *case[:2], within))  # fmt: skip
             expect(R.T @ R, np.eye(3), within=POINTWISE, of="R^T R", at=case, kind=kind)
             expect(np.linalg.det(R), 1.0, within=POINTWISE, of="det R", at=case, kind=kind)
 
@@ -167,6 +168,10 @@ AS_FLOAT32 = "it is that of the angle in single precision"
 def nearer(found, wrong, right):
     """Whether a result is much nearer to what is wrong than to what is right."""
     return np.linalg.norm(found - wrong) < np.linalg.norm(found - right) / 4
+
+
+def precision(found, r, axis, angle, right):
+    return AS_FLOAT32 if nearer(found, in_single_precision(axis, angle) @ r, right @ r) else ""
 
 
 def terms(R, axis, angle, within):
@@ -237,7 +242,7 @@ def beside(student, vectors, cases, kind):
     return zip(student.rotate.many(calls), vectors, cases, kinds, strict=True)
 
 
-@check(points=2, part="a", suspects=suspects(WRONG_MATRICES)[1] + suspects(WRONG_AT_PI, POINTWISE)[1])
+@check(points=2, part="a", suspects=suspects(WRONG_MATRICES)[1])
 def vector_turns_by_the_right_hand_rule(student, draw):
     """rotate turns r as the matrix would, whatever the axis's length."""
     for r1, r, case, kind in turned_vectors(student, draw, rotations(draw, None), any_kind):
@@ -246,7 +251,7 @@ def vector_turns_by_the_right_hand_rule(student, draw):
     plain = plain_turns(draw)
     for r1, r, case, kind in turned_vectors(student, draw, plain, plain_kind):
         expect(r1, case[2] @ r, within=POINTWISE, scale=np.linalg.norm(r), of="the turned vector",
-               unit="of its length", at=(r, *case), kind=kind)  # fmt: skip
+               unit="of its length", at=(r, *case), kind=kind, hint=partial(not_turned, r1, r))  # fmt: skip
     along = [-2.0 * axis for axis, *_ in plain]
     for r1, r, case, kind in beside(student, along, plain, lambda axis, angle: "a vector along the axis"):
         expect(r1, r, within=POINTWISE, scale=np.linalg.norm(r), of="the turned vector", unit="of its length",
@@ -264,9 +269,8 @@ def vector_turns_by_every_angle(student, draw):
         cases = [(length * axis, angle, right) for axis, angle, right in rotations(draw, angles)]
         about = f"{kind}, {length_kind(length)}"
         for r1, r, case, _ in turned_vectors(student, draw, cases, lambda axis, angle, about=about: about):
-            single = nearer(r1, in_single_precision(*case[:2]) @ r, case[2] @ r)
             expect(r1, case[2] @ r, within=within, scale=np.linalg.norm(r), of="the turned vector",
-                   unit="of its length", at=(r, *case), kind=about, hint=AS_FLOAT32 if single else "")  # fmt: skip
+                   unit="of its length", at=(r, *case), kind=about, hint=partial(precision, r1, r, *case))  # fmt: skip
 
 
 @check(points=1, part="a", after=vector_turns_by_the_right_hand_rule)

@@ -1,6 +1,7 @@
 """Hidden checks of hw09. What is right is built from the formula of hw08, by vectors, one column after another."""
 
 import math
+from functools import partial
 
 import numpy as np
 
@@ -56,28 +57,36 @@ def with_the_body(steps, turn=about):
     return in_space(steps[::-1], turn)
 
 
-# Wrong single turns, and how closely they must agree: one that is right but for a few angles as closely as the check
-# compares, so that nothing else that is nearly right agrees.
 WRONG_TURNS = {
-    "the transpose, the rotation the other way": (lambda axis, angle: about(axis, -angle), 1e-6),
-    "the angle taken for degrees": (lambda axis, angle: about(axis, math.radians(angle)), 1e-6),
+    "the transpose, the rotation the other way": lambda axis, angle: about(axis, -angle),
+    "the angle taken for degrees": lambda axis, angle: about(axis, math.radians(angle)),
     "y turned the other way (z, x is the order about y, not x, z)": (
-        lambda axis, angle: about(axis, -angle if axis == "y" else angle), 1e-6,
+        lambda axis, angle: about(axis, -angle if axis == "y" else angle)
     ),
-    "the sign of the angle dropped": (lambda axis, angle: about(axis, abs(angle)), 1e-6),
-    "a half turn taken for no turn: the sine of its angle is zero, too": (
-        lambda axis, angle: about(axis, angle if abs(math.sin(angle)) > 1e-15 else 0.0), WITHIN,
-    ),
-}  # fmt: skip
+    "the sign of the angle dropped": lambda axis, angle: about(axis, abs(angle)),
+}
 
 
 def in_every_turn(function, sequence):
     """Suspects: sequences of wrong turns."""
     return [
-        suspect(f"{says}, in every turn", within=within,
-                **{function: lambda steps, wrong=wrong: sequence(steps, wrong)})
-        for says, (wrong, within) in WRONG_TURNS.items()
-    ]  # fmt: skip
+        suspect(f"{says}, in every turn", **{function: lambda steps, wrong=wrong: sequence(steps, wrong)})
+        for says, wrong in WRONG_TURNS.items()
+    ]
+
+
+WHERE_TO = "where does a quarter turn take each of the other two axes?"
+WHICH_FIRST = "which matrix acts on a vector first, the leftmost or the rightmost?"
+
+
+def half_turned(R, without, otherwise):
+    """What to say of a matrix that is the one without half turns, and otherwise."""
+    return "a half turn is taken for no turn" if np.abs(R - without).max() <= WITHIN else otherwise
+
+
+def none_for_half(axis, angle):
+    """A turn is taken for none where the sine of its angle is zero: at half turns, too."""
+    return about(axis, angle if abs(math.sin(angle)) > 1e-15 else 0.0)
 
 
 def a_unit_axis(draw):
@@ -97,7 +106,7 @@ TURNS = ("no turn", "a quarter turn", "a half turn", "", "a whole turn")  # by t
 
 @check(
     points=1, part="a",
-    suspects=[suspect(says, within=within, axis_rotation=wrong) for says, (wrong, within) in WRONG_TURNS.items()],
+    suspects=[suspect(says, axis_rotation=wrong) for says, wrong in WRONG_TURNS.items()],
 )  # fmt: skip
 def turns_about_the_coordinate_axes(student, draw):
     """axis_rotation turns by the angle about x, y or z, by the right-hand rule."""
@@ -108,7 +117,7 @@ def turns_about_the_coordinate_axes(student, draw):
                   for quarters in (0, 1, -1, 2, -2, 4)]  # fmt: skip
     for R, call in zip(student.axis_rotation.many(calls), calls, strict=True):
         expect(R, about(*call.args), within=WITHIN, of="the matrix", at=call, kind=call.kind,
-               hint="where does a quarter turn take each of the other two axes?")  # fmt: skip
+               hint=partial(half_turned, R, none_for_half(*call.args), WHERE_TO))  # fmt: skip
 
 
 @check(points=0.5, part="a", after=turns_about_the_coordinate_axes)
@@ -140,7 +149,7 @@ def judge_sequences(function, right, draw):
     calls = [given(steps).on(kind) for steps, kind in cases]
     for R, (steps, kind) in zip(function.many(calls), cases, strict=True):
         expect(R, right(steps), within=WITHIN, of="the matrix", at=steps, kind=kind,
-               hint="which matrix acts on a vector first, the leftmost or the rightmost?")  # fmt: skip
+               hint=partial(half_turned, R, right(steps, none_for_half), WHICH_FIRST))  # fmt: skip
 
 
 def judge_short_sequences(function, draw):
@@ -265,17 +274,17 @@ def compare_axes(student, cases, kind, hint="which vector does R leave alone, an
         expect(angle, case[1], within=WITHIN, of="the angle", unit="rad", at=call, kind=kind,
                hint="angles that are near enough to pi are given as pi" if near_is_pi else hint)  # fmt: skip
         expect(axis, case[0], within=WITHIN, of="the axis", at=call, kind=kind,
-               hint=wrong_axis(axis, case[0]) or hint)  # fmt: skip
+               hint=partial(wrong_axis, axis, case[0], hint))  # fmt: skip
 
 
-def wrong_axis(axis, right):
-    """What is wrong with an axis, if that can be told."""
+def wrong_axis(axis, right, otherwise):
+    """What is wrong with an axis, if that can be told, and otherwise what to look at."""
     off = np.abs(axis - right) > WITHIN
     if np.abs(axis + right).max() < 1e-6:
         return "it points the other way"
     if off.any() and np.abs(right[off]).max() < 1e-4 and np.abs(axis - right).max() < 1e-6:
         return "only what is small or zero in it is off: is that a square root of a small difference?"
-    return ""
+    return otherwise
 
 
 def taken_for(special, found, cases, within):
@@ -484,4 +493,4 @@ def the_book_has_its_twelve_edges(student, draw):
         found = student.on(kind).book_edges(R, size=size)
         expect(mismatch(found, edges(R, size)), 0.0, within=WITHIN, scale=max(size), of="an edge",
                unit="of the longest edge", at=(R, size), kind=kind,
-               hint=mistake(found, R, size))  # fmt: skip
+               hint=partial(mistake, found, R, size))  # fmt: skip

@@ -1,7 +1,7 @@
 """The matrix of a half turn is made with the sine alone, which is zero there.
 
 fails: matrix_turns_by_the_right_hand_rule
-suspect: a half turn taken for no turn
+names: for a half turn about a coordinate axis; it is taken for no turn
 """
 
 _right = rotation_matrix

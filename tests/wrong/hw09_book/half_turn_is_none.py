@@ -1,7 +1,7 @@
 """A turn is taken for none where the sine is zero: at a half turn too.
 
 fails: turns_about_the_coordinate_axes, space_sequence_takes_the_first_step_first, body_sequence_takes_the_axes_along
-suspect: a half turn taken for no turn
+names: for a half turn about x; a half turn is taken for no turn
 """
 
 _right = axis_rotation
