@@ -6,7 +6,7 @@ import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.special import ellipe, ellipeinc, ellipk
 
-from tam570_grader import array, check, expect, formula, given, kept, number, once, rows, suspect
+from tam570_grader import Failure, array, check, expect, formula, given, kept, number, once, rows, suspect
 
 RESULTS = {
     "lagrangian": formula("x", "v", "m", "c", "g"),
@@ -17,13 +17,15 @@ RESULTS = {
     "simulate": rows(2),
     "period": number,
 }
-NEEDS = ("numpy", "scipy.integrate", "scipy.special", "sympy")
+NEEDS = ("numpy", "sympy")
 OFF_LIMITS = {"*": ("tam570.lagrange",)}
 
 POINTWISE = 1e-8  # a few roundings make 1e-15, a derivative by central differences 1e-10
 TRAJECTORY = 2e-5  # LSODA at rtol 1e-9, atol 1e-9 is off by 1e-6 after three periods, RK45 and DOP853 by less
 SHARP_TURN = 2e-4  # ... by 1e-5 behind the sharp turns of a steep wire
 ENERGY = 1e-5  # the same solvers lose 1e-6 of it in thirty periods
+NEARLY = 3e-2  # of the largest rate; the rows of a coarse integration obey the equation so far, to choose the words
+BETTER = 0.1  # of the error is left where the steps are what is wrong, to choose the words
 PERIOD = 1e-6  # a quadrature with a singular end, or an event of a simulation, is good to 1e-8
 
 
@@ -53,6 +55,18 @@ def bead_of(point):
     return (point["x"], point["v"]), {"curvature": point["c"], "gravity": point["g"]}
 
 
+def integrated(newton, method, **tolerances):
+    """A simulation with this acceleration."""
+
+    def simulate(t, x, v, **wire):
+        found = solve_ivp(
+            lambda _, y: (y[1], newton(*y, **wire)), (t[0], t[-1]), (x, v), method, t, **tolerances
+        )
+        return found.y.T if found.success else np.full((len(t), 2), np.nan)
+
+    return simulate
+
+
 def equation_suspect(says, wrong):
     """An acceleration wrong(slope, c, v, g) in place of the right one."""
 
@@ -62,12 +76,7 @@ def equation_suspect(says, wrong):
     def lagrange(points):
         return [newton(*state, **wire) for state, wire in map(bead_of, points)]
 
-    def simulate(t, x, v, **wire):
-        found = solve_ivp(
-            lambda _, y: (y[1], newton(*y, **wire)), (t[0], t[-1]), (x, v), "DOP853", t, rtol=1e-9, atol=1e-9
-        )
-        return found.y.T if found.success else np.full((len(t), 2), np.nan)
-
+    simulate = integrated(newton, "DOP853", rtol=1e-9, atol=1e-9)
     return suspect(
         says, within=1e-5, acceleration_newton=newton, lagrange_equation=lagrange, simulate=simulate
     )
@@ -80,6 +89,8 @@ EQUATION_SUSPECTS = [
     equation_suspect("the slope 2 c x not squared", lambda s, c, v, g: -(g * s + c * v**2) / (1 + s)),
     equation_suspect("c x for the slope 2 c x", lambda s, c, v, g: -s * (g + c * v**2 / 2) / (1 + s**2 / 4)),
     equation_suspect("the sign of gravity's term reversed", lambda s, c, v, g: -s * (2 * c * v**2 - g) / (1 + s**2)),
+    equation_suspect("the curvature missing beside v^2", lambda s, c, v, g: -s * (g + 2 * v**2) / (1 + s**2)),
+    equation_suspect("the slope without its sign", lambda s, c, v, g: -abs(s) * (g + 2 * c * v**2) / (1 + s**2)),
 ]  # fmt: skip
 
 
@@ -159,6 +170,14 @@ def kind_of(call, kind):
     return where if call.kwargs["gravity"] else f"{where}, without gravity"
 
 
+ANY = "a random state and wire"
+
+
+def asked(calls):
+    """The same calls, with their kinds."""
+    return [call.on(kind_of(call, ANY)) for call in calls]
+
+
 def largest_term(call):
     """Size of x'' or of what cancels in it, m/s^2."""
     x, v = call.args
@@ -194,10 +213,13 @@ def lagrange_gives_the_acceleration(student, draw):
 def newton_gives_the_acceleration(student, draw):
     """acceleration_newton: x'' by F = m a along the tangent, as Lagrange has it."""
     calls = massless(beads(draw))
-    for value, call in zip(student.acceleration_newton.many(calls), calls, strict=True):
+    calls.sort(
+        key=lambda call: call.args[0] >= 0 or call.args[1] == 0
+    )  # what tells a lost sign from the truth first
+    for value, call in zip(student.acceleration_newton.many(asked(calls)), calls, strict=True):
         expected = acceleration(*call.args, **call.kwargs)
         expect(value, expected, within=POINTWISE, scale=largest_term(call), of="x''", unit="of itself", at=call,
-               kind=kind_of(call, "a random state and wire"),
+               kind=kind_of(call, ANY),
                hint="differentiate y = c x^2 twice: y'' has two terms")  # fmt: skip
 
 
@@ -217,18 +239,21 @@ FORCE_SUSPECTS = [
     wrong_force("half the term with v^2", lambda m, bend, g: m * (g + bend)),
     wrong_force("the sign of the term with v^2 reversed", lambda m, bend, g: m * (g - 2 * bend)),
     wrong_force("the sign of gravity reversed", lambda m, bend, g: m * (2 * bend - g)),
+    wrong_force("a mass of 1 for the one given", lambda m, bend, g: g + 2 * bend),
 ]
 DIRECTION_SUSPECTS = [
     wrong_force("the force reversed, that of the bead on the wire", lambda m, bend, g: -m * (g + 2 * bend)),
     wrong_force("the normal tilted to the wrong side", lambda m, bend, g: m * (g + 2 * bend), side=-1),
-]
+    suspect("a force straight up, not along the normal",
+            constraint_force=lambda x, v, **bead: [0.0, normal_force(x, v, **bead)]),
+]  # fmt: skip
 
 
 def forces(student, draw):
     """The student's forces, the right sizes, and the calls."""
     calls = beads(draw)
     sizes = [normal_force(*call.args, **call.kwargs) for call in calls]
-    return zip(student.constraint_force.many(calls), sizes, calls, strict=True)
+    return zip(student.constraint_force.many(asked(calls)), sizes, calls, strict=True)
 
 
 @check(points=0.75, part="b", suspects=FORCE_SUSPECTS)
@@ -236,7 +261,7 @@ def force_has_the_right_size(student, draw):
     """constraint_force: as large as carrying and turning the bead takes."""
     for force, size, call in forces(student, draw):
         expect(math.hypot(*force), size, within=POINTWISE, scale=size or 1.0, of="the size of the force",
-               unit="of itself", kind=kind_of(call, "a random state and wire"), at=call,
+               unit="of itself", kind=kind_of(call, ANY), at=call,
                hint="what force does a bead need at the bottom, at rest and passing by?")  # fmt: skip
 
 
@@ -249,7 +274,7 @@ def force_and_weight_make_the_acceleration(student, draw):
         along_x = acceleration(x, v, curvature=curvature, gravity=gravity)
         along_y = 2 * curvature * (x * along_x + v**2)
         expect(force, [mass * along_x, mass * (along_y + gravity)], within=POINTWISE, scale=size or 1.0, of="the force",
-               unit="of its size", kind=kind_of(call, "a random state and wire"), at=call,
+               unit="of its size", kind=kind_of(call, ANY), at=call,
                hint="dot it with the tangent (1, 2 c x); and does it act on the bead?")  # fmt: skip
 
 
@@ -257,10 +282,10 @@ def force_and_weight_make_the_acceleration(student, draw):
 def energy_is_kinetic_and_potential(student, draw):
     """energy: of the speed along the wire and of the height above the bottom."""
     calls = beads(draw)
-    for value, call in zip(student.energy.many(calls), calls, strict=True):
+    for value, call in zip(student.energy.many(asked(calls)), calls, strict=True):
         expected = sum(energies(*call.args, **call.kwargs))
         expect(value, expected, within=POINTWISE, scale=expected or 1.0, of="the energy", unit="of itself", at=call,
-               kind=kind_of(call, "a random state and wire"), hint="v is not the speed along the wire")  # fmt: skip
+               kind=kind_of(call, ANY), hint="v is not the speed along the wire")  # fmt: skip
 
 
 def inverse(function, values, low, high):
@@ -322,13 +347,77 @@ def motion(draw, steepness, turns, rows):
 
 
 def judge_motion(student, case, kind, hint, within=TRAJECTORY):
-    """Compare a simulation with the exact motion; half the points for a tolerance too loose."""
+    """Compare a simulation with the exact motion; half the points for a tolerance too loose.
+
+    hint : where to look, or what tells it of the student, the case, its rows and their errors
+    """
     t, start, wire, expected, scale = case
-    found = student.simulate(t, *start, **wire)
+    found = student.on(kind).simulate(t, *start, **wire)
+    errors = np.max(np.abs(found - expected) / scale, axis=1)
     expect(found, expected, within=within, scale=scale, of="x, or v,", unit="of its largest value", t=t, kind=kind,
-           hint=hint, at=(start, wire), partial={1e-3: 0.5},
+           hint=(lambda: hint(student, case, found, errors)) if callable(hint) else hint,
+           at=(start, wire), partial={1e-3: 0.5},
            keeps=lambda: kept(t, energy_along(found, wire), within=ENERGY, of="the energy",
                               unit="of itself"))  # fmt: skip
+
+
+def hint_of_large_motions(student, case, found, errors):
+    """Rows that nearly obey the equation from the right start can but drift."""
+    t, _, wire, *_ = case
+    rates = np.gradient(found, t, axis=0, edge_order=2)
+    right = np.column_stack([found[:, 1], [acceleration(*state, **wire) for state in found]])
+    disobeyed = np.max(np.abs(rates - right) / np.max(np.abs(right), axis=0), axis=1)
+    if errors[0] <= TRAJECTORY and np.quantile(disobeyed, 0.9) <= NEARLY:  # steps may meet with a kink
+        return "the rows nearly obey the equation: are the steps short, and the tolerance tight?"
+    return "is v the rate of x, and x'' that of part (a)?"
+
+
+def hint_of_steps(otherwise, found_out, rows=None):
+    """`found_out` where times in between bring a row right, which cannot be the equation's fault.
+
+    rows : from the case and its errors, the two rows between which to put the times; else the first that is off
+    """
+
+    def hint(student, case, found, errors):
+        t, start, wire, expected, scale = case
+        first, last = (rows or first_off)(case, errors)
+        if errors[last] <= TRAJECTORY or first == last:
+            return otherwise
+        again = another(
+            student, np.concatenate([t[:first], np.linspace(t[first], t[last], 300)]), start, wire
+        )
+        better = again is not None and max(abs(again[-1] - expected[last]) / scale) <= BETTER * errors[last]
+        return found_out if better else otherwise
+
+    return hint
+
+
+def hint_of_two_times(student, case, found, errors):
+    """Whether the times or the start is what is mistaken."""
+    stays = "the bead stays where it was let go" if np.all(found == found[0]) else ""
+    otherwise = stays or "row 0 is the start, row 1 the other time"
+    return hint_of_steps(otherwise, SAMPLED)(student, case, found, errors)
+
+
+def first_off(case, errors):
+    """The first row that is off, and the one before it."""
+    row = int(np.argmax(errors > BETTER * errors.max()))
+    return max(row - 1, 0), row
+
+
+def first_turn(case, errors):
+    """Rows before and behind the first pass of the bottom."""
+    x = case[3][:, 0]
+    row = int(np.argmax(x * x[0] < 0))
+    return max(row - 2, 0), min(row + 1, len(x) - 1)
+
+
+def another(student, t, start, wire):
+    """A further simulation, to choose the words; None if there is none."""
+    try:
+        return student.simulate(t, *start, **wire)
+    except Failure:
+        return None
 
 
 def energy_along(states, wire):
@@ -339,31 +428,48 @@ def energy_along(states, wire):
     return energies / energies[0]
 
 
+def with_speeds(t, x, v, *, curvature, gravity):
+    """Its second column is the speed along the wire, with the sign of v."""
+    states = exact(t - t[0], x, v, curvature=curvature, gravity=gravity)
+    return states * np.column_stack([np.ones(len(t)), np.hypot(1, 2 * curvature * states[:, 0])])
+
+
 SIMULATE_SUSPECTS = [
     *EQUATION_SUSPECTS,
     suspect("the given state as that at t = 0, not at t[0]", within=1e-4, simulate=exact),
+    suspect("the speed along the wire in place of v", within=1e-4, simulate=with_speeds),
+    suspect("solve_ivp at its default tolerance", simulate=integrated(acceleration, "RK45")),
 ]
 
 
 @check(points=1, part="b", suspects=SIMULATE_SUSPECTS)
 def simulate_slides(student, draw):
     """simulate: large motions, row i at t[i], row 0 the given state."""
-    judge_motion(student, motion(draw, (0.4, 1.0), 15.0, 1000), "an amplitude near 1/c",
-                 "is v the rate of x, and x'' that of part (a)? is the tolerance tight?")  # fmt: skip
+    judge_motion(
+        student, motion(draw, (0.4, 1.0), 15.0, 1000), "an amplitude near 1/c", hint_of_large_motions
+    )
+
+
+SAMPLED = (
+    "with more times in between, the same motion comes out far better: how t is sampled must not change it"
+)
+TOO_LONG = (
+    "with more times in between it comes out far better: the steps are too long for the turn at the bottom"
+)
+LONGER = "over a shorter time the same rows come out far better: the steps must not grow with the duration"
 
 
 @check(points=0.5, part="b", after=simulate_slides)
 def simulate_needs_no_dense_times(student, draw):
     """simulate: the same motion when only a few times are asked for."""
     judge_motion(student, motion(draw, (0.4, 1.0), 15.0, 4), "few times, far apart",
-                 "the steps of the integration are not those of t")  # fmt: skip
+                 hint_of_steps("the steps of the integration are not those of t", SAMPLED))  # fmt: skip
     for case, kind in plain_motions(draw):
-        judge_motion(
-            student, case, f"two times, the bead let go {kind}", "row 0 is the start, row 1 the other time"
-        )
+        judge_motion(student, case, f"two times, the bead let go {kind}", hint_of_two_times)
     t, wire = times(draw, 5.0, 2), {"curvature": draw.uniform(0.5, 2), "gravity": draw.uniform(1, 25)}
-    expect(student.simulate(t, 0.0, 0.0, **wire), np.zeros((2, 2)), within=TRAJECTORY, of="x or v",
-           unit="m or m/s", kind="a bead at rest at the bottom, where it stays", at=wire)  # fmt: skip
+    kind = "a bead at rest at the bottom, where it stays"
+    expect(student.on(kind).simulate(t, 0.0, 0.0, **wire), np.zeros((2, 2)), within=TRAJECTORY, of="x or v",
+           unit="m or m/s", kind=kind, at=wire)  # fmt: skip
 
 
 @once
@@ -394,7 +500,8 @@ def simulate_without_gravity(student, draw):
 def simulate_slides_down_steep_wires(student, draw):
     """simulate: an amplitude of many 1/c, where the bead turns sharply at the bottom."""
     judge_motion(student, motion(draw, (5.0, 8.0), 60.0, 60), "an amplitude of several 1/c",
-                 "a step of fixed length misses the turn at the bottom", SHARP_TURN)  # fmt: skip
+                 hint_of_steps("is the tolerance tight enough for the sharp turn at the bottom?", TOO_LONG, first_turn),
+                 SHARP_TURN)  # fmt: skip
 
 
 @check(points=0.25, part="b", after=simulate_slides)
@@ -402,10 +509,28 @@ def simulate_keeps_the_energy(student, draw):
     """simulate: the energy stays what it was over many periods."""
     start, wire, rate = ride(draw, (0.4, 1.0))
     t = times(draw, 180 / rate, 300)
-    energy = energy_along(student.simulate(t, *start, **wire), wire)
+    energy = energy_along(student.on("many periods").simulate(t, *start, **wire), wire)
     expect(energy, np.ones(len(t)), within=ENERGY, of="the energy", unit="of itself", t=t,
            kind="many periods", at=(start, wire), partial={1e-4: 0.6, 1e-2: 0.3},
-           hint="a step of fixed length, or a fixed number of them, does not do for every duration")  # fmt: skip
+           hint=lambda: hint_of_durations(student, t, start, wire, energy))  # fmt: skip
+
+
+def hint_of_durations(student, t, start, wire, energy):
+    """What is changed by a shorter run, and by a denser one."""
+    few = len(t) // 12
+    lost = drift(energy[:few])
+    denser = np.interp(np.arange(0, few - 0.95, 0.1), np.arange(few), t[:few])
+    for asked_for, every, says in ((t[:few], 1, LONGER), (denser, 10, SAMPLED)):
+        again = another(student, asked_for, start, wire)
+        better = again is not None and drift(energy_along(again, wire)[::every]) <= BETTER * lost
+        if better and lost > BETTER * ENERGY:
+            return says
+    return "is the step short, and the tolerance tight enough for many periods?"
+
+
+def drift(energy):
+    """The largest error of an energy that should stay 1."""
+    return np.max(np.abs(energy - 1.0))
 
 
 def period_suspect(says, swings):
@@ -429,16 +554,29 @@ PERIOD_SUSPECTS = [
 
 
 def judge_periods(student, draw, steepness, kind, hint):
-    """Compare with Legendre's complete integral of the second kind."""
+    """Compare with Legendre's complete integral of the second kind.
+
+    hint : where to look, or what tells it of the amplitudes, in units of 1/c, and the errors
+    """
     curvatures, gravities = 10 ** draw.uniform(-1, 1, len(steepness)), draw.uniform(1, 25, len(steepness))
+    rates = np.sqrt(2 * gravities * curvatures)
     calls = [
         given(ca / curvature, curvature=curvature, gravity=gravity)
         for ca, curvature, gravity in zip(steepness, curvatures, gravities, strict=True)
     ]
-    for found, ca, call in zip(student.period.many(calls), steepness, calls, strict=True):
-        expected = 4 * ellipe(-4 * ca**2) / math.sqrt(2 * call.kwargs["gravity"] * call.kwargs["curvature"])
-        expect(found, expected, within=PERIOD, scale=expected, of="the period", unit="of itself", kind=kind, hint=hint,
-               at=call)  # fmt: skip
+    periods, right = student.on(kind).period.many(calls), 4 * ellipe(-4 * steepness**2) / rates
+    errors = np.abs(periods / right - 1)
+    for found, expected, call in zip(periods, right, calls, strict=True):
+        expect(found, expected, within=PERIOD, scale=expected, of="the period", unit="of itself", kind=kind, at=call,
+               hint=(lambda: hint(steepness, errors)) if callable(hint) else hint)  # fmt: skip
+
+
+def hint_of_huge_amplitudes(steepness, errors):
+    """What reaches only so far is worst where the amplitude is largest."""
+    least, most = np.argmin(steepness), np.argmax(steepness)
+    if errors[most] == errors.max() > errors[least] / BETTER:
+        return "the error grows with the amplitude, as that of a series in it or of a quadrature of fixed order does"
+    return "is the tolerance of the quadrature tight enough?"
 
 
 @check(points=1, part="b", suspects=PERIOD_SUSPECTS)
@@ -454,4 +592,4 @@ def period_of_small_and_of_huge_amplitudes(student, draw):
     judge_periods(student, draw, 10 ** draw.uniform(-3, -2, 3), "an amplitude of some thousandths of 1/c",
                   "is a difference of nearly equal heights taken?")  # fmt: skip
     judge_periods(student, draw, 10 ** draw.uniform(1, 2, 4), "an amplitude of many 1/c",
-                  "a series in the amplitude, or a quadrature of fixed order, does not reach this far")  # fmt: skip
+                  hint_of_huge_amplitudes)  # fmt: skip

@@ -1,6 +1,7 @@
 """Nine hundred Runge-Kutta steps for every duration.
 
 fails: simulate_keeps_the_energy, simulate_slides_down_steep_wires
+names: the steps must not grow with the duration
 """
 
 def _rk4_step(x, v, h, wire):

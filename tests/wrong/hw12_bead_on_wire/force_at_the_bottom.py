@@ -1,6 +1,7 @@
 """At the bottom the wire carries the weight alone: that the bead turns there is forgotten; at rest it is asked to jump.
 
 fails: force_has_the_right_size
+names: for a bead at the bottom
 """
 
 _right = constraint_force

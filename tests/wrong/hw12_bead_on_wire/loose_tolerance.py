@@ -1,6 +1,7 @@
 """solve_ivp at its default tolerance.
 
 fails: simulate_slides
+suspect: solve_ivp at its default tolerance
 """
 
 def simulate(t, x, v, *, curvature, gravity):

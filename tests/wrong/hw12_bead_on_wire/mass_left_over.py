@@ -1,6 +1,7 @@
 """A mass that does not cancel.
 
 fails: lagrange_gives_the_acceleration
+names: in x, v, c, g alone
 """
 
 def lagrange_equation():

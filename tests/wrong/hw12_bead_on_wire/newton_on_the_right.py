@@ -1,6 +1,7 @@
 """Right for x > 0 only.
 
 fails: newton_gives_the_acceleration
+suspect: the slope without its sign
 """
 
 def acceleration_newton(x, v, *, curvature, gravity):

@@ -1,6 +1,7 @@
 """A bead at rest has no acceleration and no energy.
 
 fails: newton_gives_the_acceleration, energy_is_kinetic_and_potential
+names: for a bead at rest
 """
 
 _newton, _energy = acceleration_newton, energy

@@ -1,6 +1,7 @@
 """Time in units of 1/sqrt(2 g c), which there is none of without gravity.
 
 fails: simulate_without_gravity
+names: raised ValueError for gravity 0
 """
 
 _right_simulate = simulate

@@ -1,6 +1,7 @@
 """A rule of two hundred points: enough near 1/c, not for steep wires.
 
 fails: period_of_small_and_of_huge_amplitudes
+names: the error grows with the amplitude
 """
 
 def period(amplitude, *, curvature, gravity):

@@ -1,6 +1,7 @@
 """The second column is the speed along the wire.
 
 fails: simulate_slides
+suspect: the speed along the wire in place of v
 """
 
 _right_simulate = simulate

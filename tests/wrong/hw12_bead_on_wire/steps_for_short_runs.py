@@ -1,6 +1,7 @@
 """Steps that are longer in longer runs.
 
 fails: simulate_keeps_the_energy
+names: the steps must not grow with the duration
 """
 
 def _rk4_step(x, v, h, wire):

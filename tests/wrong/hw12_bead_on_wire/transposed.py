@@ -1,6 +1,7 @@
 """(2, n) as solve_ivp has it.
 
 fails: simulate_slides
+names: not an array of shape (1000, 2)
 """
 
 _right_simulate = simulate

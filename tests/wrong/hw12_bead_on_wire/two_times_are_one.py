@@ -1,6 +1,7 @@
 """Of two times the second is never reached.
 
 fails: simulate_needs_no_dense_times
+names: how t is sampled must not change it
 """
 
 _right = simulate

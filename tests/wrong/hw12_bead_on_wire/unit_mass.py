@@ -1,6 +1,7 @@
 """The force on a bead of one kilogram.
 
 fails: force_has_the_right_size
+suspect: a mass of 1 for the one given
 """
 
 def constraint_force(x, v, *, mass, curvature, gravity):
