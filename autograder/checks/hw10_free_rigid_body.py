@@ -1,6 +1,7 @@
 """Hidden checks of hw10. What is right comes from H' = 0 in vectors, elliptic functions, and a wheel's two turns."""
 
 import math
+from functools import partial
 
 import numpy as np
 from scipy.integrate import solve_ivp
@@ -34,7 +35,7 @@ RESULTS = {
     "wireframe": array(12, 2, 3),
     "plot_rim_paths": drawing,
 }
-NEEDS = ("numpy", "scipy.integrate", "scipy.special", "matplotlib.figure")
+NEEDS = ("numpy", "matplotlib.figure")
 OFF_LIMITS = {"euler_rates_313": ("tam570.rotations", "scipy.spatial.transform")}
 MANUAL = {
     "a": (2, "a simple explanation of the two tilted circles"),
@@ -79,14 +80,17 @@ def right_attitude(R, omega):
     return np.cross(R, omega)
 
 
-def motion(t, R, omega, *, inertia, euler=moving, attitude=right_attitude):
-    """omegas and rotations by DOP853, or NaN where there is no such motion."""
+PRECISE = {"method": "DOP853", "rtol": 1e-11, "atol": 1e-11}
+
+
+def motion(t, R, omega, *, inertia, euler=moving, attitude=right_attitude, solver=PRECISE):
+    """omegas and rotations by solve_ivp, or NaN where there is no such motion."""
 
     def rates(_, y):
         return np.concatenate([euler(y[:3], inertia=inertia), attitude(y[3:].reshape(3, 3), y[:3]).ravel()])
 
     start = np.concatenate([omega, np.ravel(R)])
-    found = solve_ivp(rates, (t[0], t[-1]), start, method="DOP853", t_eval=t, rtol=1e-11, atol=1e-11)
+    found = solve_ivp(rates, (t[0], t[-1]), start, t_eval=t, **solver)
     states = found.y.T if found.success else np.full((len(t), 12), np.nan)
     return states[:, :3], states[:, 3:].reshape(-1, 3, 3)
 
@@ -141,7 +145,12 @@ def an_omega(draw):
     return draw.uniform(0.4, 1, 3) * draw.choice([-1, 1], 3) * 10 ** draw.uniform(0, 0.5)
 
 
-PLAIN = "omega along a principal axis, in a principal plane, of one sign, or zero"
+OMEGAS = ("omega zero", "omega along a principal axis", "omega in a principal plane", "omega of one sign")
+
+
+def omega_kind(omega):
+    """What an omega of `plain_omegas` is called."""
+    return OMEGAS[np.count_nonzero(omega)]
 
 
 def plain_omegas(draw):
@@ -156,6 +165,14 @@ def plain_attitudes(draw):
     """The body's axes along those of space: as they are, and after a quarter turn and a half turn."""
     axis = draw.permutation(np.eye(3))[0]
     return [np.eye(3), *(np.round(turned(angle * axis)) + 0.0 for angle in (math.pi / 2, math.pi))]
+
+
+ATTITUDES = ("R = I", "R of a quarter turn", "R of a half turn", "a random R")
+
+
+def named_attitudes(draw):
+    """`plain_attitudes` and what they are called."""
+    return list(zip(plain_attitudes(draw), ATTITUDES, strict=False))
 
 
 def an_attitude(draw):
@@ -176,16 +193,22 @@ def sorted_body(draw):
 # Pointwise
 
 
-def judge(function, calls, right, *, size=None, within=POINTWISE, unit="of itself", **says):
+def judge(function, calls, right, *, of, kind="", size=None, within=POINTWISE, unit="of itself", hint=""):
     """Compare with right(...) of the same arguments, relative to size(...) of them or to the size of what is right."""
+    calls = [call.on(call.kind or kind) for call in calls]
     for found, call in zip(function.many(calls), calls, strict=True):
+        expect_that(np.all(np.isfinite(found)), f"{of} is infinite", kind=call.kind, hint=hint, at=call)
         expected = right(*call.args, **call.kwargs)
         scale = size(*call.args, **call.kwargs) if size else np.linalg.norm(expected)
-        expect(found, expected, within=within, scale=scale or 1.0, unit=unit, at=call, **says)
+        expect(found, expected, within=within, scale=scale or 1.0, unit=unit, at=call, of=of, kind=call.kind,
+               hint=hint)  # fmt: skip
 
 
 def signs_changed(*signs):
     return lambda omega, *, inertia: moving(omega, inertia=inertia) * signs
+
+
+THIRD_IS_ZERO = "A = B put into the third of Euler's equations: omega_3 stays"
 
 
 @check(
@@ -197,23 +220,25 @@ def signs_changed(*signs):
         suspect("a sign changed in the third of Euler's equations", euler_equations=signs_changed(1, 1, -1)),
         suspect("the moments H x omega not divided by A, B, C",
                 euler_equations=lambda w, *, inertia: np.cross(inertia * w, w)),
+        suspect(THIRD_IS_ZERO, euler_equations=signs_changed(1, 1, 0)),
     ],
 )  # fmt: skip
 def euler_equations_keep_the_angular_momentum(student, draw):
     """euler_equations: omega' of a body without moments, for any three inertias, equal ones too."""
     A, k = draw.uniform(0.5, 2, 2)
-    bodies = [a_body(draw) for _ in range(12)] + [a_wheel(draw) for _ in range(4)]
-    bodies += [np.array([A, A, A]), np.array([k * A, A, A])]
-    judge(student.euler_equations, [given(an_omega(draw), inertia=body) for body in bodies], moving,
-          size=lambda omega, inertia: omega @ omega, of="omega'", unit="of omega^2", kind="a random body and omega",
+    bodies = [(a_body(draw), "a random body and omega") for _ in range(12)]
+    bodies += [(a_wheel(draw), "a body with A = B") for _ in range(4)]
+    bodies += [(np.array([A, A, A]), "three equal inertias"), (np.array([k * A, A, A]), "a body with B = C")]
+    judge(student.euler_equations, [given(an_omega(draw), inertia=body).on(kind) for body, kind in bodies], moving,
+          size=lambda omega, inertia: omega @ omega, of="omega'", unit="of omega^2",
           hint="the rate of H in body components plus omega x H is zero")  # fmt: skip
     plain = [
-        given(omega, inertia=body)
+        given(omega, inertia=body).on(omega_kind(omega))
         for body in (a_body(draw), np.array([2.0, 1.0, 2.0]))
         for omega in plain_omegas(draw)
     ]
     judge(student.euler_equations, plain, moving, size=lambda omega, inertia: omega @ omega, of="omega'",
-          unit="of omega^2", kind=PLAIN, hint="which of the three products are zero?")  # fmt: skip
+          unit="of omega^2", hint="which of the three products are zero?")  # fmt: skip
 
 
 @check(
@@ -229,11 +254,14 @@ def attitude_follows_omega(student, draw):
     calls = [given(an_attitude(draw), an_omega(draw)) for _ in range(15)]
     judge(student.attitude_rate, calls, right_attitude, of="dR/dt", kind="a random attitude and omega",
           hint="the columns of R are the body's axes in space; each moves at omega x itself")  # fmt: skip
+    attitudes = [*named_attitudes(draw), (an_attitude(draw), ATTITUDES[-1])]
     plain = [
-        given(R, omega) for R in (*plain_attitudes(draw), an_attitude(draw)) for omega in plain_omegas(draw)
+        given(R, omega).on(f"{omega_kind(omega)}, {kind}")
+        for R, kind in attitudes
+        for omega in plain_omegas(draw)
     ]
     judge(student.attitude_rate, plain, right_attitude, of="dR/dt", size=lambda R, omega: np.linalg.norm(omega),
-          unit="of omega", kind=f"{PLAIN}, or axes along those of space")  # fmt: skip
+          unit="of omega")  # fmt: skip
 
 
 @check(
@@ -247,8 +275,8 @@ def energy_is_half_omega_h(student, draw):
     """energy: half of omega . H."""
     calls = [given(an_omega(draw), inertia=a_body(draw)) for _ in range(10)]
     judge(student.energy, calls, energy, of="the energy", kind="a random body and omega")
-    plain = [given(omega, inertia=a_body(draw)) for omega in plain_omegas(draw)]
-    judge(student.energy, plain, energy, of="the energy", kind=PLAIN)
+    plain = [given(omega, inertia=a_body(draw)).on(omega_kind(omega)) for omega in plain_omegas(draw)]
+    judge(student.energy, plain, energy, of="the energy")
 
 
 def momentum(R, omega, *, inertia):
@@ -269,9 +297,11 @@ def angular_momentum_is_in_space_axes(student, draw):
     calls = [given(an_attitude(draw), an_omega(draw), inertia=a_body(draw)) for _ in range(10)]
     judge(student.angular_momentum, calls, momentum, of="H", kind="a random body, attitude and omega")
     plain = [
-        given(R, omega, inertia=a_body(draw)) for R in plain_attitudes(draw) for omega in plain_omegas(draw)
+        given(R, omega, inertia=a_body(draw)).on(f"{omega_kind(omega)}, {kind}")
+        for R, kind in named_attitudes(draw)
+        for omega in plain_omegas(draw)
     ]
-    judge(student.angular_momentum, plain, momentum, of="H", kind=f"{PLAIN}, and axes along those of space")
+    judge(student.angular_momentum, plain, momentum, of="H")
 
 
 def omega_of_rates(angles):
@@ -292,6 +322,13 @@ def rates_of_space_omega(angles, omega):
     return rates_313([-phi, -theta, -psi], omega)[::-1]
 
 
+def rates_of_positive_sine(angles, omega):
+    """sin theta as a square root, never negative."""
+    psi_rate, theta_rate, phi_rate = rates_313(angles, omega)
+    sign = np.sign(math.sin(angles[1]))
+    return np.array([sign * psi_rate, theta_rate, phi_rate + (1 - sign) * psi_rate * math.cos(angles[1])])
+
+
 @check(
     points=0.75, part="a",
     suspects=[
@@ -305,20 +342,35 @@ def rates_of_space_omega(angles, omega):
 def euler_rates_make_omega(student, draw):
     """euler_rates_313: the rates of psi, theta, phi that make this omega, for theta of any sign."""
     thetas = [*draw.uniform(0.3, 2.8, 6), *-draw.uniform(0.3, 2.8, 4), *draw.uniform(3.5, 5.9, 4)]
-    calls = [given(np.array([psi, theta, phi]), an_omega(draw))
-             for theta, psi, phi in zip(thetas, *draw.uniform(-4, 4, (2, 14)), strict=True)]  # fmt: skip
-    judge_rates(student, calls, "random Euler angles")
+    kinds = ["theta from 0 to pi"] * 6 + ["a negative theta"] * 4 + ["theta from pi to 2 pi"] * 4
+    calls = [given(np.array([psi, theta, phi]), an_omega(draw)).on(kind)
+             for theta, psi, phi, kind in zip(thetas, *draw.uniform(-4, 4, (2, 14)), kinds, strict=True)]  # fmt: skip
+    judge_rates(student, calls)
     quarters = np.array([(0, 1, 0), (0, -1, 0), (1, 1, 0), (0, 1, 1), (2, -1, 1), (-1, 3, 2)]) * math.pi / 2
-    plain = [given(angles, omega) for angles in quarters for omega in plain_omegas(draw)]
-    judge_rates(student, plain, f"Euler angles of quarter and half turns, {PLAIN}")
+    plain = [
+        given(angles, omega).on(f"theta a right angle, {omega_kind(omega)}")
+        for angles in quarters
+        for omega in plain_omegas(draw)
+    ]
+    judge_rates(student, plain)
 
 
-def judge_rates(student, calls, kind):
+PARTS = "omega is psi' along space z, theta' along the line of nodes, phi' along body z"
+
+
+def judge_rates(student, calls):
     for found, call in zip(student.euler_rates_313.many(calls), calls, strict=True):
         angles, omega = call.args
-        expect(omega_of_rates(angles) @ found, omega, within=POINTWISE, scale=np.linalg.norm(omega) or 1.0,
-               of="omega of the rates", unit="of omega", kind=kind, at=call,
-               hint="omega is psi' along space z, theta' along the line of nodes, phi' along body z")  # fmt: skip
+        made = omega_of_rates(angles) @ found
+        expect(made, omega, within=POINTWISE, scale=np.linalg.norm(omega) or 1.0, of="omega of the rates",
+               unit="of omega", kind=call.kind, at=call,
+               hint=partial(wrong_rates, found, angles, omega))  # fmt: skip
+
+
+def wrong_rates(found, angles, omega):
+    """What is wrong with the rates, if it can be told."""
+    rooted = np.allclose(found, rates_of_positive_sine(angles, omega), rtol=POINTWISE, atol=POINTWISE)
+    return "sin theta is taken for positive: is it a square root?" if rooted else PARTS
 
 
 UNDETERMINED = {"theta = 0": 0.0, "theta = pi": math.pi, "theta = -pi": -math.pi, "theta next to 0": 7e-13}
@@ -330,12 +382,13 @@ def euler_rates_are_refused_where_undetermined(student, draw):
     psi, phi = draw.uniform(-3, 3, 2)
     omega = an_omega(draw)
     for kind, theta in UNDETERMINED.items():
-        expect_that(student.euler_rates_313.refuses(np.array([psi, theta, phi]), omega),
+        expect_that(student.on(kind).euler_rates_313.refuses(np.array([psi, theta, phi]), omega),
                     "euler_rates_313 does not raise ValueError", kind=kind)  # fmt: skip
+    kind = "sin theta small, but not below 1e-12"
     for theta in (1.4e-12, -1.4e-12, 1e-8, math.pi - 1e-8):
-        found = student.euler_rates_313(np.array([psi, theta, phi]), omega)
+        found = student.on(kind).euler_rates_313(np.array([psi, theta, phi]), omega)
         expect(omega_of_rates([psi, theta, phi]) @ found, omega, within=POINTWISE, scale=np.abs(found).max(),
-               of="omega of the rates", unit="of the largest rate", kind="sin theta small, but not below 1e-12",
+               of="omega of the rates", unit="of the largest rate", kind=kind,
                hint="which angles are refused? theta may be negative")  # fmt: skip
 
 
@@ -360,9 +413,12 @@ def tumbles(draw):
     """Calls on both sides of the separatrix and near it, and the right omegas."""
     near = draw.uniform(1, 3) * np.array([draw.uniform(0, 0.003), 1.0, draw.uniform(0.01, 0.02)])
     cases = [(*on_side(draw, 1), 14), (*on_side(draw, -1), 14), (sorted_body(draw), near, 25)]
+    kinds = [
+        f"omega {where}" for where in ("round the last axis", "round the first axis", "near the middle axis")
+    ]
     calls = [
-        given(times(draw, omega, radians), an_attitude(draw), omega, inertia=body)
-        for body, omega, radians in cases
+        given(times(draw, omega, radians), an_attitude(draw), omega, inertia=body).on(kind)
+        for (body, omega, radians), kind in zip(cases, kinds, strict=True)
     ]
     return calls, [elliptic(call.args[0], call.args[2], call.kwargs["inertia"]) for call in calls]
 
@@ -372,7 +428,8 @@ def attitudes(draw):
     """Calls and the right rotations."""
     omegas = [an_omega(draw) for _ in range(2)]
     calls = [
-        given(times(draw, omega, 12), an_attitude(draw), omega, inertia=a_body(draw)) for omega in omegas
+        given(times(draw, omega, 12), an_attitude(draw), omega, inertia=a_body(draw)).on("a general motion")
+        for omega in omegas
     ]
     return calls, [motion(*call.args, **call.kwargs)[1] for call in calls]
 
@@ -390,34 +447,59 @@ def to_body(t, R, omega, *, inertia):
     return omegas, rotations.transpose(0, 2, 1)
 
 
-MOTION_SUSPECTS = [
+def at_even_times(t, R, omega, *, inertia):
+    return motion(np.linspace(t[0], t[-1], len(t)), R, omega, inertia=inertia)
+
+
+def given_at_zero(t, R, omega, *, inertia):
+    """The given state is that at the time 0, before the start or after it."""
+    omegas, rotations = motion(np.array([0.0, t[0]]), R, omega, inertia=inertia)
+    return motion(t, rotations[-1], omegas[-1], inertia=inertia)
+
+
+OMEGA_SUSPECTS = [
     suspect("every sign in Euler's equations changed", within=1e-4,
             simulate=wrong_motion(euler=signs_changed(-1, -1, -1))),
+    suspect(THIRD_IS_ZERO, within=1e-4, simulate=wrong_motion(euler=signs_changed(1, 1, 0))),
+    suspect("the times taken for evenly spaced", within=1e-4, simulate=at_even_times),
+    suspect("the given state taken for that at t = 0, not at t[0]", within=1e-4, simulate=given_at_zero),
+    suspect("solve_ivp at its own tolerances, rtol 1e-3 and atol 1e-6", simulate=wrong_motion(solver={})),
+]  # fmt: skip
+MOTION_SUSPECTS = [
+    *OMEGA_SUSPECTS,
     suspect("omega-hat R for R omega-hat: omega is in body components", within=1e-4,
             simulate=wrong_motion(attitude=lambda R, w: hat(w) @ R)),
     suspect("the sign of omega-hat changed", within=1e-4, simulate=wrong_motion(attitude=lambda R, w: -R @ hat(w))),
     suspect("rotations that start with the identity, not with the given R", within=1e-4, simulate=from_identity),
     suspect("the transposes, from space to body", within=1e-4, simulate=to_body),
 ]  # fmt: skip
+NEARLY = "it is nearly right: are the steps short enough, the tolerances tight enough?"
 
 
-def judge_motions(found, right, calls, sizes, start, **says):
+def nearly(error):
+    """Whether what is wrong is the accuracy of the integration."""
+    return error < 1e-2
+
+
+def judge_motions(found, right, calls, sizes, start, *, hint, **says):
     """The worst motion first, for it decides on partial credit."""
     for values, call, size in zip(found, calls, sizes, strict=True):
-        expect(values[0], call.args[start], within=1e-12, scale=size, of="the first row", at=call)
+        expect(values[0], call.args[start], within=1e-12, scale=size, of="the first row", at=call,
+               kind=call.kind)  # fmt: skip
     errors = [np.max(np.abs(a - b)) / size for a, b, size in zip(found, right, sizes, strict=True)]
     for worst in np.argsort(errors)[::-1]:
         expect(found[worst], right[worst], within=TRAJECTORY, scale=sizes[worst], t=calls[worst].args[0],
-               at=calls[worst], partial={1e-3: 0.5, 1e-2: 0.25}, **says)  # fmt: skip
+               at=calls[worst], partial={1e-3: 0.5, 1e-2: 0.25}, kind=calls[worst].kind,
+               hint=NEARLY if nearly(errors[worst]) else hint, **says)  # fmt: skip
 
 
-@check(points=0.75, part="a", suspects=MOTION_SUSPECTS[:1])
+@check(points=0.75, part="a", suspects=OMEGA_SUSPECTS)
 def omega_follows_elliptic_functions(student, draw):
     """simulate: omega against Jacobi's elliptic functions, on both sides of the separatrix and near it."""
     calls, right = tumbles(draw)
     found = [omegas for omegas, _ in student.simulate.many(calls)]
     judge_motions(found, right, calls, [np.linalg.norm(call.args[2]) for call in calls], 2, of="omega",
-                  unit="of its start", kind="omega round the first and the last axis, and near the middle one",
+                  unit="of its start",
                   hint="does euler_equations pass? are the times those asked for?")  # fmt: skip
 
 
@@ -426,7 +508,7 @@ def attitude_follows_the_motion(student, draw):
     """simulate: the rotations along a general motion, from any attitude at the start."""
     calls, right = attitudes(draw)
     found = [rotations for _, rotations in student.simulate.many(calls)]
-    judge_motions(found, right, calls, [1.0, 1.0], 1, of="R", kind="a general body, attitude and omega",
+    judge_motions(found, right, calls, [1.0, 1.0], 1, of="R",
                   hint=look_at_attitude(np.concatenate(found)))  # fmt: skip
 
 
@@ -442,15 +524,17 @@ def invariants_stay_over_many_turns(student, draw):
     """simulate: R^T R = I, the vector H in space and the energy over many turns."""
     omega, body, R = an_omega(draw), a_body(draw), an_attitude(draw)
     t = times(draw, omega, 45, count=12)
-    omegas, rotations = student.simulate(t, R, omega, inertia=body)
-    expect(rotations.transpose(0, 2, 1) @ rotations, np.broadcast_to(np.eye(3), rotations.shape), within=INVARIANT,
-           of="R^T R", t=t, at=(R, omega, body), hint="is what you integrate still a rotation?")  # fmt: skip
+    kind = "many turns"
+    omegas, rotations = student.on(kind).simulate(t, R, omega, inertia=body)
+    squares, ones = rotations.transpose(0, 2, 1) @ rotations, np.broadcast_to(np.eye(3), rotations.shape)
+    expect(squares, ones, within=INVARIANT, of="R^T R", t=t, at=(R, omega, body), kind=kind,
+           hint=NEARLY if nearly(np.abs(squares - ones).max()) else "is it still a rotation?")  # fmt: skip
     H = np.einsum("nij,nj->ni", rotations, body * omegas)
     expect(H, np.broadcast_to(H[0], H.shape), within=INVARIANT, scale=np.linalg.norm(H[0]), of="H in space",
-           unit="of itself", t=t, at=(R, omega, body))  # fmt: skip
+           unit="of itself", t=t, at=(R, omega, body), kind=kind)  # fmt: skip
     energies = np.array([energy(w, inertia=body) for w in omegas])
     expect(energies, np.full(len(t), energies[0]), within=INVARIANT, scale=energies[0], of="the energy",
-           unit="of its start", t=t, at=(R, omega, body), partial={1e-4: 0.5, 1e-2: 0.25})  # fmt: skip
+           unit="of its start", t=t, at=(R, omega, body), kind=kind, partial={1e-4: 0.5, 1e-2: 0.25})  # fmt: skip
 
 
 @once
@@ -485,22 +569,26 @@ def spinning(t, R, omega):
     return np.tile(omega, (len(t), 1)), np.array([R @ turned(omega * tau) for tau in t - t[0]])
 
 
+def wrong_motion_of(found, right, size):
+    """What is wrong with a special motion, if it can be told."""
+    if found.ndim == 3 and np.abs(found - right.transpose(0, 2, 1)).max() <= TRAJECTORY:
+        return "these are the transposes, from space to body"
+    if not np.ptp(found, axis=0).any():
+        return "it is the same at all times"
+    return NEARLY if nearly(np.abs(found - right).max() / size) else ""
+
+
 @check(points=0.5, part="a", after=(omega_follows_elliptic_functions, attitude_follows_the_motion))
 def special_bodies_move_too(student, draw):
     """simulate: two or three equal inertias, a body at rest, spin about a principal axis, and two times alone."""
     cases = special_motions(draw)
-    found = student.simulate.many([call for call, _ in cases.values()])
+    found = student.simulate.many([call.on(kind) for kind, (call, _) in cases.items()])
     for (omegas, rotations), (kind, (call, right)) in zip(found, cases.items(), strict=True):
-        says = {"within": TRAJECTORY, "t": call.args[0], "kind": kind, "at": call}
-        expect(
-            omegas,
-            right[0],
-            scale=np.linalg.norm(call.args[2]) or 1.0,
-            of="omega",
-            unit="of its start",
-            **says,
-        )
-        expect(rotations, right[1], of="R", **says)
+        size, says = np.linalg.norm(call.args[2]) or 1.0, {"t": call.args[0], "kind": kind, "at": call}
+        expect(omegas, right[0], within=TRAJECTORY, scale=size, of="omega", unit="of its start", **says,
+               hint=partial(wrong_motion_of, omegas, right[0], size))  # fmt: skip
+        expect(rotations, right[1], within=TRAJECTORY, of="R", **says,
+               hint=partial(wrong_motion_of, rotations, right[1], 1.0))  # fmt: skip
 
 
 # (a) A = B
@@ -544,23 +632,27 @@ def space_rate(inertia, omega):
 )  # fmt: skip
 def symmetric_bodies_precess(student, draw):
     """symmetric_solution: omega in body components at all times, from omega at t[0]."""
-    bodies = [*(a_wheel(draw) for _ in range(6)), np.full(3, draw.uniform(0.1, 10))]
+    bodies = [(a_wheel(draw), "a random body with A = B") for _ in range(6)]
+    bodies.append((np.full(3, draw.uniform(0.1, 10)), "three equal inertias"))
     calls = []
-    for body in bodies:
+    for body, kind in bodies:
         omega = an_omega(draw)
-        calls.append(given(times(draw, omega, 40), omega, inertia=body))
-    judge_precession(student, calls, "a random body with A = B")
+        calls.append(given(times(draw, omega, 40), omega, inertia=body).on(kind))
+    judge_precession(student, calls)
     plain = [
-        given(times(draw, np.ones(3), 10, 2), omega, inertia=a_wheel(draw)) for omega in plain_omegas(draw)
+        given(times(draw, np.ones(3), 10, 2), omega, inertia=a_wheel(draw)).on(
+            f"two times, {omega_kind(omega)}"
+        )
+        for omega in plain_omegas(draw)
     ]
-    judge_precession(student, plain, f"two times, and {PLAIN}")
+    judge_precession(student, plain)
 
 
-def judge_precession(student, calls, kind):
+def judge_precession(student, calls):
     for found, call in zip(student.symmetric_solution.many(calls), calls, strict=True):
         t, omega = call.args
         expect(found, symmetric(t, omega, **call.kwargs), within=POINTWISE, scale=np.linalg.norm(omega) or 1.0,
-               of="omega", unit="of its start", t=t, kind=kind, at=call,
+               of="omega", unit="of its start", t=t, kind=call.kind, at=call,
                hint="compare with euler_equations at the first time")  # fmt: skip
 
 
@@ -582,9 +674,14 @@ def wobble_goes_round_the_angular_momentum(student, draw):
           lambda omega, inertia: space_rate(inertia, omega), of="the rate", kind="a random body with A = B",
           hint="split omega into a part along H and one along the symmetry axis")  # fmt: skip
     # about the symmetry axis alone nothing wobbles
-    across = [given(omega, inertia=a_wheel(draw)) for omega in plain_omegas(draw) if omega[:2].any()]
-    judge(student.wobble_rate, across, lambda omega, inertia: space_rate(inertia, omega), of="the rate",
-          kind="omega across the symmetry axis, or in a principal plane")  # fmt: skip
+    across = [
+        given(omega, inertia=a_wheel(draw)).on(
+            omega_kind(omega) if omega[2] else "omega across the symmetry axis"
+        )
+        for omega in plain_omegas(draw)
+        if omega[:2].any()
+    ]
+    judge(student.wobble_rate, across, lambda omega, inertia: space_rate(inertia, omega), of="the rate")
 
 
 # (b) Stability and tumbling
@@ -617,6 +714,10 @@ def growth_of(wrong):
         suspect("the spin not squared", growth_rate_squared=growth_of(lambda spin, right: right / abs(spin))),
         suspect("axes counted from 1",
                 growth_rate_squared=lambda axis, spin, *, inertia: growth((axis - 1) % 3, spin, inertia=inertia)),
+        suspect("the inertias put in order first: the axis is that of the inertias as they are given",
+                growth_rate_squared=lambda axis, spin, *, inertia: growth(axis, spin, inertia=np.sort(inertia))),
+        suspect("the sign of the spin left in its square",
+                growth_rate_squared=growth_of(lambda spin, right: np.sign(spin) * right)),
     ],
 )  # fmt: skip
 def small_deviations_grow_at_this_rate(student, draw):
@@ -629,9 +730,10 @@ def small_deviations_grow_at_this_rate(student, draw):
               of="the square of the rate", kind=f"axis {axis}",
               hint="keep what is linear in the two small components of omega")  # fmt: skip
         spin, A = draw.uniform(1.5, 6), draw.uniform(0.5, 2)
-        plain = [given(axis, spin, inertia=np.full(3, A)), given(axis, 0.0, inertia=a_body(draw))]
+        plain = [given(axis, spin, inertia=np.full(3, A)).on("three equal inertias"),
+                 given(axis, 0.0, inertia=a_body(draw)).on("no spin")]  # fmt: skip
         judge(student.growth_rate_squared, plain, growth, size=lambda axis, spin, inertia: spin**2, unit="of spin^2",
-              of="the square of the rate", kind="three equal inertias, or no spin")  # fmt: skip
+              of="the square of the rate")  # fmt: skip
 
 
 def squares(omega, inertia):
@@ -655,11 +757,11 @@ def modulus_for_parameter(omega, *, inertia):
 
 
 def one_side_only(omega, *, inertia):
-    """The formula for omega round the last axis, for both."""
+    """The formula for omega round the last axis, for both; where its k is above one, 1/k."""
     A, B, C = inertia
     double, square = 2 * energy(omega, inertia=inertia), np.sum((inertia * omega) ** 2)
     m = (B - A) * (double * C - square) / ((C - B) * (square - double * A))
-    return 4 * math.sqrt(A * B * C / ((C - B) * (square - double * A))) * ellipk(m)
+    return 4 * math.sqrt(A * B * C / ((C - B) * (square - double * A))) * ellipk(min(m, 1 / m))
 
 
 TUMBLE_SUSPECTS = [
@@ -737,7 +839,7 @@ def period_grows_to_infinity_at_the_separatrix(student, draw):
         ((0, 1, 0), "pure spin about the middle axis"),
         ((2, 1, -1), "omega on the separatrix"),
     ):
-        found = student.tumble_period(np.array(omega) * 0.25 * draw.integers(1, 9), inertia=body)
+        found = student.on(kind).tumble_period(np.array(omega) * 0.25 * draw.integers(1, 9), inertia=body)
         expect_that(found == math.inf, "the period is finite", kind=kind, hint="what is K(k) for k = 1?")
 
 
@@ -751,11 +853,33 @@ def edges(R, size):
     return (signs[np.array(pairs)] * size / 2) @ R.T
 
 
-def mismatch(found, right):
-    """How far two boxes' edges are apart, in any order and direction: the largest distance to a nearest edge."""
+def astray(found, right):
+    """The largest distance of an edge that is there to the nearest right one, in any direction."""
     both_ways = [np.abs(found[:, None] - one_way).max(axis=(2, 3)) for one_way in (right, right[:, ::-1])]
-    apart = np.minimum(*both_ways)
-    return max(apart.min(axis=0).max(), apart.min(axis=1).max())
+    return np.minimum(*both_ways).min(axis=1).max()
+
+
+def mismatch(found, right):
+    """How far two boxes' edges are apart, in any order and direction: no edge may be astray, nor be missing."""
+    return max(astray(found, right), astray(right, found))
+
+
+# Suspects compare numbers in order; the order of edges is free, so these are found here.
+MISTAKEN_BOXES = {
+    "it is that of the transpose": lambda R, size: edges(R.T, size),
+    "it is that of a box twice that size": lambda R, size: edges(R, 2 * size),
+    "it is that of a box with a corner at the origin": lambda R, size: edges(R, size) + R @ size / 2,
+    "it is not turned": lambda R, size: edges(np.eye(3), size),
+}
+
+
+def mistake(found, R, size):
+    """What is wrong, if it is a known mistake, else what to look at."""
+    near = POINTWISE * max(size)
+    known = [says for says, box in MISTAKEN_BOXES.items() if mismatch(found, box(R, size)) < near]
+    if not known and astray(found, edges(R, size)) < near:
+        return "all that there are are edges of the box: is one there twice, and another missing?"
+    return known[0] if known else "edges are `size` long; the centre is the origin"
 
 
 @check(points=0.5, part="b")
@@ -764,29 +888,24 @@ def the_box_has_its_twelve_edges(student, draw):
     sizes = [draw.permutation(10 ** draw.uniform(-1, 1) * np.array([1, 1.7, 2.9])) for _ in range(6)]
     cases = [(an_attitude(draw), size, "a random attitude and size") for size in sizes[:3]]
     cases += [
-        (R, size, "a box along the axes of space")
-        for R, size in zip(plain_attitudes(draw), sizes[3:], strict=True)
+        (R, size, f"a box, {kind}") for (R, kind), size in zip(named_attitudes(draw), sizes[3:], strict=True)
     ]
     for R, size, kind in [*cases, (an_attitude(draw), np.full(3, sizes[0][0]), "a cube")]:
-        found = student.wireframe(R, size=size)
-        transposed = mismatch(found, edges(R.T, size)) < 1e-9 * max(size)
-        hint = (
-            "it is that of the transpose" if transposed else "edges are `size` long; the centre is the origin"
-        )
+        found = student.on(kind).wireframe(R, size=size)
         expect(mismatch(found, edges(R, size)), 0.0, within=POINTWISE, scale=max(size), of="an edge",
-               unit="of the longest edge", kind=kind, at=(R, size), hint=hint)  # fmt: skip
+               unit="of the longest edge", kind=kind, at=(R, size), hint=partial(mistake, found, R, size))  # fmt: skip
 
 
 @once
 def wobble(draw):
-    """A call of plot_rim_paths with a disk near its spin axis, and the two paths, finely."""
+    """A call of plot_rim_paths with a disk near its spin axis, and the rotations times the radius, finely."""
     body = np.array([1.0, 1.0, 2.0]) * 10 ** draw.uniform(-2, 2)
     spin, radius = draw.uniform(1, 4), 10 ** draw.uniform(-1, 1)
     omega = spin * np.array([*draw.uniform(0.1, 0.2, 2), 1.0])
     start, end = draw.uniform(-2, 2) + np.array([0, draw.uniform(4, 6)]) / spin
     R = an_attitude(draw)
-    fine = radius * wheel(np.linspace(start, end, 401), R, omega, body)[1][:, :2, 0]
-    return given(np.linspace(start, end, 200), R, omega, inertia=body, radius=radius), (fine, -fine)
+    fine = radius * wheel(np.linspace(start, end, 401), R, omega, body)[1]
+    return given(np.linspace(start, end, 200), R, omega, inertia=body, radius=radius), fine
 
 
 def strays(path, fine):
@@ -804,22 +923,43 @@ def distances(points, polygon):
     return np.abs(points[:, None] - corners[:-1] - share * sides).min(axis=1)
 
 
+MISTAKEN_PATHS = {
+    "they are seen along x": lambda fine: fine[:, 1:, 0],
+    "they are seen along y": lambda fine: fine[:, ::2, 0],
+    "they are those of the points (0, radius, 0) and (0, -radius, 0)": lambda fine: fine[:, :2, 1],
+    "they are those of the transposes of R": lambda fine: fine[:, 0, :2],
+}
+
+
+def farthest(found, path, radius):
+    """How far two drawn paths are from this one and the one opposite; either may be drawn first."""
+    if np.linalg.norm(found[0][0] - path[0]) > radius / 100:
+        found = found[::-1]
+    return max(map(strays, found, (path, -path)))
+
+
+def wrong_paths(found, fine, radius):
+    """Which other paths are drawn, if they are known, else what to draw."""
+    known = [
+        says for says, path in MISTAKEN_PATHS.items() if farthest(found, path(fine), radius) < 1e-3 * radius
+    ]
+    return known[0] if known else "x and y, in space, of the body's points (radius, 0, 0) and (-radius, 0, 0)"
+
+
 @check(points=0.5, part="a")
 def rim_paths_are_drawn(student, draw):
     """plot_rim_paths: the two paths as seen along z, from t[0] to t[-1], with labels and equal scales."""
-    call, rims = wobble(draw)
-    picture = student.plot_rim_paths.draw(*call.args, **call.kwargs)
-    expect_that(len(picture.lines) == 2, f"there are {len(picture.lines)} curves on the axes, not two")
+    call, fine = wobble(draw)
+    kind = "a disk near its spin axis"
+    picture = student.on(kind).plot_rim_paths.draw(*call.args, **call.kwargs)
+    expect_that(len(picture.lines) == 2, f"the number of curves on the axes is {len(picture.lines)}, not 2")
     radius, found = call.kwargs["radius"], [line.points for line in picture.lines]
     expect_that(
         min(map(len, found)) > 20 and np.isfinite(np.concatenate(found)).all(), "a curve has too few points"
     )
-    if np.linalg.norm(found[0][0] - rims[0][0]) > radius / 100:  # either may be drawn first
-        found.reverse()
     # chords of 200 samples over less than a turn leave the curve by (6/200)^2/8 = 1e-4 of the radius
-    expect(max(map(strays, found, rims)), 0.0, within=1e-3, scale=radius, of="a path", unit="of the radius", at=call,
-           kind="a disk near its spin axis",
-           hint="x and y, in space, of the body's points (radius, 0, 0) and (-radius, 0, 0)")  # fmt: skip
+    expect(farthest(found, fine[:, :2, 0], radius), 0.0, within=1e-3, scale=radius, of="a path",
+           unit="of the radius", at=call, kind=kind, hint=partial(wrong_paths, found, fine, radius))  # fmt: skip
     expect_that("(m)" in picture.xlabel.split() and "(m)" in picture.ylabel.split(),
                 "the axes are not labelled with their unit, as in x (m)")  # fmt: skip
     expect_that(picture.equal_aspect, "x and y are not drawn at the same scale")

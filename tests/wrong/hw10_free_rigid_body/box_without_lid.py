@@ -1,6 +1,7 @@
 """Four edges are drawn twice, and those of the lid are missing.
 
 fails: the_box_has_its_twelve_edges
+names: is one there twice
 """
 
 _right_wireframe = wireframe

@@ -1,6 +1,7 @@
 """A body with three equal inertias is taken for one that does not turn.
 
 fails: special_bodies_move_too
+names: for three equal inertias; it is the same at all times
 """
 
 _right_simulate = simulate

@@ -1,6 +1,7 @@
 """Time is measured in 1/|omega|: a body at rest divides by zero.
 
 fails: special_bodies_move_too
+names: simulate raised ValueError for a wheel at rest
 """
 
 _right_simulate = simulate

@@ -1,6 +1,7 @@
 """The formula for omega round the axis of the largest inertia, on both sides of the separatrix.
 
 fails: period_round_the_first_axis
+suspect: the formula for the other side of the separatrix
 """
 
 

@@ -1,6 +1,7 @@
 """growth_rate_squared sorts the inertias first.
 
 fails: small_deviations_grow_at_this_rate
+suspect: the inertias put in order first
 """
 
 _right_growth = growth_rate_squared

@@ -1,6 +1,7 @@
 """growth_rate_squared is right for positive spins.
 
 fails: small_deviations_grow_at_this_rate
+suspect: the sign of the spin left in its square
 """
 
 _right_growth = growth_rate_squared

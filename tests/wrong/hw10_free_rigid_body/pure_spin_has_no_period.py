@@ -1,6 +1,7 @@
 """Pure spin about a stable axis is taken for a motion without period.
 
 fails: period_of_pure_spin_is_that_of_small_oscillations
+names: the period is infinite for pure spin about axis 0
 """
 
 _right_period = tumble_period

@@ -1,6 +1,7 @@
 """attitude_rate writes its result into R.
 
 fails: attitude_follows_omega
+names: attitude_rate changes the arrays
 """
 
 _right_rate = attitude_rate

@@ -1,6 +1,7 @@
 """Where theta is a right angle, psi' is taken for zero: a division by its cosine is left out.
 
 fails: euler_rates_make_omega
+names: for theta a right angle
 """
 
 _right = euler_rates_313

@@ -1,6 +1,7 @@
 """euler_rates_313 asks tam570.rotations.
 
 fails: euler_rates_make_omega
+names: what is off limits in it: tam570.rotations
 """
 
 from tam570 import rotations

@@ -1,6 +1,7 @@
 """Circles look like ellipses.
 
 fails: rim_paths_are_drawn
+names: not drawn at the same scale
 """
 
 _right_plot = plot_rim_paths

@@ -1,6 +1,7 @@
 """omega along a principal axis does not change, and so it is taken for rest.
 
 fails: attitude_follows_omega, angular_momentum_is_in_space_axes
+names: for omega along a principal axis
 """
 
 _rate, _momentum = attitude_rate, angular_momentum

@@ -1,6 +1,7 @@
 """From R = I the rotations are those from space to body: nobody sees it at the start.
 
 fails: special_bodies_move_too
+names: these are the transposes, from space to body
 """
 
 _right = simulate

@@ -1,6 +1,7 @@
 """Where sin theta is zero, a very large number comes instead of ValueError.
 
 fails: euler_rates_are_refused_where_undetermined
+names: euler_rates_313 does not raise ValueError for theta = 0
 """
 
 
