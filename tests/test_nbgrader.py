@@ -245,6 +245,37 @@ def renumbered(folder):
     edited(folder, lambda cells: locked(cells)["metadata"]["nbgrader"].update(grade_id="mine"))
 
 
+def duplicated(folder):
+    """The locked cell twice more, one copy with points of its own (jupyter/nbgrader issues 108, 1083)."""
+
+    def copy(cells):
+        richer = json.loads(json.dumps(locked(cells)))
+        richer["metadata"]["nbgrader"]["points"] = 99
+        cells += [{**richer, "id": "copy"}, {**json.loads(json.dumps(locked(cells))), "id": "again"}]
+
+    edited(folder, copy)
+
+
+def as_text(folder):
+    """The locked cell as Markdown (jupyter/nbgrader issue 92)."""
+
+    def turn(cells):
+        cell = locked(cells)
+        cell.update(cell_type="markdown")
+        [cell.pop(key, None) for key in ("outputs", "execution_count")]
+
+    edited(folder, turn)
+
+
+def beside(folder):
+    """Files that would be run or taken for ours (jupyter/nbgrader issues 170, 258, 1211, 1842)."""
+    for name in ("numpy.py", "lab.py", "sitecustomize.py", "conftest.py", "nbgrader_config.py", "tam570.py"):
+        (folder / name).write_text("raise SystemExit('stolen()')\n")
+    (folder / f"{ONE}.html").write_text("<script>stolen()</script>")
+    (folder / "picture.svg").write_text("<svg xmlns='http://www.w3.org/2000/svg' onload='stolen()'/>")
+    shutil.copy(nb_of(folder), folder / "more.ipynb")
+
+
 def forged(folder):
     """The stub, with outputs in the notebook that claim points, and one that a browser would run."""
     shutil.copy(folder.parents[2] / "release" / ONE / f"{ONE}.py", folder)
@@ -297,7 +328,9 @@ def linked(folder):
     (folder / f"{ONE}.py").symlink_to(root.find() / "solutions" / f"{ONE}.py")
 
 
-FULL_MARKS = (as_it_is, noisy, changed, deleted, ungraded, renumbered, no_json, late)
+FULL_MARKS = (
+    as_it_is, noisy, changed, deleted, ungraded, renumbered, no_json, late, as_text, beside
+)  # fmt: skip
 NO_POINTS = {
     forged: "skew is not written yet",
     no_module: f"There is no {ONE}.py in the folder",
@@ -348,7 +381,9 @@ def test_the_submitted_module_is_what_stays(odd_class, course):
 
 
 @pytest.mark.parametrize(
-    "odd", [changed, deleted, ungraded, renumbered, no_json], ids=lambda odd: odd.__name__
+    "odd",
+    [changed, deleted, ungraded, renumbered, no_json, as_text],
+    ids=lambda odd: odd.__name__,
 )
 def test_a_locked_cell_is_as_it_was_released(odd_class, odd):
     made, _ = odd_class
@@ -368,7 +403,7 @@ def test_a_notebook_that_does_not_parse_stays_in_submitted(odd_class):
 
 def test_nothing_of_a_student_runs_in_the_teachers_browser(odd_class):
     made, _ = odd_class
-    assert "stolen()" not in page_of(made, "forged")
+    assert "stolen()" not in page_of(made, "forged") + page_of(made, "beside")
     assert "<b>bold</b>" not in page_of(made, "no_syntax")
 
 
@@ -410,6 +445,15 @@ def test_a_new_submission_is_graded_anew_with_the_same_inputs(odd_class, nbgrade
     lines = (made / "tam570_results" / ONE / "results.jsonl").read_text().splitlines()
     assert len({json.loads(line)["seed"] for line in lines}) == 1
     assert len(lines) == len(FULL_MARKS) + len(NO_POINTS)
+
+
+def test_a_notebook_with_a_copied_cell_is_named_and_earns_nothing_by_it(odd_class, nbgrader, nbgrader_grades):
+    made, _ = odd_class
+    folder = made / "submitted" / "duplicated" / ONE
+    shutil.copytree(made / "submitted" / "as_it_is" / ONE, folder)
+    duplicated(folder)
+    assert "duplicated" in nbgrader(made, "autograde", ONE, "--student", "duplicated", fails=True)
+    assert nbgrader_grades(made).get(("duplicated", ONE, "part-a"), (None,))[0] is None
 
 
 def test_a_submission_without_its_notebook_is_named_and_left(odd_class, nbgrader, nbgrader_grades):
