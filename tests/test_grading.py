@@ -162,6 +162,96 @@ def test_a_link_out_of_the_tree_is_not_followed(run, tree, course):
     assert scores(lines)["ben"] == 0.0
 
 
+def test_files_beside_a_module_are_not_run(run, tree, monkeypatch):
+    """A module shadowed by a file, start files, options of tools: published against nbgrader, issues 170 and 1842."""
+    folder = tree / "ada" / SLUG
+    (folder / "numpy").mkdir()
+    beside = (
+        "numpy/__init__.py",
+        "inside.py",
+        "msgpack.py",
+        "sitecustomize.py",
+        "conftest.py",
+        "checks.py",
+        "0.pth",
+    )
+    for name in beside:
+        (folder / name).write_text("raise SystemExit('shadowed')\n")
+    monkeypatch.chdir(folder)
+    _, lines, _ = run(tree)
+    assert scores(lines)["ada"] == 10.0
+
+
+@pytest.mark.parametrize(
+    "cells",
+    [
+        [3],
+        ["x"],
+        [{}],
+        [{"cell_type": "code"}],
+        [{"cell_type": "code", "source": [1]}],
+        {"a": 1},
+        None,
+        "code",
+        [],
+    ],
+)
+def test_a_notebook_with_strange_cells_scores_nothing(run, tmp_path, cells):
+    (tmp_path / "hw08.ipynb").write_text(json.dumps({"cells": cells, "nbformat": 4}))
+    code, (line,), _ = run(tmp_path / "hw08.ipynb")
+    assert (code, line["score"]) == (0, 0.0)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        b"# -*- coding: rot13 -*-\nqrs f(): cnff",
+        b"# coding: no-such-codec\n",
+        b"# coding: utf-7\n+AGEAYgBj-\n",
+        b"x = 1\0\n",
+        b"\xff\xfea\0",
+        b"-" * 100_000 + b"1",
+        b"(" * 100_000,
+        b"x = " + b"9" * 100_000,
+        b"a = b" + b".c" * 100_000,
+    ],
+    ids=["rot13", "no codec", "utf-7", "null", "utf-16", "minus", "brackets", "digits", "dots"],
+)
+def test_a_text_that_breaks_parsers_harms_nobody_else(run, tmp_path, solution_text, text):
+    for name, content in {"ann": text, "ben": solution_text(SLUG).encode()}.items():
+        (tmp_path / name / SLUG).mkdir(parents=True)
+        (tmp_path / name / SLUG / f"{SLUG}.py").write_bytes(content)
+    code, lines, _ = run(tmp_path, "--jobs", 1)
+    assert (code, scores(lines)) == (0, {"ann": 0.0, "ben": 10.0})
+
+
+NAMES = (
+    "=cmd|'calc'!A0",
+    "@sum",
+    "+1",
+    "<img src=x onerror=alert(1)>",
+    "%2e%2e%2fada",
+    "a'b\"c",
+    "l" * 255,
+)
+
+
+def test_a_name_is_a_name_and_nothing_else(run, tmp_path, solution_text):
+    """Formulas, markup, paths and lengths in names of folders, which students or their systems choose."""
+    submitted, out = tmp_path / "submitted", tmp_path / "out"
+    for name in NAMES:
+        (submitted / name / SLUG).mkdir(parents=True)
+        (submitted / name / SLUG / f"{SLUG}.py").write_text(solution_text(SLUG))
+    _, lines, _ = run(submitted, "--out", out)
+    assert scores(lines) == dict.fromkeys(NAMES, 10.0)
+    rows = list(csv.reader((out / "grades.csv").read_text().splitlines()))
+    assert len(rows) == 1 + len(NAMES) and not any(
+        row[0].startswith(("=", "+", "-", "@", "\t")) for row in rows
+    )
+    pages = sorted(page.parent.name for page in (out / "feedback").glob("*/*.html"))
+    assert pages == sorted(NAMES) and not any("<img" in page.read_text() for page in out.rglob("*.html"))
+
+
 def test_a_pipe_is_not_read(run, tree):
     path = tree / "ben" / SLUG / f"{SLUG}.py"
     path.unlink()
