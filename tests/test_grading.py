@@ -162,6 +162,49 @@ def test_a_link_out_of_the_tree_is_not_followed(run, tree, course):
     assert scores(lines)["ben"] == 0.0
 
 
+def test_a_link_to_a_neighbours_work_is_not_followed(run, tree):
+    (tree / "ben" / SLUG / f"{SLUG}.py").unlink()
+    (tree / "ben" / SLUG / f"{SLUG}.py").symlink_to(f"../../ada/{SLUG}/{SLUG}.py")
+    (tree / "cora" / SLUG).rmdir()
+    (tree / "cora" / SLUG).symlink_to(f"../ada/{SLUG}")
+    (tree / "dan").symlink_to("ada")
+    (tree / "hw08_eve.py").symlink_to(f"ada/{SLUG}/{SLUG}.py")
+    _, lines, _ = run(tree)
+    assert scores(lines) == {"ada": 10.0, "ben": 0.0, "cora": 0.0, "dan": 0.0, "hw08_eve": 0.0}
+
+
+def test_a_link_within_the_own_folder_is_followed(run, tree):
+    path = tree / "ada" / SLUG / f"{SLUG}.py"
+    path.rename(tree / "ada" / "final.py")
+    path.symlink_to("../final.py")
+    assert scores(run(tree)[1])["ada"] == 10.0
+    (tree.parent / "class").symlink_to(tree)
+    assert scores(run(tree.parent / "class")[1])["ada"] == 10.0
+
+
+def test_a_student_with_two_files_holds_up_nobody(run, tree):
+    for name in ("hw08.py", "hw08_old.py"):
+        (tree / "dan").mkdir(exist_ok=True)
+        (tree / "dan" / name).write_text(NOTHING)
+    code, lines, _ = run(tree)
+    assert (code, scores(lines)) == (0, {"ada": 10.0, "ben": 0.0, "cora": 0.0, "dan": 0.0})
+    assert next(line for line in lines if line["student"] == "dan")["message"].endswith(
+        "hw08.py, hw08_old.py"
+    )
+
+
+def test_names_and_messages_that_are_no_text_are_escaped(tree, tmp_path, capsys):
+    for name in (b"\xffeve", b"x\nada  hw08_axis_angle  10", b"x\x1b[31m", "\u202emaet".encode()):
+        os.makedirs(os.path.join(os.fsencode(tree), name, SLUG.encode()))
+    (tree / "ben" / SLUG / f"{SLUG}.py").write_text("raise ValueError('\\x1b[1A\\x1b[2Kben  10 / 10\\n')")
+    assert cli.main(["grade", str(tree), "--out", str(tmp_path / "out"), "--seed", "1"]) == 0
+    said = capsys.readouterr().out
+    assert all(line.isprintable() for line in said.splitlines()) and r"\x1b[2Kben" in said
+    rows = list(csv.DictReader((tmp_path / "out" / "grades.csv").read_text().splitlines()))
+    assert {row["student"]: row["score"] for row in rows if row["score"] != "0.0"} == {"ada": "10.0"}
+    assert len(rows) == 7 and r"\udcffeve" in {row["student"] for row in rows}
+
+
 def test_files_beside_a_module_are_not_run(run, tree, monkeypatch):
     """A module shadowed by a file, start files, options of tools: published against nbgrader, issues 170 and 1842."""
     folder = tree / "ada" / SLUG
@@ -370,6 +413,22 @@ def test_what_was_finished_survives_an_interrupt(tree, tmp_path, how, code):
     assert process.returncode == code
     assert "Traceback" not in err and (how == signal.SIGKILL or "interrupted" in err)
     assert results.read_text().count("\n") == 3
+
+
+@pytest.mark.parametrize("call", [1, 2])
+def test_an_interrupt_while_a_line_is_written_loses_none(tree, tmp_path, monkeypatch, call):
+    real, calls = os.fsync, []
+
+    def interrupted(file):
+        real(file)
+        calls.append(file)
+        if len(calls) == call:
+            raise KeyboardInterrupt
+
+    monkeypatch.setattr(os, "fsync", interrupted)
+    assert cli.main(["grade", str(tree), "--out", str(tmp_path / "out"), "--seed", "1"]) == 130
+    assert (tmp_path / "out" / "results.jsonl").read_text().count("\n") == call
+    assert (tmp_path / "out" / "grades.csv").read_text().count("\n") == call + 1
 
 
 @pytest.mark.skipif(os.geteuid() != 0 or sys.platform != "linux", reason="mounts a small disk")

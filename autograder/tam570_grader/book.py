@@ -59,11 +59,12 @@ class Book:
 
     def close(self) -> None:
         """Write the table of grades, and drop the lines that newer ones have replaced."""
-        written(self._folder / "grades.csv", grades(self.records()))
         self._file.seek(0)
         if self._file.read().count(b"\n") > len(self._records):
+            self._records = self._read()  # an interrupt may have come between a line and its record
             lines = "".join(json.dumps(record) + "\n" for record in self._records.values())
             written(self._folder / "results.jsonl", lines)
+        written(self._folder / "grades.csv", grades(self.records()))
         self._file.close()
 
     def _read(self) -> dict[tuple[str, str], Record]:

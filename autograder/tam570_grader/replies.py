@@ -8,7 +8,7 @@ from tam570_grader.check import Given
 from tam570_grader.returns import Drawing, Line
 from tam570_grader.sandbox import CellLost
 
-__all__ = ["checked", "drawn", "error_of", "sent", "strings"]
+__all__ = ["checked", "drawn", "error_of", "printable", "sent", "strings"]
 
 
 def error_of(reply: Any) -> dict[str, Any]:
@@ -19,9 +19,14 @@ def error_of(reply: Any) -> dict[str, Any]:
     line, text = error.get("line"), error.get("text")
     return {
         "kinds": error["kinds"],
-        "text": text[:300] if isinstance(text, str) else "",
+        "text": printable(" ".join(text[:300].split())) if isinstance(text, str) else "",
         "line": line if isinstance(line, int) else 0,
     }
+
+
+def printable(text: str) -> str:
+    """A student's words with what is no text escaped: what moves a terminal's cursor, and bytes that are not UTF-8."""
+    return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text)
 
 
 def checked(reply: Any) -> dict[str, Any]:

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from tam570_grader.check import Failure, Given, given
-from tam570_grader.replies import checked, drawn, error_of, sent, strings
+from tam570_grader.replies import checked, drawn, error_of, printable, sent, strings
 from tam570_grader.returns import Drawing, Formula, result
 from tam570_grader.root import Assignment
 from tam570_grader.sandbox import Cell, CellLost, CellTimeout, Worker, WorkerLost
@@ -159,7 +159,7 @@ class Student:
             raise _not_loaded(error_of(reply), self._assignment)
         self._defined = set(reply["defined"]) if strings(reply.get("defined")) else set()
         skipped = reply["skipped"] if strings(reply.get("skipped")) else []
-        self.skipped = [text[:100] for text in skipped[:50]]
+        self.skipped = [printable(text[:100]) for text in skipped[:50]]
 
 
 @dataclass(frozen=True)

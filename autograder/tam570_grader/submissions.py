@@ -3,10 +3,11 @@
 import collections
 import os
 import stat
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from tam570_grader.replies import printable
 from tam570_grader.root import slug_of
 from tam570_grader.student import Source
 
@@ -30,7 +31,7 @@ class Submission:
     student: str
     slug: str
     path: Path | None
-    tree: Path  # links may not lead out of it
+    tree: Path  # the student's own folder, or file: links may not lead out of it
     note: str = ""
 
 
@@ -54,20 +55,24 @@ def submissions(paths: Iterable[Path], known: Sequence[str], given: str | None =
 
 
 def read(submission: Submission) -> Source:
-    """The submission's text, or CannotRead: no links out of the tree, no devices, nothing huge."""
+    """The submission's text, or CannotRead: no links to elsewhere, no devices, nothing huge."""
     assert submission.path is not None
     path = submission.path.resolve()
-    if not path.is_relative_to(submission.tree.resolve()):
-        raise CannotRead(f"{submission.path.name} is a link to a place outside of the submission")
+    own = (
+        submission.tree.parent.resolve() / submission.tree.name
+    )  # which may be a link itself, to a neighbour's
+    name = printable(submission.path.name)
+    if not path.is_relative_to(own):
+        raise CannotRead(f"{name} is a link to a place outside of the submission")
     try:
         with open(os.open(path, os.O_RDONLY | os.O_NONBLOCK), "rb") as file:
             if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
-                raise CannotRead(f"{path.name} is not a regular file")
+                raise CannotRead(f"{name} is not a regular file")
             text = file.read(LARGEST + 1)
     except OSError as error:
-        raise CannotRead(f"{path.name} cannot be read: {error.strerror}") from None
+        raise CannotRead(f"{name} cannot be read: {error.strerror}") from None
     if len(text) > LARGEST:
-        raise CannotRead(f"{path.name} is larger than {LARGEST // 2**20} MiB; is it the right file?")
+        raise CannotRead(f"{name} is larger than {LARGEST // 2**20} MiB; is it the right file?")
     return Source(text, notebook=submission.path.suffix == ".ipynb")
 
 
@@ -79,26 +84,41 @@ def _of_file(path: Path, known: Sequence[str], given: str | None) -> Submission:
         )
     if path.suffix not in (".py", ".ipynb"):
         raise BadPath(f"{path} is neither a Python module (.py) nor a notebook (.ipynb)")
-    return Submission(path.stem, slug, path, path.resolve().parent)
+    return Submission(printable(path.stem), slug, path, path.resolve())
 
 
 def _in_folder(folder: Path, known: Sequence[str], given: str | None) -> list[Submission]:
     slug = given or slug_of(folder.name, known)
     holds_work = any(entry.suffix in (".py", ".ipynb") for entry in _entries(folder))
     found = [] if slug and holds_work else _trees(folder, known, given)
-    return found or ([_of_folder(folder, folder.parent.name, slug, folder)] if slug else [])
+    return found or ([_of_folder(folder, folder.parent.name, slug, folder.resolve())] if slug else [])
 
 
 def _trees(folder: Path, known: Sequence[str], given: str | None) -> list[Submission]:
     """Submissions in `<student>/<assignment>/`, `<student>/<assignment>.py`, `<assignment>/` and `<assignment>.py`."""
     found = []
     for entry in _entries(folder):
-        if slug := _chosen(entry, known, given):
-            found.append(_of_entry(entry, folder.name if entry.is_dir() else entry.stem, slug, folder))
+        if (slug := _chosen(entry, known, given)) and entry.is_dir():
+            found.append(_of_folder(entry, folder.name, slug, entry))
+        elif slug:
+            found.append(Submission(printable(entry.stem), slug, entry, entry))
         elif entry.is_dir():
-            inner = [(one, _chosen(one, known, given)) for one in _entries(entry)]
-            found += [_of_entry(one, entry.name, slug, folder) for one, slug in inner if slug]
+            found += _of_student(entry, known, given)
     return _modules_first(found)
+
+
+def _of_student(own: Path, known: Sequence[str], given: str | None) -> Iterator[Submission]:
+    """What is in a student's own folder: for each assignment a folder, or files."""
+    work = collections.defaultdict(list)
+    for entry in _entries(own):
+        if slug := _chosen(entry, known, given):
+            work[slug].append(entry)
+    for slug, entries in work.items():
+        folders = [entry for entry in entries if entry.is_dir()]
+        if len(folders) == len(entries) == 1:
+            yield _of_folder(folders[0], own.name, slug, own)
+        else:
+            yield _of_files(entries, own.name, slug, own)
 
 
 def _entries(folder: Path) -> list[Path]:
@@ -112,25 +132,28 @@ def _chosen(entry: Path, known: Sequence[str], given: str | None) -> str | None:
     return slug if given in (None, slug) else None
 
 
-def _of_entry(entry: Path, student: str, slug: str, tree: Path) -> Submission:
-    return (
-        _of_folder(entry, student, slug, tree) if entry.is_dir() else Submission(student, slug, entry, tree)
-    )
-
-
 def _of_folder(folder: Path, student: str, slug: str, tree: Path) -> Submission:
-    """The module in a folder, or its notebook where there is no module."""
-    files = [entry for entry in _entries(folder) if entry.suffix in (".py", ".ipynb")]
-    for wanted in (f"{slug}.py", f"{slug}.ipynb"):
-        if folder / wanted in files:
-            return Submission(student, slug, folder / wanted, tree)
+    return _of_files(_entries(folder), student, slug, tree)
+
+
+def _of_files(entries: Sequence[Path], student: str, slug: str, tree: Path) -> Submission:
+    """The module among them, or the notebook where there is no module; a note where it is not clear which."""
+    files = [entry for entry in entries if entry.suffix in (".py", ".ipynb")]
     alike = [entry for entry in files if slug_of(entry.stem, [slug])]
-    notebooks = [entry for entry in files if entry.suffix == ".ipynb"]
-    for choice in (alike, notebooks):
-        if len(choice) == 1:
-            return Submission(student, slug, choice[0], tree)
-    names = ", ".join(entry.name for entry in files) or "neither a module nor a notebook"
-    return Submission(student, slug, None, tree, f"there is no {slug}.py in the folder; it holds {names}")
+    choices = (
+        [entry for entry in files if entry.name == f"{slug}.py"],
+        [entry for entry in files if entry.name == f"{slug}.ipynb"],
+        [entry for entry in alike if entry.suffix == ".py"],
+        [entry for entry in alike if entry.suffix == ".ipynb"],
+        [entry for entry in files if entry.suffix == ".ipynb"],
+    )
+    chosen = next(filter(None, choices), [])
+    if len(chosen) == 1:
+        return Submission(printable(student), slug, chosen[0], tree)
+    seen = [printable(entry.name) for entry in entries if entry in files or entry.is_dir()]
+    names = ", ".join(seen) or "neither a module nor a notebook"
+    note = f"there is no {slug}.py in the folder; it holds {names}"
+    return Submission(printable(student), slug, None, tree, note)
 
 
 def _modules_first(found: list[Submission]) -> list[Submission]:
@@ -146,7 +169,7 @@ def _told_apart(found: list[Submission]) -> list[Submission]:
     """Students whose names would be the same, `a/hw07.py` and `b/hw07.py`, go by their folders'."""
     count = collections.Counter((one.student, one.slug) for one in found)
     named = [
-        replace(one, student=f"{one.path.absolute().parent.name}-{one.student}")
+        replace(one, student=f"{printable(one.path.absolute().parent.name)}-{one.student}")
         if one.path and count[one.student, one.slug] > 1 else one
         for one in found
     ]  # fmt: skip
