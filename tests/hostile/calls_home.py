@@ -1,7 +1,7 @@
 """Opens network connections.
 
-Published against Jobe (trampgeek/jobe issue 87: notes fetched in an exam) and nbgrader (pull request 1324:
-code is fetched).
+Published against Jobe (trampgeek/jobe issue 87: notes fetched in an exam), Artemis (ls1intum/Ares issue 376)
+and nbgrader (pull request 1324: code is fetched).
 
 deserves: 10
 """

@@ -1,5 +1,7 @@
 """Reads address 0.
 
+Published against CoCalc's nbgrader (sagemathinc/cocalc issue 4879: a kernel that crashes ends the grading).
+
 deserves: 9
 """
 

@@ -1,5 +1,8 @@
 """Loops with every signal blocked and exceptions swallowed.
 
+Published against otter-grader (ucbds-infra/otter-grader issues 469 and 813: one notebook that does not end
+costs the whole class its scores).
+
 deserves: 9
 """
 
