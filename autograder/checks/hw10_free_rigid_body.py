@@ -725,9 +725,14 @@ def small_deviations_grow_at_this_rate(student, draw):
     bodies = [*(a_body(draw) for _ in range(6)), a_wheel(draw)]
     for axis in (0, 1, 2):
         spins = draw.uniform(1.5, 6, 7) * draw.choice([-1, 1], 7)
-        calls = [given(axis, spin, inertia=body) for spin, body in zip(spins, bodies, strict=True)]
+        calls = [
+            given(axis, spin, inertia=body).on(
+                f"a {'positive' if spin > 0 else 'negative'} spin about axis {axis}"
+            )
+            for spin, body in zip(spins, bodies, strict=True)
+        ]
         judge(student.growth_rate_squared, calls, growth, size=lambda axis, spin, inertia: spin**2, unit="of spin^2",
-              of="the square of the rate", kind=f"axis {axis}",
+              of="the square of the rate",
               hint="keep what is linear in the two small components of omega")  # fmt: skip
         spin, A = draw.uniform(1.5, 6), draw.uniform(0.5, 2)
         plain = [given(axis, spin, inertia=np.full(3, A)).on("three equal inertias"),
