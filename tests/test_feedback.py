@@ -71,12 +71,15 @@ def test_the_detail_would_be_found_if_it_were_there(page, grade, solution_text):
 
 
 def test_what_a_student_calls_things_is_text_and_no_markup(page, grade):
-    evil = "<script>alert(1)</script><img src=x onerror=alert(2)>\"'&"
+    evil = "<script>alert(1)</script><img src=x onerror=alert(2)>\"'&</style>{{ 7 * 7 }}{% include '/etc/passwd' %}"
     result = grade("hw08_axis_angle", f"raise ValueError({evil!r})")
     record = {**result.record(), "student": evil}
     made = feedback.page(record, feedback.Sheet(evil, {}, (), {"a": (1, evil)}))
     assert "<script" not in made and "<img" not in made
-    assert texts(made).count("<script>alert(1)</script>") >= 3
+    assert (
+        texts(made).count("<script>alert(1)</script>") >= 3
+        and texts(made).count("{{ 7 * 7 }}{% include") >= 3
+    )
     assert "default-src 'none'" in made
 
 
