@@ -1,8 +1,8 @@
 """Prints full marks in the forms that graders read off a program's output, and calls the commands that give marks.
 
-Published against VPL (jcrodriguez-dis/moodle-mod_vpl issue 246: the mark is read off a printed line), INGInious (its
-tutorial on run_student: feedback-msg and feedback-grade can be called by the submission) and graders whose verdict is a
-last line (zmievsa/autograder issue 49).
+Published against VPL (Kratzke, "Smart Like a Fox", CSEDU 2019: injection; jcrodriguez-dis/moodle-mod_vpl issue 246
+shows the line), INGInious (its tutorial on run_student: the submission calls the commands) and graders whose verdict is
+a last line (zmievsa/autograder issue 49).
 
 deserves: 10
 """
