@@ -595,6 +595,13 @@ def test_a_suspect_without_a_value_does_not_agree(variant):
     assert not agrees(suspect("a wrong formula", f=variant), [Call("f", given(0.0), 1.0)])
 
 
+def test_a_call_that_failed_agrees_with_no_value():
+    calls = [Call("f", given(1.0), 1.0), Call("f", given(0.0), None)]
+    assert not agrees(suspect("the number itself", f=lambda x: x), calls)
+    assert agrees(suspect("its inverse", f=lambda x: 1 / x), calls)
+    assert agrees(suspect("its inverse", f=lambda x: 1 / x if x else math.nan), calls)
+
+
 def test_a_slip_in_a_suspect_is_not_hidden():
     with pytest.raises(TypeError):
         agrees(suspect("a wrong formula", f=lambda: 1.0), [Call("f", given(0.0), 1.0)])

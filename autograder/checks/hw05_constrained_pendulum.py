@@ -183,6 +183,11 @@ def above_or_below(x, y, vx, vy, L):
     return x, y, vx - along * x, vy - along * y
 
 
+def sense(turning):
+    """1 or -1; there is none, and no number, for a velocity along the radius."""
+    return turning / abs(turning) if turning else math.nan
+
+
 STATE_SUSPECTS = [
     wrong_state("the velocity left as it was",
                 lambda x, y, vx, vy, L: (*np.array([x, y]) * L / math.hypot(x, y), vx, vy)),
@@ -192,7 +197,7 @@ STATE_SUSPECTS = [
     wrong_state("a position moved along y, not along its radius, and a velocity tangent there", above_or_below),
     wrong_state("a velocity turned into the tangent with all of its speed", lambda x, y, vx, vy, L: (
         *np.array([x, y]) * L / math.hypot(x, y),
-        *np.array([-y, x]) / math.hypot(x, y) * math.copysign(math.hypot(vx, vy), x * vy - y * vx))),
+        *np.array([-y, x]) / math.hypot(x, y) * math.hypot(vx, vy) * sense(x * vy - y * vx))),
     wrong_state("a velocity scaled as the position is", lambda x, y, vx, vy, L: (
         *np.array([x, y]) * L / math.hypot(x, y),
         *np.array(without_radial_part(x, y, vx, vy)) * L / math.hypot(x, y))),

@@ -31,7 +31,7 @@ class Call:
 
     name: str
     given: Given
-    result: Any
+    result: Any  # None where the call raised, or returned what was not promised
 
 
 class NotWritten(Exception):
@@ -190,10 +190,11 @@ class Function:
         """The results of many calls, made in one round trip."""
         results = []
         for call, reply in zip(calls, self.student.replies(self.name, calls, mode="value"), strict=False):
+            self.student.calls.append(Call(self.name, call, None))
             with _saying(call.kind or self.kind):
                 self._must_be_fair(reply, call)
                 results.append(result(self.promise, reply["value"], self.name, call))
-            self.student.calls.append(Call(self.name, call, results[-1]))
+            self.student.calls[-1] = Call(self.name, call, results[-1])
         return results
 
     def refuses(self, *args: Any, **kwargs: Any) -> bool:

@@ -8,5 +8,6 @@ _right_simulate = simulate
 
 
 def simulate(t, R, omega, *, inertia):
-    omegas, rotations = _right_simulate(np.array([0.0, t[0]]), R, omega, inertia=inertia)
-    return _right_simulate(t, rotations[-1], omegas[-1], inertia=inertia)
+    way = -1 if t[0] < 0 else 1  # backwards it is the motion with omega reversed
+    omegas, rotations = _right_simulate(np.array([0.0, abs(t[0])]), R, way * omega, inertia=inertia)
+    return _right_simulate(t, rotations[-1], way * omegas[-1], inertia=inertia)
