@@ -1,6 +1,7 @@
 """simulate_euler wraps the angles.
 
 fails: euler_simulation_follows_the_motion
+suspect: the angles wrapped
 """
 
 

@@ -1,6 +1,7 @@
 """simulate_euler takes the times to be evenly spaced.
 
 fails: euler_simulation_follows_the_motion
+suspect: evenly spaced
 """
 
 

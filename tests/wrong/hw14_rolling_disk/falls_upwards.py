@@ -1,6 +1,7 @@
 """Gravity has the wrong sign in the Euler equations.
 
 fails: euler_equations_hold, contact_force_moves_the_centre, euler_simulation_follows_the_motion
+suspect: the weight upwards
 """
 
 

@@ -1,6 +1,7 @@
 """Where the motion is stable the rate is said to be zero.
 
 fails: growth_rate_is_that_of_a_small_lean
+names: faster than the critical speed
 """
 
 

@@ -1,6 +1,7 @@
 """simulate_matrix gives the states one sample late.
 
 fails: matrix_simulation_follows_the_motion
+suspect: one time late
 """
 
 

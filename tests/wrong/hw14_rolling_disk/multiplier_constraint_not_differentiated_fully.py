@@ -1,6 +1,7 @@
 """The rate of the arm is left out of the constraint's derivative.
 
 fails: multiplier_equations_hold
+suspect: the rate of the arm to the contact left out
 """
 
 

@@ -1,6 +1,7 @@
 """omega x I omega is left out.
 
 fails: multiplier_equations_hold
+suspect: omega x H left out
 """
 
 

@@ -1,6 +1,7 @@
 """The polygon is drawn in the frame e1, e2, which does not roll.
 
 fails: wireframe_is_a_rolling_disk
+names: the drawing's place in the disk
 """
 
 

@@ -1,6 +1,7 @@
 """The last side of the polygon is missing, its place taken by another diameter.
 
 fails: wireframe_is_a_rolling_disk
+names: two sides are drawn in one place
 """
 
 

@@ -1,6 +1,7 @@
 """The Euler equations of a thin uniform disk, whatever the inertias.
 
 fails: euler_equations_hold, contact_force_moves_the_centre, euler_simulation_follows_the_motion
+suspect: the inertia of a thin uniform disk
 """
 
 

@@ -1,6 +1,7 @@
 """The total spin is taken to be the roll rate.
 
 fails: euler_equations_hold, contact_force_moves_the_centre, euler_simulation_follows_the_motion
+suspect: roll' taken for the total spin
 """
 
 

@@ -1,6 +1,7 @@
 """A disk let go at rest stays at rest.
 
 fails: euler_simulation_follows_the_motion, matrix_simulation_follows_the_motion
+names: two times, a disk let go at rest
 """
 
 _euler, _matrix = simulate_euler, simulate_matrix

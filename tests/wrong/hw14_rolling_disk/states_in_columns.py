@@ -1,6 +1,7 @@
 """simulate_matrix returns the states as columns.
 
 fails: matrix_simulation_follows_the_motion
+names: (15, 60), not an array of shape (60, 15)
 """
 
 

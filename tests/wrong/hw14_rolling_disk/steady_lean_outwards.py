@@ -1,6 +1,7 @@
 """The lean has the other sign.
 
 fails: steady_residual_is_the_tilt_acceleration
+suspect: the lean to the other side
 """
 
 

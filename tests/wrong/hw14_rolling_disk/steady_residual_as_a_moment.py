@@ -1,6 +1,7 @@
 """The residual is a moment instead of an angular acceleration.
 
 fails: steady_residual_is_the_tilt_acceleration
+suspect: not divided by the inertia
 """
 
 

@@ -1,6 +1,7 @@
 """A triangle has two sides and the way back is left out: a side is drawn twice.
 
 fails: wireframe_is_a_rolling_disk
+names: two sides are drawn in one place, and one is missing for 3 sides
 """
 
 _right = wireframe
