@@ -1,6 +1,7 @@
 """phi wrapped to half a turn to either side.
 
 fails: simulate_rolls_and_rocks
+suspect: phi wrapped
 """
 
 _right = simulate

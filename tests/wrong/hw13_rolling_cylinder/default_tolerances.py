@@ -1,6 +1,7 @@
 """solve_ivp with its default tolerances.
 
 fails: simulate_rolls_and_rocks
+suspect: tolerances that solve_ivp has
 """
 
 

@@ -1,6 +1,7 @@
 """A ramp that goes up is taken for one that goes down.
 
 fails: acceleration_balances_momentum_about_G, naive_acceleration_is_the_moment_over_the_inertia, contact_force_accelerates_G, simulate_needs_no_dense_times
+names: for a ramp upwards
 """
 
 _right, _naive = acceleration, naive_contact_acceleration

@@ -1,6 +1,7 @@
 """Times taken to be even.
 
 fails: simulate_rolls_and_rocks
+suspect: evenly spaced
 """
 
 _right = simulate

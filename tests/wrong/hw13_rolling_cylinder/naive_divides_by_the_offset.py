@@ -1,6 +1,7 @@
 """The moment arm by the offset: none for a centred cylinder.
 
 fails: centred_cylinder_rolls_by_both_methods, naive_acceleration_is_the_moment_over_the_inertia
+names: ZeroDivisionError for G at the centre
 """
 
 _right = naive_contact_acceleration

@@ -1,6 +1,7 @@
 """A normal force below zero is cut off.
 
 fails: contact_force_may_pull
+suspect: cut off
 """
 
 _right = contact_force

@@ -1,6 +1,7 @@
 """Without gravity nothing changes.
 
 fails: acceleration_level_and_without_gravity, contact_force_may_pull, simulate_keeps_the_energy
+suspect: where there is no gravity
 """
 
 _right = acceleration

@@ -1,6 +1,7 @@
 """Right for positive angles within half a turn.
 
 fails: missing_moment_makes_it_right
+suspect: the size of the sine
 """
 
 

@@ -1,6 +1,7 @@
 """The slope taken for degrees in the energy.
 
 fails: energy_of_G_and_of_turning
+suspect: the slope taken for degrees
 """
 
 _right = energy

@@ -1,6 +1,7 @@
 """The given state taken for that at t = 0.
 
 fails: simulate_rolls_and_rocks
+suspect: taken for that at t = 0
 """
 
 _right = simulate

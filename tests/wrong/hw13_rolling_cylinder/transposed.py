@@ -1,6 +1,7 @@
 """One row for phi, one for phi_dot.
 
 fails: simulate_rolls_and_rocks
+names: (2, 200), not an array of shape (200, 2)
 """
 
 _right = simulate

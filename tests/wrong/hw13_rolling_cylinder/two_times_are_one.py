@@ -1,6 +1,7 @@
 """Of two times the second is never reached.
 
 fails: simulate_needs_no_dense_times
+names: row 1 is the start again
 """
 
 import numpy as np
