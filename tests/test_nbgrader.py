@@ -326,10 +326,17 @@ def no_syntax(folder):
 def linked(folder):
     (folder / f"{ONE}.py").unlink()
     (folder / f"{ONE}.py").symlink_to(root.find() / "solutions" / f"{ONE}.py")
+    (folder / "notes.html").symlink_to("../../../gradebook.db")
+
+
+def neighbour(folder):
+    """The student's own folder is a link to somebody else's."""
+    shutil.rmtree(folder.parent)
+    folder.parent.symlink_to("as_it_is")
 
 
 FULL_MARKS = (
-    as_it_is, noisy, changed, deleted, ungraded, renumbered, no_json, late, as_text, beside
+    as_it_is, noisy, changed, deleted, ungraded, renumbered, no_json, late, as_text, beside, duplicated
 )  # fmt: skip
 NO_POINTS = {
     forged: "skew is not written yet",
@@ -337,6 +344,7 @@ NO_POINTS = {
     renamed: f"There is no {ONE}.py in the folder",
     no_syntax: "Your file could not be read",
     linked: "is a link to a place outside of the submission",
+    neighbour: "is a link to a place outside of the submission",
 }
 
 
@@ -372,6 +380,18 @@ def test_what_earns_nothing_and_why(odd_class, nbgrader_grades, odd):
     made, _ = odd_class
     assert nbgrader_grades(made)[odd.__name__, ONE, "part-a"][0] == 0.0
     assert NO_POINTS[odd] in page_of(made, odd.__name__)
+
+
+def test_what_a_link_leads_to_is_not_handed_out(odd_class):
+    made, _ = odd_class
+    assert (made / "submitted" / "linked" / ONE / "notes.html").exists()
+    folders = [
+        made / step / who / ONE for step in ("autograded", "feedback") for who in ("linked", "neighbour")
+    ]
+    kept = [path for folder in folders for path in folder.iterdir()]
+    assert {f"{ONE}.ipynb", f"{ONE}.html"} <= {path.name for path in kept}
+    solution = (root.find() / "solutions" / f"{ONE}.py").read_text()
+    assert all(path.name != "notes.html" and path.read_text() != solution for path in kept)
 
 
 def test_the_submitted_module_is_what_stays(odd_class, course):
@@ -429,6 +449,8 @@ def test_nothing_that_was_handed_in_is_lost(odd_class):
     made, _ = odd_class
     for odd in (*FULL_MARKS, *NO_POINTS):
         came = made / "submitted" / odd.__name__ / ONE
+        if odd in (linked, neighbour):
+            continue
         modules = [path for path in came.glob("*.py") if path.name not in ("lab.py", f"test_{ONE}.py")]
         for module in modules:
             assert (
@@ -445,15 +467,6 @@ def test_a_new_submission_is_graded_anew_with_the_same_inputs(odd_class, nbgrade
     lines = (made / "tam570_results" / ONE / "results.jsonl").read_text().splitlines()
     assert len({json.loads(line)["seed"] for line in lines}) == 1
     assert len(lines) == len(FULL_MARKS) + len(NO_POINTS)
-
-
-def test_a_notebook_with_a_copied_cell_is_named_and_earns_nothing_by_it(odd_class, nbgrader, nbgrader_grades):
-    made, _ = odd_class
-    folder = made / "submitted" / "duplicated" / ONE
-    shutil.copytree(made / "submitted" / "as_it_is" / ONE, folder)
-    duplicated(folder)
-    assert "duplicated" in nbgrader(made, "autograde", ONE, "--student", "duplicated", fails=True)
-    assert nbgrader_grades(made).get(("duplicated", ONE, "part-a"), (None,))[0] is None
 
 
 def test_a_submission_without_its_notebook_is_named_and_left(odd_class, nbgrader, nbgrader_grades):

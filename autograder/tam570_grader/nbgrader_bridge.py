@@ -1,6 +1,8 @@
 """Our grading inside nbgrader's autograde: preprocessors in place of running the notebook beside its tests."""
 
 import contextlib
+import fnmatch
+import functools
 import glob
 import os
 import re
@@ -12,8 +14,10 @@ from typing import Any
 
 import nbformat
 from nbconvert.exporters import NotebookExporter
+from nbgrader.converters import base  # type: ignore[import-untyped]
 from nbgrader.converters.base import NbGraderException  # type: ignore[import-untyped]
 from nbgrader.preprocessors import NbGraderPreprocessor  # type: ignore[import-untyped]
+from nbgrader.utils import find_all_files  # type: ignore[import-untyped]
 from traitlets import Bool, Dict, Integer, Unicode
 
 from tam570_grader import root
@@ -50,9 +54,20 @@ class ForgivingExporter(NotebookExporter):
     def __init__(self, **kwargs: Any) -> None:
         super().__init__(**kwargs)  # type: ignore[no-untyped-call]
         keep_gradebooks_open()
+        base.find_all_files = functools.partial(_own_files, self._submitted())  # it copies what is found
+
+    def _submitted(self) -> str:
+        """A pattern of the submissions' folders."""
+        place: Any = self.parent.coursedir  # type: ignore[union-attr]
+        return str(place.format_path(place.submitted_directory, "*", "*"))
+
+    def _is_a_link(self, filename: str) -> bool:
+        path = Path(filename)
+        submitted = fnmatch.fnmatch(str(path.parent), self._submitted())
+        return submitted and (path.is_symlink() or _linked(path.parent))
 
     def from_filename(self, filename: str, resources: Resources = None, **kwargs: Any) -> Outcome:
-        notebook = _notebook(filename)
+        notebook = "it is a link" if self._is_a_link(filename) else _notebook(filename)
         if isinstance(notebook, str):
             self.log.warning("%s cannot be read (%s): its module is graded", filename, notebook)
             cells = [text_cell("broken", BROKEN.format(why=notebook))]
@@ -84,7 +99,7 @@ class RestoreMetadata(NbGraderPreprocessor):  # type: ignore[misc]
             name = grade_id(cell)
             cell.metadata.pop("nbgrader", None)
             if name in notes:
-                cell.metadata["nbgrader"] = node(notes[name])
+                cell.metadata["nbgrader"] = node(notes.pop(name))  # a copy of the cell is a plain one
         return nb, resources
 
 
@@ -172,4 +187,25 @@ def _class(place: Any, slug: str) -> list[Submission]:
     student = re.compile(place.format_path(place.submitted_directory, "(?P<who>.*)", slug, escape=True))
     folders = sorted(glob.glob(place.format_path(place.submitted_directory, place.student_id, slug)))
     named = [(match["who"], Path(folder)) for folder in folders if (match := student.fullmatch(folder))]
-    return [replace(submissions([folder], [slug], slug)[0], student=who) for who, folder in named]
+    return [_of_folder(folder, slug, who) for who, folder in named]
+
+
+def _of_folder(folder: Path, slug: str, student: str) -> Submission:
+    if _linked(folder):
+        return Submission(
+            student, slug, None, folder, "the folder is a link to a place outside of the submission"
+        )
+    return replace(submissions([folder], [slug], slug)[0], student=student)
+
+
+def _own_files(submitted: str, folder: str, exclude: Any = None) -> list[str]:
+    """Those in a folder; of a submission's, those that are no links, which lead to whatever the teacher may read."""
+    files: list[str] = find_all_files(folder, exclude)
+    if not fnmatch.fnmatch(folder, submitted):
+        return files
+    return [] if _linked(Path(folder)) else [file for file in files if not os.path.islink(file)]
+
+
+def _linked(folder: Path) -> bool:
+    """Whether the folder of a student's assignment, or the student's own, is a link."""
+    return folder.is_symlink() or folder.parent.is_symlink()
