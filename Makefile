@@ -22,6 +22,9 @@ test: $(VENV)/ready bubblewrap
 
 verify: $(VENV)/ready bubblewrap
 	$(BIN)/pytest -q -n 2 --full
+	$(BIN)/tam570-grader audit --diagnosis
+	$(BIN)/tam570-grader audit --margins
+	mkdir -p build && $(BIN)/tam570-grader audit --fairness 100 --keep build/fairness.jsonl
 	$(BIN)/python benchmarks/grading.py --peers nbgrader
 	$(BIN)/python benchmarks/autograde.py
 	$(BIN)/python benchmarks/rotations.py

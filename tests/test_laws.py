@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from tam570_grader import root
-from tam570_grader.diagnosis import diagnosis
+from tam570_grader.diagnosis import ENOUGH, diagnosis
 from tam570_grader.grade import agrees
 from tam570_grader.returns import Array, Drawing, Formula, Group
 from tam570_grader.sandbox import Allowance
@@ -110,6 +110,12 @@ def test_a_wrong_submission_fails_its_checks_and_no_other(slug, path, grade, sol
     found = diagnosis(result, expected)
     assert found.named or not {"suspect", "names"} & set(expected), failures(result)
     assert not found.misled, failures(result)
+
+
+def test_most_mistakes_are_named(slug):
+    headers = [header(path) for _, path in overlays("wrong") if path.parent.name == slug]
+    named_ones = [says for says in headers if {"suspect", "names"} & set(says)]
+    assert len(named_ones) >= ENOUGH * len(headers)
 
 
 @pytest.mark.parametrize(("slug", "check"), **named(CHECKS))
