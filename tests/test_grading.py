@@ -600,6 +600,7 @@ def test_a_call_that_failed_agrees_with_no_value():
     assert not agrees(suspect("the number itself", f=lambda x: x), calls)
     assert agrees(suspect("its inverse", f=lambda x: 1 / x), calls)
     assert agrees(suspect("its inverse", f=lambda x: 1 / x if x else math.nan), calls)
+    assert not agrees(suspect("its inverse", f=lambda x: 1 / x), calls[1:])
 
 
 def test_a_slip_in_a_suspect_is_not_hidden():

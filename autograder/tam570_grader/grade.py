@@ -193,7 +193,8 @@ def _skipped(cells: Sequence[str]) -> str:
 def agrees(suspect: Suspect, calls: Sequence[Call]) -> bool:
     """Whether the student's results are the suspect's, in every call to the functions that it has variants of."""
     concerned = [call for call in calls if call.name in suspect.variants]
-    return bool(concerned) and all(_same(call, suspect) for call in concerned)
+    returned = any(call.result is not None for call in concerned)
+    return returned and all(_same(call, suspect) for call in concerned)
 
 
 def _same(call: Call, suspect: Suspect) -> bool:
