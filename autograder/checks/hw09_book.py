@@ -80,8 +80,8 @@ WHICH_FIRST = "which matrix acts on a vector first, the leftmost or the rightmos
 
 
 def half_turned(R, without, otherwise):
-    """What to say of a matrix that is the one without half turns, and otherwise."""
-    return "a half turn is taken for no turn" if np.abs(R - without).max() <= WITHIN else otherwise
+    """What to say of a matrix that is without() half turns, and otherwise."""
+    return "a half turn is taken for no turn" if np.abs(R - without()).max() <= WITHIN else otherwise
 
 
 def none_for_half(axis, angle):
@@ -117,7 +117,7 @@ def turns_about_the_coordinate_axes(student, draw):
                   for quarters in (0, 1, -1, 2, -2, 4)]  # fmt: skip
     for R, call in zip(student.axis_rotation.many(calls), calls, strict=True):
         expect(R, about(*call.args), within=WITHIN, of="the matrix", at=call, kind=call.kind,
-               hint=partial(half_turned, R, none_for_half(*call.args), WHERE_TO))  # fmt: skip
+               hint=partial(half_turned, R, partial(none_for_half, *call.args), WHERE_TO))  # fmt: skip
 
 
 @check(points=0.5, part="a", after=turns_about_the_coordinate_axes)
@@ -149,7 +149,7 @@ def judge_sequences(function, right, draw):
     calls = [given(steps).on(kind) for steps, kind in cases]
     for R, (steps, kind) in zip(function.many(calls), cases, strict=True):
         expect(R, right(steps), within=WITHIN, of="the matrix", at=steps, kind=kind,
-               hint=partial(half_turned, R, right(steps, none_for_half), WHICH_FIRST))  # fmt: skip
+               hint=partial(half_turned, R, partial(right, steps, none_for_half), WHICH_FIRST))  # fmt: skip
 
 
 def judge_short_sequences(function, draw):
@@ -267,13 +267,15 @@ def axis_and_angle_are_those_of_the_matrix(student, draw):
 
 
 def compare_axes(student, cases, kind, hint="which vector does R leave alone, and what is the trace of R?"):
-    calls = [given(turned(n, angle)).on(kind) for n, angle in cases]
+    """With one kind of input for all cases, or one for each."""
+    kinds = [kind] * len(cases) if isinstance(kind, str) else kind
+    calls = [given(turned(*case)).on(kind) for case, kind in zip(cases, kinds, strict=True)]
     found = student.axis_angle.many(calls)
     near_is_pi = taken_for(math.pi, found, cases, WITHIN)
     for (axis, angle), case, call in zip(found, cases, calls, strict=True):
-        expect(angle, case[1], within=WITHIN, of="the angle", unit="rad", at=call, kind=kind,
+        expect(angle, case[1], within=WITHIN, of="the angle", unit="rad", at=call, kind=call.kind,
                hint="angles that are near enough to pi are given as pi" if near_is_pi else hint)  # fmt: skip
-        expect(axis, case[0], within=WITHIN, of="the axis", at=call, kind=kind,
+        expect(axis, case[0], within=WITHIN, of="the axis", at=call, kind=call.kind,
                hint=partial(wrong_axis, axis, case[0], hint))  # fmt: skip
 
 
@@ -354,13 +356,11 @@ def axes_with_small_components_keep_their_digits(student, draw):
         n = a_unit_axis(draw)
         n[k] = 10 ** draw.uniform(-7, -5) * draw.choice([-1, 1])
         cases.append((n / np.linalg.norm(n), math.pi - 10 ** draw.uniform(-9, -3)))
-    compare_axes(student, cases, "an angle near pi, a component of the axis near 0")
-    near = [
-        np.roll(n, k) for k in (0, 1, 2) for n in ([1.0, 0, 0], [-1.0, 0, 0], [0, 0.6, -0.8], [0, -0.8, 0.6])
-    ]
-    for n in near:
-        cases = [(n, math.pi - distance) for distance in (1e-9, 1e-3)]
-        compare_axes(student, cases, f"an angle near pi, an axis {axis_kind(n)}")
+    kinds = ["an angle near pi, a component of the axis near 0"] * 3
+    for n in ([1.0, 0, 0], [-1.0, 0, 0], [0, 0.6, -0.8], [0, -0.8, 0.6]):
+        cases += [(np.roll(n, k), math.pi - distance) for k in (0, 1, 2) for distance in (1e-9, 1e-3)]
+        kinds += [f"an angle near pi, an axis {axis_kind(n)}"] * 6
+    compare_axes(student, cases, kinds)
 
 
 @check(
