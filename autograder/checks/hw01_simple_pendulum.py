@@ -1,6 +1,7 @@
 """Hidden checks of hw01. What is right comes from vectors in the plane, elliptic functions, and quadrature."""
 
 import math
+from functools import partial
 
 import numpy as np
 from scipy.special import ellipj, ellipk, ellipkinc
@@ -129,11 +130,48 @@ def potential(height):
     return wrong
 
 
+def in_degrees(theta, omega, mass, length, gravity):
+    return right(math.radians(theta), omega, mass=mass, length=length, gravity=gravity)
+
+
+def size_of_sine(theta):
+    return abs(math.sin(theta))
+
+
+def root_for_sine(theta):
+    return math.sqrt(1 - math.cos(theta) ** 2)  # as size_of_sine, but exactly zero at the top
+
+
+def for_unit_length(theta, omega, mass, length, gravity):
+    return {"alpha": -gravity * math.sin(theta)}
+
+
+DEGREES = "the angle taken for degrees"
 BALANCE_SUSPECTS = [
     balances_suspect("cos theta where sin theta belongs", restoring(math.cos)),
     balances_suspect("the sign of gravity's term missing", restoring(lambda th: -math.sin(th))),
     balances_suspect("the linearised equation, theta for sin theta", restoring(lambda th: th)),
-]
+    balances_suspect(DEGREES, in_degrees),
+    *(balances_suspect("the size of the sine of theta, where its sign matters: theta may be on either side",
+                       restoring(sine)) for sine in (size_of_sine, root_for_sine)),
+    balances_suspect("l alpha for alpha: a length too few in what it is divided by", for_unit_length),
+]  # fmt: skip
+MOMENTUM_SUSPECTS = [
+    balances_suspect("the momentum m l omega for its moment about the hinge, which is right for a length of 1 m",
+                     lambda th, om, m, L, g: {"angular momentum": m * L * om}),
+    balances_suspect("the angular velocity's sign missing from the angular momentum",
+                     lambda th, om, m, L, g: {"angular momentum": m * L**2 * abs(om)}),
+    balances_suspect("the weight's part across the rod for its moment about the hinge, which is right for a length "
+                     "of 1 m", lambda th, om, m, L, g: {"moment": -m * g * math.sin(th)}),
+]  # fmt: skip
+POWER_SUSPECTS = [
+    balances_suspect("the speed, which has no sign, for the velocity in the power",
+                     lambda th, om, m, L, g: {"power": -m * g * L * math.sin(th) * abs(om)}),
+    balances_suspect("the angular velocity for the velocity in the power, which is right for a length of 1 m",
+                     lambda th, om, m, L, g: {"power": -m * g * math.sin(th) * om}),
+    balances_suspect("the sign of the power reversed",
+                     lambda th, om, m, L, g: {"power": m * g * L * math.sin(th) * om}),
+]  # fmt: skip
 TENSION_SUSPECTS = [
     balances_suspect("a tension without m l omega^2", tension(lambda s, c, spin, weight: weight * c)),
     balances_suspect("a tension with -m l omega^2", tension(lambda s, c, spin, weight: weight * c - spin)),
@@ -145,7 +183,12 @@ ENERGY_SUSPECTS = [
     balances_suspect("the sign of the potential energy reversed", potential(lambda th: math.cos(th) - 1)),
     balances_suspect("sin theta in the potential energy", potential(math.sin)),
     balances_suspect("the potential energy of small angles", potential(lambda th: th**2 / 2)),
-]
+    balances_suspect(DEGREES, potential(lambda th: 1 - math.cos(math.radians(th)))),
+    balances_suspect("the kinetic energy without its half",
+                     lambda th, om, m, L, g: {"kinetic energy": m * (L * om) ** 2}),
+    balances_suspect("the angular velocity for the velocity in the kinetic energy, which is right for a length of 1 m",
+                     lambda th, om, m, L, g: {"kinetic energy": m * om**2 / 2}),
+]  # fmt: skip
 
 
 def parameters(draw, gravity=None):
@@ -201,12 +244,13 @@ def kind_of(call, kind):
 
 def judge(student, name, quantities, calls, hint, kind="a random state, mass and length"):
     """Compare some of the quantities that a balance gives with the right ones."""
+    calls = [call.on(kind_of(call, kind)) for call in calls]
     for found, call in zip(getattr(student, name).many(calls), calls, strict=True):
         known, sizes = right(*call.args, **call.kwargs), scales(*call.args, **call.kwargs)
         for quantity in quantities:
             value, (scale, unit) = found[BALANCES[name].index(quantity)], sizes[quantity]
             expect(value, known[quantity], within=POINTWISE, scale=scale or 1.0, of=quantity, unit=unit, hint=hint,
-                   at=call, kind=kind_of(call, kind))  # fmt: skip
+                   at=call, kind=call.kind)  # fmt: skip
 
 
 @check(points=0.5, part="a", suspects=BALANCE_SUSPECTS)
@@ -230,7 +274,7 @@ def moments_give_the_acceleration(student, draw):
           "which way does the weight turn a pendulum that is out to the right?")  # fmt: skip
 
 
-@check(points=0.5, part="a", suspects=BALANCE_SUSPECTS)
+@check(points=0.5, part="a", suspects=BALANCE_SUSPECTS + MOMENTUM_SUSPECTS)
 def momentum_and_moment_are_about_the_hinge(student, draw):
     """angular_momentum_balance: r x m v and the moment of the weight, about the hinge."""
     judge(student, "angular_momentum_balance", ["angular momentum", "moment"], states(draw) + at_rest(draw),
@@ -261,7 +305,7 @@ def energy_gives_the_acceleration_at_rest(student, draw):
     judge_at_rest(student, draw, "energy_balance")
 
 
-@check(points=0.25, part="a", suspects=BALANCE_SUSPECTS)
+@check(points=0.25, part="a", suspects=BALANCE_SUSPECTS + POWER_SUSPECTS)
 def power_gives_the_acceleration(student, draw):
     """power_balance: the power of gravity, and alpha from it."""
     judge(student, "power_balance", ["power", "alpha"], states(draw),
@@ -367,6 +411,62 @@ def wave(s, start, end, height):
     )
 
 
+def lagrangian_along(
+    theta, omega, *, mass, length, gravity, kinetic=1, potential=-1, height=lambda th: 1 - np.cos(th)
+):
+    return mass * length * (kinetic * length * omega**2 / 2 + potential * gravity * height(theta))
+
+
+def by_midpoints(**wrong):
+    """The action of a wrong Lagrangian."""
+
+    def action(theta, step, **pendulum):
+        middle = (theta[:-1] + theta[1:]) / 2
+        return step * np.sum(lagrangian_along(middle, np.diff(theta) / step, **pendulum, **wrong))
+
+    return action
+
+
+def by_ends(ends):
+    """The action as a sum over these of the ends of the steps."""
+
+    def action(theta, step, **pendulum):
+        return step * np.sum(lagrangian_along(theta[ends], np.diff(theta) / step, **pendulum))
+
+    return action
+
+
+def by_all_samples(theta, step, **pendulum):
+    """The action as the sum over all samples, both ends counted whole."""
+    return step * np.sum(lagrangian_along(theta, np.gradient(theta, step), **pendulum))
+
+
+# Compared loosely: another quadrature than this is as good.
+STATIONARY_SUSPECTS = [
+    suspect(says, within=1e-3, action=by_midpoints(**wrong)) for says, wrong in {
+        "the integral of T + V": {"potential": 1},
+        "the integral of V - T": {"kinetic": -1, "potential": 1},
+        "the integral of T alone": {"potential": 0},
+        "the potential energy of small angles": {"height": lambda th: th**2 / 2},
+        "sin theta in the potential energy": {"height": np.sin},
+        "the kinetic energy without its half": {"kinetic": 2},
+        DEGREES: {"height": lambda th: 1 - np.cos(np.radians(th))},
+    }.items()
+]  # fmt: skip
+STATIONARY_SUSPECTS.append(suspect(
+    "a sum over all samples, its first and last counted whole, where a trapezoid counts half of each",
+    action=by_all_samples,
+))  # fmt: skip
+INTEGRAL_SUSPECTS = [
+    suspect("a sum over the first ends of the steps, with an error of the order of the step",
+            action=by_ends(slice(None, -1))),
+    suspect("a sum over the last ends of the steps, with an error of the order of the step",
+            action=by_ends(slice(1, None))),
+    suspect("a potential energy that is zero at the hinge", within=1e-4,
+            action=by_midpoints(height=lambda th: -np.cos(th))),
+]  # fmt: skip
+
+
 SMALL = 1e-3  # of a variation; its square is below VARIATION
 
 
@@ -384,13 +484,13 @@ def varied_paths(draw):
             surplus = bend / t[-1] ** 2 + gravity / length * np.sin(path)
         scale = pendulum["mass"] * length * gravity * t[-1]
         for change in variations(t / t[-1]):
-            both = [given(path + sign * SMALL * change, t[1], **pendulum) for sign in (1, -1)]
+            both = [given(path + sign * SMALL * change, t[1], **pendulum).on(kind) for sign in (1, -1)]
             variation = -pendulum["mass"] * length**2 * np.sum(surplus * change) * t[1]
             cases.append((both, variation / scale, scale, kind))
     return cases
 
 
-@check(points=0.5, part="a")
+@check(points=0.5, part="a", suspects=STATIONARY_SUSPECTS)
 def action_is_stationary_on_motions(student, draw):
     """action: its first variation vanishes on true motions, and on other paths it does not."""
     cases = varied_paths(draw)
@@ -440,11 +540,11 @@ def plain_paths(draw):
     return [*cases, (call, action, action, "a pendulum that turns evenly, without gravity")]
 
 
-@check(points=0.5, part="a", after=action_is_stationary_on_motions)
+@check(points=0.5, part="a", after=action_is_stationary_on_motions, suspects=INTEGRAL_SUSPECTS)
 def action_is_the_integral(student, draw):
     """action: the integral of T - V itself, to second order in the step."""
     cases = paths(draw)
-    values = student.action.many([call for call, *_ in cases])
+    values = student.action.many([call.on(kind) for call, *_, kind in cases])
     for value, (call, expected, scale, kind) in zip(values, cases, strict=True):
         expect(value, expected, scale=scale, within=ACTION, of="the action", unit="of the integral of T + V",
                kind=kind, at=call, hint="halve the step: the error must fall to a quarter")  # fmt: skip
@@ -498,10 +598,10 @@ def small_angle_solution_is_harmonic(student, draw):
         "a pendulum at rest at the bottom": (t, 0.0, 0.0),
         "a pendulum that starts level with the hinge": (t, math.copysign(math.pi / 2, theta0), omega0),
     }
-    calls = [given(*start, **pendulum) for start in starts.values()]
-    for found, call, kind in zip(student.small_angle_solution.many(calls), calls, starts, strict=True):
+    calls = [given(*start, **pendulum).on(kind) for kind, start in starts.items()]
+    for found, call in zip(student.small_angle_solution.many(calls), calls, strict=True):
         expect(found, harmonic(*call.args, k), scale=[1, k], within=TRAJECTORY, of="theta, or omega/sqrt(g/l),",
-               unit="rad", t=call.args[0], kind=kind, at=call,
+               unit="rad", t=call.args[0], kind=call.kind, at=call,
                hint="put t = 0 in: is the state the given one? differentiate theta: is it omega?")  # fmt: skip
 
 
@@ -511,12 +611,14 @@ def small_angle_solution_without_gravity(student, draw):
     theta0, omega0, length = draw.uniform(0.5, 1), draw.uniform(-2, -1), draw.uniform(1, 3)
     t = times(draw, 5.0, 20)
     starts = {"": (theta0, omega0), ", let go at rest": (theta0, 0.0), ", from the bottom": (0.0, omega0)}
-    calls = [given(t, *start, length=length, gravity=0.0) for start in starts.values()]
-    for found, call, kind in zip(student.small_angle_solution.many(calls), calls, starts, strict=True):
+    calls = [
+        given(t, *start, length=length, gravity=0.0).on(f"gravity 0{kind}") for kind, start in starts.items()
+    ]
+    for found, call in zip(student.small_angle_solution.many(calls), calls, strict=True):
         angle, rate = call.args[1:]
         uniform = np.column_stack([angle + rate * t, np.full(len(t), rate)])
         expect(found, uniform, within=TRAJECTORY, of="theta or omega", unit="rad or rad/s", t=t,
-               kind=f"gravity 0{kind}", at=call, hint="what becomes of sin(k t)/k as k goes to zero?")  # fmt: skip
+               kind=call.kind, at=call, hint="what becomes of sin(k t)/k as k goes to zero?")  # fmt: skip
 
 
 def period_suspect(says, swings):
@@ -530,6 +632,14 @@ PERIOD_SUSPECTS = [
     period_suspect("the modulus k for the parameter m = k^2", lambda A: 4 * ellipk(math.sin(A / 2))),
     period_suspect("the amplitude where half the amplitude belongs", lambda A: 4 * ellipk(math.sin(A) ** 2)),
     period_suspect("half the period", lambda A: 2 * ellipk(math.sin(A / 2) ** 2)),
+    period_suspect("a quarter of the period", lambda A: ellipk(math.sin(A / 2) ** 2)),
+    period_suspect(
+        "the amplitude taken for degrees", lambda A: 4 * ellipk(math.sin(math.radians(A) / 2) ** 2)
+    ),
+    suspect(
+        "g/l for l/g",
+        period=lambda A, length, gravity: 4 * ellipk(math.sin(A / 2) ** 2) * math.sqrt(gravity / length),
+    ),
 ]
 
 
@@ -537,7 +647,7 @@ def judge_periods(student, draw, amplitudes, within, kind, hint):
     """Compare with Legendre's complete integral of the first kind."""
     rods = [{"length": 10 ** draw.uniform(-1, 1), "gravity": draw.uniform(1, 25)} for _ in amplitudes]
     rods[-1] = {"length": 1.0, "gravity": 1.0}
-    calls = [given(amplitude, **rod) for amplitude, rod in zip(amplitudes, rods, strict=True)]
+    calls = [given(amplitude, **rod).on(kind) for amplitude, rod in zip(amplitudes, rods, strict=True)]
     for found, call in zip(student.period.many(calls), calls, strict=True):
         unit = math.sqrt(call.kwargs["length"] / call.kwargs["gravity"])
         expected = 4 * ellipk(math.sin(call.args[0] / 2) ** 2) * unit
@@ -575,6 +685,24 @@ def tilted(angle):
     return lambda t, since, state, rod: exact(since, *(state + shift), **rod) - shift
 
 
+def loosely(t, theta0, omega0, *, length, gravity):
+    """solve_ivp as it is when nothing is said of its tolerances."""
+    from scipy.integrate import solve_ivp
+
+    def rates(_, state):
+        return state[1], -gravity / length * math.sin(state[0])
+
+    return solve_ivp(rates, (t[0], t[-1]), [theta0, omega0], t_eval=t).y.T
+
+
+def with_angles_in_degrees(t, since, state, rod):
+    slower = {
+        **rod,
+        "gravity": math.radians(rod["gravity"]),
+    }  # the rate of an angle in radians has this factor
+    return np.degrees(exact(since, *np.radians(state), **slower))
+
+
 SIMULATE_SUSPECTS = [
     motion_suspect("cos theta where sin theta belongs", tilted(math.pi / 2)),
     motion_suspect("the sign of gravity's term missing", tilted(math.pi)),
@@ -585,16 +713,42 @@ SIMULATE_SUSPECTS = [
     motion_suspect(
         "the state at t = 0 for that at t[0]", lambda t, since, state, rod: exact(t, *state, **rod)
     ),
+    motion_suspect(
+        "the times taken to be evenly spaced",
+        lambda t, since, state, rod: exact(np.linspace(0.0, since[-1], len(t)), *state, **rod),
+    ),
+    motion_suspect(
+        "the times taken to be evenly spaced, the first step for all",
+        lambda t, since, state, rod: exact(since[1] * np.arange(len(t)), *state, **rod),
+    ),
+    motion_suspect(DEGREES, with_angles_in_degrees),
+    suspect(
+        "the tolerances that solve_ivp has when none are given", simulate=loosely
+    ),  # its steps are the same
 ]
+
+
+SEEN = 1e-4  # as loosely as suspects
+
+
+def near_miss(states, expected, hint):
+    """What to say of a motion that is right but for whole turns, or for rows that are a step too early."""
+    turns = np.rint((states - expected) / [2 * math.pi, np.inf])
+    if turns.any() and np.abs(states - expected - 2 * math.pi * turns).max() <= SEEN:
+        return "it is off by whole turns alone, as if theta were wrapped; it is never wrapped"
+    if len(states) > 2 and np.abs(states[:-1] - expected[1:]).max() <= SEEN * np.ptp(expected, axis=0).max():
+        return "row i is the state at t[i + 1]: row 0 must be the start"
+    return hint
 
 
 def judge_motion(student, t, start, pendulum, kind, hint):
     """Compare a simulation with elliptic functions; half the points for a tolerance too loose."""
     rod = {name: pendulum[name] for name in ("length", "gravity")}
     scale = [1.0, max(abs(start[1]), math.sqrt(rod["gravity"] / rod["length"]))]
-    found = student.simulate(t, *start, **rod)
-    expect(found, exact(t - t[0], *start, **rod), scale=scale, within=TRAJECTORY, of="theta, or omega in its scale,",
-           unit="rad", t=t, kind=kind, hint=hint, at=(start, pendulum), partial={1e-3: 0.5},
+    found, expected = student.on(kind).simulate(t, *start, **rod), exact(t - t[0], *start, **rod)
+    expect(found, expected, scale=scale, within=TRAJECTORY, of="theta, or omega in its scale,",
+           unit="rad", t=t, kind=kind, hint=partial(near_miss, found, expected, hint), at=(start, pendulum),
+           partial={1e-3: 0.5},
            keeps=lambda: kept(t, energy_along(found, rod), within=ENERGY, of="the energy",
                               unit="of itself"))  # fmt: skip
 
@@ -642,10 +796,10 @@ def judge_equilibria(student, t, angles, pendulum):
     """At rest at these angles the pendulum stays."""
     rod = {name: pendulum[name] for name in ("length", "gravity")}
     calls = [given(t, angle, 0.0, **rod) for angle in angles]
+    calls = [call.on(kind_of(given(*call.args[1:], **call.kwargs), "")) for call in calls]
     for found, call in zip(student.simulate.many(calls), calls, strict=True):
         expect(found, [[call.args[1], 0.0]] * len(t), within=TRAJECTORY, of="theta or omega", unit="rad or rad/s", t=t,
-               kind=kind_of(given(*call.args[1:], **call.kwargs), ""), at=call,
-               hint="what is alpha there?")  # fmt: skip
+               kind=call.kind, at=call, hint="what is alpha there?")  # fmt: skip
 
 
 @check(points=0.25, part="a", after=simulate_swings)
@@ -653,7 +807,7 @@ def simulate_turns_over_the_top(student, draw):
     """simulate: a pendulum that turns round and round; theta goes on growing."""
     start, pendulum, k = turning(draw)
     judge_motion(student, times(draw, 15 / k, 100), start, pendulum, "a pendulum that goes over the top",
-                 "the angle is never wrapped")  # fmt: skip
+                 "is alpha right at every angle, and the tolerance tight?")  # fmt: skip
     judge_equilibria(student, times(draw, 5 / k, 2), [math.pi, -math.pi], pendulum)
 
 
@@ -672,7 +826,7 @@ def simulate_keeps_the_energy(student, draw):
     start, pendulum, k = swing(draw)
     t = times(draw, 180 / k, 300)
     rod = {name: pendulum[name] for name in ("length", "gravity")}
-    energy = energy_along(student.simulate(t, *start, **rod), rod)
+    energy = energy_along(student.on("many periods").simulate(t, *start, **rod), rod)
     expect(energy, np.ones(len(t)), within=ENERGY, of="the energy", unit="of itself",
            t=t, kind="many periods", at=(start, pendulum),
            hint="a step of fixed length, or a fixed number of them, does not do for every duration",

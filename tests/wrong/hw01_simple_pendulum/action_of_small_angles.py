@@ -1,6 +1,7 @@
 """The potential energy of small angles in the action.
 
 fails: action_is_stationary_on_motions
+suspect: the potential energy of small angles
 """
 
 def action(theta, step, *, mass, length, gravity):

@@ -1,6 +1,7 @@
 """As many even times in place of the times asked for.
 
 fails: simulate_swings
+suspect: the times taken to be evenly spaced
 """
 
 _right_simulate = simulate

@@ -1,6 +1,7 @@
 """The rows shifted by one: row 0 is not the start.
 
 fails: simulate_swings
+names: row i is the state at t[i + 1]
 """
 
 _right_simulate = simulate

@@ -1,6 +1,7 @@
 """The pendulum falls the right way on one side only.
 
 fails: energy_gives_the_acceleration
+suspect: the size of the sine
 """
 
 def energy_balance(theta, omega, *, mass, length, gravity):

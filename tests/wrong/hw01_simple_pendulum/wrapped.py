@@ -1,6 +1,7 @@
 """The angle brought back between -pi and pi.
 
 fails: simulate_turns_over_the_top
+names: off by whole turns alone
 """
 
 _right_simulate = simulate
