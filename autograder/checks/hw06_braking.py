@@ -4,6 +4,7 @@ Forces and velocities in the car's axes are (forward, left) pairs; axles are at 
 """
 
 import math
+from functools import partial
 
 import numpy as np
 
@@ -111,6 +112,28 @@ def against_G(state, locked, *, mass, front, rear, friction, gravity):
     return against(velocity_of(0.0, state, locked, front, rear), size)
 
 
+def by_the_slope(*motion, **car):
+    """The atan of left over forward tells a direction from its opposite no more."""
+    return tuple(force * float(np.sign(motion[0][3])) for force in coulomb(*motion, **car))
+
+
+def never_forward(*motion, **car):
+    forward, left = coulomb(*motion, **car)
+    return -abs(forward), left
+
+
+def along_each_axis(state, locked, *, mass, front, rear, friction, gravity):
+    size = friction * load(locked, mass=mass, front=front, rear=rear, gravity=gravity)
+    dragging = axles(locked, front, rear)[1]
+    return tuple(-size * float(np.sign(v)) for v in velocity_of(dragging, state, locked, front, rear))
+
+
+def whole_weight(*motion, mass, front, rear, friction, gravity):
+    size = load(motion[1], mass=mass, front=front, rear=rear, gravity=gravity)
+    more = {"friction": friction * mass * gravity / size if size else 0.0, "gravity": gravity}
+    return coulomb(*motion, mass=mass, front=front, rear=rear, **more)
+
+
 def under(force):
     return lambda state, locked, **car: derivative(state, locked, force=force, **car)
 
@@ -134,6 +157,21 @@ def about_G(state, locked, *, friction, gravity, **body):
     return rates
 
 
+def with_state(change):
+    """The rates, with the state taken for another."""
+
+    def rates(state, locked, **car):
+        return derivative(np.array(change(*state)), locked, **car)
+
+    return rates
+
+
+def along_the_car(state, locked, **car):
+    rates = derivative(state, locked, **car)
+    rates[:2] = state[3] * math.cos(state[2]), state[3] * math.sin(state[2])
+    return rates
+
+
 SWAPPED = "the locked axle and the free one exchanged"
 WRONG_FORCES = {
     SWAPPED: swapped(coulomb),
@@ -148,14 +186,47 @@ WRONG_RATES = {
     "the term with the square of the yaw rate missing from the speed's rate": without_centripetal_term,
     "the inertia about G where that about the free axle belongs": about_G,
 }
-FORCE_SUSPECTS = [
-    suspect(says, friction_force=lambda *of, wrong=wrong, **car: np.array(wrong(*of, **car)))
-    for says, wrong in WRONG_FORCES.items()
-]
-RATE_SUSPECTS = [
-    suspect(says, state_derivative=lambda t, state, locked, wrong=wrong, **car: wrong(state, locked, **car))
-    for says, wrong in WRONG_RATES.items()
-]
+WRONG_VELOCITIES = {
+    "the velocity of G in the axes of the car, where x and y are those of the ground": with_state(
+        lambda x, y, heading, *rates: (x, y, 0.0, *rates)
+    ),
+    "the heading taken for degrees": with_state(
+        lambda x, y, heading, *rates: (x, y, math.radians(heading), *rates)
+    ),
+    "G moving along the car alone, its velocity to the side left out": along_the_car,
+}
+WRONG_IN_REVERSE = {
+    "the direction of friction by an atan of left over forward, which is the same in reverse": by_the_slope,
+    "friction backward along the car in reverse too": never_forward,
+}
+
+
+def force_suspects(wrong_forces):
+    return [
+        suspect(says, friction_force=lambda *of, wrong=wrong, **car: np.array(wrong(*of, **car)))
+        for says, wrong in wrong_forces.items()
+    ]
+
+
+def rate_suspects(wrong_rates):
+    return [
+        suspect(
+            says, state_derivative=lambda t, state, locked, wrong=wrong, **car: wrong(state, locked, **car)
+        )
+        for says, wrong in wrong_rates.items()
+    ]
+
+
+FORCE_SUSPECTS = force_suspects({
+    **WRONG_FORCES,
+    "friction of its full size along each of the car's axes": along_each_axis,
+    "friction under the whole weight": whole_weight,
+})  # fmt: skip
+RATE_SUSPECTS = rate_suspects({**WRONG_RATES, **WRONG_VELOCITIES})
+REVERSE_SUSPECTS = rate_suspects({
+    "the speed taken for positive": with_state(lambda x, y, heading, speed, yaw: (x, y, heading, abs(speed), yaw)),
+    **{says: under(force) for says, force in WRONG_IN_REVERSE.items()},
+})  # fmt: skip
 
 
 # Cars and their motions
@@ -297,22 +368,27 @@ LOAD_SUSPECTS = [
 @check(points=0.75, part="a", suspects=LOAD_SUSPECTS)
 def axle_load_balances_the_weight(student, draw):
     """axle_load: what the locked axle carries of the weight of a car at rest."""
-    cases = [(locked, car(draw)) for locked in ("front", "rear") * 6]
-    cases += [(locked, c) for locked, c, _ in odd_cars(draw)]
-    found = student.axle_load.many([given(locked, **parts(c, *LOAD)) for locked, c in cases])
-    for value, (locked, c) in zip(found, cases, strict=True):
+    cases = [(locked, car(draw), f"a locked {locked} axle") for locked in ("front", "rear") * 6]
+    cases += [(locked, c, of_kind(kind, locked)) for locked, c, kind in odd_cars(draw)]
+    found = student.axle_load.many([given(locked, **parts(c, *LOAD)).on(kind) for locked, c, kind in cases])
+    for value, (locked, c, kind) in zip(found, cases, strict=True):
         scale = c["mass"] * (c["gravity"] or 1.0)
         expect(value, load(locked, **parts(c, *LOAD)), within=FORMULA, scale=scale, of="the load", unit="of the weight",
-               kind=f"a locked {locked} axle", at=(locked, c),
+               kind=kind, at=(locked, c),
                hint="which axle carries more, the one near G or the one far from it?")  # fmt: skip
 
 
+def of_kind(kind, locked):
+    return f"{kind}, a locked {locked} axle"
+
+
 def judge_forces(student, cases, kind, hint):
-    found = student.friction_force.many([given(s, locked, **parts(c, *FORCE)) for s, locked, c in cases])
+    calls = [given(s, locked, **parts(c, *FORCE)).on(of_kind(kind, locked)) for s, locked, c in cases]
+    found = student.friction_force.many(calls)
     for value, (s, locked, c) in zip(found, cases, strict=True):
         scale = c["mass"] * max(c["friction"] * c["gravity"], 0.1)
         expect(value, coulomb(s, locked, **parts(c, *FORCE)), within=FORMULA, scale=scale, of="the friction force",
-               unit="of friction times the weight", kind=f"{kind}, a locked {locked} axle", hint=hint,
+               unit="of friction times the weight", kind=of_kind(kind, locked), hint=hint,
                at=(s, locked, c))  # fmt: skip
 
 
@@ -323,7 +399,7 @@ def friction_opposes_the_sliding(student, draw):
                  "which way does the locked axle move, seen from the car?")  # fmt: skip
 
 
-@check(points=0.5, part="a", after=friction_opposes_the_sliding)
+@check(points=0.5, part="a", after=friction_opposes_the_sliding, suspects=force_suspects(WRONG_IN_REVERSE))
 def friction_in_any_motion_and_at_rest(student, draw):
     """friction_force: in reverse, turning on the spot, straight, without friction; zero at rest."""
     for kind, (speed, yaw) in KINDS.items():
@@ -340,7 +416,10 @@ def friction_in_any_motion_and_at_rest(student, draw):
 
 
 def judge_rates(student, cases, kind, hint):
-    calls = [given(t, s, locked, **parts(c, *ALL)) for t, (s, locked, c) in enumerate(cases)]
+    calls = [
+        given(t, s, locked, **parts(c, *ALL)).on(of_kind(kind, locked))
+        for t, (s, locked, c) in enumerate(cases)
+    ]
     for found, (s, locked, c) in zip(student.state_derivative.many(calls), cases, strict=True):
         expected = derivative(s, locked, **parts(c, *ALL))
         v, length = usual(c) + abs(s[3]) + abs(s[4]) * wheelbase(c), wheelbase(c)
@@ -350,7 +429,7 @@ def judge_rates(student, cases, kind, hint):
         for name, index in (("the velocity of G", [0, 1]), ("the rate of heading", [2]), ("the rate of speed", [3]),
                             ("the yaw acceleration", [4])):  # fmt: skip
             expect(found[index], expected[index], within=FORMULA, scale=np.array(scale)[index], of=name,
-                   unit="of the size of its terms", kind=f"{kind}, a locked {locked} axle", hint=hint,
+                   unit="of the size of its terms", kind=of_kind(kind, locked), hint=hint,
                    at=(s, locked, c))  # fmt: skip
 
 
@@ -361,7 +440,7 @@ def equations_of_motion(student, draw):
                 "G does slip sideways: the free axle is elsewhere")  # fmt: skip
 
 
-@check(points=0.5, part="a", after=equations_of_motion)
+@check(points=0.5, part="a", after=equations_of_motion, suspects=REVERSE_SUSPECTS)
 def equations_in_any_motion(student, draw):
     """state_derivative: in reverse, turning on the spot, straight."""
     for kind, (speed, yaw) in KINDS.items():
@@ -395,19 +474,25 @@ ENERGY_SUSPECTS = [
             kinetic_energy=lambda s, locked, **c: (c["mass"] * s[3] ** 2 + c["yaw_inertia"] * s[4] ** 2) / 2),
     suspect("the turning left out",
             kinetic_energy=lambda s, locked, **c: energy(s, locked, **{**c, "yaw_inertia": 0.0})),
+    suspect("the kinetic energy without its half", kinetic_energy=lambda *motion, **c: 2 * energy(*motion, **c)),
 ]  # fmt: skip
 
 
 @check(points=0.5, part="a", suspects=ENERGY_SUSPECTS)
 def kinetic_energy_of_G_and_of_turning(student, draw):
     """kinetic_energy: of G, which moves to the side too, and of the turning about it."""
-    cases = motions(draw, 5, forwards, turning) + motions(draw, 3, backwards, turning)
-    cases += [case for _, odd in odd_motions(draw) + odd_headings(draw) for case in odd]
-    found = student.kinetic_energy.many([given(s, locked, **parts(c, *BODY)) for s, locked, c in cases])
-    for value, (s, locked, c) in zip(found, cases, strict=True):
+    of = [
+        ("a car that goes forwards and turns", motions(draw, 5, forwards, turning)),
+        ("a car in reverse", motions(draw, 3, backwards, turning)),
+        *odd_motions(draw),
+        *odd_headings(draw),
+    ]
+    cases = [(*case, of_kind(kind, case[1])) for kind, some in of for case in some]
+    calls = [given(s, locked, **parts(c, *BODY)).on(kind) for s, locked, c, kind in cases]
+    for value, (s, locked, c, kind) in zip(student.kinetic_energy.many(calls), cases, strict=True):
         right = energy(s, locked, **parts(c, *BODY))
         expect(value, right, within=FORMULA, scale=right or 1.0, of="the kinetic energy", unit="of itself",
-               kind=f"a locked {locked} axle", at=(s, locked, c), hint="what is the velocity of G?")  # fmt: skip
+               kind=kind, at=(s, locked, c), hint="what is the velocity of G?")  # fmt: skip
 
 
 # Part a: motion
@@ -444,10 +529,41 @@ def simulate_suspect(says, wrong):
     )
 
 
+def braked(t, start, locked, **car):
+    return integrated(t, start, locked, **car)[0]
+
+
+def evenly(t, *start, **car):
+    return braked(np.linspace(t[0], t[-1], len(t)), *start, **car)
+
+
+def first_step_for_all(t, *start, **car):
+    return braked(t[0] + (t[1] - t[0]) * np.arange(len(t)), *start, **car)
+
+
+def from_time_zero(t, start, locked, **car):
+    return braked(t, braked(np.array([0.0, t[0]]), start, locked, **car)[1], locked, **car)
+
+
+def loosely(t, start, locked, **car):
+    """solve_ivp as it is when nothing is said of its tolerances."""
+    from scipy.integrate import solve_ivp
+
+    return solve_ivp(lambda _, s: derivative(s, locked, **car), (t[0], t[-1]), start, t_eval=t).y.T
+
+
+TIME_SUSPECTS = [
+    suspect("the times taken to be evenly spaced", within=1e-4, simulate=evenly),
+    suspect("the times taken to be evenly spaced, the first step for all", within=1e-4, simulate=first_step_for_all),
+    suspect("the given state taken for that at t = 0, where it is that at t[0]", within=1e-4, simulate=from_time_zero),
+    suspect("the tolerances that solve_ivp has when none are given", simulate=loosely),  # its steps are the same
+]  # fmt: skip
+
 # Friction straight back jumps to and fro where the speed is zero, which an integrator would follow for minutes.
 SIMULATE_SUSPECTS = [
     simulate_suspect(says, wrong) for says, wrong in WRONG_RATES.items() if "straight" not in says
 ]
+VELOCITY_SUSPECTS = [simulate_suspect(says, wrong) for says, wrong in WRONG_VELOCITIES.items()]
 
 
 def times(draw, span, count):
@@ -493,22 +609,38 @@ COLUMNS = (
 )
 
 
+SEEN = 1e-4  # as loosely as suspects
+
+
+def near_miss(states, expected, scale, hint):
+    """What to say of a motion that is right but for whole turns, or for its rows: `hint` if there is no more to see."""
+    if len(states) == 2 and np.array_equal(*states):
+        return "row 1 is the start again"
+    turns = np.rint((states - expected) / [np.inf, np.inf, 2 * math.pi, np.inf, np.inf])
+    if turns.any() and np.max(np.abs(states - expected - 2 * math.pi * turns) / scale) <= SEEN:
+        return "it is off by whole turns alone, as if the heading were wrapped; it is never wrapped"
+    if len(states) > 2 and np.max(np.abs(states[:-1] - expected[1:]) / scale) <= SEEN:
+        return "row i is the state at t[i + 1]: row 0 must be the start"
+    return hint
+
+
 def judge_runs(student, cases, hint, columns=COLUMNS):
     """Compare simulations column by column, the worst first: it decides about partial points."""
-    found = student.simulate.many([call for call, *_ in cases])
+    found = student.simulate.many([call.on(kind) for call, *_, kind in cases])
     judged = []
     for states, (call, expected, scale, kind) in zip(found, cases, strict=True):
         for name, at, unit in columns:
             error = np.max(np.abs(states - expected)[:, at] / scale[at])
-            judged.append((error, states[:, at], expected[:, at], scale[at], name, unit, call, kind))
-    for _, states, expected, scale, name, unit, call, kind in sorted(
+            look = partial(near_miss, states, expected, scale, hint)
+            judged.append((error, states[:, at], expected[:, at], scale[at], name, unit, call, kind, look))
+    for _, states, expected, scale, name, unit, call, kind, look in sorted(
         judged, key=lambda it: it[0], reverse=True
     ):
         expect(states, expected, scale=scale, within=TRAJECTORY, of=name, unit=unit, t=call.args[0], kind=kind,
-               hint=hint, at=call, partial={1e-3: 0.5})  # fmt: skip
+               hint=look, at=call, partial={1e-3: 0.5})  # fmt: skip
 
 
-@check(points=1, part="a", suspects=SIMULATE_SUSPECTS)
+@check(points=1, part="a", suspects=TIME_SUSPECTS + SIMULATE_SUSPECTS + VELOCITY_SUSPECTS)
 def simulate_brakes(student, draw):
     """simulate: braking with either axle locked, row i at t[i], row 0 the given state."""
     judge_runs(
@@ -616,8 +748,10 @@ def judge_start_at_rest(student, draw):
     c = car(draw)
     t, start = times(draw, 3.0, 10), state(draw, c, 0.0, 0.0)
     for locked in ("front", "rear"):
-        expect(student.simulate(t, start, locked, **c), np.tile(start, (10, 1)), within=FORMULA, of="the state", t=t,
-               kind="a car at rest from the start", at=(start, c), hint="what is zero over zero?")  # fmt: skip
+        kind = of_kind("a car at rest from the start", locked)
+        states = student.on(kind).simulate(t, start, locked, **c)
+        expect(states, np.tile(start, (10, 1)), within=FORMULA, of="the state", t=t, kind=kind,
+               at=(start, c), hint="what is zero over zero?")  # fmt: skip
 
 
 # Part a and d: is it stable?
@@ -646,6 +780,8 @@ GROWTH_SUSPECTS = [
     suspect(says, within=1e-5, yaw_growth_rate=growth_with(wrong))
     for says, wrong in WRONG_RATES.items() if "square" not in says and "straight" not in says
 ] + [suspect("friction left out", yaw_growth_rate=frictionless_growth),
+     suspect("a growth rate below zero cut off to zero", within=1e-5,
+             yaw_growth_rate=lambda *motion, **c: max(growth(*motion, **c), 0.0)),
      suspect("friction's part with the wrong sign", yaw_growth_rate=lambda speed, locked, **c:
              2 * frictionless_growth(speed, locked, **c) - growth(speed, locked, **c))]  # fmt: skip
 
@@ -654,21 +790,31 @@ GROWTH_SUSPECTS = [
 def growth_rate_is_the_slope(student, draw):
     """yaw_growth_rate: how fast the yaw acceleration rises with a small yaw rate, at low and high speed."""
     kinds = ("front", {}), ("rear", {}), ("rear", {"friction": 0.0}), ("front", {"gravity": 0.0})
-    cases = [(locked, car(draw, **fixed)) for locked, fixed in kinds * 3]
-    cases += [(locked, c) for locked, c, _ in odd_cars(draw)]
-    calls = [given(draw.uniform(0.3, 3) * usual(c), locked, **c) for locked, c in cases]
-    calls += [given(1.0, locked, **ODD_CARS["all parameters 1"]) for locked in ("front", "rear")]
+    cases = [
+        (locked, car(draw, **fixed), "".join(f"{name} 0, " for name in fixed)) for locked, fixed in kinds * 3
+    ]
+    cases += [(locked, c, f"{kind}, ") for locked, c, kind in odd_cars(draw)]
+    calls = [
+        given(draw.uniform(0.3, 3) * usual(c), locked, **c).on(f"{kind}a locked {locked} axle")
+        for locked, c, kind in cases
+    ]
+    ones = "all parameters 1"
+    calls += [given(1.0, axle, **ODD_CARS[ones]).on(of_kind(ones, axle)) for axle in ("front", "rear")]
     for found, call in zip(student.yaw_growth_rate.many(calls), calls, strict=True):
         c, (speed, locked) = call.kwargs, call.args
         quick = c["mass"] * wheelbase(c) ** 2 / inertia_about_free(locked, **parts(c, *BODY))
         scale = quick * (speed / wheelbase(c) + c["friction"] * c["gravity"] / speed)
         expect(found, growth(*call.args, **c), within=GROWTH, scale=scale, of="the growth rate",
-               unit="of the size of its terms", kind=f"a locked {locked} axle", at=call,
+               unit="of the size of its terms", kind=call.kind, at=call,
                hint="linearise at yaw_rate 0; friction's sideways part is linear in it too")  # fmt: skip
 
 
 def critical(locked, *, front, rear, friction, gravity):
     return math.sqrt(friction * gravity * (front + rear)) if locked == "rear" else math.inf
+
+
+def lacking(*, friction, gravity, **_):
+    return "" if friction and gravity else " without friction or gravity"
 
 
 CRITICAL_SUSPECTS = [
@@ -686,17 +832,18 @@ def critical_speed_is_where_growth_begins(student, draw):
     cars = [car(draw) for _ in range(6)] + [car(draw, friction=0.0), car(draw, gravity=0.0)]
     cars += [c for _, c, _ in odd_cars(draw)]
     calls = [given("rear", **parts(c, *names)) for c in cars]
+    calls = [call.on(f"a locked rear axle{lacking(**call.kwargs)}") for call in calls]
     for found, call in zip(student.critical_speed.many(calls), calls, strict=True):
-        right = critical(*call.args, **call.kwargs)
-        kind = "a locked rear axle" if right else "a locked rear axle without friction or gravity"
+        right, kind = critical(*call.args, **call.kwargs), call.kind
         expect_that(math.isfinite(found), "critical_speed is infinite", kind=kind, at=call,
                     hint="is it unstable at any speed at all there?")  # fmt: skip
         expect(found, right, within=FORMULA, scale=right or 1.0, of="the critical speed", unit="of itself", kind=kind,
                at=call, hint="where is your growth rate zero?")  # fmt: skip
     for c in (car(draw), *(c for _, c, _ in odd_cars(draw))):
         call = given("front", **parts(c, *names))
-        expect_that(student.critical_speed(*call.args, **call.kwargs) == math.inf, "critical_speed is not math.inf",
-                    kind="a locked front axle", at=call, hint="can your growth rate be positive there?")  # fmt: skip
+        found = student.on("a locked front axle").critical_speed(*call.args, **call.kwargs)
+        expect_that(found == math.inf, "critical_speed is not math.inf", kind="a locked front axle",
+                    at=call, hint="can your growth rate be positive there?")  # fmt: skip
 
 
 def slowed(speed, speed0, yaw_rate0, locked, **car):
@@ -721,17 +868,29 @@ def without_power_law(*motion, **car):
     return yaw_rate0 * slowed(*unit, **car) / power_law(*unit, **car)
 
 
-def constant_rate(speed, speed0, yaw_rate0, locked, **car):
-    """The growth rate of the start all the time."""
-    slowing = derivative([0, 0, 0, speed0, 0], locked, **car)[3]
-    return yaw_rate0 * math.exp(growth(speed0, locked, **car) * (speed - speed0) / slowing)
+def constant_rate(at):
+    """The growth rate of one speed, at(speed, speed0), all the time."""
+
+    def small_yaw_rate(speed, speed0, yaw_rate0, locked, **car):
+        slowing = derivative([0, 0, 0, speed0, 0], locked, **car)[3]
+        return yaw_rate0 * math.exp(growth(at(speed, speed0), locked, **car) * (speed - speed0) / slowing)
+
+    return small_yaw_rate
 
 
 SLOWED_SUSPECTS = [
     suspect(SWAPPED, small_yaw_rate=lambda u, u0, r0, locked, **c: slowed(u, u0, r0, other(locked), **c)),
     suspect("friction's part alone", small_yaw_rate=power_law),
     suspect("friction's part left out", small_yaw_rate=without_power_law),
-    suspect("the growth rate of the first speed at every speed", small_yaw_rate=constant_rate),
+    suspect("the growth rate of the first speed at every speed",
+            small_yaw_rate=constant_rate(lambda speed, speed0: speed0)),
+    suspect("the growth rate of the last speed at every speed",
+            small_yaw_rate=constant_rate(lambda speed, speed0: speed)),
+    suspect("the growth rate of the speed half way at every speed",
+            small_yaw_rate=constant_rate(lambda speed, speed0: (speed + speed0) / 2)),
+    suspect("the yaw rate without its sign", small_yaw_rate=lambda *motion, **c: abs(slowed(*motion, **c))),
+    suspect("the growth with the wrong sign: the speed falls",
+            small_yaw_rate=lambda u, u0, r0, locked, **c: slowed(u0, u, r0, locked, **c)),
 ]  # fmt: skip
 
 
@@ -748,7 +907,12 @@ def slowing(draw):
         for fast, slow, yaw in ((1.0, 1.0, 0.3), (1.0, 0.4, 0.0), (1.0, 1.0, 0.0), (0.8, 0.5, 1.0)):
             calls.append(given(slow * usual(c), fast * usual(c), yaw, locked, **c))
         calls.append(given(1.0, 2.0, -1.0, locked, **c))
-    return [(call, slowed(*call.args, **call.kwargs)) for call in calls]
+    return [(call.on(kind_of_slowing(*call.args)), slowed(*call.args, **call.kwargs)) for call in calls]
+
+
+def kind_of_slowing(speed, speed0, yaw_rate0, locked):
+    special = {"a speed that has not fallen yet": speed == speed0, "no yaw rate": yaw_rate0 == 0}
+    return ", ".join([says for says, it in special.items() if it] + [f"a locked {locked} axle"])
 
 
 @check(points=0.75, part="d", suspects=SLOWED_SUSPECTS)
@@ -759,9 +923,11 @@ def small_yaw_rate_is_the_linear_solution(student, draw):
         student.small_yaw_rate.many([call for call, _ in cases]), cases, strict=True
     ):
         expect(found, expected, within=SMALL_YAW, scale=abs(expected) or 1.0, of="the yaw rate", unit="of itself",
-               at=call,
-               kind=f"a locked {call.args[3]} axle",
+               at=call, kind=call.kind,
                hint="divide the yaw acceleration by the rate of speed: time is gone; separate, integrate")  # fmt: skip
+
+
+OTHER = 'a `locked` that is neither "front" nor "rear"'
 
 
 @check(points=0.25, part="a", after=(axle_load_balances_the_weight, friction_opposes_the_sliding, equations_of_motion,
@@ -770,13 +936,14 @@ def mechanics_refuses_other_axles(student, draw):
     """axle_load, friction_force, state_derivative, kinetic_energy, simulate: ValueError for another `locked`."""
     c = car(draw)
     s = state(draw, c, 1.0, 0.5)
+    asked = student.on(OTHER)
     for locked in ("both", "left"):
         for function, call in (
-            (student.axle_load, given(locked, **parts(c, *LOAD))),
-            (student.friction_force, given(s, locked, **parts(c, *FORCE))),
-            (student.state_derivative, given(0.0, s, locked, **c)),
-            (student.kinetic_energy, given(s, locked, **parts(c, *BODY))),
-            (student.simulate, given(np.array([0.0, 0.1]), s, locked, **c)),
+            (asked.axle_load, given(locked, **parts(c, *LOAD))),
+            (asked.friction_force, given(s, locked, **parts(c, *FORCE))),
+            (asked.state_derivative, given(0.0, s, locked, **c)),
+            (asked.kinetic_energy, given(s, locked, **parts(c, *BODY))),
+            (asked.simulate, given(np.array([0.0, 0.1]), s, locked, **c)),
         ):
             refused(function, call)
 
@@ -786,34 +953,47 @@ def mechanics_refuses_other_axles(student, draw):
 def stability_refuses_other_axles(student, draw):
     """yaw_growth_rate, critical_speed, small_yaw_rate: ValueError for another `locked`."""
     c = car(draw)
+    asked = student.on(OTHER)
     for locked in ("both", "left"):
         for function, call in (
-            (student.yaw_growth_rate, given(2.0, locked, **c)),
-            (student.critical_speed, given(locked, **parts(c, "front", "rear", "friction", "gravity"))),
-            (student.small_yaw_rate, given(1.0, 2.0, 0.1, locked, **c)),
+            (asked.yaw_growth_rate, given(2.0, locked, **c)),
+            (asked.critical_speed, given(locked, **parts(c, "front", "rear", "friction", "gravity"))),
+            (asked.small_yaw_rate, given(1.0, 2.0, 0.1, locked, **c)),
         ):
             refused(function, call)
 
 
 def refused(function, call):
     expect_that(function.refuses(*call.args, **call.kwargs), f"{function.name} does not raise ValueError",
-                kind='a `locked` that is neither "front" nor "rear"', at=call)  # fmt: skip
+                kind=OTHER, at=call)  # fmt: skip
 
 
 # Last: a student whose integrator never gets past the stop shall lose nothing else by it.
+
+
+def unrest(states, start, hint):
+    """What to say of the rows after the stop, in their scales: `hint` if there is no more to see."""
+    if len(states) > 1 and (states[:, 3] * start[3] < 0).all():
+        return "it goes back after the stop"
+    if np.ptp(states[:, :3], axis=0).max() <= STOPPED:
+        return hint
+    if states[:, 3:].any():
+        return "speed and yaw rate are small there but never zero, and place or heading goes on: find the stop itself"
+    return "speed and yaw rate are zero there, and yet place or heading goes on"
 
 
 @check(points=0.75, part="a", after=simulate_brakes)
 def simulate_comes_to_rest_and_stays(student, draw):
     """simulate: a car that has come to rest stays where it is, in place and heading; one at rest does not start."""
     cases = stops(draw)
-    found = student.simulate.many([call for call, *_ in cases])
+    found = student.simulate.many([call.on(kind) for call, *_, kind in cases])
     for states, (call, place, after, scale, kind) in zip(found, cases, strict=True):
         later = call.args[0][after]
+        look = partial(unrest, states[after] / scale, call.args[1])
         expect(states[after, 3:] / scale[3:], np.zeros((after.sum(), 2)), within=AT_REST, of="speed or yaw rate",
                unit="of that at the start", t=later, kind=kind, at=call,
-               hint="find the time at which it stops; from then on nothing changes")  # fmt: skip
+               hint=partial(look, "find the time at which it stops; from then on nothing changes"))  # fmt: skip
         expect(states[after, :3] / scale[:3], np.tile(place / scale[:3], (after.sum(), 1)), within=STOPPED,
                of="place or heading, in its scale,", t=later, kind=kind, at=call,
-               hint="is it where it stops, and does it stay there?")  # fmt: skip
+               hint=partial(look, "is it where it stops, and does it stay there?"))  # fmt: skip
     judge_start_at_rest(student, draw)

@@ -1,6 +1,7 @@
 """The direction by atan of left over forward: half of all directions, none on the spot.
 
 fails: friction_in_any_motion_and_at_rest
+suspect: atan of left over forward
 """
 
 _right = friction_force

@@ -1,6 +1,7 @@
 """solve_ivp with its default tolerances.
 
 fails: simulate_brakes
+suspect: the tolerances that solve_ivp has
 """
 
 

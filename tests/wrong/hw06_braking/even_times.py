@@ -1,6 +1,7 @@
 """Times taken to be even.
 
 fails: simulate_brakes
+suspect: the times taken to be evenly spaced
 """
 
 _right = simulate

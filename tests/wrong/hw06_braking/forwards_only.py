@@ -1,6 +1,7 @@
 """The equations of motion take the speed for positive.
 
 fails: equations_in_any_motion
+suspect: the speed taken for positive
 names: a car in reverse
 """
 

@@ -1,6 +1,7 @@
 """Its forward part is backward in reverse too.
 
 fails: friction_in_any_motion_and_at_rest
+suspect: backward along the car in reverse
 """
 
 _right = friction_force

@@ -1,6 +1,7 @@
 """The middle speed for all speeds: right for small changes of speed only.
 
 fails: small_yaw_rate_is_the_linear_solution
+suspect: the speed half way
 """
 
 

@@ -1,6 +1,7 @@
 """The size of the yaw rate.
 
 fails: small_yaw_rate_is_the_linear_solution
+suspect: the yaw rate without its sign
 """
 
 _right = small_yaw_rate

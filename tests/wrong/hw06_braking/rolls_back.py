@@ -1,6 +1,7 @@
 """After the stop it goes back as it came.
 
 fails: simulate_comes_to_rest_and_stays
+names: it goes back after the stop
 """
 
 _right = simulate

@@ -1,6 +1,7 @@
 """A growth rate below zero cut off.
 
 fails: growth_rate_is_the_slope
+suspect: below zero cut off
 """
 
 _right = yaw_growth_rate

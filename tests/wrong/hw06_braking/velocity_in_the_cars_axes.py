@@ -1,6 +1,7 @@
 """Rates of x and y in the axes of the car.
 
 fails: equations_of_motion
+suspect: in the axes of the car
 """
 
 _right = state_derivative

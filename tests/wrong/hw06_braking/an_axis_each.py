@@ -1,0 +1,11 @@
+"""Friction of its full size along each of the axes of the car.
+
+fails: friction_opposes_the_sliding
+suspect: along each of the car's axes
+"""
+
+
+def friction_force(state, locked, *, mass, front, rear, friction, gravity):
+    size = friction * axle_load(locked, mass=mass, front=front, rear=rear, gravity=gravity)
+    forward, turning = np.sign(state[3:])
+    return np.array([-size * forward, -size * (turning if locked == "front" else -turning)])

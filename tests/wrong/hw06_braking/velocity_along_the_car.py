@@ -1,0 +1,13 @@
+"""G is taken to move along the car: its velocity to the side is left out.
+
+fails: equations_of_motion
+suspect: velocity to the side left out
+"""
+
+_right = state_derivative
+
+
+def state_derivative(t, state, locked, **car):
+    rates = _right(t, state, locked, **car)
+    rates[:2] = state[3] * math.cos(state[2]), state[3] * math.sin(state[2])
+    return rates
