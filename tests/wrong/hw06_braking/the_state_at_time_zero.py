@@ -1,6 +1,6 @@
 """The state is taken for that at t = 0.
 
-fails: simulate_brakes, simulate_needs_no_dense_times, simulate_comes_to_rest_and_stays
+fails: simulate_brakes
 suspect: taken for that at t = 0
 """
 
