@@ -722,9 +722,8 @@ SIMULATE_SUSPECTS = [
         lambda t, since, state, rod: exact(since[1] * np.arange(len(t)), *state, **rod),
     ),
     motion_suspect(DEGREES, with_angles_in_degrees),
-    suspect(
-        "the tolerances that solve_ivp has when none are given", simulate=loosely
-    ),  # its steps are the same
+    # within little: its steps are the same, whoever takes them
+    suspect("the tolerances that solve_ivp has when none are given", simulate=loosely),
 ]
 
 

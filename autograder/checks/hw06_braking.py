@@ -385,10 +385,10 @@ def of_kind(kind, locked):
 def judge_forces(student, cases, kind, hint):
     calls = [given(s, locked, **parts(c, *FORCE)).on(of_kind(kind, locked)) for s, locked, c in cases]
     found = student.friction_force.many(calls)
-    for value, (s, locked, c) in zip(found, cases, strict=True):
+    for value, call, (s, locked, c) in zip(found, calls, cases, strict=True):
         scale = c["mass"] * max(c["friction"] * c["gravity"], 0.1)
         expect(value, coulomb(s, locked, **parts(c, *FORCE)), within=FORMULA, scale=scale, of="the friction force",
-               unit="of friction times the weight", kind=of_kind(kind, locked), hint=hint,
+               unit="of friction times the weight", kind=call.kind, hint=hint,
                at=(s, locked, c))  # fmt: skip
 
 
@@ -420,7 +420,7 @@ def judge_rates(student, cases, kind, hint):
         given(t, s, locked, **parts(c, *ALL)).on(of_kind(kind, locked))
         for t, (s, locked, c) in enumerate(cases)
     ]
-    for found, (s, locked, c) in zip(student.state_derivative.many(calls), cases, strict=True):
+    for found, call, (s, locked, c) in zip(student.state_derivative.many(calls), calls, cases, strict=True):
         expected = derivative(s, locked, **parts(c, *ALL))
         v, length = usual(c) + abs(s[3]) + abs(s[4]) * wheelbase(c), wheelbase(c)
         # in a turn about an axle the inertia may be less than m length^2, by the smaller of the two
@@ -429,7 +429,7 @@ def judge_rates(student, cases, kind, hint):
         for name, index in (("the velocity of G", [0, 1]), ("the rate of heading", [2]), ("the rate of speed", [3]),
                             ("the yaw acceleration", [4])):  # fmt: skip
             expect(found[index], expected[index], within=FORMULA, scale=np.array(scale)[index], of=name,
-                   unit="of the size of its terms", kind=of_kind(kind, locked), hint=hint,
+                   unit="of the size of its terms", kind=call.kind, hint=hint,
                    at=(s, locked, c))  # fmt: skip
 
 
@@ -629,9 +629,9 @@ def judge_runs(student, cases, hint, columns=COLUMNS):
     found = student.simulate.many([call.on(kind) for call, *_, kind in cases])
     judged = []
     for states, (call, expected, scale, kind) in zip(found, cases, strict=True):
+        look = partial(near_miss, states, expected, scale, hint)
         for name, at, unit in columns:
             error = np.max(np.abs(states - expected)[:, at] / scale[at])
-            look = partial(near_miss, states, expected, scale, hint)
             judged.append((error, states[:, at], expected[:, at], scale[at], name, unit, call, kind, look))
     for _, states, expected, scale, name, unit, call, kind, look in sorted(
         judged, key=lambda it: it[0], reverse=True
