@@ -356,13 +356,13 @@ def landings(draw, drags, angles=None):
     return cases
 
 
-TIME, RANGE = ("flight_time", 1, "the flight time"), ("horizontal_range", 2, "the range")
+TIME, RANGE = (1, "the flight time"), (2, "the range")
 
 
-def judge_landings(student, what, cases, kind, hint):
+def judge_landings(function, what, cases, kind, hint):
     """Compare TIME or RANGE with those of `landings`; `kind` is the kind of all, or tells it of a call."""
-    (name, column, of), kind_of = what, kind if callable(kind) else lambda call: kind
-    found = getattr(student, name).many([case[0].on(kind_of(case[0])) for case in cases])
+    (column, of), kind_of = what, kind if callable(kind) else lambda call: kind
+    found = function.many([case[0].on(kind_of(case[0])) for case in cases])
     for value, case in zip(found, cases, strict=True):
         upright = case[0].args[1] == math.pi / 2 and what == RANGE  # and zero, but for rounding
         scale = case[0].args[0] * case[1] if upright else case[column]
@@ -420,10 +420,14 @@ RANGE_SUSPECTS = [
 def flight_ends_at_launch_height(student, draw):
     """flight_time is when y is zero again."""
     cases = landings(draw, (None,) * 12)
-    judge_landings(student, TIME, cases, "a random launch",
+    judge_landings(student.flight_time, TIME, cases, "a random launch",
                    "put the time into the y of your closed form; is it zero?")  # fmt: skip
     judge_landings(
-        student, TIME, plain_landings(draw), direction_of, "does it hold without drag, and straight up?"
+        student.flight_time,
+        TIME,
+        plain_landings(draw),
+        direction_of,
+        "does it hold without drag, and straight up?",
     )
 
 
@@ -431,7 +435,7 @@ def flight_ends_at_launch_height(student, draw):
 def flight_time_with_hardly_any_drag(student, draw):
     """flight_time goes over into 2 v sin(angle)/g without losing its digits."""
     cases = landings(draw, (0.0, *10.0 ** draw.uniform(-14, -12, 4), *10.0 ** draw.uniform(-12, -2, 12)))
-    judge_landings(student, TIME, cases, drag_of,
+    judge_landings(student.flight_time, TIME, cases, drag_of,
                    "near its branch point Lambert's W has half of its digits only; "
                    "a step of Newton's method, on an equation that is good without drag, brings them back")  # fmt: skip
 
@@ -443,18 +447,22 @@ def flight_time_with_great_drag_and_straight_up(student, draw):
         draw, (None, None, *10.0 ** draw.uniform(2, 4, 4)), (math.pi / 2, 1e-3, 1.5, 1.2, 0.6, 0.3)
     )
     hint = "what is left of the equation when e^-s is nothing?"
-    judge_landings(student, TIME, cases[:2], direction_of, hint)
-    judge_landings(student, TIME, cases[2:], "great drag", hint)
+    judge_landings(student.flight_time, TIME, cases[:2], direction_of, hint)
+    judge_landings(student.flight_time, TIME, cases[2:], "great drag", hint)
 
 
 @check(points=0.5, part="c", suspects=RANGE_SUSPECTS)
 def range_is_where_it_lands(student, draw):
     """horizontal_range is x at the flight time."""
     cases = landings(draw, (None,) * 12)
-    judge_landings(student, RANGE, cases, "a random launch",
+    judge_landings(student.horizontal_range, RANGE, cases, "a random launch",
                    "put the flight time into the x of your closed form")  # fmt: skip
     judge_landings(
-        student, RANGE, plain_landings(draw), direction_of, "does it hold without drag, and straight up?"
+        student.horizontal_range,
+        RANGE,
+        plain_landings(draw),
+        direction_of,
+        "does it hold without drag, and straight up?",
     )
 
 
@@ -471,7 +479,7 @@ DIGITS_SUSPECTS = [suspect("1 - e^-s as a difference, which loses digits", horiz
 def range_with_hardly_any_drag(student, draw):
     """horizontal_range goes over into v^2 sin(2 angle)/g without losing its digits."""
     cases = landings(draw, (0.0, *10.0 ** draw.uniform(-14, -12, 4), *10.0 ** draw.uniform(-12, -2, 12)))
-    judge_landings(student, RANGE, cases, drag_of,
+    judge_landings(student.horizontal_range, RANGE, cases, drag_of,
                    "is it the time or x that has lost its digits?")  # fmt: skip
 
 

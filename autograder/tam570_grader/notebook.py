@@ -130,16 +130,19 @@ def _definitions(source: str) -> dict[str, ast.FunctionDef]:
     return {node.name: node for node in ast.parse(source).body if isinstance(node, ast.FunctionDef)}
 
 
+def _is(owner: str, value: ast.expr) -> bool:
+    """Whether an expression is `owner`, or `owner.on(kind)`."""
+    if isinstance(value, ast.Call) and isinstance(value.func, ast.Attribute) and value.func.attr == "on":
+        value = value.func.value
+    return isinstance(value, ast.Name) and value.id == owner
+
+
 def _mentioned(owner: str, node: ast.FunctionDef, definitions: Definitions) -> set[str]:
     """The attributes of `owner` that a function uses, itself or by the functions beside it."""
     names, pending, seen = set(), [node], {node.name}
     while pending:
         for inner in ast.walk(pending.pop()):
-            if (
-                isinstance(inner, ast.Attribute)
-                and isinstance(inner.value, ast.Name)
-                and inner.value.id == owner
-            ):
+            if isinstance(inner, ast.Attribute) and _is(owner, inner.value):
                 names.add(inner.attr)
             elif isinstance(inner, ast.Name) and inner.id in definitions and inner.id not in seen:
                 seen.add(inner.id)
