@@ -9,5 +9,10 @@ _right_simulate = simulate
 
 def simulate(t, state, **parameters):
     back = state * [1, 1, -1, -1]
-    rows = [_right_simulate(np.array([0.0, abs(one)]), state if one > 0 else back, **parameters)[1] for one in t]
-    return np.array(rows) * np.where(t[:, None] > 0, 1, [1, 1, -1, -1])
+
+    def after(time):
+        if time == 0:
+            return state
+        return _right_simulate(np.array([0.0, abs(time)]), state if time > 0 else back, **parameters)[1]
+
+    return np.array([after(one) for one in t]) * np.where(t[:, None] < 0, [1, 1, -1, -1], 1)
