@@ -3,9 +3,10 @@
 import json
 import math
 
+import numpy as np
 import pytest
 
-from tam570_grader import cli, diagnosis, fairness, root
+from tam570_grader import cli, diagnosis, fairness, margins, root
 from tam570_grader.equivalents import equivalents
 from tam570_grader.margins import Margin
 from tam570_grader.mutate import mutants
@@ -129,11 +130,31 @@ def test_a_diagnosis_tells_named_from_unnamed_and_misled():
 def test_the_margins_of_a_check_are_measured_from_both_sides(capsys):
     assert cli.main(["audit", "hw12", "--margins", "--quick", "--jobs", "1", "--json"]) == 0
     found = json.loads(capsys.readouterr().out)["checks"]
-    careful, (name, careless) = found["simulate_keeps_the_energy"]
+    careful, (name, careless), _ = found["simulate_keeps_the_energy"]
     assert 0 < 10 * careful < 1 < careless / 10 and name
     assert not any("accelerat" in check for check in found)
 
 
 def test_a_margin_is_small_on_either_side():
-    margins = [Margin("a", 0.2, None), Margin("b", 0.0, ("c", 9.0)), Margin("d", 0.05, ("e", 11.0))]
-    assert [one.small for one in margins] == [True, True, False]
+    found = [Margin("a", 0.2, None), Margin("b", 0.0, ("c", 9.0)), Margin("d", 0.05, ("e", 11.0))]
+    assert [one.small for one in found] == [True, True, False]
+
+
+def test_wrong_physics_is_judged_by_its_distance_and_inaccurate_numerics_is_not():
+    found = [
+        ("DOP853", {"energy": 0.01}),
+        ("friction", {"energy": 50.0}),
+        ("coarse", {"energy": 2.0}),
+        ("another_check", {"energy": 0.5}),
+        ("no_number", {"energy": np.inf}),
+    ]
+    slips = {
+        "friction": '"""A force too many.\n\nfails: energy\n"""',
+        "coarse": '"""Few steps.\n\nfails: energy\nnumerics: a step of 0.1 s\n"""',
+        "another_check": '"""What this check need not tell.\n\nfails: path\n"""',
+        "no_number": '"""An exception.\n\nfails: energy\n"""',
+    }
+    margin = margins.margin("energy", found, slips)
+    assert margin == Margin("energy", 0.01, ("friction", 50.0), ("coarse", 2.0)) and not margin.small
+    slips["coarse"] = slips["coarse"].replace("numerics", "remark")
+    assert margins.margin("energy", found, slips).small

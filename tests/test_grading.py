@@ -22,6 +22,7 @@ from tam570_grader.check import Failure, expect, given, suspect
 from tam570_grader.grade import agrees
 from tam570_grader.inside.wire import Foreign, Unreadable, packed, portable, unpacked
 from tam570_grader.launch import isolation
+from tam570_grader.polygons import distances
 from tam570_grader.preload import imported
 from tam570_grader.returns import array, group, number, result, rows
 from tam570_grader.root import slug_of
@@ -635,3 +636,12 @@ def test_a_call_that_fails_says_for_what_kind_of_input(body, course, workers):
 )
 def test_what_a_submission_imports_is_read_from_its_text(line, names):
     assert imported(f"import math\n{line}\n".encode()) == names
+
+
+def test_distances_from_a_polygon_are_those_to_its_sides_and_many_points_cost_no_more():
+    square = [[0, 0], [2, 0], [2, 0], [2, 2]]  # a corner twice
+    assert distances([[1, 0], [1, -3], [3, 3], [-3, 4]], square) == pytest.approx([0, 3, 2**0.5, 5])
+    turn = np.linspace(0, 6, 300_000)
+    circle = np.column_stack([np.cos(turn), np.sin(turn)])
+    found = distances(2 * circle, circle)
+    assert len(found) <= 400 and found == pytest.approx(1, abs=1e-5)

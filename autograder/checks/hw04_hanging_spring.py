@@ -8,6 +8,7 @@ from scipy.linalg import expm
 from tam570_grader import (
     array,
     check,
+    distances,
     drawing,
     expect,
     expect_that,
@@ -41,7 +42,8 @@ TRAJECTORY = 1e-5  # solve_ivp at rtol 1e-9, atol 1e-9 is off by less than 1e-6 
 ENERGY = 1e-5  # the same solvers lose less than 1e-6 of it in ten periods
 TENSOR = 1e-9  # of the square of the larger axis; an eigenvalue that is zero comes out as 1e-16
 RIGHT_ANGLE = 1e-7  # of the larger axis, along the smaller; eigenvectors are good to rounding over the gap
-DRAWN = 1e-2  # of the picture: between points of a line that looks smooth
+DRAWN = 1e-3  # of the picture; chords of the 400 points that it is compared with leave the path by 1e-5
+PASSED = 2e-2  # of the picture; chords of a line of twenty points leave the path by (3.8/20)^2/8 = 5e-3
 
 
 def parameters(draw, *, gravity=None):
@@ -556,7 +558,7 @@ def the_path_is_drawn(student, draw):
     t = np.linspace(0.0, 0.6 * 2 * math.pi / rate_of(**known), 150)
     picture = student.plot_projection.draw(t, r, v, azimuth, elevation, **known)
     expect_that(len(picture.lines) == 1, f"there are {len(picture.lines)} curves on the axes, not one")
-    places = motion(t, r, v, **known)[:, :3]
+    places = motion(np.linspace(t[0], t[-1], 400), r, v, **known)[:, :3]
     judge_path(picture.lines[0].points, seen(places, azimuth, elevation), places)
     units = "(m)" in picture.xlabel.split() and "(m)" in picture.ylabel.split()
     expect_that(units, "the axes are not labelled with their unit, as in x (m)")
@@ -578,6 +580,9 @@ def judge_path(path, expected, places):
     expect(path[[0, -1]], expected[[0, -1]], within=DRAWN, scale=scale, of="an end of the curve",
            unit="of its size", hint="these are x and y, not right and up" if level
            else "draw from t[0] to t[-1]; right is drawn to the right")  # fmt: skip
-    gaps = np.linalg.norm(path[:, None] - expected, axis=2)
-    expect(max(gaps.min(axis=0).max(), gaps.min(axis=1).max()), 0.0, within=0.1, scale=scale, of="the curve",
-           unit="of its size", hint="is it the path of the mass, projected?")  # fmt: skip
+    for points, polygon, of, within in (
+        (path, expected, "a point of the curve", DRAWN),
+        (expected, path, "a point that the mass passes", PASSED),
+    ):
+        expect(distances(points, polygon), 0.0, within=within, scale=scale, of=of, unit="of the curve's size",
+               hint="is it the path of the mass, projected?")  # fmt: skip

@@ -12,6 +12,7 @@ from scipy.integrate import solve_ivp
 from tam570_grader import (
     array,
     check,
+    distances,
     drawing,
     expect,
     expect_that,
@@ -771,22 +772,8 @@ def tip_path_is_drawn(student, draw):
         (curve, tips, "a point of the curve", DRAWN),
         (tips, curve, "a point that the tip passes", 10 * DRAWN),  # the curve may have fewer points
     ):
-        expect(distances(some(points, 80), some(path, 4000)), 0.0, within=within, scale=scale, of=of, unit="of l1 + l2",
+        expect(distances(points, path), 0.0, within=within, scale=scale, of=of, unit="of l1 + l2",
                hint="is it the tip of bar 2?", at=call)  # fmt: skip
     expect_that("(m)" in picture.xlabel.split() and "(m)" in picture.ylabel.split(),
                 "the axes are not labelled with their unit, as in x (m)")  # fmt: skip
     expect_that(picture.equal_aspect, "x and y are not drawn at the same scale")
-
-
-def some(points, most):
-    """Every nth of the points, so that there are `most` of them or fewer."""
-    return points[:: -(-len(points) // most)]
-
-
-def distances(points, path):
-    """(n,) distance of each point from the nearest segment of the path."""
-    steps = np.diff(path, axis=0)
-    from_starts = points[:, None] - path[None, :-1]
-    along = np.sum(from_starts * steps, -1) / np.maximum(np.sum(steps**2, -1), 1e-300)
-    off = from_starts - np.clip(along, 0, 1)[..., None] * steps
-    return np.sqrt(np.min(np.sum(off**2, -1), 1))

@@ -10,6 +10,7 @@ from scipy.special import ellipj, ellipk, ellipkinc, elliprf
 from tam570_grader import (
     array,
     check,
+    distances,
     drawing,
     expect,
     expect_that,
@@ -909,23 +910,14 @@ def wobble(draw):
     omega = spin * np.array([*draw.uniform(0.1, 0.2, 2), 1.0])
     start, end = draw.uniform(-2, 2) + np.array([0, draw.uniform(4, 6)]) / spin
     R = an_attitude(draw)
-    fine = radius * wheel(np.linspace(start, end, 401), R, omega, body)[1]
-    return given(np.linspace(start, end, 200), R, omega, inertia=body, radius=radius), fine
+    fine = radius * wheel(np.linspace(start, end, 801), R, omega, body)[1]
+    return given(np.linspace(start, end, 400), R, omega, inertia=body, radius=radius), fine
 
 
 def strays(path, fine):
     """How far a drawn path is from the right one, both taken as polygons that begin and end alike."""
     ends = np.linalg.norm(path[[0, -1]] - fine[[0, -1]], axis=1)
     return max(*ends, distances(path, fine).max(), distances(fine, path).max())
-
-
-def distances(points, polygon):
-    """From each point to the nearest point of a polygon, in the complex plane."""
-    points, corners = (curve[:, 0] + 1j * curve[:, 1] for curve in (points, polygon))
-    sides = np.diff(corners)
-    sides[sides == 0] = 1e-300
-    share = np.clip(((points[:, None] - corners[:-1]) / sides).real, 0, 1)
-    return np.abs(points[:, None] - corners[:-1] - share * sides).min(axis=1)
 
 
 MISTAKEN_PATHS = {
@@ -962,7 +954,7 @@ def rim_paths_are_drawn(student, draw):
     expect_that(
         min(map(len, found)) > 20 and np.isfinite(np.concatenate(found)).all(), "a curve has too few points"
     )
-    # chords of 200 samples over less than a turn leave the curve by (6/200)^2/8 = 1e-4 of the radius
+    # chords of 400 samples over less than a turn leave the curve by (6/400)^2/8 = 3e-5 of the radius
     expect(farthest(found, fine[:, :2, 0], radius), 0.0, within=1e-3, scale=radius, of="a path",
            unit="of the radius", at=call, kind=kind, hint=partial(wrong_paths, found, fine, radius))  # fmt: skip
     expect_that("(m)" in picture.xlabel.split() and "(m)" in picture.ylabel.split(),

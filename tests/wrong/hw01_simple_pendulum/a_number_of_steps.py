@@ -1,6 +1,7 @@
 """Seven hundred Runge-Kutta steps for every duration.
 
 fails: simulate_keeps_the_energy
+numerics: steps that grow with the duration
 """
 
 def _rk4_step(state, h, ratio):

@@ -1,6 +1,7 @@
 """solve_ivp with its default tolerances.
 
 fails: simulate_swings
+numerics: solve_ivp's own rtol of 1e-3
 suspect: the tolerances that solve_ivp has
 """
 

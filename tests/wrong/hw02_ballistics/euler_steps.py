@@ -1,6 +1,7 @@
 """The simulation takes ten steps of Euler's method from sample to sample.
 
 fails: simulation_follows_the_motion, both_paths_are_drawn
+numerics: a method of first order
 names: are the steps short
 """
 

@@ -1,6 +1,7 @@
 """A little of the energy is lost at every step.
 
 fails: energy_stays
+numerics: the loss of a method that damps
 """
 
 def simulate(t, position, velocity, *, mass, stiffness, gravity):

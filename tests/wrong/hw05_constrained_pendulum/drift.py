@@ -1,6 +1,7 @@
 """Nothing brings the particle back to the circle: rtol 1e-8.
 
 fails: it_stays_on_the_circle
+numerics: the constraint drifts as the error of the integration does
 names: neither place nor velocity is kept
 """
 

@@ -1,6 +1,7 @@
 """The position is put back onto the circle, the velocity is left as it came.
 
 fails: it_stays_on_the_circle
+numerics: the constraint drifts as the error of the integration does
 names: the velocity is not made tangent
 """
 

@@ -1,6 +1,7 @@
 """A projection that takes some energy away.
 
 fails: energy_stays
+numerics: the loss of a careless projection
 names: the energy is off
 """
 

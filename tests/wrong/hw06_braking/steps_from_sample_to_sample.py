@@ -1,6 +1,7 @@
 """Eight Runge-Kutta steps from each time to the next, however far; stops in a way that is right.
 
 fails: simulate_needs_no_dense_times, simulate_comes_to_rest_and_stays
+numerics: steps that grow with the distance of the times
 names: the steps of the integration are not those of t
 """
 

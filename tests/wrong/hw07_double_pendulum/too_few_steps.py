@@ -1,6 +1,7 @@
 """Two steps of the classical Runge-Kutta method from row to row of a long motion.
 
 fails: energy_is_conserved_from_horizontal
+numerics: steps as long as half the distance of the times
 names: or a smaller step
 """
 

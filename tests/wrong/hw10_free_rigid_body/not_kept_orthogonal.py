@@ -1,6 +1,7 @@
 """R goes on by R + dt R omega-hat, and is a rotation no more.
 
 fails: attitude_follows_the_motion, rim_paths_are_drawn
+numerics: a method of first order
 names: R is not kept orthogonal
 """
 

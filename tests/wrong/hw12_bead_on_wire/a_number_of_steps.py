@@ -1,6 +1,7 @@
 """Nine hundred Runge-Kutta steps for every duration.
 
 fails: simulate_keeps_the_energy, simulate_slides_down_steep_wires
+numerics: steps that grow with the duration
 names: the steps must not grow with the duration
 """
 

@@ -1,6 +1,7 @@
 """solve_ivp at its default tolerance.
 
 fails: simulate_slides
+numerics: solve_ivp's own rtol of 1e-3
 suspect: solve_ivp at its default tolerance
 """
 

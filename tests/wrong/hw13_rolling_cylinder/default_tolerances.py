@@ -1,6 +1,7 @@
 """solve_ivp with its default tolerances.
 
 fails: simulate_rolls_and_rocks
+numerics: solve_ivp's own rtol of 1e-3
 suspect: tolerances that solve_ivp has
 """
 

@@ -1,6 +1,7 @@
 """Ten Runge-Kutta steps from each time to the next, however far.
 
 fails: simulate_needs_no_dense_times, simulate_keeps_the_energy
+numerics: steps that grow with the distance of the times
 names: the steps of the integration are not those of t
 """
 

@@ -1,6 +1,7 @@
 """Both simulations damp the tilt by a millionth per unit of time, which keeps both integrals.
 
 fails: energy_is_conserved
+numerics: the loss of a method that damps
 """
 
 

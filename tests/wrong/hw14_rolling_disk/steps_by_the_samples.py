@@ -1,6 +1,7 @@
 """simulate_euler makes 18 Runge-Kutta steps from sample to sample, however far apart.
 
 fails: euler_simulation_keeps_two_integrals, energy_is_conserved, both_simulations_agree
+numerics: steps that grow with the distance of the times
 names: the steps must not depend on the sampling
 """
 
