@@ -1,6 +1,7 @@
 """Four hundred Runge-Kutta steps, however long the time between the first two samples is.
 
 fails: simulate_does_not_depend_on_the_sampling, energy_stays
+numerics: steps as long as the times are apart
 names: steps between the times
 """
 

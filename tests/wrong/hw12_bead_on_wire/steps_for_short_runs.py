@@ -1,6 +1,7 @@
 """Steps that are longer in longer runs.
 
 fails: simulate_keeps_the_energy
+numerics: steps that grow with the duration
 names: the steps must not grow with the duration
 """
 

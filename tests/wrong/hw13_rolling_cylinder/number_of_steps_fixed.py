@@ -1,6 +1,7 @@
 """A thousand Runge-Kutta steps for any duration.
 
 fails: simulate_keeps_the_energy
+numerics: steps that grow with the duration
 """
 
 

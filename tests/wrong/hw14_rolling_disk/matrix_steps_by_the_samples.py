@@ -1,6 +1,7 @@
 """simulate_matrix makes 18 Runge-Kutta steps from sample to sample, however far apart.
 
 fails: both_simulations_agree
+numerics: steps that grow with the distance of the times
 names: the steps must not depend on the sampling
 """
 
