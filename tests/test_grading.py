@@ -22,11 +22,11 @@ from tam570_grader.check import Failure, expect, given, suspect
 from tam570_grader.grade import agrees
 from tam570_grader.inside.wire import Foreign, Unreadable, packed, portable, unpacked
 from tam570_grader.launch import isolation
-from tam570_grader.polygons import distances
 from tam570_grader.preload import imported
 from tam570_grader.returns import array, group, number, result, rows
 from tam570_grader.root import slug_of
 from tam570_grader.sandbox import Allowance
+from tam570_grader.shapes import distances
 from tam570_grader.student import Call, Source, Student
 
 SLUG = "hw08_axis_angle"

@@ -5,7 +5,7 @@ from functools import partial
 
 import numpy as np
 
-from tam570_grader import array, check, expect, expect_that, given, group, number, suspect
+from tam570_grader import array, check, expect, expect_that, given, group, judge_boxes, number, suspect
 
 RESULTS = {
     "axis_rotation": array(3, 3),
@@ -443,44 +443,6 @@ def no_rotations(R, noise, draw):
 # (c) The book
 
 
-def edges(R, size):
-    """The twelve edges: corners that differ in one sign."""
-    signs = 2 * np.array(list(np.ndindex(2, 2, 2))) - 1
-    pairs = [(i, j) for i in range(8) for j in range(i) if np.count_nonzero(signs[i] != signs[j]) == 1]
-    return (signs[np.array(pairs)] * size / 2) @ R.T
-
-
-def astray(found, right):
-    """The largest distance of an edge that is there to the nearest right one, in any direction."""
-    both_ways = [np.abs(found[:, None] - one_way).max(axis=(2, 3)) for one_way in (right, right[:, ::-1])]
-    return np.minimum(*both_ways).min(axis=1).max()
-
-
-def mismatch(found, right):
-    """How far two boxes' edges are apart, in any order and direction: no edge may be astray, nor be missing."""
-    return max(astray(found, right), astray(right, found))
-
-
-# Suspects compare numbers in order; the order of edges is free, so these are found here.
-MISTAKEN_BOXES = {
-    "they are those of the transpose": lambda R, size: edges(R.T, size),
-    "they are those of a box twice that size": lambda R, size: edges(R, 2 * size),
-    "they are those of a box half that size": lambda R, size: edges(R, size / 2),
-    "they are along x, y, z: it is the size that is turned": lambda R, size: edges(np.eye(3), R @ size),
-    "they are those of a box with a corner at the origin": lambda R, size: edges(R, size) + R @ size / 2,
-    "they are not turned": lambda R, size: edges(np.eye(3), size),
-}
-
-
-def mistake(found, R, size):
-    """What is wrong, if it is a known mistake, else what to look at."""
-    near = WITHIN * max(size)
-    known = [says for says, box in MISTAKEN_BOXES.items() if mismatch(found, box(R, size)) < near]
-    if not known and astray(found, edges(R, size)) < near:
-        return "all that there are are edges of the book: is one there twice, and another missing?"
-    return known[0] if known else "three edges meet at each of the eight corners"
-
-
 @check(points=1.5, part="c")
 def the_book_has_its_twelve_edges(student, draw):
     """book_edges are the edges of the turned book, in any order and direction."""
@@ -489,8 +451,4 @@ def the_book_has_its_twelve_edges(student, draw):
     quarter = about(str(draw.choice(list("xyz"))), math.pi / 2)
     cases += [(np.eye(3), sizes[4], "a book that is not turned"), (quarter, sizes[5], "a quarter turn"),
               (a_rotation(draw), np.full(3, sizes[0][0]), "a cube")]  # fmt: skip
-    for R, size, kind in cases:
-        found = student.on(kind).book_edges(R, size=size)
-        expect(mismatch(found, edges(R, size)), 0.0, within=WITHIN, scale=max(size), of="an edge",
-               unit="of the longest edge", at=(R, size), kind=kind,
-               hint=partial(mistake, found, R, size))  # fmt: skip
+    judge_boxes(student.book_edges, cases, within=WITHIN)

@@ -16,6 +16,7 @@ from tam570_grader import (
     expect_that,
     given,
     group,
+    judge_boxes,
     number,
     once,
     rows,
@@ -852,42 +853,6 @@ def period_grows_to_infinity_at_the_separatrix(student, draw):
 # Drawing
 
 
-def edges(R, size):
-    """The twelve edges of a box: corners that differ in one sign."""
-    signs = 2 * np.array(list(np.ndindex(2, 2, 2))) - 1
-    pairs = [(i, j) for i in range(8) for j in range(i) if np.count_nonzero(signs[i] != signs[j]) == 1]
-    return (signs[np.array(pairs)] * size / 2) @ R.T
-
-
-def astray(found, right):
-    """The largest distance of an edge that is there to the nearest right one, in any direction."""
-    both_ways = [np.abs(found[:, None] - one_way).max(axis=(2, 3)) for one_way in (right, right[:, ::-1])]
-    return np.minimum(*both_ways).min(axis=1).max()
-
-
-def mismatch(found, right):
-    """How far two boxes' edges are apart, in any order and direction: no edge may be astray, nor be missing."""
-    return max(astray(found, right), astray(right, found))
-
-
-# Suspects compare numbers in order; the order of edges is free, so these are found here.
-MISTAKEN_BOXES = {
-    "it is that of the transpose": lambda R, size: edges(R.T, size),
-    "it is that of a box twice that size": lambda R, size: edges(R, 2 * size),
-    "it is that of a box with a corner at the origin": lambda R, size: edges(R, size) + R @ size / 2,
-    "it is not turned": lambda R, size: edges(np.eye(3), size),
-}
-
-
-def mistake(found, R, size):
-    """What is wrong, if it is a known mistake, else what to look at."""
-    near = POINTWISE * max(size)
-    known = [says for says, box in MISTAKEN_BOXES.items() if mismatch(found, box(R, size)) < near]
-    if not known and astray(found, edges(R, size)) < near:
-        return "all that there are are edges of the box: is one there twice, and another missing?"
-    return known[0] if known else "edges are `size` long; the centre is the origin"
-
-
 @check(points=0.5, part="b")
 def the_box_has_its_twelve_edges(student, draw):
     """wireframe: the edges of the turned box, in any order and direction."""
@@ -896,10 +861,8 @@ def the_box_has_its_twelve_edges(student, draw):
     cases += [
         (R, size, f"a box, {kind}") for (R, kind), size in zip(named_attitudes(draw), sizes[3:], strict=True)
     ]
-    for R, size, kind in [*cases, (an_attitude(draw), np.full(3, sizes[0][0]), "a cube")]:
-        found = student.on(kind).wireframe(R, size=size)
-        expect(mismatch(found, edges(R, size)), 0.0, within=POINTWISE, scale=max(size), of="an edge",
-               unit="of the longest edge", kind=kind, at=(R, size), hint=partial(mistake, found, R, size))  # fmt: skip
+    cases.append((an_attitude(draw), np.full(3, sizes[0][0]), "a cube"))
+    judge_boxes(student.wireframe, cases, within=POINTWISE)
 
 
 @once

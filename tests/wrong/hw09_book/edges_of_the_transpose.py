@@ -1,7 +1,7 @@
 """The corners are multiplied by R from the right: turned the other way.
 
 fails: the_book_has_its_twelve_edges
-names: they are those of the transpose
+names: the edges are those of the transpose
 """
 
 _right_edges = book_edges
