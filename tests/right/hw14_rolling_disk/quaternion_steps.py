@@ -114,14 +114,14 @@ def euler_state_derivative(t, state, *, mass, radius, inertia, gravity):
     ]  # fmt: skip
 
 
-def step_for(state, w):
-    return 0.005 / (1 + sqrt(dot(w, w)))
+def step_for(w, radius, gravity):
+    return 0.02 / (1 + sqrt(dot(w, w)) + sqrt(gravity / radius))
 
 
 def simulate_euler(t, state, **disk):
     w = matrix_state(state, radius=disk["radius"])[12:]
     start = [float(x) for x in state]
-    return stepped(lambda y: euler_state_derivative(0, y, **disk), t, start, 4 * step_for(state, w))
+    return stepped(lambda y: euler_state_derivative(0, y, **disk), t, start, step_for(w, disk["radius"], disk["gravity"]))
 
 
 def rotation_quaternion(cols):
@@ -142,7 +142,8 @@ def simulate_matrix(t, state, **disk):
         return [*combined((disk["radius"], cross(w, frame(n)[1]))), *turning, *omega_rate(n, w, **disk)]
 
     found = []
-    for row in stepped(rates, t, start, 4 * step_for(state, state[12:])):
+    largest = step_for(state[12:], disk["radius"], disk["gravity"])
+    for row in stepped(rates, t, start, largest):
         size = sqrt(dot(row[3:7], row[3:7]))
         R = columns([x / size for x in row[3:7]])
         found.append([*row[:3], *(R[j][i] for i in range(3) for j in range(3)), *row[7:]])
