@@ -257,11 +257,12 @@ class Function:
 
 @contextmanager
 def _saying(kind: str) -> Iterator[None]:
-    """A failure of a call says for what kind of input."""
+    """A failure of a call says for what kind of input, before its advice."""
     try:
         yield
     except Failure as failure:
-        failure.message += f" for {kind}" if kind else ""
+        says, semicolon, advice = failure.message.partition("; ")
+        failure.message = f"{says} for {kind}{semicolon}{advice}" if kind else failure.message
         raise
 
 
