@@ -14,10 +14,11 @@ RESULTS = {"skew": array(3, 3), "rotation_matrix": array(3, 3), "rotate": array(
 NEEDS = ("numpy",)
 OFF_LIMITS = {"*": ("scipy.spatial.transform", "tam570.rotations")}
 
+NEARLY = 1e-5  # of a result; single precision, or a pi of few digits, loses less
 POINTWISE = (
     1e-12  # a few roundings of numbers of size 1 make 1e-15; quaternions and products of matrices, 1e-14
 )
-TINY = 1e-14  # the rounding of the cosine; a tiny angle taken for 0 is off by 1e-12
+TINY = 1e-14  # the rounding of the cosine; an angle of 1e-12 taken for 0 is off by 1e-12, cos 3e-6 for 1 by 4e-12
 HUGE_ANGLE = 1e-9  # 1e6 rad, reduced modulo 2 pi by hand, is off by 1e6 eps = 2e-10
 
 
@@ -48,15 +49,30 @@ def none_below(smallest):
     return lambda axis, angle: turned(axis, angle if abs(angle) > smallest else 0.0)
 
 
+def with_a_positive_sine(axis, angle):
+    """sin th by the root of 1 - cos^2 th."""
+    return turned(axis, math.acos(math.cos(angle)))
+
+
 def in_single_precision(axis, angle):
     single = np.float32(angle)
     return turned(axis, math.atan2(np.sin(single), np.cos(single)))
 
 
-def by_formula(n, angle):
-    """The formula with whatever vector it is given for the unit vector."""
-    cross = np.array([[0, -n[2], n[1]], [n[2], 0, -n[0]], [-n[1], n[0], 0]])
-    return np.cos(angle) * np.eye(3) + (1 - np.cos(angle)) * np.outer(n, n) + np.sin(angle) * cross
+def by_formula(angle, n, m, c=None):
+    """The formula with these vectors for the unit vector in its second and third term, and with c for the cosine."""
+    c = np.cos(angle) if c is None else c
+    return c * np.eye(3) + (1 - c) * np.outer(n, n) + np.sin(angle) * np.cross(m, np.eye(3)).T
+
+
+def unit(axis):
+    return axis / np.linalg.norm(axis)
+
+
+def of_first_order(axis, angle):
+    """cos th = 1 where the angle is small."""
+    n = unit(axis)
+    return by_formula(angle, n, n, 1.0) if abs(angle) < 1e-4 else turned(axis, angle)
 
 
 def rotated(matrix):
@@ -74,12 +90,27 @@ def suspects(wrong_matrices, within=1e-6):
 WRONG_MATRICES = {
     "the transpose, the rotation the other way (look at the sign of the sin th term)": transposed,
     "the angle taken for degrees": in_degrees,
-    "the axis not made a unit vector": by_formula,
     "the sign of the angle dropped": by_its_size,
+    "sin th never negative (a root of 1 - cos^2 th has lost the sign)": with_a_positive_sine,
+    "half of the angle": lambda axis, angle: turned(axis, angle / 2),
+    "the axis not made a unit vector": lambda axis, angle: by_formula(angle, axis, axis),
+    "the axis not made a unit vector in the sin th term": (
+        lambda axis, angle: by_formula(angle, unit(axis), axis)
+    ),
+    "the axis not made a unit vector in the (1 - cos th) term": (
+        lambda axis, angle: by_formula(angle, axis, unit(axis))
+    ),
+    "the axis divided by the square of its length": (
+        lambda axis, angle: by_formula(angle, axis / (axis @ axis), axis / (axis @ axis))
+    ),
+    "1 + cos th for 1 - cos th": (
+        lambda axis, angle: turned(axis, angle) + 2 * np.cos(angle) * np.outer(unit(axis), unit(axis))
+    ),
 }
 # Right but for a few angles: compared as closely as the check does, so that nothing else that is nearly right agrees.
 WRONG_WHEN_SMALL = {f"a turn by {what} taken for no turn": none_below(smallest)
                     for what, smallest in (("1e-12", 1e-10), ("1e-9", 1e-8))}  # fmt: skip
+WRONG_WHEN_SMALL["cos th taken for 1 where the angle is small"] = of_first_order
 
 
 @once
@@ -120,6 +151,17 @@ def not_turned(found, before, otherwise=""):
     return "it is taken for no turn" if same else otherwise
 
 
+def digits_lost(found, right, otherwise=""):
+    """What to say of a result that is nearly right, or otherwise."""
+    if np.abs(found - right).max() > NEARLY * np.abs(right).max():
+        return otherwise
+    if np.array_equal(found, np.float32(found)):
+        return "nearly right: its numbers are in single precision"
+    if any(np.array_equal(found, np.round(found, places)) for places in range(5, 13)):
+        return "nearly right: its numbers are rounded"
+    return "nearly right: some number in it has too few digits"
+
+
 def matrices(student, cases, kind):
     """The student's matrices beside the cases and the kind(axis, angle) of each."""
     kinds = [kind(axis, angle) for axis, angle, _ in cases]
@@ -139,12 +181,15 @@ def skew_is_the_cross_product(student, draw):
                unit="of the length of v", at=(v, r), kind=kind)  # fmt: skip
 
 
+WHAT_TO_TRY = "try a quarter turn about z, and an axis twice as long"
+
+
 @check(points=2, part="a", suspects=suspects(WRONG_MATRICES)[0])
 def matrix_turns_by_the_right_hand_rule(student, draw):
     """rotation_matrix turns by the angle about the axis, right-handed, whatever the axis's length."""
     for R, case, kind in matrices(student, rotations(draw, None), any_kind):
         expect(R, case[2], within=POINTWISE, of="the matrix", at=case, kind=kind,
-               hint="try a quarter turn about z, and an axis twice as long")  # fmt: skip
+               hint=partial(digits_lost, R, case[2], WHAT_TO_TRY))  # fmt: skip
     for R, case, kind in matrices(student, plain_turns(draw), plain_kind):
         expect(R, case[2], within=POINTWISE, of="the matrix", at=case, kind=kind,
                hint=partial(not_turned, R, np.eye(3), "where do the coordinate axes go?"))  # fmt: skip
@@ -189,8 +234,9 @@ def terms(R, axis, angle, within):
 def every_angle(draw):
     """Angles by size, how near to right the matrix must be, and what the angles are called."""
     signs = draw.choice([-1, 1], 4)
-    yield (-1e-12, 1e-12, -1e-9, 1e-9), TINY, "an angle of 1e-12 or 1e-9"
-    yield tuple(10 ** draw.uniform(-8, 0, 4) * signs), POINTWISE, "an angle from 1e-8 to 1"
+    yield (-1e-12, 1e-12, -1e-9, 1e-9, -3e-6, 3e-6), TINY, "an angle of 1e-12, 1e-9 or 3e-6"
+    any_size = 10 ** draw.uniform(-8, 0, 4) * signs
+    yield (3e-5, -3e-5, 9e-5, -9e-5, *any_size), POINTWISE, "an angle from 1e-8 to 1"
     yield (np.pi - 1e-9, 1e-9 - np.pi, 2 * np.pi), POINTWISE, "an angle next to a half turn, or a whole turn"
     yield tuple(10 ** draw.uniform(2, 6, 4) * signs), HUGE_ANGLE, "an angle from 100 to 1e6"
 
@@ -203,7 +249,9 @@ def length_kind(length):
 def matrix_depends_on_the_direction_alone(student, draw):
     """Axes of length 1e-100 or 1e100 give the same matrix as the unit axis."""
     n, angle = draw.normal(size=3), draw.uniform(0.5, 3)
-    lengths = 10.0 ** draw.uniform(-100, 100, 4)  # beyond 1e150 the square of a length overflows
+    lengths = 10.0 ** draw.uniform(
+        (-100, -50, 0, 50), (-50, 0, 50, 100)
+    )  # beyond 1e150 the square of a length overflows
     calls = [given(length * n, angle).on(length_kind(length)) for length in lengths]
     for length, R, call in zip(lengths, student.rotation_matrix.many(calls), calls, strict=True):
         expect(R, turned(n, angle), within=POINTWISE, of="the matrix", at=(n, angle, length), kind=call.kind)
@@ -211,9 +259,11 @@ def matrix_depends_on_the_direction_alone(student, draw):
 
 @check(points=1, part="a", after=matrix_turns_by_the_right_hand_rule)
 def matrix_refuses_what_is_no_axis(student, draw):
-    """rotation_matrix raises ValueError for an axis that is zero or not finite."""
+    """rotation_matrix raises ValueError for an axis that is zero or not finite, whatever the angle."""
     angle = draw.uniform(0.5, 3)
-    for axis, kind in NO_AXES:
+    cases = [(axis, angle, kind) for axis, kind in NO_AXES]
+    cases += [(axis, 0.0, f"{kind}, no turn") for axis, kind in NO_AXES[:2]]
+    for axis, angle, kind in cases:
         expect_that(student.on(kind).rotation_matrix.refuses(np.array(axis), angle),
                     "rotation_matrix does not raise ValueError", kind=kind)  # fmt: skip
 
@@ -247,7 +297,8 @@ def vector_turns_by_the_right_hand_rule(student, draw):
     """rotate turns r as the matrix would, whatever the axis's length."""
     for r1, r, case, kind in turned_vectors(student, draw, rotations(draw, None), any_kind):
         expect(r1, case[2] @ r, within=POINTWISE, scale=np.linalg.norm(r), of="the turned vector",
-               unit="of its length", at=(r, *case), kind=kind)  # fmt: skip
+               unit="of its length", at=(r, *case), kind=kind,
+               hint=partial(digits_lost, r1, case[2] @ r))  # fmt: skip
     plain = plain_turns(draw)
     for r1, r, case, kind in turned_vectors(student, draw, plain, plain_kind):
         expect(r1, case[2] @ r, within=POINTWISE, scale=np.linalg.norm(r), of="the turned vector",
@@ -264,8 +315,8 @@ def vector_turns_by_the_right_hand_rule(student, draw):
        suspects=suspects(WRONG_WHEN_SMALL, TINY)[1])  # fmt: skip
 def vector_turns_by_every_angle(student, draw):
     """rotate holds for angles from 1e-12 to 1e6 and axes from 1e-100 to 1e100 long."""
-    for angles, within, kind in every_angle(draw):
-        length = 10.0 ** draw.uniform(-100, 100)
+    for (angles, within, kind), sign in zip(every_angle(draw), (-1, 1, -1, 1), strict=True):
+        length = 10.0 ** (sign * draw.uniform(10, 100))
         cases = [(length * axis, angle, right) for axis, angle, right in rotations(draw, angles)]
         about = f"{kind}, {length_kind(length)}"
         for r1, r, case, _ in turned_vectors(student, draw, cases, lambda axis, angle, about=about: about):
@@ -275,8 +326,11 @@ def vector_turns_by_every_angle(student, draw):
 
 @check(points=1, part="a", after=vector_turns_by_the_right_hand_rule)
 def rotate_refuses_what_is_no_axis(student, draw):
-    """rotate raises ValueError for an axis that is zero or not finite."""
-    r, angle = draw.normal(size=3), draw.uniform(0.5, 3)
-    for axis, kind in NO_AXES:
+    """rotate raises ValueError for an axis that is zero or not finite, whatever the angle and the vector."""
+    some, nothing, angle = draw.normal(size=3), np.zeros(3), draw.uniform(0.5, 3)
+    cases = [(some, axis, angle, kind) for axis, kind in NO_AXES]
+    for axis, kind in NO_AXES[:2]:
+        cases += [(some, axis, 0.0, f"{kind}, no turn"), (nothing, axis, angle, f"{kind}, the zero vector")]
+    for r, axis, angle, kind in cases:
         expect_that(student.on(kind).rotate.refuses(r, np.array(axis), angle),
                     "rotate does not raise ValueError", kind=kind)  # fmt: skip

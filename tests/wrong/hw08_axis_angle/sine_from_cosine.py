@@ -1,0 +1,10 @@
+"""The sine is the root of 1 - cos^2 th, which is never negative.
+
+fails: matrix_turns_by_the_right_hand_rule
+suspect: sin th never negative
+"""
+
+
+def rotation_matrix(axis, angle):
+    n, c = _unit(axis), np.cos(angle)
+    return c * np.eye(3) + (1 - c) * np.outer(n, n) + np.sqrt(1 - c**2) * skew(n)
