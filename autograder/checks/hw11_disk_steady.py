@@ -4,6 +4,7 @@ Axes: x towards the centre of the circle, z up, y such that z turns towards x ab
 """
 
 import math
+from functools import partial
 
 import numpy as np
 
@@ -155,6 +156,9 @@ def energy_with(kinetic):
     return lambda lean, **disk: kinetic(lean, common(lean, **disk), disk["inertia"]) + potential(lean, **disk)
 
 
+settled = energy_with(turning_energy)
+
+
 # Wrong answers to name
 
 TO_CENTRE = "R measured to G; it is the radius of the track of the contact point"
@@ -167,6 +171,7 @@ THIN = "A and C of a thin uniform disk for those given"
 UNIT_SIZE = "a mass and a radius of 1 for those given"
 UNSIGNED = "the precession taken without its sign"
 DEGREES = "the lean taken for degrees"
+SINE = "sin(lean) for tan(lean) in the moment of the weight: the cosine divides that term too"
 
 
 def swapped(right):
@@ -197,6 +202,11 @@ def unsigned(right):
 
 def in_degrees(right):
     return lambda lean, *args, **disk: right(math.radians(lean), *args, **disk)
+
+
+def sine_for_tangent(right):
+    """As if gravity were less by the cosine of the lean."""
+    return lambda lean, *args, gravity, **disk: right(lean, *args, gravity=gravity * math.cos(lean), **disk)
 
 
 def reversed_sign(right):
@@ -272,9 +282,32 @@ def residual_of_rolling(lean, precession, spin, inward, normal, *, mass, radius,
     return residual(lean, precession, spin, needed, normal, mass=mass, radius=radius, inertia=inertia)
 
 
-def force_outwards(lean, precession, spin, **disk):
-    inward, normal = plain_force(lean, precession, spin, **disk)
-    return -inward, normal
+def force_with(inwards):
+    """The normal force right, the inward one inwards(right, lean)."""
+
+    def wrong(lean, *motion, **disk):
+        inward, normal = plain_force(lean, *motion, **disk)
+        return inwards(inward, lean), normal
+
+    return wrong
+
+
+def force_on_the_track(lean, precession, spin, **disk):
+    """m Omega^2 R."""
+    return plain_force(lean, precession, spin - precession * axle(lean) @ Z, **disk)
+
+
+def force_of_weight_along_the_disk(lean, *motion, **disk):
+    inward, normal = plain_force(lean, *motion, **disk)
+    return inward, normal * math.cos(lean)
+
+
+def force_without_weight(*motion, **disk):
+    return plain_force(*motion, **{**disk, "gravity": 0.0})
+
+
+def residual_of_outward_force(lean, precession, spin, inward, normal, **disk):
+    return residual(lean, precession, spin, -inward, normal, **disk)
 
 
 # The draws
@@ -299,12 +332,26 @@ def roller(draw, size):
     return (C + size) * draw.uniform(1.5, 3.0), C
 
 
-KINDS = {uniform_disk: "a thin uniform disk", hoop: "a hoop", wheel: "a wheel", roller: "a long roller"}
+def coin(draw, size):
+    """Its moments are so small, 1e-6 N m, that many a threshold takes them for zero."""
+    return uniform_disk(draw, size)
+
+
+KINDS = {
+    uniform_disk: "a thin uniform disk",
+    hoop: "a hoop",
+    wheel: "a wheel",
+    roller: "a long roller",
+    coin: "a disk as small as a coin",
+}
+THIN_KINDS = KINDS[uniform_disk], KINDS[coin]
 WHEELS = (uniform_disk, hoop, wheel)
 
 
 def a_disk(draw, kind):
     mass, radius = 10 ** draw.uniform(-1, 1), 10 ** draw.uniform(-1.5, 0)
+    if kind is coin:
+        mass, radius = draw.uniform(2e-3, 6e-3), draw.uniform(8e-3, 12e-3)
     inertia = kind(draw, mass * radius**2)
     return {"mass": mass, "radius": radius, "inertia": inertia, "gravity": draw.uniform(1.6, 25.0)}
 
@@ -331,25 +378,32 @@ def telling(case):
     """Sorts first what tells a suspect from the truth: where a call raises, the ones before it alone are compared."""
     call, _, _, kind = case
     motion = call.args[:2]
-    return (2, False) if 0.0 in motion else (int(motion[-1] > 0.0), kind == KINDS[uniform_disk])
+    return (2, False) if 0.0 in motion else (int(motion[-1] > 0.0), kind in THIN_KINDS)
 
 
 def agree(function, cases, *, of, unit, hint=""):
-    """The student's function gives what is right in every case: (call, what is right, scale, kind)."""
+    """The student's function gives what is right in every case: (call, what is right, scale, kind).
+
+    hint : where to look, or a function of what is found and what is right that says so
+    """
     order = sorted(range(len(cases)), key=lambda index: telling(cases[index]))
     asked = [call.on(kind) for call, _, _, kind in cases]
     found = dict(zip(order, function.many([asked[index] for index in order]), strict=True))
     for index, (call, right, scale, kind) in enumerate(cases):
         expect(
-            found[index], right, within=WITHIN, scale=scale, of=of, unit=unit, at=call, kind=kind, hint=hint
-        )
+            found[index], right, within=WITHIN, scale=scale, of=of, unit=unit, at=call, kind=kind,
+            hint=partial(hint, found[index], right) if callable(hint) else hint,
+        )  # fmt: skip
+
+
+SMALL_LEAN = 5e-5  # rad; what it changes is far above any tolerance
 
 
 @once
 def members(draw, force):
     """Spins at leans and precessions of both signs."""
     cases = []
-    for make in WHEELS * 4:
+    for make in (*WHEELS * 4, coin):
         disk, lean = a_disk(draw, make), a_lean(draw)
         precession = draw.choice([-1, 1]) * usual(disk) * draw.uniform(0.3, 3)
         spin = balanced_spin(lean, precession, force, **disk)
@@ -371,6 +425,7 @@ def plain_members(draw, force):
         still = {**disk, "gravity": 0.0}
         cases += [(0.0, precession, disk, "an upright disk"), (a_lean(draw), precession, still, "no gravity")]
         cases.append((0.0, precession, still, "an upright disk without gravity"))
+    cases.append((draw.choice([-1, 1]) * SMALL_LEAN, precession, disk, "an almost upright disk"))
     cases += [(sign * math.pi / 4, turn, UNIT, "whole numbers") for sign in (1, -1) for turn in (1.0, -1.0)]
     return [
         (given(lean, precession, **disk), balanced_spin(lean, precession, force, **disk),
@@ -399,7 +454,7 @@ def tracks(draw):
 @once
 def whirls(draw):
     """Leans, precessions, spins and disks without any relation, steady or not."""
-    disks = [(a_disk(draw, make), KINDS[make]) for make in WHEELS * 4]
+    disks = [(a_disk(draw, make), KINDS[make]) for make in (*WHEELS * 4, coin)]
     return [
         (draw.uniform(-1.4, 1.4), *(usual(disk) * draw.uniform(-3, 3, 2)), disk, kind) for disk, kind in disks
     ]
@@ -438,6 +493,7 @@ def plain_whirls(draw):
         suspect(THIN, rolling_spin=thin(balanced_spin)),
         suspect(UNIT_SIZE, rolling_spin=unit_size(balanced_spin)),
         suspect(UNSIGNED, rolling_spin=unsigned(balanced_spin)),
+        suspect(SINE, rolling_spin=sine_for_tangent(balanced_spin)),
         suspect(DEGREES, rolling_spin=in_degrees(balanced_spin)),
     ],
 )  # fmt: skip
@@ -465,6 +521,7 @@ def rolling_spin_holds_upright_and_without_gravity(student, draw):
         suspect(THIN, rolling_track_radius=thin(rolling_track)),
         suspect(UNIT_SIZE, rolling_track_radius=track_with(unit_size(balanced_spin))),
         suspect(UNSIGNED, rolling_track_radius=track_with(unsigned(balanced_spin))),
+        suspect(SINE, rolling_track_radius=sine_for_tangent(rolling_track)),
         suspect(DEGREES, rolling_track_radius=in_degrees(rolling_track)),
     ],
 )  # fmt: skip
@@ -495,6 +552,7 @@ def contact_tracks(cases_of_spin):
         suspect(REVERSED, rolling_precession=reversed_sign(balanced_precession)),
         suspect(SPIN_ALONE, rolling_precession=spin_alone(balanced_precession)),
         suspect(THIN, rolling_precession=thin(balanced_precession)),
+        suspect(SINE, rolling_precession=sine_for_tangent(balanced_precession)),
         suspect(DEGREES, rolling_precession=in_degrees(balanced_precession)),
     ],
 )  # fmt: skip
@@ -506,7 +564,7 @@ def rolling_precession_balances_the_moments(student, draw):
 
 @check(points=0.5, part="a", after=rolling_precession_balances_the_moments)
 def rolling_precession_holds_on_tracks_of_any_sign(student, draw):
-    """rolling_precession holds where the contact is beyond the circle's centre, and for a long roller."""
+    """rolling_precession holds where the contact is beyond the circle's centre, for a long roller, and for a coin."""
     mirrored = [
         (given(*(-x for x in call.args), **call.kwargs), right, right, "lean and track radius both negative")
         for call, right, _, _ in tracks(draw)[:4]
@@ -518,22 +576,38 @@ def rolling_precession_holds_on_tracks_of_any_sign(student, draw):
     right = balanced_precession(lean, track, **disk)
     beyond = [(given(sign * lean, sign * track, **disk), right, right,
                "a long roller whose contact lies beyond the centre of the circle") for sign in (1, -1)]  # fmt: skip
-    agree(student.rolling_precession, [*mirrored, still, *beyond], of="the precession", unit="of itself",
+    disk, lean = a_disk(draw, coin), draw.uniform(0.2, 1.2)
+    track = smallest_track(lean, **disk) + disk["radius"] * draw.uniform(0.3, 0.6)
+    right = balanced_precession(lean, track, **disk)
+    small = (given(lean, track, **disk), right, right, KINDS[coin])
+    agree(student.rolling_precession, [*mirrored, still, *beyond, small], of="the precession", unit="of itself",
           hint="which sign must the moment of the weight have?")  # fmt: skip
 
 
 @check(points=0.5, part="a", after=rolling_precession_balances_the_moments)
 def rolling_precession_is_zero_where_nothing_turns_it(student, draw):
-    """rolling_precession is 0 without gravity, and for an upright disk on a track that is no point."""
-    cases = []
+    """rolling_precession is 0 without gravity, for an upright disk on a track that is no point, and only there."""
+    plain, signed = [], []
     for make in WHEELS:
         disk, R = a_disk(draw, make), draw.uniform(2, 5)  # m, wider than any smallest track
-        cases.append((given(draw.uniform(0.2, 1.2), R, **{**disk, "gravity": 0.0}), 0.0, 1.0, "no gravity"))
-        cases += [
-            (given(0.0, track, **disk), 0.0, 1.0, f"an upright disk and a {sign} track radius")
-            for track, sign in ((R, "positive"), (-R, "negative"))
-        ]
-    agree(student.rolling_precession, cases, of="the precession", unit="rad/s")
+        lean, still = draw.uniform(0.2, 1.2), {**disk, "gravity": 0.0}
+        plain.append((given(lean, R, **still), 0.0, 1.0, "no gravity"))
+        right = balanced_precession(SMALL_LEAN, R, **disk)
+        for sign, word in ((1, "positive"), (-1, "negative")):
+            plain.append(
+                (given(0.0, sign * R, **disk), 0.0, 1.0, f"an upright disk and a {word} track radius")
+            )
+            signed += [
+                (
+                    given(-sign * lean, sign * R, **still),
+                    0.0,
+                    1.0,
+                    "no gravity, and a lean away from the centre",
+                ),
+                (given(sign * SMALL_LEAN, sign * R, **disk), right, 1.0, "an almost upright disk"),
+            ]
+    for cases in (plain, signed):
+        agree(student.rolling_precession, cases, of="the precession", unit="rad/s")
 
 
 @check(points=0.75, part="a", after=rolling_precession_balances_the_moments)
@@ -550,11 +624,28 @@ def rolling_precession_refuses_what_does_not_exist(student, draw):
             (lean, -wide, "a disk that leans away from the centre, seen in a mirror"),
             (lean, tight, "a track too tight for the lean"),
             (0.0, 0.0, "an upright disk on a point, where every Omega will do"),
+            (-SMALL_LEAN, wide, "a disk that leans away from the centre by very little"),
         )
         for *call, kind in refused:
-            expect_that(student.on(kind).rolling_precession.refuses(*call, **disk),
-                        "rolling_precession does not raise ValueError", kind=kind, at=(call, disk),
-                        hint="what would Omega^2 be?")  # fmt: skip
+            refuses(student, *call, kind, disk)
+    for lean in (ROUNDED_NOWHERE, -ROUNDED_NOWHERE):
+        refuses(student, lean, 0.0, "a roller that turns on a point, where Omega drops out", long_hoop(draw))
+
+
+ROUNDED_NOWHERE = 2.0**-30  # rad; it is its own sine and tangent, and its cosine is one
+
+
+def long_hoop(draw):
+    """A = C + m a^2, with which no Omega bears the weight on a point; powers of two, so that no formula is rounded."""
+    mass, radius, gravity = 2.0 ** draw.integers([-1, -3, 1], [3, 1, 5])
+    size = mass * radius**2
+    return {"mass": mass, "radius": radius, "inertia": (2 * size, size), "gravity": gravity}
+
+
+def refuses(student, lean, track, kind, disk):
+    expect_that(student.on(kind).rolling_precession.refuses(lean, track, **disk),
+                "rolling_precession does not raise ValueError", kind=kind, at=(lean, track, disk),
+                hint="what would Omega^2 be?")  # fmt: skip
 
 
 # (b) Sliding
@@ -569,6 +660,7 @@ def rolling_precession_refuses_what_does_not_exist(student, draw):
         suspect(SPIN_ALONE, sliding_spin=spin_alone(sliding)),
         suspect(THIN, sliding_spin=thin(sliding)),
         suspect(UNSIGNED, sliding_spin=unsigned(sliding)),
+        suspect(SINE, sliding_spin=sine_for_tangent(sliding)),
         suspect(DEGREES, sliding_spin=in_degrees(sliding)),
     ],
 )  # fmt: skip
@@ -621,7 +713,7 @@ SIGNS = {1: "a lean inwards", -1: "a negative lean", 0: "an upright disk"}
 def common_precession_is_in_both_families(student, draw):
     """common_precession is that of the motions which roll and slide at once."""
     cases = []
-    for make in WHEELS * 3:
+    for make in (*WHEELS * 3, coin):
         disk, lean = a_disk(draw, make), a_lean(draw)
         right = common(lean, **disk)
         cases.append((given(lean, **disk), right, right, KINDS[make]))
@@ -647,7 +739,18 @@ def common_precession_has_a_limit_upright(student, draw):
     suspects=[
         suspect(RELATIVE, contact_force=by_relative_spin(rolling_force)),
         suspect("m a spin^2 for the mass times the centripetal acceleration", contact_force=force_of_spin),
-        suspect("the sign of the inward force turned round", contact_force=force_outwards),
+        suspect("the sign of the inward force turned round",
+                contact_force=force_with(lambda inward, lean: -inward)),
+        suspect("the inward force taken without its sign",
+                contact_force=force_with(lambda inward, lean: abs(inward))),
+        suspect("the cosine of the lean in the inward force, which is horizontal",
+                contact_force=force_with(lambda inward, lean: inward * math.cos(lean))),
+        suspect("no inward force, as on the disk that slides",
+                contact_force=force_with(lambda inward, lean: 0.0)),
+        suspect("R, of the contact's track, for the radius of the circle of G", contact_force=force_on_the_track),
+        suspect("no weight in the normal force", contact_force=force_without_weight),
+        suspect("the cosine of the lean in the normal force, which is vertical",
+                contact_force=force_of_weight_along_the_disk),
         suspect("the normal force first; the inward force is asked first", contact_force=force_normal_first),
     ],
 )  # fmt: skip
@@ -660,7 +763,17 @@ def contact_force_moves_the_centre(student, draw):
         right = rolling_force(lean, precession, spin, **disk)
         cases.append((given(lean, precession, spin, **disk), right, scale, kind))
     agree(student.contact_force, cases, of="the force", unit="of the forces at work",
-          hint="(inward, normal): F = m a of G, which moves on a circle")  # fmt: skip
+          hint=wrong_force)  # fmt: skip
+
+
+def wrong_force(found, right):
+    """Which part of the force is wrong, and where it comes from."""
+    inward, normal = np.isclose(found, right)
+    if normal and not inward:
+        return "only the inward force is: G moves on a circle; what is its radius, and G's speed?"
+    if inward and not normal:
+        return "only the normal force is: how does the height of G change?"
+    return "(inward, normal): F = m a of G, which moves on a circle"
 
 
 @check(
@@ -672,6 +785,7 @@ def contact_force_moves_the_centre(student, draw):
         suspect(SPIN_ALONE, moment_residual=spin_alone(residual)),
         suspect(THIN, moment_residual=thin(residual)),
         suspect("the inward force of steady rolling, not the one given", moment_residual=residual_of_rolling),
+        suspect("the moment of the inward force turned round", moment_residual=residual_of_outward_force),
     ],
 )  # fmt: skip
 def moment_residual_is_moment_minus_rate(student, draw):
@@ -703,18 +817,20 @@ def moment_residual_is_moment_minus_rate(student, draw):
         suspect("Omega, about the vertical, for the rate at which the disk turns about its diameter",
                 settling_energy=energy_with(lambda lean, p, inertia: 0.5 * inertia[0] * p**2)),
         suspect("the kinetic energy alone", settling_energy=settling_kinetic_energy),
+        suspect("the potential 0 where G of the upright disk is; it is 0 with G on the ground",
+                settling_energy=lambda lean, **disk: settled(lean, **disk) - potential(0.0, **disk)),
+        suspect("the sine for the cosine: the lean is measured from the vertical",
+                settling_energy=lambda lean, **disk: settled(lean, **disk) * math.tan(lean)),
     ],
 )  # fmt: skip
 def settling_energy_adds_up(student, draw):
     """settling_energy is the kinetic and potential energy of the motion that rolls and slides at once."""
     cases = []
-    for make in WHEELS * 3:
+    for make in (*WHEELS * 3, coin):
         disk, lean = a_disk(draw, make), a_lean(draw)
         scale = disk["mass"] * disk["gravity"] * disk["radius"]
-        cases.append((given(lean, **disk), energy_with(turning_energy)(lean, **disk), scale, KINDS[make]))
+        cases.append((given(lean, **disk), settled(lean, **disk), scale, KINDS[make]))
         if len(cases) % 3 == 1:
-            cases.append(
-                (given(0.0, **disk), energy_with(turning_energy)(0.0, **disk), scale, "an upright disk")
-            )
+            cases.append((given(0.0, **disk), settled(0.0, **disk), scale, "an upright disk"))
     agree(student.settling_energy, cases, of="the energy", unit="of m g a",
           hint="G is at rest; about which axis does the disk turn?")  # fmt: skip

@@ -1,0 +1,11 @@
+"""The balance is divided by cos(lean), but for the moment of the weight.
+
+fails: rolling_spin_balances_the_moments, rolling_track_has_the_contact_at_rest
+suspect: sin(lean) for tan(lean) in the moment of the weight
+"""
+
+
+def rolling_spin(lean, precession, *, mass, radius, inertia, gravity):
+    A, C = inertia
+    moment = mass * gravity * radius * math.sin(lean) - A * precession**2 * math.sin(lean)
+    return moment / (precession * (C + mass * radius**2))
