@@ -25,9 +25,10 @@ MANUAL = {
 # Products of six matrices and quaternions are off by 1e-15; axis and angle by any way that does not divide by a
 # small number, by 1e-15 too. A matrix that takes 1e-12 rad for none is off by 1e-12.
 WITHIN = 1e-13
-RELATIVE = (
-    1e-9  # of a small angle and its axis: they keep 15 digits, and with arccos or an eigenvector 7 at most
-)
+# Of a small angle and its axis, which keep 15 digits by R - R^T or a quaternion (5e-16 at most). The null vector of
+# R - I is off by 6e-11 and more at 1e-8 rad, an eigenvector and arccos by more than that.
+RELATIVE = 1e-12
+NEARLY = 1e-5  # of a result, or rad; single precision, or a pi of few digits, loses less
 AXES = dict(zip("xyz", np.eye(3), strict=True))
 GENERIC = "an axis and angle far from special ones"
 
@@ -79,9 +80,14 @@ WHERE_TO = "where does a quarter turn take each of the other two axes?"
 WHICH_FIRST = "which matrix acts on a vector first, the leftmost or the rightmost?"
 
 
-def half_turned(R, without, otherwise):
-    """What to say of a matrix that is without() half turns, and otherwise."""
-    return "a half turn is taken for no turn" if np.abs(R - without()).max() <= WITHIN else otherwise
+NEARLY_RIGHT = "nearly right: some number in it has too few digits"
+
+
+def wrong_matrix(R, right, without, otherwise):
+    """What to say of a matrix that is without() half turns or nearly right, and otherwise."""
+    if np.abs(R - without()).max() <= WITHIN:
+        return "a half turn is taken for no turn"
+    return NEARLY_RIGHT if np.abs(R - right).max() < NEARLY else otherwise
 
 
 def none_for_half(axis, angle):
@@ -116,8 +122,9 @@ def turns_about_the_coordinate_axes(student, draw):
         calls += [given(axis, quarters * math.pi / 2).on(f"{TURNS[abs(quarters)]} about {axis}")
                   for quarters in (0, 1, -1, 2, -2, 4)]  # fmt: skip
     for R, call in zip(student.axis_rotation.many(calls), calls, strict=True):
-        expect(R, about(*call.args), within=WITHIN, of="the matrix", at=call, kind=call.kind,
-               hint=partial(half_turned, R, partial(none_for_half, *call.args), WHERE_TO))  # fmt: skip
+        right = about(*call.args)
+        expect(R, right, within=WITHIN, of="the matrix", at=call, kind=call.kind,
+               hint=partial(wrong_matrix, R, right, partial(none_for_half, *call.args), WHERE_TO))  # fmt: skip
 
 
 @check(points=0.5, part="a", after=turns_about_the_coordinate_axes)
@@ -148,8 +155,9 @@ def judge_sequences(function, right, draw):
     cases = sequences(draw)
     calls = [given(steps).on(kind) for steps, kind in cases]
     for R, (steps, kind) in zip(function.many(calls), cases, strict=True):
-        expect(R, right(steps), within=WITHIN, of="the matrix", at=steps, kind=kind,
-               hint=partial(half_turned, R, partial(right, steps, none_for_half), WHICH_FIRST))  # fmt: skip
+        expected = right(steps)
+        expect(R, expected, within=WITHIN, of="the matrix", at=steps, kind=kind,
+               hint=partial(wrong_matrix, R, expected, partial(right, steps, none_for_half), WHICH_FIRST))  # fmt: skip
 
 
 def judge_short_sequences(function, draw):
@@ -266,27 +274,44 @@ def axis_and_angle_are_those_of_the_matrix(student, draw):
         compare_axes(student, turns, f"an axis {axis_kind(axes[0])}")
 
 
-def compare_axes(student, cases, kind, hint="which vector does R leave alone, and what is the trace of R?"):
-    """With one kind of input for all cases, or one for each."""
+WHAT_STAYS = "which vector does R leave alone, and what is the trace of R?"
+
+
+def compare_axes(student, cases, kind, hint=WHAT_STAYS, nearly=NEARLY_RIGHT):
+    """With one kind of input for all cases, or one for each; `nearly` is said where a few digits are lost."""
     kinds = [kind] * len(cases) if isinstance(kind, str) else kind
     calls = [given(turned(*case)).on(kind) for case, kind in zip(cases, kinds, strict=True)]
     found = student.axis_angle.many(calls)
     near_is_pi = taken_for(math.pi, found, cases, WITHIN)
     for (axis, angle), case, call in zip(found, cases, calls, strict=True):
         expect(angle, case[1], within=WITHIN, of="the angle", unit="rad", at=call, kind=call.kind,
-               hint="angles that are near enough to pi are given as pi" if near_is_pi else hint)  # fmt: skip
+               hint=NEAR_IS_PI if near_is_pi else partial(wrong_angle, angle, case[1], hint, nearly))  # fmt: skip
         expect(axis, case[0], within=WITHIN, of="the axis", at=call, kind=call.kind,
-               hint=partial(wrong_axis, axis, case[0], hint))  # fmt: skip
+               hint=partial(wrong_axis, axis, case[0], hint, nearly))  # fmt: skip
 
 
-def wrong_axis(axis, right, otherwise):
+NEAR_IS_PI = "angles that are near enough to pi are given as pi"
+BEYOND_PI = "it is larger than pi: the same turn is one by 2 pi - angle about the opposite axis"
+SIGNS = "the sizes of its components are right, their signs are not: R + R^T has the products n_x n_y"
+
+
+def wrong_angle(angle, right, otherwise, nearly):
+    """What is wrong with an angle, if that can be told, and otherwise what to look at."""
+    if abs(angle + right - 2 * math.pi) < 1e-6 < angle - math.pi:
+        return BEYOND_PI
+    return nearly if abs(angle - right) < NEARLY else otherwise
+
+
+def wrong_axis(axis, right, otherwise, nearly):
     """What is wrong with an axis, if that can be told, and otherwise what to look at."""
     off = np.abs(axis - right) > WITHIN
     if np.abs(axis + right).max() < 1e-6:
         return "it points the other way"
     if off.any() and np.abs(right[off]).max() < 1e-4 and np.abs(axis - right).max() < 1e-6:
         return "only what is small or zero in it is off: is that a square root of a small difference?"
-    return otherwise
+    if np.abs(axis - right).max() < NEARLY:
+        return nearly
+    return SIGNS if np.abs(np.abs(axis) - np.abs(right)).max() < 1e-6 else otherwise
 
 
 def taken_for(special, found, cases, within):
@@ -304,7 +329,7 @@ def axis_kind(n):
 
 def distances(draw):
     """From the special angles, rad."""
-    return [1e-9, 1e-12, *10 ** draw.uniform(-12, -2, 10)]
+    return [1e-8, 1e-9, 1e-12, *10 ** draw.uniform(-12, -2, 9)]
 
 
 @check(
@@ -345,7 +370,10 @@ def is_left_alone(axis, R):
 def angles_near_pi_keep_their_digits(student, draw):
     """axis_angle keeps all digits of axis and angle 1e-12 to 1e-2 from a half turn."""
     cases = [(a_unit_axis(draw), math.pi - distance) for distance in distances(draw)]
-    compare_axes(student, cases, "an angle near pi", "which part of R is large there: R - R^T or R + R^T?")
+    compare_axes(student, cases, "an angle near pi", WHICH_PART, WHICH_PART)
+
+
+WHICH_PART = "which part of R is large there: R - R^T or R + R^T?"
 
 
 @check(points=0.25, part="a", after=angles_near_pi_keep_their_digits)
@@ -360,7 +388,7 @@ def axes_with_small_components_keep_their_digits(student, draw):
     for n in ([1.0, 0, 0], [-1.0, 0, 0], [0, 0.6, -0.8], [0, -0.8, 0.6]):
         cases += [(np.roll(n, k), math.pi - distance) for k in (0, 1, 2) for distance in (1e-9, 1e-3)]
         kinds += [f"an angle near pi, an axis {axis_kind(n)}"] * 6
-    compare_axes(student, cases, kinds)
+    compare_axes(student, cases, kinds, nearly=WHICH_PART)
 
 
 @check(
@@ -377,9 +405,15 @@ def half_turns_have_their_axis(student, draw):
     calls = [given(2 * np.outer(n, n) - np.eye(3)).on(f"a half turn, an axis {axis_kind(n)}") for n in axes]
     for (axis, angle), n, call in zip(student.axis_angle.many(calls), axes, calls, strict=True):
         # 2 n n^T - I of a rounded n is a rotation to 1e-16, and so is the sine that it has
-        expect(angle, math.pi, within=WITHIN, of="the angle", unit="rad", at=call, kind=call.kind)
+        expect(angle, math.pi, within=WITHIN, of="the angle", unit="rad", at=call, kind=call.kind,
+               hint=partial(wrong_angle, angle, math.pi, "", WHICH_PART))  # fmt: skip
         expect(np.outer(axis, axis), np.outer(n, n), within=WITHIN, of="the product n n^T of the axis", at=call,
-               kind=call.kind, hint="what is R + I there?")  # fmt: skip
+               kind=call.kind, hint=partial(wrong_half_turn, axis, n))  # fmt: skip
+
+
+def wrong_half_turn(axis, n):
+    """What to say of a half turn's axis that is neither n nor -n."""
+    return SIGNS if np.abs(np.abs(axis) - np.abs(n)).max() < 1e-6 else "what is R + I there?"
 
 
 @check(points=0.25, part="a", after=axis_and_angle_are_those_of_the_matrix)
@@ -393,15 +427,20 @@ def no_turn_has_a_unit_axis(student, draw):
 
 @check(points=0.25, part="a", after=axis_and_angle_are_those_of_the_matrix)
 def what_is_no_rotation_is_refused(student, draw):
-    """axis_angle raises ValueError for what is no rotation, and takes one with R^T R off by 7e-7."""
+    """axis_angle raises ValueError for what is no rotation, and takes one with R^T R off by 9e-7."""
     R, noise = a_rotation(draw), draw.uniform(0.3, 1, (3, 3)) * draw.choice([-1, 1], (3, 3))
-    near = off_by(R, draw, 7e-7)
-    kind = "a matrix with R^T R off by 7e-7"
-    axis, angle = student.on(kind).axis_angle(near)
-    right = by_arctangent(near)
-    # the two parts of R tell angles and axes that differ by the size of the shear
-    expect([*axis, angle], [*right[0], right[1]], within=5e-6, of="axis or angle", at=near,
-           kind=kind)  # fmt: skip
+    near = [(off_by(R, draw, 7e-7), "a matrix with R^T R off by 7e-7")]
+    near += [((1 + 4.5e-7) * matrix, f"{what} times 1 + 4.5e-7")
+             for matrix, what in ((R, "a rotation"), (np.eye(3), "the identity"))]  # fmt: skip
+    found = student.axis_angle.many([given(matrix).on(kind) for matrix, kind in near])
+    for (axis, angle), (matrix, kind) in zip(found[:2], near[:2], strict=True):
+        n, right = by_arctangent(matrix)
+        # the two parts of R tell angles and axes that differ by the size of the shear
+        expect([*axis, angle], [*n, right], within=5e-6, of="axis or angle", at=matrix, kind=kind)
+    axis, angle = found[2]
+    expect(np.linalg.norm(axis), 1.0, within=1e-5, of="the length of the axis", kind=near[2][1])
+    # the trace is that of a cosine of 1 + 6.8e-7: no angle, and 1.2e-3 rad if the size of 1 - cos th is taken
+    expect(angle, 0.0, within=2e-3, of="the angle", unit="rad", kind=near[2][1])
     for matrix, kind in no_rotations(R, noise, draw):
         expect_that(student.on(kind).axis_angle.refuses(matrix), "axis_angle does not raise ValueError",
                     kind=kind, at=matrix)  # fmt: skip
@@ -423,6 +462,7 @@ def no_rotations(R, noise, draw):
     """Matrices to refuse, and what each is."""
     holed, infinite = R.copy(), R.copy()
     holed[0, 1], infinite[2, 0] = np.nan, np.inf
+    i, j = draw.permutation(3)[:2]
     return (
         (-R, "a reflection"),
         (R @ np.diag([1.0, 1.0, -1.0]), "a reflection"),
@@ -437,7 +477,17 @@ def no_rotations(R, noise, draw):
         (np.zeros((3, 3)), "the zero matrix"),
         (holed, "a matrix with a NaN"),
         (infinite, "a matrix with an infinite element"),
-    )
+        # zeros times infinity are NaN, and no comparison with NaN is true
+        *((infinite_at(i, k, size), f"the identity, but for {size} {'on' if k == i else 'off'} the diagonal")
+          for k in (i, j) for size in (np.inf, -np.inf)),
+    )  # fmt: skip
+
+
+def infinite_at(i, j, size):
+    """The identity, with this infinity in row i and column j."""
+    R = np.eye(3)
+    R[i, j] = size
+    return R
 
 
 # (c) The book

@@ -1,6 +1,6 @@
 """The axis is R - R^T divided by its length, zero by zero for the identity.
 
-fails: no_turn_has_a_unit_axis
+fails: no_turn_has_a_unit_axis, what_is_no_rotation_is_refused
 names: returned NaN or infinity for the identity
 """
 

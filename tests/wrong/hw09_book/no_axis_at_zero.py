@@ -1,6 +1,6 @@
 """The identity gets a zero axis.
 
-fails: no_turn_has_a_unit_axis
+fails: no_turn_has_a_unit_axis, what_is_no_rotation_is_refused
 names: the axis is the zero vector for the identity
 """
 

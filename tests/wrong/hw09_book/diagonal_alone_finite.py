@@ -1,0 +1,13 @@
+"""The trace is looked at for infinity: one off the diagonal is taken.
+
+fails: what_is_no_rotation_is_refused
+names: inf off the diagonal
+"""
+
+
+def _rotation(R):
+    R = np.asarray(R, dtype=float)
+    bad = np.isnan(R).any() or not np.isfinite(np.trace(R))
+    if bad or np.abs(R.T @ R - np.eye(3)).max() > 1e-6 or np.linalg.det(R) < 0:
+        raise ValueError
+    return R

@@ -1,0 +1,12 @@
+"""Of a half turn, the axis by positive roots of the diagonal.
+
+fails: half_turns_have_their_axis
+names: the sizes of its components are right, their signs are not
+"""
+
+_right_axis_angle = axis_angle
+
+
+def axis_angle(R):
+    n, angle = _right_axis_angle(R)
+    return np.abs(n) if np.abs(R - R.T).max() < 1e-14 else n, angle
