@@ -1,5 +1,6 @@
 """`tam570-grader grade` as an instructor runs it: inputs of every kind, exit codes, results that last."""
 
+import contextlib
 import csv
 import json
 import math
@@ -23,10 +24,10 @@ from tam570_grader.grade import agrees
 from tam570_grader.inside.wire import Foreign, Unreadable, packed, portable, unpacked
 from tam570_grader.launch import isolation
 from tam570_grader.preload import imported
-from tam570_grader.returns import array, group, number, result, rows
+from tam570_grader.returns import Drawing, array, group, number, result, rows
 from tam570_grader.root import slug_of
 from tam570_grader.sandbox import Allowance
-from tam570_grader.shapes import distances
+from tam570_grader.shapes import distances, judge_axes_of_lengths
 from tam570_grader.student import Call, Source, Student
 
 SLUG = "hw08_axis_angle"
@@ -645,3 +646,19 @@ def test_distances_from_a_polygon_are_those_to_its_sides_and_many_points_cost_no
     circle = np.column_stack([np.cos(turn), np.sin(turn)])
     found = distances(2 * circle, circle)
     assert len(found) <= 400 and found == pytest.approx(1, abs=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("label", "right"),
+    [
+        *(
+            (label, True)
+            for label in ("x (m)", "x [m]", "right, m", "$x$ (m)", r"$x$ $[\mathrm{m}]$", "x in metres")
+        ),
+        *((label, False) for label in ("", "x", "x (mm)", "x (M)", "m(x)", "moment")),
+    ],
+)
+def test_a_label_names_metres_in_many_forms(label, right):
+    axes = Drawing([], label, label, equal_aspect=True)
+    with contextlib.nullcontext() if right else pytest.raises(Failure, match="not labelled with their unit"):
+        judge_axes_of_lengths(axes)

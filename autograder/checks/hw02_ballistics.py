@@ -7,7 +7,19 @@ import math
 import numpy as np
 from scipy.optimize import brentq
 
-from tam570_grader import array, check, drawing, expect, expect_that, given, number, once, rows, suspect
+from tam570_grader import (
+    array,
+    check,
+    drawing,
+    expect,
+    expect_that,
+    given,
+    judge_axes_of_lengths,
+    number,
+    once,
+    rows,
+    suspect,
+)
 
 RESULTS = {
     "state_derivative": array(4),
@@ -615,9 +627,7 @@ def both_paths_are_drawn(student, draw):
         over_time = np.allclose(path[-1:], [t[-1], fine[-1, 1]], rtol=0, atol=DRAWN * np.abs(fine).max())
         ends = "a path is y over x, not over the time" if over_time else "draw from t[0] to t[-1]"
         judge_path(path, fine, ends)
-    expect_that("(m)" in picture.xlabel.split() and "(m)" in picture.ylabel.split(),
-                "the axes are not labelled with their unit, as in x (m)")  # fmt: skip
-    expect_that(picture.equal_aspect, "x and y are not drawn at the same scale")
+    judge_axes_of_lengths(picture)
 
 
 def judge_path(path, fine, ends):

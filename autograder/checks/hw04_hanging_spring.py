@@ -14,6 +14,7 @@ from tam570_grader import (
     expect_that,
     given,
     group,
+    judge_axes_of_lengths,
     kept,
     number,
     once,
@@ -560,9 +561,7 @@ def the_path_is_drawn(student, draw):
     expect_that(len(picture.lines) == 1, f"there are {len(picture.lines)} curves on the axes, not one")
     places = motion(np.linspace(t[0], t[-1], 400), r, v, **known)[:, :3]
     judge_path(picture.lines[0].points, seen(places, azimuth, elevation), places)
-    units = "(m)" in picture.xlabel.split() and "(m)" in picture.ylabel.split()
-    expect_that(units, "the axes are not labelled with their unit, as in x (m)")
-    expect_that(picture.equal_aspect, "right and up are not drawn at the same scale")
+    judge_axes_of_lengths(picture, "right and up")
 
 
 def seen(points, azimuth, elevation):

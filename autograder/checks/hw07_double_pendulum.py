@@ -18,6 +18,7 @@ from tam570_grader import (
     expect_that,
     given,
     group,
+    judge_axes_of_lengths,
     kept,
     number,
     once,
@@ -774,6 +775,4 @@ def tip_path_is_drawn(student, draw):
     ):
         expect(distances(points, path), 0.0, within=within, scale=scale, of=of, unit="of l1 + l2",
                hint="is it the tip of bar 2?", at=call)  # fmt: skip
-    expect_that("(m)" in picture.xlabel.split() and "(m)" in picture.ylabel.split(),
-                "the axes are not labelled with their unit, as in x (m)")  # fmt: skip
-    expect_that(picture.equal_aspect, "x and y are not drawn at the same scale")
+    judge_axes_of_lengths(picture)

@@ -16,6 +16,7 @@ from tam570_grader import (
     expect_that,
     given,
     group,
+    judge_axes_of_lengths,
     judge_boxes,
     number,
     once,
@@ -142,9 +143,21 @@ def a_wheel(draw):
     return np.array([A, A, A * draw.choice([draw.uniform(0.2, 0.7), draw.uniform(1.3, 1.9)])])
 
 
+def a_near_wheel(draw):
+    """Two inertias, any, that differ by less than isclose and allclose see; the third is another."""
+    third = draw.choice([draw.uniform(0.5, 0.8), draw.uniform(1.3, 1.8)])
+    return draw.permutation([1.0, 1.0 + draw.uniform(2e-6, 8e-6), third])
+
+
 def an_omega(draw):
     """No component is small, and the size is between .5 and 6 rad/s."""
     return draw.uniform(0.4, 1, 3) * draw.choice([-1, 1], 3) * 10 ** draw.uniform(0, 0.5)
+
+
+def a_fast_omega(draw):
+    """For steps of a size that fits slow turns alone: 30 to 40 rad/s."""
+    omega = an_omega(draw)
+    return omega * draw.uniform(30, 40) / np.linalg.norm(omega)
 
 
 OMEGAS = ("omega zero", "omega along a principal axis", "omega in a principal plane", "omega of one sign")
@@ -181,11 +194,17 @@ def an_attitude(draw):
     return turned(draw.uniform(0.4, 1.2, 3) * draw.choice([-1, 1], 3))
 
 
-def times(draw, omega, radians, count=25):
-    """Uneven times, from a start that is not 0, for so many radians."""
+def times(draw, omega, radians, count=25, start=None):
+    """Uneven times, from this start or any that is not 0, for so many radians."""
     span = radians / np.linalg.norm(omega)
     inner = np.sort(draw.uniform(0.02, 0.98, count - 2))
-    return draw.uniform(-3, 3) + span * np.concatenate([[0.0], inner, [1.0]])
+    start = draw.uniform(-3, 3) if start is None else start
+    return start + span * np.concatenate([[0.0], inner, [1.0]])
+
+
+def starts(draw, count):
+    """Some before t = 0 and some after."""
+    return draw.permutation(np.resize([-1, 1], count)) * draw.uniform(0.5, 3, count)
 
 
 def sorted_body(draw):
@@ -227,10 +246,14 @@ THIRD_IS_ZERO = "A = B put into the third of Euler's equations: omega_3 stays"
 )  # fmt: skip
 def euler_equations_keep_the_angular_momentum(student, draw):
     """euler_equations: omega' of a body without moments, for any three inertias, equal ones too."""
-    A, k = draw.uniform(0.5, 2, 2)
+    A, k = (
+        2.0 ** draw.integers(-1, 2),
+        draw.uniform(0.5, 2),
+    )  # H is along omega to the last digit where all are A
     bodies = [(a_body(draw), "a random body and omega") for _ in range(12)]
     bodies += [(a_wheel(draw), "a body with A = B") for _ in range(4)]
     bodies += [(np.array([A, A, A]), "three equal inertias"), (np.array([k * A, A, A]), "a body with B = C")]
+    bodies += [(a_near_wheel(draw), "two inertias that are equal to five digits, no more") for _ in range(4)]
     judge(student.euler_equations, [given(an_omega(draw), inertia=body).on(kind) for body, kind in bodies], moving,
           size=lambda omega, inertia: omega @ omega, of="omega'", unit="of omega^2",
           hint="the rate of H in body components plus omega x H is zero")  # fmt: skip
@@ -419,8 +442,8 @@ def tumbles(draw):
         f"omega {where}" for where in ("round the last axis", "round the first axis", "near the middle axis")
     ]
     calls = [
-        given(times(draw, omega, radians), an_attitude(draw), omega, inertia=body).on(kind)
-        for (body, omega, radians), kind in zip(cases, kinds, strict=True)
+        given(times(draw, omega, radians, start=start), an_attitude(draw), omega, inertia=body).on(kind)
+        for (body, omega, radians), kind, start in zip(cases, kinds, starts(draw, 3), strict=True)
     ]
     return calls, [elliptic(call.args[0], call.args[2], call.kwargs["inertia"]) for call in calls]
 
@@ -430,8 +453,10 @@ def attitudes(draw):
     """Calls and the right rotations."""
     omegas = [an_omega(draw) for _ in range(2)]
     calls = [
-        given(times(draw, omega, 12), an_attitude(draw), omega, inertia=a_body(draw)).on("a general motion")
-        for omega in omegas
+        given(times(draw, omega, 12, start=start), an_attitude(draw), omega, inertia=a_body(draw)).on(
+            "a general motion"
+        )
+        for omega, start in zip(omegas, starts(draw, 2), strict=True)
     ]
     return calls, [motion(*call.args, **call.kwargs)[1] for call in calls]
 
@@ -444,6 +469,17 @@ def from_identity(t, R, omega, *, inertia):
     return motion(t, np.eye(3), omega, inertia=inertia)
 
 
+def from_identity_after_the_start(t, R, omega, *, inertia):
+    omegas, rotations = from_identity(t, R, omega, inertia=inertia)
+    rotations[0] = R
+    return omegas, rotations
+
+
+def start_on_the_other_side(t, R, omega, *, inertia):
+    omegas, rotations = from_identity(t, R, omega, inertia=inertia)
+    return omegas, rotations @ R
+
+
 def to_body(t, R, omega, *, inertia):
     omegas, rotations = motion(t, R, omega, inertia=inertia)
     return omegas, rotations.transpose(0, 2, 1)
@@ -453,10 +489,23 @@ def at_even_times(t, R, omega, *, inertia):
     return motion(np.linspace(t[0], t[-1], len(t)), R, omega, inertia=inertia)
 
 
+def at_steps_of_the_first(t, R, omega, *, inertia):
+    return motion(t[0] + (t[1] - t[0]) * np.arange(len(t)), R, omega, inertia=inertia)
+
+
+def at_rounded_times(t, R, omega, *, inertia):
+    return motion(np.round(t, 3), R, omega, inertia=inertia)
+
+
 def given_at_zero(t, R, omega, *, inertia):
     """The given state is that at the time 0, before the start or after it."""
     omegas, rotations = motion(np.array([0.0, t[0]]), R, omega, inertia=inertia)
     return motion(t, rotations[-1], omegas[-1], inertia=inertia)
+
+
+def given_at_zero_before(t, R, omega, *, inertia):
+    """The same, but of a start before t = 0 at that start."""
+    return (given_at_zero if t[0] > 0 else motion)(t, R, omega, inertia=inertia)
 
 
 OMEGA_SUSPECTS = [
@@ -464,7 +513,11 @@ OMEGA_SUSPECTS = [
             simulate=wrong_motion(euler=signs_changed(-1, -1, -1))),
     suspect(THIRD_IS_ZERO, within=1e-4, simulate=wrong_motion(euler=signs_changed(1, 1, 0))),
     suspect("the times taken for evenly spaced", within=1e-4, simulate=at_even_times),
+    suspect("the times taken for evenly spaced, every step as long as the first", within=1e-4,
+            simulate=at_steps_of_the_first),
+    suspect("the times rounded to a millisecond", within=1e-5, simulate=at_rounded_times),
     suspect("the given state taken for that at t = 0, not at t[0]", within=1e-4, simulate=given_at_zero),
+    suspect("the given state taken for that at t = 0, not at t[0]", within=1e-4, simulate=given_at_zero_before),
     suspect("solve_ivp at its own tolerances, rtol 1e-3 and atol 1e-6", simulate=wrong_motion(solver={})),
 ]  # fmt: skip
 MOTION_SUSPECTS = [
@@ -473,6 +526,9 @@ MOTION_SUSPECTS = [
             simulate=wrong_motion(attitude=lambda R, w: hat(w) @ R)),
     suspect("the sign of omega-hat changed", within=1e-4, simulate=wrong_motion(attitude=lambda R, w: -R @ hat(w))),
     suspect("rotations that start with the identity, not with the given R", within=1e-4, simulate=from_identity),
+    suspect("rotations that go on from the identity, not from the given R", within=1e-4,
+            simulate=from_identity_after_the_start),
+    suspect("the given R on the wrong side of the turn since then", within=1e-4, simulate=start_on_the_other_side),
     suspect("the transposes, from space to body", within=1e-4, simulate=to_body),
 ]  # fmt: skip
 NEARLY = "it is nearly right: are the steps short enough, the tolerances tight enough?"
@@ -487,7 +543,7 @@ def judge_motions(found, right, calls, sizes, start, *, hint, **says):
     """The worst motion first, for it decides on partial credit."""
     for values, call, size in zip(found, calls, sizes, strict=True):
         expect(values[0], call.args[start], within=1e-12, scale=size, of="the first row", at=call,
-               kind=call.kind)  # fmt: skip
+               kind=call.kind, hint=partial(wrong_start, values[0]))  # fmt: skip
     errors = [np.max(np.abs(a - b)) / size for a, b, size in zip(found, right, sizes, strict=True)]
     for worst in np.argsort(errors)[::-1]:
         expect(found[worst], right[worst], within=TRAJECTORY, scale=sizes[worst], t=calls[worst].args[0],
@@ -511,10 +567,20 @@ def attitude_follows_the_motion(student, draw):
     calls, right = attitudes(draw)
     found = [rotations for _, rotations in student.simulate.many(calls)]
     judge_motions(found, right, calls, [1.0, 1.0], 1, of="R",
-                  hint=look_at_attitude(np.concatenate(found)))  # fmt: skip
+                  hint=partial(look_at_attitude, np.concatenate(found)))  # fmt: skip
+
+
+LEFT_HANDED = "the three axes are left-handed: the determinant is -1"
+
+
+def wrong_start(first):
+    """What is wrong with a first row, omega or R."""
+    return LEFT_HANDED if first.ndim == 2 and np.linalg.det(first) < 0 else "it is the state given, at t[0]"
 
 
 def look_at_attitude(rotations):
+    if np.linalg.det(rotations).min() < 0:
+        return LEFT_HANDED
     defect = np.abs(rotations.transpose(0, 2, 1) @ rotations - np.eye(3)).max()
     if defect > 1e-4:  # the steps are too long, or each one is R + dt R'
         return "R is not kept orthogonal: R^T R is no longer I"
@@ -523,20 +589,24 @@ def look_at_attitude(rotations):
 
 @check(points=0.5, part="a", after=(omega_follows_elliptic_functions, attitude_follows_the_motion))
 def invariants_stay_over_many_turns(student, draw):
-    """simulate: R^T R = I, the vector H in space and the energy over many turns."""
-    omega, body, R = an_omega(draw), a_body(draw), an_attitude(draw)
+    """simulate: R^T R = I, the vector H in space and the energy over many turns, fast ones."""
+    omega, body, R = a_fast_omega(draw), a_body(draw), an_attitude(draw)
     t = times(draw, omega, 45, count=12)
-    kind = "many turns"
+    kind = "many fast turns"
     omegas, rotations = student.on(kind).simulate(t, R, omega, inertia=body)
     squares, ones = rotations.transpose(0, 2, 1) @ rotations, np.broadcast_to(np.eye(3), rotations.shape)
     expect(squares, ones, within=INVARIANT, of="R^T R", t=t, at=(R, omega, body), kind=kind,
            hint=NEARLY if nearly(np.abs(squares - ones).max()) else "is it still a rotation?")  # fmt: skip
     H = np.einsum("nij,nj->ni", rotations, body * omegas)
     expect(H, np.broadcast_to(H[0], H.shape), within=INVARIANT, scale=np.linalg.norm(H[0]), of="H in space",
-           unit="of itself", t=t, at=(R, omega, body), kind=kind)  # fmt: skip
+           unit="of itself", t=t, at=(R, omega, body), kind=kind, hint=FAST)  # fmt: skip
     energies = np.array([energy(w, inertia=body) for w in omegas])
     expect(energies, np.full(len(t), energies[0]), within=INVARIANT, scale=energies[0], of="the energy",
-           unit="of its start", t=t, at=(R, omega, body), kind=kind, partial={1e-4: 0.5, 1e-2: 0.25})  # fmt: skip
+           unit="of its start", t=t, at=(R, omega, body), kind=kind, partial={1e-4: 0.5, 1e-2: 0.25},
+           hint=FAST)  # fmt: skip
+
+
+FAST = "the steps must be short for a fast turn"
 
 
 @once
@@ -556,6 +626,12 @@ def special_motions(draw):
     cases["two times, and axes along those of space at the start"] = (
         given(t, R, omega, inertia=body), wheel(t, R, omega, body),
     )  # fmt: skip
+    for start, about in HALF_TURNS:
+        omega, body = an_omega(draw), a_wheel(draw)
+        t = times(draw, omega, 4, count=4)
+        cases[f"a start half a turn {about} from the axes of space"] = (
+            given(t, start, omega, inertia=body), wheel(t, start, omega, body),
+        )  # fmt: skip
     for axis in (0, 1, 2):
         body, omega = a_body(draw), draw.choice([-1, 1]) * draw.uniform(1, 4) * np.eye(3)[axis] + 0.0
         t, R = times(draw, omega, 4), an_attitude(draw)
@@ -564,6 +640,14 @@ def special_motions(draw):
             spinning(t, R, omega),
         )
     return cases
+
+
+# Their trace is -1: a quaternion that is made by a division by its scalar part has none there.
+HALF_TURNS = (
+    (np.diag([1.0, -1.0, -1.0]), "about x"),
+    (np.diag([-1.0, 1.0, -1.0]), "about y"),
+    (2 * np.outer([1, 2, 2], [1, 2, 2]) / 9 - np.eye(3), "about (1, 2, 2)"),
+)
 
 
 def spinning(t, R, omega):
@@ -582,7 +666,7 @@ def wrong_motion_of(found, right, size):
 
 @check(points=0.5, part="a", after=(omega_follows_elliptic_functions, attitude_follows_the_motion))
 def special_bodies_move_too(student, draw):
-    """simulate: two or three equal inertias, a body at rest, spin about a principal axis, and two times alone."""
+    """simulate: equal inertias, a body at rest, spin about a principal axis, two times alone, starts at half turns."""
     cases = special_motions(draw)
     found = student.simulate.many([call.on(kind) for kind, (call, _) in cases.items()])
     for (omegas, rotations), (kind, (call, right)) in zip(found, cases.items(), strict=True):
@@ -763,12 +847,30 @@ def modulus_for_parameter(omega, *, inertia):
     return 4 * math.sqrt(product / larger) * ellipk(math.sqrt(1 - smaller / larger))
 
 
-def one_side_only(omega, *, inertia):
-    """The formula for omega round the last axis, for both; where its k is above one, 1/k."""
-    A, B, C = inertia
-    double, square = 2 * energy(omega, inertia=inertia), np.sum((inertia * omega) ** 2)
-    m = (B - A) * (double * C - square) / ((C - B) * (square - double * A))
-    return 4 * math.sqrt(A * B * C / ((C - B) * (square - double * A))) * ellipk(min(m, 1 / m))
+def one_side_only(folded, order):
+    """The formula for omega round the last axis, or the first in reverse order, where folded(k^2 > 1) is below one."""
+
+    def wrong(omega, *, inertia):
+        (A, B, C), w = inertia[order], omega[order]
+        double, square = 2 * energy(w, inertia=inertia[order]), np.sum((inertia * omega) ** 2)
+        m = (B - A) * (double * C - square) / ((C - B) * (square - double * A))
+        return 4 * math.sqrt(A * B * C / ((C - B) * (square - double * A))) * ellipk(folded(m))
+
+    return wrong
+
+
+def other_side(order):
+    """The suspects that know this side of the separatrix only."""
+    folds = (lambda m: min(m, 1 / m)), (lambda m: max(1 - abs(1 - m), 0.0))
+    return [
+        suspect(
+            "the formula for the other side of the separatrix", tumble_period=one_side_only(folded, order)
+        )
+        for folded in folds
+    ]
+
+
+LAST_AXIS, FIRST_AXIS = slice(None), slice(None, None, -1)
 
 
 TUMBLE_SUSPECTS = [
@@ -803,17 +905,13 @@ def in_planes(body, sign):
     return [about + other / 2, about - other / 2, -about + middle, -about - middle]
 
 
-@check(points=0.375, part="b", suspects=TUMBLE_SUSPECTS)
+@check(points=0.375, part="b", suspects=[*TUMBLE_SUSPECTS, *other_side(FIRST_AXIS)])
 def period_round_the_last_axis(student, draw):
     """tumble_period where omega goes round the axis of the largest inertia."""
     judge_periods(student, draw, 1, "omega round the axis of the largest inertia")
 
 
-@check(
-    points=0.375, part="b",
-    suspects=[*TUMBLE_SUSPECTS,
-              suspect("the formula for the other side of the separatrix", tumble_period=one_side_only)],
-)  # fmt: skip
+@check(points=0.375, part="b", suspects=[*TUMBLE_SUSPECTS, *other_side(LAST_AXIS)])
 def period_round_the_first_axis(student, draw):
     """tumble_period where omega goes round the axis of the smallest inertia."""
     judge_periods(student, draw, -1, "omega round the axis of the smallest inertia")
@@ -920,6 +1018,4 @@ def rim_paths_are_drawn(student, draw):
     # chords of 400 samples over less than a turn leave the curve by (6/400)^2/8 = 3e-5 of the radius
     expect(farthest(found, fine[:, :2, 0], radius), 0.0, within=1e-3, scale=radius, of="a path",
            unit="of the radius", at=call, kind=kind, hint=partial(wrong_paths, found, fine, radius))  # fmt: skip
-    expect_that("(m)" in picture.xlabel.split() and "(m)" in picture.ylabel.split(),
-                "the axes are not labelled with their unit, as in x (m)")  # fmt: skip
-    expect_that(picture.equal_aspect, "x and y are not drawn at the same scale")
+    judge_axes_of_lengths(picture)

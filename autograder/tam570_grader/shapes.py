@@ -1,4 +1,4 @@
-"""Shapes that students draw, compared in any order: curves, whatever their corners are, and the edges of boxes."""
+"""What students draw: curves, whatever their corners are, the edges of boxes in any order, labels in many forms."""
 
 from collections.abc import Callable, Iterable
 from functools import partial
@@ -7,10 +7,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tam570_grader.check import expect, given
+from tam570_grader.check import expect, expect_that, given
+from tam570_grader.returns import Drawing
 from tam570_grader.student import Function
 
-__all__ = ["distances", "judge_boxes"]
+__all__ = ["distances", "judge_axes_of_lengths", "judge_boxes"]
 
 Array = NDArray[np.float64]
 
@@ -35,6 +36,20 @@ def _some(points: ArrayLike, most: int) -> NDArray[Any]:
     points = np.asarray(points, float)
     x, y = points[:: -(-len(points) // most)].T
     return np.asarray(x + 1j * y)
+
+
+def judge_axes_of_lengths(picture: Drawing, names: str = "x and y") -> None:
+    """Whether both axes are lengths by their labels, the unit being a word of its own, and drawn at one scale."""
+    labelled = all(METRES & set(_words(label)) for label in (picture.xlabel, picture.ylabel))
+    expect_that(labelled, "the axes are not labelled with their unit, as in x (m)")
+    expect_that(picture.equal_aspect, f"{names} are not drawn at the same scale")
+
+
+METRES = {"m", "metre", "metres", "meter", "meters"}
+
+
+def _words(label: str) -> list[str]:
+    return [word.strip("()[]{}$,;:.") for word in label.replace(r"\mathrm", "").split()]
 
 
 def judge_boxes(function: Function, cases: Iterable[tuple[Array, Array, str]], within: float) -> None:
@@ -69,7 +84,9 @@ MISTAKEN_BOXES: dict[str, Callable[[Array, Array], Array]] = {
     "the edges are those of a box twice that size": lambda R, size: _edges(R, 2 * size),
     "the edges are those of a box half that size": lambda R, size: _edges(R, size / 2),
     "the edges are along x, y, z: it is the size that is turned": lambda R, size: _edges(np.eye(3), R @ size),
-    "the edges are those of a box with a corner at the origin": lambda R, size: _edges(R, size) + R @ size / 2,
+    "the edges are those of a box with a corner at the origin": lambda R, size: (
+        _edges(R, size) + R @ size / 2
+    ),
     "the edges are not turned": lambda R, size: _edges(np.eye(3), size),
 }
 
