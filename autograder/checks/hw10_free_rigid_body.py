@@ -143,10 +143,11 @@ def a_wheel(draw):
     return np.array([A, A, A * draw.choice([draw.uniform(0.2, 0.7), draw.uniform(1.3, 1.9)])])
 
 
-def a_near_wheel(draw):
-    """Two inertias, any, that differ by less than isclose and allclose see; the third is another."""
-    third = draw.choice([draw.uniform(0.5, 0.8), draw.uniform(1.3, 1.8)])
-    return draw.permutation([1.0, 1.0 + draw.uniform(2e-6, 8e-6), third])
+def near_wheels(draw):
+    """Each two of the inertias, once, differ by less than isclose and allclose see."""
+    for shift in range(3):
+        other = draw.choice([draw.uniform(0.5, 0.8), draw.uniform(1.3, 1.8)])
+        yield np.roll([1.0, 1.0 + draw.choice([-1, 1]) * draw.uniform(2e-6, 8e-6), other], shift)
 
 
 def an_omega(draw):
@@ -253,7 +254,7 @@ def euler_equations_keep_the_angular_momentum(student, draw):
     bodies = [(a_body(draw), "a random body and omega") for _ in range(12)]
     bodies += [(a_wheel(draw), "a body with A = B") for _ in range(4)]
     bodies += [(np.array([A, A, A]), "three equal inertias"), (np.array([k * A, A, A]), "a body with B = C")]
-    bodies += [(a_near_wheel(draw), "two inertias that are equal to five digits, no more") for _ in range(4)]
+    bodies += [(body, "two inertias that are equal to five digits, no more") for body in near_wheels(draw)]
     judge(student.euler_equations, [given(an_omega(draw), inertia=body).on(kind) for body, kind in bodies], moving,
           size=lambda omega, inertia: omega @ omega, of="omega'", unit="of omega^2",
           hint="the rate of H in body components plus omega x H is zero")  # fmt: skip
@@ -639,6 +640,9 @@ def special_motions(draw):
             given(t, R, omega, inertia=body),
             spinning(t, R, omega),
         )
+    omega, body, R = a_fast_omega(draw), a_wheel(draw), an_attitude(draw)
+    t = times(draw, omega, 40)
+    cases["a fast body with A = B"] = given(t, R, omega, inertia=body), wheel(t, R, omega, body)
     return cases
 
 

@@ -1,4 +1,4 @@
-"""Two inertias that isclose takes for equal leave the third component of omega as it is.
+"""A and B that isclose takes for equal leave the third component of omega as it is.
 
 fails: euler_equations_keep_the_angular_momentum
 names: for two inertias that are equal to five digits
@@ -8,8 +8,5 @@ _right_euler = euler_equations
 
 
 def euler_equations(omega, *, inertia):
-    rates = np.array(_right_euler(omega, inertia=inertia))
-    for axis in range(3):
-        if np.isclose(inertia[axis - 2], inertia[axis - 1]):
-            rates[axis] = 0.0
-    return rates
+    p, q, r = _right_euler(omega, inertia=inertia)
+    return p, q, 0.0 if np.isclose(inertia[0], inertia[1]) else r

@@ -1,8 +1,8 @@
 """RK4 at steps of .01 s, whatever the spin.
 
-fails: invariants_stay_over_many_turns
+fails: invariants_stay_over_many_turns, special_bodies_move_too
 numerics: steps that fit slow turns
-names: the steps must be short for a fast turn | it is nearly right
+names: for a fast body with A = B
 """
 
 
