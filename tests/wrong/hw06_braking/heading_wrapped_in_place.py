@@ -1,6 +1,6 @@
 """Wraps the heading in the array that it is given.
 
-fails: equations_of_motion
+fails: equations_of_motion, mechanics_refuses_other_axles
 names: state_derivative changes the arrays
 """
 

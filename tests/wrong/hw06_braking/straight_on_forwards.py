@@ -16,5 +16,6 @@ def simulate(t, state, locked, *, front, rear, friction, gravity, **body):
     since_stop = np.minimum(since, abs(speed) / slowing if slowing else np.inf)
     way = abs(speed) * since_stop - slowing * since_stop**2 / 2
     along = np.outer(way, [math.cos(heading), math.sin(heading)])
-    return np.column_stack([x + along[:, 0], y + along[:, 1], 0 * since + heading,
-                            abs(speed) - slowing * since_stop, 0 * since])
+    return np.column_stack(
+        [x + along[:, 0], y + along[:, 1], 0 * since + heading, abs(speed) - slowing * since_stop, 0 * since]
+    )

@@ -1,0 +1,11 @@
+"""Any name that begins with an axle's first letter is taken for it.
+
+fails: mechanics_refuses_other_axles, stability_refuses_other_axles
+names: neither "front" nor "rear", 'r'
+"""
+
+_right = _axles
+
+
+def _axles(locked, front, rear):
+    return _right({"f": "front", "r": "rear"}.get(str(locked)[:1], locked), front, rear)

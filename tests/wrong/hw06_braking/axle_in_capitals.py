@@ -1,0 +1,11 @@
+"""The axle's name in any case.
+
+fails: mechanics_refuses_other_axles, stability_refuses_other_axles
+names: neither "front" nor "rear", 'Front'
+"""
+
+_right = _axles
+
+
+def _axles(locked, front, rear):
+    return _right(locked.lower() if isinstance(locked, str) else locked, front, rear)

@@ -1,0 +1,13 @@
+"""A part of the axles' names, like none of it, is taken for one.
+
+fails: mechanics_refuses_other_axles, stability_refuses_other_axles
+names: neither "front" nor "rear", ''
+"""
+
+_right = _axles
+
+
+def _axles(locked, front, rear):
+    if locked is None or locked not in "front rear":
+        raise ValueError(locked)
+    return _right("front" if locked in "front" else "rear", front, rear)

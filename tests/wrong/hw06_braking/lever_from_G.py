@@ -1,0 +1,11 @@
+"""The locked axle's velocity to the side by its distance from G, which itself moves to the side.
+
+fails: friction_opposes_the_sliding
+suspect: by its distance from G
+"""
+
+
+def friction_force(state, locked, *, mass, front, rear, friction, gravity):
+    free, arm = _axles(locked, front, rear)
+    drag = friction * axle_load(locked, mass=mass, front=front, rear=rear, gravity=gravity)
+    return np.array(_drag_force(*state[3:], arm=free + arm, drag=drag))

@@ -1,0 +1,13 @@
+"""Below a centimetre a second it counts as at rest, where there is no friction to bring it to rest, too.
+
+fails: simulate_glides_without_friction
+names: for a slow car
+"""
+
+_right = simulate
+
+
+def simulate(t, state, locked, **car):
+    if math.hypot(state[3], _axles(locked, car["front"], car["rear"])[1] * state[4]) < 1e-2:
+        return np.tile(state, (len(t), 1))
+    return _right(t, state, locked, **car)
