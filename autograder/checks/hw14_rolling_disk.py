@@ -785,7 +785,7 @@ def turned(angles, by):
 
 @check(points=0.5, part="e")
 def wireframe_is_a_rolling_disk(student, draw):
-    """wireframe is a closed regular polygon on the rim and two perpendicular diameters, fixed in the disk."""
+    """wireframe is a closed regular polygon on the rim, and two perpendicular diameters that roll with the disk."""
     for sides in (int(draw.integers(7, 30)), 3, 4, int(draw.choice([5, 6]))):
         judge_wireframe(
             student, draw, a_disk(draw, "a wheel"), sides, f"{sides} sides" if sides < 7 else "many sides"
@@ -819,9 +819,9 @@ def judge_wireframe(student, draw, disk, sides, kind):
             at=state,
             kind=kind,
         )
-        shape.append(angles)
-    expect(turned(np.diff(shape, axis=0), 2 * math.pi), 0.0, within=1e-8, of="the drawing's place in the disk",
-           unit="rad", at=shape, kind=kind, hint="does it roll with the disk?")  # fmt: skip
+        shape.append(angles[sides:, 0])
+    expect(turned(np.diff(shape, axis=0), math.pi), 0.0, within=1e-8, of="the diameters' place in the disk",
+           unit="rad", at=shape, kind=kind, hint="do they roll with the disk?")  # fmt: skip
 
 
 # (f) Energy and force

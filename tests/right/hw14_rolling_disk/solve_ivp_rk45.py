@@ -138,8 +138,11 @@ def growth_rate_squared(speed, *, mass, radius, inertia, gravity):
 
 def wireframe(state, *, radius, sides):
     m = matrix_state(state, radius=radius)
-    angles = np.linspace(0.3, 0.3 + 2 * np.pi, sides + 1)
-    rim = [m[:3] + m[3:12].reshape(3, 3) @ [radius * np.cos(a), radius * np.sin(a), 0] for a in angles]
     R = m[3:12].reshape(3, 3)
-    across = [[m[:3] + radius * R[:, i], m[:3] - radius * R[:, i]] for i in (0, 1)]
+    still = np.array([np.cos(state[2]), np.sin(state[2]), 0])  # along the ground: the polygon need not roll
+    up = np.cross(R[:, 2], still)
+    angles = np.linspace(0.3, 0.3 - 2 * np.pi, sides + 1)
+    rim = [m[:3] + radius * (np.cos(a) * still + np.sin(a) * up) for a in angles]
+    aslant = [R[:, 0] + R[:, 1], R[:, 0] - R[:, 1]]
+    across = [[m[:3] + radius / 2**0.5 * d, m[:3] - radius / 2**0.5 * d] for d in aslant]
     return [*zip(rim[1:], rim[:-1], strict=True), *across]
