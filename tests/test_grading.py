@@ -624,6 +624,31 @@ def test_a_call_that_fails_says_for_what_kind_of_input(body, course, workers):
 
 
 @pytest.mark.parametrize(
+    ("expression", "right"),
+    [
+        ("(m * l - m * g * sympy.sin(theta)) / (m * l) - 1", True),  # SymPy leaves it so
+        ("-g * sympy.sin(theta) / l + m - sympy.sqrt(m**2)", True),  # as a mass is positive
+        ("-g * sympy.sin(theta) / (l * m**1e-9)", False),
+        ("-g * sympy.sin(theta) / l / sympy.Function('f')(theta)", False),
+    ],
+)
+def test_a_symbol_that_cancels_may_stand_in_a_formula(expression, right, course, workers):
+    slug = "hw01_simple_pendulum"
+    lines = ["import sympy", "def lagrange_equation():", f"    return {expression}"]
+    lines.insert(2, "    m, theta, l, g = sympy.symbols('m theta l g')")
+    source = Source("\n".join(lines).encode())
+    student = Student(source, root.assignment(course, slug), workers(slug, Allowance()))
+    points = [{"theta": 0.3, "l": 2.0, "g": 9.0}, {"theta": 2.0, "l": 0.5, "g": 3.0}]
+    if right:
+        sought = [-p["g"] * math.sin(p["theta"]) / p["l"] for p in points]
+        assert student.lagrange_equation.at(points) == pytest.approx(sought, rel=1e-14)
+    else:
+        with pytest.raises(Failure, match="theta, l, g alone"):
+            student.lagrange_equation.at(points)
+    student.leave()
+
+
+@pytest.mark.parametrize(
     ("line", "names"),
     [
         ("import scipy.integrate", {"scipy.integrate"}),

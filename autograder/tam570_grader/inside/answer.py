@@ -17,6 +17,8 @@ __builtins__ = dict(vars(builtins))  # type: ignore[assignment]  # as in wire
 
 LONGEST_TEXT = 300
 MOST_LINES = 500
+STAND_INS = 1.25, 3.75  # for symbols that may cancel
+CANCELLED = 1e-13  # values have 25 digits before they are rounded
 
 
 def answer(
@@ -72,7 +74,10 @@ def _value(function: Callable[..., Any], args: list[Any], kwargs: dict[str, Any]
 
 
 def _formula(function: Callable[..., Any], args: list[Any], kwargs: dict[str, Any], request: Any) -> Any:
-    """Values of the SymPy expression that the function returns, at the request's points; symbols go by their names."""
+    """Values of the SymPy expression that the function returns, at the request's points; symbols go by their names.
+
+    Another symbol may stand in it if it cancels: if the values are the same whatever it is.
+    """
     import sympy
     from sympy.core.function import AppliedUndef
 
@@ -80,16 +85,25 @@ def _formula(function: Callable[..., Any], args: list[Any], kwargs: dict[str, An
     if not isinstance(expression, sympy.Expr | int | float):
         return portable(expression if isinstance(expression, str) else object())
     expression = sympy.sympify(expression).doit()
-    symbols = {symbol: symbol.name for symbol in expression.free_symbols}
-    if not set(symbols.values()) <= set(request["symbols"]) or expression.has(AppliedUndef):
+    if expression.has(AppliedUndef):
         return {"stranger": True}
+    values = _values(expression, request, STAND_INS[0])
+    if {symbol.name for symbol in expression.free_symbols} <= set(request["symbols"]):
+        return [portable(value) for value in values]
+    others = _values(expression, request, STAND_INS[1])
+    cancels = all(abs(a - b) <= CANCELLED * abs(a) for a, b in zip(values, others, strict=True))
+    return [portable(value) for value in values] if cancels else {"stranger": True}
+
+
+def _values(expression: Any, request: Any, stand_in: float) -> list[complex]:
+    """At each point, other symbols being numbers from the stand-in on."""
+    strangers = sorted({symbol.name for symbol in expression.free_symbols} - set(request["symbols"]))
+    others = {name: stand_in + number for number, name in enumerate(strangers)}
+    named = {symbol: symbol.name for symbol in expression.free_symbols}
     return [
-        _number(expression, {s: point[name] for s, name in symbols.items()}) for point in request["points"]
+        complex(expression.evalf(25, subs={s: {**others, **point}[name] for s, name in named.items()}))
+        for point in request["points"]
     ]
-
-
-def _number(expression: Any, point: dict[Any, float]) -> Any:
-    return portable(complex(expression.evalf(25, subs=point)))
 
 
 def _drawing(function: Callable[..., Any], args: list[Any], kwargs: dict[str, Any], request: Any) -> Any:

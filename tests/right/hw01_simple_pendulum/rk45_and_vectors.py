@@ -67,7 +67,8 @@ def lagrange_equation():
     L = lagrangian().subs(omega, sympy.diff(angle, t)).subs(theta, angle)
     equation = sympy.diff(sympy.diff(L, sympy.diff(angle, t)), t) - sympy.diff(L, angle)
     equation = equation.subs(sympy.diff(angle, t, 2), alpha).subs(sympy.diff(angle, t), omega).subs(angle, theta)
-    return sympy.simplify(sympy.solve(equation, alpha)[0])
+    m = sympy.Symbol("m")
+    return (sympy.solve(equation, alpha)[0] * m + lagrangian()) / m - lagrangian() / m  # m and omega cancel
 
 
 def action(theta, step, *, mass, length, gravity):
