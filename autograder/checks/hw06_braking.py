@@ -677,13 +677,13 @@ def near_miss(states, expected, scale, hint):
     return hint
 
 
-def judge_runs(student, cases, hint, columns=COLUMNS):
+def judge_runs(student, cases, hint):
     """Compare simulations column by column, the worst first: it decides about partial points."""
     found = student.simulate.many([call.on(kind) for call, *_, kind in cases])
     judged = []
     for states, (call, expected, scale, kind) in zip(found, cases, strict=True):
         look = partial(near_miss, states, expected, scale, hint)
-        for name, at, unit in columns:
+        for name, at, unit in COLUMNS:
             error = np.max(np.abs(states - expected)[:, at] / scale[at])
             judged.append((error, states[:, at], expected[:, at], scale[at], name, unit, call, kind, look))
     for _, states, expected, scale, name, unit, call, kind, look in sorted(
@@ -767,12 +767,13 @@ def simulate_glides_without_friction(student, draw):
         c = car(draw, **fixed)
         start = state(draw, c, speed(draw), signed(draw, 0.1, 0.3))
         t = times(draw, 8 * wheelbase(c) / abs(start[3]), 60)
-        expected = np.zeros((60, 5))  # the place is judged where it brakes
+        expected, scale = np.zeros((60, 5)), scales(start, c)
+        scale[:2] = np.inf  # the place is judged where it brakes
         expected[:, 2:] = sleigh(t - t[0], start, locked, **parts(c, *BODY))
         kind = f"{min(fixed)} 0, a locked {locked} axle"
-        cases.append((given(t, start, locked, **c), expected, scales(start, c), kind))
+        cases.append((given(t, start, locked, **c), expected, scale, kind))
     hint = "is the car stopped, or held straight, by anything but friction?"
-    judge_runs(student, cases, hint, COLUMNS[1:])
+    judge_runs(student, cases, hint)
     judge_runs(student, plain_runs(draw, False), hint)
     judge_slow_glides(student, draw)
 
@@ -800,9 +801,9 @@ def judge_slow_glides(student, draw):
     cases = slow_glides(draw)
     found = student.simulate.many([call.on(kind) for call, *_, kind in cases])
     for states, (call, expected, scale, kind) in zip(found, cases, strict=True):
-        hint = "what is slow goes on, too, where there is no friction"
+        hint = "slow is not at rest: without friction it goes on for ever"
         expect(states, expected, within=SLOW, scale=scale, of="the motion", unit="of the way that it goes", kind=kind,
-               t=call.args[0], at=call, hint=partial(near_miss, states, expected, scale, hint))  # fmt: skip
+               t=call.args[0], at=call, hint=hint)  # fmt: skip
 
 
 @once

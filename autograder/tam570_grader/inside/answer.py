@@ -18,7 +18,8 @@ __builtins__ = dict(vars(builtins))  # type: ignore[assignment]  # as in wire
 LONGEST_TEXT = 300
 MOST_LINES = 500
 STAND_INS = 1.25, 3.75  # for symbols that may cancel
-CANCELLED = 1e-13  # values have 25 digits before they are rounded
+CANCELLED = 1e-13  # of a value: it has 25 digits before it is rounded
+NOTHING = 1e-60  # what is zero comes out below it, of up to 100 digits
 
 
 def answer(
@@ -91,7 +92,7 @@ def _formula(function: Callable[..., Any], args: list[Any], kwargs: dict[str, An
     if {symbol.name for symbol in expression.free_symbols} <= set(request["symbols"]):
         return [portable(value) for value in values]
     others = _values(expression, request, STAND_INS[1])
-    cancels = all(abs(a - b) <= CANCELLED * abs(a) for a, b in zip(values, others, strict=True))
+    cancels = all(abs(a - b) <= max(CANCELLED * abs(a), NOTHING) for a, b in zip(values, others, strict=True))
     return [portable(value) for value in values] if cancels else {"stranger": True}
 
 
