@@ -1028,7 +1028,7 @@ def small_yaw_rate_is_the_linear_solution(student, draw):
                hint="divide the yaw acceleration by the rate of speed: time is gone; separate, integrate")  # fmt: skip
 
 
-OTHERS = ("both", "left", "", "Front", "r", "front rear", None)
+OTHERS = ("both", "", "Front", "r", "front rear", None)
 
 
 @check(points=0.25, part="a")
