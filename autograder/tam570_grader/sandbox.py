@@ -25,6 +25,7 @@ __all__ = ["Allowance", "Cell", "CellLost", "CellTimeout", "Worker", "WorkerLost
 LENGTH = struct.Struct(">I")
 FILE_SIZE = 2**25  # bytes a submission may write into its scratch folder
 LARGEST_REPLY = 2**26  # bytes
+GLANCE = 0.5  # s of a wait in one piece
 RECONSIDER = 0.25  # s between looks at a call that is late on the wall's clock
 IDLE_SHARE = (
     0.02  # a call that for so long as its limit uses less than this share of a core is asleep, not slow
@@ -145,6 +146,7 @@ class Cell:
             0.0,
             0.0,
         )  # when we last asked for the CPU time to see whether it grows, and what it was
+        self._stood_still = 0.0  # s, in which this process was not run: suspended, or the whole machine was
         self.guarded = True  # until the guard does not answer
         self.murdered = False  # at the end: it was killed, and neither by us nor for its CPU time
 
@@ -165,15 +167,15 @@ class Cell:
 
     def receive(self) -> Any:
         """The next reply, or raise CellLost or CellTimeout."""
-        started, patience = time.monotonic(), self._limit
+        asked, started, patience = time.monotonic(), self._clock(), self._limit
         while (data := self._message()) is None:
-            if self._ready(select.POLLIN, started + patience - time.monotonic()):
+            if self._ready(select.POLLIN, started + patience - self._clock()):
                 self._read()
             elif self._overdue(started):
                 raise CellTimeout
             else:
                 patience += RECONSIDER
-        self._waited += time.monotonic() - started
+        self._waited += time.monotonic() - asked
         try:
             return unpacked(data)
         except Unreadable:
@@ -206,9 +208,20 @@ class Cell:
         self._leash.close()
 
     def _ready(self, event: int, seconds: float) -> bool:
-        poll = select.poll()
+        """Whether it can be read or written within these seconds of our clock, which stands where a wait ends late."""
+        poll, end = select.poll(), self._clock() + seconds
         poll.register(self._channel, event)
-        return bool(poll.poll(max(0.0, seconds) * 1000))
+        while True:
+            wait, started = min(max(0.0, end - self._clock()), GLANCE), time.monotonic()
+            if poll.poll(wait * 1000):
+                return True
+            self._stood_still += max(0.0, time.monotonic() - started - wait)
+            if self._clock() >= end:
+                return False
+
+    def _clock(self) -> float:
+        """Seconds that have passed for this process: a submission that stood still with it is not late."""
+        return time.monotonic() - self._stood_still
 
     def _read(self) -> None:
         try:
@@ -239,7 +252,7 @@ class Cell:
             cpu = self.seconds()
         except CellLost:
             return True
-        now = time.monotonic()
+        now = self._clock()
         since, cpu_then = max(self._looked_at, (started, 0.0))
         idle = cpu - cpu_then < IDLE_SHARE * self._limit
         if now - since >= self._limit:

@@ -16,6 +16,9 @@ from tam570_grader.sandbox import Cell, CellLost, CellTimeout, Worker, WorkerLos
 
 __all__ = ["BudgetSpent", "Call", "NotLoaded", "NotWritten", "Source", "Student"]
 
+REAL = 1e-12  # of a value: complex exponentials that make it real leave 1e-25 of imaginary part
+ROUNDING = 1e-25  # where they cancel to zero
+
 
 @dataclass(frozen=True)
 class Source:
@@ -226,7 +229,9 @@ class Function:
             raise Failure(
                 f"the expression of {self.name} has no value at some numbers", actual=values
             ) from None
-        if not np.all(np.isfinite(numbers)) or np.any(numbers.imag != 0):
+        if not np.all(np.isfinite(numbers)) or np.any(
+            np.abs(numbers.imag) > REAL * np.abs(numbers) + ROUNDING
+        ):
             raise Failure(
                 f"the expression of {self.name} is not real and finite at some numbers", actual=numbers
             )
