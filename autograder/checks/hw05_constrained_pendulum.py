@@ -6,7 +6,7 @@ import math
 import numpy as np
 from scipy.special import ellipj, ellipkinc
 
-from tam570_grader import array, check, expect, expect_that, given, kept, number, once, rows, suspect
+from tam570_grader import Failure, array, check, expect, expect_that, given, kept, number, once, rows, suspect
 
 RESULTS = {
     "constraint_force": array(2),
@@ -26,6 +26,11 @@ ENERGY = 1e-5  # the same solvers lose less than 1e-6 of it in the 100 s
 CONSTRAINT = 1e-9  # of the contract: any step back onto the circle makes 1e-15, and 1e-12 between steps
 TOP = 1e-6  # an angle of pi, which is rounded, falls by 1e-16 exp(8) = 4e-13
 LONG = 100.0  # s
+BETTER = 0.1  # of the error is left where the steps are what is wrong, with so many times for one, to choose the words
+BETWEEN = 20
+SAMPLED = (
+    "with more times in between, the same motion comes out far better: how t is sampled must not change it"
+)
 UNITS = ("mass", "length", "gravity")
 
 
@@ -110,6 +115,9 @@ LAW_SUSPECTS = [
     wrong_law("the force for a length of 1 m", lambda y, vv, m, L, g: m * (g * y - vv)),
     wrong_law("the force on the hinge, which is opposite", lambda y, vv, m, L, g: m * (vv - g * y) / L),
     wrong_law("no constraint force, a free fall", lambda y, vv, m, L, g: 0.0),
+    wrong_law("the mass left out of the centripetal term", lambda y, vv, m, L, g: (m * g * y - vv) / L),
+    wrong_law("the weight's share of the wrong sign above the hinge",
+              lambda y, vv, m, L, g: -m * (g * abs(y) + vv) / L),
     wrong_law("a string, which does not push", lambda y, vv, m, L, g: min(m * (g * y - vv) / L, 0.0)),
 ]  # fmt: skip
 
@@ -198,6 +206,10 @@ STATE_SUSPECTS = [
     wrong_state("a velocity turned into the tangent with all of its speed", lambda x, y, vx, vy, L: (
         *np.array([x, y]) * L / math.hypot(x, y),
         *np.array([-y, x]) / math.hypot(x, y) * math.hypot(vx, vy) * sense(x * vy - y * vx))),
+    wrong_state("the velocity's radial part over l^2, where the square of the distance from the hinge belongs",
+                lambda x, y, vx, vy, L: (
+        *np.array([x, y]) * L / math.hypot(x, y),
+        *np.array([vx, vy]) - (x * vx + y * vy) / L**2 * np.array([x, y]))),
     wrong_state("a velocity scaled as the position is", lambda x, y, vx, vy, L: (
         *np.array([x, y]) * L / math.hypot(x, y),
         *np.array(without_radial_part(x, y, vx, vy)) * L / math.hypot(x, y))),
@@ -215,13 +227,20 @@ def plainly_off(call):
         for far in (length, length * (1 + 1e-7), length / 2, length * 20)
         for vx, vy in directions
     ]
+    calls += [
+        given(np.array([*(1e-6 * length * np.array(place)), *state[2:]]), length=length)
+        for place in ((0.6, -0.8), (0.0, 1.0))
+    ]
     whole = (1.0, 0.0, 0.0, 1.0), (0.0, -2.0, 1.0, 1.0), (3.0, 4.0, 0.0, 0.0), (-3.0, 4.0, -3.0, 4.0)
     return calls + [given(np.array(numbers), length=1.0) for numbers in whole]
 
 
 def where(call):
     """What to call a state by its distance from the circle."""
-    off = abs(math.hypot(*call.args[0][:2]) / call.kwargs["length"] - 1)
+    far = math.hypot(*call.args[0][:2]) / call.kwargs["length"]
+    if far < 1e-5:
+        return "a particle close to the origin"
+    off = abs(far - 1)
     beside = "just off the circle" if off < 1e-6 else "off the circle"
     return f"a particle {'on the circle already' if off < 1e-12 else beside}"
 
@@ -261,6 +280,8 @@ ENERGY_SUSPECTS = [
             energy=lambda state, mass, gravity: mass * (state[2:] @ state[2:] / 2 - gravity * state[1])),
     suspect("the kinetic energy without its half",
             energy=lambda state, mass, gravity: mass * (state[2:] @ state[2:] + gravity * state[1])),
+    suspect("the height without its sign",
+            energy=lambda state, mass, gravity: mass * (state[2:] @ state[2:] / 2 + gravity * abs(state[1]))),
     suspect("the height taken along x",
             energy=lambda state, mass, gravity: mass * (state[2:] @ state[2:] / 2 + gravity * state[0])),
     suspect("the energy of a mass of 1 kg",
@@ -333,11 +354,27 @@ def speed_of(states, known):
 
 def judge_motion(student, found, within, kind, hint):
     t, expected, known = found
+    kind = f"{kind}, times from {'below' if t[0] < 0 else 'above'} zero on"
     states = student.on(kind).simulate(t, expected[0], **known)
     scale = np.repeat([known["length"], speed_of(expected, known)], 2)
     expect(states, expected, within=within, scale=scale, of="the motion", unit="of its size", t=t, kind=kind,
-           hint=hint, at=found, keeps=lambda: kept(t, energies(states, known) / speed_of(expected, known) ** 2,
-                                                   within=ENERGY, of="the energy", unit="of m v^2"))  # fmt: skip
+           hint=lambda: of_motion(student, found, states, scale) or hint, at=found,
+           keeps=lambda: kept(t, energies(states, known) / speed_of(expected, known) ** 2, within=ENERGY,
+                              of="the energy", unit="of m v^2"))  # fmt: skip
+
+
+def of_motion(student, found, states, scale):
+    """What to say of a wrong motion: what it is instead, if that can be told."""
+    t, expected, known = found
+    if np.array_equal(states, np.tile(expected[0], (len(t), 1))):
+        return "every row is the start: only at rest, and exactly at the top or at the bottom, does it stay"
+    fine = np.append(np.linspace(t[:-1], t[1:], BETWEEN, endpoint=False).T.ravel(), t[-1])
+    try:
+        again = student.simulate(fine, expected[0], **known)[::BETWEEN]
+    except Failure:
+        return ""
+    better = np.max(np.abs(again - expected) / scale) < BETTER * np.max(np.abs(states - expected) / scale)
+    return SAMPLED if better else ""
 
 
 def energies(states, known):
@@ -381,8 +418,19 @@ def linear(t, state, *, mass, length, gravity):
     return on_circle(z.real, -k * z.imag, length)
 
 
+def since_zero(t):
+    """As solve_ivp takes times of a span that begins with 0."""
+    if t[0] < 0:
+        raise ValueError
+    return t
+
+
 TIME_SUSPECTS = [
     timed_suspect("the given state taken for that at t = 0", lambda t: t),
+    timed_suspect("the given state taken for that at t = 0, and no times before it", since_zero),
+    timed_suspect(
+        "evenly spaced times between the first and the last", lambda t: np.linspace(0, t[-1] - t[0], len(t))
+    ),
     timed_suspect("evenly spaced times, the first step for all", lambda t: (t[1] - t[0]) * np.arange(len(t))),
 ]
 MOTION_SUSPECTS = [
@@ -402,6 +450,13 @@ WITHOUT_GRAVITY = (
 WITH_GRAVITY = (
     ("let go at rest", 1.3, 0.0, {}),
     ("let go at rest, the rod horizontal", math.pi / 2, 0.0, {}),
+    ("let go at rest, close to the bottom", 1e-3, 0.0, {}),
+    (
+        "let go at rest, close to the top",
+        math.pi - 1e-3,
+        0.0,
+        {},
+    ),  # it falls by e^5 times that, as an error does
     ("at rest at the bottom", 0.0, 0.0, {}),
     ("moving at the bottom", 0.0, 1.2, {}),
     ("moving at the top", math.pi, 2.5, {}),
@@ -413,7 +468,7 @@ WITH_GRAVITY = (
 def without_gravity_it_goes_round_uniformly(student, draw):
     """simulate: uniform motion around the circle where there is no gravity."""
     judge_motion(student, timed(draw, "no gravity", 2.3, 12), TRAJECTORY, "no gravity",
-                 "how does the velocity turn if only the constraint force acts?")  # fmt: skip
+                 "is the given state that at t[0], and row i that at t[i]? how does the velocity turn?")  # fmt: skip
     for found, kind in plain_motions(draw, False):
         judge_motion(student, found, TRAJECTORY, kind, "what is there to change its velocity?")
 
@@ -442,6 +497,7 @@ def plain_motions(draw, weight):
             t = uneven(draw, draw.uniform(2, 5) / (k or 1.0), count)
             states = exact(t - t[0], theta * sign, pace * (k or 1.0) * sign, **known)
             states[0][np.abs(states[0]) < 1e-15 * np.abs(states[0]).max()] = 0.0  # sin pi and cos pi/2
+            states[0][2:] *= pace != 0.0
             found.append(((t, states, known), f"{kind}; {count} times"))
     return found
 

@@ -1,0 +1,13 @@
+"""Positions near the origin are refused as well.
+
+fails: consistent_state_is_the_nearest
+names: close to the origin
+"""
+
+_right_state = consistent_state
+
+
+def consistent_state(state, *, length):
+    if math.hypot(*state[:2]) < 1e-3:
+        raise ValueError("no direction")
+    return _right_state(state, length=length)

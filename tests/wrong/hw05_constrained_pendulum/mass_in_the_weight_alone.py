@@ -1,0 +1,10 @@
+"""The centripetal term without its mass.
+
+fails: force_keeps_the_particle_on_the_circle
+suspect: the mass left out of the centripetal term
+"""
+
+
+def constraint_force(state, *, mass, length, gravity):
+    r, v = state[:2], state[2:]
+    return (mass * gravity * r[1] - v @ v) / length**2 * r

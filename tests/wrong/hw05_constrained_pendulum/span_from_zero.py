@@ -1,0 +1,14 @@
+"""The integration spans the times from 0 to the last.
+
+fails: without_gravity_it_goes_round_uniformly, with_gravity_it_swings_or_goes_round
+names: times from below zero on | taken for that at t = 0
+suspect: taken for that at t = 0
+"""
+
+_right_simulate = simulate
+
+
+def simulate(t, state, **parameters):
+    if t[0] < 0:
+        raise ValueError("Values in `t_eval` are not within `t_span`.")
+    return _right_simulate(np.append(0.0, t), state, **parameters)[1:]

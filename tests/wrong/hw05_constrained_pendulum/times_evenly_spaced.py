@@ -1,0 +1,11 @@
+"""As many times evenly spaced between the first and the last.
+
+fails: without_gravity_it_goes_round_uniformly, with_gravity_it_swings_or_goes_round
+suspect: evenly spaced times between the first and the last
+"""
+
+_right_simulate = simulate
+
+
+def simulate(t, state, **parameters):
+    return _right_simulate(np.linspace(t[0], t[-1], len(t)), state, **parameters)

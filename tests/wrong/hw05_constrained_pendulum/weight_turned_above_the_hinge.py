@@ -1,0 +1,10 @@
+"""The weight's share of the constraint force is right below the hinge only.
+
+fails: force_keeps_the_particle_on_the_circle
+suspect: wrong sign above the hinge
+"""
+
+
+def constraint_force(state, *, mass, length, gravity):
+    r, v = state[:2], state[2:]
+    return -mass * (gravity * abs(r[1]) + v @ v) / length**2 * r
