@@ -68,10 +68,18 @@ def test_seen_from_straight_above():
     assert hw.project(np.array([[1.0, 2.0, 3.0]]), 0.0, np.pi / 2) == pytest.approx(np.array([[2, -1]]))
 
 
-def test_the_picture_has_one_line_and_names_on_its_axes():
+def in_metres(label):
+    """Whether the unit is a word of its own, as in "x (m)" or "x in metres"."""
+    words = {word.strip("()[]{}$,;:.") for word in label.replace(r"\mathrm", "").split()}
+    return bool(words & {"m", "metre", "metres", "meter", "meters"})
+
+
+def test_the_picture_has_one_curve_and_names_on_its_axes():
     from matplotlib.figure import Figure
 
     ax = Figure().add_subplot()
     hw.plot_projection(ax, np.linspace(0, PERIOD, 50), *START, 0.5, 0.3, **SPRING)
+    assert len(ax.lines) + len(ax.collections) == 1
+    assert in_metres(ax.get_xlabel()) and in_metres(ax.get_ylabel())
     assert len(ax.lines) == 1
     assert "(m)" in ax.get_xlabel() and "(m)" in ax.get_ylabel()

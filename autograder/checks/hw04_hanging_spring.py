@@ -1,6 +1,7 @@
 """Hidden checks of hw04. What is right comes from a matrix exponential and from the oscillator's (Fradkin's) tensor."""
 
 import math
+from functools import partial
 
 import numpy as np
 from scipy.linalg import expm
@@ -41,7 +42,11 @@ MANUAL = {
 POINTWISE = 1e-9  # a few roundings make 1e-14
 TRAJECTORY = 1e-5  # solve_ivp at rtol 1e-9, atol 1e-9 is off by less than 1e-6 after three periods
 ENERGY = 1e-5  # the same solvers lose less than 1e-6 of it in ten periods
+NEARLY = 1e-2  # of the size; below it a right equation is solved coarsely, to choose the words
 TENSOR = 1e-9  # of the square of the larger axis; an eigenvalue that is zero comes out as 1e-16
+# Of the motion's size; no ellipse counts as smaller. A zero axis comes out as the rounding of |centre|, and its square
+# as that of |centre|^2, 1e-15 of the size's square, if it is a difference of such: TENSOR * NOUGHT^2 lets both pass.
+NOUGHT = 1e-3
 RIGHT_ANGLE = 1e-7  # of the larger axis, along the smaller; eigenvectors are good to rounding over the gap
 DRAWN = 1e-3  # of the picture; chords of the 400 points that it is compared with leave the path by 1e-5
 PASSED = 2e-2  # of the picture; chords of a line of twenty points leave the path by (3.8/20)^2/8 = 5e-3
@@ -265,6 +270,8 @@ def motion_suspects(*names):
                         lambda t, r, v, k, sag: oscillation(t, r, v, k, 0 * sag) - np.hstack([sag, 0 * sag])),
         formula_suspect("the sine's amplitude not divided by the frequency", names,
                         lambda t, r, v, k, sag: oscillation(t, r, v * k, k, -sag)),
+        formula_suspect("velocities that lack a factor, the frequency", names,
+                        lambda t, r, v, k, sag: oscillation(t, r, v, k, -sag) / np.repeat([1, k], 3)),
     ]  # fmt: skip
 
 
@@ -303,14 +310,42 @@ def timed(draw, number, periods, shifted, without):
     return found
 
 
+@once
+def stiff(draw):
+    """As `timed`, two times: a mass that goes round fifty times faster than the others."""
+    mass = 10 ** draw.uniform(-0.5, 0.5)
+    known = {"mass": mass, "stiffness": mass * 10 ** draw.uniform(3.5, 4), "gravity": draw.uniform(2, 25)}
+    t = np.array([0.0, draw.uniform(1.2, 1.4) * 2 * math.pi / rate_of(**known)])
+    r, v = start(draw, rate_of(**known))
+    return [(1 + t, motion(t, r, v, **known), (r, v, known))]
+
+
 def judge_motion(student, name, found, within, kind, hint):
     calls = [given(t, r, v, **known).on(kind) for t, _, (r, v, known) in found]
     for states, call, (t, expected, (r, v, known)) in zip(
         getattr(student, name).many(calls), calls, found, strict=True
     ):
         expect(states, expected, within=within, scale=size(r, v, known), of="the motion", unit="of its size",
-               t=t, kind=kind, hint=hint, at=call, keeps=lambda t=t, states=states, known=known: kept(
+               t=t, kind=kind, hint=partial(motion_hint, states, expected, size(r, v, known), within, hint),
+               at=call, keeps=lambda t=t, states=states, known=known: kept(
                    t, energy_along(states, known), within=ENERGY, of="the energy", unit="of its start"))  # fmt: skip
+
+
+ROWS = "row i is the state at t[i], and the given state is that at t[0]"
+
+
+def motion_hint(states, expected, scale, within, hint):
+    """What to say of a motion of which the start, the positions or the velocities are right, or all of it nearly."""
+    errors = np.abs(states - expected) / scale
+    if hint == ROWS and errors.max() <= NEARLY:
+        return "it is nearly right: are the steps short, and the tolerances of the integrator tight enough?"
+    if errors[:, :3].max() <= within:
+        return "the positions are right: are the velocities their derivatives?"
+    if errors[:, 3:].max() <= within:
+        return "the velocities are right, the positions are not"
+    if hint == ROWS and errors[0].max() <= within:
+        return "row 0 is right: is your state_derivative, and is row i the state at t[i]?"
+    return hint
 
 
 def energy_along(states, known):
@@ -351,8 +386,8 @@ def solution_holds_without_gravity_and_from_any_time(student, draw):
 @check(points=1, part="a", suspects=motion_suspects("simulate") + TIME_SUSPECTS)
 def simulate_moves_as_it_must(student, draw):
     """simulate: the state at few and uneven times, the first of which is not 0."""
-    judge_motion(student, "simulate", timed(draw, 4, 2.3, True, 1), TRAJECTORY, "a random start, uneven times",
-                 "row i is the state at t[i], and the given state is that at t[0]")  # fmt: skip
+    judge_motion(student, "simulate", timed(draw, 4, 2.3, True, 1), TRAJECTORY,
+                 "uneven times, t[0] not 0", ROWS)  # fmt: skip
 
 
 @check(points=0.5, part="a", after=simulate_moves_as_it_must)
@@ -361,8 +396,11 @@ def simulate_does_not_depend_on_the_sampling(student, draw):
     found = [(t[[0, -1]], states[[0, -1]], case) for t, states, case in timed(draw, 2, 6.4, True, 0)]
     judge_motion(student, "simulate", found, 3 * TRAJECTORY, "two times far apart",
                  "steps between the times, as short as the motion asks for")  # fmt: skip
-    cases = plain_motions(draw, True)
-    judge_plain_motions(student, "simulate", cases, TRAJECTORY, "row 0 is the given state, that at t[0]")
+    judge_plain_motions(
+        student, "simulate", plain_motions(draw, True), TRAJECTORY, "row 0 is the given state, that at t[0]"
+    )
+    judge_motion(student, "simulate", stiff(draw), TRAJECTORY, "two times, a stiff spring",
+                 "a step of fixed length does not do for every spring")  # fmt: skip
 
 
 @check(points=0.5, part="a", after=simulate_moves_as_it_must)
@@ -372,7 +410,7 @@ def energy_stays(student, draw):
     t = times(draw, 20 * math.pi / rate_of(**known), 60, 1.0)
     energies = energy_along(student.simulate(t, r, v, **known), known)
     expect(energies, 1.0, within=ENERGY, of="the energy", unit="of its start", t=t, at=(r, v, known),
-           kind="ten periods", hint="ask the integrator for a smaller error",
+           kind="ten periods, t[0] not 0", hint="ask the integrator for a smaller error",
            partial={1e-3: 0.6, 1e-2: 0.3})  # fmt: skip
 
 
@@ -435,6 +473,11 @@ def wrong_orbit(says, ellipse):
 ORBIT_SUSPECTS = [
     wrong_orbit("gravity pulling up", lambda r, v, k, centre: (-centre, r + centre, v / k)),
     wrong_orbit("the equilibrium at the origin", lambda r, v, k, centre: (0 * centre, r, v / k)),
+    wrong_orbit("the velocity not divided by the frequency", lambda r, v, k, centre: (centre, r - centre, v)),
+    wrong_orbit(
+        "the velocity divided by k/m, which is the frequency squared",
+        lambda r, v, k, centre: (centre, r - centre, v / k**2),
+    ),
 ]
 
 
@@ -462,7 +505,7 @@ def judge_axes(student, draw, kinds):
     ):
         k, centre = rate_of(**known), -known["mass"] * known["gravity"] / known["stiffness"] * Z
         whole = tensor(r, v, centre, k)
-        square = np.trace(whole) + (1e-12 * size(r, v, known)[0]) ** 2  # a point is no smaller than roundings
+        square = np.trace(whole) + (NOUGHT * size(r, v, known)[0]) ** 2
         what = {"kind": kind, "at": call}
         ellipse = np.outer(a, a) + np.outer(b, b)
         twice = np.allclose(ellipse, 4 * whole, rtol=0, atol=4 * TENSOR * square)
@@ -508,6 +551,8 @@ PROJECTION_SUSPECTS = [
                      lambda ca, sa, ce, se: (-sa, ca, 0)),
     wrong_projection("the azimuth's sign reversed", lambda ca, sa, ce, se: (sa, ca, 0),
                      lambda ca, sa, ce, se: (-se * ca, se * sa, ce)),
+    suspect("azimuth and elevation swapped",
+            project=lambda points, azimuth, elevation: seen(points, elevation, azimuth)),
     suspect("angles taken for degrees", project=lambda points, *view: seen(points, *map(math.radians, view))),
 ]  # fmt: skip
 
@@ -553,14 +598,16 @@ PLAIN_VIEWS = {
 
 @check(points=0.5, part="a", after=projection_is_orthographic)
 def the_path_is_drawn(student, draw):
-    """plot_projection draws the projected path from t[0] to t[-1], with labels and equal scales."""
+    """plot_projection draws the projected path from t[0], where the given state is, to t[-1]; labels; equal scales."""
     ((r, v, known),) = cases(draw, 1, 0)
     azimuth, elevation = draw.uniform(-3, 3), draw.uniform(0.3, 1.2)
-    t = np.linspace(0.0, 0.6 * 2 * math.pi / rate_of(**known), 150)
+    period = 2 * math.pi / rate_of(**known)
+    t = draw.uniform(1.3, 1.7) * period + np.linspace(0.0, 0.6 * period, 150)
     picture = student.plot_projection.draw(t, r, v, azimuth, elevation, **known)
     expect_that(len(picture.lines) == 1, f"there are {len(picture.lines)} curves on the axes, not one")
-    places = motion(np.linspace(t[0], t[-1], 400), r, v, **known)[:, :3]
-    judge_path(picture.lines[0].points, seen(places, azimuth, elevation), places)
+    places = motion(np.linspace(0.0, t[-1] - t[0], 400), r, v, **known)[:, :3]
+    late = seen(motion(t[:1], r, v, **known)[:, :3], azimuth, elevation)[0]
+    judge_path(picture.lines[0].points, seen(places, azimuth, elevation), places, late)
     judge_axes_of_lengths(picture, "right and up")
 
 
@@ -571,17 +618,32 @@ def seen(points, azimuth, elevation):
     return np.column_stack([plane.imag, tilted.imag])
 
 
-def judge_path(path, expected, places):
+def judge_path(path, expected, places, late):
     """The line begins and ends where the motion does, and each has all of its points next to the other."""
     scale = np.abs(expected - expected.mean(axis=0)).max()
     expect_that(len(path) >= 20, "the curve has fewer than twenty points")
-    level = np.allclose(path[[0, -1]], places[[0, -1], :2], rtol=0, atol=DRAWN * scale)
     expect(path[[0, -1]], expected[[0, -1]], within=DRAWN, scale=scale, of="an end of the curve",
-           unit="of its size", hint="these are x and y, not right and up" if level
-           else "draw from t[0] to t[-1]; right is drawn to the right")  # fmt: skip
+           unit="of its size", hint=partial(end_hint, path, expected, places, late, DRAWN * scale))  # fmt: skip
     for points, polygon, of, within in (
         (path, expected, "a point of the curve", DRAWN),
         (expected, path, "a point that the mass passes", PASSED),
     ):
         expect(distances(points, polygon), 0.0, within=within, scale=scale, of=of, unit="of the curve's size",
                hint="is it the path of the mass, projected?")  # fmt: skip
+
+
+def end_hint(path, expected, places, late, near):
+    """What to say of a curve with a wrong end; `late` is where a mass with the given state at t = 0 is at t[0]."""
+
+    def at(points, others):
+        return np.abs(points - others).max() <= near
+
+    if at(path[[0, -1]], places[[0, -1], :2]):
+        return "these are x and y, not right and up"
+    if at(path[0], late):
+        return "the given state is that at t[0], which is not 0 here"
+    if at(path[0], expected[0]):
+        return "it begins right and ends wrong: is your motion right, and does the curve end at t[-1]?"
+    if at(path[-1], expected[-1]):
+        return "it ends right and begins wrong: draw from t[0] on"
+    return "draw from t[0] to t[-1]; right is drawn to the right"

@@ -34,7 +34,7 @@ def energy(state, *, mass, stiffness, gravity):
 
 
 def orbit(position, velocity, *, mass, stiffness, gravity):
-    centre = np.array([0, 0, -mass * gravity / stiffness])
+    centre = np.array([0, 0, -gravity / np.sqrt(stiffness / mass) ** 2])
     r = position - centre
     values, vectors = np.linalg.eigh(np.outer(r, r) + mass / stiffness * np.outer(velocity, velocity))
     lengths = np.sqrt(np.maximum(values, 0))

@@ -36,7 +36,7 @@ def energy(state, *, mass, stiffness, gravity):
 
 
 def orbit(position, velocity, *, mass, stiffness, gravity):
-    rest = np.array([0, 0, -mass * gravity / stiffness])
+    rest = np.array([0, 0, -gravity / (stiffness / mass)])
     conjugate = np.column_stack([position - rest, velocity * np.sqrt(mass / stiffness)])
     values, vectors = np.linalg.eigh(conjugate.T @ conjugate)
     return rest, (conjugate @ vectors[:, ::-1]).T
