@@ -223,12 +223,12 @@ def newton_gives_the_acceleration(student, draw):
                hint="differentiate y = c x^2 twice: y'' has two terms")  # fmt: skip
 
 
-def wrong_force(says, size, side=1):
-    """A force along the normal of size(m, c v^2, g) over the length of (-side slope, 1)."""
+def wrong_force(says, size, side=1, rate=lambda v, slope: v):
+    """A force along the normal of size(m, c v^2, g) over the length of (-side slope, 1), v being that rate."""
 
     def force(x, v, *, mass, curvature, gravity):
         slope = 2 * curvature * x
-        upward = size(mass, curvature * v**2, gravity) / (1 + slope**2)
+        upward = size(mass, curvature * rate(v, slope) ** 2, gravity) / (1 + slope**2)
         return [-side * slope * upward, upward]
 
     return suspect(says, constraint_force=force)
@@ -240,7 +240,9 @@ FORCE_SUSPECTS = [
     wrong_force("the sign of the term with v^2 reversed", lambda m, bend, g: m * (g - 2 * bend)),
     wrong_force("the sign of gravity reversed", lambda m, bend, g: m * (2 * bend - g)),
     wrong_force("a mass of 1 for the one given", lambda m, bend, g: g + 2 * bend),
-]
+    wrong_force("v for the speed along the wire, where it is that along x", lambda m, bend, g: m * (g + 2 * bend),
+                rate=lambda v, slope: v / math.hypot(1, slope)),
+]  # fmt: skip
 DIRECTION_SUSPECTS = [
     wrong_force("the force reversed, that of the bead on the wire", lambda m, bend, g: -m * (g + 2 * bend)),
     wrong_force("the normal tilted to the wrong side", lambda m, bend, g: m * (g + 2 * bend), side=-1),
@@ -341,7 +343,18 @@ def times(draw, span, rows):
 def motion(draw, steepness, turns, rows):
     """Times, start, wire, the exact motion, and the scales of x and v."""
     start, wire, rate = ride(draw, steepness)
-    t = times(draw, turns / rate, rows)
+    return ridden(times(draw, turns / rate, rows), start, wire, rate)
+
+
+@once
+def sharp_turns(draw):
+    """As `motion`, for three times: between the first two, most of the run, the bead passes the bottom, sharply."""
+    start, wire, rate = ride(draw, (4.3, 5.0))
+    first, last = times(draw, 21.0 / rate, 2)
+    return ridden(np.array([first, last - 1.5 / rate, last]), start, wire, rate)
+
+
+def ridden(t, start, wire, rate):
     size = amplitude(*start, **wire)
     return t, start, wire, exact(t - t[0], *start, **wire), [size, size * rate]
 
@@ -434,8 +447,16 @@ def with_speeds(t, x, v, *, curvature, gravity):
     return states * np.column_stack([np.ones(len(t)), np.hypot(1, 2 * curvature * states[:, 0])])
 
 
+def at_times(change):
+    """The motion at changed times."""
+    return lambda t, *start, **wire: exact(change(t) - t[0], *start, **wire)
+
+
+EVENLY = "the times taken to be evenly spaced"
 SIMULATE_SUSPECTS = [
     *EQUATION_SUSPECTS,
+    suspect(EVENLY, within=1e-4, simulate=at_times(lambda t: np.linspace(t[0], t[-1], len(t)))),
+    suspect(EVENLY, within=1e-4, simulate=at_times(lambda t: t[0] + (t[1] - t[0]) * np.arange(len(t)))),
     suspect("the given state as that at t = 0, not at t[0]", within=1e-4, simulate=exact),
     suspect("the speed along the wire in place of v", within=1e-4, simulate=with_speeds),
     suspect("solve_ivp at its default tolerance", simulate=integrated(acceleration, "RK45")),
@@ -456,14 +477,14 @@ SAMPLED = (
 TOO_LONG = (
     "with more times in between it comes out far better: the steps are too long for the turn at the bottom"
 )
+OWN_STEPS = "the steps of the integration are not those of t; is the tolerance tight?"
 LONGER = "over a shorter time the same rows come out far better: the steps must not grow with the duration"
 
 
 @check(points=0.5, part="b", after=simulate_slides)
 def simulate_needs_no_dense_times(student, draw):
     """simulate: the same motion when only a few times are asked for."""
-    judge_motion(student, motion(draw, (0.4, 1.0), 15.0, 4), "few times, far apart",
-                 hint_of_steps("the steps of the integration are not those of t", SAMPLED))  # fmt: skip
+    judge_motion(student, sharp_turns(draw), "few times, far apart", hint_of_steps(OWN_STEPS, SAMPLED))
     for case, kind in plain_motions(draw):
         judge_motion(student, case, f"two times, the bead let go {kind}", hint_of_two_times)
     t, wire = times(draw, 5.0, 2), {"curvature": draw.uniform(0.5, 2), "gravity": draw.uniform(1, 25)}
@@ -550,7 +571,12 @@ PERIOD_SUSPECTS = [
         "the first two terms of the series in the amplitude", lambda a: 2 * math.pi * (1 + a**2 / 4)
     ),
     period_suspect("half the period", lambda a: 2 * ellipe(-(a**2))),
-]
+    period_suspect("the modulus for the parameter: SciPy's ellipe takes k^2",
+                   lambda a: 4 * math.hypot(1, a) * ellipe(a / math.hypot(1, a))),
+    period_suspect("the modulus for the parameter: SciPy's ellipe takes k^2", lambda a: 4 * ellipe(-a)),
+    period_suspect("the factor before the integral, sqrt(1 + (2 c A)^2), missing",
+                   lambda a: 4 * ellipe(a**2 / (1 + a**2))),
+]  # fmt: skip
 
 
 def judge_periods(student, draw, steepness, kind, hint):

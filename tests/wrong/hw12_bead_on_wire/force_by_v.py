@@ -1,0 +1,12 @@
+"""The rate of x for the speed along the wire in the force.
+
+fails: force_has_the_right_size
+suspect: v for the speed along the wire
+"""
+
+_right = constraint_force
+
+
+def constraint_force(x, v, *, mass, curvature, gravity):
+    along_x = v / math.hypot(1, 2 * curvature * x)
+    return _right(x, along_x, mass=mass, curvature=curvature, gravity=gravity)
