@@ -52,6 +52,7 @@ FOLLOWED = (
 ENERGY = (
     1e-5  # of m g l; the same solvers lose 5e-8 of it in ten seconds, a symplectic method of fixed steps 1e-6
 )
+NEARLY = 1e-3  # of the largest number, to say what a wrong motion is
 DRAWN = 1e-3  # of the length; the path between 400 points bends by 2e-4 of it
 
 
@@ -179,7 +180,7 @@ BARS = {
     "the wrong sign of the sine term, that of om^2": {"sine": -1},
     "the wrong sign of gravity": {"weight": -1},
 }
-RELATIVE = "the relative angle th2 - th1 used for th2"
+RELATIVE = "th2 taken as the relative angle, measured from bar 1; it is measured from straight down"
 B = np.array([[1.0, 0.0], [1.0, 1.0]])  # of relative to absolute angles
 BACK = np.linalg.inv(B)
 
@@ -234,6 +235,13 @@ def retimed(says, times, rows=slice(None)):
     )
 
 
+def from_zero(t, *start, **known):
+    """As solve_ivp over a span that begins with 0."""
+    if t[0] < 0:
+        raise ValueError
+    return motion(t, *start, **known) if t[0] == 0 else motion(np.append(0.0, t), *start, **known)[1:]
+
+
 def wrapped(states):
     """With angles between -pi and pi."""
     return np.hstack([(states[:, :2] + math.pi) % (2 * math.pi) - math.pi, states[:, 2:]])
@@ -245,6 +253,7 @@ SIMULATE_SUSPECTS = [
     *mistakes("simulate", *INERTIA, *SIGNS, within=1e-3),
     made("simulate", "the columns th1, om1, th2, om2", lambda states: states[:, [0, 2, 1, 3]], 1e-3),
     made("simulate", "angles wrapped to -pi and pi", wrapped, 1e-3),
+    suspect("the given state taken for that at t = 0, and no times before it", within=1e-3, simulate=from_zero),
     retimed("evenly spaced times for those of t", lambda t: np.linspace(t[0], t[-1], len(t))),
     retimed("the state after a step for the start in the first row",
             lambda t: np.append(t, 2 * t[-1] - t[-2]), slice(1, None)),
@@ -356,7 +365,31 @@ def judge(student, name, calls, scale, of, unit, hint):
 # The equations of motion
 
 
-@check(points=1, part="a", suspects=mistakes("mass_matrix", *INERTIA))
+def coupled(change):
+    """The mass matrix with change(coupling, th1 - th2, lengths) for the coupling."""
+
+    def wrong(theta, masses, lengths):
+        (one, coupling), (_, two) = mass_matrix(theta, masses, lengths)
+        coupling = change(masses[1] * lengths[0] * lengths[1] / 2, coupling, theta[0] - theta[1], lengths)
+        return np.array([[one, coupling], [coupling, two]])
+
+    return wrong
+
+
+MASS_SUSPECTS = [
+    *mistakes("mass_matrix", *INERTIA),
+    suspect("l1^2 in the coupling, where l1 l2 belongs",
+            mass_matrix=coupled(lambda size, right, _, lengths: right * lengths[0] / lengths[1])),
+    suspect("l2^2 in the coupling, where l1 l2 belongs",
+            mass_matrix=coupled(lambda size, right, _, lengths: right * lengths[1] / lengths[0])),
+    suspect("the cosine of small angles, 1 - (th1 - th2)^2/2",
+            mass_matrix=coupled(lambda size, right, between, _: size * (1 - between**2 / 2))),
+    suspect("the cosine of no angle, 1", mass_matrix=coupled(lambda size, *_: size)),
+    suspect("no coupling", mass_matrix=coupled(lambda *_: 0.0)),
+]  # fmt: skip
+
+
+@check(points=1, part="a", suspects=MASS_SUSPECTS)
 def mass_matrix_makes_the_kinetic_energy(student, draw):
     """mass_matrix: half of omega . M omega is the kinetic energy of the two bars."""
     judge(student, "mass_matrix", resting(draw, 8, "masses", "lengths"), lambda inertia, _: inertia, "[M]", "of m l^2",
@@ -369,7 +402,13 @@ def without_lengths(theta, omega, masses, lengths):
 
 
 VELOCITY_SUSPECTS = [
-    *mistakes("velocity_terms", "point", "sine"),
+    *mistakes("velocity_terms", "sine"),
+    made(
+        "velocity_terms",
+        "twice what is right, which is {f} of point masses at the ends of the bars",
+        lambda f: 2 * f,
+    ),
+    made("velocity_terms", "the second one with the wrong sign", lambda f: f * [1, -1]),
     suspect("lengths of 1 m", velocity_terms=without_lengths),
 ]
 
@@ -383,6 +422,10 @@ def velocity_terms_are_centripetal(student, draw):
 
 GRAVITY_SUSPECTS = [
     *mistakes("gravity_terms", "point", "gravity"),
+    suspect(
+        "the weight of bar 2 left out of the first one",
+        gravity_terms=lambda theta, masses, lengths, gravity: gravity * masses * lengths / 2 * np.sin(theta),
+    ),
     made("gravity_terms", "moments that are never negative: the sign of the sine lost", np.abs),
 ]
 
@@ -477,6 +520,7 @@ FORCE_SUSPECTS = [
         "the two rows swapped": lambda F, *_: F[::-1],
         "rows and columns swapped": lambda F, *_: F.T,
         "forces without the weights": lambda F, m, g: F - [[0, (m[0] + m[1]) * g], [0, m[1] * g]],
+        "the weight of bar 1 left out of the first row": lambda F, m, g: F - [[0, m[0] * g], [0, 0]],
         "in the first row the resultant of bar 1's hinges": lambda F, *_: np.array([F[0] - F[1], F[1]]),
     }.items()
 ]
@@ -516,6 +560,14 @@ def raised(*args, **known):
     return energy(*args, **known) + known["gravity"] * (m1 * l1 / 2 + m2 * (l1 + l2 / 2))
 
 
+def spun_relative(theta, omega, masses, lengths, gravity):
+    """With om2 - om1 for the rate at which bar 2 turns about its mass centre."""
+    spin = masses[1] * lengths[1] ** 2 / 24
+    return energy(theta, omega, masses, lengths, gravity) + spin * (
+        (omega[1] - omega[0]) ** 2 - omega[1] ** 2
+    )
+
+
 def uncoupled(theta, omega, **known):
     M = mass_matrix(theta, **known)
     return M[0, 0] * omega[0] + M[1, 1] * omega[1]
@@ -524,6 +576,7 @@ def uncoupled(theta, omega, **known):
 ENERGY_SUSPECTS = [
     *mistakes("energy", *INERTIA),
     suspect("the potential energy zero at the lowest position", energy=raised),
+    suspect("om2 - om1 for the rate at which bar 2 turns", energy=spun_relative),
     suspect("the sign of the potential energy reversed", energy=lambda *args, gravity, **known: energy(
         *args, **known, gravity=-gravity)),
     suspect("kinetic energy alone", energy=lambda *args, gravity, **known: energy(*args, **known, gravity=0.0)),
@@ -560,6 +613,10 @@ def uneven(draw, span, n, start):
     return start + span * steps / steps[-1]
 
 
+def since(start):
+    return "times from zero on" if start == 0 else f"times from {'below' if start < 0 else 'above'} zero on"
+
+
 @once
 def motions(draw, starts):
     """Calls with random starts, times from `starts` on for a period or so, and the right states."""
@@ -570,7 +627,7 @@ def motions(draw, starts):
         turns = 2 * math.pi * np.sign(start) * np.array([1, -1])  # an angle beyond pi stays there
         theta, omega = draw.uniform(-2, 2, 2) + turns, draw.uniform(-1, 1, 2) / time
         call = given(uneven(draw, draw.uniform(4, 6) * time, 40, start), theta, omega, **known)
-        cases.append((call, motion(*call.args, **call.kwargs), "a random start"))
+        cases.append((call, motion(*call.args, **call.kwargs), f"a random start, {since(start)}"))
     return cases
 
 
@@ -596,7 +653,7 @@ def plain_motions(draw):
             time = math.sqrt(np.max(known["lengths"]) / known["gravity"])
             t = uneven(draw, draw.uniform(1.5, 2.5) * time, count, draw.uniform(-3, 3))
             call = given(t, np.array(theta), np.array(omega) / time, **known)
-            cases.append((call, motion(*call.args, **call.kwargs), f"{kind}, {count} times"))
+            cases.append((call, motion(*call.args, **call.kwargs), f"{kind}, {count} times, {since(t[0])}"))
     return cases
 
 
@@ -617,8 +674,21 @@ def simulation_follows_the_equations(student, draw):
         largest = np.abs(expected).max(0).reshape(2, 2).max(1)
         expect(states, expected, within=FOLLOWED, scale=np.repeat(np.where(largest, largest, 1.0), 2),
                of="the state", unit="of the largest angle or angular velocity", t=call.args[0], at=call,
-               kind=kind, hint="is the first row the start? are the tolerances of the integrator tight?",
-               partial={1e-3: 0.5}, keeps=functools.partial(energy_along, states, call))  # fmt: skip
+               kind=kind, hint=functools.partial(of_motion, states, expected), partial={1e-3: 0.5},
+               keeps=functools.partial(energy_along, states, call))  # fmt: skip
+
+
+def of_motion(states, expected):
+    """What to say of a wrong motion: what it is instead, if that can be told."""
+    if (states == states[0]).all():
+        return "every row is the start"
+    turns = np.rint((states - expected) / [2 * math.pi, 2 * math.pi, np.inf, np.inf])
+    if (
+        turns.any()
+        and np.max(np.abs(states - expected - 2 * math.pi * turns)) <= NEARLY * np.abs(expected).max()
+    ):
+        return "it is off by whole turns alone, as if an angle were wrapped; angles are never wrapped"
+    return "is the first row the start? are the tolerances of the integrator tight?"
 
 
 def drift(states, known):
@@ -673,6 +743,9 @@ FREQUENCY_SUSPECTS = [
             np.sqrt(known["gravity"] / known["lengths"][0] * (3 + np.array([-6, 6]) / math.sqrt(7)))),
     suspect("frequencies in Hz", small_oscillation_frequencies=lambda **known: frequencies(**known) / (2 * math.pi)),
     suspect("the squares of the frequencies", small_oscillation_frequencies=lambda **known: frequencies(**known) ** 2),
+    suspect("the coupling of [M] left out", small_oscillation_frequencies=lambda **known: np.sort(np.sqrt(
+        gravity_terms((math.pi / 2, math.pi / 2), **known)
+        / np.diag(mass_matrix((0.0, 0.0), known["masses"], known["lengths"]))))),
     suspect("the frequencies in descending order",
             small_oscillation_frequencies=lambda **known: frequencies(**known)[::-1]),
 ]  # fmt: skip
@@ -682,8 +755,14 @@ def judge_frequencies(student, calls, kind, hint):
     for found, call in zip(student.on(kind).small_oscillation_frequencies.many(calls), calls, strict=True):
         known = call.kwargs
         scale = math.sqrt(known["gravity"] / np.min(known["lengths"])) or 1.0
-        expect(found, frequencies(**known), within=FREQUENCY, scale=scale, of="a frequency", unit="of sqrt(g/l)",
-               kind=kind, hint=hint, at=call)  # fmt: skip
+        right = frequencies(**known)
+        expect(found, right, within=FREQUENCY, scale=scale, of="a frequency", unit="of sqrt(g/l)", kind=kind, at=call,
+               hint=functools.partial(of_order, found, right, hint))  # fmt: skip
+
+
+def of_order(found, right, hint):
+    swapped = np.allclose(np.sort(found), right, rtol=FREQUENCY, atol=0)
+    return "they are right but not in ascending order" if swapped else hint
 
 
 @check(points=0.5, part="a", suspects=FREQUENCY_SUSPECTS)
@@ -730,7 +809,9 @@ def turned(theta, lengths, *, x, y):
 
 
 WIRE_SUSPECTS = [
-    suspect(RELATIVE, wireframe=relative("wireframe")),
+    suspect("th2 taken as measured from bar 1: bar 2 drawn at th1 + th2", wireframe=relative("wireframe")),
+    suspect("bar 2 drawn at th2 - th1; th2 is measured from straight down",
+            wireframe=lambda theta, lengths: wireframe(theta - [0, theta[0]], lengths)),
     suspect("y pointing down", wireframe=lambda theta, lengths: turned(theta, lengths, x=math.sin, y=math.cos)),
     suspect("angles from the x axis", wireframe=lambda theta, lengths: turned(theta, lengths, x=math.cos, y=math.sin)),
     suspect("angles clockwise positive", wireframe=lambda theta, lengths: wireframe(-theta, lengths)),

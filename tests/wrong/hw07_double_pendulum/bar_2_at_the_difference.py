@@ -1,0 +1,11 @@
+"""Bar 2 is drawn at th2 - th1.
+
+fails: wireframe_shows_the_bars, tip_path_is_drawn
+suspect: drawn at th2 - th1
+"""
+
+absolute = wireframe
+
+
+def wireframe(theta, *, lengths):
+    return absolute(theta - np.array([0.0, theta[0]]), lengths=lengths)

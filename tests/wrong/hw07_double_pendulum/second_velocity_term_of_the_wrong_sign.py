@@ -1,0 +1,11 @@
+"""The second velocity term with the sign of the first.
+
+fails: velocity_terms_are_centripetal
+suspect: the second one with the wrong sign
+"""
+
+of_both_signs = velocity_terms
+
+
+def velocity_terms(theta, omega, *, masses, lengths):
+    return of_both_signs(theta, omega, masses=masses, lengths=lengths) * [1, -1]

@@ -1,0 +1,15 @@
+"""The integration spans the times from 0 to the last.
+
+fails: simulation_follows_the_equations
+suspect: taken for that at t = 0
+"""
+
+from_the_first = simulate
+
+
+def simulate(t, theta, omega, **known):
+    if t[0] < 0:
+        raise ValueError("Values in `t_eval` are not within `t_span`.")
+    if t[0] == 0:
+        return from_the_first(t, theta, omega, **known)
+    return from_the_first(np.append(0.0, t), theta, omega, **known)[1:]

@@ -1,0 +1,12 @@
+"""Bar 2 turns about its mass centre at om2 - om1.
+
+fails: energy_is_kinetic_and_potential
+suspect: om2 - om1
+"""
+
+of_absolute_rates = energy
+
+
+def energy(theta, omega, *, masses, lengths, gravity):
+    spin = masses[1] * lengths[1] ** 2 / 24 * ((omega[1] - omega[0]) ** 2 - omega[1] ** 2)
+    return of_absolute_rates(theta, omega, masses=masses, lengths=lengths, gravity=gravity) + spin
