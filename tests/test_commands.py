@@ -1,8 +1,10 @@
 """The students' command as a student runs it, the kit that they install, and what each command imports."""
 
+import shutil
 import subprocess
 import sys
 import zipfile
+from pathlib import Path
 
 import pytest
 
@@ -80,6 +82,16 @@ def test_the_visible_tests_pass_on_the_solution_and_fail_on_the_stub(desk, slug,
     assert code == 0, said
     code, said = checked(course / "assignments" / slug / f"{slug}.py")
     assert code == 1 and "is not written yet" in said and "passed" not in said.splitlines()[-1]
+
+
+RIGHT = sorted((Path(__file__).parent / "right").glob("*/*.py"))
+
+
+@pytest.mark.parametrize("path", RIGHT, ids=[f"{path.parent.name[:4]}-{path.stem}" for path in RIGHT])
+def test_the_visible_tests_pass_on_right_answers_in_other_styles(desk, path):
+    shutil.copy(path, desk / f"{path.parent.name}.py")
+    code, said = checked(desk / f"{path.parent.name}.py")
+    assert code == 0, said
 
 
 def test_check_finds_what_was_started(desk, solution_text):

@@ -70,4 +70,4 @@ def test_a_reflection_is_refused():
 def test_the_edges_keep_their_lengths():
     edges = np.asarray(hw.book_edges(turned(Y, 0.4), size=np.array([1.0, 2.0, 3.0])))
     lengths = np.linalg.norm(edges[:, 1] - edges[:, 0], axis=1)
-    np.testing.assert_allclose(np.sort(lengths), [1] * 4 + [2] * 4 + [3] * 4)
+    np.testing.assert_allclose(np.sort(lengths), [1] * 4 + [2] * 4 + [3] * 4, atol=1e-12)

@@ -57,6 +57,6 @@ def test_the_simulation_starts_where_it_is_told_and_keeps_the_energy():
     t = np.linspace(1.0, 4.0, 31)
     states = np.asarray(hw.simulate(t, 0.5, 1.0, **BODY, **RAMP))
     assert states.shape == (31, 2)
-    np.testing.assert_allclose(states[0], [0.5, 1.0])
+    np.testing.assert_allclose(states[0], [0.5, 1.0], atol=1e-12)
     energies = [hw.energy(*state, **BODY, **RAMP) for state in states]
     np.testing.assert_allclose(energies, energies[0], rtol=0, atol=1e-5)

@@ -54,7 +54,7 @@ def test_both_simulations_give_one_motion():
     angles = np.asarray(hw.simulate_euler(LATER, STATE, **DISK))
     matrices = np.asarray(hw.simulate_matrix(LATER, np.asarray(hw.matrix_state(STATE, radius=0.5)), **DISK))
     expected = [np.asarray(hw.matrix_state(row, radius=0.5)) for row in angles]
-    np.testing.assert_allclose(angles[0], STATE)
+    np.testing.assert_allclose(angles[0], STATE, atol=1e-12)
     np.testing.assert_allclose(matrices, expected, rtol=1e-5, atol=1e-5)
 
 
@@ -85,4 +85,4 @@ def test_the_drawing_is_on_the_rim():
     lines = np.asarray(hw.wireframe(STATE, radius=0.5, sides=12))
     centre = np.asarray(hw.matrix_state(STATE, radius=0.5))[:3]
     assert lines.shape == (14, 2, 3)
-    np.testing.assert_allclose(np.linalg.norm(lines - centre, axis=2), 0.5)
+    np.testing.assert_allclose(np.linalg.norm(lines - centre, axis=2), 0.5, atol=1e-12)
