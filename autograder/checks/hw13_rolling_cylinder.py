@@ -4,10 +4,11 @@ Axes: x down the ramp, y off it; a cylinder that rolls down turns clockwise.
 """
 
 import math
+from functools import partial
 
 import numpy as np
 
-from tam570_grader import check, expect, expect_that, given, group, number, once, rows, suspect
+from tam570_grader import Failure, check, expect, expect_that, given, group, number, once, rows, suspect
 
 RESULTS = {
     "acceleration": number,
@@ -101,6 +102,14 @@ def with_missing(factor):
     return acceleration
 
 
+def slope_forgotten(phi, phi_dot, **cylinder):
+    """The acceleration with the weight at G in the direction that it has on level ground, and at O where it is."""
+    m_g_e = cylinder["mass"] * cylinder["gravity"] * cylinder["offset"]
+    body = {name: cylinder[name] for name in ("mass", "radius", "offset", "inertia")}
+    more = m_g_e * (math.sin(phi + cylinder["slope"]) - math.sin(phi))
+    return balanced(phi, phi_dot, **cylinder)[0] + more / about_contact(phi, **body)
+
+
 def offset_reversed(function):
     return lambda *args, offset, **rest: function(*args, offset=-offset, **rest)
 
@@ -114,9 +123,13 @@ def force_of(phi, phi_dot, **cylinder):
     return tuple(balanced(phi, phi_dot, **cylinder)[1:])
 
 
-def force_from(acceleration, centripetal=1.0):
+def force_from(acceleration, centripetal=1.0, about_centre=1.0):
+    """The force for this phi'', with so much of the centripetal part of G's acceleration, and of alpha x r."""
+
     def contact_force(phi, phi_dot, **cylinder):
         _, first, second = arms(phi, cylinder["radius"], cylinder["offset"])
+        centre = np.array([cylinder["radius"], 0.0])
+        first = centre + about_centre * (first - centre)
         of_G = first * acceleration(phi, phi_dot, **cylinder) + centripetal * second * phi_dot**2
         m = cylinder["mass"]
         return tuple(m * of_G - weight(m, cylinder["gravity"], cylinder["slope"]))
@@ -168,13 +181,22 @@ def rolled(t, *start, **cylinder):
     return integrated(acceleration_of)(t, *start, **cylinder)
 
 
-def wrapped(t, *start, **cylinder):
-    states = rolled(t, *start, **cylinder)
-    return np.column_stack([(states[:, 0] + math.pi) % (2 * math.pi) - math.pi, states[:, 1]])
+def wrapped(least):
+    """A simulation with phi wrapped to a turn that starts there."""
+
+    def simulate(t, *start, **cylinder):
+        states = rolled(t, *start, **cylinder)
+        return np.column_stack([(states[:, 0] - least) % (2 * math.pi) + least, states[:, 1]])
+
+    return simulate
 
 
 def evenly(t, *start, **cylinder):
     return rolled(np.linspace(t[0], t[-1], len(t)), *start, **cylinder)
+
+
+def as_the_first_two(t, *start, **cylinder):
+    return rolled(t[0] + (t[1] - t[0]) * np.arange(len(t)), *start, **cylinder)
 
 
 def from_time_zero(t, *start, **cylinder):
@@ -195,11 +217,14 @@ WRONG_ACCELERATIONS = {
     "the term that M_C = I^C phi'' lacks, its sign reversed": with_missing(-1),
     "G on the other side of the centre": offset_reversed(acceleration_of),
     DEGREES: with_slope(math.radians, acceleration_of),
+    "the moment of the weight at G with sin(phi), where sin(phi + slope) belongs": slope_forgotten,
 }
 WRONG_SIMULATIONS = {
     **{says: integrated(wrong) for says, wrong in WRONG_ACCELERATIONS.items()},
-    "phi wrapped to half a turn to either side": wrapped,
+    "phi wrapped to half a turn to either side": wrapped(-math.pi),
+    "phi wrapped to a turn from 0": wrapped(0.0),
     "the times taken to be evenly spaced": evenly,
+    "the times taken to be evenly spaced, as the first two are": as_the_first_two,
     "the given state taken for that at t = 0, where it is that at t[0]": from_time_zero,
 }
 LOOSE = {"the tolerances that solve_ivp has when none are given": loosely}
@@ -304,9 +329,27 @@ ALL = (*BODY, "slope", "gravity")
 def judge_accelerations(student, of, hint):
     asked = calls(of, *ALL)
     for found, call, (phi, phi_dot, c) in zip(student.acceleration.many(asked), asked, of, strict=True):
-        scale = moment_scale(phi, phi_dot, c) / about_contact(phi, **parts(c, *BODY))
-        expect(found, balanced(phi, phi_dot, **c)[0], within=FORMULA, scale=scale, of="phi''",
-               unit="of the size of its terms", kind=call.kind, hint=hint, at=(phi, phi_dot, c))  # fmt: skip
+        expect(found, balanced(phi, phi_dot, **c)[0], within=FORMULA, scale=acceleration_scale(phi, phi_dot, c),
+               of="phi''", unit="of the size of its terms", kind=call.kind, hint=hint,
+               at=(phi, phi_dot, c))  # fmt: skip
+
+
+def acceleration_scale(phi, phi_dot, c):
+    return moment_scale(phi, phi_dot, c) / about_contact(phi, **parts(c, *BODY))
+
+
+def hint_of_rates(student, of):
+    """Which terms are wrong: the same places are asked at rest."""
+    still = [(phi, 0.0, c) for phi, _, c in of]
+    try:
+        found = student.acceleration.many(calls(still, *ALL))
+    except Failure:
+        return "what is it at rest?"
+    errors = [abs(value - acceleration_of(*motion, **c)) / acceleration_scale(*motion, c)
+              for value, (*motion, c) in zip(found, still, strict=True)]  # fmt: skip
+    if max(errors) <= FORMULA:
+        return "at rest it is right: differentiate the position of G twice, and mind the terms in phi_dot squared"
+    return "at rest it is wrong, too: look at the moment of the weight and at the inertia"
 
 
 @check(points=0.5, part="a")
@@ -325,8 +368,8 @@ def centred_cylinder_rolls_by_both_methods(student, draw):
 @check(points=1.5, part="a", suspects=ACCELERATION_SUSPECTS)
 def acceleration_balances_momentum_about_G(student, draw):
     """acceleration: the force of the ramp that G's acceleration needs gives, about G, the moment I^G phi''."""
-    hint = "differentiate the position of G twice; mind the terms in phi_dot squared"
-    judge_accelerations(student, cases(draw, 20), hint)
+    of = cases(draw, 20)
+    judge_accelerations(student, of, lambda: hint_of_rates(student, of))
     judge_accelerations(student, plain_cases(draw), "which terms are zero there?")
 
 
@@ -344,6 +387,9 @@ def at_rest(of):
 
 
 CONTACT_INERTIA_SUSPECTS = [
+    suspect("the height of G above the ramp for its distance from C",
+            contact_inertia=lambda phi, *, mass, radius, offset, inertia: inertia
+            + mass * (radius - offset * math.cos(phi)) ** 2),
     suspect("the inertia about the centre",
             contact_inertia=lambda phi, **c: c["inertia"] + c["mass"] * c["offset"] ** 2),
     suspect("the distance from C to the centre, where that to G belongs",
@@ -375,6 +421,11 @@ NAIVE_SUSPECTS = [
     suspect("phi measured from the vertical, where it is measured from the normal of the ramp",
             naive_contact_acceleration=lambda phi, **c: naive(phi - c["slope"], **c)),
     suspect(DEGREES, naive_contact_acceleration=with_slope(math.radians, naive)),
+    suspect("I^G + m r^2 for I^C, which is that of a G at the centre",
+            naive_contact_acceleration=lambda phi, **c: moment_of_weight(phi, **c)
+            / (c["inertia"] + c["mass"] * c["radius"] ** 2)),
+    suspect("I^G for I^C",
+            naive_contact_acceleration=lambda phi, **c: moment_of_weight(phi, **c) / c["inertia"]),
 ]  # fmt: skip
 
 
@@ -391,7 +442,7 @@ def naive_acceleration_is_the_moment_over_the_inertia(student, draw):
             scale = moment_scale(phi, 0.0, c) / about_contact(phi, **parts(c, *BODY))
             expect(found, naive(phi, **c), within=FORMULA, scale=scale, of="phi'' from M_C = I^C phi''",
                    unit="of the size of its terms", kind=call.kind, at=(phi, c),
-                   hint="only the weight has a moment about C; where does it act?")  # fmt: skip
+                   hint="M_C is the moment of the weight, which acts at G; I^C is that of this phi")  # fmt: skip
 
 
 # Part b: what is missing, the force, the energy, the motion
@@ -434,6 +485,8 @@ FORCE_SUSPECTS = [
     suspect("normal first, along second", contact_force=lambda *args, **c: force_of(*args, **c)[::-1]),
     suspect("the acceleration of G without its terms in phi_dot squared",
             contact_force=force_from(acceleration_of, centripetal=0.0)),
+    suspect("the acceleration of G without alpha x r, its turning about the centre",
+            contact_force=force_from(acceleration_of, about_centre=0.0)),
     suspect("G on the other side of the centre", contact_force=offset_reversed(force_of)),
     suspect(DEGREES, contact_force=with_slope(math.radians, force_of)),
     *(suspect(f"{says}, for the acceleration", contact_force=force_from(wrong))
@@ -449,13 +502,21 @@ def judge_forces(student, of, hint, kind=""):
                unit="of m (g + r phi_dot^2)", kind=call.kind, hint=hint, at=(phi, phi_dot, c))  # fmt: skip
 
 
+DOWN = "along is positive down the ramp: on which part does friction act?"
+
+
 @check(points=1.25, part="b", suspects=FORCE_SUSPECTS)
 def contact_force_accelerates_G(student, draw):
     """contact_force: with the weight it is the mass times the acceleration of G; (along, normal)."""
     for fixed in ({}, {"offset": 0.0}):
-        slow = [(phi, rate / 5, c) for phi, rate, c in cases(draw, 8, **fixed)]  # the weight presses it down
-        judge_forces(student, slow, "along is positive down the ramp: on which part does friction act?")
-    judge_forces(student, plain_cases(draw), "which terms are zero there?")
+        slow = [(phi, rate / 5, c) for phi, rate, c in cases(draw, 8, **fixed)]
+        judge_forces(student, pressed(slow), DOWN)
+    judge_forces(student, pressed(plain_cases(draw)), "which terms are zero there?")
+
+
+def pressed(of, on=True):
+    """Those in which the weight presses the cylinder on the ramp, or those in which it must be pulled."""
+    return [(*motion, c) for *motion, c in of if (force_of(*motion, **c)[1] > 0) == on]
 
 
 def never_pulled(*args, **cylinder):
@@ -473,7 +534,8 @@ def contact_force_may_pull(student, draw):
     fast = [
         (phi / 9 + math.pi, 4 * rate, c) for phi, rate, c in cases(draw, 8)
     ]  # G is high: it must be pulled
-    judge_forces(student, fast, hint, kind="a normal force below zero")
+    pulled = pressed(plain_cases(draw), on=False)
+    judge_forces(student, fast + pulled, hint, kind="a normal force below zero")
     judge_forces(student, cases(draw, 5, gravity=0.0), hint)
     judge_forces(student, level_cases(draw), hint)
 
@@ -548,7 +610,15 @@ def judge_runs(student, cases, hint):
         stands = len(states) == 2 and moves and np.array_equal(*states)
         expect_that(not stands, "row 1 is the start again", kind=call.kind, at=call)
         expect(states, expected, within=TRAJECTORY, of="phi, or phi_dot in its scale,", unit="of the distance rolled",
-               t=call.args[0], kind=call.kind, hint=hint, at=call, partial={1e-3: 0.5})  # fmt: skip
+               t=call.args[0], kind=call.kind, hint=partial(hint_of_stops, states, hint), at=call,
+               partial={1e-3: 0.5})  # fmt: skip
+
+
+def hint_of_stops(states, otherwise):
+    """Whether the rows stop changing, as they do where a simulation ends."""
+    if len(states) > 2 and np.array_equal(states[-1], states[-2]):
+        return "it stops: contact is kept, and the motion goes on, even where the ramp must pull"
+    return otherwise
 
 
 def error_of_run(run):
@@ -571,7 +641,28 @@ def simulate_needs_no_dense_times(student, draw):
     """simulate: the same motion when only a few times are asked for."""
     few = runs(draw, 8)  # not fewer: odeint takes no more than 500 steps from one to the next unless told to
     judge_runs(student, few, "the steps of the integration are not those of t")
+    judge_runs(
+        student,
+        [heavy_side(draw)],
+        "the steps of the integration are not those of t; is the tolerance tight?",
+    )
     judge_runs(student, plain_runs(draw), "row 0 is the start, row 1 the other time")
+
+
+@once
+def heavy_side(draw):
+    """As one of `runs`, for three times: between the first two a heavy side comes down, quickly, and goes up again.
+
+    This takes short steps there, and in all fewer than the 500 of odeint.
+    """
+    c = cylinder(draw, slope=0.0)
+    c["offset"] = c["radius"] * draw.uniform(0.84, 0.86)
+    c["inertia"] = c["mass"] * c["radius"] ** 2 * draw.uniform(0.055, 0.065)
+    start = math.pi + draw.uniform(-0.2, 0.2), draw.choice([-1, 1]) * draw.uniform(0.5, 0.55) * usual(c)
+    first, last = times(draw, 6 / usual(c), 2)
+    t = np.array([first, last - 0.4 / usual(c), last])
+    call = given(t, *start, **c).on("few times, a cylinder with a heavy side")
+    return call, integrated(acceleration_of)(t, *start, **c), usual(c)
 
 
 @once
@@ -622,16 +713,20 @@ def simulate_keeps_the_energy(student, draw):
     """simulate: the energy stays what it was over many turns, with and without gravity."""
     runs = (({"gravity": 0.0}, "many turns without gravity"), ({"slope": 0.0}, "many turns on level ground"))
     judged = [(*energies(student.on(kind), draw, fixed), kind) for fixed, kind in runs]
-    for found, expected, t, at, kind in sorted(judged, key=error_of_run, reverse=True):
+    for found, expected, t, rates, at, kind in sorted(judged, key=error_of_run, reverse=True):
+        uniform = "phi_dot never changes: G is accelerated, and not by the weight alone"
+        steps = "a step of fixed length, or a fixed number of them, does not do for every duration"
         expect(found, expected, within=ENERGY, of="the energy", unit="of m r^2 (g/r + phi_dot^2) at the start",
                t=t, kind=kind, at=at, partial={1e-4: 0.6, 1e-2: 0.3},
-               hint="a step of fixed length, or a fixed number of them, does not do for every duration")  # fmt: skip
+               hint=steps if np.ptp(rates) else uniform)  # fmt: skip
 
 
 def energies(student, draw, fixed):
-    """The energies of a long run, what they should be, both in the scale of the start, the times, and the input."""
+    """The energies of a long run, and what they should be, both in the scale of the start; t, phi_dot, the input."""
     c = cylinder(draw, **fixed)
     t, start = times(draw, 50 / usual(c), 150), (draw.uniform(-2, 2), 3 * usual(c))
-    found = [total_energy(*state, **c) for state in student.simulate(t, *start, **c)]
+    states = student.simulate(t, *start, **c)
     scale = moment_scale(*start, c)
-    return np.array(found) / scale, np.full(len(t), total_energy(*start, **c) / scale), t, (start, c)
+    found = np.array([total_energy(*state, **c) for state in states]) / scale
+    expected = np.full(len(t), total_energy(*start, **c) / scale)
+    return found, expected, t, states[:, 1], (start, c)

@@ -1,0 +1,13 @@
+"""phi wrapped to a turn from 0.
+
+fails: simulate_rolls_and_rocks
+suspect: phi wrapped to a turn from 0
+"""
+
+_right = simulate
+
+
+def simulate(t, phi, phi_dot, **c):
+    states = _right(t, phi, phi_dot, **c)
+    states[:, 0] %= 2 * math.pi
+    return states

@@ -1,0 +1,15 @@
+"""The simulation ends where the normal force is zero; the last row is repeated.
+
+fails: simulate_rolls_and_rocks
+names: contact is kept, and the motion goes on
+"""
+
+_right = simulate
+
+
+def simulate(t, phi, phi_dot, **c):
+    states = _right(t, phi, phi_dot, **c)
+    lifted = [i for i, state in enumerate(states) if contact_force(*state, **c)[1] < 0]
+    if lifted:
+        states[lifted[0] :] = states[max(lifted[0] - 1, 0)]
+    return states
