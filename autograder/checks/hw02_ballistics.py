@@ -3,6 +3,7 @@ decays on its own, and the sum over them is done by Gauss's quadrature, which dr
 """
 
 import math
+from functools import partial
 
 import numpy as np
 from scipy.optimize import brentq
@@ -101,6 +102,9 @@ WRONG_MOTIONS = {
     "drag on the vertical component alone": faded(0, 1),
     "no drag at all, a parabola": faded(0, 0),
     "gravity pointing up": faded(1, 1, -1),
+    "the vertical drag not divided by the mass": lambda since, speed, angle, *, mass, drag, gravity: motion(
+        since, speed * math.cos(angle), speed * math.sin(angle), drag / mass, drag, gravity
+    ),
     "the drag force not divided by the mass": lambda since, *launch, mass, drag, gravity: right(
         since, *launch, mass=1.0, drag=drag, gravity=gravity
     ),
@@ -280,26 +284,44 @@ def judge_plain_flights(function, draw, shifted, within, hint):
         judge_states([states], [case], within, f"two times, {kind}", hint)
 
 
-def nearly(states, expected):
-    """Whether a motion is off by no more than a coarse integration is."""
-    return np.all(np.abs(states - expected) <= NEARLY * size(expected))
+def simulation_hint(states, expected):
+    """What to look at in a simulation: what is right of it, the whole nearly, or the start?"""
+    errors, deepest = np.abs(states - expected) / size(expected), expected[:, 1].min()
+    if errors.max() <= NEARLY:
+        return "are the steps short, and the tolerances of the integrator tight enough?"
+    if deepest < 0 and states[:, 1].min() > NEARLY * deepest:
+        return "there is no ground: the path goes on below y = 0"
+    if errors[0].max() <= SIMULATED:
+        return "row 0 is right: is your state_derivative, and is row i the state at t[i]?"
+    return "is the first row the launch, at the origin?"
 
 
-def judge_states(found, cases, within, kind, hint, partial=None):
+def column_hint(states, expected, hint):
+    """What to look at in a closed form: the columns that are off, if others are right."""
+    right = np.all(np.abs(states - expected) <= CLOSED * size(expected), axis=0)
+    off = [name for name, one in zip(("x", "y", "vx", "vy"), right, strict=True) if not one]
+    return (
+        f"of x, y, vx and vy only {' and '.join(off)} {'is' if len(off) == 1 else 'are'} off"
+        if any(right)
+        else hint
+    )
+
+
+def judge_states(found, cases, within, kind, hint, points=None):
     for states, (call, expected) in zip(found, cases, strict=True):
         expect(states, expected, within=within, scale=size(expected), of="the state", t=call.args[0],
-               unit="of the path's size or its speed", kind=kind, hint=hint, at=call, partial=partial)  # fmt: skip
+               unit="of the path's size or its speed", kind=kind, hint=hint, at=call, partial=points)  # fmt: skip
 
 
 @check(points=1, part="d", suspects=SIMULATE_SUSPECTS)
 def simulation_follows_the_motion(student, draw):
     """simulate gives the states at uneven times, launched at t[0], whatever t[0] is."""
     cases = flights(draw, (0.0, 3.7, -2.0, 0.0))
-    found = student.on("a random launch").simulate.many([call for call, _ in cases])
-    hint = "are the steps short, and the tolerances of the integrator tight enough?"
-    if not all(nearly(states, expected) for states, (_, expected) in zip(found, cases, strict=True)):
-        hint = "is the first row the launch, at the origin?"
-    judge_states(found, cases, SIMULATED, "a random launch", hint, partial={1e-4: 0.5})
+    kinds = [f"a random launch{', t[0] not 0' if call.args[0][0] else ''}" for call, _ in cases]
+    found = student.simulate.many([call.on(kind) for (call, _), kind in zip(cases, kinds, strict=True)])
+    for states, case, kind in zip(found, cases, kinds, strict=True):
+        hint = partial(simulation_hint, states, case[1])
+        judge_states([states], [case], SIMULATED, kind, hint, points={1e-4: 0.5})
     judge_plain_flights(student.simulate, draw, True, SIMULATED, "row 0 is the launch, row 1 the other time")
 
 
@@ -317,8 +339,9 @@ def trajectory_is_the_motion(student, draw):
     """trajectory gives the states in closed form."""
     cases = flights(draw, (0.0,) * 6) + flights(draw, (0.0,), ("gravity",))
     found = student.on("a random launch").trajectory.many([call for call, _ in cases])
-    judge_states(found, cases, CLOSED, "a random launch",
-                 "the equations of vx and vy are linear, of first order and apart; then x and y")  # fmt: skip
+    hint = "the equations of vx and vy are linear, of first order and apart; then x and y"
+    for states, case in zip(found, cases, strict=True):
+        judge_states([states], [case], CLOSED, "a random launch", partial(column_hint, states, case[1], hint))
     judge_plain_flights(
         student.trajectory, draw, False, CLOSED, "which way does it fly, and is it launched at the origin?"
     )
@@ -333,14 +356,32 @@ def trajectory_counts_time_from_the_launch(student, draw):
 
 
 @check(points=0.75, part="c", after=trajectory_is_the_motion)
-def trajectory_with_hardly_any_drag(student, draw):
-    """trajectory keeps its digits at drag 1e-12, and at no drag at all."""
+def trajectory_with_any_drag(student, draw):
+    """trajectory keeps its digits at drag 1e-12, at no drag at all, and long after e^(-c t/m) is nothing."""
     for drag in (0.0, *10.0 ** draw.uniform(-14, -11, 3), *10.0 ** draw.uniform(-10, -2, 8)):
         (speed, angle), known = launch(draw), parameters(draw, drag=drag)
         call = given(uneven(draw, draw.uniform(1, 9), 20, 0.0), speed, angle, **known)
-        cases, kind = [(call, right(*call.args, **call.kwargs))], "very little drag" if drag else "no drag"
-        judge_states(student.on(kind).trajectory.many([call]), cases, CLOSED, kind,
-                     "1 - e^-s is a difference of nearly equal numbers (see numpy.expm1); so is y")  # fmt: skip
+        kind = "very little drag" if drag else "no drag"
+        case, (states,) = (call, right(*call.args, **call.kwargs)), student.on(kind).trajectory.many([call])
+        judge_states([states], [case], CLOSED, kind, partial(drag_hint, states, call))
+    judge_great_drag(student, draw)
+
+
+def drag_hint(states, call):
+    """What to say of a path with very little drag that has lost digits."""
+    parabola = right(*call.args, **{**call.kwargs, "drag": 0.0})
+    if call.kwargs["drag"] and np.all(np.abs(states - parabola) <= CLOSED * size(parabola)):
+        return "very little drag is taken for none: where your formula without drag takes over, its digits do not do"
+    return "1 - e^-s is a difference of nearly equal numbers (see numpy.expm1); so is y"
+
+
+def judge_great_drag(student, draw):
+    """Times c t/m up to a thousand or two: beyond 709, e^s is more than any number."""
+    (speed, angle), known = launch(draw), parameters(draw)
+    t = uneven(draw, draw.uniform(1000, 2000) * known["mass"] / known["drag"], 20, 0.0)
+    call = given(t, speed, angle, **known)
+    judge_states(student.on("great drag").trajectory.many([call]), [(call, right(*call.args, **known))], CLOSED,
+                 "great drag", "e^-s goes to nothing, e^s beyond all numbers")  # fmt: skip
 
 
 def landing(speed, angle, *, mass, drag, gravity):
@@ -365,6 +406,20 @@ def landings(draw, drags, angles=None):
         call = given(speed, angle if angles is None else angles[i], **known)
         time, state = landing(*call.args, **call.kwargs)
         cases.append((call, time, state[0]))
+    return cases
+
+
+@once
+def landings_with_little_drag(draw):
+    """As `landings`: no drag, and b = c vy/(m g) below 1e-2, most often where Lambert's W is off by 1e-16/b^2."""
+    lifts = [0.0, *10.0 ** draw.uniform(-16, -8, 4), *10.0 ** draw.uniform(-5, -2, 6)]
+    lifts += [*10.0 ** ((np.arange(12) + draw.uniform(0, 1, 12)) / 4 - 8)]
+    cases = []
+    for lift in lifts:
+        (speed, angle), known = launch(draw), parameters(draw)
+        known["drag"] = lift * known["mass"] * known["gravity"] / (speed * math.sin(angle))
+        time, state = landing(speed, angle, **known)
+        cases.append((given(speed, angle, **known), time, state[0]))
     return cases
 
 
@@ -421,7 +476,8 @@ RANGE_SUSPECTS = [
             * drag_free(speed, angle, **known)),
     suspect("drag on the vertical component alone", horizontal_range=lambda speed, angle, **known: speed
             * math.cos(angle) * landing(speed, angle, **known)[0]),
-    suspect("drag on the horizontal component alone", horizontal_range=lambda speed, angle, **known:
+    suspect("the flight time without drag, or drag on the horizontal component alone",
+            horizontal_range=lambda speed, angle, **known:
             faded(1, 0)(np.array([drag_free(speed, angle, **known)]), speed, angle, **known)[0, 0]),
     suspect("the drag force not divided by the mass", horizontal_range=lambda *launch, mass, **known:
             landing(*launch, mass=1.0, **known)[1][0]),
@@ -446,8 +502,7 @@ def flight_ends_at_launch_height(student, draw):
 @check(points=0.5, part="c", after=flight_ends_at_launch_height)
 def flight_time_with_hardly_any_drag(student, draw):
     """flight_time goes over into 2 v sin(angle)/g without losing its digits."""
-    cases = landings(draw, (0.0, *10.0 ** draw.uniform(-14, -12, 4), *10.0 ** draw.uniform(-12, -2, 12)))
-    judge_landings(student.flight_time, TIME, cases, drag_of,
+    judge_landings(student.flight_time, TIME, landings_with_little_drag(draw), drag_of,
                    "near its branch point Lambert's W has half of its digits only; "
                    "a step of Newton's method, on an equation that is good without drag, brings them back")  # fmt: skip
 
@@ -490,8 +545,7 @@ DIGITS_SUSPECTS = [suspect("1 - e^-s as a difference, which loses digits", horiz
 @check(points=0.5, part="c", after=range_is_where_it_lands, suspects=DIGITS_SUSPECTS)
 def range_with_hardly_any_drag(student, draw):
     """horizontal_range goes over into v^2 sin(2 angle)/g without losing its digits."""
-    cases = landings(draw, (0.0, *10.0 ** draw.uniform(-14, -12, 4), *10.0 ** draw.uniform(-12, -2, 12)))
-    judge_landings(student.horizontal_range, RANGE, cases, drag_of,
+    judge_landings(student.horizontal_range, RANGE, landings_with_little_drag(draw), drag_of,
                    "is it the time or x that has lost its digits?")  # fmt: skip
 
 
@@ -551,7 +605,7 @@ def best_angle_has_the_largest_range(student, draw):
 
 @check(points=0.25, part="a", after=best_angle_has_the_largest_range)
 def best_angle_is_45_degrees_without_drag(student, draw):
-    """best_angle is 45 degrees at no drag, and next to it at very little."""
+    """best_angle is 45 degrees at no drag, and leaves them as the drag grows."""
     calls = [given(launch(draw)[0], **parameters(draw, drag=drag)) for drag in (0.0, 1e-12, 1e-10)]
     for angle, call in zip(
         student.best_angle.many([call.on(drag_of(call)) for call in calls]), calls, strict=True
@@ -559,6 +613,14 @@ def best_angle_is_45_degrees_without_drag(student, draw):
         expect(angle, math.pi / 4, within=ANGLE, of="the best angle", unit="rad", at=call,
                kind=drag_of(call),
                hint="does your equation for the angle still hold when drag is zero?")  # fmt: skip
+    cases = best_angles(draw, tuple(10.0 ** (draw.uniform(0, 1, 4) * [2, 1, 1, 1] - [6, 4, 3, 2])))
+    kind = "a speed below a tenth of the terminal speed"
+    found = student.best_angle.many([call.on(kind) for call, _ in cases])
+    for angle, (call, expected) in zip(found, cases, strict=True):
+        level = abs(angle - math.pi / 4) <= ANGLE
+        expect(angle, expected, within=ANGLE, of="the best angle", unit="rad", at=call, kind=kind,
+               hint="45 degrees are for no drag: the angle falls in proportion to the drag, however little" if level
+               else "does the range, or your equation for the angle, keep its digits?")  # fmt: skip
 
 
 @check(points=0.5, part="a", after=best_angle_has_the_largest_range)
@@ -595,6 +657,8 @@ SHAPE_SUSPECTS = [
             limit_shape=corners(start, lambda c, s: (c * s, s * s / 2), lambda c, s: (2 * c * s, 0))),
     suspect("a path as long on its way down as up",
             limit_shape=corners(start, lambda c, s: (c, s), lambda c, s: (2 * c, 0))),
+    suspect("a landing as far from the launch as the top corner is: it falls straight down from there",
+            limit_shape=corners(start, lambda c, s: (c, s), lambda c, s: (1, 0))),
     suspect("the corners from the landing to the launch",
             limit_shape=corners(lambda c, s: (c, 0), lambda c, s: (c, s), start)),
     suspect("the angle measured from the vertical",
@@ -616,18 +680,34 @@ def path_at_a_huge_speed_has_the_limit_shape(student, draw):
 
 @check(points=0.5, part="e")
 def both_paths_are_drawn(student, draw):
-    """plot_comparison draws both paths from t[0] to t[-1] on the same axes, at the same scale."""
+    """plot_comparison draws both paths, launched at t[0], up to t[-1], on the same axes, at the same scale."""
     (speed, angle), known = launch(draw), parameters(draw)
-    t = np.linspace(0.0, 2.5 * known["mass"] / known["drag"], 200)
+    t = (draw.uniform(0.5, 1.5) + np.linspace(0.0, 2.5, 200)) * known["mass"] / known["drag"]
     picture = student.plot_comparison.draw(t, speed, angle, **known)
     paths = [line.points for line in picture.lines]
     expect_that(len(paths) == 2, f"there are {len(paths)} curves on the axes, not two")
-    fine = right(np.linspace(0.0, t[-1], 20001), speed, angle, **known)[:, :2]
+    fine = right(np.linspace(0.0, t[-1] - t[0], 20001), speed, angle, **known)[:, :2]
+    late = right(t[:1], speed, angle, **known)[0, :2]
     for path in paths:
-        over_time = np.allclose(path[-1:], [t[-1], fine[-1, 1]], rtol=0, atol=DRAWN * np.abs(fine).max())
-        ends = "a path is y over x, not over the time" if over_time else "draw from t[0] to t[-1]"
-        judge_path(path, fine, ends)
+        judge_path(path, fine, partial(end_hint, path, fine, late, t, DRAWN * np.abs(fine).max()))
     judge_axes_of_lengths(picture)
+
+
+def end_hint(path, fine, late, t, near):
+    """What to say of a curve with a wrong end; `late` is where a particle launched at t = 0 is at t[0]."""
+
+    def at(point, other):
+        return np.abs(np.subtract(point, other)).max() <= near
+
+    if at(path[-1], (t[-1], fine[-1, 1])) or at(path[-1], (t[-1] - t[0], fine[-1, 1])):
+        return "a path is y over x, not over the time"
+    if at(path[0], late):
+        return "the launch is at t[0], which is not 0 here: the closed form takes the time since the launch"
+    if at(path[0], fine[0]):
+        return "it begins right and ends wrong: is your motion right, and does the curve end at t[-1]?"
+    if at(path[-1], fine[-1]):
+        return "it ends right and begins wrong: draw from the launch on"
+    return "draw from the launch, at t[0], to t[-1]"
 
 
 def judge_path(path, fine, ends):
@@ -638,4 +718,3 @@ def judge_path(path, fine, ends):
            hint=ends)  # fmt: skip
     expect(path[:, 1], np.interp(path[:, 0], *fine.T), within=DRAWN, scale=scale, of="a curve",
            unit="of the path's size", hint="x to the right, y up")  # fmt: skip
-    expect_that(np.diff(path, axis=0).max() <= 0.2 * scale, "a curve has a gap")

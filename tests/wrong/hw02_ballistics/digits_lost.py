@@ -1,6 +1,6 @@
 """The textbook formula, in which little drag leaves no digits.
 
-fails: trajectory_with_hardly_any_drag
+fails: trajectory_with_any_drag
 names: for very little drag
 """
 

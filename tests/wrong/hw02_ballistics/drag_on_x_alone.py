@@ -24,6 +24,7 @@ def flight_time(speed, angle, *, mass, drag, gravity):
 
 
 def plot_comparison(ax, t, speed, angle, *, mass, drag, gravity):
+    t = t - t[0]
     s = drag / mass * t
     phi1, phi2 = -np.expm1(-s[1:]) / s[1:], (s[1:] + np.expm1(-s[1:])) / s[1:] ** 2
     x = np.append(0, speed * math.cos(angle) * t[1:] * phi1)

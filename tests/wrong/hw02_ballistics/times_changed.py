@@ -14,7 +14,7 @@ def trajectory(t, speed, angle, *, mass, drag, gravity):
 
 
 def plot_comparison(ax, t, speed, angle, **known):
-    x, y, _, _ = unharmed(t, speed, angle, **known).T
+    x, y, _, _ = unharmed(t - t[0], speed, angle, **known).T
     ax.plot(x, y)
     ax.plot(x, y)
     ax.set(xlabel="x (m)", ylabel="y (m)", aspect="equal")

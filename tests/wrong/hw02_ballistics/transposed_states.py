@@ -10,7 +10,7 @@ def simulate(t, speed, angle, **known):
 
 
 def plot_comparison(ax, t, speed, angle, **known):
-    x, y, _, _ = trajectory(t, speed, angle, **known).T
+    x, y, _, _ = trajectory(t - t[0], speed, angle, **known).T
     ax.plot(x, y)
     ax.plot(x, y)
     ax.set(xlabel="x (m)", ylabel="y (m)", aspect="equal")

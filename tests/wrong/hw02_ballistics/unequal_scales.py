@@ -7,5 +7,5 @@ names: not drawn at the same scale
 
 def plot_comparison(ax, t, speed, angle, **known):
     for motion in (simulate, trajectory):
-        ax.plot(*motion(t, speed, angle, **known)[:, :2].T)
+        ax.plot(*motion(t - t[0], speed, angle, **known)[:, :2].T)
     ax.set(xlabel="x (m)", ylabel="y (m)")

@@ -1,0 +1,10 @@
+"""The drag's vertical component is not divided by the mass.
+
+fails: rates_are_newtons
+suspect: the vertical drag not divided by the mass
+"""
+
+
+def state_derivative(t, state, *, mass, drag, gravity):
+    _, _, vx, vy = state
+    return np.array([vx, vy, -drag / mass * vx, -drag * vy - gravity])
