@@ -156,7 +156,7 @@ def euler_second(state, changed):
 
 
 def spun_euler_rates(state, wrong=(), **disk):
-    roll_rate, yaw = state[7], state[2]
+    roll_rate, yaw = components(state)[2] if "centre" in wrong else state[7], state[2]
     contact = (-disk["radius"] * roll_rate * math.cos(yaw), -disk["radius"] * roll_rate * math.sin(yaw))
     return [*contact, *state[5:], *euler_second(state, spun(state, wrong, **disk))]
 
@@ -257,14 +257,23 @@ def by_default(t, state, **disk):
     return solve_ivp(lambda _, y: spun_euler_rates(y.tolist(), **disk), (t[0], t[-1]), state, t_eval=t).y.T
 
 
-def wrapped(t, state, **disk):
-    states = path(t, state, **disk)
-    states[:, [2, 4]] = (states[:, [2, 4]] + math.pi) % (2 * math.pi) - math.pi
-    return states
+def wrapped(least):
+    """A simulation with yaw and roll wrapped to a turn that starts there."""
+
+    def simulate_euler(t, state, **disk):
+        states = path(t, state, **disk)
+        states[:, [2, 4]] = (states[:, [2, 4]] - least) % (2 * math.pi) + least
+        return states
+
+    return simulate_euler
 
 
 def evenly(simulate):
     return lambda t, state, **disk: simulate(np.linspace(t[0], t[-1], len(t)), state, **disk)
+
+
+def as_the_first_two(simulate):
+    return lambda t, state, **disk: simulate(t[0] + (t[1] - t[0]) * np.arange(len(t)), state, **disk)
 
 
 def late(simulate):
@@ -281,6 +290,7 @@ def from_time_zero(simulate):
 
 MISTIMED = {
     "the times taken to be evenly spaced": evenly,
+    "the times taken to be evenly spaced, as the first two are": as_the_first_two,
     "the states one time late, the given one left out": late,
     "the given state taken for that at t = 0, where it is that at t[0]": from_time_zero,
 }
@@ -517,10 +527,36 @@ def expect_parts(parts, found, right, scale, **said):
 def judged(function, cases, parts, *, given_as, right, scale, within, hint=""):
     """The student's derivatives against the right ones."""
     calls = [given(0.0, given_as(state, disk), **disk).on(kind) for state, disk, kind in cases]
-    for found, (state, disk, kind) in zip(function.many(calls), cases, strict=True):
+    results = function.many(calls)
+
+    def where():
+        errors = [np.abs(found - right(state, **disk)) / scale(state, disk)
+                  for found, (state, disk, _) in zip(results, cases, strict=True)]  # fmt: skip
+        return half_wrong([state for state, *_ in cases], np.max(errors, axis=1) > within) or hint
+
+    for found, (state, disk, kind) in zip(results, cases, strict=True):
         expected = np.asarray(right(state, **disk))
         expect_parts(parts, found, expected, scale(state, disk), within=within, at=(state, disk), kind=kind,
-                     hint=hint)  # fmt: skip
+                     hint=where)  # fmt: skip
+
+
+HALVES = {
+    "where cos(yaw) < 0, and only there: an arctan of a ratio knows half of all directions, arctan2 all": (
+        lambda yaw, tilt: math.cos(yaw) < 0
+    ),
+    "where tilt > pi/2, and only there: an arcsin, or a root for the cosine, knows half of all tilts": (
+        lambda yaw, tilt: tilt > math.pi / 2 + 1e-9
+    ),
+}
+
+
+def half_wrong(states, wrong):
+    """Of which states the results are wrong, if it is half of them; "" if it is not."""
+    for says, is_among in HALVES.items():
+        among = np.array([is_among(*state[2:4]) for state in states])
+        if np.any(wrong) and not np.any(wrong & ~among) and np.mean(wrong[among]) > 0.7:
+            return f"it is wrong {says}"
+    return ""
 
 
 @check(
@@ -596,6 +632,13 @@ def multiplier_equations_hold(student, draw):
 PARTIAL = {1e-4: 0.5, 1e-3: 0.25}
 
 
+def near_hint(parts):
+    """The hint for a motion that is followed from time to time: what is nearly right has the right derivatives."""
+    if max(map(error_of_run, parts)) <= max(PARTIAL):
+        return "nearly right: is the tolerance tight? rtol and atol of 1e-9 do"
+    return "derivatives right? the times are unevenly spaced, the first is not 0"
+
+
 def few_times_hint(error, within):
     """The hint for few times far apart; there were many, near each other, in what went well before."""
     steps = "the steps must not depend on the sampling"
@@ -607,7 +650,9 @@ def few_times_hint(error, within):
     suspects=[
         *told("simulate_euler", wrong_path, IN_EULER),
         *mistimed("simulate_euler", wrong_path(())),
-        suspect("the angles wrapped to half a turn to either side", simulate_euler=wrapped),
+        suspect("the angles wrapped to half a turn to either side", simulate_euler=wrapped(-math.pi)),
+        suspect("the angles wrapped to a turn from 0", simulate_euler=wrapped(0.0)),
+        suspect("the contact moving as fast as the centre", simulate_euler=wrong_path(("centre",))),
         suspect("the tolerances that solve_ivp has when none are given", simulate_euler=by_default),
     ],
 )  # fmt: skip
@@ -618,7 +663,7 @@ def euler_simulation_follows_the_motion(student, draw):
         found = student.on(kind).simulate_euler(t, right[0], **disk)
         parts.append((t, found, right, columns_scale(right, 2, disk["radius"]), kind))
     expect_all(parts, within=TRAJECTORY, of="the state", unit="of its largest", partial=PARTIAL,
-               hint="derivatives right? the times are unevenly spaced, the first is not 0")  # fmt: skip
+               hint=lambda: near_hint(parts))  # fmt: skip
     for t, right, disk, kind in plain_paths(draw):
         found = student.on(kind).simulate_euler(t, right[0], **disk)
         expect(found, right, within=TRAJECTORY, scale=columns_scale(right, 2, disk["radius"]), of="the state",
@@ -699,7 +744,7 @@ def matrix_simulation_follows_the_motion(student, draw):
         found = student.on(kind).simulate_matrix(t, right[0], **disk)
         parts.append((t, found, right, columns_scale(right, 3, disk["radius"]), kind))
     expect_all(parts, within=TRAJECTORY, of="the state", unit="of its largest", partial=PARTIAL,
-               hint="derivatives right? the times are unevenly spaced, the first is not 0")  # fmt: skip
+               hint=lambda: near_hint(parts))  # fmt: skip
     for t, states, disk, kind in plain_paths(draw):
         right = np.array([as_matrix(row, disk) for row in states])
         found = student.on(kind).simulate_matrix(t, right[0], **disk)
@@ -798,9 +843,14 @@ def judge_wireframe(student, draw, disk, sides, kind):
         lines = student.on(kind).wireframe(state, radius=radius, sides=sides)
         expect(len(lines), sides + 2, within=0, of="the number of segments", kind=kind)
         angles, off = angles_in_disk(lines, state, radius)
-        for ends, of in ((off[:sides], "an end of a side"), (off[sides:], "an end of a diameter")):
+        radii = off[sides:].min() <= POINTWISE
+        rim_to_rim = "a diameter goes from rim to rim" if radii else "centre = contact + a e2"
+        for ends, of, hint in (
+            (off[:sides], "an end of a side", "centre = contact + a e2"),
+            (off[sides:], "an end of a diameter", rim_to_rim),
+        ):
             expect(ends.max(), 0.0, within=POINTWISE, of=of, unit="radii from the rim", at=state, kind=kind,
-                   hint="centre = contact + a e2")  # fmt: skip
+                   hint=hint)  # fmt: skip
         across = turned(angles[:, 1] - angles[:, 0], 2 * math.pi)
         middle = np.sort((angles[:sides, 0] + across[:sides] / 2) % (2 * math.pi))
         expect(np.abs(across), [step] * sides + [math.pi] * 2, within=1e-8, of="the angle that a segment spans",
@@ -876,6 +926,18 @@ def force_by(wrong):
     return contact_force
 
 
+def with_weight(force, times=1, *, mass, gravity, **_):
+    return force + times * mass * gravity * Z
+
+
+def force_without_frame_rate(state, **disk):
+    """As if the velocity of the centre, radius (-w3, 0, w1) along e1, e2, e3, changed by its components alone."""
+    w1_rate, _, w3_rate = spun(state, **disk)
+    return with_weight(
+        disk["mass"] * disk["radius"] * np.array([-w3_rate, 0.0, w1_rate]) @ frame(state), **disk
+    )
+
+
 @check(
     points=0.75, part="f",
     suspects=[
@@ -886,6 +948,13 @@ def force_by(wrong):
         suspect("the force of the disk on the ground", contact_force=lambda *a, **k: -force(*a, **k)),
         suspect("the components along e1, e2, e3", contact_force=lambda state, **disk:
                 frame(state) @ force(state, **disk)),
+        suspect("the components along axes that roll with the disk", contact_force=lambda state, **disk:
+                attitude(state).T @ force(state, **disk)),
+        suspect("the components of the acceleration along e1, e2, e3 brought to space by R, which rolls",
+                contact_force=lambda state, **disk: with_weight(
+                    attitude(state) @ frame(state) @ with_weight(force(state, **disk), -1, **disk), **disk)),
+        suspect("the acceleration without the rate of e1, e2, e3, along which the velocity is taken",
+                contact_force=force_without_frame_rate),
     ],
 )  # fmt: skip
 def contact_force_moves_the_centre(student, draw):
@@ -893,7 +962,8 @@ def contact_force_moves_the_centre(student, draw):
     for state, disk, kind in instants(draw) + plain_instants(draw):
         scale = disk["mass"] * disk["radius"] * second_scale(state, disk)
         expect(student.on(kind).contact_force(state, **disk), force(state, **disk), within=POINTWISE, scale=scale,
-               of="the force", unit="of its terms", at=(state, disk), kind=kind, hint="F = m a of G")  # fmt: skip
+               of="the force", unit="of its terms", at=(state, disk), kind=kind,
+               hint="F = m a of G; the axes along which its velocity is known turn")  # fmt: skip
 
 
 # (g) and (h) Stability

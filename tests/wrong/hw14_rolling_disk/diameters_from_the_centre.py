@@ -1,7 +1,7 @@
 """The diameters are radii.
 
 fails: wireframe_is_a_rolling_disk
-names: an end of a diameter
+names: a diameter goes from rim to rim
 """
 
 

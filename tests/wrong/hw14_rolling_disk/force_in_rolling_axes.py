@@ -1,0 +1,13 @@
+"""The contact force has the components along the body's axes, which roll.
+
+fails: contact_force_moves_the_centre
+suspect: axes that roll with the disk
+"""
+
+
+_force = contact_force
+
+
+def contact_force(state, **disk):
+    R = np.reshape(matrix_state(state, radius=disk["radius"])[3:12], (3, 3))
+    return R.T @ _force(state, **disk)
