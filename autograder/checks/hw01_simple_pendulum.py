@@ -177,6 +177,15 @@ TENSION_SUSPECTS = [
     balances_suspect("a tension with -m l omega^2", tension(lambda s, c, spin, weight: weight * c - spin)),
     balances_suspect("gravity pushing the rod in", tension(lambda s, c, spin, weight: spin - weight * c)),
     balances_suspect("sin theta in the tension", tension(lambda s, c, spin, weight: spin + weight * s)),
+    balances_suspect("a tension without the weight", tension(lambda s, c, spin, weight: spin)),
+    balances_suspect(
+        "the weight's part of the tension without its sign: above the hinge it pushes the rod in",
+        tension(lambda s, c, spin, weight: spin + weight * abs(c)),
+    ),
+    balances_suspect(
+        "the whole weight in the tension, where its part along the rod belongs",
+        tension(lambda s, c, spin, weight: spin + weight),
+    ),
 ]
 ENERGY_SUSPECTS = [
     balances_suspect("a potential energy that is zero at the hinge", potential(lambda th: -math.cos(th))),
@@ -396,6 +405,14 @@ def turning(draw):
     return (-sign * draw.uniform(6, 9), sign * draw.uniform(2.3, 3) * k), pendulum, k
 
 
+def quick(draw):
+    """As `swing`: a rod of a centimetre."""
+    (angle, rate), pendulum, k = swing(draw)
+    pendulum = {**pendulum, "length": draw.uniform(0.01, 0.012), "gravity": draw.uniform(10.0, 25.0)}
+    faster = math.sqrt(pendulum["gravity"] / pendulum["length"])
+    return (angle, rate * faster / k), pendulum, faster
+
+
 def variations(s):
     """Smooth functions of 0 <= s <= 1 that vanish at both ends."""
     return [np.sin(np.pi * s), np.sin(2 * np.pi * s) * np.exp(-s), s * (1 - s) * (2 + np.cos(5 * s))]
@@ -537,7 +554,12 @@ def plain_paths(draw):
     pendulum, omega, samples = parameters(draw, gravity=0.0), draw.uniform(-3, -1), 500
     action = pendulum["mass"] * (pendulum["length"] * omega) ** 2 / 2 * 0.01 * (samples - 1)
     call = given(omega * 0.01 * np.arange(samples), 0.01, **pendulum)
-    return [*cases, (call, action, action, "a pendulum that turns evenly, without gravity")]
+    short = given(call.args[0][:2], 0.01, **pendulum)
+    return [
+        *cases,
+        (call, action, action, "a pendulum that turns evenly, without gravity"),
+        (short, action / (samples - 1), action / (samples - 1), "a path of two samples, without gravity"),
+    ]
 
 
 @check(points=0.5, part="a", after=action_is_stationary_on_motions, suspects=INTEGRAL_SUSPECTS)
@@ -763,7 +785,7 @@ def energy_along(states, rod):
 def simulate_swings(student, draw):
     """simulate: large swings, row i at t[i], row 0 the given state."""
     start, pendulum, k = swing(draw)
-    judge_motion(student, times(draw, 15 / k, 1000), start, pendulum, "a large swing",
+    judge_motion(student, times(draw, 15 / k, 1000), start, pendulum, "a large swing, t[0] not 0",
                  "is omega the rate of theta, and alpha that of the balances? is the tolerance tight?")  # fmt: skip
 
 
@@ -777,6 +799,9 @@ def simulate_needs_no_dense_times(student, draw):
         t = times(draw, 5 / k, 2)
         judge_motion(student, t, (angle, rate), pendulum, f"two times, {kind}", "row 0 is the start")
     judge_equilibria(student, times(draw, 5 / k, 2), [0.0], pendulum)
+    start, pendulum, k = quick(draw)
+    judge_motion(student, times(draw, 12 / k, 3), start, pendulum, "three times, a rod of a centimetre",
+                 "a step of fixed length does not do for every pendulum")  # fmt: skip
 
 
 def plain_starts(start):

@@ -383,31 +383,40 @@ def fails(definition, p, c):
     return worst > max(CERTAIN * whole, IDENTITY * rounded)
 
 
-def expect_nowhere_zero(p, limit, what, **known):
-    """Fail with the time at which a vector of polynomials is no longer than the limit."""
-    least, when = smallest(p)
-    expect_that(least > limit, f"{what} at t = {when:.2g}", **known)
+def flaws(definition, p, c):
+    """What is wrong with a motion for which this definition should hold and the other fail; each flaw with a hint."""
+    if max(len(p), len(c)) > LONGEST:
+        yield f"the motion has more than {LONGEST} coefficients", ""
+    apart, speed = difference(p, c), derivative(c)
+    still, rounded = NOTHING * extent(speed), IDENTITY * (extent(p) + extent(c))
+    for vector, limit, what in (
+        (speed, still, "the velocity of C vanishes"),
+        (derivative(speed), still, "the acceleration of C vanishes"),
+        (apart, max(NOTHING * extent(apart), rounded), "P and C meet"),
+    ):
+        least, when = smallest(vector)
+        if not least > limit:
+            yield f"{what} at t = {when:.2g}", ""
+    if not extent(apart[1:]) > max(CERTAIN * extent(speed), rounded):
+        yield "P moves along with C: the vector between them does not change", ""
+    other = {"b": "c", "c": "b"}[definition]
+    if not holds(definition, p, c):
+        worst, whole, _ = violation(definition, p, c)
+        swapped = f"they do not by definition {other}" if holds(other, p, c) else ""
+        hint = swapped or "which product must vanish, and at every t? Multiply the polynomials out"
+        yield f"rate and moment differ by {worst / (whole or 1.0):.1e} of their size", hint
+    if not fails(other, p, c):
+        yield f"definition {other}, too, has rate = moment along the motion", ""
 
 
 def judge_motion(definition, p, c):
-    """The motion of P and C must be one for which this definition holds and the other does not."""
-    known = {"kind": f"definition {definition}", "at": (p, c)}
-    expect_that(max(len(p), len(c)) <= LONGEST, f"the motion has more than {LONGEST} coefficients", **known)
-    apart, speed = difference(p, c), derivative(c)
-    still, rounded = NOTHING * extent(speed), IDENTITY * (extent(p) + extent(c))
-    expect_nowhere_zero(speed, still, "the velocity of C vanishes", **known)
-    expect_nowhere_zero(derivative(speed), still, "the acceleration of C vanishes", **known,
-                        hint="the sum starts at j = 0: p[0] and c[0] are the positions at t = 0")  # fmt: skip
-    expect_nowhere_zero(apart, max(NOTHING * extent(apart), rounded), "P and C meet", **known)
-    expect_that(extent(apart[1:]) > max(CERTAIN * extent(speed), rounded),
-                "P moves along with C: the vector between them does not change", **known)  # fmt: skip
-    other = {"b": "c", "c": "b"}[definition]
-    worst, whole, _ = violation(definition, p, c)
-    differ = f"rate and moment differ by {worst / (whole or 1.0):.1e} of their size"
-    expect_that(holds(definition, p, c), differ, **known,
-                hint=f"they do not by definition {other}" if holds(other, p, c) else
-                "which product must vanish, and at every t? Multiply the polynomials out")  # fmt: skip
-    expect_that(fails(other, p, c), f"definition {other} has rate = moment along this motion, too", at=(p, c))
+    """The motion must have no flaw; if it has none with its coefficients in the other order, the student is told."""
+    for says, hint in flaws(definition, p, c):
+        backwards = next(flaws(definition, p[::-1], c[::-1]), None) is None
+        order = "the sum starts at j = 0: p[0] and c[0] are the positions at t = 0"
+        expect_that(
+            False, says, kind=f"definition {definition}", at=(p, c), hint=order if backwards else hint
+        )
 
 
 @check(points=1.5, part="a")

@@ -1,0 +1,12 @@
+"""The coefficients of the motion as numpy.polyval takes them, the highest first.
+
+fails: special_motion_of_b, special_motion_of_c
+names: the sum starts at j = 0
+"""
+
+_right_motion = special_motion
+
+
+def special_motion(definition):
+    p, c = _right_motion(definition)
+    return p[::-1], c[::-1]
