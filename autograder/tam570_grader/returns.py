@@ -100,7 +100,8 @@ def result(promise: Array | Group, value: Any, name: str, call: Given) -> Any:
     found = _array(value, name)
     shape = tuple(len(call.args[0]) if size == "n" else size for size in promise.shape)
     if not _fits(found.shape, shape):
-        raise Failure(f"{name} returned {_shaped(found.shape)}, not {_shaped(shape)}", actual=found, at=call)
+        says = f"{name} returned {_shaped(found.shape)}, not {_shaped(shape)}"
+        raise Failure(says + _cut_short(promise, found.shape, shape), actual=found, at=call)
     if not np.isfinite(found).all() and (not promise.infinite or np.isnan(found).any()):
         raise Failure(f"{name} returned NaN or infinity", actual=found, at=call)
     return found if found.ndim else float(found)
@@ -133,6 +134,12 @@ def _fits(found: tuple[int, ...], wanted: tuple[Any, ...]) -> bool:
     return len(found) == len(wanted) and all(
         have == want if want is not None else have for have, want in sizes
     )
+
+
+def _cut_short(promise: Array, found: tuple[int, ...], wanted: tuple[Any, ...]) -> str:
+    """A row may be forgotten; where several are missing, an integrator gave up."""
+    rows_missing = promise.shape[:1] == ("n",) and found[1:] == wanted[1:] and found[:1] < (wanted[0] - 1,)
+    return "; rows are missing: did the integration stop early?" if rows_missing else ""
 
 
 def _shaped(shape: tuple[Any, ...]) -> str:
