@@ -406,7 +406,7 @@ def flaws(definition, p, c):
         hint = swapped or "which product must vanish, and at every t? Multiply the polynomials out"
         yield f"rate and moment differ by {worst / (whole or 1.0):.1e} of their size", hint
     if not fails(other, p, c):
-        yield f"definition {other}, too, has rate = moment along the motion", ""
+        yield f"definition {other} has rate = moment, too, along the motion", ""
 
 
 def judge_motion(definition, p, c):

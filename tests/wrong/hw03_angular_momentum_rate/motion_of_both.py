@@ -1,7 +1,7 @@
 """Both definitions hold: all happens on one line.
 
 fails: special_motion_of_b, special_motion_of_c
-names: too, has rate = moment along the motion
+names: has rate = moment, too, along the motion
 """
 
 _right_motion = special_motion
