@@ -156,9 +156,9 @@ def an_omega(draw):
 
 
 def a_fast_omega(draw):
-    """For steps of a size that fits slow turns alone: 30 to 40 rad/s."""
+    """At 15 to 18 rad/s: steps of a millisecond follow it, those of ten do not."""
     omega = an_omega(draw)
-    return omega * draw.uniform(30, 40) / np.linalg.norm(omega)
+    return omega * draw.uniform(15, 18) / np.linalg.norm(omega)
 
 
 OMEGAS = ("omega zero", "omega along a principal axis", "omega in a principal plane", "omega of one sign")

@@ -76,6 +76,6 @@ def limit_shape(angle):
 def plot_comparison(ax, t, speed, angle, *, mass, drag, gravity):
     known = {"mass": mass, "drag": drag, "gravity": gravity}
     fine = np.linspace(t[0], t[-1], 1001)
-    ax.plot(*np.array(trajectory(fine - fine[0], speed, angle, **known)).T[:2])
+    ax.plot(*np.array(trajectory(fine, speed, angle, **known)).T[:2])
     ax.plot(*simulate(t, speed, angle, **known).T[:2], ".")
     ax.set(xlabel="x (m)", ylabel="y (m)", aspect="equal")

@@ -86,7 +86,7 @@ def limit_shape(angle):
 def plot_comparison(ax, t, speed, angle, **known):
     for rows, label in (
         (simulate(t, speed, angle, **known), "numbers"),
-        (trajectory(t - t[0], speed, angle, **known), "formula"),
+        (trajectory(t, speed, angle, **known), "formula"),
     ):
         ax.plot([row[0] for row in rows], [row[1] for row in rows], label=label)
     ax.axis("equal")

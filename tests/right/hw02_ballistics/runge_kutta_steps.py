@@ -82,7 +82,7 @@ def limit_shape(angle):
 
 def plot_comparison(ax, t, speed, angle, **known):
     for how in (simulate, trajectory):
-        states = how(t - t[0], speed, angle, **known)
+        states = how(t, speed, angle, **known)
         ax.plot(states[:, 0], states[:, 1], label=how.__name__)
     ax.set_xlabel("x (m)")
     ax.set_ylabel("y (m)")

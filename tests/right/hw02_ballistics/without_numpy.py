@@ -117,7 +117,7 @@ def limit_shape(angle):
 
 def plot_comparison(ax, t, speed, angle, *, mass, drag, gravity):
     for motion, dashes in ((simulate, "-"), (trajectory, "--")):
-        rows = motion([time - t[0] for time in t], speed, angle, mass=mass, drag=drag, gravity=gravity)
+        rows = motion(t, speed, angle, mass=mass, drag=drag, gravity=gravity)
         ax.plot([row[0] for row in rows], [row[1] for row in rows], dashes, label=motion.__name__)
     ax.set(xlabel="x (m)", ylabel="y (m)", aspect="equal")
     ax.legend()

@@ -1,6 +1,6 @@
 """The simulation starts at t = 0, whatever t[0] is.
 
-fails: simulate_moves_as_it_must, the_path_is_drawn
+fails: simulate_moves_as_it_must
 suspect: taken for that at t = 0
 """
 

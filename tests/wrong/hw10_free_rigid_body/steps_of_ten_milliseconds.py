@@ -1,6 +1,6 @@
 """RK4 at steps of .01 s, whatever the spin.
 
-fails: invariants_stay_over_many_turns, special_bodies_move_too
+fails: special_bodies_move_too
 numerics: steps that fit slow turns
 names: for a fast body with A = B
 """
