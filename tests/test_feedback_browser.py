@@ -179,6 +179,8 @@ def test_the_report_is_sorted_and_filtered_by_keyboard_alone(opened):
 
 
 def test_the_filter_narrows_every_table_and_says_how_much_is_left(opened):
+    from playwright.sync_api import expect
+
     page = opened("report.html")
     everything = page.locator("tbody tr:visible").count()
     page.get_by_role("combobox", name="Assignment").select_option("hw05_constrained_pendulum")
@@ -190,9 +192,7 @@ def test_the_filter_narrows_every_table_and_says_how_much_is_left(opened):
     )
     assert page.locator("#scores .none").is_visible()
     page.get_by_role("button", name="Show all").click()
-    page.wait_for_function(
-        f"document.getElementById('said').textContent === '{everything} of {everything} rows'"
-    )
+    expect(page.get_by_role("status")).to_have_text(f"{everything} of {everything} rows")
     assert page.locator("tbody tr:visible").count() == everything
 
 
