@@ -463,6 +463,18 @@ def test_a_fault_of_the_grader_is_no_score_and_exits_1(run, tree, monkeypatch):
     assert {mark["outcome"] for mark in line["checks"]} >= {"grader_error"}
 
 
+def test_a_suspect_that_raises_costs_no_grade(run, tree, monkeypatch):
+    def broken(suspect, calls):
+        raise IndexError("a fault of ours")
+
+    monkeypatch.setattr("tam570_grader.grade.agrees", broken)
+    (tree / "ben" / SLUG / f"{SLUG}.py").write_text("def rotate(axis, angle, r):\n    return r\n")
+    code, (line,), _ = run(tree / "ben", "--seed", 1)
+    failed = [mark for mark in line["checks"] if mark["outcome"] == "failed"]
+    assert code == 0 and line["score"] is not None and failed
+    assert all("a fault of ours" in mark["detail"]["naming"] for mark in failed)
+
+
 STOPPER = """
 import os, signal, sys, time
 from pathlib import Path

@@ -110,6 +110,7 @@ def test_a_wrong_submission_fails_its_checks_and_no_other(slug, path, grade, sol
     found = diagnosis(result, expected)
     assert found.named or not {"suspect", "names"} & set(expected), failures(result)
     assert not found.misled, failures(result)
+    assert not any("naming" in mark.detail for mark in result.checks), "a suspect raised"
 
 
 def test_most_mistakes_are_named(slug):

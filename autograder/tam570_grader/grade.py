@@ -168,10 +168,13 @@ def _mark(check: Check, student: Student, assignment: Assignment, seed: int, mar
 
 
 def _failed(check: Check, failure: Failure, calls: Sequence[Call]) -> Mark:
-    suspect = next((suspect.says for suspect in check.suspects if agrees(suspect, calls)), None)
+    try:
+        suspect, fault = next((one.says for one in check.suspects if agrees(one, calls)), None), None
+    except Exception as error:  # a mistake without a name is no reason to lose a grade
+        suspect, fault = None, error
     message = f"{failure}; it matches the result with {suspect}" if suspect else str(failure)
     points = round(failure.fraction * check.points, 6)
-    detail = {"expected": failure.expected, "actual": failure.actual, "at": failure.at}
+    detail = {"expected": failure.expected, "actual": failure.actual, "at": failure.at, "naming": fault}
     shown = {key: repr(value)[:LONGEST_DETAIL] for key, value in detail.items() if value is not None}
     return Mark(
         check.name, check.part, points, check.points, "failed", message, suspect, shown, failure.picture
