@@ -134,7 +134,8 @@ def _raised(formulas: Formulas, arrays: bool = False) -> list[str]:
     """Magnitudes no smaller than `weight` times what a change of the state by a few roundings does to h f.
 
     Tried a little way into the step: at its start too many things may be exactly zero. What it does to one rate
-    shifts that component, and so on the rates of others: chains of four are followed.
+    shifts that component, and so on the rates of others: chains of four are followed. Then the change is made
+    larger: a rate that is nothing but rounding is exactly zero for some changes.
     """
     roundings = [
         (-1) ** i * 2.0**-52 * (1.37 + 0.41 * (i % 5)) for i in range(formulas.size)
@@ -142,16 +143,18 @@ def _raised(formulas: Formulas, arrays: bool = False) -> list[str]:
     lines = ["def raised(start, h, y, f, m, c, weight):", *unpacked(formulas, y="y", f="f", m="m")]
     lines += [f"s{i} = y{i} + 0.001 * h * f{i}" for i in sorted(formulas.reads)]
     lines += [*_derivative(formulas, 0, "start + 0.001 * h")]
-    lines += [f"b{i} = s{i} * {1 + roundings[i]!r}" for i in sorted(formulas.reads)]
+    lines += [f"b{i} = s{i}" for i in sorted(formulas.reads)]
     lines += [f"k1_{i} = k0_{i}" for i in formulas.moving]
-    lines.append("for _ in range(4):")
+    lines.append("for more in (1.0, 1.0, 1.0, 1.0, 2.0, 3.0, 5.0):")
     for i in sorted(formulas.reads):
         shift = f" + {PASSED_ON} * h * (k1_{i} - k0_{i})" if i in formulas.moving else ""
-        lines.append(f"    s{i} = b{i}{shift}")
+        lines.append(f"    s{i} = b{i} * (1.0 + more * {roundings[i]!r}){shift}")
     lines += [f"    {line}" for line in _derivative(formulas, 1, "start + 0.001 * h")]
     for i in formulas.moving:
-        lines.append(f"x = abs(k1_{i} - k0_{i}) * h * weight")
-        lines.append(f"m{i} = maximum(m{i}, x)" if arrays else f"m{i} = x if m{i} < x < inf else m{i}")
+        lines.append(f"    x = abs(k1_{i} - k0_{i}) * h * weight / more")
+        lines.append(
+            f"    m{i} = maximum(m{i}, x)" if arrays else f"    m{i} = x if m{i} < x < inf else m{i}"
+        )
     return [*lines, f"return {tuple_of(_names('m', formulas.size))}"]
 
 
