@@ -8,6 +8,7 @@ from functools import partial
 
 import numpy as np
 
+from tam570.integrate import solve
 from tam570_grader import array, check, expect, expect_that, given, number, once, rows, suspect
 
 RESULTS = {
@@ -77,13 +78,12 @@ def derivative(state, locked, *, force=coulomb, yaw_inertia, **car):
     c, s = math.cos(heading), math.sin(heading)
     forward, left = velocity_of(0.0, state, locked, car["front"], car["rear"])
     along, aside = force(state, locked, **car)
-    known = along * c - aside * s, along * s + aside * c, dragging * aside
-    inertia = mass, mass, yaw_inertia
-    # of the sideways velocity over vx, vy and yaw rate, whose rates give yaw_rate * forward
-    row = -s, c, free
-    lacking = yaw_rate * forward - sum(r * f / m for r, f, m in zip(row, known, inertia, strict=True))
-    multiplier = lacking / sum(r * r / m for r, m in zip(row, inertia, strict=True))
-    ax, ay, turning = ((f + r * multiplier) / m for r, f, m in zip(row, known, inertia, strict=True))
+    fx, fy, moment = along * c - aside * s, along * s + aside * c, dragging * aside
+    # the sideways velocity of the free axle is -s vx + c vy + free yaw_rate; what its rate lacks, the multiplier adds
+    lacking = yaw_rate * forward - (c * fy - s * fx) / mass - free * moment / yaw_inertia
+    multiplier = lacking / (1 / mass + free**2 / yaw_inertia)
+    ax, ay = (fx - s * multiplier) / mass, (fy + c * multiplier) / mass
+    turning = (moment + free * multiplier) / yaw_inertia
     slowing = ax * c + ay * s + yaw_rate * left
     return np.array([forward * c - left * s, forward * s + left * c, yaw_rate, slowing, turning])
 
@@ -545,39 +545,64 @@ def kinetic_energy_of_G_and_of_turning(student, draw):
 # Part a: motion
 
 
-def integrated(t, start, locked, rates=derivative, rtol=1e-10, **car):
-    """States at t, and the time when it stops (or infinity); within 1e-9 of its scales until shortly before."""
+def sliding(state, locked, car):
+    """Speed of the middle of the locked axle."""
+    dragging = axles(locked, car["front"], car["rear"])[1]
+    return math.hypot(*velocity_of(dragging, state, locked, car["front"], car["rear"]))
+
+
+def moved(t, start, locked, **car):
+    """Right states at t, all of them before the stop; within 1e-9 of their scales."""
+    return solve(lambda _, s: derivative(s, locked, **car), t, start, rtol=1e-11, method="python")
+
+
+def stopped(start, locked, car):
+    """Time of the stop since the start, and the state there, both to 1e-5.
+
+    In a time that runs as fast as the car slides, d tau = sliding dt, nothing is singular. The inertia about the
+    free axle is below mass wheelbase^2 (as G is between the axles, and by the draw of yaw_inertia), the energy
+    so below mass sliding^2/2, and friction takes at least 2 friction load/mass of it for each unit of tau.
+    """
+
+    def slowed(_, s):
+        speed = sliding(s[:5], locked, car)
+        return *(speed * rate for rate in derivative(s[:5], locked, **car)), speed
+
+    decays = (
+        12 * car["mass"] / (car["friction"] * load(locked, **parts(car, *LOAD)))
+    )  # to exp(-12) of the speed
+    *state, time = solve(slowed, [0.0, decays], [*start, 0.0], rtol=1e-7, method="python")[-1]
+    return time, np.array(state)
+
+
+def integrated(t, start, locked, rates, **car):
+    """States at t of wrong rates, and of right ones beyond the stop."""
     from scipy.integrate import solve_ivp
 
-    far = axles(locked, car["front"], car["rear"])[1]
-
-    def sliding(_, s):
+    def still_sliding(_, s):
         # the way from here to the stop is the square of this, 1e-8
-        return math.hypot(*velocity_of(far, s, locked, car["front"], car["rear"])) - 1e-4 * usual(car)
+        return sliding(s, locked, car) - 1e-4 * usual(car)
 
-    def moving(_, s):
-        return rates(s, locked, **car)
-
-    sliding.terminal = True
+    still_sliding.terminal = True
     # short steps where it interpolates between them
     longest = (t[-1] - t[0]) / 30 if len(t) > 2 else np.inf
-    options = {"method": "DOP853", "rtol": rtol, "atol": rtol / 10, "max_step": longest}
-    run = solve_ivp(moving, (t[0], t[-1]), start, dense_output=True, events=sliding, **options)
-    stop = run.t[-1] if run.status == 1 else math.inf
+    options = {"method": "DOP853", "rtol": 1e-10, "atol": 1e-11, "max_step": longest}
+    run = solve_ivp(
+        lambda _, s: rates(s, locked, **car), (t[0], t[-1]), start,
+        dense_output=True, events=still_sliding, **options,
+    )  # fmt: skip
     states = run.sol(np.minimum(t, run.t[-1])).T
-    states[t > stop, 3:] = 0.0
-    return states, stop
+    states[t > (run.t[-1] if run.status == 1 else math.inf), 3:] = 0.0
+    return states
 
 
 def simulate_suspect(says, wrong):
     """Compared loosely: the right answer ends well before the stop, a wrong one may run into it."""
-    return suspect(
-        says, within=1e-4, simulate=lambda t, s, locked, **c: integrated(t, s, locked, wrong, **c)[0]
-    )
+    return suspect(says, within=1e-4, simulate=lambda t, s, locked, **c: integrated(t, s, locked, wrong, **c))
 
 
 def braked(t, start, locked, **car):
-    return integrated(t, start, locked, **car)[0]
+    return integrated(t, start, locked, derivative, **car)
 
 
 def evenly(t, *start, **car):
@@ -619,14 +644,6 @@ def times(draw, span, count):
     return span * (draw.uniform(0.3, 0.6) * draw.choice([-1, 1]) + steps / steps[-1])
 
 
-def time_to_stop(start, locked, car):
-    """To a thousandth. The inertia about the free axle is below mass wheelbase^2 (as G is between the axles, and by
-    the draw of yaw_inertia), so that sqrt(2 energy/mass) is below v and falls no slower than friction slows."""
-    v = abs(start[3]) + abs(start[4]) * wheelbase(car)
-    latest = 1.1 * v * car["mass"] / (car["friction"] * load(locked, **parts(car, *LOAD)))
-    return integrated(np.array([0.0, latest]), start, locked, rtol=1e-4, **car)[1]
-
-
 def scales(start, car):
     v = abs(start[3]) + abs(start[4]) * wheelbase(car)
     far = v * v / max(car["friction"] * car["gravity"], 0.1)
@@ -640,8 +657,8 @@ def braking(draw, count):
     for locked, sign, kind in (("front", 1, ""), ("rear", 1, ""), ("front", -1, " in reverse")):
         c = car(draw)
         start = state(draw, c, sign * draw.uniform(1, 2), signed(draw, 0.2, 0.6))
-        t = times(draw, 0.75 * time_to_stop(start, locked, c), count)
-        expected = integrated(t, start, locked, **c)[0]
+        t = times(draw, 0.75 * stopped(start, locked, c)[0], count)
+        expected = moved(t, start, locked, **c)
         cases.append(
             (given(t, start, locked, **c), expected, scales(start, c), f"a locked {locked} axle{kind}")
         )
@@ -733,8 +750,8 @@ def plain_runs(draw, slowed):
             start = state(draw, c, speed(draw), yaw(draw))
             start[:3] *= draw.integers(0, 2)  # from the origin along x, or from anywhere
             v = abs(start[3]) + abs(start[4]) * wheelbase(c)
-            t = times(draw, 0.6 * time_to_stop(start, locked, c) if slowed else wheelbase(c) / v, 2)
-            expected = integrated(t, start, locked, **c)[0]
+            t = times(draw, 0.6 * stopped(start, locked, c)[0] if slowed else wheelbase(c) / v, 2)
+            expected = moved(t, start, locked, **c)
             cases.append(
                 (given(t, start, locked, **c), expected, scales(start, c), f"{kind}, a locked {locked} axle")
             )
@@ -791,9 +808,7 @@ def slow_glides(draw):
         far = (t[-1] - t[0]) * abs(start[3])
         scale = np.array([far, far, far / wheelbase(c), start[3], start[3] / wheelbase(c)])
         kind = f"a slow car, {min(fixed)} 0, a locked {locked} axle"
-        cases.append(
-            (given(t, start, locked, **c), integrated(t, start, locked, **c)[0], np.abs(scale), kind)
-        )
+        cases.append((given(t, start, locked, **c), moved(t, start, locked, **c), np.abs(scale), kind))
     return cases
 
 
@@ -820,10 +835,9 @@ def stops(draw):
         c = car(draw)
         start = state(draw, c, draw.uniform(*speed), signed(draw, *yaw))
         c["friction"] *= slippery
-        latest = time_to_stop(start, locked, c)
+        latest, end = stopped(start, locked, c)
         t = times(draw, latest * (draw.uniform(1.8, 2.5) if count > 2 else 1.12), count)
-        place = integrated(np.array([0.0, 2 * latest]), start, locked, **c)[0][-1, :3]
-        cases.append((given(t, start, locked, **c), place, t - t[0] > 1.1 * latest, scales(start, c), kind))
+        cases.append((given(t, start, locked, **c), end[:3], t - t[0] > 1.1 * latest, scales(start, c), kind))
     return cases
 
 
