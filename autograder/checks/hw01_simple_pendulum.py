@@ -6,7 +6,20 @@ from functools import partial
 import numpy as np
 from scipy.special import ellipj, ellipk, ellipkinc
 
-from tam570_grader import array, check, expect, formula, given, group, kept, number, once, rows, suspect
+from tam570_grader import (
+    array,
+    check,
+    expect,
+    formula,
+    given,
+    group,
+    kept,
+    mistimed,
+    number,
+    once,
+    rows,
+    suspect,
+)
 
 RESULTS = {
     "linear_momentum_balance": group(number, number),
@@ -727,17 +740,7 @@ SIMULATE_SUSPECTS = [
         "the linearised equation, theta for sin theta",
         lambda t, since, state, rod: harmonic(since, *state, math.sqrt(rod["gravity"] / rod["length"])),
     ),
-    motion_suspect(
-        "the state at t = 0 for that at t[0]", lambda t, since, state, rod: exact(t, *state, **rod)
-    ),
-    motion_suspect(
-        "the times taken to be evenly spaced",
-        lambda t, since, state, rod: exact(np.linspace(0.0, since[-1], len(t)), *state, **rod),
-    ),
-    motion_suspect(
-        "the times taken to be evenly spaced, the first step for all",
-        lambda t, since, state, rod: exact(since[1] * np.arange(len(t)), *state, **rod),
-    ),
+    *mistimed(lambda t, *state, **rod: exact(t - t[0], *state, **rod), from_zero=exact),
     motion_suspect(DEGREES, with_angles_in_degrees),
     # within little: its steps are the same, whoever takes them
     suspect("the tolerances that solve_ivp has when none are given", simulate=loosely),

@@ -16,6 +16,7 @@ from tam570_grader import (
     expect_that,
     given,
     judge_axes_of_lengths,
+    mistimed,
     number,
     once,
     rows,
@@ -129,21 +130,13 @@ def rates_of(wrong):
     return derivative
 
 
-def timed_suspect(says, since):
-    """The right motion at since(t), for times since the launch that are t - t[0]."""
-    return suspect(says, within=1e-4, simulate=lambda t, *launch, **known: right(since(t), *launch, **known))
-
-
 SIMULATE_SUSPECTS = [
     suspect(
         says, within=1e-4,
         simulate=lambda t, *launch, wrong=wrong, **known: wrong(t - t[0], *launch, **known),
     )
     for says, wrong in WRONG_MOTIONS.items()
-] + [
-    timed_suspect("the launch at t = 0 for that at t[0]", lambda t: t),
-    timed_suspect("evenly spaced times for those of t", lambda t: np.linspace(0, t[-1] - t[0], len(t))),
-]  # fmt: skip
+] + mistimed(lambda t, *launch, **known: right(t - t[0], *launch, **known), from_zero=right)  # fmt: skip
 TRAJECTORY_SUSPECTS = [suspect(says, within=1e-4, trajectory=wrong) for says, wrong in WRONG_MOTIONS.items()]
 RATES_SUSPECTS = [
     suspect(says, within=1e-3, state_derivative=rates_of(wrong))

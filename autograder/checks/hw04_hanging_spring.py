@@ -17,6 +17,7 @@ from tam570_grader import (
     group,
     judge_axes_of_lengths,
     kept,
+    mistimed,
     number,
     once,
     rows,
@@ -275,21 +276,15 @@ def motion_suspects(*names):
     ]  # fmt: skip
 
 
-def timed_suspect(says, since):
-    """A simulation that gives the right states at since(t) after the start."""
-
-    def states(t, position, velocity, **known):
-        k = rate_of(**known)
-        return oscillation(since(t)[:, None], position, velocity, k, -known["gravity"] / k**2 * Z)
-
-    return suspect(says, within=1e-5, simulate=states)
+def exact(since, position, velocity, **known):
+    """States at times since the start."""
+    k = rate_of(**known)
+    return oscillation(since[:, None], position, velocity, k, -known["gravity"] / k**2 * Z)
 
 
-TIME_SUSPECTS = [
-    timed_suspect("the given state taken for that at t = 0", lambda t: t),
-    timed_suspect("evenly spaced times, the first step for all", lambda t: (t[1] - t[0]) * np.arange(len(t))),
-    timed_suspect("the start left out, the last row twice", lambda t: t[[*range(1, len(t)), -1]] - t[0]),
-]
+TIME_SUSPECTS = mistimed(
+    lambda t, *start, **known: exact(t - t[0], *start, **known), from_zero=exact, within=1e-5
+)
 
 
 def times(draw, span, number, first=0.0):

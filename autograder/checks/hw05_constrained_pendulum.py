@@ -6,7 +6,20 @@ import math
 import numpy as np
 from scipy.special import ellipj, ellipkinc
 
-from tam570_grader import Failure, array, check, expect, expect_that, given, kept, number, once, rows, suspect
+from tam570_grader import (
+    Failure,
+    array,
+    check,
+    expect,
+    expect_that,
+    given,
+    kept,
+    mistimed,
+    number,
+    once,
+    rows,
+    suspect,
+)
 
 RESULTS = {
     "constraint_force": array(2),
@@ -402,12 +415,9 @@ def angles(state, length):
     return math.atan2(x, -y), (x * vy - y * vx) / length**2
 
 
-def timed_suspect(says, since):
-    """The right motion at since(t), for times since the start that are t - t[0]."""
-    return suspect(
-        says, within=1e-4,
-        simulate=lambda t, state, **known: exact(since(t), *angles(state, known["length"]), **known),
-    )  # fmt: skip
+def from_state(since, state, **known):
+    """As `exact`, from a state."""
+    return exact(since, *angles(state, known["length"]), **known)
 
 
 def linear(t, state, *, mass, length, gravity):
@@ -418,21 +428,7 @@ def linear(t, state, *, mass, length, gravity):
     return on_circle(z.real, -k * z.imag, length)
 
 
-def since_zero(t):
-    """As solve_ivp takes times of a span that begins with 0."""
-    if t[0] < 0:
-        raise ValueError
-    return t
-
-
-TIME_SUSPECTS = [
-    timed_suspect("the given state taken for that at t = 0", lambda t: t),
-    timed_suspect("the given state taken for that at t = 0, and no times before it", since_zero),
-    timed_suspect(
-        "evenly spaced times between the first and the last", lambda t: np.linspace(0, t[-1] - t[0], len(t))
-    ),
-    timed_suspect("evenly spaced times, the first step for all", lambda t: (t[1] - t[0]) * np.arange(len(t))),
-]
+TIME_SUSPECTS = mistimed(lambda t, state, **known: from_state(t - t[0], state, **known), from_zero=from_state)
 MOTION_SUSPECTS = [
     wrong_motion("the centripetal term missing from the acceleration: the constraint differentiated once, r . a = 0",
                  lambda r, v, L, g: np.array([g * r[0] * r[1], -g * r[0] ** 2]) / L**2),

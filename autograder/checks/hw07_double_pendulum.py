@@ -20,6 +20,7 @@ from tam570_grader import (
     group,
     judge_axes_of_lengths,
     kept,
+    mistimed,
     number,
     once,
     rows,
@@ -228,18 +229,17 @@ def made(name, says, change, within=1e-6):
     return suspect(says, within=within, **{name: lambda *args, **known: change(RIGHT[name](*args, **known))})
 
 
-def retimed(says, times, rows=slice(None)):
-    """A suspect that gives some of the states at times(t) for those at t."""
-    return suspect(
-        says, within=1e-3, simulate=lambda t, *start, **known: motion(times(t), *start, **known)[rows]
-    )
-
-
 def from_zero(t, *start, **known):
-    """As solve_ivp over a span that begins with 0."""
-    if t[0] < 0:
-        raise ValueError
-    return motion(t, *start, **known) if t[0] == 0 else motion(np.append(0.0, t), *start, **known)[1:]
+    """The given state is that at t = 0."""
+    if t[0] == 0:
+        return motion(t, *start, **known)
+    at_first = motion(np.array([0.0, t[0]]), *start, **known)[1]
+    return motion(t, at_first[:2], at_first[2:], **known)
+
+
+def after_a_step(t, *start, **known):
+    """The start left out, and one more row at the end."""
+    return motion(np.append(t, 2 * t[-1] - t[-2]), *start, **known)[1:]
 
 
 def wrapped(states):
@@ -253,10 +253,8 @@ SIMULATE_SUSPECTS = [
     *mistakes("simulate", *INERTIA, *SIGNS, within=1e-3),
     made("simulate", "the columns th1, om1, th2, om2", lambda states: states[:, [0, 2, 1, 3]], 1e-3),
     made("simulate", "angles wrapped to -pi and pi", wrapped, 1e-3),
-    suspect("the given state taken for that at t = 0, and no times before it", within=1e-3, simulate=from_zero),
-    retimed("evenly spaced times for those of t", lambda t: np.linspace(t[0], t[-1], len(t))),
-    retimed("the state after a step for the start in the first row",
-            lambda t: np.append(t, 2 * t[-1] - t[-2]), slice(1, None)),
+    *mistimed(motion, from_zero, within=1e-3),
+    suspect("the state after a step for the start in the first row", within=1e-3, simulate=after_a_step),
 ]  # fmt: skip
 
 

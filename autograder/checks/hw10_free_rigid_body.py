@@ -18,6 +18,7 @@ from tam570_grader import (
     group,
     judge_axes_of_lengths,
     judge_boxes,
+    mistimed,
     number,
     once,
     rows,
@@ -491,14 +492,6 @@ def to_body(t, R, omega, *, inertia):
     return omegas, rotations.transpose(0, 2, 1)
 
 
-def at_even_times(t, R, omega, *, inertia):
-    return motion(np.linspace(t[0], t[-1], len(t)), R, omega, inertia=inertia)
-
-
-def at_steps_of_the_first(t, R, omega, *, inertia):
-    return motion(t[0] + (t[1] - t[0]) * np.arange(len(t)), R, omega, inertia=inertia)
-
-
 def at_rounded_times(t, R, omega, *, inertia):
     return motion(np.round(t, 3), R, omega, inertia=inertia)
 
@@ -518,12 +511,10 @@ OMEGA_SUSPECTS = [
     suspect("every sign in Euler's equations changed", within=1e-4,
             simulate=wrong_motion(euler=signs_changed(-1, -1, -1))),
     suspect(THIRD_IS_ZERO, within=1e-4, simulate=wrong_motion(euler=signs_changed(1, 1, 0))),
-    suspect("the times taken for evenly spaced", within=1e-4, simulate=at_even_times),
-    suspect("the times taken for evenly spaced, every step as long as the first", within=1e-4,
-            simulate=at_steps_of_the_first),
+    *mistimed(motion, given_at_zero),
     suspect("the times rounded to a millisecond", within=1e-5, simulate=at_rounded_times),
     *(suspect("the given state taken for that at t = 0, not at t[0]", within=1e-4, simulate=variant)
-      for variant in (given_at_zero, given_at_zero_before, with_given_start(given_at_zero_before))),
+      for variant in (given_at_zero_before, with_given_start(given_at_zero_before))),
     suspect("solve_ivp at its own tolerances, rtol 1e-3 and atol 1e-6", simulate=wrong_motion(solver={})),
 ]  # fmt: skip
 MOTION_SUSPECTS = [

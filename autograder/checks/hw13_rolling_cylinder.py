@@ -9,7 +9,19 @@ from functools import partial
 import numpy as np
 
 from tam570.integrate import solve
-from tam570_grader import Failure, check, expect, expect_that, given, group, number, once, rows, suspect
+from tam570_grader import (
+    Failure,
+    check,
+    expect,
+    expect_that,
+    given,
+    group,
+    mistimed,
+    number,
+    once,
+    rows,
+    suspect,
+)
 
 RESULTS = {
     "acceleration": number,
@@ -201,14 +213,6 @@ def wrapped(least):
     return simulate
 
 
-def evenly(t, *start, **cylinder):
-    return rolled(np.linspace(t[0], t[-1], len(t)), *start, **cylinder)
-
-
-def as_the_first_two(t, *start, **cylinder):
-    return rolled(t[0] + (t[1] - t[0]) * np.arange(len(t)), *start, **cylinder)
-
-
 def from_time_zero(t, *start, **cylinder):
     return rolled(t, *rolled(np.array([0.0, t[0]]), *start, **cylinder)[1], **cylinder)
 
@@ -233,9 +237,6 @@ WRONG_SIMULATIONS = {
     **{says: integrated(wrong) for says, wrong in WRONG_ACCELERATIONS.items()},
     "phi wrapped to half a turn to either side": wrapped(-math.pi),
     "phi wrapped to a turn from 0": wrapped(0.0),
-    "the times taken to be evenly spaced": evenly,
-    "the times taken to be evenly spaced, as the first two are": as_the_first_two,
-    "the given state taken for that at t = 0, where it is that at t[0]": from_time_zero,
 }
 LOOSE = {"the tolerances that solve_ivp has when none are given": loosely}
 STANDS = {"a start at rest, or nearly so, that stays where it is": standing}
@@ -246,9 +247,11 @@ def simulations(wrong, within=1e-4):
     return [suspect(says, within=within, simulate=function) for says, function in wrong.items()]
 
 
-ANY_TIMES = simulations(WRONG_SIMULATIONS) + simulations(
-    LOOSE, 1e-6
-)  # its steps are the same, whoever takes them
+ANY_TIMES = [
+    *simulations(WRONG_SIMULATIONS),
+    *mistimed(rolled, from_time_zero),
+    *simulations(LOOSE, 1e-6),  # its steps are the same, whoever takes them
+]
 
 
 # Cylinders and motions

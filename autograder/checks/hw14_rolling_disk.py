@@ -9,7 +9,7 @@ import math
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from tam570_grader import array, check, expect, expect_that, given, number, once, rows, suspect
+from tam570_grader import array, check, expect, expect_that, given, mistimed, number, once, rows, suspect
 
 RESULTS = {
     "euler_state_derivative": array(8),
@@ -268,36 +268,11 @@ def wrapped(least):
     return simulate_euler
 
 
-def evenly(simulate):
-    return lambda t, state, **disk: simulate(np.linspace(t[0], t[-1], len(t)), state, **disk)
+def mistimed_suspects(name, simulate):
+    def from_zero(t, state, **disk):
+        return simulate(t, simulate(np.array([0.0, t[0]]), state, **disk)[1], **disk)
 
-
-def as_the_first_two(simulate):
-    return lambda t, state, **disk: simulate(t[0] + (t[1] - t[0]) * np.arange(len(t)), state, **disk)
-
-
-def late(simulate):
-    def states(*args, **disk):
-        found = simulate(*args, **disk)
-        return np.concatenate([found[1:], found[-1:]])
-
-    return states
-
-
-def from_time_zero(simulate):
-    return lambda t, state, **disk: simulate(t, simulate(np.array([0.0, t[0]]), state, **disk)[1], **disk)
-
-
-MISTIMED = {
-    "the times taken to be evenly spaced": evenly,
-    "the times taken to be evenly spaced, as the first two are": as_the_first_two,
-    "the states one time late, the given one left out": late,
-    "the given state taken for that at t = 0, where it is that at t[0]": from_time_zero,
-}
-
-
-def mistimed(name, simulate):
-    return [suspect(says, within=1e-5, **{name: change(simulate)}) for says, change in MISTIMED.items()]
+    return mistimed(simulate, from_zero, name=name, within=1e-5)
 
 
 def on_ground(states, start):
@@ -649,7 +624,7 @@ def few_times_hint(error, within):
     points=0.75, part="b",
     suspects=[
         *told("simulate_euler", wrong_path, IN_EULER),
-        *mistimed("simulate_euler", wrong_path(())),
+        *mistimed_suspects("simulate_euler", wrong_path(())),
         suspect("the angles wrapped to half a turn to either side", simulate_euler=wrapped(-math.pi)),
         suspect("the angles wrapped to a turn from 0", simulate_euler=wrapped(0.0)),
         suspect("the contact moving as fast as the centre", simulate_euler=wrong_path(("centre",))),
@@ -733,7 +708,7 @@ def euler_simulation_keeps_two_integrals(student, draw):
     points=0.75, part="b",
     suspects=[
         *told("simulate_matrix", wrong_matrix_path, IN_MATRIX),
-        *mistimed("simulate_matrix", wrong_matrix_path(())),
+        *mistimed_suspects("simulate_matrix", wrong_matrix_path(())),
     ],
 )  # fmt: skip
 def matrix_simulation_follows_the_motion(student, draw):

@@ -1,7 +1,7 @@
 """The simulation is launched at t = 0 instead of t[0].
 
 fails: simulation_follows_the_motion
-suspect: the launch at t = 0 for that at t[0]
+suspect: the given state taken for that at t = 0
 """
 
 

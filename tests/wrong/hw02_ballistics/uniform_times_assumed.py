@@ -1,7 +1,7 @@
 """The simulation takes the times for evenly spaced.
 
 fails: simulation_follows_the_motion
-suspect: evenly spaced times for those of t
+suspect: the times taken to be evenly spaced
 """
 
 

@@ -1,7 +1,7 @@
 """The start is left out and the last state stands twice.
 
 fails: simulate_moves_as_it_must
-suspect: the start left out
+suspect: the rows one time late, the start left out
 """
 
 _right_simulate = simulate

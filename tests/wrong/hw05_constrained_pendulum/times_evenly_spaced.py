@@ -1,7 +1,7 @@
 """As many times evenly spaced between the first and the last.
 
 fails: without_gravity_it_goes_round_uniformly, with_gravity_it_swings_or_goes_round
-suspect: evenly spaced times between the first and the last
+suspect: the times taken to be evenly spaced
 """
 
 _right_simulate = simulate

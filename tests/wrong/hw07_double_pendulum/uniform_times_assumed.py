@@ -1,7 +1,7 @@
 """The times are taken for evenly spaced.
 
 fails: simulation_follows_the_equations
-suspect: evenly spaced times
+suspect: the times taken to be evenly spaced
 """
 
 at_the_times = simulate

@@ -1,7 +1,7 @@
 """The times are taken for evenly spaced.
 
 fails: omega_follows_elliptic_functions, attitude_follows_the_motion
-suspect: the times taken for evenly spaced
+suspect: the times taken to be evenly spaced
 """
 
 _right_simulate = simulate

@@ -1,7 +1,7 @@
 """Every step is as long as the first.
 
 fails: omega_follows_elliptic_functions, attitude_follows_the_motion
-suspect: every step as long as the first
+suspect: the first step for all
 """
 
 _right_simulate = simulate

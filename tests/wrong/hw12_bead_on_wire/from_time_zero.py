@@ -1,7 +1,7 @@
 """Integrated from t = 0, whatever t[0] is.
 
 fails: simulate_slides
-suspect: the given state as that at t = 0
+suspect: taken for that at t = 0
 """
 
 _right_simulate = simulate

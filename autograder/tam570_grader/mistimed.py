@@ -1,0 +1,50 @@
+"""The suspects that every simulation has: the right motion, at times that were misunderstood."""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from tam570_grader.check import Suspect, suspect
+
+__all__ = ["mistimed"]
+
+Simulation = Callable[..., Any]  # simulation(t, *start, **parameters) -> rows, or several arrays of them
+
+
+def mistimed(
+    right: Simulation, from_zero: Simulation, *, name: str = "simulate", within: float = 1e-4
+) -> list[Suspect]:
+    """Suspects of the function `name`: even times, late rows, a start at t = 0.
+
+    right     : the right simulation, the start at t[0]; it need not be the fastest, it runs where a check has failed
+    from_zero : the same with the start at t = 0, before t[0] or after it
+    """
+
+    def at(times: Callable[[Any], Any]) -> Simulation:
+        return lambda t, *start, **parameters: right(times(t), *start, **parameters)
+
+    def late(t: Any, *start: Any, **parameters: Any) -> Any:
+        found = right(t, *start, **parameters)
+        return tuple(map(_late, found)) if isinstance(found, tuple) else _late(found)
+
+    def onwards_from_zero(t: Any, *start: Any, **parameters: Any) -> Any:
+        if t[0] < 0:
+            raise ValueError("solve_ivp refuses times that its span, from 0 to the last, leaves out")
+        return from_zero(t, *start, **parameters)
+
+    at_zero = "the given state taken for that at t = 0, where it is that at t[0]"
+    wrong = {
+        "the times taken to be evenly spaced": at(lambda t: np.linspace(t[0], t[-1], len(t))),
+        "the times taken to be evenly spaced, the first step for all": at(
+            lambda t: t[0] + (t[1] - t[0]) * np.arange(len(t))
+        ),
+        "the rows one time late, the start left out": late,
+        at_zero: from_zero,
+        f"{at_zero}, and no times before 0": onwards_from_zero,
+    }
+    return [suspect(says, within=within, **{name: function}) for says, function in wrong.items()]
+
+
+def _late(rows: Any) -> Any:
+    return np.concatenate([rows[1:], rows[-1:]])
