@@ -675,7 +675,7 @@ def path_at_a_huge_speed_has_the_limit_shape(student, draw):
 def both_paths_are_drawn(student, draw):
     """plot_comparison draws both paths from t[0] to t[-1] on the same axes, at the same scale."""
     (speed, angle), known = launch(draw), parameters(draw)
-    t = np.linspace(0.0, 2.5 * known["mass"] / known["drag"], 200)
+    t = np.linspace(0.0, max(2.5 * known["mass"] / known["drag"], 1.2 * landing(speed, angle, **known)[0]), 200)
     picture = student.plot_comparison.draw(t, speed, angle, **known)
     paths = [line.points for line in picture.lines]
     expect_that(len(paths) == 2, f"there are {len(paths)} curves on the axes, not two")
