@@ -1,0 +1,12 @@
+"""The paths drawn at times that crowd about the launch, with one straight line from there to the end.
+
+fails: both_paths_are_drawn
+names: a point of the motion is off
+"""
+
+
+def plot_comparison(ax, t, speed, angle, **known):
+    times = np.append(np.linspace(0.0, 0.01, 20), 1.0) * (t[-1] - t[0])
+    for motion in (simulate, trajectory):
+        ax.plot(*motion(times, speed, angle, **known)[:, :2].T)
+    ax.set(xlabel="x (m)", ylabel="y (m)", aspect="equal")
