@@ -47,8 +47,8 @@ SWIFT = 1e-2  # of the angle, as the contract asks
 CORNER = 1e-9  # the path below, at a speed of 1e12 terminal speeds, is 5e-11 from its limit
 NEAR = 2e-3  # rad; a search among a thousand angles gets there, to choose the words
 NEARLY = 1e-2  # below it a right equation is solved coarsely, to choose the words
-# Of the path's size. What is drawn is compared with chords of FINE points, which leave the path by g (T/2000)^2/8: 5e-6
-# of its size at a hundred times the terminal speed, where it lasts longest, 1.2 v/g; the points of a simulation by 1e-7.
+# Of the path's size. The chords between FINE points of the motion leave its path by g (T/2000)^2/8: 5e-6 of its size at
+# a hundred times the terminal speed, where T = 1.2 v/g is longest for it; the points of a simulation leave it by 1e-7.
 DRAWN, FINE = 1e-4, 2001
 PASSED = 2e-2  # of the path's size; chords of a line of ten points leave a parabola by (2.4/9)^2/4 = 1.8e-2
 

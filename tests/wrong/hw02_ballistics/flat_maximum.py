@@ -10,8 +10,6 @@ def best_angle(speed, **known):
 
     found = minimize_scalar(
         lambda angle: -horizontal_range(speed, angle, **known) / speed,
-        bounds=(1e-4, 1.5),
-        method="bounded",
-        options={"xatol": 1e-9},
+        bounds=(1e-4, 1.5), method="bounded", options={"xatol": 1e-9},
     )
     return found.x
