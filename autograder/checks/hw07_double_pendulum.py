@@ -181,6 +181,7 @@ BARS = {
     "the wrong sign of the sine term, that of om^2": {"sine": -1},
     "the wrong sign of gravity": {"weight": -1},
 }
+EARTHS = "9.81 m/s^2 for whatever gravity is given"
 RELATIVE = "th2 taken as the relative angle, measured from bar 1; it is measured from straight down"
 B = np.array([[1.0, 0.0], [1.0, 1.0]])  # of relative to absolute angles
 BACK = np.linalg.inv(B)
@@ -188,7 +189,7 @@ BACK = np.linalg.inv(B)
 
 def of_bars(name, bars):
     """The contract's function with other bars."""
-    return lambda *args, **known: RIGHT[name](*args, **known, **bars)
+    return lambda *args, **known: RIGHT[name](*args, **{**known, **bars})
 
 
 def back(name, result):
@@ -221,6 +222,8 @@ def mistakes(name, *fragments, within=1e-6):
         says: of_bars(name, bars) for says, bars in BARS.items() if any(part in says for part in fragments)
     }
     wrong[RELATIVE] = relative(name)
+    if name in OF_GRAVITY:
+        wrong[EARTHS] = of_bars(name, {"gravity": 9.81})
     return [suspect(says, within=within, **{name: variant}) for says, variant in wrong.items()]
 
 
@@ -247,6 +250,7 @@ def wrapped(states):
     return np.hstack([(states[:, :2] + math.pi) % (2 * math.pi) - math.pi, states[:, 2:]])
 
 
+OF_GRAVITY = ("gravity_terms", "angular_acceleration", "on_the_fly", "energy", "simulate")
 INERTIA = ("point", "l^2", "without inertia")
 SIGNS = ("sine", "gravity")
 SIMULATE_SUSPECTS = [
@@ -357,7 +361,17 @@ def judge(student, name, calls, scale, of, unit, hint):
         getattr(student, name).many([call.on(kind) for call, kind in cases]), cases, strict=True
     ):
         expect(found, RIGHT[name](*call.args, **call.kwargs), within=POINTWISE, scale=scale(*sizes(call)) or 1.0, of=of,
-               unit=unit, kind=kind, hint=hint, at=call)  # fmt: skip
+               unit=unit, kind=kind, hint=functools.partial(hint, found, call) if callable(hint) else hint, at=call)  # fmt: skip
+
+
+def in_equations(found, call):
+    """What to say of accelerations."""
+    if not np.any(found) and call.kwargs["gravity"] == 0:
+        return STILL_COUPLED
+    return "put alpha back into [M]{alpha} + {f} + {g}: is it zero?"
+
+
+STILL_COUPLED = "neither bar accelerates in it, but without gravity the bars still act on each other"
 
 
 # The equations of motion
@@ -374,8 +388,27 @@ def coupled(change):
     return wrong
 
 
+def with_added(row, share):
+    """The mass matrix with share(masses) l^2 added on the diagonal."""
+
+    def wrong(theta, masses, lengths):
+        added = np.zeros((2, 2))
+        added[row, row] = share(*masses) * lengths[row] ** 2
+        return mass_matrix(theta, masses, lengths) + added
+
+    return wrong
+
+
+def of_the_sum(theta, masses, lengths):
+    return mass_matrix(theta * [1, -1], masses, lengths)
+
+
 MASS_SUSPECTS = [
     *mistakes("mass_matrix", *INERTIA),
+    suspect("m1 l1^2/12 in M11, where m1 l1^2/3 belongs", mass_matrix=with_added(0, lambda m1, m2: -m1 / 4)),
+    suspect("m2 l2^2/12 for M22, where m2 l2^2/3 belongs", mass_matrix=with_added(1, lambda m1, m2: -m2 / 4)),
+    suspect("m2 l1^2/2 in M11, where m2 l1^2 belongs", mass_matrix=with_added(0, lambda m1, m2: -m2 / 2)),
+    suspect("the cosine of th1 + th2, where that of th1 - th2 belongs", mass_matrix=of_the_sum),
     suspect("l1^2 in the coupling, where l1 l2 belongs",
             mass_matrix=coupled(lambda size, right, _, lengths: right * lengths[0] / lengths[1])),
     suspect("l2^2 in the coupling, where l1 l2 belongs",
@@ -418,6 +451,11 @@ def velocity_terms_are_centripetal(student, draw):
           "{f}", "of m l^2 omega^2", "which way does each mass centre accelerate when alpha is zero?")  # fmt: skip
 
 
+def with_half_of_bar_2(theta, masses, lengths, gravity):
+    missing = masses[1] / 2 * gravity * lengths[0] * math.sin(theta[0])
+    return gravity_terms(theta, masses, lengths, gravity) - [missing, 0.0]
+
+
 GRAVITY_SUSPECTS = [
     *mistakes("gravity_terms", "point", "gravity"),
     suspect(
@@ -425,6 +463,8 @@ GRAVITY_SUSPECTS = [
         gravity_terms=lambda theta, masses, lengths, gravity: gravity * masses * lengths / 2 * np.sin(theta),
     ),
     made("gravity_terms", "moments that are never negative: the sign of the sine lost", np.abs),
+    made("gravity_terms", "m2 g l2 in the second one, where m2 g l2/2 belongs", lambda g: g * [1, 2]),
+    suspect("(m1 + m2)/2 in the first one, where m1/2 + m2 belongs", gravity_terms=with_half_of_bar_2),
 ]
 
 
@@ -443,6 +483,7 @@ def of_one_mass(*state, masses, **known):
 ALPHA_SUSPECTS = [
     *mistakes("angular_acceleration", *INERTIA, *SIGNS),
     suspect("the mass of bar 2 for both", angular_acceleration=of_one_mass),
+    made("angular_acceleration", "the sign reversed: M^-1 (f + g), where -M^-1 (f + g) belongs", np.negative),
 ]
 
 
@@ -451,7 +492,7 @@ def accelerations_obey_the_equations(student, draw):
     """angular_acceleration: [M]{alpha} + {f} + {g} = 0, without gravity too."""
     calls = moving(draw, 8) + moving(draw, 3, gravity=0.0)
     judge(student, "angular_acceleration", calls, lambda _, rate2: rate2, "alpha", "of omega^2 + g/l",
-          "put alpha back into [M]{alpha} + {f} + {g}: is it zero?")  # fmt: skip
+          in_equations)  # fmt: skip
 
 
 @once
@@ -502,6 +543,41 @@ FLY_HINTS = (
 )
 
 
+def of_ten_equations(theta, omega, masses, lengths, gravity, *, reaction=1, centripetal=1):
+    """on_the_fly with, or without, the force of bar 2 on bar 1 and the centripetal acceleration at the ceiling."""
+    half = np.column_stack([np.sin(theta), -np.cos(theta)]) * np.reshape(lengths, (2, 1)) / 2
+    across = [np.array([-y, x]) for x, y in half]
+    matrix, known, one = np.zeros((10, 10)), np.zeros(10), np.eye(2)
+    A1, A2, CEILING, ELBOW = slice(0, 2), slice(2, 4), slice(6, 8), slice(8, 10)  # alpha1 is 4, alpha2 is 5
+    for bar, (own, m) in enumerate(zip((A1, A2), masses, strict=True)):
+        matrix[own, own], known[own] = m * one, [0, -m * gravity]
+        matrix[4 + bar, 4 + bar] = m * lengths[bar] ** 2 / 12
+    matrix[A1, CEILING], matrix[A1, ELBOW], matrix[A2, ELBOW] = -one, reaction * one, -one
+    matrix[4, CEILING], matrix[4, ELBOW], matrix[5, ELBOW] = across[0], across[0], across[1]
+    matrix[CEILING, A1], matrix[CEILING, 4] = one, -across[0]
+    known[CEILING] = -centripetal * omega[0] ** 2 * half[0]
+    matrix[ELBOW, A1], matrix[ELBOW, 4], matrix[ELBOW, A2], matrix[ELBOW, 5] = one, across[0], -one, across[1]
+    known[ELBOW] = omega[0] ** 2 * half[0] + omega[1] ** 2 * half[1]
+    found = np.linalg.solve(matrix, known)
+    return found[4:6], found[6:].reshape(2, 2)
+
+
+def at_rates(change):
+    """on_the_fly with other angular velocities, change(om1, om2)."""
+    return lambda theta, omega, **known: on_the_fly(theta, np.array(change(*omega)), **known)
+
+
+FLY_SUSPECTS = [
+    *mistakes("on_the_fly", *INERTIA, *SIGNS),
+    suspect("om2 - om1 for the angular velocity of bar 2", on_the_fly=at_rates(lambda om1, om2: (om1, om2 - om1))),
+    suspect("om1 + om2 for the angular velocity of bar 2", on_the_fly=at_rates(lambda om1, om2: (om1, om1 + om2))),
+    suspect("the force of bar 2 left out of bar 1's linear momentum balance",
+            on_the_fly=functools.partial(of_ten_equations, reaction=0)),
+    suspect("the centripetal acceleration of bar 1 left out at the ceiling's hinge",
+            on_the_fly=functools.partial(of_ten_equations, centripetal=0)),
+]  # fmt: skip
+
+
 def other_forces(change):
     def wrong(*args, **known):
         alpha, hinges = on_the_fly(*args, **known)
@@ -515,6 +591,7 @@ FORCE_SUSPECTS = [
     for says, change in {
         "the force of bar 2 on bar 1 in the second row": lambda F, *_: F * [[1], [-1]],
         "the forces of the bars on the ceiling and of bar 2 on bar 1": lambda F, *_: -F,
+        "the force of bar 1 on the ceiling in the first row": lambda F, *_: F * [[-1], [1]],
         "the two rows swapped": lambda F, *_: F[::-1],
         "rows and columns swapped": lambda F, *_: F.T,
         "forces without the weights": lambda F, m, g: F - [[0, (m[0] + m[1]) * g], [0, m[1] * g]],
@@ -524,7 +601,7 @@ FORCE_SUSPECTS = [
 ]
 
 
-@check(points=0.5, part="a", suspects=mistakes("on_the_fly", *INERTIA, *SIGNS))
+@check(points=0.5, part="a", suspects=FLY_SUSPECTS)
 def free_bars_accelerate_as_lagranges(student, draw):
     """on_the_fly: alpha from two free bars and two hinge constraints."""
     fly(student, draw, 0)
@@ -566,6 +643,15 @@ def spun_relative(theta, omega, masses, lengths, gravity):
     )
 
 
+def without_coupling(theta, omega, masses, lengths, gravity):
+    coupling = mass_matrix(theta, masses, lengths)[0, 1]
+    return energy(theta, omega, masses, lengths, gravity) - coupling * omega[0] * omega[1]
+
+
+def without_spin_of_bar_2(theta, omega, masses, lengths, gravity):
+    return energy(theta, omega, masses, lengths, gravity) - masses[1] * lengths[1] ** 2 / 24 * omega[1] ** 2
+
+
 def uncoupled(theta, omega, **known):
     M = mass_matrix(theta, **known)
     return M[0, 0] * omega[0] + M[1, 1] * omega[1]
@@ -575,6 +661,8 @@ ENERGY_SUSPECTS = [
     *mistakes("energy", *INERTIA),
     suspect("the potential energy zero at the lowest position", energy=raised),
     suspect("om2 - om1 for the rate at which bar 2 turns", energy=spun_relative),
+    suspect("the kinetic energy without its term with om1 om2", energy=without_coupling),
+    suspect("the kinetic energy without the turning of bar 2, I om2^2/2", energy=without_spin_of_bar_2),
     suspect("the sign of the potential energy reversed", energy=lambda *args, gravity, **known: energy(
         *args, **known, gravity=-gravity)),
     suspect("kinetic energy alone", energy=lambda *args, gravity, **known: energy(*args, **known, gravity=0.0)),
@@ -582,6 +670,10 @@ ENERGY_SUSPECTS = [
 MOMENTUM_SUSPECTS = [
     *mistakes("angular_momentum", *INERTIA),
     suspect("the coupling left out: M11 om1 + M22 om2", angular_momentum=uncoupled),
+    suspect("I om2 of bar 2 left out", angular_momentum=lambda theta, omega, masses, lengths: (
+        angular_momentum(theta, omega, masses, lengths) - masses[1] * lengths[1] ** 2 / 12 * omega[1])),
+    suspect("the momentum conjugate to th2 alone", angular_momentum=lambda theta, omega, **known: (
+        mass_matrix(theta, **known) @ omega)[1]),
     suspect("the momentum conjugate to th1 alone", angular_momentum=lambda theta, omega, **known: (
         mass_matrix(theta, **known) @ omega)[0]),
 ]  # fmt: skip
@@ -634,7 +726,8 @@ PLAIN_STARTS = {
     "hanging at rest": ((0.0, 0.0), (0.0, 0.0), {}),
     "a start from hanging straight down": ((0.0, 0.0), (0.8, -0.5), {}),
     "a start with bar 1 straight down": ((0.0, 1.0), (0.5, 0.0), {}),
-    "a start with th1 = th2, om1 = om2": ((1.0, 1.0), (0.5, 0.5), {}),
+    # more than half a turn from one time to another: angles unwrapped from row to row are off by whole turns
+    "a fast start with th1 = th2, om1 = om2": ((0.3, 0.3), (4.5, 4.5), {}),
     "a start with negative angles": ((-0.5, -1.0), (0.3, 0.6), {}),
     "masses, lengths and gravity 1": ((1.0, 0.0), (0.0, 1.0), UNIT_BARS),
     "equal bars": ((0.7, -1.2), (0.4, 0.6), {"masses": np.full(2, 1.7), "lengths": np.full(2, 0.6)}),
@@ -686,7 +779,8 @@ def of_motion(states, expected):
         and np.max(np.abs(states - expected - 2 * math.pi * turns)) <= NEARLY * np.abs(expected).max()
     ):
         return "it is off by whole turns alone, as if an angle were wrapped; angles are never wrapped"
-    return "is the first row the start? are the tolerances of the integrator tight?"
+    return ("is the first row the start? are the tolerances of the integrator tight, and the states at t its own, not "
+            "interpolated linearly?")  # fmt: skip
 
 
 def drift(states, known):
@@ -719,13 +813,20 @@ def momentum_is_conserved_without_gravity(student, draw):
     inertia, rate2 = sizes(call)
     expect(values, angular_momentum(*call.args, **bars), within=ENERGY, scale=inertia * math.sqrt(rate2), t=t, at=call,
            of="the angular momentum", unit="of m l^2 omega", kind="a pendulum without gravity",
-           hint="nothing may be divided by gravity")  # fmt: skip
+           hint=functools.partial(of_no_gravity, states))  # fmt: skip
     expect(drift(states, call.kwargs), 0.0, within=ENERGY, scale=inertia * rate2, of="the energy", t=t, at=call,
            unit="of m l^2 omega^2", kind="a pendulum without gravity")  # fmt: skip
     theta = call.args[0]
     expect(student.simulate(t[[0, -1]], theta, np.zeros(2), **call.kwargs), np.tile([*theta, 0.0, 0.0], (2, 1)),
            within=ENERGY, of="an angle or angular velocity", unit="rad or rad/s", t=t[[0, -1]], at=call,
            kind="a pendulum at rest without gravity, two times", hint="what would make it move?")  # fmt: skip
+
+
+def of_no_gravity(states):
+    """What to say of a motion without gravity."""
+    if np.allclose(states[:, 2:], states[0, 2:], rtol=NEARLY, atol=0):
+        return STILL_COUPLED
+    return "without gravity the same equations hold; nothing may be divided by it"
 
 
 # Small oscillations
@@ -739,6 +840,8 @@ FREQUENCY_SUSPECTS = [
     ),
     suspect("the frequencies of equal bars, of the first one's length", small_oscillation_frequencies=lambda **known:
             np.sqrt(known["gravity"] / known["lengths"][0] * (3 + np.array([-6, 6]) / math.sqrt(7)))),
+    suspect("the frequencies of two bars that each hang from a ceiling", small_oscillation_frequencies=lambda **known:
+            np.sort(np.sqrt(1.5 * known["gravity"] / known["lengths"]))),
     suspect("frequencies in Hz", small_oscillation_frequencies=lambda **known: frequencies(**known) / (2 * math.pi)),
     suspect("the squares of the frequencies", small_oscillation_frequencies=lambda **known: frequencies(**known) ** 2),
     suspect("the coupling of [M] left out", small_oscillation_frequencies=lambda **known: np.sort(np.sqrt(
@@ -813,6 +916,9 @@ WIRE_SUSPECTS = [
     suspect("y pointing down", wireframe=lambda theta, lengths: turned(theta, lengths, x=math.sin, y=math.cos)),
     suspect("angles from the x axis", wireframe=lambda theta, lengths: turned(theta, lengths, x=math.cos, y=math.sin)),
     suspect("angles clockwise positive", wireframe=lambda theta, lengths: wireframe(-theta, lengths)),
+    suspect("the tip as seen from the elbow; both points of a bar are seen from the ceiling",
+            wireframe=lambda theta, lengths: wireframe(theta, lengths)
+            - [[[0, 0], [0, 0]], [[0, 0], wireframe(theta, lengths)[0, 1]]]),
     suspect("both bars at the ceiling hinge", wireframe=lambda theta, lengths: wireframe(theta, lengths)
             - [[[0, 0], [0, 0]], [wireframe(theta, lengths)[0, 1]] * 2]),
 ]  # fmt: skip
@@ -836,22 +942,61 @@ def tip_path(draw):
     return call, *np.array(frames)[:, :, 1].swapaxes(0, 1)
 
 
+def joined(lines):
+    """The points of each line; pieces with one label, each beginning where the last one ends, are one line."""
+    found, last = [], None
+    for line in lines:
+        if last and last.label == line.label and chained(last, line):
+            found[-1].append(line.points[1:])
+        else:
+            found.append([line.points])
+        last = line
+    return [np.concatenate(pieces) for pieces in found]
+
+
+def chained(one, next_one):
+    pieces = not one.scatter and not next_one.scatter and len(one.points) and len(next_one.points)
+    return pieces and np.array_equal(one.points[-1], next_one.points[0])
+
+
+def arc_length(path):
+    return np.sum(np.linalg.norm(np.diff(path, axis=0), axis=1))
+
+
+def words(label):
+    return {word.strip("$()[],;:") for word in label.split()}
+
+
 @check(points=0.5, part="d")
 def tip_path_is_drawn(student, draw):
     """plot_tip_path draws the tip's path from t[0] to t[-1], at equal scales."""
     call, elbows, tips = tip_path(draw)
     picture = student.plot_tip_path.draw(*call.args, **call.kwargs)
-    curves = [line.points for line in picture.lines if len(line.points) > 10]
+    curves = [points for points in joined(picture.lines) if len(points) > 10]
     expect_that(len(curves) == 1, f"there are {len(curves)} curves on the axes, not one")
     scale, (curve,) = np.sum(call.kwargs["lengths"]), curves
-    of_elbow = np.allclose(curve[[0, -1]], elbows[[0, -1]], rtol=0, atol=DRAWN * scale)
-    hint = "it begins at the tip's place at t[0] and ends at that at t[-1]"
     expect(curve[[0, -1]], tips[[0, -1]], within=DRAWN, scale=scale, of="an end of the curve", unit="of l1 + l2",
-           hint="it is the elbow's path" if of_elbow else hint, at=call)  # fmt: skip
+           hint=functools.partial(of_path, curve, elbows, tips, DRAWN * scale), at=call)  # fmt: skip
     for points, path, of, within in (
         (curve, tips, "a point of the curve", DRAWN),
         (tips, curve, "a point that the tip passes", 10 * DRAWN),  # the curve may have fewer points
     ):
         expect(distances(points, path), 0.0, within=within, scale=scale, of=of, unit="of l1 + l2",
                hint="is it the tip of bar 2?", at=call)  # fmt: skip
+    # a curve through the same points in another order is many times as long; one of fewer points is shorter
+    in_order = arc_length(curve) < 1.5 * arc_length(tips) or any(line.scatter for line in picture.lines)
+    expect_that(in_order, "the curve goes to and fro between the points of the path", at=call,
+                hint="its points belong in the order of time")  # fmt: skip
     judge_axes_of_lengths(picture)
+    swapped = "y" in words(picture.xlabel) and "x" in words(picture.ylabel)
+    expect_that(not swapped, "the label of x stands at the axis of y")
+
+
+def of_path(curve, elbows, tips, within):
+    """What to say of a curve that does not begin or end where the tip does."""
+    others = {"it is the elbow's path": elbows, "it is the path of bar 2's mass centre": (elbows + tips) / 2,
+              "it is the tip's path as seen from the elbow": tips - elbows}  # fmt: skip
+    for says, path in others.items():
+        if np.allclose(curve[[0, -1]], path[[0, -1]], rtol=0, atol=within):
+            return says
+    return "it begins at the tip's place at t[0] and ends at that at t[-1]"

@@ -1,6 +1,8 @@
-"""Right: a symplectic method, Gauss-Legendre with three stages, in angles and conjugate momenta, fixed steps."""
+"""Right: a symplectic method, Gauss-Legendre with three stages, in angles and conjugate momenta, fixed steps; the path
+is coloured by the time, piece by piece."""
 
 import numpy as np
+from matplotlib.collections import LineCollection
 
 ROOT = np.sqrt(15)
 A = np.array([
@@ -119,5 +121,7 @@ def wireframe(theta, *, lengths):
 def plot_tip_path(ax, t, theta, omega, **known):
     th1, th2, _, _ = simulate(t, theta, omega, **known).T
     l1, l2 = known["lengths"]
-    ax.plot(l1 * np.sin(th1) + l2 * np.sin(th2), -l1 * np.cos(th1) - l2 * np.cos(th2), lw=0.5)
+    tips = np.column_stack([l1 * np.sin(th1) + l2 * np.sin(th2), -l1 * np.cos(th1) - l2 * np.cos(th2)])
+    ax.add_collection(LineCollection(np.stack([tips[:-1], tips[1:]], axis=1), array=t[:-1]))
+    ax.autoscale_view()
     ax.set(xlabel="x (m)", ylabel="y (m)", aspect="equal")

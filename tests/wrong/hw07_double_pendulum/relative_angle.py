@@ -26,7 +26,9 @@ def angular_acceleration(theta, omega, **known):
 
 def energy(theta, omega, *, masses, lengths, gravity):
     th1, th2 = B @ theta
-    heights = (masses[0] / 2 + masses[1]) * lengths[0] * np.cos(th1) + masses[1] * lengths[1] / 2 * np.cos(th2)
+    heights = (masses[0] / 2 + masses[1]) * lengths[0] * np.cos(th1) + masses[1] * lengths[1] / 2 * np.cos(
+        th2
+    )
     return omega @ mass_matrix(theta, masses=masses, lengths=lengths) @ omega / 2 - gravity * heights
 
 

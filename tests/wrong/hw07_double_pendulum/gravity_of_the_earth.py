@@ -1,0 +1,11 @@
+"""The weights of the free bars are taken on the Earth, whatever the gravity.
+
+fails: free_bars_accelerate_as_lagranges
+suspect: 9.81 m/s^2 for whatever gravity
+"""
+
+_right = on_the_fly
+
+
+def on_the_fly(theta, omega, *, masses, lengths, gravity):
+    return _right(theta, omega, masses=masses, lengths=lengths, gravity=9.81)

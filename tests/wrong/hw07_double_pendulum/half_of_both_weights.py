@@ -1,0 +1,12 @@
+"""Half of both weights hangs at the elbow.
+
+fails: gravity_terms_are_moments_of_the_weights
+suspect: (m1 + m2)/2 in the first one
+"""
+
+_right = gravity_terms
+
+
+def gravity_terms(theta, *, masses, lengths, gravity):
+    one, two = _right(theta, masses=masses, lengths=lengths, gravity=gravity)
+    return [one - masses[1] / 2 * gravity * lengths[0] * math.sin(theta[0]), two]

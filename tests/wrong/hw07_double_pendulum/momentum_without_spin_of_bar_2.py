@@ -1,0 +1,12 @@
+"""The angular momentum of bar 2 is that of its mass centre.
+
+fails: angular_momentum_is_about_the_ceiling
+suspect: I om2 of bar 2 left out
+"""
+
+_right = angular_momentum
+
+
+def angular_momentum(theta, omega, *, masses, lengths):
+    spin = masses[1] * lengths[1] ** 2 / 12 * omega[1]
+    return _right(theta, omega, masses=masses, lengths=lengths) - spin
