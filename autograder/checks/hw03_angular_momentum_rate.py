@@ -1,5 +1,7 @@
 """Hidden checks of hw03. P and C move along random polynomials; what is right is the derivative of their products."""
 
+from functools import partial
+
 import numpy as np
 
 from tam570_grader import array, check, expect, expect_that, given, group, once, suspect
@@ -158,10 +160,12 @@ def momentum_variant(says, velocity, arm=lambda r_p, r_c: r_p - r_c):
 
 MOMENTUM_SUSPECTS = [
     momentum_variant("the other definition: are b and c swapped?", lambda d, v_p, v_c: v_p - v_c if d == "b" else v_p),
-    momentum_variant("the velocity of C for that of P", lambda d, v_p, v_c: v_c - v_p if d == "c" else v_c),
+    momentum_variant("the velocity of C for that of P", lambda d, v_p, v_c: v_c),
     momentum_variant("the angular momentum about O in place of C",
                      lambda d, v_p, v_c: v_p - v_c if d == "c" else v_p, lambda r_p, r_c: r_p),
 ]  # fmt: skip
+TURNED_ROUND = momentum_variant("v_{C/P} for v_{P/C}: the sign of the relative velocity reversed",
+                                lambda d, v_p, v_c: v_c - v_p if d == "c" else v_p)  # fmt: skip
 IN_EVERY = momentum_variant("the velocity relative to C in every definition", lambda d, v_p, v_c: v_p - v_c)
 
 
@@ -185,7 +189,7 @@ def momentum_with_the_velocity_in_F(student, draw):
     judge_momentum(student, draw, "ab", "at one instant, can definitions a and b differ?")
 
 
-@check(points=0.75, part="a", suspects=MOMENTUM_SUSPECTS)
+@check(points=0.75, part="a", suspects=[*MOMENTUM_SUSPECTS, TURNED_ROUND])
 def momentum_with_the_velocity_relative_to_C(student, draw):
     """angular_momentum by definition c: the velocity as one sees it who moves along with C."""
     judge_momentum(student, draw, "c", "whose velocity, seen from where?")
@@ -260,22 +264,42 @@ C_SUSPECTS = [
 ]
 
 
-def judge_rate(student, draw, name, definition, hint):
+def judge_rate(student, draw, name, definition, hint=""):
     """Compare the rate, or the rate less the moment, with the derivative of the polynomials."""
     cases = motions(draw)
     calls = [
         given(definition, *state, mass=mass).on(kind_of(state, f"definition {definition}"))
         for _, _, mass, _, state in cases
     ]
-    for found, call, (p, c, mass, now, state) in zip(
-        getattr(student, name).many(calls), calls, cases, strict=True
-    ):
+    results = getattr(student, name).many(calls)
+    look = partial(discrepancy_hint, results, cases, definition) if name == "discrepancy" else hint
+    for found, call, (p, c, mass, now, state) in zip(results, calls, cases, strict=True):
         expected = derivative(momentum(definition, p, c, mass, now))
         if name == "discrepancy":
             expected = difference(expected, mass * cross(difference(p, c), derivative(derivative(p))))
         expect(found, value(expected, now), within=POINTWISE, scale=size(state, mass)[0] or 1.0, of=f"the {name}",
-               unit="of a moment's size", kind=call.kind, hint=hint,
-               at=call)  # fmt: skip
+               unit="of a moment's size", kind=call.kind, hint=look, at=call)  # fmt: skip
+
+
+LEFT = "it is your rate less your moment: what is left of it on paper?"
+
+
+def discrepancy_hint(results, cases, definition):
+    """What to say of discrepancies that, but for rounding, all vanish or are all of the opposite sign."""
+    scales = [size(state, mass)[0] or 1.0 for _, _, mass, _, state in cases]
+    rights = [RIGHT[definition](*terms(state, mass)) for _, _, mass, _, state in cases]
+
+    def all_are(factor):
+        errors = (np.abs(found - factor * one).max() for found, one in zip(results, rights, strict=True))
+        return all(error <= POINTWISE * scale for error, scale in zip(errors, scales, strict=True))
+
+    if definition == "a":
+        return FIXED
+    if all_are(-1):
+        return "it is moment less rate: the sign is reversed"
+    if all_are(0):
+        return "it vanishes for every motion: is your rate the moment itself? the motion of C is forgotten"
+    return LEFT
 
 
 FIXED = "C' stays where C is at this instant: what is its velocity?"
@@ -309,23 +333,19 @@ def rate_refuses_other_definitions(student, draw):
 @check(points=0.5, part="a", suspects=B_SUSPECTS)
 def discrepancy_with_the_velocity_in_F(student, draw):
     """discrepancy by definition b: its rate less the moment."""
-    judge_rate(
-        student, draw, "discrepancy", "b", "it is your rate less your moment: what is left of it on paper?"
-    )
+    judge_rate(student, draw, "discrepancy", "b")
 
 
 @check(points=0.5, part="a", suspects=C_SUSPECTS)
 def discrepancy_with_the_velocity_relative_to_C(student, draw):
     """discrepancy by definition c: its rate less the moment."""
-    judge_rate(
-        student, draw, "discrepancy", "c", "it is your rate less your moment: what is left of it on paper?"
-    )
+    judge_rate(student, draw, "discrepancy", "c")
 
 
 @check(points=0.25, part="a", after=discrepancy_with_the_velocity_in_F, suspects=A_SUSPECTS)
 def no_discrepancy_about_a_fixed_point(student, draw):
     """discrepancy by definition a."""
-    judge_rate(student, draw, "discrepancy", "a", FIXED)
+    judge_rate(student, draw, "discrepancy", "a")
 
 
 @check(points=0.25, part="a", after=discrepancy_with_the_velocity_in_F)
@@ -410,13 +430,19 @@ def flaws(definition, p, c):
 
 
 def judge_motion(definition, p, c):
-    """The motion must have no flaw; if it has none with its coefficients in the other order, the student is told."""
+    """The motion must have no flaw; if it has none in another order, the student is told."""
     for says, hint in flaws(definition, p, c):
-        backwards = next(flaws(definition, p[::-1], c[::-1]), None) is None
-        order = "the sum starts at j = 0: p[0] and c[0] are the positions at t = 0"
-        expect_that(
-            False, says, kind=f"definition {definition}", at=(p, c), hint=order if backwards else hint
-        )
+        found = order_hint(definition, p, c) or hint
+        expect_that(False, says, kind=f"definition {definition}", at=(p, c), hint=found)
+
+
+def order_hint(definition, p, c):
+    """What to say of a motion that has no flaw with P and C exchanged, or with its coefficients turned round."""
+    orders = {
+        "the sum starts at j = 0: p[0] and c[0] are the positions at t = 0": (p[::-1], c[::-1]),
+        "are P and C swapped? the motion of P comes first": (c, p),
+    }
+    return next((says for says, pair in orders.items() if next(flaws(definition, *pair), None) is None), "")
 
 
 @check(points=1.5, part="a")
@@ -434,7 +460,11 @@ def special_motion_of_c(student, draw):
 @check(points=0.25, part="a", after=(special_motion_of_b, special_motion_of_c))
 def special_motion_refuses_other_definitions(student, draw):
     """special_motion raises ValueError for another definition."""
-    for definition in ("d", "bc", ""):
-        expect_that(student.special_motion.refuses(definition), at=definition,
-                    says="special_motion takes a definition that there is none of",
+    for definition in ("d", "bc", "", "a"):
+        says = (
+            "gives a motion for definition a"
+            if definition == "a"
+            else "takes a definition that there is none of"
+        )
+        expect_that(student.special_motion.refuses(definition), f"special_motion {says}", at=definition,
                     hint='raise ValueError for anything but "b" and "c"')  # fmt: skip

@@ -1,0 +1,15 @@
+"""The rate of c forgets the acceleration of C, and the discrepancy is its difference from the moment: rounding.
+
+fails: rate_with_the_velocity_relative_to_C, discrepancy_with_the_velocity_relative_to_C
+suspect: the acceleration of C forgotten
+names: it vanishes for every motion
+"""
+
+def rate(definition, r_p, v_p, a_p, r_c, v_c, a_c, *, mass):
+    _check(definition)
+    of_b = np.cross(v_c, mass * v_p) if definition == "b" else 0
+    return np.cross(r_p, mass * a_p) - np.cross(r_c, mass * a_p) - of_b
+
+
+def discrepancy(definition, r_p, v_p, a_p, r_c, v_c, a_c, *, mass):
+    return rate(definition, r_p, v_p, a_p, r_c, v_c, a_c, mass=mass) - moment(r_p, a_p, r_c, mass=mass)

@@ -1,0 +1,17 @@
+"""Moment less rate, as the difference of the two, where rounding is left of what vanishes.
+
+fails: discrepancy_with_the_velocity_in_F, discrepancy_with_the_velocity_relative_to_C
+suspect: sign of the
+names: it is moment less rate
+"""
+
+_right_discrepancy = discrepancy
+
+
+def rate(definition, r_p, v_p, a_p, r_c, v_c, a_c, *, mass):
+    surplus = _right_discrepancy(definition, r_p, v_p, a_p, r_c, v_c, a_c, mass=mass)
+    return moment(r_p, a_p, r_c, mass=mass) + surplus
+
+
+def discrepancy(definition, r_p, v_p, a_p, r_c, v_c, a_c, *, mass):
+    return moment(r_p, a_p, r_c, mass=mass) - rate(definition, r_p, v_p, a_p, r_c, v_c, a_c, mass=mass)

@@ -1,0 +1,11 @@
+"""Definition a, which always holds, gets a motion too.
+
+fails: special_motion_refuses_other_definitions
+names: special_motion gives a motion for definition a
+"""
+
+_right_motion = special_motion
+
+
+def special_motion(definition):
+    return _right_motion("b" if definition == "a" else definition)

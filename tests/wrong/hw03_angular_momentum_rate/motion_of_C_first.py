@@ -1,0 +1,12 @@
+"""The motion of C before that of P, which for c is as good here.
+
+fails: special_motion_of_b
+names: are P and C swapped
+"""
+
+_right_motion = special_motion
+
+
+def special_motion(definition):
+    p, c = _right_motion(definition)
+    return c, p

@@ -1,0 +1,12 @@
+"""The velocity of C relative to P, where that of P relative to C is asked.
+
+fails: momentum_with_the_velocity_relative_to_C
+suspect: v_{C/P} for v_{P/C}
+"""
+
+_right_momentum = angular_momentum
+
+
+def angular_momentum(definition, r_p, v_p, r_c, v_c, *, mass):
+    sign = -1 if definition == "c" else 1
+    return sign * _right_momentum(definition, r_p, v_p, r_c, v_c, mass=mass)
