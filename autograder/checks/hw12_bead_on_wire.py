@@ -39,6 +39,7 @@ ENERGY = 1e-5  # the same solvers lose 1e-6 of it in thirty periods
 NEARLY = 3e-2  # of the largest rate; the rows of a coarse integration obey the equation so far, to choose the words
 BETTER = 0.1  # of the error is left where the steps are what is wrong, to choose the words
 PERIOD = 1e-6  # a quadrature with a singular end, or an event of a simulation, is good to 1e-8
+TINY = 5e-4  # at micrometres an event of a simulation with an absolute tolerance of 1e-9 m is good to 5e-5
 
 
 def acceleration(x, v, *, curvature, gravity):
@@ -99,6 +100,12 @@ def equation_suspect(says, wrong):
 EQUATION_SUSPECTS = [
     equation_suspect("the kinetic energy of a flat wire, v for the speed", lambda s, c, v, g: -g * s),
     equation_suspect("the term 4 c^2 x v^2 missing", lambda s, c, v, g: -g * s / (1 + s**2)),
+    equation_suspect("the sign of the term 4 c^2 x v^2 reversed",
+                     lambda s, c, v, g: -s * (g - 2 * c * v**2) / (1 + s**2)),
+    equation_suspect("the term 4 c^2 x v^2 with v along the wire, where it is the rate of x",
+                     lambda s, c, v, g: -s * (g + 2 * c * v**2 / (1 + s**2)) / (1 + s**2)),
+    equation_suspect("gravity's share along the wire, the rate of the speed there, taken for x''",
+                     lambda s, c, v, g: -g * s / math.hypot(1, s)),
     equation_suspect("twice the term 4 c^2 x v^2, no dT/dx", lambda s, c, v, g: -s * (g + 4 * c * v**2) / (1 + s**2)),
     equation_suspect("the slope 2 c x not squared", lambda s, c, v, g: -(g * s + c * v**2) / (1 + s)),
     equation_suspect("c x for the slope 2 c x", lambda s, c, v, g: -s * (g + c * v**2 / 2) / (1 + s**2 / 4)),
@@ -128,6 +135,7 @@ ENERGY_SUSPECTS = [
     energy_suspect("the kinetic energy of a flat wire, v for the speed", lambda s: 1, lambda s: 1),
     energy_suspect("the slope 2 c x not squared", lambda s: 1 + s, lambda s: 1),
     energy_suspect("c x for the slope 2 c x", lambda s: 1 + s**2 / 4, lambda s: 1),
+    energy_suspect("2 c^2 x^2 for the square of the slope, 4 c^2 x^2", lambda s: 1 + s**2 / 2, lambda s: 1),
     energy_suspect("the sign of the potential energy reversed", lambda s: 1 + s**2, lambda s: -1),
 ]
 
@@ -248,6 +256,21 @@ def wrong_force(says, size, side=1, rate=lambda v, slope: v):
     return suspect(says, constraint_force=force)
 
 
+def bent_as_at_the_bottom(slope, x_rate, c, v, mass, gravity):
+    size = mass * (2 * c * (1 + slope**2) * v**2 + gravity / math.hypot(1, slope))
+    return np.array([-slope, 1.0]) * size / math.hypot(1, slope)
+
+
+def without_bend(slope, x_rate, c, v, mass, gravity):
+    return mass * np.array([x_rate, slope * x_rate + gravity])
+
+
+def unlike(x, v, *, rate, mass, curvature, gravity):
+    """A wrong force by rate(slope, x'', c, v, m, g)."""
+    x_rate = acceleration(x, v, curvature=curvature, gravity=gravity)
+    return rate(2 * curvature * x, x_rate, curvature, v, mass, gravity)
+
+
 FORCE_SUSPECTS = [
     wrong_force("the force on a bead at rest, the term with v^2 missing", lambda m, bend, g: m * g),
     wrong_force("half the term with v^2", lambda m, bend, g: m * (g + bend)),
@@ -256,13 +279,25 @@ FORCE_SUSPECTS = [
     wrong_force("a mass of 1 for the one given", lambda m, bend, g: g + 2 * bend),
     wrong_force("v for the speed along the wire, where it is that along x", lambda m, bend, g: m * (g + 2 * bend),
                 rate=lambda v, slope: v / math.hypot(1, slope)),
+    suspect("the radius of curvature at the bottom, 1/(2 c), taken everywhere",
+            constraint_force=lambda x, v, **bead: unlike(x, v, rate=bent_as_at_the_bottom, **bead)),
+    suspect("y'' without the term 2 c v^2: y = c x^2 differentiated twice has two terms",
+            constraint_force=lambda x, v, **bead: unlike(x, v, rate=without_bend, **bead)),
 ]  # fmt: skip
 DIRECTION_SUSPECTS = [
     wrong_force("the force reversed, that of the bead on the wire", lambda m, bend, g: -m * (g + 2 * bend)),
     wrong_force("the normal tilted to the wrong side", lambda m, bend, g: m * (g + 2 * bend), side=-1),
+    suspect("a force that always points to the left, where it points to the middle",
+            constraint_force=lambda x, v, **bead: to_the_left(x, v, **bead)),
     suspect("a force straight up, not along the normal",
             constraint_force=lambda x, v, **bead: [0.0, normal_force(x, v, **bead)]),
 ]  # fmt: skip
+
+
+def to_the_left(x, v, *, mass, curvature, gravity):
+    slope = 2 * curvature * x
+    upward = normal_force(x, v, mass=mass, curvature=curvature, gravity=gravity) / math.hypot(1, slope)
+    return [-abs(slope) * upward, upward]
 
 
 def forces(student, draw):
@@ -420,10 +455,21 @@ def hint_of_steps(otherwise, found_out, rows=None):
 
 
 def hint_of_two_times(student, case, found, errors):
-    """Whether the times or the start is what is mistaken."""
+    """Whether the times, the start or the equation is what is mistaken."""
     stays = "the bead stays where it was let go" if np.all(found == found[0]) else ""
-    otherwise = stays or "row 0 is the start, row 1 the other time"
+    even = "it is the oscillation of small amplitudes: however small, the other terms are there" * harmonic(
+        case, found
+    )
+    otherwise = stays or even or "row 0 is the start, row 1 the other time"
     return hint_of_steps(otherwise, SAMPLED)(student, case, found, errors)
+
+
+def harmonic(case, found):
+    """Whether this is the motion by x'' = -2 g c x."""
+    t, (x, v), wire, _, scale = case
+    rate = math.sqrt(2 * wire["gravity"] * wire["curvature"])
+    z = (x - 1j * v / rate) * np.exp(1j * rate * (t - t[0]))
+    return bool(np.max(np.abs(found - np.column_stack([z.real, -rate * z.imag])) / scale) <= TRAJECTORY)
 
 
 def first_off(case, errors):
@@ -499,15 +545,28 @@ def simulate_needs_no_dense_times(student, draw):
            unit="m or m/s", kind=kind, at=wire)  # fmt: skip
 
 
+CLOSE = "at rest, close to the bottom"
+STARTS = (
+    ("at rest", 0.4, 1.0),
+    ("at the bottom", 0.4, 1.0),
+    (CLOSE, 0.02, 0.025),  # times 1/c: the oscillation of small amplitudes is off by 2e-3
+)
+
+
 @once
 def plain_motions(draw):
-    """As `motion`, each with its kind: let go at rest on either side, and at the bottom either way."""
+    """As `motion`, each with its kind: let go at rest on either side, close to the bottom, and at it either way."""
     cases = []
-    for kind in ("at rest", "at the bottom"):
-        for sign in (1, -1):
-            _, wire, rate = ride(draw, (0.4, 1.0))
-            size, t = sign * draw.uniform(0.4, 1.0) / wire["curvature"], times(draw, 5.0 / rate, 2)
-            start = (size, 0.0) if kind == "at rest" else (0.0, size * rate)
+    for kind, low, high in STARTS:
+        for sign in (1, -1)[: 1 if kind == CLOSE else 2]:
+            _, wire, _ = ride(draw, (0.4, 1.0))
+            if kind == CLOSE:
+                wire["curvature"] = draw.uniform(
+                    0.5, 2
+                )  # on which an absolute tolerance of 1e-9 m is good to 1e-6
+            rate = math.sqrt(2 * wire["gravity"] * wire["curvature"])
+            size, t = sign * draw.uniform(low, high) / wire["curvature"], times(draw, 5.0 / rate, 2)
+            start = (0.0, size * rate) if kind == "at the bottom" else (size, 0.0)
             scale = [abs(size), abs(size) * rate]
             cases.append(((t, start, wire, exact(t - t[0], *start, **wire), scale), kind))
     return cases
@@ -585,12 +644,13 @@ PERIOD_SUSPECTS = [
 ]  # fmt: skip
 
 
-def judge_periods(student, draw, steepness, kind, hint):
+def judge_periods(student, draw, steepness, kind, hint, within=PERIOD, decades=(-1, 1)):
     """Compare with Legendre's complete integral of the second kind.
 
-    hint : where to look, or what tells it of the amplitudes, in units of 1/c, and the errors
+    hint    : where to look, or what tells it of the amplitudes, in units of 1/c, and the errors
+    decades : of the curvature
     """
-    curvatures, gravities = 10 ** draw.uniform(-1, 1, len(steepness)), draw.uniform(1, 25, len(steepness))
+    curvatures, gravities = 10 ** draw.uniform(*decades, len(steepness)), draw.uniform(1, 25, len(steepness))
     rates = np.sqrt(2 * gravities * curvatures)
     calls = [
         given(ca / curvature, curvature=curvature, gravity=gravity)
@@ -599,7 +659,7 @@ def judge_periods(student, draw, steepness, kind, hint):
     periods, right = student.on(kind).period.many(calls), 4 * ellipe(-4 * steepness**2) / rates
     errors = np.abs(periods / right - 1)
     for found, expected, call in zip(periods, right, calls, strict=True):
-        expect(found, expected, within=PERIOD, scale=expected, of="the period", unit="of itself", kind=kind, at=call,
+        expect(found, expected, within=within, scale=expected, of="the period", unit="of itself", kind=kind, at=call,
                hint=(lambda: hint(steepness, errors)) if callable(hint) else hint)  # fmt: skip
 
 
@@ -621,6 +681,9 @@ def period_is_exact(student, draw):
 @check(points=0.5, part="b", after=period_is_exact)
 def period_of_small_and_of_huge_amplitudes(student, draw):
     """period: exact where the wire is almost flat and where it is almost upright."""
+    judge_periods(student, draw, np.full(2, 1e-5), "an amplitude of a hundred-thousandth of 1/c",
+                  "is a small number added under a root, or a tolerance absolute? 1e-15 m^2 is not small there",
+                  TINY, (0.5, 1))  # fmt: skip
     judge_periods(student, draw, 10 ** draw.uniform(-3, -2, 3), "an amplitude of some thousandths of 1/c",
                   "is a difference of nearly equal heights taken?")  # fmt: skip
     judge_periods(student, draw, 10 ** draw.uniform(1, 2, 4), "an amplitude of many 1/c",

@@ -1,0 +1,12 @@
+"""The force on either side points to the left.
+
+fails: force_and_weight_make_the_acceleration
+suspect: a force that always points to the left
+"""
+
+_right = constraint_force
+
+
+def constraint_force(x, v, **bead):
+    along_x, along_y = _right(x, v, **bead)
+    return np.array([-abs(along_x), along_y])

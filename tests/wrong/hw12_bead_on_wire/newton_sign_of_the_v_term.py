@@ -1,0 +1,10 @@
+"""The sign of the term with v^2 is reversed.
+
+fails: newton_gives_the_acceleration
+suspect: the sign of the term 4 c^2 x v^2 reversed
+"""
+
+
+def acceleration_newton(x, v, *, curvature, gravity):
+    slope = 2 * curvature * x
+    return -slope * (gravity - 2 * curvature * v**2) / (1 + slope**2)
