@@ -360,8 +360,9 @@ def judge(student, name, calls, scale, of, unit, hint):
     for found, (call, kind) in zip(
         getattr(student, name).many([call.on(kind) for call, kind in cases]), cases, strict=True
     ):
+        told = functools.partial(hint, found, call) if callable(hint) else hint
         expect(found, RIGHT[name](*call.args, **call.kwargs), within=POINTWISE, scale=scale(*sizes(call)) or 1.0, of=of,
-               unit=unit, kind=kind, hint=functools.partial(hint, found, call) if callable(hint) else hint, at=call)  # fmt: skip
+               unit=unit, kind=kind, hint=told, at=call)  # fmt: skip
 
 
 def in_equations(found, call):
@@ -586,9 +587,17 @@ def other_forces(change):
     return wrong
 
 
+def without_centripetal_force(theta, omega, **known):
+    alpha, hinges = on_the_fly(theta, omega, **known)
+    outwards = np.array([math.sin(theta[0]), -math.cos(theta[0])])
+    missing = known["masses"][0] * known["lengths"][0] / 2 * omega[0] ** 2 * outwards
+    return alpha, hinges + [missing, np.zeros(2)]
+
+
 FORCE_SUSPECTS = [
-    suspect(says, on_the_fly=other_forces(change))
-    for says, change in {
+    suspect("the centripetal acceleration of bar 1's own mass centre left out in the first row",
+            on_the_fly=without_centripetal_force),
+    *(suspect(says, on_the_fly=other_forces(change)) for says, change in {
         "the force of bar 2 on bar 1 in the second row": lambda F, *_: F * [[1], [-1]],
         "the forces of the bars on the ceiling and of bar 2 on bar 1": lambda F, *_: -F,
         "the force of bar 1 on the ceiling in the first row": lambda F, *_: F * [[-1], [1]],
@@ -597,8 +606,8 @@ FORCE_SUSPECTS = [
         "forces without the weights": lambda F, m, g: F - [[0, (m[0] + m[1]) * g], [0, m[1] * g]],
         "the weight of bar 1 left out of the first row": lambda F, m, g: F - [[0, m[0] * g], [0, 0]],
         "in the first row the resultant of bar 1's hinges": lambda F, *_: np.array([F[0] - F[1], F[1]]),
-    }.items()
-]
+    }.items()),
+]  # fmt: skip
 
 
 @check(points=0.5, part="a", suspects=FLY_SUSPECTS)

@@ -1,0 +1,13 @@
+"""The mass centre of bar 1 is given no centripetal acceleration in the balance of bar 1's forces.
+
+fails: hinge_forces_balance
+suspect: bar 1's own mass centre left out
+"""
+
+_right = on_the_fly
+
+
+def on_the_fly(theta, omega, *, masses, lengths, gravity):
+    alpha, forces = _right(theta, omega, masses=masses, lengths=lengths, gravity=gravity)
+    outwards = np.array([math.sin(theta[0]), -math.cos(theta[0])])
+    return alpha, forces + [masses[0] * lengths[0] / 2 * omega[0] ** 2 * outwards, np.zeros(2)]
