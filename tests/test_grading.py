@@ -297,6 +297,30 @@ def test_a_name_is_a_name_and_nothing_else(run, tmp_path, solution_text):
     assert pages == sorted(NAMES) and not any("<img" in page.read_text() for page in out.rglob("*.html"))
 
 
+def test_names_that_print_alike_or_too_long_are_two_students_with_pages(run, tmp_path, solution_text):
+    submitted, out = tmp_path / "submitted", tmp_path / "out"
+    for name in ("x\ny", r"x\ny", "\u200b" * 80, "\u200b" * 81):
+        (submitted / name / SLUG).mkdir(parents=True)
+        (submitted / name / SLUG / f"{SLUG}.py").write_text(solution_text(SLUG))
+    _, lines, _ = run(submitted, "--out", out)
+    assert [line["score"] for line in lines] == [10.0] * 4 and len(scores(lines)) == 4
+    assert len(list((out / "feedback").glob("*/*.html"))) == 4
+
+
+def test_a_link_that_leads_away_or_nowhere_is_a_note_and_lists_nothing(run, tree):
+    for student, target in (("dev", "/etc"), ("eli", SLUG), ("fay", "..")):
+        (tree / student).mkdir()
+        (tree / student / SLUG).symlink_to(target)
+    own = tree / "gus" / SLUG
+    own.mkdir(parents=True)
+    (own / f"{SLUG}.py").symlink_to(f"{SLUG}.py")
+    code, lines, err = run(tree, "--seed", 1)
+    said = {line["student"]: f"{line['status']} {line.get('message', '')}" for line in lines}
+    assert code == 0 and scores(lines)["ada"] == 10.0 and "Traceback" not in err
+    assert all("link to a place outside" in said[student] for student in ("dev", "fay", "gus")), said
+    assert not any("holds" in said[student] for student in ("dev", "fay", "gus")), said
+
+
 def test_a_pipe_is_not_read(run, tree):
     path = tree / "ben" / SLUG / f"{SLUG}.py"
     path.unlink()
@@ -515,6 +539,16 @@ def test_a_function_that_hangs_fails_alone(grade, solution_text):
     assert any("did not return within 1 s" in mark.message for mark in outcome.checks)
 
 
+def test_one_that_sleeps_through_its_calls_is_ended(grade, solution_text, monkeypatch):
+    monkeypatch.setattr("tam570_grader.student.PATIENCE", 1)
+    text = (
+        solution_text(SLUG)
+        + "\n_skew = skew\ndef skew(v):\n    time.sleep(0.3)\n    return _skew(v)\nimport time\n"
+    )
+    outcome = grade(SLUG, text, allowance=Allowance(cpu=2, call=1))
+    assert outcome.status == "timeout" and outcome.score < 10
+
+
 # What crosses the boundary
 
 
@@ -531,6 +565,17 @@ def test_messages_arrive_as_they_were_sent(value):
 def test_garbage_is_no_message(data):
     with pytest.raises(Unreadable):
         unpacked(data)
+
+
+@pytest.mark.parametrize("small", [[], {}, Foreign("dict"), 1])
+def test_a_short_message_cannot_ask_for_much_memory(small):
+    with pytest.raises(Unreadable):
+        unpacked(packed([small] * 2**21))
+
+
+def test_the_search_for_imports_takes_no_longer_than_the_text():
+    assert not imported(b"\n" * 2**20 + b" " * 2**20 + b"from \t" * 2**18)
+    assert imported(b"\n\n  from scipy import integrate  # quad") == {"scipy.integrate"}
 
 
 @pytest.mark.parametrize(

@@ -1,6 +1,6 @@
 """How an error or an invariant goes along a motion: what a picture is drawn from, kept with the result.
 
-It is coarse, so that code which knows the hidden inputs cannot write them into the shape of its own errors.
+It is coarse, so that code which knows the hidden inputs can write little of them into the shape of its own errors.
 """
 
 from typing import Any

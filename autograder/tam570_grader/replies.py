@@ -11,6 +11,10 @@ from tam570_grader.sandbox import CellLost
 __all__ = ["checked", "drawn", "error_of", "printable", "sent", "strings"]
 
 
+MOST_KINDS = 20  # classes of an exception
+MOST_LINES = 2000  # of a drawing: three times what is read of one
+
+
 def error_of(reply: Any) -> dict[str, Any]:
     """The error of a reply, {"kinds": [], ...} where there is none, and nothing that is not of the right type."""
     error = reply.get("error") if isinstance(reply, dict) else None
@@ -18,7 +22,7 @@ def error_of(reply: Any) -> dict[str, Any]:
         return {"kinds": [], "text": "", "line": 0}
     line, text = error.get("line"), error.get("text")
     return {
-        "kinds": error["kinds"],
+        "kinds": error["kinds"][:MOST_KINDS],
         "text": printable(" ".join(text[:300].split())) if isinstance(text, str) else "",
         "line": line if isinstance(line, int) else 0,
     }
@@ -40,6 +44,8 @@ def strings(value: Any) -> bool:
 
 
 def drawn(value: dict[str, Any]) -> Drawing:
+    if len(value["lines"]) > MOST_LINES:
+        raise ValueError("too many lines")
     lines = [
         Line(np.asarray(line["points"], float).reshape(-1, 2), str(line["label"]), bool(line["scatter"]))
         for line in value["lines"]

@@ -71,6 +71,8 @@ class Drawing:
     equal_aspect: bool = False
 
 
+LONGEST_TOLD = 2000  # elements of a result: no check asks for more rows
+
 number = Array(())
 drawing = Drawing()
 Promise = Array | Group | Formula | Drawing
@@ -108,13 +110,13 @@ def result(promise: Array | Group, value: Any, name: str, call: Given) -> Any:
 
 
 def _members(promise: Group, value: Any, name: str, call: Given) -> tuple[Any, ...]:
-    found = list(value) if isinstance(value, np.ndarray) and value.ndim else value
-    if not isinstance(found, list) or len(found) != len(promise.members):
-        came = f"{len(found)} results" if isinstance(found, list) else _kind(value)
+    several = isinstance(value, list) or (isinstance(value, np.ndarray) and value.ndim > 0)
+    if not several or len(value) != len(promise.members):
+        came = f"{_size(len(value))} results" if several else _kind(value)
         raise Failure(f"{name} returned {came}, not a tuple of {len(promise.members)} results", at=call)
     return tuple(
         result(member, one, f"{name} (result {index})", call)
-        for index, (member, one) in enumerate(zip(promise.members, found, strict=True), start=1)
+        for index, (member, one) in enumerate(zip(promise.members, value, strict=True), start=1)
     )
 
 
@@ -145,8 +147,13 @@ def _cut_short(promise: Array, found: tuple[int, ...], wanted: tuple[Any, ...]) 
 def _shaped(shape: tuple[Any, ...]) -> str:
     if not shape:
         return "a single number"
-    sizes = ", ".join("k" if size is None else str(size) for size in shape)
+    sizes = ", ".join("k" if size is None else _size(size) for size in shape)
     return f"an array of shape ({sizes}{',' if len(shape) == 1 else ''})"
+
+
+def _size(size: Any) -> str:
+    """A length in words: a long one could be an input, written out."""
+    return "many" if isinstance(size, int) and size > LONGEST_TOLD else str(size)
 
 
 def _kind(value: Any) -> str:

@@ -17,20 +17,20 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from tam570_grader.inside.wire import Unreadable, packed, unpacked
+from tam570_grader.inside.wire import Purse, Unreadable, packed, unpacked
 from tam570_grader.launch import environment, isolation, jailed_command, plain_command
 
-__all__ = ["Allowance", "Cell", "CellLost", "CellTimeout", "Worker", "WorkerLost"]
+__all__ = ["PATIENCE", "Allowance", "Cell", "CellLost", "CellTimeout", "Worker", "WorkerLost"]
 
 LENGTH = struct.Struct(">I")
 FILE_SIZE = 2**25  # bytes a submission may write into its scratch folder
-LARGEST_REPLY = 2**26  # bytes
+LARGEST_REPLY = 2**26  # bytes, of all replies to one request
 GLANCE = 0.5  # s of a wait in one piece
 RECONSIDER = 0.25  # s between looks at a call that is late on the wall's clock
 IDLE_SHARE = (
     0.02  # a call that for so long as its limit uses less than this share of a core is asleep, not slow
 )
-PATIENCE = 6  # a call may take this many times its limit in wall time on a busy machine
+PATIENCE = 6  # a call, and a submission, may take this many times its limit in wall time on a busy machine
 LOWEST_USER, USERS = 20_000, 40_000  # ids that belong to nobody, within what a container maps
 
 _serial = itertools.count(os.getpid() * 16)  # a user id for each worker
@@ -140,7 +140,9 @@ class Cell:
         self._channel.setblocking(False)
         self._leash.settimeout(5)  # s; the guard answers within a few hundredths
         self._received = bytearray()
+        self._purse, self._room = Purse(), LARGEST_REPLY  # for the replies to the request before us
         self._waited = 0.0  # s, in earlier calls: no less than the CPU time they took
+        self.lasted = 0.0  # s on the wall's clock, of all calls and of reading what they sent
         self._cpu = 0.0  # s, at the end
         self._looked_at = (
             0.0,
@@ -153,6 +155,7 @@ class Cell:
     def send(self, request: Any) -> None:
         """Send a request, or raise CellLost or CellTimeout."""
         data = packed(request)
+        self._purse, self._room = Purse(), LARGEST_REPLY
         unsent = memoryview(LENGTH.pack(len(data)) + data)
         started = time.monotonic()
         while unsent:
@@ -177,9 +180,11 @@ class Cell:
                 patience += RECONSIDER
         self._waited += time.monotonic() - asked
         try:
-            return unpacked(data)
+            return unpacked(data, self._purse)
         except Unreadable:
             raise CellLost from None
+        finally:
+            self.lasted += self._clock() - started
 
     def seconds(self) -> float:
         """The CPU seconds that the prisoner has used so far, by the kernel's clock; CellLost if its guard has gone."""
@@ -238,10 +243,11 @@ class Cell:
         if len(self._received) < LENGTH.size:
             return None
         (size,) = LENGTH.unpack_from(self._received)
-        if size > LARGEST_REPLY:
+        if size > self._room:
             raise CellLost
         if len(self._received) < LENGTH.size + size:
             return None
+        self._room -= size
         data = bytes(self._received[LENGTH.size : LENGTH.size + size])
         del self._received[: LENGTH.size + size]
         return data

@@ -12,7 +12,7 @@ from tam570_grader.check import Failure, Given, given
 from tam570_grader.replies import checked, drawn, error_of, printable, sent, strings
 from tam570_grader.returns import Drawing, Formula, result
 from tam570_grader.root import Assignment
-from tam570_grader.sandbox import Cell, CellLost, CellTimeout, Worker, WorkerLost
+from tam570_grader.sandbox import PATIENCE, Cell, CellLost, CellTimeout, Worker, WorkerLost
 
 __all__ = ["BudgetSpent", "Call", "NotLoaded", "NotWritten", "Source", "Student"]
 
@@ -69,7 +69,7 @@ class Student:
         self._cells: dict[tuple[str, ...], Cell] = {}  # by what may not be called in it
         self._defined: set[str] = set()
         self._broken: dict[str, str] = {}  # functions that hung or crashed, and how
-        self._cpu = 0.0  # s, of the cells that have ended
+        self._cpu, self._lasted = 0.0, 0.0  # s of CPU and on the wall's clock, of the cells that have ended
 
     def __getattr__(self, name: str) -> "Function":
         if name not in self._assignment.results:
@@ -112,7 +112,14 @@ class Student:
         except CellLost:
             how = "it exited, crashed or used too much memory"
             self._end(uncallable, name, f"{name} ended its process: {how}")
+        self._must_end()
         return replies
+
+    def _must_end(self) -> None:
+        """Raise BudgetSpent for one that sleeps through its calls: it uses little CPU time, but holds up the class."""
+        lasted = self._lasted + sum(cell.lasted for cell in self._cells.values())
+        if lasted > PATIENCE * self._worker.allowance.cpu:
+            raise BudgetSpent
 
     def _end(self, uncallable: tuple[str, ...], name: str, message: str) -> None:
         """End a cell: the function fails from now on, the others get a new cell while there is CPU time."""
@@ -125,6 +132,7 @@ class Student:
     def _bury(self, cell: Cell) -> None:
         """End a cell and count its CPU time; WorkerLost if it died with its worker, or by another's hand."""
         self._cpu += cell.end()
+        self._lasted += cell.lasted
         if not cell.guarded:
             self._worker.must_live()
         if self._forgiving and (cell.murdered or not cell.guarded):

@@ -1,6 +1,7 @@
 """Finds what students handed in and reads it with care: a submission is data until it is in the sandbox."""
 
 import collections
+import hashlib
 import os
 import stat
 from collections.abc import Iterable, Iterator, Sequence
@@ -14,6 +15,8 @@ from tam570_grader.student import Source
 __all__ = ["BadPath", "CannotRead", "Submission", "read", "submissions"]
 
 LARGEST = 10 * 2**20  # bytes; a notebook with pictures in it may have a few MiB
+LONGEST_NAME = 255  # bytes, of a file
+MOST_NAMES = 10  # of files, in a note on what was found
 
 
 class BadPath(Exception):
@@ -57,13 +60,10 @@ def submissions(paths: Iterable[Path], known: Sequence[str], given: str | None =
 def read(submission: Submission) -> Source:
     """The submission's text, or CannotRead: no links to elsewhere, no devices, nothing huge."""
     assert submission.path is not None
-    path = submission.path.resolve()
-    own = (
-        submission.tree.parent.resolve() / submission.tree.name
-    )  # which may be a link itself, to a neighbour's
     name = printable(submission.path.name)
-    if not path.is_relative_to(own):
+    if not _own(submission.path, submission.tree):
         raise CannotRead(f"{name} is a link to a place outside of the submission")
+    path = submission.path.resolve()
     try:
         with open(os.open(path, os.O_RDONLY | os.O_NONBLOCK), "rb") as file:
             if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
@@ -76,6 +76,14 @@ def read(submission: Submission) -> Source:
     return Source(text, notebook=submission.path.suffix == ".ipynb")
 
 
+def _own(path: Path, tree: Path) -> bool:
+    """Whether a path, links followed, lies in the student's folder, which may be a link itself, to a neighbour's."""
+    try:
+        return path.resolve().is_relative_to(tree.parent.resolve() / tree.name)
+    except (OSError, RuntimeError):  # a link to itself
+        return False
+
+
 def _of_file(path: Path, known: Sequence[str], given: str | None) -> Submission:
     slug = given or slug_of(path.stem, known) or slug_of(path.absolute().parent.name, known)
     if slug is None:
@@ -84,7 +92,7 @@ def _of_file(path: Path, known: Sequence[str], given: str | None) -> Submission:
         )
     if path.suffix not in (".py", ".ipynb"):
         raise BadPath(f"{path} is neither a Python module (.py) nor a notebook (.ipynb)")
-    return Submission(printable(path.stem), slug, path, path.resolve())
+    return Submission(_name(path.stem), slug, path, path.resolve())
 
 
 def _in_folder(folder: Path, known: Sequence[str], given: str | None) -> list[Submission]:
@@ -101,7 +109,7 @@ def _trees(folder: Path, known: Sequence[str], given: str | None) -> list[Submis
         if (slug := _chosen(entry, known, given)) and entry.is_dir():
             found.append(_of_folder(entry, folder.name, slug, entry))
         elif slug:
-            found.append(Submission(printable(entry.stem), slug, entry, entry))
+            found.append(Submission(_name(entry.stem), slug, entry, entry))
         elif entry.is_dir():
             found += _of_student(entry, known, given)
     return _modules_first(found)
@@ -122,7 +130,23 @@ def _of_student(own: Path, known: Sequence[str], given: str | None) -> Iterator[
 
 
 def _entries(folder: Path) -> list[Path]:
-    return sorted(entry for entry in folder.iterdir() if not entry.name.startswith((".", "__")))
+    try:
+        return sorted(entry for entry in folder.iterdir() if not entry.name.startswith((".", "__")))
+    except OSError as error:
+        raise BadPath(f"{printable(str(folder))} cannot be read: {error.strerror}; who owns it?") from None
+
+
+def _name(text: str) -> str:
+    """A student by the name of a folder or file: text that can be printed, and unlike any other's."""
+    return _shortened(printable(text.replace("\\", "\\\\")))
+
+
+def _shortened(name: str) -> str:
+    """No longer than the name of a file may be."""
+    if len(name.encode()) <= LONGEST_NAME:
+        return name
+    mark = hashlib.sha256(name.encode()).hexdigest()[:12]
+    return f"{name.encode()[: LONGEST_NAME - 1 - len(mark)].decode(errors='ignore')}-{mark}"
 
 
 def _chosen(entry: Path, known: Sequence[str], given: str | None) -> str | None:
@@ -133,7 +157,13 @@ def _chosen(entry: Path, known: Sequence[str], given: str | None) -> str | None:
 
 
 def _of_folder(folder: Path, student: str, slug: str, tree: Path) -> Submission:
-    return _of_files(_entries(folder), student, slug, tree)
+    try:
+        if _own(folder, tree):
+            return _of_files(_entries(folder), student, slug, tree)
+        note = f"{printable(folder.name)} is a link to a place outside of the submission"
+    except BadPath as unreadable:
+        note = str(unreadable)
+    return Submission(_name(student), slug, None, tree, note)
 
 
 def _of_files(entries: Sequence[Path], student: str, slug: str, tree: Path) -> Submission:
@@ -149,11 +179,12 @@ def _of_files(entries: Sequence[Path], student: str, slug: str, tree: Path) -> S
     )
     chosen = next(filter(None, choices), [])
     if len(chosen) == 1:
-        return Submission(printable(student), slug, chosen[0], tree)
-    seen = [printable(entry.name) for entry in entries if entry in files or entry.is_dir()]
+        return Submission(_name(student), slug, chosen[0], tree)
+    seen = [printable(entry.name[:80]) for entry in entries if entry in files or entry.is_dir()]
+    seen[MOST_NAMES:] = [f"{len(seen) - MOST_NAMES} more"] if len(seen) > MOST_NAMES else []
     names = ", ".join(seen) or "neither a module nor a notebook"
     note = f"there is no {slug}.py in the folder; it holds {names}"
-    return Submission(printable(student), slug, None, tree, note)
+    return Submission(_name(student), slug, None, tree, note)
 
 
 def _modules_first(found: list[Submission]) -> list[Submission]:
@@ -169,7 +200,7 @@ def _told_apart(found: list[Submission]) -> list[Submission]:
     """Students whose names would be the same, `a/hw07.py` and `b/hw07.py`, go by their folders'."""
     count = collections.Counter((one.student, one.slug) for one in found)
     named = [
-        replace(one, student=f"{printable(one.path.absolute().parent.name)}-{one.student}")
+        replace(one, student=_shortened(f"{_name(one.path.absolute().parent.name)}-{one.student}"))
         if one.path and count[one.student, one.slug] > 1 else one
         for one in found
     ]  # fmt: skip

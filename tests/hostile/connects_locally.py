@@ -14,15 +14,13 @@ LOCAL = (
     "/var/run/docker.sock",
     "/run/systemd/private",
 )
-for name in LOCAL:
-    with socket.socket(socket.AF_UNIX) as line:
-        try:
-            line.connect(name)
-        except OSError:
-            continue
+for family, address in [(socket.AF_UNIX, name) for name in LOCAL] + [
+    (socket.AF_INET, ("127.0.0.1", port)) for port in (22, 53, 80, 443, 631, 4000, 5432, 6379, 8000, 8080, 8888)
+]:
+    try:
+        with socket.socket(family) as line:
+            line.settimeout(0.05)
+            line.connect(address)
+    except OSError:
+        continue
     raise SystemExit("connected")
-for port in (22, 53, 80, 443, 631, 4000, 5432, 6379, 8000, 8080, 8888):
-    with socket.socket() as line:
-        line.settimeout(0.05)
-        if line.connect_ex(("127.0.0.1", port)) == 0:
-            raise SystemExit("connected")

@@ -32,9 +32,20 @@ MOST_FILES = 2**16  # that the supervisor may have open; the limit itself is end
 SCRATCH = "/scratch"  # the prisoner's own folder; not /tmp, where Python and its packages may be
 CHANNEL = 3  # the prisoner's only file besides /dev/null
 REFUSED = {  # system calls, by machine: what the kernel's audit calls it, then their numbers there
-    # add_key, request_key, keyctl, bpf, perf_event_open, userfaultfd, io_uring_setup, ptrace, process_vm_*, pidfd_getfd
-    "x86_64": (0xC000003E, (248, 249, 250, 321, 298, 323, 425, 101, 310, 311, 438)),
-    "aarch64": (0xC00000B7, (217, 218, 219, 280, 241, 282, 425, 117, 270, 271, 438)),
+    # add_key, request_key, keyctl, bpf, perf_event_open, userfaultfd, io_uring_setup, ptrace, process_vm_*,
+    # pidfd_getfd;
+    # shmget, shmat, semget, msgget, mq_open, memfd_create, memfd_secret, io_setup (memory that no limit counts);
+    # unshare, setns; socket (a worker's network, without a device, remembers ports from one submission to the next)
+    "x86_64": (
+        0xC000003E,
+        (248, 249, 250, 321, 298, 323, 425, 101, 310, 311, 438)
+        + (29, 30, 64, 68, 240, 319, 447, 206, 272, 308, 41),
+    ),
+    "aarch64": (
+        0xC00000B7,
+        (217, 218, 219, 280, 241, 282, 425, 117, 270, 271, 438)
+        + (194, 196, 190, 186, 180, 279, 447, 0, 97, 268, 198),
+    ),
 }
 SECCOMP, FILTER = 22, 2  # of prctl
 LOAD, EQUAL, ABOVE, RETURN = 0x20, 0x15, 0x35, 0x06  # instructions of a filter
@@ -97,7 +108,7 @@ def confine(limits: Limits, channel: int, folder: str) -> None:
 
 
 def _refuse_calls() -> None:
-    """Have the kernel refuse what no submission needs: keyrings, which outlive a process, and ways to other processes.
+    """Have the kernel refuse what no submission needs: what outlives a process, what no limit counts, ways to others.
 
     A kernel without filters takes no notice; the namespaces and the other user remain.
     """

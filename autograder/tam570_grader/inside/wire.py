@@ -10,10 +10,11 @@ from numpy import array, asarray, ascontiguousarray, frombuffer, generic, ndarra
 # What a submission does to the built-in functions must not reach those below.
 __builtins__ = dict(vars(builtins))  # type: ignore[assignment]
 
-__all__ = ["Foreign", "Unreadable", "packed", "portable", "unpacked"]
+__all__ = ["Foreign", "Purse", "Unreadable", "packed", "portable", "unpacked"]
 
 ARRAY, FOREIGN = 1, 2
 LARGEST_ARRAY = 2**24  # bytes; the largest honest result, 1e5 rows of 15 numbers, has 12e6
+MOST_ITEMS = 2**20  # of lists and maps in the answers to one request; a number in a list takes 70 bytes
 DEEPEST = 6  # levels of nested lists in a result
 TYPES = ("<f8", "<c16")
 KINDS = {
@@ -38,10 +39,35 @@ def packed(message: Any) -> bytes:
     return bytes(msgpack.packb(message, default=_extension))
 
 
-def unpacked(data: bytes) -> Any:
-    """The message in the bytes; nothing in it is trusted, and nothing in it can run."""
+class Purse:
+    """The items of lists and maps that messages may still have: a short message can ask for much memory."""
+
+    def __init__(self) -> None:
+        self.left = MOST_ITEMS
+
+    def taken(self, items: Any) -> Any:
+        self.left -= 1 + len(items)
+        if self.left < 0:
+            raise Unreadable("too many items")
+        return items
+
+
+def unpacked(data: bytes, purse: Purse | None = None) -> Any:
+    """The message in the bytes; nothing in it is trusted, and nothing in it can run.
+
+    purse : what the messages that share it may have of items, each extension being one
+    """
+    purse = purse or Purse()
+
+    def extension(code: int, content: bytes) -> Any:
+        purse.taken(())
+        return _known(code, content)
+
     try:
-        return msgpack.unpackb(data, ext_hook=_known, strict_map_key=True, max_ext_len=2 * LARGEST_ARRAY)
+        return msgpack.unpackb(
+            data, ext_hook=extension, list_hook=purse.taken, object_hook=purse.taken, strict_map_key=True,
+            max_ext_len=2 * LARGEST_ARRAY, max_array_len=MOST_ITEMS, max_map_len=MOST_ITEMS,
+        )  # fmt: skip
     except Exception as error:  # whatever was sent: it is not a message
         raise Unreadable(str(error)) from None
 

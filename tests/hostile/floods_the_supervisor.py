@@ -1,0 +1,23 @@
+"""Sends messages that ask for much memory: empty lists by the million, arrays of any length without a number.
+
+deserves: below
+"""
+
+import struct
+
+import msgpack
+import numpy
+
+
+def skew(v):
+    flood = msgpack.packb({"value": [[]] * 2**22, "changed": False})
+    with open(3, "wb", closefd=False) as channel:
+        channel.write(struct.pack(">I", len(flood)) + flood)
+
+
+def rotation_matrix(axis, angle):
+    return numpy.empty((2**40, 0))
+
+
+def rotate(r, axis, angle):
+    return [numpy.empty((2**40, 0))] * 3
