@@ -45,6 +45,9 @@ TRAJECTORY = 1e-5  # solve_ivp at rtol 1e-9, atol 1e-9 is off by less than 1e-6 
 ENERGY = 1e-5  # the same solvers lose less than 1e-6 of it in ten periods
 NEARLY = 1e-2  # of the size; below it a right equation is solved coarsely, to choose the words
 TENSOR = 1e-9  # of the square of the larger axis; an eigenvalue that is zero comes out as 1e-16
+# The same of a circle: the axes by their sum and difference, sqrt(r^2 + v^2/k^2 +- 2 abs(r x v)/k), are good to half of
+# the digits there, where the difference is the root of a rounding: 1.5e-8; of ten roundings it is 5e-8.
+ROUND = 1e-7
 # Of the motion's size; no ellipse counts as smaller. A zero axis comes out as the rounding of |centre|, and its square
 # as that of |centre|^2, 1e-15 of the size's square, if it is a difference of such: TENSOR * NOUGHT^2 lets both pass.
 NOUGHT = 1e-3
@@ -502,9 +505,9 @@ def judge_axes(student, draw, kinds):
         whole = tensor(r, v, centre, k)
         square = np.trace(whole) + (NOUGHT * size(r, v, known)[0]) ** 2
         what = {"kind": kind, "at": call}
-        ellipse = np.outer(a, a) + np.outer(b, b)
-        twice = np.allclose(ellipse, 4 * whole, rtol=0, atol=4 * TENSOR * square)
-        expect(ellipse, whole, within=TENSOR, scale=square, **what, of="the ellipse", unit="of the square of its size",
+        ellipse, near = np.outer(a, a) + np.outer(b, b), ROUND if kind == "a circle" else TENSOR
+        twice = np.allclose(ellipse, 4 * whole, rtol=0, atol=4 * near * square)
+        expect(ellipse, whole, within=near, scale=square, **what, of="the ellipse", unit="of the square of its size",
                hint="it is twice as large: these are its axes, not semi-axes" if twice
                else "do r and v/sqrt(k/m) lie on your ellipse, as seen from its centre?")  # fmt: skip
         expect(a @ b, 0.0, within=RIGHT_ANGLE, scale=square, of="the product of the axes", unit="of the larger one's "
