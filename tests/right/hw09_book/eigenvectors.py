@@ -22,7 +22,11 @@ def space_sequence(steps):
 
 
 def body_sequence(steps):
-    return np.linalg.multi_dot([np.eye(3), np.eye(3)] + [axis_rotation(*step) for step in steps])
+    """Turns about the images of the axes, each a turn S = R A R^T seen from space."""
+    R = np.eye(3)
+    for step in steps:
+        R = (R @ axis_rotation(*step) @ R.T) @ R
+    return R
 
 
 def book_rotations():

@@ -1,0 +1,11 @@
+"""The sines of the matrix about x have the wrong signs.
+
+fails: turns_about_the_coordinate_axes, space_sequence_takes_the_first_step_first, body_sequence_takes_the_axes_along, the_book_is_turned_in_both_orders
+suspect: x turned the other way
+"""
+
+_right = axis_rotation
+
+
+def axis_rotation(axis, angle):
+    return _right(axis, -angle if axis == "x" else angle)
