@@ -297,6 +297,8 @@ def forged(folder):
     }
 
     def forge(cells):
+        answer = next(cell for cell in cells if cell["cell_type"] == "markdown")
+        answer["source"] = "<script>sneaked()</script>\n\n[here](javascript:sneaked()) *slanted* $a<b$"
         locked(cells)["outputs"] = [points]
         next(cell for cell in cells if cell["cell_type"] == "code")["outputs"] = [script, png]
 
@@ -425,6 +427,9 @@ def test_nothing_of_a_student_runs_in_the_teachers_browser(odd_class):
     made, _ = odd_class
     assert "stolen()" not in page_of(made, "forged") + page_of(made, "beside")
     assert "<b>bold</b>" not in page_of(made, "no_syntax")
+    forged_page = page_of(made, "forged")
+    assert "<script>sneaked" not in forged_page and "javascript:sneaked" not in forged_page
+    assert "<em>slanted</em> $a&lt;b$" in forged_page
 
 
 def test_late_work_is_graded_and_known_as_late(odd_class):

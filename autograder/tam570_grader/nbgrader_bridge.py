@@ -13,7 +13,9 @@ from pathlib import Path
 from typing import Any
 
 import nbformat
+from jinja2 import pass_context
 from nbconvert.exporters import NotebookExporter
+from nbconvert.filters.markdown_mistune import IPythonRenderer, MarkdownWithMath
 from nbgrader.converters import base  # type: ignore[import-untyped]
 from nbgrader.converters.base import NbGraderException  # type: ignore[import-untyped]
 from nbgrader.preprocessors import NbGraderPreprocessor  # type: ignore[import-untyped]
@@ -30,7 +32,7 @@ from tam570_grader.run import Plan, records
 from tam570_grader.sandbox import Allowance
 from tam570_grader.submissions import Submission, submissions
 
-__all__ = ["ForgivingExporter", "KeepPictures", "RestoreMetadata", "SandboxGrades"]
+__all__ = ["ForgivingExporter", "KeepPictures", "RestoreMetadata", "SandboxGrades", "markdown_without_html"]
 
 Resources = Any
 Outcome = tuple[Notebook, Resources]
@@ -115,6 +117,14 @@ def _notes_of_cells(notebook: Any) -> dict[str, dict[str, Any]]:
         }
         for cell in notebook.source_cells
     }  # fmt: skip
+
+
+@pass_context
+def markdown_without_html(context: Any, source: str) -> str:
+    """Markdown as nbconvert renders it, but for HTML and links that run, which a student's text may hold."""
+    pictures = context.get("cell", {}).get("attachments", {})
+    renderer = IPythonRenderer(escape=True, allow_harmful_protocols=False, attachments=pictures)
+    return str(MarkdownWithMath(renderer=renderer).render(source))
 
 
 class KeepPictures(NbGraderPreprocessor):  # type: ignore[misc]
