@@ -115,12 +115,19 @@ def with_missing(factor):
     return acceleration
 
 
-def slope_forgotten(phi, phi_dot, **cylinder):
-    """The acceleration with the weight at G in the direction that it has on level ground, and at O where it is."""
-    m_g_e = cylinder["mass"] * cylinder["gravity"] * cylinder["offset"]
-    body = {name: cylinder[name] for name in ("mass", "radius", "offset", "inertia")}
-    more = m_g_e * (math.sin(phi + cylinder["slope"]) - math.sin(phi))
-    return balanced(phi, phi_dot, **cylinder)[0] + more / about_contact(phi, **body)
+def more_by_slope(phi, times, *, mass, radius, offset, inertia, slope, gravity):
+    """What phi'' is larger by with the sine of phi and so many times the slope in the moment of the weight at G."""
+    more = mass * gravity * offset * (math.sin(phi + slope) - math.sin(phi + times * slope))
+    return more / about_contact(phi, mass=mass, radius=radius, offset=offset, inertia=inertia)
+
+
+def with_slopes(times):
+    """The acceleration with the weight at G in another direction, and at O where it is."""
+
+    def acceleration(phi, phi_dot, **cylinder):
+        return balanced(phi, phi_dot, **cylinder)[0] + more_by_slope(phi, times, **cylinder)
+
+    return acceleration
 
 
 def offset_reversed(function):
@@ -148,6 +155,42 @@ def force_from(acceleration, centripetal=1.0, about_centre=1.0):
         return tuple(m * of_G - weight(m, cylinder["gravity"], cylinder["slope"]))
 
     return contact_force
+
+
+def force_by(part):
+    """The force with part(m, r, a_G, its share by phi'', phi'', weight) in place of (along, normal)."""
+
+    def contact_force(phi, phi_dot, **cylinder):
+        m, r = cylinder["mass"], cylinder["radius"]
+        _, first, second = arms(phi, r, cylinder["offset"])
+        phi_ddot = acceleration_of(phi, phi_dot, **cylinder)
+        by_turning = first * phi_ddot
+        pull = weight(m, cylinder["gravity"], cylinder["slope"])
+        of_G = by_turning + second * phi_dot**2
+        right = m * of_G - pull
+        return tuple(
+            right if wrong is None else wrong
+            for wrong, right in zip(part(m, r, of_G, by_turning, phi_ddot, pull), right, strict=True)
+        )
+
+    return contact_force
+
+
+# (along, normal), None where it is right
+WRONG_PARTS = {
+    "the acceleration of the centre along the ramp, r phi'', for that of G":
+        lambda m, r, a, turned, turning, w: (m * r * turning - w[0], None),
+    "a normal force that carries the weight alone, as at rest": lambda m, r, a, turned, turning, w: (None, -w[1]),
+    "a force along the ramp that holds the weight alone, as at rest":
+        lambda m, r, a, turned, turning, w: (-w[0], None),
+    "the acceleration of G off the ramp without its part with phi''":
+        lambda m, r, a, turned, turning, w: (None, m * (a - turned)[1] - w[1]),
+    "the acceleration of G off the ramp with the wrong sign of its part with phi_dot squared":
+        lambda m, r, a, turned, turning, w: (None, m * (2 * turned - a)[1] - w[1]),
+    "the weight left out of the force along the ramp": lambda m, r, a, turned, turning, w: (m * a[0], None),
+    "the weight without the cosine of the slope in the normal force":
+        lambda m, r, a, turned, turning, w: (None, m * a[1] + math.hypot(*w)),
+}  # fmt: skip
 
 
 def up_the_ramp(*args, **cylinder):
@@ -231,7 +274,8 @@ WRONG_ACCELERATIONS = {
     "the term that M_C = I^C phi'' lacks, its sign reversed": with_missing(-1),
     "G on the other side of the centre": offset_reversed(acceleration_of),
     DEGREES: with_slope(math.radians, acceleration_of),
-    "the moment of the weight at G with sin(phi), where sin(phi + slope) belongs": slope_forgotten,
+    "the moment of the weight at G with sin(phi), where sin(phi + slope) belongs": with_slopes(0),
+    "the moment of the weight at G with sin(phi - slope), where sin(phi + slope) belongs": with_slopes(-1),
 }
 WRONG_SIMULATIONS = {
     **{says: integrated(wrong) for says, wrong in WRONG_ACCELERATIONS.items()},
@@ -407,6 +451,10 @@ CONTACT_INERTIA_SUSPECTS = [
             contact_inertia=lambda phi, **c: c["inertia"] + c["mass"] * c["offset"] ** 2),
     suspect("the distance from C to the centre, where that to G belongs",
             contact_inertia=lambda phi, **c: c["inertia"] + c["mass"] * c["radius"] ** 2),
+    suspect("that of phi = 0 at every phi: G is as far from C there as r - e",
+            contact_inertia=lambda phi, **c: about_contact(0.0, **c)),
+    suspect("the distance from C to G by r^2 + e^2, which it is where O G is along the ramp",
+            contact_inertia=lambda phi, *, mass, radius, offset, inertia: inertia + mass * (radius**2 + offset**2)),
     suspect("the given inertia taken as that about the centre",
             contact_inertia=lambda phi, **c: about_contact(phi, **c) - c["mass"] * c["offset"] ** 2),
     suspect("G on the other side of the centre", contact_inertia=offset_reversed(about_contact)),
@@ -431,6 +479,8 @@ NAIVE_SUSPECTS = [
     suspect("the moment of a weight at the centre, where it acts at G",
             naive_contact_acceleration=lambda phi, **c: c["mass"] * c["gravity"] * c["radius"] * math.sin(c["slope"])
             / about_contact(phi, **parts(c, *BODY))),
+    suspect("the moment of the weight at G with sin(phi - slope), where sin(phi + slope) belongs",
+            naive_contact_acceleration=lambda phi, **c: naive(phi, **c) + more_by_slope(phi, -1, **c)),
     suspect("phi measured from the vertical, where it is measured from the normal of the ramp",
             naive_contact_acceleration=lambda phi, **c: naive(phi - c["slope"], **c)),
     suspect(DEGREES, naive_contact_acceleration=with_slope(math.radians, naive)),
@@ -470,6 +520,8 @@ MISSING_SUSPECTS = [
     missing_suspect("twice the term: the whole rate of I^C times phi'", lambda *args, **c: 2 * missing(*args, **c)),
     missing_suspect("the sign reversed", lambda *args, **c: -missing(*args, **c)),
     missing_suspect("phi' where its square belongs", lambda phi, rate, **c: missing(phi, rate, **c) / (rate or 1.0)),
+    missing_suspect("phi' times its size, where its square belongs, which has no sign",
+                    lambda phi, rate, **c: math.copysign(1.0, rate) * missing(phi, rate, **c)),
     missing_suspect("the cosine of phi for the sine",
                     lambda phi, rate, **c: missing(phi + math.pi / 2, rate, **c)),
     missing_suspect("the size of the sine of phi, where its sign matters: G may be on either side",
@@ -502,6 +554,7 @@ FORCE_SUSPECTS = [
             contact_force=force_from(acceleration_of, about_centre=0.0)),
     suspect("G on the other side of the centre", contact_force=offset_reversed(force_of)),
     suspect(DEGREES, contact_force=with_slope(math.radians, force_of)),
+    *(suspect(says, contact_force=force_by(wrong)) for says, wrong in WRONG_PARTS.items()),
     *(suspect(f"{says}, for the acceleration", contact_force=force_from(wrong))
       for says, wrong in WRONG_ACCELERATIONS.items()),
 ]  # fmt: skip
@@ -511,11 +564,19 @@ def judge_forces(student, of, hint, kind=""):
     asked = calls(of, *ALL, kind=kind)
     for found, call, (phi, phi_dot, c) in zip(student.contact_force.many(asked), asked, of, strict=True):
         scale = moment_scale(phi, phi_dot, c) / c["radius"]
-        expect(found, force_of(phi, phi_dot, **c), within=FORMULA, scale=scale, of="the contact force",
-               unit="of m (g + r phi_dot^2)", kind=call.kind, hint=hint, at=(phi, phi_dot, c))  # fmt: skip
+        right = force_of(phi, phi_dot, **c)
+        off = np.abs(np.subtract(found, right)) > FORMULA * scale
+        expect(found, right, within=FORMULA, scale=scale, of="the contact force", unit="of m (g + r phi_dot^2)",
+               kind=call.kind, hint=PARTS.get(tuple(off), hint), at=(phi, phi_dot, c))  # fmt: skip
 
 
 DOWN = "along is positive down the ramp: on which part does friction act?"
+# whether along and normal are off
+PARTS = {
+    (True, False): "normal is right, along is not: m times the acceleration of G down the ramp, less m g sin(slope)",
+    (False, True): "along is right, normal is not: G is accelerated off the ramp too, by phi'' and by phi_dot squared, "
+                   "and of its weight m g cos(slope) presses",
+}  # fmt: skip
 
 
 @check(points=1.25, part="b", suspects=FORCE_SUSPECTS)
@@ -558,7 +619,21 @@ def potential_from(level):
     return lambda *args, **c: total_energy(*args, **c) - c["mass"] * c["gravity"] * level(c)
 
 
+def potential_with(cosine):
+    """The energy with cosine(phi, slope) in the height of G below the centre, where cos(phi + slope) belongs."""
+
+    def energy(phi, rate, **c):
+        more = math.cos(phi + c["slope"]) - cosine(phi, c["slope"])
+        return total_energy(phi, rate, **c) + c["mass"] * c["gravity"] * c["offset"] * more
+
+    return energy
+
+
 ENERGY_SUSPECTS = [
+    suspect("the height of G with cos(phi - slope), where cos(phi + slope) belongs",
+            energy=potential_with(lambda phi, slope: math.cos(phi - slope))),
+    suspect("the height of G with cos(phi) cos(slope), where cos(phi + slope) belongs",
+            energy=potential_with(lambda phi, slope: math.cos(phi) * math.cos(slope))),
     suspect("the potential zero with G where it is at phi = 0",
             energy=potential_from(lambda c: -c["offset"] * math.cos(c["slope"]))),
     suspect("the potential zero on the ramp", energy=potential_from(lambda c: -c["radius"] * math.cos(c["slope"]))),
@@ -623,12 +698,17 @@ def judge_runs(student, cases, hint):
         stands = len(states) == 2 and moves and np.array_equal(*states)
         expect_that(not stands, "row 1 is the start again", kind=call.kind, at=call)
         expect(states, expected, within=TRAJECTORY, of="phi, or phi_dot in its scale,", unit="of the distance rolled",
-               t=call.args[0], kind=call.kind, hint=partial(hint_of_stops, states, hint), at=call,
+               t=call.args[0], kind=call.kind, hint=partial(hint_of_rows, states, hint, call), at=call,
                partial={1e-3: 0.5})  # fmt: skip
 
 
-def hint_of_stops(states, otherwise):
-    """Whether the rows stop changing, as they do where a simulation ends."""
+def hint_of_rows(states, otherwise, call):
+    """Whether the rows stop changing, as they do where a simulation ends, or are those of small rocking."""
+    if (
+        call.kind == OFF_LOWEST
+        and np.max(np.abs(states[:, 0] - linear(*call.args, **call.kwargs)[:, 0])) <= TRAJECTORY
+    ):
+        return "it is the small rocking of the linear equation, and the motion is not small"
     if len(states) > 2 and np.array_equal(states[-1], states[-2]):
         return "it stops: contact is kept, and the motion goes on, even where the ramp must pull"
     return otherwise
@@ -678,33 +758,46 @@ def heavy_side(draw):
     return call, moved(t, *start, **c), usual(c)
 
 
+OFF_LOWEST = "two times, let go at rest on level ground"
+
+
 @once
 def plain_runs(draw):
-    """As `runs`, for two times: from rest at phi = 0, up a ramp, with G at the centre, and where nothing moves."""
+    """As `runs`, for two times: let go at rest, up a ramp, with G at the centre, and where nothing moves."""
     starts = (
-        (cylinder(draw), 0.0, "two times, let go at rest at phi = 0"),
-        (cylinder(draw, slope=-draw.uniform(0.2, 0.5)), 1.0, "two times, up a ramp"),
-        (cylinder(draw, offset=0.0), -1.0, "two times, G at the centre"),
-        (cylinder(draw, slope=0.0), 0.0, "a cylinder at rest, G at its lowest, where it stays"),
+        (cylinder(draw), 0.0, 0.0, "two times, let go at rest at phi = 0"),
+        (cylinder(draw, slope=-draw.uniform(0.2, 0.5)), 0.0, 1.0, "two times, up a ramp"),
+        (cylinder(draw, offset=0.0), 0.0, -1.0, "two times, G at the centre"),
+        (cylinder(draw, slope=0.0), 0.0, 0.0, "a cylinder at rest, G at its lowest, where it stays"),
+        (cylinder(draw, slope=0.0), draw.choice([-0.12, 0.12]), 0.0, OFF_LOWEST),  # linear, it is off by 1e-4
     )
     cases = []
-    for c, rate, kind in starts:
-        t, start = times(draw, 2 / usual(c), 2), (0.0, rate * usual(c))
+    for c, angle, rate, kind in starts:
+        t, start = times(draw, 2 / usual(c), 2), (angle, rate * usual(c))
         cases.append((given(t, *start, **c).on(kind), moved(t, *start, **c), usual(c)))
     return cases
 
 
 @once
 def small_rocking(draw):
-    """A call with a small start on level ground, and the linear solution: its inertia is that about C at phi = 0."""
+    """A call with a small start on level ground, and the linear solution."""
     c = cylinder(draw, slope=0.0)
-    stiffness = c["mass"] * c["gravity"] * c["offset"]
-    k = math.sqrt(stiffness / about_contact(0.0, **parts(c, *BODY)))
+    k = rocking_rate(c)
     t, amplitude = times(draw, 25 / k, 60), draw.uniform(1, 2) * 1e-3
-    angle = k * (t - t[0])
-    expected = np.column_stack([amplitude * np.cos(angle), -amplitude * k * np.sin(angle)])
     call = given(t, amplitude, 0.0, **c).on("small rocking on level ground")
-    return call, expected / [amplitude, amplitude * k], [amplitude, amplitude * k]
+    return call, linear(t, 1.0, 0.0, **c) / [1.0, k], [amplitude, amplitude * k]
+
+
+def rocking_rate(c):
+    """Of small rocking on level ground: the inertia is that about C at phi = 0."""
+    return math.sqrt(c["mass"] * c["gravity"] * c["offset"] / about_contact(0.0, **parts(c, *BODY)))
+
+
+def linear(t, amplitude, _, **cylinder):
+    """Small rocking on level ground, let go at rest."""
+    k = rocking_rate(cylinder)
+    angle = k * (t - t[0])
+    return np.column_stack([amplitude * np.cos(angle), -amplitude * k * np.sin(angle)])
 
 
 ROCKING = 5e-4  # of the amplitude: solve_ivp at 1e-9 is off by 4e-5, the square of the amplitude by 3e-5

@@ -1,0 +1,11 @@
+"""The force along the ramp holds the weight alone.
+
+fails: contact_force_accelerates_G
+suspect: a force along the ramp that holds the weight alone
+"""
+
+_right = contact_force
+
+
+def contact_force(phi, phi_dot, **c):
+    return -c["mass"] * c["gravity"] * math.sin(c["slope"]), _right(phi, phi_dot, **c)[1]

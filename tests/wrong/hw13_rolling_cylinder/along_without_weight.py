@@ -1,0 +1,12 @@
+"""The weight left out of the force along the ramp.
+
+fails: contact_force_accelerates_G
+suspect: the weight left out of the force along the ramp
+"""
+
+_right = contact_force
+
+
+def contact_force(phi, phi_dot, **c):
+    along, normal = _right(phi, phi_dot, **c)
+    return along + c["mass"] * c["gravity"] * math.sin(c["slope"]), normal

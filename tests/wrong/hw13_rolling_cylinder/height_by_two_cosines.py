@@ -1,0 +1,12 @@
+"""cos(phi) cos(slope) in the height of G.
+
+fails: energy_of_G_and_of_turning
+suspect: the height of G with cos(phi) cos(slope)
+"""
+
+_right = energy
+
+
+def energy(phi, phi_dot, **c):
+    more = math.cos(phi + c["slope"]) - math.cos(phi) * math.cos(c["slope"])
+    return _right(phi, phi_dot, **c) + c["mass"] * c["gravity"] * c["offset"] * more

@@ -1,0 +1,12 @@
+"""The normal force carries the weight alone.
+
+fails: contact_force_accelerates_G
+suspect: a normal force that carries the weight alone
+names: along is right, normal is not
+"""
+
+_right = contact_force
+
+
+def contact_force(phi, phi_dot, **c):
+    return _right(phi, phi_dot, **c)[0], c["mass"] * c["gravity"] * math.cos(c["slope"])

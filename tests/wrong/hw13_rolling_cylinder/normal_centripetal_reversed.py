@@ -1,0 +1,12 @@
+"""The sign of the part with phi_dot squared in the acceleration of G off the ramp.
+
+fails: contact_force_accelerates_G
+suspect: the wrong sign of its part with phi_dot squared
+"""
+
+_right = contact_force
+
+
+def contact_force(phi, phi_dot, **c):
+    along, normal = _right(phi, phi_dot, **c)
+    return along, normal - 2 * c["mass"] * c["offset"] * math.cos(phi) * phi_dot**2
