@@ -76,15 +76,16 @@ def placed(state, *, radius):
     return np.concatenate([centre, attitude(state).ravel(), np.array(components(state)[:3]) @ E])
 
 
-def jourdain(state, *, mass, radius, inertia, gravity):
-    """(yaw'', tilt'', roll''), omega' and the acceleration of the centre."""
+def jourdain(state, tensor=None, *, mass, radius, inertia, gravity):
+    """(yaw'', tilt'', roll''), omega' and the acceleration of the centre; a wrong tensor of inertia may be given."""
     E, rates = frame(state), np.asarray(state[5:])
     about = np.array([Z, E[0], E[2]])  # omega = rates @ about
     omega, turning = rates @ about, rates[0] * Z + rates[1] * E[0]
     about_rate = about @ hat(turning).T * [[0.0], [1.0], [1.0]]
     moves, e2_rate = radius * about @ hat(E[1]), hat(turning) @ E[1]
     moves_rate = radius * (about_rate @ hat(E[1]) + about @ hat(e2_rate))
-    tensor = inertia[0] * np.eye(3) + (inertia[1] - inertia[0]) * np.outer(E[2], E[2])
+    if tensor is None:
+        tensor = inertia[0] * np.eye(3) + (inertia[1] - inertia[0]) * np.outer(E[2], E[2])
     force = mass * (gravity * Z + rates @ moves_rate)
     moment = tensor @ (rates @ about_rate) + hat(omega) @ (tensor @ omega)
     second = np.linalg.solve(
@@ -132,9 +133,9 @@ def spun(state, wrong=(), *, mass, radius, inertia, gravity):
     (A, C), m, g = inertia, mass * radius**2, gravity
     w1, w2, w3, turn = components(state)
     if wrong:
-        A, C = (m / 4, m / 2) if "thin" in wrong else (A, C)
+        A, C = (m / 4, m / 2) if "thin" in wrong else (C / 2, C) if "half" in wrong else (A, C)
         m = 0.0 if "light" in wrong else mass if "unit" in wrong else m
-        g = -g if "upwards" in wrong else 9.81 if "earth" in wrong else g
+        g = -g if "upwards" in wrong else 9.81 if "earth" in wrong else g / mass if "massless" in wrong else g
         w3 = state[7] if "rolled" in wrong else w3
         turn = w3 if "with_body" in wrong else turn
     fixed, still = m * ("fixed" in wrong), m * ("still" in wrong)
@@ -166,6 +167,9 @@ def spun_omega_rate(state, wrong=(), **disk):
     w1, w2, w3, turn = components(state)
     changed = np.array(spun(state, wrong, **disk))
     return (changed + np.cross([w1, w2, turn], [w1, w2, w3])) @ frame(state)
+
+
+spun_matrix_rates = matrix_rates_with(spun_omega_rate)
 
 
 class Flat(Exception):
@@ -202,6 +206,7 @@ WRONG = {
     "m a^2 missing: the force that moves the centre has a moment about it too": ("light",),
     "m where m a^2 belongs: right for a radius of 1 m alone": ("unit",),
     "the inertia of a thin uniform disk, whatever A and C": ("thin",),
+    "C/2 for A, as of a thin disk": ("half",),
     "the weight upwards": ("upwards",),
     "9.81 m/s^2, whatever the gravity": ("earth",),
 }
@@ -213,6 +218,7 @@ IN_MATRIX = {
     **WRONG,
     "the rate of the arm to the contact left out": ("still",),
     "omega x H left out of the balance of angular momentum": ("free",),
+    "the weight without the mass": ("massless",),
 }
 CLOSE = 1e-10  # for what the right answer may agree with in the first calls: what is a little off is not that mistake
 
@@ -250,6 +256,12 @@ def wrong_path(wrong):
 
 def wrong_matrix_path(wrong):
     return lambda t, state, **disk: on_ground(matrix_path(t, euler_of(state), wrong, **disk), state)
+
+
+def centre_path(t, state, **disk):
+    states = path(t, state, **disk)
+    states[:, :2] = [placed(row, radius=disk["radius"])[:2] for row in states]
+    return states
 
 
 def by_default(t, state, **disk):
@@ -397,7 +409,10 @@ def starts(draw, count, span, samples):
         disk["gravity"] *= not found
         state = a_state(draw, disk, draw.uniform(0.8, 2.3))
         state[7] += 2 * usual(disk) * np.sign(state[7])
-        t = draw.uniform(-2, 3) + span / usual(disk) * np.sort([0.0, 1.0, *draw.uniform(0, 1, samples - 2)])
+        start = (
+            draw.uniform(-3, -0.5) if found else draw.uniform(0.5, 3)
+        )  # what needs t[0] > 0 gives one result
+        t = start + span / usual(disk) * np.sort([0.0, 1.0, *draw.uniform(0, 1, samples - 2)])
         if stays_up(t, state, disk):
             found.append((t, state, disk, "a motion without gravity" if found else "a general motion"))
     return found
@@ -460,6 +475,21 @@ def columns_scale(states, lengths, radius):
 # (a) Three derivations
 
 
+def exchanged(state):
+    """Yaw for roll, and roll for yaw."""
+    return np.asarray(state)[[0, 1, 4, 3, 2, 5, 6, 7]]
+
+
+def with_attitude(change):
+    """The matrix state, but R that of a changed state."""
+
+    def turned_otherwise(state, *, radius):
+        right = placed(state, radius=radius)
+        return np.concatenate([right[:3], attitude(change(state)).ravel(), right[12:]])
+
+    return turned_otherwise
+
+
 @check(
     points=0.5, part="a",
     suspects=[
@@ -470,6 +500,12 @@ def columns_scale(states, lengths, radius):
         suspect(SPIN, matrix_state=lambda state, *, radius: placed(rolling_alone(state), radius=radius)),
         suspect("the contact for the centre", matrix_state=lambda state, *, radius: np.concatenate(
             [state[:2], [0.0], placed(state, radius=radius)[3:]])),
+        suspect("yaw and roll exchanged in R", matrix_state=with_attitude(exchanged)),
+        suspect("yaw and roll exchanged", matrix_state=lambda state, **disk: placed(exchanged(state), **disk)),
+        suspect("the centre straight above the contact", matrix_state=lambda state, *, radius: np.concatenate(
+            [state[:2], placed(state, radius=radius)[2:]])),
+        suspect("roll' along z: it is along the axle", matrix_state=lambda state, *, radius: np.concatenate(
+            [placed(state, radius=radius)[:12], state[6] * frame(state)[0] + (state[5] + state[7]) * Z])),
         suspect("the frame e1, e2, e3 for R: the roll left out", matrix_state=lambda state, *, radius: np.concatenate(
             [(m := placed(state, radius=radius))[:3], frame(state).T.ravel(), m[12:]])),
     ],
@@ -489,7 +525,8 @@ CENTRE, MATRIX, OMEGA = slice(0, 3), slice(3, 12), slice(12, 15)
 PLACE = {"the centre": CENTRE, "R, row by row,": MATRIX, "omega in space axes": OMEGA}
 MATRIX_RATES = {"the centre's velocity": CENTRE, "dR/dt": MATRIX, "omega'": OMEGA}
 EULER_RATES = {
-    "the contact's velocity": slice(0, 2), "an angle's rate": slice(2, 5), "yaw'', tilt'' or roll''": slice(5, 8),
+    "the contact's velocity": slice(0, 2), "an angle's rate": slice(2, 5),
+    "yaw''": slice(5, 6), "tilt''": slice(6, 7), "roll''": slice(7, 8),
 }  # fmt: skip
 
 
@@ -499,20 +536,43 @@ def expect_parts(parts, found, right, scale, **said):
         expect(found[part], right[part], scale=scale[part], of=of, unit="of its size", **said)
 
 
-def judged(function, cases, parts, *, given_as, right, scale, within, hint=""):
-    """The student's derivatives against the right ones."""
+def judged(function, cases, parts, *, given_as, right, scale, within, hint="", spins=None):
+    """The student's derivatives against the right ones; spins(off, state) is the omega' in what a derivative is off."""
     calls = [given(0.0, given_as(state, disk), **disk).on(kind) for state, disk, kind in cases]
     results = function.many(calls)
 
     def where():
-        errors = [np.abs(found - right(state, **disk)) / scale(state, disk)
-                  for found, (state, disk, _) in zip(results, cases, strict=True)]  # fmt: skip
-        return half_wrong([state for state, *_ in cases], np.max(errors, axis=1) > within) or hint
+        states = [state for state, *_ in cases]
+        offs = [found - right(state, **disk) for found, (state, disk, _) in zip(results, cases, strict=True)]
+        sizes = [scale(state, disk) for state, disk, _ in cases]
+        half = half_wrong(states, np.max(np.abs(offs) / sizes, axis=1) > within)
+        if half or not spins:
+            return half or hint
+        turning = [spins(off, state) for off, state in zip(offs, states, strict=True)]
+        return wrong_along("omega'", turning, states, [within * size[-1] for size in sizes]) or hint
 
     for found, (state, disk, kind) in zip(results, cases, strict=True):
         expected = np.asarray(right(state, **disk))
         expect_parts(parts, found, expected, scale(state, disk), within=within, at=(state, disk), kind=kind,
                      hint=where)  # fmt: skip
+
+
+def omega_rate_of_angles(rates, state):
+    """What the second derivatives of the angles contribute to omega'."""
+    e1, _, e3 = frame(state)
+    return rates[5] * Z + rates[6] * e1 + rates[7] * e3
+
+
+def omega_rate_of_matrix(rates, state):
+    return rates[OMEGA]
+
+
+def wrong_along(of, offs, states, limits):
+    """Along which of e1, e2, e3 these vectors are off, if it is not along all of them; "" if it is."""
+    errors = [np.abs(frame(state) @ off) for off, state in zip(offs, states, strict=True)]
+    wrong = np.any(np.array(errors) > np.reshape(limits, (-1, 1)), axis=0)
+    names = [name for name, off in zip(("e1", "e2", "e3"), wrong, strict=True) if off]
+    return f"{of} is wrong along {' and '.join(names)} only" if 0 < len(names) < 3 else ""
 
 
 HALVES = {
@@ -527,9 +587,12 @@ HALVES = {
 
 def half_wrong(states, wrong):
     """Of which states the results are wrong, if it is half of them; "" if it is not."""
+    moving = np.array([np.all(state[5:]) for state in states])  # at rest a wrong angle may do no harm
     for says, is_among in HALVES.items():
         among = np.array([is_among(*state[2:4]) for state in states])
-        if np.any(wrong) and not np.any(wrong & ~among) and np.mean(wrong[among]) > 0.7:
+        if among.all() or np.any(wrong & ~among):
+            continue
+        if np.any(among & moving) and np.mean(wrong[among & moving]) > 0.7:
             return f"it is wrong {says}"
     return ""
 
@@ -548,7 +611,7 @@ def half_wrong(states, wrong):
 def euler_equations_hold(student, draw):
     """euler_state_derivative balances momentum and angular momentum of a rolling disk, hoop and wheel."""
     judged(student.euler_state_derivative, [*instants(draw), *plain_instants(draw)], EULER_RATES,
-           given_as=as_euler, right=euler_rates,
+           given_as=as_euler, right=euler_rates, spins=omega_rate_of_angles,
            scale=euler_scale, within=POINTWISE, hint="test it on straight rolling, then on hw11's circles")  # fmt: skip
 
 
@@ -556,11 +619,27 @@ def euler_equations_hold(student, draw):
 def euler_equations_hold_next_to_flat_and_upright(student, draw):
     """euler_state_derivative holds at a tilt of 1e-3, and for a disk spinning upright on a point."""
     disk = a_disk(draw, "a wheel")
-    nearly = [(a_state(draw, disk, tilt), disk, "a nearly flat disk") for tilt in (1e-3, math.pi - 1e-3)]
+    nearly = nearly_flat(draw, disk)
     upright = a_state(draw, disk, math.pi / 2) * [1, 1, 1, 1, 1, 1, 0, 0]
     cases = [*nearly, (upright, disk, "an upright disk that spins on a point")]
     judged(student.euler_state_derivative, cases, EULER_RATES, given_as=as_euler, right=spun_euler_rates,
-           scale=euler_scale, within=FLAT, hint="no tilt but 0 and pi is singular")  # fmt: skip
+           scale=euler_scale, within=FLAT, hint=NO_SINGULAR_TILT)  # fmt: skip
+
+
+NO_SINGULAR_TILT = "no tilt but 0 and pi is singular"
+
+
+def nearly_flat(draw, disk):
+    return [(a_state(draw, disk, tilt), disk, "a nearly flat disk") for tilt in (1e-3, math.pi - 1e-3)]
+
+
+def judge_balances(function, draw, hint):
+    """The rates of a matrix state, those of a nearly flat disk last."""
+    said = {"given_as": as_matrix, "scale": matrix_scale}
+    judged(function, [*instants(draw), *plain_instants(draw)], MATRIX_RATES, right=matrix_rates, within=POINTWISE,
+           hint=hint, spins=omega_rate_of_matrix, **said)  # fmt: skip
+    judged(function, nearly_flat(draw, a_disk(draw, "a wheel")), MATRIX_RATES, right=spun_matrix_rates, within=FLAT,
+           hint=NO_SINGULAR_TILT, **said)  # fmt: skip
 
 
 def as_euler(state, disk):
@@ -580,8 +659,19 @@ def balances_suspects(name):
         rates[MATRIX] = (R @ [[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]]).ravel()
         return rates
 
+    def by_body_tensor(state, **disk):
+        A, C = disk["inertia"]
+        return jourdain(state, np.diag([A, A, C]), **disk)[1]
+
+    def with_body_tensor(t, state, **disk):
+        return matrix_rates_with(by_body_tensor)(euler_of(state), **disk)
+
     return [
         *told(name, wrong_matrix, IN_MATRIX),
+        suspect(
+            "the inertias of body axes taken along those of space: I is R diag(A, A, C) R^T",
+            **{name: with_body_tensor},
+        ),
         suspect("dR/dt of an omega in body axes, where it is in space axes", **{name: as_in_body_axes}),
     ]
 
@@ -589,28 +679,28 @@ def balances_suspects(name):
 @check(points=0.75, part="a", suspects=balances_suspects("matrix_state_derivative"))
 def matrix_equations_hold(student, draw):
     """matrix_state_derivative balances momentum and angular momentum, and turns R by omega in space axes."""
-    judged(student.matrix_state_derivative, [*instants(draw), *plain_instants(draw)], MATRIX_RATES,
-           given_as=as_matrix, right=matrix_rates,
-           scale=matrix_scale, within=POINTWISE, hint="dR/dt from omega, then the balances in space axes")  # fmt: skip
+    judge_balances(
+        student.matrix_state_derivative, draw, hint="dR/dt from omega, then the balances in space axes"
+    )
 
 
 @check(points=0.75, part="a", suspects=balances_suspects("multiplier_state_derivative"))
 def multiplier_equations_hold(student, draw):
     """multiplier_state_derivative balances momentum and angular momentum, the contact held by multipliers."""
-    judged(student.multiplier_state_derivative, [*instants(draw), *plain_instants(draw)], MATRIX_RATES,
-           given_as=as_matrix, right=matrix_rates,
-           scale=matrix_scale, within=POINTWISE, hint="differentiate the constraint, arm too")  # fmt: skip
+    judge_balances(student.multiplier_state_derivative, draw,
+                   hint="in space axes: m g, I = R diag(A, A, C) R^T; the constraint's rate, arm too")  # fmt: skip
 
 
 # (b) Simulation, (c) both ways
 
 PARTIAL = {1e-4: 0.5, 1e-3: 0.25}
+TIGHT = "nearly right: is the tolerance tight? rtol and atol of 1e-9 do"
 
 
 def near_hint(parts):
     """The hint for a motion that is followed from time to time: what is nearly right has the right derivatives."""
     if max(map(error_of_run, parts)) <= max(PARTIAL):
-        return "nearly right: is the tolerance tight? rtol and atol of 1e-9 do"
+        return TIGHT
     return "derivatives right? the times are unevenly spaced, the first is not 0"
 
 
@@ -628,6 +718,7 @@ def few_times_hint(error, within):
         suspect("the angles wrapped to half a turn to either side", simulate_euler=wrapped(-math.pi)),
         suspect("the angles wrapped to a turn from 0", simulate_euler=wrapped(0.0)),
         suspect("the contact moving as fast as the centre", simulate_euler=wrong_path(("centre",))),
+        suspect("x and y of the centre, where they are those of the contact", simulate_euler=centre_path),
         suspect("the tolerances that solve_ivp has when none are given", simulate_euler=by_default),
     ],
 )  # fmt: skip
@@ -742,8 +833,11 @@ def both_simulations_agree(student, draw):
                at=(state, disk), hint=hint)  # fmt: skip
         expect(found[:, 2], disk["radius"] * np.hypot(R[:, 0, 2], R[:, 1, 2]), within=KEPT, scale=disk["radius"],
                t=t, of="the centre's height", unit="of the radius", kind=kind, at=(state, disk))  # fmt: skip
-        expect(found, other, within=TRAJECTORY, scale=columns_scale(other, 3, disk["radius"]), t=t, kind=kind,
-               of="one simulation against the other", unit="of the largest", at=(state, disk))  # fmt: skip
+        scale = columns_scale(other, 3, disk["radius"])
+        error = error_of_run((t, found, other, scale, kind))
+        expect(found, other, within=TRAJECTORY, scale=scale, t=t, kind=kind,
+               of="one simulation against the other", unit="of the largest", at=(state, disk),
+               hint=TIGHT if error < max(PARTIAL) else "")  # fmt: skip
 
 
 # (d) Steady circles
@@ -764,6 +858,12 @@ def steady_second(wrong):
         suspect("the spin relative to the turning frame taken for the total spin", steady_residual=lambda lean, p,
                 spin, **disk: steady_second(())(lean, p, spin - p * math.sin(lean), **disk)),
         suspect("the sign turned round", steady_residual=lambda *a, **k: -steady_second(())(*a, **k)),
+        suspect("a moment divided by A alone: about the contact it is A + m a^2", steady_residual=lambda *args, **disk:
+                steady_second(())(*args, **disk) * (1 + disk["mass"] * disk["radius"]**2 / disk["inertia"][0])),
+        suspect("the spin the other way", steady_residual=lambda lean, p, spin, **disk:
+                steady_second(())(lean, p, -spin, **disk)),
+        suspect("roll' = spin + yaw' cos(tilt): the spin is roll' + yaw' cos(tilt)", steady_residual=lambda lean, p,
+                spin, **disk: steady_second(())(lean, p, spin - 2 * p * math.sin(lean), **disk)),
     ],
 )  # fmt: skip
 def steady_residual_is_the_tilt_acceleration(student, draw):
@@ -852,6 +952,17 @@ def judge_wireframe(student, draw, disk, sides, kind):
 # (f) Energy and force
 
 
+def with_centre(axis, times):
+    """The energy with that many times m (a w)^2/2 more, w the component of omega along one of e1, e2, e3."""
+    return lambda state, **disk: (
+        energy(state, **disk) + 0.5 * times * disk["mass"] * (disk["radius"] * components(state)[axis]) ** 2
+    )
+
+
+def weight_moment(*, mass, radius, gravity, **_):
+    return mass * gravity * radius
+
+
 @check(
     points=0.5, part="f",
     suspects=[
@@ -859,15 +970,47 @@ def judge_wireframe(student, draw, disk, sides, kind):
         suspect("the energy of turning alone: that of the moving centre left out", energy=lambda state, **disk:
                 energy(state, **disk) - 0.5 * disk["mass"] * disk["radius"]**2 * (
                     components(state)[0]**2 + components(state)[2]**2)),
+        *(suspect(f"the energy of the moving centre left out that comes from {rate}", energy=with_centre(axis, -1))
+          for rate, axis in (("tilt'", 0), ("the spin", 2))),
+        suspect("m a^2 added to A for the rate along e2: the contact lies on e2", energy=with_centre(1, 1)),
+        suspect("the potential 0 where the disk is upright; it is 0 with the centre on the ground",
+                energy=lambda state, **disk: energy(state, **disk) - weight_moment(**disk)),
+        suspect("the height a of the upright disk, whatever the tilt", energy=lambda state, **disk:
+                energy(state, **disk) + weight_moment(**disk) * (1 - math.sin(state[3]))),
     ],
 )  # fmt: skip
 def energy_is_kinetic_and_potential(student, draw):
     """energy adds what moves, what turns and what is high."""
-    for state, disk, kind in instants(draw) + plain_instants(draw):
-        scale = (disk["mass"] * disk["radius"] ** 2 + sum(disk["inertia"])) * second_scale(state, disk)
-        found = student.on(kind).energy(state, **disk)
-        expect(found, energy(state, **disk), within=POINTWISE, scale=scale, of="the energy",
-               unit="of its terms", at=(state, disk), kind=kind, hint="three parts: which are they?")  # fmt: skip
+
+    def scale(state, disk):
+        return (disk["mass"] * disk["radius"] ** 2 + sum(disk["inertia"])) * second_scale(state, disk)
+
+    judge_instants(student.energy, draw, energy, scale=scale, of="the energy", look=wrong_energy)
+
+
+def wrong_energy(offs, limits, cases):
+    at_rest = [not np.any(state[5:]) for state, *_ in cases]
+    if np.any((np.abs(offs) > limits)[at_rest]):
+        return "at rest it is wrong too: what is the height of the centre?"
+    return "at rest it is right: the speed of the centre, or the turning about it?"
+
+
+def judge_instants(function, draw, right, *, scale, of, look):
+    """A function of Euler states at all instants; look(offs, limits, cases) says more of what is wrong."""
+    cases = instants(draw) + plain_instants(draw)
+    results = function.many([given(state, **disk).on(kind) for state, disk, kind in cases])
+
+    def where():
+        offs = np.array(
+            [found - right(state, **disk) for found, (state, disk, _) in zip(results, cases, strict=True)]
+        )
+        limits = np.array([POINTWISE * scale(state, disk) for state, disk, _ in cases])
+        wrong = np.abs(offs).reshape(len(cases), -1).max(axis=1) > limits
+        return half_wrong([state for state, *_ in cases], wrong) or look(offs, limits, cases)
+
+    for found, (state, disk, kind) in zip(results, cases, strict=True):
+        expect(found, right(state, **disk), within=POINTWISE, scale=scale(state, disk), of=of, unit="of its terms",
+               at=(state, disk), kind=kind, hint=where)  # fmt: skip
 
 
 @check(points=0.25, part="f", after=(euler_simulation_follows_the_motion, energy_is_kinetic_and_potential))
@@ -877,7 +1020,10 @@ def energy_is_conserved(student, draw):
     for t, state, disk, kind in starts(draw, 1, 20.0, 6):
         energies = [energy(row, **disk) for row in student.on(kind).simulate_euler(t, state, **disk)]
         parts.append((t, energies, np.full(len(t), energy(state, **disk)), energy(state, **disk), kind))
-    expect_all(parts, within=ENERGY, of="the energy", unit="of itself", partial={1e-5: 0.6, 1e-4: 0.3})
+    hint = TIGHT if max(map(error_of_run, parts)) < max(PARTIAL) else ""
+    expect_all(
+        parts, within=ENERGY, of="the energy", unit="of itself", partial={1e-5: 0.6, 1e-4: 0.3}, hint=hint
+    )
 
 
 def body_fixed_force(state, *, mass, radius, gravity, **rest):
@@ -934,14 +1080,39 @@ def force_without_frame_rate(state, **disk):
 )  # fmt: skip
 def contact_force_moves_the_centre(student, draw):
     """contact_force is what the centre's acceleration and the weight ask for, in space axes."""
-    for state, disk, kind in instants(draw) + plain_instants(draw):
-        scale = disk["mass"] * disk["radius"] * second_scale(state, disk)
-        expect(student.on(kind).contact_force(state, **disk), force(state, **disk), within=POINTWISE, scale=scale,
-               of="the force", unit="of its terms", at=(state, disk), kind=kind,
-               hint="F = m a of G; the axes along which its velocity is known turn")  # fmt: skip
+
+    def scale(state, disk):
+        return disk["mass"] * disk["radius"] * second_scale(state, disk)
+
+    judge_instants(student.contact_force, draw, force, scale=scale, of="the force", look=wrong_force)
+
+
+def wrong_force(offs, limits, cases):
+    """What is wrong with the force, if it can be told."""
+    rights = [with_weight(force(state, **disk), -1, **disk) for state, disk, _ in cases]
+    sizes = [
+        abs(np.linalg.norm(right + off) - np.linalg.norm(right))
+        for right, off in zip(rights, offs, strict=True)
+    ]
+    if np.all(sizes <= limits):
+        return (
+            "m a of G has the right size and a wrong direction: are its components those along space x, y, z?"
+        )
+    along = wrong_along("it", offs, [state for state, *_ in cases], limits)
+    return along or "F = m a of G; the axes along which its velocity is known turn"
 
 
 # (g) and (h) Stability
+
+
+def without_ma2(*, mass, radius, inertia, gravity):
+    """What becomes of C + m a^2 when it is taken for C, as a part of itself."""
+    return inertia[1] / (inertia[1] + mass * radius**2)
+
+
+def growth_without_ma2(speed, **disk):
+    still = growth(0.0, **disk)
+    return still + (growth(speed, **disk) - still) * without_ma2(**disk)
 
 
 @check(
@@ -952,14 +1123,20 @@ def contact_force_moves_the_centre(student, draw):
     ] + [
         suspect("the thin uniform disk's m a^2/4 and m a^2/2, whatever A and C", within=1e-8,
                 critical_speed=thin_disk(critical)),
+        suspect("m a^2 missing beside C", critical_speed=lambda **disk:
+                critical(**disk) / math.sqrt(without_ma2(**disk))),
+        suspect("9.81 m/s^2, whatever the gravity", critical_speed=lambda **disk:
+                critical(**{**disk, "gravity": 9.81})),
         suspect("the critical spin for the speed", critical_speed=lambda **disk: critical(**disk) / disk["radius"]),
     ],
 )  # fmt: skip
 def critical_speed_parts_stable_from_unstable(student, draw):
     """critical_speed is the centre's speed at which a small lean neither grows nor swings."""
-    for disk, right, kind in critical_speeds(draw):
-        expect(student.on(kind).critical_speed(**disk), right, within=1e-7, scale=right, of="the critical speed",
-               unit="of itself", at=disk, kind=kind, hint="what is yaw' to first order in the lean?")  # fmt: skip
+    cases = critical_speeds(draw)
+    speeds = student.critical_speed.many([given(**disk).on(kind) for disk, _, kind in cases])
+    for found, (disk, right, kind) in zip(speeds, cases, strict=True):
+        expect(found, right, within=1e-7, scale=right, of="the critical speed",
+               unit="of itself", at=disk, kind=kind, hint="linearise; what is yaw' to first order?")  # fmt: skip
 
 
 @check(
@@ -969,12 +1146,21 @@ def critical_speed_parts_stable_from_unstable(student, draw):
         suspect("A and C swapped", growth_rate_squared=with_inertia(growth, lambda A, C: (C, A))),
         suspect("m a^2 missing about the contact", growth_rate_squared=lambda speed, **disk:
                 growth(speed, **disk) * (1 + disk["mass"] * disk["radius"]**2 / disk["inertia"][0])),
+        suspect("m a^2 missing beside C", growth_rate_squared=growth_without_ma2),
+        suspect("C/2 for A, as of a thin disk", within=1e-8,
+                growth_rate_squared=with_inertia(growth, lambda A, C: (C / 2, C))),
+        suspect("9.81 m/s^2, whatever the gravity", growth_rate_squared=lambda speed, **disk:
+                growth(speed, **{**disk, "gravity": 9.81})),
         suspect("the spin for the speed", growth_rate_squared=lambda speed, **disk:
                 growth(speed * disk["radius"], **disk)),
     ],
 )  # fmt: skip
 def growth_rate_is_that_of_a_small_lean(student, draw):
     """growth_rate_squared is the lean's, on both sides of the critical speed, at rest and without gravity."""
-    for speed, disk, right, scale, kind in growths(draw):
-        expect(student.on(kind).growth_rate_squared(speed, **disk), right, within=1e-7, scale=scale, at=(speed, disk),
+    cases = growths(draw)
+    rates = student.growth_rate_squared.many(
+        [given(speed, **disk).on(kind) for speed, disk, *_, kind in cases]
+    )
+    for found, (speed, disk, right, scale, kind) in zip(rates, cases, strict=True):
+        expect(found, right, within=1e-7, scale=scale, at=(speed, disk),
                of="the square of the rate", unit="of its terms", kind=kind, hint="linearise about upright")  # fmt: skip

@@ -2,6 +2,7 @@
 
 fails: energy_is_conserved
 numerics: the loss of a method that damps
+names: nearly right: is the tolerance tight
 """
 
 

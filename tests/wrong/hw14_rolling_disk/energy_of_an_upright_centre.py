@@ -1,0 +1,13 @@
+"""The centre is at the height a, whatever the tilt.
+
+fails: energy_is_kinetic_and_potential
+suspect: the height a of the upright disk
+"""
+
+_energy = energy
+
+
+def energy(state, *, mass, radius, inertia, gravity):
+    _, _, _, tilt, _, yaw_rate, tilt_rate, _ = state
+    right = _energy(state, mass=mass, radius=radius, inertia=inertia, gravity=gravity)
+    return right + mass * gravity * radius * (1 - math.sin(tilt))

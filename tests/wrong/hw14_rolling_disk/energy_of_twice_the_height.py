@@ -1,0 +1,13 @@
+"""The potential is twice what it is.
+
+fails: energy_is_kinetic_and_potential
+names: at rest it is wrong too
+"""
+
+_energy = energy
+
+
+def energy(state, *, mass, radius, inertia, gravity):
+    _, _, _, tilt, _, yaw_rate, tilt_rate, _ = state
+    right = _energy(state, mass=mass, radius=radius, inertia=inertia, gravity=gravity)
+    return right + mass * gravity * radius * math.sin(tilt)

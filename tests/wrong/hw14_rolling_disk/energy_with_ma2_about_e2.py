@@ -1,0 +1,13 @@
+"""A + m a^2 for both diameters.
+
+fails: energy_is_kinetic_and_potential
+suspect: m a^2 added to A for the rate along e2
+"""
+
+_energy = energy
+
+
+def energy(state, *, mass, radius, inertia, gravity):
+    _, _, _, tilt, _, yaw_rate, tilt_rate, _ = state
+    right = _energy(state, mass=mass, radius=radius, inertia=inertia, gravity=gravity)
+    return right + 0.5 * mass * (radius * yaw_rate * math.sin(tilt)) ** 2

@@ -1,0 +1,13 @@
+"""The disk does not turn about its axle.
+
+fails: energy_is_kinetic_and_potential
+names: at rest it is right
+"""
+
+_energy = energy
+
+
+def energy(state, *, mass, radius, inertia, gravity):
+    _, _, _, tilt, _, yaw_rate, tilt_rate, _ = state
+    right = _energy(state, mass=mass, radius=radius, inertia=inertia, gravity=gravity)
+    return right - 0.5 * inertia[1] * _spin(state) ** 2

@@ -1,0 +1,13 @@
+"""The acceleration's components along e1, e2, e3 are brought to space by the transpose of what does it.
+
+fails: contact_force_moves_the_centre
+names: m a of G has the right size and a wrong direction
+"""
+
+_force = contact_force
+
+
+def contact_force(state, *, mass, gravity, **disk):
+    weight = np.array([0.0, 0.0, mass * gravity])
+    acceleration = _frame(state) @ (_force(state, mass=mass, gravity=gravity, **disk) - weight)
+    return _frame(state) @ acceleration + weight

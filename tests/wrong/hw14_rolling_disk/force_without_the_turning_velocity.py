@@ -1,0 +1,12 @@
+"""The velocity along e1 is not turned by yaw' cos(tilt): the force along e2 is off.
+
+fails: contact_force_moves_the_centre
+names: it is wrong along e2 only
+"""
+
+_force = contact_force
+
+
+def contact_force(state, *, mass, radius, **disk):
+    missing = mass * radius * state[5] * math.cos(state[3]) * _spin(state)
+    return _force(state, mass=mass, radius=radius, **disk) + missing * _frame(state)[1]

@@ -1,0 +1,10 @@
+"""C^2 for C (C + m a^2) in the growth rate.
+
+fails: growth_rate_is_that_of_a_small_lean
+suspect: m a^2 missing beside C
+"""
+
+
+def growth_rate_squared(speed, *, mass, radius, inertia, gravity):
+    A, C = inertia
+    return (mass * gravity * radius - C**2 / A * (speed / radius) ** 2) / (A + mass * radius**2)

@@ -1,0 +1,12 @@
+"""The moment is divided by A, not by A + m a^2.
+
+fails: steady_residual_is_the_tilt_acceleration
+suspect: a moment divided by A alone
+"""
+
+_residual = steady_residual
+
+
+def steady_residual(lean, precession, spin, *, mass, radius, inertia, gravity):
+    disk = {"mass": mass, "radius": radius, "inertia": inertia, "gravity": gravity}
+    return _residual(lean, precession, spin, **disk) * (1 + mass * radius**2 / inertia[0])

@@ -1,0 +1,12 @@
+"""roll' is spin + yaw' cos(tilt).
+
+fails: steady_residual_is_the_tilt_acceleration
+suspect: roll' = spin + yaw' cos(tilt)
+"""
+
+_residual = steady_residual
+
+
+def steady_residual(lean, precession, spin, *, mass, radius, inertia, gravity):
+    disk = {"mass": mass, "radius": radius, "inertia": inertia, "gravity": gravity}
+    return _residual(lean, precession, spin - 2 * precession * math.sin(lean), **disk)

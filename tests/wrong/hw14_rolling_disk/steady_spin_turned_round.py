@@ -1,0 +1,12 @@
+"""The spin has the other sign.
+
+fails: steady_residual_is_the_tilt_acceleration
+suspect: the spin the other way
+"""
+
+_residual = steady_residual
+
+
+def steady_residual(lean, precession, spin, *, mass, radius, inertia, gravity):
+    disk = {"mass": mass, "radius": radius, "inertia": inertia, "gravity": gravity}
+    return _residual(lean, precession, -spin, **disk)

@@ -1,0 +1,12 @@
+"""The matrix state takes yaw for roll and roll for yaw.
+
+fails: matrix_state_places_the_disk, wireframe_is_a_rolling_disk
+suspect: yaw and roll exchanged
+"""
+
+_placed = matrix_state
+
+
+def matrix_state(state, *, radius):
+    x, y, yaw, tilt, roll, *rates = state
+    return _placed([x, y, roll, tilt, yaw, *rates], radius=radius)

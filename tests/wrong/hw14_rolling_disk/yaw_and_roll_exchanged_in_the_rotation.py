@@ -1,0 +1,13 @@
+"""R is Rz(roll) Rx(tilt) Rz(yaw); the centre and omega are right.
+
+fails: matrix_state_places_the_disk, wireframe_is_a_rolling_disk
+suspect: yaw and roll exchanged in R
+"""
+
+_placed = matrix_state
+
+
+def matrix_state(state, *, radius):
+    x, y, yaw, tilt, roll, *rates = state
+    right, other = (_placed([x, y, *angles, *rates], radius=radius) for angles in ((yaw, tilt, roll), (roll, tilt, yaw)))
+    return np.concatenate([right[:3], other[3:12], right[12:]])
