@@ -21,6 +21,7 @@ import sympy
 from tam570_grader import cli, root
 from tam570_grader.check import Failure, expect, given, suspect
 from tam570_grader.grade import agrees
+from tam570_grader.inside.answer import MODES
 from tam570_grader.inside.wire import Foreign, Unreadable, packed, portable, unpacked
 from tam570_grader.launch import isolation
 from tam570_grader.preload import imported
@@ -547,6 +548,31 @@ def test_one_that_sleeps_through_its_calls_is_ended(grade, solution_text, monkey
     )
     outcome = grade(SLUG, text, allowance=Allowance(cpu=2, call=1))
     assert outcome.status == "timeout" and outcome.score < 10
+
+
+# Drawings
+
+
+@pytest.mark.parametrize(("shape", "equal"), [(1, True), (0.5, False), (None, False)])
+def test_a_scale_is_what_is_drawn_and_a_line_in_pieces_is_one_curve(shape, equal):
+    from matplotlib.collections import LineCollection
+
+    def coloured(axes):
+        axes.add_collection(LineCollection([[(0, 0), (1, 1)], [(1, 1), (2, 0)], [(2, 0), (3, 3)]]))
+        axes.set(xlim=(-1, 3), ylim=(-1, 3), box_aspect=shape)
+
+    drawn = MODES["drawing"](coloured, [], {}, {})
+    (line,) = drawn["lines"]
+    assert line["points"].tolist() == [[0, 0], [1, 1], [2, 0], [3, 3]] and drawn["equal_aspect"] == equal
+
+
+def test_lines_apart_are_as_many_curves():
+    from matplotlib.collections import LineCollection
+
+    drawn = MODES["drawing"](
+        lambda axes: axes.add_collection(LineCollection([[(0, 0), (1, 1)], [(2, 1), (2, 0)]])), [], {}, {}
+    )
+    assert len(drawn["lines"]) == 2
 
 
 # What crosses the boundary

@@ -116,9 +116,8 @@ def _drawing(function: Callable[..., Any], args: list[Any], kwargs: dict[str, An
     lines = [(line.get_xydata(), line.get_label(), False) for line in axes.lines[:MOST_LINES]]
     for collection in axes.collections[:MOST_LINES]:
         if hasattr(collection, "get_segments"):
-            lines += [
-                (points, collection.get_label(), False) for points in collection.get_segments()[:MOST_LINES]
-            ]
+            pieces = _joined(collection.get_segments())
+            lines += [(points, collection.get_label(), False) for points in pieces[:MOST_LINES]]
         else:
             lines.append((collection.get_offsets(), collection.get_label(), True))
     if sum(np.size(points) for points, _, _ in lines) * 8 > LARGEST_ARRAY:
@@ -130,8 +129,24 @@ def _drawing(function: Callable[..., Any], args: list[Any], kwargs: dict[str, An
         ],
         "xlabel": str(axes.get_xlabel())[:LONGEST_TEXT],
         "ylabel": str(axes.get_ylabel())[:LONGEST_TEXT],
-        "equal_aspect": axes.get_aspect() in (1, 1.0, "equal"),
+        "equal_aspect": axes.get_aspect() in (1, 1.0, "equal") or _drawn_alike(axes),
     }
+
+
+def _joined(pieces: list[Any]) -> list[Any]:
+    """One line of pieces that each begin where the last one ends, as a line of many colours has them."""
+    follow = zip(pieces[1:], pieces, strict=False)
+    if len(pieces) < 2 or not all(len(b) and len(a) and np.array_equal(b[0], a[-1]) for b, a in follow):
+        return pieces
+    return [np.concatenate([pieces[0], *(piece[1:] for piece in pieces[1:])])]
+
+
+def _drawn_alike(axes: Any) -> bool:
+    """Whether a metre is as long in x as in y on paper: the limits and the shape of the box may see to it, too."""
+    limits = np.transpose([axes.get_xlim(), axes.get_ylim()])
+    axes.apply_aspect()
+    width, height = np.ptp(axes.transData.transform(limits), axis=0) / np.ptp(limits, axis=0)
+    return bool(abs(width - height) <= 0.01 * height)
 
 
 def _real(points: Any) -> Any:
