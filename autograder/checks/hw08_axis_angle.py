@@ -19,7 +19,7 @@ POINTWISE = (
     1e-12  # a few roundings of numbers of size 1 make 1e-15; quaternions and products of matrices, 1e-14
 )
 TINY = 1e-14  # the rounding of the cosine; an angle of 1e-12 taken for 0 is off by 1e-12, cos 3e-6 for 1 by 4e-12
-HUGE_ANGLE = 1e-9  # 1e6 rad, reduced modulo 2 pi by hand, is off by 1e6 eps = 2e-10
+HUGE_ANGLE = 1e-8  # 1e6 rad, reduced modulo 2 pi by hand, is off by 2e-10; a matrix exponential of it by 3e-9
 
 
 def turned(axis, angle):
@@ -69,6 +69,11 @@ def unit(axis):
     return axis / np.linalg.norm(axis)
 
 
+def summed(axis, angle, product):
+    """The formula with this matrix for n n^T."""
+    return turned(axis, angle) + (1 - np.cos(angle)) * (product - np.outer(unit(axis), unit(axis)))
+
+
 def of_first_order(axis, angle):
     """cos th = 1 where the angle is small."""
     n = unit(axis)
@@ -103,6 +108,26 @@ WRONG_MATRICES = {
     "the axis divided by the square of its length": (
         lambda axis, angle: by_formula(angle, axis / (axis @ axis), axis / (axis @ axis))
     ),
+    "the axis not made a unit vector in n . r": lambda axis, angle: summed(
+        axis, angle, np.outer(unit(axis), axis)
+    ),
+    "n * r, element by element, for n . r": lambda axis, angle: summed(axis, angle, np.diag(unit(axis) ** 2)),
+    "r for cos th r, or n n^T for [n x]^2 in a formula with it": (
+        lambda axis, angle: turned(axis, angle) + (1 - np.cos(angle)) * np.eye(3)
+    ),
+    "1 - sin th for 1 - cos th": lambda axis, angle: (
+        turned(axis, angle) + (np.cos(angle) - np.sin(angle)) * np.outer(unit(axis), unit(axis))
+    ),
+    "-(1 - cos th) for 1 - cos th": lambda axis, angle: (
+        turned(axis, angle) - 2 * (1 - np.cos(angle)) * np.outer(unit(axis), unit(axis))
+    ),
+    "-(1 - cos th) [n x]^2 for (1 - cos th) [n x]^2": lambda axis, angle: (
+        turned(axis, angle) + 2 * (1 - np.cos(angle)) * (np.eye(3) - np.outer(unit(axis), unit(axis)))
+    ),
+    "the angle reduced modulo 360, which is no whole number of turns in radians": (
+        lambda axis, angle: turned(axis, angle % 360)
+    ),
+    "the angle reduced modulo pi": lambda axis, angle: turned(axis, math.fmod(angle, math.pi)),
     "1 + cos th for 1 - cos th": (
         lambda axis, angle: turned(axis, angle) + 2 * np.cos(angle) * np.outer(unit(axis), unit(axis))
     ),
@@ -115,11 +140,17 @@ WRONG_WHEN_SMALL["cos th taken for 1 where the angle is small"] = of_first_order
 
 @once
 def rotations(draw, angles):
-    """Axes of lengths from .1 to 10, some in coordinate planes and one on an axis, angles, and the right matrices."""
+    """Axes of lengths from .1 to 10, angles, and the right matrices.
+
+    Some are in coordinate planes, one on a coordinate axis and two next to one: an arccos of what is 1 but for 1e-16
+    takes them for that.
+    """
     angles = draw.uniform(-4 * np.pi, 4 * np.pi, 15) if angles is None else angles
     axes = draw.normal(size=(len(angles), 3)) * 10 ** draw.uniform(-1, 1, (len(angles), 1))
     axes[::3, draw.integers(3)] = 0.0
     axes[0] = np.roll([axes[0, 0] + axes[0, 1], 0.0, 0.0], draw.integers(3))
+    axes[1] = axes[1, 2] * np.array([1e-8, 0.0, 1.0])
+    axes[2] = axes[2, 0] * np.array([1.0, -1e-8, 0.0])
     return [(axis, angle, turned(axis, angle)) for axis, angle in zip(axes, angles, strict=True)]
 
 
@@ -142,7 +173,8 @@ def plain_kind(axis, angle):
 
 
 def any_kind(axis, angle):
-    return "a random axis and angle"
+    middle, largest = np.sort(np.abs(axis))[1:]
+    return "an axis 1e-8 from a coordinate axis" if 0 < middle < 1e-6 * largest else "a random axis and angle"
 
 
 def not_turned(found, before, otherwise=""):
@@ -181,7 +213,7 @@ def skew_is_the_cross_product(student, draw):
                unit="of the length of v", at=(v, r), kind=kind)  # fmt: skip
 
 
-WHAT_TO_TRY = "try a quarter turn about z, and an axis twice as long"
+WHAT_TO_TRY = "try a quarter turn about z, an axis twice as long, and one half as long"
 
 
 @check(points=2, part="a", suspects=suspects(WRONG_MATRICES)[0])
@@ -203,8 +235,9 @@ def matrix_holds_for_every_angle(student, draw):
         for R, case, _ in matrices(student, rotations(draw, angles), lambda axis, angle, kind=kind: kind):
             expect(R, case[2], within=within, of="the matrix", at=case, kind=kind,
                    hint=partial(terms, R, *case[:2], within))  # fmt: skip
-            expect(R.T @ R, np.eye(3), within=POINTWISE, of="R^T R", at=case, kind=kind)
-            expect(np.linalg.det(R), 1.0, within=POINTWISE, of="det R", at=case, kind=kind)
+            # an exponential of the matrix by scaling and squaring is off in its lengths, too, at 1e6 rad
+            expect(R.T @ R, np.eye(3), within=max(within, POINTWISE), of="R^T R", at=case, kind=kind)
+            expect(np.linalg.det(R), 1.0, within=max(within, POINTWISE), of="det R", at=case, kind=kind)
 
 
 AS_FLOAT32 = "it is that of the angle in single precision"
@@ -231,12 +264,16 @@ def terms(R, axis, angle, within):
     }.get(wrong, "look at what each term becomes there")
 
 
+SMALL = 3e-5, 9e-5, 1e-4, 1e-3, 9e-3, 3e-2  # where series of one term or two are used, and lose digits
+
+
 def every_angle(draw):
     """Angles by size, how near to right the matrix must be, and what the angles are called."""
     signs = draw.choice([-1, 1], 4)
     yield (-1e-12, 1e-12, -1e-9, 1e-9, -3e-6, 3e-6), TINY, "an angle of 1e-12, 1e-9 or 3e-6"
     any_size = 10 ** draw.uniform(-8, 0, 4) * signs
-    yield (3e-5, -3e-5, 9e-5, -9e-5, *any_size), POINTWISE, "an angle from 1e-8 to 1"
+    any_size = (*any_size, *SMALL, *(-angle for angle in SMALL))
+    yield any_size, POINTWISE, "an angle from 1e-8 to 1"
     yield (np.pi - 1e-9, 1e-9 - np.pi, 2 * np.pi), POINTWISE, "an angle next to a half turn, or a whole turn"
     yield tuple(10 ** draw.uniform(2, 6, 4) * signs), HUGE_ANGLE, "an angle from 100 to 1e6"
 
@@ -257,10 +294,11 @@ def matrix_depends_on_the_direction_alone(student, draw):
         expect(R, turned(n, angle), within=POINTWISE, of="the matrix", at=(n, angle, length), kind=call.kind)
 
 
-@check(points=1, part="a", after=matrix_turns_by_the_right_hand_rule)
+@check(points=1, part="a")
 def matrix_refuses_what_is_no_axis(student, draw):
     """rotation_matrix raises ValueError for an axis that is zero or not finite, whatever the angle."""
     angle = draw.uniform(0.5, 3)
+    student.on("the z axis").rotation_matrix(Z, 0.0)  # which it must not refuse
     cases = [(axis, angle, kind) for axis, kind in NO_AXES]
     cases += [(axis, 0.0, f"{kind}, no turn") for axis, kind in NO_AXES[:2]]
     for axis, angle, kind in cases:
@@ -268,6 +306,7 @@ def matrix_refuses_what_is_no_axis(student, draw):
                     "rotation_matrix does not raise ValueError", kind=kind)  # fmt: skip
 
 
+Z = np.array([0.0, 0.0, 1.0])
 NO_AXES = (
     ((0.0, 0.0, 0.0), "the zero axis"),
     ((0.0, np.nan, 1.0), "an axis with a NaN"),
@@ -292,7 +331,11 @@ def beside(student, vectors, cases, kind):
     return zip(student.rotate.many(calls), vectors, cases, kinds, strict=True)
 
 
-@check(points=2, part="a", suspects=suspects(WRONG_MATRICES)[1])
+SHORTENED = suspect("r made a unit vector: its length is lost", rotate=lambda r, axis, angle: (
+    turned(axis, angle) @ r / (np.linalg.norm(r) or 1.0)))  # fmt: skip
+
+
+@check(points=2, part="a", suspects=[*suspects(WRONG_MATRICES)[1], SHORTENED])
 def vector_turns_by_the_right_hand_rule(student, draw):
     """rotate turns r as the matrix would, whatever the axis's length."""
     for r1, r, case, kind in turned_vectors(student, draw, rotations(draw, None), any_kind):
@@ -324,10 +367,11 @@ def vector_turns_by_every_angle(student, draw):
                    unit="of its length", at=(r, *case), kind=about, hint=partial(precision, r1, r, *case))  # fmt: skip
 
 
-@check(points=1, part="a", after=vector_turns_by_the_right_hand_rule)
+@check(points=1, part="a")
 def rotate_refuses_what_is_no_axis(student, draw):
     """rotate raises ValueError for an axis that is zero or not finite, whatever the angle and the vector."""
     some, nothing, angle = draw.normal(size=3), np.zeros(3), draw.uniform(0.5, 3)
+    student.on("the z axis").rotate(some, Z, 0.0)  # which it must not refuse
     cases = [(some, axis, angle, kind) for axis, kind in NO_AXES]
     for axis, kind in NO_AXES[:2]:
         cases += [(some, axis, 0.0, f"{kind}, no turn"), (nothing, axis, angle, f"{kind}, the zero vector")]

@@ -1,6 +1,6 @@
 """The matrix takes the axis for a unit vector.
 
-fails: matrix_turns_by_the_right_hand_rule
+fails: matrix_turns_by_the_right_hand_rule, matrix_refuses_what_is_no_axis
 suspect: the axis not made a unit vector
 """
 

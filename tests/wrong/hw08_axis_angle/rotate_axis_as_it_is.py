@@ -1,6 +1,6 @@
 """rotate takes the axis for a unit vector.
 
-fails: vector_turns_by_the_right_hand_rule
+fails: vector_turns_by_the_right_hand_rule, rotate_refuses_what_is_no_axis
 suspect: the axis not made a unit vector
 """
 

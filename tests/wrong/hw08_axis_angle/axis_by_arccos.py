@@ -1,0 +1,18 @@
+"""The axis is written by its polar angle, by an arccos, which is 0 next to the z axis.
+
+fails: matrix_turns_by_the_right_hand_rule
+names: an axis 1e-8 from a coordinate axis
+"""
+
+import math
+
+_right = rotation_matrix
+
+
+def rotation_matrix(axis, angle):
+    x, y, z = _unit(axis)
+    polar, azimuth = math.acos(max(-1.0, min(1.0, z))), math.atan2(y, x)
+    if polar > 1e-6:
+        return _right([x, y, z], angle)
+    n = [math.sin(polar) * math.cos(azimuth), math.sin(polar) * math.sin(azimuth), math.cos(polar)]
+    return _right(n, angle)

@@ -1,0 +1,9 @@
+"""rotate takes n * r for n . r.
+
+fails: vector_turns_by_the_right_hand_rule
+suspect: element by element
+"""
+
+def rotate(r, axis, angle):
+    r, n = np.asarray(r, float), _unit(axis)
+    return np.cos(angle) * r + (1 - np.cos(angle)) * (n * r) * n + np.sin(angle) * np.cross(n, r)

@@ -1,0 +1,10 @@
+"""The sign of the term with the square of the cross product's matrix is wrong.
+
+fails: matrix_turns_by_the_right_hand_rule
+suspect: -(1 - cos th) [n x]^2
+"""
+
+def rotation_matrix(axis, angle):
+    n = _unit(axis)
+    K = skew(n)
+    return np.eye(3) + np.sin(angle) * K - (1 - np.cos(angle)) * (K @ K)

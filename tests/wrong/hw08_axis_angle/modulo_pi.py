@@ -1,0 +1,13 @@
+"""Angles are reduced modulo pi.
+
+fails: matrix_turns_by_the_right_hand_rule
+suspect: modulo pi
+"""
+
+import math
+
+_right = rotation_matrix
+
+
+def rotation_matrix(axis, angle):
+    return _right(axis, math.fmod(angle, math.pi))

@@ -1,0 +1,9 @@
+"""rotate takes the axis as it is in n . r.
+
+fails: vector_turns_by_the_right_hand_rule
+suspect: in n . r
+"""
+
+def rotate(r, axis, angle):
+    r, n = np.asarray(r, float), _unit(axis)
+    return np.cos(angle) * r + (1 - np.cos(angle)) * np.dot(axis, r) * n + np.sin(angle) * np.cross(n, r)
