@@ -245,6 +245,14 @@ def renumbered(folder):
     edited(folder, lambda cells: locked(cells)["metadata"]["nbgrader"].update(grade_id="mine"))
 
 
+def strange_ids(folder):
+    def name(cells):
+        for number, cell in enumerate(cells):
+            cell["id"] = f'"><script>stolen({number})</script>'
+
+    edited(folder, name)
+
+
 def duplicated(folder):
     """The locked cell twice more, one copy with points of its own (jupyter/nbgrader issues 108, 1083)."""
 
@@ -338,7 +346,7 @@ def neighbour(folder):
 
 
 FULL_MARKS = (
-    as_it_is, noisy, changed, deleted, ungraded, renumbered, no_json, late, as_text, beside, duplicated
+    as_it_is, noisy, changed, deleted, ungraded, renumbered, no_json, late, as_text, beside, duplicated, strange_ids
 )  # fmt: skip
 NO_POINTS = {
     forged: "skew is not written yet",

@@ -37,6 +37,7 @@ __all__ = ["ForgivingExporter", "KeepPictures", "RestoreMetadata", "SandboxGrade
 Resources = Any
 Outcome = tuple[Notebook, Resources]
 
+CELL_ID = re.compile(r"[A-Za-z0-9_-]{1,64}")  # as nbformat has it
 BROKEN = """**This notebook could not be read** ({why}). The module beside it was graded; the file as it came is \
 in `submitted/`."""
 
@@ -85,6 +86,9 @@ def _notebook(filename: str) -> Notebook | str:
     try:
         notebook = nbformat.read(filename, as_version=4)  # type: ignore[no-untyped-call]
         [(cell.cell_type, cell.source + "", cell.metadata.items()) for cell in notebook.cells]
+        for number, cell in enumerate(notebook.cells):
+            if "id" in cell and not CELL_ID.fullmatch(str(cell.id)):
+                cell.id = f"cell-{number}"
     except Exception as error:  # nbformat raises whatever it stumbles over
         return type(error).__name__
     return notebook
