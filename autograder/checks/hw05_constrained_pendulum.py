@@ -2,6 +2,7 @@
 and from elliptic functions."""
 
 import math
+from functools import partial
 
 import numpy as np
 from scipy.special import ellipj, ellipkinc
@@ -33,6 +34,7 @@ NEEDS = ("numpy",)
 OFF_LIMITS: dict[str, tuple[str, ...]] = {}
 
 KNOWN = 1e-6  # to tell one mistake from another
+NEARLY = 1e-2  # of its size: what is off by less is integrated badly, what is off by more is wrong, to choose the words
 POINTWISE = 1e-9  # a few roundings make 1e-15, a linear system 1e-14
 TRAJECTORY = 3e-5  # solve_ivp at rtol 1e-9, atol 1e-9 is off by 3e-6 after three periods
 ENERGY = 1e-5  # the same solvers lose less than 1e-6 of it in the 100 s
@@ -174,7 +176,15 @@ def known_acceleration(vectors, found):
     return ""
 
 
-@check(points=2, part="a", suspects=LAW_SUSPECTS)
+UNIT_MASS = suspect(
+    "the force on a mass of 1 kg",
+    constraint_force=lambda state, mass, length, gravity: together(
+        state, mass=1.0, length=length, gravity=gravity
+    )[1],
+)
+
+
+@check(points=2, part="a", suspects=[*LAW_SUSPECTS, UNIT_MASS])
 def force_keeps_the_particle_on_the_circle(student, draw):
     """constraint_force: radial, and such that F = m a keeps x^2 + y^2 as it is."""
     judge_law(student, draw, "constraint_force", 1, "the constraint force",
@@ -204,6 +214,12 @@ def above_or_below(x, y, vx, vy, L):
     return x, y, vx - along * x, vy - along * y
 
 
+def with_angular_momentum(x, y, vx, vy, L):
+    """The tangent part larger as the radius is smaller."""
+    vx, vy = without_radial_part(x, y, vx, vy)
+    return *np.array([x, y]) * L / math.hypot(x, y), *np.array([vx, vy]) * math.hypot(x, y) / L
+
+
 def sense(turning):
     """1 or -1; there is none, and no number, for a velocity along the radius."""
     return turning / abs(turning) if turning else math.nan
@@ -223,6 +239,8 @@ STATE_SUSPECTS = [
                 lambda x, y, vx, vy, L: (
         *np.array([x, y]) * L / math.hypot(x, y),
         *np.array([vx, vy]) - (x * vx + y * vy) / L**2 * np.array([x, y]))),
+    wrong_state("the angular momentum about the hinge kept, where the tangent part of the velocity is to be",
+                with_angular_momentum),
     wrong_state("a velocity scaled as the position is", lambda x, y, vx, vy, L: (
         *np.array([x, y]) * L / math.hypot(x, y),
         *np.array(without_radial_part(x, y, vx, vy)) * L / math.hypot(x, y))),
@@ -241,7 +259,7 @@ def plainly_off(call):
         for vx, vy in directions
     ]
     calls += [
-        given(np.array([*(1e-6 * length * np.array(place)), *state[2:]]), length=length)
+        given(np.array([*(5e-7 * np.array(place)), *state[2:]]), length=0.5)
         for place in ((0.6, -0.8), (0.0, 1.0))
     ]
     whole = (1.0, 0.0, 0.0, 1.0), (0.0, -2.0, 1.0, 1.0), (3.0, 4.0, 0.0, 0.0), (-3.0, 4.0, -3.0, 4.0)
@@ -256,6 +274,13 @@ def where(call):
     off = abs(far - 1)
     beside = "just off the circle" if off < 1e-6 else "off the circle"
     return f"a particle {'on the circle already' if off < 1e-12 else beside}"
+
+
+def of_speed(found, state):
+    """What to say of a wrong state: whether it has all of the speed."""
+    if math.isclose(math.hypot(*found[2:]), math.hypot(*state[2:]), rel_tol=POINTWISE):
+        return "it has all of the speed, of which the radial part is to be lost"
+    return "the nearest point of the circle is on the same radius; which part of v is along it?"
 
 
 @check(points=1.25, part="a", suspects=STATE_SUSPECTS)
@@ -276,7 +301,7 @@ def consistent_state_is_the_nearest(student, draw):
         right = [*(length * np.array([outward.real, outward.imag])), across.real, across.imag]
         expect(found, right, within=POINTWISE, scale=np.repeat([length, abs(velocity) or 1.0], 2), of="the state",
                unit="of its size", kind=kind, at=call,
-               hint="the nearest point of the circle is on the same radius; which part of v is along it?")  # fmt: skip
+               hint=partial(of_speed, found, state))  # fmt: skip
 
 
 @check(points=0.25, part="a", after=consistent_state_is_the_nearest)
@@ -371,7 +396,7 @@ def judge_motion(student, found, within, kind, hint):
     states = student.on(kind).simulate(t, expected[0], **known)
     scale = np.repeat([known["length"], speed_of(expected, known)], 2)
     expect(states, expected, within=within, scale=scale, of="the motion", unit="of its size", t=t, kind=kind,
-           hint=lambda: of_motion(student, found, states, scale) or hint, at=found,
+           hint=lambda: of_motion(student, found, states, scale) or near_miss(found, states) or hint, at=found,
            keeps=lambda: kept(t, energies(states, known) / speed_of(expected, known) ** 2, within=ENERGY,
                               of="the energy", unit="of m v^2"))  # fmt: skip
 
@@ -390,23 +415,39 @@ def of_motion(student, found, states, scale):
     return SAMPLED if better else ""
 
 
+def near_miss(found, states):
+    """What to say of rows that are right but for a little, on a fine enough scale."""
+    t, expected, known = found
+    off = np.max(
+        np.abs(states - expected) / np.repeat([known["length"], speed_of(expected, known)], 2), axis=1
+    )
+    if TRAJECTORY < off.max() <= NEARLY and off[0] <= TRAJECTORY:
+        return "the motion is nearly right: is the tolerance tight, or the step short enough for this rod?"
+    return ""
+
+
 def energies(states, known):
     """E/m along a motion."""
     return np.sum(states[:, 2:] ** 2, axis=1) / 2 + known["gravity"] * states[:, 1]
 
 
-def wrong_motion(says, law):
-    """With law(r, v, l, g) for the acceleration, integrated."""
+def integrated(law):
+    """The motion by law(r, v, m, l, g) for the acceleration."""
 
-    def integrated(t, state, *, mass, length, gravity):
+    def motion(t, state, mass, length, gravity):
         from scipy.integrate import solve_ivp
 
         def rates(time, y):
-            return [*y[2:], *law(y[:2], y[2:], length, gravity)]
+            return [*y[2:], *law(y[:2], y[2:], mass, length, gravity)]
 
         return solve_ivp(rates, (t[0], t[-1]), state, t_eval=t, rtol=1e-10, atol=1e-10).y.T
 
-    return suspect(says, simulate=integrated, within=1e-4)
+    return motion
+
+
+def wrong_motion(says, law):
+    """With law(r, v, m, l, g) for the acceleration, integrated."""
+    return suspect(says, simulate=integrated(law), within=1e-4)
 
 
 def angles(state, length):
@@ -428,13 +469,35 @@ def linear(t, state, *, mass, length, gravity):
     return on_circle(z.real, -k * z.imag, length)
 
 
+def below_the_hinge(t, state, **known):
+    """y = -sqrt(l^2 - x^2), whatever it is."""
+    states = from_state(t - t[0], state, **known)
+    states[:, 1] = -np.abs(states[:, 1])
+    return states
+
+
+def one_way_round(t, state, *, gravity, **known):
+    """The speed without the sense of its turning."""
+    x, y, vx, vy = state
+    sign = math.copysign(1.0, x * vy - y * vx)
+    return from_state(t - t[0], np.array([x, y, sign * vx, sign * vy]), gravity=gravity, **known)
+
+
+def tangential(r, L, g):
+    """The weight's part across the radius."""
+    return np.array([g * r[0] * r[1], -g * r[0] ** 2]) / L**2
+
+
 TIME_SUSPECTS = mistimed(lambda t, state, **known: from_state(t - t[0], state, **known), from_zero=from_state)
 MOTION_SUSPECTS = [
     wrong_motion("the centripetal term missing from the acceleration: the constraint differentiated once, r . a = 0",
-                 lambda r, v, L, g: np.array([g * r[0] * r[1], -g * r[0] ** 2]) / L**2),
-    wrong_motion("gravity pulling up",
-                 lambda r, v, L, g: -np.array([g * r[0] * r[1], -g * r[0] ** 2]) / L**2 - v @ v * r / L**2),
+                 lambda r, v, m, L, g: tangential(r, L, g)),
+    wrong_motion("gravity pulling up", lambda r, v, m, L, g: -tangential(r, L, g) - v @ v * r / L**2),
+    wrong_motion("gravity divided by the mass: a heavy particle falls as a light one does",
+                 lambda r, v, m, L, g: tangential(r, L, g / m) - v @ v * r / L**2),
     suspect("the oscillation of small angles", within=1e-4, simulate=linear),
+    suspect("the sense of the rotation lost: the speed, whichever way it goes", within=1e-4, simulate=one_way_round),
+    suspect("a particle always below the hinge, where y = -sqrt(l^2 - x^2)", within=1e-4, simulate=below_the_hinge),
 ]  # fmt: skip
 
 
@@ -443,6 +506,7 @@ WITHOUT_GRAVITY = (
     ("at rest, no gravity", 1.0, 0.0, {"gravity": 0.0}),
     ("moving at the bottom, no gravity", 0.0, 1.0, {"gravity": 0.0}),
 )
+SHORT = "a rod of 2 cm"
 WITH_GRAVITY = (
     ("let go at rest", 1.3, 0.0, {}),
     ("let go at rest, the rod horizontal", math.pi / 2, 0.0, {}),
@@ -455,12 +519,12 @@ WITH_GRAVITY = (
     ),  # it falls by e^5 times that, as an error does
     ("at rest at the bottom", 0.0, 0.0, {}),
     ("moving at the bottom", 0.0, 1.2, {}),
-    ("moving at the top", math.pi, 2.5, {}),
+    (f"moving at the top, {SHORT}", math.pi, 2.5, {"length": 0.02}),  # once round in 0.06 s or more
     ("moving, the rod horizontal, all parameters 1", -math.pi / 2, 1.0, dict.fromkeys(UNITS, 1.0)),
 )
 
 
-@check(points=0.75, part="a", suspects=MOTION_SUSPECTS[:1] + TIME_SUSPECTS)
+@check(points=0.75, part="a", suspects=MOTION_SUSPECTS[:1] + MOTION_SUSPECTS[-2:] + TIME_SUSPECTS)
 def without_gravity_it_goes_round_uniformly(student, draw):
     """simulate: uniform motion around the circle where there is no gravity."""
     judge_motion(student, timed(draw, "no gravity", 2.3, 12), TRAJECTORY, "no gravity",
@@ -474,12 +538,17 @@ def with_gravity_it_swings_or_goes_round(student, draw):
     """simulate: the state at few and uneven times, the first of which is not 0."""
     for kind in ("swinging", "going round over the top"):
         judge_motion(student, timed(draw, kind, 1.8, 9), TRAJECTORY, kind,
-                     "row i is the state at t[i], and the given state is that at t[0]")  # fmt: skip
+                     "does it turn by both forces, and is the given state that at t[0]?")  # fmt: skip
     t, expected, known = timed(draw, "swinging", 3.1, 9)
     judge_motion(student, (t[[0, -1]], expected[[0, -1]], known), 2 * TRAJECTORY, "two times far apart",
                  "steps between the times, as short as the motion asks for")  # fmt: skip
     for found, kind in plain_motions(draw, True):
-        judge_motion(student, found, TRAJECTORY, kind, "which force is zero there, and which is not?")
+        hint = (
+            "it is quick: are the steps as short as it asks for?"
+            if SHORT in kind
+            else "which force is zero there?"
+        )
+        judge_motion(student, found, TRAJECTORY, kind, hint)
 
 
 @once

@@ -1,0 +1,11 @@
+"""The force for each kilogram.
+
+fails: force_keeps_the_particle_on_the_circle
+suspect: the force on a mass of 1 kg
+"""
+
+_right = constraint_force
+
+
+def constraint_force(state, *, mass, length, gravity):
+    return _right(state, mass=1.0, length=length, gravity=gravity)

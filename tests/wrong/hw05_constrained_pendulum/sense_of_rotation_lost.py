@@ -1,0 +1,13 @@
+"""The rate of turning from the speed, which has no sign.
+
+fails: without_gravity_it_goes_round_uniformly, with_gravity_it_swings_or_goes_round
+suspect: the sense of the rotation lost
+"""
+
+_right = simulate
+
+
+def simulate(t, state, **known):
+    x, y, vx, vy = state
+    sign = -1.0 if x * vy - y * vx < 0 else 1.0
+    return _right(t, np.array([x, y, sign * vx, sign * vy]), **known)
