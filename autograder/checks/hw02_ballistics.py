@@ -274,11 +274,12 @@ def plain_flights(draw, shifted):
     return cases
 
 
-def judge_plain_flights(function, draw, shifted, within, hint):
+def judge_plain_flights(function, draw, shifted, within, hint=""):
     named = plain_flights(draw, shifted)
     found = function.many([call.on(f"two times, {kind}") for kind, (call, _) in named])
     for states, (kind, case) in zip(found, named, strict=True):
-        judge_states([states], [case], within, f"two times, {kind}", hint)
+        look = partial(simulation_hint, states, *case) if shifted else hint
+        judge_states([states], [case], within, f"two times, {kind}", look)
 
 
 def simulation_hint(states, call, expected):
@@ -323,7 +324,7 @@ def simulation_follows_the_motion(student, draw):
     for states, case, kind in zip(found, cases, kinds, strict=True):
         hint = partial(simulation_hint, states, *case)
         judge_states([states], [case], SIMULATED, kind, hint, points={1e-4: 0.5})
-    judge_plain_flights(student.simulate, draw, True, SIMULATED, "row 0 is the launch, row 1 the other time")
+    judge_plain_flights(student.simulate, draw, True, SIMULATED)
 
 
 @check(points=0.5, part="d", after=simulation_follows_the_motion)
@@ -445,11 +446,17 @@ def judge_landings(function, what, cases, kind, hint):
 
 
 def landing_hint(value, what, call, hint):
-    """What to say of a flight time or range that is that without drag, where there is little."""
-    known = {**call.kwargs, "drag": 0.0}
-    without = drag_free(*call.args, **known) if what == TIME else range_without_drag(*call.args, **known)
-    little = 0 < call.kwargs["drag"] * call.args[0] < NEARLY * call.kwargs["mass"] * call.kwargs["gravity"]
-    return TAKEN_FOR_NONE if little and math.isclose(value, without, rel_tol=CLOSED) else hint
+    """What to say of a flight time or range that is that without drag, where there is little, or of no range."""
+    speed, angle, known = *call.args, call.kwargs
+    time = drag_free(speed, angle, **known)
+    flown = right(np.array([time]), speed, angle, **known)[0, 0]
+    without = (time,) if what == TIME else (range_without_drag(speed, angle, **known), flown)
+    little = 0 < known["drag"] * speed < NEARLY * known["mass"] * known["gravity"]
+    if little and any(math.isclose(value, one, rel_tol=CLOSED) for one in without):
+        return TAKEN_FOR_NONE
+    if what == RANGE and angle != math.pi / 2 and abs(value) <= CLOSED * speed * time:
+        return "it is zero: does your trajectory count its times from the first that it is asked for?"
+    return hint
 
 
 def direction_of(call):
