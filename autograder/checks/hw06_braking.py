@@ -141,6 +141,11 @@ def of_small_angles(state, locked, *, mass, front, rear, friction, gravity):
     return -size * float(np.sign(forward)), -size * (left / abs(forward) if forward else float(np.sign(left)))
 
 
+def in_the_grounds_axes(state, locked, **car):
+    c, s, (forward, left) = math.cos(state[2]), math.sin(state[2]), coulomb(state, locked, **car)
+    return forward * c - left * s, forward * s + left * c
+
+
 def whole_weight(*motion, mass, front, rear, friction, gravity):
     size = load(motion[1], mass=mass, front=front, rear=rear, gravity=gravity)
     more = {"friction": friction * mass * gravity / size if size else 0.0, "gravity": gravity}
@@ -158,9 +163,14 @@ def without_turning_term(state, locked, *, friction, gravity, **body):
     return rates
 
 
-def without_centripetal_term(state, locked, *, front, rear, **car):
-    rates = derivative(state, locked, front=front, rear=rear, **car)
-    rates[3] += axles(locked, front, rear)[0] * state[4] ** 2
+def with_square(times):
+    """With d omega^2 in the speed's rate as -times(d) omega^2, where -d omega^2 belongs."""
+
+    def rates(state, locked, *, front, rear, **car):
+        right, free = derivative(state, locked, front=front, rear=rear, **car), axles(locked, front, rear)[0]
+        right[3] += (free - times(free)) * state[4] ** 2
+        return right
+
     return rates
 
 
@@ -179,6 +189,12 @@ def with_state(change):
     return rates
 
 
+def to_the_other_side_in_y(state, locked, **car):
+    rates = derivative(state, locked, **car)
+    rates[1] -= 2 * velocity_of(0.0, state, locked, car["front"], car["rear"])[1] * math.cos(state[2])
+    return rates
+
+
 def along_the_car(state, locked, **car):
     rates = derivative(state, locked, **car)
     rates[:2] = state[3] * math.cos(state[2]), state[3] * math.sin(state[2])
@@ -192,12 +208,17 @@ WRONG_FORCES = {
     "friction straight back along the car, whatever way the locked axle moves": straight_back,
     "friction against the velocity of G, where it is the locked axle that drags": against_G,
     "the locked axle's velocity to the side by its distance from G, where that is from the free axle": turning_about_G,
+    "friction under the whole weight": whole_weight,
 }
 WRONG_RATES = {
     SWAPPED: swapped(derivative),
     **{says: under(force) for says, force in WRONG_FORCES.items() if says != SWAPPED},
     "the term with mass, speed and yaw rate (m d v omega) missing from the turning": without_turning_term,
-    "the term with the square of the yaw rate missing from the speed's rate": without_centripetal_term,
+    "the term with the square of the yaw rate missing from the speed's rate": with_square(lambda d: 0.0),
+    "the term with the square of the yaw rate in the speed's rate reversed": with_square(lambda d: -d),
+    "the square of the yaw rate in the speed's rate with one sign, whichever axle is locked": with_square(
+        abs
+    ),
     "the inertia about G where that about the free axle belongs": about_G,
 }
 WRONG_VELOCITIES = {
@@ -208,6 +229,7 @@ WRONG_VELOCITIES = {
         lambda x, y, heading, *rates: (x, y, math.radians(heading), *rates)
     ),
     "G moving along the car alone, its velocity to the side left out": along_the_car,
+    "G's velocity to the side with the wrong sign in the rate of y": to_the_other_side_in_y,
 }
 WRONG_IN_REVERSE = {
     "the direction of friction by an atan of left over forward, which is the same in reverse": by_the_slope,
@@ -234,7 +256,7 @@ def rate_suspects(wrong_rates):
 FORCE_SUSPECTS = force_suspects({
     **WRONG_FORCES,
     "friction of its full size along each of the car's axes": along_each_axis,
-    "friction under the whole weight": whole_weight,
+    "the force in the axes of the ground, where forward and left are those of the car": in_the_grounds_axes,
     "the direction of friction for small angles, its full size along the car": of_small_angles,
 })  # fmt: skip
 RATE_SUSPECTS = rate_suspects({**WRONG_RATES, **WRONG_VELOCITIES})
@@ -422,6 +444,15 @@ def as_at_rest(found, right, unbraked, hint):
     return hint
 
 
+def of_force(found, right, hint):
+    """As `as_at_rest`; or whether it is the size alone."""
+    size, needed = math.hypot(*found), math.hypot(*right)
+    if size and needed and np.max(np.abs(np.divide(found, size) - np.divide(right, needed))) <= SEEN:
+        wrong = "large" if size > needed else "small"
+        return f"the direction is right, the size too {wrong}: `friction` times the load there, at any speed"
+    return as_at_rest(found, right, (0.0, 0.0), hint)
+
+
 def judge_forces(student, cases, kind, hint, within=FORMULA):
     calls = [given(s, locked, **parts(c, *FORCE)).on(of_kind(kind, locked)) for s, locked, c in cases]
     found = student.friction_force.many(calls)
@@ -429,7 +460,7 @@ def judge_forces(student, cases, kind, hint, within=FORMULA):
         scale = c["mass"] * max(c["friction"] * c["gravity"], 0.1)
         right = coulomb(s, locked, **parts(c, *FORCE))
         expect(value, right, within=within, scale=scale, of="the friction force", unit="of friction times the weight",
-               kind=call.kind, hint=partial(as_at_rest, value, right, (0.0, 0.0), hint),
+               kind=call.kind, hint=partial(of_force, value, right, hint),
                at=(s, locked, c))  # fmt: skip
 
 
@@ -457,7 +488,19 @@ def friction_in_any_motion_and_at_rest(student, draw):
     judge_forces(student, creeping(draw), CREEPING, "is it as large as at a high speed?", SLOW)
 
 
+BY_PARTS = {
+    "the velocity of G": "G does slip sideways, as it is not on the free axle; then turn (forward, left) by the "
+                         "heading, each part with its sign",
+    "the rate of heading": "it is the yaw rate",
+    "the rate of speed": "the velocity is right; in axes that turn, the speed's rate has a term with the yaw rate "
+                         "squared, of one sign with the front locked and of the other with the rear",
+    "the yaw acceleration": "the other rates are right: balance the moments about the free axle; the product of speed "
+                            "and yaw rate is there without friction, too",
+}  # fmt: skip
+
+
 def judge_rates(student, cases, kind, hint, within=FORMULA):
+    """hint : where to look, or that for each of the rates"""
     calls = [
         given(t, s, locked, **parts(c, *ALL)).on(of_kind(kind, locked))
         for t, (s, locked, c) in enumerate(cases)
@@ -470,9 +513,11 @@ def judge_rates(student, cases, kind, hint, within=FORMULA):
         scale = [v, v, v / length, v * v / length, quick * (v / length) ** 2]
         for name, index in (("the velocity of G", [0, 1]), ("the rate of heading", [2]), ("the rate of speed", [3]),
                             ("the yaw acceleration", [4])):  # fmt: skip
+            look = partial(
+                of_rates, found, expected, s, locked, c, hint if isinstance(hint, str) else hint[name]
+            )
             expect(found[index], expected[index], within=within, scale=np.array(scale)[index], of=name,
-                   unit="of the size of its terms", kind=call.kind, at=(s, locked, c),
-                   hint=partial(of_rates, found, expected, s, locked, c, hint))  # fmt: skip
+                   unit="of the size of its terms", kind=call.kind, at=(s, locked, c), hint=look)  # fmt: skip
 
 
 def of_rates(found, expected, state, locked, car, hint):
@@ -482,8 +527,7 @@ def of_rates(found, expected, state, locked, car, hint):
 @check(points=1.25, part="a", suspects=RATE_SUSPECTS)
 def equations_of_motion(student, draw):
     """state_derivative: the balances of momentum, and a free axle that does not slip sideways."""
-    judge_rates(student, motions(draw, 10, forwards, turning), "a car that goes forwards and turns",
-                "G does slip sideways: the free axle is elsewhere")  # fmt: skip
+    judge_rates(student, motions(draw, 10, forwards, turning), "a car that goes forwards and turns", BY_PARTS)
 
 
 @check(points=0.5, part="a", after=equations_of_motion, suspects=REVERSE_SUSPECTS)
@@ -670,12 +714,26 @@ TOO_EARLY = {
 }  # fmt: skip
 
 
+STRAIGHT = "it goes straight on: a yaw rate that is small is not zero, and may grow"
+NOT_AT_REST = "it stops where its speed passes zero, but it turns on there: at rest the yaw rate is zero, too"
+
+
+def goes_straight(states):
+    """Whether it moves and never turns."""
+    return bool(states[1:, 3].any() and not states[1:, 4].any() and np.ptp(states[:, 2]) == 0)
+
+
 def near_miss(states, expected, scale, hint):
     """What to say of a motion that ends early, or is right but for whole turns or its rows: `hint` if nothing."""
     if (states == states[0]).all():
         return "row 1 is the start again" if len(states) == 2 else "every row is the start again"
-    if (expected[:, 3:].any(axis=1) & ~states[:, 3:].any(axis=1)).any():
-        return TOO_EARLY[len(states) == 2]
+    if goes_straight(states) and not goes_straight(expected):
+        return STRAIGHT
+    stands = expected[:, 3:].any(axis=1) & ~states[:, 3:].any(axis=1)
+    if stands.any():
+        row = int(np.argmax(stands))
+        turns_on = row and expected[row - 1, 3] * expected[row, 3] < 0
+        return NOT_AT_REST if turns_on else TOO_EARLY[len(states) == 2]
     turns = np.rint((states - expected) / [np.inf, np.inf, 2 * math.pi, np.inf, np.inf])
     if turns.any() and np.max(np.abs(states - expected - 2 * math.pi * turns) / scale) <= SEEN:
         return "it is off by whole turns alone, as if the heading were wrapped; it is never wrapped"
@@ -684,8 +742,8 @@ def near_miss(states, expected, scale, hint):
     return hint
 
 
-def judge_runs(student, cases, hint):
-    """Compare simulations column by column, the worst first: it decides about partial points."""
+def judge_runs(student, cases, hint, half=1e-3):
+    """Compare simulations column by column, the worst first: half the points for errors below `half`."""
     found = student.simulate.many([call.on(kind) for call, *_, kind in cases])
     judged = []
     for states, (call, expected, scale, kind) in zip(found, cases, strict=True):
@@ -697,7 +755,7 @@ def judge_runs(student, cases, hint):
         judged, key=lambda it: it[0], reverse=True
     ):
         expect(states, expected, scale=scale, within=TRAJECTORY, of=name, unit=unit, t=call.args[0], kind=kind,
-               hint=look, at=call, partial={1e-3: 0.5})  # fmt: skip
+               hint=look, at=call, partial={half: 0.5})  # fmt: skip
 
 
 @check(points=1, part="a", suspects=TIME_SUSPECTS + SIMULATE_SUSPECTS + VELOCITY_SUSPECTS)
@@ -713,6 +771,7 @@ def simulate_needs_no_dense_times(student, draw):
     """simulate: the same motion when only a few times are asked for."""
     judge_runs(student, braking(draw, 4), "the steps of the integration are not those of t")
     judge_runs(student, plain_runs(draw, True), "row 0 is the start, row 1 the state at the other time")
+    judge_runs(student, nearly_straight(draw), "row 0 is the start, row 1 the state at the other time", 1e-5)
 
 
 RUNS = {
@@ -746,6 +805,18 @@ def plain_runs(draw, slowed):
                 (given(t, start, locked, **c), expected, scales(start, c), f"{kind}, a locked {locked} axle")
             )
     return cases
+
+
+@once
+def nearly_straight(draw):
+    """As `braking`, at two times: above its critical speed a small yaw rate grows, and turns it by 1e-4 and more."""
+    c = car(draw)
+    start = state(draw, c, draw.uniform(1.5, 1.8), 0.0)
+    start[4] = draw.choice([-1, 1]) * draw.uniform(2e-4, 3e-4)
+    # friction slows it by less than friction * gravity, so it does not stop before
+    t = times(draw, 0.7 * start[3] / (c["friction"] * c["gravity"]), 2)
+    kind = "a small yaw rate, a locked rear axle"
+    return [(given(t, start, "rear", **c), moved(t, start, "rear", **c), scales(start, c), kind)]
 
 
 def sleigh(t, start, locked, *, mass, yaw_inertia, front, rear):
@@ -806,7 +877,8 @@ def judge_slow_glides(student, draw):
     cases = slow_glides(draw)
     found = student.simulate.many([call.on(kind) for call, *_, kind in cases])
     for states, (call, expected, scale, kind) in zip(found, cases, strict=True):
-        hint = "slow is not at rest: without friction it goes on for ever"
+        straight = goes_straight(states) and not goes_straight(expected)
+        hint = STRAIGHT if straight else "slow is not at rest: without friction it goes on for ever"
         expect(states, expected, within=SLOW, scale=scale, of="the motion", unit="of the way that it goes", kind=kind,
                t=call.args[0], at=call, hint=hint)  # fmt: skip
 
@@ -862,6 +934,13 @@ def arm_not_squared(speed, locked, **car):
     return (turning - drag * wheelbase(car) / speed) / inertia_about_free(locked, **body)
 
 
+def arm_from_G(speed, locked, **car):
+    """Friction's part by the distance from G to the locked axle."""
+    turning = frictionless_growth(speed, locked, **car)
+    share = (axles(locked, car["front"], car["rear"])[1] / wheelbase(car)) ** 2
+    return turning + share * (growth(speed, locked, **car) - turning)
+
+
 def never_stabilised(speed, locked, **car):
     turning = frictionless_growth(speed, locked, **car)
     return growth(speed, locked, **car) - turning + abs(turning)
@@ -880,6 +959,8 @@ GROWTH_SUSPECTS = [
     for says, wrong in WRONG_RATES.items() if "square" not in says and "straight" not in says
 ] + [suspect("friction left out", yaw_growth_rate=frictionless_growth),
      suspect("the wheelbase where its square belongs", within=1e-5, yaw_growth_rate=arm_not_squared),
+     suspect("the distance from G to the locked axle, where the wheelbase belongs", within=1e-5,
+             yaw_growth_rate=arm_from_G),
      suspect("the part of the speed positive with either axle locked", within=1e-5, yaw_growth_rate=never_stabilised),
      suspect("a growth rate below zero cut off to zero", within=1e-5,
              yaw_growth_rate=lambda *motion, **c: max(growth(*motion, **c), 0.0)),
@@ -922,6 +1003,8 @@ CRITICAL_SUSPECTS = [
     suspect(SWAPPED, critical_speed=lambda locked, **c: critical(other(locked), **c)),
     suspect("the distance from G to an axle for the wheelbase",
             critical_speed=lambda locked, front, **c: critical(locked, front=front, **{**c, "rear": 0.0})),
+    suspect("0 where there is no friction, with the front locked too, where it never is unstable",
+            critical_speed=lambda locked, **c: 0.0 if lacking(**c) else critical(locked, **c)),
     suspect("the square of the speed", critical_speed=lambda locked, **c: critical(locked, **c) ** 2),
 ]  # fmt: skip
 
@@ -964,6 +1047,20 @@ def power_law(speed, speed0, yaw_rate0, locked, **car):
     return yaw_rate0 * (speed / speed0) ** power
 
 
+def power_about_G(speed, speed0, yaw_rate0, locked, **car):
+    """The power in friction's part with the inertia about G."""
+    inertia = inertia_about_free(locked, **parts(car, *BODY))
+    more = car["mass"] * wheelbase(car) ** 2 * (1 / car["yaw_inertia"] - 1 / inertia)
+    return slowed(speed, speed0, yaw_rate0, locked, **car) * (speed / speed0) ** more
+
+
+def always_growing(speed, speed0, yaw_rate0, locked, **car):
+    """The part of the speed positive with either axle locked."""
+    unit = speed, speed0, 1.0, locked
+    without_friction = abs(math.log(slowed(*unit, **car) / power_law(*unit, **car)))
+    return power_law(speed, speed0, yaw_rate0, locked, **car) * math.exp(without_friction)
+
+
 def without_power_law(*motion, **car):
     speed, speed0, yaw_rate0, locked = motion
     unit = speed, speed0, 1.0, locked
@@ -984,6 +1081,9 @@ SLOWED_SUSPECTS = [
     suspect(SWAPPED, small_yaw_rate=lambda u, u0, r0, locked, **c: slowed(u, u0, r0, other(locked), **c)),
     suspect("friction's part alone", small_yaw_rate=power_law),
     suspect("friction's part left out", small_yaw_rate=without_power_law),
+    suspect("the inertia about G in friction's part, where that about the free axle belongs",
+            small_yaw_rate=power_about_G),
+    suspect("the part of the speed positive with either axle locked", small_yaw_rate=always_growing),
     suspect("the growth rate of the first speed at every speed",
             small_yaw_rate=constant_rate(lambda speed, speed0: speed0)),
     suspect("the growth rate of the last speed at every speed",
@@ -1046,6 +1146,14 @@ def mechanics_refuses_other_axles(student, draw):
     refuses_others(student, "state_derivative", lambda locked: given(0.0, s, locked, **c))
     refuses_others(student, "kinetic_energy", lambda locked: given(s, locked, **parts(c, *BODY)))
     refuses_others(student, "simulate", lambda locked: given(t, s, locked, **c))
+    rest = state(draw, c, 0.0, 0.0)  # where it is as wrong
+    for name, call in (
+        ("friction_force", lambda locked: given(rest, locked, **parts(c, *FORCE))),
+        ("state_derivative", lambda locked: given(0.0, rest, locked, **c)),
+        ("kinetic_energy", lambda locked: given(rest, locked, **parts(c, *BODY))),
+        ("simulate", lambda locked: given(t, rest, locked, **c)),
+    ):
+        refuses_others(student, name, call, ("both",), ", a car at rest")
 
 
 @check(points=0.25, part="a")
@@ -1059,15 +1167,16 @@ def stability_refuses_other_axles(student, draw):
     refuses_others(student, "small_yaw_rate", lambda locked: given(1.0, 2.0, 0.1, locked, **c))
 
 
-def refuses_others(student, name, call):
+def refuses_others(student, name, call, asked=("front", "rear", *OTHERS), at_rest=""):
     """A function that refuses the axles, too, has not earned it."""
-    for locked in ("front", "rear", *OTHERS):
+    for locked in asked:
         it, right = call(locked), locked not in ("front", "rear")
         kind = (
             f'a `locked` that is neither "front" nor "rear", {locked!r}'
             if right
             else f"a locked {locked} axle"
         )
+        kind += at_rest
         refused = getattr(student.on(kind), name).refuses(*it.args, **it.kwargs)
         says = "does not raise ValueError" if right else "raises ValueError"
         expect_that(refused == right, f"{name} {says}", kind=kind, at=it)

@@ -1,6 +1,6 @@
 """The direction by atan of left over forward: half of all directions, none on the spot.
 
-fails: friction_in_any_motion_and_at_rest
+fails: friction_in_any_motion_and_at_rest, mechanics_refuses_other_axles
 suspect: atan of left over forward
 """
 

@@ -1,0 +1,10 @@
+"""A small speed added to the locked axle's, against a division by zero, where it is slow too.
+
+fails: friction_opposes_the_sliding, equations_of_motion
+names: the direction is right, the size too small
+"""
+
+
+def _drag_force(speed, yaw_rate, *, arm, drag):
+    sliding = _sliding_speed(speed, yaw_rate, arm) + 1e-6
+    return -drag * (speed / sliding), -drag * (arm * yaw_rate / sliding)

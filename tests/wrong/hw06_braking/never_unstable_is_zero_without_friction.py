@@ -1,0 +1,12 @@
+"""Without friction the critical speed is taken to be 0 with the front locked, too.
+
+fails: critical_speed_is_where_growth_begins
+suspect: 0 where there is no friction
+"""
+
+_right = critical_speed
+
+
+def critical_speed(locked, *, front, rear, friction, gravity):
+    found = _right(locked, front=front, rear=rear, friction=friction, gravity=gravity)
+    return found if friction * gravity else 0.0
