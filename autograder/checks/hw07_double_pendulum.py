@@ -951,23 +951,6 @@ def tip_path(draw):
     return call, *np.array(frames)[:, :, 1].swapaxes(0, 1)
 
 
-def joined(lines):
-    """The points of each line; pieces with one label, each beginning where the last one ends, are one line."""
-    found, last = [], None
-    for line in lines:
-        if last and last.label == line.label and chained(last, line):
-            found[-1].append(line.points[1:])
-        else:
-            found.append([line.points])
-        last = line
-    return [np.concatenate(pieces) for pieces in found]
-
-
-def chained(one, next_one):
-    pieces = not one.scatter and not next_one.scatter and len(one.points) and len(next_one.points)
-    return pieces and np.array_equal(one.points[-1], next_one.points[0])
-
-
 def arc_length(path):
     return np.sum(np.linalg.norm(np.diff(path, axis=0), axis=1))
 
@@ -981,7 +964,7 @@ def tip_path_is_drawn(student, draw):
     """plot_tip_path draws the tip's path from t[0] to t[-1], at equal scales."""
     call, elbows, tips = tip_path(draw)
     picture = student.plot_tip_path.draw(*call.args, **call.kwargs)
-    curves = [points for points in joined(picture.lines) if len(points) > 10]
+    curves = [line.points for line in picture.lines if len(line.points) > 10]
     expect_that(len(curves) == 1, f"there are {len(curves)} curves on the axes, not one")
     scale, (curve,) = np.sum(call.kwargs["lengths"]), curves
     expect(curve[[0, -1]], tips[[0, -1]], within=DRAWN, scale=scale, of="an end of the curve", unit="of l1 + l2",

@@ -19,7 +19,9 @@ POINTWISE = (
     1e-12  # a few roundings of numbers of size 1 make 1e-15; quaternions and products of matrices, 1e-14
 )
 TINY = 1e-14  # the rounding of the cosine; an angle of 1e-12 taken for 0 is off by 1e-12, cos 3e-6 for 1 by 4e-12
-HUGE_ANGLE = 1e-8  # 1e6 rad, reduced modulo 2 pi by hand, is off by 2e-10; a matrix exponential of it by 3e-9
+HUGE_ANGLE = (
+    5e-8  # 1e6 rad, reduced modulo 2 pi by hand, is off by 2e-10; R^T R of a matrix exponential by 2e-8
+)
 
 
 def turned(axis, angle):

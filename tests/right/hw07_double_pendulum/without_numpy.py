@@ -186,4 +186,5 @@ def plot_tip_path(ax, t, theta, omega, *, masses, lengths, gravity):
     rows = simulate(t, theta, omega, masses=masses, lengths=lengths, gravity=gravity)
     tips = [sum(bars(row[:2], lengths)) for row in rows]
     ax.plot([tip.real for tip in tips], [tip.imag for tip in tips])
-    ax.set(xlabel="x (m)", ylabel="y (m)", aspect="equal")
+    reach = 1.05 * sum(lengths)
+    ax.set(xlabel="x (m)", ylabel="y (m)", xlim=(-reach, reach), ylim=(-reach, reach), box_aspect=1)

@@ -13,7 +13,7 @@ def rotation_matrix(axis, angle):
     if not 0 < size < np.inf:
         raise ValueError
     n = axis / size
-    return expm(np.array(skew(n)) * (np.fmod(angle, 2 * np.pi) / np.sqrt(n @ n)))
+    return expm(np.array(skew(n)) * (angle / np.sqrt(n @ n)))
 
 
 def rotate(r, axis, angle):
