@@ -142,17 +142,17 @@ WRONG_WHEN_SMALL["cos th taken for 1 where the angle is small"] = of_first_order
 
 @once
 def rotations(draw, angles):
-    """Axes of lengths from .1 to 10, angles, and the right matrices.
+    """Axes of lengths from .1 to 10, some in coordinate planes and one on an axis, angles, and the right matrices.
 
-    Some are in coordinate planes, one on a coordinate axis and two next to one: an arccos of what is 1 but for 1e-16
-    takes them for that.
+    Without angles given the last two axes are next to coordinate axes: an arccos of what is 1 but for 1e-16 takes
+    them for those.
     """
+    near = [] if angles is not None else [[1e-8, 0.0, 1.0], [1.0, -1e-8, 0.0]]
     angles = draw.uniform(-4 * np.pi, 4 * np.pi, 15) if angles is None else angles
     axes = draw.normal(size=(len(angles), 3)) * 10 ** draw.uniform(-1, 1, (len(angles), 1))
     axes[::3, draw.integers(3)] = 0.0
     axes[0] = np.roll([axes[0, 0] + axes[0, 1], 0.0, 0.0], draw.integers(3))
-    axes[1] = axes[1, 2] * np.array([1e-8, 0.0, 1.0])
-    axes[2] = axes[2, 0] * np.array([1.0, -1e-8, 0.0])
+    axes[len(axes) - len(near) :] = np.reshape(near, (-1, 3))
     return [(axis, angle, turned(axis, angle)) for axis, angle in zip(axes, angles, strict=True)]
 
 
