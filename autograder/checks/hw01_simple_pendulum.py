@@ -1,6 +1,7 @@
 """Hidden checks of hw01. What is right comes from vectors in the plane, elliptic functions, and quadrature."""
 
 import math
+from functools import partial
 
 import numpy as np
 from scipy.special import ellipj, ellipk, ellipkinc
@@ -279,12 +280,18 @@ def judge(student, name, quantities, calls, hint, kind="a random state, mass and
         known, sizes = right(*call.args, **call.kwargs), scales(*call.args, **call.kwargs)
         for quantity in quantities:
             value, (scale, unit) = found[BALANCES[name].index(quantity)], sizes[quantity]
-            near = abs(value - known[quantity]) <= NEARLY * (scale or 1.0)
-            expect(value, known[quantity], within=POINTWISE, scale=scale or 1.0, of=quantity, unit=unit,
-                   hint=NEARLY_RIGHT if near else hint, at=call, kind=call.kind)  # fmt: skip
+            look = partial(quantity_hint, quantity, value, known[quantity], scale or 1.0, hint)
+            expect(value, known[quantity], within=POINTWISE, scale=scale or 1.0, of=quantity, unit=unit, hint=look,
+                   at=call, kind=call.kind)  # fmt: skip
 
 
-NEARLY_RIGHT = "it is nearly right: is it a difference quotient to one side, or a series cut short?"
+def quantity_hint(quantity, value, known, scale, hint):
+    """What to say of a quantity that is nearly right, or of a rod that does not push."""
+    if abs(value - known) <= NEARLY * scale:
+        return "it is nearly right: is it a difference quotient to one side, or a series cut short?"
+    if quantity == "tension" and known < 0 and abs(value) <= POINTWISE * scale:
+        return "it is zero where it must be negative: a rod can push"
+    return hint
 
 
 @check(points=0.5, part="a", suspects=BALANCE_SUSPECTS)
@@ -710,10 +717,17 @@ def judge_periods(student, draw, amplitudes, within, kind, hint):
     for found, call in zip(student.period.many(calls), calls, strict=True):
         unit = math.sqrt(call.kwargs["length"] / call.kwargs["gravity"])
         expected = 4 * ellipk(math.sin(call.args[0] / 2) ** 2) * unit
-        small = abs(found - 2 * math.pi * unit) <= POINTWISE * expected
         expect(found, expected, scale=expected, within=within, of="the period", unit="of itself", kind=kind,
-               hint="it is the period of small angles, for which no amplitude is small enough" if small else hint,
-               at=call)  # fmt: skip
+               hint=partial(period_hint, found / unit, expected / unit, hint), at=call)  # fmt: skip
+
+
+def period_hint(found, expected, hint):
+    """What to say of a period, in units of sqrt(l/g), that is that of small angles, or nearly right."""
+    if expected - 2 * math.pi < 1e-2 and abs(found - 2 * math.pi) <= POINTWISE:
+        return "it is the period of small angles, for which no amplitude is small enough"
+    if abs(found - expected) <= NEARLY * expected:
+        return f"it is nearly right: is it a series cut short, or a quadrature of few points? {hint}"
+    return hint
 
 
 @check(points=0.75, part="a", suspects=PERIOD_SUSPECTS)
@@ -780,11 +794,13 @@ SIMULATE_SUSPECTS = [
 ]
 
 
+RATES = "is omega the rate of theta, and alpha that of the balances? is the tolerance tight?"
 SEEN = 1e-4  # as loosely as suspects
+COARSE = 1e-2  # of the motion; below it a right equation is solved coarsely, to choose the words
 
 
 def near_miss(t, states, expected, from_zero, hint):
-    """What to say of a motion that is right but for whole turns, rows a step too early, or a start at t = 0."""
+    """What to say of a motion that is right but for whole turns, rows a step early, a start at t = 0, or its steps."""
     turns = np.rint((states - expected) / [2 * math.pi, np.inf])
     if turns.any() and np.abs(states - expected - 2 * math.pi * turns).max() <= SEEN:
         return "it is off by whole turns alone, as if theta were wrapped; it is never wrapped"
@@ -793,6 +809,8 @@ def near_miss(t, states, expected, from_zero, hint):
     late = t > max(t[0], 0.0)
     if late.any() and np.abs(states - from_zero)[late].max() <= SEEN * np.ptp(expected, axis=0).max():
         return "the given state is that at t[0], not at t = 0: integrate from t[0] on"
+    if hint == RATES and np.abs(states - expected).max() <= COARSE * np.ptp(expected, axis=0).max():
+        return "it is nearly right: are the steps short, and the tolerances of the integrator tight enough?"
     return hint
 
 
@@ -821,7 +839,7 @@ def simulate_swings(student, draw):
     """simulate: large swings, row i at t[i], row 0 the given state."""
     start, pendulum, k = swing(draw)
     judge_motion(student, times(draw, 15 / k, 1000), start, pendulum, "a large swing, t[0] not 0",
-                 "is omega the rate of theta, and alpha that of the balances? is the tolerance tight?")  # fmt: skip
+                 RATES)  # fmt: skip
 
 
 @check(points=0.25, part="a", after=simulate_swings)

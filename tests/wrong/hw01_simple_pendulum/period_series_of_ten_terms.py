@@ -1,0 +1,14 @@
+"""Ten terms of the period's series, a long way for a pendulum that swings beyond level.
+
+fails: period_is_exact
+names: a series cut short
+numerics: the length of the series
+"""
+
+
+def period(amplitude, *, length, gravity):
+    k, term, total = math.sin(amplitude / 2), 1.0, 1.0
+    for n in range(1, 10):
+        term *= ((2 * n - 1) / (2 * n) * k) ** 2
+        total += term
+    return 2 * math.pi * math.sqrt(length / gravity) * total
