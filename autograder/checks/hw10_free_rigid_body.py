@@ -53,7 +53,8 @@ TRAJECTORY = 3e-6
 # The same solvers lose 7e-8 of R^T R = I in 45 radians; with order 2 the energy may swing by 1e-6.
 INVARIANT = 1e-5
 PERIOD = 1e-6  # a period measured on a simulation is good to 1e-8
-NEAR_PERIOD = 1e-4  # 1 - k^2 is 1e-7 there: as a difference it has 9 digits; a simulation has 5
+# 1 - k^2 is 1e-9 there: as a difference it has 7 digits; events of solve_ivp at 1e-9 are off by 4e-6 (LSODA)
+NEAR_PERIOD = 1e-4
 
 
 # The motion in vectors
@@ -205,8 +206,8 @@ def times(draw, omega, radians, count=25, start=None):
 
 
 def starts(draw, count):
-    """Some before t = 0 and some after."""
-    return draw.permutation(np.resize([-1, 1], count)) * draw.uniform(0.5, 3, count)
+    """Some before t = 0 and some after, as the first is: what starts at t = 0 gives one result there."""
+    return np.resize([1, -1], count) * draw.uniform(0.5, 3, count)
 
 
 def sorted_body(draw):
@@ -273,6 +274,8 @@ def euler_equations_keep_the_angular_momentum(student, draw):
     suspects=[
         suspect("omega-hat R for R omega-hat: omega is in body components", attitude_rate=lambda R, w: hat(w) @ R),
         suspect("the sign of omega-hat changed", attitude_rate=lambda R, w: -R @ hat(w)),
+        suspect("the transpose of R in R omega-hat", attitude_rate=lambda R, w: R.T @ hat(w)),
+        suspect("omega-hat alone, without R", attitude_rate=lambda R, w: hat(w)),
         suspect("the rate of the transpose", attitude_rate=lambda R, w: (R @ hat(w)).T),
     ],
 )  # fmt: skip
@@ -295,6 +298,8 @@ def attitude_follows_omega(student, draw):
     points=0.5, part="a",
     suspects=[
         suspect("an energy without the half", energy=lambda w, *, inertia: np.sum(inertia * w**2)),
+        suspect("the product of the lengths of H and omega: they have a scalar product",
+                energy=lambda w, *, inertia: 0.5 * np.linalg.norm(inertia * w) * np.linalg.norm(w)),
         suspect("the inertias squared", energy=lambda w, *, inertia: 0.5 * np.sum((w * inertia) ** 2)),
     ],
 )  # fmt: skip
@@ -343,6 +348,17 @@ def rates_313(angles, omega):
     return np.linalg.solve(omega_of_rates(angles), omega)
 
 
+def with_rate(which, wrong):
+    """One of the rates wrong(angles, omega), the others right."""
+
+    def rates(angles, omega):
+        found = rates_313(angles, omega)
+        found[which] = wrong(angles, omega)
+        return found
+
+    return rates
+
+
 def rates_of_space_omega(angles, omega):
     """As if omega were in space components: R^T has the angles (-phi, -theta, -psi), and minus this omega."""
     psi, theta, phi = angles
@@ -360,6 +376,11 @@ def rates_of_positive_sine(angles, omega):
     points=0.75, part="a",
     suspects=[
         suspect("omega taken in space components", euler_rates_313=rates_of_space_omega),
+        suspect("phi of the other sign", euler_rates_313=lambda angles, w: rates_313(angles * [1, 1, -1], w)),
+        suspect("the sign of omega_2 sin(phi) in theta' changed", euler_rates_313=with_rate(1, lambda angles, w:
+                w[0] * math.cos(angles[2]) + w[1] * math.sin(angles[2]))),
+        suspect("the sign of psi' cos(theta) in phi' changed", euler_rates_313=with_rate(2, lambda angles, w:
+                w[2] + rates_313(angles, w)[0] * math.cos(angles[1]))),
         suspect("psi and phi exchanged in the angles", euler_rates_313=lambda angles, w: rates_313(angles[::-1], w)),
         suspect("the rates in the order phi, theta, psi", euler_rates_313=lambda angles, w: rates_313(angles, w)[::-1]),
         suspect("omega of these rates: the matrix for its inverse",
@@ -471,6 +492,11 @@ def from_identity(t, R, omega, *, inertia):
     return motion(t, np.eye(3), omega, inertia=inertia)
 
 
+def in_space_components(t, R, omega, *, inertia):
+    omegas, rotations = motion(t, R, omega, inertia=inertia)
+    return np.einsum("nij,nj->ni", rotations, omegas), rotations
+
+
 def with_given_start(wrong):
     """The first rotation is the given one all the same."""
 
@@ -485,6 +511,12 @@ def with_given_start(wrong):
 def start_on_the_other_side(t, R, omega, *, inertia):
     omegas, rotations = from_identity(t, R, omega, inertia=inertia)
     return omegas, rotations @ R
+
+
+def in_space_from_identity(t, R, omega, *, inertia):
+    """A turn from the identity by omega as if in space components, put after the given R."""
+    omegas, turns = motion(t, np.eye(3), omega, inertia=inertia, attitude=lambda R, w: hat(w) @ R)
+    return omegas, R @ turns
 
 
 def to_body(t, R, omega, *, inertia):
@@ -515,12 +547,15 @@ OMEGA_SUSPECTS = [
     suspect("the times rounded to a millisecond", within=1e-5, simulate=at_rounded_times),
     *(suspect("the given state taken for that at t = 0, not at t[0]", within=1e-4, simulate=variant)
       for variant in (given_at_zero_before, with_given_start(given_at_zero_before))),
+    suspect("omega in space components", within=1e-4, simulate=in_space_components),
     suspect("solve_ivp at its own tolerances, rtol 1e-3 and atol 1e-6", simulate=wrong_motion(solver={})),
 ]  # fmt: skip
 MOTION_SUSPECTS = [
     *OMEGA_SUSPECTS,
     suspect("omega-hat R for R omega-hat: omega is in body components", within=1e-4,
             simulate=wrong_motion(attitude=lambda R, w: hat(w) @ R)),
+    suspect("omega-hat R for R omega-hat, or omega q for q omega: omega is in body components", within=1e-4,
+            simulate=in_space_from_identity),
     suspect("the sign of omega-hat changed", within=1e-4, simulate=wrong_motion(attitude=lambda R, w: -R @ hat(w))),
     suspect("rotations that start with the identity, not with the given R", within=1e-4, simulate=from_identity),
     suspect("rotations that go on from the identity, not from the given R", within=1e-4,
@@ -532,8 +567,8 @@ NEARLY = "it is nearly right: are the steps short enough, the tolerances tight e
 
 
 def nearly(error):
-    """Whether what is wrong is the accuracy of the integration."""
-    return error < 1e-2
+    """Whether what is wrong is the accuracy of the integration; np.interp between its steps is off by 2e-2."""
+    return error < 3e-2
 
 
 def judge_motions(found, right, calls, sizes, start, *, hint, **says):
@@ -637,9 +672,12 @@ def special_motions(draw):
             spinning(t, R, omega),
         )
     omega, body, R = a_fast_omega(draw), a_wheel(draw), an_attitude(draw)
-    t = times(draw, omega, 40)
-    cases["a fast body with A = B"] = given(t, R, omega, inertia=body), wheel(t, R, omega, body)
+    t = times(draw, omega, 40, count=2)
+    cases[FAST_AND_FAR] = given(t, R, omega, inertia=body), wheel(t, R, omega, body)
     return cases
+
+
+FAST_AND_FAR = "a fast body with A = B, and two times many turns apart"
 
 
 # Their trace is -1: a quaternion that is made by a division by its scalar part has none there.
@@ -655,12 +693,14 @@ def spinning(t, R, omega):
     return np.tile(omega, (len(t), 1)), np.array([R @ turned(omega * tau) for tau in t - t[0]])
 
 
-def wrong_motion_of(found, right, size):
+def wrong_motion_of(found, right, size, kind):
     """What is wrong with a special motion, if it can be told."""
     if found.ndim == 3 and np.abs(found - right.transpose(0, 2, 1)).max() <= TRAJECTORY:
         return "these are the transposes, from space to body"
     if not np.ptp(found, axis=0).any():
         return "it is the same at all times"
+    if kind == FAST_AND_FAR:
+        return "the steps must be short for a fast turn, and must not depend on the sampling"
     return NEARLY if nearly(np.abs(found - right).max() / size) else ""
 
 
@@ -672,9 +712,9 @@ def special_bodies_move_too(student, draw):
     for (omegas, rotations), (kind, (call, right)) in zip(found, cases.items(), strict=True):
         size, says = np.linalg.norm(call.args[2]) or 1.0, {"t": call.args[0], "kind": kind, "at": call}
         expect(omegas, right[0], within=TRAJECTORY, scale=size, of="omega", unit="of its start", **says,
-               hint=partial(wrong_motion_of, omegas, right[0], size))  # fmt: skip
+               hint=partial(wrong_motion_of, omegas, right[0], size, kind))  # fmt: skip
         expect(rotations, right[1], within=TRAJECTORY, of="R", **says,
-               hint=partial(wrong_motion_of, rotations, right[1], 1.0))  # fmt: skip
+               hint=partial(wrong_motion_of, rotations, right[1], 1.0, kind))  # fmt: skip
 
 
 # (a) A = B
@@ -711,6 +751,9 @@ def space_rate(inertia, omega):
         suspect("the precession reversed", symmetric_solution=precessing(lambda inertia, w: -body_rate(inertia, w))),
         suspect("the given omega taken at t = 0, not at t[0]",
                 symmetric_solution=precessing(body_rate, since_start=False)),
+        suspect("the rate omega_3 of a flat disk, C = 2 A", symmetric_solution=precessing(lambda inertia, w: w[2])),
+        suspect("the rate (C - A)/C omega_3: A divides",
+                symmetric_solution=precessing(lambda inertia, w: (1 - inertia[0] / inertia[2]) * w[2])),
         suspect("the rate C/A omega_3, as seen from space",
                 symmetric_solution=precessing(lambda inertia, w: inertia[2] / inertia[0] * w[2])),
         suspect("the rate |H|/A of the wobble in space", symmetric_solution=precessing(space_rate)),
@@ -749,6 +792,8 @@ def judge_precession(student, calls):
                 wobble_rate=lambda w, *, inertia: abs(body_rate(inertia, w))),
         suspect("C/A omega_3, for spin very near the axis",
                 wobble_rate=lambda w, *, inertia: inertia[2] / inertia[0] * abs(w[2])),
+        suspect("the sign of omega_3 left in the rate", wobble_rate=lambda w, *, inertia:
+                math.copysign(space_rate(inertia, w), w[2])),
         suspect("|H|/C", wobble_rate=lambda w, *, inertia: np.linalg.norm(inertia * w) / inertia[2]),
         suspect("|omega|", wobble_rate=lambda w, *, inertia: np.linalg.norm(w)),
     ],
@@ -797,7 +842,8 @@ def growth_of(wrong):
         suspect("the sign changed", growth_rate_squared=growth_of(lambda spin, right: -right)),
         suspect("the rate, not its square",
                 growth_rate_squared=growth_of(lambda spin, right: np.sign(right) * math.sqrt(abs(right)))),
-        suspect("the spin not squared", growth_rate_squared=growth_of(lambda spin, right: right / abs(spin))),
+        *(suspect("the spin not squared", growth_rate_squared=growth_of(lambda spin, right, size=size:
+                  right / size(spin))) for size in (abs, float)),
         suspect("axes counted from 1",
                 growth_rate_squared=lambda axis, spin, *, inertia: growth((axis - 1) % 3, spin, inertia=inertia)),
         suspect("the inertias put in order first: the axis is that of the inertias as they are given",
@@ -931,13 +977,13 @@ def period_of_pure_spin_is_that_of_small_oscillations(student, draw):
 def period_grows_to_infinity_at_the_separatrix(student, draw):
     """tumble_period near the separatrix, on both sides of it, and math.inf on it."""
     spins = draw.uniform(1, 4, 4) * draw.choice([-1, 1], 4)
-    near = [(0, 1, 1e-4), (0, 1, -1e-3), (1e-4, 1, 0), (-1e-3, 1, 0)]
+    near = [(0, 1, 3e-5), (0, 1, -1e-3), (3e-5, 1, 0), (-1e-3, 1, 0)]
     calls = [
         given(spin * np.array(omega), inertia=sorted_body(draw))
         for spin, omega in zip(spins, near, strict=True)
     ]
     judge(student.tumble_period, calls, tumbling, within=NEAR_PERIOD, of="the period",
-          kind="omega almost about the middle axis")  # fmt: skip
+          kind="omega almost about the middle axis", hint="how near 1 is a k that is not 1?")  # fmt: skip
     # Whole numbers times powers of two: on the separatrix, 3 (4 - 3) 2^2 = 6 (6 - 4) 1^2, without any rounding
     body = np.array([3.0, 4.0, 6.0]) * 2.0 ** draw.integers(-5, 6)
     for omega, kind in (
@@ -982,10 +1028,14 @@ def strays(path, fine):
 
 
 MISTAKEN_PATHS = {
-    "they are seen along x": lambda fine: fine[:, 1:, 0],
-    "they are seen along y": lambda fine: fine[:, ::2, 0],
-    "they are those of the points (0, radius, 0) and (0, -radius, 0)": lambda fine: fine[:, :2, 1],
-    "they are those of the transposes of R": lambda fine: fine[:, 0, :2],
+    "they are seen along x": lambda fine, radius: fine[:, 1:, 0],
+    "they are seen along y": lambda fine, radius: fine[:, ::2, 0],
+    "they are those of the points (0, radius, 0) and (0, -radius, 0)": lambda fine, radius: fine[:, :2, 1],
+    "they are those of the transposes of R": lambda fine, radius: fine[:, 0, :2],
+    "they start with the identity, not with the given R": lambda fine, radius: (
+        (fine[0].T @ fine)[:, :2, 0] / radius
+    ),
+    "they are those of a radius of 1 m": lambda fine, radius: fine[:, :2, 0] / radius,
 }
 
 
@@ -999,7 +1049,9 @@ def farthest(found, path, radius):
 def wrong_paths(found, fine, radius):
     """Which other paths are drawn, if they are known, else what to draw."""
     known = [
-        says for says, path in MISTAKEN_PATHS.items() if farthest(found, path(fine), radius) < 1e-3 * radius
+        says
+        for says, path in MISTAKEN_PATHS.items()
+        if farthest(found, path(fine, radius), radius) < 1e-3 * radius
     ]
     return known[0] if known else "x and y, in space, of the body's points (radius, 0, 0) and (-radius, 0, 0)"
 

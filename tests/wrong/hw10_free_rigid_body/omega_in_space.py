@@ -1,0 +1,12 @@
+"""The simulation gives omega in space components.
+
+fails: omega_follows_elliptic_functions
+suspect: omega in space components
+"""
+
+_motion = simulate
+
+
+def simulate(t, R, omega, *, inertia):
+    omegas, rotations = _motion(t, R, omega, inertia=inertia)
+    return np.einsum("nij,nj->ni", rotations, omegas), rotations

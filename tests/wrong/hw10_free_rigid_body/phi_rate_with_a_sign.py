@@ -1,0 +1,13 @@
+"""phi' is r + psi' cos(theta).
+
+fails: euler_rates_make_omega
+suspect: the sign of psi' cos(theta) in phi' changed
+"""
+
+_right_rates = euler_rates_313
+
+
+def euler_rates_313(angles, omega):
+    psi, theta, phi = angles
+    psi_rate, theta_rate, phi_rate = _right_rates(angles, omega)
+    return np.array([psi_rate, theta_rate, omega[2] + psi_rate * math.cos(theta)])

@@ -1,0 +1,11 @@
+"""The precession is that of a flat disk.
+
+fails: symmetric_bodies_precess
+suspect: the rate omega_3 of a flat disk
+"""
+
+
+def symmetric_solution(t, omega, *, inertia):
+    A, _, C = inertia
+    across = complex(*omega[:2]) * np.exp(1j * 1.0 * omega[2] * (np.asarray(t) - t[0]))
+    return np.column_stack([across.real, across.imag, np.full(len(t), omega[2])])

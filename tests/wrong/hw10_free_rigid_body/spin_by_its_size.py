@@ -1,0 +1,11 @@
+"""The size of the spin stands for its square in growth_rate_squared.
+
+fails: small_deviations_grow_at_this_rate
+suspect: the spin not squared
+"""
+
+_growth = growth_rate_squared
+
+
+def growth_rate_squared(axis, spin, *, inertia):
+    return abs(spin) * _growth(axis, 1.0, inertia=inertia)

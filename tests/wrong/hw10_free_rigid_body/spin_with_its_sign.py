@@ -1,0 +1,11 @@
+"""The spin is not squared in growth_rate_squared.
+
+fails: small_deviations_grow_at_this_rate
+suspect: the spin not squared
+"""
+
+_growth = growth_rate_squared
+
+
+def growth_rate_squared(axis, spin, *, inertia):
+    return spin * _growth(axis, 1.0, inertia=inertia)
