@@ -168,6 +168,7 @@ SWAPPED = "A and C swapped: A is about a diameter, C about the axle"
 REVERSED = "the sign turned round"
 SPIN_ALONE = "the angular momentum of the spin alone: Omega turns the disk about its diameter too"
 THIN = "A and C of a thin uniform disk for those given"
+HALF = "C/2 for A, as of a thin disk"
 UNIT_SIZE = "a mass and a radius of 1 for those given"
 UNSIGNED = "the precession taken without its sign"
 DEGREES = "the lean taken for degrees"
@@ -188,6 +189,13 @@ def thin(right):
 
     def wrong(*args, mass, radius, inertia, **rest):
         return right(*args, mass=mass, radius=radius, inertia=uniform_disk(None, mass * radius**2), **rest)
+
+    return wrong
+
+
+def half_of_c(right):
+    def wrong(*args, inertia, **rest):
+        return right(*args, inertia=(inertia[1] / 2, inertia[1]), **rest)
 
     return wrong
 
@@ -218,6 +226,16 @@ def about_contact(right):
 
     def wrong(*args, mass, radius, inertia, **rest):
         moved = (inertia[0] + mass * radius**2, inertia[1])
+        return right(*args, mass=mass, radius=radius, inertia=moved, **rest)
+
+    return wrong
+
+
+def with_ma2(right):
+    """C + m a^2 for C."""
+
+    def wrong(*args, mass, radius, inertia, **rest):
+        moved = (inertia[0], inertia[1] + mass * radius**2)
         return right(*args, mass=mass, radius=radius, inertia=moved, **rest)
 
     return wrong
@@ -491,6 +509,7 @@ def plain_whirls(draw):
         suspect(REVERSED, rolling_spin=reversed_sign(balanced_spin)),
         suspect(SPIN_ALONE, rolling_spin=spin_alone(balanced_spin)),
         suspect(THIN, rolling_spin=thin(balanced_spin)),
+        suspect(HALF, rolling_spin=half_of_c(balanced_spin)),
         suspect(UNIT_SIZE, rolling_spin=unit_size(balanced_spin)),
         suspect(UNSIGNED, rolling_spin=unsigned(balanced_spin)),
         suspect(SINE, rolling_spin=sine_for_tangent(balanced_spin)),
@@ -514,11 +533,16 @@ def rolling_spin_holds_upright_and_without_gravity(student, draw):
     points=1, part="a",
     suspects=[
         suspect(TO_CENTRE, rolling_track_radius=track_to_centre),
+        suspect("the radius without its sign", rolling_track_radius=lambda *args, **disk:
+                abs(rolling_track(*args, **disk))),
+        suspect("a sin(lean) taken off where it is to be added", rolling_track_radius=lambda lean, *args, **disk:
+                rolling_track(lean, *args, **disk) - 2 * rim(lean, disk["radius"]) @ X),
         suspect(RELATIVE, rolling_track_radius=track_by_relative_spin),
         suspect(SWAPPED, rolling_track_radius=swapped(rolling_track)),
         suspect(NO_MA2, rolling_track_radius=track_with(sliding)),
         suspect(SPIN_ALONE, rolling_track_radius=spin_alone(rolling_track)),
         suspect(THIN, rolling_track_radius=thin(rolling_track)),
+        suspect(HALF, rolling_track_radius=half_of_c(rolling_track)),
         suspect(UNIT_SIZE, rolling_track_radius=track_with(unit_size(balanced_spin))),
         suspect(UNSIGNED, rolling_track_radius=track_with(unsigned(balanced_spin))),
         suspect(SINE, rolling_track_radius=sine_for_tangent(rolling_track)),
@@ -552,6 +576,7 @@ def contact_tracks(cases_of_spin):
         suspect(REVERSED, rolling_precession=reversed_sign(balanced_precession)),
         suspect(SPIN_ALONE, rolling_precession=spin_alone(balanced_precession)),
         suspect(THIN, rolling_precession=thin(balanced_precession)),
+        suspect(HALF, rolling_precession=half_of_c(balanced_precession)),
         suspect(SINE, rolling_precession=sine_for_tangent(balanced_precession)),
         suspect(DEGREES, rolling_precession=in_degrees(balanced_precession)),
     ],
@@ -629,7 +654,8 @@ def rolling_precession_refuses_what_does_not_exist(student, draw):
         for *call, kind in refused:
             refuses(student, *call, kind, disk)
     for lean in (ROUNDED_NOWHERE, -ROUNDED_NOWHERE):
-        refuses(student, lean, 0.0, "a roller that turns on a point, where Omega drops out", long_hoop(draw))
+        kind = "a roller that turns on a point, its lean tiny but not zero, where Omega drops out"
+        refuses(student, lean, 0.0, kind, long_hoop(draw))
 
 
 ROUNDED_NOWHERE = 2.0**-30  # rad; it is its own sine and tangent, and its cosine is one
@@ -659,6 +685,7 @@ def refuses(student, lean, track, kind, disk):
         suspect(SWAPPED, sliding_spin=swapped(sliding)),
         suspect(SPIN_ALONE, sliding_spin=spin_alone(sliding)),
         suspect(THIN, sliding_spin=thin(sliding)),
+        suspect(HALF, sliding_spin=half_of_c(sliding)),
         suspect(UNSIGNED, sliding_spin=unsigned(sliding)),
         suspect(SINE, sliding_spin=sine_for_tangent(sliding)),
         suspect(DEGREES, sliding_spin=in_degrees(sliding)),
@@ -707,6 +734,7 @@ SIGNS = {1: "a lean inwards", -1: "a negative lean", 0: "an upright disk"}
         suspect(SWAPPED, common_precession=swapped(common)),
         suspect("A + m a^2 taken for A, as if G moved", common_precession=about_contact(common)),
         suspect(THIN, common_precession=thin(common)),
+        suspect(HALF, common_precession=half_of_c(common)),
         suspect(DEGREES, common_precession=in_degrees(common)),
     ],
 )  # fmt: skip
@@ -784,6 +812,8 @@ def wrong_force(found, right):
         suspect(REVERSED, moment_residual=reversed_sign(residual)),
         suspect(SPIN_ALONE, moment_residual=spin_alone(residual)),
         suspect(THIN, moment_residual=thin(residual)),
+        suspect(HALF, moment_residual=half_of_c(residual)),
+        suspect("C + m a^2 for C: the moments are about G, and the force is given", moment_residual=with_ma2(residual)),
         suspect("the inward force of steady rolling, not the one given", moment_residual=residual_of_rolling),
         suspect("the moment of the inward force turned round", moment_residual=residual_of_outward_force),
     ],
@@ -816,6 +846,8 @@ def moment_residual_is_moment_minus_rate(student, draw):
         suspect("the potential energy alone", settling_energy=potential),
         suspect("Omega, about the vertical, for the rate at which the disk turns about its diameter",
                 settling_energy=energy_with(lambda lean, p, inertia: 0.5 * inertia[0] * p**2)),
+        suspect(HALF, settling_energy=energy_with(lambda lean, p, inertia:
+                turning_energy(lean, p, (inertia[1] / 2, inertia[1])))),
         suspect("the kinetic energy alone", settling_energy=settling_kinetic_energy),
         suspect("the potential 0 where G of the upright disk is; it is 0 with G on the ground",
                 settling_energy=lambda lean, **disk: settled(lean, **disk) - potential(0.0, **disk)),

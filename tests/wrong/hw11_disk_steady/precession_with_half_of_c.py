@@ -1,0 +1,11 @@
+"""rolling_precession has C/2 for A.
+
+fails: rolling_precession_balances_the_moments
+suspect: C/2 for A
+"""
+
+_precession = rolling_precession
+
+
+def rolling_precession(lean, track_radius, *, inertia, **disk):
+    return _precession(lean, track_radius, inertia=(inertia[1] / 2, inertia[1]), **disk)
