@@ -1,7 +1,7 @@
 """y from x and the constraint, below the hinge.
 
 fails: without_gravity_it_goes_round_uniformly, with_gravity_it_swings_or_goes_round
-suspect: a particle always below the hinge
+names: every row but the first is below the hinge
 """
 
 _right = simulate

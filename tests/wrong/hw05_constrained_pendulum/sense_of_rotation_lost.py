@@ -1,7 +1,7 @@
 """The rate of turning from the speed, which has no sign.
 
 fails: without_gravity_it_goes_round_uniformly, with_gravity_it_swings_or_goes_round
-suspect: the sense of the rotation lost
+names: it goes round the other way
 """
 
 _right = simulate
