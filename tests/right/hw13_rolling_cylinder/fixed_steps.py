@@ -54,7 +54,7 @@ def simulate(t, phi, phi_dot, *, mass, radius, offset, inertia, slope, gravity):
     rows = [(phi, phi_dot)]
     for now, then in zip(t, t[1:]):
         p, w = rows[-1]
-        n = math.ceil((then - now) * fastest / 0.015)
+        n = math.ceil((then - now) * fastest / 0.01)
         h = (then - now) / n
         for _ in range(n):
             p1, w1 = w, f(p, w)
