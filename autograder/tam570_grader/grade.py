@@ -19,6 +19,7 @@ from tam570_grader.student import BudgetSpent, Call, NotLoaded, NotWritten, Sour
 __all__ = ["Mark", "Result", "failed_by_us", "graded", "not_graded"]
 
 OUR_FAULT = "the grader failed here, not you; your teacher has been told"
+CANCELLED = 1e-14  # what rounding leaves where numbers of order one cancel, and a suspect is exactly zero
 LONGEST_DETAIL = 400  # characters of an expected or actual value
 
 
@@ -223,4 +224,4 @@ def _close(found: Any, expected: Any, within: float) -> bool:
     if not np.all(np.isfinite(expected)):
         return bool(np.array_equal(found, expected))
     with np.errstate(all="ignore"):
-        return bool(np.max(np.abs(found - expected)) <= within * np.max(np.abs(expected)))
+        return bool(np.max(np.abs(found - expected)) <= within * np.max(np.abs(expected)) + CANCELLED)
