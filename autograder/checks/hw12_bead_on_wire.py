@@ -686,5 +686,5 @@ def period_of_small_and_of_huge_amplitudes(student, draw):
                   TINY, (0.5, 1))  # fmt: skip
     judge_periods(student, draw, 10 ** draw.uniform(-3, -2, 3), "an amplitude of some thousandths of 1/c",
                   "is a difference of nearly equal heights taken?")  # fmt: skip
-    judge_periods(student, draw, 10 ** draw.uniform(1, 2, 4), "an amplitude of many 1/c",
+    judge_periods(student, draw, np.append(10 ** draw.uniform(1, 2, 3), 100.0), "an amplitude of many 1/c",
                   hint_of_huge_amplitudes)  # fmt: skip

@@ -1,7 +1,7 @@
 """The tension of a string, from the force along x and y: at the top alpha is what rounding leaves of it.
 
 fails: newton_gives_the_tension
-names: a rod can push
+suspect: the tension of a string
 """
 
 
