@@ -109,6 +109,9 @@ def test_right_submissions_are_fair_and_what_is_kept_is_not_run_again(tmp_path, 
     monkeypatch.setattr("tam570_grader.fairness._graded", None)
     assert cli.main(command) == 0
     assert capsys.readouterr().out == out
+    monkeypatch.setattr(root, "engine_digest", lambda: b"another grader")
+    with pytest.raises(TypeError):
+        cli.main(command)
 
 
 def test_a_false_fail_is_told_with_check_seed_and_message(capsys, monkeypatch):

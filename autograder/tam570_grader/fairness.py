@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import tam570
 from tam570_grader import root
 from tam570_grader.trials import Trial, done, progress, submissions, tried
 
@@ -71,23 +70,9 @@ def _graded(group: Class) -> list[Line]:
 
 
 def _digest(course: Path, slug: str, text: str) -> str:
-    """Of all that the outcome depends on: the submission, the checks, the solution, the grader, the utilities."""
-    solution = (course / "solutions" / f"{slug}.py").read_bytes()
-    digest = hashlib.sha256(b"\0".join((text.encode(), root.assignment(course, slug).source, solution)))
-    for package in (Path(__file__).parent, Path(tam570.__file__).parent):
-        for name in (
-            "check.py",
-            "grade.py",
-            "returns.py",
-            "student.py",
-            "replies.py",
-            "integrate.py",
-            "rotations.py",
-            "lagrange.py",
-        ):
-            if (package / name).exists():
-                digest.update((package / name).read_bytes())
-    return digest.hexdigest()
+    """Of all that the outcome depends on: the submission, the checks, the grader, the utilities."""
+    parts = (text.encode(), root.assignment(course, slug).source, root.engine_digest())
+    return hashlib.sha256(b"\0".join(parts)).hexdigest()
 
 
 def _kept(keep: Path | None) -> Iterator[Line]:

@@ -1,6 +1,7 @@
 """Where the course is: the checkout with its assignments, solutions and checks, and what is loaded from it by path."""
 
 import functools
+import hashlib
 import importlib.util
 import re
 import sys
@@ -14,7 +15,7 @@ import tam570
 from tam570_grader.check import Check
 from tam570_grader.returns import Promise
 
-__all__ = ["Assignment", "NoCourse", "assignment", "find", "slug_of", "slugs", "solution"]
+__all__ = ["Assignment", "NoCourse", "assignment", "engine_digest", "find", "slug_of", "slugs", "solution"]
 
 
 class NoCourse(Exception):
@@ -80,6 +81,16 @@ def assignment(root: Path, slug: str) -> Assignment:
 def solution(slug: str, root: Path | None = None) -> Any:
     """The reference solution as a module of its own."""
     return _loaded((root or find()) / "solutions" / f"{slug}.py", f"_solution_{slug}")
+
+
+@functools.cache
+def engine_digest() -> bytes:
+    """Of the code of the grader and of the utilities that students call: a result may change if it does."""
+    digest = hashlib.sha256()
+    for package in (Path(__file__).parent, Path(tam570.__file__).parent):
+        for path in sorted(package.rglob("*.py")):
+            digest.update(path.read_bytes())
+    return digest.digest()
 
 
 def _loaded(path: Path, name: str) -> ModuleType:
