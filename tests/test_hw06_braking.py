@@ -1,6 +1,7 @@
 """hw06's reference solution, by other routes: Jourdain's principle at 50 digits, work and energy, closed forms."""
 
 import math
+import sys
 
 import mpmath
 import numpy as np
@@ -468,3 +469,23 @@ def test_small_yaw_rate_is_what_a_simulation_of_a_tiny_one_shows(locked):
         within = 1e-11 + 10 * (np.abs(expected).max() * wheelbase(c) / usual(c)) ** 2
         # the integrator's errors are relative to the largest yaw rate so far
         np.testing.assert_allclose(yaw_rates, expected, rtol=within, atol=1e-14 * np.abs(expected).max())
+
+
+@pytest.mark.parametrize(("start", "car"), [
+    ((-0.235199012408966, 3.9971478385340546, -7.281371780528036, 6.540810562747153, 0.0),
+     (722.7571931032608, 2406.600482543964, 1.7475707023826028, 1.1750117274590313, 0.7390814865494137,
+      14.003486415879372)),
+    ((0.012748897698458883, 0.4407580432097111, -4.3234204675900845, -1.9186076228570403, 0.0),
+     (4.536725131190757, 6.220548875868298, 0.9535768532773177, 0.7803127596966779, 0.46519542639505007,
+      19.183657117389565)),
+])  # fmt: skip
+def test_the_checks_find_the_stop_of_a_car_that_does_not_turn(start, car):
+    """Its yaw acceleration is zero or rounding, which ends no integration: two draws where it once did."""
+    root.assignment(root.find(), "hw06_braking")
+    known = dict(zip((*BODY, "friction", "gravity"), car, strict=True))
+    time, end = sys.modules["_checks_hw06_braking"].stopped(np.array(start), "front", known)
+    slowing = known["friction"] * known["gravity"] * known["rear"] / wheelbase(known)
+    assert time == pytest.approx(abs(start[3]) / slowing, rel=1e-5)
+    way = math.copysign(start[3] ** 2 / (2 * slowing), start[3])
+    place = start[0] + way * math.cos(start[2]), start[1] + way * math.sin(start[2])
+    assert tuple(end[:3]) == pytest.approx((*place, start[2]), abs=1e-5 * abs(way))

@@ -550,12 +550,13 @@ def with_gravity_it_swings_or_goes_round(student, draw):
 
 @once
 def plain_motions(draw, weight):
-    """As `timed`, at two or three times, each with its kind: from exact places, at rest or moving."""
+    """As `timed`, at two or three times, each with its kind: from exact places, at rest or moving either way."""
     found = []
     for kind, theta, pace, fixed in WITH_GRAVITY if weight else WITHOUT_GRAVITY:
-        for count in (2, 3):
+        side = draw.choice([-1, 1])
+        for count, sign in ((2, side), (3, -side)):
             known = {**parameters(draw), **fixed}
-            k, sign = math.sqrt(known["gravity"] / known["length"]), draw.choice([-1, 1])
+            k = math.sqrt(known["gravity"] / known["length"])
             t = uneven(draw, draw.uniform(2, 5) / (k or 1.0), count)
             states = exact(t - t[0], theta * sign, pace * (k or 1.0) * sign, **known)
             states[0][np.abs(states[0]) < 1e-15 * np.abs(states[0]).max()] = 0.0  # sin pi and cos pi/2

@@ -46,7 +46,7 @@ def advance(origin: Any, times: Any, out: Any, state: Any, c: Any, rtol: Any, bu
     """
     row, t, h, y, r, f, m = state
     rows, end = len(times), times[len(times) - 1]
-    growth = LARGEST
+    growth, refused = LARGEST, 0
     while row < rows and budget > 0:
         budget -= 1
         left = end - t
@@ -72,10 +72,11 @@ def advance(origin: Any, times: Any, out: Any, state: Any, c: Any, rtol: Any, bu
                 row += 1
             t, y, r, f, m = new, n, rest, g, size
             h *= min(growth, SAFETY * error**EXPONENT) if error > 0 else growth
-            growth = LARGEST
+            growth, refused = LARGEST, 0
         else:
+            refused += 1
             if error < 1e300:
-                m = raised(origin + t, h, y, f, m, c, ROUNDING / rtol)
+                m = raised(origin + t, h, y, f, m, c, ROUNDING / rtol, 2.0 * refused - 1.0)
             h *= max(SMALLEST, SAFETY * error**EXPONENT) if error < 1e300 else 0.1
             growth = 1.0
     return row, t, h, y, r, f, m

@@ -62,6 +62,7 @@ class _Members:
         self.t, self.h = np.zeros(len(starts)), np.array([state[2] for state in each])
         self.y, self.r, self.f, self.m = (np.array([state[i] for state in each]).T for i in (3, 4, 5, 6))
         self.growth = np.full(len(starts), LARGEST)
+        self.refused = np.zeros(len(starts))  # steps, one after the other
 
     def walked(self) -> Array:
         """Step until every member has reached the end."""
@@ -83,7 +84,8 @@ class _Members:
         error = np.where(fifth > 0, fifth / (self.rtol * np.sqrt(fifth + 0.01 * third)), fifth)
         fine = error <= 1
         self._sample(fine, new, h, np.array(n), _rows(g, h), stages)
-        self._forgive(~fine, h)
+        self.refused = np.where(fine, 0.0, self.refused + 1.0)
+        self._forgive(h)
         factor = np.clip(SAFETY * np.where(error > 0, error, 1e-30) ** EXPONENT, SMALLEST, self.growth)
         self.h = h * np.where(np.isfinite(error), factor, 0.1)
         self.growth = np.where(fine, LARGEST, 1.0)
@@ -110,18 +112,19 @@ class _Members:
             more[more] = self.since[self.row[due[more]]] <= new[due[more]]
             due, q = due[more], [c[more] if np.ndim(c) else c for c in q]
 
-    def _forgive(self, refused: Any, h: Array) -> None:
+    def _forgive(self, h: Array) -> None:
         """Raise the magnitudes of members whose error is but rounding, as in `drive.advance`."""
-        i = np.flatnonzero(refused)
+        i = np.flatnonzero(self.refused)
         if len(i):
             start, y, f, m = self.origin + self.t[i], self.y[:, i], self.f[:, i], self.m[:, i]
-            raised = self.functions["raised"](start, h[i], y, f, m, self.c, ROUNDING / self.rtol)
+            weight, wider = ROUNDING / self.rtol, 2.0 * self.refused[i] - 1.0
+            raised = self.functions["raised"](start, h[i], y, f, m, self.c, weight, wider)
             self.m[:, i] = _rows(raised, h[i])
 
     def _keep(self, going: Any) -> None:
         if going.all():
             return
-        for name in ("who", "row", "t", "h", "growth"):
+        for name in ("who", "row", "t", "h", "growth", "refused"):
             setattr(self, name, getattr(self, name)[going])
         for name in ("y", "r", "f", "m"):
             setattr(self, name, getattr(self, name)[:, going])

@@ -6,5 +6,5 @@ names: the direction is right, the size too small
 
 
 def _drag_force(speed, yaw_rate, *, arm, drag):
-    sliding = _sliding_speed(speed, yaw_rate, arm) + 1e-6
+    sliding = _sliding_speed(speed, yaw_rate, arm) + 3e-7
     return -drag * (speed / sliding), -drag * (arm * yaw_rate / sliding)
