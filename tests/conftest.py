@@ -18,7 +18,7 @@ from tam570_grader.student import Source
 COURSE = root.find()
 SLUGS = root.slugs(COURSE)
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "chrome")
-QUICK_SEEDS, FULL_SEEDS = 5, 50
+SEEDS = {"seed": (range(5), range(50)), "draw": ([1], range(4))}  # in the quick form, and in full
 NBGRADER = """
 import json, os, sys, warnings
 from nbgrader.apps import NbGraderApp
@@ -50,13 +50,12 @@ def pytest_collection_modifyitems(config, items):
 
 
 def pytest_generate_tests(metafunc):
-    """A test with `slug` runs for every assignment, one with `seed` for every seed."""
+    """A test with `slug` runs for every assignment, one with `seed` or `draw` for every one of these."""
     if "slug" in metafunc.fixturenames and not _parametrized(metafunc, "slug"):
         metafunc.parametrize("slug", SLUGS)
-    if "seed" in metafunc.fixturenames:
-        metafunc.parametrize(
-            "seed", range(FULL_SEEDS if metafunc.config.getoption("--full") else QUICK_SEEDS)
-        )
+    for name, (quick, full) in SEEDS.items():
+        if name in metafunc.fixturenames:
+            metafunc.parametrize(name, full if metafunc.config.getoption("--full") else quick)
 
 
 def _parametrized(metafunc, name):
