@@ -121,6 +121,35 @@ def test_a_notebook_is_graded_by_its_code_cells(run, tmp_path, solution_text):
     assert "cell 5: ZeroDivisionError" in line["message"]
 
 
+@pytest.mark.parametrize(
+    "cell",
+    [
+        "if 'google.colab' in str(get_ipython()):\n    !pip install tam570 \\\n        numpy\nassert True",
+        "%precision 3\nassert (4\n    % 3\n    != 2)",
+        "%time two = 2\nabs?\nassert two == 2",
+        "display(3, metadata={})\nget_ipython().run_line_magic('matplotlib', 'inline')",
+        "from IPython import get_ipython\nif 'IPKernelApp' in get_ipython().config:\n    1 / 0",
+        "import matplotlib.pyplot as plt\nimport matplotlib\nmatplotlib.use('TkAgg')\nplt.figure()",
+        "from matplotlib import pyplot\npyplot.switch_backend('QtAgg')\npyplot.plot([1])",
+    ],
+)
+def test_what_runs_in_a_kernel_runs_in_the_grader(run, tmp_path, solution_text, cell):
+    (tmp_path / "hw08.ipynb").write_text(notebook(cell, solution_text(SLUG)))
+    _, (line,), _ = run(tmp_path / "hw08.ipynb")
+    assert line["score"] == 10.0 and "message" not in line
+
+
+def test_an_old_notebook_is_read_and_the_error_of_a_cell_is_told(run, tmp_path, solution_text):
+    cells = [
+        {"cell_type": "code", "language": "python", "input": text}
+        for text in (solution_text(SLUG), "whatever")
+    ]
+    text = json.dumps({"worksheets": [{"cells": cells}], "nbformat": 3})
+    (tmp_path / "hw08.ipynb").write_text(text)
+    _, (line,), _ = run(tmp_path / "hw08.ipynb")
+    assert line["score"] == 10.0 and "cell 2: NameError: name 'whatever' is not defined" in line["message"]
+
+
 def test_a_module_wins_over_a_notebook(run, tree):
     (tree / "ada" / SLUG / f"{SLUG}.ipynb").write_text("no notebook at all")
     _, (line,), _ = run(tree / "ada")

@@ -72,7 +72,9 @@ def read(submission: Submission) -> Source:
     except OSError as error:
         raise CannotRead(f"{name} cannot be read: {error.strerror}") from None
     if len(text) > LARGEST:
-        raise CannotRead(f"{name} is larger than {LARGEST // 2**20} MiB; is it the right file?")
+        raise CannotRead(
+            f"{name} is larger than {LARGEST // 2**20} MiB: is it the right file? clear the outputs of a notebook"
+        )
     return Source(text, notebook=submission.path.suffix == ".ipynb")
 
 

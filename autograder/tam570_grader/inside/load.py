@@ -4,7 +4,7 @@ import builtins
 import json
 import re
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from types import CodeType, ModuleType
 from typing import Any
 
@@ -12,7 +12,9 @@ __all__ = ["Forbidden", "forbid_in_calls", "load"]
 
 __builtins__ = dict(vars(builtins))  # type: ignore[assignment]  # as in wire
 
-MAGIC = re.compile(r"\s*(?:[%!?]|[\w, ]+=\s*[%!])")  # %timeit, !ls, files = !ls
+MAGIC = re.compile(
+    r"(\s*)(?:%time\s+(.*)|[%!?].*|[\w, ]+=\s*[%!].*|.*\?\s*)$", re.DOTALL
+)  # %timeit, files = !ls, f?
 TIMED_CELLS = (
     "%%time",
     "%%capture",
@@ -29,7 +31,7 @@ def load(
 ) -> tuple[ModuleType, list[str]]:
     """The student's module, and the notebook cells that were skipped because they raised, as "cell 3: NameError"."""
     module = ModuleType(name)
-    module.__dict__["__builtins__"] = _builtins_without(forbidden)
+    module.__dict__["__builtins__"] = {**_builtins_without(forbidden), **(KERNEL if notebook else {})}
     module.__dict__["__file__"] = f"{name}.py"
     sys.modules[name] = module
     for banned in forbidden:
@@ -54,26 +56,43 @@ def _run_cells(cells: list[tuple[int, str]], module: ModuleType) -> list[str]:
         except Forbidden:
             raise
         except BaseException as error:
-            skipped.append(f"cell {number}: {type(error).__name__}")
+            skipped.append(f"cell {number}: {_told(error)}")
     return skipped
 
 
+def _told(error: BaseException) -> str:
+    try:
+        return f"{type(error).__name__}: {error}"
+    except Exception:
+        return type(error).__name__
+
+
 def _code_cells(source: bytes) -> list[tuple[int, str]]:
-    """Number and text of the code cells that are Python."""
-    cells = json.loads(source)["cells"]
+    """Number and text of the code cells that are Python, in a notebook of format 4 or 3."""
+    book = json.loads(source)
+    cells = book["cells"] if "cells" in book else [c for sheet in book["worksheets"] for c in sheet["cells"]]
     code = [
-        (n, "".join(cell["source"])) for n, cell in enumerate(cells, start=1) if cell["cell_type"] == "code"
+        (n, "".join(cell["source"] if "source" in cell else cell["input"]))
+        for n, cell in enumerate(cells, start=1)
+        if cell["cell_type"] == "code"
     ]
     return [(n, text) for n, text in code if not text.startswith("%%") or text.startswith(TIMED_CELLS)]
 
 
 def _compiled(text: str, name: str) -> CodeType:
-    """The code of a cell, without magics and shell lines."""
-    try:
-        return compile(text, name, "exec", dont_inherit=True)
-    except SyntaxError:
-        plain = "\n".join("" if MAGIC.match(line) else line for line in text.split("\n"))
-        return compile(plain, name, "exec", dont_inherit=True)
+    """The code of a cell, without magics and shell lines: those at which Python's syntax ends, so no `% 3` of a sum."""
+    lines = text.split("\n")
+    while True:
+        try:
+            return compile("\n".join(lines), name, "exec", dont_inherit=True)
+        except SyntaxError as error:
+            at = min(error.lineno or len(lines), len(lines)) - 1
+            magic = MAGIC.match(lines[at])
+            if not magic:
+                raise
+            while lines[at].endswith("\\") and at + 1 < len(lines):  # it goes on
+                lines[at], at = "", at + 1
+            lines[at] = magic[1] + (magic[2] or "pass")
 
 
 def _builtins_without(forbidden: Sequence[str]) -> dict[str, Any]:
@@ -87,9 +106,47 @@ def _builtins_without(forbidden: Sequence[str]) -> dict[str, Any]:
         for banned in forbidden:
             if any(item == banned or item.startswith(banned + ".") for item in wanted):
                 raise Forbidden(f"{banned} is off limits in this assignment")
-        return import_module(name, globals, locals, fromlist, level)
+        try:
+            return import_module(name, globals, locals, fromlist, level)
+        finally:
+            _without_windows()
 
     return {**vars(builtins), "__import__": guarded_import}
+
+
+class _Kernel:
+    """In place of a notebook's kernel: does nothing, whatever is asked of it."""
+
+    def __getattr__(self, attribute: str) -> Any:
+        return self
+
+    def __call__(self, *args: Any, **kwargs: Any) -> Any:
+        return self
+
+    def __contains__(self, item: Any) -> bool:
+        return False
+
+
+KERNEL = {"display": lambda *shown, **how: None, "get_ipython": _Kernel()}  # built in, in a notebook
+_tamed: set[str] = set()
+
+
+def _without_windows() -> None:
+    """What a student imports opens no window, and has a kernel to speak to."""
+    for name, attribute in (("matplotlib", "use"), ("matplotlib.pyplot", "switch_backend")):
+        module = sys.modules.get(name)
+        if name not in _tamed and hasattr(module, attribute):
+            _tamed.add(name)
+            setattr(module, attribute, _with_agg(getattr(module, attribute)))
+    if "IPython" in sys.modules:
+        sys.modules["IPython"].get_ipython = KERNEL["get_ipython"]  # type: ignore[attr-defined]
+
+
+def _with_agg(choose: Callable[[str], Any]) -> Callable[..., None]:
+    def use(*asked: Any, **how: Any) -> None:
+        choose("agg")
+
+    return use
 
 
 def _replace(name: str, module: ModuleType) -> None:
