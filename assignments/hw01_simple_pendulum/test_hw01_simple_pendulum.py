@@ -18,76 +18,77 @@ BALANCES = (
 @pytest.mark.parametrize("name", BALANCES)
 def test_held_out_horizontally_it_falls_with_g_over_l(name):
     alpha = getattr(hw, name)(np.pi / 2, 0.0, **PENDULUM)[0]
-    assert alpha == pytest.approx(-20.0)
+    assert float(alpha) == pytest.approx(-20.0)
 
 
 @pytest.mark.parametrize("name", BALANCES)
 def test_it_falls_towards_the_bottom_from_both_sides(name):
-    balance = getattr(hw, name)
-    assert balance(0.3, 1.0, **PENDULUM)[0] == pytest.approx(-balance(-0.3, 1.0, **PENDULUM)[0])
-    assert balance(0.3, 1.0, **PENDULUM)[0] < 0
+    right, left = (float(getattr(hw, name)(theta, 1.0, **PENDULUM)[0]) for theta in (0.3, -0.3))
+    assert right == pytest.approx(-left)
+    assert right < 0
 
 
 def test_at_rest_at_the_bottom_the_rod_carries_the_weight():
-    assert hw.linear_momentum_balance(0.0, 0.0, **PENDULUM)[1] == pytest.approx(20.0)
+    assert float(hw.linear_momentum_balance(0.0, 0.0, **PENDULUM)[1]) == pytest.approx(20.0)
 
 
 def test_the_moment_is_the_inertia_times_alpha():
-    alpha, momentum, moment = hw.angular_momentum_balance(0.7, -3.0, **PENDULUM)
+    alpha, momentum, moment = map(float, hw.angular_momentum_balance(0.7, -3.0, **PENDULUM))
     assert moment == pytest.approx(2.0 * 0.5**2 * alpha)
     assert momentum == pytest.approx(2.0 * 0.5**2 * -3.0)
 
 
 def test_the_energy_at_the_top_is_that_of_the_height():
-    assert hw.energy_balance(np.pi, 0.0, **PENDULUM)[1:] == pytest.approx((0.0, 2.0 * 10.0 * 2 * 0.5))
+    _, kinetic, potential = map(float, hw.energy_balance(np.pi, 0.0, **PENDULUM))
+    assert (kinetic, potential) == pytest.approx((0.0, 2.0 * 10.0 * 2 * 0.5))
 
 
 def test_gravity_has_no_power_at_the_bottom():
-    assert hw.power_balance(0.0, 3.0, **PENDULUM)[1] == pytest.approx(0.0)
+    assert float(hw.power_balance(0.0, 3.0, **PENDULUM)[1]) == pytest.approx(0.0)
 
 
 def value(formula, **numbers):
     """The formula with these numbers for the symbols of these names."""
     named = {symbol: numbers[symbol.name] for symbol in formula.free_symbols}
-    return complex(formula.evalf(subs=named))
+    return complex(formula.subs(named).evalf())
 
 
 def test_the_formulas_agree_with_the_balances():
     numbers = {"theta": 0.7, "omega": -3.0, "m": 2.0, "l": 0.5, "g": 10.0}
-    kinetic, potential = hw.energy_balance(0.7, -3.0, **PENDULUM)[1:]
+    _, kinetic, potential = map(float, hw.energy_balance(0.7, -3.0, **PENDULUM))
     assert value(hw.lagrangian(), **numbers) == pytest.approx(kinetic - potential)
-    alpha = hw.linear_momentum_balance(0.7, -3.0, **PENDULUM)[0]
+    alpha = float(hw.linear_momentum_balance(0.7, -3.0, **PENDULUM)[0])
     assert value(hw.lagrange_equation(), **numbers) == pytest.approx(alpha)
 
 
 def test_the_action_of_uniform_rotation_without_gravity():
-    t = np.linspace(0.0, 2.0, 201)
-    found = hw.action(3.0 * t, t[1], mass=2.0, length=0.5, gravity=0.0)
+    t = np.linspace(0.0, 2.0, 20001)
+    found = float(hw.action(3.0 * t, t[1], mass=2.0, length=0.5, gravity=0.0))
     assert found == pytest.approx(2.0 * (0.5 * 3.0) ** 2 / 2 * 2.0)  # m v^2 / 2 for 2 s
 
 
 def test_the_small_angle_solution_starts_as_given_and_swings():
     quarter = np.pi / 2 / np.sqrt(20.0)
-    found = np.asarray(hw.small_angle_solution(np.array([0.0, quarter]), 0.1, 0.2, **ROD))
+    found = np.asarray(hw.small_angle_solution(np.array([0.0, quarter]), 0.1, 0.2, **ROD), float)
     np.testing.assert_allclose(found, [[0.1, 0.2], [0.2 / np.sqrt(20.0), -0.1 * np.sqrt(20.0)]], atol=1e-12)
 
 
 def test_the_period_grows_with_the_amplitude():
     small = 2 * np.pi / np.sqrt(20.0)
-    assert hw.period(0.01, **ROD) == pytest.approx(small, rel=1e-5)
-    assert hw.period(0.4, **ROD) == pytest.approx(small * (1 + 0.4**2 / 16), rel=1e-3)
+    assert float(hw.period(0.01, **ROD)) == pytest.approx(small, rel=1e-5)
+    assert float(hw.period(0.4, **ROD)) == pytest.approx(small * (1 + 0.4**2 / 16), rel=1e-3)
     assert hw.period(3.0, **ROD) > 2 * small
 
 
 def test_the_simulated_pendulum_is_back_after_a_period():
-    t = np.array([0.0, 0.3, hw.period(2.0, **ROD)])
-    states = np.asarray(hw.simulate(t, 2.0, 0.0, **ROD))
+    t = np.array([0.0, 0.3, float(hw.period(2.0, **ROD))])
+    states = np.asarray(hw.simulate(t, 2.0, 0.0, **ROD), float)
     assert states.shape == (3, 2)
     np.testing.assert_allclose(states[0], [2.0, 0.0], atol=1e-12)
     np.testing.assert_allclose(states[2], [2.0, 0.0], atol=1e-4)
 
 
 def test_the_simulated_pendulum_keeps_its_energy():
-    states = np.asarray(hw.simulate(np.linspace(0.0, 10.0, 50), 2.0, 1.0, **ROD))
-    energies = [sum(hw.energy_balance(theta, omega, **PENDULUM)[1:]) for theta, omega in states]
+    states = np.asarray(hw.simulate(np.linspace(0.0, 10.0, 50), 2.0, 1.0, **ROD), float)
+    energies = [float(sum(hw.energy_balance(theta, omega, **PENDULUM)[1:])) for theta, omega in states]
     np.testing.assert_allclose(energies, energies[0], rtol=1e-5)

@@ -14,19 +14,26 @@ STRAIGHT = np.array([0.0, 0.0, 0.3, 20.0, 0.0])
 REST = np.array([1.0, 2.0, 0.3, 0.0, 0.0])
 
 
+def numbers(result):
+    """A result as an array of floats, whatever kind of numbers or lists it came as."""
+    return np.asarray(result, float)
+
+
 def force(state, locked):
-    return np.asarray(hw.friction_force(state, locked, mass=1200.0, **LENGTHS, **ROAD))
+    return numbers(hw.friction_force(state, locked, mass=1200.0, **LENGTHS, **ROAD))
 
 
 def test_the_two_axles_carry_the_weight_and_the_one_near_G_carries_more():
-    front, rear = (hw.axle_load(locked, mass=1200.0, gravity=9.8, **LENGTHS) for locked in ("front", "rear"))
+    front, rear = (
+        float(hw.axle_load(locked, mass=1200.0, gravity=9.8, **LENGTHS)) for locked in ("front", "rear")
+    )
     assert front + rear == pytest.approx(WEIGHT)
     assert front > rear
 
 
 @pytest.mark.parametrize("locked", ["front", "rear"])
 def test_friction_is_straight_back_in_straight_motion_and_zero_at_rest(locked):
-    load = hw.axle_load(locked, mass=1200.0, gravity=9.8, **LENGTHS)
+    load = float(hw.axle_load(locked, mass=1200.0, gravity=9.8, **LENGTHS))
     np.testing.assert_allclose(force(STRAIGHT, locked), [-0.8 * load, 0.0], atol=1e-9)
     np.testing.assert_allclose(force(REST, locked), [0.0, 0.0], atol=1e-12)
 
@@ -38,18 +45,18 @@ def test_a_car_that_turns_left_on_the_spot_drags_its_front_to_the_left_and_its_r
 
 @pytest.mark.parametrize("locked", ["front", "rear"])
 def test_straight_motion_stays_straight_and_rest_stays_rest(locked):
-    rates = np.asarray(hw.state_derivative(0.0, STRAIGHT, locked, **BODY, **ROAD))
-    slowing = -0.8 * hw.axle_load(locked, mass=1200.0, gravity=9.8, **LENGTHS) / 1200.0
+    rates = numbers(hw.state_derivative(0.0, STRAIGHT, locked, **BODY, **ROAD))
+    slowing = -0.8 * float(hw.axle_load(locked, mass=1200.0, gravity=9.8, **LENGTHS)) / 1200.0
     np.testing.assert_allclose(rates, [20 * math.cos(0.3), 20 * math.sin(0.3), 0.0, slowing, 0.0], atol=1e-9)
     np.testing.assert_allclose(
-        hw.state_derivative(0.0, REST, locked, **BODY, **ROAD), np.zeros(5), atol=1e-12
+        numbers(hw.state_derivative(0.0, REST, locked, **BODY, **ROAD)), np.zeros(5), atol=1e-12
     )
 
 
 def test_friction_takes_its_work_from_the_kinetic_energy():
     state, h = np.array([0.0, 0.0, 0.3, 8.0, 0.7]), 1e-6
-    rates = np.asarray(hw.state_derivative(0.0, state, "front", **BODY, **ROAD))
-    after, before = (hw.kinetic_energy(state + k * h * rates, "front", **BODY) for k in (1, -1))
+    rates = numbers(hw.state_derivative(0.0, state, "front", **BODY, **ROAD))
+    after, before = (float(hw.kinetic_energy(state + k * h * rates, "front", **BODY)) for k in (1, -1))
     dragging = np.array([8.0, 2.5 * 0.7])  # velocity of the front axle, 2.5 m ahead of the free one
     assert (after - before) / (2 * h) == pytest.approx(force(state, "front") @ dragging, rel=1e-5)
 
@@ -57,7 +64,7 @@ def test_friction_takes_its_work_from_the_kinetic_energy():
 def test_a_straight_car_stops_where_the_textbook_says_and_stays():
     slowing = 0.8 * 9.8 * 1.0 / 2.5
     t = np.array([1.0, 2.0, 1.0 + 2 * 20 / slowing, 1.0 + 3 * 20 / slowing])
-    states = np.asarray(hw.simulate(t, STRAIGHT, "rear", **BODY, **ROAD))
+    states = numbers(hw.simulate(t, STRAIGHT, "rear", **BODY, **ROAD))
     np.testing.assert_allclose(states[0], STRAIGHT, atol=1e-12)
     assert states[1, 3] == pytest.approx(20 - slowing, rel=1e-5)
     way = 20.0**2 / (2 * slowing)
@@ -67,8 +74,8 @@ def test_a_straight_car_stops_where_the_textbook_says_and_stays():
 
 
 def test_one_locked_axle_is_dangerous_at_high_speed():
-    critical = hw.critical_speed("rear", **LENGTHS, **ROAD)
-    assert hw.critical_speed("front", **LENGTHS, **ROAD) == math.inf
+    critical = float(hw.critical_speed("rear", **LENGTHS, **ROAD))
+    assert float(hw.critical_speed("front", **LENGTHS, **ROAD)) == math.inf
     assert hw.yaw_growth_rate(1.1 * critical, "rear", **BODY, **ROAD) > 0
     assert hw.yaw_growth_rate(0.9 * critical, "rear", **BODY, **ROAD) < 0
     assert hw.yaw_growth_rate(30.0, "front", **BODY, **ROAD) < 0
@@ -76,8 +83,8 @@ def test_one_locked_axle_is_dangerous_at_high_speed():
 
 def test_a_small_yaw_rate_changes_at_the_growth_rate():
     slower, slowing = 10.0 - 1e-5, 0.8 * 9.8 * 1.0 / 2.5
-    later = hw.small_yaw_rate(slower, 10.0, 1e-3, "rear", **BODY, **ROAD)
-    growth = hw.yaw_growth_rate(10.0, "rear", **BODY, **ROAD)
+    later = float(hw.small_yaw_rate(slower, 10.0, 1e-3, "rear", **BODY, **ROAD))
+    growth = float(hw.yaw_growth_rate(10.0, "rear", **BODY, **ROAD))
     assert (later / 1e-3 - 1) / (1e-5 / slowing) == pytest.approx(growth, rel=1e-3)
 
 

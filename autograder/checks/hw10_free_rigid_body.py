@@ -24,6 +24,7 @@ from tam570_grader import (
     rows,
     suspect,
 )
+from tam570_grader.curves import along, readable
 
 RESULTS = {
     "euler_equations": array(3),
@@ -1021,10 +1022,14 @@ def wobble(draw):
     return given(np.linspace(start, end, 400), R, omega, inertia=body, radius=radius), fine
 
 
-def strays(path, fine):
-    """How far a drawn path is from the right one, both taken as polygons that begin and end alike."""
+def strays(line, fine):
+    """How far a drawn path is from the right one, both taken as polygons that begin and end alike.
+
+    The right one may be ten times as far from the drawn one, which may have fewer points.
+    """
+    path = along(line, fine)
     ends = np.linalg.norm(path[[0, -1]] - fine[[0, -1]], axis=1)
-    return max(*ends, distances(path, fine).max(), distances(fine, path).max())
+    return max(*ends, distances(path, fine).max(), distances(fine, path).max() / 10)
 
 
 MISTAKEN_PATHS = {
@@ -1039,19 +1044,15 @@ MISTAKEN_PATHS = {
 }
 
 
-def farthest(found, path, radius):
+def farthest(found, path):
     """How far two drawn paths are from this one and the one opposite; either may be drawn first."""
-    if np.linalg.norm(found[0][0] - path[0]) > radius / 100:
-        found = found[::-1]
-    return max(map(strays, found, (path, -path)))
+    return min(max(map(strays, found, paths)) for paths in ((path, -path), (-path, path)))
 
 
 def wrong_paths(found, fine, radius):
     """Which other paths are drawn, if they are known, else what to draw."""
     known = [
-        says
-        for says, path in MISTAKEN_PATHS.items()
-        if farthest(found, path(fine, radius), radius) < 1e-3 * radius
+        says for says, path in MISTAKEN_PATHS.items() if farthest(found, path(fine, radius)) < 1e-3 * radius
     ]
     return known[0] if known else "x and y, in space, of the body's points (radius, 0, 0) and (-radius, 0, 0)"
 
@@ -1061,13 +1062,12 @@ def rim_paths_are_drawn(student, draw):
     """plot_rim_paths: the two paths as seen along z, from t[0] to t[-1], with labels and equal scales."""
     call, fine = wobble(draw)
     kind = "a disk near its spin axis"
-    picture = student.on(kind).plot_rim_paths.draw(*call.args, **call.kwargs)
-    expect_that(len(picture.lines) == 2, f"the number of curves on the axes is {len(picture.lines)}, not 2")
-    radius, found = call.kwargs["radius"], [line.points for line in picture.lines]
-    expect_that(
-        min(map(len, found)) > 20 and np.isfinite(np.concatenate(found)).all(), "a curve has too few points"
-    )
-    # chords of 400 samples over less than a turn leave the curve by (6/400)^2/8 = 3e-5 of the radius
-    expect(farthest(found, fine[:, :2, 0], radius), 0.0, within=1e-3, scale=radius, of="a path",
+    picture = readable(student.on(kind).plot_rim_paths.draw(*call.args, **call.kwargs))
+    expect_that(len(picture.lines) == 2, f"the number of curves on the axes is {len(picture.lines)}, not 2",
+                hint="fewer than ten points are no curve")  # fmt: skip
+    radius, found = call.kwargs["radius"], picture.lines
+    # chords of the fine path, over less than a turn, leave the curve by (6/800)^2/8 = 7e-6 of the radius, and those of
+    # 25 points by (6/24)^2/8 = 8e-3
+    expect(farthest(found, fine[:, :2, 0]), 0.0, within=1e-3, scale=radius, of="a path",
            unit="of the radius", at=call, kind=kind, hint=partial(wrong_paths, found, fine, radius))  # fmt: skip
     judge_axes_of_lengths(picture)

@@ -1,14 +1,20 @@
-"""How an error or an invariant goes along a motion: what a picture is drawn from, kept with the result.
+"""Curves: those that a student draws, as they are judged, and those that a page shows.
 
-It is coarse, so that code which knows the hidden inputs can write little of them into the shape of its own errors.
+How an error or an invariant goes along a motion is what a page's picture is drawn from, kept with the result. It is
+coarse, so that code which knows the hidden inputs can write little of them into the shape of its own errors.
 """
 
-from typing import Any
+import re
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Curve", "curve", "kept"]
+if TYPE_CHECKING:
+    from tam570_grader.returns import Drawing, Line  # which import this module
+
+__all__ = ["Curve", "along", "curve", "kept", "readable"]
 
 Curve = dict[
     str, Any
@@ -20,6 +26,38 @@ LEVELS = 8  # to a decade of an error
 STEPS = 40  # to the largest drift of an invariant
 FLOOR, CEILING = -3, 12  # decades below and above the limit that are told apart
 LARGEST = 1e100  # of a drift; what is larger is drawn as this
+FEWEST = 10  # points of a drawn curve; fewer are a marker, a line for reference or an entry of the legend
+FONTS = r"\\(?:(?:math|text)[a-z]*|left\b|right\b)"  # and sizes of brackets, in a label
+SPACES = r"\\[ ,:;]|~"
+
+
+def readable(picture: "Drawing") -> "Drawing":
+    """What a student draws, its labels without TeX's fonts and spaces, and of its lines those that are curves."""
+    xlabel, ylabel = (
+        re.sub(SPACES, " ", re.sub(FONTS, "", label)) for label in (picture.xlabel, picture.ylabel)
+    )
+    lines = (replace(line, points=_told_apart(line.points)) for line in picture.lines)
+    curves = tuple(line for line in lines if len(line.points) >= FEWEST)
+    return replace(picture, lines=curves, xlabel=xlabel, ylabel=ylabel)
+
+
+def _told_apart(points: Array) -> Array:
+    """The points without NaN, which lifts the pen, and without repetition of the one before."""
+    points = points[np.isfinite(points).all(axis=1)]
+    return points[np.insert(np.diff(points, axis=0).any(axis=1), 0, True)] if len(points) else points
+
+
+def along(line: "Line", path: Array) -> Array:
+    """The points of a drawn line in its order; those of a scatter, which has none, in that of the path next to them."""
+    from scipy.spatial import cKDTree
+
+    if not line.scatter:
+        return line.points
+    tangents = np.gradient(path, axis=0)
+    nearest = cKDTree(path).query(line.points)[1]
+    beyond = np.sum((line.points - path[nearest]) * tangents[nearest], axis=1)
+    lengths2 = np.sum(tangents[nearest] ** 2, axis=1)
+    return line.points[np.argsort(nearest + beyond / np.maximum(lengths2, 1e-300))]
 
 
 def curve(
