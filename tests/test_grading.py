@@ -5,6 +5,7 @@ import csv
 import json
 import math
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -152,6 +153,17 @@ def test_an_old_notebook_is_read_and_the_error_of_a_cell_is_told(run, tmp_path, 
 
 def test_a_module_wins_over_a_notebook(run, tree):
     (tree / "ada" / SLUG / f"{SLUG}.ipynb").write_text("no notebook at all")
+    _, (line,), _ = run(tree / "ada")
+    assert line["score"] == 10.0
+
+
+def test_a_notebook_wins_over_a_module_that_nobody_has_written(run, tree, course, solution_text):
+    own = tree / "ada" / SLUG
+    shutil.copy(course / "assignments" / SLUG / f"{SLUG}.py", own)
+    (own / f"{SLUG}.ipynb").write_text(notebook("import hw08_axis_angle as hw"))
+    _, (line,), _ = run(tree / "ada")
+    assert line["score"] == 0.0 and "not written yet" in line["checks"][0]["message"]
+    (own / f"{SLUG}.ipynb").write_text(notebook(solution_text(SLUG)))
     _, (line,), _ = run(tree / "ada")
     assert line["score"] == 10.0
 

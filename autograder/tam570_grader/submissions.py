@@ -3,6 +3,7 @@
 import collections
 import hashlib
 import os
+import re
 import stat
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -169,8 +170,10 @@ def _of_folder(folder: Path, student: str, slug: str, tree: Path) -> Submission:
 
 
 def _of_files(entries: Sequence[Path], student: str, slug: str, tree: Path) -> Submission:
-    """The module among them, or the notebook where there is no module; a note where it is not clear which."""
+    """The module among them, or the notebook where no module is written; a note where it is not clear which."""
     files = [entry for entry in entries if entry.suffix in (".py", ".ipynb")]
+    if f"{slug}.ipynb" in {entry.name for entry in files}:
+        files = [entry for entry in files if entry.name != f"{slug}.py" or not _untouched(entry, tree)]
     alike = [entry for entry in files if slug_of(entry.stem, [slug])]
     choices = (
         [entry for entry in files if entry.name == f"{slug}.py"],
@@ -187,6 +190,20 @@ def _of_files(entries: Sequence[Path], student: str, slug: str, tree: Path) -> S
     names = ", ".join(seen) or "neither a module nor a notebook"
     note = f"there is no {slug}.py in the folder; it holds {names}"
     return Submission(_name(student), slug, None, tree, note)
+
+
+def _untouched(module: Path, tree: Path) -> bool:
+    """Whether every function of a module is still to be written, while the notebook beside it defines some."""
+    texts = []
+    for path in (module, module.with_suffix(".ipynb")):
+        try:
+            texts.append(read(Submission("", "", path, tree)).text)
+        except CannotRead:
+            return False
+    functions = len(re.findall(rb"^def ", texts[0], re.MULTILINE))
+    return 0 < functions == texts[0].count(b"raise NotImplementedError") and bool(
+        re.search(rb'("|\\n)def ', texts[1])
+    )
 
 
 def _modules_first(found: list[Submission]) -> list[Submission]:
