@@ -17,6 +17,30 @@ from tam570_grader.kit import run as make_kit
 SLUG = "hw08_axis_angle"
 HEAVY = {"scipy", "matplotlib", "sympy", "pytest", "numba", "nbgrader", "tqdm", "hatchling", "IPython"}
 
+EXACT = """
+import runpy
+import numpy as np
+import sympy
+
+def exact(value):
+    if isinstance(value, tuple):
+        return [exact(one) for one in value]
+    numbers = isinstance(value, float | np.ndarray | np.generic)
+    return np.vectorize(sympy.Float, otypes=[object])(value) if numbers else value
+
+def strict(function):
+    def called(*args, **kwargs):
+        for value in (*args, *kwargs.values()):
+            steps = isinstance(value, list) and all(isinstance(one, tuple) for one in value)
+            plain = steps or isinstance(value, str | float | int) or hasattr(value, "plot")
+            assert plain or value.dtype == float, value
+        return exact(function(*args, **kwargs))
+    return called
+
+right = runpy.run_path({solution!r})
+globals().update((name, strict(right[name])) for name in right["__all__"])
+"""
+
 
 @pytest.fixture
 def desk(tmp_path, monkeypatch):
@@ -91,6 +115,15 @@ RIGHT = sorted((Path(__file__).parent / "right").glob("*/*.py"))
 def test_the_visible_tests_pass_on_right_answers_in_other_styles(desk, path):
     shutil.copy(path, desk / f"{path.parent.name}.py")
     code, said = checked(desk / f"{path.parent.name}.py")
+    assert code == 0, said
+
+
+def test_the_visible_tests_take_any_numbers_and_give_arrays(desk, slug, course):
+    """SymPy's numbers and arrays of them are right results; only hw09's steps are given as a list."""
+    name = f"{slug}.py"
+    (desk / name).write_text(EXACT.format(solution=str(course / "solutions" / name)))
+    shutil.copy(course / "assignments" / slug / f"test_{name}", desk)
+    code, said = checked(desk / name)
     assert code == 0, said
 
 

@@ -11,6 +11,7 @@ import pytest
 from tam570_grader import cli, root
 from tam570_grader.course import TEMPLATES
 from tam570_grader.notebook import functions_by_part, notebook, part_points, problem, visible_by_part
+from tam570_grader.sandbox import Allowance
 from tam570_grader.stubs import stub
 
 PICTURES = TEMPLATES / "pictures"
@@ -71,6 +72,12 @@ def test_everything_that_a_student_gets_is_no_secret(course, tmp_path, made_cour
     assert (made / "source" / slug / f"{slug}.py").read_text() == stub(
         (course / "solutions" / f"{slug}.py").read_text()
     )
+
+
+def test_it_says_how_long_a_call_may_take(course, slug):
+    told = (course / "assignments" / slug / "README.md").read_text()
+    limits = Allowance()
+    assert f"{limits.call:g} s of processor time, the whole submission {limits.cpu:g} s" in told
 
 
 def test_a_course_that_is_made_again_keeps_what_the_teacher_changed(course, tmp_path, made_course):

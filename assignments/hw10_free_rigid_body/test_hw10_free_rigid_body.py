@@ -109,11 +109,9 @@ def test_the_box_keeps_the_lengths_of_its_edges():
 
 def curves(axes):
     """The number of lines and scatters; those of fewer than ten points are markers, or lines for reference."""
-    points = [len(line.get_xdata()) for line in axes.lines]
-    for drawn in axes.collections:
-        pieces = drawn.get_segments() if hasattr(drawn, "get_segments") else [drawn.get_offsets()]
-        points.append(sum(map(len, pieces)))
-    return sum(number >= 10 for number in points)
+    drawn = [[line.get_xydata()] for line in axes.lines]
+    drawn += [c.get_segments() if hasattr(c, "get_segments") else [c.get_offsets()] for c in axes.collections]
+    return sum(len({tuple(point) for piece in pieces for point in piece}) >= 10 for pieces in drawn)
 
 
 def in_metres(label):

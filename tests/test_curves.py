@@ -1,0 +1,119 @@
+"""What a student draws: decorations beside the curves, few points, scatters in any order, labels in TeX."""
+
+import importlib.util
+import sys
+import types
+
+import numpy as np
+import pytest
+
+from tam570_grader import root
+from tam570_grader.check import Failure
+from tam570_grader.curves import along, readable
+from tam570_grader.returns import Drawing, Line
+from tam570_grader.sandbox import Allowance
+from tam570_grader.student import Source, Student
+
+DRAWN = {  # assignment: the function that draws, its check, its visible test
+    "hw02_ballistics": ("plot_comparison", "both_paths_are_drawn", "two_curves_are_drawn"),
+    "hw04_hanging_spring": (
+        "plot_projection", "the_path_is_drawn", "the_picture_has_one_curve_and_names_on_its_axes"
+    ),
+    "hw07_double_pendulum": ("plot_tip_path", "tip_path_is_drawn", "the_tip_path_is_drawn"),
+    "hw10_free_rigid_body": ("plot_rim_paths", "rim_paths_are_drawn", "two_paths_are_drawn"),
+}  # fmt: skip
+REDRAWN = """
+right = {name}
+
+def {name}(ax, *args, **kwargs):
+    right(ax, *args, **kwargs)
+    x, y = ax.lines[-1].get_data()
+    mixed = np.random.default_rng(1).permutation([x, y], axis=1)
+    {code}
+"""
+RIGHT = {
+    "a start marker and an origin": "ax.plot(x[0], y[0], 'o'); ax.plot(0, 0, '+'); ax.scatter(x[:1], y[:1])",
+    "lines for reference": "ax.axhline(0); ax.axvline(0); ax.plot(x[:9], y[:9])",
+    "a hinge drawn at every time": "ax.plot(0 * x, 0 * y, 'o')",
+    "entries of a legend": "ax.plot([], [], label='path'); ax.scatter([], [], label='path')",
+    "colours behind": "ax.contourf(*np.meshgrid(x[:12], y[:12]), np.eye(12)); ax.fill_between(x, y, alpha=0.1)",
+    "fewer points": "k = np.linspace(0, len(x) - 1, 40).astype(int); ax.lines[-1].set_data(x[k], y[k])",
+    "a scatter": "ax.lines[-1].remove(); ax.scatter(x, y)",
+    "a scatter from its end": "ax.lines[-1].remove(); ax.scatter(x[::-1], y[::-1])",
+    "a shuffled scatter": "ax.lines[-1].remove(); ax.scatter(*mixed)",
+    "a lift of the pen": "ax.lines[-1].set_data(*(np.concatenate([c[:30], [np.nan], c[29:]]) for c in (x, y)))",
+    "text in TeX": r"ax.set(xlabel=r'$x$ $(\text{m})$', ylabel=r'$y\ \left[\mathbf{m}\right]$')",
+    "spaces in TeX": r"ax.set(xlabel=r'$x\,(\mathrm{m})$', ylabel=r'$y\ [\mathrm{m}]$')",
+}
+WRONG = {
+    "no curve": "ax.lines[-1].remove()",
+    "another curve": "ax.plot(x + y, y)",
+    "few points": "ax.lines[-1].set_data(np.linspace(x[0], x[-1], 9), np.linspace(y[0], y[-1], 9))",
+    "a scatter without its last quarter": "ax.lines[-1].remove(); n = len(x) * 3 // 4; ax.scatter(x[:n], y[:n])",
+    "a scatter of another curve": "ax.lines[-1].remove(); ax.scatter(y, x)",
+    "unordered points, joined": "ax.lines[-1].set_data(*mixed)",
+    "another unit": r"ax.set(xlabel=r'$x\,(\mathrm{mm})$')",
+}
+SEEN = {"no curve", "another curve", "few points", "another unit"}  # by the visible tests too
+
+
+def redrawn(slug, code, text):
+    """The solution with another picture."""
+    return text + "\nimport numpy as np\n" + REDRAWN.format(name=DRAWN[slug][0], code=code)
+
+
+def judged(slug, text, course, workers):
+    """Judge the picture by the hidden check."""
+    assignment = root.assignment(course, slug)
+    (check,) = (check for check in assignment.checks if check.name == DRAWN[slug][1])
+    student = Student(Source(text.encode()), assignment, workers(slug, Allowance()))
+    try:
+        check.judge(student, np.random.default_rng(3))
+    finally:
+        student.leave()
+
+
+def tried(slug, text, course, monkeypatch):
+    """Run the visible test of the picture."""
+    module = types.ModuleType(slug)
+    exec(text, vars(module))
+    monkeypatch.setitem(sys.modules, slug, module)
+    path = course / "assignments" / slug / f"test_{slug}.py"
+    spec = importlib.util.spec_from_file_location(f"visible_{slug}", path)
+    visible = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(visible)
+    getattr(visible, f"test_{DRAWN[slug][2]}")()
+
+
+@pytest.mark.parametrize("slug", DRAWN)
+@pytest.mark.parametrize("what", RIGHT)
+def test_a_right_picture_is_one_however_it_is_drawn(what, slug, course, workers, solution_text, monkeypatch):
+    text = redrawn(slug, RIGHT[what], solution_text(slug))
+    judged(slug, text, course, workers)
+    tried(slug, text, course, monkeypatch)
+
+
+@pytest.mark.parametrize("slug", DRAWN)
+@pytest.mark.parametrize("what", WRONG)
+def test_a_curve_that_is_missing_or_one_too_many_is_seen(
+    what, slug, course, workers, solution_text, monkeypatch
+):
+    text = redrawn(slug, WRONG[what], solution_text(slug))
+    with pytest.raises(Failure):
+        judged(slug, text, course, workers)
+    if what in SEEN:
+        with pytest.raises(AssertionError):
+            tried(slug, text, course, monkeypatch)
+
+
+def test_a_scatter_is_put_in_the_order_of_the_path_and_a_line_keeps_its_own():
+    turn = np.linspace(0, 6, 3001)
+    circle = np.column_stack([np.cos(turn), np.sin(turn)])
+    mixed = np.random.default_rng(0).permutation(circle)
+    np.testing.assert_array_equal(along(Line(mixed, "", scatter=True), circle[::10]), circle)
+    np.testing.assert_array_equal(along(Line(mixed, "", scatter=False), circle), mixed)
+
+
+def test_nothing_drawn_is_no_curve():
+    empty = [Line(np.full((size, 2), np.nan), "", scatter=False) for size in (0, 1, 400)]
+    assert readable(Drawing(tuple(empty), "x", "y")).lines == ()
