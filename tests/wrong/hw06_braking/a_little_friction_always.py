@@ -1,4 +1,4 @@
-"""Friction no smaller than 0.01.
+"""Friction no smaller than 0.05.
 
 fails: simulate_glides_without_friction, simulate_comes_to_rest_and_stays
 names: for friction 0
@@ -8,4 +8,4 @@ _right = simulate
 
 
 def simulate(t, state, locked, *, friction, gravity, **car):
-    return _right(t, state, locked, friction=max(friction, 0.01), gravity=max(gravity, 0.1), **car)
+    return _right(t, state, locked, friction=max(friction, 0.05), gravity=max(gravity, 0.1), **car)
