@@ -477,7 +477,7 @@ def test_what_was_finished_survives_an_interrupt(tree, tmp_path, how, code):
     while not results.exists() or results.read_text().count("\n") < 3:
         time.sleep(0.05)
     process.send_signal(how)
-    _, err = process.communicate(timeout=20)
+    _, err = process.communicate(timeout=60)
     assert process.returncode == code
     assert "Traceback" not in err and (how == signal.SIGKILL or "interrupted" in err)
     assert results.read_text().count("\n") == 3

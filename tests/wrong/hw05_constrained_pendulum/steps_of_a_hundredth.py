@@ -2,7 +2,7 @@
 
 fails: with_gravity_it_swings_or_goes_round
 numerics: a step of 0.01 s does for rods of a metre
-names: are the steps as short as it asks for
+names: are the steps as short as it asks for | with more times in between
 """
 
 
