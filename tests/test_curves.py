@@ -37,6 +37,7 @@ RIGHT = {
     "a hinge drawn at every time": "ax.plot(0 * x, 0 * y, 'o')",
     "entries of a legend": "ax.plot([], [], label='path'); ax.scatter([], [], label='path')",
     "colours behind": "ax.contourf(*np.meshgrid(x[:12], y[:12]), np.eye(12)); ax.fill_between(x, y, alpha=0.1)",
+    "arrows": "ax.quiver(x[::5], y[::5], np.gradient(x)[::5], np.gradient(y)[::5])",
     "fewer points": "k = np.linspace(0, len(x) - 1, len(x) // 5).astype(int); ax.lines[-1].set_data(x[k], y[k])",
     "a scatter": "ax.lines[-1].remove(); ax.scatter(x, y)",
     "a scatter from its end": "ax.lines[-1].remove(); ax.scatter(x[::-1], y[::-1])",

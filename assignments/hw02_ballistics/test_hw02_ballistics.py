@@ -6,6 +6,7 @@ import re
 import hw02_ballistics as hw
 import numpy as np
 import pytest
+from matplotlib.collections import PathCollection
 from matplotlib.figure import Figure
 
 BALL = {"mass": 2.0, "drag": 0.5, "gravity": 9.81}  # kg, kg/s, m/s^2
@@ -79,7 +80,8 @@ def test_the_limit_shape_begins_at_the_launch():
 def curves(axes):
     """The number of lines and scatters; those of fewer than ten points are markers, or lines for reference."""
     drawn = [[line.get_xydata()] for line in axes.lines]
-    drawn += [c.get_segments() if hasattr(c, "get_segments") else [c.get_offsets()] for c in axes.collections]
+    drawn += [c.get_segments() for c in axes.collections if hasattr(c, "get_segments")]
+    drawn += [[c.get_offsets()] for c in axes.collections if isinstance(c, PathCollection)]
     return sum(len({tuple(point) for piece in pieces for point in piece}) >= 10 for pieces in drawn)
 
 

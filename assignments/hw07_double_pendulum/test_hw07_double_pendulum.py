@@ -6,6 +6,7 @@ import re
 import hw07_double_pendulum as hw
 import numpy as np
 import pytest
+from matplotlib.collections import PathCollection
 from matplotlib.figure import Figure
 
 BARS = {"masses": np.array([2.0, 1.5]), "lengths": np.array([1.0, 0.8])}  # kg, m
@@ -86,7 +87,8 @@ def test_the_bars_hang_below_the_ceiling():
 def curves(axes):
     """The number of lines and scatters; those of fewer than ten points are markers, or lines for reference."""
     drawn = [[line.get_xydata()] for line in axes.lines]
-    drawn += [c.get_segments() if hasattr(c, "get_segments") else [c.get_offsets()] for c in axes.collections]
+    drawn += [c.get_segments() for c in axes.collections if hasattr(c, "get_segments")]
+    drawn += [[c.get_offsets()] for c in axes.collections if isinstance(c, PathCollection)]
     return sum(len({tuple(point) for piece in pieces for point in piece}) >= 10 for pieces in drawn)
 
 

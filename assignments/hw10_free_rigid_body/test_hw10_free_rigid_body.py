@@ -109,8 +109,11 @@ def test_the_box_keeps_the_lengths_of_its_edges():
 
 def curves(axes):
     """The number of lines and scatters; those of fewer than ten points are markers, or lines for reference."""
+    from matplotlib.collections import PathCollection
+
     drawn = [[line.get_xydata()] for line in axes.lines]
-    drawn += [c.get_segments() if hasattr(c, "get_segments") else [c.get_offsets()] for c in axes.collections]
+    drawn += [c.get_segments() for c in axes.collections if hasattr(c, "get_segments")]
+    drawn += [[c.get_offsets()] for c in axes.collections if isinstance(c, PathCollection)]
     return sum(len({tuple(point) for piece in pieces for point in piece}) >= 10 for pieces in drawn)
 
 

@@ -109,6 +109,7 @@ def _values(expression: Any, request: Any, stand_in: float) -> list[complex]:
 
 def _drawing(function: Callable[..., Any], args: list[Any], kwargs: dict[str, Any], request: Any) -> Any:
     """What the function draws on the Axes it is given: lines and scatters as points, labels, aspect."""
+    from matplotlib.collections import PathCollection
     from matplotlib.figure import Figure
 
     axes = Figure().subplots()
@@ -118,7 +119,7 @@ def _drawing(function: Callable[..., Any], args: list[Any], kwargs: dict[str, An
         if hasattr(collection, "get_segments"):
             pieces = _joined(collection.get_segments())
             lines += [(points, collection.get_label(), False) for points in pieces[:MOST_LINES]]
-        else:
+        elif isinstance(collection, PathCollection):
             lines.append((collection.get_offsets(), collection.get_label(), True))
     if sum(np.size(points) for points, _, _ in lines) * 8 > LARGEST_ARRAY:
         return {"stranger": True}
