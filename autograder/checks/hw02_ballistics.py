@@ -553,13 +553,8 @@ def flight_time_with_great_drag_and_straight_up(student, draw):
     cases = landings(
         draw, (None, None, *10.0 ** draw.uniform(2, 4, 4)), (math.pi / 2, 1e-3, 1.5, 1.2, 0.6, 0.3)
     )
-    judge_landings(
-        student.flight_time,
-        TIME,
-        cases[:2],
-        direction_of,
-        "does a search for the root step over a flight that is short, or end at t = 0?",
-    )
+    judge_landings(student.flight_time, TIME, cases[:2], direction_of,
+                   "does a search for the root step over a flight that is short, or end at t = 0?")  # fmt: skip
     judge_landings(student.flight_time, TIME, cases[2:], "great drag",
                    "what is left of the equation when e^-s is nothing?")  # fmt: skip
 

@@ -334,7 +334,7 @@ def quick(draw):
 
 
 def turning_a_little(draw):
-    """So little that a quick car's speed does not pass zero in the first third of the time that it moves."""
+    """So little that a quick car's speed does not pass zero in the first fifth of the time that it moves."""
     return signed(draw, 0.2, 0.5)
 
 

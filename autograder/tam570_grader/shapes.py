@@ -49,7 +49,7 @@ METRES = {"m", "metre", "metres", "meter", "meters"}
 
 
 def _words(label: str) -> list[str]:
-    return [word.strip("()[]{}$,;:.") for word in label.replace(r"\mathrm", "").split()]
+    return [word.strip("()[]{}$,;:.") for word in label.split()]
 
 
 def judge_boxes(function: Function, cases: Iterable[tuple[Array, Array, str]], within: float) -> None:
