@@ -21,6 +21,7 @@ import sympy
 
 from tam570_grader import cli, root
 from tam570_grader.check import Failure, expect, given, suspect
+from tam570_grader.curves import readable
 from tam570_grader.grade import agrees
 from tam570_grader.inside.answer import MODES
 from tam570_grader.inside.wire import Foreign, Unreadable, packed, portable, unpacked
@@ -849,4 +850,4 @@ def test_distances_from_a_polygon_are_those_to_its_sides_and_many_points_cost_no
 def test_a_label_names_metres_in_many_forms(label, right):
     axes = Drawing([], label, label, equal_aspect=True)
     with contextlib.nullcontext() if right else pytest.raises(Failure, match="not labelled with their unit"):
-        judge_axes_of_lengths(axes)
+        judge_axes_of_lengths(readable(axes))
