@@ -107,6 +107,24 @@ def test_a_curve_that_is_missing_or_one_too_many_is_seen(
             tried(slug, text, course, monkeypatch)
 
 
+SEEN_FROM_BELOW = """
+right = plot_rim_paths
+
+def plot_rim_paths(ax, *args, **kwargs):
+    right(ax, *args, **kwargs)
+    for line in ax.lines:
+        line.set_data(*line.get_data()[::-1])
+    {code}
+"""
+
+
+def test_rim_paths_may_be_seen_from_below_if_the_labels_say_so(course, workers, solution_text):
+    slug, labels = "hw10_free_rigid_body", "ax.set(xlabel='y (m)', ylabel='x (m)')"
+    judged(slug, solution_text(slug) + SEEN_FROM_BELOW.format(code=labels), course, workers)
+    with pytest.raises(Failure, match="a path"):
+        judged(slug, solution_text(slug) + SEEN_FROM_BELOW.format(code="pass"), course, workers)
+
+
 def test_a_scatter_is_put_in_the_order_of_the_path_and_a_line_keeps_its_own():
     turn = np.linspace(0, 6, 3001)
     circle = np.column_stack([np.cos(turn), np.sin(turn)])

@@ -25,6 +25,7 @@ from tam570_grader import (
     once,
     rows,
     suspect,
+    words,
 )
 from tam570_grader.curves import along, readable
 
@@ -957,10 +958,6 @@ def tip_path(draw):
 
 def arc_length(path):
     return np.sum(np.linalg.norm(np.diff(path, axis=0), axis=1))
-
-
-def words(label):
-    return {word.strip("$()[],;:") for word in label.split()}
 
 
 @check(points=0.5, part="d")

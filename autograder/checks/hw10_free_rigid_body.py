@@ -1,6 +1,7 @@
 """Hidden checks of hw10. What is right comes from H' = 0 in vectors, elliptic functions, and a wheel's two turns."""
 
 import math
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
@@ -23,6 +24,7 @@ from tam570_grader import (
     once,
     rows,
     suspect,
+    words,
 )
 from tam570_grader.curves import along, readable
 
@@ -1057,6 +1059,13 @@ def wrong_paths(found, fine, radius):
     return known[0] if known else "x and y, in space, of the body's points (radius, 0, 0) and (-radius, 0, 0)"
 
 
+def x_to_the_right(picture):
+    """The lines, turned over where by its labels a picture is one from below, with y to the right and x up."""
+    if not ("y" in words(picture.xlabel) and "x" in words(picture.ylabel)):
+        return picture.lines
+    return [replace(line, points=line.points[:, ::-1]) for line in picture.lines]
+
+
 @check(points=0.5, part="a")
 def rim_paths_are_drawn(student, draw):
     """plot_rim_paths: the two paths as seen along z, from t[0] to t[-1], with labels and equal scales."""
@@ -1065,7 +1074,7 @@ def rim_paths_are_drawn(student, draw):
     picture = readable(student.on(kind).plot_rim_paths.draw(*call.args, **call.kwargs))
     expect_that(len(picture.lines) == 2, f"the number of curves on the axes is {len(picture.lines)}, not 2",
                 hint="fewer than ten points are no curve")  # fmt: skip
-    radius, found = call.kwargs["radius"], picture.lines
+    radius, found = call.kwargs["radius"], x_to_the_right(picture)
     # chords of the fine path, over less than a turn, leave the curve by (6/800)^2/8 = 7e-6 of the radius, and those of
     # 25 points by (6/24)^2/8 = 8e-3
     expect(farthest(found, fine[:, :2, 0]), 0.0, within=1e-3, scale=radius, of="a path",

@@ -11,7 +11,7 @@ from tam570_grader.check import expect, expect_that, given
 from tam570_grader.returns import Drawing
 from tam570_grader.student import Function
 
-__all__ = ["distances", "judge_axes_of_lengths", "judge_boxes"]
+__all__ = ["distances", "judge_axes_of_lengths", "judge_boxes", "words"]
 
 Array = NDArray[np.float64]
 
@@ -40,7 +40,7 @@ def _some(points: ArrayLike, most: int) -> NDArray[Any]:
 
 def judge_axes_of_lengths(picture: Drawing, names: str = "x and y") -> None:
     """Whether both axes are lengths by their labels, the unit being a word of its own, and drawn at one scale."""
-    labelled = all(METRES & set(_words(label)) for label in (picture.xlabel, picture.ylabel))
+    labelled = all(METRES & words(label) for label in (picture.xlabel, picture.ylabel))
     expect_that(labelled, "the axes are not labelled with their unit, as in x (m)")
     expect_that(picture.equal_aspect, f"{names} are not drawn at the same scale")
 
@@ -48,8 +48,9 @@ def judge_axes_of_lengths(picture: Drawing, names: str = "x and y") -> None:
 METRES = {"m", "metre", "metres", "meter", "meters"}
 
 
-def _words(label: str) -> list[str]:
-    return [word.strip("()[]{}$,;:.") for word in label.split()]
+def words(label: str) -> set[str]:
+    """The words of a label, without brackets and points around them."""
+    return {word.strip("()[]{}$,;:.") for word in label.split()}
 
 
 def judge_boxes(function: Function, cases: Iterable[tuple[Array, Array, str]], within: float) -> None:
