@@ -53,14 +53,14 @@ def test_tableau_satisfies_the_order_conditions():
 
 def one_step(h, theta=None):
     formulas, constants = traced(clock, 1)
-    kit = compiled(formulas, True)
+    functions = compiled(formulas, True)
     y = (1.0,)
-    f = kit["rhs"](0.3, y, constants)
-    n, _, g, _, fifth, third, stages = kit["step"](0.3, h, y, (0.0,), f, y, constants)
+    f = functions["rhs"](0.3, y, constants)
+    n, _, g, _, fifth, third, stages = functions["step"](0.3, h, y, (0.0,), f, y, constants)
     out = np.empty((1, 1))
     if theta is None:
         return n[0], fifth, third
-    kit["at"](out, 0, theta, y, kit["dense"](0.3, h, y, n, f, g, stages, constants))
+    functions["at"](out, 0, theta, y, functions["dense"](0.3, h, y, n, f, g, stages, constants))
     return out[0, 0]
 
 
@@ -255,7 +255,15 @@ def test_tolerances_beyond_rounding_finish():
         ({"rhs": lambda t, y: (y[0],)}, "^rhs: must return 2 numbers"),
         ({"rhs": lambda t, y: 1j * np.asarray(y)}, "^rhs: must return real"),
         ({"rhs": lambda t, y: (math.nan, 0.0)}, "^rhs: gives"),
-        ({"method": "gauss", "step": -1.0}, "^step: "),
+        ({"method": "gauss", "step": -1.0}, "^step: must be"),
+        ({"method": "gauss", "step": math.inf}, "^step: must be"),
+        ({"step": 0.1}, '^step: goes with method "gauss" or "composition" alone'),
+        ({"step": -5.0, "method": "python"}, '^step: goes with method "gauss" or "composition" alone'),
+        ({"step": 0.1, "method": "numba"}, '^step: goes with method "gauss" or "composition" alone'),
+        (
+            {"y0": [[1.0, 0.0], [0.0, 1.0]], "step": 0.1},
+            '^step: goes with method "gauss" or "composition" alone',
+        ),
         ({"method": "composition", "rhs": lambda t, y: (y[1], -y[0] - y[1])}, "^method: "),
         ({"method": "gauss", "project": lambda y: y}, "^project: "),
         ({"y0": [[1.0, 0.0], [0.0, 1.0]], "project": lambda y: y}, "^project: "),
@@ -267,6 +275,30 @@ def test_bad_input_is_named_with_its_remedy(change, message):
     given = {"rhs": oscillator, "t": [0, 1], "y0": [1.0, 0.0], **change}
     with pytest.raises(ValueError, match=message):
         solve(given.pop("rhs"), given.pop("t"), given.pop("y0"), **given)
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"R": np.eye(2)}, "^R: need finite numbers of shape"),
+        ({"R": np.full((3, 3), math.nan)}, "^R: need finite numbers of shape"),
+        ({"omega": (1.0, 0.0)}, "^omega: need finite numbers of shape"),
+        ({"omega": (math.inf, 0.0, 0.0)}, "^omega: need finite numbers of shape"),
+        ({"t": [0.0]}, "^t: need"),
+        ({"rtol": 1.0}, "^rtol: "),
+    ],
+)
+def test_bad_input_of_a_rotation_is_named_too(change, message):
+    given = {"t": [0, 1], "omega": (0.0, 0.0, 1.0), "R": np.eye(3), "rtol": 1e-10, **change}
+    with pytest.raises(ValueError, match=message):
+        solve_rotation(
+            lambda t, w: (0.0, 0.0, 0.0), given["t"], given["omega"], given["R"], rtol=given["rtol"]
+        )
+
+
+def test_a_rotation_that_becomes_infinitely_fast_is_told_with_its_time():
+    with pytest.raises(ArithmeticError, match=r"t = 0\.(9|99\d*)|t = 1"):
+        solve_rotation(lambda t, w: (0.0, 0.0, w[2] * w[2]), [0, 2], (0.0, 0.0, 1.0), np.eye(3))
 
 
 def test_functions_of_every_habit_give_the_same():

@@ -3,12 +3,12 @@
 from math import sqrt
 from typing import Any
 
-__all__ = ["advance", "first_step"]
+__all__ = ["EXPONENT", "LARGEST", "ROUNDING", "SAFETY", "SMALLEST", "advance", "first_step", "restless"]
 
 SAFETY = 0.9
 LARGEST, SMALLEST = 6.0, 0.2  # change of the step size from one step to the next
 EXPONENT = -1 / 8
-ROUNDING = 1.0  # an error within ten times what rounding does to the derivative is not the method's
+ROUNDING = 1.0  # an error up to so many times what a few roundings of the state do to h f is not the method's
 
 # The functions generated for one right-hand side: the loops below run with these for their global names.
 rhs: Any = None

@@ -19,21 +19,21 @@ WORTH_ARRAYS = 16  # members: with fewer the calls of NumPy cost more than they 
 GAIN = 3.0  # of the arrays over single runs in Python, with thousands of members
 
 
-def states(kit: Engine, times: Array, starts: Array, rtol: float, how: str) -> Array:
+def states(engine: Engine, times: Array, starts: Array, rtol: float, how: str) -> Array:
     """(m, n, k) states at `times` from the (m, k) starts; how: "auto", "python" or "numba"."""
     began = time.perf_counter()
-    first = explicit.states(kit, times, starts[0], rtol, how)
+    first = explicit.states(engine, times, starts[0], rtol, how)
     alone = (time.perf_counter() - began) * len(starts)
-    by_numba = how == "numba" or (how == "auto" and kit.traced and _numba_repays(kit, alone))
-    if kit.traced and not by_numba and len(starts) >= WORTH_ARRAYS:
-        return _Members(kit, times, starts, rtol).walked()
+    by_numba = how == "numba" or (how == "auto" and engine.traced and _numba_repays(engine, alone))
+    if engine.traced and not by_numba and len(starts) >= WORTH_ARRAYS:
+        return _Members(engine, times, starts, rtol).walked()
     one_by_one = "numba" if by_numba else "python"
-    rest = [explicit.states(kit, times, start, rtol, one_by_one) for start in starts[1:]]
+    rest = [explicit.states(engine, times, start, rtol, one_by_one) for start in starts[1:]]
     return np.array([first, *rest])
 
 
-def _numba_repays(kit: Engine, seconds_alone: float) -> bool:
-    source = explicit.module(kit.formulas)
+def _numba_repays(engine: Engine, seconds_alone: float) -> bool:
+    source = explicit.module(engine.formulas)
     if machine.loaded_already(source):
         return True
     return seconds_alone / GAIN > machine.wait(source)
@@ -52,12 +52,12 @@ def _functions(formulas: Formulas) -> dict[str, Any]:
 class _Members:
     """The members still under way; y, r, f, m are (k, members), all else is (members,)."""
 
-    def __init__(self, kit: Engine, times: Array, starts: Array, rtol: float) -> None:
-        self.functions, self.c, self.rtol = _functions(kit.formulas), kit.constants, rtol
+    def __init__(self, engine: Engine, times: Array, starts: Array, rtol: float) -> None:
+        self.functions, self.c, self.rtol = _functions(engine.formulas), engine.constants, rtol
         self.origin, self.since = float(times[0]), times - times[0]
         self.rows = np.empty((len(starts), len(times), starts.shape[1]))
         self.rows[:, 0] = starts
-        each = [explicit.at_start(kit, self.origin, float(self.since[-1]), start) for start in starts]
+        each = [explicit.at_start(engine, self.origin, float(self.since[-1]), start) for start in starts]
         self.who, self.row = np.arange(len(starts)), np.ones(len(starts), dtype=int)
         self.t, self.h = np.zeros(len(starts)), np.array([state[2] for state in each])
         self.y, self.r, self.f, self.m = (np.array([state[i] for state in each]).T for i in (3, 4, 5, 6))

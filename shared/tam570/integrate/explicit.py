@@ -34,9 +34,9 @@ def engine(
     rates, sampled = bound(rhs, parameters), len(times) > 2
     check_start(rates, float(times[0]), start)
     try:
-        kit = _traced(rhs, tuple((parameters or {}).items()), len(start), sampled)
-        if agrees(rates, kit.functions["rhs"], kit.constants, times, start):
-            return kit
+        found = _traced(rhs, tuple((parameters or {}).items()), len(start), sampled)
+        if agrees(rates, found.functions["rhs"], found.constants, times, start):
+            return found
     except Exception:  # whatever a function says to symbols, it then gets numbers
         pass
     given = floats_function(rates, float(times[0]), start)
@@ -84,7 +84,7 @@ def module(formulas: Formulas) -> str:
 
 
 def states(
-    kit: Engine,
+    engine: Engine,
     times: Array,
     start: Array,
     rtol: float,
@@ -104,16 +104,16 @@ def states(
     listed = since.tolist()
 
     def run(advance: Any, state: Any, budget: int, by_numba: bool) -> Any:
-        return advance(origin, since if by_numba else listed, rows, state, kit.constants, rtol, budget)
+        return advance(origin, since if by_numba else listed, rows, state, engine.constants, rtol, budget)
 
     def share(state: Any) -> float:
         row, reached, h, *_ = state
         return 1.0 if row == len(rows) or h == 0.0 else reached / listed[-1]
 
-    source = partial(module, kit.formulas) if kit.traced and not project else None
-    by_steps = _stepwise(kit, run, share, origin, project, longest) if project else run
-    loop = Loop(by_steps, share, kit.functions["advance"], "advance", source)
-    _, reached, h, *_ = carried_through(loop, at_start(kit, origin, listed[-1], start), how)
+    source = partial(module, engine.formulas) if engine.traced and not project else None
+    by_steps = _stepwise(engine, run, share, origin, project, longest) if project else run
+    loop = Loop(by_steps, share, engine.functions["advance"], "advance", source)
+    _, reached, h, *_ = carried_through(loop, at_start(engine, origin, listed[-1], start), how)
     if h == 0.0:
         raise ArithmeticError(
             f"no step is short enough at t = {origin + reached:.17g}: rhs or solution not finite"
@@ -124,14 +124,14 @@ def states(
 
 
 def _stepwise(
-    kit: Engine, run: Any, share: Any, origin: float, project: Callable[[Array], Any], longest: Any
+    engine: Engine, run: Any, share: Any, origin: float, project: Callable[[Array], Any], longest: Any
 ) -> Callable[..., Any]:
     """`run` to the end with every step limited before and projected after."""
 
     def projected(advance: Any, state: Any, _budget: int, by_numba: bool) -> Any:
         while share(state) < 1:
             state = run(advance, _shortened(state, longest), 1, by_numba)
-            state = _projected(kit, state, origin, project)
+            state = _projected(engine, state, origin, project)
         return state
 
     return projected
@@ -144,18 +144,19 @@ def _shortened(state: Any, longest: Callable[[Array], float] | None) -> Any:
     return row, t, min(h, longest(np.array(y))), y, *rest
 
 
-def _projected(kit: Engine, state: Any, origin: float, project: Callable[[Array], Any]) -> Any:
+def _projected(engine: Engine, state: Any, origin: float, project: Callable[[Array], Any]) -> Any:
     """The state brought back to where it belongs, with the derivative there."""
     row, t, h, y, _, _, m = state
     y = tuple(np.asarray(project(np.array(y)), dtype=float).tolist())
-    return row, t, h, y, (0.0,) * len(y), kit.functions["rhs"](origin + t, y, kit.constants), m
+    return row, t, h, y, (0.0,) * len(y), engine.functions["rhs"](origin + t, y, engine.constants), m
 
 
-def at_start(kit: Engine, origin: float, span: float, start: Array) -> tuple[Any, ...]:
-    y, c = tuple(start.tolist()), kit.constants
-    f = kit.functions["rhs"](origin, y, c)
-    h = kit.functions["first_step"](origin, span, y, f, c)
-    soon = kit.functions["rhs"](origin + h / 100, kit.functions["euler"](h / 100, y, f), c)
+def at_start(engine: Engine, origin: float, span: float, start: Array) -> tuple[Any, ...]:
+    """The state that `advance` begins with; what starts at zero has the magnitude that it will have before long."""
+    y, c = tuple(start.tolist()), engine.constants
+    f = engine.functions["rhs"](origin, y, c)
+    h = engine.functions["first_step"](origin, span, y, f, c)
+    soon = engine.functions["rhs"](origin + h / 100, engine.functions["euler"](h / 100, y, f), c)
     m = tuple(map(_magnitude, y, f, soon, [h] * len(y)))
     return 1, 0.0, h, y, (0.0,) * len(y), f, m
 
@@ -166,13 +167,13 @@ def _magnitude(y: float, rate: float, soon: float, h: float) -> float:
     return max(abs(y), moved if moved < float("inf") else 0.0, 1e-300)
 
 
-def shortest_step(kit: Engine, times: Array, start: Array, rtol: float, *, steps: int = 200) -> float:
+def shortest_step(engine: Engine, times: Array, start: Array, rtol: float, *, steps: int = 200) -> float:
     """The shortest of the steps that this method takes at `rtol` once it has found its pace; s."""
     origin, span = float(times[0]), float(times[-1] - times[0])
-    rows, state, shortest = np.empty((2, len(start))), at_start(kit, origin, span, start), span
+    rows, state, shortest = np.empty((2, len(start))), at_start(engine, origin, span, start), span
     for step in range(steps):
         before = state[1]
-        state = kit.functions["advance"](origin, [0.0, span], rows, state, kit.constants, rtol, 1)
+        state = engine.functions["advance"](origin, [0.0, span], rows, state, engine.constants, rtol, 1)
         if state[0] == 2 or state[2] == 0.0:
             break
         if step > 5 and state[1] > before:  # taken, not refused

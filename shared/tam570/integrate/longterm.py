@@ -18,19 +18,19 @@ __all__ = ["METHODS", "states"]
 
 METHODS = {"gauss": 3.5, "composition": 0.5}  # step over the shortest that DOP853 takes at the same rtol
 
-TOIL = {"gauss": 3.0, "composition": 1.0}  # of compiling it: the sweeps are one long loop
+COMPILE_COST = {"gauss": 3.0, "composition": 1.0}  # as in `Loop`: the sweeps are one long loop
 
 
 def states(
-    method: str, kit: Engine, rates: Rates, times: Array, start: Array, rtol: float, step: float | None
+    method: str, engine: Engine, rates: Rates, times: Array, start: Array, rtol: float, step: float | None
 ) -> Array:
     """(n, k) states at `times`, all steps of the same length."""
     rows = np.empty((len(times), len(start)))
     rows[0] = start
     origin, since = float(times[0]), times - times[0]
-    listed, h = since.tolist(), _step(method, kit, times, start, rtol, step)
-    source, constants = _source(method, kit, rates, len(start))
-    python = FunctionType(march.march.__code__, {"leap": _leap(source, kit), "len": len, "range": range})
+    listed, h = since.tolist(), _step(method, engine, times, start, rtol, step)
+    source, constants = _source(method, engine, rates, len(start))
+    python = FunctionType(march.march.__code__, {"leap": _leap(source, engine), "len": len, "range": range})
 
     def run(function: Any, state: Any, budget: int, by_numba: bool) -> Any:
         return function(origin, since if by_numba else listed, rows, state, constants, h, budget)
@@ -38,28 +38,30 @@ def states(
     def share(state: Any) -> float:
         return 1.0 if state[0] == len(rows) else min(state[1] * h / listed[-1], 0.999)
 
-    module = partial(_module, source) if kit.traced else None
+    module = partial(_module, source) if engine.traced else None
     carried_through(
-        Loop(run, share, python, "march", module, TOIL[method]), _at_start(method, kit, origin, start), "auto"
+        Loop(run, share, python, "march", module, COMPILE_COST[method]),
+        _at_start(method, engine, origin, start),
+        "auto",
     )
     if not np.isfinite(rows).all():
         raise ArithmeticError(f"the stages do not settle at a step of {h:.3g} s: give a shorter `step`")
     return rows
 
 
-def _step(method: str, kit: Engine, times: Array, start: Array, rtol: float, step: float | None) -> float:
+def _step(method: str, engine: Engine, times: Array, start: Array, rtol: float, step: float | None) -> float:
     """A step that divides the whole run, no longer than asked for."""
-    if step is not None and not step > 0:
-        raise ValueError(f"step: must be positive, got {step!r}")
+    if step is not None and not 0 < step < math.inf:
+        raise ValueError(f"step: must be positive and finite, got {step!r}")
     span = float(times[-1] - times[0])
-    longest = step or METHODS[method] * shortest_step(kit, times, start, rtol)
+    longest = step or METHODS[method] * shortest_step(engine, times, start, rtol)
     return span / math.ceil(span / longest)
 
 
-def _source(method: str, kit: Engine, rates: Rates, size: int) -> tuple[str, tuple[float, ...]]:
+def _source(method: str, engine: Engine, rates: Rates, size: int) -> tuple[str, tuple[float, ...]]:
     if method == "gauss":
-        return gauss_source(kit.formulas), kit.constants
-    if not kit.traced or size % 2:
+        return gauss_source(engine.formulas), engine.constants
+    if not engine.traced or size % 2:
         raise ValueError(
             'method: "composition" needs a state (q, v) and a plain rhs without branches; try "gauss"'
         )
@@ -80,8 +82,8 @@ def _code(source: str) -> Any:
     return compile(source, "<tam570 leap>", "exec")
 
 
-def _leap(source: str, kit: Engine) -> Any:
-    namespace = {**vars(math), "given": kit.functions["given"]}
+def _leap(source: str, engine: Engine) -> Any:
+    namespace = {**vars(math), "given": engine.functions["given"]}
     exec(_code(source), namespace)
     return namespace["leap"]
 
@@ -91,8 +93,8 @@ def _module(source: str) -> str:
     return machine.module_source(march, source, "leap", "march")
 
 
-def _at_start(method: str, kit: Engine, origin: float, start: Array) -> tuple[Any, ...]:
+def _at_start(method: str, engine: Engine, origin: float, start: Array) -> tuple[Any, ...]:
     """Row 1 is to come, no step is done; all stages start with the derivative at the start."""
     y = tuple(start.tolist())
-    stages = kit.functions["rhs"](origin, y, kit.constants) * STAGES if method == "gauss" else (0.0,)
+    stages = engine.functions["rhs"](origin, y, engine.constants) * STAGES if method == "gauss" else (0.0,)
     return 1, 0, y, (0.0,) * len(y), stages

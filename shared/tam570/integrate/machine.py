@@ -45,7 +45,7 @@ def loaded_already(source: str) -> bool:
     return _name(source) in sys.modules
 
 
-def wait(source: str, toil: float = 1.0) -> float:
+def wait(source: str, compile_cost: float = 1.0) -> float:
     """Seconds until compiled code could start; infinite without numba, or without a folder to keep it in."""
     if not available():
         return float("inf")
@@ -55,7 +55,7 @@ def wait(source: str, toil: float = 1.0) -> float:
         return float("inf")
     imported = 0.0 if "numba" in sys.modules else IMPORT
     kept = any((folder / "__pycache__").glob(f"{_name(source)}*.nbi"))
-    return imported + (READY if kept else toil * _seconds_to_compile(source))
+    return imported + (READY if kept else compile_cost * _seconds_to_compile(source))
 
 
 def _seconds_to_compile(source: str) -> float:

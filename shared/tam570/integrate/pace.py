@@ -22,6 +22,7 @@ class Loop:
     python : the function in Python
     entry  : its name in `source`
     source : gives the module to compile; None where there is none
+    compile_cost : how many times as long its source takes to compile as one of a step of DOP853 that is as long
     """
 
     run: Callable[[Callable[..., Any], Any, int, bool], Any]
@@ -29,7 +30,7 @@ class Loop:
     python: Callable[..., Any]
     entry: str
     source: Callable[[], str] | None
-    toil: float = 1.0  # how much longer than a step of DOP853 of that length its source takes to compile
+    compile_cost: float = 1.0
 
 
 def carried_through(loop: Loop, state: Any, how: str) -> Any:
@@ -72,7 +73,7 @@ def _until_it_repays(loop: Loop, source: Callable[[], str], state: Any) -> Any:
             return state
         left = passed * (1 / done - 1) if done else 0.0
         if left > soonest:  # else not worth the question
-            wait = wait or _wait(source(), loop.toil)
+            wait = wait or _wait(source(), loop.compile_cost)
             if left > wait:
                 return state
         budget *= 2
@@ -84,7 +85,7 @@ def _loaded_already(source: str) -> bool:
     return machine.loaded_already(source)
 
 
-def _wait(source: str, toil: float) -> float:
+def _wait(source: str, compile_cost: float) -> float:
     from tam570.integrate import machine
 
-    return machine.wait(source, toil)
+    return machine.wait(source, compile_cost)

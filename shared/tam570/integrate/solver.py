@@ -37,31 +37,33 @@ def solve(
                  "python" and "numba" insist; at a fixed step, for long runs of conservative systems:
                  "gauss" (Gauss-Legendre, order 12), "composition" (order 8, y0 = (q, v), q' of v, v' of q)
                  these two also reach the last digits of a hundred periods, where the others' energy drifts
-    step       : s, of the methods with a fixed one; left out it follows from rtol
+    step       : s, of "gauss" and "composition" alone, no longer than this; left out it follows from rtol
     project    : project(y) -> the nearest allowed state, applied after every step: for holonomic constraints
     Returns (n, k), row 0 is y0; or (m, n, k).
     ValueError names the argument, ArithmeticError the time at which rhs or solution cease to be finite.
     """
     times, start, rtol = sample_times(t), initial_state(y0), tolerance(rtol)
-    _check_method(method, several=start.ndim == 2, projected=project is not None)
+    _check_method(method, several=start.ndim == 2, projected=project is not None, stepped=step is not None)
     with np.errstate(all="ignore"):  # a step that proves too long may overflow: it is taken again
         if start.ndim == 2:
             from tam570.integrate import ensemble
 
-            kit = explicit.engine(rhs, parameters, times, start[0])
-            return ensemble.states(kit, times, start, rtol, method)
-        kit = explicit.engine(rhs, parameters, times, start)
+            engine = explicit.engine(rhs, parameters, times, start[0])
+            return ensemble.states(engine, times, start, rtol, method)
+        engine = explicit.engine(rhs, parameters, times, start)
         if method in FIXED_STEP:
             from tam570.integrate import longterm
 
-            return longterm.states(method, kit, bound(rhs, parameters), times, start, rtol, step)
-        return explicit.states(kit, times, start, rtol, method, project)
+            return longterm.states(method, engine, bound(rhs, parameters), times, start, rtol, step)
+        return explicit.states(engine, times, start, rtol, method, project)
 
 
-def _check_method(method: str, *, several: bool, projected: bool) -> None:
+def _check_method(method: str, *, several: bool, projected: bool, stepped: bool) -> None:
     if method not in METHODS:
         raise ValueError(f"method: one of {', '.join(METHODS)}, got {method!r}")
     if method in FIXED_STEP and several:
         raise ValueError(f'y0: several starts at once go with method "auto", not with {method!r}')
     if projected and (method in FIXED_STEP or several):
         raise ValueError('project: goes with one start and method "auto" or "python" alone')
+    if stepped and method not in FIXED_STEP:
+        raise ValueError(f'step: goes with method "gauss" or "composition" alone, {method!r} takes rtol')

@@ -88,10 +88,12 @@ def _names(letter: str, size: int) -> list[str]:
 
 
 def tuple_of(names: Iterable[str]) -> str:
+    """Source of a tuple, of one or none too; on the left of an assignment it unpacks."""
     return "(" + "".join(f"{name}, " for name in names) + ")"
 
 
 def unpacked(formulas: Formulas, **letters: str) -> list[str]:
+    """Lines that unpack a tuple into y0, y1, ... for each `name="y"`, and the constants c if there are any."""
     lines = [f"{tuple_of(_names(letter, formulas.size))} = {name}" for name, letter in letters.items()]
     constants = [f"{tuple_of(_names('c', formulas.constants))} = c"] if formulas.constants else []
     return lines + constants

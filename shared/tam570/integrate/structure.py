@@ -1,10 +1,10 @@
 """Methods that keep the structure of mechanics over long times, at a fixed step: source for one right-hand side.
 
-gauss     : Gauss-Legendre collocation of six stages, order 12, symplectic and symmetric for any Hamiltonian. The
-            coefficients are split in two doubles: rounded to one, they make the energy drift.
-            Hairer, McLachlan, Razakarivony, Achieving Brouwer's law with implicit Runge-Kutta methods, BIT 2008.
-symmetric : composition of 17 leapfrogs, order 8, for a state (q, v) with q' a function of v and v' one of q.
-            Kahan and Li, Composition constants for raising the orders of unconventional schemes, 1997.
+gauss       : Gauss-Legendre collocation of six stages, order 12, symplectic and symmetric for any Hamiltonian. The
+              coefficients are split in two doubles: rounded to one, they make the energy drift.
+              Hairer, McLachlan, Razakarivony, Achieving Brouwer's law with implicit Runge-Kutta methods, BIT 2008.
+composition : of 17 leapfrogs, order 8, symmetric, for a state (q, v) with q' a function of v and v' one of q.
+              Kahan and Li, Composition constants for raising the orders of unconventional schemes, 1997.
 """
 
 from decimal import Decimal, localcontext
@@ -12,7 +12,7 @@ from functools import cache
 
 from tam570.integrate.source import Formulas, tuple_of, unpacked
 
-__all__ = ["composition_source", "gauss_source", "gauss_tableau"]
+__all__ = ["STAGES", "composition_source", "gauss_source", "gauss_tableau"]
 
 STAGES = 6
 DIGITS = 45

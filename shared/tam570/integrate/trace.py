@@ -15,7 +15,7 @@ import numpy as np
 
 from tam570.integrate.source import Formulas
 
-__all__ = ["Untraceable", "halves", "traced"]
+__all__ = ["FUNCTIONS", "Untraceable", "halves", "traced"]
 
 LONGEST = 200  # characters of one expression: brackets in brackets have a limit
 
