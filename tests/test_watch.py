@@ -192,6 +192,28 @@ def test_what_cannot_be_remembered_stops_nothing(desk, monkeypatch, solution_tex
     assert checked("hw08").returncode == 0
 
 
+def hinted(capsys):
+    capsys.readouterr()
+    assert cli.main(["hint", "hw08", "skew"]) == 0
+    out, err = capsys.readouterr()
+    assert not err
+    return out
+
+
+def test_hints_that_cannot_be_remembered_are_given_from_the_first(desk, capsys):
+    (desk / "home").write_text("not a folder")
+    assert "(1 of 2)" in hinted(capsys) and "(1 of 2)" in hinted(capsys)
+
+
+@pytest.mark.parametrize(
+    "text", ["", "[1]", "null", f'{{"{SLUG} skew": "two"}}', f'{{"{SLUG}": {{"skew": 1}}}}']
+)
+def test_what_is_no_memory_of_hints_is_overwritten(desk, capsys, text):
+    (desk / "home").mkdir()
+    (desk / "home" / "hints.json").write_text(text)
+    assert "(1 of 2)" in hinted(capsys) and "(2 of 2" in hinted(capsys)
+
+
 def test_of_a_test_with_several_parameters_the_worst_is_remembered(desk, solution_text):
     file = desk / SLUG / f"{SLUG}.py"
     file.write_text(solution_text(SLUG))

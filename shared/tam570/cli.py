@@ -1,7 +1,6 @@
 """The students' command, `tam570`. What a command does not need is not imported: `list` takes no numerical library."""
 
 import argparse
-import json
 import os
 import sys
 from collections.abc import Callable
@@ -10,7 +9,7 @@ from typing import Any
 
 from tam570 import __version__
 from tam570.course import Unknown, assignments, folder, start, title
-from tam570.progress import home, recalled
+from tam570.progress import hints_given, recalled, remember_hints
 
 __all__ = ["main"]
 
@@ -164,41 +163,18 @@ def _hint(arguments: argparse.Namespace) -> int:
     if arguments.function not in hints:
         raise Unknown(f"no hints for {arguments.function!r}; there are hints for {', '.join(hints)}")
     steps = hints[arguments.function]
-    given = 0 if arguments.again else _given_hints(released.name, arguments.function)
+    given = 0 if arguments.again else hints_given(released.name, arguments.function)
     step = min(given, len(steps) - 1)
     print(
         f"{steps[step]}\n({step + 1} of {len(steps)}{'' if step + 1 < len(steps) else '; this is the last'})"
     )
-    _remember_hints(released.name, arguments.function, step + 1)
+    remember_hints(released.name, arguments.function, step + 1)
     return 0
 
 
 def _work(slug: str) -> Path | None:
     """The student's file here: in a folder of its own, or in the working directory."""
     return next((path for path in (Path(slug, f"{slug}.py"), Path(f"{slug}.py")) if path.exists()), None)
-
-
-def _memory() -> Path:
-    return home() / "hints.json"
-
-
-def _all_given() -> dict[str, dict[str, int]]:
-    try:
-        known: dict[str, dict[str, int]] = json.loads(_memory().read_text())
-        return known
-    except (OSError, ValueError):
-        return {}
-
-
-def _given_hints(slug: str, function: str) -> int:
-    return _all_given().get(slug, {}).get(function, 0)
-
-
-def _remember_hints(slug: str, function: str, count: int) -> None:
-    known = _all_given()
-    known.setdefault(slug, {})[function] = count
-    _memory().parent.mkdir(parents=True, exist_ok=True)
-    _memory().write_text(json.dumps(known))
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""How far a student has come by the visible tests, remembered from one check to the next."""
+"""How far a student has come: by the visible tests and in the hints, remembered from one command to the next."""
 
 import hashlib
 import json
@@ -10,14 +10,25 @@ from typing import Any
 
 from tam570.course import folder
 
-__all__ = ["home", "kept", "progress", "recalled", "remember", "said"]
+__all__ = [
+    "FAILED",
+    "PASSED",
+    "hints_given",
+    "kept",
+    "progress",
+    "recalled",
+    "remember",
+    "remember_hints",
+    "said",
+]
 
 PASSED, FAILED = "passed", "failed"
+PROGRESS, HINTS = "progress.json", "hints.json"  # the files in which it is kept
 ROW = re.compile(r"^\| `(\w+)\(.*?\| *([\d.]+) *\|", re.MULTILINE)
 Progress = dict[str, Any]  # points, most, passed, tests, next: plain data
 
 
-def home() -> Path:
+def _home() -> Path:
     """Where things are remembered for a student."""
     return Path(os.environ.get("TAM570_HOME", Path.home() / ".tam570"))
 
@@ -56,27 +67,30 @@ def said(found: Progress) -> str:
 
 def kept(file: Path) -> dict[str, tuple[str, str]]:
     """What was remembered of the tests of a file: for each its key and its outcome."""
-    known = _all().get(_name(file), {}).get("outcomes", {})
+    known = _read(PROGRESS).get(_name(file), {}).get("outcomes", {})
     return {test: (key, outcome) for test, (key, outcome) in known.items()}
 
 
 def remember(file: Path, outcomes: Mapping[str, tuple[str, str]], found: Progress) -> None:
-    """Keep the outcomes and the progress; where nothing can be kept, go on without."""
-    known = _all()
-    known[_name(file)] = {"digest": _digest(file), "outcomes": dict(outcomes), "progress": found}
-    try:
-        home().mkdir(parents=True, exist_ok=True)
-        draft = home() / f"progress.json.{os.getpid()}"
-        draft.write_text(json.dumps(known))
-        draft.replace(home() / "progress.json")
-    except OSError:
-        pass
+    """Keep the outcomes and the progress."""
+    _keep(PROGRESS, _name(file), {"digest": _digest(file), "outcomes": dict(outcomes), "progress": found})
 
 
 def recalled(file: Path) -> tuple[Progress, bool] | None:
     """The progress with a file, and whether the file is as it was then; None if it was never checked."""
-    known = _all().get(_name(file))
+    known = _read(PROGRESS).get(_name(file))
     return (known["progress"], known["digest"] == _digest(file)) if known else None
+
+
+def hints_given(slug: str, function: str) -> int:
+    """How many of the hints for a function were given."""
+    count = _read(HINTS).get(f"{slug} {function}", 0)
+    return count if isinstance(count, int) else 0
+
+
+def remember_hints(slug: str, function: str, count: int) -> None:
+    """Keep how many of the hints for a function were given."""
+    _keep(HINTS, f"{slug} {function}", count)
 
 
 def _readme(slug: str) -> str:
@@ -91,9 +105,22 @@ def _digest(file: Path) -> str:
     return hashlib.sha256(file.read_bytes()).hexdigest()
 
 
-def _all() -> dict[str, Any]:
+def _read(name: str) -> dict[str, Any]:
+    """What is remembered under this name; nothing where it cannot be read."""
     try:
-        known = json.loads((home() / "progress.json").read_text())
+        known = json.loads((_home() / name).read_text())
     except (OSError, ValueError):
         return {}
     return known if isinstance(known, dict) else {}
+
+
+def _keep(name: str, key: str, value: Any) -> None:
+    """Remember this too; where nothing can be kept, go on without."""
+    known = _read(name) | {key: value}
+    try:
+        _home().mkdir(parents=True, exist_ok=True)
+        draft = _home() / f"{name}.{os.getpid()}"
+        draft.write_text(json.dumps(known))
+        draft.replace(_home() / name)
+    except OSError:
+        pass
