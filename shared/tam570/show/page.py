@@ -9,7 +9,7 @@ from typing import Any
 from tam570.show.compact import packed
 from tam570.show.film import Film
 
-__all__ = ["framed", "page"]
+__all__ = ["HERE", "framed", "page"]
 
 HERE = Path(__file__).parent / "player"
 

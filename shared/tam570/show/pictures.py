@@ -3,6 +3,7 @@
 import re
 import time
 from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -23,7 +24,7 @@ __all__ = ["frames", "window", "write"]
 SIZE = (10.0, 5.6)  # inches
 DPI = 100
 EVERY = {".gif": 3, ".mp4": 2}  # samples to a frame: 20 and 30 frames a second
-ANCHORED = re.compile(r"--(\w+): (#\w+);")
+CSS_COLOUR = re.compile(r"--(\w+): (#\w+);")
 
 Update = Callable[[int], None]
 
@@ -76,16 +77,17 @@ def window(film: Film) -> None:
 
 def _writer(suffix: str) -> AbstractMovieWriter:
     if suffix == ".gif":
-        return PillowWriter(fps=20)
+        return PillowWriter(fps=RATE // EVERY[suffix])
     if not FFMpegWriter.isAvailable():
         raise Trouble("a video needs ffmpeg, which is not installed; .gif and .html need nothing more")
-    return FFMpegWriter(fps=30, bitrate=1800)
+    return FFMpegWriter(fps=RATE // EVERY[suffix], bitrate=1800)
 
 
-def _palette() -> list[str]:
+@cache
+def _palette() -> tuple[str, ...]:
     """The colours of the page in light, INK and GREY last, as their numbers have it."""
-    known = dict(reversed(ANCHORED.findall((HERE / "page.css").read_text(encoding="utf-8"))))
-    return [known[name] for name in ("c0", "c1", "c2", "c3", "c4", "c5", "soft", "ink")]
+    known = dict(reversed(CSS_COLOUR.findall((HERE / "page.css").read_text(encoding="utf-8"))))
+    return tuple(known[name] for name in ("c0", "c1", "c2", "c3", "c4", "c5", "soft", "ink"))
 
 
 def _drawn(film: Film, figure: Figure) -> Update:
