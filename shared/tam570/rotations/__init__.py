@@ -53,6 +53,7 @@ def skew(v: ArrayLike) -> Array:
     """The matrix of v x: skew(v) r = v x r.
 
     v : (..., 3)
+    Raises ValueError if v is not finite.
     """
     return evaluate(_formulas.skew_of_vector, _kinds.FINITE, (3, 3), ("v", _kinds.VECTOR, v))
 
@@ -61,6 +62,7 @@ def unskew(S: ArrayLike) -> Array:
     """The vector of a skew matrix; of any other matrix, that of its antisymmetric part (S - S^T)/2.
 
     S : (..., 3, 3)
+    Raises ValueError if S is not finite.
     """
     return evaluate(_formulas.vector_of_skew, _kinds.FINITE, (3,), ("S", _kinds.MATRIX, S))
 
@@ -155,7 +157,8 @@ def euler_rates(sequence: str, angles: ArrayLike, omega: ArrayLike) -> Array:
     sequence : "313", "312" or any other of the twelve
     angles   : (..., 3), rad
     omega    : (..., 3), rad/s, components along the body's axes (for components in space give R^T omega)
-    Raises ValueError in gimbal lock: |sin b| < 1e-12 ("313"), |cos b| < 1e-12 ("312").
+    Raises ValueError if there is no such sequence, an angle or omega is not finite, or in gimbal lock:
+    |sin b| < 1e-12 ("313"), |cos b| < 1e-12 ("312").
     """
     formula = _euler.rates(_order(sequence))
     result = evaluate(
