@@ -1,12 +1,13 @@
 """Mutants of the solutions, and what the audit says of them."""
 
+import dataclasses
 import json
 import math
 
 import numpy as np
 import pytest
 
-from tam570_grader import cli, diagnosis, fairness, margins, root
+from tam570_grader import cli, diagnosis, fairness, margins, mutation, root
 from tam570_grader.equivalents import equivalents
 from tam570_grader.margins import Margin
 from tam570_grader.mutate import mutants
@@ -76,6 +77,14 @@ def test_the_audit_fails_when_a_mutant_survives_and_says_how_to_list_it(capsys, 
     assert '[_unit]\n    "scaled @ scaled -> scaled.T @ scaled" = ""' in capsys.readouterr().out
 
 
+def test_the_audit_fails_when_a_mutant_crashes_a_check(capsys, monkeypatch):
+    right = mutation.tried
+    monkeypatch.setattr(mutation, "tried", lambda trial: dataclasses.replace(right(trial), score=None))
+    assert cli.main(["audit", "hw08", "--function", "skew", "--jobs", "1"]) == 1
+    out = capsys.readouterr().out
+    assert " 0 killed, 0 equivalent, 0 survive, " in out and "CRASHES A CHECK skew: " in out
+
+
 @pytest.mark.parametrize(
     ("slip", "proof", "fault"),
     [
@@ -114,6 +123,32 @@ def test_right_submissions_are_fair_and_what_is_kept_is_not_run_again(tmp_path, 
         cli.main(command)
 
 
+def test_what_is_kept_of_a_submission_is_not_that_of_another_name(tmp_path, monkeypatch):
+    keep = tmp_path / "fair.jsonl"
+    texts = {"a": "def skew(v): return None", "b": "def skew(v): return v"}
+    monkeypatch.setattr(fairness, "submissions", lambda course, kind, slug: texts)
+    before = fairness.fair(root.find(), SLUG, 1, 1, keep)
+    texts.update(a=texts["b"], b=texts["a"])
+    after = fairness.fair(root.find(), SLUG, 1, 1, keep)
+    found = [{line["submission"]: line["fails"] for line in lines} for lines in (before, after)]
+    assert (
+        found[0]["a"] != found[0]["b"] and found[0]["a"] == found[1]["b"] and found[0]["b"] == found[1]["a"]
+    )
+
+
+@pytest.mark.parametrize(
+    "arguments", [["--keep", "x"], ["--margins", "--keep", "x"], ["--diagnosis", "--function", "skew"]]
+)
+def test_an_option_that_would_do_nothing_is_refused(arguments, capsys):
+    assert cli.main(["audit", "hw08", *arguments]) == 2
+    assert arguments[-2] in capsys.readouterr().err
+
+
+def test_a_quick_diagnosis_takes_a_sample(capsys):
+    assert cli.main(["audit", "hw08", "--diagnosis", "--quick", "--jobs", "1", "--json"]) == 0
+    assert 10 <= json.loads(capsys.readouterr().out)["wrong"] < 20
+
+
 def test_a_false_fail_is_told_with_check_seed_and_message(capsys, monkeypatch):
     wrong = {"wrong": "def skew(v): return [[0.0] * 3] * 3"}
     monkeypatch.setattr("tam570_grader.fairness.submissions", lambda course, kind, slug: wrong)
@@ -122,12 +157,12 @@ def test_a_false_fail_is_told_with_check_seed_and_message(capsys, monkeypatch):
 
 
 def test_a_diagnosis_tells_named_from_unnamed_and_misled():
-    said = diagnosis.Diagnosis("a", "the transpose", True, ("the transpose",), (), 0.0)
-    silent = diagnosis.Diagnosis("b", "", False, (), ("off by 1",), 0.0)
-    wrong = diagnosis.Diagnosis("c", "", False, ("the transpose",), (), 0.0)
+    said = diagnosis.Diagnosis("a", "the transpose", True, ("the transpose",), ())
+    silent = diagnosis.Diagnosis("b", "", False, (), ("off by 1",))
+    wrong = diagnosis.Diagnosis("c", "", False, ("the transpose",), ())
     assert [one.misled for one in (said, silent, wrong)] == [False, False, True]
     assert diagnosis.faults([said, silent]) == 1 and diagnosis.faults([said]) == 0
-    assert diagnosis.faults([said, said, wrong]) == 1
+    assert diagnosis.faults([said] * 10 + [wrong]) == 1
 
 
 def test_the_margins_of_a_check_are_measured_from_both_sides(capsys):

@@ -75,6 +75,15 @@ def test_the_help_of_the_grader_imports_nothing_heavy(desk):
     assert not imported(code) & HEAVY
 
 
+def test_where_the_grader_cannot_run_it_says_so_in_one_line(desk):
+    program = "import os; os.name = 'nt'; import tam570_grader"
+    found = subprocess.run(
+        [sys.executable, "-c", program], cwd=desk, capture_output=True, text=True, check=False
+    )
+    assert found.returncode == 1 and found.stderr.startswith("tam570-grader: error: the grader needs Linux")
+    assert len(found.stderr.splitlines()) == 1
+
+
 def test_every_assignment_is_listed(desk, capsys, course):
     assert cli.main(["list"]) == 0
     assert (

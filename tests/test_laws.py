@@ -109,6 +109,7 @@ def test_a_wrong_submission_fails_its_checks_and_no_other_whatever_the_draw(
     expected = header(path)
     result = grade(slug, solution_text(slug) + "\n\n" + path.read_text(), seed=draw)
     assert outcomes(result, "failed") == set(expected["fails"].split(", ")), failures(result)
+    assert not outcomes(result, "grader_error"), failures(result)
     found = diagnosis(result, expected)
     assert found.named or not {"suspect", "names"} & set(expected), failures(result)
     assert not found.misled, failures(result)

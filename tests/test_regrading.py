@@ -2,6 +2,7 @@
 
 import json
 import shutil
+from importlib import metadata
 
 import pytest
 
@@ -16,9 +17,9 @@ def graded(monkeypatch):
     """The submissions that were run, by student and assignment."""
     done, real = [], run.graded
 
-    def counted(name, source, assignment, *rest):
+    def counted(name, source, assignment, *rest, **more):
         done.append((name, assignment.slug))
-        return real(name, source, assignment, *rest)
+        return real(name, source, assignment, *rest, **more)
 
     monkeypatch.setattr(run, "graded", counted)
     return done
@@ -85,6 +86,20 @@ def test_a_changed_check_is_named_with_whose_score_it_changes(
     changed = changes.pop(("ben", SLUG))
     assert set(changes.values()) == {None}
     assert changed["new"] > changed["old"] and changed["because"][0].startswith(f"{name}: failed 0/")
+
+
+@pytest.mark.parametrize("what", ["isolation", "_installed"])
+def test_all_is_run_again_where_something_else_runs_it(what, tree, tmp_path, capsys, graded, monkeypatch):
+    assert grade(tree, "--out", tmp_path / "old", "--jobs", 1) == 0
+    graded.clear()
+    monkeypatch.setattr(run, what, lambda: "another")
+    assert grade(tree, "--out", tmp_path / "old", "--jobs", 1) == 0
+    assert len(graded) == 4
+
+
+def test_what_is_installed_is_known_by_name_and_version():
+    for library in run.LIBRARIES:
+        assert any(one.startswith(f"{library}-{metadata.version(library)}.") for one in run._installed())
 
 
 def test_a_changed_submission_is_the_only_one_to_run(tree, tmp_path, capsys, graded, solution_text):

@@ -9,7 +9,7 @@ from html.parser import HTMLParser
 import pytest
 
 from tam570_grader import cli, report
-from tam570_grader.book import BookError
+from tam570_grader.errors import UsageError
 from tam570_grader.feedback import Sheet
 
 SLUGS = ("hw07_double_pendulum", "hw08_axis_angle")
@@ -140,7 +140,7 @@ def test_the_newest_result_counts_and_a_line_in_the_making_is_left_out(tmp_path)
 def test_what_holds_no_results_is_said_so(tmp_path, text, capsys):
     if text is not None:
         (tmp_path / "results.jsonl").write_text(text)
-    with pytest.raises(BookError, match=re.escape(str(tmp_path))):
+    with pytest.raises(UsageError, match=re.escape(str(tmp_path))):
         report.results(tmp_path)
     assert cli.main(["report", str(tmp_path)]) == 2
     assert "tam570-grader: error: " in capsys.readouterr().err

@@ -1,5 +1,12 @@
 """The grading engine of tam570, and, for the checks files, all that hidden checks are written with."""
 
+# ruff: noqa: E402  nothing below can be imported on Windows
+
+import os
+
+if os.name != "posix":
+    raise SystemExit("tam570-grader: error: the grader needs Linux or macOS; on Windows, use WSL")
+
 from tam570_grader.check import Failure, check, expect, expect_that, given, once, suspect
 from tam570_grader.curves import kept
 from tam570_grader.mistimed import mistimed

@@ -2,20 +2,21 @@
 
 import argparse
 import json
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
+
+from tam570_grader.errors import UsageError
+from tam570_grader.options import Commands, cores, positive
 
 __all__ = ["add_audit"]
 
 QUICK_SEEDS = 2
 Answer = tuple[Any, list[str], int]  # plain data, lines to print, faults
-Commands = Any  # argparse keeps the name of its subparsers' type to itself
+Question = Callable[[Path, str, argparse.Namespace], Answer]
 
 
-def add_audit(
-    commands: Commands, run: Callable[[argparse.Namespace], int], cores: int
-) -> argparse.ArgumentParser:
+def add_audit(commands: Commands) -> argparse.ArgumentParser:
     audit: argparse.ArgumentParser = commands.add_parser(
         "audit",
         help="grade the grader: does it catch what it must?",
@@ -24,7 +25,7 @@ def add_audit(
         "listed in vain, if a right submission loses points, a mistake gets a wrong name, too few get one, or a margin "
         "is too small; 2 on bad usage.",
     )
-    audit.set_defaults(command=run)
+    audit.set_defaults(command=_audit)
     add = audit.add_argument
     add("assignments", nargs="*", metavar="SLUG", help="default: all")
     add("--quick", action="store_true", help="a small fixed sample")
@@ -37,14 +38,14 @@ def add_audit(
         help="add the lines of --fairness there; what is there is not run again",
     )
     add("--function", nargs="+", metavar="NAME", default=[], help="mutants of these functions alone")
-    add("--jobs", type=_positive, metavar="N", default=cores, help="processes (default: %(default)s)")
+    add("--jobs", type=positive, metavar="N", default=cores(), help="processes (default: %(default)s)")
     return audit
 
 
 def _add_questions(add: Callable[..., Any]) -> None:
     """What is asked instead of what becomes of mutants."""
     add(
-        "--fairness", nargs="?", type=_positive, const=100, metavar="N",
+        "--fairness", nargs="?", type=positive, const=100, metavar="N",
         help="do right submissions ever lose points? with N seeds (default: %(const)s)",
     )  # fmt: skip
     add(
@@ -59,22 +60,28 @@ def _add_questions(add: Callable[..., Any]) -> None:
     )  # fmt: skip
 
 
-def _positive(text: str) -> int:
-    if not text.isdecimal() or int(text) == 0:
-        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number from 1 on")
-    return int(text)
-
-
-def run(course: Path, slugs: Sequence[str], arguments: argparse.Namespace) -> int:
+def _audit(arguments: argparse.Namespace) -> int:
     """Print what is asked for, an assignment at a time; 1 if there is a fault."""
-    asked = [question for name, question in QUESTIONS.items() if getattr(arguments, name) is not None]
-    question = asked[0] if asked else _mutation
+    from tam570_grader import grading, root
+
+    course = root.find(arguments.root)
+    question = _question(arguments)
+    grading.warn_of_isolation()
     faults = 0
-    for slug in slugs:
+    for slug in root.named(arguments.assignments, root.slugs(course)):
         data, lines, found = question(course, slug, arguments)
         print(*([json.dumps(data)] if arguments.json else lines), sep="\n", flush=True)
         faults += found
     return 1 if faults else 0
+
+
+def _question(arguments: argparse.Namespace) -> Question:
+    asked = [name for name in QUESTIONS if getattr(arguments, name) is not None]
+    if arguments.keep and asked != ["fairness"]:
+        raise UsageError("--keep: it goes with --fairness alone")
+    if arguments.function and asked:
+        raise UsageError(f"--function: it chooses mutants; it does not go with --{asked[0]}")
+    return QUESTIONS[asked[0]] if asked else _mutation
 
 
 def _mutation(course: Path, slug: str, arguments: argparse.Namespace) -> Answer:
@@ -89,13 +96,14 @@ def _fairness(course: Path, slug: str, arguments: argparse.Namespace) -> Answer:
 
     seeds = QUICK_SEEDS if arguments.quick else arguments.fairness
     lines = fairness.fair(course, slug, seeds, arguments.jobs, arguments.keep)
-    return lines, fairness.report(lines), sum(bool(line["fails"]) for line in lines)
+    found = fairness.as_json(slug, lines)
+    return found, fairness.report(lines), found["false_fails"]
 
 
 def _diagnosis(course: Path, slug: str, arguments: argparse.Namespace) -> Answer:
     from tam570_grader import diagnosis
 
-    found = diagnosis.diagnoses(course, slug, arguments.jobs)
+    found = diagnosis.diagnoses(course, slug, arguments.jobs, arguments.quick)
     return diagnosis.as_json(slug, found), diagnosis.report(slug, found), diagnosis.faults(found)
 
 
@@ -106,7 +114,7 @@ def _margins(course: Path, slug: str, arguments: argparse.Namespace) -> Answer:
     return margins.as_json(slug, found), margins.report(slug, found), margins.faults(found)
 
 
-QUESTIONS: dict[str, Callable[[Path, str, argparse.Namespace], Answer]] = {
+QUESTIONS: dict[str, Question] = {
     "fairness": _fairness,
     "diagnosis": _diagnosis,
     "margins": _margins,

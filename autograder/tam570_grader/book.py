@@ -9,13 +9,11 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
-__all__ = ["Book", "BookError", "Record", "read", "seed_of", "written"]
+from tam570_grader.errors import UsageError
+
+__all__ = ["Book", "Record", "read", "seed_of", "written"]
 
 Record = dict[str, Any]  # a result line, with "digest": of all that the result depends on
-
-
-class BookError(Exception):
-    """The folder cannot hold results; the message says what to do."""
 
 
 class Book:
@@ -27,15 +25,15 @@ class Book:
             folder.mkdir(parents=True, exist_ok=True)
             self._file = open(folder / "results.jsonl", "a+b")  # noqa: SIM115  open as long as the book
         except OSError as error:
-            raise BookError(f"cannot write results to {folder}: {error.strerror}") from None
+            raise UsageError(f"cannot write results to {folder}: {error.strerror}") from None
         try:
             fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except OSError:
             self._file.close()
-            raise BookError(f"another run is writing to {folder}") from None
+            raise UsageError(f"another run is writing to {folder}") from None
         try:
             self._records = self._read()
-        except BookError:
+        except UsageError:
             self._file.close()
             raise
 
@@ -82,7 +80,7 @@ def read(path: Path) -> list[Record]:
     try:
         data = path.read_bytes()
     except OSError as error:
-        raise BookError(f"cannot read results from {path}: {error.strerror}") from None
+        raise UsageError(f"cannot read results from {path}: {error.strerror}") from None
     return list(_parsed(data[: data.rfind(b"\n") + 1], path).values())
 
 
@@ -90,7 +88,7 @@ def seed_of(records: Iterable[Record]) -> int | None:
     """The seed that these results have in common; None if there are none."""
     seeds = {int(record["seed"]) for record in records}
     if len(seeds) > 1:
-        raise BookError(
+        raise UsageError(
             "these results have more than one seed: give the key that they were varied by (--vary), or a --seed"
         )
     return next(iter(seeds), None)
@@ -102,7 +100,7 @@ def _parsed(lines: bytes, path: Path) -> dict[tuple[str, str], Record]:
         records = [json.loads(line) for line in lines.splitlines()]
         return {_key(record): record for record in records}
     except (ValueError, TypeError, KeyError):
-        raise BookError(f"{path} holds a line that is no result; move the file away") from None
+        raise UsageError(f"{path} holds a line that is no result; move the file away") from None
 
 
 def written(path: Path, text: str) -> None:

@@ -9,8 +9,8 @@ from string import Template
 
 from tam570_grader import root
 from tam570_grader.book import written
+from tam570_grader.errors import UsageError
 from tam570_grader.notebook import notebook
-from tam570_grader.root import NoCourse
 
 __all__ = ["run"]
 
@@ -39,7 +39,7 @@ def _write_assignment(course: Path, slug: str, folder: Path) -> None:
     module, tests, readme = f"{slug}.py", f"test_{slug}.py", "README.md"
     for name in (module, tests, readme):
         if not (released / name).is_file():
-            raise NoCourse(f"{released / name} is missing: the assignment cannot be released yet")
+            raise UsageError(f"{released / name} is missing: the assignment cannot be released yet")
         shutil.copyfile(released / name, folder / name)
     shutil.copyfile(TEMPLATES / "lab.py", folder / "lab.py")
     pictures = TEMPLATES / "pictures" / f"{slug}.md"

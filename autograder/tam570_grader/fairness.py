@@ -36,16 +36,18 @@ def fair(course: Path, slug: str, seeds: int, jobs: int, keep: Path | None = Non
         **submissions(course, "right", slug),
     }
     digests = {name: _digest(course, slug, text) for name, text in texts.items()}
+    asked = range(FIRST_SEED, FIRST_SEED + seeds)
     known = {
-        (line["submission"], line["seed"]): line for line in _kept(keep) if line["digest"] in digests.values()
+        (line["submission"], line["seed"]): line
+        for line in _kept(keep)
+        if line["digest"] == digests.get(line["submission"]) and line["seed"] in asked
     }
     tasks = []
-    for seed in range(FIRST_SEED, FIRST_SEED + seeds):
+    for seed in asked:
         fresh = {name: text for name, text in texts.items() if (name, seed) not in known}
         if fresh:
             tasks.append(Class(course, slug, seed, fresh, digests))
-    asked = range(FIRST_SEED, FIRST_SEED + seeds)
-    lines = [line for (_, seed), line in known.items() if seed in asked]
+    lines = [*known.values()]
     for graded in progress(done(_graded, tasks, jobs), len(tasks), "seed"):
         _add(keep, graded)
         lines += graded
@@ -94,6 +96,19 @@ def upper_bound(failures: int, runs: int) -> float:
     from scipy.stats import beta
 
     return 1.0 if failures == runs else float(beta.ppf(CONFIDENCE, failures + 1, runs - failures))
+
+
+def as_json(slug: str, lines: Sequence[Line]) -> dict[str, Any]:
+    """The report as plain data."""
+    fails = sum(bool(line["fails"]) for line in lines)
+    bound = upper_bound(fails, len(lines))
+    return {
+        "assignment": slug,
+        "runs": len(lines),
+        "false_fails": fails,
+        "upper_bound": bound,
+        "lines": lines,
+    }
 
 
 def report(lines: Sequence[Line]) -> list[str]:

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from tam570_grader.book import Record
+from tam570_grader.errors import UsageError
 
 __all__ = ["Sheet", "must_write_pages", "page", "sheet", "table", "template", "write_pages"]
 
@@ -74,10 +75,8 @@ def page(record: Record, sheet: Sheet) -> str:
 
 def must_write_pages() -> None:
     """Say before grading, not after it, that pages cannot be written."""
-    from tam570_grader.root import NoCourse
-
     if importlib.util.find_spec("jinja2") is None:
-        raise NoCourse("the pages of feedback and the report need Jinja2: pip install 'tam570[grader]'")
+        raise UsageError("the pages of feedback and the report need Jinja2: pip install 'tam570[grader]'")
 
 
 @functools.cache

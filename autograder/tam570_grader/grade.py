@@ -16,7 +16,7 @@ from tam570_grader.sandbox import Worker, WorkerLost
 from tam570_grader.speed import Speed, Yardstick
 from tam570_grader.student import BudgetSpent, Call, NotLoaded, NotWritten, Source, Student
 
-__all__ = ["Mark", "Result", "failed_by_us", "graded", "not_graded"]
+__all__ = ["Mark", "Result", "failed_by_us", "generator", "graded", "not_graded"]
 
 OUR_FAULT = "the grader failed here, not you; your teacher has been told"
 CANCELLED = 1e-14  # what rounding leaves where numbers of order one cancel, and a suspect is exactly zero
@@ -153,7 +153,7 @@ def _mark(check: Check, student: Student, assignment: Assignment, seed: int, mar
     if missing:
         return _not_run(check, f"not run before this passes: {_line(assignment.checks, missing[0])}")
     student.calls.clear()
-    draw = np.random.default_rng([seed, zlib.crc32(f"{assignment.slug}.{check.name}".encode())])
+    draw = generator(seed, assignment.slug, check)
     try:
         with np.errstate(all="ignore"):
             check.judge(student, draw)
@@ -166,6 +166,11 @@ def _mark(check: Check, student: Student, assignment: Assignment, seed: int, mar
     except Exception as error:
         return _grader_error(check, repr(error))
     return Mark(check.name, check.part, check.points, check.points, "passed", check.line)
+
+
+def generator(seed: int, slug: str, check: Check) -> np.random.Generator:
+    """What draws the hidden inputs of a check."""
+    return np.random.default_rng([seed, zlib.crc32(f"{slug}.{check.name}".encode())])
 
 
 def _failed(check: Check, failure: Failure, calls: Sequence[Call]) -> Mark:

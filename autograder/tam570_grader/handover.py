@@ -1,12 +1,29 @@
-"""The commands that hand the course, or its scores, on: to nbgrader, Gradescope, Canvas, Moodle, the instructor."""
+"""The commands that hand on the course, to students and nbgrader, or its scores, to other systems and instructors."""
 
 import argparse
 from pathlib import Path
-from typing import Any
 
-__all__ = ["add_course", "add_gradescope", "add_lms", "add_report"]
+from tam570_grader.options import Commands
 
-Commands = Any  # argparse keeps the name of its subparsers' type to itself
+__all__ = ["add_course", "add_gradescope", "add_kit", "add_lms", "add_report", "add_stubs"]
+
+
+def add_stubs(commands: Commands) -> argparse.ArgumentParser:
+    stubs: argparse.ArgumentParser = commands.add_parser(
+        "stubs", help="make the students' stubs from the solutions"
+    )
+    stubs.set_defaults(command=_stubs)
+    stubs.add_argument("--check", action="store_true", help="write nothing; exit 1 if a stub is out of date")
+    return stubs
+
+
+def add_kit(commands: Commands) -> argparse.ArgumentParser:
+    kit: argparse.ArgumentParser = commands.add_parser(
+        "kit", help="make what students install and start from"
+    )
+    kit.set_defaults(command=_kit)
+    kit.add_argument("folder", type=Path, metavar="DIR", help="where to put it")
+    return kit
 
 
 def add_course(commands: Commands) -> argparse.ArgumentParser:
@@ -63,6 +80,18 @@ def add_report(commands: Commands) -> argparse.ArgumentParser:
     return report
 
 
+def _stubs(arguments: argparse.Namespace) -> int:
+    from tam570_grader import root, stubs
+
+    return stubs.run(root.find(arguments.root), check=arguments.check)
+
+
+def _kit(arguments: argparse.Namespace) -> int:
+    from tam570_grader import kit, root
+
+    return kit.run(root.find(arguments.root), arguments.folder)
+
+
 def _course(arguments: argparse.Namespace) -> int:
     from tam570_grader import course
 
@@ -93,9 +122,4 @@ def _course_and_slugs(arguments: argparse.Namespace) -> tuple[Path, Path, list[s
     from tam570_grader import root
 
     course = root.find(arguments.root)
-    known = root.slugs(course)
-    slugs = [(name, root.slug_of(name, known)) for name in arguments.assignments]
-    for name, slug in slugs:
-        if slug is None:
-            raise root.NoCourse(f"there is no assignment {name!r}; there are: {', '.join(known)}")
-    return course, arguments.folder, [slug for _, slug in slugs if slug] or known
+    return course, arguments.folder, root.named(arguments.assignments, root.slugs(course))

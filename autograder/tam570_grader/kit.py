@@ -4,7 +4,7 @@ import sys
 from pathlib import Path
 
 from tam570_grader.book import written
-from tam570_grader.root import NoCourse
+from tam570_grader.errors import UsageError
 
 __all__ = ["run"]
 
@@ -43,7 +43,7 @@ def _wheel(course: Path, folder: Path) -> Path:
     try:
         from hatchling.builders.wheel import WheelBuilder
     except ImportError:
-        raise NoCourse("building the wheel needs hatchling: pip install 'tam570[grader]'") from None
+        raise UsageError("building the wheel needs hatchling: pip install 'tam570[grader]'") from None
     for old in folder.glob("tam570-*.whl"):
         old.unlink()
     return Path(next(iter(WheelBuilder(str(course)).build(directory=str(folder), versions=["standard"]))))

@@ -11,9 +11,10 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import tam570
+from tam570_grader.errors import UsageError
 from tam570_grader.inside.jail import SCRATCH
 
-__all__ = ["NoSandbox", "environment", "isolation", "jailed_command", "plain_command"]
+__all__ = ["environment", "isolation", "jailed_command", "plain_command"]
 
 BOOT = "import json, sys; sys.path += json.loads(sys.argv[2]); from inside.worker import main; main()"
 SYSTEM_LINKS = ("/lib", "/lib64")  # into /usr on most systems
@@ -29,10 +30,6 @@ def environment() -> dict[str, str]:
     """The worker's environment; what it writes while it starts goes to a folder that no submission sees."""
     folder = SCRATCH if isolation() == "bubblewrap" else tempfile.gettempdir()
     return {**VARIABLES, "HOME": folder, "TMPDIR": folder, "MPLCONFIGDIR": f"{folder}/matplotlib"}
-
-
-class NoSandbox(Exception):
-    """Submissions cannot be run here; the message says what to do."""
 
 
 @functools.cache
@@ -67,7 +64,7 @@ def _must_be_readable(folders: Sequence[str]) -> None:
     for folder in map(Path, folders):
         closed = [place for place in (folder, *folder.parents) if not os.stat(place).st_mode & stat.S_IXOTH]
         if closed:
-            raise NoSandbox(
+            raise UsageError(
                 f"without bubblewrap, submissions run as another user than root, who may not enter {closed[-1]}: "
                 "install bubblewrap, or grade as an ordinary user"
             )

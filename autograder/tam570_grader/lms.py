@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from tam570_grader.book import written
-from tam570_grader.root import NoCourse
+from tam570_grader.errors import UsageError
 
 __all__ = ["canvas", "moodle", "run"]
 
@@ -72,7 +72,7 @@ def _scores(grades: Path) -> Scores:
     heading, *rows = _rows(grades)
     name = "student" if "student" in heading else "student_id"
     if not {name, "assignment", "score", "max_score"} <= set(heading):
-        raise NoCourse(f"{grades} is no grades.csv of tam570-grader or nbgrader")
+        raise UsageError(f"{grades} is no grades.csv of tam570-grader or nbgrader")
     found = [dict(zip(heading, row, strict=True)) for row in rows]
     return {(row[name], row["assignment"]): (row["score"], row["max_score"]) for row in found}
 
@@ -82,9 +82,9 @@ def _rows(path: Path) -> list[list[str]]:
         with open(path, newline="", encoding="utf-8-sig") as file:
             rows = [row for row in csv.reader(file) if row]
     except (OSError, UnicodeDecodeError) as error:
-        raise NoCourse(f"{path} cannot be read: {error}") from None
+        raise UsageError(f"{path} cannot be read: {error}") from None
     if not rows:
-        raise NoCourse(f"{path} is empty")
+        raise UsageError(f"{path} is empty")
     return rows
 
 
@@ -92,7 +92,7 @@ def _people(roster: Sequence[Sequence[str]]) -> tuple[list[str], list[Sequence[s
     """The heading of Canvas's export and the rows of students in it, without its notes."""
     heading = list(roster[0])
     if tuple(heading[:5]) != CANVAS:
-        raise NoCourse(
+        raise UsageError(
             f"the roster is no gradebook of Canvas: its columns must begin with {', '.join(CANVAS)}"
         )
     return heading, [row for row in roster[1:] if len(row) >= 5 and any(cell.strip() for cell in row[1:4])]

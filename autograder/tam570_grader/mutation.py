@@ -2,7 +2,6 @@
 
 import ast
 import time
-import zlib
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -10,12 +9,10 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from tam570_grader import root
 from tam570_grader.check import Given
 from tam570_grader.equivalents import Slip, entry, equivalents, idle
-from tam570_grader.grade import Result
+from tam570_grader.grade import Result, generator
 from tam570_grader.mutate import Mutant, mutants
 from tam570_grader.sandbox import Allowance, Worker
 from tam570_grader.student import Source, Student
@@ -28,7 +25,7 @@ QUICK = 10  # mutants of an assignment in the quick form
 SLOWER = 10  # times as long as the solution's longest call: then a call of a mutant is cut
 SHORTEST = 0.25  # s; below that the clock of a busy machine says nothing
 CALLS = 12  # such calls are all that a mutant has
-KILLED, EQUIVALENT, SURVIVES = FATES = "killed", "equivalent", "survive"
+KILLED, EQUIVALENT, SURVIVES, CRASHED = FATES = "killed", "equivalent", "survive", "crash"
 
 
 @dataclass(frozen=True)
@@ -47,8 +44,13 @@ class Fates:
         return [mutant for mutant in self.chosen if self.fate[mutant.name] == SURVIVES]
 
     @property
+    def crashing(self) -> list[Mutant]:
+        """Those on which a check raised: they lose no points by it, the class loses a grade."""
+        return [mutant for mutant in self.chosen if self.fate[mutant.name] == CRASHED]
+
+    @property
     def faults(self) -> int:
-        return len(self.survivors) + len(self.in_vain)
+        return len(self.survivors) + len(self.crashing) + len(self.in_vain)
 
 
 def fates(course: Path, slug: str, jobs: int, quick: bool, functions: Sequence[str]) -> Fates:
@@ -69,15 +71,18 @@ def fates(course: Path, slug: str, jobs: int, quick: bool, functions: Sequence[s
     results = list(progress(done(tried, tasks, jobs), len(tasks), "mutant"))
     listed = equivalents(course, slug)
     slips = {mutant.name: (mutant.function, mutant.slip) for mutant in chosen}
-    alive = {result.student for result in results if result.score == result.max_score}
-    fate = {name: _fate(name in alive, slip in listed) for name, slip in slips.items()}
-    killed = {slip for name, slip in slips.items() if name not in alive}
+    fate = {result.student: _fate(result, slips[result.student] in listed) for result in results}
+    killed = {slip for name, slip in slips.items() if fate[name] == KILLED}
     vain = idle(listed, {(mutant.function, mutant.slip) for mutant in made}, killed)
     return Fates(slug, chosen, fate, {one.student: _failed(one) for one in results}, list(calls), vain)
 
 
-def _fate(alive: bool, listed: bool) -> str:
-    return KILLED if not alive else EQUIVALENT if listed else SURVIVES
+def _fate(result: Result, listed: bool) -> str:
+    if result.score is None:
+        return CRASHED
+    if result.score < result.max_score:
+        return KILLED
+    return EQUIVALENT if listed else SURVIVES
 
 
 def _failed(result: Result) -> list[str]:
@@ -110,7 +115,7 @@ def calls_of_checks(course: Path, slug: str, text: str) -> tuple[dict[str, set[s
     try:
         for check in assignment.checks:
             student.asked = set()
-            check.judge(student, np.random.default_rng([SEED, zlib.crc32(f"{slug}.{check.name}".encode())]))
+            check.judge(student, generator(SEED, slug, check))
             calls[check.name] = student.asked
     finally:
         student.leave()
@@ -171,6 +176,9 @@ def as_json(found: Fates) -> dict[str, Any]:
             {"function": one.function, "slip": one.slip, "line": one.line, "operator": one.operator}
             for one in found.survivors
         ],
+        "crashing": [
+            {"function": one.function, "slip": one.slip, "line": one.line} for one in found.crashing
+        ],
         "in_vain": [
             {"function": name, "slip": slip, "fault": fault} for (name, slip), fault in found.in_vain.items()
         ],
@@ -197,6 +205,8 @@ def report(found: Fates) -> list[str]:
         lines.append(f"  {check:<48}{first:>6} caught first, {alone} by it alone{needless}")
     for mutant in found.survivors:
         lines += _shown(mutant)
+    for mutant in found.crashing:
+        lines.append(f"  CRASHES A CHECK {mutant.function}: {mutant.slip}")
     for (function, slip), fault in found.in_vain.items():
         lines.append(f"  LISTED IN VAIN {function}: {slip}: {fault}")
     return lines

@@ -28,6 +28,7 @@ from tam570_grader.feedback import Sheet, sheet
 from tam570_grader.nbgrader_cells import Notebook, grade_id, marked, node, note, pictures_only, safe
 from tam570_grader.nbgrader_gradebook import OpenGradebook, keep_gradebooks_open
 from tam570_grader.notebook import FORMAT, part_of, part_points, text_cell
+from tam570_grader.options import cores
 from tam570_grader.run import Plan, records
 from tam570_grader.sandbox import Allowance
 from tam570_grader.submissions import Submission, submissions
@@ -191,7 +192,7 @@ class SandboxGrades(NbGraderPreprocessor):  # type: ignore[misc]
     def _plan(self, place: Any, book: Book, everyone: Sequence[Submission]) -> Plan:
         seed = secrets.randbelow(2**31) if book.seed is None else book.seed
         allowance = Allowance(self.memory * 2**20, self.cpu, self.call)
-        jobs = self.jobs or os.cpu_count() or 1
+        jobs = self.jobs or cores()
         hidden = [self._checkout(), Path(place.root).resolve()]
         return Plan(self._checkout(), everyone, seed, jobs, allowance, hidden)
 

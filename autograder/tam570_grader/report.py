@@ -2,7 +2,6 @@
 
 import base64
 import hashlib
-import json
 import statistics
 from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
@@ -10,7 +9,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from tam570_grader.book import BookError, Record, written
+from tam570_grader.book import Record, read, written
+from tam570_grader.errors import UsageError
 from tam570_grader.feedback import Sheet, sheet, template
 
 __all__ = ["report", "results", "run"]
@@ -49,23 +49,14 @@ def run(folder: Path, course: Path, roster: Path | None, out: Path | None) -> in
 
 def results(folder: Path) -> list[Record]:
     """The newest result of every student and assignment; a last line that is being written is left out."""
-    path = folder / "results.jsonl"
-    try:
-        text = path.read_text(encoding="utf-8")
-    except OSError:
-        raise BookError(
+    if not (folder / "results.jsonl").is_file():
+        raise UsageError(
             f"there are no results in {folder}; make them with: tam570-grader grade ... --out {folder}"
-        ) from None
-    newest: dict[tuple[str, str], Record] = {}
-    try:
-        for line in text[: text.rfind("\n") + 1].splitlines():
-            record = json.loads(line)
-            newest[record["student"], record["assignment"]] = record
-    except (ValueError, TypeError, KeyError):
-        raise BookError(f"{path} holds a line that is no result") from None
-    if not newest:
-        raise BookError(f"{path} is empty; nothing has been graded yet")
-    return [newest[key] for key in sorted(newest)]
+        )
+    records = read(folder)
+    if not records:
+        raise UsageError(f"{folder / 'results.jsonl'} is empty; nothing has been graded yet")
+    return sorted(records, key=lambda record: (record["student"], record["assignment"]))
 
 
 def report(records: Sequence[Record], sheets: Mapping[str, Sheet], roster: Iterable[str] = ()) -> str:
@@ -97,7 +88,7 @@ def _names(roster: Path) -> list[str]:
     try:
         lines = roster.read_text(encoding="utf-8-sig").splitlines()
     except OSError as error:
-        raise BookError(f"cannot read {roster}: {error.strerror}") from None
+        raise UsageError(f"cannot read {roster}: {error.strerror}") from None
     names = [line.split(",")[0].strip().strip('"') for line in lines if line.strip()]
     return names[1:] if names and names[0].lower() in ("student", "name", "id") else names
 

@@ -5,7 +5,7 @@ import hashlib
 import importlib.util
 import re
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from types import ModuleType
@@ -13,13 +13,10 @@ from typing import Any
 
 import tam570
 from tam570_grader.check import Check
+from tam570_grader.errors import UsageError
 from tam570_grader.returns import Promise
 
-__all__ = ["Assignment", "NoCourse", "assignment", "engine_digest", "find", "slug_of", "slugs", "solution"]
-
-
-class NoCourse(Exception):
-    """There is no course here, or no such assignment in it; the message says what to do."""
+__all__ = ["Assignment", "assignment", "engine_digest", "find", "named", "slug_of", "slugs", "solution"]
 
 
 @dataclass(frozen=True)
@@ -49,7 +46,9 @@ def find(given: str | Path | None = None) -> Path:
         if (place / "autograder" / "checks").is_dir() and (place / "solutions").is_dir():
             return place
     where = f"{given} is no course" if given is not None else "there is no course here"
-    raise NoCourse(f"{where}: no autograder/checks and solutions; name a checkout of the course with --root")
+    raise UsageError(
+        f"{where}: no autograder/checks and solutions; name a checkout of the course with --root"
+    )
 
 
 def slugs(root: Path) -> list[str]:
@@ -65,11 +64,18 @@ def slug_of(name: str, known: Sequence[str]) -> str | None:
     return next((slug for slug in known if number and slug.startswith(number[0].lower() + "_")), None)
 
 
+def named(names: Iterable[str], known: Sequence[str]) -> list[str]:
+    """The assignments that these names on the command line stand for; all that are known if there are no names."""
+    found = [(name, slug_of(name, known)) for name in names]
+    if unknown := [name for name, slug in found if slug is None]:
+        raise UsageError(f"there is no assignment {unknown[0]!r}; there are: {', '.join(known)}")
+    return [slug for _, slug in found if slug] or list(known)
+
+
 @functools.cache
 def assignment(root: Path, slug: str) -> Assignment:
     """The assignment's checks and promises, loaded from its checks file."""
-    if slug not in slugs(root):
-        raise NoCourse(f"there is no assignment {slug!r}; there are: {', '.join(slugs(root))}")
+    named([slug], slugs(root))
     path = root / "autograder" / "checks" / f"{slug}.py"
     module = _loaded(path, f"_checks_{slug}")
     checks = tuple(value for value in vars(module).values() if isinstance(value, Check))
@@ -96,7 +102,7 @@ def engine_digest() -> bytes:
 def _loaded(path: Path, name: str) -> ModuleType:
     spec = importlib.util.spec_from_file_location(name, path)
     if spec is None or spec.loader is None:
-        raise NoCourse(f"{path} cannot be loaded")
+        raise UsageError(f"{path} cannot be loaded")
     module = importlib.util.module_from_spec(spec)
     sys.modules[name] = module
     spec.loader.exec_module(module)

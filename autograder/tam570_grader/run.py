@@ -3,6 +3,7 @@
 import hashlib
 import hmac
 import queue
+import sys
 import threading
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
@@ -10,11 +11,10 @@ from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass
 from pathlib import Path
 
-import numpy as np
-
 from tam570_grader import root
 from tam570_grader.book import Book, Record
 from tam570_grader.grade import Result, failed_by_us, graded, not_graded
+from tam570_grader.launch import isolation
 from tam570_grader.preload import imported
 from tam570_grader.root import Assignment
 from tam570_grader.sandbox import Allowance, Worker, WorkerLost
@@ -24,6 +24,7 @@ from tam570_grader.submissions import CannotRead, Submission, read
 
 __all__ = ["Plan", "graded_sources", "records"]
 
+LIBRARIES = "numpy", "scipy", "sympy", "matplotlib"  # that students use
 TRIES = 3  # workers that a submission may see die under it before we give up
 
 
@@ -38,7 +39,6 @@ class Plan:
     allowance: Allowance
     hidden: Sequence[Path] = ()
     speed: bool = False  # measure run time against error too
-    enough: int | None = None  # failed checks after which the rest of a submission's are not run
     key: bytes | None = None  # varies the hidden inputs from student to student; `seed` is then not used
 
     def seed_of(self, submission: Submission) -> int:
@@ -112,14 +112,14 @@ class _Crew:
             for forgiving in (*[True] * (TRIES - 1), False):
                 try:
                     return graded(
-                        submission.student, source, assignment, worker, seed,
-                        self._yardstick, self._plan.enough, forgiving,
+                        submission.student, source, assignment, worker, seed, self._yardstick, forgiving=forgiving
                     )  # fmt: skip
                 except WorkerLost as lost:
                     error = str(lost)
                     if self.ended.is_set():
                         raise
                     worker.close()
+                    self._everyone.remove(worker)
                     worker = self._hired()
             return failed_by_us(submission.student, assignment, error, seed)
         finally:
@@ -172,6 +172,12 @@ def _digest(engine: bytes, plan: Plan, submission: Submission, source: Source | 
 
 
 def _engine_digest(plan: Plan) -> bytes:
-    """Of the limits and of all code but the assignment's."""
-    asked = (plan.allowance, np.__version__, *(("speed",) if plan.speed else ()))
+    """Of the limits, of what keeps submissions apart, and of all code but the assignment's."""
+    asked = (plan.allowance, isolation(), sys.version, _installed(), *(("speed",) if plan.speed else ()))
     return repr(asked).encode() + root.engine_digest()
+
+
+def _installed() -> list[str]:
+    """Names and versions of the libraries that students use, by their folders: importlib.metadata takes longer."""
+    folders = [Path(folder) for folder in sys.path if folder]
+    return sorted(found.name for folder in folders for name in LIBRARIES for found in folder.glob(f"{name}-*.*-info"))

@@ -9,6 +9,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from tam570_grader.errors import UsageError
 from tam570_grader.replies import printable
 from tam570_grader.root import slug_of
 from tam570_grader.student import Source
@@ -20,7 +21,7 @@ LONGEST_NAME = 255  # bytes, of a file
 MOST_NAMES = 10  # of files, in a note on what was found
 
 
-class BadPath(Exception):
+class BadPath(UsageError):
     """A path on the command line that holds no submission; the message says what to do."""
 
 
