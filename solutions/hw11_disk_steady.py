@@ -58,7 +58,7 @@ def rolling_spin(lean, precession, *, mass, radius, inertia, gravity):
     Returns rad/s.
     """
     _, C = inertia
-    return _excess_moment(lean, precession, mass, radius, inertia, gravity) / (C + mass * radius**2)
+    return _spin_angular_momentum(lean, precession, mass, radius, inertia, gravity) / (C + mass * radius**2)
 
 
 def rolling_track_radius(lean, precession, *, mass, radius, inertia, gravity):
@@ -80,7 +80,7 @@ def sliding_spin(lean, precession, *, mass, radius, inertia, gravity):
     Returns rad/s.
     """
     _, C = inertia
-    return _excess_moment(lean, precession, mass, radius, inertia, gravity) / C
+    return _spin_angular_momentum(lean, precession, mass, radius, inertia, gravity) / C
 
 
 def sliding_track_radius(lean, *, radius):
@@ -133,7 +133,7 @@ def moment_residual(lean, precession, spin, inward, normal, *, mass, radius, ine
 
 
 def settling_energy(lean, *, mass, radius, inertia, gravity):
-    """Kinetic and potential energy of the motions that are steady rolling and steady sliding at once.
+    """Kinetic plus potential energy of the motions that are steady rolling and steady sliding at once.
 
     lean : rad
     Returns J; the potential is 0 with G on the ground.
@@ -142,9 +142,11 @@ def settling_energy(lean, *, mass, radius, inertia, gravity):
     return 1.5 * mass * gravity * radius * math.cos(lean)
 
 
-def _excess_moment(lean, precession, mass, radius, inertia, gravity):
-    """Moment of the weight less what A takes to precess, over Omega cos(lean), N m s: left to turn the spin.
+def _spin_angular_momentum(lean, precession, mass, radius, inertia, gravity):
+    """Angular momentum along the axle that steady motion needs, kg m^2/s.
 
+    It is C spin about G when the disk slides, (C + m a^2) spin about the contact when it rolls: either way the moment
+    of the weight, m g a sin(lean), is Omega cos(lean) (this + A Omega sin(lean)).
     Routh, Advanced Rigid Dynamics; O'Reilly, Nonlinear Dynamics 10 (1996) 287.
     """
     A, _ = inertia

@@ -113,7 +113,7 @@ def moment_residual(lean, precession, spin, inward, normal, *, mass, radius, ine
 
 
 def settling_energy(lean, *, mass, radius, inertia, gravity):
-    """Kinetic and potential energy of the motions that are steady rolling and steady sliding at once.
+    """Kinetic plus potential energy of the motions that are steady rolling and steady sliding at once.
 
     lean : rad
     Returns J; the potential is 0 with G on the ground.

@@ -7,10 +7,10 @@ suspect: the spin relative to the turning frame
 
 def rolling_spin(lean, precession, *, mass, radius, inertia, gravity):
     A, C = inertia
-    excess = _excess_moment(lean, precession, mass, radius, inertia, gravity)
+    excess = _spin_angular_momentum(lean, precession, mass, radius, inertia, gravity)
     return excess / (C + mass * radius**2) + precession * math.sin(lean)
 
 
 def sliding_spin(lean, precession, *, mass, radius, inertia, gravity):
     A, C = inertia
-    return _excess_moment(lean, precession, mass, radius, inertia, gravity) / C + precession * math.sin(lean)
+    return _spin_angular_momentum(lean, precession, mass, radius, inertia, gravity) / C + precession * math.sin(lean)
