@@ -28,11 +28,11 @@ __all__ = [
 def state_derivative(t, state, *, mass, drag, gravity):
     """Rate of change of the state: what solve and solve_ivp integrate.
 
-    t       : s; the rates do not depend on it
+    t       : s, not used
     state   : (4,) x, y, vx, vy; m and m/s
     mass    : kg
-    drag    : c in the force -c v, kg/s, zero or more
-    gravity : m/s^2, zero or more
+    drag    : c in the force -c v, kg/s, may be 0
+    gravity : m/s^2, may be 0
     Returns (4,) vx, vy, ax, ay.
     """
     _, _, vx, vy = state
@@ -42,7 +42,7 @@ def state_derivative(t, state, *, mass, drag, gravity):
 def simulate(t, speed, angle, *, mass, drag, gravity):
     """The motion by numerical integration, launched at t[0].
 
-    t     : (n,) increasing times, s
+    t     : (n,) s, strictly increasing, n >= 2; its sampling does not change the motion
     speed : of the launch, m/s
     angle : of the launch above the horizontal, rad
     mass, drag, gravity : kg, kg/s, m/s^2
@@ -55,9 +55,9 @@ def simulate(t, speed, angle, *, mass, drag, gravity):
 def trajectory(t, speed, angle, *, mass, drag, gravity):
     """The motion in closed form, launched at t = 0.
 
-    Good to all digits for any drag, none included: no difference of nearly equal numbers may be left in it.
+    Good to all digits for any drag, zero included: no difference of nearly equal numbers may be left in it.
 
-    t     : (n,) times, s
+    t     : (n,) s
     speed : of the launch, m/s
     angle : of the launch above the horizontal, rad
     mass, drag, gravity : kg, kg/s, m/s^2
@@ -121,8 +121,8 @@ def limit_shape(angle):
 def plot_comparison(ax, t, speed, angle, *, mass, drag, gravity):
     """Draw the numerical and the closed-form path, from t[0] to t[-1], at the same scale.
 
-    ax    : matplotlib Axes to draw on; one line for each path, labelled
-    t     : (n,) increasing times, s, the launch at t[0]
+    ax    : Matplotlib Axes to draw on; one line for each path, labelled
+    t     : (n,) s, strictly increasing, the launch at t[0]
     speed : of the launch, m/s
     angle : of the launch above the horizontal, rad
     mass, drag, gravity : kg, kg/s, m/s^2

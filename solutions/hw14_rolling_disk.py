@@ -36,6 +36,7 @@ __all__ = [
 def euler_state_derivative(t, state, *, mass, radius, inertia, gravity):
     """Rates of the Euler state: Euler angles, momentum balances in the frame e1, e2, e3.
 
+    t     : s, not used
     state : (8,) Euler state
     Returns (8,).
     """
@@ -66,6 +67,7 @@ def euler_state_derivative(t, state, *, mass, radius, inertia, gravity):
 def matrix_state_derivative(t, state, *, mass, radius, inertia, gravity):
     """Rates of the matrix state: no angles, momentum balances in space axes with the rolling constraint.
 
+    t     : s, not used
     state : (15,) matrix state that satisfies the constraints
     Returns (15,).
     """
@@ -106,6 +108,7 @@ def matrix_state_derivative(t, state, *, mass, radius, inertia, gravity):
 def multiplier_state_derivative(t, state, *, mass, radius, inertia, gravity):
     """Rates of the matrix state: a free body, the contact force as Lagrange multipliers of the constraint.
 
+    t     : s, not used
     state : (15,) matrix state that satisfies the constraints
     Returns (15,).
     """
@@ -144,7 +147,7 @@ def matrix_state(state, *, radius):
 def simulate_euler(t, state, *, mass, radius, inertia, gravity):
     """Euler states of the rolling disk at the times `t`; row 0 is the given state.
 
-    t     : (n,) s
+    t     : (n,) s, strictly increasing, n >= 2; its sampling does not change the motion
     state : (8,) Euler state at t[0]
     Returns (n, 8).
     """
@@ -154,7 +157,7 @@ def simulate_euler(t, state, *, mass, radius, inertia, gravity):
 def simulate_matrix(t, state, *, mass, radius, inertia, gravity):
     """Matrix states of the rolling disk at the times `t`; row 0 is the given state.
 
-    t     : (n,) s
+    t     : (n,) s, strictly increasing, n >= 2; its sampling does not change the motion
     state : (15,) matrix state at t[0]
     Returns (n, 15).
     """
@@ -162,7 +165,7 @@ def simulate_matrix(t, state, *, mass, radius, inertia, gravity):
 
 
 def energy(state, *, mass, radius, inertia, gravity):
-    """Kinetic and potential energy of the rolling disk.
+    """Kinetic plus potential energy of the rolling disk.
 
     state : (8,) Euler state
     Returns J; the potential is 0 with the centre on the ground.

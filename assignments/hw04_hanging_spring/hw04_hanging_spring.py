@@ -12,7 +12,7 @@ __all__ = ["energy", "orbit", "plot_projection", "project", "simulate", "solutio
 def state_derivative(t, state, *, mass, stiffness, gravity):
     """Rates of the state.
 
-    t         : s, does not matter
+    t         : s, not used
     state     : (6,) position in m, velocity in m/s
     mass      : kg
     stiffness : N/m, > 0
@@ -51,7 +51,7 @@ def solution(t, position, velocity, *, mass, stiffness, gravity):
 
 
 def energy(state, *, mass, stiffness, gravity):
-    """Kinetic energy plus that of the spring plus that of the weight.
+    """Kinetic plus potential energy, of the spring and of the weight.
 
     state     : (6,) position in m, velocity in m/s
     mass      : kg
@@ -90,7 +90,7 @@ def project(points, azimuth, elevation):
 def plot_projection(ax, t, position, velocity, azimuth, elevation, *, mass, stiffness, gravity):
     """Draw the simulated path, projected, as one line.
 
-    ax        : matplotlib Axes to draw on
+    ax        : Matplotlib Axes to draw on
     t         : (n,) s, strictly increasing
     position  : (3,) m, at t[0]
     velocity  : (3,) m/s, at t[0]

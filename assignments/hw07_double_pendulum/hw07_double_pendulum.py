@@ -55,7 +55,7 @@ def gravity_terms(theta, *, masses, lengths, gravity):
     theta   : (2,) rad
     masses  : (2,) kg
     lengths : (2,) m
-    gravity : m/s^2, zero or more
+    gravity : m/s^2, may be 0
     Returns (2,), N m.
     """
     raise NotImplementedError
@@ -68,7 +68,7 @@ def angular_acceleration(theta, omega, *, masses, lengths, gravity):
     omega   : (2,) rad/s
     masses  : (2,) kg; one may be as good as massless
     lengths : (2,) m
-    gravity : m/s^2, zero or more
+    gravity : m/s^2, may be 0
     Returns (2,), rad/s^2.
     """
     raise NotImplementedError
@@ -81,7 +81,7 @@ def on_the_fly(theta, omega, *, masses, lengths, gravity):
     omega   : (2,) rad/s
     masses  : (2,) kg
     lengths : (2,) m
-    gravity : m/s^2, zero or more
+    gravity : m/s^2, may be 0
     Returns (alpha, hinge_forces): alpha (2,) rad/s^2; hinge_forces (2, 2) N, rows: of the ceiling on
     bar 1, of bar 1 on bar 2; columns: x, y.
     """
@@ -89,13 +89,13 @@ def on_the_fly(theta, omega, *, masses, lengths, gravity):
 
 
 def energy(theta, omega, *, masses, lengths, gravity):
-    """Kinetic and potential energy, the latter zero at the height of the ceiling.
+    """Kinetic plus potential energy; the potential is 0 at the height of the ceiling.
 
     theta   : (2,) rad
     omega   : (2,) rad/s
     masses  : (2,) kg
     lengths : (2,) m
-    gravity : m/s^2, zero or more
+    gravity : m/s^2, may be 0
     Returns J.
     """
     raise NotImplementedError
@@ -116,12 +116,12 @@ def angular_momentum(theta, omega, *, masses, lengths):
 def simulate(t, theta, omega, *, masses, lengths, gravity):
     """The motion from the state theta, omega at t[0].
 
-    t       : (n,) increasing times, s
+    t       : (n,) s, strictly increasing, n >= 2; its sampling does not change the motion
     theta   : (2,) rad
     omega   : (2,) rad/s
     masses  : (2,) kg
     lengths : (2,) m
-    gravity : m/s^2, zero or more
+    gravity : m/s^2, may be 0
     Returns (n, 4): th1, th2, om1, om2 at t; the angles are not wrapped.
     """
     raise NotImplementedError
@@ -132,7 +132,7 @@ def small_oscillation_frequencies(*, masses, lengths, gravity):
 
     masses  : (2,) kg; one may be as good as massless
     lengths : (2,) m
-    gravity : m/s^2, zero or more
+    gravity : m/s^2, may be 0
     Returns (2,) rad/s, ascending.
     """
     raise NotImplementedError
@@ -151,12 +151,12 @@ def wireframe(theta, *, lengths):
 def plot_tip_path(ax, t, theta, omega, *, masses, lengths, gravity):
     """Draw the path of the tip of bar 2 from t[0] to t[-1], at equal scales.
 
-    ax      : matplotlib Axes to draw on; one line
-    t       : (n,) increasing times, s, dense enough for a smooth line
+    ax      : Matplotlib Axes to draw on; one line
+    t       : (n,) s, strictly increasing, dense enough for a smooth line
     theta   : (2,) rad, at t[0]
     omega   : (2,) rad/s, at t[0]
     masses  : (2,) kg
     lengths : (2,) m
-    gravity : m/s^2, zero or more
+    gravity : m/s^2, may be 0
     """
     raise NotImplementedError
