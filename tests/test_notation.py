@@ -1,0 +1,60 @@
+"""NOTATION.md explains every parameter that a student meets, in every meaning that it has."""
+
+import ast
+import re
+from functools import cache
+
+import pytest
+
+from tam570_grader import root
+
+COURSE = root.find()
+NOTATION = (COURSE / "NOTATION.md").read_text()
+ROW = re.compile(r"^\|[^|]*\|(?P<names>[^|]*`[^|]*)\|[^|]*\|(?P<meaning>[^|]*)\|$", re.MULTILINE)
+
+
+def explained(notation):
+    """(name, assignments that the row is for, none for all) of every name of every row."""
+    for row in ROW.finditer(notation):
+        for name in re.findall(r"`(\w+)`", row["names"]):
+            yield name, re.findall(r"hw\d\d", row["meaning"])
+
+
+@cache
+def parameters(slug):
+    """The parameters of the functions that students write."""
+    body = ast.parse((COURSE / "solutions" / f"{slug}.py").read_text()).body
+    written = next(
+        ast.literal_eval(one.value)
+        for one in body
+        if isinstance(one, ast.Assign) and ast.unparse(one.targets[0]) == "__all__"
+    )
+    functions = [one for one in body if isinstance(one, ast.FunctionDef) and one.name in written]
+    return {given.arg for one in functions for given in (*one.args.args, *one.args.kwonlyargs)}
+
+
+def unexplained(notation, slug):
+    """The parameters of an assignment that no row explains."""
+    known = {name for name, slugs in explained(notation) if not slugs or slug[:4] in slugs}
+    return parameters(slug) - known
+
+
+def test_every_parameter_is_explained(slug):
+    assert not unexplained(NOTATION, slug), (
+        "add a row to NOTATION.md, or the assignment to that of its meaning"
+    )
+
+
+RESULTS = {
+    "angular_momentum",
+    "kinetic",
+    "lagrangian",
+    "yaw",
+}  # the rows that explain no parameter, by a name
+
+
+@pytest.mark.parametrize("row", list(ROW.finditer(NOTATION)), ids=lambda row: row["names"].strip(" `"))
+def test_a_row_that_is_left_out_is_missed(row):
+    without = NOTATION.replace(row[0] + "\n", "")
+    missed = any(unexplained(without, slug) for slug in root.slugs(COURSE))
+    assert missed == (not RESULTS & set(re.findall(r"`(\w+)`", row["names"])))
