@@ -181,7 +181,7 @@ def test_the_untouched_stub_scores_nothing(slug, grade, course):
 def test_an_endless_loop_scores_nothing(slug, grade, course):
     names = root.assignment(course, slug).results
     text = "\n".join(f"def {name}(*args, **kwargs):\n    while True: pass" for name in names)
-    result = grade(slug, text, allowance=Allowance(cpu=2, call=1))
+    result = grade(slug, text, allowance=Allowance(cpu=1, call=0.5))
     assert (result.status, result.score) == ("timeout", 0)
 
 

@@ -19,6 +19,7 @@ from tam570_grader import (
     once,
     rows,
     suspect,
+    uneven,
 )
 
 RESULTS = {
@@ -608,12 +609,6 @@ def action_is_the_integral(student, draw):
                kind=kind, at=call, hint="halve the step: the error must fall to a quarter")  # fmt: skip
 
 
-def times(draw, span, rows):
-    """Uneven times over a span; they start anywhere but at zero."""
-    steps = np.concatenate([[0.0], np.cumsum(draw.uniform(0.2, 1.8, rows - 1))])
-    return draw.uniform(0.3, 0.6) * span * draw.choice([-1, 1]) + span * steps / steps[-1]
-
-
 def harmonic(t, theta0, omega0, frequency):
     """The linear oscillation by a complex exponential."""
     z = (theta0 - 1j * omega0 / frequency) * np.exp(1j * frequency * t)
@@ -656,7 +651,7 @@ def small_angle_solution_is_harmonic(student, draw):
     """small_angle_solution: theta and omega of theta'' + (g/l) theta = 0, the given state being that at t = 0."""
     (theta0, omega0), pendulum, k = swing(draw)
     pendulum.pop("mass")
-    t = times(draw, 20 / k, 50)
+    t = uneven(draw, 20 / k, 50)
     starts = {
         "times that do not start at zero": (t, theta0, omega0),
         "two times, the first of them zero": (t[:2] - t[0], theta0, omega0),
@@ -676,7 +671,7 @@ def small_angle_solution_is_harmonic(student, draw):
 def small_angle_solution_without_gravity(student, draw):
     """small_angle_solution: without gravity the pendulum turns uniformly."""
     theta0, omega0, length = draw.uniform(0.5, 1), draw.uniform(-2, -1), draw.uniform(1, 3)
-    t = times(draw, 5.0, 20)
+    t = uneven(draw, 5.0, 20)
     starts = {"": (theta0, omega0), ", let go at rest": (theta0, 0.0), ", from the bottom": (0.0, omega0)}
     calls = [
         given(t, *start, length=length, gravity=0.0).on(f"gravity 0{kind}") for kind, start in starts.items()
@@ -839,7 +834,7 @@ def energy_along(states, rod):
 def simulate_swings(student, draw):
     """simulate: large swings, row i at t[i], row 0 the given state."""
     start, pendulum, k = swing(draw)
-    judge_motion(student, times(draw, 15 / k, 1000), start, pendulum, "a large swing, t[0] not 0",
+    judge_motion(student, uneven(draw, 15 / k, 1000), start, pendulum, "a large swing, t[0] not 0",
                  RATES)  # fmt: skip
 
 
@@ -847,14 +842,14 @@ def simulate_swings(student, draw):
 def simulate_needs_no_dense_times(student, draw):
     """simulate: the same motion when only a few times are asked for."""
     start, pendulum, k = swing(draw)
-    judge_motion(student, times(draw, 15 / k, 4), start, pendulum, "few times, far apart",
+    judge_motion(student, uneven(draw, 15 / k, 4), start, pendulum, "few times, far apart",
                  "the steps of the integration are not those of t")  # fmt: skip
     for (angle, rate), kind in plain_starts(start):
-        t = times(draw, 5 / k, 2)
+        t = uneven(draw, 5 / k, 2)
         judge_motion(student, t, (angle, rate), pendulum, f"two times, {kind}", "row 0 is the start")
-    judge_equilibria(student, times(draw, 5 / k, 2), [0.0], pendulum)
+    judge_equilibria(student, uneven(draw, 5 / k, 2), [0.0], pendulum)
     start, pendulum, k = quick(draw)
-    judge_motion(student, times(draw, 8 / k, 3), start, pendulum, "three times, a rod of few centimetres",
+    judge_motion(student, uneven(draw, 8 / k, 3), start, pendulum, "three times, a rod of few centimetres",
                  "a step of fixed length does not do for every pendulum")  # fmt: skip
 
 
@@ -884,16 +879,16 @@ def judge_equilibria(student, t, angles, pendulum):
 def simulate_turns_over_the_top(student, draw):
     """simulate: a pendulum that turns round and round; theta goes on growing."""
     start, pendulum, k = turning(draw)
-    judge_motion(student, times(draw, 15 / k, 100), start, pendulum, "a pendulum that goes over the top",
+    judge_motion(student, uneven(draw, 15 / k, 100), start, pendulum, "a pendulum that goes over the top",
                  "is alpha right at every angle, and the tolerance tight?")  # fmt: skip
-    judge_equilibria(student, times(draw, 5 / k, 2), [math.pi, -math.pi], pendulum)
+    judge_equilibria(student, uneven(draw, 5 / k, 2), [math.pi, -math.pi], pendulum)
 
 
 @check(points=0.25, part="a", after=simulate_swings)
 def simulate_without_gravity(student, draw):
     """simulate: without gravity it turns uniformly."""
     start, pendulum = (draw.uniform(0.5, 1), draw.uniform(-0.4, -0.3)), parameters(draw, gravity=0.0)
-    t = times(draw, 8.0, 30)
+    t = uneven(draw, 8.0, 30)
     judge_motion(student, t, start, pendulum, "gravity 0", "is anything divided by gravity?")
     judge_equilibria(student, t[:2], [0.0, 1.0, -1.0], pendulum)
 
@@ -902,7 +897,7 @@ def simulate_without_gravity(student, draw):
 def simulate_keeps_the_energy(student, draw):
     """simulate: the energy stays what it was over many periods."""
     start, pendulum, k = swing(draw)
-    t = times(draw, 180 / k, 300)
+    t = uneven(draw, 180 / k, 300)
     rod = {name: pendulum[name] for name in ("length", "gravity")}
     energy = energy_along(student.on("many periods").simulate(t, *start, **rod), rod)
     expect(energy, np.ones(len(t)), within=ENERGY, of="the energy", unit="of itself",

@@ -22,8 +22,9 @@ from tam570_grader import (
     once,
     rows,
     suspect,
+    uneven,
 )
-from tam570_grader.curves import along, readable
+from tam570_grader.curves import along
 
 RESULTS = {
     "state_derivative": array(4),
@@ -163,12 +164,6 @@ def parameters(draw, **fixed):
 
 def launch(draw):
     return 10 ** draw.uniform(0.5, 2), draw.uniform(0.15, 1.4)
-
-
-def uneven(draw, span, n, start):
-    """n times of uneven spacing from `start` on."""
-    steps = np.concatenate([[0.0], np.cumsum(draw.uniform(0.2, 1.8, n - 1))])
-    return start + span * steps / steps[-1]
 
 
 @check(points=0.75, part="a", suspects=RATES_SUSPECTS)
@@ -739,7 +734,7 @@ def both_paths_are_drawn(student, draw):
     t = np.linspace(
         0.0, max(2.5 * known["mass"] / known["drag"], 1.2 * landing(speed, angle, **known)[0]), 200
     )
-    picture = readable(student.plot_comparison.draw(t, speed, angle, **known))
+    picture = student.plot_comparison.draw(t, speed, angle, **known)
     expect_that(len(picture.lines) == 2, f"there are {len(picture.lines)} curves on the axes, not two",
                 hint="fewer than ten points are no curve")  # fmt: skip
     fine = right(np.linspace(0.0, t[-1], FINE), speed, angle, **known)[:, :2]

@@ -14,7 +14,6 @@ RESULTS = {
     "special_motion": group(array(None, 3), array(None, 3)),
 }
 NEEDS = ("numpy",)
-OFF_LIMITS: dict[str, tuple[str, ...]] = {}
 MANUAL = {
     "a": (2, "in words: which definitions have rate = moment in general, which in special cases, and why"),
 }

@@ -22,8 +22,9 @@ from tam570_grader import (
     once,
     rows,
     suspect,
+    uneven,
 )
-from tam570_grader.curves import along, readable
+from tam570_grader.curves import along
 
 RESULTS = {
     "state_derivative": array(6),
@@ -35,7 +36,6 @@ RESULTS = {
     "plot_projection": drawing,
 }
 NEEDS = ("numpy", "matplotlib.figure")
-OFF_LIMITS: dict[str, tuple[str, ...]] = {}
 MANUAL = {
     "b": (2, "the wildest motion found, with its plot"),
     "c": (2, "why nothing wild can happen"),
@@ -291,12 +291,6 @@ TIME_SUSPECTS = mistimed(
 )
 
 
-def times(draw, span, number, first=0.0):
-    """Uneven times over a span."""
-    steps = np.append(0.0, np.cumsum(draw.uniform(0.2, 1.8, number - 1)))
-    return first + span * steps / steps[-1]
-
-
 @once
 def timed(draw, number, periods, shifted, without):
     """For random starts: uneven times, the states there, and the case; shifted times do not start at zero."""
@@ -304,7 +298,7 @@ def timed(draw, number, periods, shifted, without):
     for r, v, known in cases(draw, number, without):
         period = 2 * math.pi / rate_of(**known)
         first = draw.uniform(0.2, 0.9) * period * draw.choice([-1, 1]) if shifted else 0.0
-        t = times(draw, periods * period, 12, first)
+        t = uneven(draw, periods * period, 12, first)
         found.append((t, motion(t - first, r, v, **known), (r, v, known)))
     return found
 
@@ -406,7 +400,7 @@ def simulate_does_not_depend_on_the_sampling(student, draw):
 def energy_stays(student, draw):
     """simulate: the energy after ten periods is that of the start."""
     ((r, v, known),) = cases(draw, 1, 0)
-    t = times(draw, 20 * math.pi / rate_of(**known), 60, 1.0)
+    t = uneven(draw, 20 * math.pi / rate_of(**known), 60, 1.0)
     energies = energy_along(student.simulate(t, r, v, **known), known)
     expect(energies, 1.0, within=ENERGY, of="the energy", unit="of its start", t=t, at=(r, v, known),
            kind="ten periods, t[0] not 0", hint="ask the integrator for a smaller error",
@@ -601,7 +595,7 @@ def the_path_is_drawn(student, draw):
     ((r, v, known),) = cases(draw, 1, 0)
     azimuth, elevation = draw.uniform(-3, 3), draw.uniform(0.3, 1.2)
     t = np.linspace(0.0, 0.6 * 2 * math.pi / rate_of(**known), 150)
-    picture = readable(student.plot_projection.draw(t, r, v, azimuth, elevation, **known))
+    picture = student.plot_projection.draw(t, r, v, azimuth, elevation, **known)
     expect_that(len(picture.lines) == 1, f"there are {len(picture.lines)} curves on the axes, not one",
                 hint="fewer than ten points are no curve")  # fmt: skip
     places = motion(np.linspace(t[0], t[-1], 400), r, v, **known)[:, :3]

@@ -20,6 +20,7 @@ from tam570_grader import (
     once,
     rows,
     suspect,
+    uneven,
 )
 
 RESULTS = {
@@ -31,7 +32,6 @@ RESULTS = {
     "wireframe": array(1, 2, 2),
 }
 NEEDS = ("numpy",)
-OFF_LIMITS: dict[str, tuple[str, ...]] = {}
 
 KNOWN = 1e-6  # to tell one mistake from another
 NEARLY = 1e-2  # of its size: what is off by less is integrated badly, what is off by more is wrong, to choose the words
@@ -356,10 +356,9 @@ def exact(t, theta, omega, *, mass, length, gravity):
     return on_circle(2 * phase, 2 * spin * dn, length)
 
 
-def uneven(draw, span, count, signs=(-1, 1)):
+def beside_zero(draw, span, count, signs=(-1, 1)):
     """Uneven times over a span that do not start at zero, but before it or after."""
-    steps = np.append(0.0, np.cumsum(draw.uniform(0.2, 1.8, count - 1)))
-    return span * (draw.uniform(0.2, 0.8) * draw.choice(signs) + steps / steps[-1])
+    return uneven(draw, span, count, 0.0) + span * draw.uniform(0.2, 0.8) * draw.choice(signs)
 
 
 def start(draw, kind, known):
@@ -381,7 +380,7 @@ def timed(draw, kind, turns, count, signs=(-1, 1)):
     """Uneven times, the right states, and the parameters of a random motion of this kind."""
     known = parameters(draw, gravity=0.0 if kind == "no gravity" else None)
     theta, omega, turn = start(draw, kind, known)
-    t = uneven(draw, turns * turn, count, signs)
+    t = beside_zero(draw, turns * turn, count, signs)
     return t, exact(t - t[0], theta, omega, **known), known
 
 
@@ -557,7 +556,7 @@ def plain_motions(draw, weight):
         for count, sign in ((2, side), (3, -side)):
             known = {**parameters(draw), **fixed}
             k = math.sqrt(known["gravity"] / known["length"])
-            t = uneven(draw, draw.uniform(2, 5) / (k or 1.0), count)
+            t = beside_zero(draw, draw.uniform(2, 5) / (k or 1.0), count)
             states = exact(t - t[0], theta * sign, pace * (k or 1.0) * sign, **known)
             states[0][np.abs(states[0]) < 1e-15 * np.abs(states[0]).max()] = 0.0  # sin pi and cos pi/2
             states[0][2:] *= pace != 0.0

@@ -9,7 +9,19 @@ from functools import partial
 import numpy as np
 
 from tam570.integrate import solve
-from tam570_grader import array, check, expect, expect_that, given, mistimed, number, once, rows, suspect
+from tam570_grader import (
+    array,
+    check,
+    expect,
+    expect_that,
+    given,
+    mistimed,
+    number,
+    once,
+    rows,
+    suspect,
+    uneven,
+)
 
 RESULTS = {
     "axle_load": number,
@@ -22,7 +34,6 @@ RESULTS = {
     "small_yaw_rate": number,
 }
 NEEDS = ("numpy",)
-OFF_LIMITS = {}
 MANUAL = {"c": (2, "the definition of steering stability, with plots that answer the question by it")}
 
 FORMULA = 1e-9  # of the largest term: roundings make 1e-15, solving for the side force 1e-13; wrong terms .1
@@ -620,9 +631,8 @@ def stopped(start, locked, car):
         speed = sliding(s[:5], locked, car)
         return *(speed * rate for rate in derivative(s[:5], locked, **car)), speed
 
-    decays = (
-        12 * car["mass"] / (car["friction"] * load(locked, **parts(car, *LOAD)))
-    )  # to exp(-12) of the speed
+    # to exp(-12) of the speed
+    decays = 12 * car["mass"] / (car["friction"] * load(locked, **parts(car, *LOAD)))
     *state, time = solve(slowed, [0.0, decays], [*start, 0.0], rtol=1e-7, method="python")[-1]
     return time, np.array(state)
 
@@ -680,12 +690,6 @@ SIMULATE_SUSPECTS = [
 VELOCITY_SUSPECTS = [simulate_suspect(says, wrong) for says, wrong in WRONG_VELOCITIES.items()]
 
 
-def times(draw, span, count):
-    """Uneven times over a span; they start anywhere but at zero."""
-    steps = np.concatenate([[0.0], np.cumsum(draw.uniform(0.2, 1.8, count - 1))])
-    return span * (draw.uniform(0.3, 0.6) * draw.choice([-1, 1]) + steps / steps[-1])
-
-
 def scales(start, car):
     v = abs(start[3]) + abs(start[4]) * wheelbase(car)
     far = v * v / max(car["friction"] * car["gravity"], 0.1)
@@ -703,7 +707,7 @@ def braking(draw, count):
     ):
         c = car(draw)  # ahead of the free axle the locked one swings it round, and so backwards
         start = state(draw, c, sign * quick(draw), turning_a_little(draw))
-        t = times(draw, share * stopped(start, locked, c)[0], count)
+        t = uneven(draw, share * stopped(start, locked, c)[0], count)
         expected = moved(t, start, locked, **c)
         cases.append(
             (given(t, start, locked, **c), expected, scales(start, c), f"a locked {locked} axle{kind}")
@@ -811,7 +815,7 @@ def plain_runs(draw, slowed):
             start = state(draw, c, speed(draw), yaw(draw))
             start[:3] *= draw.integers(0, 2)  # from the origin along x, or from anywhere
             v = abs(start[3]) + abs(start[4]) * wheelbase(c)
-            t = times(draw, 0.3 * stopped(start, locked, c)[0] if slowed else wheelbase(c) / v, 2)
+            t = uneven(draw, 0.3 * stopped(start, locked, c)[0] if slowed else wheelbase(c) / v, 2)
             expected = moved(t, start, locked, **c)
             cases.append(
                 (given(t, start, locked, **c), expected, scales(start, c), f"{kind}, a locked {locked} axle")
@@ -826,7 +830,7 @@ def nearly_straight(draw):
     start = state(draw, c, draw.uniform(1.5, 1.8), 0.0)
     start[4] = draw.choice([-1, 1]) * draw.uniform(2e-4, 3e-4)
     # friction slows it by less than friction * gravity, so it does not stop before
-    t = times(draw, 0.7 * start[3] / (c["friction"] * c["gravity"]), 2)
+    t = uneven(draw, 0.7 * start[3] / (c["friction"] * c["gravity"]), 2)
     kind = "a small yaw rate, a locked rear axle"
     return [(given(t, start, "rear", **c), moved(t, start, "rear", **c), scales(start, c), kind)]
 
@@ -856,7 +860,7 @@ def simulate_glides_without_friction(student, draw):
     ):
         c = car(draw, **fixed)
         start = state(draw, c, speed(draw), signed(draw, 0.1, 0.3))
-        t = times(draw, 8 * wheelbase(c) / abs(start[3]), 60)
+        t = uneven(draw, 8 * wheelbase(c) / abs(start[3]), 60)
         expected, scale = np.zeros((60, 5)), scales(start, c)
         scale[:2] = np.inf  # the place is judged where it brakes
         expected[:, 2:] = sleigh(t - t[0], start, locked, **parts(c, *BODY))
@@ -877,7 +881,7 @@ def slow_glides(draw):
         start = state(draw, c, 0.0, 0.0)
         start[3] = sign * draw.uniform(3e-3, 6e-3)
         start[4] = 0.5 * start[3] / wheelbase(c)
-        t = times(draw, draw.uniform(10, 20), 4)
+        t = uneven(draw, draw.uniform(10, 20), 4)
         far = (t[-1] - t[0]) * abs(start[3])
         scale = np.array([far, far, far / wheelbase(c), start[3], start[3] / wheelbase(c)])
         kind = f"a slow car, {min(fixed)} 0, a locked {locked} axle"
@@ -910,7 +914,7 @@ def stops(draw):
         start = state(draw, c, draw.uniform(*speed), signed(draw, *yaw))
         c["friction"] *= slippery
         latest, end = stopped(start, locked, c)
-        t = times(draw, latest * (draw.uniform(1.8, 2.5) if count > 2 else 1.12), count)
+        t = uneven(draw, latest * (draw.uniform(1.8, 2.5) if count > 2 else 1.12), count)
         after = t - t[0] > (1.3 if count > 2 else 1.1) * latest
         cases.append((given(t, start, locked, **c), end[:3], after, scales(start, c), kind))
     return cases
@@ -918,7 +922,7 @@ def stops(draw):
 
 def judge_start_at_rest(student, draw):
     c = car(draw)
-    t, start = times(draw, 3.0, 10), state(draw, c, 0.0, 0.0)
+    t, start = uneven(draw, 3.0, 10), state(draw, c, 0.0, 0.0)
     for locked in ("front", "rear"):
         kind = of_kind("a car at rest from the start", locked)
         states = student.on(kind).simulate(t, start, locked, **c)

@@ -25,9 +25,10 @@ from tam570_grader import (
     once,
     rows,
     suspect,
+    uneven,
     words,
 )
-from tam570_grader.curves import along, readable
+from tam570_grader.curves import along
 
 RESULTS = {
     "mass_matrix": array(2, 2),
@@ -43,7 +44,6 @@ RESULTS = {
     "plot_tip_path": drawing,
 }
 NEEDS = ("numpy", "matplotlib.figure")
-OFF_LIMITS = {}
 MANUAL = {"c": (2, "the special cases checked, and what they showed")}
 
 POINTWISE = 1e-8  # a few roundings make 1e-15, derivatives of energies by central differences 1e-9
@@ -51,12 +51,10 @@ POINTWISE = 1e-8  # a few roundings make 1e-15, derivatives of energies by centr
 # or a pseudoinverse (the largest of 5000 draws); by the Schur complement of the constraints to 2e-6.
 MASSLESS = 5e-5
 FREQUENCY = 1e-6  # an eigenvalue of a matrix that is not symmetric, next to another: 1e-9
-FOLLOWED = (
-    1e-4  # RK45, DOP853 and LSODA at rtol 1e-9, atol 1e-9 are off by 1e-5 at most, sensitive starts included
-)
-ENERGY = (
-    1e-5  # of m g l; the same solvers lose 5e-8 of it in ten seconds, a symplectic method of fixed steps 1e-6
-)
+# RK45, DOP853 and LSODA at rtol 1e-9, atol 1e-9 are off by 1e-5 at most, sensitive starts included
+FOLLOWED = 1e-4
+# of m g l; the same solvers lose 5e-8 of it in ten seconds, a symplectic method of fixed steps 1e-6
+ENERGY = 1e-5
 NEARLY = 1e-3  # of the largest number, to say what a wrong motion is
 DRAWN = 1e-3  # of the length; the path between 400 points bends by 2e-4 of it
 
@@ -711,12 +709,6 @@ def angular_momentum_is_about_the_ceiling(student, draw):
 # Motion
 
 
-def uneven(draw, span, n, start):
-    """n times of uneven spacing from `start` on."""
-    steps = np.concatenate([[0.0], np.cumsum(draw.uniform(0.2, 1.8, n - 1))])
-    return start + span * steps / steps[-1]
-
-
 def since(start):
     return "times from zero on" if start == 0 else f"times from {'below' if start < 0 else 'above'} zero on"
 
@@ -964,7 +956,7 @@ def arc_length(path):
 def tip_path_is_drawn(student, draw):
     """plot_tip_path draws the tip's path from t[0] to t[-1], at equal scales."""
     call, elbows, tips = tip_path(draw)
-    picture = readable(student.plot_tip_path.draw(*call.args, **call.kwargs))
+    picture = student.plot_tip_path.draw(*call.args, **call.kwargs)
     expect_that(len(picture.lines) == 1, f"there are {len(picture.lines)} curves on the axes, not one",
                 hint="fewer than ten points are no curve")  # fmt: skip
     scale, curve = np.sum(call.kwargs["lengths"]), along(picture.lines[0], tips)

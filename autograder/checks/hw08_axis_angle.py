@@ -15,13 +15,11 @@ NEEDS = ("numpy",)
 OFF_LIMITS = {"*": ("scipy.spatial.transform", "tam570.rotations")}
 
 NEARLY = 1e-5  # of a result; single precision, or a pi of few digits, loses less
-POINTWISE = (
-    1e-12  # a few roundings of numbers of size 1 make 1e-15; quaternions and products of matrices, 1e-14
-)
+# a few roundings of numbers of size 1 make 1e-15; quaternions and products of matrices, 1e-14
+POINTWISE = 1e-12
 TINY = 1e-14  # the rounding of the cosine; an angle of 1e-12 taken for 0 is off by 1e-12, cos 3e-6 for 1 by 4e-12
-HUGE_ANGLE = (
-    5e-8  # 1e6 rad, reduced modulo 2 pi by hand, is off by 2e-10; R^T R of a matrix exponential by 2e-8
-)
+# 1e6 rad, reduced modulo 2 pi by hand, is off by 2e-10; R^T R of a matrix exponential by 2e-8
+HUGE_ANGLE = 5e-8
 
 
 def turned(axis, angle):
@@ -288,9 +286,8 @@ def length_kind(length):
 def matrix_depends_on_the_direction_alone(student, draw):
     """Axes of length 1e-100 or 1e100 give the same matrix as the unit axis."""
     n, angle = draw.normal(size=3), draw.uniform(0.5, 3)
-    lengths = 10.0 ** draw.uniform(
-        (-100, -50, 0, 50), (-50, 0, 50, 100)
-    )  # beyond 1e150 the square of a length overflows
+    # beyond 1e150 the square of a length overflows
+    lengths = 10.0 ** draw.uniform((-100, -50, 0, 50), (-50, 0, 50, 100))
     calls = [given(length * n, angle).on(length_kind(length)) for length in lengths]
     for length, R, call in zip(lengths, student.rotation_matrix.many(calls), calls, strict=True):
         expect(R, turned(n, angle), within=POINTWISE, of="the matrix", at=(n, angle, length), kind=call.kind)

@@ -478,9 +478,8 @@ def off_by(R, draw, defect):
     """R sheared: max abs(R^T R - I) is `defect`, and that of R R^T - I, which some take, within a tenth of it."""
     while True:
         shear = draw.uniform(-1, 1, (3, 3))
-        shear = (shear + shear.T) * (
-            1 - np.eye(3)
-        )  # the diagonal stays out: allclose allows 1e-5 beside a one
+        # the diagonal stays out: allclose allows 1e-5 beside a one
+        shear = (shear + shear.T) * (1 - np.eye(3))
         ours, theirs = np.abs(shear).max(), np.abs(R @ shear @ R.T).max()
         if abs(theirs / ours - 1) < 0.1:
             return R @ (np.eye(3) + 0.5 * defect / ours * shear)

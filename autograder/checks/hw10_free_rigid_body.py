@@ -26,7 +26,7 @@ from tam570_grader import (
     suspect,
     words,
 )
-from tam570_grader.curves import along, readable
+from tam570_grader.curves import along
 
 RESULTS = {
     "euler_equations": array(3),
@@ -252,10 +252,8 @@ THIRD_IS_ZERO = "A = B put into the third of Euler's equations: omega_3 stays"
 )  # fmt: skip
 def euler_equations_keep_the_angular_momentum(student, draw):
     """euler_equations: omega' of a body without moments, for any three inertias, equal ones too."""
-    A, k = (
-        2.0 ** draw.integers(-1, 2),
-        draw.uniform(0.5, 2),
-    )  # H is along omega to the last digit where all are A
+    # H is along omega to the last digit where all are A
+    A, k = 2.0 ** draw.integers(-1, 2), draw.uniform(0.5, 2)
     bodies = [(a_body(draw), "a random body and omega") for _ in range(12)]
     bodies += [(a_wheel(draw), "a body with A = B") for _ in range(4)]
     bodies += [(np.array([A, A, A]), "three equal inertias"), (np.array([k * A, A, A]), "a body with B = C")]
@@ -1071,7 +1069,7 @@ def rim_paths_are_drawn(student, draw):
     """plot_rim_paths: the two paths as seen along z, from t[0] to t[-1], with labels and equal scales."""
     call, fine = wobble(draw)
     kind = "a disk near its spin axis"
-    picture = readable(student.on(kind).plot_rim_paths.draw(*call.args, **call.kwargs))
+    picture = student.on(kind).plot_rim_paths.draw(*call.args, **call.kwargs)
     expect_that(len(picture.lines) == 2, f"the number of curves on the axes is {len(picture.lines)}, not 2",
                 hint="fewer than ten points are no curve")  # fmt: skip
     radius, found = call.kwargs["radius"], x_to_the_right(picture)

@@ -22,7 +22,6 @@ RESULTS = {
     "settling_energy": number,
 }
 NEEDS = ("numpy",)
-OFF_LIMITS = {}
 MANUAL = {"d": (2, "which of these motions a shuddering coin follows, and why")}
 
 # Formulas agree to a few roundings, 1e-15; a root finder at its usual tolerance of 1e-12 loses two digits

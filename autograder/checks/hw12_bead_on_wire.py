@@ -18,6 +18,7 @@ from tam570_grader import (
     once,
     rows,
     suspect,
+    uneven,
 )
 
 RESULTS = {
@@ -235,9 +236,8 @@ def lagrange_gives_the_acceleration(student, draw):
 def newton_gives_the_acceleration(student, draw):
     """acceleration_newton: x'' by F = m a along the tangent, as Lagrange has it."""
     calls = massless(beads(draw))
-    calls.sort(
-        key=lambda call: call.args[0] >= 0 or call.args[1] == 0
-    )  # what tells a lost sign from the truth first
+    # what tells a lost sign from the truth first
+    calls.sort(key=lambda call: call.args[0] >= 0 or call.args[1] == 0)
     for value, call in zip(student.acceleration_newton.many(asked(calls)), calls, strict=True):
         expected = acceleration(*call.args, **call.kwargs)
         expect(value, expected, within=POINTWISE, scale=largest_term(call), of="x''", unit="of itself", at=call,
@@ -382,24 +382,18 @@ def ride(draw, steepness):
     return (x, speed / math.hypot(1, 2 * curvature * x)), {"curvature": curvature, "gravity": gravity}, rate
 
 
-def times(draw, span, rows):
-    """Uneven times over a span; they start anywhere but at zero."""
-    steps = np.concatenate([[0.0], np.cumsum(draw.uniform(0.2, 1.8, rows - 1))])
-    return draw.uniform(0.3, 0.6) * span * draw.choice([-1, 1]) + span * steps / steps[-1]
-
-
 @once
 def motion(draw, steepness, turns, rows):
     """Times, start, wire, the exact motion, and the scales of x and v."""
     start, wire, rate = ride(draw, steepness)
-    return ridden(times(draw, turns / rate, rows), start, wire, rate)
+    return ridden(uneven(draw, turns / rate, rows), start, wire, rate)
 
 
 @once
 def sharp_turns(draw):
     """As `motion`, for three times: between the first two, most of the run, the bead passes the bottom, sharply."""
     start, wire, rate = ride(draw, (4.3, 5.0))
-    first, last = times(draw, 21.0 / rate, 2)
+    first, last = uneven(draw, 21.0 / rate, 2)
     return ridden(np.array([first, last - 1.5 / rate, last]), start, wire, rate)
 
 
@@ -539,7 +533,7 @@ def simulate_needs_no_dense_times(student, draw):
     judge_motion(student, sharp_turns(draw), "few times, far apart", hint_of_steps(OWN_STEPS, SAMPLED))
     for case, kind in plain_motions(draw):
         judge_motion(student, case, f"two times, the bead let go {kind}", hint_of_two_times)
-    t, wire = times(draw, 5.0, 2), {"curvature": draw.uniform(0.5, 2), "gravity": draw.uniform(1, 25)}
+    t, wire = uneven(draw, 5.0, 2), {"curvature": draw.uniform(0.5, 2), "gravity": draw.uniform(1, 25)}
     kind = "a bead at rest at the bottom, where it stays"
     expect(student.on(kind).simulate(t, 0.0, 0.0, **wire), np.zeros((2, 2)), within=TRAJECTORY, of="x or v",
            unit="m or m/s", kind=kind, at=wire)  # fmt: skip
@@ -561,11 +555,10 @@ def plain_motions(draw):
         for sign in (1, -1)[: 1 if kind == CLOSE else 2]:
             _, wire, _ = ride(draw, (0.4, 1.0))
             if kind == CLOSE:
-                wire["curvature"] = draw.uniform(
-                    0.5, 2
-                )  # on which an absolute tolerance of 1e-9 m is good to 1e-6
+                # on which an absolute tolerance of 1e-9 m is good to 1e-6
+                wire["curvature"] = draw.uniform(0.5, 2)
             rate = math.sqrt(2 * wire["gravity"] * wire["curvature"])
-            size, t = sign * draw.uniform(low, high) / wire["curvature"], times(draw, 5.0 / rate, 2)
+            size, t = sign * draw.uniform(low, high) / wire["curvature"], uneven(draw, 5.0 / rate, 2)
             start = (0.0, size * rate) if kind == "at the bottom" else (size, 0.0)
             scale = [abs(size), abs(size) * rate]
             cases.append(((t, start, wire, exact(t - t[0], *start, **wire), scale), kind))
@@ -576,7 +569,7 @@ def plain_motions(draw):
 def simulate_without_gravity(student, draw):
     """simulate: without gravity the bead goes along the wire at its speed."""
     start, wire, rate = ride(draw, (0.4, 1.0))
-    wire["gravity"], t = 0.0, times(draw, 6 / rate, 30)
+    wire["gravity"], t = 0.0, uneven(draw, 6 / rate, 30)
     expected = exact(t - t[0], *start, **wire)
     judge_motion(student, (t, start, wire, expected, np.max(np.abs(expected), axis=0)), "gravity 0",
                  "is anything divided by gravity?")  # fmt: skip
@@ -594,7 +587,7 @@ def simulate_slides_down_steep_wires(student, draw):
 def simulate_keeps_the_energy(student, draw):
     """simulate: the energy stays what it was over many periods."""
     start, wire, rate = ride(draw, (0.4, 1.0))
-    t = times(draw, 180 / rate, 300)
+    t = uneven(draw, 180 / rate, 300)
     energy = energy_along(student.on("many periods").simulate(t, *start, **wire), wire)
     expect(energy, np.ones(len(t)), within=ENERGY, of="the energy", unit="of itself", t=t,
            kind="many periods", at=(start, wire), partial={1e-4: 0.6, 1e-2: 0.3},

@@ -21,6 +21,7 @@ from tam570_grader import (
     once,
     rows,
     suspect,
+    uneven,
 )
 
 RESULTS = {
@@ -33,7 +34,6 @@ RESULTS = {
     "simulate": rows(2),
 }
 NEEDS = ("numpy",)
-OFF_LIMITS = {}
 MANUAL = {"b": (2, "why the two methods agree for the centred cylinder and not for the other")}
 
 FORMULA = (
@@ -661,12 +661,6 @@ def energy_of_G_and_of_turning(student, draw):
                    hint="where is G, and how high above the centre's place at phi = 0?")  # fmt: skip
 
 
-def times(draw, span, count):
-    """Uneven times over a span; they start anywhere but at zero."""
-    steps = np.concatenate([[0.0], np.cumsum(draw.uniform(0.2, 1.8, count - 1))])
-    return span * (draw.uniform(0.3, 0.6) * draw.choice([-1, 1]) + steps / steps[-1])
-
-
 @once
 def runs(draw, count):
     """Two calls to simulate, and what is right for each: rolling down, and rocking in a hollow."""
@@ -680,7 +674,7 @@ def runs(draw, count):
     two.append((rocking, start, "a cylinder that rocks"))
     cases = []
     for c, start, kind in two:
-        t = times(draw, 8 / usual(c), count)
+        t = uneven(draw, 8 / usual(c), count)
         cases.append((given(t, *start, **c).on(kind), moved(t, *start, **c), usual(c)))
     return cases
 
@@ -752,7 +746,7 @@ def heavy_side(draw):
     c["offset"] = c["radius"] * draw.uniform(0.84, 0.86)
     c["inertia"] = c["mass"] * c["radius"] ** 2 * draw.uniform(0.055, 0.065)
     start = math.pi + draw.uniform(-0.2, 0.2), draw.choice([-1, 1]) * draw.uniform(0.5, 0.55) * usual(c)
-    first, last = times(draw, 6 / usual(c), 2)
+    first, last = uneven(draw, 6 / usual(c), 2)
     t = np.array([first, last - 0.4 / usual(c), last])
     call = given(t, *start, **c).on("few times, a cylinder with a heavy side")
     return call, moved(t, *start, **c), usual(c)
@@ -774,7 +768,7 @@ def plain_runs(draw):
     cases = []
     for c, angle, rate, kind in starts:
         span = 6 if kind == OFF_LOWEST else 2
-        t, start = times(draw, span / usual(c), 2), (angle, rate * usual(c))
+        t, start = uneven(draw, span / usual(c), 2), (angle, rate * usual(c))
         cases.append((given(t, *start, **c).on(kind), moved(t, *start, **c), usual(c)))
     return cases
 
@@ -784,7 +778,7 @@ def small_rocking(draw):
     """A call with a small start on level ground, and the linear solution."""
     c = cylinder(draw, slope=0.0)
     k = rocking_rate(c)
-    t, amplitude = times(draw, 25 / k, 60), draw.uniform(1, 2) * 1e-3
+    t, amplitude = uneven(draw, 25 / k, 60), draw.uniform(1, 2) * 1e-3
     call = given(t, amplitude, 0.0, **c).on("small rocking on level ground")
     return call, linear(t, 1.0, 0.0, **c) / [1.0, k], [amplitude, amplitude * k]
 
@@ -831,7 +825,7 @@ def simulate_keeps_the_energy(student, draw):
 def energies(student, draw, fixed):
     """The energies of a long run, and what they should be, both in the scale of the start; t, phi_dot, the input."""
     c = cylinder(draw, **fixed)
-    t, start = times(draw, 50 / usual(c), 150), (draw.uniform(-2, 2), 3 * usual(c))
+    t, start = uneven(draw, 50 / usual(c), 150), (draw.uniform(-2, 2), 3 * usual(c))
     states = student.simulate(t, *start, **c)
     scale = moment_scale(*start, c)
     found = np.array([total_energy(*state, **c) for state in states]) / scale

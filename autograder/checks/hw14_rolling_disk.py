@@ -26,7 +26,6 @@ RESULTS = {
     "wireframe": array(None, 2, 3),
 }
 NEEDS = ("numpy",)
-OFF_LIMITS = {}
 MANUAL = {"e": (2, "the demonstration: derivations and animation, with every source of help acknowledged")}
 
 POINTWISE = 1e-9  # careful formulas agree to 1e-13, a numpy.linalg.solve of nine unknowns to 1e-12
@@ -409,9 +408,8 @@ def starts(draw, count, span, samples):
         disk["gravity"] *= not found
         state = a_state(draw, disk, draw.uniform(0.8, 2.3))
         state[7] += 2 * usual(disk) * np.sign(state[7])
-        start = (
-            draw.uniform(-3, -0.5) if found else draw.uniform(0.5, 3)
-        )  # what needs t[0] > 0 gives one result
+        # what needs t[0] > 0 gives one result
+        start = draw.uniform(-3, -0.5) if found else draw.uniform(0.5, 3)
         t = start + span / usual(disk) * np.sort([0.0, 1.0, *draw.uniform(0, 1, samples - 2)])
         if stays_up(t, state, disk):
             found.append((t, state, disk, "a motion without gravity" if found else "a general motion"))

@@ -167,9 +167,8 @@ def expect(
     """
     actual, expected = np.asarray(actual, float), np.asarray(expected, float)
     errors = np.abs(actual - expected) / scale
-    if (
-        errors.size and errors.max() <= within
-    ):  # with a NaN among them the maximum is NaN, and not below anything
+    # with a NaN among them the maximum is NaN, and not below anything
+    if errors.size and errors.max() <= within:
         return
     worst = _worst(errors)
     error = float(errors.flat[worst]) if errors.size else np.nan

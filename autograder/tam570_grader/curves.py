@@ -16,9 +16,8 @@ if TYPE_CHECKING:
 
 __all__ = ["Curve", "along", "curve", "kept", "readable"]
 
-Curve = dict[
-    str, Any
-]  # plain data: of, unit, within, span, scale ("log" or "linear"), values; keeps: another
+# plain data: of, unit, within, span, scale ("log" or "linear"), values; keeps: another
+Curve = dict[str, Any]
 Array = NDArray[np.float64]
 
 SLOTS = 64  # of the duration, the largest error in each

@@ -157,7 +157,7 @@ def table(records: Sequence[Record]) -> str:
     """The class at a glance: a line for each submission with what to say about it first."""
     rows = [HEADINGS, *(_row(record) for record in records)]
     widths = [max(len(row[column]) for row in rows) for column in range(5)]
-    return "\n".join("  ".join([*map(_padded, row[:5], widths), row[5]]).rstrip() for row in rows)
+    return "\n".join("  ".join([*map(str.ljust, row[:5], widths), row[5]]).rstrip() for row in rows)
 
 
 def _row(record: Record) -> tuple[str, ...]:
@@ -182,10 +182,6 @@ def _remark(record: Record) -> str:
 def _short(text: str) -> str:
     text = " ".join(text.split())
     return text if len(text) <= 90 else text[:89] + "…"
-
-
-def _padded(text: str, width: int) -> str:
-    return text.ljust(width)
 
 
 def _points(points: float | None) -> str:

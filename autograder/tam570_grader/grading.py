@@ -33,23 +33,12 @@ def add_grade(commands: Commands) -> argparse.ArgumentParser:
     add("--json", action="store_true", help="print a JSON object for each submission, one a line")
     add("--format", choices=["table", "gradescope"], default="table", help="of what is printed")
     add(
-        "--seed",
-        type=natural,
-        metavar="S",
-        help="of the hidden inputs (default: that of --out, else random)",
+        "--seed", type=natural, metavar="S", help="of the hidden inputs (default: that of --out, else random)"
     )
-    add(
-        "--vary",
-        type=Path,
-        metavar="KEYFILE",
-        help="give each student other inputs, by the key in this file; made if new",
-    )
-    add(
-        "--against",
-        type=Path,
-        metavar="OLD",
-        help="say which scores of these results change, and why; what is as it was is not run",
-    )
+    add("--vary", type=Path, metavar="KEYFILE",
+        help="give each student other inputs, by the key in this file; made if new")  # fmt: skip
+    add("--against", type=Path, metavar="OLD",
+        help="say which scores of these results change, and why; what is as it was is not run")  # fmt: skip
     add("--speed", action="store_true", help="also measure the run time of simulations, for the pages")
     add("--assignment", metavar="SLUG", help="which one it is, where the names do not tell")
     add("--only", nargs="+", metavar="SLUG", help="grade these assignments alone")

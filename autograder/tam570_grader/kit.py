@@ -23,6 +23,7 @@ Then, wherever you want to work:
     tam570 check hw08                  # runs the tests on what you have written so far
     tam570 check hw08 --watch          # runs those that a change concerns, each time you save
     tam570 hint hw08 rotation_matrix   # a first hint; ask again for the next one
+    tam570 show hw08                   # your own functions, as a scene that moves
 
 Fill in the functions of `hw08_axis_angle.py`; everything asked for is in the README beside it. Hand in that
 one file. It will be tested with other numbers than yours.
@@ -39,7 +40,7 @@ def run(course: Path, folder: Path) -> int:
 
 
 def _wheel(course: Path, folder: Path) -> Path:
-    """Build the wheel, which holds no solution and no check, from a clean copy of what goes into it."""
+    """Build the wheel, which holds no solution and no check."""
     try:
         from hatchling.builders.wheel import WheelBuilder
     except ImportError:

@@ -10,23 +10,14 @@ from tam570_grader.errors import UsageError
 
 __all__ = ["canvas", "moodle", "run"]
 
-Scores = Mapping[
-    tuple[str, str], tuple[str, str]
-]  # (student, assignment): score and largest score, as in the file
+# (student, assignment): score and largest score, as in the file
+Scores = Mapping[tuple[str, str], tuple[str, str]]
 
-CANVAS = (
-    "Student",
-    "ID",
-    "SIS User ID",
-    "SIS Login ID",
-    "Section",
-)  # what Canvas knows a student by, in its order
+# what Canvas knows a student by, in its order
+CANVAS = ("Student", "ID", "SIS User ID", "SIS Login ID", "Section")
 POSSIBLE = "    Points Possible"  # the name, with its blanks, of the row below the heading
-MOODLE = {
-    "username": "Username",
-    "idnumber": "ID number",
-    "email": "Email address",
-}  # as Moodle's own export says
+# as Moodle's own export says
+MOODLE = {"username": "Username", "idnumber": "ID number", "email": "Email address"}
 
 
 def run(grades: Path, system: str, roster: Path | None, identity: str, out: Path | None) -> int:

@@ -61,9 +61,10 @@ def fates(course: Path, slug: str, jobs: int, quick: bool, functions: Sequence[s
     chosen = asked[:: max(1, len(asked) // QUICK)] if quick else asked
     calls, longest = calls_of_checks(course, slug, text)
     call = max(SHORTEST, SLOWER * longest)
+    # a second failure tells that the first check is not needed
     trial = partial(
         Trial, course, slug, seed=SEED, allowance=Allowance(cpu=CALLS * call, call=call), enough=2
-    )  # a second failure tells that the first check is not needed
+    )
     tasks = [
         trial(mutant.name, mutant.text, checks=_concerned(calls, reached(text), mutant.function))
         for mutant in chosen

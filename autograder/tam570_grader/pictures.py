@@ -10,8 +10,7 @@ from tam570_grader.speed import Speed, scenes, time_to
 
 __all__ = ["Among", "Picture", "among", "picture"]
 
-WIDTH, HEIGHT = 360, 200  # of the drawing, in its own unit: a phone's pixel
-LEFT, RIGHT, TOP, BOTTOM = 52, 350, 10, 166  # of the frame
+LEFT, RIGHT, TOP, BOTTOM = 52, 350, 10, 166  # of the frame, in a drawing of 360 by 200: a phone's pixels
 DOT = 20  # up to so many samples are marked one by one
 LAST = 268  # of the frame where the names of curves stand to the right of it
 NARROW = 3  # of the frame's height, units: a band below that is a line

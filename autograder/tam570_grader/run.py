@@ -180,4 +180,6 @@ def _engine_digest(plan: Plan) -> bytes:
 def _installed() -> list[str]:
     """Names and versions of the libraries that students use, by their folders: importlib.metadata takes longer."""
     folders = [Path(folder) for folder in sys.path if folder]
-    return sorted(found.name for folder in folders for name in LIBRARIES for found in folder.glob(f"{name}-*.*-info"))
+    return sorted(
+        found.name for folder in folders for name in LIBRARIES for found in folder.glob(f"{name}-*.*-info")
+    )

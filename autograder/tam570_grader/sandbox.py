@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from tam570_grader.inside.wire import Purse, Unreadable, packed, unpacked
+from tam570_grader.inside.wire import ItemBudget, Unreadable, packed, unpacked
 from tam570_grader.launch import environment, isolation, jailed_command, plain_command
 
 __all__ = ["PATIENCE", "Allowance", "Cell", "CellLost", "CellTimeout", "Worker", "WorkerLost"]
@@ -27,9 +27,8 @@ FILE_SIZE = 2**25  # bytes a submission may write into its scratch folder
 LARGEST_REPLY = 2**26  # bytes, of all replies to one request
 GLANCE = 0.5  # s of a wait in one piece
 RECONSIDER = 0.25  # s between looks at a call that is late on the wall's clock
-IDLE_SHARE = (
-    0.02  # a call that for so long as its limit uses less than this share of a core is asleep, not slow
-)
+# a call that for so long as its limit uses less than this share of a core is asleep, not slow
+IDLE_SHARE = 0.02
 PATIENCE = 6  # a call, and a submission, may take this many times its limit in wall time on a busy machine
 LOWEST_USER, USERS = 20_000, 40_000  # ids that belong to nobody, within what a container maps
 
@@ -140,22 +139,20 @@ class Cell:
         self._channel.setblocking(False)
         self._leash.settimeout(5)  # s; the guard answers within a few hundredths
         self._received = bytearray()
-        self._purse, self._room = Purse(), LARGEST_REPLY  # for the replies to the request before us
+        self._budget, self._room = ItemBudget(), LARGEST_REPLY  # for the replies to the request before us
         self._waited = 0.0  # s, in earlier calls: no less than the CPU time they took
         self.lasted = 0.0  # s on the wall's clock, of all calls and of reading what they sent
         self._cpu = 0.0  # s, at the end
-        self._looked_at = (
-            0.0,
-            0.0,
-        )  # when we last asked for the CPU time to see whether it grows, and what it was
+        # when we last asked for the CPU time to see whether it grows, and what it was
+        self._looked_at = (0.0, 0.0)
         self._stood_still = 0.0  # s, in which this process was not run: suspended, or the whole machine was
         self.guarded = True  # until the guard does not answer
-        self.murdered = False  # at the end: it was killed, and neither by us nor for its CPU time
+        self.killed_from_outside = False  # at the end: it was killed, and neither by us nor for its CPU time
 
     def send(self, request: Any) -> None:
         """Send a request, or raise CellLost or CellTimeout."""
         data = packed(request)
-        self._purse, self._room = Purse(), LARGEST_REPLY
+        self._budget, self._room = ItemBudget(), LARGEST_REPLY
         unsent = memoryview(LENGTH.pack(len(data)) + data)
         started = time.monotonic()
         while unsent:
@@ -180,7 +177,7 @@ class Cell:
                 patience += RECONSIDER
         self._waited += time.monotonic() - asked
         try:
-            return unpacked(data, self._purse)
+            return unpacked(data, self._budget)
         except Unreadable:
             raise CellLost from None
         finally:
@@ -201,7 +198,9 @@ class Cell:
             while len(words := self._leash_line().split()) == 1:
                 pass  # the answer to an earlier question
             self._cpu = float(words[1])
-            self.murdered = self._ended and int(words[0]) == signal.SIGKILL and self._cpu < self._most - 0.5
+            self.killed_from_outside = (
+                self._ended and int(words[0]) == signal.SIGKILL and self._cpu < self._most - 0.5
+            )
         except OSError:
             self.guarded, self._cpu = False, max(self._cpu, self._waited)
         self.drop()

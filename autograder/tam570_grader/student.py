@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from tam570_grader.check import Failure, Given, given
+from tam570_grader.curves import readable
 from tam570_grader.replies import checked, drawn, error_of, printable, sent, strings
 from tam570_grader.returns import Drawing, Formula, result
 from tam570_grader.root import Assignment
@@ -123,19 +124,19 @@ class Student:
 
     def _end(self, uncallable: tuple[str, ...], name: str, message: str) -> None:
         """End a cell: the function fails from now on, the others get a new cell while there is CPU time."""
-        self._bury(self._cells.pop(uncallable))
+        self._end_cell(self._cells.pop(uncallable))
         self._broken[name] = message
         if self._cpu >= self._worker.allowance.cpu - 0.5:
             raise BudgetSpent
         raise Failure(message)
 
-    def _bury(self, cell: Cell) -> None:
+    def _end_cell(self, cell: Cell) -> None:
         """End a cell and count its CPU time; WorkerLost if it died with its worker, or by another's hand."""
         self._cpu += cell.end()
         self._lasted += cell.lasted
         if not cell.guarded:
             self._worker.must_live()
-        if self._forgiving and (cell.murdered or not cell.guarded):
+        if self._forgiving and (cell.killed_from_outside or not cell.guarded):
             raise WorkerLost("the submission was killed by another process")
 
     def _cell(self, uncallable: tuple[str, ...]) -> Cell:
@@ -146,7 +147,7 @@ class Student:
             try:
                 self._load(cell, uncallable)
             except NotLoaded:
-                self._bury(cell)
+                self._end_cell(cell)
                 raise
             self._cells[uncallable] = cell
         return self._cells[uncallable]
@@ -247,13 +248,13 @@ class Function:
         return numbers.real
 
     def draw(self, *args: Any, **kwargs: Any) -> Drawing:
-        """What the plot function draws on the Axes that it is given, before these arguments."""
+        """The curves that the plot function draws on the Axes that it is given, before these arguments."""
         call = given(*args, **kwargs)
         reply = self.student.replies(self.name, [call], mode="drawing")[0]
         with _saying(self.kind):
             self._must_be_fair(reply, call)
         try:
-            return drawn(reply["value"])
+            return readable(drawn(reply["value"]))
         except (KeyError, TypeError, ValueError):
             raise Failure(f"{self.name} draws too much, or nothing that can be read") from None
 

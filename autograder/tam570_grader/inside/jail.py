@@ -188,9 +188,8 @@ def _tell(leash: socket.socket, line: str) -> None:
 
 def _cpu_seconds(pid: int) -> float:
     try:
-        return time.clock_gettime(
-            (~pid << 3) | 2
-        )  # the clock that clock_getcpuclockid(3) gives for a process
+        # the clock that clock_getcpuclockid(3) gives for a process
+        return time.clock_gettime((~pid << 3) | 2)
     except OSError:
         return 0.0
 
@@ -221,7 +220,8 @@ def _hide(module: str) -> None:
 def _only(channel: int) -> None:
     """Close every file but the channel, which becomes CHANNEL; input, output and errors go nowhere."""
     nowhere = os.open(os.devnull, os.O_RDWR)
-    os.dup2(channel, CHANNEL) if channel != CHANNEL else None
+    if channel != CHANNEL:
+        os.dup2(channel, CHANNEL)
     for standard in range(3):
         os.dup2(nowhere, standard)
     os.closerange(CHANNEL + 1, MOST_FILES)

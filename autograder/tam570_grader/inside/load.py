@@ -12,14 +12,10 @@ __all__ = ["Forbidden", "forbid_in_calls", "load"]
 
 __builtins__ = dict(vars(builtins))  # type: ignore[assignment]  # as in wire
 
-MAGIC = re.compile(
-    r"(\s*)(?:%time\s+(.*)|[%!?].*|[\w, ]+=\s*[%!].*|.*\?\s*)$", re.DOTALL
-)  # %timeit, files = !ls, f?
-TIMED_CELLS = (
-    "%%time",
-    "%%capture",
-    "%%prun",
-)  # their body is Python; other cell magics hold another language
+# %timeit, files = !ls, f?
+MAGIC = re.compile(r"(\s*)(?:%time\s+(.*)|[%!?].*|[\w, ]+=\s*[%!].*|.*\?\s*)$", re.DOTALL)
+# their body is Python; other cell magics hold another language
+TIMED_CELLS = ("%%time", "%%capture", "%%prun")
 
 
 class Forbidden(ImportError):

@@ -10,7 +10,7 @@ from numpy import array, asarray, ascontiguousarray, frombuffer, generic, ndarra
 # What a submission does to the built-in functions must not reach those below.
 __builtins__ = dict(vars(builtins))  # type: ignore[assignment]
 
-__all__ = ["Foreign", "Purse", "Unreadable", "packed", "portable", "unpacked"]
+__all__ = ["Foreign", "ItemBudget", "Unreadable", "packed", "portable", "unpacked"]
 
 ARRAY, FOREIGN = 1, 2
 LARGEST_ARRAY = 2**24  # bytes; the largest honest result, 1e5 rows of 15 numbers, has 12e6
@@ -39,7 +39,7 @@ def packed(message: Any) -> bytes:
     return bytes(msgpack.packb(message, default=_extension))
 
 
-class Purse:
+class ItemBudget:
     """The items of lists and maps that messages may still have: a short message can ask for much memory."""
 
     def __init__(self) -> None:
@@ -52,20 +52,20 @@ class Purse:
         return items
 
 
-def unpacked(data: bytes, purse: Purse | None = None) -> Any:
+def unpacked(data: bytes, budget: ItemBudget | None = None) -> Any:
     """The message in the bytes; nothing in it is trusted, and nothing in it can run.
 
-    purse : what the messages that share it may have of items, each extension being one
+    budget : what the messages that share it may have of items, each extension being one
     """
-    purse = purse or Purse()
+    budget = budget or ItemBudget()
 
     def extension(code: int, content: bytes) -> Any:
-        purse.taken(())
+        budget.taken(())
         return _known(code, content)
 
     try:
         return msgpack.unpackb(
-            data, ext_hook=extension, list_hook=purse.taken, object_hook=purse.taken, strict_map_key=True,
+            data, ext_hook=extension, list_hook=budget.taken, object_hook=budget.taken, strict_map_key=True,
             max_ext_len=2 * LARGEST_ARRAY, max_array_len=MOST_ITEMS, max_map_len=MOST_ITEMS,
         )  # fmt: skip
     except Exception as error:  # whatever was sent: it is not a message
@@ -90,9 +90,8 @@ def portable(value: Any, depth: int = 0) -> Any:
         return [portable(item, depth + 1) for item in value]
     if numbers is not None and numbers.ndim:
         return [portable(item, depth + 1) for item in numbers]
-    if hasattr(
-        type(value), "__float__"
-    ):  # of SymPy, mpmath, fractions: numpy.asarray(value, float) takes it too
+    # of SymPy, mpmath, fractions: numpy.asarray(value, float) takes it too
+    if hasattr(type(value), "__float__"):
         return _real(value)
     return Foreign("an array of objects" if isinstance(value, ndarray) else type(value).__name__)
 

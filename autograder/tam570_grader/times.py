@@ -1,15 +1,25 @@
-"""The suspects that every simulation has: the right motion, at times that were misunderstood."""
+"""The times of simulations: uneven ones for every check, and the suspects that misunderstand them."""
 
 from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tam570_grader.check import Suspect, suspect
 
-__all__ = ["mistimed"]
+__all__ = ["mistimed", "uneven"]
 
+Array = NDArray[np.float64]
 Simulation = Callable[..., Any]  # simulation(t, *start, **parameters) -> rows, or several arrays of them
+
+
+def uneven(draw: np.random.Generator, span: float, count: int, start: float | None = None) -> Array:
+    """`count` times of uneven spacing over a span, from `start`, or from anywhere but zero."""
+    steps = np.append(0.0, np.cumsum(draw.uniform(0.2, 1.8, count - 1)))
+    if start is None:
+        start = span * draw.uniform(0.3, 0.6) * draw.choice([-1, 1])
+    return np.asarray(start + span * steps / steps[-1])
 
 
 def mistimed(
