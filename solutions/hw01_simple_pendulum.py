@@ -204,7 +204,7 @@ def _time_of_a_turn(theta, omega, *, length, gravity):
 
 
 def _agm(a, b):
-    """Arithmetic-geometric mean of two positive numbers."""
-    while abs(a - b) > 1e-8 * a:
-        a, b = (a + b) / 2, math.sqrt(a * b)
+    """Arithmetic-geometric mean of a >= b > 0; scipy.special has it too, but takes longer to import than all else."""
+    while a - b > 1e-8 * a:
+        a, b = (a + b) / 2, math.sqrt(a) * math.sqrt(b)
     return (a + b) / 2  # the next step would change it by (a - b)^2/(16 a), below rounding

@@ -132,7 +132,10 @@ def _sliding(t, state, *, curvature, gravity):
 
 
 def _ellipse_perimeter(b):
-    """Perimeter of the ellipse with semi-axes 1 and b >= 1, by the AGM (Abramowitz and Stegun 17.6)."""
+    """Perimeter of the ellipse with semi-axes 1 and b >= 1, by the AGM (Abramowitz and Stegun 17.6).
+
+    scipy.special.ellipe would do, but takes longer to import than all else.
+    """
     mean, root, weight = b, 1.0, 1.0
     half_squares = (1 + b * b) / 2
     while mean - root > 1e-8 * mean:  # the square of it, that the next term is made of, is below rounding
