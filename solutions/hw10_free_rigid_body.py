@@ -94,7 +94,7 @@ def angular_momentum(R, omega, *, inertia):
 def simulate(t, R, omega, *, inertia):
     """Angular velocities and attitudes at the times `t`; rows 0 are those given.
 
-    t       : (n,) s
+    t       : (n,) s, strictly increasing, n >= 2; its sampling does not change the motion
     R       : (3, 3), body to space, at t[0]
     omega   : (3,) rad/s, body components, at t[0]
     inertia : (A, B, C) kg m^2
@@ -165,8 +165,9 @@ def tumble_period(omega, *, inertia):
     fast = math.sqrt(B * (B - A) * (C - B)) * q
     larger = math.hypot(fast, math.sqrt((C - A) * max(round_0, round_2)))
     smaller = math.sqrt((C - A) * abs(round_2 - round_0))
-    mean = _arithmetic_geometric_mean(larger, smaller)
-    return 2.0 * math.pi * math.sqrt(A * B * C) / mean if mean > 0.0 else math.inf
+    if smaller == 0.0:
+        return math.inf
+    return 2.0 * math.pi * math.sqrt(A * B * C) / _agm(larger, smaller)
 
 
 def wireframe(R, *, size):
@@ -189,8 +190,8 @@ def wireframe(R, *, size):
 def plot_rim_paths(ax, t, R, omega, *, inertia, radius):
     """(a) Draw the paths of the body points (radius, 0, 0) and (-radius, 0, 0), seen along space z.
 
-    ax      : Matplotlib Axes
-    t       : (n,) s
+    ax      : Matplotlib Axes to draw on
+    t       : (n,) s, strictly increasing
     R       : (3, 3), body to space, at t[0]
     omega   : (3,) rad/s, body components, at t[0]
     inertia : (A, B, C) kg m^2
@@ -230,10 +231,8 @@ def _matrices(quaternions):
     return np.moveaxis(np.array(rows), 2, 0)
 
 
-def _arithmetic_geometric_mean(a, b):
-    """Gauss's mean of a >= b >= 0, to the last digits; zero if b is."""
-    if b == 0.0:
-        return 0.0
-    while a - b > 1e-15 * a:
-        a, b = 0.5 * (a + b), math.sqrt(a) * math.sqrt(b)
-    return a
+def _agm(a, b):
+    """Arithmetic-geometric mean of a >= b > 0; scipy.special has it too, but takes longer to import than all else."""
+    while a - b > 1e-8 * a:
+        a, b = (a + b) / 2, math.sqrt(a) * math.sqrt(b)
+    return (a + b) / 2  # the next step would change it by (a - b)^2/(16 a), below rounding

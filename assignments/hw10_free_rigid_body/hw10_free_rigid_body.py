@@ -80,7 +80,7 @@ def angular_momentum(R, omega, *, inertia):
 def simulate(t, R, omega, *, inertia):
     """Angular velocities and attitudes at the times `t`; rows 0 are those given.
 
-    t       : (n,) s
+    t       : (n,) s, strictly increasing, n >= 2; its sampling does not change the motion
     R       : (3, 3), body to space, at t[0]
     omega   : (3,) rad/s, body components, at t[0]
     inertia : (A, B, C) kg m^2
@@ -144,8 +144,8 @@ def wireframe(R, *, size):
 def plot_rim_paths(ax, t, R, omega, *, inertia, radius):
     """(a) Draw the paths of the body points (radius, 0, 0) and (-radius, 0, 0), seen along space z.
 
-    ax      : Matplotlib Axes
-    t       : (n,) s
+    ax      : Matplotlib Axes to draw on
+    t       : (n,) s, strictly increasing
     R       : (3, 3), body to space, at t[0]
     omega   : (3,) rad/s, body components, at t[0]
     inertia : (A, B, C) kg m^2
