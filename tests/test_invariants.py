@@ -5,9 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from tam570.integrate import solve
 from tam570.invariants import drift, growth_exponent, observed_order, rotation_defect, violation
-from tam570.scene import Scene
 
 
 def test_drift_is_relative_to_the_largest_value():
@@ -55,21 +53,3 @@ def test_a_lucky_zero_does_not_count_as_shrinking():
 def test_what_has_no_logarithm_is_refused(x, y):
     with pytest.raises(ValueError, match="^steps, errors: "):
         observed_order(x, y)
-
-
-def test_a_scene_gives_states_drifts_and_frames():
-    def rates(t, state, *, rate):
-        return state[1], -(rate**2) * state[0]
-
-    def energy(state):
-        return state[1] ** 2 + 9 * state[0] ** 2
-
-    given = {"rhs": rates, "parameters": {"rate": 3.0}, "start": (1.0, 0.0), "times": np.linspace(0, 2, 5)}
-    scene = Scene("spring", invariants={"energy": energy}, wireframe=lambda s: [[[0, 0], [s[0], 0]]], **given)
-    states = scene.states(rtol=1e-12)
-    assert (states == solve(rates, given["times"], (1.0, 0.0), parameters={"rate": 3.0}, rtol=1e-12)).all()
-    assert scene.drifts(states)["energy"] < 1e-10
-    assert scene.frames(states).shape == (5, 1, 2, 2)
-    assert scene.frames(states)[:, 0, 1, 0] == pytest.approx(np.cos(3 * given["times"]))
-    with pytest.raises(ValueError, match="'still' has no wireframe"):
-        Scene("still", **given).frames(states)

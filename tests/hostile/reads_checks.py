@@ -8,9 +8,8 @@ deserves: 10
 
 import os
 
-for folder, _, files in os.walk("/"):
-    if folder.startswith(("/proc", "/sys", "/usr", "/lib")) or "python3" in folder:
-        continue
+for folder, folders, files in os.walk("/"):
+    folders[:] = [one for one in folders if one not in ("proc", "sys", "usr") and not one.startswith(("lib", "python3"))]
     for file in files:
         try:
             text = open(os.path.join(folder, file), errors="replace").read() if file.endswith(".py") else ""
