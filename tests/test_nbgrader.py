@@ -156,8 +156,8 @@ def assert_the_feedback_says_what_was_lost(term):
         hidden = [text for text in details if len(text) >= TELLS]
         assert not [text for text in hidden for page in pages if text in page], slug
         secrets += len(hidden)
-        drawn = [mark for mark in lost if mark["picture"]]
-        assert pages[1].count("</svg>") - pages[0].count("</svg>") == len(drawn)
+        drawn = [1 + bool(mark["picture"].get("keeps")) for mark in lost if mark["picture"]]
+        assert pages[1].count("</svg>") - pages[0].count("</svg>") == sum(drawn)
         pictures += len(drawn)
     assert pictures and secrets
 

@@ -11,7 +11,7 @@ from typing import Any
 from tam570_grader.book import Record
 from tam570_grader.errors import UsageError
 
-__all__ = ["Sheet", "must_write_pages", "page", "sheet", "table", "template", "write_pages"]
+__all__ = ["Sheet", "must_write_pages", "page", "pictures", "sheet", "table", "template", "write_pages"]
 
 SIGNS = {"passed": "+", "failed": "-", "not_run": "o", "grader_error": "!"}
 HEADINGS: tuple[str, ...] = ("student", "assignment", "score", "status", "time", "what to look at first")
@@ -116,12 +116,12 @@ def _shown(mark: Record, sheet: Sheet) -> dict[str, Any]:
         "max_points": _points(mark["max_points"]),
         "says": mark["message"].removesuffix(f"; it matches the result with {mark['suspect']}"),
         "suspect": mark["suspect"],
-        "pictures": _pictures(mark.get("picture")),
+        "pictures": pictures(mark.get("picture")),
         "hint": next((word for word in re.findall(r"\w+", line) if stuck and word in sheet.functions), None),
     }
 
 
-def _pictures(curve: Any) -> list[Any]:
+def pictures(curve: Any) -> list[Any]:
     """The drawings of a failure: the error, and what becomes of an invariant; results of an older run have none."""
     if not curve:
         return []

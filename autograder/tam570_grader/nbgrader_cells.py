@@ -7,8 +7,7 @@ from typing import Any
 import nbformat
 
 from tam570_grader.book import Record
-from tam570_grader.feedback import NOTES, SIGNS, Sheet, template
-from tam570_grader.pictures import picture
+from tam570_grader.feedback import NOTES, SIGNS, Sheet, pictures, template
 from tam570_grader.submissions import Submission
 
 __all__ = ["Notebook", "grade_id", "marked", "node", "note", "pictures_only", "safe"]
@@ -43,7 +42,6 @@ def marked(marks: Iterable[Mapping[str, Any]], sheet: Sheet, note: str) -> list[
 
 def _shown(mark: Mapping[str, Any], sheet: Sheet) -> dict[str, Any]:
     """A mark without its detail, which is the instructor's."""
-    drawn = mark.get("picture")
     return {
         "name": mark["name"],
         "outcome": mark["outcome"],
@@ -51,7 +49,7 @@ def _shown(mark: Mapping[str, Any], sheet: Sheet) -> dict[str, Any]:
         "points": mark["points"],
         "max_points": mark["max_points"],
         "says": "" if mark["outcome"] == "passed" else mark["message"],
-        "picture": picture(drawn) if drawn else None,
+        "pictures": pictures(mark.get("picture")),
     }
 
 
