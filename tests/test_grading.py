@@ -29,7 +29,7 @@ from tam570_grader.launch import isolation
 from tam570_grader.preload import imported
 from tam570_grader.returns import Drawing, array, group, number, result, rows
 from tam570_grader.root import slug_of
-from tam570_grader.sandbox import Allowance
+from tam570_grader.sandbox import Allowance, Cell
 from tam570_grader.shapes import distances, judge_axes_of_lengths
 from tam570_grader.student import Call, Source, Student
 
@@ -133,6 +133,7 @@ def test_a_notebook_is_graded_by_its_code_cells(run, tmp_path, solution_text):
         "from IPython import get_ipython\nif 'IPKernelApp' in get_ipython().config:\n    1 / 0",
         "import matplotlib.pyplot as plt\nimport matplotlib\nmatplotlib.use('TkAgg')\nplt.figure()",
         "from matplotlib import pyplot\npyplot.switch_backend('QtAgg')\npyplot.plot([1])",
+        "%pylab inline\nassert allclose(sin(pi), 0) and np.eye(2).any()\nplt.plot([1])",
     ],
 )
 def test_what_runs_in_a_kernel_runs_in_the_grader(run, tmp_path, solution_text, cell):
@@ -150,6 +151,41 @@ def test_an_old_notebook_is_read_and_the_error_of_a_cell_is_told(run, tmp_path, 
     (tmp_path / "hw08.ipynb").write_text(text)
     _, (line,), _ = run(tmp_path / "hw08.ipynb")
     assert line["score"] == 10.0 and "cell 2: NameError: name 'whatever' is not defined" in line["message"]
+
+
+AT_IMPORT = """
+from __future__ import annotations
+t = np.linspace(0, 3, 50)
+states = simulate(t, 20.0, 0.8, mass=1.0, drag=0.3, gravity=9.81)
+assert np.allclose(states, trajectory(t, 20.0, 0.8, mass=1.0, drag=0.3, gravity=9.81))
+plot_comparison(__import__("matplotlib.pyplot").pyplot.gca(), t, 20.0, 0.8, mass=1.0, drag=0.3, gravity=9.81)
+"""
+
+
+@pytest.mark.parametrize("form", ["module", "notebook", "notebook of one cell"])
+def test_what_a_file_tries_out_at_import_may_use_what_one_function_may_not(
+    run, tmp_path, solution_text, form
+):
+    slug = "hw02_ballistics"
+    right, tries = solution_text(slug), AT_IMPORT.replace("from __future__ import annotations\n", "")
+    if form == "module":
+        (tmp_path / "hw02.py").write_text(f"from __future__ import annotations\n{right}{tries}")
+    else:
+        cells = [right + tries] if form.endswith("cell") else [right, *tries.splitlines()]
+        (tmp_path / "hw02.ipynb").write_text(notebook(*cells))
+    _, (line,), _ = run(next(tmp_path.iterdir()))
+    assert line["score"] == 10.0 and "message" not in line
+
+
+def test_a_cell_that_tries_what_is_off_limits_costs_only_what_needs_it(run, tmp_path, solution_text):
+    tries = "from scipy.spatial.transform import Rotation\nprint(Rotation.identity())"
+    (tmp_path / "hw08.ipynb").write_text(notebook(solution_text(SLUG), tries))
+    _, (line,), _ = run(tmp_path / "hw08.ipynb")
+    assert line["score"] == 10.0 and "scipy.spatial.transform is off limits" in line["message"]
+    used = "def skew(v): return Rotation.from_rotvec(v).as_matrix()"
+    (tmp_path / "hw08.ipynb").write_text(notebook(tries, solution_text(SLUG), used))
+    _, (line,), _ = run(tmp_path / "hw08.ipynb")
+    assert line["score"] < 10.0
 
 
 def test_a_module_wins_over_a_notebook(run, tree):
@@ -584,12 +620,29 @@ def test_a_function_that_hangs_fails_alone(grade, solution_text):
 
 def test_one_that_sleeps_through_its_calls_is_ended(grade, solution_text, monkeypatch):
     monkeypatch.setattr("tam570_grader.student.PATIENCE", 1)
+    received, receive = [], Cell.receive
+    monkeypatch.setattr(Cell, "receive", lambda cell: received.append(receive(cell)) or received[-1])
     text = (
         solution_text(SLUG)
         + "\n_skew = skew\ndef skew(v):\n    time.sleep(0.3)\n    return _skew(v)\nimport time\n"
     )
     outcome = grade(SLUG, text, allowance=Allowance(cpu=2, call=1))
-    assert outcome.status == "timeout" and outcome.score < 10
+    assert outcome.status == "timeout" and outcome.score < 10 and "little processor time" in outcome.message
+    assert len(received) < 20, "it is ended within a batch of calls"
+
+
+def test_a_submission_has_a_process_group_of_its_own(grade, solution_text):
+    text = "import os\nassert os.getpgrp() == os.getpid() == os.getsid(0)\n" + solution_text(SLUG)
+    assert grade(SLUG, text).score == 10
+
+
+def test_what_a_later_import_says_reaches_no_page(run, tmp_path, solution_text):
+    """A file is imported again where a function has bans of its own, and may know hidden inputs by then."""
+    again = "import scipy.integrate\nif type(scipy.integrate).__name__ != 'module': raise ValueError('1.25')"
+    (tmp_path / "hw02.ipynb").write_text(notebook(solution_text("hw02_ballistics"), again, "1 / 0"))
+    _, (line,), _ = run(tmp_path / "hw02.ipynb")
+    assert line["score"] == 10.0 and line["message"].endswith("cell 4: ZeroDivisionError: division by zero")
+    assert "1.25" not in json.dumps(line)
 
 
 # Drawings

@@ -92,11 +92,8 @@ def graded(
         speed = yardstick.speed(student, assignment, worker) if yardstick else None
     except NotLoaded as failure:
         status, message = failure.status, str(failure)
-    except BudgetSpent:
-        status, message = (
-            "timeout",
-            f"the submission has used its {worker.allowance.cpu:g} s of processor time",
-        )
+    except BudgetSpent as spent:
+        status, message = "timeout", str(spent)
     finally:
         student.leave()
     rest = tuple(marks.get(check.name) or _not_run(check, message) for check in assignment.checks)

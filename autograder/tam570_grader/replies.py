@@ -34,16 +34,21 @@ def printable(text: str) -> str:
 
 
 def checked(reply: Any) -> dict[str, Any]:
+    """The reply, if it has the form of one, else CellLost: it is not from our part of the process."""
     if not isinstance(reply, dict) or not ("value" in reply or "error" in reply):
+        raise CellLost
+    if not isinstance(reply.get("changed", False), bool):
         raise CellLost
     return reply
 
 
 def strings(value: Any) -> bool:
+    """Whether it is a list of strings."""
     return isinstance(value, list) and all(isinstance(item, str) for item in value)
 
 
-def drawn(value: dict[str, Any]) -> Drawing:
+def drawn(value: Any) -> Drawing:
+    """The drawing in a reply; an exception of any class where it is none."""
     if len(value["lines"]) > MOST_LINES:
         raise ValueError("too many lines")
     lines = [
@@ -54,6 +59,7 @@ def drawn(value: dict[str, Any]) -> Drawing:
 
 
 def sent(call: Given) -> list[Any]:
+    """The arguments of a call as they are sent."""
     return [
         [_argument(value) for value in call.args],
         {key: _argument(value) for key, value in call.kwargs.items()},

@@ -50,8 +50,12 @@ class Plan:
 
 
 def records(plan: Plan, book: Book | None = None, old: Iterable[Record] = ()) -> Iterator[Record]:
-    """The result lines, each as soon as it is there and written into the book; what `old` knows is not run again."""
-    known = {record.get("digest"): record for record in (*old, *(book.records() if book else ()))}
+    """The result lines, each as soon as it is there and written into the book; what `old` knows is not run again.
+
+    Where the grader itself failed, it tries again.
+    """
+    before = (*old, *(book.records() if book else ()))
+    known = {record.get("digest"): record for record in before if record["score"] is not None}
     engine = _engine_digest(plan)
     fresh: list[tuple[Submission, Source | CannotRead, str]] = []
     for submission in plan.submissions:

@@ -51,7 +51,7 @@ class NotLoaded(Exception):
 
 
 class BudgetSpent(Exception):
-    """The submission has had all of its CPU time."""
+    """The submission has had all of its time; the message says which."""
 
 
 class Student:
@@ -68,6 +68,7 @@ class Student:
         self.skipped: list[str] = []  # notebook cells
         self._source, self._assignment, self._worker = source, assignment, worker
         self._cells: dict[tuple[str, ...], Cell] = {}  # by what may not be called in it
+        self._loaded = False
         self._defined: set[str] = set()
         self._broken: dict[str, str] = {}  # functions that hung or crashed, and how
         self._cpu, self._lasted = 0.0, 0.0  # s of CPU and on the wall's clock, of the cells that have ended
@@ -108,26 +109,26 @@ class Student:
             cell.send({"function": name, **mode, "calls": [sent(call) for call in calls]})
             while len(replies) < len(calls) and not (replies and "error" in replies[-1]):
                 replies.append(checked(cell.receive()))
+                self._must_end()
         except CellTimeout:
             self._end(uncallable, name, f"{name} did not return within {self._worker.allowance.call:g} s")
         except CellLost:
             how = "it exited, crashed or used too much memory"
             self._end(uncallable, name, f"{name} ended its process: {how}")
-        self._must_end()
         return replies
 
     def _must_end(self) -> None:
         """Raise BudgetSpent for one that sleeps through its calls: it uses little CPU time, but holds up the class."""
         lasted = self._lasted + sum(cell.lasted for cell in self._cells.values())
-        if lasted > PATIENCE * self._worker.allowance.cpu:
-            raise BudgetSpent
+        if lasted > (most := PATIENCE * self._worker.allowance.cpu):
+            raise BudgetSpent(f"the submission has taken {most:g} s, and used little processor time")
 
     def _end(self, uncallable: tuple[str, ...], name: str, message: str) -> None:
         """End a cell: the function fails from now on, the others get a new cell while there is CPU time."""
         self._end_cell(self._cells.pop(uncallable))
         self._broken[name] = message
-        if self._cpu >= self._worker.allowance.cpu - 0.5:
-            raise BudgetSpent
+        if self._cpu >= (most := self._worker.allowance.cpu) - 0.5:
+            raise BudgetSpent(f"the submission has used its {most:g} s of processor time")
         raise Failure(message)
 
     def _end_cell(self, cell: Cell) -> None:
@@ -168,10 +169,12 @@ class Student:
         except CellLost:
             raise NotLoaded("crashed", "importing the file ended its process") from None
         if not isinstance(reply, dict) or "error" in reply:
-            raise _not_loaded(error_of(reply), self._assignment)
+            raise _not_loaded(error_of(reply), self._assignment, again=self._loaded)
         self._defined = set(reply["defined"]) if strings(reply.get("defined")) else set()
-        skipped = reply["skipped"] if strings(reply.get("skipped")) else []
-        self.skipped = [printable(text[:100]) for text in skipped[:50]]
+        if not self._loaded:
+            skipped = reply["skipped"] if strings(reply.get("skipped")) else []
+            self.skipped = [printable(text[:100]) for text in skipped[:50]]
+        self._loaded = True  # and from now on it may know hidden inputs
 
 
 @dataclass(frozen=True)
@@ -255,7 +258,7 @@ class Function:
             self._must_be_fair(reply, call)
         try:
             return readable(drawn(reply["value"]))
-        except (KeyError, TypeError, ValueError):
+        except Exception:  # whatever a forged reply is made of
             raise Failure(f"{self.name} draws too much, or nothing that can be read") from None
 
     def _must_be_fair(self, reply: dict[str, Any], call: Given) -> None:
@@ -294,7 +297,12 @@ def _known(error: dict[str, Any]) -> str:
     )
 
 
-def _not_loaded(error: dict[str, Any], assignment: Assignment) -> NotLoaded:
+def _not_loaded(error: dict[str, Any], assignment: Assignment, again: bool) -> NotLoaded:
+    """Why it could not be imported, in the exception's own words if no hidden input can be in them."""
+    if again:
+        return NotLoaded(
+            "unreadable", "the file could be imported once, but not again: what does it do at import?"
+        )
     if "Forbidden" in error["kinds"]:
         banned = ", ".join(assignment.off_limits.get("*", ()))
         return NotLoaded("unreadable", f"the file imports what is off limits in this assignment: {banned}")

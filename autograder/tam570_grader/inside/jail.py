@@ -35,20 +35,37 @@ REFUSED = {  # system calls, by machine: what the kernel's audit calls it, then 
     # add_key, request_key, keyctl, bpf, perf_event_open, userfaultfd, io_uring_setup, ptrace, process_vm_*,
     # pidfd_getfd;
     # shmget, shmat, semget, msgget, mq_open, memfd_create, memfd_secret, io_setup (memory that no limit counts);
-    # unshare, setns; socket (a worker's network, without a device, remembers ports from one submission to the next)
+    # unshare, setns; socket (a worker's network, without a device, remembers ports from one submission to the next);
+    # flock (a lock on a file that all may read is a note to all); the last is fcntl, of which locks are refused
     "x86_64": (
         0xC000003E,
         (248, 249, 250, 321, 298, 323, 425, 101, 310, 311, 438)
-        + (29, 30, 64, 68, 240, 319, 447, 206, 272, 308, 41),
+        + (29, 30, 64, 68, 240, 319, 447, 206, 272, 308, 41, 73, 72),
     ),
     "aarch64": (
         0xC00000B7,
         (217, 218, 219, 280, 241, 282, 425, 117, 270, 271, 438)
-        + (194, 196, 190, 186, 180, 279, 447, 0, 97, 268, 198),
+        + (194, 196, 190, 186, 180, 279, 447, 0, 97, 268, 198, 32, 25),
     ),
 }
+LOCKS = (
+    5,
+    6,
+    7,
+    36,
+    37,
+    38,
+    1024,
+    1025,
+)  # what fcntl is asked for locks of records and of open files, for leases
 SECCOMP, FILTER = 22, 2  # of prctl
 LOAD, EQUAL, ABOVE, RETURN = 0x20, 0x15, 0x35, 0x06  # instructions of a filter
+NUMBER, MACHINE, ASKED = (
+    0,
+    4,
+    24,
+)  # where a filter finds the call, the machine, the second argument's lower half
+NEXT, ALLOW, REFUSE = range(3)  # where a comparison leads
 FOREIGN_CALLS = 0x40000000  # and above: the numbers of x32, whose calls have the name of x86-64
 ALLOWED, FORBIDDEN = 0x7FFF0000, 0x50001  # what a filter returns; the second is EPERM
 POLL = 0.02  # s between looks at a prisoner that may have ended
@@ -88,10 +105,10 @@ def secede(limits: Limits) -> None:
 
 def confine(limits: Limits, channel: int, folder: str) -> None:
     """Make this process the prisoner: its own file system, one channel, limits, no privilege."""
+    os.setsid()  # a signal to one's own process group would reach the worker
     if limits.namespaces:
         _own_files(limits)
     else:
-        os.setsid()
         os.chdir(folder)
     _only(channel)
     _limit(limits)
@@ -114,18 +131,24 @@ def _refuse_calls() -> None:
     """
     if sys.platform != "linux" or sys.maxsize < 2**32 or platform.machine() not in REFUSED:  # 32 bits: others
         return
-    name, numbers = REFUSED[platform.machine()]
-    refuse = len(numbers) + 2  # instructions from the first comparison of the number to the refusal
-    steps = [
-        (LOAD, 0, 0, 4),
-        (EQUAL, 0, refuse + 1, name),
-        (LOAD, 0, 0, 0),
-        (ABOVE, refuse - 1, 0, FOREIGN_CALLS),
-    ]
-    steps += [(EQUAL, refuse - 2 - i, 0, number) for i, number in enumerate(numbers)]
-    steps += [(RETURN, 0, 0, ALLOWED), (RETURN, 0, 0, FORBIDDEN)]
-    program = ctypes.create_string_buffer(b"".join(struct.pack("=HBBI", *step) for step in steps))
+    name, (*numbers, fcntl) = REFUSED[platform.machine()]
+    steps = [(LOAD, MACHINE, NEXT, NEXT), (EQUAL, name, NEXT, REFUSE)]
+    steps += [(LOAD, NUMBER, NEXT, NEXT), (ABOVE, FOREIGN_CALLS, REFUSE, NEXT)]
+    steps += [(EQUAL, number, REFUSE, NEXT) for number in numbers]
+    steps += [(EQUAL, fcntl, NEXT, ALLOW), (LOAD, ASKED, NEXT, NEXT)]
+    steps += [(EQUAL, command, REFUSE, NEXT) for command in LOCKS]
+    steps += [(RETURN, ALLOWED, NEXT, NEXT), (RETURN, FORBIDDEN, NEXT, NEXT)]
+    program = ctypes.create_string_buffer(_packed(steps))
     LIBC.prctl(SECCOMP, FILTER, ctypes.byref(_Filter(len(steps), ctypes.addressof(program))), 0, 0)
+
+
+def _packed(steps: Sequence[tuple[int, int, int, int]]) -> bytes:
+    """A filter as the kernel reads it; ALLOW and REFUSE are its last two instructions."""
+    packed = b""
+    for i, (instruction, value, if_so, if_not) in enumerate(steps, start=1):
+        offset = {NEXT: 0, ALLOW: len(steps) - 2 - i, REFUSE: len(steps) - 1 - i}
+        packed += struct.pack("=HBBI", instruction, offset[if_so], offset[if_not], value)
+    return packed
 
 
 class _Filter(ctypes.Structure):

@@ -1,6 +1,8 @@
 """Makes a module of what a student handed in: Python source, or the code cells of a notebook."""
 
+import ast
 import builtins
+import contextlib
 import json
 import re
 import sys
@@ -8,7 +10,7 @@ from collections.abc import Callable, Sequence
 from types import CodeType, ModuleType
 from typing import Any
 
-__all__ = ["Forbidden", "forbid_in_calls", "load"]
+__all__ = ["Forbidden", "load"]
 
 __builtins__ = dict(vars(builtins))  # type: ignore[assignment]  # as in wire
 
@@ -16,6 +18,7 @@ __builtins__ = dict(vars(builtins))  # type: ignore[assignment]  # as in wire
 MAGIC = re.compile(r"(\s*)(?:%time\s+(.*)|[%!?].*|[\w, ]+=\s*[%!].*|.*\?\s*)$", re.DOTALL)
 # their body is Python; other cell magics hold another language
 TIMED_CELLS = ("%%time", "%%capture", "%%prun")
+PYLAB = "from pylab import *; import numpy as np; from matplotlib import pyplot as plt"  # what %pylab does
 
 
 class Forbidden(ImportError):
@@ -23,25 +26,39 @@ class Forbidden(ImportError):
 
 
 def load(
-    source: bytes, name: str, *, notebook: bool, forbidden: Sequence[str]
+    source: bytes, name: str, *, notebook: bool, forbidden: Sequence[str], uncallable: Sequence[str]
 ) -> tuple[ModuleType, list[str]]:
-    """The student's module, and the notebook cells that were skipped because they raised, as "cell 3: NameError"."""
+    """The student's module, and the notebook cells that were skipped because they raised, as "cell 3: NameError".
+
+    forbidden  : modules that may not be imported
+    uncallable : modules of which nothing may be called, while the file is imported either: what needs them there
+                 is left out, and has run where they may be called
+    """
     module = ModuleType(name)
     module.__dict__["__builtins__"] = {**_builtins_without(forbidden), **(KERNEL if notebook else {})}
     module.__dict__["__file__"] = f"{name}.py"
     sys.modules[name] = module
     for banned in forbidden:
         _replace(banned, _Unusable(banned))
-    if not notebook:
+    for refused in uncallable:
+        _replace(refused, _Uncallable(refused))
+    if notebook:
+        return module, _run_cells(_code_cells(source), module)
+    if uncallable:
+        _run_statements(source, module)
+    else:
         exec(compile(source, f"{name}.py", "exec", dont_inherit=True), module.__dict__)
-        return module, []
-    return module, _run_cells(_code_cells(source), module)
+    return module, []
 
 
-def forbid_in_calls(modules: Sequence[str]) -> None:
-    """Let these modules be imported, but nothing of them be called."""
-    for name in modules:
-        _replace(name, _Uncallable(name))
+def _run_statements(source: bytes, module: ModuleType) -> None:
+    """Run what can be run of a module, each of its statements by itself."""
+    statements = ast.parse(source).body
+    future = [one for one in statements if isinstance(one, ast.ImportFrom) and one.module == "__future__"]
+    for statement in statements:
+        alone = ast.Module([*future, statement], type_ignores=[])
+        with contextlib.suppress(Exception, Forbidden):
+            exec(compile(alone, f"{module.__name__}.py", "exec", dont_inherit=True), module.__dict__)
 
 
 def _run_cells(cells: list[tuple[int, str]], module: ModuleType) -> list[str]:
@@ -49,8 +66,6 @@ def _run_cells(cells: list[tuple[int, str]], module: ModuleType) -> list[str]:
     for number, text in cells:
         try:
             exec(_compiled(text, f"cell {number}"), module.__dict__)
-        except Forbidden:
-            raise
         except BaseException as error:
             skipped.append(f"cell {number}: {_told(error)}")
     return skipped
@@ -88,7 +103,7 @@ def _compiled(text: str, name: str) -> CodeType:
                 raise
             while lines[at].endswith("\\") and at + 1 < len(lines):  # it goes on
                 lines[at], at = "", at + 1
-            lines[at] = magic[1] + (magic[2] or "pass")
+            lines[at] = magic[1] + (magic[2] or (PYLAB if "%pylab" in lines[at] else "pass"))
 
 
 def _builtins_without(forbidden: Sequence[str]) -> dict[str, Any]:

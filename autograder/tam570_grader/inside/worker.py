@@ -21,7 +21,7 @@ from typing import Any
 
 from . import jail
 from .answer import answer, error_report, seed_generators
-from .load import forbid_in_calls, load
+from .load import load
 from .wire import packed, unpacked
 
 __all__ = ["main"]
@@ -103,10 +103,10 @@ def _serve(channel: socket.socket, limits: jail.Limits, folder: str) -> None:
 def _loaded(request: dict[str, Any]) -> Any:
     """Import the submission, and report the contract's functions that it defines."""
     try:
-        forbid_in_calls(request["uncallable"])
         module, skipped = load(
-            request["source"], request["name"], notebook=request["notebook"], forbidden=request["forbidden"]
-        )
+            request["source"], request["name"], notebook=request["notebook"],
+            forbidden=request["forbidden"], uncallable=request["uncallable"],
+        )  # fmt: skip
         defined = [name for name in request["functions"] if callable(getattr(module, name, None))]
         _send({"defined": defined, "skipped": skipped})
         return module
