@@ -65,25 +65,57 @@ def fates(course: Path, slug: str, jobs: int, quick: bool, functions: Sequence[s
     trial = partial(
         Trial, course, slug, seed=SEED, allowance=Allowance(cpu=CALLS * call, call=call), enough=2
     )
+    within = reached(text)
     tasks = [
-        trial(mutant.name, mutant.text, checks=_concerned(calls, reached(text), mutant.function))
+        trial(mutant.name, mutant.text, checks=_concerned(calls, within, mutant.function))
         for mutant in chosen
     ]
-    results = list(progress(done(tried, tasks, jobs), len(tasks), "mutant"))
+    tasks += [
+        trial(f"{mutant.name} alone", alone(text, mutant, calls), checks=_calling(calls, mutant.function))
+        for mutant in chosen
+        if _is_shared(mutant.function, calls, within)
+    ]
+    results = {result.student: result for result in progress(done(tried, tasks, jobs), len(tasks), "mutant")}
     listed = equivalents(course, slug)
     slips = {mutant.name: (mutant.function, mutant.slip) for mutant in chosen}
-    fate = {result.student: _fate(result, slips[result.student] in listed) for result in results}
+    fate = {
+        name: _fate([results[one] for one in (name, f"{name} alone") if one in results], slip in listed)
+        for name, slip in slips.items()
+    }
     killed = {slip for name, slip in slips.items() if fate[name] == KILLED}
     vain = idle(listed, {(mutant.function, mutant.slip) for mutant in made}, killed)
-    return Fates(slug, chosen, fate, {one.student: _failed(one) for one in results}, list(calls), vain)
+    return Fates(slug, chosen, fate, {name: _failed(one) for name, one in results.items()}, list(calls), vain)
 
 
-def _fate(result: Result, listed: bool) -> str:
-    if result.score is None:
+def _fate(results: Sequence[Result], listed: bool) -> str:
+    if any(result.score is None for result in results):
         return CRASHED
-    if result.score < result.max_score:
+    if all(result.score < result.max_score for result in results if result.score is not None):
         return KILLED
     return EQUIVALENT if listed else SURVIVES
+
+
+ALONE = """_right, _slipped = {{}}, {{}}
+exec({right!r}, _right)
+exec({slipped!r}, _slipped)
+{exports}
+{function} = _slipped[{function!r}]
+"""
+
+
+def alone(right: str, mutant: Mutant, calls: Mapping[str, set[str]]) -> str:
+    """A module whose slip is in one exported function alone; what other functions call is right.
+
+    A check of the others would else catch the slip, and a hole in the checks of this one stay unseen.
+    """
+    exports = "\n".join(f"{name} = _right[{name!r}]" for name in sorted(set().union(*calls.values())))
+    return ALONE.format(right=right, slipped=mutant.text, exports=exports, function=mutant.function)
+
+
+def _is_shared(function: str, calls: Mapping[str, set[str]], within: Mapping[str, set[str]]) -> bool:
+    """Whether it is exported, and other functions may call it."""
+    exported = any(function in asked for asked in calls.values())
+    return exported and any(function in reach for name, reach in within.items() if name != function)
 
 
 def _failed(result: Result) -> list[str]:
@@ -131,6 +163,11 @@ def _concerned(
     return frozenset(
         check for check, asked in calls.items() if any(function in within[name] for name in asked)
     )
+
+
+def _calling(calls: Mapping[str, set[str]], function: str) -> frozenset[str]:
+    """The checks that call a function themselves."""
+    return frozenset(check for check, asked in calls.items() if function in asked)
 
 
 def reached(text: str) -> dict[str, set[str]]:
@@ -202,7 +239,7 @@ def report(found: Fates) -> list[str]:
     for function, fate in _by_function(found).items():
         lines.append(f"  {function:<48}" + "".join(f"{fate[one]:>6} {one}" for one in FATES if fate[one]))
     for check, (first, alone) in catches(found).items():
-        needless = "" if alone else "; no mutant needs it"
+        needless = "" if alone else "; no mutant tried needs it"
         lines.append(f"  {check:<48}{first:>6} caught first, {alone} by it alone{needless}")
     for mutant in found.survivors:
         lines += _shown(mutant)

@@ -1,0 +1,38 @@
+"""The audit sees a hole in the checks of a function that others call: its slips are tried in it alone, too."""
+
+import numpy as np
+import pytest
+
+from tam570_grader import cli, mutation
+from tam570_grader.mutate import mutants
+
+SLUG = "hw08_axis_angle"
+
+
+def test_a_slip_alone_is_in_one_function_and_others_call_the_right_one(solution_text):
+    right = solution_text(SLUG)
+    slipped = next(one for one in mutants(SLUG, right) if one.function == "skew")
+    calls = {"a check": {"skew", "rotate"}, "another": {"rotation_matrix"}}
+    found, as_it_was = {}, {}
+    exec(mutation.alone(right, slipped, calls), found)
+    exec(right, as_it_was)
+    v = np.array([1.0, 2.0, 3.0])
+    assert not np.array_equal(found["skew"](v), as_it_was["skew"](v))
+    np.testing.assert_array_equal(found["rotation_matrix"](v, 0.4), as_it_was["rotation_matrix"](v, 0.4))
+
+
+@pytest.mark.parametrize("hole", [True, False])
+def test_a_function_without_a_check_of_its_own_is_a_hole(hole, capsys, monkeypatch):
+    whole = mutation.calls_of_checks
+
+    def without(*of):
+        calls, longest = whole(*of)
+        return {
+            name: asked - {"skew"} if hole and name.startswith("skew") else asked
+            for name, asked in calls.items()
+        }, longest
+
+    monkeypatch.setattr(mutation, "calls_of_checks", without)
+    monkeypatch.setattr(mutation, "_is_shared", lambda function, *of: function == "skew")
+    assert cli.main(["audit", "hw08", "--function", "skew", "--jobs", "1"]) == hole
+    assert ("SURVIVES" in capsys.readouterr().out) == hole
