@@ -566,6 +566,18 @@ def test_a_fault_of_the_grader_is_no_score_and_exits_1(run, tree, monkeypatch):
     assert {mark["outcome"] for mark in line["checks"]} >= {"grader_error"}
 
 
+def test_where_the_grader_failed_it_tries_again(run, tree, tmp_path, monkeypatch):
+    def broken(function, calls):
+        raise RuntimeError("a fault of ours")
+
+    with monkeypatch.context() as fault:
+        fault.setattr("tam570_grader.student.Function.many", broken)
+        run(tree / "ada", "--out", tmp_path / "out")
+    code, (line,), _ = run(tree / "ada", "--out", tmp_path / "out")
+    assert code == 0 and line["score"] == 10.0
+    assert "10" in (tmp_path / "out" / "grades.csv").read_text()
+
+
 def test_a_suspect_that_raises_costs_no_grade(run, tree, monkeypatch):
     def broken(suspect, calls):
         raise IndexError("a fault of ours")
