@@ -463,7 +463,8 @@ def tumbles(draw):
     near = draw.uniform(1, 3) * np.array([draw.uniform(0, 0.003), 1.0, draw.uniform(0.01, 0.02)])
     cases = [(*on_side(draw, 1), 14), (*on_side(draw, -1), 14), (sorted_body(draw), near, 25)]
     kinds = [
-        f"omega {where}" for where in ("round the last axis", "round the first axis", "near the middle axis")
+        f"omega {where}, t[0] not 0"
+        for where in ("round the last axis", "round the first axis", "near the middle axis")
     ]
     calls = [
         given(times(draw, omega, radians, start=start), an_attitude(draw), omega, inertia=body).on(kind)
@@ -478,7 +479,7 @@ def attitudes(draw):
     omegas = [an_omega(draw) for _ in range(2)]
     calls = [
         given(times(draw, omega, 12, start=start), an_attitude(draw), omega, inertia=a_body(draw)).on(
-            "a general motion"
+            "a general motion, t[0] not 0"
         )
         for omega, start in zip(omegas, starts(draw, 2), strict=True)
     ]
@@ -675,7 +676,20 @@ def special_motions(draw):
     omega, body, R = a_fast_omega(draw), a_wheel(draw), an_attitude(draw)
     t = times(draw, omega, 40, count=2)
     cases[FAST_AND_FAR] = given(t, R, omega, inertia=body), wheel(t, R, omega, body)
+    for kind, (t, R, omega, body) in in_turn(draw).items():
+        cases[kind] = given(t, R, omega, inertia=body), wheel(t, R, omega, body)
     return cases
+
+
+def in_turn(draw):
+    """A motion, then others of which one thing alone is another: what is kept from one call is wrong in the next."""
+    omega, other_omega = an_omega(draw), an_omega(draw)
+    first = times(draw, omega, 5, count=4), an_attitude(draw), omega, a_wheel(draw)
+    others = times(draw, omega, 5, count=4), an_attitude(draw), other_omega, a_wheel(draw)
+    kinds = "other times", "another R", "another omega", "another body with A = B"
+    changed = {f"the motion of a call before, but for {kind}": (*first[:k], others[k], *first[k + 1 :])
+               for k, kind in enumerate(kinds)}  # fmt: skip
+    return {"a motion that is asked for again": first, **changed}
 
 
 FAST_AND_FAR = "a fast body with A = B, and two times many turns apart"
@@ -702,7 +716,8 @@ def wrong_motion_of(found, right, size, kind):
         return "it is the same at all times"
     if kind == FAST_AND_FAR:
         return "the steps must be short for a fast turn, and must not depend on the sampling"
-    return NEARLY if nearly(np.abs(found - right).max() / size) else ""
+    otherwise = "is something kept from one call to the next?" if "a call before" in kind else ""
+    return NEARLY if nearly(np.abs(found - right).max() / size) else otherwise
 
 
 @check(points=0.5, part="a", after=(omega_follows_elliptic_functions, attitude_follows_the_motion))
@@ -967,11 +982,23 @@ def period_round_the_first_axis(student, draw):
 @check(points=0.25, part="b", after=(period_round_the_last_axis, period_round_the_first_axis))
 def period_of_pure_spin_is_that_of_small_oscillations(student, draw):
     """tumble_period for pure spin about axis 0 or 2: the period of small oscillations about it."""
-    for axis in (0, 2):
-        spin = draw.uniform(1, 4) * draw.choice([-1, 1])
-        judge(student.tumble_period, [given(spin * np.eye(3)[axis], inertia=sorted_body(draw))],
+    for axis, sign in ((0, 1), (0, -1), (2, 1), (2, -1)):
+        spin = sign * draw.uniform(1, 4)
+        kind = f"pure spin about axis {axis}{', at a negative rate' if sign < 0 else ''}"
+        judge(student.tumble_period, [given(spin * np.eye(3)[axis] + 0.0, inertia=sorted_body(draw))],
               lambda omega, inertia, axis=axis: 2 * math.pi / math.sqrt(-growth(axis, omega[axis], inertia=inertia)),
-              within=PERIOD, of="the period", kind=f"pure spin about axis {axis}", hint="k = 0 there")  # fmt: skip
+              within=PERIOD, of="the period", kind=kind, hint="k = 0 there")  # fmt: skip
+
+
+def beside_separatrix(draw, distance):
+    """A call with C (C - B) r^2 = (1 + distance) A (B - A) p^2, beyond the separatrix for a positive distance.
+
+    At 1e-6, k by energy and H^2 gives the period to 4e-10, events of solve_ivp at 1e-9 give it to 4e-7 (RK45).
+    """
+    body, (p, q) = sorted_body(draw), draw.uniform(0.4, 1, 2)
+    A, B, C = body
+    r = p * math.sqrt((1 + distance) * A * (B - A) / (C * (C - B)))
+    return given(draw.uniform(1, 4) * draw.choice([-1, 1], 3) * [p, q, r], inertia=body)
 
 
 @check(points=0.25, part="b", after=(period_round_the_last_axis, period_round_the_first_axis))
@@ -985,6 +1012,10 @@ def period_grows_to_infinity_at_the_separatrix(student, draw):
     ]
     judge(student.tumble_period, calls, tumbling, within=NEAR_PERIOD, of="the period",
           kind="omega almost about the middle axis", hint="how near 1 is a k that is not 1?")  # fmt: skip
+    calls = [beside_separatrix(draw, sign * distance) for distance in (1e-2, 1e-4, 1e-6) for sign in (1, -1)]
+    judge(student.tumble_period, calls, tumbling, within=NEAR_PERIOD, of="the period",
+          kind="omega next to the separatrix, not about the middle axis",
+          hint="how near 1 is a k that is not 1?")  # fmt: skip
     # Whole numbers times powers of two: on the separatrix, 3 (4 - 3) 2^2 = 6 (6 - 4) 1^2, without any rounding
     body = np.array([3.0, 4.0, 6.0]) * 2.0 ** draw.integers(-5, 6)
     for omega, kind in (
@@ -1019,7 +1050,8 @@ def wobble(draw):
     start, end = draw.uniform(-2, 2) + np.array([0, draw.uniform(4, 6)]) / spin
     R = an_attitude(draw)
     fine = radius * wheel(np.linspace(start, end, 801), R, omega, body)[1]
-    return given(np.linspace(start, end, 400), R, omega, inertia=body, radius=radius), fine
+    # every second, fourth, fifth, eighth or tenth of 401 times ends with the last one
+    return given(np.linspace(start, end, 401), R, omega, inertia=body, radius=radius), fine
 
 
 def strays(line, fine):
@@ -1049,11 +1081,21 @@ def farthest(found, path):
     return min(max(map(strays, found, paths)) for paths in ((path, -path), (-path, path)))
 
 
-def wrong_paths(found, fine, radius):
+def ends_early(line, fine, near):
+    """Whether a line goes along the right path, from its start, but not to its end."""
+    path = along(line, fine)
+    first, last = np.linalg.norm(path[[0, -1]] - fine[[0, -1]], axis=1)
+    return first < near < last and distances(path, fine).max() < near
+
+
+def wrong_paths(found, picture, fine, radius):
     """Which other paths are drawn, if they are known, else what to draw."""
-    known = [
-        says for says, path in MISTAKEN_PATHS.items() if farthest(found, path(fine, radius)) < 1e-3 * radius
-    ]
+    path, near = fine[:, :2, 0], 1e-3 * radius
+    if found is not picture.lines and farthest(picture.lines, path) < near:
+        return "the label of x stands at the axis of y"
+    if any(all(map(ends_early, found, paths, (near, near))) for paths in ((path, -path), (-path, path))):
+        return "they end before t[-1]"
+    known = [says for says, path in MISTAKEN_PATHS.items() if farthest(found, path(fine, radius)) < near]
     return known[0] if known else "x and y, in space, of the body's points (radius, 0, 0) and (-radius, 0, 0)"
 
 
@@ -1068,13 +1110,14 @@ def x_to_the_right(picture):
 def rim_paths_are_drawn(student, draw):
     """plot_rim_paths: the two paths as seen along z, from t[0] to t[-1], with labels and equal scales."""
     call, fine = wobble(draw)
-    kind = "a disk near its spin axis"
+    kind = "a disk near its spin axis, t[0] not 0"
     picture = student.on(kind).plot_rim_paths.draw(*call.args, **call.kwargs)
     expect_that(len(picture.lines) == 2, f"the number of curves on the axes is {len(picture.lines)}, not 2",
                 hint="fewer than ten points are no curve")  # fmt: skip
     radius, found = call.kwargs["radius"], x_to_the_right(picture)
     # chords of the fine path, over less than a turn, leave the curve by (6/800)^2/8 = 7e-6 of the radius, and those of
-    # 25 points by (6/24)^2/8 = 8e-3
+    # 26 points, every sixteenth, by (6/25)^2/8 = 7e-3
     expect(farthest(found, fine[:, :2, 0]), 0.0, within=1e-3, scale=radius, of="a path",
-           unit="of the radius", at=call, kind=kind, hint=partial(wrong_paths, found, fine, radius))  # fmt: skip
+           unit="of the radius", at=call, kind=kind,
+           hint=partial(wrong_paths, found, picture, fine, radius))  # fmt: skip
     judge_axes_of_lengths(picture)
