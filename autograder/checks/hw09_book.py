@@ -235,8 +235,9 @@ def books(angle=math.pi / 2, sequence=in_space):
 def the_book_is_turned_in_both_orders(student, draw):
     """book_rotations: 90 degrees about z then x, and about x then z, axes fixed in space."""
     for found, right, which in zip(student.book_rotations(), books(), ("(a)", "(b)"), strict=True):
+        nearly = np.abs(found - right).max() < NEARLY
         expect(found, right, within=WITHIN, of=f"the matrix of {which}",
-               hint="turn a real book, and look where its three edges end")  # fmt: skip
+               hint=NEARLY_RIGHT if nearly else "turn a real book, and look where its three edges end")  # fmt: skip
 
 
 # (d, e) Axis and angle
@@ -493,6 +494,9 @@ def no_rotations(R, noise, draw):
     return (
         (-R, "a reflection"),
         (R @ np.diag([1.0, 1.0, -1.0]), "a reflection"),
+        # R^T R is off by what is allowed, the determinant, near -1, by more than a rounding
+        ((1 + 4e-7) * -R, "a reflection times 1 + 4e-7"),
+        ((1 - 4e-7) * R @ np.diag([1.0, -1.0, 1.0]), "a reflection times 1 - 4e-7"),
         (1.1 * R, "a rotation times 1.1"),
         ((1 + 1e-5) * R, "a rotation times 1.00001"),
         (
