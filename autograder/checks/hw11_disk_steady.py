@@ -102,16 +102,21 @@ def spin_on_track(lean, precession, track_radius, radius):
     return (track_radius - r0) / (r1 - r0)
 
 
+def resistance(lean, spin, force, **disk):
+    """What balances the weight's moment at Omega = 1 with that spin; without the weight steep leans cost no digits."""
+    return -unbalanced(lean, 1.0, spin, force, **{**disk, "gravity": 0.0})
+
+
 def root(square):
     """Wrong variants may have none."""
     return math.sqrt(square) if square >= 0.0 else math.nan
 
 
 def balanced_precession(lean, track_radius, *, force=rolling_force, **disk):
-    """Omega with weight - resistance Omega^2 = 0; the residual at Omega = 1 gives the resistance."""
+    """Omega with weight - resistance Omega^2 = 0."""
     weight = disk["mass"] * disk["gravity"] * disk["radius"] * math.sin(lean)
     spin = spin_on_track(lean, 1.0, track_radius, disk["radius"])
-    return root(weight / (weight - unbalanced(lean, 1.0, spin, force, **disk)))
+    return root(weight / resistance(lean, spin, force, **disk))
 
 
 def rolling_track(lean, precession, **disk):
@@ -133,7 +138,7 @@ def common(lean, *, mass, radius, inertia, gravity):
     lean = lean or 1e-5  # the lean enters by its square
     disk = {"mass": mass, "radius": radius, "inertia": inertia, "gravity": gravity}
     weight = mass * gravity * radius * math.sin(lean)
-    return root(weight / (weight - unbalanced(lean, 1.0, 0.0, sliding_force, **disk)))
+    return root(weight / resistance(lean, 0.0, sliding_force, **disk))
 
 
 def turning_energy(lean, precession, inertia):
@@ -263,8 +268,8 @@ def precession_with_relative_spin(lean, track_radius, *, mass, radius, inertia, 
     """C times the relative spin Omega R / a in the angular momentum, the force right."""
     A, C = inertia
     c, s = math.cos(lean), math.sin(lean)
-    resistance = c * (C * track_radius / radius + mass * radius * (track_radius - radius * s) + A * s)
-    return root(mass * gravity * radius * s / resistance)
+    per_square = c * (C * track_radius / radius + mass * radius * (track_radius - radius * s) + A * s)
+    return root(mass * gravity * radius * s / per_square)
 
 
 def precession_without_ma2(lean, track_radius, **disk):
@@ -395,6 +400,8 @@ def telling(case):
     """Sorts first what tells a suspect from the truth: where a call raises, the ones before it alone are compared."""
     call, _, _, kind = case
     motion = call.args[:2]
+    if kind == AGAIN:
+        return 3, False
     return (2, False) if 0.0 in motion else (int(motion[-1] > 0.0), kind in THIN_KINDS)
 
 
@@ -414,20 +421,32 @@ def agree(function, cases, *, of, unit, hint=""):
 
 
 SMALL_LEAN = 5e-5  # rad; what it changes is far above any tolerance
+STEEP_LEANS = 1.55, math.pi / 2 - 1e-4  # rad; at the second, rounding costs four digits of sixteen
+STEEP = "a disk that lies almost flat"
+LITTLE_GRAVITY = 1e-2  # m/s^2, of an asteroid: little, and not none
+LITTLE = "very little gravity"
+AGAIN = "the same arguments as before, but for those of the disk"
+
+
+def spins(motions, force):
+    """The cases of spins of these (lean, precession, disk, kind)."""
+    return [
+        (given(lean, precession, **disk), balanced_spin(lean, precession, force, **disk),
+         spin_scale(lean, precession, force, **disk), kind)
+        for lean, precession, disk, kind in motions
+    ]  # fmt: skip
 
 
 @once
 def members(draw, force):
     """Spins at leans and precessions of both signs."""
-    cases = []
+    motions = []
     for make in (*WHEELS * 4, coin):
         disk, lean = a_disk(draw, make), a_lean(draw)
         precession = draw.choice([-1, 1]) * usual(disk) * draw.uniform(0.3, 3)
-        spin = balanced_spin(lean, precession, force, **disk)
-        cases.append(
-            (given(lean, precession, **disk), spin, spin_scale(lean, precession, force, **disk), KINDS[make])
-        )
-    return cases
+        motions.append((lean, precession, disk, KINDS[make]))
+    (lean, precession, *_), (_, _, other, _) = motions[:2]
+    return spins([*motions, (lean, precession, other, AGAIN)], force)
 
 
 UNIT = {"mass": 1.0, "radius": 1.0, "inertia": (0.25, 0.5), "gravity": 1.0}  # a thin uniform disk
@@ -443,12 +462,11 @@ def plain_members(draw, force):
         cases += [(0.0, precession, disk, "an upright disk"), (a_lean(draw), precession, still, "no gravity")]
         cases.append((0.0, precession, still, "an upright disk without gravity"))
     cases.append((draw.choice([-1, 1]) * SMALL_LEAN, precession, disk, "an almost upright disk"))
+    cases += [(sign * STEEP_LEANS[0], precession, disk, STEEP) for sign in (1, -1)]
+    little = {**disk, "gravity": LITTLE_GRAVITY}
+    cases.append((a_lean(draw), usual(little), little, LITTLE))
     cases += [(sign * math.pi / 4, turn, UNIT, "whole numbers") for sign in (1, -1) for turn in (1.0, -1.0)]
-    return [
-        (given(lean, precession, **disk), balanced_spin(lean, precession, force, **disk),
-         spin_scale(lean, precession, force, **disk), kind)
-        for lean, precession, disk, kind in cases
-    ]  # fmt: skip
+    return spins(cases, force)
 
 
 def smallest_track(lean, *, mass, radius, inertia, gravity):
@@ -459,22 +477,27 @@ def smallest_track(lean, *, mass, radius, inertia, gravity):
 @once
 def tracks(draw):
     """Precessions on tracks, lean and track radius positive."""
-    cases = []
+    ways = []
     for make in WHEELS * 4:
         disk, lean = a_disk(draw, make), draw.uniform(0.1, 1.35)
         track = smallest_track(lean, **disk) + disk["radius"] * draw.uniform(0.3, 6)
-        right = balanced_precession(lean, track, **disk)
-        cases.append((given(lean, track, **disk), right, right, KINDS[make]))
-    return cases
+        ways.append((lean, track, disk, KINDS[make]))
+    lean, track, disk, _ = ways[0]
+    ways.append((lean, track, {**disk, "gravity": 2 * disk["gravity"]}, AGAIN))
+    cases = [(given(*way, **disk), balanced_precession(*way, **disk), kind) for *way, disk, kind in ways]
+    return [(call, right, right, kind) for call, right, kind in cases]
 
 
 @once
 def whirls(draw):
     """Leans, precessions, spins and disks without any relation, steady or not."""
     disks = [(a_disk(draw, make), KINDS[make]) for make in (*WHEELS * 4, coin)]
-    return [
+    found = [
         (draw.uniform(-1.4, 1.4), *(usual(disk) * draw.uniform(-3, 3, 2)), disk, kind) for disk, kind in disks
     ]
+    (*motion, _, _), (*_, disk, _) = found[:2]
+    steep = [(sign * STEEP_LEANS[0], *motion[1:], disk, STEEP) for sign in (1, -1)]
+    return [*found, *steep, (*motion, disk, AGAIN)]
 
 
 @once
@@ -588,7 +611,7 @@ def rolling_precession_balances_the_moments(student, draw):
 
 @check(points=0.5, part="a", after=rolling_precession_balances_the_moments)
 def rolling_precession_holds_on_tracks_of_any_sign(student, draw):
-    """rolling_precession holds where the contact is beyond the circle's centre, for a long roller, and for a coin."""
+    """rolling_precession holds with the contact beyond the centre, for a roller, for a coin, and almost flat."""
     mirrored = [
         (given(*(-x for x in call.args), **call.kwargs), right, right, "lean and track radius both negative")
         for call, right, _, _ in tracks(draw)[:4]
@@ -604,8 +627,15 @@ def rolling_precession_holds_on_tracks_of_any_sign(student, draw):
     track = smallest_track(lean, **disk) + disk["radius"] * draw.uniform(0.3, 0.6)
     right = balanced_precession(lean, track, **disk)
     small = (given(lean, track, **disk), right, right, KINDS[coin])
-    agree(student.rolling_precession, [*mirrored, still, *beyond, small], of="the precession", unit="of itself",
+    steep = [almost_flat(lean, tracks(draw)[0][0].kwargs) for lean in STEEP_LEANS]
+    agree(student.rolling_precession, [*mirrored, still, *beyond, small, *steep], of="the precession", unit="of itself",
           hint="which sign must the moment of the weight have?")  # fmt: skip
+
+
+def almost_flat(lean, disk):
+    track = smallest_track(lean, **disk) + disk["radius"]
+    right = balanced_precession(lean, track, **disk)
+    return given(lean, track, **disk), right, right, STEEP
 
 
 @check(points=0.5, part="a", after=rolling_precession_balances_the_moments)
@@ -616,11 +646,19 @@ def rolling_precession_is_zero_where_nothing_turns_it(student, draw):
         disk, R = a_disk(draw, make), draw.uniform(2, 5)  # m, wider than any smallest track
         lean, still = draw.uniform(0.2, 1.2), {**disk, "gravity": 0.0}
         plain.append((given(lean, R, **still), 0.0, 1.0, "no gravity"))
+        little = {**disk, "gravity": LITTLE_GRAVITY}
+        plain.append((given(lean, R, **little), balanced_precession(lean, R, **little), 1.0, LITTLE))
         right = balanced_precession(SMALL_LEAN, R, **disk)
         for sign, word in ((1, "positive"), (-1, "negative")):
-            plain.append(
-                (given(0.0, sign * R, **disk), 0.0, 1.0, f"an upright disk and a {word} track radius")
-            )
+            plain += [
+                (
+                    given(0.0, sign * track, **disk),
+                    0.0,
+                    1.0,
+                    f"an upright disk and a {word} track radius{size}",
+                )
+                for track, size in ((R, ""), (0.05 * disk["radius"], ", far below the radius of the disk"))
+            ]
             signed += [
                 (
                     given(-sign * lean, sign * R, **still),
@@ -711,7 +749,9 @@ def sliding_spin_balances_the_moments(student, draw):
 )  # fmt: skip
 def sliding_track_is_around_the_resting_centre(student, draw):
     """sliding_track_radius is the contact's distance from the vertical through G, signed as R is."""
-    leans, radii = [*(a_lean(draw) for _ in range(10)), 0.0], 10 ** draw.uniform(-1.5, 1, 11)
+    leans = [*(a_lean(draw) for _ in range(10)), 0.0]
+    leans += [leans[0], STEEP_LEANS[0], -STEEP_LEANS[0]]
+    radii = 10 ** draw.uniform(-1.5, 1, len(leans))
     cases = [
         (given(lean, radius=a), rim(lean, a) @ X, a, SIGNS[np.sign(lean)])
         for lean, a in zip(leans, radii, strict=True)
@@ -725,6 +765,18 @@ SIGNS = {1: "a lean inwards", -1: "a negative lean", 0: "an upright disk"}
 
 
 # (c) Both
+
+
+def other_gravities(call):
+    """(lean, disk, kind): the lean of this call with another gravity, and its negative with very little of it."""
+    (lean,), disk = call.args, call.kwargs
+    again, little = ({**disk, "gravity": g} for g in (2 * disk["gravity"], LITTLE_GRAVITY))
+    return [(lean, again, AGAIN), (-lean, little, LITTLE)]
+
+
+def steep_leans(disk):
+    """The same for disks that lie almost flat."""
+    return [(sign * lean, disk, STEEP) for lean in STEEP_LEANS for sign in (1, -1)]
 
 
 @check(
@@ -746,19 +798,26 @@ def common_precession_is_in_both_families(student, draw):
         cases.append((given(lean, **disk), right, right, KINDS[make]))
     right = common(math.pi / 4, **UNIT)
     cases += [(given(sign * math.pi / 4, **UNIT), right, right, "whole numbers") for sign in (1, -1)]
+    for lean, disk, kind in other_gravities(cases[0][0]):
+        right = common(lean, **disk)
+        cases.append((given(lean, **disk), right, right, kind))
     agree(student.common_precession, cases, of="the precession", unit="of itself",
           hint="both tracks must be the same circle: what is the spin then?")  # fmt: skip
 
 
 @check(points=0.25, part="c", after=common_precession_is_in_both_families)
 def common_precession_has_a_limit_upright(student, draw):
-    """common_precession at lean 0 is its limit, and next to 0 it is near."""
+    """common_precession at lean 0 is its limit, next to 0 it is near, and almost flat it holds."""
     for lean in (0.0, 1e-9, -1e-9):
         disk = a_disk(draw, wheel)
         right, kind = common(1e-4, **disk), "an upright disk" if lean == 0.0 else "an almost upright disk"
         expect(student.on(kind).common_precession(lean, **disk), right, scale=right, of="the precession",
                within=1e-7,  # the lean enters by its square, 1e-8
                unit="of itself", at=(lean, disk), kind=kind, hint="cancel the sine first")  # fmt: skip
+    for lean, steep, kind in steep_leans(disk):
+        right = common(lean, **steep)
+        expect(student.on(kind).common_precession(lean, **steep), right, within=WITHIN, scale=right,
+               of="the precession", unit="of itself", at=(lean, steep), kind=kind)  # fmt: skip
 
 
 @check(
@@ -832,6 +891,9 @@ def moment_residual_is_moment_minus_rate(student, draw):
         )
         motion = (lean, precession, spin, inward, normal)
         cases.append((given(*motion, **disk), residual(*motion, **disk), scale, kind))
+    call, _, scale, _ = cases[0]
+    other = {**call.kwargs, "inertia": tuple(2 * it for it in call.kwargs["inertia"])}
+    cases.append((given(*call.args, **other), residual(*call.args, **other), 2 * scale, AGAIN))
     agree(student.moment_residual, cases, of="the residual", unit="of its terms",
           hint="Omega z x H: which parts of H go round?")  # fmt: skip
 
@@ -863,5 +925,9 @@ def settling_energy_adds_up(student, draw):
         cases.append((given(lean, **disk), settled(lean, **disk), scale, KINDS[make]))
         if len(cases) % 3 == 1:
             cases.append((given(0.0, **disk), settled(0.0, **disk), scale, "an upright disk"))
+    call, *_ = cases[0]
+    for lean, disk, kind in [*other_gravities(call), *steep_leans(call.kwargs)]:
+        scale = disk["mass"] * disk["gravity"] * disk["radius"]
+        cases.append((given(lean, **disk), settled(lean, **disk), scale, kind))
     agree(student.settling_energy, cases, of="the energy", unit="of m g a",
           hint="G is at rest; about which axis does the disk turn?")  # fmt: skip

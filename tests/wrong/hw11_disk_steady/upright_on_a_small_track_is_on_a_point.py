@@ -1,0 +1,13 @@
+"""An upright disk on a track of less than a fifth of its radius is taken for one that spins on a point.
+
+fails: rolling_precession_is_zero_where_nothing_turns_it
+names: far below the radius of the disk
+"""
+
+_precession = rolling_precession
+
+
+def rolling_precession(lean, track_radius, *, radius, **disk):
+    if lean == 0.0 and abs(track_radius) < radius / 5:
+        raise ValueError("every Omega will do")
+    return _precession(lean, track_radius, radius=radius, **disk)
