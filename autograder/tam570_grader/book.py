@@ -7,13 +7,18 @@ import json
 import os
 from collections.abc import Iterable
 from pathlib import Path
-from typing import Any
+from typing import Any, BinaryIO
 
 from tam570_grader.errors import UsageError
 
-__all__ = ["Book", "Record", "read", "seed_of", "written"]
+__all__ = ["FORMULA", "Book", "Record", "cell", "name_in", "read", "seed_of", "written"]
 
 Record = dict[str, Any]  # a result line, with "digest": of all that the result depends on
+# what every result has, and every mark in its "checks"
+RESULT = {"student", "assignment", "status", "score", "max_score", "seed", "seconds", "isolation", "checks"}
+MARK = {"name", "part", "points", "max_points", "outcome", "message", "suspect", "detail"}
+# how formulas begin; spreadsheets take the wide forms for the narrow ones
+FORMULA = "=", "+", "-", "@", "\t", "\r", "\n", "\uff1d", "\uff0b", "\uff0d", "\uff20"
 
 
 class Book:
@@ -21,16 +26,7 @@ class Book:
 
     def __init__(self, folder: Path) -> None:
         self._folder = folder
-        try:
-            folder.mkdir(parents=True, exist_ok=True)
-            self._file = open(folder / "results.jsonl", "a+b")  # noqa: SIM115  open as long as the book
-        except OSError as error:
-            raise UsageError(f"cannot write results to {folder}: {error.strerror}") from None
-        try:
-            fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except OSError:
-            self._file.close()
-            raise UsageError(f"another run is writing to {folder}") from None
+        self._file = _locked(folder)
         try:
             self._records = self._read()
         except UsageError:
@@ -58,11 +54,13 @@ class Book:
     def close(self) -> None:
         """Write the table of grades, and drop the lines that newer ones have replaced."""
         self._file.seek(0)
-        if self._file.read().count(b"\n") > len(self._records):
+        replaced = self._file.read().count(b"\n") > len(self._records)
+        if replaced:
             self._records = self._read()  # an interrupt may have come between a line and its record
+        written(self._folder / "grades.csv", grades(self.records()))
+        if replaced:  # last: the lock is on the file that goes
             lines = "".join(json.dumps(record) + "\n" for record in self._records.values())
             written(self._folder / "results.jsonl", lines)
-        written(self._folder / "grades.csv", grades(self.records()))
         self._file.close()
 
     def _read(self) -> dict[tuple[str, str], Record]:
@@ -72,6 +70,36 @@ class Book:
         whole = data[: data.rfind(b"\n") + 1]
         self._file.truncate(len(whole))
         return _parsed(whole, self._folder / "results.jsonl")
+
+
+def _locked(folder: Path) -> BinaryIO:
+    """The `results.jsonl` of a folder, open and ours alone."""
+    while True:
+        file = _opened(folder)
+        try:
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError:
+            file.close()
+            raise UsageError(f"another run is writing to {folder}") from None
+        if _is_at(file, folder / "results.jsonl"):
+            return file
+        file.close()
+
+
+def _is_at(file: BinaryIO, path: Path) -> bool:
+    """Whether an open file is the one of that name: a run that ends may have put another in its place."""
+    return path.exists() and os.path.samestat(os.fstat(file.fileno()), os.stat(path))
+
+
+def _opened(folder: Path) -> BinaryIO:
+    path = folder / "results.jsonl"
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        if path.exists() and not path.is_file():
+            raise UsageError(f"cannot write results to {folder}: {path} is not a regular file; move it away")
+        return open(path, "a+b")
+    except OSError as error:
+        raise UsageError(f"cannot write results to {folder}: {error.strerror}; name another folder") from None
 
 
 def read(path: Path) -> list[Record]:
@@ -96,11 +124,22 @@ def seed_of(records: Iterable[Record]) -> int | None:
 
 def _parsed(lines: bytes, path: Path) -> dict[tuple[str, str], Record]:
     """The results by student and assignment."""
+    records = {}
+    for number, line in enumerate(lines.splitlines(), start=1):
+        if (record := _result(line)) is None:
+            raise UsageError(f"{path} holds a line that is no result (line {number}); move the file away")
+        records[_key(record)] = record
+    return records
+
+
+def _result(line: bytes) -> Record | None:
+    """The result in a line; None if it is none."""
     try:
-        records = [json.loads(line) for line in lines.splitlines()]
-        return {_key(record): record for record in records}
-    except (ValueError, TypeError, KeyError):
-        raise UsageError(f"{path} holds a line that is no result; move the file away") from None
+        record: Record = json.loads(line)
+        whole = record.keys() >= RESULT and all(mark.keys() >= MARK for mark in record["checks"])
+    except (ValueError, TypeError, AttributeError):
+        return None
+    return record if whole else None
 
 
 def written(path: Path, text: str) -> None:
@@ -120,13 +159,23 @@ def grades(records: Iterable[Record]) -> str:
     writer = csv.writer(table)
     writer.writerow(columns)
     for record in records:
-        writer.writerow([_cell(record[column]) for column in columns])
+        writer.writerow([cell(record[column]) for column in columns])
     return table.getvalue()
 
 
-def _cell(value: Any) -> Any:
-    """A value that no spreadsheet takes for a formula."""
-    return f"'{value}" if isinstance(value, str) and value.startswith(("=", "+", "-", "@", "\t")) else value
+def cell(value: Any) -> Any:
+    """A value that no spreadsheet takes for a formula: a quote stands before what could be one."""
+    return f"'{value}" if isinstance(value, str) and _could_be_formula(value) else value
+
+
+def name_in(cell: str) -> str:
+    """The text that was made into a cell."""
+    return cell[1:] if cell.startswith("'") and _could_be_formula(cell) else cell
+
+
+def _could_be_formula(text: str) -> bool:
+    """By how it begins, quotes aside, so that a quote of its own is told from ours."""
+    return text.lstrip("'").startswith(FORMULA)
 
 
 def _key(record: Record) -> tuple[str, str]:
