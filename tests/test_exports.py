@@ -5,11 +5,12 @@ import json
 import os
 import subprocess
 import sys
+import unicodedata
 import zipfile
 
 import pytest
 
-from tam570_grader import cli, gradescope, lms, root
+from tam570_grader import book, cli, gradescope, lms, root
 from tam570_grader.grade import failed_by_us
 from tam570_grader.stubs import stub
 
@@ -223,6 +224,67 @@ def test_nbgraders_export_will_do(tmp_path, capsys):
     (tmp_path / "grades.csv").write_text(export)
     assert cli.main(["lms", str(tmp_path / "grades.csv"), "--to", "moodle"]) == 0
     assert capsys.readouterr().out.splitlines() == ["Username,hw07_x", "ann,8.5"]
+
+
+NAMES = [
+    "ann",
+    "'ann",
+    "+1",
+    "'+1",
+    "''=1",
+    "-rf",
+    "@x",
+    "\tx",
+    "\rx",
+    "\uff1d1",
+    "\uff0b1",
+    "\uff0d1",
+    "\uff20x",
+]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_cell_is_no_formula_and_tells_the_name(name):
+    assert unicodedata.normalize("NFKC", book.cell(name))[0] not in "=+-@\t\r"
+    assert book.name_in(book.cell(name)) == name
+    assert (book.cell(name) == name) == (name in NAMES[:2])
+
+
+@pytest.fixture
+def grades(tmp_path):
+    """A table of grades of students with odd names."""
+    records = [{"student": name, "assignment": "hw07_x", "status": "graded", "score": 9.5, "max_score": 10.0}
+               for name in ("+1", "ann")]  # fmt: skip
+    (tmp_path / "grades.csv").write_text(book.grades(records))
+    return tmp_path / "grades.csv"
+
+
+def test_a_login_that_could_be_a_formula_is_matched_as_it_is_and_warned_of(grades, capsys):
+    roster = grades.with_name("roster.csv")
+    with open(roster, "w", newline="") as file:
+        csv.writer(file).writerows([*ROSTER[:2], ["Lee, Ann", "17", "A1", "+1", "570", "", ""]])
+    lms = ["lms", str(grades), "--to"]
+    assert cli.main([*lms, "canvas", "--roster", str(roster)]) == 0
+    out, err = capsys.readouterr()
+    assert out.splitlines()[-1] == '"Lee, Ann",17,A1,+1,570,9.5' and "formulas: '+1'" in err
+    assert cli.main([*lms, "moodle"]) == 0
+    out, err = capsys.readouterr()
+    assert out.splitlines()[1:] == ["+1,9.5", "ann,9.5"] and "formulas: '+1'" in err
+    assert cli.main([*lms, "canvas"]) == 0
+    assert "\n'+1,,,+1,,9.5" in capsys.readouterr().out
+
+
+def test_names_without_a_sign_are_not_warned_of(grades, capsys):
+    grades.write_text(grades.read_text().replace("'+1", "ben"))
+    assert cli.main(["lms", str(grades), "--to", "moodle"]) == 0
+    assert capsys.readouterr().err == ""
+
+
+@pytest.mark.parametrize("row", ["ann,hw07_x", "ann,hw07_x,9,10,"])
+def test_a_row_that_does_not_fit_the_heading_is_shown(tmp_path, capsys, row):
+    (tmp_path / "grades.csv").write_text(f"student,assignment,score,max_score\n{row}\n")
+    assert cli.main(["lms", str(tmp_path / "grades.csv"), "--to", "moodle"]) == 2
+    assert f"4 columns: {row}" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("text", ["", "a,b\n1,2\n"])

@@ -2,11 +2,12 @@
 
 import csv
 import io
+import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from tam570_grader.book import written
-from tam570_grader.errors import UsageError
+from tam570_grader.book import FORMULA, cell, name_in, written
+from tam570_grader.errors import UsageError, writing
 
 __all__ = ["canvas", "moodle", "run"]
 
@@ -31,13 +32,23 @@ def run(grades: Path, system: str, roster: Path | None, identity: str, out: Path
     table = (
         moodle(found, identity) if system == "moodle" else canvas(found, _rows(roster) if roster else None)
     )
+    _warn_of_formulas(table)
     text = io.StringIO()
     csv.writer(text).writerows(table)
     if out:
-        written(out, text.getvalue())
+        with writing(out):
+            written(out, text.getvalue())
     else:
         print(text.getvalue(), end="")
     return 0
+
+
+def _warn_of_formulas(table: Sequence[Sequence[str]]) -> None:
+    """A login is matched only as it is, so none is quoted."""
+    if found := sorted({text for row in table for text in row if text.startswith(FORMULA)}):
+        names = ", ".join(map(repr, found))
+        says = "import the table without opening it in a spreadsheet, which may take these for formulas"
+        print(f"tam570-grader: warning: {says}: {names}", file=sys.stderr)
 
 
 def canvas(scores: Scores, roster: Sequence[Sequence[str]] | None = None) -> list[list[str]]:
@@ -64,15 +75,20 @@ def _scores(grades: Path) -> Scores:
     name = "student" if "student" in heading else "student_id"
     if not {name, "assignment", "score", "max_score"} <= set(heading):
         raise UsageError(f"{grades} is no grades.csv of tam570-grader or nbgrader")
+    if odd := [",".join(row) for row in rows if len(row) != len(heading)]:
+        raise UsageError(
+            f"{grades} has a row that does not fit its heading of {len(heading)} columns: {odd[0]}; mend it"
+        )
     found = [dict(zip(heading, row, strict=True)) for row in rows]
-    return {(row[name], row["assignment"]): (row["score"], row["max_score"]) for row in found}
+    true_name = name_in if name == "student" else str  # nbgrader quotes none
+    return {(true_name(row[name]), row["assignment"]): (row["score"], row["max_score"]) for row in found}
 
 
 def _rows(path: Path) -> list[list[str]]:
     try:
         with open(path, newline="", encoding="utf-8-sig") as file:
             rows = [row for row in csv.reader(file) if row]
-    except (OSError, UnicodeDecodeError) as error:
+    except (OSError, UnicodeDecodeError, csv.Error) as error:
         raise UsageError(f"{path} cannot be read: {error}") from None
     if not rows:
         raise UsageError(f"{path} is empty")
@@ -91,7 +107,7 @@ def _people(roster: Sequence[Sequence[str]]) -> tuple[list[str], list[Sequence[s
 
 def _unknown(scores: Scores) -> list[Sequence[str]]:
     """Students of whom we know no more than the name of their folder, taken for their login."""
-    return [[student, "", "", student, ""] for student in sorted({student for student, _ in scores})]
+    return [[cell(student), "", "", student, ""] for student in sorted({student for student, _ in scores})]
 
 
 def _score(scores: Scores, person: Sequence[str], slug: str) -> str:
