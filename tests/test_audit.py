@@ -9,6 +9,7 @@ import pytest
 
 from tam570_grader import cli, diagnosis, fairness, margins, mutation, root
 from tam570_grader.equivalents import equivalents
+from tam570_grader.errors import UsageError
 from tam570_grader.margins import Margin
 from tam570_grader.mutate import mutants
 
@@ -100,6 +101,31 @@ def test_the_audit_fails_when_a_line_lists_in_vain(slip, proof, fault, capsys, m
     assert f"LISTED IN VAIN _unit: {slip[1]}: {fault}" in capsys.readouterr().out
 
 
+def test_a_function_that_is_in_no_assignment_is_refused(capsys):
+    assert cli.main(["audit", "hw08", "hw12", "--function", "skew", "nosuch"]) == 2
+    err = capsys.readouterr().err
+    assert "no function 'nosuch'" in err and "rotation_matrix" in err and "accelerat" in err
+
+
+def test_of_several_assignments_those_with_the_function_are_audited(capsys):
+    assert cli.main(["audit", "hw07", "hw08", "--function", "skew", "--quick", "--jobs", "1", "--json"]) == 0
+    (line,) = capsys.readouterr().out.splitlines()
+    assert json.loads(line)["assignment"] == SLUG
+
+
+@pytest.mark.parametrize(
+    ("text", "says"), [("x = [", "Invalid value"), ("x = 1", "a table [x]"), ("[skew]\na = 1", "a table [skew]"),
+                       ("\udcff", "codec can't decode")]
+)  # fmt: skip
+def test_a_list_of_equivalent_mutants_that_cannot_be_read_is_named(tmp_path, text, says):
+    path = tmp_path / "autograder" / "equivalent_mutants" / f"{SLUG}.toml"
+    path.parent.mkdir(parents=True)
+    path.write_text(text, errors="surrogateescape")
+    with pytest.raises(UsageError) as refused:
+        equivalents(tmp_path, SLUG)
+    assert str(path) in str(refused.value) and says in str(refused.value)
+
+
 def test_the_bound_on_a_rate_is_that_of_the_binomial():
     """With no failure in n runs the bound p solves (1 - p)^n = 5 %; with k it leaves a chance of 5 % for k or fewer."""
     assert fairness.upper_bound(0, 100) == pytest.approx(1 - 0.05 ** (1 / 100), rel=1e-12)
@@ -123,6 +149,23 @@ def test_right_submissions_are_fair_and_what_is_kept_is_not_run_again(tmp_path, 
         cli.main(command)
 
 
+@pytest.mark.parametrize("text", [b'{"a": 1}\n', b"[]\n", b"\xff\xfe\x00\n"])
+def test_a_file_to_keep_that_holds_something_else_is_left_alone(tmp_path, capsys, text):
+    keep = tmp_path / "keep"
+    keep.write_bytes(text)
+    assert cli.main(["audit", "hw08", "--fairness", "1", "--jobs", "1", "--keep", str(keep)]) == 2
+    assert str(keep) in capsys.readouterr().err and keep.read_bytes() == text
+
+
+def test_what_is_kept_after_a_line_that_was_cut_short_is_on_lines_of_its_own(tmp_path):
+    keep = tmp_path / "keep"
+    first, second = ({**dict.fromkeys(fairness.FIELDS, ""), "seed": seed} for seed in (1, 2))
+    for lines in ([first], [second]):
+        fairness._add(keep, lines)
+        keep.write_bytes(keep.read_bytes() + b'{"half a li')
+    assert [*fairness._kept(keep)] == [first, second]
+
+
 def test_what_is_kept_of_a_submission_is_not_that_of_another_name(tmp_path, monkeypatch):
     keep = tmp_path / "fair.jsonl"
     texts = {"a": "def skew(v): return None", "b": "def skew(v): return v"}
@@ -142,6 +185,12 @@ def test_what_is_kept_of_a_submission_is_not_that_of_another_name(tmp_path, monk
 def test_an_option_that_would_do_nothing_is_refused(arguments, capsys):
     assert cli.main(["audit", "hw08", *arguments]) == 2
     assert arguments[-2] in capsys.readouterr().err
+
+
+def test_a_diagnosis_of_nothing_is_refused(capsys, monkeypatch):
+    monkeypatch.setattr(diagnosis, "submissions", lambda course, kind, slug: {})
+    assert cli.main(["audit", "hw08", "--diagnosis"]) == 2
+    assert "there is no wrong submission" in capsys.readouterr().err
 
 
 def test_a_quick_diagnosis_takes_a_sample(capsys):

@@ -2,7 +2,7 @@
 
 import argparse
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -68,7 +68,8 @@ def _audit(arguments: argparse.Namespace) -> int:
     question = _question(arguments)
     grading.warn_of_isolation()
     faults = 0
-    for slug in root.named(arguments.assignments, root.slugs(course)):
+    slugs = root.named(arguments.assignments, root.slugs(course))
+    for slug in _with_functions(course, slugs, arguments.function) if arguments.function else slugs:
         data, lines, found = question(course, slug, arguments)
         print(*([json.dumps(data)] if arguments.json else lines), sep="\n", flush=True)
         faults += found
@@ -84,9 +85,23 @@ def _question(arguments: argparse.Namespace) -> Question:
     return QUESTIONS[asked[0]] if asked else _mutation
 
 
+def _with_functions(course: Path, slugs: Sequence[str], names: Sequence[str]) -> list[str]:
+    """The assignments that have functions of these names; UsageError for a name that none has."""
+    from tam570_grader.mutate import mutants
+
+    texts = {slug: (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8") for slug in slugs}
+    there = {slug: {one.function for one in mutants(slug, text)} for slug, text in texts.items()}
+    known = sorted(set().union(*there.values()))
+    if unknown := [name for name in names if name not in known]:
+        raise UsageError(f"--function: there is no function {unknown[0]!r}; there are: {', '.join(known)}")
+    return [slug for slug in slugs if there[slug] & set(names)]
+
+
 def _mutation(course: Path, slug: str, arguments: argparse.Namespace) -> Answer:
     from tam570_grader import mutation
+    from tam570_grader.equivalents import equivalents
 
+    equivalents(course, slug)  # what is wrong with the list is said before the mutants are run
     found = mutation.fates(course, slug, arguments.jobs, arguments.quick, arguments.function)
     return mutation.as_json(found), mutation.report(found), found.faults
 

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from tam570_grader.errors import UsageError
 from tam570_grader.grade import Result
 from tam570_grader.trials import Trial, done, header, progress, submissions, tried
 
@@ -39,6 +40,10 @@ def diagnoses(course: Path, slug: str, jobs: int, quick: bool) -> list[Diagnosis
     """The diagnosis of each wrong submission of an assignment, or of a fixed sample."""
     solution = (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8")
     wrong = submissions(course, "wrong", slug)
+    if not wrong:
+        raise UsageError(
+            f"there is no wrong submission to name in {course / 'tests' / 'wrong' / slug}; write one"
+        )
     wrong = dict(list(wrong.items())[:: max(1, len(wrong) // QUICK)]) if quick else wrong
     tasks = [Trial(course, slug, name, f"{solution}\n\n{text}", SEED) for name, text in wrong.items()]
     results = progress(done(tried, tasks, jobs), len(tasks), "submission")

@@ -14,6 +14,7 @@ import tomllib
 from collections.abc import Container, Mapping
 from pathlib import Path
 
+from tam570_grader.errors import UsageError
 from tam570_grader.mutate import Mutant
 
 __all__ = ["entry", "equivalents", "idle"]
@@ -24,8 +25,20 @@ Slip = tuple[str, str]  # function, what was done in it
 def equivalents(course: Path, slug: str) -> dict[Slip, str]:
     """The proofs by slip."""
     path = course / "autograder" / "equivalent_mutants" / f"{slug}.toml"
-    tables = tomllib.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
+    tables = _tables(path) if path.exists() else {}
     return {(function, slip): proof for function, slips in tables.items() for slip, proof in slips.items()}
+
+
+def _tables(path: Path) -> dict[str, dict[str, str]]:
+    """The slips and proofs by function; UsageError if the file holds anything else."""
+    try:
+        tables = tomllib.loads(path.read_text(encoding="utf-8"))
+    except ValueError as error:  # no TOML, no UTF-8
+        raise UsageError(f"{path} cannot be read: {error}") from None
+    for function, slips in tables.items():
+        if not isinstance(slips, dict) or not all(isinstance(proof, str) for proof in slips.values()):
+            raise UsageError(f'{path}: {function}: it wants a table [{function}] of lines "slip" = "proof"')
+    return tables
 
 
 def entry(mutant: Mutant) -> str:

@@ -1,21 +1,23 @@
 """Does a right answer ever lose points? Right submissions, with many seeds, and a bound on what was not seen."""
 
-import contextlib
 import hashlib
 import json
+import os
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from tam570_grader import root
+from tam570_grader.errors import UsageError, writing
 from tam570_grader.trials import Trial, done, progress, submissions, tried
 
 __all__ = ["fair", "report", "upper_bound"]
 
 FIRST_SEED = 5000
 CONFIDENCE = 0.95
-Line = dict[str, Any]  # assignment, submission, digest, seed, fails: [[check, message], ...]
+Line = dict[str, Any]  # with FIELDS; "fails": [[check, message], ...]
+FIELDS = {"assignment", "submission", "digest", "seed", "fails"}
 
 
 @dataclass(frozen=True)
@@ -78,17 +80,34 @@ def _digest(course: Path, slug: str, text: str) -> str:
 
 
 def _kept(keep: Path | None) -> Iterator[Line]:
-    """The lines of an earlier run, but for one that an interrupt has broken."""
-    text = keep.read_text(encoding="utf-8") if keep and keep.exists() else ""
-    for line in text.splitlines():
-        with contextlib.suppress(json.JSONDecodeError):
-            yield json.loads(line)
+    """The lines of an earlier run, but for those that an interrupt has broken; the file is made if it is new."""
+    if keep is None:
+        return
+    with writing(keep), keep.open("a+b") as file:
+        file.seek(0)
+        texts = file.read().splitlines()
+    for text in texts:
+        try:
+            line = json.loads(text)
+        except json.JSONDecodeError:
+            continue
+        except UnicodeDecodeError:
+            line = None
+        if not isinstance(line, dict) or not line.keys() >= FIELDS:
+            raise UsageError(
+                f"{keep} holds a line that --fairness did not write; name another file with --keep"
+            )
+        yield line
 
 
 def _add(keep: Path | None, lines: Iterable[Line]) -> None:
+    """Write the lines down, apart from one that an interrupt has broken."""
     if keep:
-        with keep.open("a", encoding="utf-8") as file:
-            file.writelines(f"{json.dumps(line)}\n" for line in lines)
+        with keep.open("a+b") as file:
+            file.seek(max(0, file.seek(0, os.SEEK_END) - 1))
+            if file.read() not in (b"", b"\n"):
+                file.write(b"\n")
+            file.writelines(json.dumps(line).encode() + b"\n" for line in lines)
 
 
 def upper_bound(failures: int, runs: int) -> float:
