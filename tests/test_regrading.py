@@ -3,6 +3,7 @@
 import json
 import shutil
 from importlib import metadata
+from itertools import pairwise
 
 import pytest
 
@@ -130,6 +131,36 @@ def test_every_kind_of_change_is_told(old, new, says):
     assert says in told and "1 of 1 scores change" in told
 
 
+def gone(capsys):
+    """Who is listed as gone."""
+    told = capsys.readouterr().out.splitlines()
+    return [line.split()[:2] for line, why in pairwise(told) if why == "    no longer handed in"]
+
+
+def test_what_is_no_longer_handed_in_is_told(tree, tmp_path, capsys):
+    assert grade(tree, "--out", tmp_path / "old") == 0
+    against = "--against", tmp_path / "old"
+    shutil.rmtree(tree / "ben")
+    shutil.rmtree(tree / "ada" / OTHER)
+    capsys.readouterr()
+    assert grade(tree, *against) == 0
+    assert sorted(gone(capsys)) == [["ada", OTHER], ["ben", OTHER], ["ben", SLUG]]
+    assert grade(tree, "--only", "hw08", *against) == 0
+    assert gone(capsys) == [["ben", SLUG]]
+    assert grade(tree / "ada", *against) == 0
+    assert gone(capsys) == [["ada", OTHER]]
+    assert grade(tree / "ada" / SLUG, *against) == 0
+    assert gone(capsys) == []
+
+
+def test_a_score_that_is_gone_is_counted(tree, tmp_path, capsys):
+    assert grade(tree, "--out", tmp_path / "old") == 0
+    shutil.rmtree(tree / "ada" / SLUG)
+    assert grade(tree, "--against", tmp_path / "old") == 0
+    out = capsys.readouterr().out
+    assert "1 of 4 scores change" in out and f"ada  {SLUG}  10 -> none" in out
+
+
 @pytest.mark.parametrize("content", [None, "no result\n"])
 def test_old_results_that_are_none_are_refused(tree, tmp_path, capsys, content):
     old = tmp_path / "old.jsonl"
@@ -169,6 +200,29 @@ def test_a_varied_run_goes_on_with_its_key_alone(tree, tmp_path, capsys, graded)
     assert grade(tree, "--out", out) == 2 and "--vary" in capsys.readouterr().err
     key.unlink()
     assert grade(tree, "--vary", key, "--out", out) == 2 and not key.exists()
+
+
+@pytest.mark.parametrize("how", [["--seed", 1], ["--vary", "lost"]])
+def test_results_made_without_the_key_are_said_so(tree, tmp_path, capsys, monkeypatch, how):
+    monkeypatch.chdir(tmp_path)
+    assert grade(tree, "--out", "out", *how) == 0
+    assert grade(tree, "--out", "out", "--vary", "new") == 2
+    err = capsys.readouterr().err
+    assert "the key that they were varied by" in err and "leave --vary away" in err
+
+
+def test_a_key_needs_its_folder(tree, tmp_path, capsys):
+    assert grade(tree, "--vary", tmp_path / "none" / "key") == 2
+    assert "make its folder first" in capsys.readouterr().err
+
+
+def test_a_key_that_others_may_read_is_warned_of(tree, tmp_path, capsys):
+    key = tmp_path / "key"
+    for mode, warned in ((0o600, False), (0o640, True)):
+        key.write_text("0123456789abcdef")
+        key.chmod(mode)
+        assert grade(tree, "--vary", key, "--only", "hw08") == 0
+        assert (f"chmod 600 {key}" in capsys.readouterr().err) == warned
 
 
 def test_feedback_tells_no_seed(tree, tmp_path):

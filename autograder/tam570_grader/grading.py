@@ -10,12 +10,13 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
-from tam570_grader.errors import UsageError
+from tam570_grader.errors import UsageError, writing
 from tam570_grader.options import Commands, cores, natural, positive
 
 __all__ = ["add_grade", "warn_of_isolation"]
 
 SHORTEST_KEY = 16  # bytes
+OTHERS = 0o077  # of a file's mode: what others may do with it
 Record = dict[str, Any]  # a result line
 
 
@@ -82,7 +83,9 @@ def _grade(arguments: argparse.Namespace) -> int:
     if arguments.format == "gradescope":
         return _print_gradescope(course, done)
     if not arguments.json:
-        _print_tables(done, plan, old if arguments.against else None)
+        _print_tables(done, plan)
+        if arguments.against:
+            _print_changes(old, done, plan, arguments)
     return _exit_code(done)
 
 
@@ -127,13 +130,14 @@ def _key(path: Path, needed: bool) -> bytes:
     if not path.exists():
         if needed:
             raise UsageError(
-                f"there is no key in {path}, and the earlier results want the one they were graded with"
+                f"there is no key in {path}, and there are earlier results: name the key that they were varied by, "
+                "or, if they were graded with a seed, leave --vary away or name a new folder with --out"
             )
-        with open(os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600), "w", encoding="ascii") as file:
-            file.write(secrets.token_hex(32) + "\n")
-        print(f"tam570-grader: a new key: {path}; keep it, the scores hang on it", file=sys.stderr)
+        _make_key(path)
     try:
         key = path.read_bytes().strip()
+        if path.stat().st_mode & OTHERS:
+            print(f"tam570-grader: warning: the key is not yours alone: chmod 600 {path}", file=sys.stderr)
     except OSError as error:
         raise UsageError(f"cannot read the key {path}: {error.strerror}") from None
     if len(key) < SHORTEST_KEY:
@@ -143,14 +147,29 @@ def _key(path: Path, needed: bool) -> bytes:
     return key
 
 
-def _print_tables(done: list[Record], plan: Any, old: list[Record] | None) -> None:
-    from tam570_grader import feedback, regrading
+def _make_key(path: Path) -> None:
+    with writing(path):
+        file = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
+    with open(file, "w", encoding="ascii") as key:
+        key.write(secrets.token_hex(32) + "\n")
+    print(f"tam570-grader: a new key: {path}; keep it, the scores hang on it", file=sys.stderr)
+
+
+def _print_tables(done: list[Record], plan: Any) -> None:
+    from tam570_grader import feedback
 
     print(feedback.table(sorted(done, key=lambda record: (record["assignment"], record["student"]))))
     inputs = "the same key" if plan.key else f"seed {plan.seed}; the same seed"
     print(f"\n{inputs} gives the same hidden inputs and the same scores")
-    if old is not None:
-        print("\n" + regrading.table(regrading.changes(old, done), len(done)))
+
+
+def _print_changes(old: list[Record], done: list[Record], plan: Any, arguments: argparse.Namespace) -> None:
+    from tam570_grader import regrading, root
+
+    names = arguments.only or filter(None, [arguments.assignment])
+    asked = root.named(names, root.slugs(plan.course))
+    gone = regrading.gone(old, plan.submissions, arguments.paths, asked)
+    print("\n" + regrading.table([*regrading.changes(old, done), *gone], len(done) + len(gone)))
 
 
 def _print_gradescope(course: Path, done: list[Record]) -> int:

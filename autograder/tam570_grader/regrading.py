@@ -1,11 +1,14 @@
 """What a new run changes of an old one's scores, and because of which checks."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Container, Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass
+from pathlib import Path
 
 from tam570_grader.book import Record
+from tam570_grader.root import slug_of
+from tam570_grader.submissions import Submission
 
-__all__ = ["Change", "change", "changes", "newest", "table", "told"]
+__all__ = ["Change", "change", "changes", "gone", "newest", "table", "told"]
 
 
 @dataclass(frozen=True)
@@ -40,6 +43,28 @@ def changes(old: Iterable[Record], new: Iterable[Record]) -> list[Change]:
     before = newest(old)
     found = (change(before.get(_who(record)), record) for record in new)
     return [one for one in found if one]
+
+
+def gone(
+    old: Iterable[Record], found: Sequence[Submission], paths: Iterable[Path], asked: Container[str]
+) -> list[Change]:
+    """What was handed in and is no longer: by anybody if a path is a tree, else by those whose folders are graded.
+
+    found : what there is now at the paths
+    asked : the assignments that are graded
+    """
+    folders = {path.absolute() for path in paths}
+    inside = [one for one in found if one.tree.parent in folders]
+    is_tree = any(slug_of(one.tree.name, [one.slug]) is None for one in inside)
+    students = {one.student for one in inside}
+    here = {(one.student, one.slug) for one in found}
+    return [
+        Change(record["student"], record["assignment"], record["score"], None, ("no longer handed in",))
+        for record in newest(old).values()
+        if _who(record) not in here
+        and record["assignment"] in asked
+        and (is_tree or record["student"] in students)
+    ]
 
 
 def told(before: Mapping[tuple[str, str], Record], record: Record) -> Record | None:
