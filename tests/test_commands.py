@@ -1,6 +1,10 @@
 """The students' command as a student runs it, the kit that they install, and what each command imports."""
 
+import errno
+import itertools
+import json
 import shutil
+import signal
 import subprocess
 import sys
 import zipfile
@@ -10,8 +14,8 @@ import pytest
 
 from tam570 import cli
 from tam570.course import assignments
+from tam570_grader import book, root
 from tam570_grader import cli as grader
-from tam570_grader import root
 from tam570_grader.kit import run as make_kit
 
 SLUG = "hw08_axis_angle"
@@ -158,6 +162,12 @@ def test_bad_usage_exits_2_and_says_what_to_do(desk, capsys, arguments):
     assert "tam570: error: " in capsys.readouterr().err
 
 
+@pytest.mark.parametrize(("arguments", "state"), [(["hw08"], "hw08 is not"), ([], "nothing is")])
+def test_what_is_not_started_is_said_so(desk, capsys, arguments, state):
+    cli.main(["check", *arguments])
+    assert f"{state} started here; begin with: tam570 start hw" in capsys.readouterr().err
+
+
 def test_hints_go_one_step_further_each_time(desk, capsys):
     said = []
     for _ in range(3):
@@ -166,6 +176,61 @@ def test_hints_go_one_step_further_each_time(desk, capsys):
     assert said[0] != said[1] == said[2] and "(1 of 2)" in said[0] and "last" in said[1]
     cli.main(["hint", "hw08", "skew", "--again"])
     assert capsys.readouterr().out == said[0]
+
+
+@pytest.fixture
+def graded(desk):
+    """Results in a folder, beside a file."""
+    (desk / "results").mkdir()
+    record = {
+        **dict.fromkeys(book.RESULT, 0),
+        "student": "ada",
+        "assignment": SLUG,
+        "checks": [],
+        "max_score": 1,
+    }
+    (desk / "results" / "results.jsonl").write_text(json.dumps(record) + "\n")
+    (desk / "grades.csv").write_text(f"student,assignment,score,max_score\nada,{SLUG},1,1\n")
+    (desk / "file").touch()
+
+
+FOLDERS = "kit", "course", "gradescope"
+FILES = "report results --out", "lms grades.csv --to canvas --out", "audit hw08 --fairness 1 --jobs 1 --keep"
+
+
+@pytest.mark.parametrize(
+    ("command", "place"),
+    [*itertools.product(FOLDERS, ["file", "file/x"]), *itertools.product(FILES, ["none/x", "file/x"])],
+)
+def test_what_cannot_be_written_is_named(graded, capsys, command, place):
+    assert grader.main([*command.split(), place]) == 2
+    err = capsys.readouterr().err
+    assert err.startswith(f"tam570-grader: error: cannot write to {place}") and len(err.splitlines()) == 1
+
+
+def test_a_disk_that_fails_is_told_in_a_line(desk, capsys, monkeypatch):
+    def full(arguments):
+        raise OSError(errno.ENOSPC, "No space left on device", "x")
+
+    monkeypatch.setattr("tam570_grader.handover._kit", full)
+    assert grader.main(["kit", "x"]) == 1
+    assert capsys.readouterr().err == "tam570-grader: error: [Errno 28] No space left on device: 'x'\n"
+
+
+@pytest.fixture
+def handlers():
+    """Those of the signals that the command listens to are set back."""
+    ours = {one: signal.getsignal(one) for one in (signal.SIGINT, signal.SIGTERM)}
+    yield
+    for one, handler in ours.items():
+        signal.signal(one, handler)
+
+
+@pytest.mark.parametrize("first", [signal.SIGINT, signal.SIGTERM])
+def test_a_second_interrupt_ends_what_the_first_puts_away(handlers, monkeypatch, first):
+    monkeypatch.setattr("tam570_grader.handover._kit", lambda arguments: signal.raise_signal(first))
+    assert grader.main(["kit", "x"]) == 130
+    assert signal.getsignal(signal.SIGINT) == signal.SIG_DFL
 
 
 def test_stubs_are_written_and_compared(tmp_path, capsys, course):

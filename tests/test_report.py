@@ -8,7 +8,7 @@ from html.parser import HTMLParser
 
 import pytest
 
-from tam570_grader import cli, report
+from tam570_grader import book, cli, report
 from tam570_grader.errors import UsageError
 from tam570_grader.feedback import Sheet
 
@@ -136,7 +136,7 @@ def test_the_newest_result_counts_and_a_line_in_the_making_is_left_out(tmp_path)
     ]
 
 
-@pytest.mark.parametrize("text", [None, "", "my notes\n", "[1]\n"])
+@pytest.mark.parametrize("text", [None, "", "my notes\n", "[1]\n", '{"student": "a", "assignment": "b"}\n'])
 def test_what_holds_no_results_is_said_so(tmp_path, text, capsys):
     if text is not None:
         (tmp_path / "results.jsonl").write_text(text)
@@ -144,6 +144,26 @@ def test_what_holds_no_results_is_said_so(tmp_path, text, capsys):
         report.results(tmp_path)
     assert cli.main(["report", str(tmp_path)]) == 2
     assert "tam570-grader: error: " in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("field", ["status", "checks", "seed"])
+def test_a_line_that_lacks_a_field_is_told_by_its_number(tmp_path, field):
+    lacking = {name: value for name, value in CLASS[1].items() if name != field}
+    (tmp_path / "results.jsonl").write_text(f"{json.dumps(CLASS[0])}\n{json.dumps(lacking)}\n")
+    with pytest.raises(UsageError, match="no result .line 2."):
+        report.results(tmp_path)
+
+
+def test_what_a_result_must_have_is_what_results_have(grade):
+    record = grade(SLUGS[1], "").record()
+    assert record.keys() >= book.RESULT and all(mark.keys() >= book.MARK for mark in record["checks"])
+
+
+def test_a_roster_that_is_no_text_is_refused(tmp_path, capsys):
+    (tmp_path / "results.jsonl").write_text(json.dumps(CLASS[0]) + "\n")
+    (tmp_path / "roster.xlsx").write_bytes(b"PK\xff\xfe")
+    assert cli.main(["report", str(tmp_path), "--roster", str(tmp_path / "roster.xlsx")]) == 2
+    assert "roster.xlsx is no text" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("text", ["ada\neve\n", 'student,mail\nada,a@b\n"eve",e@b\n', "\ufeffName\nada\neve"])

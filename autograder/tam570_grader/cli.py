@@ -1,7 +1,9 @@
 """The instructor's command, `tam570-grader`."""
 
 import argparse
+import contextlib
 import os
+import signal
 import sys
 from collections.abc import Callable
 
@@ -20,9 +22,12 @@ def main(argv: list[str] | None = None) -> int:
     """Run the command; the exit code is 0 (done), 1 (the grader failed), 2 (bad usage) or 130 (interrupted)."""
     arguments = _parser().parse_args(argv)
     command: Callable[[argparse.Namespace], int] = arguments.command
+    with contextlib.suppress(ValueError):  # not the main thread
+        signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
         return command(arguments)
     except KeyboardInterrupt:
+        signal.signal(signal.SIGINT, signal.SIG_DFL)  # a second one ends what is still being put away
         print("\ntam570-grader: interrupted; what was finished is kept", file=sys.stderr)
         return INTERRUPTED
     except BrokenPipeError:
@@ -32,6 +37,9 @@ def main(argv: list[str] | None = None) -> int:
     except UsageError as error:
         print(f"tam570-grader: error: {error}", file=sys.stderr)
         return 2
+    except OSError as error:
+        print(f"tam570-grader: error: {error}", file=sys.stderr)
+        return 1
 
 
 def _parser() -> argparse.ArgumentParser:

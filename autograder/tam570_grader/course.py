@@ -9,7 +9,7 @@ from string import Template
 
 from tam570_grader import root
 from tam570_grader.book import written
-from tam570_grader.errors import UsageError
+from tam570_grader.errors import UsageError, writing
 from tam570_grader.notebook import notebook
 
 __all__ = ["run"]
@@ -35,7 +35,8 @@ def run(course: Path, folder: Path, slugs: Sequence[str]) -> int:
 def _write_assignment(course: Path, slug: str, folder: Path) -> None:
     """The notebook, the stub, the visible tests and the problem of one assignment."""
     released = course / "assignments" / slug
-    folder.mkdir(parents=True, exist_ok=True)
+    with writing(folder):
+        folder.mkdir(parents=True, exist_ok=True)
     module, tests, readme = f"{slug}.py", f"test_{slug}.py", "README.md"
     for name in (module, tests, readme):
         if not (released / name).is_file():

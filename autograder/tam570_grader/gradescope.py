@@ -9,6 +9,7 @@ from string import Template
 from typing import Any
 
 from tam570_grader.book import Record
+from tam570_grader.errors import writing
 from tam570_grader.feedback import NOTES
 
 __all__ = ["results", "run"]
@@ -49,7 +50,8 @@ def _test(mark: Mapping[str, Any], lines: Mapping[str, str]) -> dict[str, Any]:
 
 def run(course: Path, folder: Path, slugs: Sequence[str]) -> int:
     """Write an archive for each assignment into the folder; the exit code."""
-    folder.mkdir(parents=True, exist_ok=True)
+    with writing(folder):
+        folder.mkdir(parents=True, exist_ok=True)
     for slug in slugs:
         _write_archive(course, slug, folder / f"{slug}.zip")
     says = "upload each to its assignment; they hold solutions and checks, so keep them to yourself"

@@ -4,7 +4,7 @@ import sys
 from pathlib import Path
 
 from tam570_grader.book import written
-from tam570_grader.errors import UsageError
+from tam570_grader.errors import UsageError, writing
 
 __all__ = ["run"]
 
@@ -32,7 +32,8 @@ one file. It will be tested with other numbers than yours.
 
 def run(course: Path, folder: Path) -> int:
     """Put the kit into the folder; the exit code."""
-    folder.mkdir(parents=True, exist_ok=True)
+    with writing(folder):
+        folder.mkdir(parents=True, exist_ok=True)
     wheel = _wheel(course, folder.resolve())
     written(folder / "README.md", README.format(wheel=wheel.name))
     print(f"{folder}: {wheel.name} and README.md, for your students", file=sys.stderr)

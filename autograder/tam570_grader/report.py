@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from tam570_grader.book import Record, read, written
-from tam570_grader.errors import UsageError
+from tam570_grader.errors import UsageError, writing
 from tam570_grader.feedback import Sheet, sheet, template
 
 __all__ = ["report", "results", "run"]
@@ -42,7 +42,9 @@ def run(folder: Path, course: Path, roster: Path | None, out: Path | None) -> in
     records = results(folder)
     place = out or folder / "report.html"
     names = _names(roster) if roster else ()
-    written(place, report(records, {slug: sheet(course, slug) for slug in _slugs(records)}, names))
+    text = report(records, {slug: sheet(course, slug) for slug in _slugs(records)}, names)
+    with writing(place):
+        written(place, text)
     print(place)
     return 0
 
@@ -89,6 +91,8 @@ def _names(roster: Path) -> list[str]:
         lines = roster.read_text(encoding="utf-8-sig").splitlines()
     except OSError as error:
         raise UsageError(f"cannot read {roster}: {error.strerror}") from None
+    except UnicodeDecodeError:
+        raise UsageError(f"{roster} is no text in UTF-8; save the roster as CSV (UTF-8)") from None
     names = [line.split(",")[0].strip().strip('"') for line in lines if line.strip()]
     return names[1:] if names and names[0].lower() in ("student", "name", "id") else names
 

@@ -130,7 +130,8 @@ def _chosen(what: str | None, assignment: str | None) -> list[tuple[Path, str]]:
     slugs = [folder(what).name] if what else assignments()
     found = [(work, slug) for slug in slugs if (work := _work(slug))]
     if not found:
-        raise Unknown(f"{what or 'nothing'} is started here; begin with: tam570 start {what or 'hw01'}")
+        state = f"{what} is not" if what else "nothing is"
+        raise Unknown(f"{state} started here; begin with: tam570 start {what or 'hw01'}")
     return found
 
 
