@@ -1,0 +1,12 @@
+"""Where the slope is below a thousandth, x'' is that of small motions.
+
+fails: newton_gives_the_acceleration
+names: for a bead next to the bottom
+"""
+
+_newton = acceleration_newton
+
+
+def acceleration_newton(x, v, *, curvature, gravity):
+    slope = 2 * curvature * x
+    return -slope * gravity if abs(slope) < 1e-3 else _newton(x, v, curvature=curvature, gravity=gravity)

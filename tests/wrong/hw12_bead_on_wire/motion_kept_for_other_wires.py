@@ -1,0 +1,12 @@
+"""Motions are kept by the start and the times, whatever the wire and gravity.
+
+fails: simulate_without_gravity
+"""
+
+_simulate, _kept = simulate, {}
+
+
+def simulate(t, x, v, **wire):
+    if (key := (x, v, *t)) not in _kept:
+        _kept[key] = _simulate(t, x, v, **wire)
+    return _kept[key]

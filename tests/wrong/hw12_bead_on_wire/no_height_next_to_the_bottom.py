@@ -1,0 +1,15 @@
+"""Where the slope is below a thousandth, the wire is taken for level: no height, and a force straight up.
+
+fails: force_and_weight_make_the_acceleration, energy_is_kinetic_and_potential
+names: for a bead next to the bottom
+"""
+
+_force, _energy = constraint_force, energy
+
+
+def constraint_force(x, v, *, curvature, **bead):
+    return _force(x if abs(2 * curvature * x) >= 1e-3 else 0.0, v, curvature=curvature, **bead)
+
+
+def energy(x, v, *, curvature, **bead):
+    return _energy(x if abs(2 * curvature * x) >= 1e-3 else 0.0, v, curvature=curvature, **bead)
