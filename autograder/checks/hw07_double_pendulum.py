@@ -754,6 +754,31 @@ def plain_motions(draw):
     return cases
 
 
+@once
+def in_turn(draw):
+    """As `motions`, a motion and others of which one thing alone is another: what is kept from a call is wrong then."""
+    known = pendulum(draw)
+    time = math.sqrt(np.max(known["lengths"]) / known["gravity"])
+
+    def times():
+        return uneven(draw, draw.uniform(1.5, 2.5) * time, 4, draw.uniform(-3, 3))
+
+    first = times(), draw.uniform(-2, 2, 2), draw.uniform(-1, 1, 2) / time
+    # of two numbers one changes: masses alone that grow alike change nothing
+    others = times(), first[1] + [0.0, 0.5], first[2] + [0.0, 0.5 / time]
+    calls = [(given(*first, **known), "a motion that is asked for again")]
+    for k, name in enumerate(("other times", "another theta", "another omega")):
+        calls.append((given(*first[:k], others[k], *first[k + 1 :], **known), BUT_FOR + name))
+    for name, value in known.items():
+        more = draw.uniform(1.2, 1.5)
+        other = value * np.array([more, 1.0]) if np.ndim(value) else value * more
+        calls.append((given(*first, **{**known, name: other}), f"{BUT_FOR}other {name}"))
+    return [(call, motion(*call.args, **call.kwargs), kind) for call, kind in calls]
+
+
+BUT_FOR = "the motion of a call before, but for "
+
+
 def energy_along(states, call):
     """What becomes of the energy along a motion, for a picture."""
     known = call.kwargs
@@ -764,21 +789,23 @@ def energy_along(states, call):
 @check(points=0.75, part="a", suspects=SIMULATE_SUSPECTS)
 def simulation_follows_the_equations(student, draw):
     """simulate: angles and angular velocities at uneven times, whatever t[0] is."""
-    cases = motions(draw, (0.0, 2.3, -1.7)) + plain_motions(draw)
+    cases = motions(draw, (0.0, 2.3, -1.7)) + plain_motions(draw) + in_turn(draw)
     for states, (call, expected, kind) in zip(
         student.simulate.many([call.on(kind) for call, _, kind in cases]), cases, strict=True
     ):
         largest = np.abs(expected).max(0).reshape(2, 2).max(1)
         expect(states, expected, within=FOLLOWED, scale=np.repeat(np.where(largest, largest, 1.0), 2),
                of="the state", unit="of the largest angle or angular velocity", t=call.args[0], at=call,
-               kind=kind, hint=functools.partial(of_motion, states, expected), partial={1e-3: 0.5},
+               kind=kind, hint=functools.partial(of_motion, states, expected, kind), partial={1e-3: 0.5},
                keeps=functools.partial(energy_along, states, call))  # fmt: skip
 
 
-def of_motion(states, expected):
+def of_motion(states, expected, kind):
     """What to say of a wrong motion: what it is instead, if that can be told."""
     if (states == states[0]).all():
         return "every row is the start"
+    if kind.startswith(BUT_FOR):
+        return "is something kept from one call to the next?"
     turns = np.rint((states - expected) / [2 * math.pi, 2 * math.pi, np.inf, np.inf])
     if (
         turns.any()
@@ -942,8 +969,10 @@ def tip_path(draw):
     """A call, and the right paths of elbow and tip."""
     known = pendulum(draw)
     time = math.sqrt(np.max(known["lengths"]) / known["gravity"])
-    t = np.linspace(0.0, 8 * time, 601)  # long enough to go to and fro
-    call = given(t, draw.uniform(1, 2, 2) * draw.choice([-1, 1], 2), draw.uniform(-1, 1, 2) / time, **known)
+    theta, omega = draw.uniform(1, 2, 2) * draw.choice([-1, 1], 2), draw.uniform(-1, 1, 2) / time
+    # long enough to go to and fro, not from zero: a path from there has another end
+    t = (draw.choice([-1, 1]) * draw.uniform(1, 3) + np.linspace(0.0, 8.0, 601)) * time
+    call = given(t, theta, omega, **known)
     frames = [wireframe(state[:2], known["lengths"]) for state in motion(*call.args, **call.kwargs)]
     return call, *np.array(frames)[:, :, 1].swapaxes(0, 1)
 
@@ -956,7 +985,7 @@ def arc_length(path):
 def tip_path_is_drawn(student, draw):
     """plot_tip_path draws the tip's path from t[0] to t[-1], at equal scales."""
     call, elbows, tips = tip_path(draw)
-    picture = student.plot_tip_path.draw(*call.args, **call.kwargs)
+    picture = student.on("t[0] not 0").plot_tip_path.draw(*call.args, **call.kwargs)
     expect_that(len(picture.lines) == 1, f"there are {len(picture.lines)} curves on the axes, not one",
                 hint="fewer than ten points are no curve")  # fmt: skip
     scale, curve = np.sum(call.kwargs["lengths"]), along(picture.lines[0], tips)

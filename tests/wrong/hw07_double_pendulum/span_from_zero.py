@@ -1,6 +1,6 @@
 """The integration spans the times from 0 to the last.
 
-fails: simulation_follows_the_equations
+fails: simulation_follows_the_equations, tip_path_is_drawn
 suspect: taken for that at t = 0
 """
 
