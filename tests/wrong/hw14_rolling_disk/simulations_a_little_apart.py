@@ -1,4 +1,4 @@
-"""Where the times are few, simulate_matrix runs late by a few parts in a hundred thousand.
+"""Where the times are few, simulate_matrix runs late by a few parts in a million.
 
 fails: both_simulations_agree
 numerics: an inaccuracy that keeps R and the height
@@ -10,4 +10,4 @@ _motion = simulate_matrix
 
 def simulate_matrix(t, state, **disk):
     t = np.asarray(t)
-    return _motion(t[0] + (t - t[0]) * (1 - 4e-5) if len(t) == 4 else t, state, **disk)
+    return _motion(t[0] + (t - t[0]) * (1 - 8e-6) if len(t) == 4 else t, state, **disk)

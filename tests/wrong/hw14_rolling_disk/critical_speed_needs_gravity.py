@@ -1,0 +1,11 @@
+"""No critical speed without gravity: it is infinite.
+
+fails: critical_speed_parts_stable_from_unstable
+names: for a wheel without gravity
+"""
+
+_critical = critical_speed
+
+
+def critical_speed(*, gravity, **disk):
+    return _critical(gravity=gravity, **disk) if gravity else math.inf
