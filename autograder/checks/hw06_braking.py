@@ -43,6 +43,7 @@ SMALL_YAW = 1e-6  # the same, and an integral by rtol 1e-9 in the place of the c
 TRAJECTORY = 1e-6
 SLOW = 1e-3  # at 1e-6 m/s and more a guard against 0/0 (v + 1e-9) is still right, a deadband off by 1
 AT_REST = 5e-3  # of the first speed: a student may call it rest below 1e-3 m/s, and cars start from 0.4 m/s
+NEARLY = 1e-3  # of a difference, to say of what kind it is
 SEEN = 1e-4  # to say what a wrong result is, as loosely as suspects
 STOPPED = 5e-5  # of the distance friction needs: from that threshold to the stop it is the square, up to 1e-5
 
@@ -367,6 +368,7 @@ ODD_CARS = {
     "friction 0": {"friction": 0.0},
     "gravity 0": {"gravity": 0.0},
     "friction and gravity 0": {"friction": 0.0, "gravity": 0.0},
+    "friction above 1": {"friction": 1.6},
 }
 
 
@@ -540,7 +542,29 @@ def judge_rates(student, cases, kind, hint, within=FORMULA):
 
 
 def of_rates(found, expected, state, locked, car, hint):
-    return as_at_rest(found, expected, derivative(state, locked, **{**car, "friction": 0.0}), hint)
+    unbraked = derivative(state, locked, **{**car, "friction": 0.0})
+    if np.max(np.abs(found - expected)[:3]) == 0 or np.allclose(
+        found[:3], expected[:3], rtol=SEEN, atol=SEEN
+    ):
+        hint = of_friction(found - expected, state, locked, car) or hint
+    return as_at_rest(found, expected, unbraked, hint)
+
+
+def of_friction(residual, state, locked, car):
+    """What is wrong with the friction in the rates, if it has the right direction or the right size, else nothing."""
+    free, dragging = axles(locked, car["front"], car["rear"])
+    inertia = inertia_about_free(locked, **parts(car, *BODY))
+    more = complex(car["mass"] * residual[3], inertia * residual[4] / (dragging - free))
+    right = complex(*coulomb(state, locked, **parts(car, *FORCE)))
+    if not (more and right):
+        return ""
+    along, aside = (more / right).real, (more / right).imag
+    if abs(aside) <= NEARLY * abs(along):
+        wrong = "large" if along > 0 else "small"
+        return f"it is friction that is wrong in it: of the right direction, and too {wrong}"
+    if abs(abs(1 + more / right) - 1) <= NEARLY * abs(more / right):
+        return "it is friction that is wrong in it: of the right size, but not against the locked axle's velocity"
+    return ""
 
 
 @check(points=1.25, part="a", suspects=RATE_SUSPECTS)
@@ -788,6 +812,9 @@ def simulate_needs_no_dense_times(student, draw):
     judge_runs(student, braking(draw, 4), "the steps of the integration are not those of t")
     judge_runs(student, plain_runs(draw, True), "row 0 is the start, row 1 the state at the other time")
     judge_runs(student, nearly_straight(draw), "row 0 is the start, row 1 the state at the other time", 1e-5)
+    first, *others = in_turn(draw)
+    judge_runs(student, [first], "does `state_derivative` take it as it is?")
+    judge_runs(student, others, "is something kept from one call to the next?")
 
 
 RUNS = {
@@ -835,6 +862,33 @@ def nearly_straight(draw):
     return [(given(t, start, "rear", **c), moved(t, start, "rear", **c), scales(start, c), kind)]
 
 
+@once
+def in_turn(draw):
+    """As `braking`, a motion and others of which one thing alone is another: what is kept from a call is wrong then."""
+    c = car(draw, friction=draw.uniform(1.2, 2))
+    start, other_start = (state(draw, c, quick(draw), turning_a_little(draw)) for _ in range(2))
+    # friction slows it by less than friction * gravity, so it does not stop before
+    spans = 0.2 * usual(c) / (c["friction"] * c["gravity"]) * draw.uniform(0.8, 1.0, 2)
+    t, other_t = (uneven(draw, span, 4) for span in spans)
+    changed = {
+        name: {**c, name: draw.uniform(1.2, 1.4) * c[name]} for name in ("friction", "yaw_inertia", "gravity")
+    }
+    calls = {
+        "friction above 1, a locked rear axle": given(t, start, "rear", **c),
+        f"{BUT_FOR}other times": given(other_t, start, "rear", **c),
+        f"{BUT_FOR}another start": given(t, other_start, "rear", **c),
+        f"{BUT_FOR}the other axle": given(t, start, "front", **c),
+        **{f"{BUT_FOR}another {name}": given(t, start, "rear", **other) for name, other in changed.items()},
+    }
+    return [
+        (call, moved(*call.args, **call.kwargs), scales(call.args[1], call.kwargs), kind)
+        for kind, call in calls.items()
+    ]
+
+
+BUT_FOR = "the motion of a call before, but for "
+
+
 def sleigh(t, start, locked, *, mass, yaw_inertia, front, rear):
     """Heading, speed and yaw rate without friction (Chaplygin), t = 0 at the start.
 
@@ -869,7 +923,7 @@ def simulate_glides_without_friction(student, draw):
     hint = "is the car stopped, or held straight, by anything but friction?"
     judge_runs(student, cases, hint)
     judge_runs(student, plain_runs(draw, False), hint)
-    judge_slow_glides(student, draw)
+    judge_slow(student, slow_glides(draw), "slow is not at rest: without friction it goes on for ever")
 
 
 @once
@@ -889,12 +943,34 @@ def slow_glides(draw):
     return cases
 
 
-def judge_slow_glides(student, draw):
-    cases = slow_glides(draw)
+@once
+def slow_brakes(draw):
+    """As `slow_glides`, with friction: a fortieth of the usual speed, well above what may be called rest."""
+    cases = []
+    for locked, share in (("front", 0.6), ("rear", 0.2)):
+        c = car(draw)
+        slow = draw.uniform(0.02, 0.03)
+        start = state(draw, c, slow, slow * turning_a_little(draw))
+        start[:2] = 0.0  # at 5 m a relative tolerance of 1e-9 would be 1e-5 of the way to the stop
+        t = uneven(draw, share * stopped(start, locked, c)[0], 4)
+        far = start[3] ** 2 / (c["friction"] * c["gravity"])
+        scale = np.array([far, far, far / wheelbase(c), start[3], start[3] / wheelbase(c)])
+        cases.append(
+            (
+                given(t, start, locked, **c),
+                moved(t, start, locked, **c),
+                scale,
+                f"a slow car, a locked {locked} axle",
+            )
+        )
+    return cases
+
+
+def judge_slow(student, cases, otherwise):
     found = student.simulate.many([call.on(kind) for call, *_, kind in cases])
     for states, (call, expected, scale, kind) in zip(found, cases, strict=True):
         straight = goes_straight(states) and not goes_straight(expected)
-        hint = STRAIGHT if straight else "slow is not at rest: without friction it goes on for ever"
+        hint = STRAIGHT if straight else otherwise
         expect(states, expected, within=SLOW, scale=scale, of="the motion", unit="of the way that it goes", kind=kind,
                t=call.args[0], at=call, hint=hint)  # fmt: skip
 
@@ -1217,8 +1293,12 @@ def unrest(states, start, hint):
 
 @check(points=0.75, part="a", after=simulate_brakes)
 def simulate_comes_to_rest_and_stays(student, draw):
-    """simulate: a car that has come to rest stays where it is, in place and heading; one at rest does not start."""
+    """simulate: a car that has come to rest stays where it is, in place and heading; one at rest does not start.
+
+    A slow one is not at rest.
+    """
     cases = stops(draw)
+    judge_slow(student, slow_brakes(draw), "slow is not at rest: it has a way to go before it stops")
     found = student.simulate.many([call.on(kind) for call, *_, kind in cases])
     for states, (call, place, after, scale, kind) in zip(found, cases, strict=True):
         later = call.args[0][after]

@@ -1,0 +1,15 @@
+"""A motion is kept by axle and start, and given again at other times and for other cars.
+
+fails: simulate_needs_no_dense_times
+names: is something kept from one call to the next?
+"""
+
+_right_simulate = simulate
+_kept = {}
+
+
+def simulate(t, state, locked, **car):
+    key = (locked, *state, len(t))
+    if key not in _kept:
+        _kept[key] = _right_simulate(t, state, locked, **car)
+    return _kept[key]
