@@ -684,20 +684,46 @@ def judge_runs(student, cases, hint):
     judged = []
     for states, (call, expected, rate) in zip(found, cases, strict=True):
         far = max(1.0, np.ptp(expected[:, 0]))
-        judged.append((states / [far, rate * far], expected / [far, rate * far], call))
-    for states, expected, call in sorted(
-        judged, key=error_of_run, reverse=True
-    ):  # partial points: worst first
+        scale = np.array([far, rate * far])
+        judged.append((states / scale, expected / scale, call, scale))
+    for run in sorted(judged, key=error_of_run, reverse=True):  # partial points: worst first
+        states, expected, call, _ = run
         moves = np.ptp(expected, axis=0).max() > 3e-3  # more than has partial points
         stands = len(states) == 2 and moves and np.array_equal(*states)
         expect_that(not stands, "row 1 is the start again", kind=call.kind, at=call)
         expect(states, expected, within=TRAJECTORY, of="phi, or phi_dot in its scale,", unit="of the distance rolled",
-               t=call.args[0], kind=call.kind, hint=partial(hint_of_rows, states, hint, call), at=call,
-               partial={1e-3: 0.5})  # fmt: skip
+               t=call.args[0], kind=call.kind, at=call, partial={1e-3: 0.5},
+               hint=partial(hint_of_rows, student, run, hint))  # fmt: skip
 
 
-def hint_of_rows(states, otherwise, call):
-    """Whether the rows stop changing, as they do where a simulation ends, or are those of small rocking."""
+JOINABLE = (
+    3e-2  # straight lines between the steps of a tight integration are off by less, to choose the words
+)
+JOINED = (
+    "asked for alone, its worst time comes out far better: are the rows the integrator's own at t (t_eval, or "
+    "dense_output), or joined by straight lines?"
+)
+
+
+def joined(student, states, expected, call, scale):
+    """Whether the worst row is right where its time is the last, at which every integrator ends a step."""
+    t, *start = call.args
+    errors = np.max(np.abs(states - expected), axis=1)
+    row = int(np.argmax(errors))
+    if (
+        row in (0, len(t) - 1) or not 10 * TRAJECTORY < errors[row] < JOINABLE
+    ):  # a loose tolerance is off by less
+        return False
+    try:
+        again = student.simulate(t[[0, row]], *start, **call.kwargs)
+    except Failure:
+        return False
+    return bool(np.max(np.abs(again[-1] / scale - expected[row])) <= TRAJECTORY)
+
+
+def hint_of_rows(student, run, otherwise):
+    """Whether the rows stop changing, as they do where a simulation ends, are those of small rocking, or joined."""
+    states, _, call, _ = run
     if (
         call.kind == OFF_LOWEST
         and np.max(np.abs(states[:, 0] - linear(*call.args, **call.kwargs)[:, 0])) <= TRAJECTORY
@@ -705,7 +731,7 @@ def hint_of_rows(states, otherwise, call):
         return "it is the small rocking of the linear equation, and the motion is not small"
     if len(states) > 2 and np.array_equal(states[-1], states[-2]):
         return "it stops: contact is kept, and the motion goes on, even where the ramp must pull"
-    return otherwise
+    return JOINED if joined(student, *run) else otherwise
 
 
 def error_of_run(run):
@@ -757,7 +783,10 @@ OFF_LOWEST = "two times, let go at rest on level ground"
 
 @once
 def plain_runs(draw):
-    """As `runs`, for two times: let go at rest, up a ramp, with G at the centre, and where nothing moves."""
+    """As `runs`, for two times: let go at rest, up a ramp, with G at the centre, and where nothing moves.
+
+    The last has the times and the start of the first: what is kept from call to call must not be the answer.
+    """
     starts = (
         (cylinder(draw), 0.0, 0.0, "two times, let go at rest at phi = 0"),
         (cylinder(draw, slope=-draw.uniform(0.2, 0.5)), 0.0, 1.0, "two times, up a ramp"),
@@ -770,7 +799,10 @@ def plain_runs(draw):
         span = 6 if kind == OFF_LOWEST else 2
         t, start = uneven(draw, span / usual(c), 2), (angle, rate * usual(c))
         cases.append((given(t, *start, **c).on(kind), moved(t, *start, **c), usual(c)))
-    return cases
+    (t, *start), c = cases[0][0].args, cases[0][0].kwargs
+    c = {**c, "slope": c["slope"] / 2}
+    kind = "two times, let go at rest at phi = 0, and another ramp"
+    return [*cases, (given(t, *start, **c).on(kind), moved(t, *start, **c), usual(c))]
 
 
 @once
