@@ -59,7 +59,7 @@ def small_angle_solution(t, theta0, omega0, *, length, gravity):
 
 def period(amplitude, *, length, gravity):
     def integrand(q):  # theta = amplitude - q^2 takes the root out of the denominator
-        return 2 * q / math.sqrt(2 * (math.cos(amplitude - q * q) - math.cos(amplitude)))
+        return q / math.sqrt(math.sin(amplitude - q * q / 2) * math.sin(q * q / 2))
 
     return 4 * math.sqrt(length / gravity) * quad(integrand, 0, math.sqrt(amplitude), limit=200)[0]
 

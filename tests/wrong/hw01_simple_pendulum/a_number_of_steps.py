@@ -1,7 +1,8 @@
 """Seven hundred Runge-Kutta steps for every duration.
 
-fails: simulate_keeps_the_energy
+fails: simulate_needs_no_dense_times, simulate_keeps_the_energy
 numerics: steps that grow with the duration
+names: a fixed number of steps
 """
 
 def _rk4_step(state, h, ratio):

@@ -1,0 +1,14 @@
+"""Motions are kept by their start and the number of their times.
+
+fails: simulate_needs_no_dense_times
+names: is anything kept
+"""
+
+_right_simulate, _kept = simulate, {}
+
+
+def simulate(t, theta0, omega0, **rod):
+    key = (len(t), theta0, omega0)
+    if key not in _kept:
+        _kept[key] = _right_simulate(t, theta0, omega0, **rod)
+    return _kept[key].copy()

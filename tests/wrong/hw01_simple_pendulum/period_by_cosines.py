@@ -1,0 +1,12 @@
+"""The period as an integral with a difference of cosines, of which a tiny amplitude leaves no digit.
+
+fails: period_grows_towards_the_top
+names: for a tiny amplitude
+numerics: digits that cancel
+"""
+
+def period(amplitude, *, length, gravity):
+    from scipy.integrate import quad
+
+    slowness = lambda theta: 1 / np.sqrt(2 * (np.cos(theta) - np.cos(amplitude)))
+    return 4 * math.sqrt(length / gravity) * quad(slowness, 0, amplitude)[0]

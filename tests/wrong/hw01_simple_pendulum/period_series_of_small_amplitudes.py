@@ -1,0 +1,14 @@
+"""The first two terms of the series for amplitudes between 0.1 and 0.45 rad.
+
+fails: period_grows_towards_the_top
+names: a series cut short
+numerics: what is left out is the fourth power of a small amplitude
+"""
+
+_right_period = period
+
+
+def period(amplitude, *, length, gravity):
+    if 0.1 < amplitude < 0.45:
+        return 2 * math.pi * math.sqrt(length / gravity) * (1 + amplitude**2 / 16)
+    return _right_period(amplitude, length=length, gravity=gravity)
