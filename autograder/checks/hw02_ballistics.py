@@ -9,6 +9,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 from tam570_grader import (
+    Failure,
     array,
     check,
     distances,
@@ -52,6 +53,7 @@ NEARLY = 1e-2  # below it a right equation is solved coarsely, to choose the wor
 # Of the path's size. The chords between FINE points of the motion leave its path by g (T/1000)^2/8: 2e-5 of its size at
 # a hundred times the terminal speed, where T = 1.2 v/g is longest for it; the points of a simulation leave it by 1e-7.
 DRAWN, FINE = 1e-4, 1001
+SAMPLES = 401  # every 2nd, 4th, 5th, 8th, 10th or 20th is a series that ends with the last
 PASSED = 2e-2  # of the path's size; chords of a line of ten points leave a parabola by (2.4/9)^2/4 = 1.8e-2
 
 NODES, WEIGHTS = (np.polynomial.legendre.leggauss(40)[0] + 1) / 2, np.polynomial.legendre.leggauss(40)[1] / 2
@@ -162,6 +164,20 @@ def parameters(draw, **fixed):
     return {**free, **fixed}
 
 
+def light(draw):
+    """Mass and drag of a particle of some milligrams: the drag is tiny, but not beside the weight."""
+    mass = 10 ** draw.uniform(-6, -5)
+    return {"mass": mass, "drag": mass * draw.uniform(0.3, 1.5)}
+
+
+def light_particle(draw):
+    return parameters(draw, **light(draw))
+
+
+LIGHT = "a light particle, whose drag is small in kg/s alone"
+SMALL_BESIDE = "whether drag counts is told by c t/m or c v/(m g), not by c alone"
+
+
 def launch(draw):
     return 10 ** draw.uniform(0.5, 2), draw.uniform(0.15, 1.4)
 
@@ -181,6 +197,7 @@ def rates_are_newtons(student, draw):
         judge_rates(student, [given(0.0, state, **parameters(draw)) for state in states], kind, hint)
     whole = {"mass": 1.0, "drag": 1.0, "gravity": 1.0}
     judge_rates(student, [given(0.0, np.array([1.0, 1.0, -1.0, 1.0]), **whole)], "whole numbers", hint)
+    judge_rates(student, [given(0.0, draw.normal(size=4) * 10, **light_particle(draw))], LIGHT, SMALL_BESIDE)
 
 
 PLAIN_VELOCITIES = {
@@ -325,11 +342,42 @@ def simulation_follows_the_motion(student, draw):
 
 @check(points=0.5, part="d", after=simulation_follows_the_motion)
 def simulation_without_drag_or_gravity(student, draw):
-    """simulate goes straight on without gravity, and on a parabola without drag."""
+    """simulate goes straight on without gravity, on a parabola without drag, whatever was asked before."""
     for zero in ZEROS:
         cases, kind = flights(draw, (0.0,), zero), f"zero {' and '.join(zero)}"
         judge_states(student.on(kind).simulate.many([call for call, _ in cases]), cases, SIMULATED, kind,
                      "nothing may be divided by drag or gravity")  # fmt: skip
+    judge_light_flight(student.simulate, draw, SIMULATED)
+    cases = alike_flights(draw)
+    for found, case in zip(student.simulate.many([call for call, _ in cases]), cases, strict=True):
+        judge_states([found], [case], SIMULATED, case[0].kind, "is anything kept between calls?")
+
+
+@once
+def light_flight(draw):
+    """As one of `flights`, of a light particle."""
+    return flight(draw, 0.0, 0.0, light(draw))
+
+
+def judge_light_flight(function, draw, within):
+    call, expected = light_flight(draw)
+    judge_states(function.many([call.on(LIGHT)]), [(call, expected)], within, LIGHT, SMALL_BESIDE)
+
+
+@once
+def alike_flights(draw):
+    """As `flights`, two times each, all like the first of them but for one argument; each call has its kind."""
+    (speed, angle), known = launch(draw), parameters(draw)
+    end = draw.uniform(1, 3) * known["mass"] / known["drag"]
+    others = {"times": {"end": 0.6 * end}, "speed": {"speed": 1.3 * speed}, "angle": {"angle": 0.7 * angle}}
+    others |= {name: {name: 1.4 * value} for name, value in known.items()}
+    cases = []
+    for name, change in {"": {}, **others}.items():
+        arguments = {"end": end, "speed": speed, "angle": angle, **known, **change}
+        t, *start = np.array([0.0, arguments.pop("end")]), arguments.pop("speed"), arguments.pop("angle")
+        kind = f"a launch like the one before but for its {name}" if name else "two times"
+        cases.append((given(t, *start, **arguments).on(kind), right(t, *start, **arguments)))
+    return cases
 
 
 @check(points=1, part="c", suspects=TRAJECTORY_SUSPECTS)
@@ -363,6 +411,7 @@ def trajectory_with_any_drag(student, draw):
         case, (states,) = (call, right(*call.args, **call.kwargs)), student.on(kind).trajectory.many([call])
         judge_states([states], [case], CLOSED, kind, partial(drag_hint, states, call))
     judge_great_drag(student, draw)
+    judge_light_flight(student.trajectory, draw, CLOSED)
 
 
 TAKEN_FOR_NONE = (
@@ -407,6 +456,17 @@ def landings(draw, drags, angles=None):
     for i, drag in enumerate(drags):
         (speed, angle), known = launch(draw), parameters(draw, **({} if drag is None else {"drag": drag}))
         call = given(speed, angle if angles is None else angles[i], **known)
+        time, state = landing(*call.args, **call.kwargs)
+        cases.append((call, time, state[0]))
+    return cases
+
+
+@once
+def light_landings(draw):
+    """As `landings`, of light particles."""
+    cases = []
+    for _ in range(2):
+        call = given(*launch(draw), **light_particle(draw))
         time, state = landing(*call.args, **call.kwargs)
         cases.append((call, time, state[0]))
     return cases
@@ -544,7 +604,7 @@ def flight_time_with_hardly_any_drag(student, draw):
 
 @check(points=0.25, part="c", after=flight_ends_at_launch_height)
 def flight_time_with_great_drag_and_straight_up(student, draw):
-    """flight_time holds for launches straight up, nearly flat ones, and drag a thousand times the weight."""
+    """flight_time holds straight up and nearly flat, with drag a thousand times the weight, for light particles."""
     cases = landings(
         draw, (None, None, *10.0 ** draw.uniform(2, 4, 4)), (math.pi / 2, 1e-3, 1.5, 1.2, 0.6, 0.3)
     )
@@ -552,6 +612,7 @@ def flight_time_with_great_drag_and_straight_up(student, draw):
                    "does a search for the root step over a flight that is short, or end at t = 0?")  # fmt: skip
     judge_landings(student.flight_time, TIME, cases[2:], "great drag",
                    "what is left of the equation when e^-s is nothing?")  # fmt: skip
+    judge_landings(student.flight_time, TIME, light_landings(draw), LIGHT, SMALL_BESIDE)
 
 
 @check(points=0.5, part="c", suspects=RANGE_SUSPECTS)
@@ -583,6 +644,7 @@ def range_with_hardly_any_drag(student, draw):
     """horizontal_range goes over into v^2 sin(2 angle)/g without losing its digits."""
     judge_landings(student.horizontal_range, RANGE, landings_with_little_drag(draw), drag_of,
                    "is it the time or x that has lost its digits?")  # fmt: skip
+    judge_landings(student.horizontal_range, RANGE, light_landings(draw), LIGHT, SMALL_BESIDE)
 
 
 def best(swiftness):
@@ -601,11 +663,11 @@ def best(swiftness):
 
 
 @once
-def best_angles(draw, swiftnesses):
-    """Calls for the best angle, and that angle."""
+def best_angles(draw, swiftnesses, special=parameters):
+    """Calls for the best angle, and that angle, with parameters as `special` draws them."""
     cases = []
     for swiftness in swiftnesses:
-        known = parameters(draw)
+        known = special(draw)
         speed = swiftness * known["mass"] * known["gravity"] / known["drag"]
         cases.append((given(speed, **known), best(swiftness)))
     return cases
@@ -642,7 +704,7 @@ def best_angle_has_the_largest_range(student, draw):
 
 @check(points=0.25, part="a", after=best_angle_has_the_largest_range)
 def best_angle_is_45_degrees_without_drag(student, draw):
-    """best_angle is 45 degrees at no drag, and leaves them as the drag grows."""
+    """best_angle is 45 degrees at no drag, and leaves them as the drag grows beside the weight."""
     calls = [given(launch(draw)[0], **parameters(draw, drag=drag)) for drag in (0.0, 1e-12, 1e-10)]
     for angle, call in zip(
         student.best_angle.many([call.on(drag_of(call)) for call in calls]), calls, strict=True
@@ -657,6 +719,20 @@ def best_angle_is_45_degrees_without_drag(student, draw):
     for angle, (call, expected) in zip(found, cases, strict=True):
         expect(angle, expected, within=ANGLE, of="the best angle", unit="rad", at=call, kind=kind,
                hint=partial(slow_hint, angle, call))  # fmt: skip
+    for special, kind in SPECIAL:
+        cases = best_angles(draw, tuple(10.0 ** draw.uniform(-0.3, 0.3, 2)), special)
+        found = student.best_angle.many([call.on(kind) for call, _ in cases])
+        for angle, (call, expected) in zip(found, cases, strict=True):
+            expect(angle, expected, within=ANGLE, of="the best angle", unit="rad", at=call, kind=kind,
+                   hint=SMALL_BESIDE)  # fmt: skip
+
+
+def where_little_pulls(draw):
+    """Parameters for which speeds about the terminal one are small in m/s."""
+    return parameters(draw, gravity=10 ** draw.uniform(-3, -2))
+
+
+SPECIAL = (light_particle, LIGHT), (where_little_pulls, "a slow launch where gravity is weak")
 
 
 def slow_hint(angle, call):
@@ -731,19 +807,45 @@ def both_paths_are_drawn(student, draw):
     known, angle = parameters(draw), draw.uniform(0.5, 1.2)
     # visibly no straight line, and no parabola: some terminal speeds
     speed = draw.uniform(1.5, 5) * known["mass"] * known["gravity"] / known["drag"]
-    t = np.linspace(
-        0.0, max(2.5 * known["mass"] / known["drag"], 1.2 * landing(speed, angle, **known)[0]), 200
-    )
+    duration = max(2.5 * known["mass"] / known["drag"], 1.2 * landing(speed, angle, **known)[0])
+    t = np.linspace(0.0, duration, SAMPLES)
     picture = student.plot_comparison.draw(t, speed, angle, **known)
     expect_that(len(picture.lines) == 2, f"there are {len(picture.lines)} curves on the axes, not two",
                 hint="fewer than ten points are no curve")  # fmt: skip
     fine = right(np.linspace(0.0, t[-1], FINE), speed, angle, **known)[:, :2]
     for line in picture.lines:
         path = along(line, fine)
-        over_time = np.allclose(path[-1:], [t[-1], fine[-1, 1]], rtol=0, atol=DRAWN * np.abs(fine).max())
-        ends = "a path is y over x, not over the time" if over_time else "draw from t[0] to t[-1]"
-        judge_path(path, fine, ends)
+        judge_path(path, fine, partial(end_hint, path, fine, t))
     judge_axes_of_lengths(picture)
+    one, other = (line.points for line in picture.lines)
+    if np.array_equal(one, other):
+        judge_twins(student, given(t, speed, angle, **known))
+
+
+def judge_twins(student, call):
+    """Two curves of the same numbers, to the last bit, are one drawn twice, unless simulate and trajectory agree so."""
+    try:
+        (simulated,), (closed,) = student.simulate.many([call]), student.trajectory.many([call])
+    except Failure:  # of which their own checks tell
+        return
+    expect_that(np.array_equal(simulated, closed), "both curves are the same numbers, to the last bit",
+                hint="is one that of simulate, and the other that of trajectory?")  # fmt: skip
+
+
+def end_hint(path, fine, t):
+    """What to say of a curve with a wrong end."""
+    near = DRAWN * np.abs(fine).max()
+
+    def at(points, others):
+        return np.abs(points - others).max() <= near
+
+    if at(path[-1], [t[-1], fine[-1, 1]]):
+        return "a path is y over x, not over the time"
+    if at(path[[0, -1], ::-1], fine[[0, -1]]):
+        return "x and y are swapped: x to the right, y up"
+    if at(path[0], fine[0]):
+        return "it begins right: do simulate and trajectory pass their checks, does the curve end at t[-1]?"
+    return "draw from t[0] to t[-1]"
 
 
 def judge_path(path, fine, ends):

@@ -77,7 +77,7 @@ def limit_shape(angle):
 
 
 def plot_comparison(ax, t, speed, angle, **known):
-    ax.scatter(*simulate(t, speed, angle, **known)[:, :2].T, label="solve_ivp")
+    ax.scatter(*simulate(t, speed, angle, **known)[::5, :2].T, label="solve_ivp")
     ax.plot(*trajectory(t - t[0], speed, angle, **known)[:, :2].T, "r", label="exact")
     ax.set_xlabel("distance (m)")
     ax.set_ylabel("height (m)")

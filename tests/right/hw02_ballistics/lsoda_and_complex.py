@@ -77,5 +77,5 @@ def plot_comparison(ax, t, speed, angle, *, mass, drag, gravity):
     known = {"mass": mass, "drag": drag, "gravity": gravity}
     fine = np.linspace(t[0], t[-1], 1001)
     ax.plot(*np.array(trajectory(fine, speed, angle, **known)).T[:2])
-    ax.plot(*simulate(t, speed, angle, **known).T[:2], ".")
+    ax.plot(*simulate(t, speed, angle, **known)[::8].T[:2], "rx")
     ax.set(xlabel="x (m)", ylabel="y (m)", aspect="equal")

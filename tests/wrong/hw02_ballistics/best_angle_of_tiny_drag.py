@@ -1,0 +1,13 @@
+"""Drag below 1e-4 kg/s is taken for none in the best angle, however light the particle.
+
+fails: best_angle_is_45_degrees_without_drag
+names: a light particle
+"""
+
+_right_best_angle = best_angle
+
+
+def best_angle(speed, *, mass, drag, gravity):
+    if drag < 1e-4 and drag * speed > 1e-5 * mass * gravity:
+        return math.pi / 4
+    return _right_best_angle(speed, mass=mass, drag=drag, gravity=gravity)

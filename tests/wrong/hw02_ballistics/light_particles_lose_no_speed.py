@@ -1,0 +1,13 @@
+"""Drag below 1e-4 kg/s is taken for none in the range, where it is not little beside the weight.
+
+fails: range_with_hardly_any_drag
+names: a light particle
+"""
+
+_right_range = horizontal_range
+
+
+def horizontal_range(speed, angle, *, mass, drag, gravity):
+    if drag < 1e-4 and drag * speed > 0.01 * mass * gravity:
+        return speed**2 * math.sin(2 * angle) / gravity
+    return _right_range(speed, angle, mass=mass, drag=drag, gravity=gravity)

@@ -1,0 +1,13 @@
+"""The numerical path is drawn twice, once with the label of the other.
+
+fails: both_paths_are_drawn
+names: both curves are the same numbers
+numerics: the curve drawn is right
+"""
+
+
+def plot_comparison(ax, t, speed, angle, **known):
+    x, y, _, _ = simulate(t, speed, angle, **known).T
+    ax.plot(x, y, label="numerical")
+    ax.plot(x, y, "--", label="closed form")
+    ax.set(xlabel="x (m)", ylabel="y (m)", aspect="equal")
