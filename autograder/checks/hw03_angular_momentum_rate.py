@@ -19,6 +19,7 @@ MANUAL = {
 }
 
 POINTWISE = 1e-8  # a few roundings make 1e-15, a rate by differences of a Taylor series 1e-11
+NEARLY = 1e-4  # off by less, a rate is right in principle, to choose the words
 IDENTITY = (
     1e-12  # relative, of a coefficient: those of a motion, and so their products, are rounded to 1e-16 each
 )
@@ -271,13 +272,22 @@ def judge_rate(student, draw, name, definition, hint=""):
         for _, _, mass, _, state in cases
     ]
     results = getattr(student, name).many(calls)
-    look = partial(discrepancy_hint, results, cases, definition) if name == "discrepancy" else hint
     for found, call, (p, c, mass, now, state) in zip(results, calls, cases, strict=True):
         expected = derivative(momentum(definition, p, c, mass, now))
         if name == "discrepancy":
             expected = difference(expected, mass * cross(difference(p, c), derivative(derivative(p))))
-        expect(found, value(expected, now), within=POINTWISE, scale=size(state, mass)[0] or 1.0, of=f"the {name}",
+        scale = size(state, mass)[0] or 1.0
+        look = (partial(discrepancy_hint, results, cases, definition) if name == "discrepancy"
+                else partial(rate_hint, found, value(expected, now), scale, hint))  # fmt: skip
+        expect(found, value(expected, now), within=POINTWISE, scale=scale, of=f"the {name}",
                unit="of a moment's size", kind=call.kind, hint=look, at=call)  # fmt: skip
+
+
+def rate_hint(found, expected, scale, hint):
+    """What to say of a rate that is nearly right, as a difference quotient is."""
+    if np.abs(found - expected).max() <= NEARLY * scale:
+        return "it is nearly right: is it a difference quotient? Differentiate the product on paper"
+    return hint
 
 
 LEFT = "it is your rate less your moment: what is left of it on paper?"
@@ -436,11 +446,13 @@ def judge_motion(definition, p, c):
 
 
 def order_hint(definition, p, c):
-    """What to say of a motion that has no flaw with P and C exchanged, or with its coefficients turned round."""
-    orders = {
-        "the sum starts at j = 0: p[0] and c[0] are the positions at t = 0": (p[::-1], c[::-1]),
-        "are P and C swapped? the motion of P comes first": (c, p),
-    }
+    """What to say of a motion that has no flaw with P and C exchanged, or with its coefficients turned round.
+
+    While P rests, definition b holds whatever C does: then only a highest coefficient of zero tells that they are.
+    """
+    orders = {"are P and C swapped? the motion of P comes first": (c, p)}
+    if definition == "c" or np.any(p[:-1]) or not np.any(c[-1]):
+        orders["the sum starts at j = 0: p[0] and c[0] are the positions at t = 0"] = (p[::-1], c[::-1])
     return next((says for says, pair in orders.items() if next(flaws(definition, *pair), None) is None), "")
 
 
