@@ -53,6 +53,7 @@ TENSOR = 1e-7
 # as that of |centre|^2, 1e-15 of the size's square, if it is a difference of such: TENSOR * NOUGHT^2 lets both pass.
 NOUGHT = 1e-3
 RIGHT_ANGLE = 1e-7  # of the larger axis, along the smaller; eigenvectors are good to rounding over the gap
+SAMPLES = 401  # every 2nd, 4th, 5th, 8th, 10th or 20th is a series that ends with the last
 DRAWN = 1e-3  # of the picture; chords of the 400 points that it is compared with leave the path by 1e-5
 PASSED = 2e-2  # of the picture; chords of a line of twenty points leave the path by (3.8/20)^2/8 = 5e-3
 
@@ -313,6 +314,23 @@ def stiff(draw):
     return [(1 + t, motion(t, r, v, **known), (r, v, known))]
 
 
+@once
+def alike(draw):
+    """As `plain_motions`, all like the first of them but for one argument."""
+    ((r, v, known),) = cases(draw, 1, 0)
+    t = uneven(draw, 2 * math.pi / rate_of(**known), 3, 0.0)
+    first = {"t": t, "r": r, "v": v, **known}
+    others = {"times": {"t": uneven(draw, t[-1], 3, 0.0)}, "position": {"r": 0.8 * r}, "velocity": {"v": -v}}
+    others |= {name: {name: 1.4 * value} for name, value in known.items()}
+    found = []
+    for name, change in {"": {}, **others}.items():
+        arguments = {**first, **change}
+        t, r, v = (arguments.pop(each) for each in ("t", "r", "v"))
+        kind = f"a motion like the one before but for its {name}" if name else "three times"
+        found.append(((t, motion(t, r, v, **arguments), (r, v, arguments)), kind))
+    return found
+
+
 def judge_motion(student, name, found, within, kind, hint):
     calls = [given(t, r, v, **known).on(kind) for t, _, (r, v, known) in found]
     for states, call, (t, expected, (r, v, known)) in zip(
@@ -385,7 +403,7 @@ def simulate_moves_as_it_must(student, draw):
 
 @check(points=0.5, part="a", after=simulate_moves_as_it_must)
 def simulate_does_not_depend_on_the_sampling(student, draw):
-    """simulate: only two times, many periods apart, and the same state as by many."""
+    """simulate: only two times, many periods apart, and the same state as by many, whatever was asked before."""
     found = [(t[[0, -1]], states[[0, -1]], case) for t, states, case in timed(draw, 2, 6.4, True, 0)]
     judge_motion(student, "simulate", found, 3 * TRAJECTORY, "two times far apart",
                  "steps between the times, as short as the motion asks for")  # fmt: skip
@@ -394,6 +412,8 @@ def simulate_does_not_depend_on_the_sampling(student, draw):
     )
     judge_motion(student, "simulate", stiff(draw), TRAJECTORY, "two times, a stiff spring",
                  "a step of fixed length does not do for every spring")  # fmt: skip
+    for case, kind in alike(draw):
+        judge_motion(student, "simulate", [case], TRAJECTORY, kind, "is anything kept between calls?")
 
 
 @check(points=0.5, part="a", after=simulate_moves_as_it_must)
@@ -594,7 +614,7 @@ def the_path_is_drawn(student, draw):
     """plot_projection draws the projected path from t[0] to t[-1], with labels and equal scales."""
     ((r, v, known),) = cases(draw, 1, 0)
     azimuth, elevation = draw.uniform(-3, 3), draw.uniform(0.3, 1.2)
-    t = np.linspace(0.0, 0.6 * 2 * math.pi / rate_of(**known), 150)
+    t = np.linspace(0.0, 0.6 * 2 * math.pi / rate_of(**known), SAMPLES)
     picture = student.plot_projection.draw(t, r, v, azimuth, elevation, **known)
     expect_that(len(picture.lines) == 1, f"there are {len(picture.lines)} curves on the axes, not one",
                 hint="fewer than ten points are no curve")  # fmt: skip
