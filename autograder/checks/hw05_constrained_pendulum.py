@@ -149,10 +149,14 @@ def below(state, *, mass, length, gravity):
 
 
 # What to say of these, which are no suspects: where they are zero nothing but rounding is left to compare.
-KNOWN_ACCELERATIONS = {
-    "it is the forces' sum, not divided by the mass": summed,
-    "it is right below the hinge alone, where y = -sqrt(l^2 - x^2)": below,
-}
+# Of the acceleration, and of the force:
+KNOWN_VECTORS = (
+    {
+        "it is the forces' sum, not divided by the mass": summed,
+        "it is right below the hinge alone, where y = -sqrt(l^2 - x^2)": below,
+    },
+    {"the weight is counted in: the constraint force is that of the rod alone": summed},
+)
 
 
 def judge_law(student, draw, name, index, says, hint):
@@ -163,12 +167,12 @@ def judge_law(student, draw, name, index, says, hint):
         unit = known["mass"] if index else 1.0
         expect(vector, together(state, **known)[index], within=POINTWISE, scale=unit * size(state, **known), of=says,
                unit="of its size", kind=kind, at=(state, known),
-               hint=lambda: known_acceleration(vectors, found) or hint)  # fmt: skip
+               hint=lambda: known_vector(vectors, found, KNOWN_VECTORS[index]) or hint)  # fmt: skip
 
 
-def known_acceleration(vectors, found):
-    """What to say if the results are one of KNOWN_ACCELERATIONS."""
-    for says, wrong in KNOWN_ACCELERATIONS.items():
+def known_vector(vectors, found, mistakes):
+    """What to say if the results are one of the mistakes."""
+    for says, wrong in mistakes.items():
         pairs = [(vector - wrong(state, **known), known["mass"] * size(state, **known))
                  for vector, (state, known, _) in zip(vectors, found, strict=True)]  # fmt: skip
         if all(np.abs(off).max() <= KNOWN * largest for off, largest in pairs):
