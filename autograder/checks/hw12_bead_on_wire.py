@@ -40,7 +40,7 @@ FEW_DIGITS = (
 )
 TRAJECTORY = 2e-5  # LSODA at rtol 1e-9, atol 1e-9 is off by 1e-6 after three periods, RK45 and DOP853 by less
 SHARP_TURN = 2e-4  # ... by 1e-5 behind the sharp turns of a steep wire
-ENERGY = 1e-5  # the same solvers lose 1e-6 of it in thirty periods
+ENERGY = 7e-5  # BDF at the same tolerances loses 7e-6 of it in thirty periods, the others 1e-6
 NEARLY = 3e-2  # of the largest rate; the rows of a coarse integration obey the equation so far, to choose the words
 JOINABLE = (
     3e-2  # no more are straight lines between the steps of a tight integration off by, to choose the words
@@ -639,7 +639,7 @@ def simulate_keeps_the_energy(student, draw):
     t = uneven(draw, 180 / rate, 300)
     energy = energy_along(student.on("many periods").simulate(t, *start, **wire), wire)
     expect(energy, np.ones(len(t)), within=ENERGY, of="the energy", unit="of itself", t=t,
-           kind="many periods", at=(start, wire), partial={1e-4: 0.6, 1e-2: 0.3},
+           kind="many periods", at=(start, wire), partial={1e-3: 0.6, 1e-2: 0.3},
            hint=lambda: hint_of_durations(student, t, start, wire, energy))  # fmt: skip
 
 
