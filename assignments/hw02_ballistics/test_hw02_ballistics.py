@@ -94,6 +94,6 @@ def in_metres(label):
 
 def test_two_curves_are_drawn():
     axes = Figure().subplots()
-    hw.plot_comparison(axes, T, SPEED, ANGLE, **BALL)
+    hw.plot_comparison(axes, np.linspace(0.0, 6.0, 201), SPEED, ANGLE, **BALL)
     assert curves(axes) == 2
     assert in_metres(axes.get_xlabel()) and in_metres(axes.get_ylabel())

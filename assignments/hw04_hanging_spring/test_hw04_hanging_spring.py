@@ -100,6 +100,6 @@ def test_the_picture_has_one_curve_and_names_on_its_axes():
     from matplotlib.figure import Figure
 
     ax = Figure().add_subplot()
-    hw.plot_projection(ax, np.linspace(0, PERIOD, 50), *START, 0.5, 0.3, **SPRING)
+    hw.plot_projection(ax, np.linspace(0, PERIOD, 201), *START, 0.5, 0.3, **SPRING)
     assert curves(ax) == 1
     assert in_metres(ax.get_xlabel()) and in_metres(ax.get_ylabel())

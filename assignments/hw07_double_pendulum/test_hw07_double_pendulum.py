@@ -101,6 +101,6 @@ def in_metres(label):
 
 def test_the_tip_path_is_drawn():
     axes = Figure().subplots()
-    hw.plot_tip_path(axes, np.linspace(0.0, 1.0, 101), THETA, OMEGA, **PENDULUM)
+    hw.plot_tip_path(axes, np.linspace(0.0, 1.0, 201), THETA, OMEGA, **PENDULUM)
     assert curves(axes) == 1
     assert in_metres(axes.get_xlabel()) and in_metres(axes.get_ylabel())

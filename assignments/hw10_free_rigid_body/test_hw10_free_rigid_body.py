@@ -129,7 +129,7 @@ def test_two_paths_are_drawn():
 
     ax = Figure().subplots()
     hw.plot_rim_paths(
-        ax, np.linspace(1.0, 4.0, 101), START, np.array([0.1, 0.0, 2.0]), inertia=DISK, radius=0.5
+        ax, np.linspace(1.0, 4.0, 201), START, np.array([0.1, 0.0, 2.0]), inertia=DISK, radius=0.5
     )
     assert curves(ax) == 2
     assert in_metres(ax.get_xlabel()) and in_metres(ax.get_ylabel())
