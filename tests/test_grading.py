@@ -916,3 +916,7 @@ def test_a_label_names_metres_in_many_forms(label, right):
     axes = Drawing([], label, label, equal_aspect=True)
     with contextlib.nullcontext() if right else pytest.raises(Failure, match="not labelled with their unit"):
         judge_axes_of_lengths(readable(axes))
+
+
+def test_an_assignment_is_found_by_its_short_name(course):
+    assert root.assignment(course, "hw08").slug == SLUG

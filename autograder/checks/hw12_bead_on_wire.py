@@ -35,16 +35,14 @@ OFF_LIMITS = {"*": ("tam570.lagrange",)}
 
 POINTWISE = 1e-8  # a few roundings make 1e-15, a derivative by central differences 1e-10
 NEXT_TO_BOTTOM = 1e-5  # times 1/c; a term of x'' is left out there by who takes it for nothing
-FEW_DIGITS = (
-    1e-4  # of x'' next to the bottom; differences of energies are good to 5e-6 of what is nearly zero
-)
+# of x'' next to the bottom; differences of energies are good to 5e-6 of what is nearly zero
+FEW_DIGITS = 1e-4
 TRAJECTORY = 2e-5  # LSODA at rtol 1e-9, atol 1e-9 is off by 1e-6 after three periods, RK45 and DOP853 by less
 SHARP_TURN = 2e-4  # ... by 1e-5 behind the sharp turns of a steep wire
 ENERGY = 7e-5  # BDF at the same tolerances loses 7e-6 of it in thirty periods, the others 1e-6
 NEARLY = 3e-2  # of the largest rate; the rows of a coarse integration obey the equation so far, to choose the words
-JOINABLE = (
-    3e-2  # no more are straight lines between the steps of a tight integration off by, to choose the words
-)
+# no more are straight lines between the steps of a tight integration off by, to choose the words
+JOINABLE = 3e-2
 BETTER = 0.1  # of the error is left where the steps are what is wrong, to choose the words
 PERIOD = 1e-6  # a quadrature with a singular end, or an event of a simulation, is good to 1e-8
 TINY = 5e-4  # at micrometres an event of a simulation with an absolute tolerance of 1e-9 m is good to 5e-5
@@ -463,9 +461,8 @@ def joined(student, case, errors):
     """Whether the worst row is right where its time is the last, at which every integrator ends a step."""
     t, start, wire, expected, scale = case
     row = int(np.argmax(errors))
-    if (
-        row == 0 or not 10 * TRAJECTORY < errors[row] < JOINABLE
-    ):  # a loose tolerance is off by less, or by more
+    # a loose tolerance is off by less, or by more
+    if row == 0 or not 10 * TRAJECTORY < errors[row] < JOINABLE:
         return False
     again = another(student, t[[0, row]], start, wire)
     return again is not None and max(abs(again[-1] - expected[row]) / scale) <= TRAJECTORY

@@ -710,9 +710,8 @@ def joined(student, states, expected, call, scale):
     t, *start = call.args
     errors = np.max(np.abs(states - expected), axis=1)
     row = int(np.argmax(errors))
-    if (
-        row in (0, len(t) - 1) or not 10 * TRAJECTORY < errors[row] < JOINABLE
-    ):  # a loose tolerance is off by less
+    # a loose tolerance is off by less
+    if row in (0, len(t) - 1) or not 10 * TRAJECTORY < errors[row] < JOINABLE:
         return False
     try:
         again = student.simulate(t[[0, row]], *start, **call.kwargs)

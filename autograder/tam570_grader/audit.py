@@ -87,10 +87,10 @@ def _question(arguments: argparse.Namespace) -> Question:
 
 def _with_functions(course: Path, slugs: Sequence[str], names: Sequence[str]) -> list[str]:
     """The assignments that have functions of these names; UsageError for a name that none has."""
-    from tam570_grader.mutate import mutants
+    from tam570_grader.mutation import reached
 
     texts = {slug: (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8") for slug in slugs}
-    there = {slug: {one.function for one in mutants(slug, text)} for slug, text in texts.items()}
+    there = {slug: set(reached(text)) for slug, text in texts.items()}
     known = sorted(set().union(*there.values()))
     if unknown := [name for name in names if name not in known]:
         raise UsageError(f"--function: there is no function {unknown[0]!r}; there are: {', '.join(known)}")
@@ -99,9 +99,7 @@ def _with_functions(course: Path, slugs: Sequence[str], names: Sequence[str]) ->
 
 def _mutation(course: Path, slug: str, arguments: argparse.Namespace) -> Answer:
     from tam570_grader import mutation
-    from tam570_grader.equivalents import equivalents
 
-    equivalents(course, slug)  # what is wrong with the list is said before the mutants are run
     found = mutation.fates(course, slug, arguments.jobs, arguments.quick, arguments.function)
     return mutation.as_json(found), mutation.report(found), found.faults
 

@@ -119,15 +119,15 @@ def upper_bound(failures: int, runs: int) -> float:
 
 def as_json(slug: str, lines: Sequence[Line]) -> dict[str, Any]:
     """The report as plain data."""
+    fails, bound = _rate(lines)
+    found = {"assignment": slug, "runs": len(lines), "false_fails": fails, "upper_bound": bound}
+    return {**found, "lines": lines}
+
+
+def _rate(lines: Sequence[Line]) -> tuple[int, float]:
+    """False fails, and the bound on their rate."""
     fails = sum(bool(line["fails"]) for line in lines)
-    bound = upper_bound(fails, len(lines))
-    return {
-        "assignment": slug,
-        "runs": len(lines),
-        "false_fails": fails,
-        "upper_bound": bound,
-        "lines": lines,
-    }
+    return fails, upper_bound(fails, len(lines))
 
 
 def report(lines: Sequence[Line]) -> list[str]:
@@ -143,5 +143,5 @@ def report(lines: Sequence[Line]) -> list[str]:
 
 def counted(lines: Sequence[Line]) -> str:
     """Runs, false fails and the bound, in words."""
-    fails = sum(bool(line["fails"]) for line in lines)
-    return f"{len(lines):>6} runs, {fails} false fails, rate below {upper_bound(fails, len(lines)):.2%}"
+    fails, bound = _rate(lines)
+    return f"{len(lines):>6} runs, {fails} false fails, rate below {bound:.2%}"

@@ -56,7 +56,7 @@ class Fates:
 def fates(course: Path, slug: str, jobs: int, quick: bool, functions: Sequence[str]) -> Fates:
     """Grade the mutants of an assignment: all, or a fixed sample; of all functions, or of some."""
     text = (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8")
-    made = mutants(slug, text)
+    made, listed = mutants(slug, text), equivalents(course, slug)
     asked = [mutant for mutant in made if not functions or mutant.function in functions]
     chosen = asked[:: max(1, len(asked) // QUICK)] if quick else asked
     calls, longest = calls_of_checks(course, slug, text)
@@ -76,7 +76,6 @@ def fates(course: Path, slug: str, jobs: int, quick: bool, functions: Sequence[s
         if _is_shared(mutant.function, calls, within)
     ]
     results = {result.student: result for result in progress(done(tried, tasks, jobs), len(tasks), "mutant")}
-    listed = equivalents(course, slug)
     slips = {mutant.name: (mutant.function, mutant.slip) for mutant in chosen}
     fate = {
         name: _fate([results[one] for one in (name, f"{name} alone") if one in results], slip in listed)

@@ -75,7 +75,7 @@ def named(names: Iterable[str], known: Sequence[str]) -> list[str]:
 @functools.cache
 def assignment(root: Path, slug: str) -> Assignment:
     """The assignment's checks and promises, loaded from its checks file."""
-    named([slug], slugs(root))
+    (slug,) = named([slug], slugs(root))
     path = root / "autograder" / "checks" / f"{slug}.py"
     module = _loaded(path, f"_checks_{slug}")
     checks = tuple(value for value in vars(module).values() if isinstance(value, Check))

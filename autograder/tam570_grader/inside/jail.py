@@ -48,23 +48,12 @@ REFUSED = {  # system calls, by machine: what the kernel's audit calls it, then 
         + (194, 196, 190, 186, 180, 279, 447, 0, 97, 268, 198, 32, 25),
     ),
 }
-LOCKS = (
-    5,
-    6,
-    7,
-    36,
-    37,
-    38,
-    1024,
-    1025,
-)  # what fcntl is asked for locks of records and of open files, for leases
+# what fcntl is asked for locks of records and of open files, for leases
+LOCKS = (5, 6, 7, 36, 37, 38, 1024, 1025)
 SECCOMP, FILTER = 22, 2  # of prctl
 LOAD, EQUAL, ABOVE, RETURN = 0x20, 0x15, 0x35, 0x06  # instructions of a filter
-NUMBER, MACHINE, ASKED = (
-    0,
-    4,
-    24,
-)  # where a filter finds the call, the machine, the second argument's lower half
+# where a filter finds the call, the machine, the second argument's lower half
+NUMBER, MACHINE, ASKED = 0, 4, 24
 NEXT, ALLOW, REFUSE = range(3)  # where a comparison leads
 FOREIGN_CALLS = 0x40000000  # and above: the numbers of x32, whose calls have the name of x86-64
 ALLOWED, FORBIDDEN = 0x7FFF0000, 0x50001  # what a filter returns; the second is EPERM

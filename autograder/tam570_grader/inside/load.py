@@ -57,7 +57,7 @@ def _run_statements(source: bytes, module: ModuleType) -> None:
     future = [one for one in statements if isinstance(one, ast.ImportFrom) and one.module == "__future__"]
     for statement in statements:
         alone = ast.Module([*future, statement], type_ignores=[])
-        with contextlib.suppress(Exception, Forbidden):
+        with contextlib.suppress(Exception):
             exec(compile(alone, f"{module.__name__}.py", "exec", dont_inherit=True), module.__dict__)
 
 
