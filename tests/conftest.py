@@ -19,6 +19,7 @@ from tam570_grader.student import Source
 COURSE = root.find()
 SLUGS = root.slugs(COURSE)
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "chrome")
+WHOLE = ("test_nbgrader.py", "test_formgrader.py", "test_feedback_browser.py")  # fixtures of up to a minute
 SEEDS = {"seed": (range(5), range(50)), "draw": ([1], range(4))}  # in the quick form, and in full
 NBGRADER = """
 import json, os, sys, warnings
@@ -44,6 +45,19 @@ signal.signal(signal.SIGINT, signal.default_int_handler)
 
 def pytest_addoption(parser):
     parser.addoption("--full", action="store_true", help="every figure in full: 50 seeds, the long runs")
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config, log):
+    """Tests go to whichever process is free, but files with dear fixtures to one."""
+    from xdist.scheduler import LoadScopeScheduling
+
+    class Scheduling(LoadScopeScheduling):
+        def _split_scope(self, nodeid):
+            module = nodeid.partition("::")[0]
+            return module if module.endswith(WHOLE) else nodeid
+
+    return Scheduling(config, log)
 
 
 def pytest_collection_modifyitems(config, items):

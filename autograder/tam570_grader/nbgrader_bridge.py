@@ -31,7 +31,7 @@ from tam570_grader.notebook import FORMAT, part_of, part_points, text_cell
 from tam570_grader.options import cores
 from tam570_grader.run import Plan, records
 from tam570_grader.sandbox import Allowance
-from tam570_grader.submissions import Submission, submissions
+from tam570_grader.submissions import BadPath, Submission, of_folder, submissions
 
 __all__ = ["ForgivingExporter", "KeepPictures", "RestoreMetadata", "SandboxGrades", "markdown_without_html"]
 
@@ -124,11 +124,18 @@ def _notes_of_cells(notebook: Any) -> dict[str, dict[str, Any]]:
     }  # fmt: skip
 
 
+class _PlainRenderer(IPythonRenderer):
+    """nbconvert's, but for what it would leave unescaped: a diagram is shown as its text."""
+
+    def block_mermaidjs(self, code: str) -> str:
+        return self.block_code(code)
+
+
 @pass_context
 def markdown_without_html(context: Any, source: str) -> str:
     """Markdown as nbconvert renders it, but for HTML and links that run, which a student's text may hold."""
     pictures = context.get("cell", {}).get("attachments", {})
-    renderer = IPythonRenderer(escape=True, allow_harmful_protocols=False, attachments=pictures)
+    renderer = _PlainRenderer(escape=True, allow_harmful_protocols=False, attachments=pictures)
     return str(MarkdownWithMath(renderer=renderer).render(source))
 
 
@@ -210,7 +217,10 @@ def _of_folder(folder: Path, slug: str, student: str) -> Submission:
         return Submission(
             student, slug, None, folder, "the folder is a link to a place outside of the submission"
         )
-    return replace(submissions([folder], [slug], slug)[0], student=student)
+    try:
+        return replace(submissions([folder], [slug], slug)[0], student=student)
+    except BadPath:  # several folders in it, say
+        return of_folder(folder, student, slug, folder)
 
 
 def _own_files(submitted: str, folder: str, exclude: Any = None) -> list[str]:
