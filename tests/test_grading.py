@@ -19,10 +19,10 @@ import numpy as np
 import pytest
 import sympy
 
-from tam570_grader import cli, root
+from tam570_grader import cli, root, submissions
 from tam570_grader.check import Failure, expect, given, suspect
 from tam570_grader.curves import readable
-from tam570_grader.grade import agrees
+from tam570_grader.grade import agrees, graded
 from tam570_grader.inside.answer import MODES
 from tam570_grader.inside.wire import Foreign, Unreadable, packed, portable, unpacked
 from tam570_grader.launch import isolation
@@ -400,6 +400,28 @@ def test_a_link_that_leads_away_or_nowhere_is_a_note_and_lists_nothing(run, tree
     assert not any("holds" in said[student] for student in ("dev", "fay", "gus")), said
 
 
+def test_a_link_with_too_long_a_target_is_no_folder(run, tree):
+    for folder in (tree, tree / "ada", tree / "ben" / SLUG):
+        (folder / "notes").symlink_to("a" * 300)
+    code, lines, _ = run(tree)
+    assert (code, scores(lines)) == (0, {"ada": 10.0, "ben": 0.0, "cora": 0.0})
+
+
+def test_a_students_folder_that_is_closed_is_a_note(run, tree, monkeypatch):
+    entries = submissions._entries
+
+    def closed(folder):
+        if folder.name == "dan":
+            raise submissions.BadPath("dan cannot be read")
+        return entries(folder)
+
+    monkeypatch.setattr(submissions, "_entries", closed)
+    (tree / "dan").mkdir()
+    code, lines, _ = run(tree)
+    assert (code, scores(lines)) == (0, {"ada": 10.0, "ben": 0.0, "cora": 0.0, "dan": 0.0})
+    assert next(line for line in lines if line["student"] == "dan")["message"] == "dan cannot be read"
+
+
 def test_a_pipe_is_not_read(run, tree):
     path = tree / "ben" / SLUG / f"{SLUG}.py"
     path.unlink()
@@ -643,6 +665,16 @@ def test_one_that_sleeps_through_its_calls_is_ended(grade, solution_text, monkey
     assert len(received) < 20, "it is ended within a batch of calls"
 
 
+def test_one_that_sleeps_at_every_import_and_call_is_ended(grade, solution_text, monkeypatch):
+    """Each function of hw02 has bans, and a cell, of its own."""
+    monkeypatch.setattr("tam570_grader.student.PATIENCE", 1)
+    slow = "import time\ntime.sleep(0.8)\n" + solution_text("hw02_ballistics")
+    asleep = "import time\nskew = rotate = rotation_matrix = lambda *_, **__: time.sleep(9)\n"
+    for slug, text in (("hw02_ballistics", slow), (SLUG, asleep)):
+        outcome = grade(slug, text, allowance=Allowance(cpu=1.5, call=1))
+        assert outcome.status == "timeout" and "little processor time" in outcome.message
+
+
 def test_a_submission_has_a_process_group_of_its_own(grade, solution_text):
     text = "import os\nassert os.getpgrp() == os.getpid() == os.getsid(0)\n" + solution_text(SLUG)
     assert grade(SLUG, text).score == 10
@@ -655,6 +687,13 @@ def test_what_a_later_import_says_reaches_no_page(run, tmp_path, solution_text):
     _, (line,), _ = run(tmp_path / "hw02.ipynb")
     assert line["score"] == 10.0 and line["message"].endswith("cell 4: ZeroDivisionError: division by zero")
     assert "1.25" not in json.dumps(line)
+
+
+def test_one_that_is_tried_again_is_not_quoted(course, workers):
+    source = Source(b"raise ValueError('1.25')")
+    assignment, worker = root.assignment(course, SLUG), workers(SLUG, Allowance())
+    first, second = (graded("dan", source, assignment, worker, 1, again=again) for again in (False, True))
+    assert "1.25" in first.message and "second time" in second.message and "1.25" not in second.message
 
 
 # Drawings
@@ -909,7 +948,16 @@ def test_distances_from_a_polygon_are_those_to_its_sides_and_many_points_cost_no
             (label, True)
             for label in ("x (m)", "x [m]", "right, m", "$x$ (m)", r"$x$ $[\mathrm{m}]$", "x in metres")
         ),
-        *((label, False) for label in ("", "x", "x (mm)", "x (M)", "m(x)", "moment")),
+        *((label, True) for label in ("Horizontal Distance (Meters)", "X [METRES]", "height in metre(s)")),
+        *(
+            (f"$x{space}(m)$", True)
+            for space in (r"\quad", r"\qquad", r"\enspace", r"\thinspace", r"\/", r"\>")
+        ),
+        *(
+            (rf"$x\ {font}{{m}}$", True)
+            for font in (r"\rm", r"\rm ", r"\boldsymbol", r"\operatorname", r"\big")
+        ),
+        *((label, False) for label in ("", "x", "x (mm)", "x (M)", "m(x)", "moment", r"$x\quadm$")),
     ],
 )
 def test_a_label_names_metres_in_many_forms(label, right):

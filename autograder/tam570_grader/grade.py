@@ -71,15 +71,17 @@ def graded(
     yardstick: Yardstick | None = None,
     enough: int | None = None,
     forgiving: bool = False,
+    again: bool = False,
 ) -> Result:
     """Grade one submission of the student `name`; the same submission and seed give the same score.
 
     yardstick : measures the speed of the simulation too, when all is graded
     enough    : failed checks after which the rest is not run
     forgiving : raise WorkerLost where the submission was killed by a stranger, instead of failing it
+    again     : an earlier try may have told it hidden inputs
     """
     started = time.perf_counter()
-    student = Student(source, assignment, worker, forgiving)
+    student = Student(source, assignment, worker, forgiving, again)
     marks: dict[str, Mark] = {}
     status, message, speed = "graded", "", None
     try:

@@ -113,10 +113,11 @@ class _Crew:
             return not_graded(submission.student, assignment, status, str(source), seed)
         worker, error = self._idle.get(), ""
         try:
-            for forgiving in (*[True] * (TRIES - 1), False):
+            for left in reversed(range(TRIES)):
                 try:
                     return graded(
-                        submission.student, source, assignment, worker, seed, self._yardstick, forgiving=forgiving
+                        submission.student, source, assignment, worker, seed, self._yardstick,
+                        forgiving=left > 0, again=left < TRIES - 1,
                     )  # fmt: skip
                 except WorkerLost as lost:
                     error = str(lost)

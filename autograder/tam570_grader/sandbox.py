@@ -154,20 +154,32 @@ class Cell:
         data = packed(request)
         self._budget, self._room = ItemBudget(), LARGEST_REPLY
         unsent = memoryview(LENGTH.pack(len(data)) + data)
-        started = time.monotonic()
-        while unsent:
-            if not self._ready(select.POLLOUT, self._limit):
-                raise CellTimeout
-            try:
+        asked, started = time.monotonic(), self._clock()
+        try:
+            while unsent:
+                if not self._ready(select.POLLOUT, self._limit):
+                    raise CellTimeout
                 unsent = unsent[self._channel.send(unsent) :]
-            except OSError:
-                self._ended = True
-                raise CellLost from None
-        self._waited += time.monotonic() - started
+        except OSError:
+            self._ended = True
+            raise CellLost from None
+        finally:
+            self.lasted += self._clock() - started
+        self._waited += time.monotonic() - asked
 
     def receive(self) -> Any:
         """The next reply, or raise CellLost or CellTimeout."""
-        asked, started, patience = time.monotonic(), self._clock(), self._limit
+        started = self._clock()
+        try:
+            return unpacked(self._awaited(started), self._budget)
+        except Unreadable:
+            raise CellLost from None
+        finally:
+            self.lasted += self._clock() - started
+
+    def _awaited(self, started: float) -> bytes:
+        """The bytes of the next reply."""
+        asked, patience = time.monotonic(), self._limit
         while (data := self._message()) is None:
             if self._ready(select.POLLIN, started + patience - self._clock()):
                 self._read()
@@ -176,12 +188,7 @@ class Cell:
             else:
                 patience += RECONSIDER
         self._waited += time.monotonic() - asked
-        try:
-            return unpacked(data, self._budget)
-        except Unreadable:
-            raise CellLost from None
-        finally:
-            self.lasted += self._clock() - started
+        return data
 
     def seconds(self) -> float:
         """The CPU seconds that the prisoner has used so far, by the kernel's clock; CellLost if its guard has gone."""

@@ -58,17 +58,22 @@ class Student:
     """One submission in the sandbox. `student.f` is the function f of the contract.
 
     A forgiving one that somebody else killed, the machine out of memory perhaps, is taken for a loss of the worker.
+    One that is tried again may know hidden inputs: what it says at import is not quoted.
     """
 
     def __init__(
-        self, source: Source, assignment: Assignment, worker: Worker, forgiving: bool = False
+        self,
+        source: Source,
+        assignment: Assignment,
+        worker: Worker,
+        forgiving: bool = False,
+        again: bool = False,
     ) -> None:
-        self._forgiving = forgiving
+        self._forgiving, self._informed = forgiving, again
         self.calls: list[Call] = []  # of the check that is running
         self.skipped: list[str] = []  # notebook cells
         self._source, self._assignment, self._worker = source, assignment, worker
         self._cells: dict[tuple[str, ...], Cell] = {}  # by what may not be called in it
-        self._loaded = False
         self._defined: set[str] = set()
         self._broken: dict[str, str] = {}  # functions that hung or crashed, and how
         self._cpu, self._lasted = 0.0, 0.0  # s of CPU and on the wall's clock, of the cells that have ended
@@ -127,6 +132,7 @@ class Student:
         """End a cell: the function fails from now on, the others get a new cell while there is CPU time."""
         self._end_cell(self._cells.pop(uncallable))
         self._broken[name] = message
+        self._must_end()
         if self._cpu >= (most := self._worker.allowance.cpu) - 0.5:
             raise BudgetSpent(f"the submission has used its {most:g} s of processor time")
         raise Failure(message)
@@ -151,6 +157,7 @@ class Student:
                 self._end_cell(cell)
                 raise
             self._cells[uncallable] = cell
+            self._must_end()
         return self._cells[uncallable]
 
     def _load(self, cell: Cell, uncallable: tuple[str, ...]) -> None:
@@ -169,12 +176,12 @@ class Student:
         except CellLost:
             raise NotLoaded("crashed", "importing the file ended its process") from None
         if not isinstance(reply, dict) or "error" in reply:
-            raise _not_loaded(error_of(reply), self._assignment, again=self._loaded)
+            raise _not_loaded(error_of(reply), self._assignment, again=self._informed)
         self._defined = set(reply["defined"]) if strings(reply.get("defined")) else set()
-        if not self._loaded:
+        if not self._informed:
             skipped = reply["skipped"] if strings(reply.get("skipped")) else []
             self.skipped = [printable(text[:100]) for text in skipped[:50]]
-        self._loaded = True  # and from now on it may know hidden inputs
+        self._informed = True
 
 
 @dataclass(frozen=True)
@@ -301,7 +308,7 @@ def _not_loaded(error: dict[str, Any], assignment: Assignment, again: bool) -> N
     """Why it could not be imported, in the exception's own words if no hidden input can be in them."""
     if again:
         return NotLoaded(
-            "unreadable", "the file could be imported once, but not again: what does it do at import?"
+            "unreadable", "the file could not be imported a second time: what does it do at import?"
         )
     if "Forbidden" in error["kinds"]:
         banned = ", ".join(assignment.off_limits.get("*", ()))

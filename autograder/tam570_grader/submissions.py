@@ -14,7 +14,7 @@ from tam570_grader.replies import printable
 from tam570_grader.root import slug_of
 from tam570_grader.student import Source
 
-__all__ = ["BadPath", "CannotRead", "Submission", "read", "submissions"]
+__all__ = ["BadPath", "CannotRead", "Submission", "of_folder", "read", "submissions"]
 
 LARGEST = 10 * 2**20  # bytes; a notebook with pictures in it may have a few MiB
 LONGEST_NAME = 255  # bytes, of a file
@@ -103,20 +103,29 @@ def _in_folder(folder: Path, known: Sequence[str], given: str | None) -> list[Su
     slug = given or slug_of(folder.name, known)
     holds_work = any(entry.suffix in (".py", ".ipynb") for entry in _entries(folder))
     found = [] if slug and holds_work else _trees(folder, known, given)
-    return found or ([_of_folder(folder, folder.parent.name, slug, folder.resolve())] if slug else [])
+    return found or ([of_folder(folder, folder.parent.name, slug, folder.resolve())] if slug else [])
 
 
 def _trees(folder: Path, known: Sequence[str], given: str | None) -> list[Submission]:
     """Submissions in `<student>/<assignment>/`, `<student>/<assignment>.py`, `<assignment>/` and `<assignment>.py`."""
-    found = []
+    found, closed = [], {}
     for entry in _entries(folder):
-        if (slug := _chosen(entry, known, given)) and entry.is_dir():
-            found.append(_of_folder(entry, folder.name, slug, entry))
+        if (slug := _chosen(entry, known, given)) and os.path.isdir(entry):
+            found.append(of_folder(entry, folder.name, slug, entry))
         elif slug:
             found.append(Submission(_name(entry.stem), slug, entry, entry))
-        elif entry.is_dir():
-            found += _of_student(entry, known, given)
-    return _modules_first(found)
+        elif os.path.isdir(entry):
+            try:
+                found += _of_student(entry, known, given)
+            except BadPath as unreadable:
+                closed[entry] = str(unreadable)
+    if closed and not found:
+        raise BadPath(next(iter(closed.values())))
+    slugs = sorted({one.slug for one in found})  # what the others have handed in
+    lost = [
+        Submission(_name(own.name), slug, None, own, note) for own, note in closed.items() for slug in slugs
+    ]
+    return _modules_first(found) + lost
 
 
 def _of_student(own: Path, known: Sequence[str], given: str | None) -> Iterator[Submission]:
@@ -126,15 +135,16 @@ def _of_student(own: Path, known: Sequence[str], given: str | None) -> Iterator[
         if slug := _chosen(entry, known, given):
             work[slug].append(entry)
     for slug, entries in work.items():
-        folders = [entry for entry in entries if entry.is_dir()]
+        folders = [entry for entry in entries if os.path.isdir(entry)]
         if len(folders) == len(entries) == 1:
-            yield _of_folder(folders[0], own.name, slug, own)
+            yield of_folder(folders[0], own.name, slug, own)
         else:
             yield _of_files(entries, own.name, slug, own)
 
 
 def _entries(folder: Path) -> list[Path]:
     try:
+        os.stat(os.path.join(folder, "."))  # one that may be listed may be closed all the same
         return sorted(entry for entry in folder.iterdir() if not entry.name.startswith((".", "__")))
     except OSError as error:
         raise BadPath(f"{printable(str(folder))} cannot be read: {error.strerror}; who owns it?") from None
@@ -155,12 +165,13 @@ def _shortened(name: str) -> str:
 
 def _chosen(entry: Path, known: Sequence[str], given: str | None) -> str | None:
     """The assignment that a folder, module or notebook in a tree is work on."""
-    is_work = entry.is_dir() or entry.suffix in (".py", ".ipynb")
-    slug = slug_of(entry.name if entry.is_dir() else entry.stem, known) if is_work else None
+    is_work = os.path.isdir(entry) or entry.suffix in (".py", ".ipynb")
+    slug = slug_of(entry.name if os.path.isdir(entry) else entry.stem, known) if is_work else None
     return slug if given in (None, slug) else None
 
 
-def _of_folder(folder: Path, student: str, slug: str, tree: Path) -> Submission:
+def of_folder(folder: Path, student: str, slug: str, tree: Path) -> Submission:
+    """What is in a student's folder of one assignment."""
     try:
         if _own(folder, tree):
             return _of_files(_entries(folder), student, slug, tree)
@@ -186,7 +197,7 @@ def _of_files(entries: Sequence[Path], student: str, slug: str, tree: Path) -> S
     chosen = next(filter(None, choices), [])
     if len(chosen) == 1:
         return Submission(_name(student), slug, chosen[0], tree)
-    seen = [printable(entry.name[:80]) for entry in entries if entry in files or entry.is_dir()]
+    seen = [printable(entry.name[:80]) for entry in entries if entry in files or os.path.isdir(entry)]
     seen[MOST_NAMES:] = [f"{len(seen) - MOST_NAMES} more"] if len(seen) > MOST_NAMES else []
     names = ", ".join(seen) or "neither a module nor a notebook"
     note = f"there is no {slug}.py in the folder; it holds {names}"

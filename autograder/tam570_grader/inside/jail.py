@@ -25,38 +25,59 @@ __all__ = ["SCRATCH", "Limits", "confine", "hidden_from_debuggers", "secede", "w
 
 LIBC = ctypes.CDLL(None, use_errno=True)
 NEW_MOUNTS, NEW_IPC, NEW_USER, NEW_PROCESSES = 0x20000, 0x8000000, 0x10000000, 0x20000000
-PRIVATE, BIND, NO_SUID, NO_DEVICES, READ_ONLY = 0x44000, 0x1000, 2, 4, 1  # mount flags; private is recursive
+# mount flags; private is recursive
+PRIVATE, BIND, REMOUNT, NO_PROGRAMS, NO_DEVICES, NO_SUID, READ_ONLY = 0x44000, 0x1000, 32, 8, 4, 2, 1
 DIE_WITH_PARENT, DUMPABLE, SUBREAPER, NO_NEW_PRIVILEGES = 1, 4, 36, 38  # prctl options
 CAPABILITY_VERSION = 0x20080522
 MOST_FILES = 2**16  # that the supervisor may have open; the limit itself is endless on some systems
 SCRATCH = "/scratch"  # the prisoner's own folder; not /tmp, where Python and its packages may be
 CHANNEL = 3  # the prisoner's only file besides /dev/null
-REFUSED = {  # system calls, by machine: what the kernel's audit calls it, then their numbers there
+
+
+@dataclass(frozen=True)
+class Calls:
+    """A machine's system calls, by number: those that are refused, and those of which some uses are."""
+
+    name: int  # of the machine, in the kernel's audit
     # add_key, request_key, keyctl, bpf, perf_event_open, userfaultfd, io_uring_setup, ptrace, process_vm_*,
     # pidfd_getfd;
     # shmget, shmat, semget, msgget, mq_open, memfd_create, memfd_secret, io_setup (memory that no limit counts);
     # unshare, setns; socket (a worker's network, without a device, remembers ports from one submission to the next);
-    # flock (a lock on a file that all may read is a note to all); the last is fcntl, of which locks are refused
-    "x86_64": (
+    # flock (a lock on a file that all may read is a note to all); setrlimit (a limit of its own would end it by
+    # a signal that looks like somebody else's)
+    refused: Sequence[int]
+    fcntl: int  # not for locks
+    prlimit: int  # not to set any
+    clone: int  # not with namespaces
+    clone3: int  # says it is not there, for what it is asked cannot be seen; clone is taken then
+
+
+CALLS = {
+    "x86_64": Calls(
         0xC000003E,
         (248, 249, 250, 321, 298, 323, 425, 101, 310, 311, 438)
-        + (29, 30, 64, 68, 240, 319, 447, 206, 272, 308, 41, 73, 72),
+        + (29, 30, 64, 68, 240, 319, 447, 206, 272, 308, 41, 73, 160),
+        fcntl=72, prlimit=302, clone=56, clone3=435,
     ),
-    "aarch64": (
+    "aarch64": Calls(
         0xC00000B7,
         (217, 218, 219, 280, 241, 282, 425, 117, 270, 271, 438)
-        + (194, 196, 190, 186, 180, 279, 447, 0, 97, 268, 198, 32, 25),
+        + (194, 196, 190, 186, 180, 279, 447, 0, 97, 268, 198, 32, 164),
+        fcntl=25, prlimit=261, clone=220, clone3=435,
     ),
-}
+}  # fmt: skip
 # what fcntl is asked for locks of records and of open files, for leases
 LOCKS = (5, 6, 7, 36, 37, 38, 1024, 1025)
+NAMESPACES = 0x7E020000  # flags of clone
 SECCOMP, FILTER = 22, 2  # of prctl
-LOAD, EQUAL, ABOVE, RETURN = 0x20, 0x15, 0x35, 0x06  # instructions of a filter
-# where a filter finds the call, the machine, the second argument's lower half
-NUMBER, MACHINE, ASKED = 0, 4, 24
-NEXT, ALLOW, REFUSE = range(3)  # where a comparison leads
+# instructions of a filter
+LOAD, EQUAL, AT_LEAST, ANY_BIT, RETURN = 0x20, 0x15, 0x35, 0x45, 0x06
+# where a filter finds the call, the machine, the first argument's lower half
+NUMBER, MACHINE, ARGUMENTS = 0, 4, 16
+NEXT, REFUSE, ABSENT = 0, -2, -1  # where a comparison leads: so many steps on, or to one of the last two
 FOREIGN_CALLS = 0x40000000  # and above: the numbers of x32, whose calls have the name of x86-64
-ALLOWED, FORBIDDEN = 0x7FFF0000, 0x50001  # what a filter returns; the second is EPERM
+ALLOWED, FORBIDDEN, UNKNOWN = 0x7FFF0000, 0x50001, 0x50026  # what a filter returns: yes, EPERM, ENOSYS
+Steps = list[tuple[int, int, int, int]]
 POLL = 0.02  # s between looks at a prisoner that may have ended
 
 
@@ -118,25 +139,41 @@ def _refuse_calls() -> None:
 
     A kernel without filters takes no notice; the namespaces and the other user remain.
     """
-    if sys.platform != "linux" or sys.maxsize < 2**32 or platform.machine() not in REFUSED:  # 32 bits: others
+    if sys.platform != "linux" or sys.maxsize < 2**32 or platform.machine() not in CALLS:  # 32 bits: others
         return
-    name, (*numbers, fcntl) = REFUSED[platform.machine()]
-    steps = [(LOAD, MACHINE, NEXT, NEXT), (EQUAL, name, NEXT, REFUSE)]
-    steps += [(LOAD, NUMBER, NEXT, NEXT), (ABOVE, FOREIGN_CALLS, REFUSE, NEXT)]
-    steps += [(EQUAL, number, REFUSE, NEXT) for number in numbers]
-    steps += [(EQUAL, fcntl, NEXT, ALLOW), (LOAD, ASKED, NEXT, NEXT)]
-    steps += [(EQUAL, command, REFUSE, NEXT) for command in LOCKS]
-    steps += [(RETURN, ALLOWED, NEXT, NEXT), (RETURN, FORBIDDEN, NEXT, NEXT)]
+    calls = CALLS[platform.machine()]
+    steps: Steps = [(LOAD, MACHINE, NEXT, NEXT), (EQUAL, calls.name, NEXT, REFUSE)]
+    steps += [(LOAD, NUMBER, NEXT, NEXT), (AT_LEAST, FOREIGN_CALLS, REFUSE, NEXT)]
+    steps += [(EQUAL, number, REFUSE, NEXT) for number in calls.refused]
+    steps += [(EQUAL, calls.clone3, ABSENT, NEXT)]
+    steps += _refused_if(calls.fcntl, [_half(1)], [(EQUAL, command) for command in LOCKS])
+    steps += _refused_if(calls.prlimit, [_half(2), _half(2) + 4], [(AT_LEAST, 1)])
+    steps += _refused_if(calls.clone, [_half(0)], [(ANY_BIT, NAMESPACES)])
+    steps += [(RETURN, verdict, NEXT, NEXT) for verdict in (ALLOWED, FORBIDDEN, UNKNOWN)]
     program = ctypes.create_string_buffer(_packed(steps))
     LIBC.prctl(SECCOMP, FILTER, ctypes.byref(_Filter(len(steps), ctypes.addressof(program))), 0, 0)
 
 
-def _packed(steps: Sequence[tuple[int, int, int, int]]) -> bytes:
-    """A filter as the kernel reads it; ALLOW and REFUSE are its last two instructions."""
+def _half(argument: int) -> int:
+    """Where the lower half of a call's argument is."""
+    return ARGUMENTS + 8 * argument
+
+
+def _refused_if(number: int, places: Sequence[int], tests: Sequence[tuple[int, int]]) -> Steps:
+    """Steps that refuse a call where one of these places passes one of the tests, and allow it elsewhere."""
+    body: Steps = []
+    for place in places:
+        body += [(LOAD, place, NEXT, NEXT), *((test, value, REFUSE, NEXT) for test, value in tests)]
+    body += [(RETURN, ALLOWED, NEXT, NEXT)]
+    return [(EQUAL, number, NEXT, len(body)), *body]
+
+
+def _packed(steps: Steps) -> bytes:
+    """A filter as the kernel reads it; REFUSE and ABSENT are its last two instructions."""
     packed = b""
     for i, (instruction, value, if_so, if_not) in enumerate(steps, start=1):
-        offset = {NEXT: 0, ALLOW: len(steps) - 2 - i, REFUSE: len(steps) - 1 - i}
-        packed += struct.pack("=HBBI", instruction, offset[if_so], offset[if_not], value)
+        so, no = (len(steps) + leads - i if leads < 0 else leads for leads in (if_so, if_not))
+        packed += struct.pack("=HBBI", instruction, so, no, value)
     return packed
 
 
@@ -214,9 +251,19 @@ def _own_files(limits: Limits) -> None:
         LIBC.mount(b"scratch", SCRATCH.encode(), b"tmpfs", NO_SUID | NO_DEVICES, scratch), f"mount {SCRATCH}"
     )
     _must(LIBC.mount(b"empty", b"/proc", b"tmpfs", READ_ONLY, b"size=0"), "mount /proc")
+    _protect("/dev")
     for name in limits.hidden:
         _hide(name)
     os.chdir(SCRATCH)
+
+
+def _protect(folder: str) -> None:
+    """Make each mount in a folder read only: the times of the system's own devices would be a note to all."""
+    for place in (os.path.join(folder, name) for name in os.listdir(folder)):
+        if os.path.ismount(place):
+            kept = os.statvfs(place).f_flag & (NO_PROGRAMS | NO_DEVICES | NO_SUID)
+            flags = REMOUNT | BIND | READ_ONLY | kept
+            _must(LIBC.mount(None, place.encode(), None, flags, None), f"protect {place}")
 
 
 def _hide(module: str) -> None:
