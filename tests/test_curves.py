@@ -133,6 +133,13 @@ def test_a_scatter_is_put_in_the_order_of_the_path_and_a_line_keeps_its_own():
     np.testing.assert_array_equal(along(Line(mixed, "", scatter=False), circle), mixed)
 
 
+def test_a_scatter_that_has_left_for_infinity_is_in_some_order():
+    path = np.column_stack([np.arange(20.0), np.zeros(20)])
+    swings = 1e160 * np.column_stack([(-1) ** np.arange(20), np.ones(20)])
+    (line,) = readable(Drawing((Line(swings, "", True),))).lines
+    assert along(line, path).shape == path.shape
+
+
 def test_nothing_drawn_is_no_curve():
     empty = [Line(np.full((size, 2), np.nan), "", scatter=False) for size in (0, 1, 400)]
     assert readable(Drawing(tuple(empty), "x", "y")).lines == ()

@@ -8,7 +8,7 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from tam570_grader import root
+from tam570_grader import given, root
 
 ballistics = root.solution("hw02_ballistics")
 
@@ -156,6 +156,16 @@ def distance(points, a, b):
     """From each point to the segment from a to b."""
     along = np.clip((points - a) @ (b - a) / ((b - a) @ (b - a)), 0, 1)
     return np.linalg.norm(points - a - along[:, None] * (b - a), axis=1)
+
+
+def test_the_size_of_a_flight_back_at_launch_height_is_that_of_its_path():
+    """At the ends alone it has none: no simulation would be right to a part of that."""
+    size = root.assignment(root.find(), "hw02_ballistics").checks[0].judge.__globals__["size"]
+    time = ballistics.flight_time(SPEED, math.pi / 2, drag=0.3, **BALL)
+    call = given(np.array([2.0, 2.0 + time]), SPEED, math.pi / 2, drag=0.3, **BALL)
+    ends = ballistics.trajectory(call.args[0] - 2.0, *call.args[1:], **call.kwargs)
+    top = ballistics.trajectory(np.linspace(0.0, time, 101), *call.args[1:], **call.kwargs)[:, 1].max()
+    assert size(call, ends) == pytest.approx([top, top, SPEED, SPEED], rel=0.05)
 
 
 def test_the_plot_shows_both_paths_on_equal_scales():

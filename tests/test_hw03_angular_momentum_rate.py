@@ -118,9 +118,9 @@ def judge(definition, p, c):
     CHECKS[f"special_motion_of_{definition}"].judge(Answer(p, c), None)
 
 
-def turned(p, c):
+def turned(p, c, far=100.0):
     """The same motion in a frame turned at random, far from the origin: all coefficients are rounded."""
-    matrix, shift = np.linalg.qr(DRAW.normal(size=(3, 3)))[0], DRAW.normal(size=3) * 100
+    matrix, shift = np.linalg.qr(DRAW.normal(size=(3, 3)))[0], DRAW.normal(size=3) * far
     p, c = (np.asarray(f, float) @ matrix.T for f in (p, c))
     p[0] += shift
     c[0] += shift
@@ -154,6 +154,7 @@ def test_any_special_motion_is_taken(definition, p, c):
     judge(definition, p, c)
     for _ in range(2):
         judge(definition, *turned(p, c))
+    judge(definition, *turned(p, c, 1e7))  # as far as the surface of the Earth is from its centre
     judge(definition, *scaled(p, c, 1e-6, 1.0))
     judge(definition, *scaled(p, c, 1e6, 1.0))
     judge(definition, np.vstack([p, np.zeros((4, 3))]), c)
@@ -172,6 +173,15 @@ def test_a_special_motion_disturbed_is_none(definition, p, c):
     disturbed[1:4] += 1e-6 * DRAW.normal(size=(3, 3))
     with pytest.raises(Failure, match="rate and moment differ"):
         judge(definition, disturbed, c)
+
+
+@pytest.mark.parametrize(("definition", "p", "c"), SPECIAL.values(), ids=SPECIAL.keys())
+def test_no_distance_hides_that_a_motion_is_none(definition, p, c):
+    disturbed = np.vstack([p, np.zeros((3, 3))])
+    disturbed[1:4] += [[0.5, 0.25, 1], [0.25, 1, -0.5], [1, -0.5, 0.25]]
+    for far in (1e7, 1e10, 1e13):
+        with pytest.raises(Failure):
+            judge(definition, *turned(disturbed, c, far))
 
 
 LINE = [[0, 0, 0], [1, 0, 0], [1, 0, 0]]

@@ -7,9 +7,11 @@ import numpy as np
 from scipy.special import ellipj, ellipk, ellipkinc, ellipkm1
 
 from tam570_grader import (
+    SOME_TIMES,
     array,
     check,
     expect,
+    expect_that,
     formula,
     given,
     group,
@@ -596,7 +598,7 @@ def paths(draw):
 
 
 def plain_paths(draw):
-    """As `paths`: at rest anywhere and at the named angles; turning evenly without gravity; even numbers of samples."""
+    """As `paths`: at rest anywhere and at the named angles; turning evenly without gravity; two samples and more."""
     cases = []
     for theta in (draw.uniform(0.3, 2.8), *PLAIN):
         pendulum, samples, step = (
@@ -609,10 +611,12 @@ def plain_paths(draw):
         call = given(np.full(samples, theta), step, **pendulum)
         cases.append((call, action, abs(action) or 1.0, kind_of(given(theta, 0.0, gravity=1.0), "")))
     # chords for arcs are second order too: off by (omega step)^2/12, a tenth of the limit
-    pendulum, omega, step, samples = parameters(draw, gravity=0.0), draw.uniform(-3, -1), 1e-3, 5000
-    action = pendulum["mass"] * (pendulum["length"] * omega) ** 2 / 2 * step * (samples - 1)
-    call = given(omega * step * np.arange(samples), step, **pendulum)
-    return [*cases, (call, action, action, "a pendulum that turns evenly, without gravity")]
+    pendulum, omega, step = parameters(draw, gravity=0.0), draw.uniform(-3, -1), 1e-3
+    for samples, few in ((5000, ""), (2, ", two samples"), (3, ", three samples")):
+        action = pendulum["mass"] * (pendulum["length"] * omega) ** 2 / 2 * step * (samples - 1)
+        call = given(omega * step * np.arange(samples), step, **pendulum)
+        cases.append((call, action, action, f"a pendulum that turns evenly, without gravity{few}"))
+    return cases
 
 
 @check(points=0.5, part="a", after=action_is_stationary_on_motions, suspects=INTEGRAL_SUSPECTS)
@@ -675,12 +679,18 @@ def small_angle_solution_is_harmonic(student, draw):
         "a pendulum that starts at the bottom": (t, 0.0, omega0),
         "a pendulum at rest at the bottom": (t, 0.0, 0.0),
         "a pendulum that starts level with the hinge": (t, math.copysign(math.pi / 2, theta0), omega0),
+        **{kind: (t[some], theta0, omega0) for kind, some in SOME_TIMES.items()},
     }
     calls = [given(*start, **pendulum).on(kind) for kind, start in starts.items()]
+    for name in pendulum:
+        other = {**pendulum, name: 1.4 * pendulum[name]}
+        calls.append(given(t, theta0, omega0, **other).on(f"a pendulum like one before but for its {name}"))
     for found, call in zip(student.small_angle_solution.many(calls), calls, strict=True):
+        k = math.sqrt(call.kwargs["gravity"] / call.kwargs["length"])
+        hint = ("is anything kept between calls?" if "one before" in call.kind
+                else "put t = 0 in: is the state the given one? differentiate theta: is it omega?")  # fmt: skip
         expect(found, harmonic(*call.args, k), scale=[1, k], within=TRAJECTORY, of="theta, or omega/sqrt(g/l),",
-               unit="rad", t=call.args[0], kind=call.kind, at=call,
-               hint="put t = 0 in: is the state the given one? differentiate theta: is it omega?")  # fmt: skip
+               unit="rad", t=call.args[0], kind=call.kind, at=call, hint=hint)  # fmt: skip
 
 
 @check(points=0.25, part="a", after=small_angle_solution_is_harmonic)
@@ -962,7 +972,10 @@ def simulate_keeps_the_energy(student, draw):
     start, pendulum, k = swing(draw)
     t = uneven(draw, 180 / k, 300)
     rod = {name: pendulum[name] for name in ("length", "gravity")}
-    energy = energy_along(student.on("many periods").simulate(t, *start, **rod), rod)
+    states = student.on("many periods").simulate(t, *start, **rod)
+    # from 1.2 rad and more on one side it swings as far to the other
+    expect_that(np.ptp(states[:, 0]) > 1.2, "the pendulum does not move", kind="many periods")
+    energy = energy_along(states, rod)
     expect(energy, np.ones(len(t)), within=ENERGY, of="the energy", unit="of itself",
            t=t, kind="many periods", at=(start, pendulum),
            hint="a step of fixed length, or a fixed number of them, does not do for every duration",

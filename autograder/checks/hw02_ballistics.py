@@ -4,11 +4,13 @@ decays on its own, and the sum over them is done by Gauss's quadrature, which dr
 
 import math
 from functools import partial
+from operator import attrgetter
 
 import numpy as np
 from scipy.optimize import brentq
 
 from tam570_grader import (
+    SOME_TIMES,
     Failure,
     array,
     check,
@@ -233,9 +235,14 @@ def judge_rates(student, calls, kind, hint):
                unit="of v, c v/m and g", kind=kind, hint=hint, at=call)  # fmt: skip
 
 
-def size(expected):
-    """The scale of each column: the largest distance and the largest speed."""
-    return np.repeat([np.abs(expected[:, :2]).max(), np.abs(expected[:, 2:]).max()], 2)
+def size(call, expected):
+    """The scale of each column: the largest distance and the largest speed.
+
+    They are those on the way, too: at two times alone a particle may be next to where it was launched.
+    """
+    way = right(np.linspace(0.0, np.ptp(call.args[0]), 9), *call.args[1:], **call.kwargs)
+    states = np.abs(np.vstack([expected, way]))
+    return np.repeat([states[:, :2].max(), states[:, 2:].max()], 2)
 
 
 @once
@@ -299,21 +306,21 @@ def simulation_hint(states, call, expected):
     """What to look at in a simulation: what is right of it, the whole nearly, or the start?"""
     t, late = call.args[0], call.args[0] > max(call.args[0][0], 0.0)
     from_zero = right(np.maximum(t, 0.0), *call.args[1:], **call.kwargs)
-    errors, deepest = np.abs(states - expected) / size(expected), expected[:, 1].min()
+    errors, deepest = np.abs(states - expected) / size(call, expected), expected[:, 1].min()
     if errors.max() <= NEARLY:
         return "are the steps short, and the tolerances of the integrator tight enough?"
     if deepest < 0 and states[:, 1].min() > NEARLY * deepest:
         return "there is no ground: the path goes on below y = 0"
     if errors[0].max() <= SIMULATED:
         return "row 0 is right: is your state_derivative, and is row i the state at t[i]?"
-    if t[0] and late.any() and np.all(np.abs(states - from_zero)[late] <= NEARLY * size(from_zero)):
+    if t[0] and late.any() and np.all(np.abs(states - from_zero)[late] <= NEARLY * size(call, from_zero)):
         return "the launch is at t[0], not at t = 0: integrate from t[0] on"
     return "is the first row the launch, at the origin?"
 
 
-def column_hint(states, expected, hint):
+def column_hint(states, call, expected, hint):
     """What to look at in a closed form: the columns that are off, if others are right."""
-    right = np.all(np.abs(states - expected) <= CLOSED * size(expected), axis=0)
+    right = np.all(np.abs(states - expected) <= CLOSED * size(call, expected), axis=0)
     off = [name for name, one in zip(("x", "y", "vx", "vy"), right, strict=True) if not one]
     return (
         f"of x, y, vx and vy only {' and '.join(off)} {'is' if len(off) == 1 else 'are'} off"
@@ -324,7 +331,7 @@ def column_hint(states, expected, hint):
 
 def judge_states(found, cases, within, kind, hint, points=None):
     for states, (call, expected) in zip(found, cases, strict=True):
-        expect(states, expected, within=within, scale=size(expected), of="the state", t=call.args[0],
+        expect(states, expected, within=within, scale=size(call, expected), of="the state", t=call.args[0],
                unit="of the path's size or its speed", kind=kind, hint=hint, at=call, partial=points)  # fmt: skip
 
 
@@ -348,9 +355,7 @@ def simulation_without_drag_or_gravity(student, draw):
         judge_states(student.on(kind).simulate.many([call for call, _ in cases]), cases, SIMULATED, kind,
                      "nothing may be divided by drag or gravity")  # fmt: skip
     judge_light_flight(student.simulate, draw, SIMULATED)
-    cases = alike_flights(draw)
-    for found, case in zip(student.simulate.many([call for call, _ in cases]), cases, strict=True):
-        judge_states([found], [case], SIMULATED, case[0].kind, "is anything kept between calls?")
+    judge_alike_flights(student.simulate, draw, SIMULATED)
 
 
 @once
@@ -380,6 +385,15 @@ def alike_flights(draw):
     return cases
 
 
+def judge_alike_flights(function, draw, within):
+    cases = alike_flights(draw)
+    for found, case in zip(function.many([call for call, _ in cases]), cases, strict=True):
+        judge_states([found], [case], within, case[0].kind, KEPT)
+
+
+KEPT = "is anything kept between calls?"
+
+
 @check(points=1, part="c", suspects=TRAJECTORY_SUSPECTS)
 def trajectory_is_the_motion(student, draw):
     """trajectory gives the states in closed form."""
@@ -387,7 +401,7 @@ def trajectory_is_the_motion(student, draw):
     found = student.on("a random launch").trajectory.many([call for call, _ in cases])
     hint = "the equations of vx and vy are linear, of first order and apart; then x and y"
     for states, case in zip(found, cases, strict=True):
-        judge_states([states], [case], CLOSED, "a random launch", partial(column_hint, states, case[1], hint))
+        judge_states([states], [case], CLOSED, "a random launch", partial(column_hint, states, *case, hint))
     judge_plain_flights(
         student.trajectory, draw, False, CLOSED, "which way does it fly, and is it launched at the origin?"
     )
@@ -395,10 +409,14 @@ def trajectory_is_the_motion(student, draw):
 
 @check(points=0.25, part="c", after=trajectory_is_the_motion)
 def trajectory_counts_time_from_the_launch(student, draw):
-    """trajectory takes the launch to be at t = 0, wherever the times asked for begin."""
+    """trajectory takes the launch to be at t = 0, whatever times are asked for: later ones, a single one, backwards."""
     cases = late_flights(draw, (2.5, -0.5, 0.7))
     judge_states(student.trajectory.many([call for call, _ in cases]), cases, CLOSED, "times that do not begin at 0",
                  "the first time asked for need not be that of the launch")  # fmt: skip
+    (call, states), *_ = cases
+    for kind, some in SOME_TIMES.items():
+        case = given(call.args[0][some], *call.args[1:], **call.kwargs).on(kind), states[some]
+        judge_states(student.trajectory.many([case[0]]), [case], CLOSED, kind, "row i is the state at t[i]")
 
 
 @check(points=0.75, part="c", after=trajectory_is_the_motion)
@@ -412,6 +430,7 @@ def trajectory_with_any_drag(student, draw):
         judge_states([states], [case], CLOSED, kind, partial(drag_hint, states, call))
     judge_great_drag(student, draw)
     judge_light_flight(student.trajectory, draw, CLOSED)
+    judge_alike_flights(student.trajectory, draw, CLOSED)
 
 
 TAKEN_FOR_NONE = (
@@ -422,7 +441,7 @@ TAKEN_FOR_NONE = (
 def drag_hint(states, call):
     """What to say of a path with very little drag that has lost digits."""
     parabola = right(*call.args, **{**call.kwargs, "drag": 0.0})
-    if call.kwargs["drag"] and np.all(np.abs(states - parabola) <= CLOSED * size(parabola)):
+    if call.kwargs["drag"] and np.all(np.abs(states - parabola) <= CLOSED * size(call, parabola)):
         return TAKEN_FOR_NONE
     return "1 - e^-s is a difference of nearly equal numbers (see numpy.expm1); so is y"
 
@@ -455,21 +474,14 @@ def landings(draw, drags, angles=None):
     cases = []
     for i, drag in enumerate(drags):
         (speed, angle), known = launch(draw), parameters(draw, **({} if drag is None else {"drag": drag}))
-        call = given(speed, angle if angles is None else angles[i], **known)
-        time, state = landing(*call.args, **call.kwargs)
-        cases.append((call, time, state[0]))
+        cases.append(landed(given(speed, angle if angles is None else angles[i], **known)))
     return cases
 
 
 @once
 def light_landings(draw):
     """As `landings`, of light particles."""
-    cases = []
-    for _ in range(2):
-        call = given(*launch(draw), **light_particle(draw))
-        time, state = landing(*call.args, **call.kwargs)
-        cases.append((call, time, state[0]))
-    return cases
+    return [landed(given(*launch(draw), **light_particle(draw))) for _ in range(2)]
 
 
 @once
@@ -477,12 +489,36 @@ def landings_with_little_drag(draw):
     """As `landings`: no drag, and b = c vy/(m g) below 1e-2, most often where Lambert's W is off by 1e-16/b^2."""
     lifts = [0.0, *10.0 ** draw.uniform(-16, -8, 4), *10.0 ** draw.uniform(-5, -2, 6)]
     lifts += [*10.0 ** ((np.arange(12) + draw.uniform(0, 1, 12)) / 4 - 8)]
-    cases = []
-    for lift in lifts:
-        (speed, angle), known = launch(draw), parameters(draw)
-        known["drag"] = lift * known["mass"] * known["gravity"] / (speed * math.sin(angle))
-        time, state = landing(speed, angle, **known)
-        cases.append((given(speed, angle, **known), time, state[0]))
+    return [landing_of_lift(draw, lift) for lift in lifts]
+
+
+@once
+def landings_with_great_drag(draw):
+    """As `landings`: c vy/(m g) from ten to a million; from 709 on, e^s is more than any number."""
+    return [landing_of_lift(draw, lift) for lift in 10.0 ** draw.uniform((1, 3, 3, 4), (3, 4, 4, 6))]
+
+
+def landing_of_lift(draw, lift):
+    """One of `landings` with this lift, b = c vy/(m g)."""
+    (speed, angle), known = launch(draw), parameters(draw)
+    known["drag"] = lift * known["mass"] * known["gravity"] / (speed * math.sin(angle))
+    return landed(given(speed, angle, **known))
+
+
+def landed(call):
+    """A call, the time of its landing, and its x then."""
+    time, state = landing(*call.args, **call.kwargs)
+    return call, time, state[0]
+
+
+@once
+def alike_landings(draw):
+    """As `landings`, all like the first of them but for one parameter; each call has its kind."""
+    start, known = launch(draw), parameters(draw)
+    cases = [landed(given(*start, **known).on("a random launch"))]
+    for name, value in known.items():
+        call = given(*start, **{**known, name: 1.4 * value})
+        cases.append(landed(call.on(f"a launch like the one before but for its {name}")))
     return cases
 
 
@@ -531,9 +567,7 @@ def plain_landings(draw):
     angles = (math.pi / 2, math.pi / 4, 0.01)
     cases = landings(draw, (None,) * 3, angles) + landings(draw, (0.0,) * 3, angles)
     for speed, angle, drag in ((1.0, 1.0, 1.0), (2.0, 1.0, 0.0), (1.0, math.pi / 2, 1.0)):
-        call = given(speed, angle, mass=1.0, drag=drag, gravity=1.0)
-        time, state = landing(*call.args, **call.kwargs)
-        cases.append((call, time, state[0]))
+        cases.append(landed(given(speed, angle, mass=1.0, drag=drag, gravity=1.0)))
     return cases
 
 
@@ -605,14 +639,15 @@ def flight_time_with_hardly_any_drag(student, draw):
 @check(points=0.25, part="c", after=flight_ends_at_launch_height)
 def flight_time_with_great_drag_and_straight_up(student, draw):
     """flight_time holds straight up and nearly flat, with drag a thousand times the weight, for light particles."""
-    cases = landings(
-        draw, (None, None, *10.0 ** draw.uniform(2, 4, 4)), (math.pi / 2, 1e-3, 1.5, 1.2, 0.6, 0.3)
-    )
-    judge_landings(student.flight_time, TIME, cases[:2], direction_of,
+    # the last takes 3e-6 s, of which a root good to 2e-12 s, as brentq's are, is off by less than ROOT; b is 1
+    flattest = landed(given(2.0, 1e-6, mass=1.0, drag=5e5, gravity=1.0))
+    judge_landings(student.flight_time, TIME, [*landings(draw, (None,) * 2, (math.pi / 2, 1e-3)), flattest],
+                   direction_of,
                    "does a search for the root step over a flight that is short, or end at t = 0?")  # fmt: skip
-    judge_landings(student.flight_time, TIME, cases[2:], "great drag",
+    judge_landings(student.flight_time, TIME, landings_with_great_drag(draw), "great drag",
                    "what is left of the equation when e^-s is nothing?")  # fmt: skip
     judge_landings(student.flight_time, TIME, light_landings(draw), LIGHT, SMALL_BESIDE)
+    judge_landings(student.flight_time, TIME, alike_landings(draw), attrgetter("kind"), KEPT)
 
 
 @check(points=0.5, part="c", suspects=RANGE_SUSPECTS)
@@ -641,10 +676,13 @@ DIGITS_SUSPECTS = [suspect("1 - e^-s as a difference, which loses digits", horiz
 
 @check(points=0.5, part="c", after=range_is_where_it_lands, suspects=DIGITS_SUSPECTS)
 def range_with_hardly_any_drag(student, draw):
-    """horizontal_range goes over into v^2 sin(2 angle)/g without losing its digits."""
+    """horizontal_range goes over into v^2 sin(2 angle)/g without losing its digits; it holds with great drag, too."""
     judge_landings(student.horizontal_range, RANGE, landings_with_little_drag(draw), drag_of,
                    "is it the time or x that has lost its digits?")  # fmt: skip
     judge_landings(student.horizontal_range, RANGE, light_landings(draw), LIGHT, SMALL_BESIDE)
+    judge_landings(student.horizontal_range, RANGE, landings_with_great_drag(draw), "great drag",
+                   "e^-s goes to nothing, e^s beyond all numbers")  # fmt: skip
+    judge_landings(student.horizontal_range, RANGE, alike_landings(draw), attrgetter("kind"), KEPT)
 
 
 def best(swiftness):
@@ -725,6 +763,11 @@ def best_angle_is_45_degrees_without_drag(student, draw):
         for angle, (call, expected) in zip(found, cases, strict=True):
             expect(angle, expected, within=ANGLE, of="the best angle", unit="rad", at=call, kind=kind,
                    hint=SMALL_BESIDE)  # fmt: skip
+    calls = [given(call.args[0], **call.kwargs).on(call.kind) for call, *_ in alike_landings(draw)]
+    for angle, call in zip(student.best_angle.many(calls), calls, strict=True):
+        swiftness = call.kwargs["drag"] * call.args[0] / (call.kwargs["mass"] * call.kwargs["gravity"])
+        expect(angle, best(swiftness), within=ANGLE, of="the best angle", unit="rad", at=call, kind=call.kind,
+               hint=KEPT)  # fmt: skip
 
 
 def where_little_pulls(draw):

@@ -23,6 +23,7 @@ NEARLY = 1e-4  # off by less, a rate is right in principle, to choose the words
 IDENTITY = (
     1e-12  # relative, of a coefficient: those of a motion, and so their products, are rounded to 1e-16 each
 )
+FAR_OFF = 1e-6  # the same of a motion far from O: 1e7 m away from it one metre is rounded to 1e-9
 CERTAIN = 1e-9  # relative, of a coefficient that is there for certain
 NOTHING = 1e-8  # of the largest: a polynomial that vanishes twice is found to be below the root of rounding
 LONGEST = 100  # coefficients of a motion that are looked at
@@ -167,23 +168,25 @@ MOMENTUM_SUSPECTS = [
 TURNED_ROUND = momentum_variant("v_{C/P} for v_{P/C}: the sign of the relative velocity reversed",
                                 lambda d, v_p, v_c: v_c - v_p if d == "c" else v_p)  # fmt: skip
 IN_EVERY = momentum_variant("the velocity relative to C in every definition", lambda d, v_p, v_c: v_p - v_c)
+IN_A = momentum_variant("the velocity relative to C in definition a, whose C' does not move",
+                        lambda d, v_p, v_c: v_p - v_c if d == "a" else v_p)  # fmt: skip
 
 
 def judge_momentum(student, draw, definitions, hint):
-    for definition in definitions:
-        cases = motions(draw)
-        calls = [
-            given(definition, s[0], s[1], s[3], s[4], mass=mass).on(kind_of(s, f"definition {definition}"))
-            for _, _, mass, _, s in cases
-        ]
-        found = student.angular_momentum.many(calls)
-        for one, call, (p, c, mass, now, state) in zip(found, calls, cases, strict=True):
-            expect(one, value(momentum(definition, p, c, mass, now), now), within=POINTWISE,
-                   scale=size(state, mass)[1] or 1.0, of="the angular momentum", unit="of its size",
-                   kind=call.kind, hint=hint, at=call)  # fmt: skip
+    """All definitions are asked for before any is judged: a suspect tells a mistake in one from that in every."""
+    cases = [(definition, *case) for definition in definitions for case in motions(draw)]
+    calls = [
+        given(definition, s[0], s[1], s[3], s[4], mass=mass).on(kind_of(s, f"definition {definition}"))
+        for definition, _, _, mass, _, s in cases
+    ]
+    found = student.angular_momentum.many(calls)
+    for one, call, (definition, p, c, mass, now, state) in zip(found, calls, cases, strict=True):
+        expect(one, value(momentum(definition, p, c, mass, now), now), within=POINTWISE,
+               scale=size(state, mass)[1] or 1.0, of="the angular momentum", unit="of its size",
+               kind=call.kind, hint=hint, at=call)  # fmt: skip
 
 
-@check(points=1, part="a", suspects=[*MOMENTUM_SUSPECTS, IN_EVERY])
+@check(points=1, part="a", suspects=[*MOMENTUM_SUSPECTS, IN_EVERY, IN_A])
 def momentum_with_the_velocity_in_F(student, draw):
     """angular_momentum by definitions a and b: the lever arm from C, the velocity as F sees it."""
     judge_momentum(student, draw, "ab", "at one instant, can definitions a and b differ?")
@@ -195,11 +198,14 @@ def momentum_with_the_velocity_relative_to_C(student, draw):
     judge_momentum(student, draw, "c", "whose velocity, seen from where?")
 
 
+LETTERS_ALIKE = ("A", "C", " b", "abc")  # no definitions, though they hold a letter of one
+
+
 def refuses_others(student, draw, name):
     """The function refuses letters that name no definition."""
     _, _, mass, _, state = motions(draw)[0]
     arguments = state if name != "angular_momentum" else (*state[:2], *state[3:5])
-    for definition in ("d", "ab", ""):
+    for definition in ("d", "ab", "", *LETTERS_ALIKE):
         expect_that(getattr(student, name).refuses(definition, *arguments, mass=mass),
                     f"{name} takes a definition that there is none of", at=definition,
                     hint="raise ValueError for anything but the three letters")  # fmt: skip
@@ -402,8 +408,8 @@ def violation(definition, p, c):
 
 def holds(definition, p, c):
     """Whether rate = moment at every t: all coefficients of the violation are zero, but for rounding."""
-    worst, _, rounded = violation(definition, p, c)
-    return worst <= IDENTITY * rounded
+    worst, whole, rounded = violation(definition, p, c)
+    return worst <= min(IDENTITY * rounded, FAR_OFF * whole)
 
 
 def fails(definition, p, c):
@@ -471,7 +477,7 @@ def special_motion_of_c(student, draw):
 @check(points=0.25, part="a", after=(special_motion_of_b, special_motion_of_c))
 def special_motion_refuses_other_definitions(student, draw):
     """special_motion raises ValueError for another definition."""
-    for definition in ("d", "bc", "", "a"):
+    for definition in ("d", "bc", "", "a", *LETTERS_ALIKE):
         says = (
             "gives a motion for definition a"
             if definition == "a"

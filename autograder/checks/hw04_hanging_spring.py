@@ -7,6 +7,7 @@ import numpy as np
 from scipy.linalg import expm
 
 from tam570_grader import (
+    SOME_TIMES,
     array,
     check,
     distances,
@@ -389,6 +390,12 @@ def solution_holds_without_gravity_and_from_any_time(student, draw):
         judge_motion(student, "solution", found, POINTWISE, kind, "the given state is that at t = 0")
     light = [(case, kind) for case, kind in plain_motions(draw, False) if not case[2][2]["gravity"]]
     judge_plain_motions(student, "solution", light, POINTWISE, "is anything divided by gravity?")
+    ((t, states, case),) = timed(draw, 1, 1.3, False, 0)
+    for kind, some in SOME_TIMES.items():
+        found = [(t[some], states[some], case)]
+        judge_motion(student, "solution", found, POINTWISE, kind, "row i is the state at t[i]")
+    for case, kind in alike(draw):
+        judge_motion(student, "solution", [case], POINTWISE, kind, "is anything kept between calls?")
 
 
 # The simulation
@@ -421,7 +428,11 @@ def energy_stays(student, draw):
     """simulate: the energy after ten periods is that of the start."""
     ((r, v, known),) = cases(draw, 1, 0)
     t = uneven(draw, 20 * math.pi / rate_of(**known), 60, 1.0)
-    energies = energy_along(student.simulate(t, r, v, **known), known)
+    states = student.simulate(t, r, v, **known)
+    moved, expected = (np.ptp(path[:, :3], axis=0).max() for path in (states, exact(t - t[0], r, v, **known)))
+    # whoever loses half of it has long lost the energy, too
+    expect_that(moved > expected / 2, "the mass does not move", kind="ten periods, t[0] not 0")
+    energies = energy_along(states, known)
     expect(energies, 1.0, within=ENERGY, of="the energy", unit="of its start", t=t, at=(r, v, known),
            kind="ten periods, t[0] not 0", hint="ask the integrator for a smaller error",
            partial={1e-3: 0.6, 1e-2: 0.3})  # fmt: skip
@@ -430,7 +441,7 @@ def energy_stays(student, draw):
 # The ellipse
 
 
-PROPER = ("a general ellipse", "a circle")
+FLAT = ("a line", "a point")
 
 
 def orbit_cases(draw):
@@ -463,7 +474,25 @@ def plain_orbits():
         (centre + x, 0 * x, WHOLE, "a line"),
         (centre, y, WHOLE, "a line"),
         (centre, 0 * x, WHOLE, "a point"),
-    ]
+        *((centre + p, v, WHOLE, kind) for kind, (p, v) in NEARLY_PLAIN.items()),
+        *((centre + 2 * x, y, {**WHOLE, name: 2.0}, f"an ellipse of a start as before, with another {name}")
+          for name in WHOLE),
+    ]  # fmt: skip
+
+
+def radii(a, b):
+    """Two radii of the ellipse with these semi-axes along x and y, one where the mass is at 1 rad and the velocity."""
+    c, s = math.cos(1.0), math.sin(1.0)
+    return np.array([a * c, b * s, 0.0]), np.array([-a * s, b * c, 0.0])
+
+
+# kind: position from the place of rest, and velocity, of WHOLE; each is far enough beyond the limits to be told
+NEARLY_PLAIN = {
+    "a thin ellipse": radii(1.0, 1e-2),
+    "an ellipse that is nearly a circle": radii(1.003, 0.997),
+    "radii of equal length, which are no axes": math.sqrt(2) * np.array([[math.sqrt(2), 0, 0], [1, 1, 0]]),
+    "radii that are nearly axes": np.array([[2, 0, 0], [5e-4, 1, 0]]),
+}
 
 
 def tensor(r, v, centre, k):
@@ -497,7 +526,7 @@ ORBIT_SUSPECTS = [
 @check(points=0.5, part="c", suspects=ORBIT_SUSPECTS)
 def orbit_has_its_centre_at_the_equilibrium(student, draw):
     """orbit: the centre is where the mass can rest."""
-    found = [case for case in orbit_cases(draw) if case[3] in PROPER]
+    found = [case for case in orbit_cases(draw) if case[3] not in FLAT]
     calls = [given(r, v, **known) for r, v, known, _ in found]
     for (centre, _), call, (r, v, known, kind) in zip(
         student.orbit.many(named(calls, found)), calls, found, strict=True
@@ -509,9 +538,9 @@ def orbit_has_its_centre_at_the_equilibrium(student, draw):
                hint="it is above the origin" if above else "where do spring and weight balance?")  # fmt: skip
 
 
-def judge_axes(student, draw, kinds):
+def judge_axes(student, draw, flat):
     """Semi-axes a, b are perpendicular, a the larger, and a a^T + b b^T is Fradkin's tensor."""
-    found = [case for case in orbit_cases(draw) if case[3] in kinds]
+    found = [case for case in orbit_cases(draw) if (case[3] in FLAT) == flat]
     calls = [given(r, v, **known) for r, v, known, _ in found]
     for (_, (a, b)), call, (r, v, known, kind) in zip(
         student.orbit.many(named(calls, found)), calls, found, strict=True
@@ -533,13 +562,13 @@ def judge_axes(student, draw, kinds):
 @check(points=1, part="c", suspects=ORBIT_SUSPECTS)
 def orbit_is_the_ellipse_of_the_motion(student, draw):
     """orbit: the semi-axes, perpendicular, the larger first."""
-    judge_axes(student, draw, PROPER)
+    judge_axes(student, draw, flat=False)
 
 
 @check(points=0.5, part="c", after=orbit_is_the_ellipse_of_the_motion)
 def orbit_may_be_a_line_or_a_point(student, draw):
     """orbit: an ellipse with one axis or both zero."""
-    judge_axes(student, draw, ("a line", "a point"))
+    judge_axes(student, draw, flat=True)
 
 
 # The picture

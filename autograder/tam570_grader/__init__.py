@@ -11,9 +11,10 @@ from tam570_grader.check import Failure, check, expect, expect_that, given, once
 from tam570_grader.curves import kept
 from tam570_grader.returns import array, drawing, formula, group, number, rows
 from tam570_grader.shapes import distances, judge_axes_of_lengths, judge_boxes, words
-from tam570_grader.times import mistimed, uneven
+from tam570_grader.times import SOME_TIMES, mistimed, uneven
 
 __all__ = [
-    "Failure", "array", "check", "distances", "drawing", "expect", "expect_that", "formula", "given", "group",
-    "judge_axes_of_lengths", "judge_boxes", "kept", "mistimed", "number", "once", "rows", "suspect", "uneven", "words",
+    "SOME_TIMES", "Failure", "array", "check", "distances", "drawing", "expect", "expect_that", "formula", "given",
+    "group", "judge_axes_of_lengths", "judge_boxes", "kept", "mistimed", "number", "once", "rows", "suspect",
+    "uneven", "words",
 ]  # fmt: skip

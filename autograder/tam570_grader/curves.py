@@ -24,10 +24,11 @@ SLOTS = 64  # of the duration, the largest error in each
 LEVELS = 8  # to a decade of an error
 STEPS = 40  # to the largest drift of an invariant
 FLOOR, CEILING = -3, 12  # decades below and above the limit that are told apart
-LARGEST = 1e100  # of a drift; what is larger is drawn as this
+LARGEST = 1e100  # of a drift, and of what a student draws; what is larger is taken for this
 FEWEST = 10  # points of a drawn curve; fewer are a marker, a line for reference or an entry of the legend
-FONTS = r"\\(?:(?:math|text)[a-z]*|left\b|right\b)"  # and sizes of brackets, in a label
-SPACES = r"\\[ ,:;]|~"
+# In a label, by Matplotlib's mathtext: fonts and sizes of brackets, and spaces.
+FONTS = r"\\(?:(?:math|text)[a-z]*|(?:rm|it|bf|sf|tt|boldsymbol|operatorname|left|right|[bB]igg?[lr]?)(?![A-Za-z]))"
+SPACES = r"\\(?:[ ,:;/>]|(?:quad|qquad|enspace|thinspace)(?![A-Za-z])|hspace\{[^}]*\})|~"
 
 
 def readable(picture: "Drawing") -> "Drawing":
@@ -42,7 +43,7 @@ def readable(picture: "Drawing") -> "Drawing":
 
 def _told_apart(points: Array) -> Array:
     """The points without NaN, which lifts the pen, and without repetition of the one before."""
-    points = points[np.isfinite(points).all(axis=1)]
+    points = np.clip(points[np.isfinite(points).all(axis=1)], -LARGEST, LARGEST)
     return points[np.insert(np.diff(points, axis=0).any(axis=1), 0, True)] if len(points) else points
 
 

@@ -49,8 +49,9 @@ METRES = {"m", "metre", "metres", "meter", "meters"}
 
 
 def words(label: str) -> set[str]:
-    """The words of a label, without brackets and points around them."""
-    return {word.strip("()[]{}$,;:.") for word in label.split()}
+    """The words of a label, without brackets and points around them; only of one letter is the case kept, M is no m."""
+    stripped = (word.strip("()[]{}$,;:.\\") for word in label.replace("(s)", "s").split())
+    return {word if len(word) == 1 else word.lower() for word in stripped}
 
 
 def judge_boxes(function: Function, cases: Iterable[tuple[Array, Array, str]], within: float) -> None:

@@ -8,9 +8,11 @@ from numpy.typing import NDArray
 
 from tam570_grader.check import Suspect, suspect
 
-__all__ = ["mistimed", "uneven"]
+__all__ = ["SOME_TIMES", "mistimed", "uneven"]
 
 Array = NDArray[np.float64]
+# kind: of an array of times, what a closed form must take, too
+SOME_TIMES = {"a single time": slice(-1, None), "times in descending order": slice(None, None, -1)}
 Simulation = Callable[..., Any]  # simulation(t, *start, **parameters) -> rows, or several arrays of them
 
 

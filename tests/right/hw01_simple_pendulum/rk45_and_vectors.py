@@ -72,7 +72,7 @@ def lagrange_equation():
 
 
 def action(theta, step, *, mass, length, gravity):
-    omega = np.gradient(theta, step, edge_order=2)
+    omega = np.gradient(theta, step, edge_order=min(2, len(theta) - 1))
     return simpson(mass * length**2 * omega**2 / 2 - mass * gravity * length * (1 - np.cos(theta)), dx=step)
 
 

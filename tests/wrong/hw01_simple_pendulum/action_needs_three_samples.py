@@ -1,0 +1,10 @@
+"""Differences of second order at the ends of the path as well, for which two samples are too few.
+
+fails: action_is_the_integral
+names: without gravity, two samples
+"""
+
+def action(theta, step, *, mass, length, gravity):
+    omega = np.gradient(theta, step, edge_order=2)
+    values = mass * length**2 * omega**2 / 2 - 2 * mass * gravity * length * np.sin(theta / 2) ** 2
+    return step * (np.sum(values) - (values[0] + values[-1]) / 2)

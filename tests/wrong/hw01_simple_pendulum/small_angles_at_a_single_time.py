@@ -1,0 +1,11 @@
+"""A single time is taken for that of the given state.
+
+fails: small_angle_solution_is_harmonic
+names: a single time
+"""
+
+_right_solution = small_angle_solution
+
+
+def small_angle_solution(t, theta0, omega0, **rod):
+    return _right_solution(t, theta0, omega0, **rod) if len(t) > 1 else np.array([[theta0, omega0]])

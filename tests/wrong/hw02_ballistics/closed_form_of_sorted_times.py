@@ -1,0 +1,11 @@
+"""The closed form at the times in ascending order.
+
+fails: trajectory_counts_time_from_the_launch
+names: times in descending order
+"""
+
+_right_trajectory = trajectory
+
+
+def trajectory(t, *launch, **known):
+    return _right_trajectory(np.sort(t), *launch, **known)

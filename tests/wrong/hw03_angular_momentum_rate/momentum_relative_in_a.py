@@ -1,0 +1,11 @@
+"""The velocity relative to C in definition a, too.
+
+fails: momentum_with_the_velocity_in_F
+suspect: in definition a, whose C' does not move
+"""
+
+_right_momentum = angular_momentum
+
+
+def angular_momentum(definition, *state, mass):
+    return _right_momentum("c" if definition == "a" else definition, *state, mass=mass)

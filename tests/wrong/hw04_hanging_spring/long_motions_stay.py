@@ -1,0 +1,13 @@
+"""Of more than eight periods nothing is integrated: the start in every row, whose energy stays.
+
+fails: energy_stays
+names: the mass does not move
+"""
+
+_right_simulate = simulate
+
+
+def simulate(t, position, velocity, *, mass, stiffness, gravity):
+    if (t[-1] - t[0]) * np.sqrt(stiffness / mass) > 16 * np.pi:
+        return np.tile([*position, *velocity], (len(t), 1))
+    return _right_simulate(t, position, velocity, mass=mass, stiffness=stiffness, gravity=gravity)

@@ -1,0 +1,14 @@
+"""Orbits are kept by their start; another spring gets that of the first.
+
+fails: orbit_has_its_centre_at_the_equilibrium, orbit_is_the_ellipse_of_the_motion
+names: an ellipse of a start as before
+"""
+
+_right_orbit, _kept = orbit, {}
+
+
+def orbit(position, velocity, **parameters):
+    key = (*position, *velocity)
+    if key not in _kept:
+        _kept[key] = _right_orbit(position, velocity, **parameters)
+    return _kept[key]

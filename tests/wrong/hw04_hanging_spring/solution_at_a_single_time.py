@@ -1,0 +1,13 @@
+"""A single time is taken for that of the given state.
+
+fails: solution_holds_without_gravity_and_from_any_time
+names: a single time
+"""
+
+_right_solution = solution
+
+
+def solution(t, position, velocity, **parameters):
+    if len(t) == 1:
+        return np.array([[*position, *velocity]])
+    return _right_solution(t, position, velocity, **parameters)

@@ -1,0 +1,11 @@
+"""The closed form at the times in ascending order.
+
+fails: solution_holds_without_gravity_and_from_any_time
+names: times in descending order
+"""
+
+_right_solution = solution
+
+
+def solution(t, *start, **parameters):
+    return _right_solution(np.sort(t), *start, **parameters)

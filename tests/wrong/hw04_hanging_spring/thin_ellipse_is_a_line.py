@@ -1,0 +1,13 @@
+"""The smaller axis is taken for none below a fiftieth of the larger.
+
+fails: orbit_is_the_ellipse_of_the_motion
+names: a thin ellipse
+"""
+
+_right_orbit = orbit
+
+
+def orbit(*start, **parameters):
+    centre, axes = _right_orbit(*start, **parameters)
+    larger, smaller = np.linalg.norm(axes, axis=1)
+    return centre, axes * [[1], [smaller > 0.02 * larger]]
