@@ -119,9 +119,9 @@ def curves(axes):
 
 def in_metres(label):
     """Whether the unit is a word of its own, as in "x (m)" or "x in metres"."""
-    label = re.sub(r"\\(?:(?:math|text)[a-z]*|left\b|right\b)", "", label)  # TeX's fonts and brackets
-    words = {word.strip("()[]{}$,;:.") for word in re.sub(r"\\[ ,:;]|~", " ", label).split()}
-    return bool(words & {"m", "metre", "metres", "meter", "meters"})
+    plain = re.sub(r"\\[A-Za-z]+\{?|\\.|~", " ", label.replace("(s)", "s"))  # without TeX's commands
+    words = {word.strip("()[]{}$,;:.") for word in plain.split()}
+    return "m" in words or any(word.lower().rstrip("s") in ("metre", "meter") for word in words)
 
 
 def test_two_paths_are_drawn():

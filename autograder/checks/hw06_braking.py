@@ -419,6 +419,15 @@ def creeping(draw):
     return cases
 
 
+def hardly_moving(draw):
+    """(state, locked, car), for each axle: speed and yaw rate below what np.allclose tells from zero, 1e-8."""
+    cases = motions(draw, 1, nothing, nothing)
+    for s, _, _ in cases:
+        s[3:] = 8e-9 * draw.choice([-1, 1], 2)
+    return cases
+
+
+HARDLY = "speed and yaw rate 8e-9, which are not zero"
 CREEPING = "a car that moves slowly, its locked axle at a thousandth of a metre a second or less"
 
 
@@ -507,6 +516,16 @@ def friction_in_any_motion_and_at_rest(student, draw):
     for kind, cases in odd_motions(draw) + odd_headings(draw):
         judge_forces(student, cases, kind, "")
     judge_forces(student, creeping(draw), CREEPING, "is it as large as at a high speed?", SLOW)
+    calls = [given(s, locked, **parts(c, *FORCE)) for s, locked, c in hardly_moving(draw)]
+    expect_friction(student.friction_force, calls, coulomb, HARDLY)
+
+
+def expect_friction(function, calls, right, kind):
+    """Along the right friction, however small: a guard against 0/0 leaves but a part of it there."""
+    for found, call in zip(function.many([call.on(kind) for call in calls]), calls, strict=True):
+        braking = right(*call.args, **call.kwargs)[-2:]
+        expect_that(found[-2:] @ braking > 0, "there is no friction", kind=kind, at=call,
+                    hint=partial(as_at_rest, found[-2:], braking, (0.0, 0.0), "does it brake?"))  # fmt: skip
 
 
 BY_PARTS = {
@@ -583,6 +602,10 @@ def equations_in_any_motion(student, draw):
     for kind, cases in odd_headings(draw):
         judge_rates(student, cases, kind, "does it matter where it goes?")
     judge_rates(student, creeping(draw), CREEPING, "is friction as large as at a high speed?", SLOW)
+    calls = [given(0.0, s, locked, **parts(c, *ALL)) for s, locked, c in hardly_moving(draw)]
+    expect_friction(
+        student.state_derivative, calls, lambda _, s, locked, **c: derivative(s, locked, **c), HARDLY
+    )
 
 
 @check(points=0.5, part="a", after=equations_of_motion)

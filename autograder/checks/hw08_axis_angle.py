@@ -264,7 +264,7 @@ def terms(R, axis, angle, within):
     }.get(wrong, "look at what each term becomes there")
 
 
-SMALL = 3e-5, 9e-5, 1e-4, 1e-3, 9e-3, 3e-2  # where series of one term or two are used, and lose digits
+SMALL = 3e-5, 9e-5, 1e-4, 9e-4, 1e-3, 9e-3, 3e-2  # where series of one term or two are used, and lose digits
 
 
 def every_angle(draw):

@@ -1,5 +1,6 @@
 """Hidden checks of hw09. What is right is built from the formula of hw08, by vectors, one column after another."""
 
+import itertools
 import math
 from functools import partial
 
@@ -143,7 +144,7 @@ def turns_about_the_coordinate_axes(student, draw):
 def other_axes_are_refused(student, draw):
     """axis_rotation raises ValueError for any other string."""
     angle = draw.uniform(0.5, 3)
-    for axis in ("w", "X", "xy", "yz", "", "-x", "1"):
+    for axis in ("w", "X", "xy", "yz", "", "-x", "x ", "1"):
         kind = f'the string "{axis}"'
         expect_that(student.on(kind).axis_rotation.refuses(axis, angle),
                     "axis_rotation does not raise ValueError", kind=kind, at=axis)  # fmt: skip
@@ -360,7 +361,7 @@ def distances(draw):
 )  # fmt: skip
 def small_angles_keep_their_digits(student, draw):
     """axis_angle keeps all digits of axis and angle for angles from 1e-12 to 1e-2."""
-    cases = [(a_unit_axis(draw), angle) for angle in distances(draw)]
+    cases = [(a_unit_axis(draw), angle) for angle in (*distances(draw), *FEW_LOST)]
     cases += [(n, angle) for n in (*np.eye(3), *-np.eye(3)) for angle in (1e-9, 1e-3)]
     kind = "a very small angle"
     calls = [given(turned(*case)).on(kind) for case in cases]
@@ -376,6 +377,7 @@ def small_angles_keep_their_digits(student, draw):
                kind=kind)  # fmt: skip
 
 
+FEW_LOST = 1.2e-3, 2e-3, 3.5e-3, 6e-3  # rad; an arccos is off by 3e-12 to 8e-11 of them
 FLAT = "how flat is the cosine there? and the sine?"
 UNDETERMINED = "R leaves it alone to the last digit: near no turn R nearly does so with every vector"
 
@@ -499,10 +501,8 @@ def no_rotations(R, noise, draw):
         ((1 - 4e-7) * R @ np.diag([1.0, -1.0, 1.0]), "a reflection times 1 - 4e-7"),
         (1.1 * R, "a rotation times 1.1"),
         ((1 + 1e-5) * R, "a rotation times 1.00001"),
-        (
-            R @ (np.eye(3) + 1e-5 * np.array([[0, 1, 0], [1, 0, 0], [0, 0, 0]])),
-            "a rotation with a shear of 1e-5",
-        ),
+        *((R @ sheared, "a rotation with a shear of 1e-5") for sheared in SHEARS),
+        *((sheared @ R, "a shear of 1e-5 after a rotation") for sheared in SHEARS),
         (off_by(R, draw, 1.5e-6), "a matrix with R^T R off by 1.5e-6"),
         (noise, "a matrix of random numbers"),
         (np.zeros((3, 3)), "the zero matrix"),
@@ -512,6 +512,12 @@ def no_rotations(R, noise, draw):
         *((infinite_at(i, k, size), f"the identity, but for {size} {'on' if k == i else 'off'} the diagonal")
           for k in (i, j) for size in (np.inf, -np.inf)),
     )  # fmt: skip
+
+
+# of two axes each: two columns, or two rows, of what they make of a rotation are not perpendicular, and no others
+SHEARS = np.eye(3) + 1e-5 * np.array(
+    [np.outer(e, f) + np.outer(f, e) for e, f in itertools.combinations(np.eye(3), 2)]
+)
 
 
 def infinite_at(i, j, size):

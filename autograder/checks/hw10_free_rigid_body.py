@@ -50,6 +50,7 @@ MANUAL = {
 }
 
 POINTWISE = 1e-8  # a few roundings make 1e-15; a derivative by central differences, 1e-9
+SINGULAR = 1e-2  # a pseudoinverse where a singular value is 1e-12 makes 1e-4; a sine kept from zero, 0.3
 # solve_ivp at rtol 1e-9, atol 1e-9 is off by 6e-8 at the most (LSODA), an explicit method of order 2 at a thousand
 # steps a radian by 1e-6; at its own tolerances solve_ivp is off by 2e-5.
 TRAJECTORY = 3e-6
@@ -308,6 +309,8 @@ def energy_is_half_omega_h(student, draw):
     """energy: half of omega . H."""
     calls = [given(an_omega(draw), inertia=a_body(draw)) for _ in range(10)]
     judge(student.energy, calls, energy, of="the energy", kind="a random body and omega")
+    wheels = [given(an_omega(draw), inertia=a_wheel(draw))]
+    judge(student.energy, wheels, energy, of="the energy", kind="a body with A = B")
     plain = [given(omega, inertia=a_body(draw)).on(omega_kind(omega)) for omega in plain_omegas(draw)]
     judge(student.energy, plain, energy, of="the energy")
 
@@ -329,6 +332,8 @@ def angular_momentum_is_in_space_axes(student, draw):
     """angular_momentum: the vector H in space components."""
     calls = [given(an_attitude(draw), an_omega(draw), inertia=a_body(draw)) for _ in range(10)]
     judge(student.angular_momentum, calls, momentum, of="H", kind="a random body, attitude and omega")
+    wheels = [given(an_attitude(draw), an_omega(draw), inertia=a_wheel(draw))]
+    judge(student.angular_momentum, wheels, momentum, of="H", kind="a body with A = B")
     plain = [
         given(R, omega, inertia=a_body(draw)).on(f"{omega_kind(omega)}, {kind}")
         for R, kind in named_attitudes(draw)
@@ -428,17 +433,18 @@ UNDETERMINED = {"theta = 0": 0.0, "theta = pi": math.pi, "theta = -pi": -math.pi
 @check(points=0.25, part="a", after=euler_rates_make_omega)
 def euler_rates_are_refused_where_undetermined(student, draw):
     """euler_rates_313 raises ValueError where abs(sin theta) < 1e-12, and nowhere else."""
-    psi, phi = draw.uniform(-3, 3, 2)
     omega = an_omega(draw)
+    # of omega's first two components half and more is psi' sin(theta): psi' is large next to sin theta = 0
+    psi, phi = draw.uniform(-3, 3), math.atan2(omega[0], omega[1]) + draw.uniform(-1, 1)
     for kind, theta in UNDETERMINED.items():
         expect_that(student.on(kind).euler_rates_313.refuses(np.array([psi, theta, phi]), omega),
                     "euler_rates_313 does not raise ValueError", kind=kind)  # fmt: skip
     kind = "sin theta small, but not below 1e-12"
     for theta in (1.4e-12, -1.4e-12, 1e-8, math.pi - 1e-8):
-        found = student.on(kind).euler_rates_313(np.array([psi, theta, phi]), omega)
-        expect(omega_of_rates([psi, theta, phi]) @ found, omega, within=POINTWISE, scale=np.abs(found).max(),
-               of="omega of the rates", unit="of the largest rate", kind=kind,
-               hint="which angles are refused? theta may be negative")  # fmt: skip
+        angles = np.array([psi, theta, phi])
+        found, right = student.on(kind).euler_rates_313(angles, omega), rates_313(angles, omega)
+        expect(found, right, within=SINGULAR, scale=np.abs(right).max(), of="a rate", unit="of the largest",
+               kind=kind, at=(angles, omega), hint="which angles are refused? theta may be negative")  # fmt: skip
 
 
 # Motions
@@ -628,6 +634,10 @@ def invariants_stay_over_many_turns(student, draw):
     t = times(draw, omega, 45, count=12)
     kind = "many fast turns"
     omegas, rotations = student.on(kind).simulate(t, R, omega, inertia=body)
+    # the half of what it is, which is a quarter of |omega| or more; solve_ivp at 1e-6 is off by a millionth of it
+    swing = np.ptp(elliptic(t, omega, body)[LAST_ROWS], axis=0).max()
+    expect_that(np.ptp(omegas[LAST_ROWS], axis=0).max() > swing / 2, "the body does not tumble", kind=kind,
+                at=(R, omega, body), hint="do all rows have the motion at their times?")  # fmt: skip
     squares, ones = rotations.transpose(0, 2, 1) @ rotations, np.broadcast_to(np.eye(3), rotations.shape)
     expect(squares, ones, within=INVARIANT, of="R^T R", t=t, at=(R, omega, body), kind=kind,
            hint=NEARLY if nearly(np.abs(squares - ones).max()) else "is it still a rotation?")  # fmt: skip
@@ -640,6 +650,7 @@ def invariants_stay_over_many_turns(student, draw):
            hint=FAST)  # fmt: skip
 
 
+LAST_ROWS = slice(6, None)  # of 12
 FAST = "the steps must be short for a fast turn"
 
 
@@ -1054,6 +1065,17 @@ def wobble(draw):
     return given(np.linspace(start, end, 401), R, omega, inertia=body, radius=radius), fine
 
 
+@once
+def tumble(draw):
+    """As `wobble`, of a body with three different inertias, and omega along none of its axes."""
+    body = np.array([1.0, 1.7, 2.2]) * 10 ** draw.uniform(-2, 2)
+    spin, radius = draw.uniform(1, 4), 10 ** draw.uniform(-1, 1)
+    omega, R = spin * np.array([0.5, -0.7, 0.5]), an_attitude(draw)
+    start, end = draw.uniform(-2, 2) + np.array([0, 5.0]) / spin
+    fine = radius * motion(np.linspace(start, end, 801), R, omega, inertia=body)[1]
+    return given(np.linspace(start, end, 401), R, omega, inertia=body, radius=radius), fine
+
+
 def strays(line, fine):
     """How far a drawn path is from the right one, both taken as polygons that begin and end alike.
 
@@ -1109,15 +1131,17 @@ def x_to_the_right(picture):
 @check(points=0.5, part="a")
 def rim_paths_are_drawn(student, draw):
     """plot_rim_paths: the two paths as seen along z, from t[0] to t[-1], with labels and equal scales."""
-    call, fine = wobble(draw)
-    kind = "a disk near its spin axis, t[0] not 0"
-    picture = student.on(kind).plot_rim_paths.draw(*call.args, **call.kwargs)
-    expect_that(len(picture.lines) == 2, f"the number of curves on the axes is {len(picture.lines)}, not 2",
-                hint="fewer than ten points are no curve")  # fmt: skip
-    radius, found = call.kwargs["radius"], x_to_the_right(picture)
     # chords of the fine path, over less than a turn, leave the curve by (6/800)^2/8 = 7e-6 of the radius, and those of
     # 26 points, every sixteenth, by (6/25)^2/8 = 7e-3
-    expect(farthest(found, fine[:, :2, 0]), 0.0, within=1e-3, scale=radius, of="a path",
-           unit="of the radius", at=call, kind=kind,
-           hint=partial(wrong_paths, found, picture, fine, radius))  # fmt: skip
-    judge_axes_of_lengths(picture)
+    for (call, fine), kind in (
+        (wobble(draw), "a disk near its spin axis, t[0] not 0"),
+        (tumble(draw), "a body with three different inertias, t[0] not 0"),
+    ):
+        picture = student.on(kind).plot_rim_paths.draw(*call.args, **call.kwargs)
+        expect_that(len(picture.lines) == 2, f"the number of curves on the axes is {len(picture.lines)}, not 2",
+                    hint="fewer than ten points are no curve")  # fmt: skip
+        radius, found = call.kwargs["radius"], x_to_the_right(picture)
+        expect(farthest(found, fine[:, :2, 0]), 0.0, within=1e-3, scale=radius, of="a path",
+               unit="of the radius", at=call, kind=kind,
+               hint=partial(wrong_paths, found, picture, fine, radius))  # fmt: skip
+        judge_axes_of_lengths(picture)

@@ -502,7 +502,10 @@ def whirls(draw):
 
 @once
 def plain_whirls(draw):
-    """Motions in which something is zero: lean, spin, gravity; not the precession, for a circle has one."""
+    """Motions in which something is zero: lean, spin, gravity; not the precession, for a circle has one.
+
+    Where there is none the disk rolls straight, which is asked apart.
+    """
     cases = []
     for make in WHEELS:
         disk = a_disk(draw, make)
@@ -821,7 +824,7 @@ def common_precession_has_a_limit_upright(student, draw):
 
 
 @check(
-    points=0.75, part="c",
+    points=0.5, part="c",
     suspects=[
         suspect(RELATIVE, contact_force=by_relative_spin(rolling_force)),
         suspect("m a spin^2 for the mass times the centripetal acceleration", contact_force=force_of_spin),
@@ -850,6 +853,17 @@ def contact_force_moves_the_centre(student, draw):
         cases.append((given(lean, precession, spin, **disk), right, scale, kind))
     agree(student.contact_force, cases, of="the force", unit="of the forces at work",
           hint=wrong_force)  # fmt: skip
+
+
+@check(points=0.25, part="c", after=contact_force_moves_the_centre)
+def contact_force_of_straight_rolling(student, draw):
+    """contact_force: an upright disk without precession rolls straight on, and the ground carries its weight."""
+    disk = only(a_disk(draw, wheel), "mass", "radius", "gravity")
+    weight = disk["mass"] * disk["gravity"]
+    for spin, kind in ((usual(disk), "straight rolling, upright"), (0.0, "an upright disk at rest")):
+        found = student.on(kind).contact_force(0.0, 0.0, spin, **disk)
+        expect(found, (0.0, weight), within=WITHIN, scale=weight, of="the force", unit="of the weight",
+               kind=kind, at=(spin, disk), hint="nothing there goes round")  # fmt: skip
 
 
 def wrong_force(found, right):

@@ -10,6 +10,7 @@ from tam570_grader import (
     array,
     check,
     expect,
+    expect_that,
     formula,
     given,
     kept,
@@ -634,9 +635,13 @@ def simulate_keeps_the_energy(student, draw):
     """simulate: the energy stays what it was over many periods."""
     start, wire, rate = ride(draw, (0.4, 1.0))
     t = uneven(draw, 180 / rate, 300)
-    energy = energy_along(student.on("many periods").simulate(t, *start, **wire), wire)
+    kind = "many periods"
+    states = student.on(kind).simulate(t, *start, **wire)
+    energy = energy_along(states, wire)
+    # the last third is five periods or more, and the bead goes to and fro by twice its amplitude in each
+    expect_that(np.ptp(states[-100:, 0]) > amplitude(*start, **wire), "the bead does not move", kind=kind)
     expect(energy, np.ones(len(t)), within=ENERGY, of="the energy", unit="of itself", t=t,
-           kind="many periods", at=(start, wire), partial={1e-3: 0.6, 1e-2: 0.3},
+           kind=kind, at=(start, wire), partial={1e-3: 0.6, 1e-2: 0.3},
            hint=lambda: hint_of_durations(student, t, start, wire, energy))  # fmt: skip
 
 

@@ -43,6 +43,8 @@ def common_precession(lean, *, mass, radius, inertia, gravity):
 
 
 def contact_force(lean, precession, spin, *, mass, radius, gravity):
+    if precession == 0:
+        return [0, mass * gravity]
     R = radius * (spin / precession + sin(lean))
     return [mass * precession**2 * (R - radius * sin(lean)), mass * gravity]
 

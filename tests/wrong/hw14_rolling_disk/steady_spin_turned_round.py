@@ -1,7 +1,7 @@
 """The spin has the other sign.
 
 fails: steady_residual_is_the_tilt_acceleration
-suspect: the spin the other way
+suspect: the spin or the precession the other way
 """
 
 _residual = steady_residual

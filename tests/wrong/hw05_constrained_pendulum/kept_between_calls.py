@@ -1,0 +1,15 @@
+"""A motion is kept by times, start and length, and given again for another gravity.
+
+fails: with_gravity_it_swings_or_goes_round
+names: but for another gravity, times from
+"""
+
+_right_simulate = simulate
+_kept = {}
+
+
+def simulate(t, state, *, length, **parameters):
+    key = (*t, *state, length)
+    if key not in _kept:
+        _kept[key] = _right_simulate(t, state, length=length, **parameters)
+    return _kept[key]

@@ -1,0 +1,12 @@
+"""th^3/6 is left out of the sine where the angle is less than a thousandth.
+
+fails: matrix_holds_for_every_angle
+names: the cosine is right in it, the sine is not
+"""
+
+_exact = rotation_matrix
+
+
+def rotation_matrix(axis, angle):
+    K = skew(_unit(axis))
+    return np.eye(3) + angle * K + angle**2 / 2 * K @ K if abs(angle) < 1e-3 else _exact(axis, angle)

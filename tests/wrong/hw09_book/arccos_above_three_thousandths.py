@@ -1,0 +1,12 @@
+"""The angle by the arccosine of the trace above 0.003.
+
+fails: small_angles_keep_their_digits
+names: how flat is the cosine there
+"""
+
+_right = axis_angle
+
+
+def axis_angle(R):
+    axis, angle = _right(R)
+    return axis, math.acos((np.trace(R) - 1) / 2) if 0.003 < angle < 1 else angle

@@ -1,0 +1,11 @@
+"""Spaces about the axis's letter are taken off.
+
+fails: other_axes_are_refused
+names: for the string "x "
+"""
+
+_right = axis_rotation
+
+
+def axis_rotation(axis, angle):
+    return _right(axis.strip(), angle)

@@ -1,0 +1,12 @@
+"""Of a body with A = B the angular momentum is that of its spin about the symmetry axis.
+
+fails: angular_momentum_is_in_space_axes
+names: for a body with A = B
+"""
+
+_right_momentum = angular_momentum
+
+
+def angular_momentum(R, omega, *, inertia):
+    A, B, C = inertia
+    return C * omega[2] * np.asarray(R)[:, 2] if A == B else _right_momentum(R, omega, inertia=inertia)

@@ -1,0 +1,17 @@
+"""The paths are those of the wobble of a body with A = B, whatever B is.
+
+fails: rim_paths_are_drawn
+names: a body with three different inertias
+"""
+
+
+def plot_rim_paths(ax, t, R, omega, *, inertia, radius):
+    from scipy.spatial.transform import Rotation
+
+    (A, _, C), H = inertia, R @ np.multiply(inertia, omega)
+    since = np.subtract(t, t[0])[:, None]
+    wobble, slip = (Rotation.from_rotvec(since * v).as_matrix() for v in (H / A, [0, 0, (1 - C / A) * omega[2]]))
+    x, y = radius * (wobble @ R @ slip)[:, :2, 0].T
+    ax.plot(x, y)
+    ax.plot(-x, -y)
+    ax.set(xlabel="x (m)", ylabel="y (m)", aspect="equal")

@@ -1,0 +1,15 @@
+"""Let go at less than a tenth of a radian on level ground it follows the linear equation.
+
+fails: simulate_needs_no_dense_times
+names: it is the small rocking of the linear equation
+"""
+
+_right = simulate
+
+
+def simulate(t, phi, phi_dot, *, mass, radius, offset, inertia, slope, gravity):
+    if slope or phi_dot or abs(phi) >= 0.1 or not gravity:
+        c = {"mass": mass, "radius": radius, "offset": offset, "inertia": inertia, "slope": slope, "gravity": gravity}
+        return _right(t, phi, phi_dot, **c)
+    k = math.sqrt(mass * gravity * offset / (inertia + mass * (radius - offset) ** 2))
+    return [[phi * math.cos(k * (s - t[0])), -phi * k * math.sin(k * (s - t[0]))] for s in t]

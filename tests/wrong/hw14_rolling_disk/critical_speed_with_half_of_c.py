@@ -1,0 +1,11 @@
+"""A = C/2, whatever the disk.
+
+fails: critical_speed_parts_stable_from_unstable
+suspect: C/2 for A
+"""
+
+_right = critical_speed
+
+
+def critical_speed(*, mass, radius, inertia, gravity):
+    return _right(mass=mass, radius=radius, inertia=(inertia[1] / 2, inertia[1]), gravity=gravity)

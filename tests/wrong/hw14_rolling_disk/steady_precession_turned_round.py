@@ -1,0 +1,11 @@
+"""The precession has the other sign.
+
+fails: steady_residual_is_the_tilt_acceleration
+suspect: the spin or the precession the other way
+"""
+
+_residual = steady_residual
+
+
+def steady_residual(lean, precession, spin, **disk):
+    return _residual(lean, -precession, spin, **disk)
