@@ -13,6 +13,8 @@ PLANE, SPACE = "hw07_double_pendulum", "hw14_rolling_disk"
 SIZES = {"desktop": (1280, 720), "phone": (390, 844)}
 PIXELS = "id => document.getElementById(id).toDataURL()"
 TIME = "() => Number(document.getElementById('scrub').value)"
+# an observer of sizes is first called at the end of a page's first frame
+LAID_OUT = "() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
 
 
 @pytest.fixture
@@ -38,6 +40,7 @@ def opened(browser, films, tmp_path):
             ),
         )
         tab.goto((tmp_path / "scene.html").as_uri())
+        tab.evaluate(LAID_OUT)
         return tab
 
     yield opened

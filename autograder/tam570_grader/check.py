@@ -40,7 +40,24 @@ __all__ = [
 ]
 
 T = TypeVar("T")
-MOST_KNOWN = 64  # values that `once` keeps; with inputs of its own for each student a run makes thousands
+# values that `once` keeps, and answers of a suspect; with inputs of its own for each student a run makes thousands
+MOST_KNOWN, MOST_ANSWERS = 64, 16
+
+
+class Memory:
+    """The last values computed, by their keys: each is computed for whoever asks first."""
+
+    def __init__(self, most: int) -> None:
+        self._most, self._known, self._lock = most, dict[Any, Any](), threading.Lock()
+
+    def value(self, key: Any, compute: Callable[[], Any]) -> Any:
+        """The value of this key; what is returned is shared, and not to be changed."""
+        with self._lock:
+            if key not in self._known:
+                self._known[key] = compute()
+                if len(self._known) > self._most:
+                    del self._known[next(iter(self._known))]
+            return self._known[key]
 
 
 @dataclass(frozen=True)
@@ -50,6 +67,7 @@ class Suspect:
     says: str
     variants: Mapping[str, Callable[..., Any]]
     within: float  # largest difference, relative to the largest number of the wrong answer
+    answers: Memory = field(default_factory=lambda: Memory(MOST_ANSWERS), compare=False, repr=False)
 
 
 @dataclass(frozen=True)
@@ -217,18 +235,14 @@ def once(compute: Callable[..., T]) -> Callable[..., T]:
     The generator is left as the computation left it, so a check draws the same numbers with and without it.
     What is returned is shared between students: do not change it.
     """
-    known: dict[tuple[Any, ...], tuple[T, Any]] = {}
-    lock = threading.Lock()
+    known = Memory(MOST_KNOWN)
 
     @functools.wraps(compute)
     def remembered(draw: np.random.Generator, *args: Any) -> T:
         key = (repr(draw.bit_generator.state), *args)
-        with lock:
-            if key not in known:
-                known[key] = (compute(draw, *args), draw.bit_generator.state)
-                if len(known) > MOST_KNOWN:
-                    del known[next(iter(known))]
-            value, draw.bit_generator.state = known[key]
-        return value
+        value, draw.bit_generator.state = known.value(
+            key, lambda: (compute(draw, *args), draw.bit_generator.state)
+        )
+        return value  # type: ignore[no-any-return]
 
     return remembered
