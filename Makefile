@@ -18,7 +18,7 @@ test: $(VENV)/ready bubblewrap
 	$(BIN)/ruff format --check
 	$(BIN)/mypy
 	$(BIN)/tam570-grader stubs --check
-	$(BIN)/pytest -q -n 3
+	$(BIN)/pytest -q -n 2
 
 verify: $(VENV)/ready bubblewrap
 	$(BIN)/pytest -q -n 2 --full

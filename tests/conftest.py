@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -49,13 +50,14 @@ def pytest_addoption(parser):
 
 @pytest.hookimpl(optionalhook=True)
 def pytest_xdist_make_scheduler(config, log):
-    """Tests go to whichever process is free, but files with dear fixtures to one."""
+    """Tests go to whichever process is free, but what shares dear fixtures, or an assignment's workers, to one."""
     from xdist.scheduler import LoadScopeScheduling
 
     class Scheduling(LoadScopeScheduling):
         def _split_scope(self, nodeid):
             module = nodeid.partition("::")[0]
-            return module if module.endswith(WHOLE) else nodeid
+            graded = re.search(r"\bhw\d\d", nodeid) if module.endswith("test_laws.py") else None
+            return module + graded[0] if graded else module if module.endswith(WHOLE) else nodeid
 
     return Scheduling(config, log)
 
