@@ -876,6 +876,14 @@ def test_a_slip_in_a_suspect_is_not_hidden():
         agrees(suspect("a wrong formula", f=lambda: 1.0), [Call("f", given(0.0), 1.0)])
 
 
+def test_a_suspect_is_asked_once_for_the_same_inputs_and_again_for_others():
+    asked = []
+    doubled = suspect("twice the size", f=lambda v, g: asked.append(g) or 2 * g * np.asarray(v))
+    for v, g in (([1.0, 2.0], 1.0), (np.array([1.0, 2.0]), 1.0), ([1.0, 2.0], 3.0), ([1.0, 2.0], 1.0)):
+        assert agrees(doubled, [Call("f", given(v, g=g), 2 * g * np.array([1.0, 2.0]))])
+    assert asked == [1.0, 3.0]
+
+
 @pytest.mark.parametrize("body", ["raise ValueError", "return float('nan')", "return None", "v[0] = 0.0"])
 def test_a_call_that_fails_says_for_what_kind_of_input(body, course, workers):
     text = f"def skew(v):\n    {body}\n"

@@ -189,8 +189,8 @@ def _apart(ticks: Sequence[tuple[float, str]]) -> list[tuple[float, str]]:
 
 
 def _short(time: float) -> str:
-    """To two digits, without an exponent."""
-    return f"{float(f'{time:.2g}'):g}"
+    """Without an exponent, to the four digits that a quarter of a span of two digits has."""
+    return f"{float(f'{time:.4g}'):g}"
 
 
 def _places(curve: Curve, heights: Sequence[Any], low: float, high: float) -> list[tuple[float, float]]:
