@@ -245,3 +245,12 @@ def test_wrong_physics_is_judged_by_its_distance_and_inaccurate_numerics_is_not(
     assert margin == Margin("energy", 0.01, ("friction", 50.0), ("coarse", 2.0)) and not margin.small
     slips["coarse"] = slips["coarse"].replace("numerics", "remark")
     assert margins.margin("energy", found, slips).small
+
+
+def test_a_mistake_that_fails_before_a_check_is_judged_in_it_only_where_none_fails_it_by_itself():
+    found = [("DOP853", {"energy": 0.01}), ("behind", {"energy": 2.0}), ("own", {"energy": 50.0})]
+    slips = {
+        name: f'"""A force.\n\nfails: {fails}\n"""' for name, fails in (("behind", "path"), ("own", "energy"))
+    }
+    assert margins.margin("energy", found, slips).physics == ("own", 50.0)
+    assert margins.margin("energy", found[:2], slips).small

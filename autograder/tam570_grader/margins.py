@@ -92,7 +92,9 @@ def margins(course: Path, slug: str, seeds: int, jobs: int) -> list[Margin]:
     checks = _simulating(course, slug, text)
     wrong = submissions(course, "wrong", slug)
     sources = [(method, _careful(text, method), checks) for method in METHODS]
-    sources += [(name, f"{text}\n\n{slip}", checks & _failed(slip)) for name, slip in wrong.items()]
+    sources += [
+        (name, f"{text}\n\n{slip}", checks & _not_passed(course, slug, slip)) for name, slip in wrong.items()
+    ]
     tasks = [
         Trial(course, slug, name, source, seed, checks=asked)
         for name, source, asked in sources
@@ -103,6 +105,15 @@ def margins(course: Path, slug: str, seeds: int, jobs: int) -> list[Margin]:
     found = [(trial.name, one) for trial, one in zip(tasks, errors, strict=True)]
     order = [check.name for check in root.assignment(course, slug).checks]
     return [one for check in order if (one := margin(check, found, wrong))]
+
+
+def _not_passed(course: Path, slug: str, slip: str) -> frozenset[str]:
+    """The checks that a wrong submission fails, and those that are not run for it because they come after."""
+    names = _failed(slip)
+    for check in root.assignment(course, slug).checks:
+        if names & set(check.after):
+            names.add(check.name)
+    return frozenset(names)
 
 
 def _failed(slip: str) -> set[str]:
@@ -127,17 +138,19 @@ def margin(
 ) -> Margin | None:
     """The margin of a check; None if nothing that a careful student integrates is compared in it.
 
-    A check that comes after a failed one need not tell that mistake, too: who fails there is judged there.
+    A check that comes after a failed one need not tell that mistake, too: what passes it there is left out, and what
+    does not pass counts only where no wrong physics fails this check in its own right.
     """
     errors = [(name, one[check]) for name, one in found if check in one]
     careful = [error for name, error in errors if name in METHODS]
     if not careful:
         return None
     wrong = [(name, error) for name, error in errors if name in slips and error < np.inf]
-    told = [(name, error) for name, error in wrong if check in _failed(slips[name])]
+    told = [(name, error) for name, error in wrong if error > 1 or check in _failed(slips[name])]
     inaccurate = [one for one in told if "numerics" in header(slips[one[0]])]
     physics = [one for one in told if one not in inaccurate]
-    return Margin(check, max(careful), _smallest(physics), _smallest(inaccurate))
+    own = [one for one in physics if check in _failed(slips[one[0]])]
+    return Margin(check, max(careful), _smallest(own or physics), _smallest(inaccurate))
 
 
 def _smallest(errors: Sequence[tuple[str, float]]) -> tuple[str, float] | None:
