@@ -58,8 +58,9 @@ def pytest_xdist_make_scheduler(config, log):
     class Scheduling(LoadScopeScheduling):
         def _split_scope(self, nodeid):
             module = nodeid.partition("::")[0]
-            graded = re.search(r"\bhw\d\d", nodeid) if module.endswith("test_laws.py") else None
-            return module + graded[0] if graded else module if module.endswith(WHOLE) else nodeid
+            if module.endswith("test_laws.py") and (graded := re.search(r"\bhw\d\d", nodeid)):
+                return module + graded[0]
+            return module if module.endswith(WHOLE) else nodeid
 
     return Scheduling(config, log)
 
