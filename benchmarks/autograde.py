@@ -22,14 +22,7 @@ from grading import CLASSES, COURSE, _nbgrader, _notebook, class_of
 from tam570_grader.course import run as make_course
 
 RESULTS = Path(__file__).parent / "results" / "autograde.json"
-OWN = (
-    "Execute",
-    "IgnorePattern",
-    "LimitOutput",
-    "SaveAutoGrades",
-    "AssignLatePenalties",
-    "CheckCellMetadata",
-)
+OWN = ("Execute", "IgnorePattern", "LimitOutput", "SaveAutoGrades", "AssignLatePenalties", "CheckCellMetadata")
 HANGS = """
 
 def _for_ever(*args, **kwargs):
@@ -117,10 +110,17 @@ def measured(slug, hang, count, repeats):
     rows = []
     for name in ways:
         one, everyone = (min(turn[name][k] for turn in turns) for k in (0, 1))
-        rows.append({
-            "assignment": slug, "way": name, "endless_loop": hang, "submissions": count, "seconds": everyone,
-            "seconds_each": everyone / count, "one_more": (everyone - one) / (count - 1),
-        })  # fmt: skip
+        rows.append(
+            {
+                "assignment": slug,
+                "way": name,
+                "endless_loop": hang,
+                "submissions": count,
+                "seconds": everyone,
+                "seconds_each": everyone / count,
+                "one_more": (everyone - one) / (count - 1),
+            }
+        )
     return rows
 
 
@@ -128,9 +128,12 @@ def shown(rows):
     """A line for each way, with its ratios to ours."""
     for row in rows:
         each, more = (row[key] / rows[0][key] for key in ("seconds_each", "one_more"))
-        print(f"{row['assignment']:22} {'one hangs' if row['endless_loop'] else 'all right':9} {row['way']:35}"
-              f" {1000 * row['seconds_each']:7.0f} ms each ({each:5.1f})"
-              f" {1000 * row['one_more']:7.0f} ms one more ({more:5.1f})", flush=True)  # fmt: skip
+        print(
+            f"{row['assignment']:22} {'one hangs' if row['endless_loop'] else 'all right':9} {row['way']:35}"
+            f" {1000 * row['seconds_each']:7.0f} ms each ({each:5.1f})"
+            f" {1000 * row['one_more']:7.0f} ms one more ({more:5.1f})",
+            flush=True,
+        )
 
 
 def kept(rows):
@@ -143,9 +146,7 @@ def kept(rows):
 
 
 def main():
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--assignments", nargs="+", choices=list(CLASSES), default=list(CLASSES))
     parser.add_argument("--classes", nargs="+", choices=["right", "loop"], default=["right", "loop"])
     parser.add_argument("--submissions", type=int, default=20, metavar="N")

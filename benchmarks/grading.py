@@ -57,9 +57,7 @@ class Stopwatch:
         def receive(cell):
             started = time.perf_counter()
             reply = self._receive(cell)
-            if (
-                isinstance(reply, dict) and "defined" not in reply
-            ):  # that is the import, which we count as ours
+            if isinstance(reply, dict) and "defined" not in reply:  # that is the import, which we count as ours
                 self.waited += time.perf_counter() - started
             return reply
 
@@ -87,10 +85,15 @@ def graded(slug, count, jobs):
     assert all(record["score"] == record["max_score"] for record in done)
     spent = sum(record["seconds"] for record in done)
     return {
-        "grader": f"tam570-grader, {isolation()}, {jobs} jobs", "assignment": slug, "submissions": count,
-        "seconds": seconds, "seconds_each": seconds / count, "cpu_seconds": cpu_seconds() - cpu,
-        "ours": 1 - watch.waited / spent, "mib_a_job": watch.memory / jobs,
-    }  # fmt: skip
+        "grader": f"tam570-grader, {isolation()}, {jobs} jobs",
+        "assignment": slug,
+        "submissions": count,
+        "seconds": seconds,
+        "seconds_each": seconds / count,
+        "cpu_seconds": cpu_seconds() - cpu,
+        "ours": 1 - watch.waited / spent,
+        "mib_a_job": watch.memory / jobs,
+    }
 
 
 def memory():
@@ -118,8 +121,13 @@ def one_file(slug):
         started = time.perf_counter()
         subprocess.run(command, check=True, capture_output=True)
         times.append(time.perf_counter() - started)
-    return {"grader": "tam570-grader, one file from the command line", "assignment": slug, "submissions": 1,
-            "seconds": min(times), "seconds_each": min(times)}  # fmt: skip
+    return {
+        "grader": "tam570-grader, one file from the command line",
+        "assignment": slug,
+        "submissions": 1,
+        "seconds": min(times),
+        "seconds_each": min(times),
+    }
 
 
 def nbgrader(slug, count):
@@ -159,18 +167,9 @@ def _notebook(path, slug):
     tests = (COURSE / "assignments" / slug / f"test_{slug}.py").read_text()
     plain = tests.replace(f"import {slug} as hw", "import types\nhw = types.SimpleNamespace(**globals())")
     calls = "\n".join(
-        f"{line[4:].split('(')[0]}()"
-        for line in tests.splitlines()
-        if line.startswith("def test_") and "()" in line
+        f"{line[4:].split('(')[0]}()" for line in tests.splitlines() if line.startswith("def test_") and "()" in line
     )
-    meta = {
-        "schema_version": 3,
-        "grade": False,
-        "locked": False,
-        "solution": True,
-        "task": False,
-        "grade_id": "work",
-    }
+    meta = {"schema_version": 3, "grade": False, "locked": False, "solution": True, "task": False, "grade_id": "work"}
     lock = {**meta, "grade": True, "locked": True, "solution": False, "grade_id": "tests", "points": 10}
     cells = [
         new_code_cell(f"### BEGIN SOLUTION\n{solution}\n### END SOLUTION", metadata={"nbgrader": meta}),
@@ -182,9 +181,7 @@ def _notebook(path, slug):
 
 
 def main():
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--assignments", nargs="+", choices=list(CLASSES), default=list(CLASSES))
     parser.add_argument("--submissions", type=int, default=200)
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
@@ -197,13 +194,11 @@ def main():
         rows += [one_file(slug), graded(slug, count, options.jobs)]
         rows += [nbgrader(slug, 10) for _ in options.peers]
     for row in rows:
-        ours = (
-            f"{row['ours']:6.0%} outside student code, {row['mib_a_job']:.0f} MiB a job"
-            if "ours" in row
-            else ""
+        ours = f"{row['ours']:6.0%} outside student code, {row['mib_a_job']:.0f} MiB a job" if "ours" in row else ""
+        print(
+            f"{row['assignment']:22} {row['grader']:46} {row['submissions']:4} in {row['seconds']:7.2f} s"
+            f" {row['seconds_each'] * 1000:8.1f} ms each {ours}"
         )
-        print(f"{row['assignment']:22} {row['grader']:46} {row['submissions']:4} in {row['seconds']:7.2f} s"
-              f" {row['seconds_each'] * 1000:8.1f} ms each {ours}")  # fmt: skip
     RESULTS.parent.mkdir(exist_ok=True)
     RESULTS.write_text(json.dumps(rows, indent=1) + "\n")
 

@@ -113,11 +113,7 @@ CONVERSIONS = {  # name -> (ours, SciPy's, SciPy's without checks or None)
         lambda x: (Rotation.from_quat(x["scalar last"]) * Rotation.from_quat(x["scalar last"])).as_quat(),
         None,
     ),
-    "nearest rotation": (
-        lambda x: rotations.nearest(x["noisy"]),
-        lambda x: _read(x["noisy"]).as_matrix(),
-        None,
-    ),
+    "nearest rotation": (lambda x: rotations.nearest(x["noisy"]), lambda x: _read(x["noisy"]).as_matrix(), None),
 }
 
 
@@ -152,16 +148,8 @@ def rebuilt(R):
     """Name, our round trip from the matrices R, SciPy's."""
     of_valid = _trust(R)
     yield "axis and angle", rotations.matrix_from_axis_angle(*rotations.axis_angle_from_matrix(R)), None
-    yield (
-        "rotation vector",
-        rotations.exp(rotations.log(R)),
-        Rotation.from_rotvec(of_valid.as_rotvec()).as_matrix(),
-    )
-    yield (
-        "quaternion",
-        rotations.matrix_from_quaternion(rotations.quaternion_from_matrix(R)),
-        of_valid.as_matrix(),
-    )
+    yield ("rotation vector", rotations.exp(rotations.log(R)), Rotation.from_rotvec(of_valid.as_rotvec()).as_matrix())
+    yield ("quaternion", rotations.matrix_from_quaternion(rotations.quaternion_from_matrix(R)), of_valid.as_matrix())
     for ours, scipys in ("313", "ZXZ"), ("312", "ZXY"):
         angles = rotations.euler_from_matrix(ours, R)
         theirs = Rotation.from_euler(scipys, _euler(scipys, of_valid)).as_matrix()
@@ -196,9 +184,7 @@ def errors(count):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--quick", action="store_true", help="no batches of 1e6, fewer matrices")
-    parser.add_argument(
-        "--output", type=Path, help=f"where the JSON goes (default {RESULTS.name}, none if quick)"
-    )
+    parser.add_argument("--output", type=Path, help=f"where the JSON goes (default {RESULTS.name}, none if quick)")
     options = parser.parse_args()
     versions = {"python": platform.python_version(), "numpy": np.__version__, "scipy": scipy.__version__}
     result = {"versions": versions, "timings": [], "errors": []}

@@ -151,9 +151,7 @@ def _process(name, method, tolerance, **environment):
         f"methods.METHODS[{method!r}](scenes.scene({name!r}), {tolerance!r})()"
     )
     start = time.perf_counter()
-    subprocess.run(
-        [sys.executable, "-c", code], env={**os.environ, **environment}, check=True, capture_output=True
-    )
+    subprocess.run([sys.executable, "-c", code], env={**os.environ, **environment}, check=True, capture_output=True)
     return time.perf_counter() - start
 
 
@@ -162,8 +160,7 @@ def ratios(found, target):
     table = {}
     for method in methods.METHODS:
         pairs = [
-            (time_to(target, s.get(method, [])), time_to(target, s.get("SciPy DOP853", [])))
-            for s in found.values()
+            (time_to(target, s.get(method, [])), time_to(target, s.get("SciPy DOP853", []))) for s in found.values()
         ]
         values = [ours / peer for ours, peer in pairs if ours and peer]
         if values:
@@ -176,9 +173,7 @@ def report(results):
     for target in TARGETS:
         print(f"\ntime to an error of {target:g}, SciPy DOP853 = 1")
         for method, row in results["ratios"][f"{target:g}"].items():
-            print(
-                f"  {method:22} median {row['median']:8.4f}   worst {row['worst']:8.4f}   scenes {row['scenes']}"
-            )
+            print(f"  {method:22} median {row['median']:8.4f}   worst {row['worst']:8.4f}   scenes {row['scenes']}")
     print("\nsmallest error over condition number times eps")
     for name, scene in results["scenes"].items():
         floor = scene["condition"] * EPS
@@ -187,12 +182,7 @@ def report(results):
     for name, scene in results["scenes"].items():
         if scene.get("cold"):
             print(f"\nfirst result from a cold process, s: {name}")
-            print(
-                "  "
-                + ", ".join(
-                    f"{m} {s:.2f}" for m, s in sorted(scene["cold"].items(), key=lambda item: item[1])
-                )
-            )
+            print("  " + ", ".join(f"{m} {s:.2f}" for m, s in sorted(scene["cold"].items(), key=lambda item: item[1])))
 
 
 def picture(results, path):
@@ -214,9 +204,14 @@ def picture(results, path):
                 _, seconds, errors = np.transpose(curve)
                 ours = method.startswith("tam570")
                 ax.loglog(
-                    np.maximum(errors, 1e-18), seconds, "o-" if ours else ".--", ms=3.5,
-                    lw=1.8 if ours else 0.9, color=colours[method], label=method,
-                )  # fmt: skip
+                    np.maximum(errors, 1e-18),
+                    seconds,
+                    "o-" if ours else ".--",
+                    ms=3.5,
+                    lw=1.8 if ours else 0.9,
+                    color=colours[method],
+                    label=method,
+                )
         ax.axvline(scene["condition"] * EPS, color="0.7", lw=1)
         ax.set_title(name, fontsize=10)
         ax.grid(alpha=0.3)
@@ -225,9 +220,7 @@ def picture(results, path):
     for ax in axes[:, 0]:
         ax.set_ylabel("run time (s)")
     axes[0, 0].set_xlim(1.0, 1e-18)
-    lines = {
-        line.get_label(): line for ax in axes.flat for line in ax.get_lines() if line.get_label()[0] != "_"
-    }
+    lines = {line.get_label(): line for ax in axes.flat for line in ax.get_lines() if line.get_label()[0] != "_"}
     figure.legend(lines.values(), lines.keys(), loc="lower center", ncol=7, frameon=False, fontsize=9)
     figure.tight_layout(rect=(0, 0.08, 1, 1))
     figure.savefig(path, dpi=110)
@@ -260,15 +253,9 @@ def summary(found):
 
 
 def main():
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
-    parser.add_argument(
-        "--quick", action="store_true", help="three scenes, four tolerances, no cold processes"
-    )
-    parser.add_argument(
-        "--scenes", nargs="+", choices=scenes.SCENES, help="these alone; what is kept of others stays"
-    )
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--quick", action="store_true", help="three scenes, four tolerances, no cold processes")
+    parser.add_argument("--scenes", nargs="+", choices=scenes.SCENES, help="these alone; what is kept of others stays")
     parser.add_argument("--tolerances", nargs="+", type=float, help="these alone")
     parser.add_argument("--no-cold", action="store_true", help="no cold processes")
     parser.add_argument("--out", type=Path, help="JSON to write; the picture goes beside it")
@@ -276,11 +263,7 @@ def main():
     names = given.scenes or (QUICK_SCENES if given.quick else list(scenes.SCENES))
     tolerances = given.tolerances or (QUICK_TOLERANCES if given.quick else TOLERANCES)
     out = given.out or (None if given.quick else RESULTS)
-    keep = (
-        (lambda results: out.write_text(json.dumps(results, indent=1) + "\n"))
-        if out
-        else (lambda results: None)
-    )
+    keep = (lambda results: out.write_text(json.dumps(results, indent=1) + "\n")) if out else (lambda results: None)
     kept = json.loads(out.read_text())["scenes"] if given.scenes and out and out.exists() else {}
     results = measure(names, tolerances, not (given.quick or given.no_cold), keep, kept)
     report(results)

@@ -54,16 +54,17 @@ def shared():
         if row is None or row.shape != right.shape or np.abs(row - right).max() > SAME * np.abs(right).max():
             continue
         curves = {
-            method: [
-                [_short(seconds), _short(error)] for _, seconds, error in scene["curves"][method] if error > 0
-            ]
+            method: [[_short(seconds), _short(error)] for _, seconds, error in scene["curves"][method] if error > 0]
             for method in METHODS
         }
         found[slug] = {
-            "scene": name, "function": function, "end": right.tolist(), "curves": curves,
+            "scene": name,
+            "function": function,
+            "end": right.tolist(),
+            "curves": curves,
             "arguments": [np.asarray(one).tolist() for one in arguments],
             "keywords": {key: np.asarray(one).tolist() for key, one in given.items()},
-        }  # fmt: skip
+        }
     return found
 
 

@@ -109,9 +109,7 @@ def main():
         print(f"{row['scene']:<44} {row['seconds']:6.2f} {row['bytes'] / 1e3:8.1f}", end="")
         if "samples" in row:
             kept = f"{row['samples kept']}/{row['samples']}"
-            print(
-                f" {row['gzip bytes'] / 1e3:6.1f} {kept:>12} {row['tracks kept']:>7}/{row['points']}", end=""
-            )
+            print(f" {row['gzip bytes'] / 1e3:6.1f} {kept:>12} {row['tracks kept']:>7}/{row['points']}", end="")
         print()
     if arguments.peers and not arguments.quick:
         RESULTS.write_text(json.dumps(rows, indent=1) + "\n")

@@ -205,10 +205,7 @@ def _sliding_speed(speed, yaw_rate, arm):
 def _accelerations(speed, yaw_rate, *, mass, inertia, free, arm, drag):
     """Rates of speed and yaw rate: forces forward, and moments about the free axle."""
     forward, left = _drag_force(speed, yaw_rate, arm=arm, drag=drag)
-    return (
-        forward / mass - free * yaw_rate * yaw_rate,
-        (arm * left + mass * free * speed * yaw_rate) / inertia,
-    )
+    return (forward / mass - free * yaw_rate * yaw_rate, (arm * left + mass * free * speed * yaw_rate) / inertia)
 
 
 def _rates(t, state, *, free, **car):

@@ -94,10 +94,7 @@ def book_edges(R, *, size):
     """
     half = 0.5 * np.asarray(size, dtype=float)
     edges = [
-        (corner, corner * (1.0 - 2.0 * np.eye(3)[k]))
-        for k in range(3)
-        for corner in half * _CORNERS
-        if corner[k] < 0.0
+        (corner, corner * (1.0 - 2.0 * np.eye(3)[k])) for k in range(3) for corner in half * _CORNERS if corner[k] < 0.0
     ]
     return np.array(edges) @ np.asarray(R, dtype=float).T
 

@@ -62,9 +62,7 @@ def euler_rates_313(angles, omega):
     p, q, r = omega
     s = math.sin(theta)
     if abs(s) < 1e-12:
-        raise ValueError(
-            "psi and phi turn about the same line where sin theta is 0; their rates are not determined"
-        )
+        raise ValueError("psi and phi turn about the same line where sin theta is 0; their rates are not determined")
     psi_rate = (p * math.sin(phi) + q * math.cos(phi)) / s
     theta_rate = p * math.cos(phi) - q * math.sin(phi)
     return np.array([psi_rate, theta_rate, r - psi_rate * math.cos(theta)])
@@ -104,9 +102,7 @@ def simulate(t, R, omega, *, inertia):
 
     # The attitude as a quaternion: brought to unit length at the end, it is a rotation. It starts where all four
     # numbers are alike: the solver keeps each error small beside the number itself, even if that is all rounding.
-    states = solve(
-        _rates, t, [*omega, 0.5, 0.5, 0.5, 0.5], parameters={"inertia": tuple(inertia)}, rtol=TOLERANCE
-    )
+    states = solve(_rates, t, [*omega, 0.5, 0.5, 0.5, 0.5], parameters={"inertia": tuple(inertia)}, rtol=TOLERANCE)
     turned = _matrices(states[:, 3:])
     return states[:, :3], np.asarray(R) @ turned[0].T @ turned
 

@@ -9,15 +9,7 @@ import math
 
 import numpy as np
 
-__all__ = [
-    "acceleration_newton",
-    "constraint_force",
-    "energy",
-    "lagrange_equation",
-    "lagrangian",
-    "period",
-    "simulate",
-]
+__all__ = ["acceleration_newton", "constraint_force", "energy", "lagrange_equation", "lagrangian", "period", "simulate"]
 
 
 def lagrangian():

@@ -34,8 +34,7 @@ def acceleration(phi, phi_dot, *, mass, radius, offset, inertia, slope, gravity)
     # with x'' and y'' of G as in `contact_force`: the terms in phi'' make the inertia about C.
     turned = inertia + mass * _distance_squared(phi, radius, offset)
     return (
-        _weight_moment(phi, mass, radius, offset, slope, gravity)
-        - mass * radius * offset * math.sin(phi) * phi_dot**2
+        _weight_moment(phi, mass, radius, offset, slope, gravity) - mass * radius * offset * math.sin(phi) * phi_dot**2
     ) / turned
 
 

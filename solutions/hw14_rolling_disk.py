@@ -46,9 +46,9 @@ def euler_state_derivative(t, state, *, mass, radius, inertia, gravity):
     rolling = mass * radius * radius
     spin = roll_rate + yaw_rate * c
     # The frame turns with e1 and not with the disk: its rate along the axle is yaw' cos(tilt), not the spin.
-    tilt_acceleration = (
-        yaw_rate * s * (A * yaw_rate * c - (C + rolling) * spin) - mass * gravity * radius * c
-    ) / (A + rolling)
+    tilt_acceleration = (yaw_rate * s * (A * yaw_rate * c - (C + rolling) * spin) - mass * gravity * radius * c) / (
+        A + rolling
+    )
     yaw_acceleration = tilt_rate * (C / A * spin - 2.0 * yaw_rate * c) / s
     spin_acceleration = rolling / (C + rolling) * tilt_rate * yaw_rate * s
     roll_acceleration = spin_acceleration - yaw_acceleration * c + yaw_rate * tilt_rate * s
@@ -97,12 +97,22 @@ def matrix_state_derivative(t, state, *, mass, radius, inertia, gravity):
     q = (mx * e2x + my * e2y + mz * s) / A
     r = (mx * nx + my * ny + mz * nz) / (C + rolling)
     return (
-        radius * vx, radius * vy, radius * vz,
-        wy * zx - wz * yx, wy * zy - wz * yy, wy * nz - wz * ny,
-        wz * xx - wx * zx, wz * xy - wx * zy, wz * nx - wx * nz,
-        wx * yx - wy * xx, wx * yy - wy * xy, wx * ny - wy * nx,
-        p * e1x + q * e2x + r * nx, p * e1y + q * e2y + r * ny, q * s + r * nz,
-    )  # fmt: skip
+        radius * vx,
+        radius * vy,
+        radius * vz,
+        wy * zx - wz * yx,
+        wy * zy - wz * yy,
+        wy * nz - wz * ny,
+        wz * xx - wx * zx,
+        wz * xy - wx * zy,
+        wz * nx - wx * nz,
+        wx * yx - wy * xx,
+        wx * yy - wy * xy,
+        wx * ny - wy * nx,
+        p * e1x + q * e2x + r * nx,
+        p * e1y + q * e2y + r * ny,
+        q * s + r * nz,
+    )
 
 
 def multiplier_state_derivative(t, state, *, mass, radius, inertia, gravity):
@@ -118,11 +128,13 @@ def multiplier_state_derivative(t, state, *, mass, radius, inertia, gravity):
     about_centre = R @ np.diag([inertia[0], inertia[0], inertia[1]]) @ R.T
     # Unknown are the acceleration of the centre, omega' and the force; the rows are the two balances and the
     # derivative of the constraint v + omega x arm = 0. All in units of the mass, for the sake of the numbers.
-    system = np.block([
-        [np.eye(3), np.zeros((3, 3)), -np.eye(3)],
-        [np.zeros((3, 3)), about_centre / mass, -lever],
-        [np.eye(3), -lever, np.zeros((3, 3))],
-    ])  # fmt: skip
+    system = np.block(
+        [
+            [np.eye(3), np.zeros((3, 3)), -np.eye(3)],
+            [np.zeros((3, 3)), about_centre / mass, -lever],
+            [np.eye(3), -lever, np.zeros((3, 3))],
+        ]
+    )
     weight = np.array([0.0, 0.0, -gravity])
     gyroscopic = np.cross(omega, about_centre @ omega) / mass
     known = np.concatenate([weight, -gyroscopic, -np.cross(omega, arm_rate)])

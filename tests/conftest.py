@@ -173,9 +173,12 @@ def nbgrader(tmp_path_factory, jupyter_environment):
     """`nbgrader(folder, *command)` -> what it says; the command line in a process that has imported it already."""
     log = tmp_path_factory.mktemp("log") / "log.txt"
     server = subprocess.Popen(
-        [sys.executable, "-c", NBGRADER], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True,
+        [sys.executable, "-c", NBGRADER],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        text=True,
         env=jupyter_environment,
-    )  # fmt: skip
+    )
 
     def nbgrader(folder, *command, fails=False):
         log.write_text("")
@@ -217,10 +220,7 @@ def nbgrader_grades():
 
             with Gradebook(f"sqlite:///{course / 'gradebook.db'}") as book:
                 return {
-                    (submission.student_id, assignment.name, grade.name): (
-                        grade.auto_score,
-                        grade.manual_score,
-                    )
+                    (submission.student_id, assignment.name, grade.name): (grade.auto_score, grade.manual_score)
                     for assignment in book.assignments
                     for submission in assignment.submissions
                     for one in submission.notebooks

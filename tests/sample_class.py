@@ -53,9 +53,7 @@ def half_done(solution: str) -> str:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(
-        description="Write a sample class into a folder, as <student>/<assignment>/."
-    )
+    parser = argparse.ArgumentParser(description="Write a sample class into a folder, as <student>/<assignment>/.")
     parser.add_argument("folder", type=Path)
     folder = parser.parse_args().folder
     for student, slug, text in sample_class():

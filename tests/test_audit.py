@@ -114,9 +114,14 @@ def test_of_several_assignments_those_with_the_function_are_audited(capsys):
 
 
 @pytest.mark.parametrize(
-    ("text", "says"), [("x = [", "Invalid value"), ("x = 1", "a table [x]"), ("[skew]\na = 1", "a table [skew]"),
-                       ("\udcff", "codec can't decode")]
-)  # fmt: skip
+    ("text", "says"),
+    [
+        ("x = [", "Invalid value"),
+        ("x = 1", "a table [x]"),
+        ("[skew]\na = 1", "a table [skew]"),
+        ("\udcff", "codec can't decode"),
+    ],
+)
 def test_a_list_of_equivalent_mutants_that_cannot_be_read_is_named(tmp_path, text, says):
     path = tmp_path / "autograder" / "equivalent_mutants" / f"{SLUG}.toml"
     path.parent.mkdir(parents=True)
@@ -174,9 +179,7 @@ def test_what_is_kept_of_a_submission_is_not_that_of_another_name(tmp_path, monk
     texts.update(a=texts["b"], b=texts["a"])
     after = fairness.fair(root.find(), SLUG, 1, 1, keep)
     found = [{line["submission"]: line["fails"] for line in lines} for lines in (before, after)]
-    assert (
-        found[0]["a"] != found[0]["b"] and found[0]["a"] == found[1]["b"] and found[0]["b"] == found[1]["a"]
-    )
+    assert found[0]["a"] != found[0]["b"] and found[0]["a"] == found[1]["b"] and found[0]["b"] == found[1]["a"]
 
 
 @pytest.mark.parametrize(
@@ -249,8 +252,6 @@ def test_wrong_physics_is_judged_by_its_distance_and_inaccurate_numerics_is_not(
 
 def test_a_mistake_that_fails_before_a_check_is_judged_in_it_only_where_none_fails_it_by_itself():
     found = [("DOP853", {"energy": 0.01}), ("behind", {"energy": 2.0}), ("own", {"energy": 50.0})]
-    slips = {
-        name: f'"""A force.\n\nfails: {fails}\n"""' for name, fails in (("behind", "path"), ("own", "energy"))
-    }
+    slips = {name: f'"""A force.\n\nfails: {fails}\n"""' for name, fails in (("behind", "path"), ("own", "energy"))}
     assert margins.margin("energy", found, slips).physics == ("own", 50.0)
     assert margins.margin("energy", found[:2], slips).small

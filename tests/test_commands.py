@@ -81,20 +81,14 @@ def test_the_help_of_the_grader_imports_nothing_heavy(desk):
 
 def test_where_the_grader_cannot_run_it_says_so_in_one_line(desk):
     program = "import os; os.name = 'nt'; import tam570_grader"
-    found = subprocess.run(
-        [sys.executable, "-c", program], cwd=desk, capture_output=True, text=True, check=False
-    )
+    found = subprocess.run([sys.executable, "-c", program], cwd=desk, capture_output=True, text=True, check=False)
     assert found.returncode == 1 and found.stderr.startswith("tam570-grader: error: the grader needs Linux")
     assert len(found.stderr.splitlines()) == 1
 
 
 def test_every_assignment_is_listed(desk, capsys, course):
     assert cli.main(["list"]) == 0
-    assert (
-        [line.split()[0] for line in capsys.readouterr().out.splitlines()]
-        == root.slugs(course)
-        == assignments()
-    )
+    assert [line.split()[0] for line in capsys.readouterr().out.splitlines()] == root.slugs(course) == assignments()
 
 
 def test_start_gives_the_problem_the_stub_and_the_tests_and_overwrites_nothing(desk):
@@ -182,13 +176,7 @@ def test_hints_go_one_step_further_each_time(desk, capsys):
 def graded(desk):
     """Results in a folder, beside a file."""
     (desk / "results").mkdir()
-    record = {
-        **dict.fromkeys(book.RESULT, 0),
-        "student": "ada",
-        "assignment": SLUG,
-        "checks": [],
-        "max_score": 1,
-    }
+    record = {**dict.fromkeys(book.RESULT, 0), "student": "ada", "assignment": SLUG, "checks": [], "max_score": 1}
     (desk / "results" / "results.jsonl").write_text(json.dumps(record) + "\n")
     (desk / "grades.csv").write_text(f"student,assignment,score,max_score\nada,{SLUG},1,1\n")
     (desk / "file").touch()

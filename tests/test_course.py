@@ -34,23 +34,14 @@ def test_every_part_has_its_text_and_its_points(course, slug):
         if one["metadata"]
     }
     assert given.parts and {*part_points(assignment), *assignment.manual} <= set(given.parts)
-    assert {
-        f"part-{part}": points for part, points in part_points(assignment).items()
-    }.items() <= graded.items()
-    assert {
-        f"manual-{part}": points for part, (points, _) in assignment.manual.items()
-    }.items() <= graded.items()
-    assert sum(graded.values()) == assignment.max_score + sum(
-        points for points, _ in assignment.manual.values()
-    )
+    assert {f"part-{part}": points for part, points in part_points(assignment).items()}.items() <= graded.items()
+    assert {f"manual-{part}": points for part, (points, _) in assignment.manual.items()}.items() <= graded.items()
+    assert sum(graded.values()) == assignment.max_score + sum(points for points, _ in assignment.manual.values())
     assert len({one["id"] for one in cells}) == len(cells)
 
 
 def test_every_visible_test_belongs_to_one_part_and_every_function_to_its_check(course, slug):
-    assignment, text = (
-        root.assignment(course, slug),
-        (course / "assignments" / slug / f"test_{slug}.py").read_text(),
-    )
+    assignment, text = (root.assignment(course, slug), (course / "assignments" / slug / f"test_{slug}.py").read_text())
     placed = [name for names in visible_by_part(assignment, text).values() for name in names]
     assert sorted(placed) == sorted(
         line[4:].split("(")[0] for line in text.splitlines() if line.startswith("def test_")
@@ -156,8 +147,7 @@ def test_a_module_that_is_saved_is_read_again(course, work):
         nbformat.read(folder / f"{ONE}.ipynb", as_version=4), resources={"metadata": {"path": str(folder)}}
     )
     setup, picture = (
-        next(k for k, cell in enumerate(client.nb.cells) if cell["id"] == name)
-        for name in ("setup", "picture-a")
+        next(k for k, cell in enumerate(client.nb.cells) if cell["id"] == name) for name in ("setup", "picture-a")
     )
     with client.setup_kernel():
         client.execute_cell(client.nb.cells[setup], setup)

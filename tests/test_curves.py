@@ -16,12 +16,10 @@ from tam570_grader.student import Source, Student
 
 DRAWN = {  # assignment: the function that draws, its check, its visible test
     "hw02_ballistics": ("plot_comparison", "both_paths_are_drawn", "two_curves_are_drawn"),
-    "hw04_hanging_spring": (
-        "plot_projection", "the_path_is_drawn", "the_picture_has_one_curve_and_names_on_its_axes"
-    ),
+    "hw04_hanging_spring": ("plot_projection", "the_path_is_drawn", "the_picture_has_one_curve_and_names_on_its_axes"),
     "hw07_double_pendulum": ("plot_tip_path", "tip_path_is_drawn", "the_tip_path_is_drawn"),
     "hw10_free_rigid_body": ("plot_rim_paths", "rim_paths_are_drawn", "two_paths_are_drawn"),
-}  # fmt: skip
+}
 REDRAWN = """
 right = {name}
 
@@ -96,9 +94,7 @@ def test_a_right_picture_is_one_however_it_is_drawn(what, slug, course, workers,
 
 @pytest.mark.parametrize("slug", DRAWN)
 @pytest.mark.parametrize("what", WRONG)
-def test_a_curve_that_is_missing_or_one_too_many_is_seen(
-    what, slug, course, workers, solution_text, monkeypatch
-):
+def test_a_curve_that_is_missing_or_one_too_many_is_seen(what, slug, course, workers, solution_text, monkeypatch):
     text = redrawn(slug, WRONG[what], solution_text(slug))
     with pytest.raises(Failure):
         judged(slug, text, course, workers)

@@ -19,21 +19,31 @@ FORMATS = {"text", "html", "simple_format", "md", "ansi"}
 VISIBLE = {"hidden", "after_due_date", "after_published", "visible"}
 # The specification of Gradescope, "Output format": each field and what it may hold.
 WHOLE = {
-    "score": lambda v: isinstance(v, int | float), "execution_time": lambda v: isinstance(v, int | float),
-    "output": lambda v: isinstance(v, str), "output_format": FORMATS.__contains__,
-    "test_output_format": FORMATS.__contains__, "test_name_format": FORMATS.__contains__,
-    "visibility": VISIBLE.__contains__, "stdout_visibility": VISIBLE.__contains__,
-    "extra_data": lambda v: isinstance(v, dict), "tests": lambda v: isinstance(v, list),
-    "leaderboard": lambda v: isinstance(v, list),
-}  # fmt: skip
-TEST = {
-    "score": lambda v: isinstance(v, int | float), "max_score": lambda v: isinstance(v, int | float),
-    "status": {"passed", "failed"}.__contains__, "name": lambda v: isinstance(v, str),
-    "name_format": FORMATS.__contains__, "number": lambda v: isinstance(v, str),
-    "output": lambda v: isinstance(v, str), "output_format": FORMATS.__contains__,
-    "tags": lambda v: isinstance(v, list), "visibility": VISIBLE.__contains__,
+    "score": lambda v: isinstance(v, int | float),
+    "execution_time": lambda v: isinstance(v, int | float),
+    "output": lambda v: isinstance(v, str),
+    "output_format": FORMATS.__contains__,
+    "test_output_format": FORMATS.__contains__,
+    "test_name_format": FORMATS.__contains__,
+    "visibility": VISIBLE.__contains__,
+    "stdout_visibility": VISIBLE.__contains__,
     "extra_data": lambda v: isinstance(v, dict),
-}  # fmt: skip
+    "tests": lambda v: isinstance(v, list),
+    "leaderboard": lambda v: isinstance(v, list),
+}
+TEST = {
+    "score": lambda v: isinstance(v, int | float),
+    "max_score": lambda v: isinstance(v, int | float),
+    "status": {"passed", "failed"}.__contains__,
+    "name": lambda v: isinstance(v, str),
+    "name_format": FORMATS.__contains__,
+    "number": lambda v: isinstance(v, str),
+    "output": lambda v: isinstance(v, str),
+    "output_format": FORMATS.__contains__,
+    "tags": lambda v: isinstance(v, list),
+    "visibility": VISIBLE.__contains__,
+    "extra_data": lambda v: isinstance(v, dict),
+}
 
 
 def violations(found, schema):
@@ -76,27 +86,11 @@ def test_the_schema_tells_right_from_wrong():
 def test_results_are_what_gradescope_accepts(course, submission, solution_text, capsys, what):
     solution = solution_text(ONE)
     wrong = (course / "tests" / "wrong" / ONE / "transposed.py").read_text()
-    texts = {
-        "solution": solution,
-        "stub": stub(solution),
-        "transposed": solution + wrong,
-        "no_syntax": "def f(:",
-    }
-    grade = [
-        "grade",
-        str(submission(texts[what])),
-        "--assignment",
-        ONE,
-        "--seed",
-        "3",
-        "--format",
-        "gradescope",
-    ]
+    texts = {"solution": solution, "stub": stub(solution), "transposed": solution + wrong, "no_syntax": "def f(:"}
+    grade = ["grade", str(submission(texts[what])), "--assignment", ONE, "--seed", "3", "--format", "gradescope"]
     assert cli.main(["--root", str(course), *grade]) == 0
     found = as_gradescope_reads_it(capsys.readouterr().out)
-    assert (found["score"] == 10) == (what == "solution") and (found["score"] == 0) == (
-        what in ("stub", "no_syntax")
-    )
+    assert (found["score"] == 10) == (what == "solution") and (found["score"] == 0) == (what in ("stub", "no_syntax"))
     assert sum(test["max_score"] for test in found["tests"]) == 10
     assert all(test["output"] for test in found["tests"] if test["status"] == "failed")
     assert bool(found["output"]) == (what == "no_syntax")
@@ -132,9 +126,7 @@ def container(course, tmp_path, submission):
     submission()
     with zipfile.ZipFile(tmp_path / f"{ONE}.zip") as archive:
         archive.extractall(tmp_path / "source")
-        assert all(
-            archive.getinfo(name).external_attr >> 16 & 0o111 for name in ("setup.sh", "run_autograder")
-        )
+        assert all(archive.getinfo(name).external_attr >> 16 & 0o111 for name in ("setup.sh", "run_autograder"))
     return tmp_path
 
 
@@ -160,11 +152,7 @@ def test_an_archive_keeps_one_seed_for_the_class(container):
     assert " --seed " in (container / "source" / "run_autograder").read_text()
 
 
-SCORES = {
-    ("ann", "hw07_x"): ("9.5", "10.0"),
-    ("ben", "hw07_x"): ("", "10.0"),
-    ("ann", "hw08_y"): ("10.0", "10.0"),
-}
+SCORES = {("ann", "hw07_x"): ("9.5", "10.0"), ("ben", "hw07_x"): ("", "10.0"), ("ann", "hw08_y"): ("10.0", "10.0")}
 ROSTER = [
     ["Student", "ID", "SIS User ID", "SIS Login ID", "Section", "hw07_x (4711)", "Final Score"],
     ["    Points Possible", "", "", "", "", "10", "(read only)"],
@@ -200,16 +188,7 @@ def test_moodle_knows_students_by_the_field_that_is_named():
 def test_the_grades_of_a_run_arrive(course, tmp_path, submission, system, who):
     submission()
     assert (
-        cli.main(
-            [
-                "--root",
-                str(course),
-                "grade",
-                str(tmp_path / "submission" / f"{ONE}.py"),
-                "--out",
-                str(tmp_path),
-            ]
-        )
+        cli.main(["--root", str(course), "grade", str(tmp_path / "submission" / f"{ONE}.py"), "--out", str(tmp_path)])
         == 0
     )
     out = tmp_path / "table.csv"
@@ -226,21 +205,7 @@ def test_nbgraders_export_will_do(tmp_path, capsys):
     assert capsys.readouterr().out.splitlines() == ["Username,hw07_x", "ann,8.5"]
 
 
-NAMES = [
-    "ann",
-    "'ann",
-    "+1",
-    "'+1",
-    "''=1",
-    "-rf",
-    "@x",
-    "\tx",
-    "\rx",
-    "\uff1d1",
-    "\uff0b1",
-    "\uff0d1",
-    "\uff20x",
-]
+NAMES = ["ann", "'ann", "+1", "'+1", "''=1", "-rf", "@x", "\tx", "\rx", "\uff1d1", "\uff0b1", "\uff0d1", "\uff20x"]
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -253,8 +218,10 @@ def test_a_cell_is_no_formula_and_tells_the_name(name):
 @pytest.fixture
 def grades(tmp_path):
     """A table of grades of students with odd names."""
-    records = [{"student": name, "assignment": "hw07_x", "status": "graded", "score": 9.5, "max_score": 10.0}
-               for name in ("+1", "ann")]  # fmt: skip
+    records = [
+        {"student": name, "assignment": "hw07_x", "status": "graded", "score": 9.5, "max_score": 10.0}
+        for name in ("+1", "ann")
+    ]
     (tmp_path / "grades.csv").write_text(book.grades(records))
     return tmp_path / "grades.csv"
 

@@ -18,11 +18,7 @@ from tam570_grader.errors import UsageError
 from tam570_grader.launch import isolation
 
 SLUG = "hw08_axis_angle"
-SHARES = (
-    "",
-    "def skew(v): return v\n",
-    "def rotate(r, axis, angle):\n    raise ValueError\n",
-)  # of the class
+SHARES = ("", "def skew(v): return v\n", "def rotate(r, axis, angle):\n    raise ValueError\n")  # of the class
 linux = pytest.mark.skipif(sys.platform != "linux", reason="finds processes in /proc")
 
 
@@ -36,25 +32,9 @@ def class_of(count, folder, text):
 
 
 def grading(tree, out):
-    command = [
-        sys.executable,
-        "-m",
-        "tam570_grader.cli",
-        "grade",
-        tree,
-        "--out",
-        out,
-        "--seed",
-        "5",
-        "--jobs",
-        "2",
-    ]
+    command = [sys.executable, "-m", "tam570_grader.cli", "grade", tree, "--out", out, "--seed", "5", "--jobs", "2"]
     return subprocess.Popen(
-        list(map(str, command)),
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.PIPE,
-        text=True,
-        start_new_session=True,
+        list(map(str, command)), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, start_new_session=True
     )
 
 
@@ -141,13 +121,7 @@ def test_no_process_that_dies_changes_a_result(tmp_path, solution_text):
 
 
 def result(student, score=1.0):
-    return {
-        **dict.fromkeys(book.RESULT),
-        "student": student,
-        "assignment": SLUG,
-        "score": score,
-        "checks": [],
-    }
+    return {**dict.fromkeys(book.RESULT), "student": student, "assignment": SLUG, "score": score, "checks": []}
 
 
 def test_who_opens_results_that_another_run_is_replacing_writes_into_the_new_ones(tmp_path, monkeypatch):

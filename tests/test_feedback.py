@@ -76,10 +76,7 @@ def test_what_a_student_calls_things_is_text_and_no_markup(page, grade):
     record = {**result.record(), "student": evil}
     made = feedback.page(record, feedback.Sheet(evil, {}, (), {"a": (1, evil)}))
     assert "<script" not in made and "<img" not in made
-    assert (
-        texts(made).count("<script>alert(1)</script>") >= 3
-        and texts(made).count("{{ 7 * 7 }}{% include") >= 3
-    )
+    assert texts(made).count("<script>alert(1)</script>") >= 3 and texts(made).count("{{ 7 * 7 }}{% include") >= 3
     assert "default-src 'none'" in made
 
 
@@ -117,18 +114,14 @@ def test_a_page_of_an_older_run_has_no_picture_and_is_whole(page, grade, solutio
         ("hw07_double_pendulum", "uniform_times_assumed", True),
     ],
 )
-def test_beside_a_wrong_motion_is_what_becomes_of_the_energy_along_it(
-    slug, mistake, stays, grade, solution_text, page
-):
+def test_beside_a_wrong_motion_is_what_becomes_of_the_energy_along_it(slug, mistake, stays, grade, solution_text, page):
     """A mistake in the forces changes the energy; one in the times alone does not."""
     result = wrong(slug, mistake, grade, solution_text)
     curves = [mark.picture["keeps"] for mark in result.checks if mark.picture and mark.picture.get("keeps")]
     assert curves
     largest = max(abs(value) for one in curves for value in one["values"] if value is not None)
     assert (largest <= curves[0]["within"]) == stays
-    assert page(result).count("<figure") == len(curves) + sum(
-        mark.picture is not None for mark in result.checks
-    )
+    assert page(result).count("<figure") == len(curves) + sum(mark.picture is not None for mark in result.checks)
 
 
 # Curves
@@ -137,18 +130,14 @@ def test_beside_a_wrong_motion_is_what_becomes_of_the_energy_along_it(
 def test_the_curve_of_an_error_tells_when_it_grows_and_passes_the_limit():
     t = np.linspace(2.0, 12.0, 501)
     error = 1e-8 * np.exp(2 * (t - 2))
-    found = curve(
-        t, np.column_stack([t, t + error]), np.column_stack([t, t]), 1.0, within=1e-4, of="x", unit="m"
-    )
+    found = curve(t, np.column_stack([t, t + error]), np.column_stack([t, t]), 1.0, within=1e-4, of="x", unit="m")
     levels = np.array(found["values"])
     assert found["scale"] == "log" and found["span"] == [2.0, 12.0]
     slope = np.polyfit(np.linspace(0, 10, SLOTS)[12:], levels[12:], 1)[0]  # beyond the floor of the levels
     assert slope == pytest.approx(2 / math.log(10), rel=0.02)
     crossed = 2 + math.log(1e4) / 2
     says = picture(found).says
-    assert float(re.search(r"passes the limit about t = ([\d.]+)", says)[1]) == pytest.approx(
-        crossed, abs=0.3
-    )
+    assert float(re.search(r"passes the limit about t = ([\d.]+)", says)[1]) == pytest.approx(crossed, abs=0.3)
 
 
 @pytest.mark.parametrize(("rate", "word"), [(1e-3, "above"), (-1e-3, "below")])
@@ -166,23 +155,18 @@ def test_of_several_motions_in_a_row_the_worst_is_drawn():
 
 
 @pytest.mark.parametrize(
-    ("t", "actual"),
-    [([0.0, 1.0], [1.0, 2.0]), ([0.0, 1.0, 2.0], [1.0, np.nan, 2.0]), ([0.0, 1.0, 2.0], 1.0), ([], [])],
+    ("t", "actual"), [([0.0, 1.0], [1.0, 2.0]), ([0.0, 1.0, 2.0], [1.0, np.nan, 2.0]), ([0.0, 1.0, 2.0], 1.0), ([], [])]
 )
 def test_what_has_no_course_is_not_drawn(t, actual):
     with np.errstate(all="ignore"):
-        assert (
-            curve(t, np.asarray(actual), np.zeros(np.shape(actual)), 1.0, within=1, of="x", unit="") is None
-        )
+        assert curve(t, np.asarray(actual), np.zeros(np.shape(actual)), 1.0, within=1, of="x", unit="") is None
 
 
 def test_a_curve_says_too_little_to_carry_an_input_out():
     """Each value is one of few levels, and the times are told to two digits."""
     draw = np.random.default_rng(3)
     t = np.cumsum(draw.uniform(0.1, 1.0, 1000))
-    found = curve(
-        t, 10 ** draw.uniform(-9, 3, (1000, 2)), np.zeros((1000, 2)), 1.0, within=1e-5, of="x", unit=""
-    )
+    found = curve(t, 10 ** draw.uniform(-9, 3, (1000, 2)), np.zeros((1000, 2)), 1.0, within=1e-5, of="x", unit="")
     assert len(found["values"]) == SLOTS and all((8 * level).is_integer() for level in found["values"])
     assert found["span"] == [float(f"{time:.2g}") for time in (t[0], t[-1])]
     invariant = curve(t, draw.normal(size=1000), np.zeros(1000), 1.0, within=1e-5, of="x", unit="")
@@ -221,8 +205,16 @@ def test_whatever_numbers_come_back_they_can_be_drawn(rows, stays, steps):
 def test_every_place_of_a_picture_is_in_its_frame(scale, largest):
     draw = np.random.default_rng(1)
     values = draw.uniform(-3, 12, 30) if scale == "log" else draw.uniform(-1, 1, 30) * largest
-    drawn = picture({"of": "x", "unit": "m", "within": 1e-5, "span": [0, 3], "scale": scale,
-                     "values": [None, *values.tolist(), None]})  # fmt: skip
+    drawn = picture(
+        {
+            "of": "x",
+            "unit": "m",
+            "within": 1e-5,
+            "span": [0, 3],
+            "scale": scale,
+            "values": [None, *values.tolist(), None],
+        }
+    )
     places = np.array(re.findall(r"([-\d.]+) ([-\d.]+)", drawn.path), float)
     assert len(places) == 30
     assert places[:, 0].min() >= LEFT and places[:, 0].max() <= RIGHT
@@ -241,9 +233,7 @@ def test_every_picture_has_a_text_alternative(page, grade, solution_text):
                 assert drawn.get("aria-hidden") == "true"
 
 
-def test_pages_are_written_beside_the_results_and_left_when_nothing_changed(
-    tmp_path, grade, course, solution_text
-):
+def test_pages_are_written_beside_the_results_and_left_when_nothing_changed(tmp_path, grade, course, solution_text):
     record = grade("hw08_axis_angle", solution_text("hw08_axis_angle")).record()
     feedback.write_pages(tmp_path, [record], course)
     (path,) = tmp_path.rglob("*.html")
@@ -261,9 +251,7 @@ def test_pages_are_written_beside_the_results_and_left_when_nothing_changed(
         (["--out", "out"], False, {"jinja2", "tam570_grader.pictures"}),
     ],
 )
-def test_what_draws_is_imported_where_something_is_drawn(
-    options, right, needed, tmp_path, course, solution_text
-):
+def test_what_draws_is_imported_where_something_is_drawn(options, right, needed, tmp_path, course, solution_text):
     slug = "hw02_ballistics"
     mistake = "" if right else (WRONG / slug / "euler_steps.py").read_text()
     (tmp_path / f"{slug}.py").write_text(solution_text(slug) + "\n\n" + mistake)
@@ -272,9 +260,7 @@ def test_what_draws_is_imported_where_something_is_drawn(
         f"assert main(['--root', {str(course)!r}, 'grade', '{slug}.py', *{options}]) == 0\n"
         "print(*sys.modules, file=sys.stderr)"
     )
-    done = subprocess.run(
-        [sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, check=True
-    )
+    done = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, check=True)
     assert set(done.stderr.split()) & {"jinja2", "tam570_grader.pictures", "matplotlib.pyplot"} == needed
 
 

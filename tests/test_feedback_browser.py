@@ -30,9 +30,7 @@ def folder(tmp_path_factory, course, workers):
         assignment = root.assignment(course, slug)
         for student, text in {"ada": right, "ben": f"{right}\n\n{wrong}", "cora": ""}.items():
             source = Source(text.encode())
-            records.append(
-                graded(student, source, assignment, workers(slug, Allowance()), 1, yardstick).record()
-            )
+            records.append(graded(student, source, assignment, workers(slug, Allowance()), 1, yardstick).record())
     for slug in ("hw03_angular_momentum_rate", assignment.slug):  # one with a long title
         records.append(not_graded("dan", root.assignment(course, slug), "missing", "no file", 1).record())
     (folder / "results.jsonl").write_text("".join(json.dumps(one) + "\n" for one in records))
@@ -47,9 +45,7 @@ def opened(browser, folder):
     contexts, complaints = [], []
 
     def opened(file, width=1280, scheme="light", **options):
-        contexts.append(
-            browser.new_context(viewport={"width": width, "height": 800}, color_scheme=scheme, **options)
-        )
+        contexts.append(browser.new_context(viewport={"width": width, "height": 800}, color_scheme=scheme, **options))
         page = contexts[-1].new_page()
         page.set_default_timeout(5000)  # ms
         page.on("console", lambda message: complaints.append(message.text))
@@ -63,11 +59,7 @@ def opened(browser, folder):
     assert not complaints
 
 
-FILES = [
-    "report.html",
-    "feedback/ada/hw07_double_pendulum.html",
-    *(f"feedback/ben/{slug}.html" for slug in SHOWN),
-]
+FILES = ["report.html", "feedback/ada/hw07_double_pendulum.html", *(f"feedback/ben/{slug}.html" for slug in SHOWN)]
 
 
 @pytest.mark.parametrize("width", WIDTHS.values(), ids=WIDTHS)
@@ -187,9 +179,7 @@ def test_the_filter_narrows_every_table_and_says_how_much_is_left(opened):
     assert set(page.locator("#checks tbody tr:visible td:first-child").all_inner_texts()) == {"hw05"}
     page.get_by_role("searchbox").fill("energy after")
     shown = page.locator("tbody tr:visible").count()
-    assert (
-        0 < shown < everything and page.get_by_role("status").inner_text() == f"{shown} of {everything} rows"
-    )
+    assert 0 < shown < everything and page.get_by_role("status").inner_text() == f"{shown} of {everything} rows"
     assert page.locator("#scores .none").is_visible()
     page.get_by_role("button", name="Show all").click()
     expect(page.get_by_role("status")).to_have_text(f"{everything} of {everything} rows")

@@ -67,9 +67,7 @@ def test_a_looser_tolerance_has_a_larger_error_and_its_score_is_the_same(measure
     loose, tight = (result.speed for result in results)
     assert 1e-2 > loose["error"] > 10 * tight["error"] > 0
     assert loose["seconds"] > 0 and loose["machine"] == tight["machine"] > 0
-    assert (
-        results[1].score == grade(SLUG, solution_text(SLUG) + STEPS.replace("RTOL", "1e-11"), 1).score == 10.0
-    )
+    assert results[1].score == grade(SLUG, solution_text(SLUG) + STEPS.replace("RTOL", "1e-11"), 1).score == 10.0
 
 
 @pytest.mark.parametrize("what", ["return t", "raise NotImplementedError", "import os; os._exit(0)"])
@@ -115,16 +113,7 @@ def test_it_is_measured_when_asked_for_and_stands_on_the_page(tmp_path, solution
     (tmp_path / "in" / "ada" / SLUG / f"{SLUG}.py").write_text(solution_text(SLUG))
     pages, found = [], []
     for options in ([], ["--speed"]):
-        command = [
-            "grade",
-            str(tmp_path / "in"),
-            "--out",
-            str(tmp_path / "out"),
-            "--seed",
-            "1",
-            "--json",
-            *options,
-        ]
+        command = ["grade", str(tmp_path / "in"), "--out", str(tmp_path / "out"), "--seed", "1", "--json", *options]
         assert cli.main(command) == 0
         found.append(json.loads(capsys.readouterr().out))
         pages.append((tmp_path / "out" / "feedback" / "ada" / f"{SLUG}.html").read_text())

@@ -42,9 +42,12 @@ def formgrader(graded_course, jupyter_environment):
     options = [f"--port={port}", "--no-browser", "--allow-root", "--IdentityProvider.token="]
     home = {"HOME": str(graded_course), "JUPYTER_DATA_DIR": str(graded_course / "jupyter")}
     server = subprocess.Popen(
-        [sys.executable, "-m", "jupyter", "server", *options], cwd=graded_course,
-        env={**jupyter_environment, **home}, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-    )  # fmt: skip
+        [sys.executable, "-m", "jupyter", "server", *options],
+        cwd=graded_course,
+        env={**jupyter_environment, **home},
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+    )
     try:
         await_answer(f"http://127.0.0.1:{port}/api")
         yield f"http://127.0.0.1:{port}/formgrader"
@@ -73,9 +76,7 @@ def page(browser):
     page.close()
 
 
-def test_a_part_is_graded_by_hand_and_the_total_adds_up(
-    formgrader, page, graded_course, nbgrader, nbgrader_grades
-):
+def test_a_part_is_graded_by_hand_and_the_total_adds_up(formgrader, page, graded_course, nbgrader, nbgrader_grades):
     automatic = sum(auto for (*_, cell), (auto, _) in nbgrader_grades(graded_course).items() if auto)
     assert 0 < automatic < 10 and automatic % 1  # a fraction, so that it must come through
     page.goto(f"{formgrader}/gradebook/{SLUG}/{SLUG}", wait_until="domcontentloaded")

@@ -111,11 +111,7 @@ def test_a_notebook_is_graded_by_its_code_cells(run, tmp_path, solution_text):
     folder = tmp_path / "ada" / SLUG
     folder.mkdir(parents=True)
     text = notebook(
-        "%matplotlib inline\n!pip list\n",
-        "%%bash\nrm -rf /",
-        solution_text(SLUG),
-        "1 / 0",
-        "text = '''\n%kept\n'''",
+        "%matplotlib inline\n!pip list\n", "%%bash\nrm -rf /", solution_text(SLUG), "1 / 0", "text = '''\n%kept\n'''"
     )
     (folder / f"{SLUG}.ipynb").write_text(text)
     _, (line,), _ = run(folder)
@@ -143,10 +139,7 @@ def test_what_runs_in_a_kernel_runs_in_the_grader(run, tmp_path, solution_text, 
 
 
 def test_an_old_notebook_is_read_and_the_error_of_a_cell_is_told(run, tmp_path, solution_text):
-    cells = [
-        {"cell_type": "code", "language": "python", "input": text}
-        for text in (solution_text(SLUG), "whatever")
-    ]
+    cells = [{"cell_type": "code", "language": "python", "input": text} for text in (solution_text(SLUG), "whatever")]
     text = json.dumps({"worksheets": [{"cells": cells}], "nbformat": 3})
     (tmp_path / "hw08.ipynb").write_text(text)
     _, (line,), _ = run(tmp_path / "hw08.ipynb")
@@ -163,9 +156,7 @@ plot_comparison(__import__("matplotlib.pyplot").pyplot.gca(), t, 20.0, 0.8, mass
 
 
 @pytest.mark.parametrize("form", ["module", "notebook", "notebook of one cell"])
-def test_what_a_file_tries_out_at_import_may_use_what_one_function_may_not(
-    run, tmp_path, solution_text, form
-):
+def test_what_a_file_tries_out_at_import_may_use_what_one_function_may_not(run, tmp_path, solution_text, form):
     slug = "hw02_ballistics"
     right, tries = solution_text(slug), AT_IMPORT.replace("from __future__ import annotations\n", "")
     if form == "module":
@@ -269,9 +260,7 @@ def test_a_student_with_two_files_holds_up_nobody(run, tree):
         (tree / "dan" / name).write_text(NOTHING)
     code, lines, _ = run(tree)
     assert (code, scores(lines)) == (0, {"ada": 10.0, "ben": 0.0, "cora": 0.0, "dan": 0.0})
-    assert next(line for line in lines if line["student"] == "dan")["message"].endswith(
-        "hw08.py, hw08_old.py"
-    )
+    assert next(line for line in lines if line["student"] == "dan")["message"].endswith("hw08.py, hw08_old.py")
 
 
 def test_names_and_messages_that_are_no_text_are_escaped(tree, tmp_path, capsys):
@@ -290,15 +279,7 @@ def test_files_beside_a_module_are_not_run(run, tree, monkeypatch):
     """A module shadowed by a file, start files, options of tools: published against nbgrader, issues 170 and 1842."""
     folder = tree / "ada" / SLUG
     (folder / "numpy").mkdir()
-    beside = (
-        "numpy/__init__.py",
-        "inside.py",
-        "msgpack.py",
-        "sitecustomize.py",
-        "conftest.py",
-        "checks.py",
-        "0.pth",
-    )
+    beside = ("numpy/__init__.py", "inside.py", "msgpack.py", "sitecustomize.py", "conftest.py", "checks.py", "0.pth")
     for name in beside:
         (folder / name).write_text("raise SystemExit('shadowed')\n")
     monkeypatch.chdir(folder)
@@ -308,17 +289,7 @@ def test_files_beside_a_module_are_not_run(run, tree, monkeypatch):
 
 @pytest.mark.parametrize(
     "cells",
-    [
-        [3],
-        ["x"],
-        [{}],
-        [{"cell_type": "code"}],
-        [{"cell_type": "code", "source": [1]}],
-        {"a": 1},
-        None,
-        "code",
-        [],
-    ],
+    [[3], ["x"], [{}], [{"cell_type": "code"}], [{"cell_type": "code", "source": [1]}], {"a": 1}, None, "code", []],
 )
 def test_a_notebook_with_strange_cells_scores_nothing(run, tmp_path, cells):
     (tmp_path / "hw08.ipynb").write_text(json.dumps({"cells": cells, "nbformat": 4}))
@@ -349,15 +320,7 @@ def test_a_text_that_breaks_parsers_harms_nobody_else(run, tmp_path, solution_te
     assert (code, scores(lines)) == (0, {"ann": 0.0, "ben": 10.0})
 
 
-NAMES = (
-    "=cmd|'calc'!A0",
-    "@sum",
-    "+1",
-    "<img src=x onerror=alert(1)>",
-    "%2e%2e%2fada",
-    "a'b\"c",
-    "l" * 255,
-)
+NAMES = ("=cmd|'calc'!A0", "@sum", "+1", "<img src=x onerror=alert(1)>", "%2e%2e%2fada", "a'b\"c", "l" * 255)
 
 
 def test_a_name_is_a_name_and_nothing_else(run, tmp_path, solution_text):
@@ -369,9 +332,7 @@ def test_a_name_is_a_name_and_nothing_else(run, tmp_path, solution_text):
     _, lines, _ = run(submitted, "--out", out)
     assert scores(lines) == dict.fromkeys(NAMES, 10.0)
     rows = list(csv.reader((out / "grades.csv").read_text().splitlines()))
-    assert len(rows) == 1 + len(NAMES) and not any(
-        row[0].startswith(("=", "+", "-", "@", "\t")) for row in rows
-    )
+    assert len(rows) == 1 + len(NAMES) and not any(row[0].startswith(("=", "+", "-", "@", "\t")) for row in rows)
     pages = sorted(page.parent.name for page in (out / "feedback").glob("*/*.html"))
     assert pages == sorted(NAMES) and not any("<img" in page.read_text() for page in out.rglob("*.html"))
 
@@ -468,11 +429,7 @@ def test_scores_do_not_depend_on_jobs_and_runs(run, tree):
         return sorted(json.dumps({k: v for k, v in line.items() if k != "seconds"}) for line in lines)
 
     first = stable(run(tree, "--seed", 3, "--jobs", 1)[1])
-    assert (
-        first
-        == stable(run(tree, "--seed", 3, "--jobs", 3)[1])
-        == stable(run(tree, "--seed", 3, "--jobs", 3)[1])
-    )
+    assert first == stable(run(tree, "--seed", 3, "--jobs", 3)[1]) == stable(run(tree, "--seed", 3, "--jobs", 3)[1])
 
 
 def test_results_are_written_and_found_again(run, tree, tmp_path, monkeypatch):
@@ -483,11 +440,7 @@ def test_results_are_written_and_found_again(run, tree, tmp_path, monkeypatch):
     assert sorted(map(json.dumps, first)) == sorted(map(json.dumps, second))
     assert len((out / "results.jsonl").read_text().splitlines()) == 3
     table = csv.DictReader((out / "grades.csv").read_text().splitlines())
-    assert [(row["student"], row["score"]) for row in table] == [
-        ("ada", "10.0"),
-        ("ben", "0.0"),
-        ("cora", "0.0"),
-    ]
+    assert [(row["student"], row["score"]) for row in table] == [("ada", "10.0"), ("ben", "0.0"), ("cora", "0.0")]
     assert "10 of 10" in (out / "feedback" / "ada" / f"{SLUG}.html").read_text()
 
 
@@ -523,8 +476,11 @@ def test_random_seeds_differ(run, tree):
 def command(*arguments, **options):
     return subprocess.Popen(
         [sys.executable, "-m", "tam570_grader.cli", *map(str, arguments)],
-        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **options,
-    )  # fmt: skip
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        **options,
+    )
 
 
 @pytest.mark.parametrize(("how", "code"), [(signal.SIGINT, 130), (signal.SIGKILL, -9)])
@@ -656,10 +612,7 @@ def test_one_that_sleeps_through_its_calls_is_ended(grade, solution_text, monkey
     monkeypatch.setattr("tam570_grader.student.PATIENCE", 1)
     received, receive = [], Cell.receive
     monkeypatch.setattr(Cell, "receive", lambda cell: received.append(receive(cell)) or received[-1])
-    text = (
-        solution_text(SLUG)
-        + "\n_skew = skew\ndef skew(v):\n    time.sleep(0.3)\n    return _skew(v)\nimport time\n"
-    )
+    text = solution_text(SLUG) + "\n_skew = skew\ndef skew(v):\n    time.sleep(0.3)\n    return _skew(v)\nimport time\n"
     outcome = grade(SLUG, text, allowance=Allowance(cpu=2, call=1))
     assert outcome.status == "timeout" and outcome.score < 10 and "little processor time" in outcome.message
     assert len(received) < 20, "it is ended within a batch of calls"
@@ -952,19 +905,10 @@ def test_distances_from_a_polygon_are_those_to_its_sides_and_many_points_cost_no
 @pytest.mark.parametrize(
     ("label", "right"),
     [
-        *(
-            (label, True)
-            for label in ("x (m)", "x [m]", "right, m", "$x$ (m)", r"$x$ $[\mathrm{m}]$", "x in metres")
-        ),
+        *((label, True) for label in ("x (m)", "x [m]", "right, m", "$x$ (m)", r"$x$ $[\mathrm{m}]$", "x in metres")),
         *((label, True) for label in ("Horizontal Distance (Meters)", "X [METRES]", "height in metre(s)")),
-        *(
-            (f"$x{space}(m)$", True)
-            for space in (r"\quad", r"\qquad", r"\enspace", r"\thinspace", r"\/", r"\>")
-        ),
-        *(
-            (rf"$x\ {font}{{m}}$", True)
-            for font in (r"\rm", r"\rm ", r"\boldsymbol", r"\operatorname", r"\big")
-        ),
+        *((f"$x{space}(m)$", True) for space in (r"\quad", r"\qquad", r"\enspace", r"\thinspace", r"\/", r"\>")),
+        *((rf"$x\ {font}{{m}}$", True) for font in (r"\rm", r"\rm ", r"\boldsymbol", r"\operatorname", r"\big")),
         *((label, False) for label in ("", "x", "x (mm)", "x (M)", "m(x)", "moment", r"$x\quadm$")),
     ],
 )

@@ -15,13 +15,7 @@ PENDULUM = {"length": 1.7, "gravity": 9.3}  # m, m/s^2
 K = math.sqrt(9.3 / 1.7)  # 1/s
 TINY, NEXT_TO_TOP = 1e-8, math.pi - 1e-8  # rad
 ROUNDINGS = 1e-13  # relative, of a closed form
-BALANCES = (
-    "linear_momentum_balance",
-    "angular_momentum_balance",
-    "energy_balance",
-    "power_balance",
-    "virtual_work",
-)
+BALANCES = ("linear_momentum_balance", "angular_momentum_balance", "energy_balance", "power_balance", "virtual_work")
 ANGLES = [*DRAW.uniform(-20, 20, 20), 0.0, TINY, NEXT_TO_TOP]
 
 
@@ -34,11 +28,7 @@ def fifty_digits():
 def pendulums(number):
     """Masses and lengths over twelve decades."""
     return [
-        {
-            "mass": 10 ** DRAW.uniform(-6, 6),
-            "length": 10 ** DRAW.uniform(-6, 6),
-            "gravity": DRAW.uniform(0, 30),
-        }
+        {"mass": 10 ** DRAW.uniform(-6, 6), "length": 10 ** DRAW.uniform(-6, 6), "gravity": DRAW.uniform(0, 30)}
         for _ in range(number)
     ]
 
@@ -57,14 +47,10 @@ def test_the_balances_hold_to_the_last_digits(theta):
             "power_balance": (-g / r * s, -m * g * r * s * om),
             "virtual_work": (-g / r * s, -m * g * r * s),
         }
-        largest = {
-            "linear_momentum_balance": (0, m * r * om**2 + m * g)
-        }  # what the tension's two terms are rounded to
+        largest = {"linear_momentum_balance": (0, m * r * om**2 + m * g)}  # what the tension's two terms are rounded to
         for name, values in expected.items():
             scales = largest.get(name, (0,) * len(values))
-            for found, value, scale in zip(
-                getattr(hw, name)(theta, omega, **pendulum), values, scales, strict=True
-            ):
+            for found, value, scale in zip(getattr(hw, name)(theta, omega, **pendulum), values, scales, strict=True):
                 assert abs(found - value) <= ROUNDINGS * max(abs(value), scale)
 
 
@@ -76,9 +62,7 @@ def test_alpha_is_the_slope_of_the_energy():
         slope = weight * (1 - np.cos(theta + 1j * step)).imag / step
         inertia = pendulum["mass"] * pendulum["length"] ** 2
         for name in BALANCES:
-            assert getattr(hw, name)(theta, 0.0, **pendulum)[0] == pytest.approx(
-                -slope / inertia, rel=ROUNDINGS
-            )
+            assert getattr(hw, name)(theta, 0.0, **pendulum)[0] == pytest.approx(-slope / inertia, rel=ROUNDINGS)
 
 
 def test_the_potential_energy_changes_as_that_slope_says():

@@ -88,9 +88,7 @@ def test_simulation_and_closed_form_agree_at_uneven_times(drag, gravity):
     t = np.array([3.0, 3.1, 4.7, 5.0, 9.0])
     simulated = ballistics.simulate(t, SPEED, ANGLE, **known)
     closed = ballistics.trajectory(t - 3.0, SPEED, ANGLE, **known)
-    np.testing.assert_allclose(
-        simulated, closed, rtol=0, atol=1e-11 * np.abs(closed).max()
-    )  # the rtol is 1e-13
+    np.testing.assert_allclose(simulated, closed, rtol=0, atol=1e-11 * np.abs(closed).max())  # the rtol is 1e-13
 
 
 def test_trajectory_obeys_newton():
@@ -147,9 +145,7 @@ def gap(angle, swiftness):
     path = ballistics.trajectory(t, swiftness, angle, **known)[:, :2] / swiftness
     corners = ballistics.limit_shape(angle)
     sides = [distance(path, a, b) for a, b in zip(corners, corners[1:], strict=False)]
-    return max(
-        np.min(sides, axis=0).max(), np.linalg.norm(path[:, None] - corners, axis=-1).min(axis=0).max()
-    )
+    return max(np.min(sides, axis=0).max(), np.linalg.norm(path[:, None] - corners, axis=-1).min(axis=0).max())
 
 
 def distance(points, a, b):

@@ -22,9 +22,7 @@ def state():
 
 def size(r_p, v_p, a_p, r_c, v_c, a_c):
     """The size of the terms of a rate for 1 kg."""
-    r, v, a = (
-        np.linalg.norm(p) + np.linalg.norm(c) for p, c in zip((r_p, v_p, a_p), (r_c, v_c, a_c), strict=True)
-    )
+    r, v, a = (np.linalg.norm(p) + np.linalg.norm(c) for p, c in zip((r_p, v_p, a_p), (r_c, v_c, a_c), strict=True))
     return r * a + v**2
 
 
@@ -63,14 +61,19 @@ def test_every_result_has_full_digits(definition):
         velocity = v_p - v_c if definition == "c" else v_p
         surplus = {"a": 0 * v_p, "b": cross(v_p, v_c), "c": cross(a_c, r_p - r_c)}[definition]
         results = {
-            "momentum": (hw.angular_momentum(definition, *vectors[:2], *vectors[3:5], mass=mass),
-                         cross(r_p - r_c, velocity)),
+            "momentum": (
+                hw.angular_momentum(definition, *vectors[:2], *vectors[3:5], mass=mass),
+                cross(r_p - r_c, velocity),
+            ),
             "moment": (hw.moment(vectors[0], vectors[2], vectors[3], mass=mass), cross(r_p - r_c, a_p)),
             "discrepancy": (hw.discrepancy(definition, *vectors, mass=mass), surplus),
-        }  # fmt: skip
+        }
         for name, (found, expected) in results.items():
-            scale = size(*vectors) if name != "momentum" else np.prod(
-                [np.linalg.norm(vectors[i]) + np.linalg.norm(vectors[i + 3]) for i in (0, 1)])  # fmt: skip
+            scale = (
+                size(*vectors)
+                if name != "momentum"
+                else np.prod([np.linalg.norm(vectors[i]) + np.linalg.norm(vectors[i + 3]) for i in (0, 1)])
+            )
             error = np.abs(found - mass * expected.astype(float))
             assert np.all(error <= ROUNDINGS * mass * scale), name
 
@@ -138,14 +141,20 @@ SPECIAL = {
     "parallel lines": ("b", [[0, 1, 0], [2, 0, 0], [0, 0, 0], [-1, 0, 0]], [[0, 0, 0], [1, 0, 0], [1, 0, 0]]),
     "parallel lines, P uniform": ("b", [[0, 0, 1], [-1, 0, 0]], [[0, 0, 0], [-2, 0, 0], [1 / 3, 0, 0]]),
     "P twice as fast on a similar curve": (
-        "b", [[0, 0, 1], [2, 0, 0], [0, 2, 0], [0, 0, 2]], [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]),
+        "b",
+        [[0, 0, 1], [2, 0, 0], [0, 2, 0], [0, 0, 2]],
+        [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]],
+    ),
     "P above a thrown C": ("c", [[0, 1, 0], [1, 1, 0], [0, -1, 0]], [[0, 0, 0], [1, 0, 0], [0, -1, 0]]),
     "P below it, and falling": ("c", [[0, -1, 0], [1, 1, 0], [0, -3, 0]], [[0, 0, 0], [1, 1, 0], [0, -1, 0]]),
     "C about a uniform P": ("c", [[0, 0, 0], [0, 7, 0]], [[0, 0, 2], [0, 7, 0], [0, 0, -1]]),
     "C with an acceleration that grows": (
-        "c", [[0, 0, 4], [1, 0, 2], [0, 0, -2], [0, 0, 0.1]], [[0, 0, 0], [1, 0, 1], [0, 0, -2], [0, 0, 0.1]]),
+        "c",
+        [[0, 0, 4], [1, 0, 2], [0, 0, -2], [0, 0, 0.1]],
+        [[0, 0, 0], [1, 0, 1], [0, 0, -2], [0, 0, 0.1]],
+    ),
     "P at rest on the line of C": ("c", [[0, 0, 2]], [[0, 0, 0], [0, 0, 1], [0, 0, 0.25]]),
-}  # fmt: skip
+}
 ON_ONE_LINE = SPECIAL.pop("P at rest on the line of C")  # b holds too
 
 
@@ -191,10 +200,18 @@ SEEMING = {
     "C stops at the start": ("b", [[0, 1, 0]], [[0, 0, 0], [0, 0, 0], [1, 0, 0]], "velocity of C"),
     "C stops at the end": ("b", [[0, 1, 0]], [[0, 0, 0], [-2, 0, 0], [1, 0, 0]], "velocity of C"),
     "C turns back": ("b", [[0, 1, 0]], [[0, 0, 0], [-0.3, 0, 0], [1, 0, 0]], "velocity of C vanishes at t = 0.15"),
-    "C stops as (t - 1/3)^2": ("b", [[0, 1, 0]], [[0, 0, 0], [1 / 9, 0, 0], [-1 / 3, 0, 0], [1 / 3, 0, 0]],
-                               "velocity of C vanishes at t = 0.33"),
-    "C's acceleration turns round": ("b", [[0, 1, 0]], [[0, 0, 0], [9, 0, 0], [-1, 0, 0], [0.5, 0, 0]],
-                                     "acceleration of C vanishes at t = 0.67"),
+    "C stops as (t - 1/3)^2": (
+        "b",
+        [[0, 1, 0]],
+        [[0, 0, 0], [1 / 9, 0, 0], [-1 / 3, 0, 0], [1 / 3, 0, 0]],
+        "velocity of C vanishes at t = 0.33",
+    ),
+    "C's acceleration turns round": (
+        "b",
+        [[0, 1, 0]],
+        [[0, 0, 0], [9, 0, 0], [-1, 0, 0], [0.5, 0, 0]],
+        "acceleration of C vanishes at t = 0.67",
+    ),
     "an acceleration of roundings": ("b", [[0, 1, 0]], [[0, 0, 0], [1, 0, 0], [1e-16, 0, 0]], "acceleration of C"),
     "P is C": ("b", LINE, LINE, "meet"),
     "P meets C": ("b", [[0.75, 0, 0]], LINE, "meet at t = 0.5"),
@@ -204,7 +221,7 @@ SEEMING = {
     "at t = 0 alone": ("b", [[0, 1, 0], [0, 0, 0], [0, 1, 0]], LINE, "differ"),
     "no property": ("c", [[0, 1, 0], [0, 0, 2]], LINE, "differ"),
     "too long": ("b", np.ones((101, 3)), LINE, "more than 100"),
-}  # fmt: skip
+}
 
 
 @pytest.mark.parametrize(("definition", "p", "c", "says"), SEEMING.values(), ids=SEEMING.keys())

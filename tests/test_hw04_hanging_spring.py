@@ -88,9 +88,7 @@ def test_the_derivative_is_that_of_the_solution():
     """Route: differences of the closed form, of eighth order."""
     step, weights = 0.02 / K, {1: 4 / 5, 2: -1 / 5, 3: 4 / 105, 4: -1 / 280}
     for time in DRAW.uniform(-5, 5, 10):
-        states = {
-            n: hw.solution(np.array([time + n * step]), POSITION, VELOCITY, **SPRING)[0] for n in range(-4, 5)
-        }
+        states = {n: hw.solution(np.array([time + n * step]), POSITION, VELOCITY, **SPRING)[0] for n in range(-4, 5)}
         slope = sum(w * (states[n] - states[-n]) for n, w in weights.items()) / step
         found = hw.state_derivative(time, states[0], **SPRING)
         np.testing.assert_allclose(found, slope, rtol=0, atol=1e-11 * K * np.abs(states[0]).max() * 5)
@@ -212,11 +210,7 @@ def test_the_projection_is_that_of_a_turned_frame():
     for _ in range(10):
         azimuth, elevation = DRAW.uniform(-9, 9, 2)
         columns = hw.project(np.eye(3), azimuth, elevation)
-        eye = [
-            math.cos(elevation) * math.cos(azimuth),
-            math.cos(elevation) * math.sin(azimuth),
-            math.sin(elevation),
-        ]
+        eye = [math.cos(elevation) * math.cos(azimuth), math.cos(elevation) * math.sin(azimuth), math.sin(elevation)]
         frame = np.column_stack([columns, eye])
         np.testing.assert_allclose(frame.T @ frame, np.eye(3), atol=1e-15)
         assert np.linalg.det(frame) == pytest.approx(1, abs=1e-15)

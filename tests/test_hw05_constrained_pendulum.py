@@ -89,9 +89,7 @@ def test_the_constraint_force_is_radial_and_does_no_work(known):
     assert abs(force[0] * state[1] - force[1] * state[0]) <= 1e-15 * scale * known["length"]
     assert abs(force @ state[2:]) <= 1e-15 * scale * np.linalg.norm(state[2:])
     total = force / known["mass"] - [0, known["gravity"]]
-    np.testing.assert_allclose(
-        hw.acceleration(state, **known), total, rtol=0, atol=1e-15 * size(state, known) * 4
-    )
+    np.testing.assert_allclose(hw.acceleration(state, **known), total, rtol=0, atol=1e-15 * size(state, known) * 4)
 
 
 def test_a_consistent_state_is_the_nearest():

@@ -22,9 +22,13 @@ def car(size=6.0, **fixed):
     mass, length = (float(x) for x in 10 ** DRAW.uniform(-size, size, 2))
     front, rear = (float(length * x) for x in DRAW.uniform(0.2, 2, 2))
     drawn = {
-        "mass": mass, "yaw_inertia": float(mass * front * rear * DRAW.uniform(0.2, 3)), "front": front, "rear": rear,
-        "friction": float(DRAW.uniform(0.1, 1)), "gravity": float(10 ** DRAW.uniform(-1, 2)),
-    }  # fmt: skip
+        "mass": mass,
+        "yaw_inertia": float(mass * front * rear * DRAW.uniform(0.2, 3)),
+        "front": front,
+        "rear": rear,
+        "friction": float(DRAW.uniform(0.1, 1)),
+        "gravity": float(10 ** DRAW.uniform(-1, 2)),
+    }
     return {**drawn, **fixed}
 
 
@@ -225,9 +229,7 @@ def test_a_straight_car_stops_as_in_the_textbook(locked, sign):
     left = np.clip(1 - t / stop, 0, 1)
     way = start[3] * stop / 2 * (1 - left**2)
     ahead = np.array([math.cos(start[2]), math.sin(start[2])])
-    expected = np.column_stack(
-        [start[:2] + np.outer(way, ahead), np.full(6, start[2]), start[3] * left, 0 * t]
-    )
+    expected = np.column_stack([start[:2] + np.outer(way, ahead), np.full(6, start[2]), start[3] * left, 0 * t])
     found = hw.simulate(t - 7 * stop, start, locked, **c)
     np.testing.assert_allclose(found / scales(start, c), expected / scales(start, c), rtol=0, atol=1e-12)
     assert not found[4:, 3:].any() and not found[:, 4].any()  # never turns, at rest not even by a rounding
@@ -292,9 +294,14 @@ def test_it_stops_where_another_integrator_does(locked):
     nearly.terminal = True
     stop = stopping_time(start, locked, c)
     run = solve_ivp(
-        lambda t, s: hw.state_derivative(t, s, locked, **c), (0, 2 * stop), start / 1.0, method="DOP853",
-        rtol=1e-12, atol=1e-13 * usual(c), events=nearly,
-    )  # fmt: skip
+        lambda t, s: hw.state_derivative(t, s, locked, **c),
+        (0, 2 * stop),
+        start / 1.0,
+        method="DOP853",
+        rtol=1e-12,
+        atol=1e-13 * usual(c),
+        events=nearly,
+    )
     found = hw.simulate(np.array([0.0, 2 * stop]), start, locked, **c)[-1]
     assert run.t[-1] == pytest.approx(stop, rel=1e-6)
     np.testing.assert_allclose(
@@ -310,9 +317,7 @@ def chaplygin(t, start, locked, c):
     V, psi0 = mpmath.hypot(u, gyration * r), mpmath.atan2(gyration * r, u)
     rows = []
     for time in t:
-        psi = 2 * mpmath.atan(
-            mpmath.tan(psi0 / 2) * mpmath.exp(free * V / gyration**2 * mpmath.mpf(float(time)))
-        )
+        psi = 2 * mpmath.atan(mpmath.tan(psi0 / 2) * mpmath.exp(free * V / gyration**2 * mpmath.mpf(float(time))))
         turned = (psi - psi0) * gyration / free
         rows.append([heading + turned, V * mpmath.cos(psi), V * mpmath.sin(psi) / gyration])
     return np.array(rows, dtype=float)
@@ -459,9 +464,7 @@ def test_small_yaw_rate_is_what_a_simulation_of_a_tiny_one_shows(locked):
     for _ in range(3):
         c = car(2.0)
         start = motion(c, 1.8, 1e-8)
-        slowing = (
-            c["friction"] * hw.axle_load(locked, **only(c, "mass", "front", "rear", "gravity")) / c["mass"]
-        )
+        slowing = c["friction"] * hw.axle_load(locked, **only(c, "mass", "front", "rear", "gravity")) / c["mass"]
         t = np.linspace(0, 0.8 * start[3] / slowing, 9)
         yaw_rates = hw.simulate(t, start, locked, **c)[:, 4]
         expected = [hw.small_yaw_rate(start[3] - slowing * s, start[3], start[4], locked, **c) for s in t]
@@ -471,14 +474,33 @@ def test_small_yaw_rate_is_what_a_simulation_of_a_tiny_one_shows(locked):
         np.testing.assert_allclose(yaw_rates, expected, rtol=within, atol=1e-14 * np.abs(expected).max())
 
 
-@pytest.mark.parametrize(("start", "car"), [
-    ((-0.235199012408966, 3.9971478385340546, -7.281371780528036, 6.540810562747153, 0.0),
-     (722.7571931032608, 2406.600482543964, 1.7475707023826028, 1.1750117274590313, 0.7390814865494137,
-      14.003486415879372)),
-    ((0.012748897698458883, 0.4407580432097111, -4.3234204675900845, -1.9186076228570403, 0.0),
-     (4.536725131190757, 6.220548875868298, 0.9535768532773177, 0.7803127596966779, 0.46519542639505007,
-      19.183657117389565)),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("start", "car"),
+    [
+        (
+            (-0.235199012408966, 3.9971478385340546, -7.281371780528036, 6.540810562747153, 0.0),
+            (
+                722.7571931032608,
+                2406.600482543964,
+                1.7475707023826028,
+                1.1750117274590313,
+                0.7390814865494137,
+                14.003486415879372,
+            ),
+        ),
+        (
+            (0.012748897698458883, 0.4407580432097111, -4.3234204675900845, -1.9186076228570403, 0.0),
+            (
+                4.536725131190757,
+                6.220548875868298,
+                0.9535768532773177,
+                0.7803127596966779,
+                0.46519542639505007,
+                19.183657117389565,
+            ),
+        ),
+    ],
+)
 def test_the_checks_find_the_stop_of_a_car_that_does_not_turn(start, car):
     """Its yaw acceleration is zero or rounding, which ends no integration: two draws where it once did."""
     root.assignment(root.find(), "hw06_braking")

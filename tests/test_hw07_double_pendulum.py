@@ -32,9 +32,7 @@ def lagrange():
     velocities = [r.jacobian(th) * sp.Matrix(om) for r in places]
 
     def summed(quantity):
-        return sum(
-            sp.integrate(sp.expand(m[i] * quantity(places[i], velocities[i])), (s, 0, 1)) for i in (0, 1)
-        )
+        return sum(sp.integrate(sp.expand(m[i] * quantity(places[i], velocities[i])), (s, 0, 1)) for i in (0, 1))
 
     kinetic = summed(lambda r, v: v.dot(v) / 2)
     potential = summed(lambda r, v: g * r[1])
@@ -80,15 +78,14 @@ def exact_acceleration(theta, omega, masses, lengths, gravity):
     )
     coupling, g = m2 * l1 * l2 / 2, mp.mpf(gravity)
     M = mp.matrix(
+        [[(m1 / 3 + m2) * l1**2, coupling * mp.cos(th1 - th2)], [coupling * mp.cos(th1 - th2), m2 * l2**2 / 3]]
+    )
+    pull = mp.matrix(
         [
-            [(m1 / 3 + m2) * l1**2, coupling * mp.cos(th1 - th2)],
-            [coupling * mp.cos(th1 - th2), m2 * l2**2 / 3],
+            -coupling * mp.sin(th1 - th2) * om2**2 - g * (m1 / 2 + m2) * l1 * mp.sin(th1),
+            coupling * mp.sin(th1 - th2) * om1**2 - g * m2 * l2 / 2 * mp.sin(th2),
         ]
     )
-    pull = mp.matrix([
-        -coupling * mp.sin(th1 - th2) * om2**2 - g * (m1 / 2 + m2) * l1 * mp.sin(th1),
-        coupling * mp.sin(th1 - th2) * om1**2 - g * m2 * l2 / 2 * mp.sin(th2),
-    ])  # fmt: skip
     return np.array([float(x) for x in mp.lu_solve(M, pull)])
 
 
@@ -141,17 +138,13 @@ def test_a_motion_retraces_its_path_and_has_a_mirror_image():
     t = np.array([0.0, 0.3, 0.35, 1.0, 2.0])
     states = pendulum.simulate(t, THETA, OMEGA, **SWINGING)
     back = pendulum.simulate(2.0 - t[::-1], states[-1, :2], -states[-1, 2:], **SWINGING)
-    np.testing.assert_allclose(
-        back[::-1] * [1, 1, -1, -1], states, atol=1e-10
-    )  # what rounding grows to in 2 s
+    np.testing.assert_allclose(back[::-1] * [1, 1, -1, -1], states, atol=1e-10)  # what rounding grows to in 2 s
     np.testing.assert_allclose(pendulum.simulate(t, -THETA, -OMEGA, **SWINGING), -states, atol=1e-10)
 
 
 def test_the_sampling_does_not_matter():
     t = np.array([0.0, 0.3, 0.35, 1.0, 2.0])
-    few, many = (
-        pendulum.simulate(times, THETA, OMEGA, **SWINGING) for times in (t, np.linspace(0.0, 2.0, 41))
-    )
+    few, many = (pendulum.simulate(times, THETA, OMEGA, **SWINGING) for times in (t, np.linspace(0.0, 2.0, 41)))
     np.testing.assert_allclose(few[[1, 2, 3, 4]], many[[6, 7, 20, 40]], atol=1e-10)
     np.testing.assert_array_equal(few[0], [*THETA, *OMEGA])
 
@@ -171,9 +164,7 @@ def exact_frequencies(masses, lengths, gravity):
     (m1, m2), (l1, l2) = map(mp.mpf, map(float, masses)), map(mp.mpf, map(float, lengths))
     M = (m1 / 3 + m2) * l1**2, m2 * l1 * l2 / 2, m2 * l2**2 / 3
     k1, k2 = gravity * (m1 / 2 + m2) * l1, gravity * m2 * l2 / 2
-    squares = mp.polyroots(
-        [M[0] * M[2] - M[1] ** 2, -(M[0] * k2 + M[2] * k1), k1 * k2], maxsteps=200, extraprec=200
-    )
+    squares = mp.polyroots([M[0] * M[2] - M[1] ** 2, -(M[0] * k2 + M[2] * k1), k1 * k2], maxsteps=200, extraprec=200)
     return sorted(float(mp.sqrt(mp.re(square))) for square in squares)
 
 
@@ -189,9 +180,7 @@ def test_frequencies_against_fifty_digits(masses, lengths):
 def test_frequencies_of_equal_bars_and_without_gravity():
     equal = {"masses": (0.7, 0.7), "lengths": (1.3, 1.3)}
     book = 9.81 / 1.3 * np.array([3 - 6 / math.sqrt(7), 3 + 6 / math.sqrt(7)])
-    np.testing.assert_allclose(
-        pendulum.small_oscillation_frequencies(gravity=9.81, **equal) ** 2, book, rtol=ROUNDING
-    )
+    np.testing.assert_allclose(pendulum.small_oscillation_frequencies(gravity=9.81, **equal) ** 2, book, rtol=ROUNDING)
     np.testing.assert_array_equal(pendulum.small_oscillation_frequencies(gravity=0.0, **equal), [0, 0])
 
 
@@ -223,11 +212,7 @@ def test_the_tip_path_is_that_of_the_wireframe():
 @pytest.mark.parametrize("number", range(20))
 def test_energy_over_a_minute_of_chaos(number):
     draw = np.random.default_rng(number)
-    known = {
-        "masses": 10 ** draw.uniform(-0.5, 0.5, 2),
-        "lengths": 10 ** draw.uniform(-0.5, 0.5, 2),
-        "gravity": 9.81,
-    }
+    known = {"masses": 10 ** draw.uniform(-0.5, 0.5, 2), "lengths": 10 ** draw.uniform(-0.5, 0.5, 2), "gravity": 9.81}
     states = pendulum.simulate(np.linspace(0.0, 60.0, 601), draw.uniform(-3, 3, 2), STILL, **known)
     scale = 9.81 * np.sum(known["masses"]) * np.sum(known["lengths"])
     assert np.ptp(energies(states, known)) <= 1e-11 * scale

@@ -79,10 +79,7 @@ def test_both_turns_of_the_book_are_120_degrees(which, along):
 
 
 def random_steps():
-    return [
-        (str(axis), angle)
-        for axis, angle in zip(DRAW.choice(list("xyz"), 6), DRAW.normal(size=6), strict=True)
-    ]
+    return [(str(axis), angle) for axis, angle in zip(DRAW.choice(list("xyz"), 6), DRAW.normal(size=6), strict=True)]
 
 
 def test_a_space_sequence_is_the_body_sequence_reversed():

@@ -85,9 +85,7 @@ def test_euler_rates_make_the_attitude_rate_at_50_digits(theta):
         angles, omega = precise([DRAW.normal(), theta, DRAW.normal()]), precise(DRAW.normal(size=3))
         rates = precise(hw.euler_rates_313([float(x) for x in angles], [float(w) for w in omega]))
         h = mpmath.mpf(10) ** -20
-        ahead, back = (
-            [x + sign * h * rate for x, rate in zip(angles, rates, strict=True)] for sign in (1, -1)
-        )
+        ahead, back = ([x + sign * h * rate for x, rate in zip(angles, rates, strict=True)] for sign in (1, -1))
         body_rate = euler_matrix(*angles).T * (euler_matrix(*ahead) - euler_matrix(*back)) / (2 * h)
         found = body_rate[2, 1], body_rate[0, 2], body_rate[1, 0]
         scale = 1 + max(map(abs, rates))
@@ -110,11 +108,7 @@ def invariant_drifts(body, omega, times):
     np.testing.assert_allclose(rotations[0], R, rtol=0, atol=1e-15)
     states = np.hstack([omegas, rotations.reshape(-1, 9)])
     momenta = drift(lambda y: hw.angular_momentum(y[3:].reshape(3, 3), y[:3], inertia=body), states)
-    return (
-        drift(lambda w: hw.energy(w, inertia=body), omegas).max(),
-        momenta.max(),
-        rotation_defect(rotations).max(),
-    )
+    return (drift(lambda w: hw.energy(w, inertia=body), omegas).max(), momenta.max(), rotation_defect(rotations).max())
 
 
 @pytest.mark.parametrize("body", BODIES)
@@ -138,16 +132,12 @@ def elliptic(times, omega, body):
     if not last:
         A, C, p, r = C, A, r, p
     beside, along = double * C - square, square - double * A
-    a, b, c = (
-        mpmath.sqrt(x) for x in (beside / (A * (C - A)), beside / (B * (C - B)), along / (C * (C - A)))
-    )
+    a, b, c = (mpmath.sqrt(x) for x in (beside / (A * (C - A)), beside / (B * (C - B)), along / (C * (C - A))))
     m, n = (B - A) * beside / ((C - B) * along), mpmath.sqrt((C - B) * along / (A * B * C))
     start = mpmath.ellipf(mpmath.atan2(q / b, p / a), m)
     rows = []
     for t in times:
-        sn, cn, dn = (
-            mpmath.ellipfun(name, start + n * (mpmath.mpf(t) - times[0]), m=m) for name in ("sn", "cn", "dn")
-        )
+        sn, cn, dn = (mpmath.ellipfun(name, start + n * (mpmath.mpf(t) - times[0]), m=m) for name in ("sn", "cn", "dn"))
         row = [a * cn, b * sn, c * dn]
         rows.append([float(x) for x in (row if last else row[::-1])])
     return np.array(rows)
@@ -184,9 +174,7 @@ def test_the_closed_form_of_a_symmetric_body(ratio):
         for row, t in zip(closed, precise(times), strict=True):
             angle = (C - A) / A * mpmath.mpf(1.7) * (t + 2)
             across = mpmath.mpc(0.3, -0.4) * mpmath.expj(angle)
-            assert abs(mpmath.mpc(*row[:2]) - across) <= DIGITS * (
-                1 + abs(angle)
-            )  # the angle itself is rounded
+            assert abs(mpmath.mpc(*row[:2]) - across) <= DIGITS * (1 + abs(angle))  # the angle itself is rounded
 
 
 def turned_about(direction, vectors):
@@ -320,10 +308,7 @@ def test_the_period_on_the_separatrix_is_infinite():
                 p, r = math.isqrt(C * (C - B)), math.isqrt(A * (B - A))
                 if p * p == C * (C - B) and r * r == A * (B - A):
                     found += 1
-                    assert (
-                        hw.tumble_period(np.array([p, 1.0, r]), inertia=np.array([A, B, C], float))
-                        == math.inf
-                    )
+                    assert hw.tumble_period(np.array([p, 1.0, r]), inertia=np.array([A, B, C], float)) == math.inf
     assert found > 10
     omega, inertia = np.array([5.0, 1.0, 3.0]), np.array([8.0, 17.0, 25.0])  # 8 9 5^2 = 25 8 3^2
     assert hw.tumble_period(omega, inertia=inertia) == math.inf

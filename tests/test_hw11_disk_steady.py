@@ -57,14 +57,10 @@ def test_members_of_both_families_balance_the_moments_at_50_digits(shape):
     with mpmath.workdps(50):
         for disk, lean, precession in members(shape, 50):
             spins = (f(lean, precession, **disk) for f in (hw.rolling_spin, hw.sliding_spin))
-            rolls = hw.contact_force(
-                lean, precession, spin := next(spins), **body(disk, "mass", "radius", "gravity")
-            )
+            rolls = hw.contact_force(lean, precession, spin := next(spins), **body(disk, "mass", "radius", "gravity"))
             slides = (0.0, disk["mass"] * disk["gravity"])
             for member, force in ((spin, rolls), (next(spins), slides)):
-                left, size = precise_residual(
-                    lean, precession, member, *force, *[disk["radius"], disk["inertia"]]
-                )
+                left, size = precise_residual(lean, precession, member, *force, *[disk["radius"], disk["inertia"]])
                 assert abs(left) <= DIGITS * size
 
 
@@ -76,15 +72,10 @@ def test_residual_and_tracks_agree_with_50_digits(shape):
             right, size = precise_residual(*motion, disk["radius"], disk["inertia"])
             found = hw.moment_residual(*motion, **body(disk, "mass", "radius", "inertia"))
             assert abs(found - right) <= DIGITS * size
-            spin, R = (
-                hw.rolling_spin(lean, precession, **disk),
-                hw.rolling_track_radius(lean, precession, **disk),
-            )
+            spin, R = (hw.rolling_spin(lean, precession, **disk), hw.rolling_track_radius(lean, precession, **disk))
             G = mpmath.mpf(R) - disk["radius"] * mpmath.sin(mpmath.mpf(lean))
             largest = abs(R) + disk["radius"]
-            assert abs(G * precession - disk["radius"] * mpmath.mpf(spin)) <= DIGITS * largest * abs(
-                precession
-            )
+            assert abs(G * precession - disk["radius"] * mpmath.mpf(spin)) <= DIGITS * largest * abs(precession)
 
 
 @pytest.mark.parametrize("shape", SHAPES)
@@ -92,12 +83,8 @@ def test_precession_on_a_track_gives_back_the_track(shape):
     for disk, lean, precession in members(shape, 50):
         R = hw.rolling_track_radius(lean, precession, **disk)
         # Omega enters the track by its inverse square next to a term of size a: that loses digits
-        lost = 1 + disk["radius"] * (1 + SHAPES[shape][0]) * precession**2 / disk["gravity"] / abs(
-            math.tan(lean)
-        )
-        assert hw.rolling_precession(lean, R, **disk) == pytest.approx(
-            abs(precession), rel=10 * DIGITS * lost
-        )
+        lost = 1 + disk["radius"] * (1 + SHAPES[shape][0]) * precession**2 / disk["gravity"] / abs(math.tan(lean))
+        assert hw.rolling_precession(lean, R, **disk) == pytest.approx(abs(precession), rel=10 * DIGITS * lost)
 
 
 def test_the_thin_uniform_disk():
@@ -113,10 +100,7 @@ def test_the_thin_uniform_disk():
 def test_the_common_family_is_the_intersection(shape):
     for disk, lean, _ in members(shape, 20):
         omega = hw.common_precession(lean, **disk)
-        zero = {
-            "rel": 0.0,
-            "abs": 1e-12 * omega * (1 + disk["mass"] * disk["radius"] ** 2 / disk["inertia"][1]),
-        }
+        zero = {"rel": 0.0, "abs": 1e-12 * omega * (1 + disk["mass"] * disk["radius"] ** 2 / disk["inertia"][1])}
         scale = disk["inertia"][0] / disk["inertia"][1]
         assert hw.rolling_spin(lean, omega, **disk) / scale == pytest.approx(0.0, **zero)
         assert hw.sliding_spin(lean, omega, **disk) / scale == pytest.approx(0.0, **zero)

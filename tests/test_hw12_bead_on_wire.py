@@ -95,8 +95,7 @@ def test_the_period_has_the_known_limits():
 def test_only_curvature_times_amplitude_counts():
     for steepness in STEEPNESS:
         swings = [
-            hw.period(steepness / c, curvature=c, gravity=g) * math.sqrt(2 * g * c)
-            for c, g in ((0.01, 3), (70, 20))
+            hw.period(steepness / c, curvature=c, gravity=g) * math.sqrt(2 * g * c) for c, g in ((0.01, 3), (70, 20))
         ]
         assert swings[0] == pytest.approx(swings[1], rel=ROUNDINGS)
 

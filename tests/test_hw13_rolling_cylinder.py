@@ -22,19 +22,12 @@ def cylinders(count, **fixed):
         mass, radius = (float(x) for x in 10 ** DRAW.uniform(-6, 6, 2))
         body = {"mass": mass, "radius": radius, "offset": float(radius * DRAW.uniform(0, 1))}
         body["inertia"] = float(mass * radius**2 * DRAW.uniform(0.01, 1))
-        yield {
-            **body,
-            "slope": float(DRAW.uniform(-1.5, 1.5)),
-            "gravity": float(10 ** DRAW.uniform(-3, 3)),
-            **fixed,
-        }
+        yield {**body, "slope": float(DRAW.uniform(-1.5, 1.5)), "gravity": float(10 ** DRAW.uniform(-3, 3)), **fixed}
 
 
 def motions(cylinder):
     """An angle of several turns and a rate that makes the centripetal terms as large as gravity's."""
-    return float(DRAW.uniform(-20, 20)), float(
-        DRAW.normal() * math.sqrt(cylinder["gravity"] / cylinder["radius"])
-    )
+    return float(DRAW.uniform(-20, 20)), float(DRAW.normal() * math.sqrt(cylinder["gravity"] / cylinder["radius"]))
 
 
 def only(cylinder, *names):
@@ -97,10 +90,7 @@ def test_the_contact_force_turns_the_cylinder_about_G():
     for cylinder in cylinders(100):
         phi, rate = motions(cylinder)
         along, normal = hw.contact_force(phi, rate, **cylinder)
-        to_contact = (
-            cylinder["offset"] * math.sin(phi),
-            cylinder["offset"] * math.cos(phi) - cylinder["radius"],
-        )
+        to_contact = (cylinder["offset"] * math.sin(phi), cylinder["offset"] * math.cos(phi) - cylinder["radius"])
         moment = -(to_contact[0] * normal - to_contact[1] * along)  # rolling down is clockwise
         left = moment - cylinder["inertia"] * hw.acceleration(phi, rate, **cylinder)
         assert abs(left) <= DIGITS * scale_of_moments((phi, rate), cylinder)
@@ -146,9 +136,7 @@ def test_the_missing_moment_is_half_the_rate_of_the_contact_inertia_times_the_ra
                 return m * (r**2 + e**2 - 2 * r * e * mpmath.cos(p))
 
             expected = mpmath.diff(exact, phi) * mpmath.mpf(rate) ** 2 / 2
-        assert (
-            abs(hw.missing_moment(phi, rate, **unforced(cylinder)) - expected) <= DIGITS * m * r * r * rate**2
-        )
+        assert abs(hw.missing_moment(phi, rate, **unforced(cylinder)) - expected) <= DIGITS * m * r * r * rate**2
 
 
 @pytest.mark.parametrize("gap", [1e-6, 1e-9])
@@ -165,9 +153,7 @@ def test_centred_both_methods_agree_with_the_textbook():
     for cylinder in cylinders(20, offset=0.0):
         phi, rate = motions(cylinder)
         m, r = cylinder["mass"], cylinder["radius"]
-        expected = (
-            cylinder["gravity"] * math.sin(cylinder["slope"]) / (1 + cylinder["inertia"] / (m * r * r)) / r
-        )
+        expected = cylinder["gravity"] * math.sin(cylinder["slope"]) / (1 + cylinder["inertia"] / (m * r * r)) / r
         assert hw.acceleration(phi, rate, **cylinder) == pytest.approx(expected, rel=DIGITS)
         assert hw.naive_contact_acceleration(phi, **cylinder) == pytest.approx(expected, rel=DIGITS)
 
@@ -207,9 +193,7 @@ def test_simulation_keeps_the_energy():
         states = hw.simulate(np.linspace(0, 30 / k, 200), 1.0, k, **cylinder)
         energies = energy_of(states, cylinder)
         scale = cylinder["mass"] * cylinder["gravity"] * cylinder["radius"] * np.abs(states[:, 0]).max()
-        assert (
-            np.ptp(energies) <= 2e-12 * scale
-        )  # some tens of steps, and kinetic energies of many times m g r
+        assert np.ptp(energies) <= 2e-12 * scale  # some tens of steps, and kinetic energies of many times m g r
 
 
 @pytest.mark.full
@@ -229,9 +213,7 @@ def test_small_rocking_has_the_frequency_of_the_linear_equation():
         found = hw.simulate(t, 1e-7, 0.0, **cylinder)[:, 0]
         # the equation is odd in phi: what linearising drops is 1e-14 of it, times 20 radians and I^C's curvature
         curved = 1 + m * r * e / (cylinder["inertia"] + m * (r - e) ** 2)
-        np.testing.assert_allclose(
-            found, 1e-7 * np.cos(math.sqrt(square) * t), rtol=0, atol=1e-7 * 1e-11 * curved
-        )
+        np.testing.assert_allclose(found, 1e-7 * np.cos(math.sqrt(square) * t), rtol=0, atol=1e-7 * 1e-11 * curved)
 
 
 def test_the_sampling_of_the_times_changes_nothing():

@@ -20,9 +20,11 @@ TINY = 1e-30  # complex step: its square vanishes beside 1
 
 def disk_of(shape, mass=1.7, radius=0.45, gravity=9.81):
     return {
-        "mass": mass, "radius": radius, "gravity": gravity,
+        "mass": mass,
+        "radius": radius,
+        "gravity": gravity,
         "inertia": tuple(k * mass * radius**2 for k in SHAPES[shape]),
-    }  # fmt: skip
+    }
 
 
 def states(seed, count, tilts=(0.1, 3.0), rates=5.0):
@@ -79,9 +81,7 @@ def test_the_disk_rolls_without_slip(shape):
     for state in states(1, 50):
         velocity = along_the_motion(lambda s: centre(s, disk["radius"]), state, disk)
         rolling = np.cross(omega(state), disk["radius"] * frame(state)[1])
-        np.testing.assert_allclose(
-            velocity, rolling, rtol=0, atol=1e-14 * disk["radius"] * np.abs(state[5:]).sum()
-        )
+        np.testing.assert_allclose(velocity, rolling, rtol=0, atol=1e-14 * disk["radius"] * np.abs(state[5:]).sum())
 
 
 @pytest.mark.parametrize("shape", SHAPES)
@@ -114,22 +114,16 @@ def test_three_derivations_agree_pointwise(shape, mass, radius, gravity):
         placed = hw.matrix_state(state, radius=radius)
         matrix = np.array(hw.matrix_state_derivative(0.0, placed, **disk))
         multiplier = hw.multiplier_state_derivative(0.0, placed, **disk)
-        scale = np.repeat(
-            [np.abs(matrix[part]).max() for part in (np.s_[:3], np.s_[3:12], np.s_[12:])], [3, 9, 3]
-        )
+        scale = np.repeat([np.abs(matrix[part]).max() for part in (np.s_[:3], np.s_[3:12], np.s_[12:])], [3, 9, 3])
         np.testing.assert_allclose(multiplier / scale, matrix / scale, rtol=0, atol=1e-11)
-        np.testing.assert_allclose(
-            omega_rate(state, disk) / scale[-1], matrix[12:] / scale[-1], rtol=0, atol=1e-11
-        )
+        np.testing.assert_allclose(omega_rate(state, disk) / scale[-1], matrix[12:] / scale[-1], rtol=0, atol=1e-11)
 
 
 @pytest.mark.parametrize("shape", SHAPES)
 def test_the_matrix_state_is_that_of_the_angles(shape):
     def turn(axis, angle):
         c, s = math.cos(angle), math.sin(angle)
-        return np.array(
-            [[c, -s, 0], [s, c, 0], [0, 0, 1]] if axis == "z" else [[1, 0, 0], [0, c, -s], [0, s, c]]
-        )
+        return np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]] if axis == "z" else [[1, 0, 0], [0, c, -s], [0, s, c]])
 
     for state in states(4, 20):
         placed = hw.matrix_state(state, radius=0.45)
@@ -141,9 +135,7 @@ def test_the_matrix_state_is_that_of_the_angles(shape):
 
 def test_a_positive_spin_moves_the_centre_along_minus_e1():
     state = np.array([0, 0, 0.7, math.pi / 2, 0, 0, 0, 2.0])
-    matrix = hw.matrix_state_derivative(
-        0.0, hw.matrix_state(state, radius=0.5), **disk_of("disk", radius=0.5)
-    )
+    matrix = hw.matrix_state_derivative(0.0, hw.matrix_state(state, radius=0.5), **disk_of("disk", radius=0.5))
     np.testing.assert_allclose(matrix[:3], -1.0 * frame(state)[0], atol=1e-15)
 
 
@@ -183,9 +175,7 @@ def test_energy_rotation_and_ground_are_kept(shape):
     found = hw.simulate_matrix(t, hw.matrix_state(state, radius=disk["radius"]), **disk)
     R = found[:, 3:12].reshape(-1, 3, 3)
     np.testing.assert_allclose(R.transpose(0, 2, 1) @ R, np.broadcast_to(np.eye(3), R.shape), atol=1e-11)
-    np.testing.assert_allclose(
-        found[:, 2], disk["radius"] * np.hypot(R[:, 0, 2], R[:, 1, 2]), rtol=0, atol=1e-11
-    )
+    np.testing.assert_allclose(found[:, 2], disk["radius"] * np.hypot(R[:, 0, 2], R[:, 1, 2]), rtol=0, atol=1e-11)
 
 
 def test_energy_is_kinetic_and_potential():
@@ -323,17 +313,13 @@ def test_a_thousand_seconds():
     found = hw.simulate_matrix(t, hw.matrix_state(state, radius=disk["radius"]), **disk)
     R = found[:, 3:12].reshape(-1, 3, 3)
     np.testing.assert_allclose(R.transpose(0, 2, 1) @ R, np.broadcast_to(np.eye(3), R.shape), atol=1e-10)
-    np.testing.assert_allclose(
-        found[:, 2], disk["radius"] * np.hypot(R[:, 0, 2], R[:, 1, 2]), rtol=0, atol=1e-10
-    )
+    np.testing.assert_allclose(found[:, 2], disk["radius"] * np.hypot(R[:, 0, 2], R[:, 1, 2]), rtol=0, atol=1e-10)
 
 
 def shuddering(shape, tilt, kick):
     """The motion that rolls and slides at once, hw11's, kicked: yaw'^2 = m g a/(A sin(tilt)) and no spin."""
     disk = disk_of(shape)
-    yaw_rate = math.sqrt(
-        disk["mass"] * disk["gravity"] * disk["radius"] / (disk["inertia"][0] * math.sin(tilt))
-    )
+    yaw_rate = math.sqrt(disk["mass"] * disk["gravity"] * disk["radius"] / (disk["inertia"][0] * math.sin(tilt)))
     state = np.array([0, 0, 0, tilt, 0, yaw_rate, 0, -yaw_rate * math.cos(tilt)])
     state[6] = kick * tilt * yaw_rate
     return state, disk

@@ -93,14 +93,7 @@ def test_fixed_steps_show_their_order(method, order):
     exact = solve(pendulum, [0, 4], [1.0, 0.5], parameters={"length": 9.81, "gravity": 9.81}, rtol=1e-15)[-1]
     errors = [
         np.abs(
-            solve(
-                pendulum,
-                [0, 4],
-                [1.0, 0.5],
-                parameters={"length": 9.81, "gravity": 9.81},
-                method=method,
-                step=h,
-            )[-1]
+            solve(pendulum, [0, 4], [1.0, 0.5], parameters={"length": 9.81, "gravity": 9.81}, method=method, step=h)[-1]
             - exact
         ).max()
         for h in steps
@@ -110,9 +103,7 @@ def test_fixed_steps_show_their_order(method, order):
 
 def test_gauss_knows_the_time_of_its_stages():
     steps = np.array([1.0, 0.8, 0.5])
-    errors = [
-        abs(solve(clock, [0, 4], [1.0], method="gauss", step=h)[-1, 0] - math.exp(math.sin(4))) for h in steps
-    ]
+    errors = [abs(solve(clock, [0, 4], [1.0], method="gauss", step=h)[-1, 0] - math.exp(math.sin(4))) for h in steps]
     assert observed_order(steps, errors) > 10.5
 
 
@@ -217,8 +208,13 @@ def braked_car(t, y, mass, inertia, free, locked, drag):
 
 def test_noise_that_is_seldom_there_stops_nothing():
     start = (-4.8552552320993305, -4.674480783934106, -0.04617421486523288, -2.2205596578680047, 0.0)
-    car = {"mass": 94.56225829295548, "inertia": 40.18801082303782, "free": 0.4215275712597747,
-           "locked": -1.2915052972567986, "drag": 96.83754605511551}  # fmt: skip
+    car = {
+        "mass": 94.56225829295548,
+        "inertia": 40.18801082303782,
+        "free": 0.4215275712597747,
+        "locked": -1.2915052972567986,
+        "drag": 96.83754605511551,
+    }
     span = (-0.49083545047596405, 0.8101878878199923)
     _, _, heading, speed, yaw_rate = solve(braked_car, span, start, parameters=car, rtol=1e-11)[-1]
     lost = car["drag"] / car["mass"] * (span[1] - span[0])
@@ -260,10 +256,7 @@ def test_tolerances_beyond_rounding_finish():
         ({"step": 0.1}, '^step: goes with method "gauss" or "composition" alone'),
         ({"step": -5.0, "method": "python"}, '^step: goes with method "gauss" or "composition" alone'),
         ({"step": 0.1, "method": "numba"}, '^step: goes with method "gauss" or "composition" alone'),
-        (
-            {"y0": [[1.0, 0.0], [0.0, 1.0]], "step": 0.1},
-            '^step: goes with method "gauss" or "composition" alone',
-        ),
+        ({"y0": [[1.0, 0.0], [0.0, 1.0]], "step": 0.1}, '^step: goes with method "gauss" or "composition" alone'),
         ({"method": "composition", "rhs": lambda t, y: (y[1], -y[0] - y[1])}, "^method: "),
         ({"method": "gauss", "project": lambda y: y}, "^project: "),
         ({"y0": [[1.0, 0.0], [0.0, 1.0]], "project": lambda y: y}, "^project: "),
@@ -291,9 +284,7 @@ def test_bad_input_is_named_with_its_remedy(change, message):
 def test_bad_input_of_a_rotation_is_named_too(change, message):
     given = {"t": [0, 1], "omega": (0.0, 0.0, 1.0), "R": np.eye(3), "rtol": 1e-10, **change}
     with pytest.raises(ValueError, match=message):
-        solve_rotation(
-            lambda t, w: (0.0, 0.0, 0.0), given["t"], given["omega"], given["R"], rtol=given["rtol"]
-        )
+        solve_rotation(lambda t, w: (0.0, 0.0, 0.0), given["t"], given["omega"], given["R"], rtol=given["rtol"])
 
 
 def test_a_rotation_that_becomes_infinitely_fast_is_told_with_its_time():
@@ -336,9 +327,7 @@ def operations(rhs, size, **parameters):
     formulas, _ = traced(functools.partial(rhs, **parameters), size)
     tree = ast.parse(functions(formulas))
     return {
-        function.name: sum(
-            isinstance(node, (ast.BinOp, ast.UnaryOp, ast.Call)) for node in ast.walk(function)
-        )
+        function.name: sum(isinstance(node, (ast.BinOp, ast.UnaryOp, ast.Call)) for node in ast.walk(function))
         for function in tree.body
     }
 
@@ -346,14 +335,7 @@ def operations(rhs, size, **parameters):
 def drag_and_wind(t, state, *, mass, drag, gravity, wind):
     x, y, z, u, v, w = state
     speed = math.sqrt((u - wind) ** 2 + v * v + w * w)
-    return (
-        u,
-        v,
-        w,
-        -drag / mass * speed * (u - wind),
-        -drag / mass * speed * v,
-        -drag / mass * speed * w - gravity,
-    )
+    return (u, v, w, -drag / mass * speed * (u - wind), -drag / mass * speed * v, -drag / mass * speed * w - gravity)
 
 
 def test_what_a_scene_lacks_is_not_computed():
@@ -398,9 +380,7 @@ def test_states_that_nothing_depends_on_have_no_stages():
     assert "s0 = y0 + h" not in free
 
 
-@pytest.mark.parametrize(
-    "question", [lambda x: x > 0, lambda x: x == 0, bool, float, int, lambda x: max(x, 0.0)]
-)
+@pytest.mark.parametrize("question", [lambda x: x > 0, lambda x: x == 0, bool, float, int, lambda x: max(x, 0.0)])
 def test_a_function_that_asks_for_values_is_not_written_down(question):
     with pytest.raises((Untraceable, TypeError)):
         traced(lambda t, y: (1.0 if question(y[0]) else 2.0,), 1)
@@ -419,10 +399,7 @@ def test_helpers_and_numpy_functions_are_traced_too():
         return np.sin(x) + math.cos(x) ** 2
 
     def rates(t, y, *, matrix):
-        return (
-            matrix @ np.array([helper(y[0]), np.sqrt(y[1] ** 2 + 1)])
-            - np.cross([y[0], 0, 1], [0, 1, y[1]])[:2]
-        )
+        return matrix @ np.array([helper(y[0]), np.sqrt(y[1] ** 2 + 1)]) - np.cross([y[0], 0, 1], [0, 1, y[1]])[:2]
 
     bound = functools.partial(rates, matrix=np.array([[1.0, 0.0], [-2.0, 0.5]]))
     assert explicit.engine(bound, None, np.array([0.0, 1.0]), np.array([1.0, 0.0])).traced
@@ -459,9 +436,7 @@ def test_projection_keeps_a_constraint_and_leaves_the_motion_right():
     assert violation(lambda s: s[0] ** 2 + s[1] ** 2 - 1, states).max() < 10 * EPS
     assert violation(lambda s: s[0] * s[2] + s[1] * s[3], states).max() < 1e-14
     angle = solve(pendulum, t, [math.pi / 2, 0.0], parameters=PENDULUM, rtol=1e-12)[:, 0]
-    assert states[:, 0] == pytest.approx(
-        np.sin(angle), abs=1e-7
-    )  # 2000 steps of 1e-12; the phase adds them up
+    assert states[:, 0] == pytest.approx(np.sin(angle), abs=1e-7)  # 2000 steps of 1e-12; the phase adds them up
     free = solve(particle, t, [1.0, 0.0, 0.0, 0.0])
     assert violation(lambda s: s[0] ** 2 + s[1] ** 2 - 1, free).max() > 1e-9  # what would happen without
 
@@ -475,9 +450,7 @@ def euler(t, omega, *, inertia):
 def test_rotations_stay_rotations_and_angular_momentum_stays():
     inertia = np.array([1.0, 2.0, 3.0])
     t = np.linspace(0, 200, 101)
-    omegas, R = solve_rotation(
-        euler, t, [0.1, 1.0, 0.2], np.eye(3), parameters={"inertia": tuple(inertia)}, rtol=1e-12
-    )
+    omegas, R = solve_rotation(euler, t, [0.1, 1.0, 0.2], np.eye(3), parameters={"inertia": tuple(inertia)}, rtol=1e-12)
     assert rotation_defect(R).max() < 1e-14
     momentum = np.einsum("nij,nj->ni", R, inertia * omegas)
     assert np.abs(momentum - momentum[0]).max() < 1e-9
@@ -489,9 +462,7 @@ def test_constant_spin_is_exact():
     angle = np.linalg.norm(spin) * 50
     n = spin / np.linalg.norm(spin)
     hat = np.array([[0, -n[2], n[1]], [n[2], 0, -n[0]], [-n[1], n[0], 0]])
-    assert R[-1] == pytest.approx(
-        np.eye(3) + math.sin(angle) * hat + (1 - math.cos(angle)) * hat @ hat, abs=1e-11
-    )
+    assert R[-1] == pytest.approx(np.eye(3) + math.sin(angle) * hat + (1 - math.cos(angle)) * hat @ hat, abs=1e-11)
 
 
 def test_an_ensemble_is_its_members():
@@ -510,8 +481,7 @@ def test_compiled_and_interpreted_agree():
     t = np.linspace(0, 30, 50)
     for rtol in (1e-6, 1e-12):
         compiled_, plain = (
-            solve(pendulum, t, [2.0, 0.0], parameters=PENDULUM, rtol=rtol, method=m)
-            for m in ("numba", "python")
+            solve(pendulum, t, [2.0, 0.0], parameters=PENDULUM, rtol=rtol, method=m) for m in ("numba", "python")
         )
         assert compiled_ == pytest.approx(plain, abs=1e-11)  # the same steps, sines rounded otherwise
 
@@ -534,8 +504,6 @@ def test_where_nothing_may_be_written_it_goes_on_in_python(tmp_path, monkeypatch
 
 def test_importing_loads_numpy_at_most():
     code = "import sys, tam570.integrate; print(*sorted({m.split('.')[0] for m in sys.modules}))"
-    loaded = subprocess.run(
-        [sys.executable, "-c", code], capture_output=True, text=True, check=True
-    ).stdout.split()
+    loaded = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split()
     assert "numpy" in loaded
     assert not {"scipy", "numba", "sympy", "matplotlib", "mpmath"} & set(loaded)

@@ -47,9 +47,7 @@ def test_a_lucky_zero_does_not_count_as_shrinking():
     assert growth_exponent(t, t * np.cos(math.pi * t / 3)) == pytest.approx(1, abs=0.1)
 
 
-@pytest.mark.parametrize(
-    ("x", "y"), [([1.0], [1.0]), ([1.0, 2.0], [1.0]), ([0.0, 1.0], [1.0, 1.0]), ([1, 2], [0, 1])]
-)
+@pytest.mark.parametrize(("x", "y"), [([1.0], [1.0]), ([1.0, 2.0], [1.0]), ([0.0, 1.0], [1.0, 1.0]), ([1, 2], [0, 1])])
 def test_what_has_no_logarithm_is_refused(x, y):
     with pytest.raises(ValueError, match="^steps, errors: "):
         observed_order(x, y)

@@ -89,9 +89,7 @@ def test_spherical_pendulum_by_multiplier_is_the_one_by_angles():
         pull = NUMBERS["m"] * (speed @ speed / length + NUMBERS["g"] * math.cos(th))
         assert cartesian.multipliers(0.0, state, **NUMBERS)[0] == pytest.approx(-pull / length, rel=SAME)
         assert cartesian.constraint_errors(0.0, state, **NUMBERS) == pytest.approx((0, 0), abs=SAME)
-        difference = cartesian.energy(0.0, state, **NUMBERS) - polar.energy(
-            0.0, (th, ph, th_dot, ph_dot), **NUMBERS
-        )
+        difference = cartesian.energy(0.0, state, **NUMBERS) - polar.energy(0.0, (th, ph, th_dot, ph_dot), **NUMBERS)
         assert difference == pytest.approx(0, abs=SAME * 10)
 
 
@@ -131,9 +129,7 @@ def test_chaplygin_sleigh():
         result = sleigh.rhs(0.0, state, **numbers)
         assert result == pytest.approx((*(V * ahead), spin, *acceleration, spin_dot), abs=SAME)
         of_mass_centre = acceleration + 0.4 * (spin_dot * aside - spin**2 * ahead)
-        assert sleigh.multipliers(0.0, state, **numbers)[0] == pytest.approx(
-            1.3 * of_mass_centre @ aside, rel=SAME
-        )
+        assert sleigh.multipliers(0.0, state, **numbers)[0] == pytest.approx(1.3 * of_mass_centre @ aside, rel=SAME)
 
 
 def test_chaplygin_sleigh_ends_up_straight():
@@ -176,9 +172,7 @@ def test_time_in_the_lagrangian():
     turned = built(m * (v**2 + (1 + t) ** 2 * x**2) / 2, [x], [v])
     assert turned.rhs(2.0, (0.3, -0.4), m=1.3) == pytest.approx((-0.4, 9 * 0.3), rel=SAME)
     lift = built(m * (u**2 + v**2) / 2 - m * g * y, [x, y], [u, v], constraints=[y - t**3])
-    assert lift.rhs(2.0, (0.1, 8.0, 0.5, 12.0), m=1.3, g=9.81) == pytest.approx(
-        (0.5, 12.0, 0.0, 12.0), rel=SAME
-    )
+    assert lift.rhs(2.0, (0.1, 8.0, 0.5, 12.0), m=1.3, g=9.81) == pytest.approx((0.5, 12.0, 0.0, 12.0), rel=SAME)
     assert lift.multipliers(2.0, (0.1, 8.0, 0.5, 12.0), m=1.3, g=9.81)[0] == pytest.approx(1.3 * (9.81 + 12))
 
 
@@ -223,8 +217,7 @@ def test_results_are_plain_floats():
 
 def test_nothing_is_computed_twice_and_no_zero_is_carried():
     source = lagrange.source(
-        m * l**2 * (2 * p**2 + q**2 + 2 * p * q * cos(theta - phi)) / 2
-        + m * g * l * (2 * cos(theta) + cos(phi)),
+        m * l**2 * (2 * p**2 + q**2 + 2 * p * q * cos(theta - phi)) / 2 + m * g * l * (2 * cos(theta) + cos(phi)),
         [theta, phi],
         [p, q],
     )
@@ -244,13 +237,7 @@ def test_a_factor_of_every_term_is_left_out():
 
 def test_powers_roots_and_constants_are_printed_as_they_are():
     """A potential of everything the printer writes in its own way; its slope by SymPy's own 30 digits."""
-    V = (
-        sympy.pi / (x + c) ** 2
-        + sympy.sqrt(x) / x**3
-        + sympy.exp(1) * (x - c) ** 4
-        + sympy.atan2(x, c)
-        + 1 / x
-    )
+    V = sympy.pi / (x + c) ** 2 + sympy.sqrt(x) / x**3 + sympy.exp(1) * (x - c) ** 4 + sympy.atan2(x, c) + 1 / x
     rhs = built(v**2 / 2 - V, [x], [v]).rhs
     for place, curve in DRAW.uniform(0.5, 2, (5, 2)):
         slope = float(sympy.diff(V, x).evalf(30, subs={x: place, c: curve}))

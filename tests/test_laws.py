@@ -103,9 +103,7 @@ def test_right_answers_in_other_styles_have_full_marks(slug, path, seed, grade):
 
 
 @pytest.mark.parametrize(("slug", "path"), **named(overlays("wrong")))
-def test_a_wrong_submission_fails_its_checks_and_no_other_whatever_the_draw(
-    slug, path, draw, grade, solution_text
-):
+def test_a_wrong_submission_fails_its_checks_and_no_other_whatever_the_draw(slug, path, draw, grade, solution_text):
     expected = header(path)
     result = grade(slug, solution_text(slug) + "\n\n" + path.read_text(), seed=draw)
     assert outcomes(result, "failed") == set(expected["fails"].split(", ")), failures(result)
@@ -200,12 +198,8 @@ def test_right_numbers_in_a_wrong_form_score_nothing(slug, what, grade, course, 
     assert not kept - only_drawings_and_formulas(slug, course), failures(result)
 
 
-@pytest.mark.parametrize(
-    "form", ["lambda x: np.asarray(x).tolist()", "lambda x: np.asarray(x, dtype=object)"]
-)
-def test_right_numbers_in_any_form_that_asarray_takes_have_full_marks(
-    slug, form, grade, course, solution_text
-):
+@pytest.mark.parametrize("form", ["lambda x: np.asarray(x).tolist()", "lambda x: np.asarray(x, dtype=object)"])
+def test_right_numbers_in_any_form_that_asarray_takes_have_full_marks(slug, form, grade, course, solution_text):
     result = grade(slug, solution_text(slug) + wrapped(root.assignment(course, slug).results, form))
     assert result.score == result.max_score, failures(result)
 
@@ -237,9 +231,7 @@ def only_drawings_and_formulas(slug, course):
     assignment = root.assignment(course, slug)
     numeric = [name for name, promise in assignment.results.items() if isinstance(promise, Array | Group)]
     return {
-        check.name
-        for check in assignment.checks
-        if not any(name in check.judge.__code__.co_names for name in numeric)
+        check.name for check in assignment.checks if not any(name in check.judge.__code__.co_names for name in numeric)
     }
 
 

@@ -24,9 +24,7 @@ UNITS = [SimpleNamespace(kg=8.0, m=0.5, s=2.0), SimpleNamespace(kg=0.3, m=1.7, s
 
 
 def about_z(angle):
-    return np.array(
-        [[math.cos(angle), -math.sin(angle), 0], [math.sin(angle), math.cos(angle), 0], [0, 0, 1.0]]
-    )
+    return np.array([[math.cos(angle), -math.sin(angle), 0], [math.sin(angle), math.cos(angle), 0], [0, 0, 1.0]])
 
 
 # A motion: parameters in units u, a start, the start's units, what turns round with time, what a mirror turns round.
@@ -78,9 +76,7 @@ def cylinder(s, t, y, u):
 
 def disk(s, t, y, u):
     inertia = np.array([0.03, 0.05]) * u.kg * u.m**2
-    return s.simulate_euler(
-        t, y, mass=0.6 * u.kg, radius=0.5 * u.m, inertia=inertia, gravity=9.8 * u.m / u.s**2
-    )
+    return s.simulate_euler(t, y, mass=0.6 * u.kg, radius=0.5 * u.m, inertia=inertia, gravity=9.8 * u.m / u.s**2)
 
 
 def moving(run, start, units, flip, mirror=None):
@@ -93,21 +89,11 @@ X, V, A, W = (1, 0), (1, -1), (0, 0), (0, -1)
 MOTIONS = {
     "hw01_simple_pendulum": moving(pendulum, [1.1, -2.0], [A, W], [1, -1], [-1, -1]),
     "hw02_ballistics": moving(drop, [0, 0, 4.0, 3.0], [X, X, V, V], [1, 1, -1, -1]),
-    "hw04_hanging_spring": moving(
-        spring, [0.4, -0.3, 0.2, 1.0, 0.5, -2.0], [X, X, X, V, V, V], [1, 1, 1, -1, -1, -1]
-    ),
-    "hw05_constrained_pendulum": moving(
-        circle, [0.3, -0.4, 1.6, 1.2], [X, X, V, V], [1, 1, -1, -1], [-1, 1, -1, 1]
-    ),
-    "hw06_braking": moving(
-        car, [1, 2, 0.3, 15.0, 0.2], [X, X, A, V, W], [1, 1, 1, -1, -1], [1, -1, -1, 1, -1]
-    ),
-    "hw07_double_pendulum": moving(
-        bars, [0.7, -0.4, 1.0, 0.5], [A, A, W, W], [1, 1, -1, -1], [-1, -1, -1, -1]
-    ),
-    "hw10_free_rigid_body": moving(
-        body, [0.4, 1.5, -0.6, *np.eye(3).ravel()], [W] * 3 + [A] * 9, [-1] * 3 + [1] * 9
-    ),
+    "hw04_hanging_spring": moving(spring, [0.4, -0.3, 0.2, 1.0, 0.5, -2.0], [X, X, X, V, V, V], [1, 1, 1, -1, -1, -1]),
+    "hw05_constrained_pendulum": moving(circle, [0.3, -0.4, 1.6, 1.2], [X, X, V, V], [1, 1, -1, -1], [-1, 1, -1, 1]),
+    "hw06_braking": moving(car, [1, 2, 0.3, 15.0, 0.2], [X, X, A, V, W], [1, 1, 1, -1, -1], [1, -1, -1, 1, -1]),
+    "hw07_double_pendulum": moving(bars, [0.7, -0.4, 1.0, 0.5], [A, A, W, W], [1, 1, -1, -1], [-1, -1, -1, -1]),
+    "hw10_free_rigid_body": moving(body, [0.4, 1.5, -0.6, *np.eye(3).ravel()], [W] * 3 + [A] * 9, [-1] * 3 + [1] * 9),
     "hw12_bead_on_wire": moving(bead, [0.6, 1.2], [X, V], [1, -1], [-1, -1]),
     "hw13_rolling_cylinder": moving(cylinder, [0.4, 1.2], [A, W], [1, -1]),
     "hw14_rolling_disk": moving(
@@ -174,11 +160,15 @@ def pendulum_formulas(s, u):
     at = {"mass": 0.6 * u.kg, "length": 0.8 * u.m, "gravity": g}
     alpha, tension = s.linear_momentum_balance(1.1, -2 / u.s, **at)
     return [
-        alpha * u.s**2, tension / N, np.divide(s.angular_momentum_balance(1.1, -2 / u.s, **at)[1:], [J * u.s, J]),
-        np.array(s.energy_balance(1.1, -2 / u.s, **at)[1:]) / J, s.power_balance(1.1, -2 / u.s, **at)[1] / J * u.s,
-        s.virtual_work(1.1, -2 / u.s, **at)[1] / J, s.period(1.3, length=0.8 * u.m, gravity=g) / u.s,
+        alpha * u.s**2,
+        tension / N,
+        np.divide(s.angular_momentum_balance(1.1, -2 / u.s, **at)[1:], [J * u.s, J]),
+        np.array(s.energy_balance(1.1, -2 / u.s, **at)[1:]) / J,
+        s.power_balance(1.1, -2 / u.s, **at)[1] / J * u.s,
+        s.virtual_work(1.1, -2 / u.s, **at)[1] / J,
+        s.period(1.3, length=0.8 * u.m, gravity=g) / u.s,
         s.action(np.linspace(0, 1, 9) ** 2, 0.1 * u.s, **at) / (J * u.s),
-    ]  # fmt: skip
+    ]
 
 
 def flight_formulas(s, u):
@@ -192,10 +182,13 @@ def steady_formulas(s, u):
     disk = {"radius": 0.5 * u.m, "inertia": (0.03 * u.kg * u.m**2, 0.05 * u.kg * u.m**2)}
     disk |= {"mass": 0.6 * u.kg, "gravity": 9.8 * u.m / u.s**2}
     return [
-        s.rolling_precession(0.4, 1.5 * u.m, **disk) * u.s, s.rolling_spin(0.4, 2 / u.s, **disk) * u.s,
-        s.rolling_track_radius(0.4, 2 / u.s, **disk) / u.m, s.sliding_spin(0.4, 2 / u.s, **disk) * u.s,
-        s.common_precession(0.4, **disk) * u.s, s.settling_energy(0.4, **disk) * u.s**2 / (u.kg * u.m**2),
-    ]  # fmt: skip
+        s.rolling_precession(0.4, 1.5 * u.m, **disk) * u.s,
+        s.rolling_spin(0.4, 2 / u.s, **disk) * u.s,
+        s.rolling_track_radius(0.4, 2 / u.s, **disk) / u.m,
+        s.sliding_spin(0.4, 2 / u.s, **disk) * u.s,
+        s.common_precession(0.4, **disk) * u.s,
+        s.settling_energy(0.4, **disk) * u.s**2 / (u.kg * u.m**2),
+    ]
 
 
 def moment_formulas(s, u):
@@ -262,9 +255,7 @@ def turned_disk(s):
     start = MOTIONS["hw14_rolling_disk"].start
     there, turn = np.array(disk(s, TIMES, start, SI)), about_z(0.9)[:2, :2]
     yawed = np.array([*(turn @ start[:2]), start[2] + 0.9, *start[3:]])
-    return disk(s, TIMES, yawed, SI), np.column_stack(
-        [there[:, :2] @ turn.T, there[:, 2] + 0.9, there[:, 3:]]
-    )
+    return disk(s, TIMES, yawed, SI), np.column_stack([there[:, :2] @ turn.T, there[:, 2] + 0.9, there[:, 3:]])
 
 
 TURNED = {
@@ -287,10 +278,7 @@ LAWS = [
 
 
 def named(cases):
-    return {
-        "argvalues": cases,
-        "ids": ["-".join([law.__name__, slug[:4], *rest]) for law, slug, *rest in cases],
-    }
+    return {"argvalues": cases, "ids": ["-".join([law.__name__, slug[:4], *rest]) for law, slug, *rest in cases]}
 
 
 def disagreement(law, module, slug):
@@ -328,10 +316,7 @@ WRONG = [
 @pytest.mark.parametrize("law, slug, mistake", **named(WRONG))
 def test_the_law_sees(law, slug, mistake):
     module = types.ModuleType(mistake)
-    solution, overlay = (
-        COURSE / "solutions" / f"{slug}.py",
-        COURSE / "tests" / "wrong" / slug / f"{mistake}.py",
-    )
+    solution, overlay = (COURSE / "solutions" / f"{slug}.py", COURSE / "tests" / "wrong" / slug / f"{mistake}.py")
     exec(solution.read_text() + "\n\n" + overlay.read_text(), vars(module))
     assert disagreement(law, module, slug) > 100 * tolerance(law, slug)
 

@@ -28,8 +28,7 @@ def test_a_function_without_a_check_of_its_own_is_a_hole(hole, capsys, monkeypat
     def without(*of):
         calls, longest = whole(*of)
         return {
-            name: asked - {"skew"} if hole and name.startswith("skew") else asked
-            for name, asked in calls.items()
+            name: asked - {"skew"} if hole and name.startswith("skew") else asked for name, asked in calls.items()
         }, longest
 
     monkeypatch.setattr(mutation, "calls_of_checks", without)

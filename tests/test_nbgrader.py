@@ -237,10 +237,7 @@ def deleted(folder):
 
 
 def ungraded(folder):
-    edited(
-        folder,
-        lambda cells: locked(cells)["metadata"]["nbgrader"].update(grade=False, schema_version=0, points=99),
-    )
+    edited(folder, lambda cells: locked(cells)["metadata"]["nbgrader"].update(grade=False, schema_version=0, points=99))
 
 
 def renumbered(folder):
@@ -299,22 +296,9 @@ graph TD; A["<img src=x onerror=sneaked()>"]
 def forged(folder):
     """The stub, with outputs in the notebook that claim points, and one that a browser would run."""
     shutil.copy(folder.parents[2] / "release" / ONE / f"{ONE}.py", folder)
-    points = {
-        "output_type": "execute_result",
-        "execution_count": 1,
-        "metadata": {},
-        "data": {"text/plain": "10.0"},
-    }
-    script = {
-        "output_type": "display_data",
-        "metadata": {},
-        "data": {"text/html": "<script>stolen()</script>"},
-    }
-    png = {
-        "output_type": "display_data",
-        "metadata": {},
-        "data": {"image/png": '"><script>stolen()</script>'},
-    }
+    points = {"output_type": "execute_result", "execution_count": 1, "metadata": {}, "data": {"text/plain": "10.0"}}
+    script = {"output_type": "display_data", "metadata": {}, "data": {"text/html": "<script>stolen()</script>"}}
+    png = {"output_type": "display_data", "metadata": {}, "data": {"image/png": '"><script>stolen()</script>'}}
 
     def forge(cells):
         answer = next(cell for cell in cells if cell["cell_type"] == "markdown")
@@ -366,8 +350,19 @@ def neighbour(folder):
 
 
 FULL_MARKS = (
-    as_it_is, noisy, changed, deleted, ungraded, renumbered, no_json, late, as_text, beside, duplicated, strange_ids
-)  # fmt: skip
+    as_it_is,
+    noisy,
+    changed,
+    deleted,
+    ungraded,
+    renumbered,
+    no_json,
+    late,
+    as_text,
+    beside,
+    duplicated,
+    strange_ids,
+)
 NO_POINTS = {
     forged: "skew is not written yet",
     no_module: f"There is no {ONE}.py in the folder",
@@ -416,9 +411,7 @@ def test_what_earns_nothing_and_why(odd_class, nbgrader_grades, odd):
 def test_what_a_link_leads_to_is_not_handed_out(odd_class):
     made, _ = odd_class
     assert (made / "submitted" / "linked" / ONE / "notes.html").exists()
-    folders = [
-        made / step / who / ONE for step in ("autograded", "feedback") for who in ("linked", "neighbour")
-    ]
+    folders = [made / step / who / ONE for step in ("autograded", "feedback") for who in ("linked", "neighbour")]
     kept = [path for folder in folders for path in folder.iterdir()]
     assert {f"{ONE}.ipynb", f"{ONE}.html"} <= {path.name for path in kept}
     solution = (root.find() / "solutions" / f"{ONE}.py").read_text()
@@ -432,16 +425,12 @@ def test_the_submitted_module_is_what_stays(odd_class, course):
 
 
 @pytest.mark.parametrize(
-    "odd",
-    [changed, deleted, ungraded, renumbered, no_json, as_text],
-    ids=lambda odd: odd.__name__,
+    "odd", [changed, deleted, ungraded, renumbered, no_json, as_text], ids=lambda odd: odd.__name__
 )
 def test_a_locked_cell_is_as_it_was_released(odd_class, odd):
     made, _ = odd_class
     released = locked(json.loads((made / "release" / ONE / f"{ONE}.ipynb").read_text())["cells"])
-    found = locked(
-        json.loads((made / "autograded" / odd.__name__ / ONE / f"{ONE}.ipynb").read_text())["cells"]
-    )
+    found = locked(json.loads((made / "autograded" / odd.__name__ / ONE / f"{ONE}.ipynb").read_text())["cells"])
     assert "".join(found["source"]).endswith("".join(released["source"]))
     assert found["metadata"]["nbgrader"]["points"] == 10.0
 
@@ -488,9 +477,7 @@ def test_nothing_that_was_handed_in_is_lost(odd_class):
             continue
         modules = [path for path in came.glob("*.py") if path.name not in ("lab.py", f"test_{ONE}.py")]
         for module in modules:
-            assert (
-                made / "autograded" / odd.__name__ / ONE / module.name
-            ).read_bytes() == module.read_bytes()
+            assert (made / "autograded" / odd.__name__ / ONE / module.name).read_bytes() == module.read_bytes()
         assert modules or odd in (no_module, folders)
 
 

@@ -40,17 +40,10 @@ def unexplained(notation, slug):
 
 
 def test_every_parameter_is_explained(slug):
-    assert not unexplained(NOTATION, slug), (
-        "add a row to NOTATION.md, or the assignment to that of its meaning"
-    )
+    assert not unexplained(NOTATION, slug), "add a row to NOTATION.md, or the assignment to that of its meaning"
 
 
-RESULTS = {
-    "angular_momentum",
-    "kinetic",
-    "lagrangian",
-    "yaw",
-}  # the rows that explain no parameter, by a name
+RESULTS = {"angular_momentum", "kinetic", "lagrangian", "yaw"}  # the rows that explain no parameter, by a name
 
 
 @pytest.mark.parametrize("row", list(ROW.finditer(NOTATION)), ids=lambda row: row["names"].strip(" `"))

@@ -8,9 +8,7 @@ from tam570_grader import root
 
 SHARED = root.find() / "shared"
 MODULES = {
-    ".".join(path.relative_to(SHARED).with_suffix("").parts).removesuffix(".__init__"): ast.parse(
-        path.read_text()
-    )
+    ".".join(path.relative_to(SHARED).with_suffix("").parts).removesuffix(".__init__"): ast.parse(path.read_text())
     for path in SHARED.rglob("*.py")
 }
 
@@ -41,11 +39,7 @@ def taken(module):
 
 
 def functions(module):
-    return [
-        one
-        for one in MODULES[module].body
-        if isinstance(one, ast.FunctionDef) and not one.name.startswith("_")
-    ]
+    return [one for one in MODULES[module].body if isinstance(one, ast.FunctionDef) and not one.name.startswith("_")]
 
 
 def test_what_is_taken_is_told_from_what_is_exported():

@@ -70,9 +70,7 @@ def test_nothing_changes_and_nothing_is_run_again(tree, tmp_path, capsys, graded
     assert graded == [] and "no score changes (4 compared)" in capsys.readouterr().out
 
 
-def test_a_changed_check_is_named_with_whose_score_it_changes(
-    tree, tmp_path, capsys, graded, course, other_course
-):
+def test_a_changed_check_is_named_with_whose_score_it_changes(tree, tmp_path, capsys, graded, course, other_course):
     assert grade(tree, "--out", tmp_path / "old") == 0
     checks = other_course / "autograder" / "checks" / f"{SLUG}.py"
     name = root.assignment(course, SLUG).checks[0].name
@@ -118,12 +116,15 @@ def test_a_changed_submission_is_the_only_one_to_run(tree, tmp_path, capsys, gra
     ("old", "new", "says"),
     [
         (None, {}, "not in the old results"),
-        ({"checks": [{"name": "gone", "points": 1.0, "max_points": 1.0, "outcome": "passed"}]}, {},
-         "gone: passed 1/1 -> no such check"),
+        (
+            {"checks": [{"name": "gone", "points": 1.0, "max_points": 1.0, "outcome": "passed"}]},
+            {},
+            "gone: passed 1/1 -> no such check",
+        ),
         ({"status": "missing"}, {}, "missing -> graded"),
         ({}, {"score": None}, "none"),
     ],
-)  # fmt: skip
+)
 def test_every_kind_of_change_is_told(old, new, says):
     record = {"student": "ada", "assignment": SLUG, "status": "graded", "score": 5.0, "checks": []}
     before = None if old is None else {**record, "score": 6.0, **old}

@@ -18,15 +18,32 @@ SHEETS = {slug: Sheet(f"Title of {slug[:4]}", {}, (), {}) for slug in SLUGS}
 
 def mark(name, outcome="passed", suspect=None, points=5.0):
     earned = {"passed": points, "grader_error": None}.get(outcome, 0.0)
-    return {"name": name, "part": "a", "points": earned, "max_points": points, "outcome": outcome, "message": "",
-            "suspect": suspect, "detail": {"error": "a fault of ours"}}  # fmt: skip
+    return {
+        "name": name,
+        "part": "a",
+        "points": earned,
+        "max_points": points,
+        "outcome": outcome,
+        "message": "",
+        "suspect": suspect,
+        "detail": {"error": "a fault of ours"},
+    }
 
 
 def record(student, slug, *marks, status="graded", seconds=0.1):
     points = [one["points"] for one in marks]
     score = None if None in points else sum(points)
-    return {"student": student, "assignment": slug, "status": status, "score": score, "max_score": 10.0, "seed": 1,
-            "seconds": seconds, "isolation": "bubblewrap", "checks": list(marks)}  # fmt: skip
+    return {
+        "student": student,
+        "assignment": slug,
+        "status": status,
+        "score": score,
+        "max_score": 10.0,
+        "seed": 1,
+        "seconds": seconds,
+        "isolation": "bubblewrap",
+        "checks": list(marks),
+    }
 
 
 CLASS = [
@@ -130,10 +147,7 @@ def test_names_and_errors_are_text_and_only_our_script_may_run():
 def test_the_newest_result_counts_and_a_line_in_the_making_is_left_out(tmp_path):
     lines = [json.dumps(one) for one in (CLASS[2], {**CLASS[2], "score": 7.0}, CLASS[0])]
     (tmp_path / "results.jsonl").write_text("\n".join(lines) + '\n{"student": "zo')
-    assert [(one["student"], one["score"]) for one in report.results(tmp_path)] == [
-        ("ada", 10.0),
-        ("ben", 7.0),
-    ]
+    assert [(one["student"], one["score"]) for one in report.results(tmp_path)] == [("ada", 10.0), ("ben", 7.0)]
 
 
 @pytest.mark.parametrize("text", [None, "", "my notes\n", "[1]\n", '{"student": "a", "assignment": "b"}\n'])
@@ -189,8 +203,6 @@ def test_a_large_class_is_one_page_of_a_size_that_opens():
     """500 students, fourteen assignments: a cell takes what its link needs, and no more."""
     slugs = [f"hw{k:02}_an_assignment" for k in range(1, 15)]
     sheets = {slug: Sheet(slug, {}, (), {}) for slug in slugs}
-    large = [
-        record(f"student{k:03}", slug, mark("first"), mark("second")) for k in range(500) for slug in slugs
-    ]
+    large = [record(f"student{k:03}", slug, mark("first"), mark("second")) for k in range(500) for slug in slugs]
     text = report.report(large, sheets)
     assert len(text) < 2e6 and text.count("<tr") > 500

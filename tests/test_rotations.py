@@ -53,9 +53,7 @@ def test_euler_angles_turn_about_the_body_s_axes_in_turn(sequence):
         turned = turned @ rotations.matrix_from_axis_angle(axis, angles)
     R = rotations.matrix_from_euler(sequence, ANGLES)
     assert largest(R - turned) < 8 * EPS  # two products of three terms each, rounded
-    assert (
-        largest(rotations.matrix_from_euler(sequence, rotations.euler_from_matrix(sequence, R)) - R) < 4 * EPS
-    )
+    assert largest(rotations.matrix_from_euler(sequence, rotations.euler_from_matrix(sequence, R)) - R) < 4 * EPS
 
 
 @pytest.mark.parametrize("sequence", sorted(SEQUENCES))
@@ -66,10 +64,7 @@ def test_in_gimbal_lock_the_first_angle_is_zero(sequence):
     for middle in locks:
         angles = np.array([(a, middle, c) for a in quarters for c in quarters])
         R = np.round(rotations.matrix_from_euler(sequence, angles))
-        for back in (
-            rotations.euler_from_matrix(sequence, R),
-            [rotations.euler_from_matrix(sequence, r) for r in R],
-        ):
+        for back in (rotations.euler_from_matrix(sequence, R), [rotations.euler_from_matrix(sequence, r) for r in R]):
             assert (np.asarray(back)[:, 0] == 0).all()
             assert largest(rotations.matrix_from_euler(sequence, back) - R) < 4 * EPS
 

@@ -17,9 +17,7 @@ EPS = np.finfo(float).eps
 ALLOWED = 4 * EPS
 SMALL = (1e-300, 1e-12, 1e-9, 1e-3)
 DRAW = np.random.default_rng(571)
-UNTURNED = np.array(
-    [[1, 0, 0], [0, 0, -1], [1, 1, 1], [1, -1, 1], [1, 1e-9, 1e-12], [1e-9, 1, 1]], dtype=float
-)
+UNTURNED = np.array([[1, 0, 0], [0, 0, -1], [1, 1, 1], [1, -1, 1], [1, 1e-9, 1e-12], [1e-9, 1, 1]], dtype=float)
 AXES = np.vstack([UNTURNED, DRAW.normal(size=(4, 3))])
 ANGLES = [*SMALL, 1.0, math.pi / 2, 2.5, *(math.pi - d for d in SMALL)]
 CASES = [(axis, angle) for axis in AXES for angle in ANGLES]
@@ -225,9 +223,7 @@ def test_euler_rates_next_to_gimbal_lock(sequence):
         lock = math.sin(middle) if sequence[0] == sequence[2] else math.cos(middle)
         if abs(lock) > 1e-11:
             angles, omega = np.array([0.3, middle, -2.0]), DRAW.normal(size=3)
-            for rates in singly_and_in_a_batch(
-                lambda a, w: rotations.euler_rates(sequence, a, w), angles, omega
-            ):
+            for rates in singly_and_in_a_batch(lambda a, w: rotations.euler_rates(sequence, a, w), angles, omega):
                 allowed = ALLOWED * np.linalg.norm(omega) / abs(lock)
                 assert error(rates, exact_rates(sequence, angles, omega)) <= allowed, (angles, omega)
 
@@ -240,9 +236,7 @@ def exact_rates(sequence, angles, omega):
         axis = np.eye(3)[int(digit) - 1]
         columns.append(later.T @ exact(axis))
         later = exact_matrix(axis, float(angle)) @ later
-    solution = mpmath.lu_solve(
-        mpmath.matrix(np.array(columns[::-1]).T.tolist()), mpmath.matrix(exact(omega).tolist())
-    )
+    solution = mpmath.lu_solve(mpmath.matrix(np.array(columns[::-1]).T.tolist()), mpmath.matrix(exact(omega).tolist()))
     return np.array(list(solution))
 
 

@@ -43,9 +43,7 @@ def edited(tmp_path, solution_text):
 
 def data(document):
     """What the player of a page reads."""
-    return json.loads(
-        re.search(r'<script type="application/json" id="film">(.*?)</script>', document, re.S)[1]
-    )
+    return json.loads(re.search(r'<script type="application/json" id="film">(.*?)</script>', document, re.S)[1])
 
 
 def unpacked(found):
@@ -53,8 +51,7 @@ def unpacked(found):
     keys = np.cumsum(found["keys"])
     samples = np.arange(keys[-1] + 1)
     tracks = [
-        np.column_stack([np.interp(samples, keys, np.cumsum(axis)) for axis in track])
-        for track in found["tracks"]
+        np.column_stack([np.interp(samples, keys, np.cumsum(axis)) for axis in track]) for track in found["tracks"]
     ]
 
     def place(number):
@@ -77,9 +74,7 @@ def in_pixels(film):
         low, high = rows.min(axis=0), rows.max(axis=0)
         for part in panel.parts:
             points = (part.points - (low + high) / 2) / (high - low).max() * PIXELS
-            yield np.pad(
-                points, [(0, 0)] * (points.ndim - 1) + [(0, film.in_space and points.shape[-1] == 2)]
-            )
+            yield np.pad(points, [(0, 0)] * (points.ndim - 1) + [(0, film.in_space and points.shape[-1] == 2)])
 
 
 def test_the_scene_of_right_functions_shows_their_laws(films, slug):
@@ -166,7 +161,7 @@ TROUBLES = {
     "def simulate(:": r"cannot be imported(.|\n)*SyntaxError",
     "1 / 0": r"cannot be imported(.|\n)*line \d+(.|\n)*ZeroDivisionError",
     "raise SystemExit(0)": "cannot be imported",
-}  # fmt: skip
+}
 
 
 @pytest.mark.parametrize("text", TROUBLES)
@@ -213,9 +208,7 @@ def test_a_file_elsewhere_and_one_that_is_not_there(edited, tmp_path, monkeypatc
     edited("hw05_constrained_pendulum", "")
     monkeypatch.chdir(tmp_path)
     assert cli.main(["show", "hw05", "--save", "swing.html"]) == 0 and "swing.html" in capsys.readouterr().out
-    assert (
-        cli.main(["show", "hw07"]) == cli.main(["show", "hw05", "no.py"]) == cli.main(["show", "hw99"]) == 2
-    )
+    assert cli.main(["show", "hw07"]) == cli.main(["show", "hw05", "no.py"]) == cli.main(["show", "hw99"]) == 2
     assert cli.main(["show", "hw05", "--save", "swing.txt"]) == 1
     assert ".html, .png" in capsys.readouterr().err
 
@@ -254,12 +247,7 @@ def short(films):
     film = films(HW07)
     n = 31
     panels = [
-        Panel(
-            [
-                Part(p.kind, p.points if p.points.ndim == 2 else p.points[:n], p.color, p.name)
-                for p in panel.parts
-            ]
-        )
+        Panel([Part(p.kind, p.points if p.points.ndim == 2 else p.points[:n], p.color, p.name) for p in panel.parts])
         for panel in film.panels
     ]
     return Film(film.title, film.sight, film.times[:n], panels, film.strips)
@@ -317,18 +305,14 @@ import sys
 from tam570.cli import main
 sys.exit(main(["show", "hw05", {str(course / "solutions" / "hw05_constrained_pendulum.py")!r}]))
 """
-    run = subprocess.run(
-        [sys.executable, "-c", code], env={"PATH": "", "HOME": "/"}, capture_output=True, text=True
-    )
+    run = subprocess.run([sys.executable, "-c", code], env={"PATH": "", "HOME": "/"}, capture_output=True, text=True)
     assert run.returncode == 1 and "--save FILE.html" in run.stderr and "Traceback" not in run.stderr
 
 
 def test_the_pictures_eye_is_that_of_hw04(course):
     points = np.random.default_rng(1).normal(size=(20, 3))
     solution = loaded(course / "solutions" / "hw04_hanging_spring.py", "hw04_hanging_spring")
-    np.testing.assert_allclose(
-        pictures._seen(points, (0.7, -0.4)), solution.project(points, 0.7, -0.4), atol=1e-15
-    )
+    np.testing.assert_allclose(pictures._seen(points, (0.7, -0.4)), solution.project(points, 0.7, -0.4), atol=1e-15)
 
 
 # What a scene adds to the student's numbers is where things are; that must be right, too.
@@ -355,9 +339,7 @@ def test_the_mark_of_a_rolling_coin_stands_still_on_the_ground(course):
 def test_the_spoke_of_a_rolling_cylinder_stands_still_on_the_ramp():
     times = np.linspace(0.0, 2.0, 40001)
     spoke = next(
-        part
-        for part in hw13._rolling(5.0 * times - 1.0, 0, 9.0)
-        if part.points.shape[1] == 2 and part.points.ndim == 3
+        part for part in hw13._rolling(5.0 * times - 1.0, 0, 9.0) if part.points.shape[1] == 2 and part.points.ndim == 3
     )
     end = spoke.points[:, 1]
     assert speed_at_the_ground(end, end @ hw13.OFF, times) < 1e-3

@@ -35,9 +35,7 @@ def opened(browser, films, tmp_path):
         tab.on("pageerror", lambda error: complaints.append(str(error)))
         tab.on(
             "request",
-            lambda request: (
-                None if request.url.startswith(("file:", "data:")) else complaints.append(request.url)
-            ),
+            lambda request: None if request.url.startswith(("file:", "data:")) else complaints.append(request.url),
         )
         tab.goto((tmp_path / "scene.html").as_uri())
         tab.evaluate(LAID_OUT)
@@ -85,11 +83,7 @@ def test_every_scene_is_drawn_fits_and_has_names(opened, slug, films):
     assert tab.get_by_role("img", name=film.sight, exact=True).count() == 1
     assert tab.get_by_role("img").count() == 1 + len(film.strips)
     assert tab.get_by_role("button", name="Play", exact=True).count() == 1
-    assert (
-        tab.get_by_role("slider", name="Time").count()
-        == tab.get_by_role("combobox", name="Speed").count()
-        == 1
-    )
+    assert tab.get_by_role("slider", name="Time").count() == tab.get_by_role("combobox", name="Speed").count() == 1
     assert tab.get_by_role("button", name="Reset view").count() == film.in_space
 
 
@@ -172,9 +166,7 @@ def test_a_scene_in_space_is_turned_by_touch(opened):
     before = tab.evaluate("camera.azimuth")
     session = tab.context.new_cdp_session(tab)
     for kind, points in (("touchStart", [(150, 300)]), ("touchMove", [(220, 300)]), ("touchEnd", [])):
-        session.send(
-            "Input.dispatchTouchEvent", {"type": kind, "touchPoints": [{"x": x, "y": y} for x, y in points]}
-        )
+        session.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": [{"x": x, "y": y} for x, y in points]})
     assert tab.evaluate("camera.azimuth") != before
 
 
@@ -182,10 +174,7 @@ def test_a_scene_in_the_plane_does_not_turn(opened):
     tab = opened(PLANE)
     before = tab.evaluate(PIXELS, "live")
     dragged(tab, (90, 30))
-    assert (
-        tab.evaluate(PIXELS, "live") == before
-        and not tab.get_by_role("button", name="Reset view").is_visible()
-    )
+    assert tab.evaluate(PIXELS, "live") == before and not tab.get_by_role("button", name="Reset view").is_visible()
 
 
 @pytest.mark.parametrize("slug", [PLANE, SPACE])
@@ -229,10 +218,7 @@ def test_dark_is_dark(opened):
     colors = {}
     for scheme in ("light", "dark"):
         tab = opened(PLANE, scheme=scheme)
-        colors[scheme] = (
-            tab.evaluate("getComputedStyle(document.body).backgroundColor"),
-            tab.evaluate("colors.ink"),
-        )
+        colors[scheme] = (tab.evaluate("getComputedStyle(document.body).backgroundColor"), tab.evaluate("colors.ink"))
     assert colors["light"][0] != colors["dark"][0] and colors["light"][1] != colors["dark"][1]
     tab.emulate_media(color_scheme="light")
     until(tab, f"colors.ink === '{colors['light'][1]}'")

@@ -73,17 +73,17 @@ EVERY = {"test_first", "test_second", "test_third", "test_all"}
 
 def concerned(code=None, tests=None):
     """The tests whose key becomes another."""
-    before, after = (
-        keys(TESTS, CODE, "code_of_mine"),
-        keys(tests or TESTS, code or CODE, "code_of_mine"),
-    )
+    before, after = (keys(TESTS, CODE, "code_of_mine"), keys(tests or TESTS, code or CODE, "code_of_mine"))
     return {test for test in before | after if before.get(test) != after.get(test)}
 
 
 def test_the_functions_that_a_test_calls_are_found_in_helpers_and_fixtures():
     assert calls(TESTS, "code_of_mine") == {
-        "test_first": {"first"}, "test_second": {"second"}, "test_third": {"third"}, "test_all": {"first", ANY},
-    }  # fmt: skip
+        "test_first": {"first"},
+        "test_second": {"second"},
+        "test_third": {"third"},
+        "test_all": {"first", ANY},
+    }
 
 
 @pytest.mark.parametrize(
@@ -108,10 +108,7 @@ def test_a_change_concerns_the_tests_that_see_it(old, new, which):
 
 @pytest.mark.parametrize(
     ("old", "new", "which"),
-    [
-        ("POINT = 1.0", "POINT = 1.5", EVERY - {"test_all"}),
-        ("return f(POINT)", "return f(2)", {"test_third"}),
-    ],
+    [("POINT = 1.0", "POINT = 1.5", EVERY - {"test_all"}), ("return f(POINT)", "return f(2)", {"test_third"})],
 )
 def test_a_change_of_the_tests_concerns_those_that_it_changes(old, new, which):
     assert concerned(tests=TESTS.replace(old, new)) == which
@@ -129,9 +126,7 @@ def test_all_tests_passed_are_all_points(slug, course):
     come = progress(slug, dict.fromkeys(found, "passed"), found)
     assert (come["points"], come["most"], come["next"]) == (10, 10, None)
     come = progress(slug, dict.fromkeys(found, "failed"), found)
-    assert come["points"] == come["passed"] == 0 and come["next"] == next(
-        iter(root.assignment(course, slug).results)
-    )
+    assert come["points"] == come["passed"] == 0 and come["next"] == next(iter(root.assignment(course, slug).results))
 
 
 def test_a_failure_is_charged_to_what_no_test_has_proven():
@@ -205,9 +200,7 @@ def test_hints_that_cannot_be_remembered_are_given_from_the_first(desk, capsys):
     assert "(1 of 2)" in hinted(capsys) and "(1 of 2)" in hinted(capsys)
 
 
-@pytest.mark.parametrize(
-    "text", ["", "[1]", "null", f'{{"{SLUG} skew": "two"}}', f'{{"{SLUG}": {{"skew": 1}}}}']
-)
+@pytest.mark.parametrize("text", ["", "[1]", "null", f'{{"{SLUG} skew": "two"}}', f'{{"{SLUG}": {{"skew": 1}}}}'])
 def test_what_is_no_memory_of_hints_is_overwritten(desk, capsys, text):
     (desk / "home").mkdir()
     (desk / "home" / "hints.json").write_text(text)
@@ -277,10 +270,7 @@ def test_a_file_that_is_half_written_is_said_so_and_the_next_save_is_tested(watc
 
 def test_a_save_ends_tests_that_hang(watching, solution_text):
     watching()
-    hanging = (
-        solution_text(SLUG)
-        + "\n\ndef skew(v):\n    print('hangs', flush=True)\n    while True:\n        pass\n"
-    )
+    hanging = solution_text(SLUG) + "\n\ndef skew(v):\n    print('hangs', flush=True)\n    while True:\n        pass\n"
     hanging += "\n\nprint('loaded', flush=True)\n"
     watching(hanging, until="loaded")
     assert "all done" in watching(solution_text(SLUG) + "\nMORE = 2\n")

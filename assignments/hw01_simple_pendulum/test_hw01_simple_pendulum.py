@@ -6,13 +6,7 @@ import pytest
 
 PENDULUM = {"mass": 2.0, "length": 0.5, "gravity": 10.0}  # kg, m, m/s^2
 ROD = {"length": 0.5, "gravity": 10.0}  # m, m/s^2
-BALANCES = (
-    "linear_momentum_balance",
-    "angular_momentum_balance",
-    "energy_balance",
-    "power_balance",
-    "virtual_work",
-)
+BALANCES = ("linear_momentum_balance", "angular_momentum_balance", "energy_balance", "power_balance", "virtual_work")
 
 
 @pytest.mark.parametrize("name", BALANCES)

@@ -50,9 +50,7 @@ def test_the_closed_form_obeys_the_equations_of_motion():
 
 def test_without_drag_it_is_a_parabola():
     x, y, _, _ = numbers(hw.trajectory(T, SPEED, ANGLE, **VACUUM)).T
-    np.testing.assert_allclose(
-        y, x * math.tan(ANGLE) - 9.81 * (x / (SPEED * math.cos(ANGLE))) ** 2 / 2, atol=1e-9
-    )
+    np.testing.assert_allclose(y, x * math.tan(ANGLE) - 9.81 * (x / (SPEED * math.cos(ANGLE))) ** 2 / 2, atol=1e-9)
     way = float(hw.horizontal_range(SPEED, ANGLE, **VACUUM))
     assert way == pytest.approx(SPEED**2 * math.sin(2 * ANGLE) / 9.81)
 

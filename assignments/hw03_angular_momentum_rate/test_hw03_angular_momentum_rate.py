@@ -36,9 +36,7 @@ def test_about_a_point_at_rest_every_definition_holds(definition):
 def at(p, t):
     """Position, velocity, acceleration of the motion with coefficients p."""
     p = np.asarray(p, float)
-    return tuple(
-        polynomial.polyval(t, polynomial.polyder(np.vstack([p, np.zeros((2, 3))]), n)) for n in range(3)
-    )
+    return tuple(polynomial.polyval(t, polynomial.polyder(np.vstack([p, np.zeros((2, 3))]), n)) for n in range(3))
 
 
 @pytest.mark.parametrize("definition", ["b", "c"])

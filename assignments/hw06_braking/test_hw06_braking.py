@@ -24,9 +24,7 @@ def force(state, locked):
 
 
 def test_the_two_axles_carry_the_weight_and_the_one_near_G_carries_more():
-    front, rear = (
-        float(hw.axle_load(locked, mass=1200.0, gravity=9.8, **LENGTHS)) for locked in ("front", "rear")
-    )
+    front, rear = (float(hw.axle_load(locked, mass=1200.0, gravity=9.8, **LENGTHS)) for locked in ("front", "rear"))
     assert front + rear == pytest.approx(WEIGHT)
     assert front > rear
 
@@ -48,9 +46,7 @@ def test_straight_motion_stays_straight_and_rest_stays_rest(locked):
     rates = numbers(hw.state_derivative(0.0, STRAIGHT, locked, **BODY, **ROAD))
     slowing = -0.8 * float(hw.axle_load(locked, mass=1200.0, gravity=9.8, **LENGTHS)) / 1200.0
     np.testing.assert_allclose(rates, [20 * math.cos(0.3), 20 * math.sin(0.3), 0.0, slowing, 0.0], atol=1e-9)
-    np.testing.assert_allclose(
-        numbers(hw.state_derivative(0.0, REST, locked, **BODY, **ROAD)), np.zeros(5), atol=1e-12
-    )
+    np.testing.assert_allclose(numbers(hw.state_derivative(0.0, REST, locked, **BODY, **ROAD)), np.zeros(5), atol=1e-12)
 
 
 def test_friction_takes_its_work_from_the_kinetic_energy():

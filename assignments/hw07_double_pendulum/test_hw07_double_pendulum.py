@@ -44,9 +44,7 @@ def test_the_accelerations_obey_the_equations_of_motion():
 
 def test_on_the_fly_gives_the_same_accelerations():
     alpha, _ = hw.on_the_fly(THETA, OMEGA, **PENDULUM)
-    np.testing.assert_allclose(
-        numbers(alpha), numbers(hw.angular_acceleration(THETA, OMEGA, **PENDULUM)), rtol=1e-9
-    )
+    np.testing.assert_allclose(numbers(alpha), numbers(hw.angular_acceleration(THETA, OMEGA, **PENDULUM)), rtol=1e-9)
 
 
 def test_the_ceiling_carries_both_bars_at_rest():

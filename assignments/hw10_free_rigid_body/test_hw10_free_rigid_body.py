@@ -66,16 +66,12 @@ def test_the_motion_obeys_euler_at_the_start():
     np.testing.assert_allclose(
         (omegas[1] - omegas[0]) / 1e-3, numbers(hw.euler_equations(OMEGA, inertia=BODY)), atol=1e-3
     )
-    np.testing.assert_allclose(
-        (rotations[1] - rotations[0]) / 1e-3, numbers(hw.attitude_rate(START, OMEGA)), atol=2e-3
-    )
+    np.testing.assert_allclose((rotations[1] - rotations[0]) / 1e-3, numbers(hw.attitude_rate(START, OMEGA)), atol=2e-3)
 
 
 def test_the_closed_form_is_the_motion_of_a_disk():
     omegas, _ = hw.simulate(T, START, OMEGA, inertia=DISK)
-    np.testing.assert_allclose(
-        numbers(hw.symmetric_solution(T, OMEGA, inertia=DISK)), numbers(omegas), atol=1e-5
-    )
+    np.testing.assert_allclose(numbers(hw.symmetric_solution(T, OMEGA, inertia=DISK)), numbers(omegas), atol=1e-5)
 
 
 def test_a_disk_wobbles_about_twice_a_turn():
@@ -128,8 +124,6 @@ def test_two_paths_are_drawn():
     from matplotlib.figure import Figure
 
     ax = Figure().subplots()
-    hw.plot_rim_paths(
-        ax, np.linspace(1.0, 4.0, 201), START, np.array([0.1, 0.0, 2.0]), inertia=DISK, radius=0.5
-    )
+    hw.plot_rim_paths(ax, np.linspace(1.0, 4.0, 201), START, np.array([0.1, 0.0, 2.0]), inertia=DISK, radius=0.5)
     assert curves(ax) == 2
     assert in_metres(ax.get_xlabel()) and in_metres(ax.get_ylabel())

@@ -7,15 +7,7 @@ Off limits in this file: tam570.lagrange, which would answer it.
 
 import numpy as np
 
-__all__ = [
-    "acceleration_newton",
-    "constraint_force",
-    "energy",
-    "lagrange_equation",
-    "lagrangian",
-    "period",
-    "simulate",
-]
+__all__ = ["acceleration_newton", "constraint_force", "energy", "lagrange_equation", "lagrangian", "period", "simulate"]
 
 
 def lagrangian():

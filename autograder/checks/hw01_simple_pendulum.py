@@ -42,9 +42,7 @@ OFF_LIMITS = {"*": ("tam570.lagrange",)}
 
 NEARLY = 1e-3  # below it a quantity is right in principle, to choose the words
 POINTWISE = 1e-8  # a few roundings make 1e-15, a derivative by central differences 1e-10
-TRAJECTORY = (
-    2e-5  # LSODA at rtol 1e-9, atol 1e-9 is off by 1.4e-6 after three periods, RK45 and DOP853 by less
-)
+TRAJECTORY = 2e-5  # LSODA at rtol 1e-9, atol 1e-9 is off by 1.4e-6 after three periods, RK45 and DOP853 by less
 FAR = 1e-4  # the same solvers are off by 6e-6 after sixteen periods, a hundred Runge-Kutta steps for them by 0.6
 ENERGY = 1e-5  # the same solvers lose 3e-7 of it in thirty periods
 PERIOD = 1e-6  # a quadrature with a singular end, or an event of a simulation, is good to 1e-8
@@ -65,10 +63,7 @@ BALANCES = {
 
 def right(theta, omega, *, mass, length, gravity):
     """Every quantity of the balances, from r, v and F as vectors of the plane."""
-    along, across = (
-        np.array([math.sin(theta), -math.cos(theta)]),
-        np.array([math.cos(theta), math.sin(theta)]),
-    )
+    along, across = (np.array([math.sin(theta), -math.cos(theta)]), np.array([math.cos(theta), math.sin(theta)]))
     r, v, force = length * along, length * omega * across, np.array([0.0, -mass * gravity])
     return {
         "alpha": across @ force / (mass * length),
@@ -172,26 +167,41 @@ BALANCE_SUSPECTS = [
     balances_suspect("the sign of gravity's term missing", restoring(lambda th: -math.sin(th))),
     balances_suspect("the linearised equation, theta for sin theta", restoring(lambda th: th)),
     balances_suspect(DEGREES, in_degrees),
-    *(balances_suspect("the size of the sine of theta, where its sign matters: theta may be on either side",
-                       restoring(sine)) for sine in (size_of_sine, root_for_sine)),
+    *(
+        balances_suspect(
+            "the size of the sine of theta, where its sign matters: theta may be on either side", restoring(sine)
+        )
+        for sine in (size_of_sine, root_for_sine)
+    ),
     balances_suspect("l alpha for alpha: a length too few in what it is divided by", for_unit_length),
-]  # fmt: skip
+]
 MOMENTUM_SUSPECTS = [
-    balances_suspect("the momentum m l omega for its moment about the hinge, which is right for a length of 1 m",
-                     lambda th, om, m, L, g: {"angular momentum": m * L * om}),
-    balances_suspect("the angular velocity's sign missing from the angular momentum",
-                     lambda th, om, m, L, g: {"angular momentum": m * L**2 * abs(om)}),
-    balances_suspect("the weight's part across the rod for its moment about the hinge, which is right for a length "
-                     "of 1 m", lambda th, om, m, L, g: {"moment": -m * g * math.sin(th)}),
-]  # fmt: skip
+    balances_suspect(
+        "the momentum m l omega for its moment about the hinge, which is right for a length of 1 m",
+        lambda th, om, m, L, g: {"angular momentum": m * L * om},
+    ),
+    balances_suspect(
+        "the angular velocity's sign missing from the angular momentum",
+        lambda th, om, m, L, g: {"angular momentum": m * L**2 * abs(om)},
+    ),
+    balances_suspect(
+        "the weight's part across the rod for its moment about the hinge, which is right for a length of 1 m",
+        lambda th, om, m, L, g: {"moment": -m * g * math.sin(th)},
+    ),
+]
 POWER_SUSPECTS = [
-    balances_suspect("the speed, which has no sign, for the velocity in the power",
-                     lambda th, om, m, L, g: {"power": -m * g * L * math.sin(th) * abs(om)}),
-    balances_suspect("the angular velocity for the velocity in the power, which is right for a length of 1 m",
-                     lambda th, om, m, L, g: {"power": -m * g * math.sin(th) * om}),
-    balances_suspect("the sign of the power reversed",
-                     lambda th, om, m, L, g: {"power": m * g * L * math.sin(th) * om}),
-]  # fmt: skip
+    balances_suspect(
+        "the speed, which has no sign, for the velocity in the power",
+        lambda th, om, m, L, g: {"power": -m * g * L * math.sin(th) * abs(om)},
+    ),
+    balances_suspect(
+        "the angular velocity for the velocity in the power, which is right for a length of 1 m",
+        lambda th, om, m, L, g: {"power": -m * g * math.sin(th) * om},
+    ),
+    balances_suspect(
+        "the sign of the power reversed", lambda th, om, m, L, g: {"power": m * g * L * math.sin(th) * om}
+    ),
+]
 TENSION_SUSPECTS = [
     balances_suspect("a tension without m l omega^2", tension(lambda s, c, spin, weight: weight * c)),
     balances_suspect("a tension with -m l omega^2", tension(lambda s, c, spin, weight: weight * c - spin)),
@@ -221,11 +231,14 @@ ENERGY_SUSPECTS = [
     balances_suspect("sin theta in the potential energy", potential(math.sin)),
     balances_suspect("the potential energy of small angles", potential(lambda th: th**2 / 2)),
     balances_suspect(DEGREES, potential(lambda th: 1 - math.cos(math.radians(th)))),
-    balances_suspect("the kinetic energy without its half",
-                     lambda th, om, m, L, g: {"kinetic energy": m * (L * om) ** 2}),
-    balances_suspect("the angular velocity for the velocity in the kinetic energy, which is right for a length of 1 m",
-                     lambda th, om, m, L, g: {"kinetic energy": m * om**2 / 2}),
-]  # fmt: skip
+    balances_suspect(
+        "the kinetic energy without its half", lambda th, om, m, L, g: {"kinetic energy": m * (L * om) ** 2}
+    ),
+    balances_suspect(
+        "the angular velocity for the velocity in the kinetic energy, which is right for a length of 1 m",
+        lambda th, om, m, L, g: {"kinetic energy": m * om**2 / 2},
+    ),
+]
 
 
 def parameters(draw, gravity=None):
@@ -287,8 +300,17 @@ def judge(student, name, quantities, calls, hint, kind="a random state, mass and
         for quantity in quantities:
             value, (scale, unit) = found[BALANCES[name].index(quantity)], sizes[quantity]
             look = partial(quantity_hint, quantity, value, known[quantity], scale or 1.0, hint)
-            expect(value, known[quantity], within=POINTWISE, scale=scale or 1.0, of=quantity, unit=unit, hint=look,
-                   at=call, kind=call.kind)  # fmt: skip
+            expect(
+                value,
+                known[quantity],
+                within=POINTWISE,
+                scale=scale or 1.0,
+                of=quantity,
+                unit=unit,
+                hint=look,
+                at=call,
+                kind=call.kind,
+            )
 
 
 def quantity_hint(quantity, value, known, scale, hint):
@@ -303,36 +325,61 @@ def quantity_hint(quantity, value, known, scale, hint):
 @check(points=0.5, part="a", suspects=BALANCE_SUSPECTS)
 def newton_gives_the_acceleration(student, draw):
     """linear_momentum_balance: alpha, by F = m a along the circle."""
-    judge(student, "linear_momentum_balance", ["alpha"], states(draw) + at_rest(draw),
-          "draw the forces, and the component of each along the circle")  # fmt: skip
+    judge(
+        student,
+        "linear_momentum_balance",
+        ["alpha"],
+        states(draw) + at_rest(draw),
+        "draw the forces, and the component of each along the circle",
+    )
 
 
 @check(points=0.5, part="a", suspects=BALANCE_SUSPECTS + TENSION_SUSPECTS)
 def newton_gives_the_tension(student, draw):
     """linear_momentum_balance: the tension, by F = m a along the rod."""
-    judge(student, "linear_momentum_balance", ["tension"], states(draw) + at_rest(draw),
-          "which way along the rod does the acceleration point when omega is not zero?")  # fmt: skip
+    judge(
+        student,
+        "linear_momentum_balance",
+        ["tension"],
+        states(draw) + at_rest(draw),
+        "which way along the rod does the acceleration point when omega is not zero?",
+    )
 
 
 @check(points=0.5, part="a", suspects=BALANCE_SUSPECTS)
 def moments_give_the_acceleration(student, draw):
     """angular_momentum_balance: alpha, by M = dH/dt about the hinge."""
-    judge(student, "angular_momentum_balance", ["alpha"], states(draw) + at_rest(draw),
-          "which way does the weight turn a pendulum that is out to the right?")  # fmt: skip
+    judge(
+        student,
+        "angular_momentum_balance",
+        ["alpha"],
+        states(draw) + at_rest(draw),
+        "which way does the weight turn a pendulum that is out to the right?",
+    )
 
 
 @check(points=0.5, part="a", suspects=BALANCE_SUSPECTS + MOMENTUM_SUSPECTS)
 def momentum_and_moment_are_about_the_hinge(student, draw):
     """angular_momentum_balance: r x m v and the moment of the weight, about the hinge."""
-    judge(student, "angular_momentum_balance", ["angular momentum", "moment"], states(draw) + at_rest(draw),
-          "how far from the hinge do momentum and weight act?")  # fmt: skip
+    judge(
+        student,
+        "angular_momentum_balance",
+        ["angular momentum", "moment"],
+        states(draw) + at_rest(draw),
+        "how far from the hinge do momentum and weight act?",
+    )
 
 
 @check(points=0.5, part="a", suspects=BALANCE_SUSPECTS + ENERGY_SUSPECTS)
 def energies_are_right(student, draw):
     """energy_balance: kinetic energy, and potential energy that is zero at the lowest point."""
-    judge(student, "energy_balance", ["kinetic energy", "potential energy"], states(draw),
-          "how high is the mass above its lowest point?")  # fmt: skip
+    judge(
+        student,
+        "energy_balance",
+        ["kinetic energy", "potential energy"],
+        states(draw),
+        "how high is the mass above its lowest point?",
+    )
 
 
 @check(points=0.25, part="a", suspects=BALANCE_SUSPECTS)
@@ -355,8 +402,13 @@ def energy_gives_the_acceleration_at_rest(student, draw):
 @check(points=0.25, part="a", suspects=BALANCE_SUSPECTS + POWER_SUSPECTS)
 def power_gives_the_acceleration(student, draw):
     """power_balance: the power of gravity, and alpha from it."""
-    judge(student, "power_balance", ["power", "alpha"], states(draw),
-          "power is F . v: when does gravity speed the mass up?")  # fmt: skip
+    judge(
+        student,
+        "power_balance",
+        ["power", "alpha"],
+        states(draw),
+        "power is F . v: when does gravity speed the mass up?",
+    )
 
 
 @check(points=0.25, part="a", after=power_gives_the_acceleration)
@@ -366,16 +418,23 @@ def power_gives_the_acceleration_at_rest(student, draw):
 
 
 FORCE_SUSPECTS = [
-    balances_suspect("the sign of the generalized force reversed",
-                     lambda th, om, m, L, g: {"generalized force": m * g * L * math.sin(th)}),
-]  # fmt: skip
+    balances_suspect(
+        "the sign of the generalized force reversed",
+        lambda th, om, m, L, g: {"generalized force": m * g * L * math.sin(th)},
+    )
+]
 
 
 @check(points=0.5, part="a", suspects=BALANCE_SUSPECTS + FORCE_SUSPECTS)
 def virtual_work_gives_the_acceleration(student, draw):
     """virtual_work: the generalized force of gravity, and alpha from it."""
-    judge(student, "virtual_work", ["generalized force", "alpha"], states(draw) + at_rest(draw),
-          "dr is l dtheta, across the rod")  # fmt: skip
+    judge(
+        student,
+        "virtual_work",
+        ["generalized force", "alpha"],
+        states(draw) + at_rest(draw),
+        "dr is l dtheta, across the rod",
+    )
 
 
 def points_of(calls, symbols):
@@ -392,10 +451,17 @@ def lagrangian_is_kinetic_less_potential(student, draw):
     points = points_of(calls, RESULTS["lagrangian"].symbols)
     for value, call in zip(student.lagrangian.at(points), calls, strict=True):
         known, (scale, unit) = right(*call.args, **call.kwargs), scales(*call.args, **call.kwargs)["moment"]
-        expect(value, known["kinetic energy"] - known["potential energy"], within=POINTWISE,
-               scale=scale or 1.0, of="the Lagrangian", unit=unit, at=call,
-               kind=kind_of(call, "random numbers for the symbols"),
-               hint="put numbers in: at rest at the lowest point it is zero, at rest elsewhere negative")  # fmt: skip
+        expect(
+            value,
+            known["kinetic energy"] - known["potential energy"],
+            within=POINTWISE,
+            scale=scale or 1.0,
+            of="the Lagrangian",
+            unit=unit,
+            at=call,
+            kind=kind_of(call, "random numbers for the symbols"),
+            hint="put numbers in: at rest at the lowest point it is zero, at rest elsewhere negative",
+        )
 
 
 UPSIDE_DOWN = "the sign of gravity's term missing, as with the sign of the potential energy reversed"
@@ -412,9 +478,17 @@ def lagrange_gives_the_acceleration(student, draw):
     points = points_of(calls, RESULTS["lagrange_equation"].symbols)
     for value, call in zip(student.lagrange_equation.at(points), calls, strict=True):
         scale, unit = scales(*call.args, **call.kwargs)["alpha"]
-        expect(value, right(*call.args, **call.kwargs)["alpha"], within=POINTWISE, scale=scale or 1.0,
-               of="alpha", unit=unit, at=call, kind=kind_of(call, "random numbers for the symbols"),
-               hint="it is the alpha of the other balances")  # fmt: skip
+        expect(
+            value,
+            right(*call.args, **call.kwargs)["alpha"],
+            within=POINTWISE,
+            scale=scale or 1.0,
+            of="alpha",
+            unit=unit,
+            at=call,
+            kind=kind_of(call, "random numbers for the symbols"),
+            hint="it is the alpha of the other balances",
+        )
 
 
 def exact(t, theta0, omega0, *, length, gravity):
@@ -472,9 +546,7 @@ def wave(s, start, end, height):
     )
 
 
-def lagrangian_along(
-    theta, omega, *, mass, length, gravity, kinetic=1, potential=-1, height=lambda th: 1 - np.cos(th)
-):
+def lagrangian_along(theta, omega, *, mass, length, gravity, kinetic=1, potential=-1, height=lambda th: 1 - np.cos(th)):
     return mass * length * (kinetic * length * omega**2 / 2 + potential * gravity * height(theta))
 
 
@@ -504,7 +576,8 @@ def by_all_samples(theta, step, **pendulum):
 
 # Compared loosely: another quadrature than this is as good.
 STATIONARY_SUSPECTS = [
-    suspect(says, within=1e-3, action=by_midpoints(**wrong)) for says, wrong in {
+    suspect(says, within=1e-3, action=by_midpoints(**wrong))
+    for says, wrong in {
         "the integral of T + V": {"potential": 1},
         "the integral of V - T": {"kinetic": -1, "potential": 1},
         "the integral of T alone": {"potential": 0},
@@ -513,11 +586,13 @@ STATIONARY_SUSPECTS = [
         "the kinetic energy without its half": {"kinetic": 2},
         DEGREES: {"height": lambda th: 1 - np.cos(np.radians(th))},
     }.items()
-]  # fmt: skip
-STATIONARY_SUSPECTS.append(suspect(
-    "a sum over all samples, its first and last counted whole, where a trapezoid counts half of each",
-    action=by_all_samples,
-))  # fmt: skip
+]
+STATIONARY_SUSPECTS.append(
+    suspect(
+        "a sum over all samples, its first and last counted whole, where a trapezoid counts half of each",
+        action=by_all_samples,
+    )
+)
 STATIONARY_SUSPECTS += [
     suspect(
         f"a sum that leaves the {which} step out",
@@ -527,13 +602,17 @@ STATIONARY_SUSPECTS += [
     for which, rest in {"last": slice(None, -1), "first": slice(1, None)}.items()
 ]
 INTEGRAL_SUSPECTS = [
-    suspect("a sum over the first ends of the steps, with an error of the order of the step",
-            action=by_ends(slice(None, -1))),
-    suspect("a sum over the last ends of the steps, with an error of the order of the step",
-            action=by_ends(slice(1, None))),
-    suspect("a potential energy that is zero at the hinge", within=1e-4,
-            action=by_midpoints(height=lambda th: -np.cos(th))),
-]  # fmt: skip
+    suspect(
+        "a sum over the first ends of the steps, with an error of the order of the step",
+        action=by_ends(slice(None, -1)),
+    ),
+    suspect(
+        "a sum over the last ends of the steps, with an error of the order of the step", action=by_ends(slice(1, None))
+    ),
+    suspect(
+        "a potential energy that is zero at the hinge", within=1e-4, action=by_midpoints(height=lambda th: -np.cos(th))
+    ),
+]
 
 
 SMALL = 1e-3  # of a variation; its square is below VARIATION
@@ -566,9 +645,16 @@ def action_is_stationary_on_motions(student, draw):
     values = iter(student.action.many([call for both, *_ in cases for call in both]))
     for both, variation, scale, kind in cases:
         found = (next(values) - next(values)) / (2 * SMALL * scale)
-        expect(found, variation, within=VARIATION, of="the first variation", unit="of m g l times the duration",
-               kind=kind, at=both[0],
-               hint=partial(variation_hint, found, variation))  # fmt: skip
+        expect(
+            found,
+            variation,
+            within=VARIATION,
+            of="the first variation",
+            unit="of m g l times the duration",
+            kind=kind,
+            at=both[0],
+            hint=partial(variation_hint, found, variation),
+        )
 
 
 def variation_hint(found, variation):
@@ -601,11 +687,7 @@ def plain_paths(draw):
     """As `paths`: at rest anywhere and at the named angles; turning evenly without gravity; two samples and more."""
     cases = []
     for theta in (draw.uniform(0.3, 2.8), *PLAIN):
-        pendulum, samples, step = (
-            parameters(draw),
-            2 * int(draw.integers(200, 300)),
-            10 ** draw.uniform(-3, -1),
-        )
+        pendulum, samples, step = (parameters(draw), 2 * int(draw.integers(200, 300)), 10 ** draw.uniform(-3, -1))
         depth = pendulum["mass"] * pendulum["gravity"] * pendulum["length"] * (1 - math.cos(theta))
         action = -depth * step * (samples - 1)
         call = given(np.full(samples, theta), step, **pendulum)
@@ -625,8 +707,17 @@ def action_is_the_integral(student, draw):
     cases = paths(draw)
     values = student.action.many([call.on(kind) for call, *_, kind in cases])
     for value, (call, expected, scale, kind) in zip(values, cases, strict=True):
-        expect(value, expected, scale=scale, within=ACTION, of="the action", unit="of the integral of T + V",
-               kind=kind, at=call, hint="halve the step: the error must fall to a quarter")  # fmt: skip
+        expect(
+            value,
+            expected,
+            scale=scale,
+            within=ACTION,
+            of="the action",
+            unit="of the integral of T + V",
+            kind=kind,
+            at=call,
+            hint="halve the step: the error must fall to a quarter",
+        )
 
 
 def harmonic(t, theta0, omega0, frequency):
@@ -660,8 +751,7 @@ SMALL_ANGLE_SUSPECTS = [
         ),
     ),
     small_angle_suspect(
-        "the full equation for the linear one",
-        lambda t, state, ratio: exact(t, *state, length=1, gravity=ratio),
+        "the full equation for the linear one", lambda t, state, ratio: exact(t, *state, length=1, gravity=ratio)
     ),
 ]
 
@@ -687,10 +777,23 @@ def small_angle_solution_is_harmonic(student, draw):
         calls.append(given(t, theta0, omega0, **other).on(f"a pendulum like one before but for its {name}"))
     for found, call in zip(student.small_angle_solution.many(calls), calls, strict=True):
         k = math.sqrt(call.kwargs["gravity"] / call.kwargs["length"])
-        hint = ("is anything kept between calls?" if "one before" in call.kind
-                else "put t = 0 in: is the state the given one? differentiate theta: is it omega?")  # fmt: skip
-        expect(found, harmonic(*call.args, k), scale=[1, k], within=TRAJECTORY, of="theta, or omega/sqrt(g/l),",
-               unit="rad", t=call.args[0], kind=call.kind, at=call, hint=hint)  # fmt: skip
+        hint = (
+            "is anything kept between calls?"
+            if "one before" in call.kind
+            else "put t = 0 in: is the state the given one? differentiate theta: is it omega?"
+        )
+        expect(
+            found,
+            harmonic(*call.args, k),
+            scale=[1, k],
+            within=TRAJECTORY,
+            of="theta, or omega/sqrt(g/l),",
+            unit="rad",
+            t=call.args[0],
+            kind=call.kind,
+            at=call,
+            hint=hint,
+        )
 
 
 @check(points=0.25, part="a", after=small_angle_solution_is_harmonic)
@@ -699,14 +802,21 @@ def small_angle_solution_without_gravity(student, draw):
     theta0, omega0, length = draw.uniform(0.5, 1), draw.uniform(-2, -1), draw.uniform(1, 3)
     t = uneven(draw, 5.0, 20)
     starts = {"": (theta0, omega0), ", let go at rest": (theta0, 0.0), ", from the bottom": (0.0, omega0)}
-    calls = [
-        given(t, *start, length=length, gravity=0.0).on(f"gravity 0{kind}") for kind, start in starts.items()
-    ]
+    calls = [given(t, *start, length=length, gravity=0.0).on(f"gravity 0{kind}") for kind, start in starts.items()]
     for found, call in zip(student.small_angle_solution.many(calls), calls, strict=True):
         angle, rate = call.args[1:]
         uniform = np.column_stack([angle + rate * t, np.full(len(t), rate)])
-        expect(found, uniform, within=TRAJECTORY, of="theta or omega", unit="rad or rad/s", t=t,
-               kind=call.kind, at=call, hint="what becomes of sin(k t)/k as k goes to zero?")  # fmt: skip
+        expect(
+            found,
+            uniform,
+            within=TRAJECTORY,
+            of="theta or omega",
+            unit="rad or rad/s",
+            t=t,
+            kind=call.kind,
+            at=call,
+            hint="what becomes of sin(k t)/k as k goes to zero?",
+        )
 
 
 def period_suspect(says, swings):
@@ -721,12 +831,9 @@ PERIOD_SUSPECTS = [
     period_suspect("the amplitude where half the amplitude belongs", lambda A: 4 * ellipk(math.sin(A) ** 2)),
     period_suspect("half the period", lambda A: 2 * ellipk(math.sin(A / 2) ** 2)),
     period_suspect("a quarter of the period", lambda A: ellipk(math.sin(A / 2) ** 2)),
-    period_suspect(
-        "the amplitude taken for degrees", lambda A: 4 * ellipk(math.sin(math.radians(A) / 2) ** 2)
-    ),
+    period_suspect("the amplitude taken for degrees", lambda A: 4 * ellipk(math.sin(math.radians(A) / 2) ** 2)),
     suspect(
-        "g/l for l/g",
-        period=lambda A, length, gravity: 4 * ellipk(math.sin(A / 2) ** 2) * math.sqrt(gravity / length),
+        "g/l for l/g", period=lambda A, length, gravity: 4 * ellipk(math.sin(A / 2) ** 2) * math.sqrt(gravity / length)
     ),
 ]
 
@@ -739,8 +846,17 @@ def judge_periods(student, draw, amplitudes, within, kind, hint):
     for found, call in zip(student.period.many(calls), calls, strict=True):
         unit = math.sqrt(call.kwargs["length"] / call.kwargs["gravity"])
         expected = 4 * ellipkm1(math.cos(call.args[0] / 2) ** 2) * unit  # next to pi ellipk has lost digits
-        expect(found, expected, scale=expected, within=within, of="the period", unit="of itself", kind=kind,
-               hint=partial(period_hint, found / unit, expected / unit, hint), at=call)  # fmt: skip
+        expect(
+            found,
+            expected,
+            scale=expected,
+            within=within,
+            of="the period",
+            unit="of itself",
+            kind=kind,
+            hint=partial(period_hint, found / unit, expected / unit, hint),
+            at=call,
+        )
 
 
 def period_hint(found, expected, hint):
@@ -756,8 +872,14 @@ def period_hint(found, expected, hint):
 def period_is_exact(student, draw):
     """period: exact at large amplitudes."""
     amplitudes = [*draw.uniform(0.5, 2, 8), math.pi / 2, math.pi / 2, 1.0]
-    judge_periods(student, draw, amplitudes, PERIOD, "an amplitude between 0.5 and 2 rad",
-                  "the energy gives omega at every theta, and dt = dtheta/omega")  # fmt: skip
+    judge_periods(
+        student,
+        draw,
+        amplitudes,
+        PERIOD,
+        "an amplitude between 0.5 and 2 rad",
+        "the energy gives omega at every theta, and dt = dtheta/omega",
+    )
 
 
 @check(points=0.25, part="a", after=period_is_exact)
@@ -765,18 +887,54 @@ def period_grows_towards_the_top(student, draw):
     """period: exact for small and tiny amplitudes, and on to pi, where it grows without bound."""
     # below .0099 the period of small angles, 1 - A^2/16 of the right one, is still off by 3e-6
     amplitudes = [draw.uniform(0.007, 0.0099), *10 ** draw.uniform(-2, -1, 2)]
-    judge_periods(student, draw, amplitudes, PERIOD, "an amplitude between 0.007 and 0.1 rad",
-                  "is a difference of nearly equal cosines taken?")  # fmt: skip
-    judge_periods(student, draw, np.pi - 10 ** draw.uniform(-3, -1, 4), PERIOD_NEXT_TO_TOP, "an amplitude next to pi",
-                  "a series in the amplitude, or a quadrature of fixed order, does not reach this far")  # fmt: skip
-    judge_periods(student, draw, one_in_each(draw, SMALLER), PERIOD, "an amplitude between 0.1 and 0.5 rad",
-                  "a series of few terms does not reach this far")  # fmt: skip
-    judge_periods(student, draw, one_in_each(draw, LARGER), PERIOD, "an amplitude between 2 and 3 rad",
-                  "a series in the amplitude, or a quadrature of fixed order, does not reach this far")  # fmt: skip
-    judge_periods(student, draw, 10 ** draw.uniform(-5, -4, 3), PERIOD_AT_THE_ENDS, "a tiny amplitude",
-                  "is a difference of nearly equal cosines taken? cos a - cos b is a product of sines")  # fmt: skip
-    judge_periods(student, draw, np.pi - 10 ** draw.uniform(-5, -4, 2), PERIOD_AT_THE_ENDS,
-                  "an amplitude very close to pi", "is a difference of nearly equal numbers taken?")  # fmt: skip
+    judge_periods(
+        student,
+        draw,
+        amplitudes,
+        PERIOD,
+        "an amplitude between 0.007 and 0.1 rad",
+        "is a difference of nearly equal cosines taken?",
+    )
+    judge_periods(
+        student,
+        draw,
+        np.pi - 10 ** draw.uniform(-3, -1, 4),
+        PERIOD_NEXT_TO_TOP,
+        "an amplitude next to pi",
+        "a series in the amplitude, or a quadrature of fixed order, does not reach this far",
+    )
+    judge_periods(
+        student,
+        draw,
+        one_in_each(draw, SMALLER),
+        PERIOD,
+        "an amplitude between 0.1 and 0.5 rad",
+        "a series of few terms does not reach this far",
+    )
+    judge_periods(
+        student,
+        draw,
+        one_in_each(draw, LARGER),
+        PERIOD,
+        "an amplitude between 2 and 3 rad",
+        "a series in the amplitude, or a quadrature of fixed order, does not reach this far",
+    )
+    judge_periods(
+        student,
+        draw,
+        10 ** draw.uniform(-5, -4, 3),
+        PERIOD_AT_THE_ENDS,
+        "a tiny amplitude",
+        "is a difference of nearly equal cosines taken? cos a - cos b is a product of sines",
+    )
+    judge_periods(
+        student,
+        draw,
+        np.pi - 10 ** draw.uniform(-5, -4, 2),
+        PERIOD_AT_THE_ENDS,
+        "an amplitude very close to pi",
+        "is a difference of nearly equal numbers taken?",
+    )
 
 
 # With the others they leave no gap: a formula for some range is tried in it. The series' second term is off by 6e-6
@@ -791,9 +949,7 @@ def one_in_each(draw, edges):
 
 def motion_suspect(says, motion):
     """`motion(t, since, state, rod)`, where since = t - t[0] and the right one is exact(since, *state, **rod)."""
-    return suspect(
-        says, within=1e-4, simulate=lambda t, *state, **rod: motion(t, t - t[0], np.array(state), rod)
-    )
+    return suspect(says, within=1e-4, simulate=lambda t, *state, **rod: motion(t, t - t[0], np.array(state), rod))
 
 
 def tilted(angle):
@@ -813,10 +969,7 @@ def loosely(t, theta0, omega0, *, length, gravity):
 
 
 def with_angles_in_degrees(t, since, state, rod):
-    slower = {
-        **rod,
-        "gravity": math.radians(rod["gravity"]),
-    }  # the rate of an angle in radians has this factor
+    slower = {**rod, "gravity": math.radians(rod["gravity"])}  # the rate of an angle in radians has this factor
     return np.degrees(exact(since, *np.radians(state), **slower))
 
 
@@ -860,12 +1013,20 @@ def judge_motion(student, t, start, pendulum, kind, hint, within=TRAJECTORY, loo
     rod = {name: pendulum[name] for name in ("length", "gravity")}
     scale = [1.0, max(abs(start[1]), math.sqrt(rod["gravity"] / rod["length"]))]
     found, expected = student.on(kind).simulate(t, *start, **rod), exact(t - t[0], *start, **rod)
-    expect(found, expected, scale=scale, within=within, of="theta, or omega in its scale,",
-           unit="rad", t=t, kind=kind, at=(start, pendulum),
-           hint=lambda: near_miss(t, found, expected, exact(t, *start, **rod), hint),
-           partial=loose,
-           keeps=lambda: kept(t, energy_along(found, rod), within=ENERGY, of="the energy",
-                              unit="of itself"))  # fmt: skip
+    expect(
+        found,
+        expected,
+        scale=scale,
+        within=within,
+        of="theta, or omega in its scale,",
+        unit="rad",
+        t=t,
+        kind=kind,
+        at=(start, pendulum),
+        hint=lambda: near_miss(t, found, expected, exact(t, *start, **rod), hint),
+        partial=loose,
+        keeps=lambda: kept(t, energy_along(found, rod), within=ENERGY, of="the energy", unit="of itself"),
+    )
 
 
 def energy_along(states, rod):
@@ -879,30 +1040,55 @@ def energy_along(states, rod):
 def simulate_swings(student, draw):
     """simulate: large swings, row i at t[i], row 0 the given state."""
     start, pendulum, k = swing(draw)
-    judge_motion(student, uneven(draw, 15 / k, 1000), start, pendulum, "a large swing, t[0] not 0",
-                 RATES)  # fmt: skip
+    judge_motion(student, uneven(draw, 15 / k, 1000), start, pendulum, "a large swing, t[0] not 0", RATES)
 
 
 @check(points=0.25, part="a", after=simulate_swings)
 def simulate_needs_no_dense_times(student, draw):
     """simulate: the same motion when only a few times are asked for, however far apart, whatever was asked before."""
     start, pendulum, k = swing(draw)
-    judge_motion(student, uneven(draw, 15 / k, 4), start, pendulum, "few times, far apart",
-                 "the steps of the integration are not those of t")  # fmt: skip
+    judge_motion(
+        student,
+        uneven(draw, 15 / k, 4),
+        start,
+        pendulum,
+        "few times, far apart",
+        "the steps of the integration are not those of t",
+    )
     for (angle, rate), kind in plain_starts(start):
         t = uneven(draw, 5 / k, 2)
         judge_motion(student, t, (angle, rate), pendulum, f"two times, {kind}", "row 0 is the start")
     judge_equilibria(student, uneven(draw, 5 / k, 2), [0.0], pendulum)
     start, pendulum, k = quick(draw)
-    judge_motion(student, uneven(draw, 8 / k, 3), start, pendulum, "three times, a rod of few centimetres",
-                 "a step of fixed length does not do for every pendulum")  # fmt: skip
+    judge_motion(
+        student,
+        uneven(draw, 8 / k, 3),
+        start,
+        pendulum,
+        "three times, a rod of few centimetres",
+        "a step of fixed length does not do for every pendulum",
+    )
     start, pendulum, k = swing(draw)
-    judge_motion(student, uneven(draw, 100 / k, 2), start, pendulum, "two times, many periods apart",
-                 "a fixed number of steps from each time to the next does not do", FAR)  # fmt: skip
+    judge_motion(
+        student,
+        uneven(draw, 100 / k, 2),
+        start,
+        pendulum,
+        "two times, many periods apart",
+        "a fixed number of steps from each time to the next does not do",
+        FAR,
+    )
     # after six periods the linear motion is 40 A^3/16 behind, 3e-4 and more
     start = draw.uniform(0.05, 0.09) * draw.choice([-1, 1]), draw.uniform(0.02, 0.09) * draw.choice([-1, 1])
-    judge_motion(student, uneven(draw, 40 / k, 2), start, pendulum, "a small swing, two times many periods apart",
-                 "no swing is so small that sin theta is theta: the difference adds up", loose={})  # fmt: skip
+    judge_motion(
+        student,
+        uneven(draw, 40 / k, 2),
+        start,
+        pendulum,
+        "a small swing, two times many periods apart",
+        "no swing is so small that sin theta is theta: the difference adds up",
+        loose={},
+    )
     judge_alike(student, draw)
 
 
@@ -918,12 +1104,24 @@ def judge_alike(student, draw):
         "its length": given(t, angle, rate, **{**rod, "length": 1.5 * rod["length"]}),
         "its gravity": given(t, angle, rate, **{**rod, "gravity": 0.6 * rod["gravity"]}),
     }
-    calls = [call.on(f"a swing like the one before but for {what}" if what.startswith("its") else what)
-             for what, call in calls.items()]  # fmt: skip
+    calls = [
+        call.on(f"a swing like the one before but for {what}" if what.startswith("its") else what)
+        for what, call in calls.items()
+    ]
     for states, call in zip(student.simulate.many(calls), calls, strict=True):
         (t, *start), rod = call.args, call.kwargs
-        expect(states, exact(t - t[0], *start, **rod), scale=[1.0, k], within=TRAJECTORY, t=t, kind=call.kind, at=call,
-               of="theta, or omega/sqrt(g/l),", unit="rad", hint="is anything kept between calls?")  # fmt: skip
+        expect(
+            states,
+            exact(t - t[0], *start, **rod),
+            scale=[1.0, k],
+            within=TRAJECTORY,
+            t=t,
+            kind=call.kind,
+            at=call,
+            of="theta, or omega/sqrt(g/l),",
+            unit="rad",
+            hint="is anything kept between calls?",
+        )
 
 
 def plain_starts(start):
@@ -944,16 +1142,31 @@ def judge_equilibria(student, t, angles, pendulum):
     calls = [given(t, angle, 0.0, **rod) for angle in angles]
     calls = [call.on(kind_of(given(*call.args[1:], **call.kwargs), "")) for call in calls]
     for found, call in zip(student.simulate.many(calls), calls, strict=True):
-        expect(found, [[call.args[1], 0.0]] * len(t), within=TRAJECTORY, of="theta or omega", unit="rad or rad/s", t=t,
-               kind=call.kind, at=call, hint="what is alpha there?")  # fmt: skip
+        expect(
+            found,
+            [[call.args[1], 0.0]] * len(t),
+            within=TRAJECTORY,
+            of="theta or omega",
+            unit="rad or rad/s",
+            t=t,
+            kind=call.kind,
+            at=call,
+            hint="what is alpha there?",
+        )
 
 
 @check(points=0.25, part="a", after=simulate_swings)
 def simulate_turns_over_the_top(student, draw):
     """simulate: a pendulum that turns round and round; theta goes on growing."""
     start, pendulum, k = turning(draw)
-    judge_motion(student, uneven(draw, 15 / k, 100), start, pendulum, "a pendulum that goes over the top",
-                 "is alpha right at every angle, and the tolerance tight?")  # fmt: skip
+    judge_motion(
+        student,
+        uneven(draw, 15 / k, 100),
+        start,
+        pendulum,
+        "a pendulum that goes over the top",
+        "is alpha right at every angle, and the tolerance tight?",
+    )
     judge_equilibria(student, uneven(draw, 5 / k, 2), [math.pi, -math.pi], pendulum)
 
 
@@ -976,7 +1189,15 @@ def simulate_keeps_the_energy(student, draw):
     # from 1.2 rad and more on one side it swings as far to the other
     expect_that(np.ptp(states[:, 0]) > 1.2, "the pendulum does not move", kind="many periods")
     energy = energy_along(states, rod)
-    expect(energy, np.ones(len(t)), within=ENERGY, of="the energy", unit="of itself",
-           t=t, kind="many periods", at=(start, pendulum),
-           hint="a step of fixed length, or a fixed number of them, does not do for every duration",
-           partial={1e-4: 0.6, 1e-2: 0.3})  # fmt: skip
+    expect(
+        energy,
+        np.ones(len(t)),
+        within=ENERGY,
+        of="the energy",
+        unit="of itself",
+        t=t,
+        kind="many periods",
+        at=(start, pendulum),
+        hint="a step of fixed length, or a fixed number of them, does not do for every duration",
+        partial={1e-4: 0.6, 1e-2: 0.3},
+    )

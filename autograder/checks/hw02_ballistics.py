@@ -74,10 +74,14 @@ def means(s):
 def motion(since, vx, vy, fade_x, fade_y, gravity):
     """(n, 4) states at times since the launch; the components of the velocity fade at rates of their own."""
     (mean_x, _), (mean_y, late_y) = means(fade_x * since), means(fade_y * since)
-    return np.column_stack([
-        vx * since * mean_x, vy * since * mean_y - gravity * since**2 * late_y,
-        vx * np.exp(-fade_x * since), vy * np.exp(-fade_y * since) - gravity * since * mean_y,
-    ])  # fmt: skip
+    return np.column_stack(
+        [
+            vx * since * mean_x,
+            vy * since * mean_y - gravity * since**2 * late_y,
+            vx * np.exp(-fade_x * since),
+            vy * np.exp(-fade_y * since) - gravity * since * mean_y,
+        ]
+    )
 
 
 def right(since, speed, angle, *, mass, drag, gravity):
@@ -141,22 +145,22 @@ def rates_of(wrong):
 
 
 SIMULATE_SUSPECTS = [
-    suspect(
-        says, within=1e-4,
-        simulate=lambda t, *launch, wrong=wrong, **known: wrong(t - t[0], *launch, **known),
-    )
+    suspect(says, within=1e-4, simulate=lambda t, *launch, wrong=wrong, **known: wrong(t - t[0], *launch, **known))
     for says, wrong in WRONG_MOTIONS.items()
-] + mistimed(lambda t, *launch, **known: right(t - t[0], *launch, **known), from_zero=right)  # fmt: skip
+] + mistimed(lambda t, *launch, **known: right(t - t[0], *launch, **known), from_zero=right)
 TRAJECTORY_SUSPECTS = [suspect(says, within=1e-4, trajectory=wrong) for says, wrong in WRONG_MOTIONS.items()]
 RATES_SUSPECTS = [
     suspect(says, within=1e-3, state_derivative=rates_of(wrong))
     for says, wrong in WRONG_MOTIONS.items()
     if "angle" not in says
 ] + [
-    suspect("a drag that points down in the fall, too",
-            state_derivative=lambda t, state, *, mass, drag, gravity: np.array([
-                *state[2:], -drag / mass * state[2], -drag / mass * abs(state[3]) - gravity])),
-]  # fmt: skip
+    suspect(
+        "a drag that points down in the fall, too",
+        state_derivative=lambda t, state, *, mass, drag, gravity: np.array(
+            [*state[2:], -drag / mass * state[2], -drag / mass * abs(state[3]) - gravity]
+        ),
+    )
+]
 
 
 def parameters(draw, **fixed):
@@ -231,8 +235,17 @@ def judge_rates(student, calls, kind, hint):
         v = state[2:]
         expected = np.concatenate([v, -drag / mass * v - (0, gravity)])
         scale = np.linalg.norm(v) * (1 + drag / mass) + gravity
-        expect(found, expected, within=POINTWISE, scale=scale or 1.0, of="the state's derivative",
-               unit="of v, c v/m and g", kind=kind, hint=hint, at=call)  # fmt: skip
+        expect(
+            found,
+            expected,
+            within=POINTWISE,
+            scale=scale or 1.0,
+            of="the state's derivative",
+            unit="of v, c v/m and g",
+            kind=kind,
+            hint=hint,
+            at=call,
+        )
 
 
 def size(call, expected):
@@ -322,17 +335,24 @@ def column_hint(states, call, expected, hint):
     """What to look at in a closed form: the columns that are off, if others are right."""
     right = np.all(np.abs(states - expected) <= CLOSED * size(call, expected), axis=0)
     off = [name for name, one in zip(("x", "y", "vx", "vy"), right, strict=True) if not one]
-    return (
-        f"of x, y, vx and vy only {' and '.join(off)} {'is' if len(off) == 1 else 'are'} off"
-        if any(right)
-        else hint
-    )
+    return f"of x, y, vx and vy only {' and '.join(off)} {'is' if len(off) == 1 else 'are'} off" if any(right) else hint
 
 
 def judge_states(found, cases, within, kind, hint, points=None):
     for states, (call, expected) in zip(found, cases, strict=True):
-        expect(states, expected, within=within, scale=size(call, expected), of="the state", t=call.args[0],
-               unit="of the path's size or its speed", kind=kind, hint=hint, at=call, partial=points)  # fmt: skip
+        expect(
+            states,
+            expected,
+            within=within,
+            scale=size(call, expected),
+            of="the state",
+            t=call.args[0],
+            unit="of the path's size or its speed",
+            kind=kind,
+            hint=hint,
+            at=call,
+            partial=points,
+        )
 
 
 @check(points=1, part="d", suspects=SIMULATE_SUSPECTS)
@@ -352,8 +372,13 @@ def simulation_without_drag_or_gravity(student, draw):
     """simulate goes straight on without gravity, on a parabola without drag, whatever was asked before."""
     for zero in ZEROS:
         cases, kind = flights(draw, (0.0,), zero), f"zero {' and '.join(zero)}"
-        judge_states(student.on(kind).simulate.many([call for call, _ in cases]), cases, SIMULATED, kind,
-                     "nothing may be divided by drag or gravity")  # fmt: skip
+        judge_states(
+            student.on(kind).simulate.many([call for call, _ in cases]),
+            cases,
+            SIMULATED,
+            kind,
+            "nothing may be divided by drag or gravity",
+        )
     judge_light_flight(student.simulate, draw, SIMULATED)
     judge_alike_flights(student.simulate, draw, SIMULATED)
 
@@ -411,8 +436,13 @@ def trajectory_is_the_motion(student, draw):
 def trajectory_counts_time_from_the_launch(student, draw):
     """trajectory takes the launch to be at t = 0, whatever times are asked for: later ones, a single one, backwards."""
     cases = late_flights(draw, (2.5, -0.5, 0.7))
-    judge_states(student.trajectory.many([call for call, _ in cases]), cases, CLOSED, "times that do not begin at 0",
-                 "the first time asked for need not be that of the launch")  # fmt: skip
+    judge_states(
+        student.trajectory.many([call for call, _ in cases]),
+        cases,
+        CLOSED,
+        "times that do not begin at 0",
+        "the first time asked for need not be that of the launch",
+    )
     (call, states), *_ = cases
     for kind, some in SOME_TIMES.items():
         case = given(call.args[0][some], *call.args[1:], **call.kwargs).on(kind), states[some]
@@ -433,9 +463,7 @@ def trajectory_with_any_drag(student, draw):
     judge_alike_flights(student.trajectory, draw, CLOSED)
 
 
-TAKEN_FOR_NONE = (
-    "very little drag is taken for none: where your formula without drag takes over, its digits do not do"
-)
+TAKEN_FOR_NONE = "very little drag is taken for none: where your formula without drag takes over, its digits do not do"
 
 
 def drag_hint(states, call):
@@ -451,8 +479,13 @@ def judge_great_drag(student, draw):
     (speed, angle), known = launch(draw), parameters(draw)
     t = uneven(draw, draw.uniform(1000, 2000) * known["mass"] / known["drag"], 20, 0.0)
     call = given(t, speed, angle, **known)
-    judge_states(student.on("great drag").trajectory.many([call]), [(call, right(*call.args, **known))], CLOSED,
-                 "great drag", "e^-s goes to nothing, e^s beyond all numbers")  # fmt: skip
+    judge_states(
+        student.on("great drag").trajectory.many([call]),
+        [(call, right(*call.args, **known))],
+        CLOSED,
+        "great drag",
+        "e^-s goes to nothing, e^s beyond all numbers",
+    )
 
 
 def landing(speed, angle, *, mass, drag, gravity):
@@ -532,9 +565,17 @@ def judge_landings(function, what, cases, kind, hint):
     for value, case in zip(found, cases, strict=True):
         upright = case[0].args[1] == math.pi / 2 and what == RANGE  # and zero, but for rounding
         scale = case[0].args[0] * case[1] if upright else case[column]
-        expect(value, case[column], within=ROOT, scale=scale, of=of, kind=kind_of(case[0]), at=case[0],
-               hint=partial(landing_hint, value, what, case[0], hint),
-               unit="of the speed times the flight time" if upright else "of itself")  # fmt: skip
+        expect(
+            value,
+            case[column],
+            within=ROOT,
+            scale=scale,
+            of=of,
+            kind=kind_of(case[0]),
+            at=case[0],
+            hint=partial(landing_hint, value, what, case[0], hint),
+            unit="of the speed times the flight time" if upright else "of itself",
+        )
 
 
 def landing_hint(value, what, call, hint):
@@ -591,49 +632,67 @@ def range_of_wrong_decay(decay):
 
 TIME_SUSPECTS = [
     suspect("the flight time without drag, or with drag on the horizontal component alone", flight_time=drag_free),
-    suspect("twice the time to the top; the way down takes longer than the way up",
-            flight_time=lambda speed, angle, *, mass, drag, gravity:
-            2 * mass / drag * math.log1p(drag * speed * math.sin(angle) / (mass * gravity))),
-    suspect("the drag force not divided by the mass",
-            flight_time=lambda *launch, mass, **known: landing(*launch, mass=1.0, **known)[0]),
-]  # fmt: skip
+    suspect(
+        "twice the time to the top; the way down takes longer than the way up",
+        flight_time=lambda speed, angle, *, mass, drag, gravity: (
+            2 * mass / drag * math.log1p(drag * speed * math.sin(angle) / (mass * gravity))
+        ),
+    ),
+    suspect(
+        "the drag force not divided by the mass",
+        flight_time=lambda *launch, mass, **known: landing(*launch, mass=1.0, **known)[0],
+    ),
+]
 RANGE_SUSPECTS = [
     suspect("the range without drag", horizontal_range=range_without_drag),
-    suspect("drag on the vertical component alone", horizontal_range=lambda speed, angle, **known: speed
-            * math.cos(angle) * landing(speed, angle, **known)[0]),
-    suspect("the flight time without drag, or drag on the horizontal component alone",
-            horizontal_range=lambda speed, angle, **known:
-            faded(1, 0)(np.array([drag_free(speed, angle, **known)]), speed, angle, **known)[0, 0]),
-    suspect("the drag force not divided by the mass", horizontal_range=lambda *launch, mass, **known:
-            landing(*launch, mass=1.0, **known)[1][0]),
-    suspect("the drag force not divided by the mass in x, where it is in the flight time",
-            horizontal_range=range_of_wrong_decay(lambda s, of_unit_mass: means(of_unit_mass)[0])),
-    suspect("the exponent not divided by the mass", horizontal_range=range_of_wrong_decay(
-        lambda s, of_unit_mass: -math.expm1(-of_unit_mass) / s if s else 1.0)),
-]  # fmt: skip
+    suspect(
+        "drag on the vertical component alone",
+        horizontal_range=lambda speed, angle, **known: speed * math.cos(angle) * landing(speed, angle, **known)[0],
+    ),
+    suspect(
+        "the flight time without drag, or drag on the horizontal component alone",
+        horizontal_range=lambda speed, angle, **known: faded(1, 0)(
+            np.array([drag_free(speed, angle, **known)]), speed, angle, **known
+        )[0, 0],
+    ),
+    suspect(
+        "the drag force not divided by the mass",
+        horizontal_range=lambda *launch, mass, **known: landing(*launch, mass=1.0, **known)[1][0],
+    ),
+    suspect(
+        "the drag force not divided by the mass in x, where it is in the flight time",
+        horizontal_range=range_of_wrong_decay(lambda s, of_unit_mass: means(of_unit_mass)[0]),
+    ),
+    suspect(
+        "the exponent not divided by the mass",
+        horizontal_range=range_of_wrong_decay(lambda s, of_unit_mass: -math.expm1(-of_unit_mass) / s if s else 1.0),
+    ),
+]
 
 
 @check(points=0.75, part="c", suspects=TIME_SUSPECTS)
 def flight_ends_at_launch_height(student, draw):
     """flight_time is when y is zero again."""
     cases = landings(draw, (None,) * 12)
-    judge_landings(student.flight_time, TIME, cases, "a random launch",
-                   "put the time into the y of your closed form; is it zero?")  # fmt: skip
     judge_landings(
-        student.flight_time,
-        TIME,
-        plain_landings(draw),
-        direction_of,
-        "does it hold without drag, and straight up?",
+        student.flight_time, TIME, cases, "a random launch", "put the time into the y of your closed form; is it zero?"
+    )
+    judge_landings(
+        student.flight_time, TIME, plain_landings(draw), direction_of, "does it hold without drag, and straight up?"
     )
 
 
 @check(points=0.5, part="c", after=flight_ends_at_launch_height)
 def flight_time_with_hardly_any_drag(student, draw):
     """flight_time goes over into 2 v sin(angle)/g without losing its digits."""
-    judge_landings(student.flight_time, TIME, landings_with_little_drag(draw), drag_of,
-                   "near its branch point Lambert's W has half of its digits only; "
-                   "a step of Newton's method, on an equation that is good without drag, brings them back")  # fmt: skip
+    judge_landings(
+        student.flight_time,
+        TIME,
+        landings_with_little_drag(draw),
+        drag_of,
+        "near its branch point Lambert's W has half of its digits only; "
+        "a step of Newton's method, on an equation that is good without drag, brings them back",
+    )
 
 
 @check(points=0.25, part="c", after=flight_ends_at_launch_height)
@@ -641,11 +700,20 @@ def flight_time_with_great_drag_and_straight_up(student, draw):
     """flight_time holds straight up and nearly flat, with drag a thousand times the weight, for light particles."""
     # the last takes 3e-6 s, of which a root good to 2e-12 s, as brentq's are, is off by less than ROOT; b is 1
     flattest = landed(given(2.0, 1e-6, mass=1.0, drag=5e5, gravity=1.0))
-    judge_landings(student.flight_time, TIME, [*landings(draw, (None,) * 2, (math.pi / 2, 1e-3)), flattest],
-                   direction_of,
-                   "does a search for the root step over a flight that is short, or end at t = 0?")  # fmt: skip
-    judge_landings(student.flight_time, TIME, landings_with_great_drag(draw), "great drag",
-                   "what is left of the equation when e^-s is nothing?")  # fmt: skip
+    judge_landings(
+        student.flight_time,
+        TIME,
+        [*landings(draw, (None,) * 2, (math.pi / 2, 1e-3)), flattest],
+        direction_of,
+        "does a search for the root step over a flight that is short, or end at t = 0?",
+    )
+    judge_landings(
+        student.flight_time,
+        TIME,
+        landings_with_great_drag(draw),
+        "great drag",
+        "what is left of the equation when e^-s is nothing?",
+    )
     judge_landings(student.flight_time, TIME, light_landings(draw), LIGHT, SMALL_BESIDE)
     judge_landings(student.flight_time, TIME, alike_landings(draw), attrgetter("kind"), KEPT)
 
@@ -654,8 +722,9 @@ def flight_time_with_great_drag_and_straight_up(student, draw):
 def range_is_where_it_lands(student, draw):
     """horizontal_range is x at the flight time."""
     cases = landings(draw, (None,) * 12)
-    judge_landings(student.horizontal_range, RANGE, cases, "a random launch",
-                   "put the flight time into the x of your closed form")  # fmt: skip
+    judge_landings(
+        student.horizontal_range, RANGE, cases, "a random launch", "put the flight time into the x of your closed form"
+    )
     judge_landings(
         student.horizontal_range,
         RANGE,
@@ -677,11 +746,21 @@ DIGITS_SUSPECTS = [suspect("1 - e^-s as a difference, which loses digits", horiz
 @check(points=0.5, part="c", after=range_is_where_it_lands, suspects=DIGITS_SUSPECTS)
 def range_with_hardly_any_drag(student, draw):
     """horizontal_range goes over into v^2 sin(2 angle)/g without losing its digits; it holds with great drag, too."""
-    judge_landings(student.horizontal_range, RANGE, landings_with_little_drag(draw), drag_of,
-                   "is it the time or x that has lost its digits?")  # fmt: skip
+    judge_landings(
+        student.horizontal_range,
+        RANGE,
+        landings_with_little_drag(draw),
+        drag_of,
+        "is it the time or x that has lost its digits?",
+    )
     judge_landings(student.horizontal_range, RANGE, light_landings(draw), LIGHT, SMALL_BESIDE)
-    judge_landings(student.horizontal_range, RANGE, landings_with_great_drag(draw), "great drag",
-                   "e^-s goes to nothing, e^s beyond all numbers")  # fmt: skip
+    judge_landings(
+        student.horizontal_range,
+        RANGE,
+        landings_with_great_drag(draw),
+        "great drag",
+        "e^-s goes to nothing, e^s beyond all numbers",
+    )
     judge_landings(student.horizontal_range, RANGE, alike_landings(draw), attrgetter("kind"), KEPT)
 
 
@@ -719,11 +798,15 @@ def best_angle_of_whole_numbers():
 
 BEST_SUSPECTS = [
     suspect("45 degrees always, which holds without drag alone", best_angle=lambda *_, **__: math.pi / 4),
-    suspect("an angle in degrees", best_angle=lambda speed, *, mass, drag, gravity: math.degrees(
-        best(drag * speed / (mass * gravity)))),
-    suspect("the drag force not divided by the mass", best_angle=lambda speed, *, mass, drag, gravity:
-            best(drag * speed / gravity)),
-]  # fmt: skip
+    suspect(
+        "an angle in degrees",
+        best_angle=lambda speed, *, mass, drag, gravity: math.degrees(best(drag * speed / (mass * gravity))),
+    ),
+    suspect(
+        "the drag force not divided by the mass",
+        best_angle=lambda speed, *, mass, drag, gravity: best(drag * speed / gravity),
+    ),
+]
 
 
 @check(points=0.75, part="a", suspects=BEST_SUSPECTS)
@@ -733,9 +816,11 @@ def best_angle_has_the_largest_range(student, draw):
     kind = "a speed from a tenth to a hundred times the terminal speed"
     found = student.best_angle.many([call.on(kind) for call, _ in cases])
     near = np.abs(np.subtract(found, [expected for _, expected in cases])).max() <= NEAR
-    hint = ("near its largest the range is flat, and a search stops early: solve for where its derivative vanishes"
-            if near else "is your horizontal_range right? compute it a little above and below your angle: both must be "
-            "smaller")  # fmt: skip
+    hint = (
+        "near its largest the range is flat, and a search stops early: solve for where its derivative vanishes"
+        if near
+        else "is your horizontal_range right? compute it a little above and below your angle: both must be smaller"
+    )
     for angle, (call, expected) in zip(found, cases, strict=True):
         expect(angle, expected, within=ANGLE, of="the best angle", unit="rad", at=call, hint=hint, kind=kind)
 
@@ -744,30 +829,45 @@ def best_angle_has_the_largest_range(student, draw):
 def best_angle_is_45_degrees_without_drag(student, draw):
     """best_angle is 45 degrees at no drag, and leaves them as the drag grows beside the weight."""
     calls = [given(launch(draw)[0], **parameters(draw, drag=drag)) for drag in (0.0, 1e-12, 1e-10)]
-    for angle, call in zip(
-        student.best_angle.many([call.on(drag_of(call)) for call in calls]), calls, strict=True
-    ):
-        expect(angle, math.pi / 4, within=ANGLE, of="the best angle", unit="rad", at=call,
-               kind=drag_of(call),
-               hint="does your equation for the angle still hold when drag is zero?")  # fmt: skip
+    for angle, call in zip(student.best_angle.many([call.on(drag_of(call)) for call in calls]), calls, strict=True):
+        expect(
+            angle,
+            math.pi / 4,
+            within=ANGLE,
+            of="the best angle",
+            unit="rad",
+            at=call,
+            kind=drag_of(call),
+            hint="does your equation for the angle still hold when drag is zero?",
+        )
     # the third is always from .007 to .01, where a series of first order in the drag is off by 5e-6 and more
     cases = best_angles(draw, tuple(10.0 ** (draw.uniform(0, 1, 4) * [2, 1, 0.15, 1] - [6, 4, 2.16, 2])))
     kind = "a speed below a tenth of the terminal speed"
     found = student.best_angle.many([call.on(kind) for call, _ in cases])
     for angle, (call, expected) in zip(found, cases, strict=True):
-        expect(angle, expected, within=ANGLE, of="the best angle", unit="rad", at=call, kind=kind,
-               hint=partial(slow_hint, angle, call))  # fmt: skip
+        expect(
+            angle,
+            expected,
+            within=ANGLE,
+            of="the best angle",
+            unit="rad",
+            at=call,
+            kind=kind,
+            hint=partial(slow_hint, angle, call),
+        )
     for special, kind in SPECIAL:
         cases = best_angles(draw, tuple(10.0 ** draw.uniform(-0.3, 0.3, 2)), special)
         found = student.best_angle.many([call.on(kind) for call, _ in cases])
         for angle, (call, expected) in zip(found, cases, strict=True):
-            expect(angle, expected, within=ANGLE, of="the best angle", unit="rad", at=call, kind=kind,
-                   hint=SMALL_BESIDE)  # fmt: skip
+            expect(
+                angle, expected, within=ANGLE, of="the best angle", unit="rad", at=call, kind=kind, hint=SMALL_BESIDE
+            )
     calls = [given(call.args[0], **call.kwargs).on(call.kind) for call, *_ in alike_landings(draw)]
     for angle, call in zip(student.best_angle.many(calls), calls, strict=True):
         swiftness = call.kwargs["drag"] * call.args[0] / (call.kwargs["mass"] * call.kwargs["gravity"])
-        expect(angle, best(swiftness), within=ANGLE, of="the best angle", unit="rad", at=call, kind=call.kind,
-               hint=KEPT)  # fmt: skip
+        expect(
+            angle, best(swiftness), within=ANGLE, of="the best angle", unit="rad", at=call, kind=call.kind, hint=KEPT
+        )
 
 
 def where_little_pulls(draw):
@@ -795,9 +895,17 @@ def best_angle_at_a_huge_speed(student, draw):
     cases = best_angles(draw, tuple(10.0 ** draw.uniform(4, 6, 5)))
     found = student.best_angle.many([call.on("a huge speed") for call, _ in cases])
     for angle, (call, expected) in zip(found, cases, strict=True):
-        expect(angle / expected, 1.0, within=SWIFT, of="the best angle", unit="of itself", at=call, kind="a huge speed",
-               hint="the largest range is very flat there: solve for where its derivative vanishes, and for a small "
-               "angle look on a logarithmic scale")  # fmt: skip
+        expect(
+            angle / expected,
+            1.0,
+            within=SWIFT,
+            of="the best angle",
+            unit="of itself",
+            at=call,
+            kind="a huge speed",
+            hint="the largest range is very flat there: solve for where its derivative vanishes, and for a small "
+            "angle look on a logarithmic scale",
+        )
 
 
 def fast_corners(angle):
@@ -817,31 +925,47 @@ def start(c, s):
 
 
 SHAPE_SUSPECTS = [
-    suspect("a parabola, as if the drag did not matter at high speed",
-            limit_shape=corners(start, lambda c, s: (c * s, s * s / 2), lambda c, s: (2 * c * s, 0))),
-    suspect("a path as long on its way down as up",
-            limit_shape=corners(start, lambda c, s: (c, s), lambda c, s: (2 * c, 0))),
-    suspect("a landing as far from the launch as the top corner is: it falls straight down from there",
-            limit_shape=corners(start, lambda c, s: (c, s), lambda c, s: (1, 0))),
-    suspect("a top corner at the height cos(angle) sin(angle): it is as far along the launch as the speed carries it",
-            limit_shape=corners(start, lambda c, s: (c, c * s), lambda c, s: (c, 0))),
-    suspect("the corners from the landing to the launch",
-            limit_shape=corners(lambda c, s: (c, 0), lambda c, s: (c, s), start)),
-    suspect("the angle measured from the vertical",
-            limit_shape=corners(start, lambda c, s: (s, c), lambda c, s: (s, 0))),
-]  # fmt: skip
+    suspect(
+        "a parabola, as if the drag did not matter at high speed",
+        limit_shape=corners(start, lambda c, s: (c * s, s * s / 2), lambda c, s: (2 * c * s, 0)),
+    ),
+    suspect(
+        "a path as long on its way down as up", limit_shape=corners(start, lambda c, s: (c, s), lambda c, s: (2 * c, 0))
+    ),
+    suspect(
+        "a landing as far from the launch as the top corner is: it falls straight down from there",
+        limit_shape=corners(start, lambda c, s: (c, s), lambda c, s: (1, 0)),
+    ),
+    suspect(
+        "a top corner at the height cos(angle) sin(angle): it is as far along the launch as the speed carries it",
+        limit_shape=corners(start, lambda c, s: (c, c * s), lambda c, s: (c, 0)),
+    ),
+    suspect(
+        "the corners from the landing to the launch",
+        limit_shape=corners(lambda c, s: (c, 0), lambda c, s: (c, s), start),
+    ),
+    suspect(
+        "the angle measured from the vertical", limit_shape=corners(start, lambda c, s: (s, c), lambda c, s: (s, 0))
+    ),
+]
 
 
 @check(points=1, part="b", suspects=SHAPE_SUSPECTS)
 def path_at_a_huge_speed_has_the_limit_shape(student, draw):
     """limit_shape has the corners that a path has at a speed of 1e12 terminal speeds."""
     angles = [*draw.uniform(0.1, 1.5, 6), math.pi / 2, math.pi / 4, math.pi / 3, 1.0, 0.01]
-    for found, angle in zip(
-        student.limit_shape.many([given(angle) for angle in angles]), angles, strict=True
-    ):
-        expect(found, fast_corners(angle), within=CORNER, of="a corner", unit="m v/c", at=angle, kind="a random angle",
-               hint="plot your closed form at 10, 100 and 1000 times the terminal speed, in units of m v/c; launch and "
-               "return to launch height are corners too")  # fmt: skip
+    for found, angle in zip(student.limit_shape.many([given(angle) for angle in angles]), angles, strict=True):
+        expect(
+            found,
+            fast_corners(angle),
+            within=CORNER,
+            of="a corner",
+            unit="m v/c",
+            at=angle,
+            kind="a random angle",
+            hint="plot your closed form at 10, 100 and 1000 times the terminal speed, in units of m v/c; launch and "
+            "return to launch height are corners too",
+        )
 
 
 @check(points=0.5, part="e")
@@ -853,8 +977,11 @@ def both_paths_are_drawn(student, draw):
     duration = max(2.5 * known["mass"] / known["drag"], 1.2 * landing(speed, angle, **known)[0])
     t = np.linspace(0.0, duration, SAMPLES)
     picture = student.plot_comparison.draw(t, speed, angle, **known)
-    expect_that(len(picture.lines) == 2, f"there are {len(picture.lines)} curves on the axes, not two",
-                hint="fewer than ten points are no curve")  # fmt: skip
+    expect_that(
+        len(picture.lines) == 2,
+        f"there are {len(picture.lines)} curves on the axes, not two",
+        hint="fewer than ten points are no curve",
+    )
     fine = right(np.linspace(0.0, t[-1], FINE), speed, angle, **known)[:, :2]
     for line in picture.lines:
         path = along(line, fine)
@@ -871,8 +998,11 @@ def judge_twins(student, call):
         (simulated,), (closed,) = student.simulate.many([call]), student.trajectory.many([call])
     except Failure:  # of which their own checks tell
         return
-    expect_that(np.array_equal(simulated, closed), "both curves are the same numbers, to the last bit",
-                hint="is one that of simulate, and the other that of trajectory?")  # fmt: skip
+    expect_that(
+        np.array_equal(simulated, closed),
+        "both curves are the same numbers, to the last bit",
+        hint="is one that of simulate, and the other that of trajectory?",
+    )
 
 
 def end_hint(path, fine, t):
@@ -894,11 +1024,25 @@ def end_hint(path, fine, t):
 def judge_path(path, fine, ends):
     """A line must begin and end where the motion does, and each have all of its points next to the other."""
     scale = np.abs(fine).max()
-    expect(path[[0, -1]], fine[[0, -1]], within=DRAWN, scale=scale, of="an end of a curve", unit="of the path's size",
-           hint=ends)  # fmt: skip
+    expect(
+        path[[0, -1]],
+        fine[[0, -1]],
+        within=DRAWN,
+        scale=scale,
+        of="an end of a curve",
+        unit="of the path's size",
+        hint=ends,
+    )
     for points, polygon, of, within in (
         (path, fine, "a curve", DRAWN),
         (fine[::5], path, "a point of the motion", PASSED),
     ):
-        expect(distances(points, polygon), 0.0, within=within, scale=scale, of=of, unit="of the path's size",
-               hint="x to the right, y up")  # fmt: skip
+        expect(
+            distances(points, polygon),
+            0.0,
+            within=within,
+            scale=scale,
+            of=of,
+            unit="of the path's size",
+            hint="x to the right, y up",
+        )

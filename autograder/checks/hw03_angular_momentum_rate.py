@@ -14,15 +14,11 @@ RESULTS = {
     "special_motion": group(array(None, 3), array(None, 3)),
 }
 NEEDS = ("numpy",)
-MANUAL = {
-    "a": (2, "in words: which definitions have rate = moment in general, which in special cases, and why"),
-}
+MANUAL = {"a": (2, "in words: which definitions have rate = moment in general, which in special cases, and why")}
 
 POINTWISE = 1e-8  # a few roundings make 1e-15, a rate by differences of a Taylor series 1e-11
 NEARLY = 1e-4  # off by less, a rate is right in principle, to choose the words
-IDENTITY = (
-    1e-12  # relative, of a coefficient: those of a motion, and so their products, are rounded to 1e-16 each
-)
+IDENTITY = 1e-12  # relative, of a coefficient: those of a motion, and so their products, are rounded to 1e-16 each
 FAR_OFF = 1e-6  # the same of a motion far from O: 1e7 m away from it one metre is rounded to 1e-9
 CERTAIN = 1e-9  # relative, of a coefficient that is there for certain
 NOTHING = 1e-8  # of the largest: a polynomial that vanishes twice is found to be below the root of rounding
@@ -132,7 +128,7 @@ MOMENT_SUSPECTS = [
     moment_variant("the moment about O in place of C", lambda r_p, a_p, r_c, m: np.cross(r_p, m * a_p)),
     moment_variant("the lever arm from P to C", lambda r_p, a_p, r_c, m: np.cross(r_c - r_p, m * a_p)),
     moment_variant("the moment without the mass", lambda r_p, a_p, r_c, m: np.cross(r_p - r_c, a_p)),
-]  # fmt: skip
+]
 
 
 @check(points=1, part="a", suspects=MOMENT_SUSPECTS)
@@ -140,14 +136,20 @@ def moment_is_about_C(student, draw):
     """moment: that of the total force on P, about C."""
     cases = motions(draw)
     kinds = [kind_of(state, "random positions and accelerations") for *_, state in cases]
-    calls = [
-        given(s[0], s[2], s[3], mass=m).on(kind) for (*_, m, _, s), kind in zip(cases, kinds, strict=True)
-    ]
+    calls = [given(s[0], s[2], s[3], mass=m).on(kind) for (*_, m, _, s), kind in zip(cases, kinds, strict=True)]
     for found, call, (p, c, mass, now, state) in zip(student.moment.many(calls), calls, cases, strict=True):
         force = mass * derivative(derivative(p))
-        expect(found, value(cross(difference(p, c), force), now), within=POINTWISE, scale=size(state, mass)[0],
-               of="the moment", unit="of its size", kind=call.kind, at=call,
-               hint="the lever arm runs from C to P, and the force on P is all of its m a")  # fmt: skip
+        expect(
+            found,
+            value(cross(difference(p, c), force), now),
+            within=POINTWISE,
+            scale=size(state, mass)[0],
+            of="the moment",
+            unit="of its size",
+            kind=call.kind,
+            at=call,
+            hint="the lever arm runs from C to P, and the force on P is all of its m a",
+        )
 
 
 def momentum_variant(says, velocity, arm=lambda r_p, r_c: r_p - r_c):
@@ -162,14 +164,21 @@ def momentum_variant(says, velocity, arm=lambda r_p, r_c: r_p - r_c):
 MOMENTUM_SUSPECTS = [
     momentum_variant("the other definition: are b and c swapped?", lambda d, v_p, v_c: v_p - v_c if d == "b" else v_p),
     momentum_variant("the velocity of C for that of P", lambda d, v_p, v_c: v_c),
-    momentum_variant("the angular momentum about O in place of C",
-                     lambda d, v_p, v_c: v_p - v_c if d == "c" else v_p, lambda r_p, r_c: r_p),
-]  # fmt: skip
-TURNED_ROUND = momentum_variant("v_{C/P} for v_{P/C}: the sign of the relative velocity reversed",
-                                lambda d, v_p, v_c: v_c - v_p if d == "c" else v_p)  # fmt: skip
+    momentum_variant(
+        "the angular momentum about O in place of C",
+        lambda d, v_p, v_c: v_p - v_c if d == "c" else v_p,
+        lambda r_p, r_c: r_p,
+    ),
+]
+TURNED_ROUND = momentum_variant(
+    "v_{C/P} for v_{P/C}: the sign of the relative velocity reversed",
+    lambda d, v_p, v_c: v_c - v_p if d == "c" else v_p,
+)
 IN_EVERY = momentum_variant("the velocity relative to C in every definition", lambda d, v_p, v_c: v_p - v_c)
-IN_A = momentum_variant("the velocity relative to C in definition a, whose C' does not move",
-                        lambda d, v_p, v_c: v_p - v_c if d == "a" else v_p)  # fmt: skip
+IN_A = momentum_variant(
+    "the velocity relative to C in definition a, whose C' does not move",
+    lambda d, v_p, v_c: v_p - v_c if d == "a" else v_p,
+)
 
 
 def judge_momentum(student, draw, definitions, hint):
@@ -181,9 +190,17 @@ def judge_momentum(student, draw, definitions, hint):
     ]
     found = student.angular_momentum.many(calls)
     for one, call, (definition, p, c, mass, now, state) in zip(found, calls, cases, strict=True):
-        expect(one, value(momentum(definition, p, c, mass, now), now), within=POINTWISE,
-               scale=size(state, mass)[1] or 1.0, of="the angular momentum", unit="of its size",
-               kind=call.kind, hint=hint, at=call)  # fmt: skip
+        expect(
+            one,
+            value(momentum(definition, p, c, mass, now), now),
+            within=POINTWISE,
+            scale=size(state, mass)[1] or 1.0,
+            of="the angular momentum",
+            unit="of its size",
+            kind=call.kind,
+            hint=hint,
+            at=call,
+        )
 
 
 @check(points=1, part="a", suspects=[*MOMENTUM_SUSPECTS, IN_EVERY, IN_A])
@@ -206,14 +223,15 @@ def refuses_others(student, draw, name):
     _, _, mass, _, state = motions(draw)[0]
     arguments = state if name != "angular_momentum" else (*state[:2], *state[3:5])
     for definition in ("d", "ab", "", *LETTERS_ALIKE):
-        expect_that(getattr(student, name).refuses(definition, *arguments, mass=mass),
-                    f"{name} takes a definition that there is none of", at=definition,
-                    hint="raise ValueError for anything but the three letters")  # fmt: skip
+        expect_that(
+            getattr(student, name).refuses(definition, *arguments, mass=mass),
+            f"{name} takes a definition that there is none of",
+            at=definition,
+            hint="raise ValueError for anything but the three letters",
+        )
 
 
-@check(
-    points=0.25, part="a", after=(momentum_with_the_velocity_in_F, momentum_with_the_velocity_relative_to_C)
-)
+@check(points=0.25, part="a", after=(momentum_with_the_velocity_in_F, momentum_with_the_velocity_relative_to_C))
 def momentum_refuses_other_definitions(student, draw):
     """angular_momentum raises ValueError for another definition."""
     refuses_others(student, draw, "angular_momentum")
@@ -243,14 +261,12 @@ def nothing(moment, b, c):
 
 
 RIGHT = {"a": nothing, "b": lambda moment, b, c: b, "c": lambda moment, b, c: c}
-SWAPPED = rate_variant(
-    "the other definition: are b and c swapped?", {**RIGHT, "b": RIGHT["c"], "c": RIGHT["b"]}
-)
+SWAPPED = rate_variant("the other definition: are b and c swapped?", {**RIGHT, "b": RIGHT["c"], "c": RIGHT["b"]})
 OF_UNIT_MASS = suspect(
     "the discrepancy without the mass",
     discrepancy=lambda definition, *state, mass: RIGHT[definition](*terms(state, 1.0)),
     rate=lambda definition, *state, mass: terms(state, mass)[0] + RIGHT[definition](*terms(state, 1.0)),
-)  # fmt: skip
+)
 A_SUSPECTS = [
     rate_variant("the rate of definition b: a point C' that moves", {**RIGHT, "a": RIGHT["b"]}),
     rate_variant("the rate of definition c: velocities relative to C", {**RIGHT, "a": RIGHT["c"]}),
@@ -260,7 +276,7 @@ B_SUSPECTS = [
     rate_variant("the moment for the rate: in definition b, C moves while time goes on", {**RIGHT, "b": nothing}),
     rate_variant("the sign of the velocity of C's term reversed", {**RIGHT, "b": lambda moment, b, c: -b}),
     OF_UNIT_MASS,
-]  # fmt: skip
+]
 C_SUSPECTS = [
     SWAPPED,
     rate_variant("the moment for the rate: the acceleration of C forgotten", {**RIGHT, "c": nothing}),
@@ -283,10 +299,22 @@ def judge_rate(student, draw, name, definition, hint=""):
         if name == "discrepancy":
             expected = difference(expected, mass * cross(difference(p, c), derivative(derivative(p))))
         scale = size(state, mass)[0] or 1.0
-        look = (partial(discrepancy_hint, results, cases, definition) if name == "discrepancy"
-                else partial(rate_hint, found, value(expected, now), scale, hint))  # fmt: skip
-        expect(found, value(expected, now), within=POINTWISE, scale=scale, of=f"the {name}",
-               unit="of a moment's size", kind=call.kind, hint=look, at=call)  # fmt: skip
+        look = (
+            partial(discrepancy_hint, results, cases, definition)
+            if name == "discrepancy"
+            else partial(rate_hint, found, value(expected, now), scale, hint)
+        )
+        expect(
+            found,
+            value(expected, now),
+            within=POINTWISE,
+            scale=scale,
+            of=f"the {name}",
+            unit="of a moment's size",
+            kind=call.kind,
+            hint=look,
+            at=call,
+        )
 
 
 def rate_hint(found, expected, scale, hint):
@@ -478,10 +506,10 @@ def special_motion_of_c(student, draw):
 def special_motion_refuses_other_definitions(student, draw):
     """special_motion raises ValueError for another definition."""
     for definition in ("d", "bc", "", "a", *LETTERS_ALIKE):
-        says = (
-            "gives a motion for definition a"
-            if definition == "a"
-            else "takes a definition that there is none of"
+        says = "gives a motion for definition a" if definition == "a" else "takes a definition that there is none of"
+        expect_that(
+            student.special_motion.refuses(definition),
+            f"special_motion {says}",
+            at=definition,
+            hint='raise ValueError for anything but "b" and "c"',
         )
-        expect_that(student.special_motion.refuses(definition), f"special_motion {says}", at=definition,
-                    hint='raise ValueError for anything but "b" and "c"')  # fmt: skip

@@ -37,10 +37,7 @@ RESULTS = {
     "plot_projection": drawing,
 }
 NEEDS = ("numpy", "matplotlib.figure")
-MANUAL = {
-    "b": (2, "the wildest motion found, with its plot"),
-    "c": (2, "why nothing wild can happen"),
-}
+MANUAL = {"b": (2, "the wildest motion found, with its plot"), "c": (2, "why nothing wild can happen")}
 
 POINTWISE = 1e-9  # a few roundings make 1e-14
 TRAJECTORY = 1e-5  # solve_ivp at rtol 1e-9, atol 1e-9 is off by less than 1e-6 after three periods
@@ -100,11 +97,7 @@ def extent(position, velocity, *, mass, stiffness, gravity):
 
 def size(position, velocity, known):
     """As `extent`; of a mass at rest for good at the origin, 1."""
-    return (
-        extent(position, velocity, **known)
-        if np.any([*position, *velocity, known["gravity"]])
-        else np.ones(6)
-    )
+    return extent(position, velocity, **known) if np.any([*position, *velocity, known["gravity"]]) else np.ones(6)
 
 
 def cases(draw, number, without=2):
@@ -139,11 +132,7 @@ def plain_cases(draw):
             without = "" if known["gravity"] else ", without gravity"
             found.append((*plain(r, v, centre), known, f"a mass {kind}{without}"))
     whole = np.array([1.0, -1.0, 2.0]), np.array([-1.0, 1.0, 1.0])
-    return [
-        *found,
-        (*whole, WHOLE, "whole numbers"),
-        (whole[0], np.zeros(3), WHOLE, "whole numbers, at rest"),
-    ]
+    return [*found, (*whole, WHOLE, "whole numbers"), (whole[0], np.zeros(3), WHOLE, "whole numbers, at rest")]
 
 
 @once
@@ -190,7 +179,7 @@ FORCE_SUSPECTS = [
     wrong_force("the spring's force not divided by the mass", lambda r, d, m, k, g: -m * k * r - m * g * Z),
     wrong_force("a spring that pushes", lambda r, d, m, k, g: k * r - m * g * Z),
     wrong_force("the force for the acceleration: divide by the mass", lambda r, d, m, k, g: m * (-k * r - m * g * Z)),
-]  # fmt: skip
+]
 
 
 @check(points=1.5, part="a", suspects=FORCE_SUSPECTS)
@@ -202,9 +191,17 @@ def derivative_is_velocity_and_force_over_mass(student, draw):
         student.state_derivative.many(named(calls, found)), calls, found, strict=True
     ):
         k = rate_of(**known)
-        expect(rates, (generator(**known) @ [*r, *v, 1.0])[:6], within=POINTWISE,
-               scale=k * size(r, v, known), of="a rate", unit="of its size", kind=kind, at=call,
-               hint="which two forces act on the mass, and which way, when it is below the origin?")  # fmt: skip
+        expect(
+            rates,
+            (generator(**known) @ [*r, *v, 1.0])[:6],
+            within=POINTWISE,
+            scale=k * size(r, v, known),
+            of="a rate",
+            unit="of its size",
+            kind=kind,
+            at=call,
+            hint="which two forces act on the mass, and which way, when it is below the origin?",
+        )
 
 
 def wrong_energy(says, potential):
@@ -219,13 +216,17 @@ def wrong_energy(says, potential):
 
 ENERGY_SUSPECTS = [
     wrong_energy("the weight's potential energy of the wrong sign", lambda r, m, k, g: k * r @ r / 2 - m * g * r[2]),
-    wrong_energy("the energy of a spring with a rest length of 1 m",
-                 lambda r, m, k, g: k * (np.linalg.norm(r) - 1) ** 2 / 2 + m * g * r[2]),
+    wrong_energy(
+        "the energy of a spring with a rest length of 1 m",
+        lambda r, m, k, g: k * (np.linalg.norm(r) - 1) ** 2 / 2 + m * g * r[2],
+    ),
     wrong_energy("the equilibrium at the origin: no weight", lambda r, m, k, g: k * r @ r / 2),
-    wrong_energy("zero energy at the equilibrium in place of the origin",
-                 lambda r, m, k, g: k * np.sum((r + m * g / k * Z) ** 2) / 2),
+    wrong_energy(
+        "zero energy at the equilibrium in place of the origin",
+        lambda r, m, k, g: k * np.sum((r + m * g / k * Z) ** 2) / 2,
+    ),
     wrong_energy("the energy of the spring without its half", lambda r, m, k, g: k * r @ r + m * g * r[2]),
-]  # fmt: skip
+]
 
 
 @check(points=1, part="a", suspects=ENERGY_SUSPECTS)
@@ -240,9 +241,17 @@ def energy_is_that_of_motion_spring_and_weight(student, draw):
     ):
         matrix = np.diag([known["stiffness"]] * 3 + [known["mass"]] * 3)
         right = state @ matrix @ state / 2 + known["mass"] * known["gravity"] * state[2]
-        expect(energy, right, within=POINTWISE, scale=known["stiffness"] * size(r, v, known)[0] ** 2,
-               of="the energy", unit="of its size", kind=kind, at=call,
-               hint="three terms: speed, stretch, height")  # fmt: skip
+        expect(
+            energy,
+            right,
+            within=POINTWISE,
+            scale=known["stiffness"] * size(r, v, known)[0] ** 2,
+            of="the energy",
+            unit="of its size",
+            kind=kind,
+            at=call,
+            hint="three terms: speed, stretch, height",
+        )
 
 
 # The closed form
@@ -271,15 +280,25 @@ def oscillation(t, r, v, k, centre):
 def motion_suspects(*names):
     return [
         formula_suspect("gravity pulling up", names, lambda t, r, v, k, sag: oscillation(t, r, v, k, sag)),
-        formula_suspect("the equilibrium at the origin: no weight", names,
-                        lambda t, r, v, k, sag: oscillation(t, r, v, k, 0 * sag)),
-        formula_suspect("the position measured from the equilibrium", names,
-                        lambda t, r, v, k, sag: oscillation(t, r, v, k, 0 * sag) - np.hstack([sag, 0 * sag])),
-        formula_suspect("the sine's amplitude not divided by the frequency", names,
-                        lambda t, r, v, k, sag: oscillation(t, r, v * k, k, -sag)),
-        formula_suspect("velocities that lack a factor, the frequency", names,
-                        lambda t, r, v, k, sag: oscillation(t, r, v, k, -sag) / np.repeat([1, k], 3)),
-    ]  # fmt: skip
+        formula_suspect(
+            "the equilibrium at the origin: no weight", names, lambda t, r, v, k, sag: oscillation(t, r, v, k, 0 * sag)
+        ),
+        formula_suspect(
+            "the position measured from the equilibrium",
+            names,
+            lambda t, r, v, k, sag: oscillation(t, r, v, k, 0 * sag) - np.hstack([sag, 0 * sag]),
+        ),
+        formula_suspect(
+            "the sine's amplitude not divided by the frequency",
+            names,
+            lambda t, r, v, k, sag: oscillation(t, r, v * k, k, -sag),
+        ),
+        formula_suspect(
+            "velocities that lack a factor, the frequency",
+            names,
+            lambda t, r, v, k, sag: oscillation(t, r, v, k, -sag) / np.repeat([1, k], 3),
+        ),
+    ]
 
 
 def exact(since, position, velocity, **known):
@@ -288,9 +307,7 @@ def exact(since, position, velocity, **known):
     return oscillation(since[:, None], position, velocity, k, -known["gravity"] / k**2 * Z)
 
 
-TIME_SUSPECTS = mistimed(
-    lambda t, *start, **known: exact(t - t[0], *start, **known), from_zero=exact, within=1e-5
-)
+TIME_SUSPECTS = mistimed(lambda t, *start, **known: exact(t - t[0], *start, **known), from_zero=exact, within=1e-5)
 
 
 @once
@@ -337,10 +354,21 @@ def judge_motion(student, name, found, within, kind, hint):
     for states, call, (t, expected, (r, v, known)) in zip(
         getattr(student, name).many(calls), calls, found, strict=True
     ):
-        expect(states, expected, within=within, scale=size(r, v, known), of="the motion", unit="of its size",
-               t=t, kind=kind, hint=partial(motion_hint, states, expected, size(r, v, known), within, hint),
-               at=call, keeps=lambda t=t, states=states, known=known: kept(
-                   t, energy_along(states, known), within=ENERGY, of="the energy", unit="of its start"))  # fmt: skip
+        expect(
+            states,
+            expected,
+            within=within,
+            scale=size(r, v, known),
+            of="the motion",
+            unit="of its size",
+            t=t,
+            kind=kind,
+            hint=partial(motion_hint, states, expected, size(r, v, known), within, hint),
+            at=call,
+            keeps=lambda t=t, states=states, known=known: kept(
+                t, energy_along(states, known), within=ENERGY, of="the energy", unit="of its start"
+            ),
+        )
 
 
 ROWS = "row i is the state at t[i], and the given state is that at t[0]"
@@ -371,8 +399,14 @@ def energy_along(states, known):
 @check(points=1.5, part="a", suspects=motion_suspects("solution"))
 def solution_is_the_motion(student, draw):
     """solution: position and velocity in closed form, given those at t = 0."""
-    judge_motion(student, "solution", timed(draw, 4, 1.7, False, 0), POINTWISE, "a random start",
-                 "about which point does it oscillate, and how fast?")  # fmt: skip
+    judge_motion(
+        student,
+        "solution",
+        timed(draw, 4, 1.7, False, 0),
+        POINTWISE,
+        "a random start",
+        "about which point does it oscillate, and how fast?",
+    )
     heavy = [(case, kind) for case, kind in plain_motions(draw, False) if case[2][2]["gravity"]]
     judge_plain_motions(student, "solution", heavy, POINTWISE, "the given state is that at t = 0")
 
@@ -380,10 +414,7 @@ def solution_is_the_motion(student, draw):
 @check(points=0.5, part="a", after=solution_is_the_motion)
 def solution_holds_without_gravity_and_from_any_time(student, draw):
     """solution: without gravity too, and at times of which none is zero."""
-    for count, shifted, without, kind in (
-        (2, False, 2, "no gravity"),
-        (2, True, 0, "times that do not start at 0"),
-    ):
+    for count, shifted, without, kind in ((2, False, 2, "no gravity"), (2, True, 0, "times that do not start at 0")):
         found = [(t, expected, case) for t, expected, case in timed(draw, count, 1.3, shifted, without)]
         if shifted:
             found = [(t, motion(t, r, v, **known), (r, v, known)) for t, _, (r, v, known) in found]
@@ -404,21 +435,32 @@ def solution_holds_without_gravity_and_from_any_time(student, draw):
 @check(points=1, part="a", suspects=motion_suspects("simulate") + TIME_SUSPECTS)
 def simulate_moves_as_it_must(student, draw):
     """simulate: the state at few and uneven times, the first of which is not 0."""
-    judge_motion(student, "simulate", timed(draw, 4, 2.3, True, 1), TRAJECTORY,
-                 "uneven times, t[0] not 0", ROWS)  # fmt: skip
+    judge_motion(student, "simulate", timed(draw, 4, 2.3, True, 1), TRAJECTORY, "uneven times, t[0] not 0", ROWS)
 
 
 @check(points=0.5, part="a", after=simulate_moves_as_it_must)
 def simulate_does_not_depend_on_the_sampling(student, draw):
     """simulate: only two times, many periods apart, and the same state as by many, whatever was asked before."""
     found = [(t[[0, -1]], states[[0, -1]], case) for t, states, case in timed(draw, 2, 6.4, True, 0)]
-    judge_motion(student, "simulate", found, 3 * TRAJECTORY, "two times far apart",
-                 "steps between the times, as short as the motion asks for")  # fmt: skip
+    judge_motion(
+        student,
+        "simulate",
+        found,
+        3 * TRAJECTORY,
+        "two times far apart",
+        "steps between the times, as short as the motion asks for",
+    )
     judge_plain_motions(
         student, "simulate", plain_motions(draw, True), TRAJECTORY, "row 0 is the given state, that at t[0]"
     )
-    judge_motion(student, "simulate", stiff(draw), TRAJECTORY, "two times, a stiff spring",
-                 "a step of fixed length does not do for every spring")  # fmt: skip
+    judge_motion(
+        student,
+        "simulate",
+        stiff(draw),
+        TRAJECTORY,
+        "two times, a stiff spring",
+        "a step of fixed length does not do for every spring",
+    )
     for case, kind in alike(draw):
         judge_motion(student, "simulate", [case], TRAJECTORY, kind, "is anything kept between calls?")
 
@@ -433,9 +475,18 @@ def energy_stays(student, draw):
     # whoever loses half of it has long lost the energy, too
     expect_that(moved > expected / 2, "the mass does not move", kind="ten periods, t[0] not 0")
     energies = energy_along(states, known)
-    expect(energies, 1.0, within=ENERGY, of="the energy", unit="of its start", t=t, at=(r, v, known),
-           kind="ten periods, t[0] not 0", hint="ask the integrator for a smaller error",
-           partial={1e-3: 0.6, 1e-2: 0.3})  # fmt: skip
+    expect(
+        energies,
+        1.0,
+        within=ENERGY,
+        of="the energy",
+        unit="of its start",
+        t=t,
+        at=(r, v, known),
+        kind="ten periods, t[0] not 0",
+        hint="ask the integrator for a smaller error",
+        partial={1e-3: 0.6, 1e-2: 0.3},
+    )
 
 
 # The ellipse
@@ -475,9 +526,11 @@ def plain_orbits():
         (centre, y, WHOLE, "a line"),
         (centre, 0 * x, WHOLE, "a point"),
         *((centre + p, v, WHOLE, kind) for kind, (p, v) in NEARLY_PLAIN.items()),
-        *((centre + 2 * x, y, {**WHOLE, name: 2.0}, f"an ellipse of a start as before, with another {name}")
-          for name in WHOLE),
-    ]  # fmt: skip
+        *(
+            (centre + 2 * x, y, {**WHOLE, name: 2.0}, f"an ellipse of a start as before, with another {name}")
+            for name in WHOLE
+        ),
+    ]
 
 
 def radii(a, b):
@@ -533,9 +586,17 @@ def orbit_has_its_centre_at_the_equilibrium(student, draw):
     ):
         rest = np.linalg.solve(generator(**known)[3:6, :3], [0, 0, known["gravity"]])
         above = np.allclose(centre, -rest, rtol=0, atol=POINTWISE * extent(r, v, **known)[0])
-        expect(centre, rest, within=POINTWISE, scale=extent(r, v, **known)[0], of="the centre", kind=kind, at=call,
-               unit="of the motion's size",
-               hint="it is above the origin" if above else "where do spring and weight balance?")  # fmt: skip
+        expect(
+            centre,
+            rest,
+            within=POINTWISE,
+            scale=extent(r, v, **known)[0],
+            of="the centre",
+            kind=kind,
+            at=call,
+            unit="of the motion's size",
+            hint="it is above the origin" if above else "where do spring and weight balance?",
+        )
 
 
 def judge_axes(student, draw, flat):
@@ -551,11 +612,28 @@ def judge_axes(student, draw, flat):
         what = {"kind": kind, "at": call}
         ellipse = np.outer(a, a) + np.outer(b, b)
         twice = np.allclose(ellipse, 4 * whole, rtol=0, atol=4 * TENSOR * square)
-        expect(ellipse, whole, within=TENSOR, scale=square, **what, of="the ellipse", unit="of the square of its size",
-               hint="it is twice as large: these are its axes, not semi-axes" if twice
-               else "do r and v/sqrt(k/m) lie on your ellipse, as seen from its centre?")  # fmt: skip
-        expect(a @ b, 0.0, within=RIGHT_ANGLE, scale=square, of="the product of the axes", unit="of the larger one's "
-               "square", **what, hint="two radii that give the ellipse need not be its axes")  # fmt: skip
+        expect(
+            ellipse,
+            whole,
+            within=TENSOR,
+            scale=square,
+            **what,
+            of="the ellipse",
+            unit="of the square of its size",
+            hint="it is twice as large: these are its axes, not semi-axes"
+            if twice
+            else "do r and v/sqrt(k/m) lie on your ellipse, as seen from its centre?",
+        )
+        expect(
+            a @ b,
+            0.0,
+            within=RIGHT_ANGLE,
+            scale=square,
+            of="the product of the axes",
+            unit="of the larger one's square",
+            **what,
+            hint="two radii that give the ellipse need not be its axes",
+        )
         expect_that(a @ a >= b @ b - RIGHT_ANGLE * square, "the larger axis is not the first", **what)
 
 
@@ -585,43 +663,62 @@ def wrong_projection(says, right, up):
 
 
 PROJECTION_SUSPECTS = [
-    wrong_projection("left for right", lambda ca, sa, ce, se: (sa, -ca, 0),
-                     lambda ca, sa, ce, se: (-se * ca, -se * sa, ce)),
-    wrong_projection("the elevation's sign reversed", lambda ca, sa, ce, se: (-sa, ca, 0),
-                     lambda ca, sa, ce, se: (se * ca, se * sa, ce)),
-    wrong_projection("up for right", lambda ca, sa, ce, se: (-se * ca, -se * sa, ce),
-                     lambda ca, sa, ce, se: (-sa, ca, 0)),
-    wrong_projection("the azimuth's sign reversed", lambda ca, sa, ce, se: (sa, ca, 0),
-                     lambda ca, sa, ce, se: (-se * ca, se * sa, ce)),
-    suspect("azimuth and elevation swapped",
-            project=lambda points, azimuth, elevation: seen(points, elevation, azimuth)),
+    wrong_projection(
+        "left for right", lambda ca, sa, ce, se: (sa, -ca, 0), lambda ca, sa, ce, se: (-se * ca, -se * sa, ce)
+    ),
+    wrong_projection(
+        "the elevation's sign reversed",
+        lambda ca, sa, ce, se: (-sa, ca, 0),
+        lambda ca, sa, ce, se: (se * ca, se * sa, ce),
+    ),
+    wrong_projection(
+        "up for right", lambda ca, sa, ce, se: (-se * ca, -se * sa, ce), lambda ca, sa, ce, se: (-sa, ca, 0)
+    ),
+    wrong_projection(
+        "the azimuth's sign reversed",
+        lambda ca, sa, ce, se: (sa, ca, 0),
+        lambda ca, sa, ce, se: (-se * ca, se * sa, ce),
+    ),
+    suspect(
+        "azimuth and elevation swapped", project=lambda points, azimuth, elevation: seen(points, elevation, azimuth)
+    ),
     suspect("angles taken for degrees", project=lambda points, *view: seen(points, *map(math.radians, view))),
-]  # fmt: skip
+]
 
 
 @check(points=1, part="a", suspects=PROJECTION_SUSPECTS)
 def projection_is_orthographic(student, draw):
     """project: what an eye far away sees, right and up."""
     for count in (1, 5, 30):
-        points, azimuth, elevation = (
-            draw.normal(size=(count, 3)),
-            draw.uniform(-6, 6),
-            draw.uniform(-1.5, 1.5),
-        )
+        points, azimuth, elevation = (draw.normal(size=(count, 3)), draw.uniform(-6, 6), draw.uniform(-1.5, 1.5))
         eye = np.array([math.cos(azimuth), math.sin(azimuth)]) * math.cos(elevation)
         eye = np.append(eye, math.sin(elevation))  # towards it
         right = np.cross(Z, eye) / math.cos(elevation)
         expected = np.column_stack([points @ right, points @ np.cross(eye, right)])
         picture = student.on("random points and directions").project(points, azimuth, elevation)
-        expect(picture, expected, within=POINTWISE, of="a point of the picture",
-               unit="m", kind="random points and directions", at=(points, azimuth, elevation),
-               hint="try one axis at a time: where does (0, 0, 1) go?")  # fmt: skip
+        expect(
+            picture,
+            expected,
+            within=POINTWISE,
+            of="a point of the picture",
+            unit="m",
+            kind="random points and directions",
+            at=(points, azimuth, elevation),
+            hint="try one axis at a time: where does (0, 0, 1) go?",
+        )
     calls = [given(points, *view) for view in PLAIN_VIEWS for points in (np.eye(3), draw.normal(size=(2, 3)))]
     views = [call.on(f"a view from {PLAIN_VIEWS[call.args[1:]]}") for call in calls]
     for found, call in zip(student.project.many(views), views, strict=True):
-        expect(found, seen(*call.args), within=POINTWISE, of="a point of the picture", unit="m", at=call,
-               kind=call.kind,
-               hint="try one axis at a time: where does (0, 0, 1) go?")  # fmt: skip
+        expect(
+            found,
+            seen(*call.args),
+            within=POINTWISE,
+            of="a point of the picture",
+            unit="m",
+            at=call,
+            kind=call.kind,
+            hint="try one axis at a time: where does (0, 0, 1) go?",
+        )
 
 
 PLAIN_VIEWS = {
@@ -645,8 +742,11 @@ def the_path_is_drawn(student, draw):
     azimuth, elevation = draw.uniform(-3, 3), draw.uniform(0.3, 1.2)
     t = np.linspace(0.0, 0.6 * 2 * math.pi / rate_of(**known), SAMPLES)
     picture = student.plot_projection.draw(t, r, v, azimuth, elevation, **known)
-    expect_that(len(picture.lines) == 1, f"there are {len(picture.lines)} curves on the axes, not one",
-                hint="fewer than ten points are no curve")  # fmt: skip
+    expect_that(
+        len(picture.lines) == 1,
+        f"there are {len(picture.lines)} curves on the axes, not one",
+        hint="fewer than ten points are no curve",
+    )
     places = motion(np.linspace(t[0], t[-1], 400), r, v, **known)[:, :3]
     expected = seen(places, azimuth, elevation)
     judge_path(along(picture.lines[0], expected), expected, places)
@@ -664,14 +764,28 @@ def judge_path(path, expected, places):
     """The line begins and ends where the motion does, and each has all of its points next to the other."""
     scale = np.abs(expected - expected.mean(axis=0)).max()
     expect_that(len(path) >= 20, "the curve has fewer than twenty points")
-    expect(path[[0, -1]], expected[[0, -1]], within=DRAWN, scale=scale, of="an end of the curve",
-           unit="of its size", hint=partial(end_hint, path, expected, places, DRAWN * scale))  # fmt: skip
+    expect(
+        path[[0, -1]],
+        expected[[0, -1]],
+        within=DRAWN,
+        scale=scale,
+        of="an end of the curve",
+        unit="of its size",
+        hint=partial(end_hint, path, expected, places, DRAWN * scale),
+    )
     for points, polygon, of, within in (
         (path, expected, "a point of the curve", DRAWN),
         (expected, path, "a point that the mass passes", PASSED),
     ):
-        expect(distances(points, polygon), 0.0, within=within, scale=scale, of=of, unit="of the curve's size",
-               hint="is it the path of the mass, projected?")  # fmt: skip
+        expect(
+            distances(points, polygon),
+            0.0,
+            within=within,
+            scale=scale,
+            of=of,
+            unit="of the curve's size",
+            hint="is it the path of the mass, projected?",
+        )
 
 
 def end_hint(path, expected, places, near):

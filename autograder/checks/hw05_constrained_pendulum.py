@@ -45,9 +45,7 @@ TOP = 1e-6  # an angle of pi, which is rounded, falls by 1e-16 exp(8) = 4e-13
 LONG = 100.0  # s
 BETTER = 0.1  # of the error is left where the steps are what is wrong, with so many times for one, to choose the words
 BETWEEN = 20
-SAMPLED = (
-    "with more times in between, the same motion comes out far better: how t is sampled must not change it"
-)
+SAMPLED = "with more times in between, the same motion comes out far better: how t is sampled must not change it"
 UNITS = ("mass", "length", "gravity")
 
 
@@ -124,8 +122,11 @@ def wrong_law(says, outward):
 
 
 LAW_SUSPECTS = [
-    wrong_law("the constraint differentiated once, to r . v = 0, and r . a = 0 for the second time: the centripetal "
-              "term is missing", lambda y, vv, m, L, g: m * g * y / L),
+    wrong_law(
+        "the constraint differentiated once, to r . v = 0, and r . a = 0 for the second time: the centripetal "
+        "term is missing",
+        lambda y, vv, m, L, g: m * g * y / L,
+    ),
     wrong_law("a radial force without the weight's share", lambda y, vv, m, L, g: -m * vv / L),
     wrong_law("the centripetal term of the wrong sign", lambda y, vv, m, L, g: m * (g * y + vv) / L),
     wrong_law("the weight's share of the wrong sign", lambda y, vv, m, L, g: -m * (g * y + vv) / L),
@@ -133,10 +134,11 @@ LAW_SUSPECTS = [
     wrong_law("the force on the hinge, which is opposite", lambda y, vv, m, L, g: m * (vv - g * y) / L),
     wrong_law("no constraint force, a free fall", lambda y, vv, m, L, g: 0.0),
     wrong_law("the mass left out of the centripetal term", lambda y, vv, m, L, g: (m * g * y - vv) / L),
-    wrong_law("the weight's share of the wrong sign above the hinge",
-              lambda y, vv, m, L, g: -m * (g * abs(y) + vv) / L),
+    wrong_law(
+        "the weight's share of the wrong sign above the hinge", lambda y, vv, m, L, g: -m * (g * abs(y) + vv) / L
+    ),
     wrong_law("a string, which does not push", lambda y, vv, m, L, g: min(m * (g * y - vv) / L, 0.0)),
-]  # fmt: skip
+]
 
 
 def summed(state, *, mass, length, gravity):
@@ -167,16 +169,26 @@ def judge_law(student, draw, name, index, says, hint):
     vectors = getattr(student, name).many([given(state, **known).on(kind) for state, known, kind in found])
     for vector, (state, known, kind) in zip(vectors, found, strict=True):
         unit = known["mass"] if index else 1.0
-        expect(vector, together(state, **known)[index], within=POINTWISE, scale=unit * size(state, **known), of=says,
-               unit="of its size", kind=kind, at=(state, known),
-               hint=lambda: known_vector(vectors, found, KNOWN_VECTORS[index]) or hint)  # fmt: skip
+        expect(
+            vector,
+            together(state, **known)[index],
+            within=POINTWISE,
+            scale=unit * size(state, **known),
+            of=says,
+            unit="of its size",
+            kind=kind,
+            at=(state, known),
+            hint=lambda: known_vector(vectors, found, KNOWN_VECTORS[index]) or hint,
+        )
 
 
 def known_vector(vectors, found, mistakes):
     """What to say if the results are one of the mistakes."""
     for says, wrong in mistakes.items():
-        pairs = [(vector - wrong(state, **known), known["mass"] * size(state, **known))
-                 for vector, (state, known, _) in zip(vectors, found, strict=True)]  # fmt: skip
+        pairs = [
+            (vector - wrong(state, **known), known["mass"] * size(state, **known))
+            for vector, (state, known, _) in zip(vectors, found, strict=True)
+        ]
         if all(np.abs(off).max() <= KNOWN * largest for off, largest in pairs):
             return says
     return ""
@@ -184,17 +196,21 @@ def known_vector(vectors, found, mistakes):
 
 UNIT_MASS = suspect(
     "the force on a mass of 1 kg",
-    constraint_force=lambda state, mass, length, gravity: together(
-        state, mass=1.0, length=length, gravity=gravity
-    )[1],
+    constraint_force=lambda state, mass, length, gravity: together(state, mass=1.0, length=length, gravity=gravity)[1],
 )
 
 
 @check(points=2, part="a", suspects=[*LAW_SUSPECTS, UNIT_MASS])
 def force_keeps_the_particle_on_the_circle(student, draw):
     """constraint_force: radial, and such that F = m a keeps x^2 + y^2 as it is."""
-    judge_law(student, draw, "constraint_force", 1, "the constraint force",
-              "differentiate x^2 + y^2 = l^2 twice; F = m a then leaves one unknown")  # fmt: skip
+    judge_law(
+        student,
+        draw,
+        "constraint_force",
+        1,
+        "the constraint force",
+        "differentiate x^2 + y^2 = l^2 twice; F = m a then leaves one unknown",
+    )
 
 
 @check(points=1.5, part="a", suspects=LAW_SUSPECTS)
@@ -232,25 +248,41 @@ def sense(turning):
 
 
 STATE_SUSPECTS = [
-    wrong_state("the velocity left as it was",
-                lambda x, y, vx, vy, L: (*np.array([x, y]) * L / math.hypot(x, y), vx, vy)),
+    wrong_state(
+        "the velocity left as it was", lambda x, y, vx, vy, L: (*np.array([x, y]) * L / math.hypot(x, y), vx, vy)
+    ),
     wrong_state("the position left as it was", lambda x, y, vx, vy, L: (x, y, *without_radial_part(x, y, vx, vy))),
-    wrong_state("a position moved along y, not along its radius",
-                lambda x, y, vx, vy, L: (x, math.copysign(math.sqrt(max(L**2 - x**2, 0)), y), vx, vy)),
+    wrong_state(
+        "a position moved along y, not along its radius",
+        lambda x, y, vx, vy, L: (x, math.copysign(math.sqrt(max(L**2 - x**2, 0)), y), vx, vy),
+    ),
     wrong_state("a position moved along y, not along its radius, and a velocity tangent there", above_or_below),
-    wrong_state("a velocity turned into the tangent with all of its speed", lambda x, y, vx, vy, L: (
-        *np.array([x, y]) * L / math.hypot(x, y),
-        *np.array([-y, x]) / math.hypot(x, y) * math.hypot(vx, vy) * sense(x * vy - y * vx))),
-    wrong_state("the velocity's radial part over l^2, where the square of the distance from the hinge belongs",
-                lambda x, y, vx, vy, L: (
-        *np.array([x, y]) * L / math.hypot(x, y),
-        *np.array([vx, vy]) - (x * vx + y * vy) / L**2 * np.array([x, y]))),
-    wrong_state("the angular momentum about the hinge kept, where the tangent part of the velocity is to be",
-                with_angular_momentum),
-    wrong_state("a velocity scaled as the position is", lambda x, y, vx, vy, L: (
-        *np.array([x, y]) * L / math.hypot(x, y),
-        *np.array(without_radial_part(x, y, vx, vy)) * L / math.hypot(x, y))),
-]  # fmt: skip
+    wrong_state(
+        "a velocity turned into the tangent with all of its speed",
+        lambda x, y, vx, vy, L: (
+            *np.array([x, y]) * L / math.hypot(x, y),
+            *np.array([-y, x]) / math.hypot(x, y) * math.hypot(vx, vy) * sense(x * vy - y * vx),
+        ),
+    ),
+    wrong_state(
+        "the velocity's radial part over l^2, where the square of the distance from the hinge belongs",
+        lambda x, y, vx, vy, L: (
+            *np.array([x, y]) * L / math.hypot(x, y),
+            *np.array([vx, vy]) - (x * vx + y * vy) / L**2 * np.array([x, y]),
+        ),
+    ),
+    wrong_state(
+        "the angular momentum about the hinge kept, where the tangent part of the velocity is to be",
+        with_angular_momentum,
+    ),
+    wrong_state(
+        "a velocity scaled as the position is",
+        lambda x, y, vx, vy, L: (
+            *np.array([x, y]) * L / math.hypot(x, y),
+            *np.array(without_radial_part(x, y, vx, vy)) * L / math.hypot(x, y),
+        ),
+    ),
+]
 
 
 def plainly_off(call):
@@ -265,8 +297,7 @@ def plainly_off(call):
         for vx, vy in directions
     ]
     calls += [
-        given(np.array([*(5e-7 * np.array(place)), *state[2:]]), length=0.5)
-        for place in ((0.6, -0.8), (0.0, 1.0))
+        given(np.array([*(5e-7 * np.array(place)), *state[2:]]), length=0.5) for place in ((0.6, -0.8), (0.0, 1.0))
     ]
     whole = (1.0, 0.0, 0.0, 1.0), (0.0, -2.0, 1.0, 1.0), (3.0, 4.0, 0.0, 0.0), (-3.0, 4.0, -3.0, 4.0)
     return calls + [given(np.array(numbers), length=1.0) for numbers in whole]
@@ -292,10 +323,7 @@ def of_speed(found, state):
 @check(points=1.25, part="a", suspects=STATE_SUSPECTS)
 def consistent_state_is_the_nearest(student, draw):
     """consistent_state: the position goes along its radius onto the circle, the velocity loses its radial part."""
-    calls = [
-        given(draw.normal(size=4) * draw.uniform(0.5, 4), length=10 ** draw.uniform(-0.5, 0.8))
-        for _ in range(12)
-    ]
+    calls = [given(draw.normal(size=4) * draw.uniform(0.5, 4), length=10 ** draw.uniform(-0.5, 0.8)) for _ in range(12)]
     calls += plainly_off(calls[0])
     kinds = [where(call) for call in calls]
     named = [call.on(kind) for call, kind in zip(calls, kinds, strict=True)]
@@ -305,32 +333,53 @@ def consistent_state_is_the_nearest(student, draw):
         outward = place / abs(place)
         across = 1j * outward * (velocity / outward).imag
         right = [*(length * np.array([outward.real, outward.imag])), across.real, across.imag]
-        expect(found, right, within=POINTWISE, scale=np.repeat([length, abs(velocity) or 1.0], 2), of="the state",
-               unit="of its size", kind=kind, at=call,
-               hint=partial(of_speed, found, state))  # fmt: skip
+        expect(
+            found,
+            right,
+            within=POINTWISE,
+            scale=np.repeat([length, abs(velocity) or 1.0], 2),
+            of="the state",
+            unit="of its size",
+            kind=kind,
+            at=call,
+            hint=partial(of_speed, found, state),
+        )
 
 
 @check(points=0.25, part="a", after=consistent_state_is_the_nearest)
 def consistent_state_refuses_the_origin(student, draw):
     """consistent_state raises ValueError where no point of the circle is the nearest."""
     state = np.append([0.0, 0.0], draw.normal(size=2))
-    expect_that(student.consistent_state.refuses(state, length=draw.uniform(0.5, 2)), at=state,
-                says="a state at the origin is taken",
-                hint="which point of the circle is nearest to its centre?")  # fmt: skip
+    expect_that(
+        student.consistent_state.refuses(state, length=draw.uniform(0.5, 2)),
+        at=state,
+        says="a state at the origin is taken",
+        hint="which point of the circle is nearest to its centre?",
+    )
 
 
 ENERGY_SUSPECTS = [
-    suspect("the weight's potential energy of the wrong sign",
-            energy=lambda state, mass, gravity: mass * (state[2:] @ state[2:] / 2 - gravity * state[1])),
-    suspect("the kinetic energy without its half",
-            energy=lambda state, mass, gravity: mass * (state[2:] @ state[2:] + gravity * state[1])),
-    suspect("the height without its sign",
-            energy=lambda state, mass, gravity: mass * (state[2:] @ state[2:] / 2 + gravity * abs(state[1]))),
-    suspect("the height taken along x",
-            energy=lambda state, mass, gravity: mass * (state[2:] @ state[2:] / 2 + gravity * state[0])),
-    suspect("the energy of a mass of 1 kg",
-            energy=lambda state, mass, gravity: state[2:] @ state[2:] / 2 + gravity * state[1]),
-]  # fmt: skip
+    suspect(
+        "the weight's potential energy of the wrong sign",
+        energy=lambda state, mass, gravity: mass * (state[2:] @ state[2:] / 2 - gravity * state[1]),
+    ),
+    suspect(
+        "the kinetic energy without its half",
+        energy=lambda state, mass, gravity: mass * (state[2:] @ state[2:] + gravity * state[1]),
+    ),
+    suspect(
+        "the height without its sign",
+        energy=lambda state, mass, gravity: mass * (state[2:] @ state[2:] / 2 + gravity * abs(state[1])),
+    ),
+    suspect(
+        "the height taken along x",
+        energy=lambda state, mass, gravity: mass * (state[2:] @ state[2:] / 2 + gravity * state[0]),
+    ),
+    suspect(
+        "the energy of a mass of 1 kg",
+        energy=lambda state, mass, gravity: state[2:] @ state[2:] / 2 + gravity * state[1],
+    ),
+]
 
 
 @check(points=1, part="a", suspects=ENERGY_SUSPECTS)
@@ -343,8 +392,17 @@ def energy_is_kinetic_and_potential(student, draw):
         weight = np.array([0.0, -known["mass"] * known["gravity"]])
         right = known["mass"] * abs(complex(*state[2:])) ** 2 / 2 - weight @ state[:2]
         scale = known["mass"] * known["length"] * size(state, **known)
-        expect(energy, right, within=POINTWISE, scale=scale, of="the energy", unit="of its size", kind=kind, at=call,
-               hint="how high is it above y = 0, and how fast?")  # fmt: skip
+        expect(
+            energy,
+            right,
+            within=POINTWISE,
+            scale=scale,
+            of="the energy",
+            unit="of its size",
+            kind=kind,
+            at=call,
+            hint="how high is it above y = 0, and how fast?",
+        )
 
 
 def exact(t, theta, omega, *, mass, length, gravity):
@@ -400,10 +458,21 @@ def judge_motion(student, found, within, kind, hint):
     kind = f"{kind}, times from {'below' if t[0] < 0 else 'above'} zero on"
     states = student.on(kind).simulate(t, expected[0], **known)
     scale = np.repeat([known["length"], speed_of(expected, known)], 2)
-    expect(states, expected, within=within, scale=scale, of="the motion", unit="of its size", t=t, kind=kind,
-           hint=lambda: of_motion(student, found, states, scale, kind) or near_miss(found, states) or hint, at=found,
-           keeps=lambda: kept(t, energies(states, known) / speed_of(expected, known) ** 2, within=ENERGY,
-                              of="the energy", unit="of m v^2"))  # fmt: skip
+    expect(
+        states,
+        expected,
+        within=within,
+        scale=scale,
+        of="the motion",
+        unit="of its size",
+        t=t,
+        kind=kind,
+        hint=lambda: of_motion(student, found, states, scale, kind) or near_miss(found, states) or hint,
+        at=found,
+        keeps=lambda: kept(
+            t, energies(states, known) / speed_of(expected, known) ** 2, within=ENERGY, of="the energy", unit="of m v^2"
+        ),
+    )
 
 
 def of_motion(student, found, states, scale, kind):
@@ -437,9 +506,7 @@ def turning(states):
 def near_miss(found, states):
     """What to say of rows that are right but for a little, on a fine enough scale."""
     t, expected, known = found
-    off = np.max(
-        np.abs(states - expected) / np.repeat([known["length"], speed_of(expected, known)], 2), axis=1
-    )
+    off = np.max(np.abs(states - expected) / np.repeat([known["length"], speed_of(expected, known)], 2), axis=1)
     if TRAJECTORY < off.max() <= NEARLY and off[0] <= TRAJECTORY:
         return "the motion is nearly right: is the tolerance tight, or the step short enough for this rod?"
     return ""
@@ -495,13 +562,17 @@ def tangential(r, L, g):
 
 TIME_SUSPECTS = mistimed(lambda t, state, **known: from_state(t - t[0], state, **known), from_zero=from_state)
 MOTION_SUSPECTS = [
-    wrong_motion("the centripetal term missing from the acceleration: the constraint differentiated once, r . a = 0",
-                 lambda r, v, m, L, g: tangential(r, L, g)),
+    wrong_motion(
+        "the centripetal term missing from the acceleration: the constraint differentiated once, r . a = 0",
+        lambda r, v, m, L, g: tangential(r, L, g),
+    ),
     wrong_motion("gravity pulling up", lambda r, v, m, L, g: -tangential(r, L, g) - v @ v * r / L**2),
-    wrong_motion("gravity divided by the mass: a heavy particle falls as a light one does",
-                 lambda r, v, m, L, g: tangential(r, L, g / m) - v @ v * r / L**2),
+    wrong_motion(
+        "gravity divided by the mass: a heavy particle falls as a light one does",
+        lambda r, v, m, L, g: tangential(r, L, g / m) - v @ v * r / L**2,
+    ),
     suspect("the oscillation of small angles", within=1e-4, simulate=linear),
-]  # fmt: skip
+]
 
 
 # kind, angle, its rate in sqrt(g/l) or 1/s, what is not random
@@ -514,12 +585,7 @@ WITH_GRAVITY = (
     ("let go at rest", 1.3, 0.0, {}),
     ("let go at rest, the rod horizontal", math.pi / 2, 0.0, {}),
     ("let go at rest, close to the bottom", 1e-3, 0.0, {}),
-    (
-        "let go at rest, close to the top",
-        math.pi - 1e-3,
-        0.0,
-        {},
-    ),  # it falls by e^5 times that, as an error does
+    ("let go at rest, close to the top", math.pi - 1e-3, 0.0, {}),  # it falls by e^5 times that, as an error does
     ("at rest at the bottom", 0.0, 0.0, {}),
     ("moving at the bottom", 0.0, 1.2, {}),
     (f"moving at the top, {SHORT}", math.pi, 2.5, {"length": 0.02}),  # once round in 0.06 s or more
@@ -531,8 +597,13 @@ WITH_GRAVITY = (
 def without_gravity_it_goes_round_uniformly(student, draw):
     """simulate: uniform motion around the circle where there is no gravity."""
     # after t = 0 first: an integrator from t = 0 on says nothing of times before it, but here what it takes t for
-    judge_motion(student, timed(draw, "no gravity", 2.3, 12, (1,)), TRAJECTORY, "no gravity",
-                 "is the given state that at t[0], and row i that at t[i]? how does the velocity turn?")  # fmt: skip
+    judge_motion(
+        student,
+        timed(draw, "no gravity", 2.3, 12, (1,)),
+        TRAJECTORY,
+        "no gravity",
+        "is the given state that at t[0], and row i that at t[i]? how does the velocity turn?",
+    )
     for found, kind in plain_motions(draw, False):
         judge_motion(student, found, TRAJECTORY, kind, "what is there to change its velocity?")
 
@@ -541,19 +612,25 @@ def without_gravity_it_goes_round_uniformly(student, draw):
 def with_gravity_it_swings_or_goes_round(student, draw):
     """simulate: the state at few and uneven times, the first of which is not 0."""
     for kind in ("swinging", "going round over the top"):
-        judge_motion(student, timed(draw, kind, 1.8, 9), TRAJECTORY, kind,
-                     "does it turn by both forces, and is the given state that at t[0]?")  # fmt: skip
+        judge_motion(
+            student,
+            timed(draw, kind, 1.8, 9),
+            TRAJECTORY,
+            kind,
+            "does it turn by both forces, and is the given state that at t[0]?",
+        )
     for found, kind in in_turn(timed(draw, "swinging", 1.8, 5)):
         judge_motion(student, found, TRAJECTORY, kind, "does it turn by both forces?")
     t, expected, known = timed(draw, "swinging", 3.1, 9)
-    judge_motion(student, (t[[0, -1]], expected[[0, -1]], known), 2 * TRAJECTORY, "two times far apart",
-                 "steps between the times, as short as the motion asks for")  # fmt: skip
+    judge_motion(
+        student,
+        (t[[0, -1]], expected[[0, -1]], known),
+        2 * TRAJECTORY,
+        "two times far apart",
+        "steps between the times, as short as the motion asks for",
+    )
     for found, kind in plain_motions(draw, True):
-        hint = (
-            "it is quick: are the steps as short as it asks for?"
-            if SHORT in kind
-            else "which force is zero there?"
-        )
+        hint = "it is quick: are the steps as short as it asks for?" if SHORT in kind else "which force is zero there?"
         judge_motion(student, found, TRAJECTORY, kind, hint)
 
 
@@ -604,20 +681,26 @@ def long_motion(draw):
 
 
 DRIFTS = {
-    (False, False): ("x^2 + y^2 = l^2 or r . v = 0",
-                     "neither place nor velocity is kept: the acceleration keeps the second derivative of the "
-                     "constraint zero, and nothing takes back the errors of the steps"),
+    (False, False): (
+        "x^2 + y^2 = l^2 or r . v = 0",
+        "neither place nor velocity is kept: the acceleration keeps the second derivative of the "
+        "constraint zero, and nothing takes back the errors of the steps",
+    ),
     (True, False): ("r . v = 0", "the place is put back onto the circle, the velocity is not made tangent to it"),
     (False, True): ("x^2 + y^2 = l^2", "the velocity is made tangent, the place is not put back onto the circle"),
     (True, True): ("nothing", ""),
-}  # fmt: skip
+}
 # whether place and velocity are right: what is off, and why
 
 
 def expect_swings(states, length):
     """From 0.8 rad or more it goes 1.3 lengths to and fro; a motion that ends early keeps every invariant."""
-    expect_that(np.ptp(states[len(states) // 2 :, 0]) > length / 2, "the particle does not move",
-                kind="the second half of 100 s", hint="do all rows have the motion at their times?")  # fmt: skip
+    expect_that(
+        np.ptp(states[len(states) // 2 :, 0]) > length / 2,
+        "the particle does not move",
+        kind="the second half of 100 s",
+        hint="do all rows have the motion at their times?",
+    )
 
 
 @check(points=1, part="a", after=with_gravity_it_swings_or_goes_round)
@@ -630,9 +713,18 @@ def it_stays_on_the_circle(student, draw):
     off = (x**2 + y**2) / length**2 - 1
     out = (x * vx + y * vy) / (length * np.hypot(vx, vy).max())
     of, hint = DRIFTS[bool(np.abs(off).max() <= CONSTRAINT), bool(np.abs(out).max() <= CONSTRAINT)]
-    expect(np.column_stack([off, out]), 0.0, within=CONSTRAINT, of=of, t=t,
-           unit="of its size", kind="100 s", at=(state, known), partial={1e-7: 0.5, 1e-5: 0.25},
-           hint=hint)  # fmt: skip
+    expect(
+        np.column_stack([off, out]),
+        0.0,
+        within=CONSTRAINT,
+        of=of,
+        t=t,
+        unit="of its size",
+        kind="100 s",
+        at=(state, known),
+        partial={1e-7: 0.5, 1e-5: 0.25},
+        hint=hint,
+    )
 
 
 @check(points=0.25, part="a", after=with_gravity_it_swings_or_goes_round)
@@ -642,10 +734,19 @@ def energy_stays(student, draw):
     states = student.simulate(t, state, **known)
     expect_swings(states, known["length"])
     found = energies(states, known)
-    expect(found, found[0], within=ENERGY, scale=known["gravity"] * known["length"], of="the energy",
-           unit="of m g l", t=t, kind="100 s", at=state,
-           hint="ask the integrator for a smaller error; does it leave the circle between the samples?",
-           partial={1e-3: 0.6, 1e-2: 0.3})  # fmt: skip
+    expect(
+        found,
+        found[0],
+        within=ENERGY,
+        scale=known["gravity"] * known["length"],
+        of="the energy",
+        unit="of m g l",
+        t=t,
+        kind="100 s",
+        at=state,
+        hint="ask the integrator for a smaller error; does it leave the circle between the samples?",
+        partial={1e-3: 0.6, 1e-2: 0.3},
+    )
 
 
 @check(points=0.5, part="a", after=with_gravity_it_swings_or_goes_round)
@@ -655,15 +756,24 @@ def at_the_very_top_it_stays(student, draw):
     t = np.linspace(0.0, 8 * math.sqrt(known["length"] / known["gravity"]), 9)
     states = student.simulate(t, np.array([0.0, known["length"], 0.0, 0.0]), **known)
     scale = np.repeat([known["length"], math.sqrt(known["gravity"] * known["length"])], 2)
-    expect(states, [0.0, known["length"], 0.0, 0.0], within=TOP, scale=scale, of="the motion", t=t,
-           unit="of its size", kind="a start at rest at the very top", at=known,
-           hint="what do the two forces add up to there?")  # fmt: skip
+    expect(
+        states,
+        [0.0, known["length"], 0.0, 0.0],
+        within=TOP,
+        scale=scale,
+        of="the motion",
+        t=t,
+        unit="of its size",
+        kind="a start at rest at the very top",
+        at=known,
+        hint="what do the two forces add up to there?",
+    )
 
 
 ROD_SUSPECTS = [
     suspect("a rod from the particle to the hinge", wireframe=lambda state, length: [[state[:2], [0.0, 0.0]]]),
     suspect("a rod of one metre", wireframe=lambda state, length: [[[0.0, 0.0], state[:2] / length]]),
-]  # fmt: skip
+]
 
 
 @check(points=0.5, part="a", suspects=ROD_SUSPECTS)
@@ -672,6 +782,14 @@ def wireframe_is_the_rod(student, draw):
     found = kinds(draw)
     rods = student.wireframe.many([given(state, length=known["length"]) for state, known, _ in found])
     for rod, (state, known, kind) in zip(rods, found, strict=True):
-        expect(rod, [[[0.0, 0.0], state[:2]]], within=POINTWISE,
-               scale=known["length"], of="the rod", unit="of its length", kind=kind,
-               hint="its first end is the hinge, its second the particle", at=state)  # fmt: skip
+        expect(
+            rod,
+            [[[0.0, 0.0], state[:2]]],
+            within=POINTWISE,
+            scale=known["length"],
+            of="the rod",
+            unit="of its length",
+            kind=kind,
+            hint="its first end is the hinge, its second the particle",
+            at=state,
+        )

@@ -9,19 +9,7 @@ from functools import partial
 import numpy as np
 
 from tam570.integrate import solve
-from tam570_grader import (
-    array,
-    check,
-    expect,
-    expect_that,
-    given,
-    mistimed,
-    number,
-    once,
-    rows,
-    suspect,
-    uneven,
-)
+from tam570_grader import array, check, expect, expect_that, given, mistimed, number, once, rows, suspect, uneven
 
 RESULTS = {
     "axle_load": number,
@@ -228,18 +216,14 @@ WRONG_RATES = {
     "the term with mass, speed and yaw rate (m d v omega) missing from the turning": without_turning_term,
     "the term with the square of the yaw rate missing from the speed's rate": with_square(lambda d: 0.0),
     "the term with the square of the yaw rate in the speed's rate reversed": with_square(lambda d: -d),
-    "the square of the yaw rate in the speed's rate with one sign, whichever axle is locked": with_square(
-        abs
-    ),
+    "the square of the yaw rate in the speed's rate with one sign, whichever axle is locked": with_square(abs),
     "the inertia about G where that about the free axle belongs": about_G,
 }
 WRONG_VELOCITIES = {
     "the velocity of G in the axes of the car, where x and y are those of the ground": with_state(
         lambda x, y, heading, *rates: (x, y, 0.0, *rates)
     ),
-    "the heading taken for degrees": with_state(
-        lambda x, y, heading, *rates: (x, y, math.radians(heading), *rates)
-    ),
+    "the heading taken for degrees": with_state(lambda x, y, heading, *rates: (x, y, math.radians(heading), *rates)),
     "G moving along the car alone, its velocity to the side left out": along_the_car,
     "G's velocity to the side with the wrong sign in the rate of y": to_the_other_side_in_y,
 }
@@ -258,24 +242,26 @@ def force_suspects(wrong_forces):
 
 def rate_suspects(wrong_rates):
     return [
-        suspect(
-            says, state_derivative=lambda t, state, locked, wrong=wrong, **car: wrong(state, locked, **car)
-        )
+        suspect(says, state_derivative=lambda t, state, locked, wrong=wrong, **car: wrong(state, locked, **car))
         for says, wrong in wrong_rates.items()
     ]
 
 
-FORCE_SUSPECTS = force_suspects({
-    **WRONG_FORCES,
-    "friction of its full size along each of the car's axes": along_each_axis,
-    "the force in the axes of the ground, where forward and left are those of the car": in_the_grounds_axes,
-    "the direction of friction for small angles, its full size along the car": of_small_angles,
-})  # fmt: skip
+FORCE_SUSPECTS = force_suspects(
+    {
+        **WRONG_FORCES,
+        "friction of its full size along each of the car's axes": along_each_axis,
+        "the force in the axes of the ground, where forward and left are those of the car": in_the_grounds_axes,
+        "the direction of friction for small angles, its full size along the car": of_small_angles,
+    }
+)
 RATE_SUSPECTS = rate_suspects({**WRONG_RATES, **WRONG_VELOCITIES})
-REVERSE_SUSPECTS = rate_suspects({
-    "the speed taken for positive": with_state(lambda x, y, heading, speed, yaw: (x, y, heading, abs(speed), yaw)),
-    **{says: under(force) for says, force in WRONG_IN_REVERSE.items()},
-})  # fmt: skip
+REVERSE_SUSPECTS = rate_suspects(
+    {
+        "the speed taken for positive": with_state(lambda x, y, heading, speed, yaw: (x, y, heading, abs(speed), yaw)),
+        **{says: under(force) for says, force in WRONG_IN_REVERSE.items()},
+    }
+)
 
 
 # Cars and their motions
@@ -284,9 +270,13 @@ REVERSE_SUSPECTS = rate_suspects({
 def car(draw, **fixed):
     mass, (front, rear) = 10 ** draw.uniform(0.5, 3.3), draw.uniform(0.3, 2, 2)
     drawn = {
-        "mass": mass, "yaw_inertia": mass * front * rear * draw.uniform(0.4, 2), "front": front, "rear": rear,
-        "friction": draw.uniform(0.2, 1), "gravity": draw.uniform(2, 20),
-    }  # fmt: skip
+        "mass": mass,
+        "yaw_inertia": mass * front * rear * draw.uniform(0.4, 2),
+        "front": front,
+        "rear": rear,
+        "friction": draw.uniform(0.2, 1),
+        "gravity": draw.uniform(2, 20),
+    }
     return {**drawn, **fixed}
 
 
@@ -452,9 +442,17 @@ def axle_load_balances_the_weight(student, draw):
     found = student.axle_load.many([given(locked, **parts(c, *LOAD)).on(kind) for locked, c, kind in cases])
     for value, (locked, c, kind) in zip(found, cases, strict=True):
         scale = c["mass"] * (c["gravity"] or 1.0)
-        expect(value, load(locked, **parts(c, *LOAD)), within=FORMULA, scale=scale, of="the load", unit="of the weight",
-               kind=kind, at=(locked, c),
-               hint="which axle carries more, the one near G or the one far from it?")  # fmt: skip
+        expect(
+            value,
+            load(locked, **parts(c, *LOAD)),
+            within=FORMULA,
+            scale=scale,
+            of="the load",
+            unit="of the weight",
+            kind=kind,
+            at=(locked, c),
+            hint="which axle carries more, the one near G or the one far from it?",
+        )
 
 
 def of_kind(kind, locked):
@@ -464,12 +462,8 @@ def of_kind(kind, locked):
 def as_at_rest(found, right, unbraked, hint):
     """What to say of a result that is zero, or without friction, where it should not be: `hint` if it is neither."""
     if not np.any(found) and np.any(right):
-        return (
-            "it is zero there, as if the car were at rest; at rest speed and yaw rate are both zero, exactly"
-        )
-    if np.allclose(found, unbraked, rtol=SEEN, atol=0) and not np.allclose(
-        right, unbraked, rtol=SEEN, atol=0
-    ):
+        return "it is zero there, as if the car were at rest; at rest speed and yaw rate are both zero, exactly"
+    if np.allclose(found, unbraked, rtol=SEEN, atol=0) and not np.allclose(right, unbraked, rtol=SEEN, atol=0):
         return "friction is zero there, as if the car were at rest; at rest speed and yaw rate are both zero, exactly"
     return hint
 
@@ -489,16 +483,28 @@ def judge_forces(student, cases, kind, hint, within=FORMULA):
     for value, call, (s, locked, c) in zip(found, calls, cases, strict=True):
         scale = c["mass"] * max(c["friction"] * c["gravity"], 0.1)
         right = coulomb(s, locked, **parts(c, *FORCE))
-        expect(value, right, within=within, scale=scale, of="the friction force", unit="of friction times the weight",
-               kind=call.kind, hint=partial(of_force, value, right, hint),
-               at=(s, locked, c))  # fmt: skip
+        expect(
+            value,
+            right,
+            within=within,
+            scale=scale,
+            of="the friction force",
+            unit="of friction times the weight",
+            kind=call.kind,
+            hint=partial(of_force, value, right, hint),
+            at=(s, locked, c),
+        )
 
 
 @check(points=1, part="a", suspects=FORCE_SUSPECTS)
 def friction_opposes_the_sliding(student, draw):
     """friction_force: forward and left, against the velocity of the axle that drags, in proportion to its load."""
-    judge_forces(student, motions(draw, 8, forwards, turning), "a car that goes forwards and turns",
-                 "which way does the locked axle move, seen from the car?")  # fmt: skip
+    judge_forces(
+        student,
+        motions(draw, 8, forwards, turning),
+        "a car that goes forwards and turns",
+        "which way does the locked axle move, seen from the car?",
+    )
 
 
 @check(points=0.5, part="a", after=friction_opposes_the_sliding, suspects=force_suspects(WRONG_IN_REVERSE))
@@ -506,10 +512,7 @@ def friction_in_any_motion_and_at_rest(student, draw):
     """friction_force: in reverse, on the spot, straight, slow, without friction; zero at rest."""
     for kind, (speed, yaw) in KINDS.items():
         judge_forces(
-            student,
-            motions(draw, 3, speed, yaw),
-            kind,
-            "Coulomb friction is along the velocity, not the axes",
+            student, motions(draw, 3, speed, yaw), kind, "Coulomb friction is along the velocity, not the axes"
         )
     judge_forces(student, motions(draw, 2, forwards, turning, friction=0.0), "friction 0", "")
     judge_forces(student, motions(draw, 2, nothing, nothing), "a car at rest", "what is zero over zero?")
@@ -524,47 +527,58 @@ def expect_friction(function, calls, right, kind):
     """Along the right friction, however small: a guard against 0/0 leaves but a part of it there."""
     for found, call in zip(function.many([call.on(kind) for call in calls]), calls, strict=True):
         braking = right(*call.args, **call.kwargs)[-2:]
-        expect_that(found[-2:] @ braking > 0, "there is no friction", kind=kind, at=call,
-                    hint=partial(as_at_rest, found[-2:], braking, (0.0, 0.0), "does it brake?"))  # fmt: skip
+        expect_that(
+            found[-2:] @ braking > 0,
+            "there is no friction",
+            kind=kind,
+            at=call,
+            hint=partial(as_at_rest, found[-2:], braking, (0.0, 0.0), "does it brake?"),
+        )
 
 
 BY_PARTS = {
     "the velocity of G": "G does slip sideways, as it is not on the free axle; then turn (forward, left) by the "
-                         "heading, each part with its sign",
+    "heading, each part with its sign",
     "the rate of heading": "it is the yaw rate",
     "the rate of speed": "the velocity is right; in axes that turn, the speed's rate has a term with the yaw rate "
-                         "squared, of one sign with the front locked and of the other with the rear",
+    "squared, of one sign with the front locked and of the other with the rear",
     "the yaw acceleration": "the other rates are right: balance the moments about the free axle; the product of speed "
-                            "and yaw rate is there without friction, too",
-}  # fmt: skip
+    "and yaw rate is there without friction, too",
+}
 
 
 def judge_rates(student, cases, kind, hint, within=FORMULA):
     """hint : where to look, or that for each of the rates"""
-    calls = [
-        given(t, s, locked, **parts(c, *ALL)).on(of_kind(kind, locked))
-        for t, (s, locked, c) in enumerate(cases)
-    ]
+    calls = [given(t, s, locked, **parts(c, *ALL)).on(of_kind(kind, locked)) for t, (s, locked, c) in enumerate(cases)]
     for found, call, (s, locked, c) in zip(student.state_derivative.many(calls), calls, cases, strict=True):
         expected = derivative(s, locked, **parts(c, *ALL))
         v, length = usual(c) + abs(s[3]) + abs(s[4]) * wheelbase(c), wheelbase(c)
         # in a turn about an axle the inertia may be less than m length^2, by the smaller of the two
         quick = c["mass"] * length**2 / inertia_about_free(locked, **parts(c, *BODY))
         scale = [v, v, v / length, v * v / length, quick * (v / length) ** 2]
-        for name, index in (("the velocity of G", [0, 1]), ("the rate of heading", [2]), ("the rate of speed", [3]),
-                            ("the yaw acceleration", [4])):  # fmt: skip
-            look = partial(
-                of_rates, found, expected, s, locked, c, hint if isinstance(hint, str) else hint[name]
+        for name, index in (
+            ("the velocity of G", [0, 1]),
+            ("the rate of heading", [2]),
+            ("the rate of speed", [3]),
+            ("the yaw acceleration", [4]),
+        ):
+            look = partial(of_rates, found, expected, s, locked, c, hint if isinstance(hint, str) else hint[name])
+            expect(
+                found[index],
+                expected[index],
+                within=within,
+                scale=np.array(scale)[index],
+                of=name,
+                unit="of the size of its terms",
+                kind=call.kind,
+                at=(s, locked, c),
+                hint=look,
             )
-            expect(found[index], expected[index], within=within, scale=np.array(scale)[index], of=name,
-                   unit="of the size of its terms", kind=call.kind, at=(s, locked, c), hint=look)  # fmt: skip
 
 
 def of_rates(found, expected, state, locked, car, hint):
     unbraked = derivative(state, locked, **{**car, "friction": 0.0})
-    if np.max(np.abs(found - expected)[:3]) == 0 or np.allclose(
-        found[:3], expected[:3], rtol=SEEN, atol=SEEN
-    ):
+    if np.max(np.abs(found - expected)[:3]) == 0 or np.allclose(found[:3], expected[:3], rtol=SEEN, atol=SEEN):
         hint = of_friction(found - expected, state, locked, car) or hint
     return as_at_rest(found, expected, unbraked, hint)
 
@@ -596,25 +610,19 @@ def equations_of_motion(student, draw):
 def equations_in_any_motion(student, draw):
     """state_derivative: in reverse, turning on the spot, straight, slow."""
     for kind, (speed, yaw) in KINDS.items():
-        judge_rates(
-            student, motions(draw, 3, speed, yaw), kind, "the direction of friction is that of a velocity"
-        )
+        judge_rates(student, motions(draw, 3, speed, yaw), kind, "the direction of friction is that of a velocity")
     for kind, cases in odd_headings(draw):
         judge_rates(student, cases, kind, "does it matter where it goes?")
     judge_rates(student, creeping(draw), CREEPING, "is friction as large as at a high speed?", SLOW)
     calls = [given(0.0, s, locked, **parts(c, *ALL)) for s, locked, c in hardly_moving(draw)]
-    expect_friction(
-        student.state_derivative, calls, lambda _, s, locked, **c: derivative(s, locked, **c), HARDLY
-    )
+    expect_friction(student.state_derivative, calls, lambda _, s, locked, **c: derivative(s, locked, **c), HARDLY)
 
 
 @check(points=0.5, part="a", after=equations_of_motion)
 def equations_without_friction_and_at_rest(student, draw):
     """state_derivative: without friction, without gravity; all zero at rest."""
     for fixed, kind in (({"friction": 0.0}, "friction 0"), ({"gravity": 0.0}, "gravity 0")):
-        judge_rates(
-            student, motions(draw, 3, forwards, turning, **fixed), kind, "the free axle guides it still"
-        )
+        judge_rates(student, motions(draw, 3, forwards, turning, **fixed), kind, "the free axle guides it still")
     judge_rates(student, motions(draw, 2, nothing, nothing), "a car at rest", "what is zero over zero?")
     for kind, cases in odd_motions(draw):
         judge_rates(student, cases, kind, "which terms are zero, and which are not?")
@@ -627,12 +635,15 @@ def energy(state, locked, *, mass, yaw_inertia, front, rear):
 
 ENERGY_SUSPECTS = [
     suspect(SWAPPED, kinetic_energy=swapped(energy)),
-    suspect("G's velocity to the side left out",
-            kinetic_energy=lambda s, locked, **c: (c["mass"] * s[3] ** 2 + c["yaw_inertia"] * s[4] ** 2) / 2),
-    suspect("the turning left out",
-            kinetic_energy=lambda s, locked, **c: energy(s, locked, **{**c, "yaw_inertia": 0.0})),
+    suspect(
+        "G's velocity to the side left out",
+        kinetic_energy=lambda s, locked, **c: (c["mass"] * s[3] ** 2 + c["yaw_inertia"] * s[4] ** 2) / 2,
+    ),
+    suspect(
+        "the turning left out", kinetic_energy=lambda s, locked, **c: energy(s, locked, **{**c, "yaw_inertia": 0.0})
+    ),
     suspect("the kinetic energy without its half", kinetic_energy=lambda *motion, **c: 2 * energy(*motion, **c)),
-]  # fmt: skip
+]
 
 
 @check(points=0.5, part="a", suspects=ENERGY_SUSPECTS)
@@ -648,8 +659,17 @@ def kinetic_energy_of_G_and_of_turning(student, draw):
     calls = [given(s, locked, **parts(c, *BODY)).on(kind) for s, locked, c, kind in cases]
     for value, (s, locked, c, kind) in zip(student.kinetic_energy.many(calls), cases, strict=True):
         right = energy(s, locked, **parts(c, *BODY))
-        expect(value, right, within=FORMULA, scale=right or 1.0, of="the kinetic energy", unit="of itself",
-               kind=kind, at=(s, locked, c), hint="what is the velocity of G?")  # fmt: skip
+        expect(
+            value,
+            right,
+            within=FORMULA,
+            scale=right or 1.0,
+            of="the kinetic energy",
+            unit="of itself",
+            kind=kind,
+            at=(s, locked, c),
+            hint="what is the velocity of G?",
+        )
 
 
 # Part a: motion
@@ -697,9 +717,8 @@ def integrated(t, start, locked, rates, **car):
     longest = (t[-1] - t[0]) / 30 if len(t) > 2 else np.inf
     options = {"method": "DOP853", "rtol": 1e-10, "atol": 1e-11, "max_step": longest}
     run = solve_ivp(
-        lambda _, s: rates(s, locked, **car), (t[0], t[-1]), start,
-        dense_output=True, events=still_sliding, **options,
-    )  # fmt: skip
+        lambda _, s: rates(s, locked, **car), (t[0], t[-1]), start, dense_output=True, events=still_sliding, **options
+    )
     states = run.sol(np.minimum(t, run.t[-1])).T
     states[t > (run.t[-1] if run.status == 1 else math.inf), 3:] = 0.0
     return states
@@ -728,12 +747,10 @@ def loosely(t, start, locked, **car):
 TIME_SUSPECTS = [
     *mistimed(braked, from_time_zero),
     suspect("the tolerances that solve_ivp has when none are given", simulate=loosely),  # its steps are the same
-]  # fmt: skip
+]
 
 # Friction straight back jumps to and fro where the speed is zero, which an integrator would follow for minutes.
-SIMULATE_SUSPECTS = [
-    simulate_suspect(says, wrong) for says, wrong in WRONG_RATES.items() if "straight" not in says
-]
+SIMULATE_SUSPECTS = [simulate_suspect(says, wrong) for says, wrong in WRONG_RATES.items() if "straight" not in says]
 VELOCITY_SUSPECTS = [simulate_suspect(says, wrong) for says, wrong in WRONG_VELOCITIES.items()]
 
 
@@ -747,18 +764,12 @@ def scales(start, car):
 def braking(draw, count):
     """Calls to simulate that end before the speed passes zero, what is right, its scales and the kind of motion."""
     cases = []
-    for locked, sign, share, kind in (
-        ("front", 1, 0.75, ""),
-        ("rear", 1, 0.2, ""),
-        ("rear", -1, 0.75, " in reverse"),
-    ):
+    for locked, sign, share, kind in (("front", 1, 0.75, ""), ("rear", 1, 0.2, ""), ("rear", -1, 0.75, " in reverse")):
         c = car(draw)  # ahead of the free axle the locked one swings it round, and so backwards
         start = state(draw, c, sign * quick(draw), turning_a_little(draw))
         t = uneven(draw, share * stopped(start, locked, c)[0], count)
         expected = moved(t, start, locked, **c)
-        cases.append(
-            (given(t, start, locked, **c), expected, scales(start, c), f"a locked {locked} axle{kind}")
-        )
+        cases.append((given(t, start, locked, **c), expected, scales(start, c), f"a locked {locked} axle{kind}"))
     return cases
 
 
@@ -773,8 +784,8 @@ COLUMNS = (
 TOO_EARLY = {
     True: "it is taken for at rest and is not: a car in reverse moves, and so does one that turns on the spot",
     False: "speed and yaw rate are zero there, before it stops: is the time of the stop one since t[0] for you, or one "
-           "on the clock of t? does it stop too early?",
-}  # fmt: skip
+    "on the clock of t? does it stop too early?",
+}
 
 
 STRAIGHT = "it goes straight on: a yaw rate that is small is not zero, and may grow"
@@ -814,19 +825,26 @@ def judge_runs(student, cases, hint, half=1e-3):
         for name, at, unit in COLUMNS:
             error = np.max(np.abs(states - expected)[:, at] / scale[at])
             judged.append((error, states[:, at], expected[:, at], scale[at], name, unit, call, kind, look))
-    for _, states, expected, scale, name, unit, call, kind, look in sorted(
-        judged, key=lambda it: it[0], reverse=True
-    ):
-        expect(states, expected, scale=scale, within=TRAJECTORY, of=name, unit=unit, t=call.args[0], kind=kind,
-               hint=look, at=call, partial={half: 0.5})  # fmt: skip
+    for _, states, expected, scale, name, unit, call, kind, look in sorted(judged, key=lambda it: it[0], reverse=True):
+        expect(
+            states,
+            expected,
+            scale=scale,
+            within=TRAJECTORY,
+            of=name,
+            unit=unit,
+            t=call.args[0],
+            kind=kind,
+            hint=look,
+            at=call,
+            partial={half: 0.5},
+        )
 
 
 @check(points=1, part="a", suspects=TIME_SUSPECTS + SIMULATE_SUSPECTS + VELOCITY_SUSPECTS)
 def simulate_brakes(student, draw):
     """simulate: braking with either axle locked, row i at t[i], row 0 the given state."""
-    judge_runs(
-        student, braking(draw, 100), "put `state_derivative` into an integrator; is its tolerance tight?"
-    )
+    judge_runs(student, braking(draw, 100), "put `state_derivative` into an integrator; is its tolerance tight?")
 
 
 @check(points=0.25, part="a", after=simulate_brakes, suspects=SIMULATE_SUSPECTS)
@@ -867,9 +885,7 @@ def plain_runs(draw, slowed):
             v = abs(start[3]) + abs(start[4]) * wheelbase(c)
             t = uneven(draw, 0.3 * stopped(start, locked, c)[0] if slowed else wheelbase(c) / v, 2)
             expected = moved(t, start, locked, **c)
-            cases.append(
-                (given(t, start, locked, **c), expected, scales(start, c), f"{kind}, a locked {locked} axle")
-            )
+            cases.append((given(t, start, locked, **c), expected, scales(start, c), f"{kind}, a locked {locked} axle"))
     return cases
 
 
@@ -893,9 +909,7 @@ def in_turn(draw):
     # friction slows it by less than friction * gravity, so it does not stop before
     spans = 0.2 * usual(c) / (c["friction"] * c["gravity"]) * draw.uniform(0.8, 1.0, 2)
     t, other_t = (uneven(draw, span, 4) for span in spans)
-    changed = {
-        name: {**c, name: draw.uniform(1.2, 1.4) * c[name]} for name in ("friction", "yaw_inertia", "gravity")
-    }
+    changed = {name: {**c, name: draw.uniform(1.2, 1.4) * c[name]} for name in ("friction", "yaw_inertia", "gravity")}
     calls = {
         "friction above 1, a locked rear axle": given(t, start, "rear", **c),
         f"{BUT_FOR}other times": given(other_t, start, "rear", **c),
@@ -918,9 +932,7 @@ def sleigh(t, start, locked, *, mass, yaw_inertia, front, rear):
     With u = V cos psi and sqrt(J/m) r = V sin psi the energy is m V^2/2, and tan(psi/2) grows exponentially.
     """
     free = axles(locked, front, rear)[0]
-    gyration = math.sqrt(
-        inertia_about_free(locked, mass=mass, yaw_inertia=yaw_inertia, front=front, rear=rear) / mass
-    )
+    gyration = math.sqrt(inertia_about_free(locked, mass=mass, yaw_inertia=yaw_inertia, front=front, rear=rear) / mass)
     V, psi0 = math.hypot(start[3], gyration * start[4]), math.atan2(gyration * start[4], start[3])
     psi = 2 * np.arctan(math.tan(psi0 / 2) * np.exp(free * V / gyration**2 * t))
     heading = start[2] + (psi - psi0) * gyration / free
@@ -931,10 +943,7 @@ def sleigh(t, start, locked, *, mass, yaw_inertia, front, rear):
 def simulate_glides_without_friction(student, draw):
     """simulate: without friction or gravity it keeps its energy, however slow, ends with G ahead of the free axle."""
     cases = []
-    for locked, speed, fixed in (
-        ("front", backwards, {"friction": 0.0}),
-        ("rear", forwards, {"gravity": 0.0}),
-    ):
+    for locked, speed, fixed in (("front", backwards, {"friction": 0.0}), ("rear", forwards, {"gravity": 0.0})):
         c = car(draw, **fixed)
         start = state(draw, c, speed(draw), signed(draw, 0.1, 0.3))
         t = uneven(draw, 8 * wheelbase(c) / abs(start[3]), 60)
@@ -979,12 +988,7 @@ def slow_brakes(draw):
         far = start[3] ** 2 / (c["friction"] * c["gravity"])
         scale = np.array([far, far, far / wheelbase(c), start[3], start[3] / wheelbase(c)])
         cases.append(
-            (
-                given(t, start, locked, **c),
-                moved(t, start, locked, **c),
-                scale,
-                f"a slow car, a locked {locked} axle",
-            )
+            (given(t, start, locked, **c), moved(t, start, locked, **c), scale, f"a slow car, a locked {locked} axle")
         )
     return cases
 
@@ -994,8 +998,18 @@ def judge_slow(student, cases, otherwise):
     for states, (call, expected, scale, kind) in zip(found, cases, strict=True):
         straight = goes_straight(states) and not goes_straight(expected)
         hint = STRAIGHT if straight else otherwise
-        expect(states, expected, within=SLOW, scale=scale, of="the motion", unit="of the way that it goes", kind=kind,
-               t=call.args[0], at=call, hint=hint)  # fmt: skip
+        expect(
+            states,
+            expected,
+            within=SLOW,
+            scale=scale,
+            of="the motion",
+            unit="of the way that it goes",
+            kind=kind,
+            t=call.args[0],
+            at=call,
+            hint=hint,
+        )
 
 
 @once
@@ -1025,8 +1039,16 @@ def judge_start_at_rest(student, draw):
     for locked in ("front", "rear"):
         kind = of_kind("a car at rest from the start", locked)
         states = student.on(kind).simulate(t, start, locked, **c)
-        expect(states, np.tile(start, (10, 1)), within=FORMULA, of="the state", t=t, kind=kind,
-               at=(start, c), hint="what is zero over zero?")  # fmt: skip
+        expect(
+            states,
+            np.tile(start, (10, 1)),
+            within=FORMULA,
+            of="the state",
+            t=t,
+            kind=kind,
+            at=(start, c),
+            hint="what is zero over zero?",
+        )
 
 
 # Part a and d: is it stable?
@@ -1072,25 +1094,34 @@ def growth_with(rates):
 
 GROWTH_SUSPECTS = [
     suspect(says, within=1e-5, yaw_growth_rate=growth_with(wrong))
-    for says, wrong in WRONG_RATES.items() if "square" not in says and "straight" not in says
-] + [suspect("friction left out", yaw_growth_rate=frictionless_growth),
-     suspect("the wheelbase where its square belongs", within=1e-5, yaw_growth_rate=arm_not_squared),
-     suspect("the distance from G to the locked axle, where the wheelbase belongs", within=1e-5,
-             yaw_growth_rate=arm_from_G),
-     suspect("the part of the speed positive with either axle locked", within=1e-5, yaw_growth_rate=never_stabilised),
-     suspect("a growth rate below zero cut off to zero", within=1e-5,
-             yaw_growth_rate=lambda *motion, **c: max(growth(*motion, **c), 0.0)),
-     suspect("friction's part with the wrong sign", yaw_growth_rate=lambda speed, locked, **c:
-             2 * frictionless_growth(speed, locked, **c) - growth(speed, locked, **c))]  # fmt: skip
+    for says, wrong in WRONG_RATES.items()
+    if "square" not in says and "straight" not in says
+] + [
+    suspect("friction left out", yaw_growth_rate=frictionless_growth),
+    suspect("the wheelbase where its square belongs", within=1e-5, yaw_growth_rate=arm_not_squared),
+    suspect(
+        "the distance from G to the locked axle, where the wheelbase belongs", within=1e-5, yaw_growth_rate=arm_from_G
+    ),
+    suspect("the part of the speed positive with either axle locked", within=1e-5, yaw_growth_rate=never_stabilised),
+    suspect(
+        "a growth rate below zero cut off to zero",
+        within=1e-5,
+        yaw_growth_rate=lambda *motion, **c: max(growth(*motion, **c), 0.0),
+    ),
+    suspect(
+        "friction's part with the wrong sign",
+        yaw_growth_rate=lambda speed, locked, **c: (
+            2 * frictionless_growth(speed, locked, **c) - growth(speed, locked, **c)
+        ),
+    ),
+]
 
 
 @check(points=0.75, part="a", suspects=GROWTH_SUSPECTS)
 def growth_rate_is_the_slope(student, draw):
     """yaw_growth_rate: how fast the yaw acceleration rises with a small yaw rate, at low and high speed."""
     kinds = ("front", {}), ("rear", {}), ("rear", {"friction": 0.0}), ("front", {"gravity": 0.0})
-    cases = [
-        (locked, car(draw, **fixed), "".join(f"{name} 0, " for name in fixed)) for locked, fixed in kinds * 3
-    ]
+    cases = [(locked, car(draw, **fixed), "".join(f"{name} 0, " for name in fixed)) for locked, fixed in kinds * 3]
     cases += [(locked, c, f"{kind}, ") for locked, c, kind in odd_cars(draw)]
     calls = [
         given(draw.uniform(0.3, 3) * usual(c), locked, **c).on(f"{kind}a locked {locked} axle")
@@ -1102,9 +1133,17 @@ def growth_rate_is_the_slope(student, draw):
         c, (speed, locked) = call.kwargs, call.args
         quick = c["mass"] * wheelbase(c) ** 2 / inertia_about_free(locked, **parts(c, *BODY))
         scale = quick * (speed / wheelbase(c) + c["friction"] * c["gravity"] / speed)
-        expect(found, growth(*call.args, **c), within=GROWTH, scale=scale, of="the growth rate",
-               unit="of the size of its terms", kind=call.kind, at=call,
-               hint="linearise at yaw_rate 0; friction's sideways part is linear in it too")  # fmt: skip
+        expect(
+            found,
+            growth(*call.args, **c),
+            within=GROWTH,
+            scale=scale,
+            of="the growth rate",
+            unit="of the size of its terms",
+            kind=call.kind,
+            at=call,
+            hint="linearise at yaw_rate 0; friction's sideways part is linear in it too",
+        )
 
 
 def critical(locked, *, front, rear, friction, gravity):
@@ -1117,12 +1156,16 @@ def lacking(*, friction, gravity, **_):
 
 CRITICAL_SUSPECTS = [
     suspect(SWAPPED, critical_speed=lambda locked, **c: critical(other(locked), **c)),
-    suspect("the distance from G to an axle for the wheelbase",
-            critical_speed=lambda locked, front, **c: critical(locked, front=front, **{**c, "rear": 0.0})),
-    suspect("0 where there is no friction, with the front locked too, where it never is unstable",
-            critical_speed=lambda locked, **c: 0.0 if lacking(**c) else critical(locked, **c)),
+    suspect(
+        "the distance from G to an axle for the wheelbase",
+        critical_speed=lambda locked, front, **c: critical(locked, front=front, **{**c, "rear": 0.0}),
+    ),
+    suspect(
+        "0 where there is no friction, with the front locked too, where it never is unstable",
+        critical_speed=lambda locked, **c: 0.0 if lacking(**c) else critical(locked, **c),
+    ),
     suspect("the square of the speed", critical_speed=lambda locked, **c: critical(locked, **c) ** 2),
-]  # fmt: skip
+]
 
 
 @check(points=0.5, part="a", suspects=CRITICAL_SUSPECTS)
@@ -1135,16 +1178,35 @@ def critical_speed_is_where_growth_begins(student, draw):
     calls = [call.on(f"a locked rear axle{lacking(**call.kwargs)}") for call in calls]
     for found, call in zip(student.critical_speed.many(calls), calls, strict=True):
         right, kind = critical(*call.args, **call.kwargs), call.kind
-        expect_that(math.isfinite(found), "critical_speed is infinite", kind=kind, at=call,
-                    hint="is it unstable at any speed at all there?")  # fmt: skip
-        expect(found, right, within=FORMULA, scale=right or 1.0, of="the critical speed", unit="of itself", kind=kind,
-               at=call, hint="where is your growth rate zero?")  # fmt: skip
+        expect_that(
+            math.isfinite(found),
+            "critical_speed is infinite",
+            kind=kind,
+            at=call,
+            hint="is it unstable at any speed at all there?",
+        )
+        expect(
+            found,
+            right,
+            within=FORMULA,
+            scale=right or 1.0,
+            of="the critical speed",
+            unit="of itself",
+            kind=kind,
+            at=call,
+            hint="where is your growth rate zero?",
+        )
     for c in (car(draw), *(c for _, c, _ in odd_cars(draw))):
         call = given("front", **parts(c, *names))
         kind = f"a locked front axle{lacking(**call.kwargs)}"
         found = student.on(kind).critical_speed(*call.args, **call.kwargs)
-        expect_that(found == math.inf, "critical_speed is not math.inf", kind=kind, at=call,
-                    hint="can your growth rate be positive there?")  # fmt: skip
+        expect_that(
+            found == math.inf,
+            "critical_speed is not math.inf",
+            kind=kind,
+            at=call,
+            hint="can your growth rate be positive there?",
+        )
 
 
 def slowed(speed, speed0, yaw_rate0, locked, **car):
@@ -1197,19 +1259,26 @@ SLOWED_SUSPECTS = [
     suspect(SWAPPED, small_yaw_rate=lambda u, u0, r0, locked, **c: slowed(u, u0, r0, other(locked), **c)),
     suspect("friction's part alone", small_yaw_rate=power_law),
     suspect("friction's part left out", small_yaw_rate=without_power_law),
-    suspect("the inertia about G in friction's part, where that about the free axle belongs",
-            small_yaw_rate=power_about_G),
+    suspect(
+        "the inertia about G in friction's part, where that about the free axle belongs", small_yaw_rate=power_about_G
+    ),
     suspect("the part of the speed positive with either axle locked", small_yaw_rate=always_growing),
-    suspect("the growth rate of the first speed at every speed",
-            small_yaw_rate=constant_rate(lambda speed, speed0: speed0)),
-    suspect("the growth rate of the last speed at every speed",
-            small_yaw_rate=constant_rate(lambda speed, speed0: speed)),
-    suspect("the growth rate of the speed half way at every speed",
-            small_yaw_rate=constant_rate(lambda speed, speed0: (speed + speed0) / 2)),
+    suspect(
+        "the growth rate of the first speed at every speed", small_yaw_rate=constant_rate(lambda speed, speed0: speed0)
+    ),
+    suspect(
+        "the growth rate of the last speed at every speed", small_yaw_rate=constant_rate(lambda speed, speed0: speed)
+    ),
+    suspect(
+        "the growth rate of the speed half way at every speed",
+        small_yaw_rate=constant_rate(lambda speed, speed0: (speed + speed0) / 2),
+    ),
     suspect("the yaw rate without its sign", small_yaw_rate=lambda *motion, **c: abs(slowed(*motion, **c))),
-    suspect("the growth with the wrong sign: the speed falls",
-            small_yaw_rate=lambda u, u0, r0, locked, **c: slowed(u0, u, r0, locked, **c)),
-]  # fmt: skip
+    suspect(
+        "the growth with the wrong sign: the speed falls",
+        small_yaw_rate=lambda u, u0, r0, locked, **c: slowed(u0, u, r0, locked, **c),
+    ),
+]
 
 
 @once
@@ -1230,9 +1299,11 @@ def slowing(draw):
 
 def kind_of_slowing(speed, speed0, yaw_rate0, locked):
     special = {
-        "a speed that has not fallen yet": speed == speed0, "no yaw rate": yaw_rate0 == 0,
-        "a negative yaw rate": yaw_rate0 < 0, "a positive yaw rate": yaw_rate0 > 0,
-    }  # fmt: skip
+        "a speed that has not fallen yet": speed == speed0,
+        "no yaw rate": yaw_rate0 == 0,
+        "a negative yaw rate": yaw_rate0 < 0,
+        "a positive yaw rate": yaw_rate0 > 0,
+    }
     return ", ".join([says for says, it in special.items() if it] + [f"a locked {locked} axle"])
 
 
@@ -1240,12 +1311,18 @@ def kind_of_slowing(speed, speed0, yaw_rate0, locked):
 def small_yaw_rate_is_the_linear_solution(student, draw):
     """small_yaw_rate: the linear equation, solved exactly over the falling speed."""
     cases = slowing(draw)
-    for found, (call, expected) in zip(
-        student.small_yaw_rate.many([call for call, _ in cases]), cases, strict=True
-    ):
-        expect(found, expected, within=SMALL_YAW, scale=abs(expected) or 1.0, of="the yaw rate", unit="of itself",
-               at=call, kind=call.kind,
-               hint="divide the yaw acceleration by the rate of speed: time is gone; separate, integrate")  # fmt: skip
+    for found, (call, expected) in zip(student.small_yaw_rate.many([call for call, _ in cases]), cases, strict=True):
+        expect(
+            found,
+            expected,
+            within=SMALL_YAW,
+            scale=abs(expected) or 1.0,
+            of="the yaw rate",
+            unit="of itself",
+            at=call,
+            kind=call.kind,
+            hint="divide the yaw acceleration by the rate of speed: time is gone; separate, integrate",
+        )
 
 
 OTHERS = ("both", "", "Front", "r", "front rear", None)
@@ -1287,11 +1364,7 @@ def refuses_others(student, name, call, asked=("front", "rear", *OTHERS), at_res
     """A function that refuses the axles, too, has not earned it."""
     for locked in asked:
         it, right = call(locked), locked not in ("front", "rear")
-        kind = (
-            f'a `locked` that is neither "front" nor "rear", {locked!r}'
-            if right
-            else f"a locked {locked} axle"
-        )
+        kind = f'a `locked` that is neither "front" nor "rear", {locked!r}' if right else f"a locked {locked} axle"
         kind += at_rest
         refused = getattr(student.on(kind), name).refuses(*it.args, **it.kwargs)
         says = "does not raise ValueError" if right else "raises ValueError"
@@ -1326,10 +1399,25 @@ def simulate_comes_to_rest_and_stays(student, draw):
     for states, (call, place, after, scale, kind) in zip(found, cases, strict=True):
         later = call.args[0][after]
         look = partial(unrest, states[after] / scale, call.args[1])
-        expect(states[after, 3:] / scale[3:], np.zeros((after.sum(), 2)), within=AT_REST, of="speed or yaw rate",
-               unit="of that at the start", t=later, kind=kind, at=call,
-               hint=partial(look, "find the time at which it stops; from then on nothing changes"))  # fmt: skip
-        expect(states[after, :3] / scale[:3], np.tile(place / scale[:3], (after.sum(), 1)), within=STOPPED,
-               of="place or heading, in its scale,", t=later, kind=kind, at=call,
-               hint=partial(look, "is it where it stops, and does it stay there?"))  # fmt: skip
+        expect(
+            states[after, 3:] / scale[3:],
+            np.zeros((after.sum(), 2)),
+            within=AT_REST,
+            of="speed or yaw rate",
+            unit="of that at the start",
+            t=later,
+            kind=kind,
+            at=call,
+            hint=partial(look, "find the time at which it stops; from then on nothing changes"),
+        )
+        expect(
+            states[after, :3] / scale[:3],
+            np.tile(place / scale[:3], (after.sum(), 1)),
+            within=STOPPED,
+            of="place or heading, in its scale,",
+            t=later,
+            kind=kind,
+            at=call,
+            hint=partial(look, "is it where it stops, and does it stay there?"),
+        )
     judge_start_at_rest(student, draw)

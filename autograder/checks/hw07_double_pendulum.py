@@ -91,17 +91,17 @@ def accelerations(theta, omega, masses, lengths, gravity, **bars):
     M, f, g = terms(theta, omega, masses, lengths, gravity, **bars)
     pull1, pull2 = -f[0] - g[0], -f[1] - g[1]
     determinant = M[0][0] * M[1][1] - M[0][1] * M[1][0]
-    return (M[1][1] * pull1 - M[0][1] * pull2) / determinant, (
-        M[0][0] * pull2 - M[1][0] * pull1
-    ) / determinant
+    return (M[1][1] * pull1 - M[0][1] * pull2) / determinant, (M[0][0] * pull2 - M[1][0] * pull1) / determinant
 
 
 def forces(theta, omega, masses, lengths, gravity, **bars):
     """(2, 2): by Newton's law for bar 2, and for both bars together."""
     al1, al2 = accelerations(theta, omega, masses, lengths, gravity, **bars)
     _, levers, rest = kinematics(theta, omega, lengths, bars.get("centre", 1 / 2))
-    moved = [m * (lever[0] * al1 + lever[1] * al2 + a + 1j * gravity)
-             for m, lever, a in zip(masses, levers, rest, strict=True)]  # fmt: skip
+    moved = [
+        m * (lever[0] * al1 + lever[1] * al2 + a + 1j * gravity)
+        for m, lever, a in zip(masses, levers, rest, strict=True)
+    ]
     return np.array([[sum(moved).real, sum(moved).imag], [moved[1].real, moved[1].imag]])
 
 
@@ -167,11 +167,17 @@ def wireframe(theta, lengths):
 
 
 RIGHT = {
-    "mass_matrix": mass_matrix, "velocity_terms": velocity_terms, "gravity_terms": gravity_terms,
-    "angular_acceleration": angular_acceleration, "on_the_fly": on_the_fly, "energy": energy,
-    "angular_momentum": angular_momentum, "simulate": motion, "small_oscillation_frequencies": frequencies,
+    "mass_matrix": mass_matrix,
+    "velocity_terms": velocity_terms,
+    "gravity_terms": gravity_terms,
+    "angular_acceleration": angular_acceleration,
+    "on_the_fly": on_the_fly,
+    "energy": energy,
+    "angular_momentum": angular_momentum,
+    "simulate": motion,
+    "small_oscillation_frequencies": frequencies,
     "wireframe": wireframe,
-}  # fmt: skip
+}
 
 # Known mistakes
 
@@ -220,9 +226,7 @@ def relative(name):
 
 def mistakes(name, *fragments, within=1e-6):
     """Suspects of a function: bars whose name has one of the fragments, and the relative angle."""
-    wrong = {
-        says: of_bars(name, bars) for says, bars in BARS.items() if any(part in says for part in fragments)
-    }
+    wrong = {says: of_bars(name, bars) for says, bars in BARS.items() if any(part in says for part in fragments)}
     wrong[RELATIVE] = relative(name)
     if name in OF_GRAVITY:
         wrong[EARTHS] = of_bars(name, {"gravity": 9.81})
@@ -261,7 +265,7 @@ SIMULATE_SUSPECTS = [
     made("simulate", "angles wrapped to -pi and pi", wrapped, 1e-3),
     *mistimed(motion, from_zero, within=1e-3),
     suspect("the state after a step for the start in the first row", within=1e-3, simulate=after_a_step),
-]  # fmt: skip
+]
 
 
 # Inputs
@@ -269,8 +273,12 @@ SIMULATE_SUSPECTS = [
 
 def pendulum(draw, *names, **fixed):
     """Random masses, lengths and gravity, those of these names; unequal, and not of size one."""
-    known = {"masses": 10 ** draw.uniform(-0.5, 0.7, 2), "lengths": 10 ** draw.uniform(-0.4, 0.4, 2),
-             "gravity": draw.uniform(1.5, 25.0), **fixed}  # fmt: skip
+    known = {
+        "masses": 10 ** draw.uniform(-0.5, 0.7, 2),
+        "lengths": 10 ** draw.uniform(-0.4, 0.4, 2),
+        "gravity": draw.uniform(1.5, 25.0),
+        **fixed,
+    }
     return {name: known[name] for name in names or known}
 
 
@@ -306,13 +314,21 @@ def plain(call):
     (theta, *omega), known = call.args, call.kwargs
     (th1, th2), right = theta, math.pi / 2
     places = {
-        "hanging straight down": (0.0, 0.0), "bar 1 straight down": (0.0, th2), "bar 2 straight down": (th1, 0.0),
-        "th1 = th2": (th1, th1), "th2 = -th1": (th1, -th1), "bars at a right angle": (th1, th1 + right),
-        "both bars horizontal": (right, right), "bar 1 horizontal to the left": (-right, th2),
-        "both bars upright": (math.pi, math.pi), "folded upwards": (0.0, math.pi), "bars in line": (th1, th1 + math.pi),
-        "angles beyond 2 pi": (7.5, 20.0), "negative angles beyond 2 pi": (-7.5, -20.0),
+        "hanging straight down": (0.0, 0.0),
+        "bar 1 straight down": (0.0, th2),
+        "bar 2 straight down": (th1, 0.0),
+        "th1 = th2": (th1, th1),
+        "th2 = -th1": (th1, -th1),
+        "bars at a right angle": (th1, th1 + right),
+        "both bars horizontal": (right, right),
+        "bar 1 horizontal to the left": (-right, th2),
+        "both bars upright": (math.pi, math.pi),
+        "folded upwards": (0.0, math.pi),
+        "bars in line": (th1, th1 + math.pi),
+        "angles beyond 2 pi": (7.5, 20.0),
+        "negative angles beyond 2 pi": (-7.5, -20.0),
         "whole angles, negative": (-1.0, -2.0),
-    }  # fmt: skip
+    }
     cases = [(given(np.array(place), *omega, **known), where) for where, place in places.items()]
     if omega:
         for where in ("th1 = th2", "bar 1 straight down", "both bars horizontal"):
@@ -327,18 +343,20 @@ def plain(call):
     unit = {name: UNIT_BARS[name] for name in known}
     cases.append((given(*call.args, **unit), "masses, lengths and gravity 1"))
     if "gravity" in known and omega:
-        cases += [
-            (given(*case.args, **{**known, "gravity": 0.0}), f"{kind}, no gravity")
-            for case, kind in cases[:7]
-        ]
+        cases += [(given(*case.args, **{**known, "gravity": 0.0}), f"{kind}, no gravity") for case, kind in cases[:7]]
     return cases
 
 
 def plain_rates(omega):
     """Pairs of angular velocities by what to call them."""
     om1, om2 = omega
-    both = {"at rest": (0.0, 0.0), "om1 = 0": (0.0, om2), "om2 = 0": (om1, 0.0), "om1 = om2": (om1, om1),
-            "om1, om2 < 0": (-abs(om1), -abs(om2))}  # fmt: skip
+    both = {
+        "at rest": (0.0, 0.0),
+        "om1 = 0": (0.0, om2),
+        "om2 = 0": (om1, 0.0),
+        "om1 = om2": (om1, om1),
+        "om1, om2 < 0": (-abs(om1), -abs(om2)),
+    }
     return {how: np.array(pace) for how, pace in both.items()}
 
 
@@ -363,8 +381,17 @@ def judge(student, name, calls, scale, of, unit, hint):
         getattr(student, name).many([call.on(kind) for call, kind in cases]), cases, strict=True
     ):
         told = functools.partial(hint, found, call) if callable(hint) else hint
-        expect(found, RIGHT[name](*call.args, **call.kwargs), within=POINTWISE, scale=scale(*sizes(call)) or 1.0, of=of,
-               unit=unit, kind=kind, hint=told, at=call)  # fmt: skip
+        expect(
+            found,
+            RIGHT[name](*call.args, **call.kwargs),
+            within=POINTWISE,
+            scale=scale(*sizes(call)) or 1.0,
+            of=of,
+            unit=unit,
+            kind=kind,
+            hint=told,
+            at=call,
+        )
 
 
 def in_equations(found, call):
@@ -412,22 +439,35 @@ MASS_SUSPECTS = [
     suspect("m2 l2^2/12 for M22, where m2 l2^2/3 belongs", mass_matrix=with_added(1, lambda m1, m2: -m2 / 4)),
     suspect("m2 l1^2/2 in M11, where m2 l1^2 belongs", mass_matrix=with_added(0, lambda m1, m2: -m2 / 2)),
     suspect("the cosine of th1 + th2, where that of th1 - th2 belongs", mass_matrix=of_the_sum),
-    suspect("l1^2 in the coupling, where l1 l2 belongs",
-            mass_matrix=coupled(lambda size, right, _, lengths: right * lengths[0] / lengths[1])),
-    suspect("l2^2 in the coupling, where l1 l2 belongs",
-            mass_matrix=coupled(lambda size, right, _, lengths: right * lengths[1] / lengths[0])),
-    suspect("the cosine of small angles, 1 - (th1 - th2)^2/2",
-            mass_matrix=coupled(lambda size, right, between, _: size * (1 - between**2 / 2))),
+    suspect(
+        "l1^2 in the coupling, where l1 l2 belongs",
+        mass_matrix=coupled(lambda size, right, _, lengths: right * lengths[0] / lengths[1]),
+    ),
+    suspect(
+        "l2^2 in the coupling, where l1 l2 belongs",
+        mass_matrix=coupled(lambda size, right, _, lengths: right * lengths[1] / lengths[0]),
+    ),
+    suspect(
+        "the cosine of small angles, 1 - (th1 - th2)^2/2",
+        mass_matrix=coupled(lambda size, right, between, _: size * (1 - between**2 / 2)),
+    ),
     suspect("the cosine of no angle, 1", mass_matrix=coupled(lambda size, *_: size)),
     suspect("no coupling", mass_matrix=coupled(lambda *_: 0.0)),
-]  # fmt: skip
+]
 
 
 @check(points=1, part="a", suspects=MASS_SUSPECTS)
 def mass_matrix_makes_the_kinetic_energy(student, draw):
     """mass_matrix: half of omega . M omega is the kinetic energy of the two bars."""
-    judge(student, "mass_matrix", resting(draw, 8, "masses", "lengths"), lambda inertia, _: inertia, "[M]", "of m l^2",
-          "write the velocities of both mass centres by the absolute angular velocities")  # fmt: skip
+    judge(
+        student,
+        "mass_matrix",
+        resting(draw, 8, "masses", "lengths"),
+        lambda inertia, _: inertia,
+        "[M]",
+        "of m l^2",
+        "write the velocities of both mass centres by the absolute angular velocities",
+    )
 
 
 def without_lengths(theta, omega, masses, lengths):
@@ -438,9 +478,7 @@ def without_lengths(theta, omega, masses, lengths):
 VELOCITY_SUSPECTS = [
     *mistakes("velocity_terms", "sine"),
     made(
-        "velocity_terms",
-        "twice what is right, which is {f} of point masses at the ends of the bars",
-        lambda f: 2 * f,
+        "velocity_terms", "twice what is right, which is {f} of point masses at the ends of the bars", lambda f: 2 * f
     ),
     made("velocity_terms", "the second one with the wrong sign", lambda f: f * [1, -1]),
     suspect("lengths of 1 m", velocity_terms=without_lengths),
@@ -450,8 +488,15 @@ VELOCITY_SUSPECTS = [
 @check(points=1, part="a", suspects=VELOCITY_SUSPECTS)
 def velocity_terms_are_centripetal(student, draw):
     """velocity_terms: {f} of Lagrange's equations."""
-    judge(student, "velocity_terms", moving(draw, 8, "masses", "lengths"), lambda inertia, rate2: inertia * rate2,
-          "{f}", "of m l^2 omega^2", "which way does each mass centre accelerate when alpha is zero?")  # fmt: skip
+    judge(
+        student,
+        "velocity_terms",
+        moving(draw, 8, "masses", "lengths"),
+        lambda inertia, rate2: inertia * rate2,
+        "{f}",
+        "of m l^2 omega^2",
+        "which way does each mass centre accelerate when alpha is zero?",
+    )
 
 
 def with_half_of_bar_2(theta, masses, lengths, gravity):
@@ -474,9 +519,15 @@ GRAVITY_SUSPECTS = [
 @check(points=0.75, part="a", suspects=GRAVITY_SUSPECTS)
 def gravity_terms_are_moments_of_the_weights(student, draw):
     """gravity_terms: {g}, the derivatives of the potential energy by th1 and th2."""
-    judge(student, "gravity_terms", resting(draw, 8, "masses", "lengths", "gravity"),
-          lambda inertia, rate2: inertia * rate2, "{g}", "of m g l",
-          "how does the height of each mass centre change with each angle?")  # fmt: skip
+    judge(
+        student,
+        "gravity_terms",
+        resting(draw, 8, "masses", "lengths", "gravity"),
+        lambda inertia, rate2: inertia * rate2,
+        "{g}",
+        "of m g l",
+        "how does the height of each mass centre change with each angle?",
+    )
 
 
 def of_one_mass(*state, masses, **known):
@@ -494,8 +545,7 @@ ALPHA_SUSPECTS = [
 def accelerations_obey_the_equations(student, draw):
     """angular_acceleration: [M]{alpha} + {f} + {g} = 0, without gravity too."""
     calls = moving(draw, 8) + moving(draw, 3, gravity=0.0)
-    judge(student, "angular_acceleration", calls, lambda _, rate2: rate2, "alpha", "of omega^2 + g/l",
-          in_equations)  # fmt: skip
+    judge(student, "angular_acceleration", calls, lambda _, rate2: rate2, "alpha", "of omega^2 + g/l", in_equations)
 
 
 @once
@@ -516,10 +566,18 @@ def massless_calls(cases):
 
 def judge_massless(found, cases):
     for alpha, call, (*_, expected) in zip(found, massless_calls(cases), cases, strict=True):
-        expect(alpha, expected, within=MASSLESS, scale=sizes(call)[1], of="alpha", unit="of omega^2 + g/l",
-               kind=call.kind, at=call,
-               hint="below a massless bar, or above one, the other moves by an equation that you know; if it is "
-                    "nearly that, rows of a linear system that differ in size by 1e-9 lose the digits")  # fmt: skip
+        expect(
+            alpha,
+            expected,
+            within=MASSLESS,
+            scale=sizes(call)[1],
+            of="alpha",
+            unit="of omega^2 + g/l",
+            kind=call.kind,
+            at=call,
+            hint="below a massless bar, or above one, the other moves by an equation that you know; if it is "
+            "nearly that, rows of a linear system that differ in size by 1e-9 lose the digits",
+        )
 
 
 @check(points=0.25, part="a", after=accelerations_obey_the_equations)
@@ -536,9 +594,17 @@ def fly(student, draw, which):
     for found, (call, kind) in zip(results, cases, strict=True):
         inertia, rate2 = sizes(call)
         scale = rate2 if which == 0 else inertia / np.max(call.kwargs["lengths"]) * rate2
-        expect(found[which], on_the_fly(*call.args, **call.kwargs)[which], within=POINTWISE, scale=scale or 1.0,
-               of=("alpha", "a hinge force")[which], unit=("of omega^2 + g/l", "of m (l omega^2 + g)")[which],
-               kind=kind, at=call, hint=FLY_HINTS[which])  # fmt: skip
+        expect(
+            found[which],
+            on_the_fly(*call.args, **call.kwargs)[which],
+            within=POINTWISE,
+            scale=scale or 1.0,
+            of=("alpha", "a hinge force")[which],
+            unit=("of omega^2 + g/l", "of m (l omega^2 + g)")[which],
+            kind=kind,
+            at=call,
+            hint=FLY_HINTS[which],
+        )
 
 
 FLY_HINTS = (
@@ -575,11 +641,15 @@ FLY_SUSPECTS = [
     *mistakes("on_the_fly", *INERTIA, *SIGNS),
     suspect("om2 - om1 for the angular velocity of bar 2", on_the_fly=at_rates(lambda om1, om2: (om1, om2 - om1))),
     suspect("om1 + om2 for the angular velocity of bar 2", on_the_fly=at_rates(lambda om1, om2: (om1, om1 + om2))),
-    suspect("the force of bar 2 left out of bar 1's linear momentum balance",
-            on_the_fly=functools.partial(of_ten_equations, reaction=0)),
-    suspect("the centripetal acceleration of bar 1 left out at the ceiling's hinge",
-            on_the_fly=functools.partial(of_ten_equations, centripetal=0)),
-]  # fmt: skip
+    suspect(
+        "the force of bar 2 left out of bar 1's linear momentum balance",
+        on_the_fly=functools.partial(of_ten_equations, reaction=0),
+    ),
+    suspect(
+        "the centripetal acceleration of bar 1 left out at the ceiling's hinge",
+        on_the_fly=functools.partial(of_ten_equations, centripetal=0),
+    ),
+]
 
 
 def other_forces(change):
@@ -598,19 +668,24 @@ def without_centripetal_force(theta, omega, **known):
 
 
 FORCE_SUSPECTS = [
-    suspect("the centripetal acceleration of bar 1's own mass centre left out in the first row",
-            on_the_fly=without_centripetal_force),
-    *(suspect(says, on_the_fly=other_forces(change)) for says, change in {
-        "the force of bar 2 on bar 1 in the second row": lambda F, *_: F * [[1], [-1]],
-        "the forces of the bars on the ceiling and of bar 2 on bar 1": lambda F, *_: -F,
-        "the force of bar 1 on the ceiling in the first row": lambda F, *_: F * [[-1], [1]],
-        "the two rows swapped": lambda F, *_: F[::-1],
-        "rows and columns swapped": lambda F, *_: F.T,
-        "forces without the weights": lambda F, m, g: F - [[0, (m[0] + m[1]) * g], [0, m[1] * g]],
-        "the weight of bar 1 left out of the first row": lambda F, m, g: F - [[0, m[0] * g], [0, 0]],
-        "in the first row the resultant of bar 1's hinges": lambda F, *_: np.array([F[0] - F[1], F[1]]),
-    }.items()),
-]  # fmt: skip
+    suspect(
+        "the centripetal acceleration of bar 1's own mass centre left out in the first row",
+        on_the_fly=without_centripetal_force,
+    ),
+    *(
+        suspect(says, on_the_fly=other_forces(change))
+        for says, change in {
+            "the force of bar 2 on bar 1 in the second row": lambda F, *_: F * [[1], [-1]],
+            "the forces of the bars on the ceiling and of bar 2 on bar 1": lambda F, *_: -F,
+            "the force of bar 1 on the ceiling in the first row": lambda F, *_: F * [[-1], [1]],
+            "the two rows swapped": lambda F, *_: F[::-1],
+            "rows and columns swapped": lambda F, *_: F.T,
+            "forces without the weights": lambda F, m, g: F - [[0, (m[0] + m[1]) * g], [0, m[1] * g]],
+            "the weight of bar 1 left out of the first row": lambda F, m, g: F - [[0, m[0] * g], [0, 0]],
+            "in the first row the resultant of bar 1's hinges": lambda F, *_: np.array([F[0] - F[1], F[1]]),
+        }.items()
+    ),
+]
 
 
 @check(points=0.5, part="a", suspects=FLY_SUSPECTS)
@@ -634,8 +709,17 @@ def free_bars_with_a_nearly_massless_one(student, draw):
     for omega, kind in ((np.zeros(2), "hanging at rest"), (call.args[1], "hanging straight down, moving")):
         still = given(np.zeros(2), omega, **call.kwargs)
         alpha, _ = student.on(kind).on_the_fly(*still.args, **still.kwargs)
-        expect(alpha, 0.0, within=POINTWISE, scale=sizes(still)[1], of="alpha", unit="of omega^2 + g/l", kind=kind,
-               at=still, hint=FLY_HINTS[0])  # fmt: skip
+        expect(
+            alpha,
+            0.0,
+            within=POINTWISE,
+            scale=sizes(still)[1],
+            of="alpha",
+            unit="of omega^2 + g/l",
+            kind=kind,
+            at=still,
+            hint=FLY_HINTS[0],
+        )
 
 
 # Energy, angular momentum
@@ -650,9 +734,7 @@ def raised(*args, **known):
 def spun_relative(theta, omega, masses, lengths, gravity):
     """With om2 - om1 for the rate at which bar 2 turns about its mass centre."""
     spin = masses[1] * lengths[1] ** 2 / 24
-    return energy(theta, omega, masses, lengths, gravity) + spin * (
-        (omega[1] - omega[0]) ** 2 - omega[1] ** 2
-    )
+    return energy(theta, omega, masses, lengths, gravity) + spin * ((omega[1] - omega[0]) ** 2 - omega[1] ** 2)
 
 
 def without_coupling(theta, omega, masses, lengths, gravity):
@@ -675,35 +757,58 @@ ENERGY_SUSPECTS = [
     suspect("om2 - om1 for the rate at which bar 2 turns", energy=spun_relative),
     suspect("the kinetic energy without its term with om1 om2", energy=without_coupling),
     suspect("the kinetic energy without the turning of bar 2, I om2^2/2", energy=without_spin_of_bar_2),
-    suspect("the sign of the potential energy reversed", energy=lambda *args, gravity, **known: energy(
-        *args, **known, gravity=-gravity)),
+    suspect(
+        "the sign of the potential energy reversed",
+        energy=lambda *args, gravity, **known: energy(*args, **known, gravity=-gravity),
+    ),
     suspect("kinetic energy alone", energy=lambda *args, gravity, **known: energy(*args, **known, gravity=0.0)),
-]  # fmt: skip
+]
 MOMENTUM_SUSPECTS = [
     *mistakes("angular_momentum", *INERTIA),
     suspect("the coupling left out: M11 om1 + M22 om2", angular_momentum=uncoupled),
-    suspect("I om2 of bar 2 left out", angular_momentum=lambda theta, omega, masses, lengths: (
-        angular_momentum(theta, omega, masses, lengths) - masses[1] * lengths[1] ** 2 / 12 * omega[1])),
-    suspect("the momentum conjugate to th2 alone", angular_momentum=lambda theta, omega, **known: (
-        mass_matrix(theta, **known) @ omega)[1]),
-    suspect("the momentum conjugate to th1 alone", angular_momentum=lambda theta, omega, **known: (
-        mass_matrix(theta, **known) @ omega)[0]),
-]  # fmt: skip
+    suspect(
+        "I om2 of bar 2 left out",
+        angular_momentum=lambda theta, omega, masses, lengths: (
+            angular_momentum(theta, omega, masses, lengths) - masses[1] * lengths[1] ** 2 / 12 * omega[1]
+        ),
+    ),
+    suspect(
+        "the momentum conjugate to th2 alone",
+        angular_momentum=lambda theta, omega, **known: (mass_matrix(theta, **known) @ omega)[1],
+    ),
+    suspect(
+        "the momentum conjugate to th1 alone",
+        angular_momentum=lambda theta, omega, **known: (mass_matrix(theta, **known) @ omega)[0],
+    ),
+]
 
 
 @check(points=0.75, part="a", suspects=ENERGY_SUSPECTS)
 def energy_is_kinetic_and_potential(student, draw):
     """energy: of both bars, the potential energy zero at the ceiling."""
-    judge(student, "energy", moving(draw, 7) + moving(draw, 3, gravity=0.0), lambda inertia, rate2: inertia * rate2,
-          "the energy", "of m l (l omega^2 + g)", "each bar: m v^2/2, I omega^2/2, m g y of its centre")  # fmt: skip
+    judge(
+        student,
+        "energy",
+        moving(draw, 7) + moving(draw, 3, gravity=0.0),
+        lambda inertia, rate2: inertia * rate2,
+        "the energy",
+        "of m l (l omega^2 + g)",
+        "each bar: m v^2/2, I omega^2/2, m g y of its centre",
+    )
 
 
 @check(points=0.75, part="a", suspects=MOMENTUM_SUSPECTS)
 def angular_momentum_is_about_the_ceiling(student, draw):
     """angular_momentum: of both bars, about the ceiling hinge."""
-    judge(student, "angular_momentum", moving(draw, 8, "masses", "lengths"),
-          lambda inertia, rate2: inertia * math.sqrt(rate2), "the angular momentum", "of m l^2 omega",
-          "each bar: r x m v of its mass centre, r from the ceiling hinge, and I omega")  # fmt: skip
+    judge(
+        student,
+        "angular_momentum",
+        moving(draw, 8, "masses", "lengths"),
+        lambda inertia, rate2: inertia * math.sqrt(rate2),
+        "the angular momentum",
+        "of m l^2 omega",
+        "each bar: r x m v of its mass centre, r from the ceiling hinge, and I omega",
+    )
 
 
 # Motion
@@ -794,10 +899,20 @@ def simulation_follows_the_equations(student, draw):
         student.simulate.many([call.on(kind) for call, _, kind in cases]), cases, strict=True
     ):
         largest = np.abs(expected).max(0).reshape(2, 2).max(1)
-        expect(states, expected, within=FOLLOWED, scale=np.repeat(np.where(largest, largest, 1.0), 2),
-               of="the state", unit="of the largest angle or angular velocity", t=call.args[0], at=call,
-               kind=kind, hint=functools.partial(of_motion, states, expected, kind), partial={1e-3: 0.5},
-               keeps=functools.partial(energy_along, states, call))  # fmt: skip
+        expect(
+            states,
+            expected,
+            within=FOLLOWED,
+            scale=np.repeat(np.where(largest, largest, 1.0), 2),
+            of="the state",
+            unit="of the largest angle or angular velocity",
+            t=call.args[0],
+            at=call,
+            kind=kind,
+            hint=functools.partial(of_motion, states, expected, kind),
+            partial={1e-3: 0.5},
+            keeps=functools.partial(energy_along, states, call),
+        )
 
 
 def of_motion(states, expected, kind):
@@ -807,13 +922,12 @@ def of_motion(states, expected, kind):
     if kind.startswith(BUT_FOR):
         return "is something kept from one call to the next?"
     turns = np.rint((states - expected) / [2 * math.pi, 2 * math.pi, np.inf, np.inf])
-    if (
-        turns.any()
-        and np.max(np.abs(states - expected - 2 * math.pi * turns)) <= NEARLY * np.abs(expected).max()
-    ):
+    if turns.any() and np.max(np.abs(states - expected - 2 * math.pi * turns)) <= NEARLY * np.abs(expected).max():
         return "it is off by whole turns alone, as if an angle were wrapped; angles are never wrapped"
-    return ("is the first row the start? are the tolerances of the integrator tight, and the states at t its own, not "
-            "interpolated linearly?")  # fmt: skip
+    return (
+        "is the first row the start? are the tolerances of the integrator tight, and the states at t its own, not "
+        "interpolated linearly?"
+    )
 
 
 def drift(states, known):
@@ -831,9 +945,19 @@ def energy_is_conserved_from_horizontal(student, draw):
     states = student.on(start).simulate(t, np.full(2, math.pi / 2), np.zeros(2), **known)
     scale = 9.81 * np.sum(known["masses"]) * np.sum(known["lengths"])
     expect_that(np.ptp(states[:, 0]) > 1, "the bars do not move", kind=start)
-    expect(drift(states, known), 0.0, within=ENERGY, scale=scale, of="the energy", unit="of m g l", t=t, at=known,
-           kind=start, hint="tighter tolerances, or a smaller step",
-           partial={1e-4: 0.75, 1e-3: 0.5, 1e-2: 0.25})  # fmt: skip
+    expect(
+        drift(states, known),
+        0.0,
+        within=ENERGY,
+        scale=scale,
+        of="the energy",
+        unit="of m g l",
+        t=t,
+        at=known,
+        kind=start,
+        hint="tighter tolerances, or a smaller step",
+        partial={1e-4: 0.75, 1e-3: 0.5, 1e-2: 0.25},
+    )
 
 
 @check(points=0.25, part="a", after=simulation_follows_the_equations)
@@ -844,15 +968,41 @@ def momentum_is_conserved_without_gravity(student, draw):
     states = student.on("a pendulum without gravity").simulate(t, *call.args, **call.kwargs)
     values = np.array([angular_momentum(state[:2], state[2:], **bars) for state in states])
     inertia, rate2 = sizes(call)
-    expect(values, angular_momentum(*call.args, **bars), within=ENERGY, scale=inertia * math.sqrt(rate2), t=t, at=call,
-           of="the angular momentum", unit="of m l^2 omega", kind="a pendulum without gravity",
-           hint=functools.partial(of_no_gravity, states))  # fmt: skip
-    expect(drift(states, call.kwargs), 0.0, within=ENERGY, scale=inertia * rate2, of="the energy", t=t, at=call,
-           unit="of m l^2 omega^2", kind="a pendulum without gravity")  # fmt: skip
+    expect(
+        values,
+        angular_momentum(*call.args, **bars),
+        within=ENERGY,
+        scale=inertia * math.sqrt(rate2),
+        t=t,
+        at=call,
+        of="the angular momentum",
+        unit="of m l^2 omega",
+        kind="a pendulum without gravity",
+        hint=functools.partial(of_no_gravity, states),
+    )
+    expect(
+        drift(states, call.kwargs),
+        0.0,
+        within=ENERGY,
+        scale=inertia * rate2,
+        of="the energy",
+        t=t,
+        at=call,
+        unit="of m l^2 omega^2",
+        kind="a pendulum without gravity",
+    )
     theta = call.args[0]
-    expect(student.simulate(t[[0, -1]], theta, np.zeros(2), **call.kwargs), np.tile([*theta, 0.0, 0.0], (2, 1)),
-           within=ENERGY, of="an angle or angular velocity", unit="rad or rad/s", t=t[[0, -1]], at=call,
-           kind="a pendulum at rest without gravity, two times", hint="what would make it move?")  # fmt: skip
+    expect(
+        student.simulate(t[[0, -1]], theta, np.zeros(2), **call.kwargs),
+        np.tile([*theta, 0.0, 0.0], (2, 1)),
+        within=ENERGY,
+        of="an angle or angular velocity",
+        unit="rad or rad/s",
+        t=t[[0, -1]],
+        at=call,
+        kind="a pendulum at rest without gravity, two times",
+        hint="what would make it move?",
+    )
 
 
 def of_no_gravity(states):
@@ -871,18 +1021,31 @@ FREQUENCY_SUSPECTS = [
         for says, bars in BARS.items()
         if "sign" not in says and bars != {"inertia": 1 / 12 - 1 / 4}  # it has no real frequencies
     ),
-    suspect("the frequencies of equal bars, of the first one's length", small_oscillation_frequencies=lambda **known:
-            np.sqrt(known["gravity"] / known["lengths"][0] * (3 + np.array([-6, 6]) / math.sqrt(7)))),
-    suspect("the frequencies of two bars that each hang from a ceiling", small_oscillation_frequencies=lambda **known:
-            np.sort(np.sqrt(1.5 * known["gravity"] / known["lengths"]))),
+    suspect(
+        "the frequencies of equal bars, of the first one's length",
+        small_oscillation_frequencies=lambda **known: np.sqrt(
+            known["gravity"] / known["lengths"][0] * (3 + np.array([-6, 6]) / math.sqrt(7))
+        ),
+    ),
+    suspect(
+        "the frequencies of two bars that each hang from a ceiling",
+        small_oscillation_frequencies=lambda **known: np.sort(np.sqrt(1.5 * known["gravity"] / known["lengths"])),
+    ),
     suspect("frequencies in Hz", small_oscillation_frequencies=lambda **known: frequencies(**known) / (2 * math.pi)),
     suspect("the squares of the frequencies", small_oscillation_frequencies=lambda **known: frequencies(**known) ** 2),
-    suspect("the coupling of [M] left out", small_oscillation_frequencies=lambda **known: np.sort(np.sqrt(
-        gravity_terms((math.pi / 2, math.pi / 2), **known)
-        / np.diag(mass_matrix((0.0, 0.0), known["masses"], known["lengths"]))))),
-    suspect("the frequencies in descending order",
-            small_oscillation_frequencies=lambda **known: frequencies(**known)[::-1]),
-]  # fmt: skip
+    suspect(
+        "the coupling of [M] left out",
+        small_oscillation_frequencies=lambda **known: np.sort(
+            np.sqrt(
+                gravity_terms((math.pi / 2, math.pi / 2), **known)
+                / np.diag(mass_matrix((0.0, 0.0), known["masses"], known["lengths"]))
+            )
+        ),
+    ),
+    suspect(
+        "the frequencies in descending order", small_oscillation_frequencies=lambda **known: frequencies(**known)[::-1]
+    ),
+]
 
 
 def judge_frequencies(student, calls, kind, hint):
@@ -890,8 +1053,17 @@ def judge_frequencies(student, calls, kind, hint):
         known = call.kwargs
         scale = math.sqrt(known["gravity"] / np.min(known["lengths"])) or 1.0
         right = frequencies(**known)
-        expect(found, right, within=FREQUENCY, scale=scale, of="a frequency", unit="of sqrt(g/l)", kind=kind, at=call,
-               hint=functools.partial(of_order, found, right, hint))  # fmt: skip
+        expect(
+            found,
+            right,
+            within=FREQUENCY,
+            scale=scale,
+            of="a frequency",
+            unit="of sqrt(g/l)",
+            kind=kind,
+            at=call,
+            hint=functools.partial(of_order, found, right, hint),
+        )
 
 
 def of_order(found, right, hint):
@@ -902,8 +1074,12 @@ def of_order(found, right, hint):
 @check(points=0.5, part="a", suspects=FREQUENCY_SUSPECTS)
 def small_oscillations_have_two_frequencies(student, draw):
     """small_oscillation_frequencies: of [M]{th}'' + [K]{th} = 0 about hanging straight down."""
-    judge_frequencies(student, [given(**pendulum(draw)) for _ in range(10)], "random masses and lengths",
-                      "for small angles sin th is th, and terms with omega^2 are nothing")  # fmt: skip
+    judge_frequencies(
+        student,
+        [given(**pendulum(draw)) for _ in range(10)],
+        "random masses and lengths",
+        "for small angles sin th is th, and terms with omega^2 are nothing",
+    )
 
 
 @check(points=0.25, part="a", after=small_oscillations_have_two_frequencies)
@@ -915,11 +1091,7 @@ def frequencies_in_special_cases(student, draw):
         "equal masses": {"masses": np.full(2, heavy)},
         "equal lengths": {"lengths": np.full(2, length)},
         "masses, lengths and gravity 1": UNIT_BARS,
-        "equal bars, no gravity": {
-            "masses": np.full(2, heavy),
-            "lengths": np.full(2, length),
-            "gravity": 0.0,
-        },
+        "equal bars, no gravity": {"masses": np.full(2, heavy), "lengths": np.full(2, length), "gravity": 0.0},
         "a nearly massless lower bar": {
             "masses": heavy * np.array([1.0, 1e-9]),
             "lengths": length * np.array([1, 1.6]),
@@ -936,32 +1108,46 @@ def frequencies_in_special_cases(student, draw):
 
 def turned(theta, lengths, *, x, y):
     """The wireframe with other unit vectors along the bars."""
-    ends = np.cumsum(
-        np.array([[length * x(th), length * y(th)] for th, length in zip(theta, lengths, strict=True)]), 0
-    )
+    ends = np.cumsum(np.array([[length * x(th), length * y(th)] for th, length in zip(theta, lengths, strict=True)]), 0)
     return np.array([[np.zeros(2), ends[0]], ends])
 
 
 WIRE_SUSPECTS = [
     suspect("th2 taken as measured from bar 1: bar 2 drawn at th1 + th2", wireframe=relative("wireframe")),
-    suspect("bar 2 drawn at th2 - th1; th2 is measured from straight down",
-            wireframe=lambda theta, lengths: wireframe(theta - [0, theta[0]], lengths)),
+    suspect(
+        "bar 2 drawn at th2 - th1; th2 is measured from straight down",
+        wireframe=lambda theta, lengths: wireframe(theta - [0, theta[0]], lengths),
+    ),
     suspect("y pointing down", wireframe=lambda theta, lengths: turned(theta, lengths, x=math.sin, y=math.cos)),
     suspect("angles from the x axis", wireframe=lambda theta, lengths: turned(theta, lengths, x=math.cos, y=math.sin)),
     suspect("angles clockwise positive", wireframe=lambda theta, lengths: wireframe(-theta, lengths)),
-    suspect("the tip as seen from the elbow; both points of a bar are seen from the ceiling",
-            wireframe=lambda theta, lengths: wireframe(theta, lengths)
-            - [[[0, 0], [0, 0]], [[0, 0], wireframe(theta, lengths)[0, 1]]]),
-    suspect("both bars at the ceiling hinge", wireframe=lambda theta, lengths: wireframe(theta, lengths)
-            - [[[0, 0], [0, 0]], [wireframe(theta, lengths)[0, 1]] * 2]),
-]  # fmt: skip
+    suspect(
+        "the tip as seen from the elbow; both points of a bar are seen from the ceiling",
+        wireframe=lambda theta, lengths: (
+            wireframe(theta, lengths) - [[[0, 0], [0, 0]], [[0, 0], wireframe(theta, lengths)[0, 1]]]
+        ),
+    ),
+    suspect(
+        "both bars at the ceiling hinge",
+        wireframe=lambda theta, lengths: (
+            wireframe(theta, lengths) - [[[0, 0], [0, 0]], [wireframe(theta, lengths)[0, 1]] * 2]
+        ),
+    ),
+]
 
 
 @check(points=0.5, part="a", suspects=WIRE_SUSPECTS)
 def wireframe_shows_the_bars(student, draw):
     """wireframe: ceiling hinge to elbow, elbow to tip."""
-    judge(student, "wireframe", [given(angles(draw), lengths=10 ** draw.uniform(-0.4, 0.4, 2)) for _ in range(8)],
-          lambda *_: 1.0, "an end of a bar", "m", "theta zero is down, a positive angle to the right")  # fmt: skip
+    judge(
+        student,
+        "wireframe",
+        [given(angles(draw), lengths=10 ** draw.uniform(-0.4, 0.4, 2)) for _ in range(8)],
+        lambda *_: 1.0,
+        "an end of a bar",
+        "m",
+        "theta zero is down, a positive angle to the right",
+    )
 
 
 @once
@@ -986,21 +1172,44 @@ def tip_path_is_drawn(student, draw):
     """plot_tip_path draws the tip's path from t[0] to t[-1], at equal scales."""
     call, elbows, tips = tip_path(draw)
     picture = student.on("t[0] not 0").plot_tip_path.draw(*call.args, **call.kwargs)
-    expect_that(len(picture.lines) == 1, f"there are {len(picture.lines)} curves on the axes, not one",
-                hint="fewer than ten points are no curve")  # fmt: skip
+    expect_that(
+        len(picture.lines) == 1,
+        f"there are {len(picture.lines)} curves on the axes, not one",
+        hint="fewer than ten points are no curve",
+    )
     scale, curve = np.sum(call.kwargs["lengths"]), along(picture.lines[0], tips)
-    expect(curve[[0, -1]], tips[[0, -1]], within=DRAWN, scale=scale, of="an end of the curve", unit="of l1 + l2",
-           hint=functools.partial(of_path, curve, elbows, tips, DRAWN * scale), at=call)  # fmt: skip
+    expect(
+        curve[[0, -1]],
+        tips[[0, -1]],
+        within=DRAWN,
+        scale=scale,
+        of="an end of the curve",
+        unit="of l1 + l2",
+        hint=functools.partial(of_path, curve, elbows, tips, DRAWN * scale),
+        at=call,
+    )
     for points, path, of, within in (
         (curve, tips, "a point of the curve", DRAWN),
         (tips, curve, "a point that the tip passes", 10 * DRAWN),  # the curve may have fewer points
     ):
-        expect(distances(points, path), 0.0, within=within, scale=scale, of=of, unit="of l1 + l2",
-               hint="is it the tip of bar 2?", at=call)  # fmt: skip
+        expect(
+            distances(points, path),
+            0.0,
+            within=within,
+            scale=scale,
+            of=of,
+            unit="of l1 + l2",
+            hint="is it the tip of bar 2?",
+            at=call,
+        )
     # a curve through the same points in another order is longer; one of fewer points is shorter
     in_order = picture.lines[0].scatter or arc_length(curve) < 1.05 * arc_length(tips)
-    expect_that(in_order, "the curve goes to and fro between the points of the path", at=call,
-                hint="its points belong in the order of time")  # fmt: skip
+    expect_that(
+        in_order,
+        "the curve goes to and fro between the points of the path",
+        at=call,
+        hint="its points belong in the order of time",
+    )
     judge_axes_of_lengths(picture)
     swapped = "y" in words(picture.xlabel) and "x" in words(picture.ylabel)
     expect_that(not swapped, "the label of x stands at the axis of y")
@@ -1008,8 +1217,11 @@ def tip_path_is_drawn(student, draw):
 
 def of_path(curve, elbows, tips, within):
     """What to say of a curve that does not begin or end where the tip does."""
-    others = {"it is the elbow's path": elbows, "it is the path of bar 2's mass centre": (elbows + tips) / 2,
-              "it is the tip's path as seen from the elbow": tips - elbows}  # fmt: skip
+    others = {
+        "it is the elbow's path": elbows,
+        "it is the path of bar 2's mass centre": (elbows + tips) / 2,
+        "it is the tip's path as seen from the elbow": tips - elbows,
+    }
     for says, path in others.items():
         if np.allclose(curve[[0, -1]], path[[0, -1]], rtol=0, atol=within):
             return says

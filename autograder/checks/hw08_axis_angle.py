@@ -99,18 +99,14 @@ WRONG_MATRICES = {
     "sin th never negative (a root of 1 - cos^2 th has lost the sign)": with_a_positive_sine,
     "half of the angle": lambda axis, angle: turned(axis, angle / 2),
     "the axis not made a unit vector": lambda axis, angle: by_formula(angle, axis, axis),
-    "the axis not made a unit vector in the sin th term": (
-        lambda axis, angle: by_formula(angle, unit(axis), axis)
-    ),
+    "the axis not made a unit vector in the sin th term": (lambda axis, angle: by_formula(angle, unit(axis), axis)),
     "the axis not made a unit vector in the (1 - cos th) term": (
         lambda axis, angle: by_formula(angle, axis, unit(axis))
     ),
     "the axis divided by the square of its length": (
         lambda axis, angle: by_formula(angle, axis / (axis @ axis), axis / (axis @ axis))
     ),
-    "the axis not made a unit vector in n . r": lambda axis, angle: summed(
-        axis, angle, np.outer(unit(axis), axis)
-    ),
+    "the axis not made a unit vector in n . r": lambda axis, angle: summed(axis, angle, np.outer(unit(axis), axis)),
     "n * r, element by element, for n . r": lambda axis, angle: summed(axis, angle, np.diag(unit(axis) ** 2)),
     "r for cos th r, or n n^T for [n x]^2 in a formula with it": (
         lambda axis, angle: turned(axis, angle) + (1 - np.cos(angle)) * np.eye(3)
@@ -133,8 +129,9 @@ WRONG_MATRICES = {
     ),
 }
 # Right but for a few angles: compared as closely as the check does, so that nothing else that is nearly right agrees.
-WRONG_WHEN_SMALL = {f"a turn by {what} taken for no turn": none_below(smallest)
-                    for what, smallest in (("1e-12", 1e-10), ("1e-9", 1e-8))}  # fmt: skip
+WRONG_WHEN_SMALL = {
+    f"a turn by {what} taken for no turn": none_below(smallest) for what, smallest in (("1e-12", 1e-10), ("1e-9", 1e-8))
+}
 WRONG_WHEN_SMALL["cos th taken for 1 where the angle is small"] = of_first_order
 
 
@@ -209,8 +206,16 @@ def skew_is_the_cross_product(student, draw):
     calls = [given(v).on(kind) for v, kind in zip(vectors, kinds, strict=True)]
     for v, matrix, kind in zip(vectors, student.skew.many(calls), kinds, strict=True):
         r = draw.normal(size=3)
-        expect(matrix @ r, np.cross(v, r), within=POINTWISE, scale=np.linalg.norm(v) or 1.0, of="skew(v) r",
-               unit="of the length of v", at=(v, r), kind=kind)  # fmt: skip
+        expect(
+            matrix @ r,
+            np.cross(v, r),
+            within=POINTWISE,
+            scale=np.linalg.norm(v) or 1.0,
+            of="skew(v) r",
+            unit="of the length of v",
+            at=(v, r),
+            kind=kind,
+        )
 
 
 WHAT_TO_TRY = "try a quarter turn about z, an axis twice as long, and one half as long"
@@ -220,21 +225,41 @@ WHAT_TO_TRY = "try a quarter turn about z, an axis twice as long, and one half a
 def matrix_turns_by_the_right_hand_rule(student, draw):
     """rotation_matrix turns by the angle about the axis, right-handed, whatever the axis's length."""
     for R, case, kind in matrices(student, rotations(draw, None), any_kind):
-        expect(R, case[2], within=POINTWISE, of="the matrix", at=case, kind=kind,
-               hint=partial(digits_lost, R, case[2], WHAT_TO_TRY))  # fmt: skip
+        expect(
+            R,
+            case[2],
+            within=POINTWISE,
+            of="the matrix",
+            at=case,
+            kind=kind,
+            hint=partial(digits_lost, R, case[2], WHAT_TO_TRY),
+        )
     for R, case, kind in matrices(student, plain_turns(draw), plain_kind):
-        expect(R, case[2], within=POINTWISE, of="the matrix", at=case, kind=kind,
-               hint=partial(not_turned, R, np.eye(3), "where do the coordinate axes go?"))  # fmt: skip
+        expect(
+            R,
+            case[2],
+            within=POINTWISE,
+            of="the matrix",
+            at=case,
+            kind=kind,
+            hint=partial(not_turned, R, np.eye(3), "where do the coordinate axes go?"),
+        )
 
 
-@check(points=1, part="a", after=matrix_turns_by_the_right_hand_rule,
-       suspects=suspects(WRONG_WHEN_SMALL, TINY)[0])  # fmt: skip
+@check(points=1, part="a", after=matrix_turns_by_the_right_hand_rule, suspects=suspects(WRONG_WHEN_SMALL, TINY)[0])
 def matrix_holds_for_every_angle(student, draw):
     """An angle of 1e-12 turns by 1e-12, one of 1e6 by 1e6; R^T R = I and det R = 1 for all of them."""
     for angles, within, kind in every_angle(draw):
         for R, case, _ in matrices(student, rotations(draw, angles), lambda axis, angle, kind=kind: kind):
-            expect(R, case[2], within=within, of="the matrix", at=case, kind=kind,
-                   hint=partial(terms, R, *case[:2], within))  # fmt: skip
+            expect(
+                R,
+                case[2],
+                within=within,
+                of="the matrix",
+                at=case,
+                kind=kind,
+                hint=partial(terms, R, *case[:2], within),
+            )
             # an exponential of the matrix by scaling and squaring is off in its lengths, too, at 1e6 rad
             expect(R.T @ R, np.eye(3), within=max(within, POINTWISE), of="R^T R", at=case, kind=kind)
             expect(np.linalg.det(R), 1.0, within=max(within, POINTWISE), of="det R", at=case, kind=kind)
@@ -301,8 +326,11 @@ def matrix_refuses_what_is_no_axis(student, draw):
     cases = [(axis, angle, kind) for axis, kind in NO_AXES]
     cases += [(axis, 0.0, f"{kind}, no turn") for axis, kind in NO_AXES[:2]]
     for axis, angle, kind in cases:
-        expect_that(student.on(kind).rotation_matrix.refuses(np.array(axis), angle),
-                    "rotation_matrix does not raise ValueError", kind=kind)  # fmt: skip
+        expect_that(
+            student.on(kind).rotation_matrix.refuses(np.array(axis), angle),
+            "rotation_matrix does not raise ValueError",
+            kind=kind,
+        )
 
 
 Z = np.array([0.0, 0.0, 1.0])
@@ -323,38 +351,61 @@ def turned_vectors(student, draw, cases, kind):
 def beside(student, vectors, cases, kind):
     """The student's turned vectors beside these vectors, the case and the kind(axis, angle) of it."""
     kinds = [kind(axis, angle) for axis, angle, _ in cases]
-    calls = [
-        given(r, axis, angle).on(kind)
-        for r, (axis, angle, _), kind in zip(vectors, cases, kinds, strict=True)
-    ]
+    calls = [given(r, axis, angle).on(kind) for r, (axis, angle, _), kind in zip(vectors, cases, kinds, strict=True)]
     return zip(student.rotate.many(calls), vectors, cases, kinds, strict=True)
 
 
-SHORTENED = suspect("r made a unit vector: its length is lost", rotate=lambda r, axis, angle: (
-    turned(axis, angle) @ r / (np.linalg.norm(r) or 1.0)))  # fmt: skip
+SHORTENED = suspect(
+    "r made a unit vector: its length is lost",
+    rotate=lambda r, axis, angle: turned(axis, angle) @ r / (np.linalg.norm(r) or 1.0),
+)
 
 
 @check(points=2, part="a", suspects=[*suspects(WRONG_MATRICES)[1], SHORTENED])
 def vector_turns_by_the_right_hand_rule(student, draw):
     """rotate turns r as the matrix would, whatever the axis's length."""
     for r1, r, case, kind in turned_vectors(student, draw, rotations(draw, None), any_kind):
-        expect(r1, case[2] @ r, within=POINTWISE, scale=np.linalg.norm(r), of="the turned vector",
-               unit="of its length", at=(r, *case), kind=kind,
-               hint=partial(digits_lost, r1, case[2] @ r))  # fmt: skip
+        expect(
+            r1,
+            case[2] @ r,
+            within=POINTWISE,
+            scale=np.linalg.norm(r),
+            of="the turned vector",
+            unit="of its length",
+            at=(r, *case),
+            kind=kind,
+            hint=partial(digits_lost, r1, case[2] @ r),
+        )
     plain = plain_turns(draw)
     for r1, r, case, kind in turned_vectors(student, draw, plain, plain_kind):
-        expect(r1, case[2] @ r, within=POINTWISE, scale=np.linalg.norm(r), of="the turned vector",
-               unit="of its length", at=(r, *case), kind=kind, hint=partial(not_turned, r1, r))  # fmt: skip
+        expect(
+            r1,
+            case[2] @ r,
+            within=POINTWISE,
+            scale=np.linalg.norm(r),
+            of="the turned vector",
+            unit="of its length",
+            at=(r, *case),
+            kind=kind,
+            hint=partial(not_turned, r1, r),
+        )
     along = [-2.0 * axis for axis, *_ in plain]
     for r1, r, case, kind in beside(student, along, plain, lambda axis, angle: "a vector along the axis"):
-        expect(r1, r, within=POINTWISE, scale=np.linalg.norm(r), of="the turned vector", unit="of its length",
-               at=(r, *case), kind=kind)  # fmt: skip
+        expect(
+            r1,
+            r,
+            within=POINTWISE,
+            scale=np.linalg.norm(r),
+            of="the turned vector",
+            unit="of its length",
+            at=(r, *case),
+            kind=kind,
+        )
     nothing = student.on("the zero vector").rotate(np.zeros(3), *plain[1][:2])
     expect(nothing, np.zeros(3), within=POINTWISE, of="the turned vector", kind="the zero vector")
 
 
-@check(points=1, part="a", after=vector_turns_by_the_right_hand_rule,
-       suspects=suspects(WRONG_WHEN_SMALL, TINY)[1])  # fmt: skip
+@check(points=1, part="a", after=vector_turns_by_the_right_hand_rule, suspects=suspects(WRONG_WHEN_SMALL, TINY)[1])
 def vector_turns_by_every_angle(student, draw):
     """rotate holds for angles from 1e-12 to 1e6 and axes from 1e-100 to 1e100 long."""
     for (angles, within, kind), sign in zip(every_angle(draw), (-1, 1, -1, 1), strict=True):
@@ -362,8 +413,17 @@ def vector_turns_by_every_angle(student, draw):
         cases = [(length * axis, angle, right) for axis, angle, right in rotations(draw, angles)]
         about = f"{kind}, {length_kind(length)}"
         for r1, r, case, _ in turned_vectors(student, draw, cases, lambda axis, angle, about=about: about):
-            expect(r1, case[2] @ r, within=within, scale=np.linalg.norm(r), of="the turned vector",
-                   unit="of its length", at=(r, *case), kind=about, hint=partial(precision, r1, r, *case))  # fmt: skip
+            expect(
+                r1,
+                case[2] @ r,
+                within=within,
+                scale=np.linalg.norm(r),
+                of="the turned vector",
+                unit="of its length",
+                at=(r, *case),
+                kind=about,
+                hint=partial(precision, r1, r, *case),
+            )
 
 
 @check(points=1, part="a")
@@ -375,5 +435,6 @@ def rotate_refuses_what_is_no_axis(student, draw):
     for axis, kind in NO_AXES[:2]:
         cases += [(some, axis, 0.0, f"{kind}, no turn"), (nothing, axis, angle, f"{kind}, the zero vector")]
     for r, axis, angle, kind in cases:
-        expect_that(student.on(kind).rotate.refuses(r, np.array(axis), angle),
-                    "rotate does not raise ValueError", kind=kind)  # fmt: skip
+        expect_that(
+            student.on(kind).rotate.refuses(r, np.array(axis), angle), "rotate does not raise ValueError", kind=kind
+        )

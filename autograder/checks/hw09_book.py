@@ -68,12 +68,8 @@ WRONG_TURNS = {
     "y turned the other way (z, x is the order about y, not x, z)": (
         lambda axis, angle: about(axis, -angle if axis == "y" else angle)
     ),
-    "x turned the other way, y and z turned right": (
-        lambda axis, angle: about(axis, -angle if axis == "x" else angle)
-    ),
-    "z turned the other way, x and y turned right": (
-        lambda axis, angle: about(axis, -angle if axis == "z" else angle)
-    ),
+    "x turned the other way, y and z turned right": (lambda axis, angle: about(axis, -angle if axis == "x" else angle)),
+    "z turned the other way, x and y turned right": (lambda axis, angle: about(axis, -angle if axis == "z" else angle)),
     "the angle reduced modulo 360, which is no whole number of turns in radians": (
         lambda axis, angle: about(axis, angle % 360)
     ),
@@ -123,21 +119,27 @@ def a_rotation(draw):
 TURNS = ("no turn", "a quarter turn", "a half turn", "", "a whole turn")  # by the number of quarters
 
 
-@check(
-    points=1, part="a",
-    suspects=[suspect(says, axis_rotation=wrong) for says, wrong in WRONG_TURNS.items()],
-)  # fmt: skip
+@check(points=1, part="a", suspects=[suspect(says, axis_rotation=wrong) for says, wrong in WRONG_TURNS.items()])
 def turns_about_the_coordinate_axes(student, draw):
     """axis_rotation turns by the angle about x, y or z, by the right-hand rule."""
     calls = []
     for axis in "xyz":
         calls += [given(axis, angle).on(f"a turn about {axis}") for angle in draw.uniform(-7, 7, 5)]
-        calls += [given(axis, quarters * math.pi / 2).on(f"{TURNS[abs(quarters)]} about {axis}")
-                  for quarters in (0, 1, -1, 2, -2, 4)]  # fmt: skip
+        calls += [
+            given(axis, quarters * math.pi / 2).on(f"{TURNS[abs(quarters)]} about {axis}")
+            for quarters in (0, 1, -1, 2, -2, 4)
+        ]
     for R, call in zip(student.axis_rotation.many(calls), calls, strict=True):
         right = about(*call.args)
-        expect(R, right, within=WITHIN, of="the matrix", at=call, kind=call.kind,
-               hint=partial(wrong_matrix, R, right, partial(none_for_half, *call.args), WHERE_TO))  # fmt: skip
+        expect(
+            R,
+            right,
+            within=WITHIN,
+            of="the matrix",
+            at=call,
+            kind=call.kind,
+            hint=partial(wrong_matrix, R, right, partial(none_for_half, *call.args), WHERE_TO),
+        )
 
 
 @check(points=0.5, part="a", after=turns_about_the_coordinate_axes)
@@ -146,8 +148,12 @@ def other_axes_are_refused(student, draw):
     angle = draw.uniform(0.5, 3)
     for axis in ("w", "X", "xy", "yz", "", "-x", "x ", "1"):
         kind = f'the string "{axis}"'
-        expect_that(student.on(kind).axis_rotation.refuses(axis, angle),
-                    "axis_rotation does not raise ValueError", kind=kind, at=axis)  # fmt: skip
+        expect_that(
+            student.on(kind).axis_rotation.refuses(axis, angle),
+            "axis_rotation does not raise ValueError",
+            kind=kind,
+            at=axis,
+        )
 
 
 def sequences(draw):
@@ -160,8 +166,10 @@ def sequences(draw):
     angles += [np.array([1, 0, 1, -1, 2]) * math.pi / 2, np.array([-1, 1, 0]) * math.pi / 2]
     kinds = [f"a sequence of {len(order)} turns" for order in orders]
     kinds += ["a sequence with a half turn", "a sequence of quarter turns"]
-    return [(list(zip(order, turns.tolist(), strict=True)), kind)
-            for order, turns, kind in zip((*orders, "zyxyz", "xyz"), angles, kinds, strict=True)]  # fmt: skip
+    return [
+        (list(zip(order, turns.tolist(), strict=True)), kind)
+        for order, turns, kind in zip((*orders, "zyxyz", "xyz"), angles, kinds, strict=True)
+    ]
 
 
 def judge_sequences(function, right, draw):
@@ -169,9 +177,15 @@ def judge_sequences(function, right, draw):
     calls = [given(steps).on(kind) for steps, kind in cases]
     for R, (steps, kind) in zip(function.many(calls), cases, strict=True):
         expected, within = right(steps), WITHIN if len(steps) < 5 else MANY_TURNS
-        expect(R, expected, within=within, of="the matrix", at=steps, kind=kind,
-               hint=partial(wrong_matrix, R, expected, partial(right, steps, none_for_half), WHICH_FIRST,
-                            within))  # fmt: skip
+        expect(
+            R,
+            expected,
+            within=within,
+            of="the matrix",
+            at=steps,
+            kind=kind,
+            hint=partial(wrong_matrix, R, expected, partial(right, steps, none_for_half), WHICH_FIRST, within),
+        )
 
 
 def judge_short_sequences(function, draw):
@@ -182,13 +196,14 @@ def judge_short_sequences(function, draw):
 
 
 @check(
-    points=1, part="a",
+    points=1,
+    part="a",
     suspects=[
         suspect("the order reversed: axes that turn with the body", space_sequence=with_the_body),
         suspect("the transpose", space_sequence=lambda steps: in_space(steps).T),
         *in_every_turn("space_sequence", in_space),
     ],
-)  # fmt: skip
+)
 def space_sequence_takes_the_first_step_first(student, draw):
     """space_sequence turns about axes fixed in space, first step first."""
     judge_sequences(student.space_sequence, in_space, draw)
@@ -201,13 +216,14 @@ def space_sequence_takes_few_steps(student, draw):
 
 
 @check(
-    points=1, part="a",
+    points=1,
+    part="a",
     suspects=[
         suspect("the order reversed: axes fixed in space", body_sequence=in_space),
         suspect("the transpose", body_sequence=lambda steps: with_the_body(steps).T),
         *in_every_turn("body_sequence", with_the_body),
     ],
-)  # fmt: skip
+)
 def body_sequence_takes_the_axes_along(student, draw):
     """body_sequence turns about the axes that the steps before have turned."""
     judge_sequences(student.body_sequence, with_the_body, draw)
@@ -225,20 +241,26 @@ def books(angle=math.pi / 2, sequence=in_space):
 
 
 @check(
-    points=1, part="a",
+    points=1,
+    part="a",
     suspects=[
         suspect("(a) and (b) swapped, or axes that turn with the book", book_rotations=lambda: books()[::-1]),
         suspect("both turns the other way", book_rotations=lambda: books(-math.pi / 2)),
         suspect("the transposes", book_rotations=lambda: [R.T for R in books()]),
         suspect("90 radians", book_rotations=lambda: books(90.0)),
     ],
-)  # fmt: skip
+)
 def the_book_is_turned_in_both_orders(student, draw):
     """book_rotations: 90 degrees about z then x, and about x then z, axes fixed in space."""
     for found, right, which in zip(student.book_rotations(), books(), ("(a)", "(b)"), strict=True):
         nearly = np.abs(found - right).max() < NEARLY
-        expect(found, right, within=WITHIN, of=f"the matrix of {which}",
-               hint=NEARLY_RIGHT if nearly else "turn a real book, and look where its three edges end")  # fmt: skip
+        expect(
+            found,
+            right,
+            within=WITHIN,
+            of=f"the matrix of {which}",
+            hint=NEARLY_RIGHT if nearly else "turn a real book, and look where its three edges end",
+        )
 
 
 # (d, e) Axis and angle
@@ -266,12 +288,13 @@ def without_axis_at_pi(R):
 
 
 @check(
-    points=1, part="a",
+    points=1,
+    part="a",
     suspects=[
         suspect("the axis reversed, that of the transpose", axis_angle=reversed_axis),
         suspect("the angle in degrees", axis_angle=lambda R: (by_arctangent(R)[0], math.degrees(by_arctangent(R)[1]))),
     ],
-)  # fmt: skip
+)
 def axis_and_angle_are_those_of_the_matrix(student, draw):
     """axis_angle gives the unit axis and the angle of a rotation, of the book's two and of a quarter turn too."""
     cases = [(a_unit_axis(draw), draw.uniform(0.3, 2.8)) for _ in range(20)]
@@ -279,9 +302,7 @@ def axis_and_angle_are_those_of_the_matrix(student, draw):
     compare_axes(student, cases, GENERIC)
     quarters = [(sign * n, math.pi / 2) for n in np.eye(3) for sign in (1, -1)]
     compare_axes(student, quarters, "a quarter turn about a coordinate axis")
-    cases = [
-        (a_unit_axis(draw), angle) for angle in (*draw.uniform(0.05, 0.3, 3), *draw.uniform(2.8, 3.09, 3))
-    ]
+    cases = [(a_unit_axis(draw), angle) for angle in (*draw.uniform(0.05, 0.3, 3), *draw.uniform(2.8, 3.09, 3))]
     compare_axes(student, cases, GENERIC)
     planes = [sign * np.roll([0.0, 0.6, -0.8], k) for k in (0, 1, 2) for sign in (1, -1)]
     for axes in ([*np.eye(3), *-np.eye(3)], planes):
@@ -303,10 +324,16 @@ def compare_axes(student, cases, kind, hint=WHAT_STAYS, nearly=NEARLY_RIGHT, fla
     near_is_pi = taken_for(math.pi, found, cases, WITHIN)
     for (axis, angle), case, call in zip(found, cases, calls, strict=True):
         of_angle = NEAR_IS_PI if near_is_pi else partial(wrong_angle, angle, case[1], hint, flat or nearly)
-        expect(angle, case[1], within=WITHIN, of="the angle", unit="rad", at=call, kind=call.kind,
-               hint=of_angle)  # fmt: skip
-        expect(axis, case[0], within=WITHIN, of="the axis", at=call, kind=call.kind,
-               hint=partial(wrong_axis, axis, case[0], hint, nearly))  # fmt: skip
+        expect(angle, case[1], within=WITHIN, of="the angle", unit="rad", at=call, kind=call.kind, hint=of_angle)
+        expect(
+            axis,
+            case[0],
+            within=WITHIN,
+            of="the axis",
+            at=call,
+            kind=call.kind,
+            hint=partial(wrong_axis, axis, case[0], hint, nearly),
+        )
 
 
 NEAR_IS_PI = "angles that are near enough to pi are given as pi"
@@ -356,9 +383,11 @@ def distances(draw):
 
 
 @check(
-    points=0.75, part="a", after=axis_and_angle_are_those_of_the_matrix,
+    points=0.75,
+    part="a",
+    after=axis_and_angle_are_those_of_the_matrix,
     suspects=[suspect("arccos of the trace alone, which loses half of the digits", axis_angle=by_arccosine)],
-)  # fmt: skip
+)
 def small_angles_keep_their_digits(student, draw):
     """axis_angle keeps all digits of axis and angle for angles from 1e-12 to 1e-2."""
     cases = [(a_unit_axis(draw), angle) for angle in (*distances(draw), *FEW_LOST)]
@@ -369,12 +398,25 @@ def small_angles_keep_their_digits(student, draw):
     small_is_none = taken_for(0.0, found, cases, RELATIVE * np.array([angle for _, angle in cases]))
     for (axis, angle), case, call in zip(found, cases, calls, strict=True):
         says = {"within": RELATIVE, "unit": "of itself", "at": call, "kind": kind}
-        expect(angle, case[1], scale=case[1], of="the angle", **says,
-               hint="angles that are small enough are given as 0" if small_is_none else FLAT)  # fmt: skip
-        expect(axis, case[0], scale=np.max(np.abs(case[0])), of="the axis", **says,
-               hint=UNDETERMINED if is_left_alone(axis, call.args[0]) else FLAT)  # fmt: skip
-        expect(turned(axis, angle), call.args[0], within=WITHIN, of="the matrix made of axis and angle", at=call,
-               kind=kind)  # fmt: skip
+        expect(
+            angle,
+            case[1],
+            scale=case[1],
+            of="the angle",
+            **says,
+            hint="angles that are small enough are given as 0" if small_is_none else FLAT,
+        )
+        expect(
+            axis,
+            case[0],
+            scale=np.max(np.abs(case[0])),
+            of="the axis",
+            **says,
+            hint=UNDETERMINED if is_left_alone(axis, call.args[0]) else FLAT,
+        )
+        expect(
+            turned(axis, angle), call.args[0], within=WITHIN, of="the matrix made of axis and angle", at=call, kind=kind
+        )
 
 
 FEW_LOST = 1.2e-3, 2e-3, 3.5e-3, 6e-3  # rad; an arccos is off by 3e-12 to 8e-11 of them
@@ -394,14 +436,10 @@ def angles_near_pi_keep_their_digits(student, draw):
     compare_axes(student, cases, "an angle near pi", WHICH_PART, WHICH_PART, flat=FLAT_AT_PI)
     # the sine is flat there: an arcsine of it loses half of the digits
     near = [(a_unit_axis(draw), math.pi / 2 + more) for more in (0.0, 1e-8, -1e-8)]
-    compare_axes(
-        student, near, "a quarter turn, or nearly one, about an axis of any direction", nearly=NO_ARCSINE
-    )
+    compare_axes(student, near, "a quarter turn, or nearly one, about an axis of any direction", nearly=NO_ARCSINE)
 
 
-FLAT_AT_PI = (
-    "an arccos of the trace loses half of the digits there, and so does the arcsine of half of the angle"
-)
+FLAT_AT_PI = "an arccos of the trace loses half of the digits there, and so does the arcsine of half of the angle"
 NO_ARCSINE = "nearly right: how flat is the sine there, and the cosine?"
 WHICH_PART = "which part of R is large there: R - R^T or R + R^T?"
 
@@ -422,9 +460,11 @@ def axes_with_small_components_keep_their_digits(student, draw):
 
 
 @check(
-    points=0.25, part="a", after=axis_and_angle_are_those_of_the_matrix,
+    points=0.25,
+    part="a",
+    after=axis_and_angle_are_those_of_the_matrix,
     suspects=[suspect("an axis divided by sin(pi) = 0, where R - R^T says nothing", axis_angle=without_axis_at_pi)],
-)  # fmt: skip
+)
 def half_turns_have_their_axis(student, draw):
     """axis_angle of a half turn: the angle pi and the axis, of either sign."""
     axes = [
@@ -435,10 +475,25 @@ def half_turns_have_their_axis(student, draw):
     calls = [given(2 * np.outer(n, n) - np.eye(3)).on(f"a half turn, an axis {axis_kind(n)}") for n in axes]
     for (axis, angle), n, call in zip(student.axis_angle.many(calls), axes, calls, strict=True):
         # 2 n n^T - I of a rounded n is a rotation to 1e-16, and so is the sine that it has
-        expect(angle, math.pi, within=WITHIN, of="the angle", unit="rad", at=call, kind=call.kind,
-               hint=partial(wrong_angle, angle, math.pi, "", WHICH_PART))  # fmt: skip
-        expect(np.outer(axis, axis), np.outer(n, n), within=WITHIN, of="the product n n^T of the axis", at=call,
-               kind=call.kind, hint=partial(wrong_half_turn, axis, n))  # fmt: skip
+        expect(
+            angle,
+            math.pi,
+            within=WITHIN,
+            of="the angle",
+            unit="rad",
+            at=call,
+            kind=call.kind,
+            hint=partial(wrong_angle, angle, math.pi, "", WHICH_PART),
+        )
+        expect(
+            np.outer(axis, axis),
+            np.outer(n, n),
+            within=WITHIN,
+            of="the product n n^T of the axis",
+            at=call,
+            kind=call.kind,
+            hint=partial(wrong_half_turn, axis, n),
+        )
 
 
 def wrong_half_turn(axis, n):
@@ -460,8 +515,10 @@ def what_is_no_rotation_is_refused(student, draw):
     """axis_angle raises ValueError for what is no rotation, and takes one with R^T R off by 9e-7."""
     R, noise = a_rotation(draw), draw.uniform(0.3, 1, (3, 3)) * draw.choice([-1, 1], (3, 3))
     near = [(off_by(R, draw, 7e-7), "a matrix with R^T R off by 7e-7")]
-    near += [((1 + 4.5e-7) * matrix, f"{what} times 1 + 4.5e-7")
-             for matrix, what in ((R, "a rotation"), (np.eye(3), "the identity"))]  # fmt: skip
+    near += [
+        ((1 + 4.5e-7) * matrix, f"{what} times 1 + 4.5e-7")
+        for matrix, what in ((R, "a rotation"), (np.eye(3), "the identity"))
+    ]
     found = student.axis_angle.many([given(matrix).on(kind) for matrix, kind in near])
     for (axis, angle), (matrix, kind) in zip(found[:2], near[:2], strict=True):
         n, right = by_arctangent(matrix)
@@ -473,8 +530,9 @@ def what_is_no_rotation_is_refused(student, draw):
     # the trace is that of a cosine of 1 + 6.8e-7: no angle, and 1.2e-3 rad if the size of 1 - cos th is taken
     expect(angle, 0.0, within=2e-3, of="the angle", unit="rad", kind=near[2][1])
     for matrix, kind in no_rotations(R, noise, draw):
-        expect_that(student.on(kind).axis_angle.refuses(matrix), "axis_angle does not raise ValueError",
-                    kind=kind, at=matrix)  # fmt: skip
+        expect_that(
+            student.on(kind).axis_angle.refuses(matrix), "axis_angle does not raise ValueError", kind=kind, at=matrix
+        )
 
 
 def off_by(R, draw, defect):
@@ -509,15 +567,16 @@ def no_rotations(R, noise, draw):
         (holed, "a matrix with a NaN"),
         (infinite, "a matrix with an infinite element"),
         # zeros times infinity are NaN, and no comparison with NaN is true
-        *((infinite_at(i, k, size), f"the identity, but for {size} {'on' if k == i else 'off'} the diagonal")
-          for k in (i, j) for size in (np.inf, -np.inf)),
-    )  # fmt: skip
+        *(
+            (infinite_at(i, k, size), f"the identity, but for {size} {'on' if k == i else 'off'} the diagonal")
+            for k in (i, j)
+            for size in (np.inf, -np.inf)
+        ),
+    )
 
 
 # of two axes each: two columns, or two rows, of what they make of a rotation are not perpendicular, and no others
-SHEARS = np.eye(3) + 1e-5 * np.array(
-    [np.outer(e, f) + np.outer(f, e) for e, f in itertools.combinations(np.eye(3), 2)]
-)
+SHEARS = np.eye(3) + 1e-5 * np.array([np.outer(e, f) + np.outer(f, e) for e, f in itertools.combinations(np.eye(3), 2)])
 
 
 def infinite_at(i, j, size):
@@ -536,6 +595,9 @@ def the_book_has_its_twelve_edges(student, draw):
     sizes = [draw.permutation(10 ** draw.uniform(-1, 1) * np.array([1, 1.7, 2.9])) for _ in range(6)]
     cases = [(a_rotation(draw), size, "a random rotation and size") for size in sizes[:4]]
     quarter = about(str(draw.choice(list("xyz"))), math.pi / 2)
-    cases += [(np.eye(3), sizes[4], "a book that is not turned"), (quarter, sizes[5], "a quarter turn"),
-              (a_rotation(draw), np.full(3, sizes[0][0]), "a cube")]  # fmt: skip
+    cases += [
+        (np.eye(3), sizes[4], "a book that is not turned"),
+        (quarter, sizes[5], "a quarter turn"),
+        (a_rotation(draw), np.full(3, sizes[0][0]), "a cube"),
+    ]
     judge_boxes(student.book_edges, cases, within=WITHIN)

@@ -79,9 +79,7 @@ def turned(v):
     """The rotation by |v| about v."""
     angle = np.linalg.norm(v)
     n = v / angle if angle else v
-    return (
-        np.cos(angle) * np.eye(3) + 2 * math.sin(angle / 2) ** 2 * np.outer(n, n) + math.sin(angle) * hat(n)
-    )
+    return np.cos(angle) * np.eye(3) + 2 * math.sin(angle / 2) ** 2 * np.outer(n, n) + math.sin(angle) * hat(n)
 
 
 def right_attitude(R, omega):
@@ -178,9 +176,7 @@ def omega_kind(omega):
 def plain_omegas(draw):
     """Spins about each axis both ways, omegas with one zero, without one but of one sign, and none."""
     size = np.abs(an_omega(draw))
-    return [
-        sign * size * some + 0.0 for some in np.ndindex(2, 2, 2) for sign in (1, -1)
-    ]  # no zero has a sign
+    return [sign * size * some + 0.0 for some in np.ndindex(2, 2, 2) for sign in (1, -1)]  # no zero has a sign
 
 
 def plain_attitudes(draw):
@@ -228,8 +224,7 @@ def judge(function, calls, right, *, of, kind="", size=None, within=POINTWISE, u
         expect_that(np.all(np.isfinite(found)), f"{of} is infinite", kind=call.kind, hint=hint, at=call)
         expected = right(*call.args, **call.kwargs)
         scale = size(*call.args, **call.kwargs) if size else np.linalg.norm(expected)
-        expect(found, expected, within=within, scale=scale or 1.0, unit=unit, at=call, of=of, kind=call.kind,
-               hint=hint)  # fmt: skip
+        expect(found, expected, within=within, scale=scale or 1.0, unit=unit, at=call, of=of, kind=call.kind, hint=hint)
 
 
 def signs_changed(*signs):
@@ -240,17 +235,20 @@ THIRD_IS_ZERO = "A = B put into the third of Euler's equations: omega_3 stays"
 
 
 @check(
-    points=0.75, part="a",
+    points=0.75,
+    part="a",
     suspects=[
         suspect("every sign in Euler's equations changed", euler_equations=signs_changed(-1, -1, -1)),
         suspect("a sign changed in the first of Euler's equations", euler_equations=signs_changed(-1, 1, 1)),
         suspect("a sign changed in the second of Euler's equations", euler_equations=signs_changed(1, -1, 1)),
         suspect("a sign changed in the third of Euler's equations", euler_equations=signs_changed(1, 1, -1)),
-        suspect("the moments H x omega not divided by A, B, C",
-                euler_equations=lambda w, *, inertia: np.cross(inertia * w, w)),
+        suspect(
+            "the moments H x omega not divided by A, B, C",
+            euler_equations=lambda w, *, inertia: np.cross(inertia * w, w),
+        ),
         suspect(THIRD_IS_ZERO, euler_equations=signs_changed(1, 1, 0)),
     ],
-)  # fmt: skip
+)
 def euler_equations_keep_the_angular_momentum(student, draw):
     """euler_equations: omega' of a body without moments, for any three inertias, equal ones too."""
     # H is along omega to the last digit where all are A
@@ -259,20 +257,34 @@ def euler_equations_keep_the_angular_momentum(student, draw):
     bodies += [(a_wheel(draw), "a body with A = B") for _ in range(4)]
     bodies += [(np.array([A, A, A]), "three equal inertias"), (np.array([k * A, A, A]), "a body with B = C")]
     bodies += [(body, "two inertias that are equal to five digits, no more") for body in near_wheels(draw)]
-    judge(student.euler_equations, [given(an_omega(draw), inertia=body).on(kind) for body, kind in bodies], moving,
-          size=lambda omega, inertia: omega @ omega, of="omega'", unit="of omega^2",
-          hint="the rate of H in body components plus omega x H is zero")  # fmt: skip
+    judge(
+        student.euler_equations,
+        [given(an_omega(draw), inertia=body).on(kind) for body, kind in bodies],
+        moving,
+        size=lambda omega, inertia: omega @ omega,
+        of="omega'",
+        unit="of omega^2",
+        hint="the rate of H in body components plus omega x H is zero",
+    )
     plain = [
         given(omega, inertia=body).on(omega_kind(omega))
         for body in (a_body(draw), np.array([2.0, 1.0, 2.0]))
         for omega in plain_omegas(draw)
     ]
-    judge(student.euler_equations, plain, moving, size=lambda omega, inertia: omega @ omega, of="omega'",
-          unit="of omega^2", hint="which of the three products are zero?")  # fmt: skip
+    judge(
+        student.euler_equations,
+        plain,
+        moving,
+        size=lambda omega, inertia: omega @ omega,
+        of="omega'",
+        unit="of omega^2",
+        hint="which of the three products are zero?",
+    )
 
 
 @check(
-    points=0.5, part="a",
+    points=0.5,
+    part="a",
     suspects=[
         suspect("omega-hat R for R omega-hat: omega is in body components", attitude_rate=lambda R, w: hat(w) @ R),
         suspect("the sign of omega-hat changed", attitude_rate=lambda R, w: -R @ hat(w)),
@@ -280,31 +292,44 @@ def euler_equations_keep_the_angular_momentum(student, draw):
         suspect("omega-hat alone, without R", attitude_rate=lambda R, w: hat(w)),
         suspect("the rate of the transpose", attitude_rate=lambda R, w: (R @ hat(w)).T),
     ],
-)  # fmt: skip
+)
 def attitude_follows_omega(student, draw):
     """attitude_rate: dR/dt for omega in body components."""
     calls = [given(an_attitude(draw), an_omega(draw)) for _ in range(15)]
-    judge(student.attitude_rate, calls, right_attitude, of="dR/dt", kind="a random attitude and omega",
-          hint="the columns of R are the body's axes in space; each moves at omega x itself")  # fmt: skip
+    judge(
+        student.attitude_rate,
+        calls,
+        right_attitude,
+        of="dR/dt",
+        kind="a random attitude and omega",
+        hint="the columns of R are the body's axes in space; each moves at omega x itself",
+    )
     attitudes = [*named_attitudes(draw), (an_attitude(draw), ATTITUDES[-1])]
     plain = [
-        given(R, omega).on(f"{omega_kind(omega)}, {kind}")
-        for R, kind in attitudes
-        for omega in plain_omegas(draw)
+        given(R, omega).on(f"{omega_kind(omega)}, {kind}") for R, kind in attitudes for omega in plain_omegas(draw)
     ]
-    judge(student.attitude_rate, plain, right_attitude, of="dR/dt", size=lambda R, omega: np.linalg.norm(omega),
-          unit="of omega")  # fmt: skip
+    judge(
+        student.attitude_rate,
+        plain,
+        right_attitude,
+        of="dR/dt",
+        size=lambda R, omega: np.linalg.norm(omega),
+        unit="of omega",
+    )
 
 
 @check(
-    points=0.5, part="a",
+    points=0.5,
+    part="a",
     suspects=[
         suspect("an energy without the half", energy=lambda w, *, inertia: np.sum(inertia * w**2)),
-        suspect("the product of the lengths of H and omega: they have a scalar product",
-                energy=lambda w, *, inertia: 0.5 * np.linalg.norm(inertia * w) * np.linalg.norm(w)),
+        suspect(
+            "the product of the lengths of H and omega: they have a scalar product",
+            energy=lambda w, *, inertia: 0.5 * np.linalg.norm(inertia * w) * np.linalg.norm(w),
+        ),
         suspect("the inertias squared", energy=lambda w, *, inertia: 0.5 * np.sum((w * inertia) ** 2)),
     ],
-)  # fmt: skip
+)
 def energy_is_half_omega_h(student, draw):
     """energy: half of omega . H."""
     calls = [given(an_omega(draw), inertia=a_body(draw)) for _ in range(10)]
@@ -320,14 +345,17 @@ def momentum(R, omega, *, inertia):
 
 
 @check(
-    points=0.5, part="a",
+    points=0.5,
+    part="a",
     suspects=[
         suspect("body components", angular_momentum=lambda R, w, *, inertia: inertia * w),
         suspect("R^T for R", angular_momentum=lambda R, w, *, inertia: R.T @ (inertia * w)),
-        suspect("R omega times A, B, C: the inertias belong to body axes",
-                angular_momentum=lambda R, w, *, inertia: inertia * (R @ w)),
+        suspect(
+            "R omega times A, B, C: the inertias belong to body axes",
+            angular_momentum=lambda R, w, *, inertia: inertia * (R @ w),
+        ),
     ],
-)  # fmt: skip
+)
 def angular_momentum_is_in_space_axes(student, draw):
     """angular_momentum: the vector H in space components."""
     calls = [given(an_attitude(draw), an_omega(draw), inertia=a_body(draw)) for _ in range(10)]
@@ -379,26 +407,35 @@ def rates_of_positive_sine(angles, omega):
 
 
 @check(
-    points=0.75, part="a",
+    points=0.75,
+    part="a",
     suspects=[
         suspect("omega taken in space components", euler_rates_313=rates_of_space_omega),
         suspect("phi of the other sign", euler_rates_313=lambda angles, w: rates_313(angles * [1, 1, -1], w)),
-        suspect("the sign of omega_2 sin(phi) in theta' changed", euler_rates_313=with_rate(1, lambda angles, w:
-                w[0] * math.cos(angles[2]) + w[1] * math.sin(angles[2]))),
-        suspect("the sign of psi' cos(theta) in phi' changed", euler_rates_313=with_rate(2, lambda angles, w:
-                w[2] + rates_313(angles, w)[0] * math.cos(angles[1]))),
+        suspect(
+            "the sign of omega_2 sin(phi) in theta' changed",
+            euler_rates_313=with_rate(1, lambda angles, w: w[0] * math.cos(angles[2]) + w[1] * math.sin(angles[2])),
+        ),
+        suspect(
+            "the sign of psi' cos(theta) in phi' changed",
+            euler_rates_313=with_rate(2, lambda angles, w: w[2] + rates_313(angles, w)[0] * math.cos(angles[1])),
+        ),
         suspect("psi and phi exchanged in the angles", euler_rates_313=lambda angles, w: rates_313(angles[::-1], w)),
         suspect("the rates in the order phi, theta, psi", euler_rates_313=lambda angles, w: rates_313(angles, w)[::-1]),
-        suspect("omega of these rates: the matrix for its inverse",
-                euler_rates_313=lambda angles, rates: omega_of_rates(angles) @ rates),
+        suspect(
+            "omega of these rates: the matrix for its inverse",
+            euler_rates_313=lambda angles, rates: omega_of_rates(angles) @ rates,
+        ),
     ],
-)  # fmt: skip
+)
 def euler_rates_make_omega(student, draw):
     """euler_rates_313: the rates of psi, theta, phi that make this omega, for theta of any sign."""
     thetas = [*draw.uniform(0.3, 2.8, 6), *-draw.uniform(0.3, 2.8, 4), *draw.uniform(3.5, 5.9, 4)]
     kinds = ["theta from 0 to pi"] * 6 + ["a negative theta"] * 4 + ["theta from pi to 2 pi"] * 4
-    calls = [given(np.array([psi, theta, phi]), an_omega(draw)).on(kind)
-             for theta, psi, phi, kind in zip(thetas, *draw.uniform(-4, 4, (2, 14)), kinds, strict=True)]  # fmt: skip
+    calls = [
+        given(np.array([psi, theta, phi]), an_omega(draw)).on(kind)
+        for theta, psi, phi, kind in zip(thetas, *draw.uniform(-4, 4, (2, 14)), kinds, strict=True)
+    ]
     judge_rates(student, calls)
     quarters = np.array([(0, 1, 0), (0, -1, 0), (1, 1, 0), (0, 1, 1), (2, -1, 1), (-1, 3, 2)]) * math.pi / 2
     plain = [
@@ -416,9 +453,17 @@ def judge_rates(student, calls):
     for found, call in zip(student.euler_rates_313.many(calls), calls, strict=True):
         angles, omega = call.args
         made = omega_of_rates(angles) @ found
-        expect(made, omega, within=POINTWISE, scale=np.linalg.norm(omega) or 1.0, of="omega of the rates",
-               unit="of omega", kind=call.kind, at=call,
-               hint=partial(wrong_rates, found, angles, omega))  # fmt: skip
+        expect(
+            made,
+            omega,
+            within=POINTWISE,
+            scale=np.linalg.norm(omega) or 1.0,
+            of="omega of the rates",
+            unit="of omega",
+            kind=call.kind,
+            at=call,
+            hint=partial(wrong_rates, found, angles, omega),
+        )
 
 
 def wrong_rates(found, angles, omega):
@@ -437,14 +482,26 @@ def euler_rates_are_refused_where_undetermined(student, draw):
     # of omega's first two components half and more is psi' sin(theta): psi' is large next to sin theta = 0
     psi, phi = draw.uniform(-3, 3), math.atan2(omega[0], omega[1]) + draw.uniform(-1, 1)
     for kind, theta in UNDETERMINED.items():
-        expect_that(student.on(kind).euler_rates_313.refuses(np.array([psi, theta, phi]), omega),
-                    "euler_rates_313 does not raise ValueError", kind=kind)  # fmt: skip
+        expect_that(
+            student.on(kind).euler_rates_313.refuses(np.array([psi, theta, phi]), omega),
+            "euler_rates_313 does not raise ValueError",
+            kind=kind,
+        )
     kind = "sin theta small, but not below 1e-12"
     for theta in (1.4e-12, -1.4e-12, 1e-8, math.pi - 1e-8):
         angles = np.array([psi, theta, phi])
         found, right = student.on(kind).euler_rates_313(angles, omega), rates_313(angles, omega)
-        expect(found, right, within=SINGULAR, scale=np.abs(right).max(), of="a rate", unit="of the largest",
-               kind=kind, at=(angles, omega), hint="which angles are refused? theta may be negative")  # fmt: skip
+        expect(
+            found,
+            right,
+            within=SINGULAR,
+            scale=np.abs(right).max(),
+            of="a rate",
+            unit="of the largest",
+            kind=kind,
+            at=(angles, omega),
+            hint="which angles are refused? theta may be negative",
+        )
 
 
 # Motions
@@ -548,29 +605,41 @@ def given_at_zero_before(t, R, omega, *, inertia):
 
 
 OMEGA_SUSPECTS = [
-    suspect("every sign in Euler's equations changed", within=1e-4,
-            simulate=wrong_motion(euler=signs_changed(-1, -1, -1))),
+    suspect(
+        "every sign in Euler's equations changed", within=1e-4, simulate=wrong_motion(euler=signs_changed(-1, -1, -1))
+    ),
     suspect(THIRD_IS_ZERO, within=1e-4, simulate=wrong_motion(euler=signs_changed(1, 1, 0))),
     *mistimed(motion, given_at_zero),
     suspect("the times rounded to a millisecond", within=1e-5, simulate=at_rounded_times),
-    *(suspect("the given state taken for that at t = 0, not at t[0]", within=1e-4, simulate=variant)
-      for variant in (given_at_zero_before, with_given_start(given_at_zero_before))),
+    *(
+        suspect("the given state taken for that at t = 0, not at t[0]", within=1e-4, simulate=variant)
+        for variant in (given_at_zero_before, with_given_start(given_at_zero_before))
+    ),
     suspect("omega in space components", within=1e-4, simulate=in_space_components),
     suspect("solve_ivp at its own tolerances, rtol 1e-3 and atol 1e-6", simulate=wrong_motion(solver={})),
-]  # fmt: skip
+]
 MOTION_SUSPECTS = [
     *OMEGA_SUSPECTS,
-    suspect("omega-hat R for R omega-hat: omega is in body components", within=1e-4,
-            simulate=wrong_motion(attitude=lambda R, w: hat(w) @ R)),
-    suspect("omega-hat R for R omega-hat, or omega q for q omega: omega is in body components", within=1e-4,
-            simulate=in_space_from_identity),
+    suspect(
+        "omega-hat R for R omega-hat: omega is in body components",
+        within=1e-4,
+        simulate=wrong_motion(attitude=lambda R, w: hat(w) @ R),
+    ),
+    suspect(
+        "omega-hat R for R omega-hat, or omega q for q omega: omega is in body components",
+        within=1e-4,
+        simulate=in_space_from_identity,
+    ),
     suspect("the sign of omega-hat changed", within=1e-4, simulate=wrong_motion(attitude=lambda R, w: -R @ hat(w))),
     suspect("rotations that start with the identity, not with the given R", within=1e-4, simulate=from_identity),
-    suspect("rotations that go on from the identity, not from the given R", within=1e-4,
-            simulate=with_given_start(from_identity)),
+    suspect(
+        "rotations that go on from the identity, not from the given R",
+        within=1e-4,
+        simulate=with_given_start(from_identity),
+    ),
     suspect("the given R on the wrong side of the turn since then", within=1e-4, simulate=start_on_the_other_side),
     suspect("the transposes, from space to body", within=1e-4, simulate=to_body),
-]  # fmt: skip
+]
 NEARLY = "it is nearly right: are the steps short enough, the tolerances tight enough?"
 
 
@@ -582,13 +651,30 @@ def nearly(error):
 def judge_motions(found, right, calls, sizes, start, *, hint, **says):
     """The worst motion first, for it decides on partial credit."""
     for values, call, size in zip(found, calls, sizes, strict=True):
-        expect(values[0], call.args[start], within=1e-12, scale=size, of="the first row", at=call,
-               kind=call.kind, hint=partial(wrong_start, values[0]))  # fmt: skip
+        expect(
+            values[0],
+            call.args[start],
+            within=1e-12,
+            scale=size,
+            of="the first row",
+            at=call,
+            kind=call.kind,
+            hint=partial(wrong_start, values[0]),
+        )
     errors = [np.max(np.abs(a - b)) / size for a, b, size in zip(found, right, sizes, strict=True)]
     for worst in np.argsort(errors)[::-1]:
-        expect(found[worst], right[worst], within=TRAJECTORY, scale=sizes[worst], t=calls[worst].args[0],
-               at=calls[worst], partial={1e-3: 0.5, 1e-2: 0.25}, kind=calls[worst].kind,
-               hint=NEARLY if nearly(errors[worst]) else hint, **says)  # fmt: skip
+        expect(
+            found[worst],
+            right[worst],
+            within=TRAJECTORY,
+            scale=sizes[worst],
+            t=calls[worst].args[0],
+            at=calls[worst],
+            partial={1e-3: 0.5, 1e-2: 0.25},
+            kind=calls[worst].kind,
+            hint=NEARLY if nearly(errors[worst]) else hint,
+            **says,
+        )
 
 
 @check(points=0.75, part="a", suspects=OMEGA_SUSPECTS)
@@ -596,9 +682,16 @@ def omega_follows_elliptic_functions(student, draw):
     """simulate: omega against Jacobi's elliptic functions, on both sides of the separatrix and near it."""
     calls, right = tumbles(draw)
     found = [omegas for omegas, _ in student.simulate.many(calls)]
-    judge_motions(found, right, calls, [np.linalg.norm(call.args[2]) for call in calls], 2, of="omega",
-                  unit="of its start",
-                  hint="does euler_equations pass? are the times those asked for?")  # fmt: skip
+    judge_motions(
+        found,
+        right,
+        calls,
+        [np.linalg.norm(call.args[2]) for call in calls],
+        2,
+        of="omega",
+        unit="of its start",
+        hint="does euler_equations pass? are the times those asked for?",
+    )
 
 
 @check(points=0.75, part="a", suspects=MOTION_SUSPECTS)
@@ -606,8 +699,7 @@ def attitude_follows_the_motion(student, draw):
     """simulate: the rotations along a general motion, from any attitude at the start."""
     calls, right = attitudes(draw)
     found = [rotations for _, rotations in student.simulate.many(calls)]
-    judge_motions(found, right, calls, [1.0, 1.0], 1, of="R",
-                  hint=partial(look_at_attitude, np.concatenate(found)))  # fmt: skip
+    judge_motions(found, right, calls, [1.0, 1.0], 1, of="R", hint=partial(look_at_attitude, np.concatenate(found)))
 
 
 LEFT_HANDED = "the three axes are left-handed: the determinant is -1"
@@ -636,18 +728,51 @@ def invariants_stay_over_many_turns(student, draw):
     omegas, rotations = student.on(kind).simulate(t, R, omega, inertia=body)
     # the half of what it is, which is a quarter of |omega| or more; solve_ivp at 1e-6 is off by a millionth of it
     swing = np.ptp(elliptic(t, omega, body)[LAST_ROWS], axis=0).max()
-    expect_that(np.ptp(omegas[LAST_ROWS], axis=0).max() > swing / 2, "the body does not tumble", kind=kind,
-                at=(R, omega, body), hint="do all rows have the motion at their times?")  # fmt: skip
+    expect_that(
+        np.ptp(omegas[LAST_ROWS], axis=0).max() > swing / 2,
+        "the body does not tumble",
+        kind=kind,
+        at=(R, omega, body),
+        hint="do all rows have the motion at their times?",
+    )
     squares, ones = rotations.transpose(0, 2, 1) @ rotations, np.broadcast_to(np.eye(3), rotations.shape)
-    expect(squares, ones, within=INVARIANT, of="R^T R", t=t, at=(R, omega, body), kind=kind,
-           hint=NEARLY if nearly(np.abs(squares - ones).max()) else "is it still a rotation?")  # fmt: skip
+    expect(
+        squares,
+        ones,
+        within=INVARIANT,
+        of="R^T R",
+        t=t,
+        at=(R, omega, body),
+        kind=kind,
+        hint=NEARLY if nearly(np.abs(squares - ones).max()) else "is it still a rotation?",
+    )
     H = np.einsum("nij,nj->ni", rotations, body * omegas)
-    expect(H, np.broadcast_to(H[0], H.shape), within=INVARIANT, scale=np.linalg.norm(H[0]), of="H in space",
-           unit="of itself", t=t, at=(R, omega, body), kind=kind, hint=FAST)  # fmt: skip
+    expect(
+        H,
+        np.broadcast_to(H[0], H.shape),
+        within=INVARIANT,
+        scale=np.linalg.norm(H[0]),
+        of="H in space",
+        unit="of itself",
+        t=t,
+        at=(R, omega, body),
+        kind=kind,
+        hint=FAST,
+    )
     energies = np.array([energy(w, inertia=body) for w in omegas])
-    expect(energies, np.full(len(t), energies[0]), within=INVARIANT, scale=energies[0], of="the energy",
-           unit="of its start", t=t, at=(R, omega, body), kind=kind, partial={1e-4: 0.5, 1e-2: 0.25},
-           hint=FAST)  # fmt: skip
+    expect(
+        energies,
+        np.full(len(t), energies[0]),
+        within=INVARIANT,
+        scale=energies[0],
+        of="the energy",
+        unit="of its start",
+        t=t,
+        at=(R, omega, body),
+        kind=kind,
+        partial={1e-4: 0.5, 1e-2: 0.25},
+        hint=FAST,
+    )
 
 
 LAST_ROWS = slice(6, None)  # of 12
@@ -669,21 +794,20 @@ def special_motions(draw):
     omega, body = an_omega(draw), a_wheel(draw)
     t, R = times(draw, omega, 5, count=2), np.eye(3)
     cases["two times, and axes along those of space at the start"] = (
-        given(t, R, omega, inertia=body), wheel(t, R, omega, body),
-    )  # fmt: skip
+        given(t, R, omega, inertia=body),
+        wheel(t, R, omega, body),
+    )
     for start, about in HALF_TURNS:
         omega, body = an_omega(draw), a_wheel(draw)
         t = times(draw, omega, 4, count=4)
         cases[f"a start half a turn {about} from the axes of space"] = (
-            given(t, start, omega, inertia=body), wheel(t, start, omega, body),
-        )  # fmt: skip
+            given(t, start, omega, inertia=body),
+            wheel(t, start, omega, body),
+        )
     for axis in (0, 1, 2):
         body, omega = a_body(draw), draw.choice([-1, 1]) * draw.uniform(1, 4) * np.eye(3)[axis] + 0.0
         t, R = times(draw, omega, 4), an_attitude(draw)
-        cases[f"spin about the principal axis {axis}"] = (
-            given(t, R, omega, inertia=body),
-            spinning(t, R, omega),
-        )
+        cases[f"spin about the principal axis {axis}"] = (given(t, R, omega, inertia=body), spinning(t, R, omega))
     omega, body, R = a_fast_omega(draw), a_wheel(draw), an_attitude(draw)
     t = times(draw, omega, 40, count=2)
     cases[FAST_AND_FAR] = given(t, R, omega, inertia=body), wheel(t, R, omega, body)
@@ -698,8 +822,10 @@ def in_turn(draw):
     first = times(draw, omega, 5, count=4), an_attitude(draw), omega, a_wheel(draw)
     others = times(draw, omega, 5, count=4), an_attitude(draw), other_omega, a_wheel(draw)
     kinds = "other times", "another R", "another omega", "another body with A = B"
-    changed = {f"the motion of a call before, but for {kind}": (*first[:k], others[k], *first[k + 1 :])
-               for k, kind in enumerate(kinds)}  # fmt: skip
+    changed = {
+        f"the motion of a call before, but for {kind}": (*first[:k], others[k], *first[k + 1 :])
+        for k, kind in enumerate(kinds)
+    }
     return {"a motion that is asked for again": first, **changed}
 
 
@@ -738,10 +864,24 @@ def special_bodies_move_too(student, draw):
     found = student.simulate.many([call.on(kind) for kind, (call, _) in cases.items()])
     for (omegas, rotations), (kind, (call, right)) in zip(found, cases.items(), strict=True):
         size, says = np.linalg.norm(call.args[2]) or 1.0, {"t": call.args[0], "kind": kind, "at": call}
-        expect(omegas, right[0], within=TRAJECTORY, scale=size, of="omega", unit="of its start", **says,
-               hint=partial(wrong_motion_of, omegas, right[0], size, kind))  # fmt: skip
-        expect(rotations, right[1], within=TRAJECTORY, of="R", **says,
-               hint=partial(wrong_motion_of, rotations, right[1], 1.0, kind))  # fmt: skip
+        expect(
+            omegas,
+            right[0],
+            within=TRAJECTORY,
+            scale=size,
+            of="omega",
+            unit="of its start",
+            **says,
+            hint=partial(wrong_motion_of, omegas, right[0], size, kind),
+        )
+        expect(
+            rotations,
+            right[1],
+            within=TRAJECTORY,
+            of="R",
+            **says,
+            hint=partial(wrong_motion_of, rotations, right[1], 1.0, kind),
+        )
 
 
 # (a) A = B
@@ -773,19 +913,25 @@ def space_rate(inertia, omega):
 
 
 @check(
-    points=0.75, part="a",
+    points=0.75,
+    part="a",
     suspects=[
         suspect("the precession reversed", symmetric_solution=precessing(lambda inertia, w: -body_rate(inertia, w))),
-        suspect("the given omega taken at t = 0, not at t[0]",
-                symmetric_solution=precessing(body_rate, since_start=False)),
+        suspect(
+            "the given omega taken at t = 0, not at t[0]", symmetric_solution=precessing(body_rate, since_start=False)
+        ),
         suspect("the rate omega_3 of a flat disk, C = 2 A", symmetric_solution=precessing(lambda inertia, w: w[2])),
-        suspect("the rate (C - A)/C omega_3: A divides",
-                symmetric_solution=precessing(lambda inertia, w: (1 - inertia[0] / inertia[2]) * w[2])),
-        suspect("the rate C/A omega_3, as seen from space",
-                symmetric_solution=precessing(lambda inertia, w: inertia[2] / inertia[0] * w[2])),
+        suspect(
+            "the rate (C - A)/C omega_3: A divides",
+            symmetric_solution=precessing(lambda inertia, w: (1 - inertia[0] / inertia[2]) * w[2]),
+        ),
+        suspect(
+            "the rate C/A omega_3, as seen from space",
+            symmetric_solution=precessing(lambda inertia, w: inertia[2] / inertia[0] * w[2]),
+        ),
         suspect("the rate |H|/A of the wobble in space", symmetric_solution=precessing(space_rate)),
     ],
-)  # fmt: skip
+)
 def symmetric_bodies_precess(student, draw):
     """symmetric_solution: omega in body components at all times, from omega at t[0]."""
     bodies = [(a_wheel(draw), "a random body with A = B") for _ in range(6)]
@@ -796,9 +942,7 @@ def symmetric_bodies_precess(student, draw):
         calls.append(given(times(draw, omega, 40), omega, inertia=body).on(kind))
     judge_precession(student, calls)
     plain = [
-        given(times(draw, np.ones(3), 10, 2), omega, inertia=a_wheel(draw)).on(
-            f"two times, {omega_kind(omega)}"
-        )
+        given(times(draw, np.ones(3), 10, 2), omega, inertia=a_wheel(draw)).on(f"two times, {omega_kind(omega)}")
         for omega in plain_omegas(draw)
     ]
     judge_precession(student, plain)
@@ -807,35 +951,54 @@ def symmetric_bodies_precess(student, draw):
 def judge_precession(student, calls):
     for found, call in zip(student.symmetric_solution.many(calls), calls, strict=True):
         t, omega = call.args
-        expect(found, symmetric(t, omega, **call.kwargs), within=POINTWISE, scale=np.linalg.norm(omega) or 1.0,
-               of="omega", unit="of its start", t=t, kind=call.kind, at=call,
-               hint="compare with euler_equations at the first time")  # fmt: skip
+        expect(
+            found,
+            symmetric(t, omega, **call.kwargs),
+            within=POINTWISE,
+            scale=np.linalg.norm(omega) or 1.0,
+            of="omega",
+            unit="of its start",
+            t=t,
+            kind=call.kind,
+            at=call,
+            hint="compare with euler_equations at the first time",
+        )
 
 
 @check(
-    points=0.5, part="a",
+    points=0.5,
+    part="a",
     suspects=[
-        suspect("the rate (C - A)/A omega_3 at which omega goes round in the body",
-                wobble_rate=lambda w, *, inertia: abs(body_rate(inertia, w))),
-        suspect("C/A omega_3, for spin very near the axis",
-                wobble_rate=lambda w, *, inertia: inertia[2] / inertia[0] * abs(w[2])),
-        suspect("the sign of omega_3 left in the rate", wobble_rate=lambda w, *, inertia:
-                math.copysign(space_rate(inertia, w), w[2])),
+        suspect(
+            "the rate (C - A)/A omega_3 at which omega goes round in the body",
+            wobble_rate=lambda w, *, inertia: abs(body_rate(inertia, w)),
+        ),
+        suspect(
+            "C/A omega_3, for spin very near the axis",
+            wobble_rate=lambda w, *, inertia: inertia[2] / inertia[0] * abs(w[2]),
+        ),
+        suspect(
+            "the sign of omega_3 left in the rate",
+            wobble_rate=lambda w, *, inertia: math.copysign(space_rate(inertia, w), w[2]),
+        ),
         suspect("|H|/C", wobble_rate=lambda w, *, inertia: np.linalg.norm(inertia * w) / inertia[2]),
         suspect("|omega|", wobble_rate=lambda w, *, inertia: np.linalg.norm(w)),
     ],
-)  # fmt: skip
+)
 def wobble_goes_round_the_angular_momentum(student, draw):
     """wobble_rate: the rate at which the symmetry axis goes round H, at any angle between them."""
     omegas = [an_omega(draw) for _ in range(8)] + [an_omega(draw) * [0.01, 0.01, 1] for _ in range(4)]
-    judge(student.wobble_rate, [given(omega, inertia=a_wheel(draw)) for omega in omegas],
-          lambda omega, inertia: space_rate(inertia, omega), of="the rate", kind="a random body with A = B",
-          hint="split omega into a part along H and one along the symmetry axis")  # fmt: skip
+    judge(
+        student.wobble_rate,
+        [given(omega, inertia=a_wheel(draw)) for omega in omegas],
+        lambda omega, inertia: space_rate(inertia, omega),
+        of="the rate",
+        kind="a random body with A = B",
+        hint="split omega into a part along H and one along the symmetry axis",
+    )
     # about the symmetry axis alone nothing wobbles
     across = [
-        given(omega, inertia=a_wheel(draw)).on(
-            omega_kind(omega) if omega[2] else "omega across the symmetry axis"
-        )
+        given(omega, inertia=a_wheel(draw)).on(omega_kind(omega) if omega[2] else "omega across the symmetry axis")
         for omega in plain_omegas(draw)
         if omega[:2].any()
     ]
@@ -864,40 +1027,65 @@ def growth_of(wrong):
 
 
 @check(
-    points=0.75, part="b",
+    points=0.75,
+    part="b",
     suspects=[
         suspect("the sign changed", growth_rate_squared=growth_of(lambda spin, right: -right)),
-        suspect("the rate, not its square",
-                growth_rate_squared=growth_of(lambda spin, right: np.sign(right) * math.sqrt(abs(right)))),
-        *(suspect("the spin not squared", growth_rate_squared=growth_of(lambda spin, right, size=size:
-                  right / size(spin))) for size in (abs, float)),
-        suspect("axes counted from 1",
-                growth_rate_squared=lambda axis, spin, *, inertia: growth((axis - 1) % 3, spin, inertia=inertia)),
-        suspect("the inertias put in order first: the axis is that of the inertias as they are given",
-                growth_rate_squared=lambda axis, spin, *, inertia: growth(axis, spin, inertia=np.sort(inertia))),
-        suspect("the sign of the spin left in its square",
-                growth_rate_squared=growth_of(lambda spin, right: np.sign(spin) * right)),
+        suspect(
+            "the rate, not its square",
+            growth_rate_squared=growth_of(lambda spin, right: np.sign(right) * math.sqrt(abs(right))),
+        ),
+        *(
+            suspect(
+                "the spin not squared", growth_rate_squared=growth_of(lambda spin, right, size=size: right / size(spin))
+            )
+            for size in (abs, float)
+        ),
+        suspect(
+            "axes counted from 1",
+            growth_rate_squared=lambda axis, spin, *, inertia: growth((axis - 1) % 3, spin, inertia=inertia),
+        ),
+        suspect(
+            "the inertias put in order first: the axis is that of the inertias as they are given",
+            growth_rate_squared=lambda axis, spin, *, inertia: growth(axis, spin, inertia=np.sort(inertia)),
+        ),
+        suspect(
+            "the sign of the spin left in its square",
+            growth_rate_squared=growth_of(lambda spin, right: np.sign(spin) * right),
+        ),
     ],
-)  # fmt: skip
+)
 def small_deviations_grow_at_this_rate(student, draw):
     """growth_rate_squared: positive where spin about the axis is unstable, minus the frequency's square where not."""
     bodies = [*(a_body(draw) for _ in range(6)), a_wheel(draw)]
     for axis in (0, 1, 2):
         spins = draw.uniform(1.5, 6, 7) * draw.choice([-1, 1], 7)
         calls = [
-            given(axis, spin, inertia=body).on(
-                f"a {'positive' if spin > 0 else 'negative'} spin about axis {axis}"
-            )
+            given(axis, spin, inertia=body).on(f"a {'positive' if spin > 0 else 'negative'} spin about axis {axis}")
             for spin, body in zip(spins, bodies, strict=True)
         ]
-        judge(student.growth_rate_squared, calls, growth, size=lambda axis, spin, inertia: spin**2, unit="of spin^2",
-              of="the square of the rate",
-              hint="keep what is linear in the two small components of omega")  # fmt: skip
+        judge(
+            student.growth_rate_squared,
+            calls,
+            growth,
+            size=lambda axis, spin, inertia: spin**2,
+            unit="of spin^2",
+            of="the square of the rate",
+            hint="keep what is linear in the two small components of omega",
+        )
         spin, A = draw.uniform(1.5, 6), draw.uniform(0.5, 2)
-        plain = [given(axis, spin, inertia=np.full(3, A)).on("three equal inertias"),
-                 given(axis, 0.0, inertia=a_body(draw)).on("no spin")]  # fmt: skip
-        judge(student.growth_rate_squared, plain, growth, size=lambda axis, spin, inertia: spin**2, unit="of spin^2",
-              of="the square of the rate")  # fmt: skip
+        plain = [
+            given(axis, spin, inertia=np.full(3, A)).on("three equal inertias"),
+            given(axis, 0.0, inertia=a_body(draw)).on("no spin"),
+        ]
+        judge(
+            student.growth_rate_squared,
+            plain,
+            growth,
+            size=lambda axis, spin, inertia: spin**2,
+            unit="of spin^2",
+            of="the square of the rate",
+        )
 
 
 def squares(omega, inertia):
@@ -936,9 +1124,7 @@ def other_side(order):
     """The suspects that know this side of the separatrix only."""
     folds = (lambda m: min(m, 1 / m)), (lambda m: max(1 - abs(1 - m), 0.0))
     return [
-        suspect(
-            "the formula for the other side of the separatrix", tumble_period=one_side_only(folded, order)
-        )
+        suspect("the formula for the other side of the separatrix", tumble_period=one_side_only(folded, order))
         for folded in folds
     ]
 
@@ -956,18 +1142,18 @@ TUMBLE_SUSPECTS = [
 def judge_periods(student, draw, sign, kind):
     cases = [on_side(draw, sign) for _ in range(6)]
     calls = [given(omega[np.argsort(body)], inertia=np.sort(body)) for body, omega in cases]
-    judge(student.tumble_period, calls, tumbling, within=PERIOD, of="the period", kind=kind,
-          hint="after what time is omega back, sign and all?")  # fmt: skip
-    body = sorted_body(draw)
-    plain = [given(omega, inertia=body) for omega in in_planes(body, sign)]
     judge(
         student.tumble_period,
-        plain,
+        calls,
         tumbling,
         within=PERIOD,
         of="the period",
-        kind=f"{kind}, in a principal plane",
+        kind=kind,
+        hint="after what time is omega back, sign and all?",
     )
+    body = sorted_body(draw)
+    plain = [given(omega, inertia=body) for omega in in_planes(body, sign)]
+    judge(student.tumble_period, plain, tumbling, within=PERIOD, of="the period", kind=f"{kind}, in a principal plane")
 
 
 def in_planes(body, sign):
@@ -996,9 +1182,15 @@ def period_of_pure_spin_is_that_of_small_oscillations(student, draw):
     for axis, sign in ((0, 1), (0, -1), (2, 1), (2, -1)):
         spin = sign * draw.uniform(1, 4)
         kind = f"pure spin about axis {axis}{', at a negative rate' if sign < 0 else ''}"
-        judge(student.tumble_period, [given(spin * np.eye(3)[axis] + 0.0, inertia=sorted_body(draw))],
-              lambda omega, inertia, axis=axis: 2 * math.pi / math.sqrt(-growth(axis, omega[axis], inertia=inertia)),
-              within=PERIOD, of="the period", kind=kind, hint="k = 0 there")  # fmt: skip
+        judge(
+            student.tumble_period,
+            [given(spin * np.eye(3)[axis] + 0.0, inertia=sorted_body(draw))],
+            lambda omega, inertia, axis=axis: 2 * math.pi / math.sqrt(-growth(axis, omega[axis], inertia=inertia)),
+            within=PERIOD,
+            of="the period",
+            kind=kind,
+            hint="k = 0 there",
+        )
 
 
 def beside_separatrix(draw, distance):
@@ -1017,22 +1209,29 @@ def period_grows_to_infinity_at_the_separatrix(student, draw):
     """tumble_period near the separatrix, on both sides of it, and math.inf on it."""
     spins = draw.uniform(1, 4, 4) * draw.choice([-1, 1], 4)
     near = [(0, 1, 3e-5), (0, 1, -1e-3), (3e-5, 1, 0), (-1e-3, 1, 0)]
-    calls = [
-        given(spin * np.array(omega), inertia=sorted_body(draw))
-        for spin, omega in zip(spins, near, strict=True)
-    ]
-    judge(student.tumble_period, calls, tumbling, within=NEAR_PERIOD, of="the period",
-          kind="omega almost about the middle axis", hint="how near 1 is a k that is not 1?")  # fmt: skip
+    calls = [given(spin * np.array(omega), inertia=sorted_body(draw)) for spin, omega in zip(spins, near, strict=True)]
+    judge(
+        student.tumble_period,
+        calls,
+        tumbling,
+        within=NEAR_PERIOD,
+        of="the period",
+        kind="omega almost about the middle axis",
+        hint="how near 1 is a k that is not 1?",
+    )
     calls = [beside_separatrix(draw, sign * distance) for distance in (1e-2, 1e-4, 1e-6) for sign in (1, -1)]
-    judge(student.tumble_period, calls, tumbling, within=NEAR_PERIOD, of="the period",
-          kind="omega next to the separatrix, not about the middle axis",
-          hint="how near 1 is a k that is not 1?")  # fmt: skip
+    judge(
+        student.tumble_period,
+        calls,
+        tumbling,
+        within=NEAR_PERIOD,
+        of="the period",
+        kind="omega next to the separatrix, not about the middle axis",
+        hint="how near 1 is a k that is not 1?",
+    )
     # Whole numbers times powers of two: on the separatrix, 3 (4 - 3) 2^2 = 6 (6 - 4) 1^2, without any rounding
     body = np.array([3.0, 4.0, 6.0]) * 2.0 ** draw.integers(-5, 6)
-    for omega, kind in (
-        ((0, 1, 0), "pure spin about the middle axis"),
-        ((2, 1, -1), "omega on the separatrix"),
-    ):
+    for omega, kind in (((0, 1, 0), "pure spin about the middle axis"), ((2, 1, -1), "omega on the separatrix")):
         found = student.on(kind).tumble_period(np.array(omega) * 0.25 * draw.integers(1, 9), inertia=body)
         expect_that(found == math.inf, "the period is finite", kind=kind, hint="what is K(k) for k = 1?")
 
@@ -1045,9 +1244,7 @@ def the_box_has_its_twelve_edges(student, draw):
     """wireframe: the edges of the turned box, in any order and direction."""
     sizes = [draw.permutation(10 ** draw.uniform(-1, 1) * np.array([1, 1.7, 2.9])) for _ in range(6)]
     cases = [(an_attitude(draw), size, "a random attitude and size") for size in sizes[:3]]
-    cases += [
-        (R, size, f"a box, {kind}") for (R, kind), size in zip(named_attitudes(draw), sizes[3:], strict=True)
-    ]
+    cases += [(R, size, f"a box, {kind}") for (R, kind), size in zip(named_attitudes(draw), sizes[3:], strict=True)]
     cases.append((an_attitude(draw), np.full(3, sizes[0][0]), "a cube"))
     judge_boxes(student.wireframe, cases, within=POINTWISE)
 
@@ -1091,9 +1288,7 @@ MISTAKEN_PATHS = {
     "they are seen along y": lambda fine, radius: fine[:, ::2, 0],
     "they are those of the points (0, radius, 0) and (0, -radius, 0)": lambda fine, radius: fine[:, :2, 1],
     "they are those of the transposes of R": lambda fine, radius: fine[:, 0, :2],
-    "they start with the identity, not with the given R": lambda fine, radius: (
-        (fine[0].T @ fine)[:, :2, 0] / radius
-    ),
+    "they start with the identity, not with the given R": lambda fine, radius: (fine[0].T @ fine)[:, :2, 0] / radius,
     "they are those of a radius of 1 m": lambda fine, radius: fine[:, :2, 0] / radius,
 }
 
@@ -1138,10 +1333,21 @@ def rim_paths_are_drawn(student, draw):
         (tumble(draw), "a body with three different inertias, t[0] not 0"),
     ):
         picture = student.on(kind).plot_rim_paths.draw(*call.args, **call.kwargs)
-        expect_that(len(picture.lines) == 2, f"the number of curves on the axes is {len(picture.lines)}, not 2",
-                    hint="fewer than ten points are no curve")  # fmt: skip
+        expect_that(
+            len(picture.lines) == 2,
+            f"the number of curves on the axes is {len(picture.lines)}, not 2",
+            hint="fewer than ten points are no curve",
+        )
         radius, found = call.kwargs["radius"], x_to_the_right(picture)
-        expect(farthest(found, fine[:, :2, 0]), 0.0, within=1e-3, scale=radius, of="a path",
-               unit="of the radius", at=call, kind=kind,
-               hint=partial(wrong_paths, found, picture, fine, radius))  # fmt: skip
+        expect(
+            farthest(found, fine[:, :2, 0]),
+            0.0,
+            within=1e-3,
+            scale=radius,
+            of="a path",
+            unit="of the radius",
+            at=call,
+            kind=kind,
+            hint=partial(wrong_paths, found, picture, fine, radius),
+        )
         judge_axes_of_lengths(picture)

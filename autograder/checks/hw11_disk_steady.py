@@ -124,9 +124,7 @@ def rolling_track(lean, precession, **disk):
 
 
 def track_with(spin):
-    return lambda lean, precession, **disk: track_of(
-        lean, precession, spin(lean, precession, **disk), disk["radius"]
-    )
+    return lambda lean, precession, **disk: track_of(lean, precession, spin(lean, precession, **disk), disk["radius"])
 
 
 def sliding(lean, precession, **disk):
@@ -247,9 +245,7 @@ def with_ma2(right):
 
 def relative_spin(force):
     """The spin relative to the frame that goes round with Omega."""
-    return lambda lean, precession, **disk: (
-        balanced_spin(lean, precession, force, **disk) - precession * axle(lean) @ Z
-    )
+    return lambda lean, precession, **disk: balanced_spin(lean, precession, force, **disk) - precession * axle(lean) @ Z
 
 
 def by_relative_spin(right):
@@ -415,9 +411,16 @@ def agree(function, cases, *, of, unit, hint=""):
     found = dict(zip(order, function.many([asked[index] for index in order]), strict=True))
     for index, (call, right, scale, kind) in enumerate(cases):
         expect(
-            found[index], right, within=WITHIN, scale=scale, of=of, unit=unit, at=call, kind=kind,
+            found[index],
+            right,
+            within=WITHIN,
+            scale=scale,
+            of=of,
+            unit=unit,
+            at=call,
+            kind=kind,
             hint=partial(hint, found[index], right) if callable(hint) else hint,
-        )  # fmt: skip
+        )
 
 
 SMALL_LEAN = 5e-5  # rad; what it changes is far above any tolerance
@@ -431,10 +434,14 @@ AGAIN = "the same arguments as before, but for those of the disk"
 def spins(motions, force):
     """The cases of spins of these (lean, precession, disk, kind)."""
     return [
-        (given(lean, precession, **disk), balanced_spin(lean, precession, force, **disk),
-         spin_scale(lean, precession, force, **disk), kind)
+        (
+            given(lean, precession, **disk),
+            balanced_spin(lean, precession, force, **disk),
+            spin_scale(lean, precession, force, **disk),
+            kind,
+        )
         for lean, precession, disk, kind in motions
-    ]  # fmt: skip
+    ]
 
 
 @once
@@ -492,9 +499,7 @@ def tracks(draw):
 def whirls(draw):
     """Leans, precessions, spins and disks without any relation, steady or not."""
     disks = [(a_disk(draw, make), KINDS[make]) for make in (*WHEELS * 4, coin)]
-    found = [
-        (draw.uniform(-1.4, 1.4), *(usual(disk) * draw.uniform(-3, 3, 2)), disk, kind) for disk, kind in disks
-    ]
+    found = [(draw.uniform(-1.4, 1.4), *(usual(disk) * draw.uniform(-3, 3, 2)), disk, kind) for disk, kind in disks]
     (*motion, _, _), (*_, disk, _) = found[:2]
     steep = [(sign * STEEP_LEANS[0], *motion[1:], disk, STEEP) for sign in (1, -1)]
     return [*found, *steep, (*motion, disk, AGAIN)]
@@ -513,20 +518,18 @@ def plain_whirls(draw):
         lean, still = a_lean(draw), {**disk, "gravity": 0.0}
         cases += [
             (0.0, precession, spin, disk, "an upright disk"),
-            (lean, precession, 0.0, disk, "no spin"), (lean, precession, spin, still, "no gravity"),
-        ]  # fmt: skip
-    return [
-        *cases,
-        (math.pi / 4, 1.0, 1.0, UNIT, "whole numbers"),
-        (-math.pi / 4, -1.0, 1.0, UNIT, "whole numbers"),
-    ]
+            (lean, precession, 0.0, disk, "no spin"),
+            (lean, precession, spin, still, "no gravity"),
+        ]
+    return [*cases, (math.pi / 4, 1.0, 1.0, UNIT, "whole numbers"), (-math.pi / 4, -1.0, 1.0, UNIT, "whole numbers")]
 
 
 # (a) Rolling
 
 
 @check(
-    points=1.25, part="a",
+    points=1.25,
+    part="a",
     suspects=[
         suspect(RELATIVE, rolling_spin=relative_spin(rolling_force)),
         suspect(NO_MA2, rolling_spin=sliding),
@@ -540,28 +543,44 @@ def plain_whirls(draw):
         suspect(SINE, rolling_spin=sine_for_tangent(balanced_spin)),
         suspect(DEGREES, rolling_spin=in_degrees(balanced_spin)),
     ],
-)  # fmt: skip
+)
 def rolling_spin_balances_the_moments(student, draw):
     """rolling_spin is the total spin that keeps lean and precession steady, leaning inwards or outwards."""
-    agree(student.rolling_spin, members(draw, rolling_force), of="the spin", unit="of its largest term",
-          hint="moment of the contact force about G = Omega z x H")  # fmt: skip
+    agree(
+        student.rolling_spin,
+        members(draw, rolling_force),
+        of="the spin",
+        unit="of its largest term",
+        hint="moment of the contact force about G = Omega z x H",
+    )
 
 
 @check(points=0.25, part="a", after=rolling_spin_balances_the_moments)
 def rolling_spin_holds_upright_and_without_gravity(student, draw):
     """rolling_spin holds for an upright disk and for no gravity."""
-    agree(student.rolling_spin, plain_members(draw, rolling_force), of="the spin", unit="of its largest term",
-          hint="which of its terms are zero there?")  # fmt: skip
+    agree(
+        student.rolling_spin,
+        plain_members(draw, rolling_force),
+        of="the spin",
+        unit="of its largest term",
+        hint="which of its terms are zero there?",
+    )
 
 
 @check(
-    points=1, part="a",
+    points=1,
+    part="a",
     suspects=[
         suspect(TO_CENTRE, rolling_track_radius=track_to_centre),
-        suspect("the radius without its sign", rolling_track_radius=lambda *args, **disk:
-                abs(rolling_track(*args, **disk))),
-        suspect("a sin(lean) taken off where it is to be added", rolling_track_radius=lambda lean, *args, **disk:
-                rolling_track(lean, *args, **disk) - 2 * rim(lean, disk["radius"]) @ X),
+        suspect(
+            "the radius without its sign", rolling_track_radius=lambda *args, **disk: abs(rolling_track(*args, **disk))
+        ),
+        suspect(
+            "a sin(lean) taken off where it is to be added",
+            rolling_track_radius=lambda lean, *args, **disk: (
+                rolling_track(lean, *args, **disk) - 2 * rim(lean, disk["radius"]) @ X
+            ),
+        ),
         suspect(RELATIVE, rolling_track_radius=track_by_relative_spin),
         suspect(SWAPPED, rolling_track_radius=swapped(rolling_track)),
         suspect(NO_MA2, rolling_track_radius=track_with(sliding)),
@@ -573,12 +592,17 @@ def rolling_spin_holds_upright_and_without_gravity(student, draw):
         suspect(SINE, rolling_track_radius=sine_for_tangent(rolling_track)),
         suspect(DEGREES, rolling_track_radius=in_degrees(rolling_track)),
     ],
-)  # fmt: skip
+)
 def rolling_track_has_the_contact_at_rest(student, draw):
     """rolling_track_radius is the radius, with its sign, of the contact point's track."""
     for drawn in (members, plain_members):
-        agree(student.rolling_track_radius, contact_tracks(drawn(draw, rolling_force)), of="the radius of the track",
-              unit="of its largest term", hint="the point of the disk on the ground has no velocity")  # fmt: skip
+        agree(
+            student.rolling_track_radius,
+            contact_tracks(drawn(draw, rolling_force)),
+            of="the radius of the track",
+            unit="of its largest term",
+            hint="the point of the disk on the ground has no velocity",
+        )
 
 
 def contact_tracks(cases_of_spin):
@@ -592,7 +616,8 @@ def contact_tracks(cases_of_spin):
 
 
 @check(
-    points=1.25, part="a",
+    points=1.25,
+    part="a",
     suspects=[
         suspect(TO_CENTRE, rolling_precession=precession_to_centre),
         suspect(RELATIVE, rolling_precession=precession_with_relative_spin),
@@ -605,11 +630,16 @@ def contact_tracks(cases_of_spin):
         suspect(SINE, rolling_precession=sine_for_tangent(balanced_precession)),
         suspect(DEGREES, rolling_precession=in_degrees(balanced_precession)),
     ],
-)  # fmt: skip
+)
 def rolling_precession_balances_the_moments(student, draw):
     """rolling_precession keeps the lean steady on the given track."""
-    agree(student.rolling_precession, tracks(draw), of="the precession", unit="of itself",
-          hint="put the rolling condition into the balance of moments about G")  # fmt: skip
+    agree(
+        student.rolling_precession,
+        tracks(draw),
+        of="the precession",
+        unit="of itself",
+        hint="put the rolling condition into the balance of moments about G",
+    )
 
 
 @check(points=0.5, part="a", after=rolling_precession_balances_the_moments)
@@ -624,15 +654,27 @@ def rolling_precession_holds_on_tracks_of_any_sign(student, draw):
     still = (given(lean, 0.0, **disk), right, right, "a long roller whose contact rests")
     track = smallest_track(lean, **disk) * draw.uniform(0.2, 0.8)
     right = balanced_precession(lean, track, **disk)
-    beyond = [(given(sign * lean, sign * track, **disk), right, right,
-               "a long roller whose contact lies beyond the centre of the circle") for sign in (1, -1)]  # fmt: skip
+    beyond = [
+        (
+            given(sign * lean, sign * track, **disk),
+            right,
+            right,
+            "a long roller whose contact lies beyond the centre of the circle",
+        )
+        for sign in (1, -1)
+    ]
     disk, lean = a_disk(draw, coin), draw.uniform(0.2, 1.2)
     track = smallest_track(lean, **disk) + disk["radius"] * draw.uniform(0.3, 0.6)
     right = balanced_precession(lean, track, **disk)
     small = (given(lean, track, **disk), right, right, KINDS[coin])
     steep = [almost_flat(lean, tracks(draw)[0][0].kwargs) for lean in STEEP_LEANS]
-    agree(student.rolling_precession, [*mirrored, still, *beyond, small, *steep], of="the precession", unit="of itself",
-          hint="which sign must the moment of the weight have?")  # fmt: skip
+    agree(
+        student.rolling_precession,
+        [*mirrored, still, *beyond, small, *steep],
+        of="the precession",
+        unit="of itself",
+        hint="which sign must the moment of the weight have?",
+    )
 
 
 def almost_flat(lean, disk):
@@ -654,21 +696,11 @@ def rolling_precession_is_zero_where_nothing_turns_it(student, draw):
         right = balanced_precession(SMALL_LEAN, R, **disk)
         for sign, word in ((1, "positive"), (-1, "negative")):
             plain += [
-                (
-                    given(0.0, sign * track, **disk),
-                    0.0,
-                    1.0,
-                    f"an upright disk and a {word} track radius{size}",
-                )
+                (given(0.0, sign * track, **disk), 0.0, 1.0, f"an upright disk and a {word} track radius{size}")
                 for track, size in ((R, ""), (0.05 * disk["radius"], ", far below the radius of the disk"))
             ]
             signed += [
-                (
-                    given(-sign * lean, sign * R, **still),
-                    0.0,
-                    1.0,
-                    "no gravity, and a lean away from the centre",
-                ),
+                (given(-sign * lean, sign * R, **still), 0.0, 1.0, "no gravity, and a lean away from the centre"),
                 (given(sign * SMALL_LEAN, sign * R, **disk), right, 1.0, "an almost upright disk"),
             ]
     for cases in (plain, signed):
@@ -680,10 +712,7 @@ def rolling_precession_refuses_what_does_not_exist(student, draw):
     """rolling_precession raises ValueError where no steady rolling exists, or every Omega would do."""
     for make in WHEELS:
         disk, lean = a_disk(draw, make), draw.uniform(0.2, 1.2)
-        wide, tight = (
-            disk["radius"] * draw.uniform(0.5, 5),
-            smallest_track(lean, **disk) * draw.uniform(0.1, 0.9),
-        )
+        wide, tight = (disk["radius"] * draw.uniform(0.5, 5), smallest_track(lean, **disk) * draw.uniform(0.1, 0.9))
         refused = (
             (-lean, wide, "a disk that leans away from the centre"),
             (lean, -wide, "a disk that leans away from the centre, seen in a mirror"),
@@ -709,16 +738,21 @@ def long_hoop(draw):
 
 
 def refuses(student, lean, track, kind, disk):
-    expect_that(student.on(kind).rolling_precession.refuses(lean, track, **disk),
-                "rolling_precession does not raise ValueError", kind=kind, at=(lean, track, disk),
-                hint="what would Omega^2 be?")  # fmt: skip
+    expect_that(
+        student.on(kind).rolling_precession.refuses(lean, track, **disk),
+        "rolling_precession does not raise ValueError",
+        kind=kind,
+        at=(lean, track, disk),
+        hint="what would Omega^2 be?",
+    )
 
 
 # (b) Sliding
 
 
 @check(
-    points=0.75, part="b",
+    points=0.75,
+    part="b",
     suspects=[
         suspect(RELATIVE, sliding_spin=relative_spin(sliding_force)),
         suspect("the spin of the rolling disk", sliding_spin=balanced_spin),
@@ -730,38 +764,48 @@ def refuses(student, lean, track, kind, disk):
         suspect(SINE, sliding_spin=sine_for_tangent(sliding)),
         suspect(DEGREES, sliding_spin=in_degrees(sliding)),
     ],
-)  # fmt: skip
+)
 def sliding_spin_balances_the_moments(student, draw):
     """sliding_spin is the total spin that keeps lean and precession steady where only the normal force acts."""
-    agree(student.sliding_spin, members(draw, sliding_force), of="the spin", unit="of its largest term",
-          hint="which part of the contact force is gone?")  # fmt: skip
-    agree(student.sliding_spin, plain_members(draw, sliding_force), of="the spin", unit="of its largest term",
-          hint="which of its terms are zero there?")  # fmt: skip
+    agree(
+        student.sliding_spin,
+        members(draw, sliding_force),
+        of="the spin",
+        unit="of its largest term",
+        hint="which part of the contact force is gone?",
+    )
+    agree(
+        student.sliding_spin,
+        plain_members(draw, sliding_force),
+        of="the spin",
+        unit="of its largest term",
+        hint="which of its terms are zero there?",
+    )
 
 
 @check(
-    points=0.5, part="b",
+    points=0.5,
+    part="b",
     suspects=[
         suspect(TO_CENTRE, sliding_track_radius=lambda lean, *, radius: 0.0),
         suspect("the cosine of the lean", sliding_track_radius=lambda lean, *, radius: radius * math.cos(lean)),
         suspect(REVERSED, sliding_track_radius=lambda lean, *, radius: -radius * math.sin(lean)),
-        suspect("the lean taken without its sign",
-                sliding_track_radius=lambda lean, *, radius: radius * math.sin(abs(lean))),
+        suspect(
+            "the lean taken without its sign", sliding_track_radius=lambda lean, *, radius: radius * math.sin(abs(lean))
+        ),
         suspect(DEGREES, sliding_track_radius=in_degrees(lambda lean, *, radius: rim(lean, radius) @ X)),
     ],
-)  # fmt: skip
+)
 def sliding_track_is_around_the_resting_centre(student, draw):
     """sliding_track_radius is the contact's distance from the vertical through G, signed as R is."""
     leans = [*(a_lean(draw) for _ in range(10)), 0.0]
     leans += [leans[0], STEEP_LEANS[0], -STEEP_LEANS[0]]
     radii = 10 ** draw.uniform(-1.5, 1, len(leans))
     cases = [
-        (given(lean, radius=a), rim(lean, a) @ X, a, SIGNS[np.sign(lean)])
-        for lean, a in zip(leans, radii, strict=True)
+        (given(lean, radius=a), rim(lean, a) @ X, a, SIGNS[np.sign(lean)]) for lean, a in zip(leans, radii, strict=True)
     ]
     cases.sort(key=lambda case: list(SIGNS.values()).index(case[3]))  # a sign is named if it is what matters
-    agree(student.sliding_track_radius, cases, of="the radius of the track", unit="of the disk's",
-          hint="where is G?")  # fmt: skip
+    agree(student.sliding_track_radius, cases, of="the radius of the track", unit="of the disk's", hint="where is G?")
 
 
 SIGNS = {1: "a lean inwards", -1: "a negative lean", 0: "an upright disk"}
@@ -783,7 +827,8 @@ def steep_leans(disk):
 
 
 @check(
-    points=0.75, part="c",
+    points=0.75,
+    part="c",
     suspects=[
         suspect(SWAPPED, common_precession=swapped(common)),
         suspect("A + m a^2 taken for A, as if G moved", common_precession=about_contact(common)),
@@ -791,7 +836,7 @@ def steep_leans(disk):
         suspect(HALF, common_precession=half_of_c(common)),
         suspect(DEGREES, common_precession=in_degrees(common)),
     ],
-)  # fmt: skip
+)
 def common_precession_is_in_both_families(student, draw):
     """common_precession is that of the motions which roll and slide at once."""
     cases = []
@@ -804,8 +849,13 @@ def common_precession_is_in_both_families(student, draw):
     for lean, disk, kind in other_gravities(cases[0][0]):
         right = common(lean, **disk)
         cases.append((given(lean, **disk), right, right, kind))
-    agree(student.common_precession, cases, of="the precession", unit="of itself",
-          hint="both tracks must be the same circle: what is the spin then?")  # fmt: skip
+    agree(
+        student.common_precession,
+        cases,
+        of="the precession",
+        unit="of itself",
+        hint="both tracks must be the same circle: what is the spin then?",
+    )
 
 
 @check(points=0.25, part="c", after=common_precession_is_in_both_families)
@@ -814,35 +864,53 @@ def common_precession_has_a_limit_upright(student, draw):
     for lean in (0.0, 1e-9, -1e-9):
         disk = a_disk(draw, wheel)
         right, kind = common(1e-4, **disk), "an upright disk" if lean == 0.0 else "an almost upright disk"
-        expect(student.on(kind).common_precession(lean, **disk), right, scale=right, of="the precession",
-               within=1e-7,  # the lean enters by its square, 1e-8
-               unit="of itself", at=(lean, disk), kind=kind, hint="cancel the sine first")  # fmt: skip
+        expect(
+            student.on(kind).common_precession(lean, **disk),
+            right,
+            scale=right,
+            of="the precession",
+            within=1e-7,  # the lean enters by its square, 1e-8
+            unit="of itself",
+            at=(lean, disk),
+            kind=kind,
+            hint="cancel the sine first",
+        )
     for lean, steep, kind in steep_leans(disk):
         right = common(lean, **steep)
-        expect(student.on(kind).common_precession(lean, **steep), right, within=WITHIN, scale=right,
-               of="the precession", unit="of itself", at=(lean, steep), kind=kind)  # fmt: skip
+        expect(
+            student.on(kind).common_precession(lean, **steep),
+            right,
+            within=WITHIN,
+            scale=right,
+            of="the precession",
+            unit="of itself",
+            at=(lean, steep),
+            kind=kind,
+        )
 
 
 @check(
-    points=0.5, part="c",
+    points=0.5,
+    part="c",
     suspects=[
         suspect(RELATIVE, contact_force=by_relative_spin(rolling_force)),
         suspect("m a spin^2 for the mass times the centripetal acceleration", contact_force=force_of_spin),
-        suspect("the sign of the inward force turned round",
-                contact_force=force_with(lambda inward, lean: -inward)),
-        suspect("the inward force taken without its sign",
-                contact_force=force_with(lambda inward, lean: abs(inward))),
-        suspect("the cosine of the lean in the inward force, which is horizontal",
-                contact_force=force_with(lambda inward, lean: inward * math.cos(lean))),
-        suspect("no inward force, as on the disk that slides",
-                contact_force=force_with(lambda inward, lean: 0.0)),
+        suspect("the sign of the inward force turned round", contact_force=force_with(lambda inward, lean: -inward)),
+        suspect("the inward force taken without its sign", contact_force=force_with(lambda inward, lean: abs(inward))),
+        suspect(
+            "the cosine of the lean in the inward force, which is horizontal",
+            contact_force=force_with(lambda inward, lean: inward * math.cos(lean)),
+        ),
+        suspect("no inward force, as on the disk that slides", contact_force=force_with(lambda inward, lean: 0.0)),
         suspect("R, of the contact's track, for the radius of the circle of G", contact_force=force_on_the_track),
         suspect("no weight in the normal force", contact_force=force_without_weight),
-        suspect("the cosine of the lean in the normal force, which is vertical",
-                contact_force=force_of_weight_along_the_disk),
+        suspect(
+            "the cosine of the lean in the normal force, which is vertical",
+            contact_force=force_of_weight_along_the_disk,
+        ),
         suspect("the normal force first; the inward force is asked first", contact_force=force_normal_first),
     ],
-)  # fmt: skip
+)
 def contact_force_moves_the_centre(student, draw):
     """contact_force gives the mass its centripetal acceleration and carries its weight."""
     cases = []
@@ -851,8 +919,7 @@ def contact_force_moves_the_centre(student, draw):
         scale = disk["mass"] * (disk["gravity"] + disk["radius"] * (abs(precession * spin) + precession**2))
         right = rolling_force(lean, precession, spin, **disk)
         cases.append((given(lean, precession, spin, **disk), right, scale, kind))
-    agree(student.contact_force, cases, of="the force", unit="of the forces at work",
-          hint=wrong_force)  # fmt: skip
+    agree(student.contact_force, cases, of="the force", unit="of the forces at work", hint=wrong_force)
 
 
 @check(points=0.25, part="c", after=contact_force_moves_the_centre)
@@ -862,8 +929,17 @@ def contact_force_of_straight_rolling(student, draw):
     weight = disk["mass"] * disk["gravity"]
     for spin, kind in ((usual(disk), "straight rolling, upright"), (0.0, "an upright disk at rest")):
         found = student.on(kind).contact_force(0.0, 0.0, spin, **disk)
-        expect(found, (0.0, weight), within=WITHIN, scale=weight, of="the force", unit="of the weight",
-               kind=kind, at=(spin, disk), hint="nothing there goes round")  # fmt: skip
+        expect(
+            found,
+            (0.0, weight),
+            within=WITHIN,
+            scale=weight,
+            of="the force",
+            unit="of the weight",
+            kind=kind,
+            at=(spin, disk),
+            hint="nothing there goes round",
+        )
 
 
 def wrong_force(found, right):
@@ -877,7 +953,8 @@ def wrong_force(found, right):
 
 
 @check(
-    points=0.75, part="c",
+    points=0.75,
+    part="c",
     suspects=[
         suspect(RELATIVE, moment_residual=by_relative_spin(residual)),
         suspect(SWAPPED, moment_residual=swapped(residual)),
@@ -889,7 +966,7 @@ def wrong_force(found, right):
         suspect("the inward force of steady rolling, not the one given", moment_residual=residual_of_rolling),
         suspect("the moment of the inward force turned round", moment_residual=residual_of_outward_force),
     ],
-)  # fmt: skip
+)
 def moment_residual_is_moment_minus_rate(student, draw):
     """moment_residual is the moment about G less the rate of angular momentum, for any motion and force."""
     cases = []
@@ -900,36 +977,48 @@ def moment_residual_is_moment_minus_rate(student, draw):
         if len(cases) % 5 == 4:
             inward, kind = 0.0, f"{kind}, no inward force"
         disk = only(disk, "mass", "radius", "inertia")
-        scale = disk["radius"] * (abs(inward) + abs(normal)) + sum(disk["inertia"]) * (
-            precession**2 + spin**2
-        )
+        scale = disk["radius"] * (abs(inward) + abs(normal)) + sum(disk["inertia"]) * (precession**2 + spin**2)
         motion = (lean, precession, spin, inward, normal)
         cases.append((given(*motion, **disk), residual(*motion, **disk), scale, kind))
     call, _, scale, _ = cases[0]
     other = {**call.kwargs, "inertia": tuple(2 * it for it in call.kwargs["inertia"])}
     cases.append((given(*call.args, **other), residual(*call.args, **other), 2 * scale, AGAIN))
-    agree(student.moment_residual, cases, of="the residual", unit="of its terms",
-          hint="Omega z x H: which parts of H go round?")  # fmt: skip
+    agree(
+        student.moment_residual,
+        cases,
+        of="the residual",
+        unit="of its terms",
+        hint="Omega z x H: which parts of H go round?",
+    )
 
 
 # (d) The shuddering coin
 
 
 @check(
-    points=0.75, part="d",
+    points=0.75,
+    part="d",
     suspects=[
         suspect("the potential energy alone", settling_energy=potential),
-        suspect("Omega, about the vertical, for the rate at which the disk turns about its diameter",
-                settling_energy=energy_with(lambda lean, p, inertia: 0.5 * inertia[0] * p**2)),
-        suspect(HALF, settling_energy=energy_with(lambda lean, p, inertia:
-                turning_energy(lean, p, (inertia[1] / 2, inertia[1])))),
+        suspect(
+            "Omega, about the vertical, for the rate at which the disk turns about its diameter",
+            settling_energy=energy_with(lambda lean, p, inertia: 0.5 * inertia[0] * p**2),
+        ),
+        suspect(
+            HALF,
+            settling_energy=energy_with(lambda lean, p, inertia: turning_energy(lean, p, (inertia[1] / 2, inertia[1]))),
+        ),
         suspect("the kinetic energy alone", settling_energy=settling_kinetic_energy),
-        suspect("the potential 0 where G of the upright disk is; it is 0 with G on the ground",
-                settling_energy=lambda lean, **disk: settled(lean, **disk) - potential(0.0, **disk)),
-        suspect("the sine for the cosine: the lean is measured from the vertical",
-                settling_energy=lambda lean, **disk: settled(lean, **disk) * math.tan(lean)),
+        suspect(
+            "the potential 0 where G of the upright disk is; it is 0 with G on the ground",
+            settling_energy=lambda lean, **disk: settled(lean, **disk) - potential(0.0, **disk),
+        ),
+        suspect(
+            "the sine for the cosine: the lean is measured from the vertical",
+            settling_energy=lambda lean, **disk: settled(lean, **disk) * math.tan(lean),
+        ),
     ],
-)  # fmt: skip
+)
 def settling_energy_adds_up(student, draw):
     """settling_energy is the kinetic and potential energy of the motion that rolls and slides at once."""
     cases = []
@@ -943,5 +1032,10 @@ def settling_energy_adds_up(student, draw):
     for lean, disk, kind in [*other_gravities(call), *steep_leans(call.kwargs)]:
         scale = disk["mass"] * disk["gravity"] * disk["radius"]
         cases.append((given(lean, **disk), settled(lean, **disk), scale, kind))
-    agree(student.settling_energy, cases, of="the energy", unit="of m g a",
-          hint="G is at rest; about which axis does the disk turn?")  # fmt: skip
+    agree(
+        student.settling_energy,
+        cases,
+        of="the energy",
+        unit="of m g a",
+        hint="G is at rest; about which axis does the disk turn?",
+    )

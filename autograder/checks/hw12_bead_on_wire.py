@@ -81,9 +81,7 @@ def integrated(newton, method, **tolerances):
     def simulate(t, x, v, **wire):
         from scipy.integrate import solve_ivp
 
-        found = solve_ivp(
-            lambda _, y: (y[1], newton(*y, **wire)), (t[0], t[-1]), (x, v), method, t, **tolerances
-        )
+        found = solve_ivp(lambda _, y: (y[1], newton(*y, **wire)), (t[0], t[-1]), (x, v), method, t, **tolerances)
         return found.y.T if found.success else np.full((len(t), 2), np.nan)
 
     return simulate
@@ -99,27 +97,30 @@ def equation_suspect(says, wrong):
         return [newton(*state, **wire) for state, wire in map(bead_of, points)]
 
     simulate = integrated(newton, "DOP853", rtol=1e-9, atol=1e-9)
-    return suspect(
-        says, within=1e-5, acceleration_newton=newton, lagrange_equation=lagrange, simulate=simulate
-    )
+    return suspect(says, within=1e-5, acceleration_newton=newton, lagrange_equation=lagrange, simulate=simulate)
 
 
 EQUATION_SUSPECTS = [
     equation_suspect("the kinetic energy of a flat wire, v for the speed", lambda s, c, v, g: -g * s),
     equation_suspect("the term 4 c^2 x v^2 missing", lambda s, c, v, g: -g * s / (1 + s**2)),
-    equation_suspect("the sign of the term 4 c^2 x v^2 reversed",
-                     lambda s, c, v, g: -s * (g - 2 * c * v**2) / (1 + s**2)),
-    equation_suspect("the term 4 c^2 x v^2 with v along the wire, where it is the rate of x",
-                     lambda s, c, v, g: -s * (g + 2 * c * v**2 / (1 + s**2)) / (1 + s**2)),
-    equation_suspect("gravity's share along the wire, the rate of the speed there, taken for x''",
-                     lambda s, c, v, g: -g * s / math.hypot(1, s)),
+    equation_suspect(
+        "the sign of the term 4 c^2 x v^2 reversed", lambda s, c, v, g: -s * (g - 2 * c * v**2) / (1 + s**2)
+    ),
+    equation_suspect(
+        "the term 4 c^2 x v^2 with v along the wire, where it is the rate of x",
+        lambda s, c, v, g: -s * (g + 2 * c * v**2 / (1 + s**2)) / (1 + s**2),
+    ),
+    equation_suspect(
+        "gravity's share along the wire, the rate of the speed there, taken for x''",
+        lambda s, c, v, g: -g * s / math.hypot(1, s),
+    ),
     equation_suspect("twice the term 4 c^2 x v^2, no dT/dx", lambda s, c, v, g: -s * (g + 4 * c * v**2) / (1 + s**2)),
     equation_suspect("the slope 2 c x not squared", lambda s, c, v, g: -(g * s + c * v**2) / (1 + s)),
     equation_suspect("c x for the slope 2 c x", lambda s, c, v, g: -s * (g + c * v**2 / 2) / (1 + s**2 / 4)),
     equation_suspect("the sign of gravity's term reversed", lambda s, c, v, g: -s * (2 * c * v**2 - g) / (1 + s**2)),
     equation_suspect("the curvature missing beside v^2", lambda s, c, v, g: -s * (g + 2 * v**2) / (1 + s**2)),
     equation_suspect("the slope without its sign", lambda s, c, v, g: -abs(s) * (g + 2 * c * v**2) / (1 + s**2)),
-]  # fmt: skip
+]
 
 
 def energy_suspect(says, kinetic, potential):
@@ -130,9 +131,7 @@ def energy_suspect(says, kinetic, potential):
         return kinetic(s) * mass * v**2 / 2, potential(s) * mass * gravity * curvature * x**2
 
     def lagrangian(points):
-        found = [
-            both(*state, mass=point["m"], **wire) for point in points for state, wire in [bead_of(point)]
-        ]
+        found = [both(*state, mass=point["m"], **wire) for point in points for state, wire in [bead_of(point)]]
         return [kinetic - potential for kinetic, potential in found]
 
     return suspect(says, energy=lambda x, v, **bead: sum(both(x, v, **bead)), lagrangian=lagrangian)
@@ -154,9 +153,7 @@ def beads(draw):
         curvature, gravity = 10 ** draw.uniform(-1, 1), draw.uniform(1, 25)
         x = 10 ** draw.uniform(-2, 0.6) / curvature * draw.choice([-1, 1])
         v = draw.uniform(0.4, 2) * math.sqrt(gravity / curvature) * draw.choice([-1, 1])
-        calls.append(
-            given(x, v, mass=10 ** draw.uniform(-1, 1), curvature=curvature, gravity=gravity * weight)
-        )
+        calls.append(given(x, v, mass=10 ** draw.uniform(-1, 1), curvature=curvature, gravity=gravity * weight))
     return calls + plain_beads(calls[0])
 
 
@@ -164,32 +161,17 @@ def plain_beads(call):
     """Calls with this x or v, the other zero or x small, or both zero, and with whole numbers; without gravity too."""
     x, v = call.args
     small = NEXT_TO_BOTTOM / call.kwargs["curvature"]
-    states = [
-        (0.0, abs(v)),
-        (0.0, -abs(v)),
-        (abs(x), 0.0),
-        (-abs(x), 0.0),
-        (0.0, 0.0),
-        (small, v),
-        (-small, v),
-    ]
+    states = [(0.0, abs(v)), (0.0, -abs(v)), (abs(x), 0.0), (-abs(x), 0.0), (0.0, 0.0), (small, v), (-small, v)]
     whole = {"mass": 1.0, "curvature": 1.0, "gravity": 1.0}
     return [
-        *(
-            given(*state, **{**call.kwargs, "gravity": g})
-            for state in states
-            for g in (call.kwargs["gravity"], 0.0)
-        ),
+        *(given(*state, **{**call.kwargs, "gravity": g}) for state in states for g in (call.kwargs["gravity"], 0.0)),
         *(given(*state, **whole) for state in ((1.0, 1.0), (-1.0, 1.0), (1.0, -1.0))),
     ]
 
 
 def massless(calls):
     """The same calls without the mass."""
-    return [
-        given(*call.args, curvature=call.kwargs["curvature"], gravity=call.kwargs["gravity"])
-        for call in calls
-    ]
+    return [given(*call.args, curvature=call.kwargs["curvature"], gravity=call.kwargs["gravity"]) for call in calls]
 
 
 def points_of(calls):
@@ -202,9 +184,7 @@ def points_of(calls):
 
 def kind_of(call, kind):
     x, v = call.args
-    where = (
-        ("a bead" if v else "a bead at rest") + ("" if x else " at the bottom") if not x or not v else kind
-    )
+    where = ("a bead" if v else "a bead at rest") + ("" if x else " at the bottom") if not x or not v else kind
     if next_to_bottom(call):
         where = "a bead next to the bottom"
     return where if call.kwargs["gravity"] else f"{where}, without gravity"
@@ -242,9 +222,17 @@ def lagrangian_is_kinetic_less_potential(student, draw):
     level = student.lagrangian.at([{**point, "x": 0.0, "v": 0.0} for point in points])
     for value, call in zip(student.lagrangian.at(points) - level, calls, strict=True):
         kinetic, potential = energies(*call.args, **call.kwargs)
-        expect(value, kinetic - potential, within=POINTWISE, scale=kinetic + potential or 1.0,
-               of="the Lagrangian", unit="of T + V", kind=kind_of(call, "random numbers for the symbols"), at=call,
-               hint="how fast is the bead along the wire when x changes at the rate v?")  # fmt: skip
+        expect(
+            value,
+            kinetic - potential,
+            within=POINTWISE,
+            scale=kinetic + potential or 1.0,
+            of="the Lagrangian",
+            unit="of T + V",
+            kind=kind_of(call, "random numbers for the symbols"),
+            at=call,
+            hint="how fast is the bead along the wire when x changes at the rate v?",
+        )
 
 
 @check(points=1.5, part="a", suspects=EQUATION_SUSPECTS)
@@ -253,9 +241,17 @@ def lagrange_gives_the_acceleration(student, draw):
     calls = massless(beads(draw))
     for value, call in zip(student.lagrange_equation.at(points_of(calls)), calls, strict=True):
         expected = acceleration(*call.args, **call.kwargs)
-        expect(value, expected, within=digits(call), scale=largest_term(call), of="x''", unit="of itself", at=call,
-               kind=kind_of(call, "random numbers for the symbols"),
-               hint="dT/dv depends on x, so its rate has a term with v; and dT/dx is not zero")  # fmt: skip
+        expect(
+            value,
+            expected,
+            within=digits(call),
+            scale=largest_term(call),
+            of="x''",
+            unit="of itself",
+            at=call,
+            kind=kind_of(call, "random numbers for the symbols"),
+            hint="dT/dv depends on x, so its rate has a term with v; and dT/dx is not zero",
+        )
 
 
 @check(points=1.5, part="b", suspects=EQUATION_SUSPECTS)
@@ -266,9 +262,17 @@ def newton_gives_the_acceleration(student, draw):
     calls.sort(key=lambda call: call.args[0] >= 0 or call.args[1] == 0)
     for value, call in zip(student.acceleration_newton.many(asked(calls)), calls, strict=True):
         expected = acceleration(*call.args, **call.kwargs)
-        expect(value, expected, within=digits(call), scale=largest_term(call), of="x''", unit="of itself", at=call,
-               kind=kind_of(call, ANY),
-               hint="differentiate y = c x^2 twice: y'' has two terms")  # fmt: skip
+        expect(
+            value,
+            expected,
+            within=digits(call),
+            scale=largest_term(call),
+            of="x''",
+            unit="of itself",
+            at=call,
+            kind=kind_of(call, ANY),
+            hint="differentiate y = c x^2 twice: y'' has two terms",
+        )
 
 
 def wrong_force(says, size, side=1, rate=lambda v, slope: v):
@@ -303,21 +307,32 @@ FORCE_SUSPECTS = [
     wrong_force("the sign of the term with v^2 reversed", lambda m, bend, g: m * (g - 2 * bend)),
     wrong_force("the sign of gravity reversed", lambda m, bend, g: m * (2 * bend - g)),
     wrong_force("a mass of 1 for the one given", lambda m, bend, g: g + 2 * bend),
-    wrong_force("v for the speed along the wire, where it is that along x", lambda m, bend, g: m * (g + 2 * bend),
-                rate=lambda v, slope: v / math.hypot(1, slope)),
-    suspect("the radius of curvature at the bottom, 1/(2 c), taken everywhere",
-            constraint_force=lambda x, v, **bead: unlike(x, v, rate=bent_as_at_the_bottom, **bead)),
-    suspect("y'' without the term 2 c v^2: y = c x^2 differentiated twice has two terms",
-            constraint_force=lambda x, v, **bead: unlike(x, v, rate=without_bend, **bead)),
-]  # fmt: skip
+    wrong_force(
+        "v for the speed along the wire, where it is that along x",
+        lambda m, bend, g: m * (g + 2 * bend),
+        rate=lambda v, slope: v / math.hypot(1, slope),
+    ),
+    suspect(
+        "the radius of curvature at the bottom, 1/(2 c), taken everywhere",
+        constraint_force=lambda x, v, **bead: unlike(x, v, rate=bent_as_at_the_bottom, **bead),
+    ),
+    suspect(
+        "y'' without the term 2 c v^2: y = c x^2 differentiated twice has two terms",
+        constraint_force=lambda x, v, **bead: unlike(x, v, rate=without_bend, **bead),
+    ),
+]
 DIRECTION_SUSPECTS = [
     wrong_force("the force reversed, that of the bead on the wire", lambda m, bend, g: -m * (g + 2 * bend)),
     wrong_force("the normal tilted to the wrong side", lambda m, bend, g: m * (g + 2 * bend), side=-1),
-    suspect("a force that always points to the left, where it points to the middle",
-            constraint_force=lambda x, v, **bead: to_the_left(x, v, **bead)),
-    suspect("a force straight up, not along the normal",
-            constraint_force=lambda x, v, **bead: [0.0, normal_force(x, v, **bead)]),
-]  # fmt: skip
+    suspect(
+        "a force that always points to the left, where it points to the middle",
+        constraint_force=lambda x, v, **bead: to_the_left(x, v, **bead),
+    ),
+    suspect(
+        "a force straight up, not along the normal",
+        constraint_force=lambda x, v, **bead: [0.0, normal_force(x, v, **bead)],
+    ),
+]
 
 
 def to_the_left(x, v, *, mass, curvature, gravity):
@@ -337,9 +352,17 @@ def forces(student, draw):
 def force_has_the_right_size(student, draw):
     """constraint_force: as large as carrying and turning the bead takes."""
     for force, size, call in forces(student, draw):
-        expect(math.hypot(*force), size, within=POINTWISE, scale=size or 1.0, of="the size of the force",
-               unit="of itself", kind=kind_of(call, ANY), at=call,
-               hint="what force does a bead need at the bottom, at rest and passing by?")  # fmt: skip
+        expect(
+            math.hypot(*force),
+            size,
+            within=POINTWISE,
+            scale=size or 1.0,
+            of="the size of the force",
+            unit="of itself",
+            kind=kind_of(call, ANY),
+            at=call,
+            hint="what force does a bead need at the bottom, at rest and passing by?",
+        )
 
 
 @check(points=0.5, part="b", after=force_has_the_right_size, suspects=DIRECTION_SUSPECTS)
@@ -350,9 +373,17 @@ def force_and_weight_make_the_acceleration(student, draw):
         mass, curvature, gravity = call.kwargs.values()
         along_x = acceleration(x, v, curvature=curvature, gravity=gravity)
         along_y = 2 * curvature * (x * along_x + v**2)
-        expect(force, [mass * along_x, mass * (along_y + gravity)], within=POINTWISE, scale=size or 1.0, of="the force",
-               unit="of its size", kind=kind_of(call, ANY), at=call,
-               hint="dot it with the tangent (1, 2 c x); and does it act on the bead?")  # fmt: skip
+        expect(
+            force,
+            [mass * along_x, mass * (along_y + gravity)],
+            within=POINTWISE,
+            scale=size or 1.0,
+            of="the force",
+            unit="of its size",
+            kind=kind_of(call, ANY),
+            at=call,
+            hint="dot it with the tangent (1, 2 c x); and does it act on the bead?",
+        )
 
 
 @check(points=1, part="b", suspects=ENERGY_SUSPECTS)
@@ -363,8 +394,17 @@ def energy_is_kinetic_and_potential(student, draw):
     calls.append(given(NEXT_TO_BOTTOM / bead["curvature"], NEXT_TO_BOTTOM * v, **bead))
     for value, call in zip(student.energy.many(asked(calls)), calls, strict=True):
         expected = sum(energies(*call.args, **call.kwargs))
-        expect(value, expected, within=POINTWISE, scale=expected or 1.0, of="the energy", unit="of itself", at=call,
-               kind=kind_of(call, ANY), hint="v is not the speed along the wire")  # fmt: skip
+        expect(
+            value,
+            expected,
+            within=POINTWISE,
+            scale=expected or 1.0,
+            of="the energy",
+            unit="of itself",
+            at=call,
+            kind=kind_of(call, ANY),
+            hint="v is not the speed along the wire",
+        )
 
 
 def inverse(function, values, low, high):
@@ -438,11 +478,20 @@ def judge_motion(student, case, kind, hint, within=TRAJECTORY):
     t, start, wire, expected, scale = case
     found = student.on(kind).simulate(t, *start, **wire)
     errors = np.max(np.abs(found - expected) / scale, axis=1)
-    expect(found, expected, within=within, scale=scale, of="x, or v,", unit="of its largest value", t=t, kind=kind,
-           hint=(lambda: hint(student, case, found, errors)) if callable(hint) else hint,
-           at=(start, wire), partial={1e-3: 0.5},
-           keeps=lambda: kept(t, energy_along(found, wire), within=ENERGY, of="the energy",
-                              unit="of itself"))  # fmt: skip
+    expect(
+        found,
+        expected,
+        within=within,
+        scale=scale,
+        of="x, or v,",
+        unit="of its largest value",
+        t=t,
+        kind=kind,
+        hint=(lambda: hint(student, case, found, errors)) if callable(hint) else hint,
+        at=(start, wire),
+        partial={1e-3: 0.5},
+        keeps=lambda: kept(t, energy_along(found, wire), within=ENERGY, of="the energy", unit="of itself"),
+    )
 
 
 def hint_of_large_motions(student, case, found, errors):
@@ -480,9 +529,7 @@ def hint_of_steps(otherwise, found_out, rows=None):
         first, last = (rows or first_off)(case, errors)
         if errors[last] <= TRAJECTORY or first == last:
             return otherwise
-        again = another(
-            student, np.concatenate([t[:first], np.linspace(t[first], t[last], 300)]), start, wire
-        )
+        again = another(student, np.concatenate([t[:first], np.linspace(t[first], t[last], 300)]), start, wire)
         better = again is not None and max(abs(again[-1] - expected[last]) / scale) <= BETTER * errors[last]
         return found_out if better else otherwise
 
@@ -492,9 +539,7 @@ def hint_of_steps(otherwise, found_out, rows=None):
 def hint_of_two_times(student, case, found, errors):
     """Whether the times, the start or the equation is what is mistaken."""
     stays = "the bead stays where it was let go" if np.all(found == found[0]) else ""
-    even = "it is the oscillation of small amplitudes: however small, the other terms are there" * harmonic(
-        case, found
-    )
+    even = "it is the oscillation of small amplitudes: however small, the other terms are there" * harmonic(case, found)
     otherwise = stays or even or "row 0 is the start, row 1 the other time"
     return hint_of_steps(otherwise, SAMPLED)(student, case, found, errors)
 
@@ -553,17 +598,11 @@ SIMULATE_SUSPECTS = [
 @check(points=1, part="b", suspects=SIMULATE_SUSPECTS)
 def simulate_slides(student, draw):
     """simulate: large motions, row i at t[i], row 0 the given state."""
-    judge_motion(
-        student, motion(draw, (0.4, 1.0), 15.0, 1000), "an amplitude near 1/c", hint_of_large_motions
-    )
+    judge_motion(student, motion(draw, (0.4, 1.0), 15.0, 1000), "an amplitude near 1/c", hint_of_large_motions)
 
 
-SAMPLED = (
-    "with more times in between, the same motion comes out far better: how t is sampled must not change it"
-)
-TOO_LONG = (
-    "with more times in between it comes out far better: the steps are too long for the turn at the bottom"
-)
+SAMPLED = "with more times in between, the same motion comes out far better: how t is sampled must not change it"
+TOO_LONG = "with more times in between it comes out far better: the steps are too long for the turn at the bottom"
 JOINED = (
     "asked for alone, its worst time comes out far better: are the rows the integrator's own at t (t_eval, or "
     "dense_output), or joined by straight lines?"
@@ -580,8 +619,15 @@ def simulate_needs_no_dense_times(student, draw):
         judge_motion(student, case, f"two times, the bead let go {kind}", hint_of_two_times)
     t, wire = uneven(draw, 5.0, 2), {"curvature": draw.uniform(0.5, 2), "gravity": draw.uniform(1, 25)}
     kind = "a bead at rest at the bottom, where it stays"
-    expect(student.on(kind).simulate(t, 0.0, 0.0, **wire), np.zeros((2, 2)), within=TRAJECTORY, of="x or v",
-           unit="m or m/s", kind=kind, at=wire)  # fmt: skip
+    expect(
+        student.on(kind).simulate(t, 0.0, 0.0, **wire),
+        np.zeros((2, 2)),
+        within=TRAJECTORY,
+        of="x or v",
+        unit="m or m/s",
+        kind=kind,
+        at=wire,
+    )
 
 
 CLOSE = "at rest, close to the bottom"
@@ -618,16 +664,24 @@ def simulate_without_gravity(student, draw):
     student.simulate(t, *start, **wire)  # who keeps it by times and start alone gives it again
     wire = {**wire, "gravity": 0.0}
     expected = exact(t - t[0], *start, **wire)
-    judge_motion(student, (t, start, wire, expected, np.max(np.abs(expected), axis=0)), "gravity 0",
-                 "is anything divided by gravity?")  # fmt: skip
+    judge_motion(
+        student,
+        (t, start, wire, expected, np.max(np.abs(expected), axis=0)),
+        "gravity 0",
+        "is anything divided by gravity?",
+    )
 
 
 @check(points=0.25, part="b", after=simulate_slides)
 def simulate_slides_down_steep_wires(student, draw):
     """simulate: an amplitude of many 1/c, where the bead turns sharply at the bottom."""
-    judge_motion(student, motion(draw, (5.0, 8.0), 60.0, 60), "an amplitude of several 1/c",
-                 hint_of_steps("is the tolerance tight enough for the sharp turn at the bottom?", TOO_LONG, first_turn),
-                 SHARP_TURN)  # fmt: skip
+    judge_motion(
+        student,
+        motion(draw, (5.0, 8.0), 60.0, 60),
+        "an amplitude of several 1/c",
+        hint_of_steps("is the tolerance tight enough for the sharp turn at the bottom?", TOO_LONG, first_turn),
+        SHARP_TURN,
+    )
 
 
 @check(points=0.25, part="b", after=simulate_slides)
@@ -640,9 +694,18 @@ def simulate_keeps_the_energy(student, draw):
     energy = energy_along(states, wire)
     # the last third is five periods or more, and the bead goes to and fro by twice its amplitude in each
     expect_that(np.ptp(states[-100:, 0]) > amplitude(*start, **wire), "the bead does not move", kind=kind)
-    expect(energy, np.ones(len(t)), within=ENERGY, of="the energy", unit="of itself", t=t,
-           kind=kind, at=(start, wire), partial={1e-3: 0.6, 1e-2: 0.3},
-           hint=lambda: hint_of_durations(student, t, start, wire, energy))  # fmt: skip
+    expect(
+        energy,
+        np.ones(len(t)),
+        within=ENERGY,
+        of="the energy",
+        unit="of itself",
+        t=t,
+        kind=kind,
+        at=(start, wire),
+        partial={1e-3: 0.6, 1e-2: 0.3},
+        hint=lambda: hint_of_durations(student, t, start, wire, energy),
+    )
 
 
 def hint_of_durations(student, t, start, wire, energy):
@@ -676,16 +739,17 @@ PERIOD_SUSPECTS = [
     period_suspect("the period of small amplitudes", lambda a: 2 * math.pi),
     period_suspect("the integral of the first kind for that of the second", lambda a: 4 * ellipk(-(a**2))),
     period_suspect("c x for the slope 2 c x", lambda a: 4 * ellipe(-(a**2) / 4)),
-    period_suspect(
-        "the first two terms of the series in the amplitude", lambda a: 2 * math.pi * (1 + a**2 / 4)
-    ),
+    period_suspect("the first two terms of the series in the amplitude", lambda a: 2 * math.pi * (1 + a**2 / 4)),
     period_suspect("half the period", lambda a: 2 * ellipe(-(a**2))),
-    period_suspect("the modulus for the parameter: SciPy's ellipe takes k^2",
-                   lambda a: 4 * math.hypot(1, a) * ellipe(a / math.hypot(1, a))),
+    period_suspect(
+        "the modulus for the parameter: SciPy's ellipe takes k^2",
+        lambda a: 4 * math.hypot(1, a) * ellipe(a / math.hypot(1, a)),
+    ),
     period_suspect("the modulus for the parameter: SciPy's ellipe takes k^2", lambda a: 4 * ellipe(-a)),
-    period_suspect("the factor before the integral, sqrt(1 + (2 c A)^2), missing",
-                   lambda a: 4 * ellipe(a**2 / (1 + a**2))),
-]  # fmt: skip
+    period_suspect(
+        "the factor before the integral, sqrt(1 + (2 c A)^2), missing", lambda a: 4 * ellipe(a**2 / (1 + a**2))
+    ),
+]
 
 
 def judge_periods(student, draw, steepness, kind, hint, within=PERIOD, decades=(-1, 1)):
@@ -703,8 +767,17 @@ def judge_periods(student, draw, steepness, kind, hint, within=PERIOD, decades=(
     periods, right = student.on(kind).period.many(calls), 4 * ellipe(-4 * steepness**2) / rates
     errors = np.abs(periods / right - 1)
     for found, expected, call in zip(periods, right, calls, strict=True):
-        expect(found, expected, within=within, scale=expected, of="the period", unit="of itself", kind=kind, at=call,
-               hint=(lambda: hint(steepness, errors)) if callable(hint) else hint)  # fmt: skip
+        expect(
+            found,
+            expected,
+            within=within,
+            scale=expected,
+            of="the period",
+            unit="of itself",
+            kind=kind,
+            at=call,
+            hint=(lambda: hint(steepness, errors)) if callable(hint) else hint,
+        )
 
 
 def hint_of_huge_amplitudes(steepness, errors):
@@ -718,17 +791,38 @@ def hint_of_huge_amplitudes(steepness, errors):
 @check(points=1, part="b", suspects=PERIOD_SUSPECTS)
 def period_is_exact(student, draw):
     """period: exact for amplitudes near 1/c."""
-    judge_periods(student, draw, draw.uniform(0.2, 0.6, 8), "an amplitude near 1/c",
-                  "the energy gives v at every x, and dt = dx/v")  # fmt: skip
+    judge_periods(
+        student,
+        draw,
+        draw.uniform(0.2, 0.6, 8),
+        "an amplitude near 1/c",
+        "the energy gives v at every x, and dt = dx/v",
+    )
 
 
 @check(points=0.5, part="b", after=period_is_exact)
 def period_of_small_and_of_huge_amplitudes(student, draw):
     """period: exact where the wire is almost flat and where it is almost upright."""
-    judge_periods(student, draw, np.full(2, 1e-5), "an amplitude of a hundred-thousandth of 1/c",
-                  "is a small number added under a root, or a tolerance absolute? 1e-15 m^2 is not small there",
-                  TINY, (0.5, 1))  # fmt: skip
-    judge_periods(student, draw, 10 ** draw.uniform(-3, -2, 3), "an amplitude of some thousandths of 1/c",
-                  "is a difference of nearly equal heights taken?")  # fmt: skip
-    judge_periods(student, draw, np.append(10 ** draw.uniform(1, 2, 3), 100.0), "an amplitude of many 1/c",
-                  hint_of_huge_amplitudes)  # fmt: skip
+    judge_periods(
+        student,
+        draw,
+        np.full(2, 1e-5),
+        "an amplitude of a hundred-thousandth of 1/c",
+        "is a small number added under a root, or a tolerance absolute? 1e-15 m^2 is not small there",
+        TINY,
+        (0.5, 1),
+    )
+    judge_periods(
+        student,
+        draw,
+        10 ** draw.uniform(-3, -2, 3),
+        "an amplitude of some thousandths of 1/c",
+        "is a difference of nearly equal heights taken?",
+    )
+    judge_periods(
+        student,
+        draw,
+        np.append(10 ** draw.uniform(1, 2, 3), 100.0),
+        "an amplitude of many 1/c",
+        hint_of_huge_amplitudes,
+    )

@@ -36,9 +36,7 @@ RESULTS = {
 NEEDS = ("numpy",)
 MANUAL = {"b": (2, "why the two methods agree for the centred cylinder and not for the other")}
 
-FORMULA = (
-    1e-9  # of the largest term: solving for the forces costs a few digits of 1e-16; wrong terms are off by .1
-)
+FORMULA = 1e-9  # of the largest term: solving for the forces costs a few digits of 1e-16; wrong terms are off by .1
 # solve_ivp at rtol = atol = 1e-9, whatever its method, stays below 1e-7 on these runs; wrong physics is off by .1.
 TRAJECTORY = 1e-6
 ENERGY = 5e-6  # the same integrators drift by up to 4e-7 on the longer runs
@@ -66,9 +64,7 @@ def balanced(phi, phi_dot, *, mass, radius, offset, inertia, slope, gravity):
     arm, first, second = (it.tolist() for it in arms(phi, radius, offset))
     from_G = -arm[0], -arm[1]  # to C
     pull = weight(mass, gravity, slope).tolist()
-    known = [
-        mass * it * phi_dot**2 - w for it, w in zip(second, pull, strict=True)
-    ]  # the force, but for m first phi''
+    known = [mass * it * phi_dot**2 - w for it, w in zip(second, pull, strict=True)]  # the force, but for m first phi''
     phi_ddot = clockwise(from_G, known) / (inertia - mass * clockwise(from_G, first))
     along, normal = (mass * it * phi_ddot + rest for it, rest in zip(first, known, strict=True))
     return np.array([phi_ddot, along, normal])
@@ -178,19 +174,25 @@ def force_by(part):
 
 # (along, normal), None where it is right
 WRONG_PARTS = {
-    "the acceleration of the centre along the ramp, r phi'', for that of G":
-        lambda m, r, a, turned, turning, w: (m * r * turning - w[0], None),
+    "the acceleration of the centre along the ramp, r phi'', for that of G": lambda m, r, a, turned, turning, w: (
+        m * r * turning - w[0],
+        None,
+    ),
     "a normal force that carries the weight alone, as at rest": lambda m, r, a, turned, turning, w: (None, -w[1]),
-    "a force along the ramp that holds the weight alone, as at rest":
-        lambda m, r, a, turned, turning, w: (-w[0], None),
-    "the acceleration of G off the ramp without its part with phi''":
-        lambda m, r, a, turned, turning, w: (None, m * (a - turned)[1] - w[1]),
-    "the acceleration of G off the ramp with the wrong sign of its part with phi_dot squared":
-        lambda m, r, a, turned, turning, w: (None, m * (2 * turned - a)[1] - w[1]),
+    "a force along the ramp that holds the weight alone, as at rest": lambda m, r, a, turned, turning, w: (-w[0], None),
+    "the acceleration of G off the ramp without its part with phi''": lambda m, r, a, turned, turning, w: (
+        None,
+        m * (a - turned)[1] - w[1],
+    ),
+    "the acceleration of G off the ramp, the wrong sign of its part with phi_dot squared": (
+        lambda m, r, a, turned, turning, w: (None, m * (2 * turned - a)[1] - w[1])
+    ),
     "the weight left out of the force along the ramp": lambda m, r, a, turned, turning, w: (m * a[0], None),
-    "the weight without the cosine of the slope in the normal force":
-        lambda m, r, a, turned, turning, w: (None, m * a[1] + math.hypot(*w)),
-}  # fmt: skip
+    "the weight without the cosine of the slope in the normal force": lambda m, r, a, turned, turning, w: (
+        None,
+        m * a[1] + math.hypot(*w),
+    ),
+}
 
 
 def up_the_ramp(*args, **cylinder):
@@ -304,10 +306,13 @@ ANY_TIMES = [
 def cylinder(draw, **fixed):
     mass, radius = draw.uniform(0.3, 5), draw.uniform(0.2, 3)
     drawn = {
-        "mass": mass, "radius": radius, "offset": radius * draw.uniform(0.3, 0.6),
-        "inertia": mass * radius**2 * draw.uniform(0.2, 0.8), "slope": draw.uniform(0.15, 1.2),
+        "mass": mass,
+        "radius": radius,
+        "offset": radius * draw.uniform(0.3, 0.6),
+        "inertia": mass * radius**2 * draw.uniform(0.2, 0.8),
+        "slope": draw.uniform(0.15, 1.2),
         "gravity": draw.uniform(1, 20),
-    }  # fmt: skip
+    }
     return {**drawn, **fixed}
 
 
@@ -355,16 +360,13 @@ def kind_of(motion, cylinder, names):
     }
     angles = [name for name, angle in zip(ANGLES, QUARTERS, strict=True) if angle == phi] or ["any angle"]
     signs = {0: "at rest", 1: "phi_dot above 0", -1: "phi_dot below 0"}
-    return ", ".join(
-        [says for says, it in special.items() if it] + angles + [signs[np.sign(it)] for it in rate]
-    )
+    return ", ".join([says for says, it in special.items() if it] + angles + [signs[np.sign(it)] for it in rate])
 
 
 def calls(of, *names, kind=""):
     """One call for each case, with these of the parameters, and of what kind it is."""
     return [
-        given(*motion, **{name: c[name] for name in names}).on(kind or kind_of(motion, c, names))
-        for *motion, c in of
+        given(*motion, **{name: c[name] for name in names}).on(kind or kind_of(motion, c, names)) for *motion, c in of
     ]
 
 
@@ -386,9 +388,17 @@ ALL = (*BODY, "slope", "gravity")
 def judge_accelerations(student, of, hint):
     asked = calls(of, *ALL)
     for found, call, (phi, phi_dot, c) in zip(student.acceleration.many(asked), asked, of, strict=True):
-        expect(found, balanced(phi, phi_dot, **c)[0], within=FORMULA, scale=acceleration_scale(phi, phi_dot, c),
-               of="phi''", unit="of the size of its terms", kind=call.kind, hint=hint,
-               at=(phi, phi_dot, c))  # fmt: skip
+        expect(
+            found,
+            balanced(phi, phi_dot, **c)[0],
+            within=FORMULA,
+            scale=acceleration_scale(phi, phi_dot, c),
+            of="phi''",
+            unit="of the size of its terms",
+            kind=call.kind,
+            hint=hint,
+            at=(phi, phi_dot, c),
+        )
 
 
 def acceleration_scale(phi, phi_dot, c):
@@ -402,8 +412,10 @@ def hint_of_rates(student, of):
         found = student.acceleration.many(calls(still, *ALL))
     except Failure:
         return "what is it at rest?"
-    errors = [abs(value - acceleration_of(*motion, **c)) / acceleration_scale(*motion, c)
-              for value, (*motion, c) in zip(found, still, strict=True)]  # fmt: skip
+    errors = [
+        abs(value - acceleration_of(*motion, **c)) / acceleration_scale(*motion, c)
+        for value, (*motion, c) in zip(found, still, strict=True)
+    ]
     if max(errors) <= FORMULA:
         return "at rest it is right: differentiate the position of G twice, and mind the terms in phi_dot squared"
     return "at rest it is wrong, too: look at the moment of the weight and at the inertia"
@@ -418,8 +430,15 @@ def centred_cylinder_rolls_by_both_methods(student, draw):
     found = student.naive_contact_acceleration.many(asked)
     for value, call, (phi, phi_dot, c) in zip(found, asked, of, strict=True):
         right = balanced(phi, phi_dot, **c)[0]
-        expect(value / right, 1, within=FORMULA, of="phi'' from M_C = I^C phi''", unit="of itself",
-               kind=call.kind, at=(phi, c))  # fmt: skip
+        expect(
+            value / right,
+            1,
+            within=FORMULA,
+            of="phi'' from M_C = I^C phi''",
+            unit="of itself",
+            kind=call.kind,
+            at=(phi, c),
+        )
 
 
 @check(points=1.5, part="a", suspects=ACCELERATION_SUSPECTS)
@@ -444,21 +463,33 @@ def at_rest(of):
 
 
 CONTACT_INERTIA_SUSPECTS = [
-    suspect("the height of G above the ramp for its distance from C",
-            contact_inertia=lambda phi, *, mass, radius, offset, inertia: inertia
-            + mass * (radius - offset * math.cos(phi)) ** 2),
-    suspect("the inertia about the centre",
-            contact_inertia=lambda phi, **c: c["inertia"] + c["mass"] * c["offset"] ** 2),
-    suspect("the distance from C to the centre, where that to G belongs",
-            contact_inertia=lambda phi, **c: c["inertia"] + c["mass"] * c["radius"] ** 2),
-    suspect("that of phi = 0 at every phi: G is as far from C there as r - e",
-            contact_inertia=lambda phi, **c: about_contact(0.0, **c)),
-    suspect("the distance from C to G by r^2 + e^2, which it is where O G is along the ramp",
-            contact_inertia=lambda phi, *, mass, radius, offset, inertia: inertia + mass * (radius**2 + offset**2)),
-    suspect("the given inertia taken as that about the centre",
-            contact_inertia=lambda phi, **c: about_contact(phi, **c) - c["mass"] * c["offset"] ** 2),
+    suspect(
+        "the height of G above the ramp for its distance from C",
+        contact_inertia=lambda phi, *, mass, radius, offset, inertia: (
+            inertia + mass * (radius - offset * math.cos(phi)) ** 2
+        ),
+    ),
+    suspect(
+        "the inertia about the centre", contact_inertia=lambda phi, **c: c["inertia"] + c["mass"] * c["offset"] ** 2
+    ),
+    suspect(
+        "the distance from C to the centre, where that to G belongs",
+        contact_inertia=lambda phi, **c: c["inertia"] + c["mass"] * c["radius"] ** 2,
+    ),
+    suspect(
+        "that of phi = 0 at every phi: G is as far from C there as r - e",
+        contact_inertia=lambda phi, **c: about_contact(0.0, **c),
+    ),
+    suspect(
+        "the distance from C to G by r^2 + e^2, which it is where O G is along the ramp",
+        contact_inertia=lambda phi, *, mass, radius, offset, inertia: inertia + mass * (radius**2 + offset**2),
+    ),
+    suspect(
+        "the given inertia taken as that about the centre",
+        contact_inertia=lambda phi, **c: about_contact(phi, **c) - c["mass"] * c["offset"] ** 2,
+    ),
     suspect("G on the other side of the centre", contact_inertia=offset_reversed(about_contact)),
-]  # fmt: skip
+]
 
 
 @check(points=1, part="a", suspects=CONTACT_INERTIA_SUSPECTS)
@@ -470,26 +501,43 @@ def contact_inertia_by_the_parallel_axis_theorem(student, draw):
     ):
         asked = calls(of, *BODY)
         for found, call, (phi, c) in zip(student.contact_inertia.many(asked), asked, of, strict=True):
-            expect(found / about_contact(phi, **parts(c, *BODY)), 1, within=FORMULA, of="I^C", unit="of itself",
-                   kind=call.kind, at=(phi, c), hint="how far is G from the contact, at this phi?")  # fmt: skip
+            expect(
+                found / about_contact(phi, **parts(c, *BODY)),
+                1,
+                within=FORMULA,
+                of="I^C",
+                unit="of itself",
+                kind=call.kind,
+                at=(phi, c),
+                hint="how far is G from the contact, at this phi?",
+            )
 
 
 NAIVE_SUSPECTS = [
     suspect("G on the other side of the centre", naive_contact_acceleration=offset_reversed(naive)),
-    suspect("the moment of a weight at the centre, where it acts at G",
-            naive_contact_acceleration=lambda phi, **c: c["mass"] * c["gravity"] * c["radius"] * math.sin(c["slope"])
-            / about_contact(phi, **parts(c, *BODY))),
-    suspect("the moment of the weight at G with sin(phi - slope), where sin(phi + slope) belongs",
-            naive_contact_acceleration=lambda phi, **c: naive(phi, **c) + more_by_slope(phi, -1, **c)),
-    suspect("phi measured from the vertical, where it is measured from the normal of the ramp",
-            naive_contact_acceleration=lambda phi, **c: naive(phi - c["slope"], **c)),
+    suspect(
+        "the moment of a weight at the centre, where it acts at G",
+        naive_contact_acceleration=lambda phi, **c: (
+            c["mass"] * c["gravity"] * c["radius"] * math.sin(c["slope"]) / about_contact(phi, **parts(c, *BODY))
+        ),
+    ),
+    suspect(
+        "the moment of the weight at G with sin(phi - slope), where sin(phi + slope) belongs",
+        naive_contact_acceleration=lambda phi, **c: naive(phi, **c) + more_by_slope(phi, -1, **c),
+    ),
+    suspect(
+        "phi measured from the vertical, where it is measured from the normal of the ramp",
+        naive_contact_acceleration=lambda phi, **c: naive(phi - c["slope"], **c),
+    ),
     suspect(DEGREES, naive_contact_acceleration=with_slope(math.radians, naive)),
-    suspect("I^G + m r^2 for I^C, which is that of a G at the centre",
-            naive_contact_acceleration=lambda phi, **c: moment_of_weight(phi, **c)
-            / (c["inertia"] + c["mass"] * c["radius"] ** 2)),
-    suspect("I^G for I^C",
-            naive_contact_acceleration=lambda phi, **c: moment_of_weight(phi, **c) / c["inertia"]),
-]  # fmt: skip
+    suspect(
+        "I^G + m r^2 for I^C, which is that of a G at the centre",
+        naive_contact_acceleration=lambda phi, **c: (
+            moment_of_weight(phi, **c) / (c["inertia"] + c["mass"] * c["radius"] ** 2)
+        ),
+    ),
+    suspect("I^G for I^C", naive_contact_acceleration=lambda phi, **c: moment_of_weight(phi, **c) / c["inertia"]),
+]
 
 
 @check(points=0.75, part="a", suspects=NAIVE_SUSPECTS)
@@ -503,9 +551,17 @@ def naive_acceleration_is_the_moment_over_the_inertia(student, draw):
         results = student.naive_contact_acceleration.many(asked)
         for found, call, (phi, c) in zip(results, asked, of, strict=True):
             scale = moment_scale(phi, 0.0, c) / about_contact(phi, **parts(c, *BODY))
-            expect(found, naive(phi, **c), within=FORMULA, scale=scale, of="phi'' from M_C = I^C phi''",
-                   unit="of the size of its terms", kind=call.kind, at=(phi, c),
-                   hint="M_C is the moment of the weight, which acts at G; I^C is that of this phi")  # fmt: skip
+            expect(
+                found,
+                naive(phi, **c),
+                within=FORMULA,
+                scale=scale,
+                of="phi'' from M_C = I^C phi''",
+                unit="of the size of its terms",
+                kind=call.kind,
+                at=(phi, c),
+                hint="M_C is the moment of the weight, which acts at G; I^C is that of this phi",
+            )
 
 
 # Part b: what is missing, the force, the energy, the motion
@@ -520,44 +576,57 @@ MISSING_SUSPECTS = [
     missing_suspect("twice the term: the whole rate of I^C times phi'", lambda *args, **c: 2 * missing(*args, **c)),
     missing_suspect("the sign reversed", lambda *args, **c: -missing(*args, **c)),
     missing_suspect("phi' where its square belongs", lambda phi, rate, **c: missing(phi, rate, **c) / (rate or 1.0)),
-    missing_suspect("phi' times its size, where its square belongs, which has no sign",
-                    lambda phi, rate, **c: math.copysign(1.0, rate) * missing(phi, rate, **c)),
-    missing_suspect("the cosine of phi for the sine",
-                    lambda phi, rate, **c: missing(phi + math.pi / 2, rate, **c)),
-    missing_suspect("the size of the sine of phi, where its sign matters: G may be on either side",
-                    lambda *args, **c: abs(missing(*args, **c))),
-]  # fmt: skip
+    missing_suspect(
+        "phi' times its size, where its square belongs, which has no sign",
+        lambda phi, rate, **c: math.copysign(1.0, rate) * missing(phi, rate, **c),
+    ),
+    missing_suspect("the cosine of phi for the sine", lambda phi, rate, **c: missing(phi + math.pi / 2, rate, **c)),
+    missing_suspect(
+        "the size of the sine of phi, where its sign matters: G may be on either side",
+        lambda *args, **c: abs(missing(*args, **c)),
+    ),
+]
 
 
 @check(points=1.25, part="b", suspects=MISSING_SUSPECTS)
 def missing_moment_makes_it_right(student, draw):
     """missing_moment: with it, I^C phi'' + missing_moment = M_C has the phi'' of the balances."""
-    for of in (
-        cases(draw, 20),
-        plain_cases(draw) + level_cases(draw),
-    ):
+    for of in (cases(draw, 20), plain_cases(draw) + level_cases(draw)):
         asked = calls(of, "mass", "radius", "offset")
         found = student.missing_moment.many(asked)
         for value, call, (phi, phi_dot, c) in zip(found, asked, of, strict=True):
-            expect(value, missing(phi, phi_dot, **parts(c, "mass", "radius", "offset")), within=FORMULA,
-                   scale=moment_scale(phi, phi_dot, c), of="the missing moment", unit="of m r^2 (g/r + phi_dot^2)",
-                   kind=call.kind, at=(phi, phi_dot, c),
-                   hint="what is the acceleration of the point of the cylinder that touches the ramp?")  # fmt: skip
+            expect(
+                value,
+                missing(phi, phi_dot, **parts(c, "mass", "radius", "offset")),
+                within=FORMULA,
+                scale=moment_scale(phi, phi_dot, c),
+                of="the missing moment",
+                unit="of m r^2 (g/r + phi_dot^2)",
+                kind=call.kind,
+                at=(phi, phi_dot, c),
+                hint="what is the acceleration of the point of the cylinder that touches the ramp?",
+            )
 
 
 FORCE_SUSPECTS = [
     suspect("the friction positive up the ramp", contact_force=up_the_ramp),
     suspect("normal first, along second", contact_force=lambda *args, **c: force_of(*args, **c)[::-1]),
-    suspect("the acceleration of G without its terms in phi_dot squared",
-            contact_force=force_from(acceleration_of, centripetal=0.0)),
-    suspect("the acceleration of G without alpha x r, its turning about the centre",
-            contact_force=force_from(acceleration_of, about_centre=0.0)),
+    suspect(
+        "the acceleration of G without its terms in phi_dot squared",
+        contact_force=force_from(acceleration_of, centripetal=0.0),
+    ),
+    suspect(
+        "the acceleration of G without alpha x r, its turning about the centre",
+        contact_force=force_from(acceleration_of, about_centre=0.0),
+    ),
     suspect("G on the other side of the centre", contact_force=offset_reversed(force_of)),
     suspect(DEGREES, contact_force=with_slope(math.radians, force_of)),
     *(suspect(says, contact_force=force_by(wrong)) for says, wrong in WRONG_PARTS.items()),
-    *(suspect(f"{says}, for the acceleration", contact_force=force_from(wrong))
-      for says, wrong in WRONG_ACCELERATIONS.items()),
-]  # fmt: skip
+    *(
+        suspect(f"{says}, for the acceleration", contact_force=force_from(wrong))
+        for says, wrong in WRONG_ACCELERATIONS.items()
+    ),
+]
 
 
 def judge_forces(student, of, hint, kind=""):
@@ -566,8 +635,17 @@ def judge_forces(student, of, hint, kind=""):
         scale = moment_scale(phi, phi_dot, c) / c["radius"]
         right = force_of(phi, phi_dot, **c)
         off = np.abs(np.subtract(found, right)) > FORMULA * scale
-        expect(found, right, within=FORMULA, scale=scale, of="the contact force", unit="of m (g + r phi_dot^2)",
-               kind=call.kind, hint=PARTS.get(tuple(off), hint), at=(phi, phi_dot, c))  # fmt: skip
+        expect(
+            found,
+            right,
+            within=FORMULA,
+            scale=scale,
+            of="the contact force",
+            unit="of m (g + r phi_dot^2)",
+            kind=call.kind,
+            hint=PARTS.get(tuple(off), hint),
+            at=(phi, phi_dot, c),
+        )
 
 
 DOWN = "along is positive down the ramp: on which part does friction act?"
@@ -575,8 +653,8 @@ DOWN = "along is positive down the ramp: on which part does friction act?"
 PARTS = {
     (True, False): "normal is right, along is not: m times the acceleration of G down the ramp, less m g sin(slope)",
     (False, True): "along is right, normal is not: G is accelerated off the ramp too, by phi'' and by phi_dot squared, "
-                   "and of its weight m g cos(slope) presses",
-}  # fmt: skip
+    "and of its weight m g cos(slope) presses",
+}
 
 
 @check(points=1.25, part="b", suspects=FORCE_SUSPECTS)
@@ -605,9 +683,7 @@ PULL_SUSPECTS = [suspect("a normal force below zero cut off to zero", contact_fo
 def contact_force_may_pull(student, draw):
     """contact_force: contact is kept in fast rolling too, where the ramp must pull, and without gravity."""
     hint = "contact is kept: the force is what keeping it needs"
-    fast = [
-        (phi / 9 + math.pi, 4 * rate, c) for phi, rate, c in cases(draw, 8)
-    ]  # G is high: it must be pulled
+    fast = [(phi / 9 + math.pi, 4 * rate, c) for phi, rate, c in cases(draw, 8)]  # G is high: it must be pulled
     pulled = pressed(plain_cases(draw), on=False)
     judge_forces(student, fast + pulled, hint, kind="a normal force below zero")
     judge_forces(student, cases(draw, 5, gravity=0.0), hint)
@@ -630,35 +706,51 @@ def potential_with(cosine):
 
 
 ENERGY_SUSPECTS = [
-    suspect("the height of G with cos(phi - slope), where cos(phi + slope) belongs",
-            energy=potential_with(lambda phi, slope: math.cos(phi - slope))),
-    suspect("the height of G with cos(phi) cos(slope), where cos(phi + slope) belongs",
-            energy=potential_with(lambda phi, slope: math.cos(phi) * math.cos(slope))),
-    suspect("the potential zero with G where it is at phi = 0",
-            energy=potential_from(lambda c: -c["offset"] * math.cos(c["slope"]))),
+    suspect(
+        "the height of G with cos(phi - slope), where cos(phi + slope) belongs",
+        energy=potential_with(lambda phi, slope: math.cos(phi - slope)),
+    ),
+    suspect(
+        "the height of G with cos(phi) cos(slope), where cos(phi + slope) belongs",
+        energy=potential_with(lambda phi, slope: math.cos(phi) * math.cos(slope)),
+    ),
+    suspect(
+        "the potential zero with G where it is at phi = 0",
+        energy=potential_from(lambda c: -c["offset"] * math.cos(c["slope"])),
+    ),
     suspect("the potential zero on the ramp", energy=potential_from(lambda c: -c["radius"] * math.cos(c["slope"]))),
-    suspect("the centre's speed for that of G",
-            energy=lambda phi, rate, **c: total_energy(phi, 0.0, **c)
-            + (c["mass"] * c["radius"] ** 2 + c["inertia"]) * rate**2 / 2),
-    suspect("the kinetic energy without that of G", energy=lambda phi, rate, **c: total_energy(phi, 0.0, **c)
-            + c["inertia"] * rate**2 / 2),
+    suspect(
+        "the centre's speed for that of G",
+        energy=lambda phi, rate, **c: (
+            total_energy(phi, 0.0, **c) + (c["mass"] * c["radius"] ** 2 + c["inertia"]) * rate**2 / 2
+        ),
+    ),
+    suspect(
+        "the kinetic energy without that of G",
+        energy=lambda phi, rate, **c: total_energy(phi, 0.0, **c) + c["inertia"] * rate**2 / 2,
+    ),
     suspect("G on the other side of the centre", energy=offset_reversed(total_energy)),
     suspect(DEGREES, energy=with_slope(math.radians, total_energy)),
-]  # fmt: skip
+]
 
 
 @check(points=1, part="b", suspects=ENERGY_SUSPECTS)
 def energy_of_G_and_of_turning(student, draw):
     """energy: of the motion of G, of the turning, and of the height of G."""
-    for of in (
-        cases(draw, 12) + cases(draw, 3, gravity=0.0),
-        plain_cases(draw) + level_cases(draw),
-    ):
+    for of in (cases(draw, 12) + cases(draw, 3, gravity=0.0), plain_cases(draw) + level_cases(draw)):
         asked = calls(of, *ALL)
         for found, call, (phi, phi_dot, c) in zip(student.energy.many(asked), asked, of, strict=True):
-            expect(found, total_energy(phi, phi_dot, **c), within=FORMULA, scale=9 * moment_scale(phi, phi_dot, c),
-                   of="the energy", unit="of its largest term", kind=call.kind, at=(phi, phi_dot, c),
-                   hint="where is G, and how high above the centre's place at phi = 0?")  # fmt: skip
+            expect(
+                found,
+                total_energy(phi, phi_dot, **c),
+                within=FORMULA,
+                scale=9 * moment_scale(phi, phi_dot, c),
+                of="the energy",
+                unit="of its largest term",
+                kind=call.kind,
+                at=(phi, phi_dot, c),
+                hint="where is G, and how high above the centre's place at phi = 0?",
+            )
 
 
 @once
@@ -691,14 +783,21 @@ def judge_runs(student, cases, hint):
         moves = np.ptp(expected, axis=0).max() > 3e-3  # more than has partial points
         stands = len(states) == 2 and moves and np.array_equal(*states)
         expect_that(not stands, "row 1 is the start again", kind=call.kind, at=call)
-        expect(states, expected, within=TRAJECTORY, of="phi, or phi_dot in its scale,", unit="of the distance rolled",
-               t=call.args[0], kind=call.kind, at=call, partial={1e-3: 0.5},
-               hint=partial(hint_of_rows, student, run, hint))  # fmt: skip
+        expect(
+            states,
+            expected,
+            within=TRAJECTORY,
+            of="phi, or phi_dot in its scale,",
+            unit="of the distance rolled",
+            t=call.args[0],
+            kind=call.kind,
+            at=call,
+            partial={1e-3: 0.5},
+            hint=partial(hint_of_rows, student, run, hint),
+        )
 
 
-JOINABLE = (
-    3e-2  # straight lines between the steps of a tight integration are off by less, to choose the words
-)
+JOINABLE = 3e-2  # straight lines between the steps of a tight integration are off by less, to choose the words
 JOINED = (
     "asked for alone, its worst time comes out far better: are the rows the integrator's own at t (t_eval, or "
     "dense_output), or joined by straight lines?"
@@ -723,10 +822,7 @@ def joined(student, states, expected, call, scale):
 def hint_of_rows(student, run, otherwise):
     """Whether the rows stop changing, as they do where a simulation ends, are those of small rocking, or joined."""
     states, _, call, _ = run
-    if (
-        call.kind in SPANS
-        and np.max(np.abs(states[:, 0] - linear(*call.args, **call.kwargs)[:, 0])) <= TRAJECTORY
-    ):
+    if call.kind in SPANS and np.max(np.abs(states[:, 0] - linear(*call.args, **call.kwargs)[:, 0])) <= TRAJECTORY:
         return "it is the small rocking of the linear equation, and the motion is not small"
     if len(states) > 2 and np.array_equal(states[-1], states[-2]):
         return "it stops: contact is kept, and the motion goes on, even where the ramp must pull"
@@ -743,21 +839,12 @@ def simulate_rolls_and_rocks(student, draw):
     judge_runs(student, runs(draw, 200), "put `acceleration` into an integrator; is its tolerance tight?")
 
 
-@check(
-    points=0.25,
-    part="b",
-    after=simulate_rolls_and_rocks,
-    suspects=ANY_TIMES,
-)
+@check(points=0.25, part="b", after=simulate_rolls_and_rocks, suspects=ANY_TIMES)
 def simulate_needs_no_dense_times(student, draw):
     """simulate: the same motion when only a few times are asked for."""
     few = runs(draw, 8)  # not fewer: odeint takes no more than 500 steps from one to the next unless told to
     judge_runs(student, few, "the steps of the integration are not those of t")
-    judge_runs(
-        student,
-        [heavy_side(draw)],
-        "the steps of the integration are not those of t; is the tolerance tight?",
-    )
+    judge_runs(student, [heavy_side(draw)], "the steps of the integration are not those of t; is the tolerance tight?")
     judge_runs(student, plain_runs(draw), "row 0 is the start, row 1 the other time")
 
 
@@ -832,18 +919,29 @@ def linear(t, amplitude, _, **cylinder):
 ROCKING = 5e-4  # of the amplitude: solve_ivp at 1e-9 is off by 4e-5, the square of the amplitude by 3e-5
 
 
-@check(points=0.25, part="b", after=simulate_rolls_and_rocks,
-       suspects=simulations(STANDS))  # fmt: skip
+@check(points=0.25, part="b", after=simulate_rolls_and_rocks, suspects=simulations(STANDS))
 def simulate_rocks_at_the_linear_frequency(student, draw):
     """simulate: small rocking on level ground has the frequency of the linear equation."""
     call, expected, scale = small_rocking(draw)
-    expect(student.simulate.many([call])[0] / scale, expected, within=ROCKING, of="phi or phi_dot",
-           unit="of its amplitude", t=call.args[0], kind=call.kind, at=call,
-           hint="is the tolerance absolute, and too coarse for a small motion?")  # fmt: skip
+    expect(
+        student.simulate.many([call])[0] / scale,
+        expected,
+        within=ROCKING,
+        of="phi or phi_dot",
+        unit="of its amplitude",
+        t=call.args[0],
+        kind=call.kind,
+        at=call,
+        hint="is the tolerance absolute, and too coarse for a small motion?",
+    )
 
 
-@check(points=0.5, part="b", after=simulate_rolls_and_rocks,
-       suspects=simulations({STILL: integrated(still_without_gravity)}))  # fmt: skip
+@check(
+    points=0.5,
+    part="b",
+    after=simulate_rolls_and_rocks,
+    suspects=simulations({STILL: integrated(still_without_gravity)}),
+)
 def simulate_keeps_the_energy(student, draw):
     """simulate: the energy stays what it was over many turns, with and without gravity."""
     runs = (({"gravity": 0.0}, "many turns without gravity"), ({"slope": 0.0}, "many turns on level ground"))
@@ -851,9 +949,18 @@ def simulate_keeps_the_energy(student, draw):
     for found, expected, t, rates, at, kind in sorted(judged, key=error_of_run, reverse=True):
         uniform = "phi_dot never changes: G is accelerated, and not by the weight alone"
         steps = "a step of fixed length, or a fixed number of them, does not do for every duration"
-        expect(found, expected, within=ENERGY, of="the energy", unit="of m r^2 (g/r + phi_dot^2) at the start",
-               t=t, kind=kind, at=at, partial={1e-4: 0.6, 1e-2: 0.3},
-               hint=steps if np.ptp(rates) else uniform)  # fmt: skip
+        expect(
+            found,
+            expected,
+            within=ENERGY,
+            of="the energy",
+            unit="of m r^2 (g/r + phi_dot^2) at the start",
+            t=t,
+            kind=kind,
+            at=at,
+            partial={1e-4: 0.6, 1e-2: 0.3},
+            hint=steps if np.ptp(rates) else uniform,
+        )
 
 
 def energies(student, draw, fixed, kind):

@@ -9,19 +9,7 @@ import math
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from tam570_grader import (
-    Failure,
-    array,
-    check,
-    expect,
-    expect_that,
-    given,
-    mistimed,
-    number,
-    once,
-    rows,
-    suspect,
-)
+from tam570_grader import Failure, array, check, expect, expect_that, given, mistimed, number, once, rows, suspect
 
 RESULTS = {
     "euler_state_derivative": array(8),
@@ -105,9 +93,7 @@ def jourdain(state, tensor=None, *, mass, radius, inertia, gravity):
         tensor = inertia[0] * np.eye(3) + (inertia[1] - inertia[0]) * np.outer(E[2], E[2])
     force = mass * (gravity * Z + rates @ moves_rate)
     moment = tensor @ (rates @ about_rate) + hat(omega) @ (tensor @ omega)
-    second = np.linalg.solve(
-        mass * moves @ moves.T + about @ tensor @ about.T, -moves @ force - about @ moment
-    )
+    second = np.linalg.solve(mass * moves @ moves.T + about @ tensor @ about.T, -moves @ force - about @ moment)
     return second, second @ about + rates @ about_rate, second @ moves + rates @ moves_rate
 
 
@@ -216,9 +202,7 @@ def matrix_path(t, state, wrong=(), **disk):
 # Wrong answers to name
 
 WRONG = {
-    "the contact point taken as fixed in the body (its place in the disk changes as the disk rolls)": (
-        "fixed",
-    ),
+    "the contact point taken as fixed in the body (its place in the disk changes as the disk rolls)": ("fixed",),
     "the rate of the frame e1, e2, e3 taken for that of the body": ("with_body",),
     "m a^2 missing: the force that moves the centre has a moment about it too": ("light",),
     "m where m a^2 belongs: right for a radius of 1 m alone": ("unit",),
@@ -362,12 +346,7 @@ def a_disk(draw, shape):
     C = draw.uniform(0.2, 1.1)
     A, C = SHAPES[shape] or (C * draw.uniform(0.6, 1.3), C)
     size = mass * radius**2
-    return {
-        "mass": mass,
-        "radius": radius,
-        "inertia": (A * size, C * size),
-        "gravity": draw.uniform(1.6, 25.0),
-    }
+    return {"mass": mass, "radius": radius, "inertia": (A * size, C * size), "gravity": draw.uniform(1.6, 25.0)}
 
 
 def usual(disk):
@@ -397,14 +376,16 @@ def plain_instants(draw):
     disk, found = a_disk(draw, "a wheel"), []
     rates = usual(disk) * draw.uniform(0.5, 2, 3) * draw.choice([-1, 1], 3)
     motions = (
-        ("a disk at rest", (0, 0, 0)), ("a disk that only rolls", (0, 0, 1)), ("a disk that only yaws", (1, 0, 0)),
-        ("a disk that only tilts", (0, 1, 0)), ("a steady tilt", (1, 0, 1)), ("no roll", (1, 1, 0)),
-    )  # fmt: skip
+        ("a disk at rest", (0, 0, 0)),
+        ("a disk that only rolls", (0, 0, 1)),
+        ("a disk that only yaws", (1, 0, 0)),
+        ("a disk that only tilts", (0, 1, 0)),
+        ("a steady tilt", (1, 0, 1)),
+        ("no roll", (1, 1, 0)),
+    )
     for kind, some in motions:
         for tilt, how in ((math.pi / 2, "upright"), (draw.uniform(0.4, 1.4), "tilted"), (2.0, "tilted")):
-            state = np.array(
-                [*draw.uniform(-2, 2, 2), draw.uniform(-4, 4), tilt, draw.uniform(-4, 4), *rates * some]
-            )
+            state = np.array([*draw.uniform(-2, 2, 2), draw.uniform(-4, 4), tilt, draw.uniform(-4, 4), *rates * some])
             found.append((state + 0.0, disk, f"{kind}, {how}"))
     ones = {"mass": 1.0, "radius": 1.0, "inertia": (0.25, 0.5), "gravity": 1.0}
     whole = np.array([0, 0, 0, math.pi / 4, 0, 1, 1, 1])
@@ -517,43 +498,72 @@ def with_attitude(change):
 
 
 @check(
-    points=0.5, part="a",
+    points=0.5,
+    part="a",
     suspects=[
-        suspect("R column by column, or transposed", matrix_state=lambda state, *, radius: np.concatenate(
-            [(m := placed(state, radius=radius))[:3], m[3:12].reshape(3, 3).T.ravel(), m[12:]])),
-        suspect("omega in body axes", matrix_state=lambda state, *, radius: np.concatenate(
-            [(m := placed(state, radius=radius))[:12], m[12:] @ attitude(state)])),
+        suspect(
+            "R column by column, or transposed",
+            matrix_state=lambda state, *, radius: np.concatenate(
+                [(m := placed(state, radius=radius))[:3], m[3:12].reshape(3, 3).T.ravel(), m[12:]]
+            ),
+        ),
+        suspect(
+            "omega in body axes",
+            matrix_state=lambda state, *, radius: np.concatenate(
+                [(m := placed(state, radius=radius))[:12], m[12:] @ attitude(state)]
+            ),
+        ),
         suspect(SPIN, matrix_state=lambda state, *, radius: placed(rolling_alone(state), radius=radius)),
-        suspect("the contact for the centre", matrix_state=lambda state, *, radius: np.concatenate(
-            [state[:2], [0.0], placed(state, radius=radius)[3:]])),
+        suspect(
+            "the contact for the centre",
+            matrix_state=lambda state, *, radius: np.concatenate([state[:2], [0.0], placed(state, radius=radius)[3:]]),
+        ),
         suspect("yaw and roll exchanged in R", matrix_state=with_attitude(exchanged)),
         suspect("yaw and roll exchanged", matrix_state=lambda state, **disk: placed(exchanged(state), **disk)),
-        suspect("the centre straight above the contact", matrix_state=lambda state, *, radius: np.concatenate(
-            [state[:2], placed(state, radius=radius)[2:]])),
-        suspect("roll' along z: it is along the axle", matrix_state=lambda state, *, radius: np.concatenate(
-            [placed(state, radius=radius)[:12], state[6] * frame(state)[0] + (state[5] + state[7]) * Z])),
-        suspect("the frame e1, e2, e3 for R: the roll left out", matrix_state=lambda state, *, radius: np.concatenate(
-            [(m := placed(state, radius=radius))[:3], frame(state).T.ravel(), m[12:]])),
+        suspect(
+            "the centre straight above the contact",
+            matrix_state=lambda state, *, radius: np.concatenate([state[:2], placed(state, radius=radius)[2:]]),
+        ),
+        suspect(
+            "roll' along z: it is along the axle",
+            matrix_state=lambda state, *, radius: np.concatenate(
+                [placed(state, radius=radius)[:12], state[6] * frame(state)[0] + (state[5] + state[7]) * Z]
+            ),
+        ),
+        suspect(
+            "the frame e1, e2, e3 for R: the roll left out",
+            matrix_state=lambda state, *, radius: np.concatenate(
+                [(m := placed(state, radius=radius))[:3], frame(state).T.ravel(), m[12:]]
+            ),
+        ),
     ],
-)  # fmt: skip
+)
 def matrix_state_places_the_disk(student, draw):
     """matrix_state has the centre, R row by row, and the total omega in space axes."""
     for state, disk, kind in instants(draw) + plain_instants(draw):
         right, radius = placed(state, radius=disk["radius"]), disk["radius"]
         sizes = (radius + np.abs(state[:2]).max(), 1.0, np.abs(state[5:]).sum() or 1.0)
         expect_parts(
-            PLACE, student.on(kind).matrix_state(state, radius=radius), right, np.repeat(sizes, [3, 9, 3]),
-            within=POINTWISE, at=(state, disk), kind=kind,
-        )  # fmt: skip
+            PLACE,
+            student.on(kind).matrix_state(state, radius=radius),
+            right,
+            np.repeat(sizes, [3, 9, 3]),
+            within=POINTWISE,
+            at=(state, disk),
+            kind=kind,
+        )
 
 
 CENTRE, MATRIX, OMEGA = slice(0, 3), slice(3, 12), slice(12, 15)
 PLACE = {"the centre": CENTRE, "R, row by row,": MATRIX, "omega in space axes": OMEGA}
 MATRIX_RATES = {"the centre's velocity": CENTRE, "dR/dt": MATRIX, "omega'": OMEGA}
 EULER_RATES = {
-    "the contact's velocity": slice(0, 2), "an angle's rate": slice(2, 5),
-    "yaw''": slice(5, 6), "tilt''": slice(6, 7), "roll''": slice(7, 8),
-}  # fmt: skip
+    "the contact's velocity": slice(0, 2),
+    "an angle's rate": slice(2, 5),
+    "yaw''": slice(5, 6),
+    "tilt''": slice(6, 7),
+    "roll''": slice(7, 8),
+}
 
 
 def expect_parts(parts, found, right, scale, **said):
@@ -579,8 +589,7 @@ def judged(function, cases, parts, *, given_as, right, scale, within, hint="", s
 
     for found, (state, disk, kind) in zip(results, cases, strict=True):
         expected = np.asarray(right(state, **disk))
-        expect_parts(parts, found, expected, scale(state, disk), within=within, at=(state, disk), kind=kind,
-                     hint=where)  # fmt: skip
+        expect_parts(parts, found, expected, scale(state, disk), within=within, at=(state, disk), kind=kind, hint=where)
 
 
 def omega_rate_of_angles(rates, state):
@@ -624,21 +633,35 @@ def half_wrong(states, wrong):
 
 
 @check(
-    points=1.25, part="a",
+    points=1.25,
+    part="a",
     suspects=[
         *told("euler_state_derivative", wrong_euler, IN_EULER),
-        suspect("the contact moving as fast as the centre", euler_state_derivative=lambda t, state, **disk:
-            np.concatenate([-disk["radius"] * components(state)[2] * frame(state)[0, :2],
-                            euler_rates(state, **disk)[2:]])),
-        suspect("the contact at rest (the point of the disk there is, the place is not)",
-                euler_state_derivative=lambda t, state, **disk: euler_rates(state, **disk) * ([0] * 2 + [1] * 6)),
+        suspect(
+            "the contact moving as fast as the centre",
+            euler_state_derivative=lambda t, state, **disk: np.concatenate(
+                [-disk["radius"] * components(state)[2] * frame(state)[0, :2], euler_rates(state, **disk)[2:]]
+            ),
+        ),
+        suspect(
+            "the contact at rest (the point of the disk there is, the place is not)",
+            euler_state_derivative=lambda t, state, **disk: euler_rates(state, **disk) * ([0] * 2 + [1] * 6),
+        ),
     ],
-)  # fmt: skip
+)
 def euler_equations_hold(student, draw):
     """euler_state_derivative balances momentum and angular momentum of a rolling disk, hoop and wheel."""
-    judged(student.euler_state_derivative, [*instants(draw), *plain_instants(draw)], EULER_RATES,
-           given_as=as_euler, right=euler_rates, spins=omega_rate_of_angles,
-           scale=euler_scale, within=POINTWISE, hint="test it on straight rolling, then on hw11's circles")  # fmt: skip
+    judged(
+        student.euler_state_derivative,
+        [*instants(draw), *plain_instants(draw)],
+        EULER_RATES,
+        given_as=as_euler,
+        right=euler_rates,
+        spins=omega_rate_of_angles,
+        scale=euler_scale,
+        within=POINTWISE,
+        hint="test it on straight rolling, then on hw11's circles",
+    )
 
 
 @check(points=0.25, part="a", after=euler_equations_hold)
@@ -648,8 +671,16 @@ def euler_equations_hold_next_to_flat_and_upright(student, draw):
     nearly = nearly_flat(draw, disk)
     upright = a_state(draw, disk, math.pi / 2) * [1, 1, 1, 1, 1, 1, 0, 0]
     cases = [*nearly, (upright, disk, "an upright disk that spins on a point")]
-    judged(student.euler_state_derivative, cases, EULER_RATES, given_as=as_euler, right=spun_euler_rates,
-           scale=euler_scale, within=FLAT, hint=NO_SINGULAR_TILT)  # fmt: skip
+    judged(
+        student.euler_state_derivative,
+        cases,
+        EULER_RATES,
+        given_as=as_euler,
+        right=spun_euler_rates,
+        scale=euler_scale,
+        within=FLAT,
+        hint=NO_SINGULAR_TILT,
+    )
 
 
 NO_SINGULAR_TILT = "no tilt but 0 and pi is singular"
@@ -662,10 +693,25 @@ def nearly_flat(draw, disk):
 def judge_balances(function, draw, hint):
     """The rates of a matrix state, those of a nearly flat disk last."""
     said = {"given_as": as_matrix, "scale": matrix_scale}
-    judged(function, [*instants(draw), *plain_instants(draw)], MATRIX_RATES, right=matrix_rates, within=POINTWISE,
-           hint=hint, spins=omega_rate_of_matrix, **said)  # fmt: skip
-    judged(function, nearly_flat(draw, a_disk(draw, "a wheel")), MATRIX_RATES, right=spun_matrix_rates, within=FLAT,
-           hint=NO_SINGULAR_TILT, **said)  # fmt: skip
+    judged(
+        function,
+        [*instants(draw), *plain_instants(draw)],
+        MATRIX_RATES,
+        right=matrix_rates,
+        within=POINTWISE,
+        hint=hint,
+        spins=omega_rate_of_matrix,
+        **said,
+    )
+    judged(
+        function,
+        nearly_flat(draw, a_disk(draw, "a wheel")),
+        MATRIX_RATES,
+        right=spun_matrix_rates,
+        within=FLAT,
+        hint=NO_SINGULAR_TILT,
+        **said,
+    )
 
 
 def as_euler(state, disk):
@@ -695,8 +741,7 @@ def balances_suspects(name):
     return [
         *told(name, wrong_matrix, IN_MATRIX),
         suspect(
-            "the inertias of body axes taken along those of space: I is R diag(A, A, C) R^T",
-            **{name: with_body_tensor},
+            "the inertias of body axes taken along those of space: I is R diag(A, A, C) R^T", **{name: with_body_tensor}
         ),
         suspect("dR/dt of an omega in body axes, where it is in space axes", **{name: as_in_body_axes}),
     ]
@@ -705,16 +750,17 @@ def balances_suspects(name):
 @check(points=0.75, part="a", suspects=balances_suspects("matrix_state_derivative"))
 def matrix_equations_hold(student, draw):
     """matrix_state_derivative balances momentum and angular momentum, and turns R by omega in space axes."""
-    judge_balances(
-        student.matrix_state_derivative, draw, hint="dR/dt from omega, then the balances in space axes"
-    )
+    judge_balances(student.matrix_state_derivative, draw, hint="dR/dt from omega, then the balances in space axes")
 
 
 @check(points=0.75, part="a", suspects=balances_suspects("multiplier_state_derivative"))
 def multiplier_equations_hold(student, draw):
     """multiplier_state_derivative balances momentum and angular momentum, the contact held by multipliers."""
-    judge_balances(student.multiplier_state_derivative, draw,
-                   hint="in space axes: m g, I = R diag(A, A, C) R^T; the constraint's rate, arm too")  # fmt: skip
+    judge_balances(
+        student.multiplier_state_derivative,
+        draw,
+        hint="in space axes: m g, I = R diag(A, A, C) R^T; the constraint's rate, arm too",
+    )
 
 
 # (b) Simulation, (c) both ways
@@ -724,9 +770,7 @@ TOLERANCE = "is the tolerance tight? rtol and atol of 1e-9 do"
 TIGHT = f"nearly right: {TOLERANCE}"
 NEARLY = 10  # times the limit; what joins the states of an integrator by straight lines is off by more
 BETTER = 0.1  # of the error is left where the times asked for are what matters, to choose the words
-SAMPLED = (
-    "with more times in between, the same motion comes out far better: how t is sampled must not change it"
-)
+SAMPLED = "with more times in between, the same motion comes out far better: how t is sampled must not change it"
 JOINED = (
     "asked for alone, its worst time comes out far better: are the states the integrator's own at t "
     "(t_eval, or dense_output), or joined by straight lines?"
@@ -798,7 +842,8 @@ def few_times_hint(error, within):
 
 
 @check(
-    points=0.75, part="b",
+    points=0.75,
+    part="b",
     suspects=[
         *told("simulate_euler", wrong_path, IN_EULER),
         *mistimed_suspects("simulate_euler", wrong_path(())),
@@ -808,7 +853,7 @@ def few_times_hint(error, within):
         suspect("x and y of the centre, where they are those of the contact", simulate_euler=centre_path),
         suspect("the tolerances that solve_ivp has when none are given", simulate_euler=by_default),
     ],
-)  # fmt: skip
+)
 def euler_simulation_follows_the_motion(student, draw):
     """simulate_euler follows the motion from any start, row i at t[i], row 0 the given state."""
     parts, disks = [], []
@@ -816,12 +861,27 @@ def euler_simulation_follows_the_motion(student, draw):
         found = student.on(kind).simulate_euler(t, right[0], **disk)
         parts.append((t, found, right, columns_scale(right, 2, disk["radius"]), kind))
         disks.append(disk)
-    expect_all(parts, within=TRAJECTORY, of="the state", unit="of its largest", partial=PARTIAL,
-               hint=lambda: near_hint(student.simulate_euler, disks, parts))  # fmt: skip
+    expect_all(
+        parts,
+        within=TRAJECTORY,
+        of="the state",
+        unit="of its largest",
+        partial=PARTIAL,
+        hint=lambda: near_hint(student.simulate_euler, disks, parts),
+    )
     for t, right, disk, kind in plain_paths(draw):
         found = student.on(kind).simulate_euler(t, right[0], **disk)
-        expect(found, right, within=TRAJECTORY, scale=columns_scale(right, 2, disk["radius"]), of="the state",
-               unit="of its largest", t=t, kind=kind, at=(right[0], disk))  # fmt: skip
+        expect(
+            found,
+            right,
+            within=TRAJECTORY,
+            scale=columns_scale(right, 2, disk["radius"]),
+            of="the state",
+            unit="of its largest",
+            t=t,
+            kind=kind,
+            at=(right[0], disk),
+        )
 
 
 @once
@@ -854,8 +914,16 @@ def expect_all(parts, **said):
 def expect_rolling(states, rough, *, hint, **said):
     """A disk that stands still breaks no law of what does not change: is it, roughly, where it should be?"""
     stands = "the disk does not move" if not np.ptp(states, axis=0).any() else hint
-    expect(states[:, 4], rough[:, 4], within=ROLLED, scale=np.abs(rough[:, 4]).max(), of="roll",
-           unit="of its largest", hint=stands, **said)  # fmt: skip
+    expect(
+        states[:, 4],
+        rough[:, 4],
+        within=ROLLED,
+        scale=np.abs(rough[:, 4]).max(),
+        of="roll",
+        unit="of its largest",
+        hint=stands,
+        **said,
+    )
 
 
 def error_of_run(part):
@@ -873,9 +941,7 @@ def appell_and_korteweg(tilts, start, *, mass, radius, inertia, gravity):
     found = []
     for end in (min(tilts) - 0.01, max(tilts) + 0.01):
         span, w = (start[3], end), components(start)[1:3]
-        found.append(
-            solve_ivp(rates, span, w, method="DOP853", rtol=1e-11, atol=1e-12, dense_output=True).sol
-        )
+        found.append(solve_ivp(rates, span, w, method="DOP853", rtol=1e-11, atol=1e-12, dense_output=True).sol)
     return np.array([found[int(tilt > start[3])](tilt) for tilt in tilts])
 
 
@@ -893,17 +959,24 @@ def euler_simulation_keeps_two_integrals(student, draw):
     hint = few_times_hint(max(map(error_of_run, parts)), KEPT)
     for states, rough, said in motions:
         expect_rolling(states, rough, hint=hint, **said)
-    expect_all(parts, within=KEPT, of="omega along e2 or e3 as a function of the tilt", unit="of the start's rates",
-               hint=hint, partial={1e-4: 0.5})  # fmt: skip
+    expect_all(
+        parts,
+        within=KEPT,
+        of="omega along e2 or e3 as a function of the tilt",
+        unit="of the start's rates",
+        hint=hint,
+        partial={1e-4: 0.5},
+    )
 
 
 @check(
-    points=0.75, part="b",
+    points=0.75,
+    part="b",
     suspects=[
         *told("simulate_matrix", wrong_matrix_path, IN_MATRIX),
         *mistimed_suspects("simulate_matrix", wrong_matrix_path(())),
     ],
-)  # fmt: skip
+)
 def matrix_simulation_follows_the_motion(student, draw):
     """simulate_matrix follows the motion from any start, row i at t[i], row 0 the given state."""
     parts, disks = [], []
@@ -912,18 +985,31 @@ def matrix_simulation_follows_the_motion(student, draw):
         found = student.on(kind).simulate_matrix(t, right[0], **disk)
         parts.append((t, found, right, columns_scale(right, 3, disk["radius"]), kind))
         disks.append(disk)
-    expect_all(parts, within=TRAJECTORY, of="the state", unit="of its largest", partial=PARTIAL,
-               hint=lambda: near_hint(student.simulate_matrix, disks, parts))  # fmt: skip
+    expect_all(
+        parts,
+        within=TRAJECTORY,
+        of="the state",
+        unit="of its largest",
+        partial=PARTIAL,
+        hint=lambda: near_hint(student.simulate_matrix, disks, parts),
+    )
     for t, states, disk, kind in plain_paths(draw):
         right = np.array([as_matrix(row, disk) for row in states])
         found = student.on(kind).simulate_matrix(t, right[0], **disk)
-        expect(found, right, within=TRAJECTORY, scale=columns_scale(right, 3, disk["radius"]), of="the state",
-               unit="of its largest", t=t, kind=kind, at=(right[0], disk))  # fmt: skip
+        expect(
+            found,
+            right,
+            within=TRAJECTORY,
+            scale=columns_scale(right, 3, disk["radius"]),
+            of="the state",
+            unit="of its largest",
+            t=t,
+            kind=kind,
+            at=(right[0], disk),
+        )
 
 
-@check(
-    points=0.5, part="c", after=(euler_simulation_follows_the_motion, matrix_simulation_follows_the_motion)
-)
+@check(points=0.5, part="c", after=(euler_simulation_follows_the_motion, matrix_simulation_follows_the_motion))
 def both_simulations_agree(student, draw):
     """Both simulations give one motion over a long time, and R stays a rotation with the disk on the ground."""
     for t, state, disk, kind, rough in starts(draw, 1, 6.0, 4):
@@ -933,15 +1019,41 @@ def both_simulations_agree(student, draw):
         R = found[:, 3:12].reshape(-1, 3, 3)
         products = R.transpose(0, 2, 1) @ R
         hint = few_times_hint(np.abs(products - np.eye(3)).max(), ROTATION)
-        expect(products, np.broadcast_to(np.eye(3), R.shape), within=ROTATION, t=t, of="R^T R", kind=kind,
-               at=(state, disk), hint=hint)  # fmt: skip
-        expect(found[:, 2], disk["radius"] * np.hypot(R[:, 0, 2], R[:, 1, 2]), within=KEPT, scale=disk["radius"],
-               t=t, of="the centre's height", unit="of the radius", kind=kind, at=(state, disk))  # fmt: skip
+        expect(
+            products,
+            np.broadcast_to(np.eye(3), R.shape),
+            within=ROTATION,
+            t=t,
+            of="R^T R",
+            kind=kind,
+            at=(state, disk),
+            hint=hint,
+        )
+        expect(
+            found[:, 2],
+            disk["radius"] * np.hypot(R[:, 0, 2], R[:, 1, 2]),
+            within=KEPT,
+            scale=disk["radius"],
+            t=t,
+            of="the centre's height",
+            unit="of the radius",
+            kind=kind,
+            at=(state, disk),
+        )
         scale = columns_scale(other, 3, disk["radius"])
         error = error_of_run((t, found, other, scale, kind))
-        expect(found, other, within=AGREED, scale=scale, t=t, kind=kind,
-               of="one simulation against the other", unit="of the largest", at=(state, disk),
-               hint=tight_hint(error, AGREED))  # fmt: skip
+        expect(
+            found,
+            other,
+            within=AGREED,
+            scale=scale,
+            t=t,
+            kind=kind,
+            of="one simulation against the other",
+            unit="of the largest",
+            at=(state, disk),
+            hint=tight_hint(error, AGREED),
+        )
         expect_rolling(states, rough, hint="", t=t, kind=kind, at=(state, disk))
 
 
@@ -953,35 +1065,58 @@ def steady_second(wrong):
 
 
 @check(
-    points=0.75, part="d",
+    points=0.75,
+    part="d",
     suspects=[
         *told("steady_residual", steady_second, within=CLOSE),
-        suspect("the lean to the other side", steady_residual=lambda lean, *args, **disk:
-                steady_second(())(-lean, *args, **disk)),
-        suspect("a moment: it is not divided by the inertia about the contact", steady_residual=lambda *args, **disk:
-                steady_second(())(*args, **disk) * (disk["inertia"][0] + disk["mass"] * disk["radius"]**2)),
-        suspect("the spin relative to the turning frame taken for the total spin", steady_residual=lambda lean, p,
-                spin, **disk: steady_second(())(lean, p, spin - p * math.sin(lean), **disk)),
+        suspect(
+            "the lean to the other side",
+            steady_residual=lambda lean, *args, **disk: steady_second(())(-lean, *args, **disk),
+        ),
+        suspect(
+            "a moment: it is not divided by the inertia about the contact",
+            steady_residual=lambda *args, **disk: (
+                steady_second(())(*args, **disk) * (disk["inertia"][0] + disk["mass"] * disk["radius"] ** 2)
+            ),
+        ),
+        suspect(
+            "the spin relative to the turning frame taken for the total spin",
+            steady_residual=lambda lean, p, spin, **disk: steady_second(())(lean, p, spin - p * math.sin(lean), **disk),
+        ),
         suspect("the sign turned round", steady_residual=lambda *a, **k: -steady_second(())(*a, **k)),
-        suspect("a moment divided by A alone: about the contact it is A + m a^2", steady_residual=lambda *args, **disk:
-                steady_second(())(*args, **disk) * (1 + disk["mass"] * disk["radius"]**2 / disk["inertia"][0])),
-        suspect("the spin or the precession the other way", steady_residual=lambda lean, p, spin, **disk:
-                steady_second(())(lean, p, -spin, **disk)),
-        suspect("roll' = spin + yaw' cos(tilt): the spin is roll' + yaw' cos(tilt)", steady_residual=lambda lean, p,
-                spin, **disk: steady_second(())(lean, p, spin - 2 * p * math.sin(lean), **disk)),
+        suspect(
+            "a moment divided by A alone: about the contact it is A + m a^2",
+            steady_residual=lambda *args, **disk: (
+                steady_second(())(*args, **disk) * (1 + disk["mass"] * disk["radius"] ** 2 / disk["inertia"][0])
+            ),
+        ),
+        suspect(
+            "the spin or the precession the other way",
+            steady_residual=lambda lean, p, spin, **disk: steady_second(())(lean, p, -spin, **disk),
+        ),
+        suspect(
+            "roll' = spin + yaw' cos(tilt): the spin is roll' + yaw' cos(tilt)",
+            steady_residual=lambda lean, p, spin, **disk: steady_second(())(
+                lean, p, spin - 2 * p * math.sin(lean), **disk
+            ),
+        ),
     ],
-)  # fmt: skip
+)
 def steady_residual_is_the_tilt_acceleration(student, draw):
     """steady_residual is tilt'' of the motion with this lean, precession and total spin, steady or not."""
-    drawn = [((draw.uniform(-1.4, 1.4), *(usual(disk) * draw.uniform(-2, 2, 2))), disk, kind)
-             for _, disk, kind in instants(draw)]  # fmt: skip
+    drawn = [
+        ((draw.uniform(-1.4, 1.4), *(usual(disk) * draw.uniform(-2, 2, 2))), disk, kind)
+        for _, disk, kind in instants(draw)
+    ]
     lean, precession, spin = abs(drawn[0][0][0]) + 0.1, *drawn[0][0][1:]
     plain = {
-        "exactly upright": (0.0, precession, spin), "no precession": (lean, 0.0, spin), 
+        "exactly upright": (0.0, precession, spin),
+        "no precession": (lean, 0.0, spin),
         "no spin": (-lean, precession, 0.0),
-        "a disk let go at rest": (lean, 0.0, 0.0), "straight rolling upright": (0.0, 0.0, spin),
+        "a disk let go at rest": (lean, 0.0, 0.0),
+        "straight rolling upright": (0.0, 0.0, spin),
         "spinning upright on a point": (0.0, precession, 0.0),
-    }  # fmt: skip
+    }
     for (lean, precession, spin), disk, kind in [
         *drawn,
         *((motion, drawn[0][1], kind) for kind, motion in plain.items()),
@@ -989,9 +1124,17 @@ def steady_residual_is_the_tilt_acceleration(student, draw):
     ]:
         state = steady(lean, precession, spin)
         found = student.on(kind).steady_residual(lean, precession, spin, **disk)
-        expect(found, jourdain(state, **disk)[0][1], kind=kind,
-               within=POINTWISE, scale=usual(disk) ** 2, of="tilt''", unit="of g/a", at=(state, disk),
-               hint="put tilt = lean + pi/2 and tilt' = 0 into your equations")  # fmt: skip
+        expect(
+            found,
+            jourdain(state, **disk)[0][1],
+            kind=kind,
+            within=POINTWISE,
+            scale=usual(disk) ** 2,
+            of="tilt''",
+            unit="of g/a",
+            at=(state, disk),
+            hint="put tilt = lean + pi/2 and tilt' = 0 into your equations",
+        )
 
 
 # (e) The picture
@@ -1014,9 +1157,7 @@ def wireframe_is_a_rolling_disk(student, draw):
     """wireframe is a closed regular polygon on the rim, and two perpendicular diameters that roll with the disk."""
     # five, always: a star of five sides is as regular as the pentagon
     for sides in (int(draw.integers(7, 30)), 3, 4, 5, 6):
-        judge_wireframe(
-            student, draw, a_disk(draw, "a wheel"), sides, f"{sides} sides" if sides < 7 else "many sides"
-        )
+        judge_wireframe(student, draw, a_disk(draw, "a wheel"), sides, f"{sides} sides" if sides < 7 else "many sides")
 
 
 def judge_wireframe(student, draw, disk, sides, kind):
@@ -1031,29 +1172,44 @@ def judge_wireframe(student, draw, disk, sides, kind):
             (off[:sides], "an end of a side", "centre = contact + a e2"),
             (off[sides:], "an end of a diameter", rim_to_rim),
         ):
-            expect(ends.max(), 0.0, within=POINTWISE, of=of, unit="radii from the rim", at=state, kind=kind,
-                   hint=hint)  # fmt: skip
+            expect(ends.max(), 0.0, within=POINTWISE, of=of, unit="radii from the rim", at=state, kind=kind, hint=hint)
         across = turned(angles[:, 1] - angles[:, 0], 2 * math.pi)
         middle = np.sort((angles[:sides, 0] + across[:sides] / 2) % (2 * math.pi))
-        expect(np.abs(across), [step] * sides + [math.pi] * 2, within=1e-8, of="the angle that a segment spans",
-               unit="rad", at=state, kind=kind, hint="the polygon first, then the diameters")  # fmt: skip
-        apart = np.diff(middle).min() > step / 2
-        expect_that(apart, "two sides are drawn in one place, and one is missing", kind=kind, at=state)
-        expect(np.diff(middle), step, within=1e-8, of="the angle from side to side", unit="rad", at=state, kind=kind,
-               hint="the polygon is closed")  # fmt: skip
-        quarter = abs(turned(angles[-1, 0] - angles[-2, 0], math.pi))
         expect(
-            quarter,
-            math.pi / 2,
+            np.abs(across),
+            [step] * sides + [math.pi] * 2,
             within=1e-8,
-            of="the angle between the diameters",
+            of="the angle that a segment spans",
             unit="rad",
             at=state,
             kind=kind,
+            hint="the polygon first, then the diameters",
         )
+        apart = np.diff(middle).min() > step / 2
+        expect_that(apart, "two sides are drawn in one place, and one is missing", kind=kind, at=state)
+        expect(
+            np.diff(middle),
+            step,
+            within=1e-8,
+            of="the angle from side to side",
+            unit="rad",
+            at=state,
+            kind=kind,
+            hint="the polygon is closed",
+        )
+        quarter = abs(turned(angles[-1, 0] - angles[-2, 0], math.pi))
+        expect(quarter, math.pi / 2, within=1e-8, of="the angle between the diameters", unit="rad", at=state, kind=kind)
         shape.append(angles[sides:, 0])
-    expect(turned(np.diff(shape, axis=0), math.pi), 0.0, within=1e-8, of="the diameters' place in the disk",
-           unit="rad", at=shape, kind=kind, hint="do they roll with the disk?")  # fmt: skip
+    expect(
+        turned(np.diff(shape, axis=0), math.pi),
+        0.0,
+        within=1e-8,
+        of="the diameters' place in the disk",
+        unit="rad",
+        at=shape,
+        kind=kind,
+        hint="do they roll with the disk?",
+    )
 
 
 # (f) Energy and force
@@ -1071,21 +1227,32 @@ def weight_moment(*, mass, radius, gravity, **_):
 
 
 @check(
-    points=0.5, part="f",
+    points=0.5,
+    part="f",
     suspects=[
         suspect(SPIN, energy=lambda state, **disk: energy(rolling_alone(state), **disk)),
-        suspect("the energy of turning alone: that of the moving centre left out", energy=lambda state, **disk:
-                energy(state, **disk) - 0.5 * disk["mass"] * disk["radius"]**2 * (
-                    components(state)[0]**2 + components(state)[2]**2)),
-        *(suspect(f"the energy of the moving centre left out that comes from {rate}", energy=with_centre(axis, -1))
-          for rate, axis in (("tilt'", 0), ("the spin", 2))),
+        suspect(
+            "the energy of turning alone: that of the moving centre left out",
+            energy=lambda state, **disk: (
+                energy(state, **disk)
+                - 0.5 * disk["mass"] * disk["radius"] ** 2 * (components(state)[0] ** 2 + components(state)[2] ** 2)
+            ),
+        ),
+        *(
+            suspect(f"the energy of the moving centre left out that comes from {rate}", energy=with_centre(axis, -1))
+            for rate, axis in (("tilt'", 0), ("the spin", 2))
+        ),
         suspect("m a^2 added to A for the rate along e2: the contact lies on e2", energy=with_centre(1, 1)),
-        suspect("the potential 0 where the disk is upright; it is 0 with the centre on the ground",
-                energy=lambda state, **disk: energy(state, **disk) - weight_moment(**disk)),
-        suspect("the height a of the upright disk, whatever the tilt", energy=lambda state, **disk:
-                energy(state, **disk) + weight_moment(**disk) * (1 - math.sin(state[3]))),
+        suspect(
+            "the potential 0 where the disk is upright; it is 0 with the centre on the ground",
+            energy=lambda state, **disk: energy(state, **disk) - weight_moment(**disk),
+        ),
+        suspect(
+            "the height a of the upright disk, whatever the tilt",
+            energy=lambda state, **disk: energy(state, **disk) + weight_moment(**disk) * (1 - math.sin(state[3])),
+        ),
     ],
-)  # fmt: skip
+)
 def energy_is_kinetic_and_potential(student, draw):
     """energy adds what moves, what turns and what is high."""
 
@@ -1108,16 +1275,23 @@ def judge_instants(function, draw, right, *, scale, of, look):
     results = function.many([given(state, **disk).on(kind) for state, disk, kind in cases])
 
     def where():
-        offs = np.array(
-            [found - right(state, **disk) for found, (state, disk, _) in zip(results, cases, strict=True)]
-        )
+        offs = np.array([found - right(state, **disk) for found, (state, disk, _) in zip(results, cases, strict=True)])
         limits = np.array([POINTWISE * scale(state, disk) for state, disk, _ in cases])
         wrong = np.abs(offs).reshape(len(cases), -1).max(axis=1) > limits
         return half_wrong([state for state, *_ in cases], wrong) or look(offs, limits, cases)
 
     for found, (state, disk, kind) in zip(results, cases, strict=True):
-        expect(found, right(state, **disk), within=POINTWISE, scale=scale(state, disk), of=of, unit="of its terms",
-               at=(state, disk), kind=kind, hint=where)  # fmt: skip
+        expect(
+            found,
+            right(state, **disk),
+            within=POINTWISE,
+            scale=scale(state, disk),
+            of=of,
+            unit="of its terms",
+            at=(state, disk),
+            kind=kind,
+            hint=where,
+        )
 
 
 @check(points=0.25, part="f", after=(euler_simulation_follows_the_motion, energy_is_kinetic_and_potential))
@@ -1129,8 +1303,16 @@ def energy_is_conserved(student, draw):
         hint = tight_hint(np.abs(found / right - 1).max(), ENERGY)
         said = {"t": t, "kind": kind, "at": (state, disk), "hint": hint}
         expect_rolling(states, rough, **said)
-        expect(found, right, within=ENERGY, scale=right, of="the energy", unit="of itself",
-               partial={1e-4: 0.6, 1e-3: 0.3}, **said)  # fmt: skip
+        expect(
+            found,
+            right,
+            within=ENERGY,
+            scale=right,
+            of="the energy",
+            unit="of itself",
+            partial={1e-4: 0.6, 1e-3: 0.3},
+            **said,
+        )
 
 
 def body_fixed_force(state, *, mass, radius, gravity, **rest):
@@ -1161,30 +1343,39 @@ def with_weight(force, times=1, *, mass, gravity, **_):
 def force_without_frame_rate(state, **disk):
     """As if the velocity of the centre, radius (-w3, 0, w1) along e1, e2, e3, changed by its components alone."""
     w1_rate, _, w3_rate = spun(state, **disk)
-    return with_weight(
-        disk["mass"] * disk["radius"] * np.array([-w3_rate, 0.0, w1_rate]) @ frame(state), **disk
-    )
+    return with_weight(disk["mass"] * disk["radius"] * np.array([-w3_rate, 0.0, w1_rate]) @ frame(state), **disk)
 
 
 @check(
-    points=0.75, part="f",
+    points=0.75,
+    part="f",
     suspects=[
         *told("contact_force", force_by, IN_EULER, within=CLOSE),
         suspect([*WRONG][0], contact_force=body_fixed_force),
-        suspect("the weight left out", contact_force=lambda state, **disk:
-                force(state, **disk) - disk["mass"] * disk["gravity"] * Z),
+        suspect(
+            "the weight left out",
+            contact_force=lambda state, **disk: force(state, **disk) - disk["mass"] * disk["gravity"] * Z,
+        ),
         suspect("the force of the disk on the ground", contact_force=lambda *a, **k: -force(*a, **k)),
-        suspect("the components along e1, e2, e3", contact_force=lambda state, **disk:
-                frame(state) @ force(state, **disk)),
-        suspect("the components along axes that roll with the disk", contact_force=lambda state, **disk:
-                attitude(state).T @ force(state, **disk)),
-        suspect("the components of the acceleration along e1, e2, e3 brought to space by R, which rolls",
-                contact_force=lambda state, **disk: with_weight(
-                    attitude(state) @ frame(state) @ with_weight(force(state, **disk), -1, **disk), **disk)),
-        suspect("the acceleration without the rate of e1, e2, e3, along which the velocity is taken",
-                contact_force=force_without_frame_rate),
+        suspect(
+            "the components along e1, e2, e3", contact_force=lambda state, **disk: frame(state) @ force(state, **disk)
+        ),
+        suspect(
+            "the components along axes that roll with the disk",
+            contact_force=lambda state, **disk: attitude(state).T @ force(state, **disk),
+        ),
+        suspect(
+            "the components of the acceleration along e1, e2, e3 brought to space by R, which rolls",
+            contact_force=lambda state, **disk: with_weight(
+                attitude(state) @ frame(state) @ with_weight(force(state, **disk), -1, **disk), **disk
+            ),
+        ),
+        suspect(
+            "the acceleration without the rate of e1, e2, e3, along which the velocity is taken",
+            contact_force=force_without_frame_rate,
+        ),
     ],
-)  # fmt: skip
+)
 def contact_force_moves_the_centre(student, draw):
     """contact_force is what the centre's acceleration and the weight ask for, in space axes."""
 
@@ -1197,14 +1388,9 @@ def contact_force_moves_the_centre(student, draw):
 def wrong_force(offs, limits, cases):
     """What is wrong with the force, if it can be told."""
     rights = [with_weight(force(state, **disk), -1, **disk) for state, disk, _ in cases]
-    sizes = [
-        abs(np.linalg.norm(right + off) - np.linalg.norm(right))
-        for right, off in zip(rights, offs, strict=True)
-    ]
+    sizes = [abs(np.linalg.norm(right + off) - np.linalg.norm(right)) for right, off in zip(rights, offs, strict=True)]
     if np.all(sizes <= limits):
-        return (
-            "m a of G has the right size and a wrong direction: are its components those along space x, y, z?"
-        )
+        return "m a of G has the right size and a wrong direction: are its components those along space x, y, z?"
     along = wrong_along("it", offs, [state for state, *_ in cases], limits)
     return along or "F = m a of G; the axes along which its velocity is known turn"
 
@@ -1223,51 +1409,88 @@ def growth_without_ma2(speed, **disk):
 
 
 @check(
-    points=0.5, part="g",
+    points=0.5,
+    part="g",
     suspects=[
-        suspect(says, critical_speed=with_inertia(critical, change)) for says, change in (
-            ("A and C swapped", lambda A, C: (C, A)), ("C/2 for A, as of a thin disk", lambda A, C: (C / 2, C)))
-    ] + [
-        suspect("the thin uniform disk's m a^2/4 and m a^2/2, whatever A and C", within=1e-8,
-                critical_speed=thin_disk(critical)),
-        suspect("m a^2 missing beside C", critical_speed=lambda **disk:
-                critical(**disk) / math.sqrt(without_ma2(**disk))),
-        suspect("9.81 m/s^2, whatever the gravity", critical_speed=lambda **disk:
-                critical(**{**disk, "gravity": 9.81})),
+        suspect(says, critical_speed=with_inertia(critical, change))
+        for says, change in (
+            ("A and C swapped", lambda A, C: (C, A)),
+            ("C/2 for A, as of a thin disk", lambda A, C: (C / 2, C)),
+        )
+    ]
+    + [
+        suspect(
+            "the thin uniform disk's m a^2/4 and m a^2/2, whatever A and C",
+            within=1e-8,
+            critical_speed=thin_disk(critical),
+        ),
+        suspect(
+            "m a^2 missing beside C", critical_speed=lambda **disk: critical(**disk) / math.sqrt(without_ma2(**disk))
+        ),
+        suspect(
+            "9.81 m/s^2, whatever the gravity", critical_speed=lambda **disk: critical(**{**disk, "gravity": 9.81})
+        ),
         suspect("the critical spin for the speed", critical_speed=lambda **disk: critical(**disk) / disk["radius"]),
     ],
-)  # fmt: skip
+)
 def critical_speed_parts_stable_from_unstable(student, draw):
     """critical_speed is the centre's speed at which a small lean neither grows nor swings."""
     cases = critical_speeds(draw)
     speeds = student.critical_speed.many([given(**disk).on(kind) for disk, *_, kind in cases])
     for found, (disk, right, scale, kind) in zip(speeds, cases, strict=True):
-        expect(found, right, within=1e-7, scale=scale, of="the critical speed",
-               unit="of itself", at=disk, kind=kind, hint="linearise; what is yaw' to first order?")  # fmt: skip
+        expect(
+            found,
+            right,
+            within=1e-7,
+            scale=scale,
+            of="the critical speed",
+            unit="of itself",
+            at=disk,
+            kind=kind,
+            hint="linearise; what is yaw' to first order?",
+        )
 
 
 @check(
-    points=0.75, part="h",
+    points=0.75,
+    part="h",
     suspects=[
         suspect("the sign turned round", growth_rate_squared=lambda *a, **k: -growth(*a, **k)),
         suspect("A and C swapped", growth_rate_squared=with_inertia(growth, lambda A, C: (C, A))),
-        suspect("m a^2 missing about the contact", growth_rate_squared=lambda speed, **disk:
-                growth(speed, **disk) * (1 + disk["mass"] * disk["radius"]**2 / disk["inertia"][0])),
+        suspect(
+            "m a^2 missing about the contact",
+            growth_rate_squared=lambda speed, **disk: (
+                growth(speed, **disk) * (1 + disk["mass"] * disk["radius"] ** 2 / disk["inertia"][0])
+            ),
+        ),
         suspect("m a^2 missing beside C", growth_rate_squared=growth_without_ma2),
-        suspect("C/2 for A, as of a thin disk", within=1e-8,
-                growth_rate_squared=with_inertia(growth, lambda A, C: (C / 2, C))),
-        suspect("9.81 m/s^2, whatever the gravity", growth_rate_squared=lambda speed, **disk:
-                growth(speed, **{**disk, "gravity": 9.81})),
-        suspect("the spin for the speed", growth_rate_squared=lambda speed, **disk:
-                growth(speed * disk["radius"], **disk)),
+        suspect(
+            "C/2 for A, as of a thin disk",
+            within=1e-8,
+            growth_rate_squared=with_inertia(growth, lambda A, C: (C / 2, C)),
+        ),
+        suspect(
+            "9.81 m/s^2, whatever the gravity",
+            growth_rate_squared=lambda speed, **disk: growth(speed, **{**disk, "gravity": 9.81}),
+        ),
+        suspect(
+            "the spin for the speed", growth_rate_squared=lambda speed, **disk: growth(speed * disk["radius"], **disk)
+        ),
     ],
-)  # fmt: skip
+)
 def growth_rate_is_that_of_a_small_lean(student, draw):
     """growth_rate_squared is the lean's, on both sides of the critical speed, at rest and without gravity."""
     cases = growths(draw)
-    rates = student.growth_rate_squared.many(
-        [given(speed, **disk).on(kind) for speed, disk, *_, kind in cases]
-    )
+    rates = student.growth_rate_squared.many([given(speed, **disk).on(kind) for speed, disk, *_, kind in cases])
     for found, (speed, disk, right, scale, kind) in zip(rates, cases, strict=True):
-        expect(found, right, within=1e-7, scale=scale, at=(speed, disk),
-               of="the square of the rate", unit="of its terms", kind=kind, hint="linearise about upright")  # fmt: skip
+        expect(
+            found,
+            right,
+            within=1e-7,
+            scale=scale,
+            at=(speed, disk),
+            of="the square of the rate",
+            unit="of its terms",
+            kind=kind,
+            hint="linearise about upright",
+        )

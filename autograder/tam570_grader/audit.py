@@ -31,12 +31,7 @@ def add_audit(commands: Commands) -> argparse.ArgumentParser:
     add("--quick", action="store_true", help="a small fixed sample")
     add("--json", action="store_true", help="print a JSON object for each assignment, one a line")
     _add_questions(audit.add_mutually_exclusive_group().add_argument)
-    add(
-        "--keep",
-        type=Path,
-        metavar="FILE",
-        help="add the lines of --fairness there; what is there is not run again",
-    )
+    add("--keep", type=Path, metavar="FILE", help="add the lines of --fairness there; what is there is not run again")
     add("--function", nargs="+", metavar="NAME", default=[], help="mutants of these functions alone")
     add("--jobs", type=positive, metavar="N", default=cores(), help="processes (default: %(default)s)")
     return audit
@@ -45,19 +40,20 @@ def add_audit(commands: Commands) -> argparse.ArgumentParser:
 def _add_questions(add: Callable[..., Any]) -> None:
     """What is asked instead of what becomes of mutants."""
     add(
-        "--fairness", nargs="?", type=positive, const=100, metavar="N",
+        "--fairness",
+        nargs="?",
+        type=positive,
+        const=100,
+        metavar="N",
         help="do right submissions ever lose points? with N seeds (default: %(const)s)",
-    )  # fmt: skip
+    )
+    add("--diagnosis", action="store_true", default=None, help="does feedback name the mistakes of wrong ones?")
     add(
-        "--diagnosis",
+        "--margins",
         action="store_true",
         default=None,
-        help="does feedback name the mistakes of wrong ones?",
-    )
-    add(
-        "--margins", action="store_true", default=None,
         help="how far do limits lie from a careful student's errors, and from wrong physics?",
-    )  # fmt: skip
+    )
 
 
 def _audit(arguments: argparse.Namespace) -> int:
@@ -127,8 +123,4 @@ def _margins(course: Path, slug: str, arguments: argparse.Namespace) -> Answer:
     return margins.as_json(slug, found), margins.report(slug, found), margins.faults(found)
 
 
-QUESTIONS: dict[str, Question] = {
-    "fairness": _fairness,
-    "diagnosis": _diagnosis,
-    "margins": _margins,
-}
+QUESTIONS: dict[str, Question] = {"fairness": _fairness, "diagnosis": _diagnosis, "margins": _margins}

@@ -26,18 +26,7 @@ import numpy as np
 
 from tam570_grader.curves import Curve, curve
 
-__all__ = [
-    "Check",
-    "Failure",
-    "Given",
-    "Suspect",
-    "check",
-    "expect",
-    "expect_that",
-    "given",
-    "once",
-    "suspect",
-]
+__all__ = ["Check", "Failure", "Given", "Suspect", "check", "expect", "expect_that", "given", "once", "suspect"]
 
 T = TypeVar("T")
 # values that `once` keeps, and answers of a suspect; with inputs of its own for each student a run makes thousands
@@ -91,11 +80,7 @@ class Check:
 
 
 def check(
-    *,
-    points: float,
-    part: str,
-    after: Check | Sequence[Check] = (),
-    suspects: Iterable[Suspect] = (),
+    *, points: float, part: str, after: Check | Sequence[Check] = (), suspects: Iterable[Suspect] = ()
 ) -> Callable[[Callable[[Any, np.random.Generator], None]], Check]:
     """Make a function a check worth `points` in a lettered part, run only when all of `after` have passed."""
     needed = (after,) if isinstance(after, Check) else tuple(after)
@@ -201,9 +186,7 @@ def expect(
     raise Failure(message, fraction=fraction, expected=expected, actual=actual, at=at, picture=picture)
 
 
-def expect_that(
-    holds: Any, says: str, *, kind: str = "", hint: str | Callable[[], str] = "", at: Any = None
-) -> None:
+def expect_that(holds: Any, says: str, *, kind: str = "", hint: str | Callable[[], str] = "", at: Any = None) -> None:
     """Fail with `says` (what is wrong) unless the condition holds."""
     if holds:
         return
@@ -240,9 +223,7 @@ def once(compute: Callable[..., T]) -> Callable[..., T]:
     @functools.wraps(compute)
     def remembered(draw: np.random.Generator, *args: Any) -> T:
         key = (repr(draw.bit_generator.state), *args)
-        value, draw.bit_generator.state = known.value(
-            key, lambda: (compute(draw, *args), draw.bit_generator.state)
-        )
+        value, draw.bit_generator.state = known.value(key, lambda: (compute(draw, *args), draw.bit_generator.state))
         return value  # type: ignore[no-any-return]
 
     return remembered

@@ -33,9 +33,7 @@ SPACES = r"\\(?:[ ,:;/>]|(?:quad|qquad|enspace|thinspace)(?![A-Za-z])|hspace\{[^
 
 def readable(picture: "Drawing") -> "Drawing":
     """What a student draws, its labels without TeX's fonts and spaces, and of its lines those that are curves."""
-    xlabel, ylabel = (
-        re.sub(SPACES, " ", re.sub(FONTS, "", label)) for label in (picture.xlabel, picture.ylabel)
-    )
+    xlabel, ylabel = (re.sub(SPACES, " ", re.sub(FONTS, "", label)) for label in (picture.xlabel, picture.ylabel))
     lines = (replace(line, points=_told_apart(line.points)) for line in picture.lines)
     curves = tuple(line for line in lines if len(line.points) >= FEWEST)
     return replace(picture, lines=curves, xlabel=xlabel, ylabel=ylabel)
@@ -60,9 +58,7 @@ def along(line: "Line", path: Array) -> Array:
     return line.points[np.argsort(nearest + beyond / np.maximum(lengths2, 1e-300))]
 
 
-def curve(
-    t: Any, actual: Any, expected: Any, scale: Any, *, within: float, of: str, unit: str
-) -> Curve | None:
+def curve(t: Any, actual: Any, expected: Any, scale: Any, *, within: float, of: str, unit: str) -> Curve | None:
     """The error along the times t, None if there is no course of it to draw.
 
     An invariant (one number at each time, expected to stay) keeps its sign: whether energy is lost or gained tells.
@@ -102,8 +98,7 @@ def _one_motion(t: Array, row: int) -> slice:
 def _slots(t: Array, sizes: Array) -> list[int | None]:
     """In equal slots of the duration, the row with the largest error."""
     slot = np.minimum((SLOTS * (t - t[0]) / (t[-1] - t[0])).astype(int), SLOTS - 1)
-    return [int(rows[np.argmax(sizes[rows])]) if len(rows := np.flatnonzero(slot == k)) else None
-            for k in range(SLOTS)]  # fmt: skip
+    return [int(rows[np.argmax(sizes[rows])]) if len(rows := np.flatnonzero(slot == k)) else None for k in range(SLOTS)]
 
 
 def _levels(sizes: Array, slots: list[int | None], within: float) -> list[float | None]:

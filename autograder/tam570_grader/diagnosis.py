@@ -41,9 +41,7 @@ def diagnoses(course: Path, slug: str, jobs: int, quick: bool) -> list[Diagnosis
     solution = (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8")
     wrong = submissions(course, "wrong", slug)
     if not wrong:
-        raise UsageError(
-            f"there is no wrong submission to name in {course / 'tests' / 'wrong' / slug}; write one"
-        )
+        raise UsageError(f"there is no wrong submission to name in {course / 'tests' / 'wrong' / slug}; write one")
     wrong = dict(list(wrong.items())[:: max(1, len(wrong) // QUICK)]) if quick else wrong
     tasks = [Trial(course, slug, name, f"{solution}\n\n{text}", SEED) for name, text in wrong.items()]
     results = progress(done(tried, tasks, jobs), len(tasks), "submission")

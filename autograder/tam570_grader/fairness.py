@@ -94,9 +94,7 @@ def _kept(keep: Path | None) -> Iterator[Line]:
         except UnicodeDecodeError:
             line = None
         if not isinstance(line, dict) or not line.keys() >= FIELDS:
-            raise UsageError(
-                f"{keep} holds a line that --fairness did not write; name another file with --keep"
-            )
+            raise UsageError(f"{keep} holds a line that --fairness did not write; name another file with --keep")
         yield line
 
 

@@ -172,9 +172,7 @@ def _remark(record: Record) -> str:
     named = next((mark["suspect"] for mark in marks if mark["suspect"]), None)
     if named:
         return f"known mistake: {named}"
-    unwritten = [
-        mark["message"] for mark in record["checks"] if mark["message"].endswith("is not written yet")
-    ]
+    unwritten = [mark["message"] for mark in record["checks"] if mark["message"].endswith("is not written yet")]
     first = [f"{mark['name']}: {mark['message']}" for mark in marks]
     return _short(record.get("message") or next(iter([*first, *unwritten]), ""))
 

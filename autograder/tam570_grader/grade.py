@@ -59,9 +59,7 @@ class Result:
     def record(self) -> dict[str, Any]:
         """The result line as plain data; a message or a speed that there is not is left out."""
         optional = {"message": "", "speed": None}
-        return {
-            key: value for key, value in asdict(self).items() if key not in optional or value != optional[key]
-        }
+        return {key: value for key, value in asdict(self).items() if key not in optional or value != optional[key]}
 
 
 def graded(
@@ -107,9 +105,7 @@ def graded(
 
 def not_graded(name: str, assignment: Assignment, status: str, message: str, seed: int) -> Result:
     """The result of a submission that is missing or cannot be read: score 0, no check run."""
-    return _result(
-        name, assignment, status, seed, 0.0, tuple(_not_run(c, message) for c in assignment.checks), message
-    )
+    return _result(name, assignment, status, seed, 0.0, tuple(_not_run(c, message) for c in assignment.checks), message)
 
 
 def failed_by_us(name: str, assignment: Assignment, error: str, seed: int) -> Result:
@@ -124,27 +120,12 @@ def _grader_error(check: Check, error: str) -> Mark:
 
 
 def _result(
-    name: str,
-    assignment: Assignment,
-    status: str,
-    seed: int,
-    seconds: float,
-    marks: tuple[Mark, ...],
-    message: str,
+    name: str, assignment: Assignment, status: str, seed: int, seconds: float, marks: tuple[Mark, ...], message: str
 ) -> Result:
     points = [mark.points for mark in marks]
     score = None if None in points else round(sum(p for p in points if p is not None), 6)
     return Result(
-        name,
-        assignment.slug,
-        status,
-        score,
-        assignment.max_score,
-        seed,
-        round(seconds, 3),
-        isolation(),
-        marks,
-        message,
+        name, assignment.slug, status, score, assignment.max_score, seed, round(seconds, 3), isolation(), marks, message
     )
 
 
@@ -183,9 +164,7 @@ def _failed(check: Check, failure: Failure, calls: Sequence[Call]) -> Mark:
     points = round(failure.fraction * check.points, 6)
     detail = {"expected": failure.expected, "actual": failure.actual, "at": failure.at, "naming": fault}
     shown = {key: repr(value)[:LONGEST_DETAIL] for key, value in detail.items() if value is not None}
-    return Mark(
-        check.name, check.part, points, check.points, "failed", message, suspect, shown, failure.picture
-    )
+    return Mark(check.name, check.part, points, check.points, "failed", message, suspect, shown, failure.picture)
 
 
 def _not_run(check: Check, message: str) -> Mark:

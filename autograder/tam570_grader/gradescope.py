@@ -61,10 +61,7 @@ def run(course: Path, folder: Path, slugs: Sequence[str]) -> int:
 
 def _write_archive(course: Path, slug: str, path: Path) -> None:
     """setup.sh and run_autograder at the top, as Gradescope wants them, and what they need of the course."""
-    fields = {
-        "slug": slug,
-        "seed": secrets.randbelow(2**31),
-    }  # one seed in an archive: the same inputs for the class
+    fields = {"slug": slug, "seed": secrets.randbelow(2**31)}  # one seed in an archive: the same inputs for the class
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
         for name in ("setup.sh", "run_autograder"):
             text = (TEMPLATES / "gradescope" / name).read_text(encoding="utf-8")

@@ -33,13 +33,19 @@ def add_grade(commands: Commands) -> argparse.ArgumentParser:
     add("--out", type=Path, metavar="DIR", help="write results.jsonl, grades.csv and feedback there")
     add("--json", action="store_true", help="print a JSON object for each submission, one a line")
     add("--format", choices=["table", "gradescope"], default="table", help="of what is printed")
+    add("--seed", type=natural, metavar="S", help="of the hidden inputs (default: that of --out, else random)")
     add(
-        "--seed", type=natural, metavar="S", help="of the hidden inputs (default: that of --out, else random)"
+        "--vary",
+        type=Path,
+        metavar="KEYFILE",
+        help="give each student other inputs, by the key in this file; made if new",
     )
-    add("--vary", type=Path, metavar="KEYFILE",
-        help="give each student other inputs, by the key in this file; made if new")  # fmt: skip
-    add("--against", type=Path, metavar="OLD",
-        help="say which scores of these results change, and why; what is as it was is not run")  # fmt: skip
+    add(
+        "--against",
+        type=Path,
+        metavar="OLD",
+        help="say which scores of these results change, and why; what is as it was is not run",
+    )
     add("--speed", action="store_true", help="also measure the run time of simulations, for the pages")
     add("--assignment", metavar="SLUG", help="which one it is, where the names do not tell")
     add("--only", nargs="+", metavar="SLUG", help="grade these assignments alone")
@@ -61,9 +67,7 @@ def _grade(arguments: argparse.Namespace) -> int:
     course = root.find(arguments.root)
     found = _submissions(arguments, root.slugs(course))
     if arguments.vary and arguments.seed is not None:
-        raise UsageError(
-            "--seed and --vary: a seed is for the whole class, a key varies it; give one of them"
-        )
+        raise UsageError("--seed and --vary: a seed is for the whole class, a key varies it; give one of them")
     if arguments.out:
         feedback.must_write_pages()
     old = read(arguments.against) if arguments.against else []

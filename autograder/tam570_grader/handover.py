@@ -9,18 +9,14 @@ __all__ = ["add_course", "add_gradescope", "add_kit", "add_lms", "add_report", "
 
 
 def add_stubs(commands: Commands) -> argparse.ArgumentParser:
-    stubs: argparse.ArgumentParser = commands.add_parser(
-        "stubs", help="make the students' stubs from the solutions"
-    )
+    stubs: argparse.ArgumentParser = commands.add_parser("stubs", help="make the students' stubs from the solutions")
     stubs.set_defaults(command=_stubs)
     stubs.add_argument("--check", action="store_true", help="write nothing; exit 1 if a stub is out of date")
     return stubs
 
 
 def add_kit(commands: Commands) -> argparse.ArgumentParser:
-    kit: argparse.ArgumentParser = commands.add_parser(
-        "kit", help="make what students install and start from"
-    )
+    kit: argparse.ArgumentParser = commands.add_parser("kit", help="make what students install and start from")
     kit.set_defaults(command=_kit)
     kit.add_argument("folder", type=Path, metavar="DIR", help="where to put it")
     return kit
@@ -45,19 +41,12 @@ def add_gradescope(commands: Commands) -> argparse.ArgumentParser:
 
 
 def add_lms(commands: Commands) -> argparse.ArgumentParser:
-    lms: argparse.ArgumentParser = commands.add_parser(
-        "lms", help="make a table that Canvas or Moodle imports"
-    )
+    lms: argparse.ArgumentParser = commands.add_parser("lms", help="make a table that Canvas or Moodle imports")
     lms.set_defaults(command=_lms)
     add = lms.add_argument
     add("grades", type=Path, metavar="GRADES", help="grades.csv of `grade --out`, or of `nbgrader export`")
     add("--to", choices=["canvas", "moodle"], required=True, help="the system")
-    add(
-        "--roster",
-        type=Path,
-        metavar="FILE",
-        help="a gradebook exported from Canvas, for its names and numbers",
-    )
+    add("--roster", type=Path, metavar="FILE", help="a gradebook exported from Canvas, for its names and numbers")
     add("--identity", choices=["username", "idnumber", "email"], default="username", help="in Moodle")
     add("--out", type=Path, metavar="FILE", help="default: print it")
     return lms
@@ -70,12 +59,7 @@ def add_report(commands: Commands) -> argparse.ArgumentParser:
     report.set_defaults(command=_report)
     add = report.add_argument
     add("folder", type=Path, metavar="DIR", help="what `grade --out` wrote")
-    add(
-        "--roster",
-        type=Path,
-        metavar="FILE",
-        help="all students, one a line or in the first column of a table",
-    )
+    add("--roster", type=Path, metavar="FILE", help="all students, one a line or in the first column of a table")
     add("--out", type=Path, metavar="FILE", help="default: DIR/report.html, beside the feedback it links to")
     return report
 

@@ -19,11 +19,15 @@ __all__ = ["environment", "isolation", "jailed_command", "plain_command"]
 BOOT = "import json, sys; sys.path += json.loads(sys.argv[2]); from inside.worker import main; main()"
 SYSTEM_LINKS = ("/lib", "/lib64")  # into /usr on most systems
 VARIABLES = {
-    "PATH": "/usr/bin:/bin", "LC_ALL": "C.UTF-8", "PYTHONHASHSEED": "0",
-    "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1",  # a second thread forbids namespaces
+    "PATH": "/usr/bin:/bin",
+    "LC_ALL": "C.UTF-8",
+    "PYTHONHASHSEED": "0",
+    "OPENBLAS_NUM_THREADS": "1",
+    "OMP_NUM_THREADS": "1",
+    "MKL_NUM_THREADS": "1",  # a second thread forbids namespaces
     "MPLBACKEND": "agg",
     "TAM570_NUMBA": "0",  # compiling costs seconds that a call may not have, and when it starts depends on the clock
-}  # fmt: skip
+}
 
 
 def environment() -> dict[str, str]:
@@ -74,22 +78,11 @@ def jailed_command(hidden: Sequence[Path]) -> tuple[list[str], list[str]]:
     """Command and search path of a worker in bubblewrap: it sees Python, its packages and the course's utilities."""
     sites = _site_folders()
     course, inside = Path(tam570.__file__).parent, Path(__file__).parent / "inside"
-    shown = {
-        folder: folder for folder in [*sites, *_python_folders(), _python()[0]] if os.path.exists(folder)
-    }
+    shown = {folder: folder for folder in [*sites, *_python_folders(), _python()[0]] if os.path.exists(folder)}
     shown |= {"/opt/course/tam570": str(course), "/opt/grader/inside": str(inside)}
     binds = [(Path(target), ["--ro-bind", os.path.realpath(source)]) for target, source in shown.items()]
-    masks = [
-        (path, ["--tmpfs"]) for path in hidden if any(path.is_relative_to(target) for target, _ in binds)
-    ]
-    command = [
-        "bwrap",
-        "--unshare-pid",
-        "--unshare-ipc",
-        "--unshare-net",
-        "--unshare-uts",
-        "--die-with-parent",
-    ]
+    masks = [(path, ["--tmpfs"]) for path in hidden if any(path.is_relative_to(target) for target, _ in binds)]
+    command = ["bwrap", "--unshare-pid", "--unshare-ipc", "--unshare-net", "--unshare-uts", "--die-with-parent"]
     for target, mount in sorted(masks + binds, key=lambda entry: len(entry[0].parts)):
         for parent in reversed(target.parents[:-1]):
             command += ["--perms", "0755", "--dir", str(parent)]  # by default only root may enter it
@@ -106,8 +99,4 @@ def jailed_command(hidden: Sequence[Path]) -> tuple[list[str], list[str]]:
 def _python_folders() -> list[str]:
     """Where the interpreter's own libraries and the system's are."""
     libraries = [f"{sys.base_prefix}/{name}" for name in ("lib", "lib64")]
-    return [
-        folder
-        for folder in (*libraries, "/usr/lib", "/usr/lib64", *SYSTEM_LINKS)
-        if not os.path.islink(folder)
-    ]
+    return [folder for folder in (*libraries, "/usr/lib", "/usr/lib64", *SYSTEM_LINKS) if not os.path.islink(folder)]

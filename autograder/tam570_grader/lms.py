@@ -29,9 +29,7 @@ def run(grades: Path, system: str, roster: Path | None, identity: str, out: Path
     identity : what our students' names are in Moodle: username, idnumber or email
     """
     found = _scores(grades)
-    table = (
-        moodle(found, identity) if system == "moodle" else canvas(found, _rows(roster) if roster else None)
-    )
+    table = moodle(found, identity) if system == "moodle" else canvas(found, _rows(roster) if roster else None)
     _warn_of_formulas(table)
     text = io.StringIO()
     csv.writer(text).writerows(table)
@@ -99,9 +97,7 @@ def _people(roster: Sequence[Sequence[str]]) -> tuple[list[str], list[Sequence[s
     """The heading of Canvas's export and the rows of students in it, without its notes."""
     heading = list(roster[0])
     if tuple(heading[:5]) != CANVAS:
-        raise UsageError(
-            f"the roster is no gradebook of Canvas: its columns must begin with {', '.join(CANVAS)}"
-        )
+        raise UsageError(f"the roster is no gradebook of Canvas: its columns must begin with {', '.join(CANVAS)}")
     return heading, [row for row in roster[1:] if len(row) >= 5 and any(cell.strip() for cell in row[1:4])]
 
 

@@ -92,9 +92,7 @@ def margins(course: Path, slug: str, seeds: int, jobs: int) -> list[Margin]:
     checks = _simulating(course, slug, text)
     wrong = submissions(course, "wrong", slug)
     sources = [(method, _careful(text, method), checks) for method in METHODS]
-    sources += [
-        (name, f"{text}\n\n{slip}", checks & _not_passed(course, slug, slip)) for name, slip in wrong.items()
-    ]
+    sources += [(name, f"{text}\n\n{slip}", checks & _not_passed(course, slug, slip)) for name, slip in wrong.items()]
     tasks = [
         Trial(course, slug, name, source, seed, checks=asked)
         for name, source, asked in sources
@@ -133,9 +131,7 @@ def _simulating(course: Path, slug: str, text: str) -> frozenset[str]:
     return frozenset(name for name, asked in calls.items() if asked & within)
 
 
-def margin(
-    check: str, found: Sequence[tuple[str, Mapping[str, float]]], slips: Mapping[str, str]
-) -> Margin | None:
+def margin(check: str, found: Sequence[tuple[str, Mapping[str, float]]], slips: Mapping[str, str]) -> Margin | None:
     """The margin of a check; None if nothing that a careful student integrates is compared in it.
 
     A check that comes after a failed one need not tell that mistake, too: what passes it there is left out, and what

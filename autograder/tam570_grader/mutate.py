@@ -17,14 +17,32 @@ from typing import TypeVar
 __all__ = ["Mutant", "mutants"]
 
 COUNTERPARTS = {
-    "sin": "cos", "cos": "sin", "sinh": "cosh", "cosh": "sinh", "tan": "sin", "exp": "expm1", "arctan2": "arcsin",
-    "min": "max", "max": "min", "minimum": "maximum", "maximum": "minimum",
-}  # fmt: skip
+    "sin": "cos",
+    "cos": "sin",
+    "sinh": "cosh",
+    "cosh": "sinh",
+    "tan": "sin",
+    "exp": "expm1",
+    "arctan2": "arcsin",
+    "min": "max",
+    "max": "min",
+    "minimum": "maximum",
+    "maximum": "minimum",
+}
 OPPOSITES: dict[type[ast.AST], type[ast.AST]] = {
-    ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult,
-    ast.Lt: ast.LtE, ast.LtE: ast.Lt, ast.Gt: ast.GtE, ast.GtE: ast.Gt, ast.Eq: ast.NotEq, ast.NotEq: ast.Eq,
-    ast.And: ast.Or, ast.Or: ast.And,
-}  # fmt: skip
+    ast.Add: ast.Sub,
+    ast.Sub: ast.Add,
+    ast.Mult: ast.Div,
+    ast.Div: ast.Mult,
+    ast.Lt: ast.LtE,
+    ast.LtE: ast.Lt,
+    ast.Gt: ast.GtE,
+    ast.GtE: ast.Gt,
+    ast.Eq: ast.NotEq,
+    ast.NotEq: ast.Eq,
+    ast.And: ast.Or,
+    ast.Or: ast.And,
+}
 Node = TypeVar("Node", bound=ast.AST)
 Operator = Callable[[ast.expr], Iterator[ast.expr]]
 SYMMETRIC = {"dot", "hypot", "max", "maximum", "min", "minimum", "multiply"}  # functions of two arguments
@@ -67,9 +85,7 @@ def mutants(slug: str, source: str) -> list[Mutant]:
                 continue
             count[was, now] += 1
             lines = (whole.splitlines()[node.lineno - 1] for whole in (source, text))
-            found[text] = Mutant(
-                slug, function.name, operator, node.lineno, was, now, count[was, now], text, *lines
-            )
+            found[text] = Mutant(slug, function.name, operator, node.lineno, was, now, count[was, now], text, *lines)
     return list(found.values())
 
 
@@ -162,9 +178,7 @@ def _arguments(node: ast.expr) -> Iterator[ast.expr]:
         parts = getattr(node, field, [])
         if any(isinstance(part, ast.Slice) for part in parts):
             continue  # A[:, 1] is no tuple
-        if isinstance(node, ast.Call | ast.Tuple | ast.List) and isinstance(
-            getattr(node, "ctx", ast.Load()), ast.Load
-        ):
+        if isinstance(node, ast.Call | ast.Tuple | ast.List) and isinstance(getattr(node, "ctx", ast.Load()), ast.Load):
             for i in range(len(parts) - 1):
                 if not _equal(parts[i], parts[i + 1]):
                     yield _with(node, **{field: [*parts[:i], parts[i + 1], parts[i], *parts[i + 2 :]]})
@@ -175,11 +189,7 @@ def _equal(one: ast.expr, other: ast.expr) -> bool:
 
 
 def _indices(node: ast.expr) -> Iterator[ast.expr]:
-    if (
-        isinstance(node, ast.Subscript)
-        and isinstance(node.slice, ast.Constant)
-        and isinstance(node.ctx, ast.Load)
-    ):
+    if isinstance(node, ast.Subscript) and isinstance(node.slice, ast.Constant) and isinstance(node.ctx, ast.Load):
         index = node.slice.value
         if isinstance(index, int):
             yield _with(node, slice=ast.Constant(index - 1 if index else 1))
@@ -201,10 +211,16 @@ def _conditions(node: ast.expr) -> Iterator[ast.expr]:
 
 
 OPERATORS: dict[str, Operator] = {
-    "a sign": _signs, "a term or product": _operations, "an exponent": _exponents, "a factor": _factors,
-    "another function": _counterparts, "swapped arguments": _arguments, "an index": _indices,
-    "a transpose": _transposes, "a condition": _conditions,
-}  # fmt: skip
+    "a sign": _signs,
+    "a term or product": _operations,
+    "an exponent": _exponents,
+    "a factor": _factors,
+    "another function": _counterparts,
+    "swapped arguments": _arguments,
+    "an index": _indices,
+    "a transpose": _transposes,
+    "a condition": _conditions,
+}
 
 
 def _with(node: Node, **fields: object) -> Node:

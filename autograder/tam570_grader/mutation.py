@@ -62,14 +62,9 @@ def fates(course: Path, slug: str, jobs: int, quick: bool, functions: Sequence[s
     calls, longest = calls_of_checks(course, slug, text)
     call = max(SHORTEST, SLOWER * longest)
     # a second failure tells that the first check is not needed
-    trial = partial(
-        Trial, course, slug, seed=SEED, allowance=Allowance(cpu=CALLS * call, call=call), enough=2
-    )
+    trial = partial(Trial, course, slug, seed=SEED, allowance=Allowance(cpu=CALLS * call, call=call), enough=2)
     within = reached(text)
-    tasks = [
-        trial(mutant.name, mutant.text, checks=_concerned(calls, within, mutant.function))
-        for mutant in chosen
-    ]
+    tasks = [trial(mutant.name, mutant.text, checks=_concerned(calls, within, mutant.function)) for mutant in chosen]
     tasks += [
         trial(f"{mutant.name} alone", alone(text, mutant, calls), checks=_calling(calls, mutant.function))
         for mutant in chosen
@@ -155,13 +150,9 @@ def calls_of_checks(course: Path, slug: str, text: str) -> tuple[dict[str, set[s
     return calls, student.longest
 
 
-def _concerned(
-    calls: Mapping[str, set[str]], within: Mapping[str, set[str]], function: str
-) -> frozenset[str]:
+def _concerned(calls: Mapping[str, set[str]], within: Mapping[str, set[str]], function: str) -> frozenset[str]:
     """The checks that a slip in a function can change: they call one within whose reach it is."""
-    return frozenset(
-        check for check, asked in calls.items() if any(function in within[name] for name in asked)
-    )
+    return frozenset(check for check, asked in calls.items() if any(function in within[name] for name in asked))
 
 
 def _calling(calls: Mapping[str, set[str]], function: str) -> frozenset[str]:
@@ -174,11 +165,7 @@ def reached(text: str) -> dict[str, set[str]]:
     body = ast.parse(text).body
     named = {node.name: _names(node) for node in body if isinstance(node, ast.FunctionDef)}
     always = {
-        name
-        for node in body
-        if not isinstance(node, ast.FunctionDef)
-        for name in _names(node)
-        if name in named
+        name for node in body if not isinstance(node, ast.FunctionDef) for name in _names(node) if name in named
     }  # what runs at import
     within = {name: {name, *(names & named.keys()), *always} for name, names in named.items()}
     while True:
@@ -213,12 +200,8 @@ def as_json(found: Fates) -> dict[str, Any]:
             {"function": one.function, "slip": one.slip, "line": one.line, "operator": one.operator}
             for one in found.survivors
         ],
-        "crashing": [
-            {"function": one.function, "slip": one.slip, "line": one.line} for one in found.crashing
-        ],
-        "in_vain": [
-            {"function": name, "slip": slip, "fault": fault} for (name, slip), fault in found.in_vain.items()
-        ],
+        "crashing": [{"function": one.function, "slip": one.slip, "line": one.line} for one in found.crashing],
+        "in_vain": [{"function": name, "slip": slip, "fault": fault} for (name, slip), fault in found.in_vain.items()],
     }
 
 
@@ -232,9 +215,7 @@ def _by_function(found: Fates) -> dict[str, Counter[str]]:
 def report(found: Fates) -> list[str]:
     """The lines to print: counts by function and check, the checks that no mutant needs, and the faults."""
     counts = Counter(found.fate.values())
-    lines = [
-        f"{found.slug}: {len(found.chosen)} mutants, " + ", ".join(f"{counts[fate]} {fate}" for fate in FATES)
-    ]
+    lines = [f"{found.slug}: {len(found.chosen)} mutants, " + ", ".join(f"{counts[fate]} {fate}" for fate in FATES)]
     for function, fate in _by_function(found).items():
         lines.append(f"  {function:<48}" + "".join(f"{fate[one]:>6} {one}" for one in FATES if fate[one]))
     for check, (first, alone) in catches(found).items():

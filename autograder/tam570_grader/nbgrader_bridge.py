@@ -49,9 +49,7 @@ class ForgivingExporter(NotebookExporter):
     There is one for each command: it knows the place of the command, and remembers the results of the class.
     """
 
-    optimistic_validation = Bool(True, help="look at the notebook once, after the last preprocessor").tag(
-        config=True
-    )
+    optimistic_validation = Bool(True, help="look at the notebook once, after the last preprocessor").tag(config=True)
     results = Dict(help="(assignment, student) -> submission and result")
     sheets = Dict(help="assignment -> what its page says, whoever handed it in")
 
@@ -116,12 +114,18 @@ def _notes_of_cells(notebook: Any) -> dict[str, dict[str, Any]]:
     answers = {cell.name for cell in notebook.solution_cells}
     return {
         cell.name: {
-            "grade": cell.name in points, "grade_id": cell.name, "locked": cell.locked, "task": False,
-            "points": points.get(cell.name, 0), "schema_version": 3, "solution": cell.name in answers,
-            "cell_type": cell.cell_type, "checksum": cell.checksum,
+            "grade": cell.name in points,
+            "grade_id": cell.name,
+            "locked": cell.locked,
+            "task": False,
+            "points": points.get(cell.name, 0),
+            "schema_version": 3,
+            "solution": cell.name in answers,
+            "cell_type": cell.cell_type,
+            "checksum": cell.checksum,
         }
         for cell in notebook.source_cells
-    }  # fmt: skip
+    }
 
 
 class _PlainRenderer(IPythonRenderer):
@@ -165,9 +169,7 @@ class SandboxGrades(NbGraderPreprocessor):  # type: ignore[misc]
         slug, student = resources["nbgrader"]["assignment"], resources["nbgrader"]["student"]
         submission, record = self._graded(slug, student)
         if record["score"] is None:
-            raise NbGraderException(
-                f"the grader failed on {student} {slug}: see {self.results}/{slug}/results.jsonl"
-            )
+            raise NbGraderException(f"the grader failed on {student} {slug}: see {self.results}/{slug}/results.jsonl")
         says, graded = self._sheet(slug), part_points(root.assignment(self._checkout(), slug))
         for cell in nb.cells:
             part = part_of(grade_id(cell))
@@ -214,9 +216,7 @@ def _class(place: Any, slug: str) -> list[Submission]:
 
 def _of_folder(folder: Path, slug: str, student: str) -> Submission:
     if _linked(folder):
-        return Submission(
-            student, slug, None, folder, "the folder is a link to a place outside of the submission"
-        )
+        return Submission(student, slug, None, folder, "the folder is a link to a place outside of the submission")
     try:
         return replace(submissions([folder], [slug], slug)[0], student=student)
     except BadPath:  # several folders in it, say

@@ -66,11 +66,7 @@ def safe(output: Notebook) -> Notebook | None:
     if kind == "error":
         return _output("stream", name="stdout", text=f"{output.get('ename')}: {output.get('evalue')}")
     bundle = output.get("data")
-    data = (
-        {mime: text for mime, text in bundle.items() if _picture(mime, text)}
-        if isinstance(bundle, dict)
-        else {}
-    )
+    data = {mime: text for mime, text in bundle.items() if _picture(mime, text)} if isinstance(bundle, dict) else {}
     if not data and isinstance(bundle, dict) and "text/plain" in bundle:
         data = {"text/plain": _text(bundle["text/plain"])}
     return _output("display_data", data=data, metadata={}) if data else None

@@ -5,12 +5,7 @@ from typing import Any
 
 from nbgrader.api import Gradebook  # type: ignore[import-untyped]
 from nbgrader.converters import autograde  # type: ignore[import-untyped]
-from nbgrader.preprocessors import (  # type: ignore[import-untyped]
-    latesubmissions,
-    overwritecells,
-    overwritekernelspec,
-    saveautogrades,
-)
+from nbgrader.preprocessors import latesubmissions, overwritecells, overwritekernelspec, saveautogrades  # type: ignore[import-untyped]
 from sqlalchemy.orm import scoped_session, sessionmaker
 
 __all__ = ["OpenGradebook", "keep_gradebooks_open"]

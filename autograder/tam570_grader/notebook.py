@@ -46,9 +46,7 @@ import {slug} as hw
 from tam570.show import show"""
 SCENE = "**What it looks like**, by your functions. Run the cell again when you have changed them."
 TESTS = "# Part ({part}): your visible tests. This cell is locked; it carries the points of the hidden ones.\n{call}"
-BY_HAND = (
-    "**By hand ({part}), {points:g} points:** {what}. Put plots into cells of their own above; words here."
-)
+BY_HAND = "**By hand ({part}), {points:g} points:** {what}. Put plots into cells of their own above; words here."
 
 
 @dataclass(frozen=True)
@@ -66,9 +64,7 @@ def problem(readme: str) -> Problem:
     starts = list(PART.finditer(text))
     ends = [start.start() for start in starts[1:]] + [len(text)]
     parts = {start[1]: text[start.start() : end].strip() for start, end in zip(starts, ends, strict=True)}
-    return Problem(
-        text[: starts[0].start()].strip() if starts else text.strip(), parts, (bar + table).strip()
-    )
+    return Problem(text[: starts[0].start()].strip() if starts else text.strip(), parts, (bar + table).strip())
 
 
 def notebook(assignment: Assignment, readme: str, tests: str, pictures: str) -> dict[str, Any]:
@@ -85,9 +81,7 @@ def notebook(assignment: Assignment, readme: str, tests: str, pictures: str) -> 
     ]
     shown, tested = dict(FENCE.findall(pictures)), visible_by_part(assignment, tests)
     for part in sorted({*given.parts, *part_points(assignment), *assignment.manual}):
-        cells += _part(
-            assignment, part, given.parts.get(part, f"**({part})**"), shown.get(part), tested.get(part, [])
-        )
+        cells += _part(assignment, part, given.parts.get(part, f"**({part})**"), shown.get(part), tested.get(part, []))
     cells += [text_cell("look", SCENE), _code("scene", "show(hw)"), text_cell("graded", given.rest)]
     return {**FORMAT, "metadata": KERNEL, "cells": cells}
 
@@ -150,9 +144,7 @@ def _mentioned(owner: str, node: ast.FunctionDef, definitions: Definitions) -> s
     return names
 
 
-def _part(
-    assignment: Assignment, part: str, text: str, shown: str | None, tests: Iterable[str]
-) -> list[Cell]:
+def _part(assignment: Assignment, part: str, text: str, shown: str | None, tests: Iterable[str]) -> list[Cell]:
     """The cells of one part."""
     cells = [text_cell(f"text-{part}", text)]
     if shown:
@@ -193,10 +185,15 @@ def _locked(assignment: Assignment, part: str, tests: Iterable[str]) -> Cell:
 def _nbgrader(grade_id: str, points: float, *, locked: bool, solution: bool) -> dict[str, Any]:
     return {
         "nbgrader": {
-            "grade": True, "grade_id": grade_id, "locked": locked, "points": points,
-            "schema_version": 3, "solution": solution, "task": False,
+            "grade": True,
+            "grade_id": grade_id,
+            "locked": locked,
+            "points": points,
+            "schema_version": 3,
+            "solution": solution,
+            "task": False,
         }
-    }  # fmt: skip
+    }
 
 
 def text_cell(name: str, source: str) -> Cell:
@@ -205,11 +202,4 @@ def text_cell(name: str, source: str) -> Cell:
 
 
 def _code(name: str, source: str) -> Cell:
-    return {
-        "cell_type": "code",
-        "id": name,
-        "metadata": {},
-        "source": source,
-        "outputs": [],
-        "execution_count": None,
-    }
+    return {"cell_type": "code", "id": name, "metadata": {}, "source": source, "outputs": [], "execution_count": None}

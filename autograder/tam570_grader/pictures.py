@@ -51,13 +51,8 @@ def among(slug: str, speed: Speed) -> Among:
         name: [(machine_seconds * speed["machine"], error) for machine_seconds, error in curve]
         for name, curve in scenes()[slug]["curves"].items()
     }
-    everything = [
-        (speed["seconds"], speed["error"]),
-        *(point for curve in curves.values() for point in curve),
-    ]
-    seconds, errors = (
-        [math.log10(numbers) for numbers in column] for column in zip(*everything, strict=True)
-    )
+    everything = [(speed["seconds"], speed["error"]), *(point for curve in curves.values() for point in curve)]
+    seconds, errors = ([math.log10(numbers) for numbers in column] for column in zip(*everything, strict=True))
     x0, x1, y0, y1 = (
         math.floor(min(errors)),
         math.ceil(max(errors)),
@@ -87,9 +82,7 @@ def among(slug: str, speed: Speed) -> Among:
 def _compared(speed: Speed, curves: Mapping[str, Sequence[tuple[float, float]]]) -> str:
     """The student's numbers and what the methods take to the same error."""
     times = {name: time_to(speed["error"], curve) for name, curve in curves.items()}
-    others = [
-        f"{name} {time:.2g} s" if time else f"{name} does not get there" for name, time in times.items()
-    ]
+    others = [f"{name} {time:.2g} s" if time else f"{name} does not get there" for name, time in times.items()]
     return (
         f"Yours takes {speed['seconds']:.2g} s of processor time to an error of {speed['error']:.0e} at the end. "
         f"To the same error: {', '.join(others)}."

@@ -61,9 +61,7 @@ def gone(
     return [
         Change(record["student"], record["assignment"], record["score"], None, ("no longer handed in",))
         for record in newest(old).values()
-        if _who(record) not in here
-        and record["assignment"] in asked
-        and (is_tree or record["student"] in students)
+        if _who(record) not in here and record["assignment"] in asked and (is_tree or record["student"] in students)
     ]
 
 

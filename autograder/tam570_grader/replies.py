@@ -60,10 +60,7 @@ def drawn(value: Any) -> Drawing:
 
 def sent(call: Given) -> list[Any]:
     """The arguments of a call as they are sent."""
-    return [
-        [_argument(value) for value in call.args],
-        {key: _argument(value) for key, value in call.kwargs.items()},
-    ]
+    return [[_argument(value) for value in call.args], {key: _argument(value) for key, value in call.kwargs.items()}]
 
 
 def _argument(value: Any) -> Any:

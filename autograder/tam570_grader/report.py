@@ -52,9 +52,7 @@ def run(folder: Path, course: Path, roster: Path | None, out: Path | None) -> in
 def results(folder: Path) -> list[Record]:
     """The newest result of every student and assignment; a last line that is being written is left out."""
     if not (folder / "results.jsonl").is_file():
-        raise UsageError(
-            f"there are no results in {folder}; make them with: tam570-grader grade ... --out {folder}"
-        )
+        raise UsageError(f"there are no results in {folder}; make them with: tam570-grader grade ... --out {folder}")
     records = read(folder)
     if not records:
         raise UsageError(f"{folder / 'results.jsonl'} is empty; nothing has been graded yet")
@@ -151,13 +149,7 @@ def _tallies(records: Iterable[Record], sheets: Mapping[str, Sheet]) -> list[Tal
             counts[key][mark["outcome"]] += 1
             marks[key] = mark
     return [
-        Tally(
-            slug,
-            mark["part"],
-            sheets[slug].lines.get(name, name),
-            f"{mark['max_points']:g}",
-            counts[slug, name],
-        )
+        Tally(slug, mark["part"], sheets[slug].lines.get(name, name), f"{mark['max_points']:g}", counts[slug, name])
         for (slug, name), mark in sorted(marks.items(), key=lambda item: item[0][0])
     ]
 

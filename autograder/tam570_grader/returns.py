@@ -15,19 +15,7 @@ import numpy as np
 from tam570_grader.check import Failure, Given
 from tam570_grader.inside.wire import Foreign
 
-__all__ = [
-    "Array",
-    "Drawing",
-    "Formula",
-    "Group",
-    "Line",
-    "array",
-    "drawing",
-    "formula",
-    "group",
-    "number",
-    "rows",
-]
+__all__ = ["Array", "Drawing", "Formula", "Group", "Line", "array", "drawing", "formula", "group", "number", "rows"]
 
 
 @dataclass(frozen=True)
@@ -133,9 +121,7 @@ def _array(value: Any, name: str) -> np.ndarray:
 
 def _fits(found: tuple[int, ...], wanted: tuple[Any, ...]) -> bool:
     sizes = zip(found, wanted, strict=False)
-    return len(found) == len(wanted) and all(
-        have == want if want is not None else have for have, want in sizes
-    )
+    return len(found) == len(wanted) and all(have == want if want is not None else have for have, want in sizes)
 
 
 def _cut_short(promise: Array, found: tuple[int, ...], wanted: tuple[Any, ...]) -> str:

@@ -46,9 +46,7 @@ def find(given: str | Path | None = None) -> Path:
         if (place / "autograder" / "checks").is_dir() and (place / "solutions").is_dir():
             return place
     where = f"{given} is no course" if given is not None else "there is no course here"
-    raise UsageError(
-        f"{where}: no autograder/checks and solutions; name a checkout of the course with --root"
-    )
+    raise UsageError(f"{where}: no autograder/checks and solutions; name a checkout of the course with --root")
 
 
 def slugs(root: Path) -> list[str]:

@@ -116,9 +116,15 @@ class _Crew:
             for left in reversed(range(TRIES)):
                 try:
                     return graded(
-                        submission.student, source, assignment, worker, seed, self._yardstick,
-                        forgiving=left > 0, again=left < TRIES - 1,
-                    )  # fmt: skip
+                        submission.student,
+                        source,
+                        assignment,
+                        worker,
+                        seed,
+                        self._yardstick,
+                        forgiving=left > 0,
+                        again=left < TRIES - 1,
+                    )
                 except WorkerLost as lost:
                     error = str(lost)
                     if self.ended.is_set():
@@ -139,9 +145,7 @@ class _Crew:
         return self._everyone[-1]
 
 
-def _preload(
-    plan: Plan, fresh: Sequence[tuple[Submission, Source | CannotRead, str]], jobs: int
-) -> list[str]:
+def _preload(plan: Plan, fresh: Sequence[tuple[Submission, Source | CannotRead, str]], jobs: int) -> list[str]:
     """What the assignments need, and the common libraries that repay it: imported by two submissions a worker."""
     needs = {name for submission, *_ in fresh for name in _assignment(plan, submission).needs}
     texts = (source.text for _, source, _ in fresh if isinstance(source, Source))
@@ -185,6 +189,4 @@ def _engine_digest(plan: Plan) -> bytes:
 def _installed() -> list[str]:
     """Names and versions of the libraries that students use, by their folders: importlib.metadata takes longer."""
     folders = [Path(folder) for folder in sys.path if folder]
-    return sorted(
-        found.name for folder in folders for name in LIBRARIES for found in folder.glob(f"{name}-*.*-info")
-    )
+    return sorted(found.name for folder in folders for name in LIBRARIES for found in folder.glob(f"{name}-*.*-info"))

@@ -69,9 +69,13 @@ class Worker:
         command, path = jailed_command(hidden) if isolation() == "bubblewrap" else plain_command()
         self._process = subprocess.Popen(
             [*command, json.dumps(settings), json.dumps(path)],
-            pass_fds=[inside.fileno()], env=environment(), stdin=subprocess.DEVNULL,
-            stdout=subprocess.DEVNULL, stderr=self._errors, start_new_session=True,
-        )  # fmt: skip
+            pass_fds=[inside.fileno()],
+            env=environment(),
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.DEVNULL,
+            stderr=self._errors,
+            start_new_session=True,
+        )
         inside.close()
         self._ready = False
 
@@ -124,9 +128,7 @@ class Worker:
         if said != b"ready":
             self._process.wait()
             self._errors.seek(0)
-            raise WorkerLost(
-                f"the sandbox did not start: {self._errors.read()[-500:].decode(errors='replace')}"
-            )
+            raise WorkerLost(f"the sandbox did not start: {self._errors.read()[-500:].decode(errors='replace')}")
         self._ready = True
 
 
@@ -205,9 +207,7 @@ class Cell:
             while len(words := self._leash_line().split()) == 1:
                 pass  # the answer to an earlier question
             self._cpu = float(words[1])
-            self.killed_from_outside = (
-                self._ended and int(words[0]) == signal.SIGKILL and self._cpu < self._most - 0.5
-            )
+            self.killed_from_outside = self._ended and int(words[0]) == signal.SIGKILL and self._cpu < self._most - 0.5
         except OSError:
             self.guarded, self._cpu = False, max(self._cpu, self._waited)
         self.drop()

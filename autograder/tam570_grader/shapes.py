@@ -58,9 +58,17 @@ def judge_boxes(function: Function, cases: Iterable[tuple[Array, Array, str]], w
     """Whether the function gives the twelve edges of boxes R, size=size around the origin, each of a kind in words."""
     for R, size, kind in cases:
         (found,) = function.many([given(R, size=size).on(kind)])
-        expect(_mismatch(found, _edges(R, size)), 0.0, within=within, scale=max(size), of="an edge",
-               unit="of the longest edge", kind=kind, at=(R, size),
-               hint=partial(_mistake, found, R, size, within))  # fmt: skip
+        expect(
+            _mismatch(found, _edges(R, size)),
+            0.0,
+            within=within,
+            scale=max(size),
+            of="an edge",
+            unit="of the longest edge",
+            kind=kind,
+            at=(R, size),
+            hint=partial(_mistake, found, R, size, within),
+        )
 
 
 def _edges(R: Array, size: Array) -> Array:
@@ -86,9 +94,7 @@ MISTAKEN_BOXES: dict[str, Callable[[Array, Array], Array]] = {
     "the edges are those of a box twice that size": lambda R, size: _edges(R, 2 * size),
     "the edges are those of a box half that size": lambda R, size: _edges(R, size / 2),
     "the edges are along x, y, z: it is the size that is turned": lambda R, size: _edges(np.eye(3), R @ size),
-    "the edges are those of a box with a corner at the origin": lambda R, size: (
-        _edges(R, size) + R @ size / 2
-    ),
+    "the edges are those of a box with a corner at the origin": lambda R, size: _edges(R, size) + R @ size / 2,
     "the edges are not turned": lambda R, size: _edges(np.eye(3), size),
 }
 

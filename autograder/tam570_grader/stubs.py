@@ -75,9 +75,7 @@ def _text(source: str, node: ast.stmt, exported: set[str]) -> str:
 
 def _unused(node: ast.stmt, kept: list[ast.stmt], texts: dict[ast.stmt, str]) -> bool:
     """Whether an import or a constant is used by nothing that is left; `np` stays, for students expect it."""
-    if not isinstance(node, ast.Import | ast.ImportFrom | ast.Assign) or {"__all__", "np"} & set(
-        _names(node)
-    ):
+    if not isinstance(node, ast.Import | ast.ImportFrom | ast.Assign) or {"__all__", "np"} & set(_names(node)):
         return False
     others = " ".join(_code(texts[other]) for other in kept if other is not node)
     return not any(re.search(rf"\b{re.escape(name)}\b", others) for name in _names(node))

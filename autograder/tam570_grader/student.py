@@ -62,12 +62,7 @@ class Student:
     """
 
     def __init__(
-        self,
-        source: Source,
-        assignment: Assignment,
-        worker: Worker,
-        forgiving: bool = False,
-        again: bool = False,
+        self, source: Source, assignment: Assignment, worker: Worker, forgiving: bool = False, again: bool = False
     ) -> None:
         self._forgiving, self._informed = forgiving, again
         self.calls: list[Call] = []  # of the check that is running
@@ -164,11 +159,14 @@ class Student:
         try:
             cell.send(
                 {
-                    "source": self._source.text, "notebook": self._source.notebook, "name": self._assignment.slug,
-                    "functions": list(self._assignment.results), "uncallable": list(uncallable),
+                    "source": self._source.text,
+                    "notebook": self._source.notebook,
+                    "name": self._assignment.slug,
+                    "functions": list(self._assignment.results),
+                    "uncallable": list(uncallable),
                     "forbidden": list(self._assignment.off_limits.get("*", ())),
                 }
-            )  # fmt: skip
+            )
             reply = cell.receive()
         except CellTimeout:
             slow = "importing the file took too long: does it run a simulation by itself?"
@@ -245,15 +243,9 @@ class Function:
         try:
             numbers = np.array([complex(value) for value in values])
         except (TypeError, ValueError):
-            raise Failure(
-                f"the expression of {self.name} has no value at some numbers", actual=values
-            ) from None
-        if not np.all(np.isfinite(numbers)) or np.any(
-            np.abs(numbers.imag) > REAL * np.abs(numbers) + ROUNDING
-        ):
-            raise Failure(
-                f"the expression of {self.name} is not real and finite at some numbers", actual=numbers
-            )
+            raise Failure(f"the expression of {self.name} has no value at some numbers", actual=values) from None
+        if not np.all(np.isfinite(numbers)) or np.any(np.abs(numbers.imag) > REAL * np.abs(numbers) + ROUNDING):
+            raise Failure(f"the expression of {self.name} is not real and finite at some numbers", actual=numbers)
         self.student.calls.append(Call(self.name, given(list(points)), numbers.real))
         return numbers.real
 
@@ -299,17 +291,13 @@ def _raised(name: str, error: dict[str, Any], assignment: Assignment) -> str:
 
 def _known(error: dict[str, Any]) -> str:
     """The exception's first class that is Python's own: a name that a student chose could carry an input out."""
-    return next(
-        (kind for kind in error["kinds"] if isinstance(getattr(builtins, kind, None), type)), "an exception"
-    )
+    return next((kind for kind in error["kinds"] if isinstance(getattr(builtins, kind, None), type)), "an exception")
 
 
 def _not_loaded(error: dict[str, Any], assignment: Assignment, again: bool) -> NotLoaded:
     """Why it could not be imported, in the exception's own words if no hidden input can be in them."""
     if again:
-        return NotLoaded(
-            "unreadable", "the file could not be imported a second time: what does it do at import?"
-        )
+        return NotLoaded("unreadable", "the file could not be imported a second time: what does it do at import?")
     if "Forbidden" in error["kinds"]:
         banned = ", ".join(assignment.off_limits.get("*", ()))
         return NotLoaded("unreadable", f"the file imports what is off limits in this assignment: {banned}")

@@ -52,9 +52,7 @@ def submissions(paths: Iterable[Path], known: Sequence[str], given: str | None =
             raise BadPath(f"{path} does not exist")
         here = [_of_file(path, known, given)] if path.is_file() else _in_folder(path.absolute(), known, given)
         if not here:
-            raise BadPath(
-                f"{path} holds no submission: there is no folder or file named like {known[0][:4]} in it"
-            )
+            raise BadPath(f"{path} holds no submission: there is no folder or file named like {known[0][:4]} in it")
         found += here
     return _told_apart(found)
 
@@ -91,9 +89,7 @@ def _own(path: Path, tree: Path) -> bool:
 def _of_file(path: Path, known: Sequence[str], given: str | None) -> Submission:
     slug = given or slug_of(path.stem, known) or slug_of(path.absolute().parent.name, known)
     if slug is None:
-        raise BadPath(
-            f"cannot tell which assignment {path} is: name it with --assignment, one of {', '.join(known)}"
-        )
+        raise BadPath(f"cannot tell which assignment {path} is: name it with --assignment, one of {', '.join(known)}")
     if path.suffix not in (".py", ".ipynb"):
         raise BadPath(f"{path} is neither a Python module (.py) nor a notebook (.ipynb)")
     return Submission(_name(path.stem), slug, path, path.resolve())
@@ -122,9 +118,7 @@ def _trees(folder: Path, known: Sequence[str], given: str | None) -> list[Submis
     if closed and not found:
         raise BadPath(next(iter(closed.values())))
     slugs = sorted({one.slug for one in found})  # what the others have handed in
-    lost = [
-        Submission(_name(own.name), slug, None, own, note) for own, note in closed.items() for slug in slugs
-    ]
+    lost = [Submission(_name(own.name), slug, None, own, note) for own, note in closed.items() for slug in slugs]
     return _modules_first(found) + lost
 
 
@@ -213,18 +207,15 @@ def _untouched(module: Path, tree: Path) -> bool:
         except CannotRead:
             return False
     functions = len(re.findall(rb"^def ", texts[0], re.MULTILINE))
-    return 0 < functions == texts[0].count(b"raise NotImplementedError") and bool(
-        re.search(rb'("|\\n)def ', texts[1])
-    )
+    return 0 < functions == texts[0].count(b"raise NotImplementedError") and bool(re.search(rb'("|\\n)def ', texts[1]))
 
 
 def _modules_first(found: list[Submission]) -> list[Submission]:
     """Of a module and a notebook side by side, the module."""
     modules = {(one.student, one.slug) for one in found if one.path and one.path.suffix == ".py"}
     return [
-        one for one in found
-        if (one.student, one.slug) not in modules or one.path is None or one.path.suffix == ".py"
-    ]  # fmt: skip
+        one for one in found if (one.student, one.slug) not in modules or one.path is None or one.path.suffix == ".py"
+    ]
 
 
 def _told_apart(found: list[Submission]) -> list[Submission]:
@@ -232,14 +223,11 @@ def _told_apart(found: list[Submission]) -> list[Submission]:
     count = collections.Counter((one.student, one.slug) for one in found)
     named = [
         replace(one, student=_shortened(f"{_name(one.path.absolute().parent.name)}-{one.student}"))
-        if one.path and count[one.student, one.slug] > 1 else one
+        if one.path and count[one.student, one.slug] > 1
+        else one
         for one in found
-    ]  # fmt: skip
-    doubles = [
-        key for key, n in collections.Counter((one.student, one.slug) for one in named).items() if n > 1
     ]
+    doubles = [key for key, n in collections.Counter((one.student, one.slug) for one in named).items() if n > 1]
     if doubles:
-        raise BadPath(
-            f"two submissions of {doubles[0][1]} by {doubles[0][0]}: give each student a folder of their own"
-        )
+        raise BadPath(f"two submissions of {doubles[0][1]} by {doubles[0][0]}: give each student a folder of their own")
     return named

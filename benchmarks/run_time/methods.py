@@ -123,9 +123,7 @@ def _rates_in(rhs, parameters, size, library, time):
     code = compile("\n".join([*lines, f"rates = [{', '.join(formulas.rates)}]"]), "<rates>", "exec")
 
     def rates(state):
-        names = {
-            name: getattr(library, name) for name in dir(library) if name in ("sin", "cos", "sqrt", "exp")
-        }
+        names = {name: getattr(library, name) for name in dir(library) if name in ("sin", "cos", "sqrt", "exp")}
         names |= {"hypot": lambda a, b: library.sqrt(a * a + b * b)}
         names |= {"t": time, **{f"s{i}": state[i] for i in range(size)}}
         exec(code, names)

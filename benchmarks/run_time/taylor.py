@@ -117,9 +117,7 @@ def _called(name, arguments, pairs, key):
 def _expansion(formulas, constants, state):
     """Taylor coefficients of the solution through `state`: (k, ORDER + 1)."""
     series = [Series(None) for _ in state]
-    names = {f"s{i}": s for i, s in enumerate(series)} | {
-        f"c{i}": _constant(c) for i, c in enumerate(constants)
-    }
+    names = {f"s{i}": s for i, s in enumerate(series)} | {f"c{i}": _constant(c) for i, c in enumerate(constants)}
     pairs = {}
     for line in formulas.lines:
         target, expression = line.split(" = ", 1)
@@ -140,11 +138,7 @@ def end_state(scene):
             expansion = _expansion(formulas, constants, state)
             size = max(max(abs(c) for c in s[:2]) for s in expansion)
             last = max(max(abs(s[ORDER]), abs(s[ORDER - 1])) for s in expansion) / size
-            h = (
-                end - t
-                if last == 0
-                else min((mpmath.mpf(10) ** -DIGITS / last) ** (mpmath.mpf(1) / ORDER), end - t)
-            )
+            h = end - t if last == 0 else min((mpmath.mpf(10) ** -DIGITS / last) ** (mpmath.mpf(1) / ORDER), end - t)
             state = [mpmath.polyval(s[::-1], h) for s in expansion]
             t += h
         return state

@@ -19,16 +19,7 @@ from tam570.progress import FAILED, PASSED, kept, progress, remember, said
 
 __all__ = ["check", "tests_of", "warm_up"]
 
-OPTIONS = (
-    "-q",
-    "--no-header",
-    "--tb=short",
-    "--import-mode=importlib",
-    "-p",
-    "no:cacheprovider",
-    "-c",
-    os.devnull,
-)
+OPTIONS = ("-q", "--no-header", "--tb=short", "--import-mode=importlib", "-p", "no:cacheprovider", "-c", os.devnull)
 
 
 def check(file: Path, slug: str, *, changed: bool = False) -> int:

@@ -44,18 +44,14 @@ def _parser() -> argparse.ArgumentParser:
     command = commands.add_parser("list", help="the assignments, and how far you are with those here")
     command.set_defaults(command=_list)
 
-    command = commands.add_parser(
-        "start", help="get an assignment: the problem, the file to fill in, the tests"
-    )
+    command = commands.add_parser("start", help="get an assignment: the problem, the file to fill in, the tests")
     command.set_defaults(command=_start)
     command.add_argument("assignment", help="hw07, say")
     command.add_argument("--into", type=Path, default=Path(), metavar="DIR", help="where (default: here)")
 
     command = commands.add_parser("check", help="run the visible tests on what you have written")
     command.set_defaults(command=_check)
-    command.add_argument(
-        "what", nargs="?", metavar="ASSIGNMENT|FILE", help="default: all that you have started here"
-    )
+    command.add_argument("what", nargs="?", metavar="ASSIGNMENT|FILE", help="default: all that you have started here")
     command.add_argument("--assignment", metavar="SLUG", help="which one a FILE of another name is")
     command.add_argument("--watch", action="store_true", help="test what has changed each time you save")
 
@@ -63,9 +59,7 @@ def _parser() -> argparse.ArgumentParser:
     command.set_defaults(command=_show)
     command.add_argument("assignment", help="hw07, say")
     command.add_argument("file", nargs="?", type=Path, metavar="FILE", help="default: yours that is here")
-    command.add_argument(
-        "--save", type=Path, metavar="FILE", help="a page (.html), picture (.png), .gif or .mp4"
-    )
+    command.add_argument("--save", type=Path, metavar="FILE", help="a page (.html), picture (.png), .gif or .mp4")
 
     command = commands.add_parser("hint", help="one more hint each time you ask")
     command.set_defaults(command=_hint)
@@ -103,9 +97,7 @@ def _start(arguments: argparse.Namespace) -> int:
         print(work / name)
     if kept:
         print(f"left as you have them: {', '.join(kept)}")
-    print(
-        f"Read {work / 'README.md'}, fill in {work / (work.name + '.py')}, and try: tam570 check {work.name[:4]}"
-    )
+    print(f"Read {work / 'README.md'}, fill in {work / (work.name + '.py')}, and try: tam570 check {work.name[:4]}")
     return 0
 
 
@@ -166,9 +158,7 @@ def _hint(arguments: argparse.Namespace) -> int:
     steps = hints[arguments.function]
     given = 0 if arguments.again else hints_given(released.name, arguments.function)
     step = min(given, len(steps) - 1)
-    print(
-        f"{steps[step]}\n({step + 1} of {len(steps)}{'' if step + 1 < len(steps) else '; this is the last'})"
-    )
+    print(f"{steps[step]}\n({step + 1} of {len(steps)}{'' if step + 1 < len(steps) else '; this is the last'})")
     remember_hints(released.name, arguments.function, step + 1)
     return 0
 

@@ -10,17 +10,7 @@ from typing import Any
 
 from tam570.course import folder
 
-__all__ = [
-    "FAILED",
-    "PASSED",
-    "hints_given",
-    "kept",
-    "progress",
-    "recalled",
-    "remember",
-    "remember_hints",
-    "said",
-]
+__all__ = ["FAILED", "PASSED", "hints_given", "kept", "progress", "recalled", "remember", "remember_hints", "said"]
 
 PASSED, FAILED = "passed", "failed"
 PROGRESS, HINTS = "progress.json", "hints.json"  # the files in which it is kept
@@ -42,9 +32,7 @@ def progress(slug: str, outcomes: Mapping[str, str], calls: Mapping[str, set[str
     worth = {name: float(points) for name, points in ROW.findall(_readme(slug))}
     used = {test: functions & set(worth) for test, functions in calls.items()}
     proven = {name for test in used if outcomes.get(test) == PASSED for name in used[test]}
-    at_fault = {
-        name for test in used if outcomes.get(test) != PASSED for name in used[test] - proven or used[test]
-    }
+    at_fault = {name for test in used if outcomes.get(test) != PASSED for name in used[test] - proven or used[test]}
     seen = [name for name in worth if any(name in functions for functions in used.values())]
     done = [name for name in seen if name in proven - at_fault]
     return {

@@ -108,8 +108,7 @@ def _wait(files: Iterable[str], slugs: Iterable[str]) -> int:
             _import_ahead(path)
     order = sys.stdin.readline()
     return max(
-        (check(Path(file), slug, changed=changed) for file, slug, changed in json.loads(order or "[]")),
-        default=0,
+        (check(Path(file), slug, changed=changed) for file, slug, changed in json.loads(order or "[]")), default=0
     )
 
 

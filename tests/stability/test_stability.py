@@ -74,9 +74,7 @@ QUARTER = math.pi / 2
 def test_from_rest_at_symmetric_angles_the_energy_stays(angles):
     t = np.linspace(0, 10, 101)
     states = solve(double_pendulum, t, (*angles, 0.0, 0.0), rtol=1e-12)
-    assert (
-        drift(double_pendulum_energy, states).max() < 1e-9
-    )  # a thousand steps; 0.17 where symmetry deceives
+    assert drift(double_pendulum_energy, states).max() < 1e-9  # a thousand steps; 0.17 where symmetry deceives
 
 
 @pytest.mark.parametrize("name", SCENES.SCENES)
@@ -93,9 +91,7 @@ def test_the_start_of_every_scene_is_left_by_small_steps(name):
 @pytest.mark.parametrize("rest", [[0.0, 0.0], [math.pi, 0.0]])
 def test_equilibria_stay(rest):
     states = solve(pendulum, np.linspace(0, 5, 6), rest, parameters={"length": 1.0})
-    assert states == pytest.approx(
-        np.tile(rest, (6, 1)), abs=1e-9
-    )  # pi is off by 1e-16, and that grows as exp(3 t)
+    assert states == pytest.approx(np.tile(rest, (6, 1)), abs=1e-9)  # pi is off by 1e-16, and that grows as exp(3 t)
 
 
 def test_a_force_that_is_not_there_yet_is_noticed():
@@ -157,9 +153,7 @@ def euler(t, omega, *, inertia):
 def test_flips_of_the_middle_axis():
     inertia = (1.0, 2.0, 3.0)
     t = np.linspace(0, 500, 501)
-    omegas, R = solve_rotation(
-        euler, t, [0.0, 1.0, 1e-12], np.eye(3), parameters={"inertia": inertia}, rtol=1e-13
-    )
+    omegas, R = solve_rotation(euler, t, [0.0, 1.0, 1e-12], np.eye(3), parameters={"inertia": inertia}, rtol=1e-13)
     assert drift(lambda w: w * w @ inertia, omegas).max() < 1e-11
     momentum = np.einsum("nij,nj->ni", R, omegas * inertia)
     assert np.abs(momentum - momentum[0]).max() < 1e-10
@@ -174,8 +168,7 @@ def test_flips_of_the_middle_axis():
 def test_a_change_of_units_changes_no_bit(amplitude):
     t = np.linspace(0, 10, 21)
     ones, scaled = (
-        solve(oscillator, t, [x, 0.25 * x], parameters={"rate": 2.5}, method="python")
-        for x in (1.0, amplitude)
+        solve(oscillator, t, [x, 0.25 * x], parameters={"rate": 2.5}, method="python") for x in (1.0, amplitude)
     )
     assert (scaled == amplitude * ones).all()
 
@@ -192,9 +185,7 @@ def test_a_nearly_massless_bar_follows_the_heavy_one():
     hw07 = _loaded(ROOT / "solutions" / "hw07_double_pendulum.py")
     t = np.linspace(0, 5, 11)
     light = hw07.simulate(t, [1.0, 0.3], [0.0, 0.0], masses=(1.0, 1e-12), lengths=(1.0, 1.0), gravity=G)
-    alone = solve(
-        pendulum, t, [1.0, 0.0], parameters={"length": 2 / 3}, rtol=1e-12
-    )  # a bar swings as 2/3 of itself
+    alone = solve(pendulum, t, [1.0, 0.0], parameters={"length": 2 / 3}, rtol=1e-12)  # a bar swings as 2/3 of itself
     assert light[:, 0] == pytest.approx(alone[:, 0], abs=1e-9)
 
 
@@ -279,9 +270,7 @@ def test_energy_over_ten_thousand_periods(method):
 @pytest.mark.parametrize("method", ["auto", "gauss", "composition"])
 def test_a_hundred_thousand_periods(method):
     T = period(1.0)
-    states = solve(
-        pendulum, [0.0, 1e5 * T], [1.0, 0.0], parameters={"length": 1.0}, method=method, rtol=1e-14
-    )
+    states = solve(pendulum, [0.0, 1e5 * T], [1.0, 0.0], parameters={"length": 1.0}, method=method, rtol=1e-14)
     allowed = {"auto": 1e-8, "gauss": 1e-12, "composition": 1e-12}[method]
     assert drift(pendulum_energy, states).max() < allowed
 
@@ -289,7 +278,5 @@ def test_a_hundred_thousand_periods(method):
 @pytest.mark.full
 def test_flips_by_the_thousand():
     inertia = (1.0, 2.0, 3.0)
-    omegas = solve(
-        euler, np.linspace(0, 5e4, 1001), [0.0, 1.0, 1e-6], parameters={"inertia": inertia}, rtol=1e-15
-    )
+    omegas = solve(euler, np.linspace(0, 5e4, 1001), [0.0, 1.0, 1e-6], parameters={"inertia": inertia}, rtol=1e-15)
     assert drift(lambda w: w * w @ inertia, omegas).max() < 1e-9

@@ -22,9 +22,7 @@ CANCELLED = 1e-13  # of a value: it has 25 digits before it is rounded
 NOTHING = 1e-60  # what is zero comes out below it, of up to 100 digits
 
 
-def answer(
-    module: ModuleType, request: Mapping[str, Any], args: list[Any], kwargs: dict[str, Any]
-) -> dict[str, Any]:
+def answer(module: ModuleType, request: Mapping[str, Any], args: list[Any], kwargs: dict[str, Any]) -> dict[str, Any]:
     """The reply to one call: {"value": ..., "changed": were the arguments changed} or {"error": ...}."""
     try:
         function = getattr(module, request["function"])
@@ -44,11 +42,7 @@ def error_report(error: BaseException) -> dict[str, Any]:
         trace = trace.tb_next
     if isinstance(error, SyntaxError):
         line = error.lineno or 0
-    return {
-        "kinds": [kind.__name__[:50] for kind in type(error).__mro__[:20]],
-        "text": _text(error),
-        "line": line,
-    }
+    return {"kinds": [kind.__name__[:50] for kind in type(error).__mro__[:20]], "text": _text(error), "line": line}
 
 
 def seed_generators() -> None:

@@ -57,15 +57,21 @@ CALLS = {
         0xC000003E,
         (248, 249, 250, 321, 298, 323, 425, 101, 310, 311, 438)
         + (29, 30, 64, 68, 240, 319, 447, 206, 272, 308, 41, 73, 160),
-        fcntl=72, prlimit=302, clone=56, clone3=435,
+        fcntl=72,
+        prlimit=302,
+        clone=56,
+        clone3=435,
     ),
     "aarch64": Calls(
         0xC00000B7,
         (217, 218, 219, 280, 241, 282, 425, 117, 270, 271, 438)
         + (194, 196, 190, 186, 180, 279, 447, 0, 97, 268, 198, 32, 164),
-        fcntl=25, prlimit=261, clone=220, clone3=435,
+        fcntl=25,
+        prlimit=261,
+        clone=220,
+        clone3=435,
     ),
-}  # fmt: skip
+}
 # what fcntl is asked for locks of records and of open files, for leases
 LOCKS = (5, 6, 7, 36, 37, 38, 1024, 1025)
 NAMESPACES = 0x7E020000  # flags of clone
@@ -103,11 +109,7 @@ def secede(limits: Limits) -> None:
     user, group = os.getuid(), os.getgid()
     LIBC.prctl(DUMPABLE, 1, 0, 0, 0)  # the maps below belong to root while we are not dumpable
     _must(LIBC.unshare(flags | NEW_USER), "unshare")
-    for name, line in (
-        ("setgroups", "deny"),
-        ("uid_map", f"{user} {user} 1"),
-        ("gid_map", f"{group} {group} 1"),
-    ):
+    for name, line in (("setgroups", "deny"), ("uid_map", f"{user} {user} 1"), ("gid_map", f"{group} {group} 1")):
         with open(f"/proc/self/{name}", "w") as file:
             file.write(line)
     hidden_from_debuggers()
@@ -247,9 +249,7 @@ def _own_files(limits: Limits) -> None:
     """A scratch folder of our own, and no view of any process."""
     _must(LIBC.mount(b"none", b"/", None, PRIVATE, None), "mount /")
     scratch = f"size={limits.file_size},nr_inodes=1000,mode=1777".encode()
-    _must(
-        LIBC.mount(b"scratch", SCRATCH.encode(), b"tmpfs", NO_SUID | NO_DEVICES, scratch), f"mount {SCRATCH}"
-    )
+    _must(LIBC.mount(b"scratch", SCRATCH.encode(), b"tmpfs", NO_SUID | NO_DEVICES, scratch), f"mount {SCRATCH}")
     _must(LIBC.mount(b"empty", b"/proc", b"tmpfs", READ_ONLY, b"size=0"), "mount /proc")
     _protect("/dev")
     for name in limits.hidden:
@@ -315,10 +315,7 @@ class _Header(ctypes.Structure):
 
 
 def _no_capabilities() -> None:
-    _must(
-        LIBC.capset(ctypes.byref(_Header(CAPABILITY_VERSION, 0)), ctypes.byref((ctypes.c_uint32 * 6)())),
-        "capset",
-    )
+    _must(LIBC.capset(ctypes.byref(_Header(CAPABILITY_VERSION, 0)), ctypes.byref((ctypes.c_uint32 * 6)())), "capset")
 
 
 def _must(result: int, what: str) -> None:

@@ -18,9 +18,18 @@ MOST_ITEMS = 2**20  # of lists and maps in the answers to one request; a number 
 DEEPEST = 6  # levels of nested lists in a result
 TYPES = ("<f8", "<c16")
 KINDS = {
-    "dict", "set", "str", "bytes", "function", "type", "generator", "an array of objects", "an array of strings",
-    "too large an array", "too deep a list",
-}  # fmt: skip
+    "dict",
+    "set",
+    "str",
+    "bytes",
+    "function",
+    "type",
+    "generator",
+    "an array of objects",
+    "an array of strings",
+    "too large an array",
+    "too deep a list",
+}
 
 
 @dataclass(frozen=True)
@@ -65,9 +74,15 @@ def unpacked(data: bytes, budget: ItemBudget | None = None) -> Any:
 
     try:
         return msgpack.unpackb(
-            data, ext_hook=extension, list_hook=budget.taken, object_hook=budget.taken, strict_map_key=True,
-            max_ext_len=2 * LARGEST_ARRAY, max_array_len=MOST_ITEMS, max_map_len=MOST_ITEMS,
-        )  # fmt: skip
+            data,
+            ext_hook=extension,
+            list_hook=budget.taken,
+            object_hook=budget.taken,
+            strict_map_key=True,
+            max_ext_len=2 * LARGEST_ARRAY,
+            max_array_len=MOST_ITEMS,
+            max_map_len=MOST_ITEMS,
+        )
     except Exception as error:  # whatever was sent: it is not a message
         raise Unreadable(str(error)) from None
 
@@ -115,9 +130,7 @@ def _extension(value: Any) -> msgpack.ExtType:
     if isinstance(value, Foreign):
         return msgpack.ExtType(FOREIGN, value.kind.encode())
     if isinstance(value, ndarray):
-        value = ascontiguousarray(value, value.dtype if value.dtype.str in TYPES else "<f8").reshape(
-            value.shape
-        )
+        value = ascontiguousarray(value, value.dtype if value.dtype.str in TYPES else "<f8").reshape(value.shape)
         header = msgpack.packb((value.dtype.str, value.shape))
         return msgpack.ExtType(ARRAY, header + value.tobytes())
     if isinstance(value, generic):

@@ -104,9 +104,12 @@ def _loaded(request: dict[str, Any]) -> Any:
     """Import the submission, and report the contract's functions that it defines."""
     try:
         module, skipped = load(
-            request["source"], request["name"], notebook=request["notebook"],
-            forbidden=request["forbidden"], uncallable=request["uncallable"],
-        )  # fmt: skip
+            request["source"],
+            request["name"],
+            notebook=request["notebook"],
+            forbidden=request["forbidden"],
+            uncallable=request["uncallable"],
+        )
         defined = [name for name in request["functions"] if callable(getattr(module, name, None))]
         _send({"defined": defined, "skipped": skipped})
         return module
@@ -119,9 +122,7 @@ def _answer_all(module: Any, request: dict[str, Any]) -> None:
     """One reply for each call; after an error the rest is not computed. Replies to quick calls travel together."""
     unsent, sent = bytearray(), time.monotonic()
     for args, kwargs in request["calls"]:
-        reply = answer(
-            module, request, [_own(arg) for arg in args], {key: _own(arg) for key, arg in kwargs.items()}
-        )
+        reply = answer(module, request, [_own(arg) for arg in args], {key: _own(arg) for key, arg in kwargs.items()})
         unsent += _framed(reply)
         if "error" in reply:
             break

@@ -55,8 +55,14 @@ def animation(t: Any, wires: Any, label: str = "animation of the motion") -> Any
     width, height = (high - low) * scale + 20
     pixels = np.stack([(flat[..., 0] - low[0]) * scale + 10, (high[1] - flat[..., 1]) * scale + 10], axis=-1)
     frames = np.round(pixels, 1).reshape(len(flat), -1, 4).tolist()
-    named = {"NAME": f"lab{id(frames)}", "WIDTH": f"{width:.0f}", "HEIGHT": f"{height:.0f}", "LABEL": label,
-             "DT": f"{1000 * every * float(t[1] - t[0]):.3g}", "FRAMES_": json.dumps(frames)}  # fmt: skip
+    named = {
+        "NAME": f"lab{id(frames)}",
+        "WIDTH": f"{width:.0f}",
+        "HEIGHT": f"{height:.0f}",
+        "LABEL": label,
+        "DT": f"{1000 * every * float(t[1] - t[0]):.3g}",
+        "FRAMES_": json.dumps(frames),
+    }
     page = PLAYER
     for name, text in named.items():
         page = page.replace(name, text)
@@ -71,9 +77,7 @@ def tests(*names: str, points: float, functions: Sequence[str] = ()) -> float:
     file = next(Path().glob("test_hw*.py"))
     if not names:
         missing = [name for name in functions if name in _stubs(Path(file.name.removeprefix("test_")))]
-        says = [f"- {name} is not written yet" for name in missing] or [
-            "No visible tests here: check it yourself."
-        ]
+        says = [f"- {name} is not written yet" for name in missing] or ["No visible tests here: check it yourself."]
         print("\n".join(says))
         return 0.0 if missing else points
     command = [sys.executable, "-B", __file__, *(f"{file.name}::{name}" for name in names)]

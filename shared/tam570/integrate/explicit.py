@@ -27,9 +27,7 @@ class Engine:
     traced: bool
 
 
-def engine(
-    rhs: Callable[..., Any], parameters: Mapping[str, Any] | None, times: Array, start: Array
-) -> Engine:
+def engine(rhs: Callable[..., Any], parameters: Mapping[str, Any] | None, times: Array, start: Array) -> Engine:
     """Functions for the right-hand side as traced, if it can be and agrees; else for calls of it."""
     rates, sampled = bound(rhs, parameters), len(times) > 2
     check_start(rates, float(times[0]), start)
@@ -115,9 +113,7 @@ def states(
     loop = Loop(by_steps, share, engine.functions["advance"], "advance", source)
     _, reached, h, *_ = carried_through(loop, at_start(engine, origin, listed[-1], start), how)
     if h == 0.0:
-        raise ArithmeticError(
-            f"no step is short enough at t = {origin + reached:.17g}: rhs or solution not finite"
-        )
+        raise ArithmeticError(f"no step is short enough at t = {origin + reached:.17g}: rhs or solution not finite")
     if project:
         rows[1:] = [project(row) for row in rows[1:]]
     return rows

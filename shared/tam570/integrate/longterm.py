@@ -62,17 +62,10 @@ def _source(method: str, engine: Engine, rates: Rates, size: int) -> tuple[str, 
     if method == "gauss":
         return gauss_source(engine.formulas), engine.constants
     if not engine.traced or size % 2:
-        raise ValueError(
-            'method: "composition" needs a state (q, v) and a plain rhs without branches; try "gauss"'
-        )
+        raise ValueError('method: "composition" needs a state (q, v) and a plain rhs without branches; try "gauss"')
     drift, kick, constants = halves(rates, size)
     half = size // 2
-    if (
-        drift.timed
-        or kick.timed
-        or min(drift.reads, default=half) < half
-        or max(kick.reads, default=0) >= half
-    ):
+    if drift.timed or kick.timed or min(drift.reads, default=half) < half or max(kick.reads, default=0) >= half:
         raise ValueError('method: "composition" needs q\' from v alone and v\' from q alone; try "gauss"')
     return composition_source(drift, kick, len(constants)), constants
 

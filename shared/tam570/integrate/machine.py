@@ -92,7 +92,5 @@ def _folder() -> Path:
     folder = Path(base) / "tam570"
     folder.mkdir(parents=True, exist_ok=True)
     if not os.access(folder, os.W_OK):
-        raise PermissionError(
-            f"{folder} may not be written: set XDG_CACHE_HOME to a folder for compiled code"
-        )
+        raise PermissionError(f"{folder} may not be written: set XDG_CACHE_HOME to a folder for compiled code")
     return folder

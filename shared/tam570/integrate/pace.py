@@ -36,9 +36,7 @@ class Loop:
 def carried_through(loop: Loop, state: Any, how: str) -> Any:
     """The state at the end of the run; how: "python" and "numba" insist, "auto" takes what is sooner."""
     if how == "numba" and loop.source is None:
-        raise ValueError(
-            'method: "numba" needs an rhs without branches or conversions, and no project; try "auto"'
-        )
+        raise ValueError('method: "numba" needs an rhs without branches or conversions, and no project; try "auto"')
     if how == "python" or loop.source is None:
         return loop.run(loop.python, state, 2**62, False)
     if how == "numba":

@@ -30,16 +30,12 @@ def sample_times(t: ArrayLike) -> Array:
     """(n,) times as floats. ValueError unless they are finite, two or more, and increasing."""
     times = np.array(t, dtype=float)
     if times.ndim != 1 or len(times) < 2:
-        raise ValueError(
-            f"t: need a list of two or more times, got shape {times.shape}; try np.linspace(0, 10, 101)"
-        )
+        raise ValueError(f"t: need a list of two or more times, got shape {times.shape}; try np.linspace(0, 10, 101)")
     if not np.isfinite(times).all():
         raise ValueError("t: a time is infinite or not a number")
     if not (np.diff(times) > 0).all():
         where = int(np.argmin(np.diff(times) > 0))
-        raise ValueError(
-            f"t: must increase, but t[{where + 1}] = {times[where + 1]:g} does not exceed t[{where}]"
-        )
+        raise ValueError(f"t: must increase, but t[{where + 1}] = {times[where + 1]:g} does not exceed t[{where}]")
     return times
 
 
@@ -106,9 +102,7 @@ def floats_function(rates: Rates, t: float, y0: Array) -> Rates:
     return _to_floats(rates, rates(t, y0.copy()), np.array)
 
 
-def agrees(
-    rates: Rates, written: Callable[..., Any], constants: tuple[float, ...], times: Array, y0: Array
-) -> bool:
+def agrees(rates: Rates, written: Callable[..., Any], constants: tuple[float, ...], times: Array, y0: Array) -> bool:
     """Whether `written(t, y, constants)` gives what `rates` gives: at the start, and at points all around it."""
     size = len(y0)
     for trial in range(3):

@@ -119,12 +119,7 @@ def _derivative(formulas: Formulas, number: int, time: str) -> list[str]:
 
 
 def _rhs(formulas: Formulas) -> list[str]:
-    return [
-        "def rhs(t, s, c):",
-        *unpacked(formulas, s="s"),
-        *formulas.lines,
-        f"return {tuple_of(formulas.rates)}",
-    ]
+    return ["def rhs(t, s, c):", *unpacked(formulas, s="s"), *formulas.lines, f"return {tuple_of(formulas.rates)}"]
 
 
 def _euler(formulas: Formulas) -> list[str]:
@@ -139,9 +134,7 @@ def _raised(formulas: Formulas, arrays: bool = False) -> list[str]:
     shifts that component, and so on the rates of others: chains of four are followed. Then the change is made
     larger, and `wider` times so at each refusal: a rate that is nothing but rounding is exactly zero for some changes.
     """
-    roundings = [
-        (-1) ** i * 2.0**-52 * (1.37 + 0.41 * (i % 5)) for i in range(formulas.size)
-    ]  # no two cancel
+    roundings = [(-1) ** i * 2.0**-52 * (1.37 + 0.41 * (i % 5)) for i in range(formulas.size)]  # no two cancel
     lines = ["def raised(start, h, y, f, m, c, weight, wider):", *unpacked(formulas, y="y", f="f", m="m")]
     lines += [f"s{i} = y{i} + 0.001 * h * f{i}" for i in sorted(formulas.reads)]
     lines += [*_derivative(formulas, 0, "start + 0.001 * h")]
@@ -154,9 +147,7 @@ def _raised(formulas: Formulas, arrays: bool = False) -> list[str]:
     lines += [f"    {line}" for line in _derivative(formulas, 1, "start + 0.001 * h")]
     for i in formulas.moving:
         lines.append(f"    x = abs(k1_{i} - k0_{i}) * h * weight / more")
-        lines.append(
-            f"    m{i} = maximum(m{i}, x)" if arrays else f"    m{i} = x if m{i} < x < inf else m{i}"
-        )
+        lines.append(f"    m{i} = maximum(m{i}, x)" if arrays else f"    m{i} = x if m{i} < x < inf else m{i}")
     return [*lines, f"return {tuple_of(_names('m', formulas.size))}"]
 
 

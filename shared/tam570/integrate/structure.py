@@ -94,16 +94,11 @@ def gauss_source(formulas: Formulas) -> str:
         lines += [f"    {line}" for line in _collocation(formulas, number, row, node)]
     # Rounding sets the end: a change that no longer shrinks is rounding.
     lines += ["    if change == 0.0 or (change >= before and sweep > 3):", "        break"]
-    lines += [
-        "if not change < 1e-9 * (1.0 + first):",
-        "    y0 = nan",
-    ]  # it did not settle: the step is too long
+    lines += ["if not change < 1e-9 * (1.0 + first):", "    y0 = nan"]  # it did not settle: the step is too long
     for i in range(size):
         low, high = (" + ".join(f"{w[part]!r} * k{j}_{i}" for j, w in enumerate(weights)) for part in (1, 0))
         lines += [f"d = h * ({high})", f"rest = h * ({low}) + r{i}", *_added(i)]
-    guesses = (
-        " + ".join(f"{w!r} * k{j}_{i}" for j, w in enumerate(row)) for row in onward for i in range(size)
-    )
+    guesses = (" + ".join(f"{w!r} * k{j}_{i}" for j, w in enumerate(row)) for row in onward for i in range(size))
     new = [tuple_of(f"{letter}{i}" for i in range(size)) for letter in "nr"]
     lines.append(f"return {new[0]}, {new[1]}, {tuple_of(guesses)}")
     return "\n    ".join(["def leap(start, h, y, r, k, c):", *lines]) + "\n"

@@ -104,9 +104,7 @@ def interpolant() -> tuple[list[Row], list[float], NDArray[np.float64]]:
     the four nodes.
     """
     legendre = np.polynomial.legendre.Legendre.basis(6)
-    nodes = np.sort(
-        (1 + np.real(legendre.deriv(2).roots())) / 2
-    )  # with both ends double: the least remainder
+    nodes = np.sort((1 + np.real(legendre.deriv(2).roots())) / 2)  # with both ends double: the least remainder
     powers = np.array([1, 1, 2, 2, 3, 3, 4]), np.array([0, 1, 1, 2, 2, 3, 3])
     basis = nodes[:, None] ** powers[0] * (1 - nodes[:, None]) ** powers[1]
     rows = [{j: float(a) for j, a in enumerate(row) if a} for row in basis @ _dense_weights()]

@@ -56,9 +56,7 @@ def motion(
         velocities=v,
         parameters=tuple(sorted(used - {t, *q, *v}, key=str)),
         mass=tuple(map(tuple, mass.tolist())),
-        forcing=tuple(
-            sympy.diff(L, x) - _carried(p, q, v, t) + f for x, p, f in zip(q, momenta, Q, strict=True)
-        ),
+        forcing=tuple(sympy.diff(L, x) - _carried(p, q, v, t) + f for x, p, f in zip(q, momenta, Q, strict=True)),
         matrix=tuple(map(tuple, matrix.tolist())),
         bias=tuple(_carried(rate, q, v, t) for rate in rates),
         errors=holonomic + rates,

@@ -121,11 +121,7 @@ def composition(p: ArrayLike, q: ArrayLike) -> Array:
     Raises ValueError if p or q is not finite.
     """
     return evaluate(
-        _formulas.product_of_quaternions,
-        _kinds.FINITE,
-        (4,),
-        ("p", _kinds.FACTOR, p),
-        ("q", _kinds.FACTOR, q),
+        _formulas.product_of_quaternions, _kinds.FINITE, (4,), ("p", _kinds.FACTOR, p), ("q", _kinds.FACTOR, q)
     )
 
 
@@ -161,13 +157,9 @@ def euler_rates(sequence: str, angles: ArrayLike, omega: ArrayLike) -> Array:
     |sin b| < 1e-12 ("313"), |cos b| < 1e-12 ("312").
     """
     formula = _euler.rates(_order(sequence))
-    result = evaluate(
-        formula, _kinds.FINITE, (4,), ("angles", _kinds.VECTOR, angles), ("omega", _kinds.VECTOR, omega)
-    )
+    result = evaluate(formula, _kinds.FINITE, (4,), ("angles", _kinds.VECTOR, angles), ("omega", _kinds.VECTOR, omega))
     if (np.abs(result[..., 3]) < LOCK).any():
-        raise ValueError(
-            f"angles in gimbal lock: no rates of {sequence} there; take another sequence or a matrix"
-        )
+        raise ValueError(f"angles in gimbal lock: no rates of {sequence} there; take another sequence or a matrix")
     return result[..., :3]
 
 

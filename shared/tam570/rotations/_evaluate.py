@@ -84,11 +84,7 @@ def evaluate(
 
 
 def _evaluate_single(
-    formula: Formula,
-    within: tuple[float, float],
-    shape: tuple[int, ...],
-    kinds: list[Kind],
-    values: list[Array],
+    formula: Formula, within: tuple[float, float], shape: tuple[int, ...], kinds: list[Kind], values: list[Array]
 ) -> Array | None:
     """On floats; None if there is more than one rotation, or input that needs a second look."""
     numbers: list[float] = []

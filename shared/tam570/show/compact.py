@@ -139,8 +139,7 @@ def _packed_panel(panel: Panel, points: _Points, in_space: bool) -> dict[str, An
         "ruler": panel.ruler,
         "unit": unit,
         "size": [
-            _figures(side, 6)
-            for side in (_size_in_space(scaled) if in_space and not flat else (high - low) / unit)
+            _figures(side, 6) for side in (_size_in_space(scaled) if in_space and not flat else (high - low) / unit)
         ],
         "parts": [_packed_part(part, at, points) for part, at in zip(panel.parts, scaled, strict=True)],
     }
@@ -159,9 +158,7 @@ def _box(panel: Panel) -> tuple[Array, Array]:
     high = np.max([row.max(axis=0) for row in rows], axis=0)
     with np.errstate(over="ignore"):
         if not np.isfinite(high - low).all():
-            raise Trouble(
-                f"the motion goes as far as {max(high.max(), -low.min()):.1e} m: no screen shows that"
-            )
+            raise Trouble(f"the motion goes as far as {max(high.max(), -low.min()):.1e} m: no screen shows that")
     return low, high
 
 

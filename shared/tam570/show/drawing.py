@@ -28,9 +28,7 @@ def axes(length: float, *, origin: ArrayLike = (0.0, 0.0, 0.0)) -> list[Part]:
     """The axes x, y, z of space, from the origin."""
     start, ends = np.asarray(origin, dtype=float), length * np.eye(3)
     tails = np.stack([np.broadcast_to(start, (3, 3)), start + ends], axis=1).reshape(6, 3)
-    names = [
-        Part("text", (start + end)[None], GREY, words=name) for name, end in zip("xyz", ends, strict=True)
-    ]
+    names = [Part("text", (start + end)[None], GREY, words=name) for name, end in zip("xyz", ends, strict=True)]
     return [Part("arrow", tails, GREY, width=1.2), *names]
 
 

@@ -32,9 +32,7 @@ RATE = 60  # samples a second, as screens show
 STRIP_SAMPLES = 400  # of a strip, which is about as many pixels wide
 
 INK, GREY = -1, -2  # colours beside the numbered ones of the palette
-LEAST_SPAN = (
-    0.01  # of a strip of deviations: what is conserved to a pixel in it looks flat, whatever the rounding
-)
+LEAST_SPAN = 0.01  # of a strip of deviations: what is conserved to a pixel in it looks flat, whatever the rounding
 LARGEST = 1e200  # of what is drawn: its square is a number
 LARGE = 1e-3  # a deviation that no careful integration has; 1e-6 is a careless one
 
@@ -153,9 +151,7 @@ def conserved(
     of     : its name, as in "the largest kinetic energy"
     beside : curves that are shown, and need not be constant
     """
-    judged, others = (
-        {name: _percent(v, scale) for name, v in some.items()} for some in (curves, beside or {})
-    )
+    judged, others = ({name: _percent(v, scale) for name, v in some.items()} for some in (curves, beside or {}))
     largest = max(float(np.abs(curve).max()) for curve in judged.values()) / 100.0
     shown = {**judged, **others}
     half = 1.1 * max(100.0 * LEAST_SPAN / 1.1, *(float(np.abs(curve).max()) for curve in shown.values()))
@@ -172,9 +168,7 @@ def _percent(values: ArrayLike, scale: float) -> Array:
     return moved if moved.ndim == 1 else np.linalg.norm(moved, axis=1)
 
 
-def energy_strip(
-    times: Array, total: Array, potential: Array, title: str = "energy, change since the start"
-) -> Strip:
+def energy_strip(times: Array, total: Array, potential: Array, title: str = "energy, change since the start") -> Strip:
     """A strip of the energy; its potential part tells how much of it is in play.
 
     total, potential : (m,) J

@@ -167,9 +167,7 @@ def _part(ax: Axes, part: Part, points: Array) -> Update:
     (line,) = ax.plot([], [], linewidth=0.8 * part.width, label=part.name or "_", **style, **look)
     if part.kind == "trail":
         so_far = np.concatenate([points, np.full((1, *points.shape[1:]), np.nan)])
-        return lambda sample: line.set_data(
-            *so_far[np.r_[0 : sample + 1, -1]].swapaxes(0, 1).reshape(-1, 2).T
-        )
+        return lambda sample: line.set_data(*so_far[np.r_[0 : sample + 1, -1]].swapaxes(0, 1).reshape(-1, 2).T)
     return lambda sample: line.set_data(*shape(at(sample)).T)
 
 
@@ -194,9 +192,7 @@ def _strip(ax: Axes, strip: Strip, film: Film) -> Update:
     for color, (name, curve) in zip(_palette(), strip.curves.items(), strict=False):
         ax.plot(strip.times, curve, color=color, linewidth=1.2, label=name or "_")
     ax.set(xlim=film.times[[0, -1]], ylim=strip.span, xlabel="t (s)", ylabel=f"({strip.unit})")
-    ax.set_title(
-        f"{strip.title}\n{strip.note}", fontsize=8, color="#b00020" if strip.alarm else "#1b1f24", wrap=True
-    )
+    ax.set_title(f"{strip.title}\n{strip.note}", fontsize=8, color="#b00020" if strip.alarm else "#1b1f24", wrap=True)
     ax.tick_params(labelsize=8)
     if len(strip.curves) > 1:
         ax.legend(fontsize=7)

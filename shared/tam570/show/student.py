@@ -62,9 +62,7 @@ class Student:
         result = self._raw(name, *arguments, **known)
         if not isinstance(result, Sequence | np.ndarray) or len(result) != len(shapes):
             raise Trouble(f"{name} gives {_short(result)}; {len(shapes)} results are asked for")
-        return [
-            self._finite(name, _numbers(name, one, shape)) for one, shape in zip(result, shapes, strict=True)
-        ]
+        return [self._finite(name, _numbers(name, one, shape)) for one, shape in zip(result, shapes, strict=True)]
 
     def _raw(self, name: str, *arguments: Any, **known: Any) -> Any:
         """What the function returns, whatever it is."""
@@ -72,9 +70,7 @@ class Student:
 
     def each(self, name: str, *rows: Any, shape: Sequence[int] = (), **known: Any) -> Array:
         """(n, *shape) of the function called with row i of every argument in turn."""
-        results = self._guarded(
-            name, lambda function: [function(*row, **known) for row in zip(*rows, strict=True)]
-        )
+        results = self._guarded(name, lambda function: [function(*row, **known) for row in zip(*rows, strict=True)])
         try:  # all at once: one by one takes longer than the student's function
             values = np.array(results)
         except ValueError:  # of different shapes
@@ -101,9 +97,7 @@ class Student:
         if values.ndim < 2 or len(values) < 2:
             raise Trouble(f"{name} gives numbers that are not finite: {values}")
         rows = np.all(np.isfinite(values.reshape(len(values), -1)), axis=1, keepdims=True)
-        raise Trouble(
-            f"{name} gives numbers that are not finite, first in row {rows.argmin()} of {len(rows)}"
-        )
+        raise Trouble(f"{name} gives numbers that are not finite, first in row {rows.argmin()} of {len(rows)}")
 
 
 def _numbers(name: str, result: Any, shape: Sequence[int] | None) -> Array:

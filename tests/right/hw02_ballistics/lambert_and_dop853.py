@@ -19,7 +19,7 @@ def simulate(t, speed, angle, *, mass, drag, gravity):
     found = solve_ivp(
         lambda t, y: state_derivative(t, y, mass=mass, drag=drag, gravity=gravity),
         (t[0], t[-1]), launched(speed, angle), method="DOP853", t_eval=t, rtol=1e-9, atol=1e-9,
-    )  # fmt: skip
+    )
     return found.y.T
 
 

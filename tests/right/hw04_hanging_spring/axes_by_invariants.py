@@ -13,7 +13,7 @@ def simulate(t, position, velocity, *, mass, stiffness, gravity):
     out = solve_ivp(
         lambda s, y: state_derivative(s, y, mass=mass, stiffness=stiffness, gravity=gravity),
         (t[0], t[-1]), np.hstack([position, velocity]), method="DOP853", t_eval=t, rtol=1e-9, atol=1e-9,
-    )  # fmt: skip
+    )
     return out.y.T
 
 

@@ -9,7 +9,7 @@ A = np.array([
     [5 / 36, 2 / 9 - ROOT / 15, 5 / 36 - ROOT / 30],
     [5 / 36 + ROOT / 24, 2 / 9, 5 / 36 - ROOT / 24],
     [5 / 36 + ROOT / 30, 2 / 9 + ROOT / 15, 5 / 36],
-])  # fmt: skip
+])
 WEIGHTS = np.array([5 / 18, 4 / 9, 5 / 18])
 
 

@@ -23,7 +23,7 @@ def bend(theta, omega, lengths):
         [lengths[0] * np.sin(theta[0]), 0], [-lengths[0] * np.cos(theta[0]), 0],
         [lengths[0] * np.sin(theta[0]), lengths[1] * np.sin(theta[1])],
         [-lengths[0] * np.cos(theta[0]), -lengths[1] * np.cos(theta[1])],
-    ]) @ np.square(omega)  # fmt: skip
+    ]) @ np.square(omega)
 
 
 def weights(masses):

@@ -141,7 +141,7 @@ def simulate(t, theta, omega, *, masses, lengths, gravity):
     def rates(state):
         return [
             *state[2:], *angular_acceleration(state[:2], state[2:], masses=masses, lengths=lengths, gravity=gravity)
-        ]  # fmt: skip
+        ]
 
     masses, lengths, t = ([float(one) for one in each] for each in (masses, lengths, t))
     state = [float(one) for one in (*theta, *omega)]

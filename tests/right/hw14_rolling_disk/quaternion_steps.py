@@ -111,7 +111,7 @@ def euler_state_derivative(t, state, *, mass, radius, inertia, gravity):
     return [
         -radius * r * cos(yaw), -radius * r * sin(yaw), p, q, r,
         p1, dot(left, e1), dot(left, n) - p1 * n[2],
-    ]  # fmt: skip
+    ]
 
 
 def step_for(w, radius, gravity):

@@ -2,19 +2,7 @@
 
 import numpy as np
 
-from tam570.show.film import (
-    GREY,
-    INK,
-    Array,
-    Film,
-    Panel,
-    Part,
-    Strip,
-    clock,
-    energy_strip,
-    moving,
-    strip_samples,
-)
+from tam570.show.film import GREY, INK, Array, Film, Panel, Part, Strip, clock, energy_strip, moving, strip_samples
 from tam570.show.student import Student, tried
 
 __all__ = ["film"]
@@ -56,10 +44,7 @@ def _direction(theta: Array) -> Array:
 
 def _pendulum(theta: Array, color: int, name: str) -> list[Part]:
     bob = ROD["length"] * _direction(theta)
-    return [
-        Part("lines", moving(np.zeros(2), bob), color, name, width=4),
-        Part("dot", bob[:, None], color, width=11),
-    ]
+    return [Part("lines", moving(np.zeros(2), bob), color, name, width=4), Part("dot", bob[:, None], color, width=11)]
 
 
 def _energy(student: Student, times: Array, states: Array) -> Strip:

@@ -67,6 +67,11 @@ def _apart(times: Array, pairs: list[tuple[Array, Array]], farthest: float) -> S
     largest = float(gaps.max()) / farthest
     note = f"{'they differ: ' if largest > LARGE else ''}at most {largest:.2g} of the range"
     return followed(
-        "numerical from closed form, largest distance", times[shown], {"": gaps}, "m", note,
-        alarm=largest > LARGE, least=0.01 * farthest,
-    )  # fmt: skip
+        "numerical from closed form, largest distance",
+        times[shown],
+        {"": gaps},
+        "m",
+        note,
+        alarm=largest > LARGE,
+        least=0.01 * farthest,
+    )

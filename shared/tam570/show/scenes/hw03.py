@@ -5,19 +5,7 @@ from typing import Any
 import numpy as np
 
 from tam570.show.drawing import axes
-from tam570.show.film import (
-    GREY,
-    INK,
-    Array,
-    Film,
-    Panel,
-    Part,
-    Strip,
-    clock,
-    followed,
-    moving,
-    strip_samples,
-)
+from tam570.show.film import GREY, INK, Array, Film, Panel, Part, Strip, clock, followed, moving, strip_samples
 from tam570.show.student import Student, tried
 
 __all__ = ["film"]
@@ -39,8 +27,7 @@ def film(student: Student) -> Film:
     motion = [*_moves(P, times), *_moves(C, times)]
     r_p, v_p, a_p, r_c, v_c, _ = motion
     momenta = {
-        d: student.each("angular_momentum", [d] * len(times), r_p, v_p, r_c, v_c, mass=MASS, shape=(3,))
-        for d in "bc"
+        d: student.each("angular_momentum", [d] * len(times), r_p, v_p, r_c, v_c, mass=MASS, shape=(3,)) for d in "bc"
     }
     rates = {d: student.each("rate", [d] * len(times), *motion, mass=MASS, shape=(3,)) for d in DEFINITIONS}
     moment = student.each("moment", r_p, a_p, r_c, mass=MASS, shape=(3,))
@@ -89,9 +76,7 @@ def _points(r_p: Array, r_c: Array) -> list[Part]:
     ]
 
 
-def _arrow(
-    tail: Array, vector: Array, all_of_them: dict[str, Array], color: int, name: str, width: float = 3
-) -> Part:
+def _arrow(tail: Array, vector: Array, all_of_them: dict[str, Array], color: int, name: str, width: float = 3) -> Part:
     """An arrow; the longest of all of them has 2 m."""
     longest = max(float(np.linalg.norm(one, axis=1).max()) for one in all_of_them.values()) or 1.0
     return Part("arrow", moving(tail, tail + 2.0 * vector / longest), color, name, width=width)
@@ -101,8 +86,7 @@ def _discrepancies(student: Student, times: Array, motion: list[Array]) -> Strip
     shown = strip_samples(times)
     sizes = {
         f"({d})": np.linalg.norm(
-            student.each("discrepancy", [d] * len(shown), *(x[shown] for x in motion), mass=MASS, shape=(3,)),
-            axis=1,
+            student.each("discrepancy", [d] * len(shown), *(x[shown] for x in motion), mass=MASS, shape=(3,)), axis=1
         )
         for d in DEFINITIONS
     }
@@ -114,9 +98,7 @@ def _checked(student: Student, times: Array, rates: dict[str, Array]) -> Strip:
     shown = strip_samples(times)
     scale = max(float(np.linalg.norm(one, axis=1).max()) for one in rates.values()) or 1.0
     off = {
-        f"({d})": 100
-        * np.linalg.norm(rates[d][shown] - _differences(student, d, times[shown]), axis=1)
-        / scale
+        f"({d})": 100 * np.linalg.norm(rates[d][shown] - _differences(student, d, times[shown]), axis=1) / scale
         for d in DEFINITIONS
     }
     largest = max(float(one.max()) for one in off.values()) / 100
@@ -131,9 +113,7 @@ def _differences(student: Student, definition: str, times: Array) -> Array:
     def momentum(shift: float) -> Array:
         r_p, v_p, _ = _moves(P, times + shift)
         r_c, v_c, _ = _moves(C, times + (0.0 if definition == "a" else shift))
-        moments = student.each(
-            "angular_momentum", [definition] * len(times), r_p, v_p, r_c, v_c, mass=MASS, shape=(3,)
-        )
+        moments = student.each("angular_momentum", [definition] * len(times), r_p, v_p, r_c, v_c, mass=MASS, shape=(3,))
         return moments
 
     return (momentum(STEP) - momentum(-STEP)) / (2 * STEP)

@@ -5,19 +5,7 @@ from typing import Any
 import numpy as np
 
 from tam570.show.drawing import axes, circle
-from tam570.show.film import (
-    GREY,
-    INK,
-    Array,
-    Film,
-    Panel,
-    Part,
-    Strip,
-    clock,
-    energy_strip,
-    moving,
-    strip_samples,
-)
+from tam570.show.film import GREY, INK, Array, Film, Panel, Part, Strip, clock, energy_strip, moving, strip_samples
 from tam570.show.student import Student, tried
 
 __all__ = ["film"]

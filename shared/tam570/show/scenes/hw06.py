@@ -58,9 +58,7 @@ def _placed(states: Array, outline: Array, y: float) -> Array:
 
 def _car(states: Array, locked: str, y: float) -> list[Part]:
     nose, tail, side = CAR["front"] + OVERHANG, -CAR["rear"] - OVERHANG, HALF_WIDTH
-    body = np.array(
-        [[nose - 0.5, side], [tail, side], [tail, -side], [nose - 0.5, -side], [nose, -0.5], [nose, 0.5]]
-    )
+    body = np.array([[nose - 0.5, side], [tail, side], [tail, -side], [nose - 0.5, -side], [nose, -0.5], [nose, 0.5]])
     color = 0 if locked == "front" else 1
     axles = {"front": CAR["front"], "rear": -CAR["rear"]}
     wheels = {name: _wheels(at) for name, at in axles.items()}
@@ -68,22 +66,16 @@ def _car(states: Array, locked: str, y: float) -> list[Part]:
     return [
         Part("trail", states[:, None, :2] + [0.0, y], color, width=1.5),
         Part("fill", _placed(states, body, y), color, faint=True),
-        Part(
-            "path", _placed(states, np.vstack([body, body[:1]]), y), color, f"{locked} wheels locked", width=2
-        ),
+        Part("path", _placed(states, np.vstack([body, body[:1]]), y), color, f"{locked} wheels locked", width=2),
         Part("lines", _placed(states, wheels[free], y), INK, width=3),
-        Part(
-            "lines", _placed(states, wheels[locked], y), 5, "wheels that are locked" if color else "", width=5
-        ),
+        Part("lines", _placed(states, wheels[locked], y), 5, "wheels that are locked" if color else "", width=5),
         Part("text", np.array([[-4.0, y + 1.6]]), color, words=f"{locked} locked"),
     ]
 
 
 def _wheels(at: float) -> Array:
     """(4, 2) ends of the two wheels of an axle."""
-    return np.array(
-        [(at + end, side) for side in (HALF_WIDTH - 0.1, 0.1 - HALF_WIDTH) for end in (-WHEEL, WHEEL)]
-    )
+    return np.array([(at + end, side) for side in (HALF_WIDTH - 0.1, 0.1 - HALF_WIDTH) for end in (-WHEEL, WHEEL)])
 
 
 def _energy(student: Student, times: Array, motions: dict[str, Array]) -> Strip:
@@ -96,9 +88,7 @@ def _energy(student: Student, times: Array, motions: dict[str, Array]) -> Strip:
     scale = max(abs(float(one[0])) for one in sums.values())
     if not scale:
         raise Trouble("kinetic_energy gives 0 for a car that moves")
-    return conserved(
-        "kinetic energy less work of friction", times[shown], sums, scale, "the energy at the start"
-    )
+    return conserved("kinetic energy less work of friction", times[shown], sums, scale, "the energy at the start")
 
 
 def _work(student: Student, states: Array, locked: str) -> Array:

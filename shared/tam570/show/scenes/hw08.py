@@ -36,10 +36,7 @@ def film(student: Student) -> Film:
         "A box turns once about a fixed axis through its centre; one of its corners draws a circle.",
         times,
         [Panel(parts, ruler=False)],
-        [
-            _defect(times, rotations),
-            *tried(notes, lambda: _apart(student, times, turned[:, -1], corners[-1])),
-        ],
+        [_defect(times, rotations), *tried(notes, lambda: _apart(student, times, turned[:, -1], corners[-1]))],
         notes=notes,
     )
 
@@ -62,10 +59,7 @@ def _apart(student: Student, times: Array, by_matrix: Array, corner: Array) -> S
     count = len(shown)
     path = student.each("rotate", [corner] * count, [AXIS] * count, RATE * times[shown], shape=(3,))
     return _small(
-        "corner: rotate() from rotation_matrix()",
-        times[shown],
-        np.linalg.norm(path - by_matrix[shown], axis=1),
-        "m",
+        "corner: rotate() from rotation_matrix()", times[shown], np.linalg.norm(path - by_matrix[shown], axis=1), "m"
     )
 
 

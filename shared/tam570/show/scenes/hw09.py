@@ -73,6 +73,4 @@ def _defect(times: Array, turned: dict[str, Array]) -> Strip:
         off[title[:3]] = np.abs(np.swapaxes(R, 1, 2) @ R - np.eye(3)).max(axis=(1, 2))
     largest = max(float(one.max()) for one in off.values())
     note = f"{'no rotation: ' if largest > LARGE else ''}at most {largest:.2g}"
-    return followed(
-        "largest element of RᵀR - I", times[shown], off, "", note, alarm=largest > LARGE, least=0.01
-    )
+    return followed("largest element of RᵀR - I", times[shown], off, "", note, alarm=largest > LARGE, least=0.01)

@@ -5,18 +5,7 @@ from typing import Any
 import numpy as np
 
 from tam570.show.drawing import box_face
-from tam570.show.film import (
-    GREY,
-    Array,
-    Film,
-    Panel,
-    Part,
-    Strip,
-    clock,
-    conserved,
-    moving,
-    strip_samples,
-)
+from tam570.show.film import GREY, Array, Film, Panel, Part, Strip, clock, conserved, moving, strip_samples
 from tam570.show.student import Student, Trouble, tried
 
 __all__ = ["film"]
@@ -44,12 +33,15 @@ def film(student: Student) -> Film:
         "energy ellipsoid; and the cone of a symmetric body rolls on the cone in space.",
         times,
         panels,
-        tried(notes, lambda: _energy(student, times, omegas, inertia),
-              lambda: _momentum(student, times, omegas, rotations, inertia)),
+        tried(
+            notes,
+            lambda: _energy(student, times, omegas, inertia),
+            lambda: _momentum(student, times, omegas, rotations, inertia),
+        ),
         view=(0.6, 0.3),
         notes=notes,
         poster=0.34,
-    )  # fmt: skip
+    )
 
 
 def _inertia(size: Array) -> Array:
@@ -115,13 +107,11 @@ def _sphere() -> list[Array]:
     """Circles of latitude and longitude."""
     u = np.linspace(0.0, 2.0 * np.pi, 49)
     meridians = [
-        np.column_stack([np.sin(u) * np.cos(a), np.sin(u) * np.sin(a), np.cos(u)])
-        for a in np.arange(6) * np.pi / 6
+        np.column_stack([np.sin(u) * np.cos(a), np.sin(u) * np.sin(a), np.cos(u)]) for a in np.arange(6) * np.pi / 6
     ]
     heights = np.sin(np.arange(-2, 3) * np.pi / 6)
     return meridians + [
-        np.column_stack([np.sqrt(1 - z * z) * np.cos(u), np.sqrt(1 - z * z) * np.sin(u), 0 * u + z])
-        for z in heights
+        np.column_stack([np.sqrt(1 - z * z) * np.cos(u), np.sqrt(1 - z * z) * np.sin(u), 0 * u + z]) for z in heights
     ]
 
 

@@ -40,9 +40,7 @@ def film(student: Student) -> Film:
 
 
 def _force(student: Student, states: Array) -> Part:
-    force = student.each("constraint_force", *states.T, mass=MASS, **WIRE, shape=(2,)) / (
-        MASS * WIRE["gravity"]
-    )
+    force = student.each("constraint_force", *states.T, mass=MASS, **WIRE, shape=(2,)) / (MASS * WIRE["gravity"])
     bead = _on_wire(states[:, 0])
     return Part("arrow", moving(bead, bead + ARROW * force), 3, "force of the wire", width=2.5)
 

@@ -7,19 +7,7 @@ import numpy as np
 
 from tam570.integrate import solve
 from tam570.show.drawing import circle
-from tam570.show.film import (
-    GREY,
-    INK,
-    Array,
-    Film,
-    Panel,
-    Part,
-    Strip,
-    clock,
-    conserved,
-    moving,
-    strip_samples,
-)
+from tam570.show.film import GREY, INK, Array, Film, Panel, Part, Strip, clock, conserved, moving, strip_samples
 from tam570.show.student import Student, Trouble, tried
 
 __all__ = ["film"]
@@ -39,9 +27,7 @@ def film(student: Student) -> Film:
     wrong = tried(notes, lambda: _naive(student, times))
     farthest = max(float(np.abs(states[:, 0]).max()) for states in (right, *wrong))
     panels = [Panel(_rolling(right[:, 0], 0, farthest), "by the balance about G")]
-    panels += [
-        Panel(_rolling(states[:, 0], 1, farthest), "as M_C = I^C φ'' would have it") for states in wrong
-    ]
+    panels += [Panel(_rolling(states[:, 0], 1, farthest), "as M_C = I^C φ'' would have it") for states in wrong]
     return Film(
         "Rolling cylinder",
         "A cylinder rolls down a ramp; its centre of mass, beside its centre, draws a wavy line. Below, the same "
@@ -93,9 +79,7 @@ def _turned(vector: Array, phi: Array) -> Array:
 def _energy(student: Student, times: Array, right: Array, wrong: list[Array]) -> Strip:
     shown = strip_samples(times)
     motions = dict(zip(("by G", "naive"), [right, *wrong], strict=False))
-    total = {
-        name: student.each("energy", *states[shown].T, **BODY, **RAMP) for name, states in motions.items()
-    }
+    total = {name: student.each("energy", *states[shown].T, **BODY, **RAMP) for name, states in motions.items()}
     at_rest = student.each("energy", right[shown, 0], 0 * shown, **BODY, **RAMP)
     scale = float(np.abs(total["by G"] - at_rest).max()) or 1.0
     title, of = "energy, change since the start", "the largest kinetic energy"

@@ -11,15 +11,8 @@ from tam570.show.student import Student, tried
 
 __all__ = ["film"]
 
-DISK: dict[str, Any] = {
-    "mass": 1.0,
-    "radius": 0.5,
-    "inertia": (0.0625, 0.125),
-    "gravity": 9.81,
-}  # kg, m, kg m^2, m/s^2
-START = np.array(
-    [0.0, 0.0, 0.0, math.pi / 2 + 0.3, 0.0, 0.5, 0.0, -5.0]
-)  # m, rad, rad/s: leaning and rolling
+DISK: dict[str, Any] = {"mass": 1.0, "radius": 0.5, "inertia": (0.0625, 0.125), "gravity": 9.81}  # kg, m, kg m^2, m/s^2
+START = np.array([0.0, 0.0, 0.0, math.pi / 2 + 0.3, 0.0, 0.5, 0.0, -5.0])  # m, rad, rad/s: leaning and rolling
 SIDES = 36
 SECONDS = 12.0
 LARGE = 1e-3  # of the radius, between the two simulations
@@ -68,6 +61,4 @@ def _ways_apart(student: Student, times: Array, frame: Array) -> Strip:
     largest = float(off.max()) / DISK["radius"]
     note = f"{'they differ: ' if largest > LARGE else ''}at most {largest:.2g} of the radius"
     title = "centre, by matrices from by Euler angles"
-    return followed(
-        title, times[shown], {"": off}, "m", note, alarm=largest > LARGE, least=0.01 * DISK["radius"]
-    )
+    return followed(title, times[shown], {"": off}, "m", note, alarm=largest > LARGE, least=0.01 * DISK["radius"])
