@@ -21,17 +21,17 @@ from pathlib import Path
 
 from tqdm import tqdm
 
-from tam570_grader import root
-from tam570_grader.launch import isolation
-from tam570_grader.run import Plan, records
-from tam570_grader.sandbox import Allowance, Cell
-from tam570_grader.submissions import submissions
+from tam570_grader.grading.many import Plan, records
+from tam570_grader.grading.submissions import submissions
+from tam570_grader.sandbox.launch import isolation
+from tam570_grader.sandbox.worker import Allowance, Cell
+from tam570_grader.writing import assignments
 
 RESULTS = Path(__file__).parent / "results" / "grading.json"
-COURSE = root.find(Path(__file__).parents[1])
+COURSE = assignments.find(Path(__file__).parents[1])
 CLASSES = {  # what everybody in the class hands in
     "hw08_axis_angle": "solutions/hw08_axis_angle.py",
-    "hw07_double_pendulum": "tests/right/hw07_double_pendulum/rk45_and_lists.py",
+    "hw07_double_pendulum": "autograder/checks/hw07_double_pendulum/alternatives/rk45_and_lists.py",
 }
 
 

@@ -13,14 +13,15 @@ import zlib
 import numpy as np
 import pytest
 
-from tam570_grader import cli, root
-from tam570_grader.grade import graded
-from tam570_grader.preload import imported
-from tam570_grader.sandbox import Allowance, Worker
-from tam570_grader.student import Source
+from tam570_grader import cli
+from tam570_grader.grading.one import graded
+from tam570_grader.sandbox.preload import imported
+from tam570_grader.sandbox.student import Source
+from tam570_grader.sandbox.worker import Allowance, Worker
+from tam570_grader.writing import assignments
 
-COURSE = root.find()
-SLUGS = root.slugs(COURSE)
+COURSE = assignments.find()
+SLUGS = assignments.slugs(COURSE)
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "chrome")
 WHOLE = ("test_nbgrader.py", "test_formgrader.py", "test_feedback_browser.py")  # fixtures of up to a minute
 SEEDS = {"seed": (range(5), range(50)), "draw": ([1], range(4))}  # in the quick form, and in full
@@ -106,7 +107,7 @@ def workers():
     started = {}
 
     def worker(slug, allowance, text=b""):
-        needs = tuple(sorted({*root.assignment(COURSE, slug).needs, *imported(text)}))
+        needs = tuple(sorted({*assignments.assignment(COURSE, slug).needs, *imported(text)}))
         if (needs, allowance) not in started:
             started[needs, allowance] = Worker(needs, allowance)
         return started[needs, allowance]
@@ -123,7 +124,7 @@ def grade(workers):
     def grade(slug, text, seed=0, *, allowance=None, notebook=False):
         source = Source(text.encode() if isinstance(text, str) else text, notebook)
         worker = workers(slug, allowance or Allowance(), source.text)
-        return graded("someone", source, root.assignment(COURSE, slug), worker, seed)
+        return graded("someone", source, assignments.assignment(COURSE, slug), worker, seed)
 
     return grade
 

@@ -10,8 +10,8 @@ import argparse
 from collections.abc import Iterator
 from pathlib import Path
 
-from tam570_grader import root
-from tam570_grader.stubs import stub
+from tam570_grader.delivery.stubs import stub
+from tam570_grader.writing import assignments
 
 TESTS = Path(__file__).parent
 REPLACED = """
@@ -28,10 +28,13 @@ CRASHES = REPLACED.format(body="__import__('os').abort()")
 
 def sample_class() -> Iterator[tuple[str, str, str]]:
     """(student, assignment, text) of every submission."""
-    course = root.find(TESTS.parent)
-    for slug in root.slugs(course):
+    course = assignments.find(TESTS.parent)
+    for slug in assignments.slugs(course):
         solution = (course / "solutions" / f"{slug}.py").read_text()
-        right, wrong = (sorted((TESTS / kind / slug).glob("*.py")) for kind in ("right", "wrong"))
+        right, wrong = [
+            sorted((assignments.checks_folder(course, slug) / kind).glob("*.py"))
+            for kind in ("alternatives", "mistakes")
+        ]
         for student, path in zip(("ada", "ben", "cho"), right, strict=False):
             yield student, slug, path.read_text()
         for student, path in zip(("dev", "eli", "fay"), wrong[::3], strict=False):

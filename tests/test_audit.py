@@ -7,11 +7,13 @@ import math
 import numpy as np
 import pytest
 
-from tam570_grader import cli, diagnosis, fairness, margins, mutation, root
-from tam570_grader.equivalents import equivalents
+from tam570_grader import cli
+from tam570_grader.audit import diagnosis, fairness, margins, mutation
+from tam570_grader.audit.equivalents import equivalents
+from tam570_grader.audit.margins import Margin
+from tam570_grader.audit.mutate import mutants
 from tam570_grader.errors import UsageError
-from tam570_grader.margins import Margin
-from tam570_grader.mutate import mutants
+from tam570_grader.writing import assignments
 
 SLUG = "hw08_axis_angle"
 
@@ -73,7 +75,7 @@ def test_no_slip_in_a_solution_keeps_full_marks(slug, sample, capsys):
 
 
 def test_the_audit_fails_when_a_mutant_survives_and_says_how_to_list_it(capsys, monkeypatch):
-    monkeypatch.setattr("tam570_grader.mutation.equivalents", lambda course, slug: {})
+    monkeypatch.setattr("tam570_grader.audit.mutation.equivalents", lambda course, slug: {})
     assert cli.main(["audit", "hw08"]) == 1
     assert '[_unit]\n    "scaled @ scaled -> scaled.T @ scaled" = ""' in capsys.readouterr().out
 
@@ -95,8 +97,8 @@ def test_the_audit_fails_when_a_mutant_crashes_a_check(capsys, monkeypatch):
     ],
 )
 def test_the_audit_fails_when_a_line_lists_in_vain(slip, proof, fault, capsys, monkeypatch):
-    known = equivalents(root.find(), SLUG)
-    monkeypatch.setattr("tam570_grader.mutation.equivalents", lambda course, slug: {**known, slip: proof})
+    known = equivalents(assignments.find(), SLUG)
+    monkeypatch.setattr("tam570_grader.audit.mutation.equivalents", lambda course, slug: {**known, slip: proof})
     assert cli.main(["audit", "hw08", "--function", "_unit"]) == 1
     assert f"LISTED IN VAIN _unit: {slip[1]}: {fault}" in capsys.readouterr().out
 
@@ -123,7 +125,7 @@ def test_of_several_assignments_those_with_the_function_are_audited(capsys):
     ],
 )
 def test_a_list_of_equivalent_mutants_that_cannot_be_read_is_named(tmp_path, text, says):
-    path = tmp_path / "autograder" / "equivalent_mutants" / f"{SLUG}.toml"
+    path = tmp_path / "autograder" / "checks" / SLUG / "equivalent.toml"
     path.parent.mkdir(parents=True)
     path.write_text(text, errors="surrogateescape")
     with pytest.raises(UsageError) as refused:
@@ -146,10 +148,10 @@ def test_right_submissions_are_fair_and_what_is_kept_is_not_run_again(tmp_path, 
     out, lines = capsys.readouterr().out, keep.read_text()
     assert "hw08_axis_angle:     10 runs, 0 false fails, rate below 25.89%" in out
     keep.write_text(lines + '{"half a li')
-    monkeypatch.setattr("tam570_grader.fairness._graded", None)
+    monkeypatch.setattr("tam570_grader.audit.fairness._graded", None)
     assert cli.main(command) == 0
     assert capsys.readouterr().out == out
-    monkeypatch.setattr(root, "engine_digest", lambda: b"another grader")
+    monkeypatch.setattr(assignments, "engine_digest", lambda: b"another grader")
     with pytest.raises(TypeError):
         cli.main(command)
 
@@ -175,9 +177,9 @@ def test_what_is_kept_of_a_submission_is_not_that_of_another_name(tmp_path, monk
     keep = tmp_path / "fair.jsonl"
     texts = {"a": "def skew(v): return None", "b": "def skew(v): return v"}
     monkeypatch.setattr(fairness, "submissions", lambda course, kind, slug: texts)
-    before = fairness.fair(root.find(), SLUG, 1, 1, keep)
+    before = fairness.fair(assignments.find(), SLUG, 1, 1, keep)
     texts.update(a=texts["b"], b=texts["a"])
-    after = fairness.fair(root.find(), SLUG, 1, 1, keep)
+    after = fairness.fair(assignments.find(), SLUG, 1, 1, keep)
     found = [{line["submission"]: line["fails"] for line in lines} for lines in (before, after)]
     assert found[0]["a"] != found[0]["b"] and found[0]["a"] == found[1]["b"] and found[0]["b"] == found[1]["a"]
 
@@ -203,7 +205,7 @@ def test_a_quick_diagnosis_takes_a_sample(capsys):
 
 def test_a_false_fail_is_told_with_check_seed_and_message(capsys, monkeypatch):
     wrong = {"wrong": "def skew(v): return [[0.0] * 3] * 3"}
-    monkeypatch.setattr("tam570_grader.fairness.submissions", lambda course, kind, slug: wrong)
+    monkeypatch.setattr("tam570_grader.audit.fairness.submissions", lambda course, kind, slug: wrong)
     assert cli.main(["audit", "hw08", "--fairness", "1", "--jobs", "1"]) == 1
     assert "seed 5000: skew_is_the_cross_product: " in capsys.readouterr().out
 

@@ -8,15 +8,15 @@ import signal
 import subprocess
 import sys
 import zipfile
-from pathlib import Path
 
 import pytest
 
 from tam570 import cli
-from tam570.course import assignments
-from tam570_grader import book, root
+from tam570 import course as released
 from tam570_grader import cli as grader
-from tam570_grader.kit import run as make_kit
+from tam570_grader.delivery.kit import run as make_kit
+from tam570_grader.results import journal
+from tam570_grader.writing import assignments
 
 SLUG = "hw08_axis_angle"
 HEAVY = {"scipy", "matplotlib", "sympy", "pytest", "numba", "nbgrader", "tqdm", "hatchling", "IPython"}
@@ -88,7 +88,11 @@ def test_where_the_grader_cannot_run_it_says_so_in_one_line(desk):
 
 def test_every_assignment_is_listed(desk, capsys, course):
     assert cli.main(["list"]) == 0
-    assert [line.split()[0] for line in capsys.readouterr().out.splitlines()] == root.slugs(course) == assignments()
+    assert (
+        [line.split()[0] for line in capsys.readouterr().out.splitlines()]
+        == assignments.slugs(course)
+        == released.assignments()
+    )
 
 
 def test_start_gives_the_problem_the_stub_and_the_tests_and_overwrites_nothing(desk):
@@ -115,13 +119,13 @@ def test_the_visible_tests_pass_on_the_solution_and_fail_on_the_stub(desk, slug,
     assert code == 1 and "is not written yet" in said and "passed" not in said.splitlines()[-1]
 
 
-RIGHT = sorted((Path(__file__).parent / "right").glob("*/*.py"))
+RIGHT = sorted((assignments.find() / "autograder" / "checks").glob("*/alternatives/*.py"))
 
 
-@pytest.mark.parametrize("path", RIGHT, ids=[f"{path.parent.name[:4]}-{path.stem}" for path in RIGHT])
+@pytest.mark.parametrize("path", RIGHT, ids=[f"{path.parents[1].name[:4]}-{path.stem}" for path in RIGHT])
 def test_the_visible_tests_pass_on_right_answers_in_other_styles(desk, path):
-    shutil.copy(path, desk / f"{path.parent.name}.py")
-    code, said = checked(desk / f"{path.parent.name}.py")
+    shutil.copy(path, desk / f"{path.parents[1].name}.py")
+    code, said = checked(desk / f"{path.parents[1].name}.py")
     assert code == 0, said
 
 
@@ -176,7 +180,7 @@ def test_hints_go_one_step_further_each_time(desk, capsys):
 def graded(desk):
     """Results in a folder, beside a file."""
     (desk / "results").mkdir()
-    record = {**dict.fromkeys(book.RESULT, 0), "student": "ada", "assignment": SLUG, "checks": [], "max_score": 1}
+    record = {**dict.fromkeys(journal.RESULT, 0), "student": "ada", "assignment": SLUG, "checks": [], "max_score": 1}
     (desk / "results" / "results.jsonl").write_text(json.dumps(record) + "\n")
     (desk / "grades.csv").write_text(f"student,assignment,score,max_score\nada,{SLUG},1,1\n")
     (desk / "file").touch()
@@ -200,7 +204,7 @@ def test_a_disk_that_fails_is_told_in_a_line(desk, capsys, monkeypatch):
     def full(arguments):
         raise OSError(errno.ENOSPC, "No space left on device", "x")
 
-    monkeypatch.setattr("tam570_grader.handover._kit", full)
+    monkeypatch.setattr("tam570_grader.delivery.command._kit", full)
     assert grader.main(["kit", "x"]) == 1
     assert capsys.readouterr().err == "tam570-grader: error: [Errno 28] No space left on device: 'x'\n"
 
@@ -216,15 +220,15 @@ def handlers():
 
 @pytest.mark.parametrize("first", [signal.SIGINT, signal.SIGTERM])
 def test_a_second_interrupt_ends_what_the_first_puts_away(handlers, monkeypatch, first):
-    monkeypatch.setattr("tam570_grader.handover._kit", lambda arguments: signal.raise_signal(first))
+    monkeypatch.setattr("tam570_grader.delivery.command._kit", lambda arguments: signal.raise_signal(first))
     assert grader.main(["kit", "x"]) == 130
     assert signal.getsignal(signal.SIGINT) == signal.SIG_DFL
 
 
 def test_stubs_are_written_and_compared(tmp_path, capsys, course):
-    for folder in ("solutions", "autograder/checks"):
-        (tmp_path / folder).mkdir(parents=True)
-        (tmp_path / folder / f"{SLUG}.py").write_text((course / folder / f"{SLUG}.py").read_text())
+    for path in (f"solutions/{SLUG}.py", f"autograder/checks/{SLUG}/checks.py"):
+        (tmp_path / path).parent.mkdir(parents=True)
+        (tmp_path / path).write_text((course / path).read_text())
     assert grader.main(["--root", str(tmp_path), "stubs", "--check"]) == 1
     assert "run tam570-grader stubs" in capsys.readouterr().err
     assert grader.main(["--root", str(tmp_path), "stubs"]) == 0
@@ -244,10 +248,10 @@ def test_the_kit_holds_the_assignments_and_no_secret(kit, course):
         names = archive.namelist()
         texts = b"\n".join(archive.read(name) for name in names if "/grader/" not in name)
     assert wheel.name in (kit / "README.md").read_text()
-    assert {f"tam570/assignments/{slug}/{slug}.py" for slug in root.slugs(course)} <= set(names)
+    assert {f"tam570/assignments/{slug}/{slug}.py" for slug in assignments.slugs(course)} <= set(names)
     assert not [name for name in names if "solutions" in name or "checks/" in name or "__pycache__" in name]
-    for slug in root.slugs(course):
-        first = root.assignment(course, slug).checks[0]
+    for slug in assignments.slugs(course):
+        first = assignments.assignment(course, slug).checks[0]
         assert f"def {first.name}".encode() not in texts
 
 

@@ -8,13 +8,12 @@ import sys
 import nbformat
 import pytest
 
-from tam570_grader import cli, root
-from tam570_grader.course import TEMPLATES
-from tam570_grader.notebook import functions_by_part, notebook, part_points, problem, visible_by_part
-from tam570_grader.sandbox import Allowance
-from tam570_grader.stubs import stub
+from tam570_grader import cli
+from tam570_grader.delivery.notebook import functions_by_part, notebook, part_points, problem, visible_by_part
+from tam570_grader.delivery.stubs import stub
+from tam570_grader.sandbox.worker import Allowance
+from tam570_grader.writing import assignments
 
-PICTURES = TEMPLATES / "pictures"
 ONE = "hw08_axis_angle"
 MISSING = ("is not written", "comes from a cell above that shows nothing yet")
 
@@ -22,11 +21,15 @@ MISSING = ("is not written", "comes from a cell above that shows nothing yet")
 def made_notebook(course, slug):
     released = course / "assignments" / slug
     texts = [(released / name).read_text() for name in ("README.md", f"test_{slug}.py")]
-    return notebook(root.assignment(course, slug), *texts, (PICTURES / f"{slug}.md").read_text())
+    return notebook(
+        assignments.assignment(course, slug),
+        *texts,
+        (assignments.checks_folder(course, slug) / "notebook.md").read_text(),
+    )
 
 
 def test_every_part_has_its_text_and_its_points(course, slug):
-    assignment, cells = root.assignment(course, slug), made_notebook(course, slug)["cells"]
+    assignment, cells = assignments.assignment(course, slug), made_notebook(course, slug)["cells"]
     given = problem((course / "assignments" / slug / "README.md").read_text())
     graded = {
         one["metadata"]["nbgrader"]["grade_id"]: one["metadata"]["nbgrader"]["points"]
@@ -41,7 +44,10 @@ def test_every_part_has_its_text_and_its_points(course, slug):
 
 
 def test_every_visible_test_belongs_to_one_part_and_every_function_to_its_check(course, slug):
-    assignment, text = (root.assignment(course, slug), (course / "assignments" / slug / f"test_{slug}.py").read_text())
+    assignment, text = (
+        assignments.assignment(course, slug),
+        (course / "assignments" / slug / f"test_{slug}.py").read_text(),
+    )
     placed = [name for names in visible_by_part(assignment, text).values() for name in names]
     assert sorted(placed) == sorted(
         line[4:].split("(")[0] for line in text.splitlines() if line.startswith("def test_")
@@ -50,7 +56,7 @@ def test_every_visible_test_belongs_to_one_part_and_every_function_to_its_check(
 
 
 def test_a_test_waits_for_the_last_part_that_it_uses(course):
-    assignment = root.assignment(course, "hw12_bead_on_wire")
+    assignment = assignments.assignment(course, "hw12_bead_on_wire")
     one, two = "def test_one():\n    hw.lagrangian()\n", "def test_two():\n    both(), hw.lagrangian()\n"
     text = f"def both():\n    hw.period(1)\n{one}{two}"
     assert visible_by_part(assignment, text) == {"a": ["test_one"], "b": ["test_two"]}

@@ -7,12 +7,12 @@ import types
 import numpy as np
 import pytest
 
-from tam570_grader import root
-from tam570_grader.check import Failure
-from tam570_grader.curves import along, readable
-from tam570_grader.returns import Drawing, Line
-from tam570_grader.sandbox import Allowance
-from tam570_grader.student import Source, Student
+from tam570_grader.sandbox.student import Source, Student
+from tam570_grader.sandbox.worker import Allowance
+from tam570_grader.writing import assignments
+from tam570_grader.writing.check import Failure
+from tam570_grader.writing.curves import along, readable
+from tam570_grader.writing.returns import Drawing, Line
 
 DRAWN = {  # assignment: the function that draws, its check, its visible test
     "hw02_ballistics": ("plot_comparison", "both_paths_are_drawn", "two_curves_are_drawn"),
@@ -63,7 +63,7 @@ def redrawn(slug, code, text):
 
 def judged(slug, text, course, workers):
     """Judge the picture by the hidden check."""
-    assignment = root.assignment(course, slug)
+    assignment = assignments.assignment(course, slug)
     (check,) = (check for check in assignment.checks if check.name == DRAWN[slug][1])
     student = Student(Source(text.encode()), assignment, workers(slug, Allowance()))
     try:

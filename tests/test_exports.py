@@ -10,9 +10,12 @@ import zipfile
 
 import pytest
 
-from tam570_grader import book, cli, gradescope, lms, root
-from tam570_grader.grade import failed_by_us
-from tam570_grader.stubs import stub
+from tam570_grader import cli
+from tam570_grader.delivery import gradescope, lms
+from tam570_grader.delivery.stubs import stub
+from tam570_grader.grading.one import failed_by_us
+from tam570_grader.results import journal
+from tam570_grader.writing import assignments
 
 ONE = "hw08_axis_angle"
 FORMATS = {"text", "html", "simple_format", "md", "ansi"}
@@ -85,7 +88,7 @@ def test_the_schema_tells_right_from_wrong():
 @pytest.mark.parametrize("what", ["solution", "stub", "transposed", "no_syntax"])
 def test_results_are_what_gradescope_accepts(course, submission, solution_text, capsys, what):
     solution = solution_text(ONE)
-    wrong = (course / "tests" / "wrong" / ONE / "transposed.py").read_text()
+    wrong = (assignments.checks_folder(course, ONE) / "mistakes" / "transposed.py").read_text()
     texts = {"solution": solution, "stub": stub(solution), "transposed": solution + wrong, "no_syntax": "def f(:"}
     grade = ["grade", str(submission(texts[what])), "--assignment", ONE, "--seed", "3", "--format", "gradescope"]
     assert cli.main(["--root", str(course), *grade]) == 0
@@ -97,7 +100,7 @@ def test_results_are_what_gradescope_accepts(course, submission, solution_text, 
 
 
 def test_results_hold_nothing_hidden(course, grade, solution_text):
-    wrong = (course / "tests" / "wrong" / ONE / "transposed.py").read_text()
+    wrong = (assignments.checks_folder(course, ONE) / "mistakes" / "transposed.py").read_text()
     record = grade(ONE, solution_text(ONE) + wrong).record()
     hidden = [text for mark in record["checks"] for text in mark["detail"].values()]
     page = json.dumps(gradescope.results(record, {}))
@@ -112,8 +115,8 @@ def test_two_submissions_are_not_one(course, tmp_path, submission, capsys):
 
 
 def test_a_failure_of_ours_leaves_no_results(course, submission, capsys, monkeypatch):
-    broken = failed_by_us("s", root.assignment(course, ONE), "a bug", 3).record()
-    monkeypatch.setattr("tam570_grader.run.records", lambda plan, book, old: iter([broken]))
+    broken = failed_by_us("s", assignments.assignment(course, ONE), "a bug", 3).record()
+    monkeypatch.setattr("tam570_grader.grading.many.records", lambda plan, book, old: iter([broken]))
     grade = ["grade", str(submission()), "--assignment", ONE, "--format", "gradescope"]
     assert cli.main(["--root", str(course), *grade]) == 1
     assert capsys.readouterr().out == ""
@@ -210,9 +213,9 @@ NAMES = ["ann", "'ann", "+1", "'+1", "''=1", "-rf", "@x", "\tx", "\rx", "\uff1d1
 
 @pytest.mark.parametrize("name", NAMES)
 def test_a_cell_is_no_formula_and_tells_the_name(name):
-    assert unicodedata.normalize("NFKC", book.cell(name))[0] not in "=+-@\t\r"
-    assert book.name_in(book.cell(name)) == name
-    assert (book.cell(name) == name) == (name in NAMES[:2])
+    assert unicodedata.normalize("NFKC", journal.cell(name))[0] not in "=+-@\t\r"
+    assert journal.name_in(journal.cell(name)) == name
+    assert (journal.cell(name) == name) == (name in NAMES[:2])
 
 
 @pytest.fixture
@@ -222,7 +225,7 @@ def grades(tmp_path):
         {"student": name, "assignment": "hw07_x", "status": "graded", "score": 9.5, "max_score": 10.0}
         for name in ("+1", "ann")
     ]
-    (tmp_path / "grades.csv").write_text(book.grades(records))
+    (tmp_path / "grades.csv").write_text(journal.grades(records))
     return tmp_path / "grades.csv"
 
 

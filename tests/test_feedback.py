@@ -6,7 +6,6 @@ import math
 import re
 import subprocess
 import sys
-from pathlib import Path
 from xml.etree import ElementTree
 
 import numpy as np
@@ -14,12 +13,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tam570_grader import feedback
-from tam570_grader.check import Failure, expect
-from tam570_grader.curves import SLOTS, curve
-from tam570_grader.pictures import BOTTOM, LEFT, RIGHT, TOP, picture
+from tam570_grader.pages import feedback
+from tam570_grader.pages.pictures import BOTTOM, LEFT, RIGHT, TOP, picture
+from tam570_grader.writing import assignments
+from tam570_grader.writing.check import Failure, expect
+from tam570_grader.writing.curves import SLOTS, curve
 
-WRONG = Path(__file__).parent / "wrong"
+CHECKS = assignments.find() / "autograder" / "checks"
 NUMBER = re.compile(r"-?\d+\.\d{3,}(?:e[-+]?\d+)?")  # more digits than a message has
 
 
@@ -31,12 +31,12 @@ def page(course):
 
 def failing(slug, grade, solution_text, count=None):
     """Results of wrong submissions of an assignment."""
-    for path in sorted((WRONG / slug).glob("*.py"))[:count]:
+    for path in sorted((CHECKS / slug / "mistakes").glob("*.py"))[:count]:
         yield grade(slug, solution_text(slug) + "\n\n" + path.read_text(), seed=1)
 
 
 def wrong(slug, name, grade, solution_text):
-    return grade(slug, solution_text(slug) + "\n\n" + (WRONG / slug / f"{name}.py").read_text(), seed=1)
+    return grade(slug, solution_text(slug) + "\n\n" + (CHECKS / slug / "mistakes" / f"{name}.py").read_text(), seed=1)
 
 
 def texts(page):
@@ -248,12 +248,12 @@ def test_pages_are_written_beside_the_results_and_left_when_nothing_changed(tmp_
     [
         ([], False, set()),
         (["--out", "out"], True, {"jinja2"}),
-        (["--out", "out"], False, {"jinja2", "tam570_grader.pictures"}),
+        (["--out", "out"], False, {"jinja2", "tam570_grader.pages.pictures"}),
     ],
 )
 def test_what_draws_is_imported_where_something_is_drawn(options, right, needed, tmp_path, course, solution_text):
     slug = "hw02_ballistics"
-    mistake = "" if right else (WRONG / slug / "euler_steps.py").read_text()
+    mistake = "" if right else (CHECKS / slug / "mistakes" / "euler_steps.py").read_text()
     (tmp_path / f"{slug}.py").write_text(solution_text(slug) + "\n\n" + mistake)
     code = (
         "import sys\nfrom tam570_grader.cli import main\n"
@@ -261,7 +261,7 @@ def test_what_draws_is_imported_where_something_is_drawn(options, right, needed,
         "print(*sys.modules, file=sys.stderr)"
     )
     done = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, check=True)
-    assert set(done.stderr.split()) & {"jinja2", "tam570_grader.pictures", "matplotlib.pyplot"} == needed
+    assert set(done.stderr.split()) & {"jinja2", "tam570_grader.pages.pictures", "matplotlib.pyplot"} == needed
 
 
 def test_a_result_of_an_assignment_that_is_gone_still_has_a_page(course):

@@ -1,13 +1,13 @@
 """The pages in headless Chromium: wide and narrow, light and dark, by mouse and by keyboard."""
 
 import json
-from pathlib import Path
 
 import pytest
 
-from tam570_grader import feedback, report
+from tam570_grader.pages import feedback, report
+from tam570_grader.writing import assignments
 
-WRONG = Path(__file__).parent / "wrong"
+CHECKS = assignments.find() / "autograder" / "checks"
 SHOWN = {"hw07_double_pendulum": "too_few_steps", "hw05_constrained_pendulum": "differentiated_once"}
 WIDTHS = {"desktop": 1280, "phone": 390}
 CONTRAST = 4.5  # of text, WCAG 2 AA
@@ -16,23 +16,23 @@ CONTRAST = 4.5  # of text, WCAG 2 AA
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory, course, workers):
     """The results of a small class with its pages and its report."""
-    from tam570_grader import root
-    from tam570_grader.grade import graded, not_graded
-    from tam570_grader.sandbox import Allowance
-    from tam570_grader.speed import Yardstick
-    from tam570_grader.student import Source
+    from tam570_grader.grading.one import graded, not_graded
+    from tam570_grader.grading.speed import Yardstick
+    from tam570_grader.sandbox.student import Source
+    from tam570_grader.sandbox.worker import Allowance
+    from tam570_grader.writing import assignments
 
     folder = tmp_path_factory.mktemp("class")
     records, yardstick = [], Yardstick(course)
     for slug, mistake in SHOWN.items():
         right = (course / "solutions" / f"{slug}.py").read_text()
-        wrong = (WRONG / slug / f"{mistake}.py").read_text()
-        assignment = root.assignment(course, slug)
+        wrong = (CHECKS / slug / "mistakes" / f"{mistake}.py").read_text()
+        assignment = assignments.assignment(course, slug)
         for student, text in {"ada": right, "ben": f"{right}\n\n{wrong}", "cora": ""}.items():
             source = Source(text.encode())
             records.append(graded(student, source, assignment, workers(slug, Allowance()), 1, yardstick).record())
     for slug in ("hw03_angular_momentum_rate", assignment.slug):  # one with a long title
-        records.append(not_graded("dan", root.assignment(course, slug), "missing", "no file", 1).record())
+        records.append(not_graded("dan", assignments.assignment(course, slug), "missing", "no file", 1).record())
     (folder / "results.jsonl").write_text("".join(json.dumps(one) + "\n" for one in records))
     feedback.write_pages(folder / "feedback", records, course)
     assert report.run(folder, course, None, None) == 0

@@ -7,12 +7,14 @@ import re
 import numpy as np
 import pytest
 
-from tam570_grader import cli, feedback, root
-from tam570_grader.grade import graded
-from tam570_grader.pictures import BOTTOM, LAST, LEFT, TOP, among
-from tam570_grader.sandbox import Allowance
-from tam570_grader.speed import SHORTEST, Yardstick, scenes, time_to
-from tam570_grader.student import Source
+from tam570_grader import cli
+from tam570_grader.grading.one import graded
+from tam570_grader.grading.speed import SHORTEST, Yardstick, scenes, time_to
+from tam570_grader.pages import feedback
+from tam570_grader.pages.pictures import BOTTOM, LAST, LEFT, TOP, among
+from tam570_grader.sandbox.student import Source
+from tam570_grader.sandbox.worker import Allowance
+from tam570_grader.writing import assignments
 
 SLUG = "hw07_double_pendulum"
 SPEED = {"function": "simulate", "scene": "double pendulum", "seconds": 0.1, "error": 1e-6, "machine": 0.5}
@@ -32,7 +34,7 @@ def measured(course, workers):
 
     def measured(slug, text):
         worker = workers(slug, Allowance())
-        return graded("someone", Source(text.encode()), root.assignment(course, slug), worker, 1, yardstick)
+        return graded("someone", Source(text.encode()), assignments.assignment(course, slug), worker, 1, yardstick)
 
     return measured
 
@@ -44,7 +46,7 @@ def test_what_the_pages_know_of_run_times_is_made_from_the_benchmark(course):
     spec.loader.exec_module(module)
     kept = json.loads(module.PLACE.read_text())
     assert json.loads(json.dumps(module.shared())) == kept, f"run: python {path.relative_to(course)}"
-    assert set(kept) <= set(root.slugs(course)) and len(kept) > 4
+    assert set(kept) <= set(assignments.slugs(course)) and len(kept) > 4
 
 
 def test_the_right_end_of_a_scene_is_what_another_integrator_finds():
@@ -52,7 +54,7 @@ def test_the_right_end_of_a_scene_is_what_another_integrator_finds():
 
     scene = scenes()[SLUG]
     (t0, t1), theta, omega = scene["arguments"]
-    module = root.solution(SLUG)
+    module = assignments.solution(SLUG)
     known = {name: np.array(value) for name, value in scene["keywords"].items()}
 
     def rates(_, y):

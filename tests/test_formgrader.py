@@ -24,7 +24,7 @@ def graded_course(course, tmp_path_factory, nbgrader, made_course):
     nbgrader(made, "generate_assignment", SLUG)
     folder = made / "submitted" / "ben" / SLUG
     shutil.copytree(made / "release" / SLUG, folder)
-    wrong = (course / "tests" / "wrong" / SLUG / "too_few_steps.py").read_text()
+    wrong = (course / "autograder" / "checks" / SLUG / "mistakes" / "too_few_steps.py").read_text()
     solution = (course / "solutions" / f"{SLUG}.py").read_text()
     (folder / f"{SLUG}.py").write_text(f"{solution}\n\n{wrong}")
     notebook = folder / f"{SLUG}.ipynb"

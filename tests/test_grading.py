@@ -19,19 +19,21 @@ import numpy as np
 import pytest
 import sympy
 
-from tam570_grader import cli, root, submissions
-from tam570_grader.check import Failure, expect, given, suspect
-from tam570_grader.curves import readable
-from tam570_grader.grade import agrees, graded
-from tam570_grader.inside.answer import MODES
-from tam570_grader.inside.wire import Foreign, Unreadable, packed, portable, unpacked
-from tam570_grader.launch import isolation
-from tam570_grader.preload import imported
-from tam570_grader.returns import Drawing, array, group, number, result, rows
-from tam570_grader.root import slug_of
-from tam570_grader.sandbox import Allowance, Cell
-from tam570_grader.shapes import distances, judge_axes_of_lengths
-from tam570_grader.student import Call, Source, Student
+from tam570_grader import cli
+from tam570_grader.grading import submissions
+from tam570_grader.grading.one import agrees, graded
+from tam570_grader.sandbox.inside.answer import MODES
+from tam570_grader.sandbox.inside.wire import Foreign, Unreadable, packed, portable, unpacked
+from tam570_grader.sandbox.launch import isolation
+from tam570_grader.sandbox.preload import imported
+from tam570_grader.sandbox.student import Call, Source, Student
+from tam570_grader.sandbox.worker import Allowance, Cell
+from tam570_grader.writing import assignments
+from tam570_grader.writing.assignments import slug_of
+from tam570_grader.writing.check import Failure, expect, given, suspect
+from tam570_grader.writing.curves import readable
+from tam570_grader.writing.drawings import distances, judge_axes_of_lengths
+from tam570_grader.writing.returns import Drawing, array, group, number, result, rows
 
 SLUG = "hw08_axis_angle"
 NOTHING = "def skew(v): return None\n"
@@ -410,7 +412,7 @@ def test_bad_usage_is_said_and_exits_2(tmp_path, monkeypatch, capsys, arguments,
         (tmp_path / name).write_text(NOTHING)
     if arguments == ["."]:
         arguments = [str((tmp_path / "empty").mkdir() or tmp_path / "empty")]
-    assert cli.main(["--root", str(root.find(Path(__file__).parents[1])), "grade", *arguments]) == 2
+    assert cli.main(["--root", str(assignments.find(Path(__file__).parents[1])), "grade", *arguments]) == 2
     assert says in capsys.readouterr().err
 
 
@@ -435,7 +437,7 @@ def test_scores_do_not_depend_on_jobs_and_runs(run, tree):
 def test_results_are_written_and_found_again(run, tree, tmp_path, monkeypatch):
     out = tmp_path / "out"
     _, first, _ = run(tree, "--out", out)
-    monkeypatch.setattr("tam570_grader.run.graded", None)  # nothing may be graded again
+    monkeypatch.setattr("tam570_grader.grading.many.graded", None)  # nothing may be graded again
     _, second, _ = run(tree, "--out", out)
     assert sorted(map(json.dumps, first)) == sorted(map(json.dumps, second))
     assert len((out / "results.jsonl").read_text().splitlines()) == 3
@@ -538,7 +540,7 @@ def test_a_fault_of_the_grader_is_no_score_and_exits_1(run, tree, monkeypatch):
     def broken(function, calls):
         raise RuntimeError("a fault of ours")
 
-    monkeypatch.setattr("tam570_grader.student.Function.many", broken)
+    monkeypatch.setattr("tam570_grader.sandbox.student.Function.many", broken)
     code, (line,), err = run(tree / "ada")
     assert code == 1 and line["score"] is None and "a fault of ours" in err
     assert {mark["outcome"] for mark in line["checks"]} >= {"grader_error"}
@@ -549,7 +551,7 @@ def test_where_the_grader_failed_it_tries_again(run, tree, tmp_path, monkeypatch
         raise RuntimeError("a fault of ours")
 
     with monkeypatch.context() as fault:
-        fault.setattr("tam570_grader.student.Function.many", broken)
+        fault.setattr("tam570_grader.sandbox.student.Function.many", broken)
         run(tree / "ada", "--out", tmp_path / "out")
     code, (line,), _ = run(tree / "ada", "--out", tmp_path / "out")
     assert code == 0 and line["score"] == 10.0
@@ -560,7 +562,7 @@ def test_a_suspect_that_raises_costs_no_grade(run, tree, monkeypatch):
     def broken(suspect, calls):
         raise IndexError("a fault of ours")
 
-    monkeypatch.setattr("tam570_grader.grade.agrees", broken)
+    monkeypatch.setattr("tam570_grader.grading.one.agrees", broken)
     (tree / "ben" / SLUG / f"{SLUG}.py").write_text("def rotate(axis, angle, r):\n    return r\n")
     code, (line,), _ = run(tree / "ben", "--seed", 1)
     failed = [mark for mark in line["checks"] if mark["outcome"] == "failed"]
@@ -592,7 +594,7 @@ for sign, wait in ((signal.SIGSTOP, 4), (signal.SIGCONT, 0)):
 def test_who_is_suspended_with_the_grader_is_not_late(course, workers):
     text = "def skew(v):\n    import time\n    time.sleep(0.8)\n    return [[0.0] * 3] * 3\n"
     allowance = Allowance(call=2.0)
-    student = Student(Source(text.encode()), root.assignment(course, SLUG), workers(SLUG, allowance))
+    student = Student(Source(text.encode()), assignments.assignment(course, SLUG), workers(SLUG, allowance))
     student.load()
     with subprocess.Popen([sys.executable, "-c", STOPPER, str(os.getpid())]):
         assert np.array_equal(student.skew([1.0, 2.0, 3.0]), np.zeros((3, 3)))
@@ -600,7 +602,7 @@ def test_who_is_suspended_with_the_grader_is_not_late(course, workers):
 
 
 def test_a_function_that_hangs_fails_alone(grade, solution_text):
-    from tam570_grader.sandbox import Allowance
+    from tam570_grader.sandbox.worker import Allowance
 
     text = solution_text(SLUG) + "\ndef rotate(r, axis, angle):\n    while True: pass\n"
     outcome = grade(SLUG, text, allowance=Allowance(call=1))
@@ -609,7 +611,7 @@ def test_a_function_that_hangs_fails_alone(grade, solution_text):
 
 
 def test_one_that_sleeps_through_its_calls_is_ended(grade, solution_text, monkeypatch):
-    monkeypatch.setattr("tam570_grader.student.PATIENCE", 1)
+    monkeypatch.setattr("tam570_grader.sandbox.student.PATIENCE", 1)
     received, receive = [], Cell.receive
     monkeypatch.setattr(Cell, "receive", lambda cell: received.append(receive(cell)) or received[-1])
     text = solution_text(SLUG) + "\n_skew = skew\ndef skew(v):\n    time.sleep(0.3)\n    return _skew(v)\nimport time\n"
@@ -620,7 +622,7 @@ def test_one_that_sleeps_through_its_calls_is_ended(grade, solution_text, monkey
 
 def test_one_that_sleeps_at_every_import_and_call_is_ended(grade, solution_text, monkeypatch):
     """Each function of hw02 has bans, and a cell, of its own."""
-    monkeypatch.setattr("tam570_grader.student.PATIENCE", 1)
+    monkeypatch.setattr("tam570_grader.sandbox.student.PATIENCE", 1)
     slow = "import time\ntime.sleep(0.8)\n" + solution_text("hw02_ballistics")
     asleep = "import time\nskew = rotate = rotation_matrix = lambda *_, **__: time.sleep(9)\n"
     for slug, text in (("hw02_ballistics", slow), (SLUG, asleep)):
@@ -644,7 +646,7 @@ def test_what_a_later_import_says_reaches_no_page(run, tmp_path, solution_text):
 
 def test_one_that_is_tried_again_is_not_quoted(course, workers):
     source = Source(b"raise ValueError('1.25')")
-    assignment, worker = root.assignment(course, SLUG), workers(SLUG, Allowance())
+    assignment, worker = assignments.assignment(course, SLUG), workers(SLUG, Allowance())
     first, second = (graded("dan", source, assignment, worker, 1, again=again) for again in (False, True))
     assert "1.25" in first.message and "second time" in second.message and "1.25" not in second.message
 
@@ -775,10 +777,10 @@ def test_names_tell_assignments(name, slug):
 
 
 def test_a_worker_that_dies_is_replaced(solution_text, course):
-    from tam570_grader.run import Plan, graded_sources
-    from tam570_grader.sandbox import Allowance, Worker
-    from tam570_grader.student import Source
-    from tam570_grader.submissions import Submission
+    from tam570_grader.grading.many import Plan, graded_sources
+    from tam570_grader.grading.submissions import Submission
+    from tam570_grader.sandbox.student import Source
+    from tam570_grader.sandbox.worker import Allowance, Worker
 
     started = []
 
@@ -797,7 +799,7 @@ def test_a_worker_that_dies_is_replaced(solution_text, course):
     plan = Plan(course, [], 1, 1, Allowance())
     work = [(Submission("ada", SLUG, None, course), Source(solution_text(SLUG).encode()), "digest")]
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("tam570_grader.run.Worker", Mortal)
+        patch.setattr("tam570_grader.grading.many.Worker", Mortal)
         ((outcome, _),) = graded_sources(plan, work)
     assert outcome.score == 10.0 and len(started) == 3
 
@@ -840,7 +842,7 @@ def test_a_suspect_is_asked_once_for_the_same_inputs_and_again_for_others():
 @pytest.mark.parametrize("body", ["raise ValueError", "return float('nan')", "return None", "v[0] = 0.0"])
 def test_a_call_that_fails_says_for_what_kind_of_input(body, course, workers):
     text = f"def skew(v):\n    {body}\n"
-    student = Student(Source(text.encode()), root.assignment(course, SLUG), workers(SLUG, Allowance()))
+    student = Student(Source(text.encode()), assignments.assignment(course, SLUG), workers(SLUG, Allowance()))
     for call in (
         lambda: student.on("a short v").skew(np.ones(3)),
         lambda: student.skew.many([given(np.ones(3)).on("a short v")]),
@@ -866,7 +868,7 @@ def test_what_cancels_may_stand_in_a_formula(expression, right, course, workers)
     lines = ["import sympy", "def lagrange_equation():", f"    return {expression}"]
     lines.insert(2, "    m, theta, l, g = sympy.symbols('m theta l g')")
     source = Source("\n".join(lines).encode())
-    student = Student(source, root.assignment(course, slug), workers(slug, Allowance()))
+    student = Student(source, assignments.assignment(course, slug), workers(slug, Allowance()))
     points = [{"theta": 0.3, "l": 2.0, "g": 9.0}, {"theta": 2.0, "l": 0.5, "g": 3.0}]
     if right:
         sought = [-p["g"] * math.sin(p["theta"]) / p["l"] for p in points]
@@ -919,4 +921,4 @@ def test_a_label_names_metres_in_many_forms(label, right):
 
 
 def test_an_assignment_is_found_by_its_short_name(course):
-    assert root.assignment(course, "hw08").slug == SLUG
+    assert assignments.assignment(course, "hw08").slug == SLUG

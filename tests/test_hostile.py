@@ -8,12 +8,16 @@ from pathlib import Path
 
 import pytest
 
-from tam570_grader.launch import isolation
-from tam570_grader.sandbox import Allowance
+from tam570_grader.sandbox.launch import isolation
+from tam570_grader.sandbox.worker import Allowance
+from tam570_grader.writing import assignments
 
+COURSE = assignments.find()
 SLUG = "hw08_axis_angle"
 ATTACKS = sorted((Path(__file__).parent / "hostile").glob("*.py"))
-HONEST = Path(__file__).parent / "right" / SLUG / "quaternions_and_lists.py"  # no function calls another
+HONEST = (
+    COURSE / "autograder" / "checks" / SLUG / "alternatives" / "quaternions_and_lists.py"
+)  # no function calls another
 JUNK = """
 def skew(v): return [[0.0] * 3] * 3
 def rotation_matrix(axis, angle): return [[0.0] * 3] * 3

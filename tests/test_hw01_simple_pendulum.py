@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 import sympy
 
-from tam570_grader import root
+from tam570_grader.writing import assignments
 
-hw = root.solution("hw01_simple_pendulum")
+hw = assignments.solution("hw01_simple_pendulum")
 DRAW = np.random.default_rng(1)
 PENDULUM = {"length": 1.7, "gravity": 9.3}  # m, m/s^2
 K = math.sqrt(9.3 / 1.7)  # 1/s

@@ -8,9 +8,10 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from tam570_grader import given, root
+from tam570_grader import given
+from tam570_grader.writing import assignments
 
-ballistics = root.solution("hw02_ballistics")
+ballistics = assignments.solution("hw02_ballistics")
 
 BALL = {"mass": 1.7, "gravity": 9.81}  # kg, m/s^2
 SPEED, ANGLE = 30.0, 0.7  # m/s, rad
@@ -156,7 +157,7 @@ def distance(points, a, b):
 
 def test_the_size_of_a_flight_back_at_launch_height_is_that_of_its_path():
     """At the ends alone it has none: no simulation would be right to a part of that."""
-    size = root.assignment(root.find(), "hw02_ballistics").checks[0].judge.__globals__["size"]
+    size = assignments.assignment(assignments.find(), "hw02_ballistics").checks[0].judge.__globals__["size"]
     time = ballistics.flight_time(SPEED, math.pi / 2, drag=0.3, **BALL)
     call = given(np.array([2.0, 2.0 + time]), SPEED, math.pi / 2, drag=0.3, **BALL)
     ends = ballistics.trajectory(call.args[0] - 2.0, *call.args[1:], **call.kwargs)

@@ -6,11 +6,13 @@ import numpy as np
 import pytest
 import sympy
 
-from tam570_grader import root
-from tam570_grader.check import Failure
+from tam570_grader.writing import assignments
+from tam570_grader.writing.check import Failure
 
-hw = root.solution("hw03_angular_momentum_rate")
-CHECKS = {check.name: check for check in root.assignment(root.find(), "hw03_angular_momentum_rate").checks}
+hw = assignments.solution("hw03_angular_momentum_rate")
+CHECKS = {
+    check.name: check for check in assignments.assignment(assignments.find(), "hw03_angular_momentum_rate").checks
+}
 DRAW = np.random.default_rng(3)
 ROUNDINGS = 1e-13  # relative to the size of the terms
 

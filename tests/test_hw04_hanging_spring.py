@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 import sympy
 
-from tam570_grader import root
+from tam570_grader.writing import assignments
 
-hw = root.solution("hw04_hanging_spring")
+hw = assignments.solution("hw04_hanging_spring")
 DRAW = np.random.default_rng(4)
 SPRING = {"mass": 2.3, "stiffness": 7.1, "gravity": 9.3}  # kg, N/m, m/s^2
 K = math.sqrt(7.1 / 2.3)  # 1/s

@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 import sympy
 
-from tam570_grader import root
+from tam570_grader.writing import assignments
 
-hw = root.solution("hw05_constrained_pendulum")
+hw = assignments.solution("hw05_constrained_pendulum")
 DRAW = np.random.default_rng(5)
 PENDULUM = {"mass": 2.3, "length": 1.7, "gravity": 9.3}  # kg, m, m/s^2
 ROUNDINGS = 1e-13  # relative to the largest term

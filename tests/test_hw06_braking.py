@@ -7,9 +7,9 @@ import mpmath
 import numpy as np
 import pytest
 
-from tam570_grader import root
+from tam570_grader.writing import assignments
 
-hw = root.solution("hw06_braking")
+hw = assignments.solution("hw06_braking")
 
 DRAW = np.random.default_rng(6)
 DIGITS = 1e-13  # relative to the largest term; closed forms of a dozen operations in doubles
@@ -503,7 +503,7 @@ def test_small_yaw_rate_is_what_a_simulation_of_a_tiny_one_shows(locked):
 )
 def test_the_checks_find_the_stop_of_a_car_that_does_not_turn(start, car):
     """Its yaw acceleration is zero or rounding, which ends no integration: two draws where it once did."""
-    root.assignment(root.find(), "hw06_braking")
+    assignments.assignment(assignments.find(), "hw06_braking")
     known = dict(zip((*BODY, "friction", "gravity"), car, strict=True))
     time, end = sys.modules["_checks_hw06_braking"].stopped(np.array(start), "front", known)
     slowing = known["friction"] * known["gravity"] * known["rear"] / wheelbase(known)

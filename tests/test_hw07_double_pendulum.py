@@ -11,9 +11,9 @@ import pytest
 import sympy as sp
 from scipy.special import ellipj, ellipk
 
-from tam570_grader import root
+from tam570_grader.writing import assignments
 
-pendulum = root.solution("hw07_double_pendulum")
+pendulum = assignments.solution("hw07_double_pendulum")
 
 BARS = {"masses": np.array([1.3, 0.7]), "lengths": np.array([0.9, 1.6])}  # kg, m
 SWINGING = {**BARS, "gravity": 9.81}  # m/s^2

@@ -4,9 +4,9 @@ import mpmath
 import numpy as np
 import pytest
 
-from tam570_grader import root
+from tam570_grader.writing import assignments
 
-hw = root.solution("hw08_axis_angle")
+hw = assignments.solution("hw08_axis_angle")
 
 DRAW = np.random.default_rng(8)
 DIGITS = 1e-15  # a few roundings of numbers of size 1

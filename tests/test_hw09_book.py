@@ -6,9 +6,9 @@ import mpmath
 import numpy as np
 import pytest
 
-from tam570_grader import root
+from tam570_grader.writing import assignments
 
-hw = root.solution("hw09_book")
+hw = assignments.solution("hw09_book")
 
 DRAW = np.random.default_rng(9)
 DIGITS = 1e-15  # a few roundings of numbers of size 1; the contract asks for 1e-14

@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 from tam570.invariants import drift, rotation_defect
-from tam570_grader import root
+from tam570_grader.writing import assignments
 
-hw = root.solution("hw10_free_rigid_body")
+hw = assignments.solution("hw10_free_rigid_body")
 
 DRAW = np.random.default_rng(10)
 DIGITS = 1e-14  # a dozen roundings

@@ -6,10 +6,10 @@ import mpmath
 import numpy as np
 import pytest
 
-from tam570_grader import root
+from tam570_grader.writing import assignments
 
-hw = root.solution("hw11_disk_steady")
-rolling_disk = root.solution("hw14_rolling_disk")
+hw = assignments.solution("hw11_disk_steady")
+rolling_disk = assignments.solution("hw14_rolling_disk")
 
 DRAW = np.random.default_rng(11)
 DIGITS = 1e-13  # relative; a closed form of a dozen operations in doubles

@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 import sympy
 
-from tam570_grader import root
+from tam570_grader.writing import assignments
 
-hw = root.solution("hw12_bead_on_wire")
+hw = assignments.solution("hw12_bead_on_wire")
 DRAW = np.random.default_rng(1)
 WIRE = {"curvature": 0.37, "gravity": 9.3}  # 1/m, m/s^2
 RATE = math.sqrt(2 * 0.37 * 9.3)  # 1/s, of small motions

@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 import sympy
 
-from tam570_grader import root
+from tam570_grader.writing import assignments
 
-hw = root.solution("hw13_rolling_cylinder")
+hw = assignments.solution("hw13_rolling_cylinder")
 
 DRAW = np.random.default_rng(13)
 DIGITS = 1e-13  # relative to the terms; a closed form of a dozen operations in doubles

@@ -9,9 +9,9 @@ import mpmath
 import numpy as np
 import pytest
 
-from tam570_grader import root
+from tam570_grader.writing import assignments
 
-hw = root.solution("hw14_rolling_disk")
+hw = assignments.solution("hw14_rolling_disk")
 
 # Disk, hoop, a general wheel and a long roller: A and C in units of m a^2.
 SHAPES = {"disk": (0.25, 0.5), "hoop": (0.5, 1.0), "wheel": (0.61, 0.87), "roller": (4.0, 0.5)}

@@ -8,22 +8,22 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tam570_grader import root
-from tam570_grader.diagnosis import ENOUGH, diagnosis
-from tam570_grader.grade import agrees
-from tam570_grader.returns import Array, Drawing, Formula, Group
-from tam570_grader.sandbox import Allowance
-from tam570_grader.stubs import stub
-from tam570_grader.student import Source, Student
+from tam570_grader.audit.diagnosis import ENOUGH, diagnosis
+from tam570_grader.delivery.stubs import stub
+from tam570_grader.grading.one import agrees
+from tam570_grader.sandbox.student import Source, Student
+from tam570_grader.sandbox.worker import Allowance
+from tam570_grader.writing import assignments
+from tam570_grader.writing.returns import Array, Drawing, Formula, Group
 
 TESTS = Path(__file__).parent
-COURSE = root.find()
-CHECKS = [(slug, check) for slug in root.slugs(COURSE) for check in root.assignment(COURSE, slug).checks]
+COURSE = assignments.find()
+CHECKS = [(slug, check) for slug in assignments.slugs(COURSE) for check in assignments.assignment(COURSE, slug).checks]
 
 
 def overlays(kind):
     """(assignment, file) of every wrong or right submission."""
-    return [(path.parent.name, path) for path in sorted((TESTS / kind).glob("*/*.py"))]
+    return [(path.parents[1].name, path) for path in sorted((COURSE / "autograder" / "checks").glob(f"*/{kind}/*.py"))]
 
 
 def named(cases):
@@ -57,7 +57,9 @@ def test_the_stub_keeps_every_signature_and_no_body(slug, solution_text):
 
 
 def test_no_released_file_holds_a_solution_or_a_hidden_check(slug, course, solution_text):
-    secret = solution_text(slug) + (course / "autograder" / "checks" / f"{slug}.py").read_text()
+    secret = solution_text(slug) + "\n".join(
+        path.read_text() for path in assignments.checks_folder(course, slug).glob("*.py")
+    )
     public = stub(solution_text(slug))
     lines = {line.strip() for line in secret.splitlines() if len(line.strip()) > 30 and line not in public}
     for path in (course / "assignments" / slug).iterdir():
@@ -69,7 +71,7 @@ def test_the_readme_names_every_function_and_its_points(slug, course, solution_t
     text = (course / "assignments" / slug / "README.md").read_text()
     rows = re.findall(r"^\| `(\w+)\(.*?\| *([\d.]+) *\|", text, re.MULTILINE)
     assert {name for name, _ in rows} == set(exported(solution_text(slug)))
-    assert sum(float(points) for _, points in rows) == pytest.approx(root.assignment(course, slug).max_score)
+    assert sum(float(points) for _, points in rows) == pytest.approx(assignments.assignment(course, slug).max_score)
 
 
 def test_there_are_hints_for_every_function(slug, course, solution_text):
@@ -79,7 +81,7 @@ def test_there_are_hints_for_every_function(slug, course, solution_text):
 
 
 def test_the_checks_promise_every_function_and_ten_points(slug, course, solution_text):
-    assignment = root.assignment(course, slug)
+    assignment = assignments.assignment(course, slug)
     assert set(assignment.results) == set(exported(solution_text(slug)))
     assert assignment.max_score == 10.0
     assert all(check.judge.__doc__ and check.points > 0 for check in assignment.checks)
@@ -93,7 +95,7 @@ def test_the_solution_has_full_marks(slug, seed, grade, solution_text):
     assert result.score == result.max_score, failures(result)
 
 
-@pytest.mark.parametrize(("slug", "path"), **named(overlays("right")))
+@pytest.mark.parametrize(("slug", "path"), **named(overlays("alternatives")))
 def test_right_answers_in_other_styles_have_full_marks(slug, path, seed, grade):
     result = grade(slug, path.read_text(), seed)
     assert result.score == result.max_score, failures(result)
@@ -102,7 +104,7 @@ def test_right_answers_in_other_styles_have_full_marks(slug, path, seed, grade):
 # Wrong answers lose points where they must
 
 
-@pytest.mark.parametrize(("slug", "path"), **named(overlays("wrong")))
+@pytest.mark.parametrize(("slug", "path"), **named(overlays("mistakes")))
 def test_a_wrong_submission_fails_its_checks_and_no_other_whatever_the_draw(slug, path, draw, grade, solution_text):
     expected = header(path)
     result = grade(slug, solution_text(slug) + "\n\n" + path.read_text(), seed=draw)
@@ -115,21 +117,21 @@ def test_a_wrong_submission_fails_its_checks_and_no_other_whatever_the_draw(slug
 
 
 def test_most_mistakes_are_named(slug):
-    headers = [header(path) for _, path in overlays("wrong") if path.parent.name == slug]
+    headers = [header(path) for _, path in overlays("mistakes") if path.parents[1].name == slug]
     named_ones = [says for says in headers if {"suspect", "names"} & set(says)]
     assert len(named_ones) >= ENOUGH * len(headers)
 
 
 @pytest.mark.parametrize(("slug", "check"), **named(CHECKS))
 def test_every_check_has_a_wrong_submission_that_it_catches(slug, check):
-    caught = [header(path)["fails"].split(", ") for _, path in overlays("wrong") if path.parent.name == slug]
+    caught = [header(path)["fails"].split(", ") for _, path in overlays("mistakes") if path.parents[1].name == slug]
     assert any(check.name in names for names in caught)
 
 
 @pytest.mark.parametrize(("slug", "check"), **named([pair for pair in CHECKS if pair[1].suspects]))
 def test_the_inputs_of_a_check_tell_its_suspects_from_the_truth(slug, check, workers, solution_text):
     source = Source(solution_text(slug).encode())
-    assignment = root.assignment(COURSE, slug)
+    assignment = assignments.assignment(COURSE, slug)
     student = Student(source, assignment, workers(slug, Allowance()))
     check.judge(student, np.random.default_rng(5))
     student.leave()
@@ -161,7 +163,7 @@ EMPTY = {
 
 @pytest.mark.parametrize("what", EMPTY)
 def test_what_says_nothing_scores_nothing(slug, what, grade, course):
-    results = root.assignment(course, slug).results
+    results = assignments.assignment(course, slug).results
     text = "\n".join(
         EMPTY[what].format(f=name, zeros=filled(promise, "0."), nan=filled(promise, "float('nan')"))
         for name, promise in results.items()
@@ -173,11 +175,11 @@ def test_what_says_nothing_scores_nothing(slug, what, grade, course):
 def test_the_untouched_stub_scores_nothing(slug, grade, course):
     result = grade(slug, (course / "assignments" / slug / f"{slug}.py").read_text())
     assert result.score == 0
-    assert outcomes(result, "not_run") == {check.name for check in root.assignment(course, slug).checks}
+    assert outcomes(result, "not_run") == {check.name for check in assignments.assignment(course, slug).checks}
 
 
 def test_an_endless_loop_scores_nothing(slug, grade, course):
-    names = root.assignment(course, slug).results
+    names = assignments.assignment(course, slug).results
     text = "\n".join(f"def {name}(*args, **kwargs):\n    while True: pass" for name in names)
     result = grade(slug, text, allowance=Allowance(cpu=1, call=0.5))
     assert (result.status, result.score) == ("timeout", 0)
@@ -193,14 +195,14 @@ WRAPPERS = {
 
 @pytest.mark.parametrize("what", WRAPPERS)
 def test_right_numbers_in_a_wrong_form_score_nothing(slug, what, grade, course, solution_text):
-    result = grade(slug, solution_text(slug) + wrapped(root.assignment(course, slug).results, WRAPPERS[what]))
+    result = grade(slug, solution_text(slug) + wrapped(assignments.assignment(course, slug).results, WRAPPERS[what]))
     kept = {mark.name for mark in result.checks if mark.points}
     assert not kept - only_drawings_and_formulas(slug, course), failures(result)
 
 
 @pytest.mark.parametrize("form", ["lambda x: np.asarray(x).tolist()", "lambda x: np.asarray(x, dtype=object)"])
 def test_right_numbers_in_any_form_that_asarray_takes_have_full_marks(slug, form, grade, course, solution_text):
-    result = grade(slug, solution_text(slug) + wrapped(root.assignment(course, slug).results, form))
+    result = grade(slug, solution_text(slug) + wrapped(assignments.assignment(course, slug).results, form))
     assert result.score == result.max_score, failures(result)
 
 
@@ -228,7 +230,7 @@ for _name in {list(results)}:
 
 def only_drawings_and_formulas(slug, course):
     """Checks that call no function whose result is numbers."""
-    assignment = root.assignment(course, slug)
+    assignment = assignments.assignment(course, slug)
     numeric = [name for name, promise in assignment.results.items() if isinstance(promise, Array | Group)]
     return {
         check.name for check in assignment.checks if not any(name in check.judge.__code__.co_names for name in numeric)

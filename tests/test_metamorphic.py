@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 from numpy.linalg import qr
 
-from tam570_grader import root
+from tam570_grader.writing import assignments
 
-COURSE = root.find()
+COURSE = assignments.find()
 CLOSED = 1e-11  # formulas: rounding, some thousand times over
 MOTION = 1e-7  # simulations: twice an integration's error, grown a hundredfold at most over these few seconds
 TIMES = np.array([0.0, 0.1, 0.35, 0.5, 0.9, 1.0, 1.6, 2.0])
@@ -294,7 +294,7 @@ def tolerance(law, slug):
 
 @pytest.mark.parametrize("law, slug", **named(LAWS))
 def test_the_solution_obeys(law, slug):
-    assert disagreement(law, root.solution(slug), slug) < tolerance(law, slug)
+    assert disagreement(law, assignments.solution(slug), slug) < tolerance(law, slug)
 
 
 WRONG = [
@@ -316,7 +316,10 @@ WRONG = [
 @pytest.mark.parametrize("law, slug, mistake", **named(WRONG))
 def test_the_law_sees(law, slug, mistake):
     module = types.ModuleType(mistake)
-    solution, overlay = (COURSE / "solutions" / f"{slug}.py", COURSE / "tests" / "wrong" / slug / f"{mistake}.py")
+    solution, overlay = (
+        COURSE / "solutions" / f"{slug}.py",
+        COURSE / "autograder" / "checks" / slug / "mistakes" / f"{mistake}.py",
+    )
     exec(solution.read_text() + "\n\n" + overlay.read_text(), vars(module))
     assert disagreement(law, module, slug) > 100 * tolerance(law, slug)
 
@@ -337,7 +340,7 @@ def test_a_law_of_every_kind_sees_a_little_of_what_breaks_it(slug):
     if slug not in IRREVERSIBLE:
         broken.append((reversed_in_time, lambda rows, t: rows * np.exp(-1e-4 * np.outer(t - t[0], rates))))
     broken.append((rescaled, lambda rows, t: rows * np.exp(-1e-4 * (t - t[0]))[:, None]))
-    solution = root.solution(slug)
+    solution = assignments.solution(slug)
     for law, change in broken:
         MOTIONS[slug] = spoilt(change)
         try:

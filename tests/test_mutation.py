@@ -3,8 +3,9 @@
 import numpy as np
 import pytest
 
-from tam570_grader import cli, mutation
-from tam570_grader.mutate import mutants
+from tam570_grader import cli
+from tam570_grader.audit import mutation
+from tam570_grader.audit.mutate import mutants
 
 SLUG = "hw08_axis_angle"
 

@@ -9,7 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from tam570_grader import cli, root
+from tam570_grader import cli
+from tam570_grader.writing import assignments
 
 TESTS = Path(__file__).parent
 IN_CI = {  # assignment: the slip in what the second student hands in
@@ -60,7 +61,11 @@ class Term:
         assert all(slug in listed for slug in self.slips)
         self.nbgrader(home, "fetch_assignment", *self.slips)
         for slug, slip in self.slips.items():
-            wrong = (TESTS / "wrong" / slug / f"{slip}.py").read_text() if name == "ben" else ""
+            wrong = (
+                (assignments.checks_folder(self.checkout, slug) / "mistakes" / f"{slip}.py").read_text()
+                if name == "ben"
+                else ""
+            )
             solution = (self.checkout / "solutions" / f"{slug}.py").read_text()
             (home / slug / f"{slug}.py").write_text(f"{solution}\n\n{wrong}")
             answer_in_words(home / slug / f"{slug}.ipynb")
@@ -131,7 +136,7 @@ def assert_the_same_scores(term, grades, out):
     rows = csv.DictReader((term.course / "grades.csv").read_text().splitlines())
     exported = {(row["student_id"], row["assignment"]): row for row in rows}
     for slug in term.slips:
-        manual = sum(points for points, _ in root.assignment(term.checkout, slug).manual.values())
+        manual = sum(points for points, _ in assignments.assignment(term.checkout, slug).manual.values())
         for record in regraded(term.course, term.checkout, slug, out / slug):
             who, parts = (record["student"], slug), by_part(record)
             automatic = {cell: auto for (*at, cell), (auto, _) in found.items() if tuple(at) == who and auto}
@@ -172,7 +177,10 @@ def test_three_assignments_by_nbgraders_commands(a_whole_term, nbgrader_grades, 
 
 @pytest.mark.full
 def test_all_fourteen_by_nbgraders_commands(course, a_whole_term, nbgrader_grades, tmp_path):
-    slips = {slug: sorted((TESTS / "wrong" / slug).glob("*.py"))[0].stem for slug in root.slugs(course)}
+    slips = {
+        slug: sorted((assignments.checks_folder(course, slug) / "mistakes").glob("*.py"))[0].stem
+        for slug in assignments.slugs(course)
+    }
     term = a_whole_term({**slips, **IN_CI})
     assert_the_same_scores(term, nbgrader_grades, tmp_path / "out")
     assert_the_feedback_says_what_was_lost(term)
@@ -331,7 +339,7 @@ def no_syntax(folder):
 
 def linked(folder):
     (folder / f"{ONE}.py").unlink()
-    (folder / f"{ONE}.py").symlink_to(root.find() / "solutions" / f"{ONE}.py")
+    (folder / f"{ONE}.py").symlink_to(assignments.find() / "solutions" / f"{ONE}.py")
     (folder / "notes.html").symlink_to("../../../gradebook.db")
 
 
@@ -414,7 +422,7 @@ def test_what_a_link_leads_to_is_not_handed_out(odd_class):
     folders = [made / step / who / ONE for step in ("autograded", "feedback") for who in ("linked", "neighbour")]
     kept = [path for folder in folders for path in folder.iterdir()]
     assert {f"{ONE}.ipynb", f"{ONE}.html"} <= {path.name for path in kept}
-    solution = (root.find() / "solutions" / f"{ONE}.py").read_text()
+    solution = (assignments.find() / "solutions" / f"{ONE}.py").read_text()
     assert all(path.name != "notes.html" and path.read_text() != solution for path in kept)
 
 
@@ -504,7 +512,7 @@ def test_a_submission_without_its_notebook_is_named_and_left(odd_class, nbgrader
 def test_a_gradebook_is_set_up_once_a_command(tmp_path, monkeypatch, jupyter_environment):
     from nbgrader import api
 
-    from tam570_grader.nbgrader_gradebook import OpenGradebook, keep_gradebooks_open
+    from tam570_grader.delivery.nbgrader_gradebook import OpenGradebook, keep_gradebooks_open
 
     monkeypatch.setenv("PATH", jupyter_environment["PATH"])
     made, create = [], api.create_engine

@@ -6,9 +6,9 @@ from functools import cache
 
 import pytest
 
-from tam570_grader import root
+from tam570_grader.writing import assignments
 
-COURSE = root.find()
+COURSE = assignments.find()
 NOTATION = (COURSE / "NOTATION.md").read_text()
 ROW = re.compile(r"^\|[^|]*\|(?P<names>[^|]*`[^|]*)\|[^|]*\|(?P<meaning>[^|]*)\|$", re.MULTILINE)
 
@@ -49,5 +49,5 @@ RESULTS = {"angular_momentum", "kinetic", "lagrangian", "yaw"}  # the rows that 
 @pytest.mark.parametrize("row", list(ROW.finditer(NOTATION)), ids=lambda row: row["names"].strip(" `"))
 def test_a_row_that_is_left_out_is_missed(row):
     without = NOTATION.replace(row[0] + "\n", "")
-    missed = any(unexplained(without, slug) for slug in root.slugs(COURSE))
+    missed = any(unexplained(without, slug) for slug in assignments.slugs(COURSE))
     assert missed == (not RESULTS & set(re.findall(r"`(\w+)`", row["names"])))

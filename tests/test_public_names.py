@@ -4,9 +4,9 @@ import ast
 
 import pytest
 
-from tam570_grader import root
+from tam570_grader.writing import assignments
 
-SHARED = root.find() / "shared"
+SHARED = assignments.find() / "shared"
 MODULES = {
     ".".join(path.relative_to(SHARED).with_suffix("").parts).removesuffix(".__init__"): ast.parse(path.read_text())
     for path in SHARED.rglob("*.py")

@@ -7,7 +7,10 @@ from itertools import pairwise
 
 import pytest
 
-from tam570_grader import cli, regrading, root, run
+from tam570_grader import cli
+from tam570_grader.grading import many
+from tam570_grader.results import regrade
+from tam570_grader.writing import assignments
 
 SLUG, OTHER = "hw08_axis_angle", "hw03_angular_momentum_rate"
 WRONG = "def skew(v): return [[0.0] * 3] * 3\n"
@@ -16,13 +19,13 @@ WRONG = "def skew(v): return [[0.0] * 3] * 3\n"
 @pytest.fixture
 def graded(monkeypatch):
     """The submissions that were run, by student and assignment."""
-    done, real = [], run.graded
+    done, real = [], many.graded
 
     def counted(name, source, assignment, *rest, **more):
         done.append((name, assignment.slug))
         return real(name, source, assignment, *rest, **more)
 
-    monkeypatch.setattr(run, "graded", counted)
+    monkeypatch.setattr(many, "graded", counted)
     return done
 
 
@@ -72,8 +75,8 @@ def test_nothing_changes_and_nothing_is_run_again(tree, tmp_path, capsys, graded
 
 def test_a_changed_check_is_named_with_whose_score_it_changes(tree, tmp_path, capsys, graded, course, other_course):
     assert grade(tree, "--out", tmp_path / "old") == 0
-    checks = other_course / "autograder" / "checks" / f"{SLUG}.py"
-    name = root.assignment(course, SLUG).checks[0].name
+    checks = other_course / "autograder" / "checks" / SLUG / "checks.py"
+    name = assignments.assignment(course, SLUG).checks[0].name
     head = f"def {name}(student, draw):\n"
     checks.write_text(checks.read_text().replace(head, head + "    return\n"))
     graded.clear()
@@ -91,14 +94,14 @@ def test_a_changed_check_is_named_with_whose_score_it_changes(tree, tmp_path, ca
 def test_all_is_run_again_where_something_else_runs_it(what, tree, tmp_path, capsys, graded, monkeypatch):
     assert grade(tree, "--out", tmp_path / "old", "--jobs", 1) == 0
     graded.clear()
-    monkeypatch.setattr(run, what, lambda: "another")
+    monkeypatch.setattr(many, what, lambda: "another")
     assert grade(tree, "--out", tmp_path / "old", "--jobs", 1) == 0
     assert len(graded) == 4
 
 
 def test_what_is_installed_is_known_by_name_and_version():
-    for library in run.LIBRARIES:
-        assert any(one.startswith(f"{library}-{metadata.version(library)}.") for one in run._installed())
+    for library in many.LIBRARIES:
+        assert any(one.startswith(f"{library}-{metadata.version(library)}.") for one in many._installed())
 
 
 def test_a_changed_submission_is_the_only_one_to_run(tree, tmp_path, capsys, graded, solution_text):
@@ -128,7 +131,7 @@ def test_a_changed_submission_is_the_only_one_to_run(tree, tmp_path, capsys, gra
 def test_every_kind_of_change_is_told(old, new, says):
     record = {"student": "ada", "assignment": SLUG, "status": "graded", "score": 5.0, "checks": []}
     before = None if old is None else {**record, "score": 6.0, **old}
-    told = regrading.table([regrading.change(before, {**record, **new})], 1)
+    told = regrade.table([regrade.change(before, {**record, **new})], 1)
     assert says in told and "1 of 1 scores change" in told
 
 
@@ -243,12 +246,12 @@ def test_what_is_no_key_is_refused(tree, tmp_path, capsys, arguments, says):
 
 @pytest.mark.full
 def test_solutions_have_full_marks_for_a_thousand_students(slug, tmp_path, course, solution_text):
-    from tam570_grader.sandbox import Allowance
-    from tam570_grader.student import Source
-    from tam570_grader.submissions import Submission
+    from tam570_grader.grading.submissions import Submission
+    from tam570_grader.sandbox.student import Source
+    from tam570_grader.sandbox.worker import Allowance
 
     source = Source(solution_text(slug).encode())
-    plan = run.Plan(course, [], 0, 2, Allowance(), key=b"the key of the thousand students")
+    plan = many.Plan(course, [], 0, 2, Allowance(), key=b"the key of the thousand students")
     class_ = [(Submission(f"s{i:03}", slug, None, course), source, "") for i in range(1000)]
-    lost = [result.student for result, _ in run.graded_sources(plan, class_) if result.score != 10]
+    lost = [result.student for result, _ in many.graded_sources(plan, class_) if result.score != 10]
     assert lost == []

@@ -8,9 +8,11 @@ from html.parser import HTMLParser
 
 import pytest
 
-from tam570_grader import book, cli, report
+from tam570_grader import cli
 from tam570_grader.errors import UsageError
-from tam570_grader.feedback import Sheet
+from tam570_grader.pages import report
+from tam570_grader.pages.feedback import Sheet
+from tam570_grader.results import journal
 
 SLUGS = ("hw07_double_pendulum", "hw08_axis_angle")
 SHEETS = {slug: Sheet(f"Title of {slug[:4]}", {}, (), {}) for slug in SLUGS}
@@ -170,7 +172,7 @@ def test_a_line_that_lacks_a_field_is_told_by_its_number(tmp_path, field):
 
 def test_what_a_result_must_have_is_what_results_have(grade):
     record = grade(SLUGS[1], "").record()
-    assert record.keys() >= book.RESULT and all(mark.keys() >= book.MARK for mark in record["checks"])
+    assert record.keys() >= journal.RESULT and all(mark.keys() >= journal.MARK for mark in record["checks"])
 
 
 def test_a_roster_that_is_no_text_is_refused(tmp_path, capsys):

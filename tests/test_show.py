@@ -8,7 +8,6 @@ import subprocess
 import sys
 import warnings
 from html import unescape
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -22,8 +21,9 @@ from tam570.show.compact import PIXELS, STEPS, kept_samples, packed
 from tam570.show.film import Film, Panel, Part, clock, conserved
 from tam570.show.page import page
 from tam570.show.scenes import hw11, hw13
+from tam570_grader.writing import assignments
 
-WRONG = Path(__file__).parent / "wrong"
+CHECKS = assignments.find() / "autograder" / "checks"
 HW07 = "hw07_double_pendulum"
 IN_SPACE = {"hw03", "hw04", "hw08", "hw09", "hw10", "hw11", "hw14"}
 LARGEST = 200_000  # bytes of a page
@@ -184,7 +184,7 @@ def test_without_an_energy_the_motion_is_shown_all_the_same(edited, tmp_path, ca
 
 
 def test_wrong_physics_looks_wrong(edited):
-    wrong = (WRONG / HW07 / "sign_of_the_sine_term.py").read_text()
+    wrong = (CHECKS / HW07 / "mistakes" / "sign_of_the_sine_term.py").read_text()
     (strip,) = show(edited(HW07, wrong)).film.strips
     assert strip.alarm and "not conserved" in strip.note and strip.span[1] > 10.0  # %
 
@@ -192,7 +192,7 @@ def test_wrong_physics_looks_wrong(edited):
 @pytest.mark.full
 def test_no_wrong_file_breaks_a_page(edited, slug, capsys):
     """Each is shown, in numbers that JSON has, or it is said why not."""
-    for wrong in sorted((WRONG / slug).glob("*.py")):
+    for wrong in sorted((CHECKS / slug / "mistakes").glob("*.py")):
         with np.errstate(all="ignore"), warnings.catch_warnings(action="ignore"):
             shown = show(edited(slug, wrong.read_text()))
         assert data(page(shown.film)) if shown.film else shown.trouble, wrong.stem

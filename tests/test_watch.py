@@ -10,7 +10,7 @@ import pytest
 from tam570 import cli
 from tam570.changes import ANY, calls, keys
 from tam570.progress import kept, progress
-from tam570_grader import root
+from tam570_grader.writing import assignments
 
 SLUG = "hw08_axis_angle"
 
@@ -118,7 +118,7 @@ def test_every_visible_test_says_which_functions_it_calls(slug, course):
     """So that the points by visible tests are whole."""
     text = (course / "assignments" / slug / f"test_{slug}.py").read_text()
     found = calls(text, slug)
-    assert set.union(*found.values()) >= set(root.assignment(course, slug).results)
+    assert set.union(*found.values()) >= set(assignments.assignment(course, slug).results)
 
 
 def test_all_tests_passed_are_all_points(slug, course):
@@ -126,7 +126,9 @@ def test_all_tests_passed_are_all_points(slug, course):
     come = progress(slug, dict.fromkeys(found, "passed"), found)
     assert (come["points"], come["most"], come["next"]) == (10, 10, None)
     come = progress(slug, dict.fromkeys(found, "failed"), found)
-    assert come["points"] == come["passed"] == 0 and come["next"] == next(iter(root.assignment(course, slug).results))
+    assert come["points"] == come["passed"] == 0 and come["next"] == next(
+        iter(assignments.assignment(course, slug).results)
+    )
 
 
 def test_a_failure_is_charged_to_what_no_test_has_proven():

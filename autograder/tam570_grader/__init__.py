@@ -7,11 +7,11 @@ import os
 if os.name != "posix":
     raise SystemExit("tam570-grader: error: the grader needs Linux or macOS; on Windows, use WSL")
 
-from tam570_grader.check import Failure, check, expect, expect_that, given, once, suspect
-from tam570_grader.curves import kept
-from tam570_grader.returns import array, drawing, formula, group, number, rows
-from tam570_grader.shapes import distances, judge_axes_of_lengths, judge_boxes, words
-from tam570_grader.times import SOME_TIMES, mistimed, uneven
+from tam570_grader.writing.check import Failure, check, expect, expect_that, given, once, suspect
+from tam570_grader.writing.curves import kept
+from tam570_grader.writing.drawings import distances, judge_axes_of_lengths, judge_boxes, words
+from tam570_grader.writing.returns import array, drawing, formula, group, number, rows
+from tam570_grader.writing.times import SOME_TIMES, mistimed, uneven
 
 __all__ = [
     "SOME_TIMES",

@@ -7,10 +7,10 @@ import signal
 import sys
 from collections.abc import Callable
 
-from tam570_grader.audit import add_audit
+from tam570_grader.audit.command import add_audit
+from tam570_grader.delivery.command import add_course, add_gradescope, add_kit, add_lms, add_report, add_stubs
 from tam570_grader.errors import UsageError
-from tam570_grader.grading import add_grade
-from tam570_grader.handover import add_course, add_gradescope, add_kit, add_lms, add_report, add_stubs
+from tam570_grader.grading.command import add_grade
 
 __all__ = ["main"]
 

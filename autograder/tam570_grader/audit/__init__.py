@@ -1,0 +1,1 @@
+"""Does the grader catch what it must? Mutants, fairness, diagnosis, margins."""

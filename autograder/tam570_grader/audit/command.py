@@ -1,0 +1,127 @@
+"""The command that grades the grader: `tam570-grader audit`."""
+
+import argparse
+import json
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+from tam570_grader.errors import UsageError
+from tam570_grader.options import Commands, cores, positive
+
+__all__ = ["add_audit"]
+
+QUICK_SEEDS = 2
+Answer = tuple[Any, list[str], int]  # plain data, lines to print, faults
+Question = Callable[[Path, str, argparse.Namespace], Answer]
+
+
+def add_audit(commands: Commands) -> argparse.ArgumentParser:
+    audit: argparse.ArgumentParser = commands.add_parser(
+        "audit",
+        help="grade the grader: does it catch what it must?",
+        description="Run mutants of the reference solutions, one slip each, through the grader.",
+        epilog="The exit code is 0 if all is well; 1 if a mutant survives that is not listed as equivalent or one is "
+        "listed in vain, if a right submission loses points, a mistake gets a wrong name, too few get one, or a margin "
+        "is too small; 2 on bad usage.",
+    )
+    audit.set_defaults(command=_audit)
+    add = audit.add_argument
+    add("assignments", nargs="*", metavar="SLUG", help="default: all")
+    add("--quick", action="store_true", help="a small fixed sample")
+    add("--json", action="store_true", help="print a JSON object for each assignment, one a line")
+    _add_questions(audit.add_mutually_exclusive_group().add_argument)
+    add("--keep", type=Path, metavar="FILE", help="add the lines of --fairness there; what is there is not run again")
+    add("--function", nargs="+", metavar="NAME", default=[], help="mutants of these functions alone")
+    add("--jobs", type=positive, metavar="N", default=cores(), help="processes (default: %(default)s)")
+    return audit
+
+
+def _add_questions(add: Callable[..., Any]) -> None:
+    """What is asked instead of what becomes of mutants."""
+    add(
+        "--fairness",
+        nargs="?",
+        type=positive,
+        const=100,
+        metavar="N",
+        help="do right submissions ever lose points? with N seeds (default: %(const)s)",
+    )
+    add("--diagnosis", action="store_true", default=None, help="does feedback name the mistakes of wrong ones?")
+    add(
+        "--margins",
+        action="store_true",
+        default=None,
+        help="how far do limits lie from a careful student's errors, and from wrong physics?",
+    )
+
+
+def _audit(arguments: argparse.Namespace) -> int:
+    """Print what is asked for, an assignment at a time; 1 if there is a fault."""
+    from tam570_grader.grading.command import warn_of_isolation
+    from tam570_grader.writing import assignments
+
+    course = assignments.find(arguments.root)
+    question = _question(arguments)
+    warn_of_isolation()
+    faults = 0
+    slugs = assignments.named(arguments.assignments, assignments.slugs(course))
+    for slug in _with_functions(course, slugs, arguments.function) if arguments.function else slugs:
+        data, lines, found = question(course, slug, arguments)
+        print(*([json.dumps(data)] if arguments.json else lines), sep="\n", flush=True)
+        faults += found
+    return 1 if faults else 0
+
+
+def _question(arguments: argparse.Namespace) -> Question:
+    asked = [name for name in QUESTIONS if getattr(arguments, name) is not None]
+    if arguments.keep and asked != ["fairness"]:
+        raise UsageError("--keep: it goes with --fairness alone")
+    if arguments.function and asked:
+        raise UsageError(f"--function: it chooses mutants; it does not go with --{asked[0]}")
+    return QUESTIONS[asked[0]] if asked else _mutation
+
+
+def _with_functions(course: Path, slugs: Sequence[str], names: Sequence[str]) -> list[str]:
+    """The assignments that have functions of these names; UsageError for a name that none has."""
+    from tam570_grader.audit.mutation import reached
+
+    texts = {slug: (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8") for slug in slugs}
+    there = {slug: set(reached(text)) for slug, text in texts.items()}
+    known = sorted(set().union(*there.values()))
+    if unknown := [name for name in names if name not in known]:
+        raise UsageError(f"--function: there is no function {unknown[0]!r}; there are: {', '.join(known)}")
+    return [slug for slug in slugs if there[slug] & set(names)]
+
+
+def _mutation(course: Path, slug: str, arguments: argparse.Namespace) -> Answer:
+    from tam570_grader.audit import mutation
+
+    found = mutation.fates(course, slug, arguments.jobs, arguments.quick, arguments.function)
+    return mutation.as_json(found), mutation.report(found), found.faults
+
+
+def _fairness(course: Path, slug: str, arguments: argparse.Namespace) -> Answer:
+    from tam570_grader.audit import fairness
+
+    seeds = QUICK_SEEDS if arguments.quick else arguments.fairness
+    lines = fairness.fair(course, slug, seeds, arguments.jobs, arguments.keep)
+    found = fairness.as_json(slug, lines)
+    return found, fairness.report(lines), found["false_fails"]
+
+
+def _diagnosis(course: Path, slug: str, arguments: argparse.Namespace) -> Answer:
+    from tam570_grader.audit import diagnosis
+
+    found = diagnosis.diagnoses(course, slug, arguments.jobs, arguments.quick)
+    return diagnosis.as_json(slug, found), diagnosis.report(slug, found), diagnosis.faults(found)
+
+
+def _margins(course: Path, slug: str, arguments: argparse.Namespace) -> Answer:
+    from tam570_grader.audit import margins
+
+    found = margins.margins(course, slug, QUICK_SEEDS if arguments.quick else margins.SEEDS, arguments.jobs)
+    return margins.as_json(slug, found), margins.report(slug, found), margins.faults(found)
+
+
+QUESTIONS: dict[str, Question] = {"fairness": _fairness, "diagnosis": _diagnosis, "margins": _margins}

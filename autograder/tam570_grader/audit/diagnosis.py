@@ -1,0 +1,100 @@
+"""Does the feedback name the mistake? Wrong submissions say in their headers what it must say of them.
+
+`suspect: FRAGMENT` is in the name of a suspect, `names: FRAGMENT` in a message (its hint, its kind of input); one of
+several fragments, `A | B`, is enough.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from tam570_grader.audit.trials import Trial, done, header, progress, submissions, tried
+from tam570_grader.errors import UsageError
+from tam570_grader.grading.one import Result
+from tam570_grader.writing import assignments
+
+__all__ = ["ENOUGH", "Diagnosis", "as_json", "diagnoses", "diagnosis", "report"]
+
+ENOUGH = 0.9  # share of the mistakes that the feedback must name
+SEED = 1
+QUICK = 10  # submissions in the quick form
+
+
+@dataclass(frozen=True)
+class Diagnosis:
+    """What the feedback says of a wrong submission, and what it must say."""
+
+    name: str
+    expected: str  # "" if the header does not say
+    named: bool
+    suspects: tuple[str, ...]
+    messages: tuple[str, ...]
+
+    @property
+    def misled(self) -> bool:
+        """A suspect was named that is not what the header says."""
+        return any(not _in(says, self.expected) for says in self.suspects)
+
+
+def diagnoses(course: Path, slug: str, jobs: int, quick: bool) -> list[Diagnosis]:
+    """The diagnosis of each wrong submission of an assignment, or of a fixed sample."""
+    solution = (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8")
+    wrong = submissions(course, slug, "mistakes")
+    if not wrong:
+        raise UsageError(
+            f"there is no wrong submission to name in {assignments.checks_folder(course, slug) / 'mistakes'}; write one"
+        )
+    wrong = dict(list(wrong.items())[:: max(1, len(wrong) // QUICK)]) if quick else wrong
+    tasks = [Trial(course, slug, name, f"{solution}\n\n{text}", SEED) for name, text in wrong.items()]
+    results = progress(done(tried, tasks, jobs), len(tasks), "submission")
+    return [diagnosis(result, header(wrong[result.student])) for result in results]
+
+
+def diagnosis(result: Result, says: Mapping[str, str]) -> Diagnosis:
+    """What the feedback of a wrong submission says, beside what its header `says` that it must."""
+    failed = [mark for mark in result.checks if mark.outcome == "failed"]
+    suspects = tuple(mark.suspect for mark in failed if mark.suspect)
+    messages = tuple(mark.message for mark in failed)
+    expected, fragment = says.get("suspect", ""), says.get("names", "")
+    by_suspect = any(_in(one, expected) for one in suspects)
+    by_message = any(_in(one, fragment) for one in messages)
+    return Diagnosis(result.student, expected, by_suspect or by_message, suspects, messages)
+
+
+def _in(says: str, expected: str) -> bool:
+    """Whether one of the expected fragments is in what is said."""
+    return any(fragment and fragment in says for fragment in expected.split(" | "))
+
+
+def faults(found: Sequence[Diagnosis]) -> int:
+    """Wrong names, and one more if too few mistakes are named."""
+    return sum(one.misled for one in found) + (share(found) < ENOUGH)
+
+
+def share(found: Sequence[Diagnosis]) -> float:
+    """Of the mistakes that are named."""
+    return sum(one.named for one in found) / len(found)
+
+
+def as_json(slug: str, found: Sequence[Diagnosis]) -> dict[str, Any]:
+    """The report as plain data."""
+    return {
+        "assignment": slug,
+        "wrong": len(found),
+        "named": sum(one.named for one in found),
+        "unnamed": [one.name for one in found if not one.named],
+        "misled": [one.name for one in found if one.misled],
+    }
+
+
+def report(slug: str, found: Sequence[Diagnosis]) -> list[str]:
+    """The lines to print: the share, what is said of a mistake that is not named, and where a wrong one is."""
+    named = sum(one.named for one in found)
+    lines = [f"{slug}: {named} of {len(found)} mistakes are named ({share(found):.0%})"]
+    for one in found:
+        if not one.named:
+            lines.append(f"  {one.name}: {'; '.join(one.messages)}")
+        if one.misled:
+            lines.append(f"  MISLED {one.name}: {'; '.join(one.suspects)}")
+    return lines

@@ -1,0 +1,60 @@
+"""Mutants that are no mistakes, each listed with its proof: autograder/checks/<slug>/equivalent.toml.
+
+A table for each function, a line for each slip in it, as the audit prints it of a survivor:
+
+    [rotate]
+    "np.dot(n, r) -> np.dot(r, n)" = "the dot product is symmetric"
+
+Of slips that read alike in a function the second is "... #2". No line numbers: a line is good as long as the
+expression is there.
+"""
+
+import json
+import tomllib
+from collections.abc import Container, Mapping
+from pathlib import Path
+
+from tam570_grader.audit.mutate import Mutant
+from tam570_grader.errors import UsageError
+from tam570_grader.writing import assignments
+
+__all__ = ["entry", "equivalents", "idle"]
+
+Slip = tuple[str, str]  # function, what was done in it
+
+
+def equivalents(course: Path, slug: str) -> dict[Slip, str]:
+    """The proofs by slip."""
+    path = assignments.checks_folder(course, slug) / "equivalent.toml"
+    tables = _tables(path) if path.exists() else {}
+    return {(function, slip): proof for function, slips in tables.items() for slip, proof in slips.items()}
+
+
+def _tables(path: Path) -> dict[str, dict[str, str]]:
+    """The slips and proofs by function; UsageError if the file holds anything else."""
+    try:
+        tables = tomllib.loads(path.read_text(encoding="utf-8"))
+    except ValueError as error:  # no TOML, no UTF-8
+        raise UsageError(f"{path} cannot be read: {error}") from None
+    for function, slips in tables.items():
+        if not isinstance(slips, dict) or not all(isinstance(proof, str) for proof in slips.values()):
+            raise UsageError(f'{path}: {function}: it wants a table [{function}] of lines "slip" = "proof"')
+    return tables
+
+
+def entry(mutant: Mutant) -> str:
+    """The line that lists a mutant, but for the proof."""
+    return f'[{mutant.function}]\n{json.dumps(mutant.slip, ensure_ascii=False)} = ""'
+
+
+def idle(listed: Mapping[Slip, str], made: Container[Slip], killed: Container[Slip]) -> dict[Slip, str]:
+    """What is wrong with lines that list in vain."""
+    faults = {}
+    for slip, proof in listed.items():
+        if slip not in made:
+            faults[slip] = "there is no such mutant"
+        elif slip in killed:
+            faults[slip] = "it loses points"
+        elif not proof.strip():
+            faults[slip] = "it has no proof"
+    return faults

@@ -1,0 +1,145 @@
+"""Does a right answer ever lose points? Right submissions, with many seeds, and a bound on what was not seen."""
+
+import hashlib
+import json
+import os
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from tam570_grader.audit.trials import Trial, done, progress, submissions, tried
+from tam570_grader.errors import UsageError, writing
+from tam570_grader.writing import assignments
+
+__all__ = ["fair", "report", "upper_bound"]
+
+FIRST_SEED = 5000
+CONFIDENCE = 0.95
+Line = dict[str, Any]  # with FIELDS; "fails": [[check, message], ...]
+FIELDS = {"assignment", "submission", "digest", "seed", "fails"}
+
+
+@dataclass(frozen=True)
+class Class:
+    """The right submissions of an assignment that are to be graded with one seed: what is expected is computed once."""
+
+    course: Path
+    slug: str
+    seed: int
+    texts: Mapping[str, str]  # by name
+    digests: Mapping[str, str]
+
+
+def fair(course: Path, slug: str, seeds: int, jobs: int, keep: Path | None = None) -> list[Line]:
+    """A line for each right submission and seed; what the file `keep` has is not graded again, the rest is added."""
+    texts = {
+        "solution": (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8"),
+        **submissions(course, slug, "alternatives"),
+    }
+    digests = {name: _digest(course, slug, text) for name, text in texts.items()}
+    asked = range(FIRST_SEED, FIRST_SEED + seeds)
+    known = {
+        (line["submission"], line["seed"]): line
+        for line in _kept(keep)
+        if line["digest"] == digests.get(line["submission"]) and line["seed"] in asked
+    }
+    tasks = []
+    for seed in asked:
+        fresh = {name: text for name, text in texts.items() if (name, seed) not in known}
+        if fresh:
+            tasks.append(Class(course, slug, seed, fresh, digests))
+    lines = [*known.values()]
+    for graded in progress(done(_graded, tasks, jobs), len(tasks), "seed"):
+        _add(keep, graded)
+        lines += graded
+    return lines
+
+
+def _graded(group: Class) -> list[Line]:
+    lines = []
+    for name, text in group.texts.items():
+        result = tried(Trial(group.course, group.slug, name, text, group.seed))
+        fails = [[mark.name, mark.message] for mark in result.checks if mark.outcome != "passed"]
+        lines.append(
+            {
+                "assignment": group.slug,
+                "submission": name,
+                "digest": group.digests[name],
+                "seed": group.seed,
+                "fails": fails,
+            }
+        )
+    return lines
+
+
+def _digest(course: Path, slug: str, text: str) -> str:
+    """Of all that the outcome depends on: the submission, the checks, the grader, the utilities."""
+    parts = (text.encode(), assignments.assignment(course, slug).digest, assignments.engine_digest())
+    return hashlib.sha256(b"\0".join(parts)).hexdigest()
+
+
+def _kept(keep: Path | None) -> Iterator[Line]:
+    """The lines of an earlier run, but for those that an interrupt has broken; the file is made if it is new."""
+    if keep is None:
+        return
+    with writing(keep), keep.open("a+b") as file:
+        file.seek(0)
+        texts = file.read().splitlines()
+    for text in texts:
+        try:
+            line = json.loads(text)
+        except json.JSONDecodeError:
+            continue
+        except UnicodeDecodeError:
+            line = None
+        if not isinstance(line, dict) or not line.keys() >= FIELDS:
+            raise UsageError(f"{keep} holds a line that --fairness did not write; name another file with --keep")
+        yield line
+
+
+def _add(keep: Path | None, lines: Iterable[Line]) -> None:
+    """Write the lines down, apart from one that an interrupt has broken."""
+    if keep:
+        with keep.open("a+b") as file:
+            file.seek(max(0, file.seek(0, os.SEEK_END) - 1))
+            if file.read() not in (b"", b"\n"):
+                file.write(b"\n")
+            file.writelines(json.dumps(line).encode() + b"\n" for line in lines)
+
+
+def upper_bound(failures: int, runs: int) -> float:
+    """The largest false-fail rate that so few failures leave possible, with 95 % confidence (Clopper and Pearson)."""
+    from scipy.stats import beta
+
+    return 1.0 if failures == runs else float(beta.ppf(CONFIDENCE, failures + 1, runs - failures))
+
+
+def as_json(slug: str, lines: Sequence[Line]) -> dict[str, Any]:
+    """The report as plain data."""
+    fails, bound = _rate(lines)
+    found = {"assignment": slug, "runs": len(lines), "false_fails": fails, "upper_bound": bound}
+    return {**found, "lines": lines}
+
+
+def _rate(lines: Sequence[Line]) -> tuple[int, float]:
+    """False fails, and the bound on their rate."""
+    fails = sum(bool(line["fails"]) for line in lines)
+    return fails, upper_bound(fails, len(lines))
+
+
+def report(lines: Sequence[Line]) -> list[str]:
+    """The lines to print of an assignment's: runs, false fails and bound of each submission, and every false fail."""
+    shown = []
+    for name in dict.fromkeys(line["submission"] for line in lines):
+        of_it = [line for line in lines if line["submission"] == name]
+        shown.append(f"  {name:<32}{counted(of_it)}")
+        for line in of_it:
+            shown += [f"    seed {line['seed']}: {check}: {says}" for check, says in line["fails"]]
+    return [f"{lines[0]['assignment']}: {counted(lines)}", *shown]
+
+
+def counted(lines: Sequence[Line]) -> str:
+    """Runs, false fails and the bound, in words."""
+    fails, bound = _rate(lines)
+    return f"{len(lines):>6} runs, {fails} false fails, rate below {bound:.2%}"

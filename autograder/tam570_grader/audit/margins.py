@@ -1,0 +1,179 @@
+"""How far the limits of simulation checks lie from a careful student's errors, and from those of wrong physics.
+
+A wrong submission whose docstring says `numerics: WHY` has right physics, integrated inaccurately: its error can be
+as near to a limit as one likes. It is told apart.
+"""
+
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from tam570_grader.audit.mutation import calls_of_checks, reached
+from tam570_grader.audit.trials import Trial, done, header, progress, submissions, tried
+from tam570_grader.writing import assignments
+
+__all__ = ["ENOUGH", "Margin", "as_json", "faults", "margin", "margins", "report"]
+
+ENOUGH = 10  # times: below the limit for a careful student, above it for wrong physics
+SEEDS = 5
+FIRST_SEED = 700
+METHODS = "DOP853", "RK45", "LSODA"
+IMPORT = "from tam570.integrate import solve"
+CAREFUL = """
+
+def solve(rhs, t, y0, *, parameters=None, rtol=None, method=None):
+    from scipy.integrate import solve_ivp
+    given = parameters or {{}}
+    rates = lambda s, y: rhs(s, y, **given)
+    return solve_ivp(rates, (t[0], t[-1]), y0, method="{method}", t_eval=t, rtol=1e-9, atol=1e-9).y.T
+"""
+
+
+@dataclass(frozen=True)
+class Margin:
+    """Of a check, in multiples of its limits: the largest careful error, and the smallest of wrong submissions.
+
+    physics  : the smallest error of wrong physics, and which; None if none fails the check by a number
+    numerics : the same of inaccurate numerics; printed, and not judged
+    """
+
+    check: str
+    careful: float
+    physics: tuple[str, float] | None
+    numerics: tuple[str, float] | None = None
+
+    @property
+    def small(self) -> bool:
+        return self.careful * ENOUGH > 1 or (self.physics is not None and self.physics[1] < ENOUGH)
+
+
+@contextmanager
+def _recorded(trial: Trial) -> Iterator[list[float]]:
+    """The errors over their limits of all that is compared while a trial runs; none of them ends its check."""
+    found: list[float] = []
+    space = assignments.assignment(trial.course, trial.slug).checks[0].judge.__globals__
+    expect = space["expect"]
+
+    def recording(actual: Any, expected: Any, *, within: float, scale: Any = 1.0, **words: Any) -> None:
+        errors = np.abs(np.asarray(actual, float) - np.asarray(expected, float)) / scale
+        worst = float(np.max(errors)) if errors.size else np.nan
+        found.append(np.inf if np.isnan(worst) else worst / within)
+
+    space["expect"] = recording
+    try:
+        yield found
+    finally:
+        space["expect"] = expect
+
+
+def _errors(trial: Trial) -> dict[str, float]:
+    """The largest error over its limit of each check of a trial, run one by one; infinite if it fails otherwise."""
+    assert trial.checks is not None
+    errors = {}
+    for check in sorted(trial.checks):
+        with _recorded(trial) as found:
+            result = tried(replace(trial, checks=frozenset({check})))
+        passed = all(mark.outcome == "passed" for mark in result.checks if mark.name == check)
+        if found or not passed:
+            largest = max(found, default=0.0)
+            errors[check] = largest if passed or largest > 1 else np.inf
+    return errors
+
+
+def margins(course: Path, slug: str, seeds: int, jobs: int) -> list[Margin]:
+    """The margins of the checks that compare what an integration gave."""
+    text = (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8")
+    if IMPORT not in text:
+        return []
+    checks = _simulating(course, slug, text)
+    wrong = submissions(course, slug, "mistakes")
+    sources = [(method, _careful(text, method), checks) for method in METHODS]
+    sources += [(name, f"{text}\n\n{slip}", checks & _not_passed(course, slug, slip)) for name, slip in wrong.items()]
+    tasks = [
+        Trial(course, slug, name, source, seed, checks=asked)
+        for name, source, asked in sources
+        if asked
+        for seed in range(FIRST_SEED, FIRST_SEED + seeds)
+    ]
+    errors = progress(done(_errors, tasks, jobs), len(tasks), "grading")
+    found = [(trial.name, one) for trial, one in zip(tasks, errors, strict=True)]
+    order = [check.name for check in assignments.assignment(course, slug).checks]
+    return [one for check in order if (one := margin(check, found, wrong))]
+
+
+def _not_passed(course: Path, slug: str, slip: str) -> frozenset[str]:
+    """The checks that a wrong submission fails, and those that are not run for it because they come after."""
+    names = _failed(slip)
+    for check in assignments.assignment(course, slug).checks:
+        if names & set(check.after):
+            names.add(check.name)
+    return frozenset(names)
+
+
+def _failed(slip: str) -> set[str]:
+    return set(header(slip)["fails"].split(", "))
+
+
+def _careful(text: str, method: str) -> str:
+    """The solution with the integration of a careful student in the place of its own."""
+    return text.replace(IMPORT, "pass") + CAREFUL.format(method=method)
+
+
+def _simulating(course: Path, slug: str, text: str) -> frozenset[str]:
+    """The checks that call what integrates."""
+    reach = reached(_careful(text, METHODS[0]))
+    within = {name for name, reachable in reach.items() if "solve" in reachable}
+    calls, _ = calls_of_checks(course, slug, text)
+    return frozenset(name for name, asked in calls.items() if asked & within)
+
+
+def margin(check: str, found: Sequence[tuple[str, Mapping[str, float]]], slips: Mapping[str, str]) -> Margin | None:
+    """The margin of a check; None if nothing that a careful student integrates is compared in it.
+
+    A check that comes after a failed one need not tell that mistake, too: what passes it there is left out, and what
+    does not pass counts only where no wrong physics fails this check in its own right.
+    """
+    errors = [(name, one[check]) for name, one in found if check in one]
+    careful = [error for name, error in errors if name in METHODS]
+    if not careful:
+        return None
+    wrong = [(name, error) for name, error in errors if name in slips and error < np.inf]
+    told = [(name, error) for name, error in wrong if error > 1 or check in _failed(slips[name])]
+    inaccurate = [one for one in told if "numerics" in header(slips[one[0]])]
+    physics = [one for one in told if one not in inaccurate]
+    own = [one for one in physics if check in _failed(slips[one[0]])]
+    return Margin(check, max(careful), _smallest(own or physics), _smallest(inaccurate))
+
+
+def _smallest(errors: Sequence[tuple[str, float]]) -> tuple[str, float] | None:
+    return min(errors, key=lambda one: one[1], default=None)
+
+
+def faults(found: Sequence[Margin]) -> int:
+    """Margins that are too small."""
+    return sum(one.small for one in found)
+
+
+def as_json(slug: str, found: Sequence[Margin]) -> dict[str, Any]:
+    """The report as plain data."""
+    checks = {one.check: [one.careful, one.physics, one.numerics] for one in found}
+    return {"assignment": slug, "checks": checks}
+
+
+def report(slug: str, found: Sequence[Margin]) -> list[str]:
+    """The lines to print."""
+    lines = [f"{slug}: {len(found)} checks of simulations, {faults(found)} margins below {ENOUGH}"]
+    for one in found:
+        room = f"careful {1 / one.careful:.1e} below" if one.careful else "careful exact"
+        wrong = _told("physics", one.physics) if one.physics else "no wrong number"
+        wrong += f", {_told('numerics', one.numerics)}" if one.numerics else ""
+        lines.append(f"  {one.check:<48}{room}, {wrong}" + ("  TOO SMALL" if one.small else ""))
+    return lines
+
+
+def _told(kind: str, wrong: tuple[str, float]) -> str:
+    return f"wrong {kind} {wrong[1]:.1e} above ({wrong[0]})"

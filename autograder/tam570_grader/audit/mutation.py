@@ -1,0 +1,240 @@
+"""What becomes of the mutants of the solutions: killed, equivalent, or a hole in the checks."""
+
+import ast
+import time
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from tam570_grader.audit.equivalents import Slip, entry, equivalents, idle
+from tam570_grader.audit.mutate import Mutant, mutants
+from tam570_grader.audit.trials import Trial, done, progress, tried
+from tam570_grader.grading.one import Result, generator
+from tam570_grader.sandbox.student import Source, Student
+from tam570_grader.sandbox.worker import Allowance, Worker
+from tam570_grader.writing import assignments
+from tam570_grader.writing.check import Given
+
+__all__ = ["Fates", "calls_of_checks", "fates", "reached", "report"]
+
+SEED = 570
+QUICK = 10  # mutants of an assignment in the quick form
+SLOWER = 10  # times as long as the solution's longest call: then a call of a mutant is cut
+SHORTEST = 0.25  # s; below that the clock of a busy machine says nothing
+CALLS = 12  # such calls are all that a mutant has
+KILLED, EQUIVALENT, SURVIVES, CRASHED = FATES = "killed", "equivalent", "survive", "crash"
+
+
+@dataclass(frozen=True)
+class Fates:
+    """The mutants of an assignment, their fates by name, and the checks that failed."""
+
+    slug: str
+    chosen: Sequence[Mutant]
+    fate: Mapping[str, str]
+    failed: Mapping[str, Sequence[str]]
+    checks: Sequence[str]
+    in_vain: Mapping[Slip, str]
+
+    @property
+    def survivors(self) -> list[Mutant]:
+        return [mutant for mutant in self.chosen if self.fate[mutant.name] == SURVIVES]
+
+    @property
+    def crashing(self) -> list[Mutant]:
+        """Those on which a check raised: they lose no points by it, the class loses a grade."""
+        return [mutant for mutant in self.chosen if self.fate[mutant.name] == CRASHED]
+
+    @property
+    def faults(self) -> int:
+        return len(self.survivors) + len(self.crashing) + len(self.in_vain)
+
+
+def fates(course: Path, slug: str, jobs: int, quick: bool, functions: Sequence[str]) -> Fates:
+    """Grade the mutants of an assignment: all, or a fixed sample; of all functions, or of some."""
+    text = (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8")
+    made, listed = mutants(slug, text), equivalents(course, slug)
+    asked = [mutant for mutant in made if not functions or mutant.function in functions]
+    chosen = asked[:: max(1, len(asked) // QUICK)] if quick else asked
+    calls, longest = calls_of_checks(course, slug, text)
+    call = max(SHORTEST, SLOWER * longest)
+    # a second failure tells that the first check is not needed
+    trial = partial(Trial, course, slug, seed=SEED, allowance=Allowance(cpu=CALLS * call, call=call), enough=2)
+    within = reached(text)
+    tasks = [trial(mutant.name, mutant.text, checks=_concerned(calls, within, mutant.function)) for mutant in chosen]
+    tasks += [
+        trial(f"{mutant.name} alone", alone(text, mutant, calls), checks=_calling(calls, mutant.function))
+        for mutant in chosen
+        if _is_shared(mutant.function, calls, within)
+    ]
+    results = {result.student: result for result in progress(done(tried, tasks, jobs), len(tasks), "mutant")}
+    slips = {mutant.name: (mutant.function, mutant.slip) for mutant in chosen}
+    fate = {
+        name: _fate([results[one] for one in (name, f"{name} alone") if one in results], slip in listed)
+        for name, slip in slips.items()
+    }
+    killed = {slip for name, slip in slips.items() if fate[name] == KILLED}
+    vain = idle(listed, {(mutant.function, mutant.slip) for mutant in made}, killed)
+    return Fates(slug, chosen, fate, {name: _failed(one) for name, one in results.items()}, list(calls), vain)
+
+
+def _fate(results: Sequence[Result], listed: bool) -> str:
+    if any(result.score is None for result in results):
+        return CRASHED
+    if all(result.score < result.max_score for result in results if result.score is not None):
+        return KILLED
+    return EQUIVALENT if listed else SURVIVES
+
+
+ALONE = """_right, _slipped = {{}}, {{}}
+exec({right!r}, _right)
+exec({slipped!r}, _slipped)
+{exports}
+{function} = _slipped[{function!r}]
+"""
+
+
+def alone(right: str, mutant: Mutant, calls: Mapping[str, set[str]]) -> str:
+    """A module whose slip is in one exported function alone; what other functions call is right.
+
+    A check of the others would else catch the slip, and a hole in the checks of this one stay unseen.
+    """
+    exports = "\n".join(f"{name} = _right[{name!r}]" for name in sorted(set().union(*calls.values())))
+    return ALONE.format(right=right, slipped=mutant.text, exports=exports, function=mutant.function)
+
+
+def _is_shared(function: str, calls: Mapping[str, set[str]], within: Mapping[str, set[str]]) -> bool:
+    """Whether it is exported, and other functions may call it."""
+    exported = any(function in asked for asked in calls.values())
+    return exported and any(function in reach for name, reach in within.items() if name != function)
+
+
+def _failed(result: Result) -> list[str]:
+    return [mark.name for mark in result.checks if mark.outcome == "failed"]
+
+
+class _Watched(Student):
+    """A student of whom we note which functions are called, and for how long."""
+
+    def __init__(self, *args: Any) -> None:
+        super().__init__(*args)
+        self.asked: set[str] = set()
+        self.longest = 0.0  # s
+
+    def replies(self, name: str, calls: Sequence[Given], **mode: Any) -> list[dict[str, Any]]:
+        started = time.perf_counter()
+        try:
+            return super().replies(name, calls, **mode)
+        finally:
+            self.asked.add(name)
+            self.longest = max(self.longest, (time.perf_counter() - started) / len(calls))
+
+
+def calls_of_checks(course: Path, slug: str, text: str) -> tuple[dict[str, set[str]], float]:
+    """The functions that each check calls, and the longest call in s, by running them on the solution."""
+    assignment = assignments.assignment(course, slug)
+    worker = Worker(list(assignment.needs), Allowance(), [course])
+    student = _Watched(Source(text.encode()), assignment, worker)
+    calls = {}
+    try:
+        for check in assignment.checks:
+            student.asked = set()
+            check.judge(student, generator(SEED, slug, check))
+            calls[check.name] = student.asked
+    finally:
+        student.leave()
+        worker.close()
+    return calls, student.longest
+
+
+def _concerned(calls: Mapping[str, set[str]], within: Mapping[str, set[str]], function: str) -> frozenset[str]:
+    """The checks that a slip in a function can change: they call one within whose reach it is."""
+    return frozenset(check for check, asked in calls.items() if any(function in within[name] for name in asked))
+
+
+def _calling(calls: Mapping[str, set[str]], function: str) -> frozenset[str]:
+    """The checks that call a function themselves."""
+    return frozenset(check for check, asked in calls.items() if function in asked)
+
+
+def reached(text: str) -> dict[str, set[str]]:
+    """For each function of a module those that it may come to call, itself among them."""
+    body = ast.parse(text).body
+    named = {node.name: _names(node) for node in body if isinstance(node, ast.FunctionDef)}
+    always = {
+        name for node in body if not isinstance(node, ast.FunctionDef) for name in _names(node) if name in named
+    }  # what runs at import
+    within = {name: {name, *(names & named.keys()), *always} for name, names in named.items()}
+    while True:
+        wider = {name: set().union(*(within[one] for one in reach)) for name, reach in within.items()}
+        if wider == within:
+            return within
+        within = wider
+
+
+def _names(node: ast.AST) -> set[str]:
+    return {one.id for one in ast.walk(node) if isinstance(one, ast.Name)}
+
+
+def catches(found: Fates) -> dict[str, tuple[int, int]]:
+    """For each check the number of mutants that it is the first to catch, and that it alone catches."""
+    failed = [names for names in found.failed.values() if names]
+    first = Counter(names[0] for names in failed)
+    alone = Counter(names[0] for names in failed if len(names) == 1)
+    return {name: (first[name], alone[name]) for name in found.checks}
+
+
+def as_json(found: Fates) -> dict[str, Any]:
+    """The report as plain data."""
+    counts = Counter(found.fate.values())
+    return {
+        "assignment": found.slug,
+        "mutants": len(found.chosen),
+        **{fate: counts[fate] for fate in FATES},
+        "functions": {name: dict(fate) for name, fate in _by_function(found).items()},
+        "checks": {name: {"first": f, "alone": a} for name, (f, a) in catches(found).items()},
+        "survivors": [
+            {"function": one.function, "slip": one.slip, "line": one.line, "operator": one.operator}
+            for one in found.survivors
+        ],
+        "crashing": [{"function": one.function, "slip": one.slip, "line": one.line} for one in found.crashing],
+        "in_vain": [{"function": name, "slip": slip, "fault": fault} for (name, slip), fault in found.in_vain.items()],
+    }
+
+
+def _by_function(found: Fates) -> dict[str, Counter[str]]:
+    counts: dict[str, Counter[str]] = {}
+    for mutant in found.chosen:
+        counts.setdefault(mutant.function, Counter())[found.fate[mutant.name]] += 1
+    return counts
+
+
+def report(found: Fates) -> list[str]:
+    """The lines to print: counts by function and check, the checks that no mutant needs, and the faults."""
+    counts = Counter(found.fate.values())
+    lines = [f"{found.slug}: {len(found.chosen)} mutants, " + ", ".join(f"{counts[fate]} {fate}" for fate in FATES)]
+    for function, fate in _by_function(found).items():
+        lines.append(f"  {function:<48}" + "".join(f"{fate[one]:>6} {one}" for one in FATES if fate[one]))
+    for check, (first, alone) in catches(found).items():
+        needless = "" if alone else "; no mutant tried needs it"
+        lines.append(f"  {check:<48}{first:>6} caught first, {alone} by it alone{needless}")
+    for mutant in found.survivors:
+        lines += _shown(mutant)
+    for mutant in found.crashing:
+        lines.append(f"  CRASHES A CHECK {mutant.function}: {mutant.slip}")
+    for (function, slip), fault in found.in_vain.items():
+        lines.append(f"  LISTED IN VAIN {function}: {slip}: {fault}")
+    return lines
+
+
+def _shown(mutant: Mutant) -> list[str]:
+    """Where a survivor is, its line as it was and is, and the line that would list it."""
+    return [
+        f"  SURVIVES solutions/{mutant.slug}.py:{mutant.line} in {mutant.function}: {mutant.operator}",
+        f"      - {mutant.before.strip()}",
+        f"      + {mutant.after.strip()}",
+        *(f"    {line}" for line in entry(mutant).splitlines()),
+    ]

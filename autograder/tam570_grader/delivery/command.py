@@ -1,0 +1,112 @@
+"""The commands that hand on the course, to students and nbgrader, or its scores, to other systems and instructors."""
+
+import argparse
+from pathlib import Path
+
+from tam570_grader.options import Commands
+
+__all__ = ["add_course", "add_gradescope", "add_kit", "add_lms", "add_report", "add_stubs"]
+
+
+def add_stubs(commands: Commands) -> argparse.ArgumentParser:
+    stubs: argparse.ArgumentParser = commands.add_parser("stubs", help="make the students' stubs from the solutions")
+    stubs.set_defaults(command=_stubs)
+    stubs.add_argument("--check", action="store_true", help="write nothing; exit 1 if a stub is out of date")
+    return stubs
+
+
+def add_kit(commands: Commands) -> argparse.ArgumentParser:
+    kit: argparse.ArgumentParser = commands.add_parser("kit", help="make what students install and start from")
+    kit.set_defaults(command=_kit)
+    kit.add_argument("folder", type=Path, metavar="DIR", help="where to put it")
+    return kit
+
+
+def add_course(commands: Commands) -> argparse.ArgumentParser:
+    course: argparse.ArgumentParser = commands.add_parser("course", help="make a course that nbgrader runs")
+    course.set_defaults(command=_course)
+    course.add_argument("folder", type=Path, metavar="DIR", help="where to put it")
+    course.add_argument("assignments", nargs="*", metavar="SLUG", help="default: all")
+    return course
+
+
+def add_gradescope(commands: Commands) -> argparse.ArgumentParser:
+    gradescope: argparse.ArgumentParser = commands.add_parser(
+        "gradescope", help="make the archives that Gradescope runs"
+    )
+    gradescope.set_defaults(command=_gradescope)
+    gradescope.add_argument("folder", type=Path, metavar="DIR", help="where to put them")
+    gradescope.add_argument("assignments", nargs="*", metavar="SLUG", help="default: all")
+    return gradescope
+
+
+def add_lms(commands: Commands) -> argparse.ArgumentParser:
+    lms: argparse.ArgumentParser = commands.add_parser("lms", help="make a table that Canvas or Moodle imports")
+    lms.set_defaults(command=_lms)
+    add = lms.add_argument
+    add("grades", type=Path, metavar="GRADES", help="grades.csv of `grade --out`, or of `nbgrader export`")
+    add("--to", choices=["canvas", "moodle"], required=True, help="the system")
+    add("--roster", type=Path, metavar="FILE", help="a gradebook exported from Canvas, for its names and numbers")
+    add("--identity", choices=["username", "idnumber", "email"], default="username", help="in Moodle")
+    add("--out", type=Path, metavar="FILE", help="default: print it")
+    return lms
+
+
+def add_report(commands: Commands) -> argparse.ArgumentParser:
+    report: argparse.ArgumentParser = commands.add_parser(
+        "report", help="make one page on the class: scores, checks, known mistakes, who is missing"
+    )
+    report.set_defaults(command=_report)
+    add = report.add_argument
+    add("folder", type=Path, metavar="DIR", help="what `grade --out` wrote")
+    add("--roster", type=Path, metavar="FILE", help="all students, one a line or in the first column of a table")
+    add("--out", type=Path, metavar="FILE", help="default: DIR/report.html, beside the feedback it links to")
+    return report
+
+
+def _stubs(arguments: argparse.Namespace) -> int:
+    from tam570_grader.delivery import stubs
+    from tam570_grader.writing import assignments
+
+    return stubs.run(assignments.find(arguments.root), check=arguments.check)
+
+
+def _kit(arguments: argparse.Namespace) -> int:
+    from tam570_grader.delivery import kit
+    from tam570_grader.writing import assignments
+
+    return kit.run(assignments.find(arguments.root), arguments.folder)
+
+
+def _course(arguments: argparse.Namespace) -> int:
+    from tam570_grader.delivery import course
+
+    return course.run(*_course_and_slugs(arguments))
+
+
+def _gradescope(arguments: argparse.Namespace) -> int:
+    from tam570_grader.delivery import gradescope
+
+    return gradescope.run(*_course_and_slugs(arguments))
+
+
+def _lms(arguments: argparse.Namespace) -> int:
+    from tam570_grader.delivery import lms
+
+    return lms.run(arguments.grades, arguments.to, arguments.roster, arguments.identity, arguments.out)
+
+
+def _report(arguments: argparse.Namespace) -> int:
+    from tam570_grader.pages import feedback, report
+    from tam570_grader.writing import assignments
+
+    feedback.must_write_pages()
+    return report.run(arguments.folder, assignments.find(arguments.root), arguments.roster, arguments.out)
+
+
+def _course_and_slugs(arguments: argparse.Namespace) -> tuple[Path, Path, list[str]]:
+    """The checkout, the folder to write to, the assignments."""
+    from tam570_grader.writing import assignments
+
+    course = assignments.find(arguments.root)
+    return course, arguments.folder, assignments.named(arguments.assignments, assignments.slugs(course))

@@ -1,0 +1,58 @@
+"""Writes a course that plain nbgrader runs: sources of the assignments, its configuration, and a page of commands."""
+
+import json
+import shutil
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from string import Template
+
+from tam570_grader.delivery.notebook import notebook
+from tam570_grader.errors import UsageError, writing
+from tam570_grader.results.journal import written
+from tam570_grader.writing import assignments
+
+__all__ = ["run"]
+
+TEMPLATES = Path(__file__).parent / "templates"
+
+
+def run(course: Path, folder: Path, slugs: Sequence[str]) -> int:
+    """Write the course into the folder; what a teacher may have changed there stays. The exit code."""
+    for slug in slugs:
+        _write_assignment(course, slug, folder / "source" / slug)
+    fields = {"checkout": repr(str(course)), "modules": _modules(assignments.slugs(course)), "first": slugs[0]}
+    for name, template in (("nbgrader_config.py", "nbgrader_config.txt"), ("README.md", "course.txt")):
+        if (folder / name).exists():
+            print(f"{folder / name} left as you have it", file=sys.stderr)
+            continue
+        text = (TEMPLATES / template).read_text(encoding="utf-8")
+        written(folder / name, Template(text).substitute(fields))
+    print(f"{folder}: {len(slugs)} assignments; README.md there says how to go on", file=sys.stderr)
+    return 0
+
+
+def _write_assignment(course: Path, slug: str, folder: Path) -> None:
+    """The notebook, the stub, the visible tests and the problem of one assignment."""
+    released = course / "assignments" / slug
+    with writing(folder):
+        folder.mkdir(parents=True, exist_ok=True)
+    module, tests, readme = f"{slug}.py", f"test_{slug}.py", "README.md"
+    for name in (module, tests, readme):
+        if not (released / name).is_file():
+            raise UsageError(f"{released / name} is missing: the assignment cannot be released yet")
+        shutil.copyfile(released / name, folder / name)
+    shutil.copyfile(TEMPLATES / "lab.py", folder / "lab.py")
+    pictures = assignments.checks_folder(course, slug) / "notebook.md"
+    made = notebook(
+        assignments.assignment(course, slug),
+        (released / readme).read_text(encoding="utf-8"),
+        (released / tests).read_text(encoding="utf-8"),
+        pictures.read_text(encoding="utf-8") if pictures.exists() else "",
+    )
+    written(folder / f"{slug}.ipynb", json.dumps(made, indent=1, ensure_ascii=False) + "\n")
+
+
+def _modules(slugs: Sequence[str]) -> str:
+    """The files that students edit, by assignment, as Python."""
+    return "".join(f'    "{slug}": ["{slug}.py"],\n' for slug in slugs)

@@ -1,0 +1,83 @@
+"""Gradescope: the results as its specification has them, and the archive that it runs."""
+
+import secrets
+import sys
+import zipfile
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from pathlib import Path
+from string import Template
+from typing import Any
+
+from tam570_grader.errors import writing
+from tam570_grader.pages.feedback import NOTES
+from tam570_grader.results.journal import Record
+
+__all__ = ["results", "run"]
+
+TEMPLATES = Path(__file__).parent / "templates"
+EXECUTABLE = 0o755 << 16  # of a file in an archive
+ENGINE = ("pyproject.toml", "README.md", "LICENSE", "shared/tam570", "autograder/tam570_grader")
+
+
+def results(record: Record, lines: Mapping[str, str]) -> dict[str, Any]:
+    """`results.json` of one submission (gradescope-autograders.readthedocs.io, "Autograder Specifications").
+
+    Every check is a test that the student sees; nothing of the hidden inputs is in it.
+    """
+    note = " ".join(filter(None, (NOTES.get(record["status"]), record.get("message"))))
+    return {
+        "score": record["score"],
+        "execution_time": record["seconds"],
+        "output": note,
+        "output_format": "text",
+        "stdout_visibility": "hidden",
+        "tests": [_test(mark, lines) for mark in record["checks"]],
+    }
+
+
+def _test(mark: Mapping[str, Any], lines: Mapping[str, str]) -> dict[str, Any]:
+    passed = mark["outcome"] == "passed"
+    return {
+        "score": mark["points"],
+        "max_score": mark["max_points"],
+        "status": "passed" if passed else "failed",
+        "name": f"({mark['part']}) {lines.get(mark['name'], mark['name'])}",
+        "output": "" if passed else f"{mark['outcome'].replace('_', ' ')}: {mark['message']}",
+        "output_format": "text",
+        "visibility": "visible",
+    }
+
+
+def run(course: Path, folder: Path, slugs: Sequence[str]) -> int:
+    """Write an archive for each assignment into the folder; the exit code."""
+    with writing(folder):
+        folder.mkdir(parents=True, exist_ok=True)
+    for slug in slugs:
+        _write_archive(course, slug, folder / f"{slug}.zip")
+    says = "upload each to its assignment; they hold solutions and checks, so keep them to yourself"
+    print(f"{folder}: {len(slugs)} archives; {says}", file=sys.stderr)
+    return 0
+
+
+def _write_archive(course: Path, slug: str, path: Path) -> None:
+    """setup.sh and run_autograder at the top, as Gradescope wants them, and what they need of the course."""
+    fields = {"slug": slug, "seed": secrets.randbelow(2**31)}  # one seed in an archive: the same inputs for the class
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name in ("setup.sh", "run_autograder"):
+            text = (TEMPLATES / "gradescope" / name).read_text(encoding="utf-8")
+            entry = zipfile.ZipInfo(name)
+            entry.external_attr = EXECUTABLE
+            archive.writestr(entry, Template(text).substitute(fields))
+        for file in _files(course, slug):
+            archive.write(file, Path("course") / file.relative_to(course))
+
+
+def _files(course: Path, slug: str) -> Iterator[Path]:
+    """The engine, and of the assignments this one."""
+    places = [*ENGINE, f"assignments/{slug}", f"solutions/{slug}.py", f"autograder/checks/{slug}"]
+    for place in map(course.joinpath, places):
+        yield from (sorted(_kept(place.rglob("*"))) if place.is_dir() else [place])
+
+
+def _kept(paths: Iterable[Path]) -> Iterator[Path]:
+    return (path for path in paths if path.is_file() and "__pycache__" not in path.parts)

@@ -1,0 +1,116 @@
+"""Scores for a learning management system: tables that Canvas and Moodle import."""
+
+import csv
+import io
+import sys
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+from tam570_grader.errors import UsageError, writing
+from tam570_grader.results.journal import FORMULA, cell, name_in, written
+
+__all__ = ["canvas", "moodle", "run"]
+
+# (student, assignment): score and largest score, as in the file
+Scores = Mapping[tuple[str, str], tuple[str, str]]
+
+# what Canvas knows a student by, in its order
+CANVAS = ("Student", "ID", "SIS User ID", "SIS Login ID", "Section")
+POSSIBLE = "    Points Possible"  # the name, with its blanks, of the row below the heading
+# as Moodle's own export says
+MOODLE = {"username": "Username", "idnumber": "ID number", "email": "Email address"}
+
+
+def run(grades: Path, system: str, roster: Path | None, identity: str, out: Path | None) -> int:
+    """Write the table for Canvas or Moodle; the exit code.
+
+    grades   : grades.csv, of `tam570-grader grade --out` or of `nbgrader export`
+    roster   : a gradebook exported from Canvas, whose students and columns are used
+    identity : what our students' names are in Moodle: username, idnumber or email
+    """
+    found = _scores(grades)
+    table = moodle(found, identity) if system == "moodle" else canvas(found, _rows(roster) if roster else None)
+    _warn_of_formulas(table)
+    text = io.StringIO()
+    csv.writer(text).writerows(table)
+    if out:
+        with writing(out):
+            written(out, text.getvalue())
+    else:
+        print(text.getvalue(), end="")
+    return 0
+
+
+def _warn_of_formulas(table: Sequence[Sequence[str]]) -> None:
+    """A login is matched only as it is, so none is quoted."""
+    if found := sorted({text for row in table for text in row if text.startswith(FORMULA)}):
+        names = ", ".join(map(repr, found))
+        says = "import the table without opening it in a spreadsheet, which may take these for formulas"
+        print(f"tam570-grader: warning: {says}: {names}", file=sys.stderr)
+
+
+def canvas(scores: Scores, roster: Sequence[Sequence[str]] | None = None) -> list[list[str]]:
+    """The table for Canvas: its five columns, one for each assignment; a column that Canvas knows keeps its number."""
+    slugs = sorted({slug for _, slug in scores})
+    heading, people = _people(roster) if roster else ([*CANVAS], _unknown(scores))
+    columns = [next((name for name in heading[5:] if name.split(" (")[0] == slug), slug) for slug in slugs]
+    possible = [POSSIBLE, "", "", "", "", *(_possible(scores, slug) for slug in slugs)]
+    rows = [[*person[:5], *(_score(scores, person, slug) for slug in slugs)] for person in people]
+    return [[*CANVAS, *columns], possible, *rows]
+
+
+def moodle(scores: Scores, identity: str = "username") -> list[list[str]]:
+    """The table for Moodle: who it is by one of Moodle's fields, and a column for each assignment."""
+    slugs = sorted({slug for _, slug in scores})
+    students = sorted({student for student, _ in scores})
+    rows = [[student, *(scores.get((student, slug), ("", ""))[0] for slug in slugs)] for student in students]
+    return [[MOODLE[identity], *slugs], *rows]
+
+
+def _scores(grades: Path) -> Scores:
+    """The scores in our table or nbgrader's; empty where the grader itself failed."""
+    heading, *rows = _rows(grades)
+    name = "student" if "student" in heading else "student_id"
+    if not {name, "assignment", "score", "max_score"} <= set(heading):
+        raise UsageError(f"{grades} is no grades.csv of tam570-grader or nbgrader")
+    if odd := [",".join(row) for row in rows if len(row) != len(heading)]:
+        raise UsageError(
+            f"{grades} has a row that does not fit its heading of {len(heading)} columns: {odd[0]}; mend it"
+        )
+    found = [dict(zip(heading, row, strict=True)) for row in rows]
+    true_name = name_in if name == "student" else str  # nbgrader quotes none
+    return {(true_name(row[name]), row["assignment"]): (row["score"], row["max_score"]) for row in found}
+
+
+def _rows(path: Path) -> list[list[str]]:
+    try:
+        with open(path, newline="", encoding="utf-8-sig") as file:
+            rows = [row for row in csv.reader(file) if row]
+    except (OSError, UnicodeDecodeError, csv.Error) as error:
+        raise UsageError(f"{path} cannot be read: {error}") from None
+    if not rows:
+        raise UsageError(f"{path} is empty")
+    return rows
+
+
+def _people(roster: Sequence[Sequence[str]]) -> tuple[list[str], list[Sequence[str]]]:
+    """The heading of Canvas's export and the rows of students in it, without its notes."""
+    heading = list(roster[0])
+    if tuple(heading[:5]) != CANVAS:
+        raise UsageError(f"the roster is no gradebook of Canvas: its columns must begin with {', '.join(CANVAS)}")
+    return heading, [row for row in roster[1:] if len(row) >= 5 and any(cell.strip() for cell in row[1:4])]
+
+
+def _unknown(scores: Scores) -> list[Sequence[str]]:
+    """Students of whom we know no more than the name of their folder, taken for their login."""
+    return [[cell(student), "", "", student, ""] for student in sorted({student for student, _ in scores})]
+
+
+def _score(scores: Scores, person: Sequence[str], slug: str) -> str:
+    """A person's score, by login or numbers; "" leaves what Canvas has."""
+    names = [name for name in (person[3], person[2], person[1]) if name]
+    return next((scores[name, slug][0] for name in names if (name, slug) in scores), "")
+
+
+def _possible(scores: Scores, slug: str) -> str:
+    return next(largest for (_, one), (_, largest) in scores.items() if one == slug)

@@ -1,0 +1,236 @@
+"""Our grading inside nbgrader's autograde: preprocessors in place of running the notebook beside its tests."""
+
+import contextlib
+import fnmatch
+import functools
+import glob
+import os
+import re
+import secrets
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import nbformat
+from jinja2 import pass_context
+from nbconvert.exporters import NotebookExporter
+from nbconvert.filters.markdown_mistune import IPythonRenderer, MarkdownWithMath
+from nbgrader.converters import base  # type: ignore[import-untyped]
+from nbgrader.converters.base import NbGraderException  # type: ignore[import-untyped]
+from nbgrader.preprocessors import NbGraderPreprocessor  # type: ignore[import-untyped]
+from nbgrader.utils import find_all_files  # type: ignore[import-untyped]
+from traitlets import Bool, Dict, Integer, Unicode
+
+from tam570_grader.delivery.nbgrader_cells import Notebook, grade_id, marked, node, note, pictures_only, safe
+from tam570_grader.delivery.nbgrader_gradebook import OpenGradebook, keep_gradebooks_open
+from tam570_grader.delivery.notebook import FORMAT, part_of, part_points, text_cell
+from tam570_grader.grading.many import Plan, records
+from tam570_grader.grading.submissions import BadPath, Submission, of_folder, submissions
+from tam570_grader.options import cores
+from tam570_grader.pages.feedback import Sheet, sheet
+from tam570_grader.results.journal import Book, Record
+from tam570_grader.sandbox.worker import Allowance
+from tam570_grader.writing import assignments
+
+__all__ = ["ForgivingExporter", "KeepPictures", "RestoreMetadata", "SandboxGrades", "markdown_without_html"]
+
+Resources = Any
+Outcome = tuple[Notebook, Resources]
+
+CELL_ID = re.compile(r"[A-Za-z0-9_-]{1,64}")  # as nbformat has it
+BROKEN = """**This notebook could not be read** ({why}). The module beside it was graded; the file as it came is \
+in `submitted/`."""
+
+
+class ForgivingExporter(NotebookExporter):
+    """Puts a note in the place of a notebook that cannot be read, so that the module beside it is graded.
+
+    There is one for each command: it knows the place of the command, and remembers the results of the class.
+    """
+
+    optimistic_validation = Bool(True, help="look at the notebook once, after the last preprocessor").tag(config=True)
+    results = Dict(help="(assignment, student) -> submission and result")
+    sheets = Dict(help="assignment -> what its page says, whoever handed it in")
+
+    def __init__(self, **kwargs: Any) -> None:
+        super().__init__(**kwargs)  # type: ignore[no-untyped-call]
+        keep_gradebooks_open()
+        base.find_all_files = functools.partial(_own_files, self._submitted())  # it copies what is found
+
+    def _submitted(self) -> str:
+        """A pattern of the submissions' folders."""
+        place: Any = self.parent.coursedir  # type: ignore[union-attr]
+        return str(place.format_path(place.submitted_directory, "*", "*"))
+
+    def _is_a_link(self, filename: str) -> bool:
+        path = Path(filename)
+        submitted = fnmatch.fnmatch(str(path.parent), self._submitted())
+        return submitted and (path.is_symlink() or _linked(path.parent))
+
+    def from_filename(self, filename: str, resources: Resources = None, **kwargs: Any) -> Outcome:
+        notebook = "it is a link" if self._is_a_link(filename) else _notebook(filename)
+        if isinstance(notebook, str):
+            self.log.warning("%s cannot be read (%s): its module is graded", filename, notebook)
+            cells = [text_cell("broken", BROKEN.format(why=notebook))]
+            notebook = node({**FORMAT, "metadata": {}, "cells": cells})
+        path = Path(filename)
+        resources = {**(resources or {}), "metadata": {"name": path.stem, "path": str(path.parent)}}
+        made: Outcome = self.from_notebook_node(notebook, resources, **kwargs)  # type: ignore[no-untyped-call]
+        return made
+
+
+def _notebook(filename: str) -> Notebook | str:
+    """The notebook of a file, or why it is none."""
+    try:
+        notebook = nbformat.read(filename, as_version=4)  # type: ignore[no-untyped-call]
+        [(cell.cell_type, cell.source + "", cell.metadata.items()) for cell in notebook.cells]
+        for number, cell in enumerate(notebook.cells):
+            if "id" in cell and not CELL_ID.fullmatch(str(cell.id)):
+                cell.id = f"cell-{number}"
+    except Exception as error:  # nbformat raises whatever it stumbles over
+        return type(error).__name__
+    return notebook
+
+
+class RestoreMetadata(NbGraderPreprocessor):  # type: ignore[misc]
+    """Makes what nbgrader notes in cells what it was when the assignment was made; strange cells are plain ones."""
+
+    def preprocess(self, nb: Notebook, resources: Resources) -> Outcome:
+        where = resources["nbgrader"]
+        with OpenGradebook(where["db_url"]) as gradebook:
+            notes = _notes_of_cells(gradebook.find_notebook(where["notebook"], where["assignment"]))
+        for cell in nb.cells:
+            name = grade_id(cell)
+            cell.metadata.pop("nbgrader", None)
+            if name in notes:
+                cell.metadata["nbgrader"] = node(notes.pop(name))  # a copy of the cell is a plain one
+        return nb, resources
+
+
+def _notes_of_cells(notebook: Any) -> dict[str, dict[str, Any]]:
+    """What belongs into the metadata of each cell, by the gradebook."""
+    points = {cell.name: cell.max_score for cell in notebook.grade_cells}
+    answers = {cell.name for cell in notebook.solution_cells}
+    return {
+        cell.name: {
+            "grade": cell.name in points,
+            "grade_id": cell.name,
+            "locked": cell.locked,
+            "task": False,
+            "points": points.get(cell.name, 0),
+            "schema_version": 3,
+            "solution": cell.name in answers,
+            "cell_type": cell.cell_type,
+            "checksum": cell.checksum,
+        }
+        for cell in notebook.source_cells
+    }
+
+
+class _PlainRenderer(IPythonRenderer):
+    """nbconvert's, but for what it would leave unescaped: a diagram is shown as its text."""
+
+    def block_mermaidjs(self, code: str) -> str:
+        return self.block_code(code)
+
+
+@pass_context
+def markdown_without_html(context: Any, source: str) -> str:
+    """Markdown as nbconvert renders it, but for HTML and links that run, which a student's text may hold."""
+    pictures = context.get("cell", {}).get("attachments", {})
+    renderer = _PlainRenderer(escape=True, allow_harmful_protocols=False, attachments=pictures)
+    return str(MarkdownWithMath(renderer=renderer).render(source))
+
+
+class KeepPictures(NbGraderPreprocessor):  # type: ignore[misc]
+    """Keeps a student's text and pictures, for the notebook is not run again; drops what could run in a browser."""
+
+    def preprocess_cell(self, cell: Notebook, resources: Resources, cell_index: int) -> Outcome:
+        if cell.cell_type == "code":
+            locked = part_of(grade_id(cell)) is not None
+            cell.outputs = [] if locked else [kept for one in cell.outputs if (kept := safe(one))]
+        if not pictures_only(cell.get("attachments")):
+            cell.pop("attachments", None)
+        return cell, resources
+
+
+class SandboxGrades(NbGraderPreprocessor):  # type: ignore[misc]
+    """Grades the submitted module in the sandbox, and fills the locked cells with points and messages."""
+
+    checkout = Unicode("", help="the checkout of tam570 with checks and solutions").tag(config=True)
+    results = Unicode("tam570_results", help="the folder of the results, in the course").tag(config=True)
+    jobs = Integer(0, help="workers; 0: one for each core").tag(config=True)
+    memory = Integer(1024, help="MiB of a submission").tag(config=True)
+    cpu = Integer(60, help="s of processor time of a submission").tag(config=True)
+    call = Integer(10, help="s of processor time of one call").tag(config=True)
+
+    def preprocess(self, nb: Notebook, resources: Resources) -> Outcome:
+        slug, student = resources["nbgrader"]["assignment"], resources["nbgrader"]["student"]
+        submission, record = self._graded(slug, student)
+        if record["score"] is None:
+            raise NbGraderException(f"the grader failed on {student} {slug}: see {self.results}/{slug}/results.jsonl")
+        says, graded = self._sheet(slug), part_points(assignments.assignment(self._checkout(), slug))
+        for cell in nb.cells:
+            part = part_of(grade_id(cell))
+            if part in graded:
+                marks = [mark for mark in record["checks"] if mark["part"] == part]
+                cell.outputs = marked(marks, says, note(submission, record))
+        return nb, resources
+
+    def _checkout(self) -> Path:
+        return assignments.find(self.checkout or None)
+
+    def _sheet(self, slug: str) -> Sheet:
+        sheets: dict[str, Sheet] = self.parent.sheets
+        if slug not in sheets:
+            sheets[slug] = sheet(self._checkout(), slug)
+        return sheets[slug]
+
+    def _graded(self, slug: str, student: str) -> tuple[Submission, Record]:
+        """A submission and its result; with the first, all that the command is about are graded, on warm workers."""
+        known: dict[tuple[str, str], tuple[Submission, Record]] = self.parent.results
+        if (slug, student) not in known:
+            place = self.parent.parent.coursedir
+            everyone = _class(place, slug)
+            with contextlib.closing(Book(Path(place.root) / self.results / slug)) as book:
+                found = {one["student"]: one for one in records(self._plan(place, book, everyone), book)}
+            known.update({(slug, one.student): (one, found[one.student]) for one in everyone})
+        return known[slug, student]
+
+    def _plan(self, place: Any, book: Book, everyone: Sequence[Submission]) -> Plan:
+        seed = secrets.randbelow(2**31) if book.seed is None else book.seed
+        allowance = Allowance(self.memory * 2**20, self.cpu, self.call)
+        jobs = self.jobs or cores()
+        hidden = [self._checkout(), Path(place.root).resolve()]
+        return Plan(self._checkout(), everyone, seed, jobs, allowance, hidden)
+
+
+def _class(place: Any, slug: str) -> list[Submission]:
+    """The submissions that the command is about: everybody's, or one student's."""
+    student = re.compile(place.format_path(place.submitted_directory, "(?P<who>.*)", slug, escape=True))
+    folders = sorted(glob.glob(place.format_path(place.submitted_directory, place.student_id, slug)))
+    named = [(match["who"], Path(folder)) for folder in folders if (match := student.fullmatch(folder))]
+    return [_of_folder(folder, slug, who) for who, folder in named]
+
+
+def _of_folder(folder: Path, slug: str, student: str) -> Submission:
+    if _linked(folder):
+        return Submission(student, slug, None, folder, "the folder is a link to a place outside of the submission")
+    try:
+        return replace(submissions([folder], [slug], slug)[0], student=student)
+    except BadPath:  # several folders in it, say
+        return of_folder(folder, student, slug, folder)
+
+
+def _own_files(submitted: str, folder: str, exclude: Any = None) -> list[str]:
+    """Those in a folder; of a submission's, those that are no links, which lead to whatever the teacher may read."""
+    files: list[str] = find_all_files(folder, exclude)
+    if not fnmatch.fnmatch(folder, submitted):
+        return files
+    return [] if _linked(Path(folder)) else [file for file in files if not os.path.islink(file)]
+
+
+def _linked(folder: Path) -> bool:
+    """Whether the folder of a student's assignment, or the student's own, is a link."""
+    return folder.is_symlink() or folder.parent.is_symlink()

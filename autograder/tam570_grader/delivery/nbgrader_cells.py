@@ -1,0 +1,104 @@
+"""The cells of a graded notebook: what our marks look like in them, and what of a student's own outputs stays."""
+
+import re
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+import nbformat
+
+from tam570_grader.grading.submissions import Submission
+from tam570_grader.pages.feedback import NOTES, SIGNS, Sheet, pictures, template
+from tam570_grader.results.journal import Record
+
+__all__ = ["Notebook", "grade_id", "marked", "node", "note", "pictures_only", "safe"]
+
+Notebook = Any  # nbformat's own types say no more
+
+# Of a student's outputs; HTML and SVG could carry scripts to the teacher.
+PICTURES = ("image/png", "image/jpeg")
+BASE64 = re.compile(r"[A-Za-z0-9+/=\s]*")
+NO_MODULE = "There is no {slug}.py in the folder; the functions were looked for in {found}."
+
+
+def note(submission: Submission, record: Record) -> str:
+    """What is to say of the submission as a whole."""
+    slug, path = submission.slug, submission.path
+    elsewhere = path is not None and path.name != f"{slug}.py"
+    found = NO_MODULE.format(slug=slug, found=path.name) if elsewhere and path else ""
+    return " ".join(filter(None, (found, NOTES.get(record["status"]), record.get("message"))))
+
+
+def marked(marks: Iterable[Mapping[str, Any]], sheet: Sheet, note: str) -> list[Notebook]:
+    """The messages and pictures of a part, and its points as nbgrader reads them: the number that a cell ends with."""
+    shown = [_shown(mark, sheet) for mark in marks]
+    earned = round(sum(mark["points"] for mark in shown), 6)
+    page = template("part.html").render(marks=shown, note=note)
+    plain = "\n".join([*([note] if note else []), *map(_plain, shown)])
+    return [
+        _output("display_data", data={"text/html": page, "text/plain": plain}, metadata={}),
+        _output("execute_result", data={"text/plain": repr(earned)}, metadata={}, execution_count=1),
+    ]
+
+
+def _shown(mark: Mapping[str, Any], sheet: Sheet) -> dict[str, Any]:
+    """A mark without its detail, which is the instructor's."""
+    return {
+        "name": mark["name"],
+        "outcome": mark["outcome"],
+        "line": sheet.lines.get(mark["name"], mark["name"]),
+        "points": mark["points"],
+        "max_points": mark["max_points"],
+        "says": "" if mark["outcome"] == "passed" else mark["message"],
+        "pictures": pictures(mark.get("picture")),
+    }
+
+
+def _plain(mark: Mapping[str, Any]) -> str:
+    says = f"\n  {mark['says']}" if mark["says"] else ""
+    return f"{SIGNS[mark['outcome']]} {mark['points']:g}/{mark['max_points']:g} {mark['line']}{says}"
+
+
+def safe(output: Notebook) -> Notebook | None:
+    """An output without what a browser would run; None if nothing is left."""
+    kind = output.get("output_type")
+    if kind == "stream":
+        return _output("stream", name="stdout", text=_text(output.get("text")))
+    if kind == "error":
+        return _output("stream", name="stdout", text=f"{output.get('ename')}: {output.get('evalue')}")
+    bundle = output.get("data")
+    data = {mime: text for mime, text in bundle.items() if _picture(mime, text)} if isinstance(bundle, dict) else {}
+    if not data and isinstance(bundle, dict) and "text/plain" in bundle:
+        data = {"text/plain": _text(bundle["text/plain"])}
+    return _output("display_data", data=data, metadata={}) if data else None
+
+
+def pictures_only(attachments: Any) -> bool:
+    """Whether a text's attachments are pictures, all of them."""
+    return isinstance(attachments, dict) and all(
+        isinstance(one, dict) and all(_picture(mime, text) for mime, text in one.items())
+        for one in attachments.values()
+    )
+
+
+def _picture(mime: str, text: Any) -> bool:
+    return mime in PICTURES and isinstance(text, str) and bool(BASE64.fullmatch(text))
+
+
+def _text(value: Any) -> str:
+    return "".join(map(str, value)) if isinstance(value, list) else str(value)
+
+
+def _output(kind: str, **content: Any) -> Notebook:
+    return node({"output_type": kind, **content})
+
+
+def node(content: Mapping[str, Any]) -> Notebook:
+    """A notebook, or a piece of one, as nbformat has it."""
+    return nbformat.from_dict(content)  # type: ignore[no-untyped-call]
+
+
+def grade_id(cell: Notebook) -> str:
+    """The name by which nbgrader knows a cell, "" if it does not."""
+    noted = cell.metadata.get("nbgrader")
+    name = noted.get("grade_id") if isinstance(noted, dict) else None
+    return name if isinstance(name, str) else ""

@@ -1,0 +1,205 @@
+"""The notebook of an assignment: the problem part by part, what the student's module does, and cells for the points."""
+
+import ast
+import json
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from tam570_grader.writing.assignments import Assignment
+
+__all__ = [
+    "FORMAT",
+    "Problem",
+    "functions_by_part",
+    "notebook",
+    "part_of",
+    "part_points",
+    "problem",
+    "visible_by_part",
+    "text_cell",
+]
+
+Cell = dict[str, Any]
+Definitions = Mapping[str, ast.FunctionDef]
+
+PART = re.compile(r"^\*\*\(([a-z])\)\*\*", re.MULTILINE)
+FENCE = re.compile(r"^## ([a-z])\n+```python\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+LOCKED = "part-"  # how the id of a locked cell begins; its part follows
+FORMAT = {"nbformat": 4, "nbformat_minor": 5}
+KERNEL = {"kernelspec": {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"}}
+
+HOW = """---
+Fill in the functions of `{slug}.py` beside this notebook, in any editor. The notebook reads the file again whenever
+you save it; run a cell again to see what has become of it. The cells that run tests are locked; add cells where
+you like, and write where it says *your answer*. Hand in the whole folder."""
+SETUP = """%load_ext autoreload
+%autoreload 2
+%matplotlib inline
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+import lab
+import {slug} as hw
+from tam570.show import show"""
+SCENE = "**What it looks like**, by your functions. Run the cell again when you have changed them."
+TESTS = "# Part ({part}): your visible tests. This cell is locked; it carries the points of the hidden ones.\n{call}"
+BY_HAND = "**By hand ({part}), {points:g} points:** {what}. Put plots into cells of their own above; words here."
+
+
+@dataclass(frozen=True)
+class Problem:
+    """The README of an assignment: what comes before the parts, the parts by letter, what is graded and how."""
+
+    intro: str
+    parts: Mapping[str, str]
+    rest: str
+
+
+def problem(readme: str) -> Problem:
+    """Split the README at its lettered parts and at the table after them."""
+    text, bar, table = readme.partition("\n|")
+    starts = list(PART.finditer(text))
+    ends = [start.start() for start in starts[1:]] + [len(text)]
+    parts = {start[1]: text[start.start() : end].strip() for start, end in zip(starts, ends, strict=True)}
+    return Problem(text[: starts[0].start()].strip() if starts else text.strip(), parts, (bar + table).strip())
+
+
+def notebook(assignment: Assignment, readme: str, tests: str, pictures: str) -> dict[str, Any]:
+    """The notebook as nbformat has it.
+
+    readme, tests : of the assignment, as students get them
+    pictures      : Markdown with a code block under the letter of each part that has something to show
+    """
+    given = problem(readme)
+    first = {"cell_type": "markdown", "id": "problem", "metadata": {}}
+    cells: list[Cell] = [
+        {**first, "source": f"{given.intro}\n\n{HOW.format(slug=assignment.slug)}"},
+        _code("setup", SETUP.format(slug=assignment.slug)),
+    ]
+    shown, tested = dict(FENCE.findall(pictures)), visible_by_part(assignment, tests)
+    for part in sorted({*given.parts, *part_points(assignment), *assignment.manual}):
+        cells += _part(assignment, part, given.parts.get(part, f"**({part})**"), shown.get(part), tested.get(part, []))
+    cells += [text_cell("look", SCENE), _code("scene", "show(hw)"), text_cell("graded", given.rest)]
+    return {**FORMAT, "metadata": KERNEL, "cells": cells}
+
+
+def part_points(assignment: Assignment) -> dict[str, float]:
+    """The points of each part that the grader gives."""
+    parts = sorted({check.part for check in assignment.checks})
+    return {p: round(sum(check.points for check in assignment.checks if check.part == p), 6) for p in parts}
+
+
+def part_of(grade_id: str) -> str | None:
+    """The part whose points a locked cell carries, None for any other cell."""
+    return grade_id.removeprefix(LOCKED) if grade_id.startswith(LOCKED) else None
+
+
+def functions_by_part(assignment: Assignment) -> dict[str, str]:
+    """The part of each function: that of the first check that calls it, else the first part."""
+    definitions = _definitions(assignment.source.decode())
+    found: dict[str, str] = {}
+    for check in assignment.checks:
+        for name in _mentioned("student", definitions[check.name], definitions):
+            found.setdefault(name, check.part)
+    first = assignment.checks[0].part
+    return {name: found.get(name, first) for name in assignment.results}
+
+
+def visible_by_part(assignment: Assignment, tests: str) -> dict[str, list[str]]:
+    """The visible tests of each part: a test belongs to the last part of which it uses a function."""
+    parts, graded = functions_by_part(assignment), sorted(part_points(assignment))
+    definitions = _definitions(tests)
+    found: dict[str, list[str]] = {part: [] for part in graded}
+    for name, node in definitions.items():
+        if name.startswith("test_"):
+            used = [parts[f] for f in _mentioned("hw", node, definitions) if f in parts]
+            found[max(used, default=graded[0])].append(name)
+    return found
+
+
+def _definitions(source: str) -> dict[str, ast.FunctionDef]:
+    return {node.name: node for node in ast.parse(source).body if isinstance(node, ast.FunctionDef)}
+
+
+def _is(owner: str, value: ast.expr) -> bool:
+    """Whether an expression is `owner`, or `owner.on(kind)`."""
+    if isinstance(value, ast.Call) and isinstance(value.func, ast.Attribute) and value.func.attr == "on":
+        value = value.func.value
+    return isinstance(value, ast.Name) and value.id == owner
+
+
+def _mentioned(owner: str, node: ast.FunctionDef, definitions: Definitions) -> set[str]:
+    """The attributes of `owner` that a function uses, itself or by the functions beside it."""
+    names, pending, seen = set(), [node], {node.name}
+    while pending:
+        for inner in ast.walk(pending.pop()):
+            if isinstance(inner, ast.Attribute) and _is(owner, inner.value):
+                names.add(inner.attr)
+            elif isinstance(inner, ast.Name) and inner.id in definitions and inner.id not in seen:
+                seen.add(inner.id)
+                pending.append(definitions[inner.id])
+    return names
+
+
+def _part(assignment: Assignment, part: str, text: str, shown: str | None, tests: Iterable[str]) -> list[Cell]:
+    """The cells of one part."""
+    cells = [text_cell(f"text-{part}", text)]
+    if shown:
+        cells.append(_code(f"picture-{part}", shown.rstrip()))
+    if part in assignment.manual:
+        cells += _by_hand(part, *assignment.manual[part])
+    if part in part_points(assignment):
+        cells.append(_locked(assignment, part, tests))
+    return cells
+
+
+def _used_in(assignment: Assignment, part: str) -> list[str]:
+    """The functions that the checks of a part call."""
+    definitions = _definitions(assignment.source.decode())
+    checks = [definitions[check.name] for check in assignment.checks if check.part == part]
+    return sorted({name for check in checks for name in _mentioned("student", check, definitions)})
+
+
+def _by_hand(part: str, points: float, what: str) -> list[Cell]:
+    """The task, a cell to compute in, and the answer's cell, which carries the points."""
+    answer = text_cell(f"manual-{part}", "*Your answer*")
+    answer["metadata"] = _nbgrader(f"manual-{part}", points, locked=False, solution=True)
+    task = BY_HAND.format(part=part, points=points, what=what)
+    return [text_cell(f"task-{part}", task), _code(f"work-{part}", "# your plots and numbers\n"), answer]
+
+
+def _locked(assignment: Assignment, part: str, tests: Iterable[str]) -> Cell:
+    """The cell that runs the visible tests of a part for the student, and carries the points of its checks."""
+    points = part_points(assignment)[part]
+    names = "".join(f"    {json.dumps(name)},\n" for name in tests)
+    functions = "" if names else f"    functions={json.dumps(_used_in(assignment, part))},\n"
+    call = f"lab.tests(\n{names}{functions}    points={points!r},\n)"
+    cell = _code(f"{LOCKED}{part}", TESTS.format(part=part, call=call))
+    cell["metadata"] = _nbgrader(f"{LOCKED}{part}", points, locked=True, solution=False)
+    return cell
+
+
+def _nbgrader(grade_id: str, points: float, *, locked: bool, solution: bool) -> dict[str, Any]:
+    return {
+        "nbgrader": {
+            "grade": True,
+            "grade_id": grade_id,
+            "locked": locked,
+            "points": points,
+            "schema_version": 3,
+            "solution": solution,
+            "task": False,
+        }
+    }
+
+
+def text_cell(name: str, source: str) -> Cell:
+    """A plain Markdown cell."""
+    return {"cell_type": "markdown", "id": name, "metadata": {}, "source": source}
+
+
+def _code(name: str, source: str) -> Cell:
+    return {"cell_type": "code", "id": name, "metadata": {}, "source": source, "outputs": [], "execution_count": None}

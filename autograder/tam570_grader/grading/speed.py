@@ -1,0 +1,105 @@
+"""Run time against error of a student's simulation, on a scene that the integrators were measured on."""
+
+import functools
+import json
+import math
+import threading
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from tam570_grader.sandbox.student import BudgetSpent, NotLoaded, NotWritten, Source, Student
+from tam570_grader.sandbox.worker import CellLost, Worker
+from tam570_grader.writing.assignments import Assignment
+from tam570_grader.writing.check import Failure
+
+__all__ = ["Speed", "Yardstick", "scenes", "time_to"]
+
+Speed = dict[str, Any]  # function, scene, seconds, error, machine: plain data
+OURS = "tam570, Python"  # the method of the reference solutions, in the sandbox
+USELESS = 1e-2  # an error beyond which the time says nothing
+SHORTEST = 5e-3  # s of the reference solution; below it the call into the sandbox is a good part of the time
+
+
+@functools.cache
+def scenes() -> dict[str, Any]:
+    """By assignment: a call, the right end state, and the curves of the methods, (seconds, error)."""
+    path = Path(__file__).with_name("run_time.json")
+    found: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
+    return found
+
+
+def time_to(error: float, curve: Sequence[Sequence[float]]) -> float | None:
+    """Seconds to an error, between the two runs around it, in logarithms; None if the curve does not get there."""
+    for (t1, e1), (t2, e2) in zip(curve, curve[1:], strict=False):
+        if e1 > error >= e2:
+            share = math.log(e1 / error) / math.log(e1 / e2)
+            return float(t1 * (t2 / t1) ** share)
+    return curve[0][0] if curve and curve[0][1] <= error else None
+
+
+class Yardstick:
+    """Measures students, and this machine by the reference solutions: the curves come from another."""
+
+    def __init__(self, course: Path) -> None:
+        self._course = course
+        self._machine: dict[str, float | None] = {}
+        self._lock = threading.Lock()
+
+    def speed(self, student: Student, assignment: Assignment, worker: Worker) -> Speed | None:
+        """The student's point among the methods; None where there is no scene, or no motion to speak of."""
+        scene = scenes().get(assignment.slug)
+        point = _point(student, scene) if scene else None
+        machine = self._scale(assignment, worker) if point else None
+        if scene is None or point is None or machine is None:
+            return None
+        seconds, error = (float(f"{number:.2g}") for number in point)
+        return {
+            "function": scene["function"],
+            "scene": scene["scene"],
+            "seconds": seconds,
+            "error": error,
+            "machine": float(f"{machine:.2g}"),
+        }
+
+    def _scale(self, assignment: Assignment, worker: Worker) -> float | None:
+        """How many times as long as on the machine of the curves the reference solution takes here."""
+        with self._lock:
+            if assignment.slug not in self._machine:
+                self._machine[assignment.slug] = self._measured(assignment, worker)
+            return self._machine[assignment.slug]
+
+    def _measured(self, assignment: Assignment, worker: Worker) -> float | None:
+        text = (self._course / "solutions" / f"{assignment.slug}.py").read_bytes()
+        reference, scene = Student(Source(text), assignment, worker), scenes()[assignment.slug]
+        try:
+            _point(reference, scene)  # what is made once for a system is not counted
+            point = _point(reference, scene)
+        finally:
+            reference.leave()
+        if point is None or point[0] < SHORTEST:
+            return None
+        curve = scene["curves"][OURS]
+        return point[0] / (time_to(max(point[1], curve[-1][1]), curve) or curve[-1][0])
+
+
+def _point(student: Student, scene: dict[str, Any]) -> tuple[float, float] | None:
+    """CPU seconds of a call, the passing of arguments and result included, and its error at the end."""
+    arguments = [_as_promised(one) for one in scene["arguments"]]
+    keywords = {key: _as_promised(one) for key, one in scene["keywords"].items()}
+    try:
+        student.load()
+        before = student.seconds()
+        states = getattr(student, scene["function"])(*arguments, **keywords)
+        seconds = student.seconds() - before
+    except (Failure, NotWritten, NotLoaded, BudgetSpent, CellLost):
+        return None
+    end = np.array(scene["end"])
+    error = float(np.abs(states[-1] - end).max() / np.abs(end).max())
+    return (seconds, error) if seconds > 0 and 0 < error < USELESS else None
+
+
+def _as_promised(value: Any) -> Any:
+    return np.array(value, float) if isinstance(value, list) else value

@@ -1,0 +1,233 @@
+"""Finds what students handed in and reads it with care: a submission is data until it is in the sandbox."""
+
+import collections
+import hashlib
+import os
+import re
+import stat
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from tam570_grader.errors import UsageError
+from tam570_grader.sandbox.replies import printable
+from tam570_grader.sandbox.student import Source
+from tam570_grader.writing.assignments import slug_of
+
+__all__ = ["BadPath", "CannotRead", "Submission", "of_folder", "read", "submissions"]
+
+LARGEST = 10 * 2**20  # bytes; a notebook with pictures in it may have a few MiB
+LONGEST_NAME = 255  # bytes, of a file
+MOST_NAMES = 10  # of files, in a note on what was found
+
+
+class BadPath(UsageError):
+    """A path on the command line that holds no submission; the message says what to do."""
+
+
+class CannotRead(Exception):
+    """A submission that cannot be read; the message is for the student."""
+
+
+@dataclass(frozen=True)
+class Submission:
+    """One student's work on one assignment; without a path where nothing was found, `note` says why."""
+
+    student: str
+    slug: str
+    path: Path | None
+    tree: Path  # the student's own folder, or file: links may not lead out of it
+    note: str = ""
+
+
+def submissions(paths: Iterable[Path], known: Sequence[str], given: str | None = None) -> list[Submission]:
+    """All submissions at these paths: modules, notebooks, their folders, or trees `<student>/<assignment>/`.
+
+    known : the course's assignments
+    given : the assignment, where names do not tell
+    """
+    found: list[Submission] = []
+    for path in paths:
+        if not path.exists():
+            raise BadPath(f"{path} does not exist")
+        here = [_of_file(path, known, given)] if path.is_file() else _in_folder(path.absolute(), known, given)
+        if not here:
+            raise BadPath(f"{path} holds no submission: there is no folder or file named like {known[0][:4]} in it")
+        found += here
+    return _told_apart(found)
+
+
+def read(submission: Submission) -> Source:
+    """The submission's text, or CannotRead: no links to elsewhere, no devices, nothing huge."""
+    assert submission.path is not None
+    name = printable(submission.path.name)
+    if not _own(submission.path, submission.tree):
+        raise CannotRead(f"{name} is a link to a place outside of the submission")
+    path = submission.path.resolve()
+    try:
+        with open(os.open(path, os.O_RDONLY | os.O_NONBLOCK), "rb") as file:
+            if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
+                raise CannotRead(f"{name} is not a regular file")
+            text = file.read(LARGEST + 1)
+    except OSError as error:
+        raise CannotRead(f"{name} cannot be read: {error.strerror}") from None
+    if len(text) > LARGEST:
+        raise CannotRead(
+            f"{name} is larger than {LARGEST // 2**20} MiB: is it the right file? clear the outputs of a notebook"
+        )
+    return Source(text, notebook=submission.path.suffix == ".ipynb")
+
+
+def _own(path: Path, tree: Path) -> bool:
+    """Whether a path, links followed, lies in the student's folder, which may be a link itself, to a neighbour's."""
+    try:
+        return path.resolve().is_relative_to(tree.parent.resolve() / tree.name)
+    except (OSError, RuntimeError):  # a link to itself
+        return False
+
+
+def _of_file(path: Path, known: Sequence[str], given: str | None) -> Submission:
+    slug = given or slug_of(path.stem, known) or slug_of(path.absolute().parent.name, known)
+    if slug is None:
+        raise BadPath(f"cannot tell which assignment {path} is: name it with --assignment, one of {', '.join(known)}")
+    if path.suffix not in (".py", ".ipynb"):
+        raise BadPath(f"{path} is neither a Python module (.py) nor a notebook (.ipynb)")
+    return Submission(_name(path.stem), slug, path, path.resolve())
+
+
+def _in_folder(folder: Path, known: Sequence[str], given: str | None) -> list[Submission]:
+    slug = given or slug_of(folder.name, known)
+    holds_work = any(entry.suffix in (".py", ".ipynb") for entry in _entries(folder))
+    found = [] if slug and holds_work else _trees(folder, known, given)
+    return found or ([of_folder(folder, folder.parent.name, slug, folder.resolve())] if slug else [])
+
+
+def _trees(folder: Path, known: Sequence[str], given: str | None) -> list[Submission]:
+    """Submissions in `<student>/<assignment>/`, `<student>/<assignment>.py`, `<assignment>/` and `<assignment>.py`."""
+    found, closed = [], {}
+    for entry in _entries(folder):
+        if (slug := _chosen(entry, known, given)) and os.path.isdir(entry):
+            found.append(of_folder(entry, folder.name, slug, entry))
+        elif slug:
+            found.append(Submission(_name(entry.stem), slug, entry, entry))
+        elif os.path.isdir(entry):
+            try:
+                found += _of_student(entry, known, given)
+            except BadPath as unreadable:
+                closed[entry] = str(unreadable)
+    if closed and not found:
+        raise BadPath(next(iter(closed.values())))
+    slugs = sorted({one.slug for one in found})  # what the others have handed in
+    lost = [Submission(_name(own.name), slug, None, own, note) for own, note in closed.items() for slug in slugs]
+    return _modules_first(found) + lost
+
+
+def _of_student(own: Path, known: Sequence[str], given: str | None) -> Iterator[Submission]:
+    """What is in a student's own folder: for each assignment a folder, or files."""
+    work = collections.defaultdict(list)
+    for entry in _entries(own):
+        if slug := _chosen(entry, known, given):
+            work[slug].append(entry)
+    for slug, entries in work.items():
+        folders = [entry for entry in entries if os.path.isdir(entry)]
+        if len(folders) == len(entries) == 1:
+            yield of_folder(folders[0], own.name, slug, own)
+        else:
+            yield _of_files(entries, own.name, slug, own)
+
+
+def _entries(folder: Path) -> list[Path]:
+    try:
+        os.stat(os.path.join(folder, "."))  # one that may be listed may be closed all the same
+        return sorted(entry for entry in folder.iterdir() if not entry.name.startswith((".", "__")))
+    except OSError as error:
+        raise BadPath(f"{printable(str(folder))} cannot be read: {error.strerror}; who owns it?") from None
+
+
+def _name(text: str) -> str:
+    """A student by the name of a folder or file: text that can be printed, and unlike any other's."""
+    return _shortened(printable(text.replace("\\", "\\\\")))
+
+
+def _shortened(name: str) -> str:
+    """No longer than the name of a file may be."""
+    if len(name.encode()) <= LONGEST_NAME:
+        return name
+    mark = hashlib.sha256(name.encode()).hexdigest()[:12]
+    return f"{name.encode()[: LONGEST_NAME - 1 - len(mark)].decode(errors='ignore')}-{mark}"
+
+
+def _chosen(entry: Path, known: Sequence[str], given: str | None) -> str | None:
+    """The assignment that a folder, module or notebook in a tree is work on."""
+    is_work = os.path.isdir(entry) or entry.suffix in (".py", ".ipynb")
+    slug = slug_of(entry.name if os.path.isdir(entry) else entry.stem, known) if is_work else None
+    return slug if given in (None, slug) else None
+
+
+def of_folder(folder: Path, student: str, slug: str, tree: Path) -> Submission:
+    """What is in a student's folder of one assignment."""
+    try:
+        if _own(folder, tree):
+            return _of_files(_entries(folder), student, slug, tree)
+        note = f"{printable(folder.name)} is a link to a place outside of the submission"
+    except BadPath as unreadable:
+        note = str(unreadable)
+    return Submission(_name(student), slug, None, tree, note)
+
+
+def _of_files(entries: Sequence[Path], student: str, slug: str, tree: Path) -> Submission:
+    """The module among them, or the notebook where no module is written; a note where it is not clear which."""
+    files = [entry for entry in entries if entry.suffix in (".py", ".ipynb")]
+    if f"{slug}.ipynb" in {entry.name for entry in files}:
+        files = [entry for entry in files if entry.name != f"{slug}.py" or not _untouched(entry, tree)]
+    alike = [entry for entry in files if slug_of(entry.stem, [slug])]
+    choices = (
+        [entry for entry in files if entry.name == f"{slug}.py"],
+        [entry for entry in files if entry.name == f"{slug}.ipynb"],
+        [entry for entry in alike if entry.suffix == ".py"],
+        [entry for entry in alike if entry.suffix == ".ipynb"],
+        [entry for entry in files if entry.suffix == ".ipynb"],
+    )
+    chosen = next(filter(None, choices), [])
+    if len(chosen) == 1:
+        return Submission(_name(student), slug, chosen[0], tree)
+    seen = [printable(entry.name[:80]) for entry in entries if entry in files or os.path.isdir(entry)]
+    seen[MOST_NAMES:] = [f"{len(seen) - MOST_NAMES} more"] if len(seen) > MOST_NAMES else []
+    names = ", ".join(seen) or "neither a module nor a notebook"
+    note = f"there is no {slug}.py in the folder; it holds {names}"
+    return Submission(_name(student), slug, None, tree, note)
+
+
+def _untouched(module: Path, tree: Path) -> bool:
+    """Whether every function of a module is still to be written, while the notebook beside it defines some."""
+    texts = []
+    for path in (module, module.with_suffix(".ipynb")):
+        try:
+            texts.append(read(Submission("", "", path, tree)).text)
+        except CannotRead:
+            return False
+    functions = len(re.findall(rb"^def ", texts[0], re.MULTILINE))
+    return 0 < functions == texts[0].count(b"raise NotImplementedError") and bool(re.search(rb'("|\\n)def ', texts[1]))
+
+
+def _modules_first(found: list[Submission]) -> list[Submission]:
+    """Of a module and a notebook side by side, the module."""
+    modules = {(one.student, one.slug) for one in found if one.path and one.path.suffix == ".py"}
+    return [
+        one for one in found if (one.student, one.slug) not in modules or one.path is None or one.path.suffix == ".py"
+    ]
+
+
+def _told_apart(found: list[Submission]) -> list[Submission]:
+    """Students whose names would be the same, `a/hw07.py` and `b/hw07.py`, go by their folders'."""
+    count = collections.Counter((one.student, one.slug) for one in found)
+    named = [
+        replace(one, student=_shortened(f"{_name(one.path.absolute().parent.name)}-{one.student}"))
+        if one.path and count[one.student, one.slug] > 1
+        else one
+        for one in found
+    ]
+    doubles = [key for key, n in collections.Counter((one.student, one.slug) for one in named).items() if n > 1]
+    if doubles:
+        raise BadPath(f"two submissions of {doubles[0][1]} by {doubles[0][0]}: give each student a folder of their own")
+    return named

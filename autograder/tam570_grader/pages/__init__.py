@@ -1,0 +1,1 @@
+"""Where a result becomes prose: feedback, report, pictures."""

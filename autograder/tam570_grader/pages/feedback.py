@@ -1,0 +1,186 @@
+"""What a student reads of a result, and what a teacher reads of a class; nothing of the hidden inputs."""
+
+import functools
+import importlib.util
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from tam570_grader.errors import UsageError
+from tam570_grader.results.journal import Record
+
+__all__ = ["Sheet", "must_write_pages", "page", "pictures", "sheet", "table", "template", "write_pages"]
+
+SIGNS = {"passed": "+", "failed": "-", "not_run": "o", "grader_error": "!"}
+HEADINGS: tuple[str, ...] = ("student", "assignment", "score", "status", "time", "what to look at first")
+NOTES = {
+    "missing": "Nothing was found.",
+    "unreadable": "Your file could not be read.",
+    "timeout": "Your file took too long.",
+    "crashed": "Your file ended the process.",
+}
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """What a page says of an assignment, whoever handed it in."""
+
+    title: str
+    lines: Mapping[str, str]  # what each check tests
+    functions: Sequence[str]  # those that there are hints for
+    manual: Mapping[str, tuple[float, str]]  # part: points given by hand, and for what
+
+
+def sheet(course: Path, slug: str) -> Sheet:
+    """The sheet of an assignment; of one that is no longer in the course, its name."""
+    from tam570_grader.writing import assignments
+
+    if slug not in assignments.slugs(course):
+        return Sheet(slug, {}, (), {})
+    assignment = assignments.assignment(course, slug)
+    lines = {check.name: check.line for check in assignment.checks}
+    return Sheet(_title(course / "assignments" / slug, slug), lines, [*assignment.results], assignment.manual)
+
+
+def _title(folder: Path, slug: str) -> str:
+    try:
+        with open(folder / "README.md", encoding="utf-8") as file:
+            return file.readline().partition(": ")[2].strip() or slug
+    except OSError:
+        return slug
+
+
+def page(record: Record, sheet: Sheet) -> str:
+    """A student's feedback on one assignment: one HTML file that needs nothing else."""
+    parts = [_part(letter, record, sheet) for letter in sorted({mark["part"] for mark in record["checks"]})]
+    marks = [mark for part in parts for mark in part["marks"]]
+    wrong = [mark for mark in marks if mark["outcome"] == "failed"]
+    told = [mark for mark in wrong if mark["suspect"]]
+    text: str = template("feedback.html").render(
+        slug=record["assignment"],
+        student=record["student"],
+        title=sheet.title,
+        score=_points(record["score"]),
+        max_score=_points(record["max_score"]),
+        note=" ".join(filter(None, (NOTES.get(record["status"]), record.get("message")))),
+        parts=parts,
+        manual=[(letter, _points(points), what) for letter, (points, what) in sheet.manual.items()],
+        first=next(iter([*told, *wrong]), None),
+        among=_among(record),
+    )
+    return text
+
+
+def must_write_pages() -> None:
+    """Say before grading, not after it, that pages cannot be written."""
+    if importlib.util.find_spec("jinja2") is None:
+        raise UsageError("the pages of feedback and the report need Jinja2: pip install 'tam570[grader]'")
+
+
+@functools.cache
+def template(name: str) -> Any:
+    """A page's template; whatever is put into it is escaped."""
+    import jinja2
+
+    loader = jinja2.FileSystemLoader(Path(__file__).parent / "templates")
+    pages = jinja2.Environment(
+        loader=loader, autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True
+    )
+    return pages.get_template(name)
+
+
+def _part(letter: str, record: Record, sheet: Sheet) -> dict[str, Any]:
+    marks = [mark for mark in record["checks"] if mark["part"] == letter]
+    points = [mark["points"] for mark in marks]
+    earned, most = None if None in points else sum(points), sum(mark["max_points"] for mark in marks)
+    return {
+        "letter": letter,
+        "points": _points(earned),
+        "max_points": _points(most),
+        "share": round(100 * (earned or 0) / most, 1) if most else 0,
+        "marks": [_shown(mark, sheet) for mark in marks],
+    }
+
+
+def _shown(mark: Record, sheet: Sheet) -> dict[str, Any]:
+    """A mark as the page shows it; never its detail, which is the instructor's."""
+    line = sheet.lines.get(mark["name"], mark["name"])
+    stuck = mark["outcome"] == "failed" or mark["message"].endswith("is not written yet")
+    return {
+        "name": mark["name"],
+        "outcome": mark["outcome"],
+        "line": line,
+        "points": _points(mark["points"]),
+        "max_points": _points(mark["max_points"]),
+        "says": mark["message"].removesuffix(f"; it matches the result with {mark['suspect']}"),
+        "suspect": mark["suspect"],
+        "pictures": pictures(mark.get("picture")),
+        "hint": next((word for word in re.findall(r"\w+", line) if stuck and word in sheet.functions), None),
+    }
+
+
+def pictures(curve: Any) -> list[Any]:
+    """The drawings of a failure: the error, and what becomes of an invariant; results of an older run have none."""
+    if not curve:
+        return []
+    from tam570_grader.pages.pictures import picture
+
+    return [picture(one) for one in (curve, curve.get("keeps")) if one]
+
+
+def _among(record: Record) -> Any:
+    """The student's run time among the methods, if it was measured."""
+    if not record.get("speed"):
+        return None
+    from tam570_grader.pages.pictures import among
+
+    return among(record["assignment"], record["speed"])
+
+
+def write_pages(folder: Path, records: Iterable[Record], course: Path) -> None:
+    """A page for each student and assignment, `<student>/<assignment>.html`; one that is there already is left."""
+    sheets: dict[str, Sheet] = {}
+    for record in records:
+        slug = record["assignment"]
+        if slug not in sheets:
+            sheets[slug] = sheet(course, slug)
+        path = folder / record["student"] / f"{slug}.html"
+        text = page(record, sheets[slug])
+        if not path.exists() or path.read_text(encoding="utf-8") != text:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, encoding="utf-8")  # no fsync: it is made again from the results
+
+
+def table(records: Sequence[Record]) -> str:
+    """The class at a glance: a line for each submission with what to say about it first."""
+    rows = [HEADINGS, *(_row(record) for record in records)]
+    widths = [max(len(row[column]) for row in rows) for column in range(5)]
+    return "\n".join("  ".join([*map(str.ljust, row[:5], widths), row[5]]).rstrip() for row in rows)
+
+
+def _row(record: Record) -> tuple[str, ...]:
+    score = f"{_points(record['score']):>5} / {record['max_score']:g}"
+    seconds = f"{record['seconds']:.2f} s"
+    return record["student"], record["assignment"], score, record["status"], seconds, _remark(record)
+
+
+def _remark(record: Record) -> str:
+    """The most telling thing about a result: the known mistake, else the first failure."""
+    marks = [mark for mark in record["checks"] if mark["outcome"] not in ("passed", "not_run")]
+    named = next((mark["suspect"] for mark in marks if mark["suspect"]), None)
+    if named:
+        return f"known mistake: {named}"
+    unwritten = [mark["message"] for mark in record["checks"] if mark["message"].endswith("is not written yet")]
+    first = [f"{mark['name']}: {mark['message']}" for mark in marks]
+    return _short(record.get("message") or next(iter([*first, *unwritten]), ""))
+
+
+def _short(text: str) -> str:
+    text = " ".join(text.split())
+    return text if len(text) <= 90 else text[:89] + "…"
+
+
+def _points(points: float | None) -> str:
+    return "?" if points is None else f"{points:g}"

@@ -1,0 +1,1 @@
+"""Results as records: on disk, and compared with earlier ones."""

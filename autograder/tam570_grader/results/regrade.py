@@ -1,0 +1,119 @@
+"""What a new run changes of an old one's scores, and because of which checks."""
+
+from collections.abc import Container, Iterable, Mapping, Sequence
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+from tam570_grader.grading.submissions import Submission
+from tam570_grader.results.journal import Record
+from tam570_grader.writing.assignments import slug_of
+
+__all__ = ["Change", "change", "changes", "gone", "newest", "table", "told"]
+
+
+@dataclass(frozen=True)
+class Change:
+    """A score that is another one now; None stands for no score, or no submission."""
+
+    student: str
+    assignment: str
+    old: float | None
+    new: float | None
+    because: tuple[str, ...]  # a line for each check whose points differ
+
+
+def newest(old: Iterable[Record]) -> dict[tuple[str, str], Record]:
+    """Results by student and assignment."""
+    return {_who(record): record for record in old}
+
+
+def change(old: Record | None, new: Record) -> Change | None:
+    """What became of a score; None if it is the same."""
+    before = old["score"] if old else None
+    if old and before == new["score"]:
+        return None
+    because = _because(_marks(old), _marks(new)) if old else ("not in the old results",)
+    if old and old["status"] != new["status"]:
+        because = (f"{old['status']} -> {new['status']}", *because)
+    return Change(new["student"], new["assignment"], before, new["score"], because)
+
+
+def changes(old: Iterable[Record], new: Iterable[Record]) -> list[Change]:
+    """All scores that are another now."""
+    before = newest(old)
+    found = (change(before.get(_who(record)), record) for record in new)
+    return [one for one in found if one]
+
+
+def gone(
+    old: Iterable[Record], found: Sequence[Submission], paths: Iterable[Path], asked: Container[str]
+) -> list[Change]:
+    """What was handed in and is no longer: by anybody if a path is a tree, else by those whose folders are graded.
+
+    found : what there is now at the paths
+    asked : the assignments that are graded
+    """
+    folders = {path.absolute() for path in paths}
+    inside = [one for one in found if one.tree.parent in folders]
+    is_tree = any(slug_of(one.tree.name, [one.slug]) is None for one in inside)
+    students = {one.student for one in inside}
+    here = {(one.student, one.slug) for one in found}
+    return [
+        Change(record["student"], record["assignment"], record["score"], None, ("no longer handed in",))
+        for record in newest(old).values()
+        if _who(record) not in here and record["assignment"] in asked and (is_tree or record["student"] in students)
+    ]
+
+
+def told(before: Mapping[tuple[str, str], Record], record: Record) -> Record | None:
+    """The change of one result as plain data."""
+    changed = change(before.get(_who(record)), record)
+    return asdict(changed) if changed else None
+
+
+def _who(record: Record) -> tuple[str, str]:
+    return record["student"], record["assignment"]
+
+
+def _marks(record: Record) -> dict[str, Record]:
+    return {mark["name"]: mark for mark in record["checks"]}
+
+
+def _because(old: Mapping[str, Record], new: Mapping[str, Record]) -> tuple[str, ...]:
+    """The checks whose points differ, those that are new or gone among them."""
+    return tuple(
+        f"{name}: {_mark(old.get(name))} -> {_mark(new.get(name))}"
+        for name in {**old, **new}
+        if _points(old.get(name)) != _points(new.get(name))
+    )
+
+
+def _points(mark: Record | None) -> tuple[float | None, float] | None:
+    return (mark["points"], mark["max_points"]) if mark else None
+
+
+def _mark(mark: Record | None) -> str:
+    if mark is None:
+        return "no such check"
+    return f"{mark['outcome'].replace('_', ' ')} {_number(mark['points'])}/{mark['max_points']:g}"
+
+
+def table(changes: Iterable[Change], compared: int) -> str:
+    """The changes for a terminal, the largest first."""
+    ordered = sorted(changes, key=lambda one: (-abs(_difference(one)), one.assignment, one.student))
+    if not ordered:
+        return f"no score changes ({compared} compared)"
+    lines = [f"{len(ordered)} of {compared} scores change"]
+    for one in ordered:
+        gain = f"{_difference(one):+g}" if None not in (one.old, one.new) else "?"
+        lines.append(f"{one.student}  {one.assignment}  {_number(one.old)} -> {_number(one.new)}  ({gain})")
+        lines += [f"    {why}" for why in one.because]
+    return "\n".join(lines)
+
+
+def _difference(one: Change) -> float:
+    return round((one.new or 0.0) - (one.old or 0.0), 6)
+
+
+def _number(points: float | None) -> str:
+    return "none" if points is None else f"{points:g}"

@@ -1,0 +1,102 @@
+"""How a worker is started: in bubblewrap, seeing Python and the course's utilities alone, or as a plain process."""
+
+import functools
+import os
+import shutil
+import stat
+import subprocess
+import sys
+import tempfile
+from collections.abc import Sequence
+from pathlib import Path
+
+import tam570
+from tam570_grader.errors import UsageError
+from tam570_grader.sandbox.inside.jail import SCRATCH
+
+__all__ = ["environment", "isolation", "jailed_command", "plain_command"]
+
+BOOT = "import json, sys; sys.path += json.loads(sys.argv[2]); from inside.worker import main; main()"
+SYSTEM_LINKS = ("/lib", "/lib64")  # into /usr on most systems
+VARIABLES = {
+    "PATH": "/usr/bin:/bin",
+    "LC_ALL": "C.UTF-8",
+    "PYTHONHASHSEED": "0",
+    "OPENBLAS_NUM_THREADS": "1",
+    "OMP_NUM_THREADS": "1",
+    "MKL_NUM_THREADS": "1",  # a second thread forbids namespaces
+    "MPLBACKEND": "agg",
+    "TAM570_NUMBA": "0",  # compiling costs seconds that a call may not have, and when it starts depends on the clock
+}
+
+
+def environment() -> dict[str, str]:
+    """The worker's environment; what it writes while it starts goes to a folder that no submission sees."""
+    folder = SCRATCH if isolation() == "bubblewrap" else tempfile.gettempdir()
+    return {**VARIABLES, "HOME": folder, "TMPDIR": folder, "MPLCONFIGDIR": f"{folder}/matplotlib"}
+
+
+@functools.cache
+def isolation() -> str:
+    """How submissions are kept apart: "bubblewrap", or "processes" where the namespaces are not to be had."""
+    if sys.platform != "linux" or shutil.which("bwrap") is None:
+        return "processes"
+    trial = ["bwrap", "--unshare-all", "--ro-bind", "/", "/", "true"]
+    works = subprocess.run(trial, capture_output=True, timeout=20, check=False).returncode == 0
+    return "bubblewrap" if works else "processes"
+
+
+def _python() -> list[str]:
+    """The interpreter below any virtual environment, with a search path that we set."""
+    return [os.path.realpath(sys._base_executable), "-s", "-S", "-P", "-B", "-c", BOOT]  # type: ignore[attr-defined]
+
+
+def _site_folders() -> list[str]:
+    return [folder for folder in sys.path if Path(folder).name in ("site-packages", "dist-packages")]
+
+
+def plain_command() -> tuple[list[str], list[str]]:
+    """Command and search path of a worker without a jail."""
+    path = [*_site_folders(), str(Path(tam570.__file__).parents[1]), str(Path(__file__).parent)]
+    if os.geteuid() == 0:
+        _must_be_readable([sys.base_prefix, *path])
+    return _python(), path
+
+
+def _must_be_readable(folders: Sequence[str]) -> None:
+    """Under root, submissions run as a user that owns nothing: what they import must be open to everyone."""
+    for folder in map(Path, folders):
+        closed = [place for place in (folder, *folder.parents) if not os.stat(place).st_mode & stat.S_IXOTH]
+        if closed:
+            raise UsageError(
+                f"without bubblewrap, submissions run as another user than root, who may not enter {closed[-1]}: "
+                "install bubblewrap, or grade as an ordinary user"
+            )
+
+
+def jailed_command(hidden: Sequence[Path]) -> tuple[list[str], list[str]]:
+    """Command and search path of a worker in bubblewrap: it sees Python, its packages and the course's utilities."""
+    sites = _site_folders()
+    course, inside = Path(tam570.__file__).parent, Path(__file__).parent / "inside"
+    shown = {folder: folder for folder in [*sites, *_python_folders(), _python()[0]] if os.path.exists(folder)}
+    shown |= {"/opt/course/tam570": str(course), "/opt/grader/inside": str(inside)}
+    binds = [(Path(target), ["--ro-bind", os.path.realpath(source)]) for target, source in shown.items()]
+    masks = [(path, ["--tmpfs"]) for path in hidden if any(path.is_relative_to(target) for target, _ in binds)]
+    command = ["bwrap", "--unshare-pid", "--unshare-ipc", "--unshare-net", "--unshare-uts", "--die-with-parent"]
+    for target, mount in sorted(masks + binds, key=lambda entry: len(entry[0].parts)):
+        for parent in reversed(target.parents[:-1]):
+            command += ["--perms", "0755", "--dir", str(parent)]  # by default only root may enter it
+        command += [*mount, str(target)]
+    for folder in filter(os.path.islink, SYSTEM_LINKS):
+        command += ["--symlink", os.readlink(folder), folder]
+    command += ["--ro-bind-try", "/etc/ld.so.cache", "/etc/ld.so.cache", "--proc", "/proc", "--dev", "/dev"]
+    if not any(target.is_relative_to("/tmp") for target, _ in binds):
+        command += ["--symlink", SCRATCH, "/tmp"]
+    command += ["--tmpfs", SCRATCH, "--remount-ro", "/dev", "--remount-ro", "/", "--chdir", "/", "--"]
+    return [*command, *_python()], [*sites, "/opt/course", "/opt/grader"]
+
+
+def _python_folders() -> list[str]:
+    """Where the interpreter's own libraries and the system's are."""
+    libraries = [f"{sys.base_prefix}/{name}" for name in ("lib", "lib64")]
+    return [folder for folder in (*libraries, "/usr/lib", "/usr/lib64", *SYSTEM_LINKS) if not os.path.islink(folder)]

@@ -1,0 +1,307 @@
+"""The student as a check sees it: functions to call, each call made in the sandbox, each result what was promised."""
+
+import builtins
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from tam570_grader.sandbox.replies import checked, drawn, error_of, printable, sent, strings
+from tam570_grader.sandbox.worker import PATIENCE, Cell, CellLost, CellTimeout, Worker, WorkerLost
+from tam570_grader.writing.assignments import Assignment
+from tam570_grader.writing.check import Failure, Given, given
+from tam570_grader.writing.curves import readable
+from tam570_grader.writing.returns import Drawing, Formula, result
+
+__all__ = ["BudgetSpent", "Call", "NotLoaded", "NotWritten", "Source", "Student"]
+
+REAL = 1e-12  # of a value: complex exponentials that make it real leave 1e-25 of imaginary part
+ROUNDING = 1e-25  # where they cancel to zero
+
+
+@dataclass(frozen=True)
+class Source:
+    """What a student handed in."""
+
+    text: bytes
+    notebook: bool = False
+
+
+@dataclass(frozen=True)
+class Call:
+    """A call that a check made and the result that came back."""
+
+    name: str
+    given: Given
+    result: Any  # None where the call raised, or returned what was not promised
+
+
+class NotWritten(Exception):
+    """The function is not there, or is still the stub."""
+
+
+class NotLoaded(Exception):
+    """The submission could not be imported; `status` is what the result line says."""
+
+    def __init__(self, status: str, message: str) -> None:
+        super().__init__(message)
+        self.status = status
+
+
+class BudgetSpent(Exception):
+    """The submission has had all of its time; the message says which."""
+
+
+class Student:
+    """One submission in the sandbox. `student.f` is the function f of the contract.
+
+    A forgiving one that somebody else killed, the machine out of memory perhaps, is taken for a loss of the worker.
+    One that is tried again may know hidden inputs: what it says at import is not quoted.
+    """
+
+    def __init__(
+        self, source: Source, assignment: Assignment, worker: Worker, forgiving: bool = False, again: bool = False
+    ) -> None:
+        self._forgiving, self._informed = forgiving, again
+        self.calls: list[Call] = []  # of the check that is running
+        self.skipped: list[str] = []  # notebook cells
+        self._source, self._assignment, self._worker = source, assignment, worker
+        self._cells: dict[tuple[str, ...], Cell] = {}  # by what may not be called in it
+        self._defined: set[str] = set()
+        self._broken: dict[str, str] = {}  # functions that hung or crashed, and how
+        self._cpu, self._lasted = 0.0, 0.0  # s of CPU and on the wall's clock, of the cells that have ended
+
+    def __getattr__(self, name: str) -> "Function":
+        if name not in self._assignment.results:
+            raise AttributeError(f"the contract of {self._assignment.slug} has no function {name}")
+        return Function(self, name, self._assignment.results[name])
+
+    def on(self, kind: str) -> "Asked":
+        """The functions, for calls on one kind of input: said to the student where a call itself fails."""
+        return Asked(self, kind)
+
+    def load(self) -> None:
+        """Import the submission, or raise NotLoaded."""
+        self._cell(())
+
+    def seconds(self) -> float:
+        """CPU seconds that the submission has used."""
+        return self._cpu + sum(cell.seconds() for cell in self._cells.values())
+
+    def leave(self) -> None:
+        """End the submission's processes."""
+        for cell in self._cells.values():
+            cell.drop()
+        self._cells.clear()
+
+    def replies(self, name: str, calls: Sequence[Given], **mode: Any) -> list[dict[str, Any]]:
+        """One reply for each call up to the first error; Failure if the function hangs or ends its process."""
+        if name in self._broken:
+            raise Failure(self._broken[name])
+        uncallable = tuple(self._assignment.off_limits.get(name, ()))
+        cell = self._cell(uncallable)
+        if name not in self._defined:
+            raise NotWritten(name)
+        replies: list[dict[str, Any]] = []
+        try:
+            cell.send({"function": name, **mode, "calls": [sent(call) for call in calls]})
+            while len(replies) < len(calls) and not (replies and "error" in replies[-1]):
+                replies.append(checked(cell.receive()))
+                self._must_end()
+        except CellTimeout:
+            self._end(uncallable, name, f"{name} did not return within {self._worker.allowance.call:g} s")
+        except CellLost:
+            how = "it exited, crashed or used too much memory"
+            self._end(uncallable, name, f"{name} ended its process: {how}")
+        return replies
+
+    def _must_end(self) -> None:
+        """Raise BudgetSpent for one that sleeps through its calls: it uses little CPU time, but holds up the class."""
+        lasted = self._lasted + sum(cell.lasted for cell in self._cells.values())
+        if lasted > (most := PATIENCE * self._worker.allowance.cpu):
+            raise BudgetSpent(f"the submission has taken {most:g} s, and used little processor time")
+
+    def _end(self, uncallable: tuple[str, ...], name: str, message: str) -> None:
+        """End a cell: the function fails from now on, the others get a new cell while there is CPU time."""
+        self._end_cell(self._cells.pop(uncallable))
+        self._broken[name] = message
+        self._must_end()
+        if self._cpu >= (most := self._worker.allowance.cpu) - 0.5:
+            raise BudgetSpent(f"the submission has used its {most:g} s of processor time")
+        raise Failure(message)
+
+    def _end_cell(self, cell: Cell) -> None:
+        """End a cell and count its CPU time; WorkerLost if it died with its worker, or by another's hand."""
+        self._cpu += cell.end()
+        self._lasted += cell.lasted
+        if not cell.guarded:
+            self._worker.must_live()
+        if self._forgiving and (cell.killed_from_outside or not cell.guarded):
+            raise WorkerLost("the submission was killed by another process")
+
+    def _cell(self, uncallable: tuple[str, ...]) -> Cell:
+        """The cell for functions that may not call these modules, with the submission loaded."""
+        if uncallable not in self._cells:
+            hidden = [*self._assignment.off_limits.get("*", ()), *uncallable]
+            cell = self._worker.cell(self._worker.allowance.cpu - self._cpu, hidden)
+            try:
+                self._load(cell, uncallable)
+            except NotLoaded:
+                self._end_cell(cell)
+                raise
+            self._cells[uncallable] = cell
+            self._must_end()
+        return self._cells[uncallable]
+
+    def _load(self, cell: Cell, uncallable: tuple[str, ...]) -> None:
+        try:
+            cell.send(
+                {
+                    "source": self._source.text,
+                    "notebook": self._source.notebook,
+                    "name": self._assignment.slug,
+                    "functions": list(self._assignment.results),
+                    "uncallable": list(uncallable),
+                    "forbidden": list(self._assignment.off_limits.get("*", ())),
+                }
+            )
+            reply = cell.receive()
+        except CellTimeout:
+            slow = "importing the file took too long: does it run a simulation by itself?"
+            raise NotLoaded("timeout", slow) from None
+        except CellLost:
+            raise NotLoaded("crashed", "importing the file ended its process") from None
+        if not isinstance(reply, dict) or "error" in reply:
+            raise _not_loaded(error_of(reply), self._assignment, again=self._informed)
+        self._defined = set(reply["defined"]) if strings(reply.get("defined")) else set()
+        if not self._informed:
+            skipped = reply["skipped"] if strings(reply.get("skipped")) else []
+            self.skipped = [printable(text[:100]) for text in skipped[:50]]
+        self._informed = True
+
+
+@dataclass(frozen=True)
+class Asked:
+    """A student's functions, to be called on one kind of input."""
+
+    student: Student
+    kind: str
+
+    def __getattr__(self, name: str) -> "Function":
+        return replace(self.student.__getattr__(name), kind=self.kind)
+
+
+@dataclass(frozen=True)
+class Function:
+    """A student's function of the contract."""
+
+    student: Student
+    name: str
+    promise: Any
+    kind: str = ""  # of the input, unless a call says its own
+
+    def __call__(self, *args: Any, **kwargs: Any) -> Any:
+        """The result of one call, in the promised form."""
+        return self.many([given(*args, **kwargs)])[0]
+
+    def many(self, calls: Sequence[Given]) -> list[Any]:
+        """The results of many calls, made in one round trip."""
+        results = []
+        for call, reply in zip(calls, self.student.replies(self.name, calls, mode="value"), strict=False):
+            self.student.calls.append(Call(self.name, call, None))
+            with _saying(call.kind or self.kind):
+                self._must_be_fair(reply, call)
+                results.append(result(self.promise, reply["value"], self.name, call))
+            self.student.calls[-1] = Call(self.name, call, results[-1])
+        return results
+
+    def refuses(self, *args: Any, **kwargs: Any) -> bool:
+        """Whether the call raises ValueError; another exception is a Failure."""
+        call = given(*args, **kwargs)
+        reply = self.student.replies(self.name, [call], mode="value")[0]
+        if "ValueError" in error_of(reply)["kinds"]:
+            return True
+        with _saying(self.kind):
+            self._must_be_fair(reply, call)
+        return False
+
+    def at(self, points: Sequence[Mapping[str, float]]) -> np.ndarray:
+        """Values of the formula that the function returns, at each of these points: {symbol's name: number}."""
+        if not isinstance(self.promise, Formula):
+            raise TypeError(f"{self.name} does not promise a formula")
+        symbols = list(self.promise.symbols)
+        mode = {"mode": "formula", "symbols": symbols, "points": [dict(point) for point in points]}
+        reply = self.student.replies(self.name, [given()], **mode)[0]
+        self._must_be_fair(reply, given())
+        values = reply["value"]
+        if not isinstance(values, list) or len(values) != len(points):
+            raise Failure(
+                f"{self.name} does not return a SymPy expression in {', '.join(symbols)} alone", actual=values
+            )
+        try:
+            numbers = np.array([complex(value) for value in values])
+        except (TypeError, ValueError):
+            raise Failure(f"the expression of {self.name} has no value at some numbers", actual=values) from None
+        if not np.all(np.isfinite(numbers)) or np.any(np.abs(numbers.imag) > REAL * np.abs(numbers) + ROUNDING):
+            raise Failure(f"the expression of {self.name} is not real and finite at some numbers", actual=numbers)
+        self.student.calls.append(Call(self.name, given(list(points)), numbers.real))
+        return numbers.real
+
+    def draw(self, *args: Any, **kwargs: Any) -> Drawing:
+        """The curves that the plot function draws on the Axes that it is given, before these arguments."""
+        call = given(*args, **kwargs)
+        reply = self.student.replies(self.name, [call], mode="drawing")[0]
+        with _saying(self.kind):
+            self._must_be_fair(reply, call)
+        try:
+            return readable(drawn(reply["value"]))
+        except Exception:  # whatever a forged reply is made of
+            raise Failure(f"{self.name} draws too much, or nothing that can be read") from None
+
+    def _must_be_fair(self, reply: dict[str, Any], call: Given) -> None:
+        """Raise NotWritten or Failure for an exception, and for arguments changed in place."""
+        if "error" in reply:
+            error = error_of(reply)
+            if error["kinds"][:1] == ["NotImplementedError"]:
+                raise NotWritten(self.name)
+            raise Failure(_raised(self.name, error, self.student._assignment), actual=error["text"], at=call)
+        if reply.get("changed"):
+            raise Failure(f"{self.name} changes the arrays it is given; work on copies", at=call)
+
+
+@contextmanager
+def _saying(kind: str) -> Iterator[None]:
+    """A failure of a call says for what kind of input, before its advice."""
+    try:
+        yield
+    except Failure as failure:
+        says, semicolon, advice = failure.message.partition("; ")
+        failure.message = f"{says} for {kind}{semicolon}{advice}" if kind else failure.message
+        raise
+
+
+def _raised(name: str, error: dict[str, Any], assignment: Assignment) -> str:
+    if "Forbidden" in error["kinds"]:
+        banned = [*assignment.off_limits.get(name, ()), *assignment.off_limits.get("*", ())]
+        return f"{name} uses what is off limits in it: {', '.join(banned)}"
+    return f"{name} raised {_known(error)}"
+
+
+def _known(error: dict[str, Any]) -> str:
+    """The exception's first class that is Python's own: a name that a student chose could carry an input out."""
+    return next((kind for kind in error["kinds"] if isinstance(getattr(builtins, kind, None), type)), "an exception")
+
+
+def _not_loaded(error: dict[str, Any], assignment: Assignment, again: bool) -> NotLoaded:
+    """Why it could not be imported, in the exception's own words if no hidden input can be in them."""
+    if again:
+        return NotLoaded("unreadable", "the file could not be imported a second time: what does it do at import?")
+    if "Forbidden" in error["kinds"]:
+        banned = ", ".join(assignment.off_limits.get("*", ()))
+        return NotLoaded("unreadable", f"the file imports what is off limits in this assignment: {banned}")
+    if "SystemExit" in error["kinds"]:
+        return NotLoaded("crashed", "importing the file ends its process")
+    where = f" at line {error['line']}" if error["line"] else ""
+    return NotLoaded("unreadable", f"the file cannot be imported: {_known(error)}{where}: {error['text']}")

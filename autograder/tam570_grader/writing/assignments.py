@@ -1,0 +1,142 @@
+"""Where the course is: the checkout with its assignments, solutions and checks, and what is loaded from it by path."""
+
+import functools
+import hashlib
+import importlib
+import importlib.util
+import re
+import sys
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import tam570
+import tam570_grader
+from tam570_grader.errors import UsageError
+from tam570_grader.writing.check import Check
+from tam570_grader.writing.returns import Promise
+
+__all__ = [
+    "Assignment",
+    "assignment",
+    "checks_folder",
+    "engine_digest",
+    "find",
+    "named",
+    "slug_of",
+    "slugs",
+    "solution",
+]
+
+
+@dataclass(frozen=True)
+class Assignment:
+    """An assignment as the grader needs it."""
+
+    slug: str
+    checks: tuple[Check, ...]
+    results: Mapping[str, Promise]
+    needs: Sequence[str]
+    off_limits: Mapping[str, Sequence[str]]
+    source: bytes  # of the checks
+    digest: bytes  # of all that their folder holds
+    manual: Mapping[str, tuple[float, str]]  # part: points given by hand, and for what
+
+    @property
+    def max_score(self) -> float:
+        return round(sum(check.points for check in self.checks), 6)
+
+
+def find(given: str | Path | None = None) -> Path:
+    """The course's root: as given, else a checkout above the working directory, else that of an editable install."""
+    if given is not None:
+        places = [Path(given).resolve()]
+    else:
+        places = [Path.cwd(), *Path.cwd().parents, *Path(tam570.__file__).resolve().parents[1:3]]
+    for place in places:
+        if (place / "autograder" / "checks").is_dir() and (place / "solutions").is_dir():
+            return place
+    where = f"{given} is no course" if given is not None else "there is no course here"
+    raise UsageError(f"{where}: no autograder/checks and solutions; name a checkout of the course with --root")
+
+
+def slugs(root: Path) -> list[str]:
+    """The assignments that have checks, in order."""
+    return sorted(path.parent.name for path in (root / "autograder" / "checks").glob("hw*/checks.py"))
+
+
+def checks_folder(root: Path, slug: str) -> Path:
+    """All that is hidden about one assignment."""
+    return root / "autograder" / "checks" / slug
+
+
+def slug_of(name: str, known: Sequence[str]) -> str | None:
+    """The assignment that a file's or folder's name stands for: hw07, hw07_double_pendulum, hw07-final, ..."""
+    if name in known:
+        return name
+    number = re.match(r"hw\d\d(?!\d)", name, re.IGNORECASE)
+    return next((slug for slug in known if number and slug.startswith(number[0].lower() + "_")), None)
+
+
+def named(names: Iterable[str], known: Sequence[str]) -> list[str]:
+    """The assignments that these names on the command line stand for; all that are known if there are no names."""
+    found = [(name, slug_of(name, known)) for name in names]
+    if unknown := [name for name, slug in found if slug is None]:
+        raise UsageError(f"there is no assignment {unknown[0]!r}; there are: {', '.join(known)}")
+    return [slug for _, slug in found if slug] or list(known)
+
+
+@functools.cache
+def assignment(root: Path, slug: str) -> Assignment:
+    """The assignment's checks and promises, loaded from its checks file."""
+    (slug,) = named([slug], slugs(root))
+    folder = checks_folder(root, slug)
+    module = _checks(folder)
+    source = (folder / "checks.py").read_bytes()
+    checks = tuple(value for value in vars(module).values() if isinstance(value, Check))
+    off_limits: dict[str, Sequence[str]] = getattr(module, "OFF_LIMITS", {})
+    manual: dict[str, tuple[float, str]] = getattr(module, "MANUAL", {})
+    return Assignment(slug, checks, module.RESULTS, module.NEEDS, off_limits, source, _digest(folder), manual)
+
+
+def solution(slug: str, root: Path | None = None) -> Any:
+    """The reference solution as a module of its own."""
+    return _loaded((root or find()) / "solutions" / f"{slug}.py", f"_solution_{slug}")
+
+
+@functools.cache
+def engine_digest() -> bytes:
+    """Of the code of the grader and of the utilities that students call: a result may change if it does."""
+    return _digest(Path(tam570_grader.__file__).parent, Path(tam570.__file__).parent)
+
+
+def _digest(*folders: Path) -> bytes:
+    """Of the names and contents of all Python files below these folders."""
+    digest = hashlib.sha256()
+    for folder in folders:
+        for path in sorted(folder.rglob("*.py")):
+            digest.update(f"{path.relative_to(folder)}\0".encode() + path.read_bytes())
+    return digest.digest()
+
+
+def _checks(folder: Path) -> ModuleType:
+    """The module `checks` of a folder, loaded as part of a package of a private name: it may import its neighbours."""
+    name = f"_checks_{folder.name}"
+    package = ModuleType(name)
+    package.__path__ = [str(folder)]
+    for loaded in [key for key in sys.modules if key == name or key.startswith(f"{name}.")]:
+        del sys.modules[loaded]
+    sys.modules[name] = package
+    return importlib.import_module(f"{name}.checks")
+
+
+def _loaded(path: Path, name: str) -> ModuleType:
+    spec = importlib.util.spec_from_file_location(name, path)
+    if spec is None or spec.loader is None:
+        raise UsageError(f"{path} cannot be loaded")
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[name] = module
+    spec.loader.exec_module(module)
+    return module

@@ -1,0 +1,108 @@
+"""What students draw: curves, whatever their corners are, the edges of boxes in any order, labels in many forms."""
+
+from collections.abc import Callable, Iterable
+from functools import partial
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from tam570_grader.sandbox.student import Function
+from tam570_grader.writing.check import expect, expect_that, given
+from tam570_grader.writing.returns import Drawing
+
+__all__ = ["distances", "judge_axes_of_lengths", "judge_boxes", "words"]
+
+Array = NDArray[np.float64]
+
+MOST_POINTS, MOST_CORNERS = 400, 4000  # a picture of a million points costs no more than one that looks alike
+
+
+def distances(points: ArrayLike, polygon: ArrayLike) -> Array:
+    """Distance from each of the points, or of every kth if there are many, to the nearest side of the polygon.
+
+    points, polygon : (n, 2) and (m, 2), m > 1; the polygon's kth corners alone are joined if there are many
+    """
+    places, corners = _some(points, MOST_POINTS), _some(polygon, MOST_CORNERS)
+    sides = np.diff(corners)
+    sides[sides == 0] = 1e-300
+    from_corners = places[:, None] - corners[:-1]
+    share = np.clip((from_corners / sides).real, 0, 1)
+    return np.asarray(np.abs(from_corners - share * sides).min(axis=1))
+
+
+def _some(points: ArrayLike, most: int) -> NDArray[Any]:
+    """Every kth of the points, so that there are `most` or fewer, in the complex plane."""
+    points = np.asarray(points, float)
+    x, y = points[:: -(-len(points) // most)].T
+    return np.asarray(x + 1j * y)
+
+
+def judge_axes_of_lengths(picture: Drawing, names: str = "x and y") -> None:
+    """Whether both axes are lengths by their labels, the unit being a word of its own, and drawn at one scale."""
+    labelled = all(METRES & words(label) for label in (picture.xlabel, picture.ylabel))
+    expect_that(labelled, "the axes are not labelled with their unit, as in x (m)")
+    expect_that(picture.equal_aspect, f"{names} are not drawn at the same scale")
+
+
+METRES = {"m", "metre", "metres", "meter", "meters"}
+
+
+def words(label: str) -> set[str]:
+    """The words of a label, without brackets and points around them; only of one letter is the case kept, M is no m."""
+    stripped = (word.strip("()[]{}$,;:.\\") for word in label.replace("(s)", "s").split())
+    return {word if len(word) == 1 else word.lower() for word in stripped}
+
+
+def judge_boxes(function: Function, cases: Iterable[tuple[Array, Array, str]], within: float) -> None:
+    """Whether the function gives the twelve edges of boxes R, size=size around the origin, each of a kind in words."""
+    for R, size, kind in cases:
+        (found,) = function.many([given(R, size=size).on(kind)])
+        expect(
+            _mismatch(found, _edges(R, size)),
+            0.0,
+            within=within,
+            scale=max(size),
+            of="an edge",
+            unit="of the longest edge",
+            kind=kind,
+            at=(R, size),
+            hint=partial(_mistake, found, R, size, within),
+        )
+
+
+def _edges(R: Array, size: Array) -> Array:
+    """The twelve edges: corners that differ in one sign."""
+    signs = 2 * np.array(list(np.ndindex(2, 2, 2))) - 1
+    pairs = [(i, j) for i in range(8) for j in range(i) if np.count_nonzero(signs[i] != signs[j]) == 1]
+    return np.asarray((signs[np.array(pairs)] * size / 2) @ R.T)
+
+
+def _astray(found: Array, right: Array) -> float:
+    """The largest distance of an edge that is there to the nearest right one, in any direction."""
+    both_ways = [np.abs(found[:, None] - one_way).max(axis=(2, 3)) for one_way in (right, right[:, ::-1])]
+    return float(np.minimum(*both_ways).min(axis=1).max())
+
+
+def _mismatch(found: Array, right: Array) -> float:
+    """How far two boxes' edges are apart, in any order and direction: no edge may be astray, nor be missing."""
+    return max(_astray(found, right), _astray(right, found))
+
+
+MISTAKEN_BOXES: dict[str, Callable[[Array, Array], Array]] = {
+    "the edges are those of the transpose": lambda R, size: _edges(R.T, size),
+    "the edges are those of a box twice that size": lambda R, size: _edges(R, 2 * size),
+    "the edges are those of a box half that size": lambda R, size: _edges(R, size / 2),
+    "the edges are along x, y, z: it is the size that is turned": lambda R, size: _edges(np.eye(3), R @ size),
+    "the edges are those of a box with a corner at the origin": lambda R, size: _edges(R, size) + R @ size / 2,
+    "the edges are not turned": lambda R, size: _edges(np.eye(3), size),
+}
+
+
+def _mistake(found: Array, R: Array, size: Array, within: float) -> str:
+    """What is wrong, if it is a known mistake, else what to look at."""
+    near = within * max(size)
+    known = [says for says, box in MISTAKEN_BOXES.items() if _mismatch(found, box(R, size)) < near]
+    if not known and _astray(found, _edges(R, size)) < near:
+        return "all that there are are edges of the box: is one there twice, and another missing?"
+    return known[0] if known else "three edges meet at each of the eight corners; the centre is the origin"

@@ -1,0 +1,154 @@
+"""What a student's function returns, as the contract promises it: RESULTS of a checks file maps names to these.
+
+    RESULTS = {"rotation_matrix": array(3, 3), "simulate": rows(4), "energy_balance": group(number, number, number),
+               "lagrangian": formula("theta", "omega", "m", "l", "g"), "plot_tip_path": drawing}
+
+A result that is not of this form ends the check with a message that says what came instead. What is
+accepted is what `numpy.asarray` turns into that shape: lists, tuples and NumPy scalars too.
+"""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from tam570_grader.sandbox.inside.wire import Foreign
+from tam570_grader.writing.check import Failure, Given
+
+__all__ = ["Array", "Drawing", "Formula", "Group", "Line", "array", "drawing", "formula", "group", "number", "rows"]
+
+
+@dataclass(frozen=True)
+class Array:
+    """A float64 array; None stands for any length but zero, and "n" for as many as the first argument has."""
+
+    shape: tuple[int | str | None, ...]
+    infinite: bool = False  # may be math.inf
+
+
+@dataclass(frozen=True)
+class Group:
+    """A tuple of results."""
+
+    members: tuple["Array | Group", ...]
+
+
+@dataclass(frozen=True)
+class Formula:
+    """A SymPy expression in these symbols; `student.f.at([{"theta": .3, ...}, ...])` gives its values."""
+
+    symbols: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Line:
+    """One line or scatter of a drawing: its points `(n, 2)` and its label."""
+
+    points: np.ndarray
+    label: str
+    scatter: bool
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """What a plot function drew on its Axes; in RESULTS, the instance `drawing` promises one."""
+
+    lines: tuple[Line, ...] = ()
+    xlabel: str = ""
+    ylabel: str = ""
+    equal_aspect: bool = False
+
+
+LONGEST_TOLD = 2000  # elements of a result: no check asks for more rows
+
+number = Array(())
+drawing = Drawing()
+Promise = Array | Group | Formula | Drawing
+
+
+def array(*shape: int | str | None, infinite: bool = False) -> Array:
+    return Array(shape, infinite)
+
+
+def rows(*shape: int) -> Array:
+    """One row for each element of the first argument: `(n, *shape)`."""
+    return Array(("n", *shape))
+
+
+def group(*members: Array | Group) -> Group:
+    return Group(members)
+
+
+def formula(*symbols: str) -> Formula:
+    return Formula(symbols)
+
+
+def result(promise: Array | Group, value: Any, name: str, call: Given) -> Any:
+    """The student's result in the promised form: a float, an array, or a tuple of these; Failure otherwise."""
+    if isinstance(promise, Group):
+        return _members(promise, value, name, call)
+    found = _array(value, name)
+    shape = tuple(len(call.args[0]) if size == "n" else size for size in promise.shape)
+    if not _fits(found.shape, shape):
+        says = f"{name} returned {_shaped(found.shape)}, not {_shaped(shape)}"
+        raise Failure(says + _cut_short(promise, found.shape, shape), actual=found, at=call)
+    if not np.isfinite(found).all() and (not promise.infinite or np.isnan(found).any()):
+        raise Failure(f"{name} returned NaN or infinity", actual=found, at=call)
+    return found if found.ndim else float(found)
+
+
+def _members(promise: Group, value: Any, name: str, call: Given) -> tuple[Any, ...]:
+    several = isinstance(value, list) or (isinstance(value, np.ndarray) and value.ndim > 0)
+    if not several or len(value) != len(promise.members):
+        came = f"{_size(len(value))} results" if several else _kind(value)
+        raise Failure(f"{name} returned {came}, not a tuple of {len(promise.members)} results", at=call)
+    return tuple(
+        result(member, one, f"{name} (result {index})", call)
+        for index, (member, one) in enumerate(zip(promise.members, value, strict=True), start=1)
+    )
+
+
+def _array(value: Any, name: str) -> np.ndarray:
+    """The value as float64; complex numbers, objects, strings and ragged lists are none."""
+    try:
+        found = np.asarray(value)
+    except ValueError:
+        raise Failure(f"{name} returned a list whose rows differ in length") from None
+    if found.dtype.kind not in "fiub":
+        raise Failure(f"{name} returned {_kind(value)}, not real numbers")
+    return found.astype(np.float64)
+
+
+def _fits(found: tuple[int, ...], wanted: tuple[Any, ...]) -> bool:
+    sizes = zip(found, wanted, strict=False)
+    return len(found) == len(wanted) and all(have == want if want is not None else have for have, want in sizes)
+
+
+def _cut_short(promise: Array, found: tuple[int, ...], wanted: tuple[Any, ...]) -> str:
+    """A row may be forgotten; where several are missing, an integrator gave up."""
+    rows_missing = promise.shape[:1] == ("n",) and found[1:] == wanted[1:] and found[:1] < (wanted[0] - 1,)
+    return "; rows are missing: did the integration stop early?" if rows_missing else ""
+
+
+def _shaped(shape: tuple[Any, ...]) -> str:
+    if not shape:
+        return "a single number"
+    sizes = ", ".join("k" if size is None else _size(size) for size in shape)
+    return f"an array of shape ({sizes}{',' if len(shape) == 1 else ''})"
+
+
+def _size(size: Any) -> str:
+    """A length in words: a long one could be an input, written out."""
+    return "many" if isinstance(size, int) and size > LONGEST_TOLD else str(size)
+
+
+def _kind(value: Any) -> str:
+    if isinstance(value, Foreign):
+        return value.kind
+    if isinstance(value, np.ndarray) and value.dtype.kind == "c":
+        return "complex numbers"
+    if value is None:
+        return "None"
+    if isinstance(value, bool | int | float):
+        return "a single number"
+    return "a list that holds something other than numbers"
