@@ -116,9 +116,10 @@ def diffrax(scene, tolerance):
 
 def _rates_in(rhs, parameters, size, library, time):
     """The traced right-hand side with the functions of another library."""
+    from tam570.integrate.formulas import written
     from tam570.integrate.trace import traced
 
-    formulas, constants = traced(functools.partial(rhs, **parameters), size)
+    formulas, constants = written(traced(functools.partial(rhs, **parameters), size))
     lines = [f"c{i} = {c!r}" for i, c in enumerate(constants)] + list(formulas.lines)
     code = compile("\n".join([*lines, f"rates = [{', '.join(formulas.rates)}]"]), "<rates>", "exec")
 

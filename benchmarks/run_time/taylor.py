@@ -5,6 +5,7 @@ import functools
 
 import mpmath
 
+from tam570.integrate.formulas import written
 from tam570.integrate.trace import traced
 
 DIGITS, ORDER = 38, 40
@@ -131,7 +132,7 @@ def _expansion(formulas, constants, state):
 def end_state(scene):
     """(k,) mpf, the state at the end of the scene; its numbers are taken as the doubles that they are."""
     rhs, start, parameters, end = scene
-    formulas, constants = traced(functools.partial(rhs, **parameters), len(start))
+    formulas, constants = written(traced(functools.partial(rhs, **parameters), len(start)))
     with mpmath.workdps(DIGITS):
         state, t, end = [mpmath.mpf(x) for x in start], mpmath.mpf(0), mpmath.mpf(end)
         while t < end:

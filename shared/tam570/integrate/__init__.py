@@ -7,7 +7,7 @@ solve(rhs, t, y0, parameters=..., rtol=1e-10) is all that most scenes need. For 
     y0 of shape (m, k)             m starts at once
 """
 
-from tam570.integrate.lie import solve_rotation
+from tam570.integrate.rotation import solve_rotation
 from tam570.integrate.solver import solve
 
 __all__ = ["solve", "solve_rotation"]

@@ -6,12 +6,13 @@ from typing import Any
 
 import numpy as np
 
-from tam570.integrate import explicit, machine
-from tam570.integrate.drive import EXPONENT, LARGEST, ROUNDING, SAFETY, SMALLEST
-from tam570.integrate.explicit import Engine
-from tam570.integrate.problem import Array
-from tam570.integrate.source import Formulas, array_functions
-from tam570.integrate.trace import FUNCTIONS
+from tam570.integrate import adaptive, numba_backend
+from tam570.integrate.adaptive_loop import EXPONENT, LARGEST, ROUNDING, SAFETY, SMALLEST
+from tam570.integrate.arguments import Array
+from tam570.integrate.dop853_source import array_functions
+from tam570.integrate.engine import Engine
+from tam570.integrate.formulas import Formulas
+from tam570.integrate.symbols import FUNCTIONS
 
 __all__ = ["states"]
 
@@ -22,21 +23,21 @@ GAIN = 3.0  # of the arrays over single runs in Python, with thousands of member
 def states(engine: Engine, times: Array, starts: Array, rtol: float, how: str) -> Array:
     """(m, n, k) states at `times` from the (m, k) starts; how: "auto", "python" or "numba"."""
     began = time.perf_counter()
-    first = explicit.states(engine, times, starts[0], rtol, how)
+    first = adaptive.states(engine, times, starts[0], rtol, how)
     alone = (time.perf_counter() - began) * len(starts)
     by_numba = how == "numba" or (how == "auto" and engine.traced and _numba_repays(engine, alone))
     if engine.traced and not by_numba and len(starts) >= WORTH_ARRAYS:
         return _Members(engine, times, starts, rtol).walked()
     one_by_one = "numba" if by_numba else "python"
-    rest = [explicit.states(engine, times, start, rtol, one_by_one) for start in starts[1:]]
+    rest = [adaptive.states(engine, times, start, rtol, one_by_one) for start in starts[1:]]
     return np.array([first, *rest])
 
 
 def _numba_repays(engine: Engine, seconds_alone: float) -> bool:
-    source = explicit.module(engine.formulas)
-    if machine.loaded_already(source):
+    source = adaptive.module(engine.formulas)
+    if numba_backend.loaded_already(source):
         return True
-    return seconds_alone / GAIN > machine.wait(source)
+    return seconds_alone / GAIN > numba_backend.wait(source)
 
 
 @lru_cache(maxsize=64)
@@ -57,10 +58,10 @@ class _Members:
         self.origin, self.since = float(times[0]), times - times[0]
         self.rows = np.empty((len(starts), len(times), starts.shape[1]))
         self.rows[:, 0] = starts
-        each = [explicit.at_start(engine, self.origin, float(self.since[-1]), start) for start in starts]
+        each = [adaptive.at_start(engine, self.origin, float(self.since[-1]), start) for start in starts]
         self.who, self.row = np.arange(len(starts)), np.ones(len(starts), dtype=int)
-        self.t, self.h = np.zeros(len(starts)), np.array([state[2] for state in each])
-        self.y, self.r, self.f, self.m = (np.array([state[i] for state in each]).T for i in (3, 4, 5, 6))
+        self.t, self.h = np.zeros(len(starts)), np.array([state.h for state in each])
+        self.y, self.r, self.f, self.m = (np.array([getattr(state, name) for state in each]).T for name in "yrfm")
         self.growth = np.full(len(starts), LARGEST)
         self.refused = np.zeros(len(starts))  # steps, one after the other
 
@@ -113,7 +114,7 @@ class _Members:
             due, q = due[more], [c[more] if np.ndim(c) else c for c in q]
 
     def _forgive(self, h: Array) -> None:
-        """Raise the magnitudes of members whose error is but rounding, as in `drive.advance`."""
+        """Raise the magnitudes of members whose error is but rounding, as in `adaptive_loop`."""
         i = np.flatnonzero(self.refused)
         if len(i):
             start, y, f, m = self.origin + self.t[i], self.y[:, i], self.f[:, i], self.m[:, i]

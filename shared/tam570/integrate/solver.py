@@ -6,8 +6,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.integrate import explicit
-from tam570.integrate.problem import Array, bound, initial_state, sample_times, tolerance
+from tam570.integrate import adaptive
+from tam570.integrate.arguments import Array, initial_state, sample_times, tolerance
+from tam570.integrate.engine import engine
 
 __all__ = ["solve"]
 
@@ -48,14 +49,13 @@ def solve(
         if start.ndim == 2:
             from tam570.integrate import ensemble
 
-            engine = explicit.engine(rhs, parameters, times, start[0])
-            return ensemble.states(engine, times, start, rtol, method)
-        engine = explicit.engine(rhs, parameters, times, start)
+            return ensemble.states(engine(rhs, parameters, times, start[0]), times, start, rtol, method)
+        made = engine(rhs, parameters, times, start)
         if method in FIXED_STEP:
-            from tam570.integrate import longterm
+            from tam570.integrate import fixed_step
 
-            return longterm.states(method, engine, bound(rhs, parameters), times, start, rtol, step)
-        return explicit.states(engine, times, start, rtol, method, project)
+            return fixed_step.states(method, made, times, start, rtol, step)
+        return adaptive.states(made, times, start, rtol, method, project)
 
 
 def _check_method(method: str, *, several: bool, projected: bool, stepped: bool) -> None:

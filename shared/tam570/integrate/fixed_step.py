@@ -2,17 +2,18 @@
 
 import math
 from functools import lru_cache, partial
-from types import FunctionType
 from typing import Any
 
 import numpy as np
 
-from tam570.integrate import machine, march
-from tam570.integrate.explicit import Engine, shortest_step
-from tam570.integrate.pace import Loop, carried_through
-from tam570.integrate.problem import Array, Rates
-from tam570.integrate.structure import STAGES, composition_source, gauss_source
-from tam570.integrate.trace import halves
+from tam570.integrate.adaptive import shortest_step
+from tam570.integrate.arguments import Array
+from tam570.integrate.composition_source import composition_source
+from tam570.integrate.engine import Engine
+from tam570.integrate.fixed_loop import FixedState, fixed_loop_with
+from tam570.integrate.formulas import halves
+from tam570.integrate.gauss_source import STAGES, gauss_source
+from tam570.integrate.when_to_compile import Loop, carried_through
 
 __all__ = ["METHODS", "states"]
 
@@ -21,22 +22,20 @@ METHODS = {"gauss": 3.5, "composition": 0.5}  # step over the shortest that DOP8
 COMPILE_COST = {"gauss": 3.0, "composition": 1.0}  # as in `Loop`: the sweeps are one long loop
 
 
-def states(
-    method: str, engine: Engine, rates: Rates, times: Array, start: Array, rtol: float, step: float | None
-) -> Array:
+def states(method: str, engine: Engine, times: Array, start: Array, rtol: float, step: float | None) -> Array:
     """(n, k) states at `times`, all steps of the same length."""
     rows = np.empty((len(times), len(start)))
     rows[0] = start
     origin, since = float(times[0]), times - times[0]
     listed, h = since.tolist(), _step(method, engine, times, start, rtol, step)
-    source, constants = _source(method, engine, rates, len(start))
-    python = FunctionType(march.march.__code__, {"leap": _leap(source, engine), "len": len, "range": range})
+    source, constants = _source(method, engine, len(start))
+    python = fixed_loop_with(_leap(source, engine))
 
     def run(function: Any, state: Any, budget: int, by_numba: bool) -> Any:
         return function(origin, since if by_numba else listed, rows, state, constants, h, budget)
 
     def share(state: Any) -> float:
-        return 1.0 if state[0] == len(rows) else min(state[1] * h / listed[-1], 0.999)
+        return 1.0 if state.row == len(rows) else min(state.done * h / listed[-1], 0.999)
 
     module = partial(_module, source) if engine.traced else None
     carried_through(
@@ -58,12 +57,12 @@ def _step(method: str, engine: Engine, times: Array, start: Array, rtol: float, 
     return span / math.ceil(span / longest)
 
 
-def _source(method: str, engine: Engine, rates: Rates, size: int) -> tuple[str, tuple[float, ...]]:
+def _source(method: str, engine: Engine, size: int) -> tuple[str, tuple[float, ...]]:
     if method == "gauss":
         return gauss_source(engine.formulas), engine.constants
-    if not engine.traced or size % 2:
+    if engine.graph is None or size % 2:
         raise ValueError('method: "composition" needs a state (q, v) and a plain rhs without branches; try "gauss"')
-    drift, kick, constants = halves(rates, size)
+    drift, kick, constants = halves(engine.graph)
     half = size // 2
     if drift.timed or kick.timed or min(drift.reads, default=half) < half or max(kick.reads, default=0) >= half:
         raise ValueError('method: "composition" needs q\' from v alone and v\' from q alone; try "gauss"')
@@ -83,11 +82,13 @@ def _leap(source: str, engine: Engine) -> Any:
 
 @lru_cache(maxsize=64)
 def _module(source: str) -> str:
-    return machine.module_source(march, source, "leap", "march")
+    from tam570.integrate import numba_backend
+
+    return numba_backend.module_source(fixed_loop_with, source, "leap", "march")
 
 
-def _at_start(method: str, engine: Engine, origin: float, start: Array) -> tuple[Any, ...]:
+def _at_start(method: str, engine: Engine, origin: float, start: Array) -> FixedState:
     """Row 1 is to come, no step is done; all stages start with the derivative at the start."""
     y = tuple(start.tolist())
     stages = engine.functions["rhs"](origin, y, engine.constants) * STAGES if method == "gauss" else (0.0,)
-    return 1, 0, y, (0.0,) * len(y), stages
+    return FixedState(1, 0, y, (0.0,) * len(y), stages)

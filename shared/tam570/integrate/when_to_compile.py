@@ -51,9 +51,9 @@ def carried_through(loop: Loop, state: Any, how: str) -> Any:
 
 
 def _compiled(loop: Loop, source: Callable[[], str], state: Any) -> Any:
-    from tam570.integrate import machine
+    from tam570.integrate import numba_backend
 
-    return loop.run(machine.loaded(source(), loop.entry), state, 2**62, True)
+    return loop.run(numba_backend.loaded(source(), loop.entry), state, 2**62, True)
 
 
 def _until_it_repays(loop: Loop, source: Callable[[], str], state: Any) -> Any:
@@ -78,12 +78,12 @@ def _until_it_repays(loop: Loop, source: Callable[[], str], state: Any) -> Any:
 
 
 def _loaded_already(source: str) -> bool:
-    from tam570.integrate import machine
+    from tam570.integrate import numba_backend
 
-    return machine.loaded_already(source)
+    return numba_backend.loaded_already(source)
 
 
 def _wait(source: str, compile_cost: float) -> float:
-    from tam570.integrate import machine
+    from tam570.integrate import numba_backend
 
-    return machine.wait(source, compile_cost)
+    return numba_backend.wait(source, compile_cost)

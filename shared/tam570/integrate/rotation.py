@@ -11,8 +11,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.integrate import explicit
-from tam570.integrate.problem import Array, sample_times, tolerance
+from tam570.integrate import adaptive
+from tam570.integrate.arguments import Array, sample_times, tolerance
+from tam570.integrate.engine import engine
 
 __all__ = ["solve_rotation"]
 
@@ -62,8 +63,9 @@ def solve_rotation(
 
     start = np.concatenate([spinning, np.zeros(3), turned.ravel()])
     times, tolerated = sample_times(t), tolerance(rtol)
-    engine = explicit.engine(rates, None, times, start)
-    states = explicit.states(engine, times, start, tolerated, "python", _recentred, _one_radian)
+    states = adaptive.states(
+        engine(rates, None, times, start), times, start, tolerated, "python", _recentred, _one_radian
+    )
     rotations = states[:, 6:].reshape(-1, 3, 3)
     rotations[0] = turned
     return states[:, :3], rotations

@@ -5,54 +5,18 @@ r what rounding took from the state, m the largest magnitude so far, c the const
 """
 
 import math
-from collections.abc import Callable, Iterable
-from dataclasses import dataclass, replace
+from collections.abc import Callable
 from functools import lru_cache
 from types import CodeType
 from typing import Any
 
+from tam570.integrate.formulas import Formulas, by_call, names, tuple_of, unpacked
 from tam570.integrate.tableau import FIFTH, NODES, ROWS, THIRD, Row, interpolant
 
-__all__ = ["Formulas", "array_functions", "call_of", "compiled", "functions", "tuple_of", "unpacked"]
+__all__ = ["array_functions", "compiled", "functions"]
 
 KEPT = range(5, 12)  # the stages that the interpolant takes over from the step
 PASSED_ON = 0.3  # of a step, after which the later stages see what rounding did to the earlier ones
-
-
-@dataclass(frozen=True)
-class Formulas:
-    """A right-hand side as source: `lines` from t, s0, s1, ... and c0, c1, ... to the expressions `rates`."""
-
-    lines: tuple[str, ...]
-    rates: tuple[str, ...]
-    constants: int = 0
-    reads: frozenset[int] = frozenset()  # the components of the state that occur at all
-    timed: bool = False
-
-    @property
-    def size(self) -> int:
-        return len(self.rates)
-
-    @property
-    def moving(self) -> list[int]:
-        """The components that change: a derivative of plain zero needs no stages."""
-        return [i for i, rate in enumerate(self.rates) if rate != "0.0"]
-
-
-def call_of(size: int) -> Formulas:
-    """The right-hand side that is a call of the function `given`."""
-    rates = tuple(f"p{i}" for i in range(size))
-    line = f"{tuple_of(rates)} = given(t, {tuple_of(_names('s', size))})"
-    return Formulas((line,), rates, 0, frozenset(range(size)), timed=True)
-
-
-def by_call(formulas: Formulas) -> Formulas:
-    """The same right-hand side, as a call of `rhs`: shorter, for a compiler that takes its time."""
-    rates = tuple("0.0" if rate == "0.0" else f"p{i}" for i, rate in enumerate(formulas.rates))
-    results = tuple_of(f"p{i}" for i in range(formulas.size))
-    state = tuple_of(f"s{i}" if i in formulas.reads else "0.0" for i in range(formulas.size))
-    line = f"{results} = rhs({'t' if formulas.timed else '0.0'}, {state}, c)"
-    return replace(formulas, lines=(line,), rates=rates)
 
 
 def array_functions(formulas: Formulas) -> str:
@@ -81,22 +45,6 @@ def _forgiving(function: list[str], answer: str) -> list[str]:
     head, *body = function
     rescue = ["except (ArithmeticError, ValueError):", f"    return {answer}"]
     return [head, "try:", *(f"    {line}" for line in body), *rescue]
-
-
-def _names(letter: str, size: int) -> list[str]:
-    return [f"{letter}{i}" for i in range(size)]
-
-
-def tuple_of(names: Iterable[str]) -> str:
-    """Source of a tuple, of one or none too; on the left of an assignment it unpacks."""
-    return "(" + "".join(f"{name}, " for name in names) + ")"
-
-
-def unpacked(formulas: Formulas, **letters: str) -> list[str]:
-    """Lines that unpack a tuple into y0, y1, ... for each `name="y"`, and the constants c if there are any."""
-    lines = [f"{tuple_of(_names(letter, formulas.size))} = {name}" for name, letter in letters.items()]
-    constants = [f"{tuple_of(_names('c', formulas.constants))} = c"] if formulas.constants else []
-    return lines + constants
 
 
 def _combination(row: Row, i: int) -> str:
@@ -148,7 +96,7 @@ def _raised(formulas: Formulas, arrays: bool = False) -> list[str]:
     for i in formulas.moving:
         lines.append(f"    x = abs(k1_{i} - k0_{i}) * h * weight / more")
         lines.append(f"    m{i} = maximum(m{i}, x)" if arrays else f"    m{i} = x if m{i} < x < inf else m{i}")
-    return [*lines, f"return {tuple_of(_names('m', formulas.size))}"]
+    return [*lines, f"return {tuple_of(names('m', formulas.size))}"]
 
 
 def _step(formulas: Formulas, arrays: bool = False) -> list[str]:
@@ -164,8 +112,8 @@ def _step(formulas: Formulas, arrays: bool = False) -> list[str]:
     lines += [f"k12_{i} = 0.0" for i in still] + ["fifth = third = 0.0"]
     for i in formulas.moving:
         lines += _largest(i, arrays) + _estimate(i)
-    names = (tuple_of(_names(letter, formulas.size)) for letter in ("n", "r", "k12_", "m"))
-    return [*lines, f"return {', '.join(names)}, fifth, third, {tuple_of(_kept(formulas))}"]
+    results = (tuple_of(names(letter, formulas.size)) for letter in ("n", "r", "k12_", "m"))
+    return [*lines, f"return {', '.join(results)}, fifth, third, {tuple_of(_kept(formulas))}"]
 
 
 def _kept(formulas: Formulas) -> list[str]:

@@ -5,10 +5,10 @@ import importlib.util
 import inspect
 import os
 import sys
+import textwrap
 from collections.abc import Callable
 from functools import lru_cache
 from pathlib import Path
-from types import ModuleType
 from typing import Any
 
 __all__ = ["available", "loaded", "loaded_already", "module_source", "wait"]
@@ -18,9 +18,13 @@ READY = 0.05  # s, to load what was compiled before
 
 _HEAD = '''"""Written by tam570 for one right-hand side; may be deleted at any time."""
 
+from __future__ import annotations
+
 from math import *
 
 from numba import njit
+
+from tam570.integrate.{module} import *
 '''
 
 _TAIL = """
@@ -35,9 +39,11 @@ def available() -> bool:
     return os.environ.get("TAM570_NUMBA") != "0" and importlib.util.find_spec("numba") is not None
 
 
-def module_source(loop: ModuleType, generated: str, inner: str, entry: str) -> str:
-    """A module of its own: the loop, the generated functions that it calls (`inner`), both to be compiled."""
-    return "\n\n".join([_HEAD, inspect.getsource(loop), generated, _TAIL.format(inner=inner, entry=entry)])
+def module_source(maker: Callable[..., Any], generated: str, inner: str, entry: str) -> str:
+    """A module of its own: the loop that `maker` makes, the functions that it calls (`inner`), both to be compiled."""
+    head = _HEAD.format(module=maker.__module__.rpartition(".")[2])
+    definition = inspect.getsource(maker).partition("\n\n")[2].rpartition("\n\n")[0]  # what stands inside
+    return "\n\n".join([head, textwrap.dedent(definition), generated, _TAIL.format(inner=inner, entry=entry)])
 
 
 def loaded_already(source: str) -> bool:

@@ -1,26 +1,18 @@
-"""Methods that keep the structure of mechanics over long times, at a fixed step: source for one right-hand side.
+"""Gauss-Legendre collocation of six stages, order 12, at a fixed step: source for one right-hand side.
 
-gauss       : Gauss-Legendre collocation of six stages, order 12, symplectic and symmetric for any Hamiltonian. The
-              coefficients are split in two doubles: rounded to one, they make the energy drift.
-              Hairer, McLachlan, Razakarivony, Achieving Brouwer's law with implicit Runge-Kutta methods, BIT 2008.
-composition : of 17 leapfrogs, order 8, symmetric, for a state (q, v) with q' a function of v and v' one of q.
-              Kahan and Li, Composition constants for raising the orders of unconventional schemes, 1997.
+Symplectic and symmetric for any Hamiltonian. The coefficients are split in two doubles: rounded to one, they make the
+energy drift. Hairer, McLachlan, Razakarivony, Achieving Brouwer's law with implicit Runge-Kutta methods, BIT 2008.
 """
 
 from decimal import Decimal, localcontext
 from functools import cache
 
-from tam570.integrate.source import Formulas, tuple_of, unpacked
+from tam570.integrate.formulas import Formulas, tuple_of, unpacked
 
-__all__ = ["STAGES", "composition_source", "gauss_source", "gauss_tableau"]
+__all__ = ["STAGES", "gauss_source", "gauss_tableau", "sum_and_error"]
 
 STAGES = 6
 DIGITS = 45
-
-_HALF = """0.13020248308889008087881763 0.56116298177510838456196441 -0.38947496264484728640807860
-0.15884190655515560089621075 -0.39590389413323757733623154 0.18453964097831570709183254
-0.25837438768632204729397911 0.29501172360931029887096624 -0.60550853383003451169892108"""
-LEAPS = [float(leap) for leap in (*_HALF.split(), *_HALF.split()[-2::-1])]
 
 Polynomial = list[Decimal]  # coefficients, constant first
 Pair = tuple[float, float]  # a double, and what it lacks
@@ -106,10 +98,10 @@ def gauss_source(formulas: Formulas) -> str:
 
 def _added(i: int) -> list[str]:
     """y + d + rest in two doubles: were `rest` added to d first, its tail would go the same way at every step."""
-    return [*_sum_and_error(f"y{i}", "d"), "rest += error", f"n{i} = n + rest", f"r{i} = rest - (n{i} - n)"]
+    return [*sum_and_error(f"y{i}", "d"), "rest += error", f"n{i} = n + rest", f"r{i} = rest - (n{i} - n)"]
 
 
-def _sum_and_error(y: str, d: str) -> list[str]:
+def sum_and_error(y: str, d: str) -> list[str]:
     """n = y + d and what it lacks, whichever is larger: where y passes zero, d - (n - y) errs, always one way."""
     return [f"n = {y} + {d}", f"part = n - {y}", f"error = ({y} - (n - part)) + ({d} - part)"]
 
@@ -126,26 +118,3 @@ def _collocation(formulas: Formulas, number: int, row: list[Pair], node: float) 
     for i, rate in enumerate(formulas.rates):
         lines += [f"x = {rate}", f"change += abs(x - k{number}_{i})", f"k{number}_{i} = x", "first += abs(x)"]
     return lines
-
-
-def composition_source(drift: Formulas, kick: Formulas, constants: int) -> str:
-    """Source of leap(start, h, y, r, k, c): drifts move q by v, kicks move v by q; sums are compensated."""
-    half = len(drift.rates)
-    size = half + len(kick.rates)
-    whole = [0.0, *LEAPS, 0.0]
-    drifts = [(a + b) / 2 for a, b in zip(whole, whole[1:], strict=False)]
-    pairs = tuple_of(f"({d!r}, {k!r})" for d, k in zip(drifts, [*LEAPS, 0.0], strict=True))
-    names = [tuple_of(f"{letter}{i}" for i in range(size)) for letter in "sr"]
-    lines = [f"{names[0]} = y", f"{names[1]} = r"]
-    if constants:
-        lines.append(f"{tuple_of(f'c{i}' for i in range(constants))} = c")
-    lines.append(f"for d, k_ in {pairs}:")
-    for fraction, formulas, first in (("d", drift, 0), ("k_", kick, half)):
-        lines += [f"    {line}" for line in formulas.lines]
-        for i, rate in enumerate(formulas.rates, start=first):
-            lines.append(f"    d{i} = {fraction} * h * {rate}")
-        for i in range(first, first + len(formulas.rates)):
-            moved = [*_sum_and_error(f"s{i}", f"d{i}"), f"rest = r{i} + error"]
-            lines += [f"    {line}" for line in (*moved, f"s{i} = n + rest", f"r{i} = rest - (s{i} - n)")]
-    lines.append(f"return {names[0]}, {names[1]}, k")
-    return "\n    ".join(["def leap(start, h, y, r, k, c):", *lines]) + "\n"

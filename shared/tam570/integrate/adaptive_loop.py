@@ -1,0 +1,106 @@
+"""Step size and samples: the loop around the generated step. Plain enough for a compiler to take as it is.
+
+The functions written for one right-hand side (rhs, euler, raised, step, dense, at) are handed in once; what comes
+back is the loop for that right-hand side.
+"""
+
+from collections.abc import Callable
+from math import sqrt
+from typing import Any, NamedTuple
+
+__all__ = ["EXPONENT", "LARGEST", "ROUNDING", "SAFETY", "SMALLEST", "State", "first_step_with", "loop_with"]
+
+SAFETY = 0.9
+LARGEST, SMALLEST = 6.0, 0.2  # change of the step size from one step to the next
+EXPONENT = -1 / 8
+ROUNDING = 1.0  # an error up to so many times what a few roundings of the state do to h f is not the method's
+
+
+class State(NamedTuple):
+    """Where a run is. h = 0 tells that the step size vanished."""
+
+    row: int  # the next sample
+    t: float  # s, since the start
+    h: float  # s, to be tried next
+    y: tuple[float, ...]
+    r: tuple[float, ...]  # what rounding took from y
+    f: tuple[float, ...]  # the derivative
+    m: tuple[float, ...]  # the largest magnitude of each component so far
+    growth: float  # of the next step, at most
+    refused: int  # attempts in a row
+    steps: int
+    refusals: int
+
+
+def first_step_with(rhs: Any, euler: Any) -> Callable[..., float]:
+    """The function that finds the first step of a run."""
+
+    def first_step(origin: Any, span: Any, y: Any, f: Any, c: Any) -> Any:
+        """A step across which the derivative changes little, found from above: a derivative of zero deceives nobody."""
+        h = span / 100 or span
+        while h > 1e-9 * span and _restless(h, y, f, rhs(origin + h, euler(h, y, f), c)):
+            h /= 4
+        return h
+
+    return first_step
+
+
+def _restless(h: float, y: Any, f: Any, g: Any) -> bool:
+    """Whether the derivative changes by more than a tenth of the state, or of itself, within h.
+
+    What starts at zero with zero rate has no scale to compare with and is left to the estimates of the steps.
+    """
+    for i in range(len(y)):
+        size = max(abs(y[i]), h * abs(f[i]))
+        if size > 0 and not h * abs(g[i] - f[i]) <= 0.1 * max(size, h * abs(g[i])):
+            return True
+    return False
+
+
+def loop_with(raised: Any, step: Any, dense: Any, at: Any) -> Callable[..., State]:
+    """The loop over the steps of a run."""
+
+    def advance(origin: Any, times: Any, out: Any, state: Any, c: Any, rtol: Any, budget: Any) -> Any:
+        """Fill the rows of `out` until none is left, `budget` steps are tried, or the step size vanishes.
+
+        times : since `origin`; state : a `State`, as returned
+        """
+        row, t, h, y, r, f, m, growth, refused, steps, refusals = state
+        rows, end = len(times), times[len(times) - 1]
+        while row < rows and budget > 0:
+            budget -= 1
+            left = end - t
+            if h >= left:
+                h, new = left, end
+            else:
+                new = t + (h if 2 * h < left else left / 2)
+                h = new - t  # exactly: else the rounding of t would shift the motion
+            if h <= 2.0**-50 * t or h < 1e-17 * end:  # t + h would hardly differ from t
+                h = 0.0
+                break
+            n, rest, g, size, fifth, third, stages = step(origin + t, h, y, r, f, m, c)
+            error = fifth / (rtol * sqrt(fifth + 0.01 * third)) if fifth > 0 else fifth
+            if error <= 1:
+                if times[row] < new:
+                    q = dense(origin + t, h, y, n, f, g, stages, c)
+                    while times[row] < new:
+                        at(out, row, (times[row] - t) / h, y, q)
+                        row += 1
+                if times[row] == new:
+                    for i in range(len(n)):
+                        out[row, i] = n[i]
+                    row += 1
+                t, y, r, f, m = new, n, rest, g, size
+                h *= min(growth, SAFETY * error**EXPONENT) if error > 0 else growth
+                growth, refused = LARGEST, 0
+                steps += 1
+            else:
+                refused += 1
+                refusals += 1
+                if error < 1e300:
+                    m = raised(origin + t, h, y, f, m, c, ROUNDING / rtol, 2.0 * refused - 1.0)
+                h *= max(SMALLEST, SAFETY * error**EXPONENT) if error < 1e300 else 0.1
+                growth = 1.0
+        return State(row, t, h, y, r, f, m, growth, refused, steps, refusals)
+
+    return advance

@@ -1,0 +1,43 @@
+"""What a caller gives, checked: each error names the argument."""
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["Array", "initial_state", "sample_times", "tolerance"]
+
+Array = NDArray[np.float64]
+
+SMALLEST_RTOL = 1e-18  # below that nothing but rounding is left to control
+
+
+def sample_times(t: ArrayLike) -> Array:
+    """(n,) times as floats. ValueError unless they are finite, two or more, and increasing."""
+    times = np.array(t, dtype=float)
+    if times.ndim != 1 or len(times) < 2:
+        raise ValueError(f"t: need a list of two or more times, got shape {times.shape}; try np.linspace(0, 10, 101)")
+    if not np.isfinite(times).all():
+        raise ValueError("t: a time is infinite or not a number")
+    if not (np.diff(times) > 0).all():
+        where = int(np.argmin(np.diff(times) > 0))
+        raise ValueError(f"t: must increase, but t[{where + 1}] = {times[where + 1]:g} does not exceed t[{where}]")
+    return times
+
+
+def initial_state(y0: ArrayLike) -> Array:
+    """(k,) or (m, k) as floats. ValueError if empty, not finite or of another shape."""
+    try:
+        state = np.array(y0, dtype=float)
+    except (TypeError, ValueError) as problem:
+        raise ValueError(f"y0: must be a flat list of real numbers ({problem})") from problem
+    if state.ndim not in (1, 2) or state.size == 0:
+        raise ValueError(f"y0: need k numbers, or (m, k) for m starts at once, got shape {state.shape}")
+    if not np.isfinite(state).all():
+        raise ValueError(f"y0: every number must be finite, got {state}")
+    return state
+
+
+def tolerance(rtol: float) -> float:
+    """The tolerance, no less than rounding allows. ValueError unless 0 < rtol < 1."""
+    if not 0 < rtol < 1:
+        raise ValueError(f"rtol: need 0 < rtol < 1, got {rtol!r}; 1e-10 is a good start")
+    return max(float(rtol), SMALLEST_RTOL)

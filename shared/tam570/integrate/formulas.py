@@ -1,0 +1,128 @@
+"""A recorded right-hand side as source: assignments from t, s0, s1, ... and c0, c1, ... to one expression a rate."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+
+from tam570.integrate.symbols import Symbol, Value
+from tam570.integrate.trace import Graph
+
+__all__ = ["Formulas", "by_call", "call_of", "halves", "names", "tuple_of", "unpacked", "written"]
+
+LONGEST = 200  # characters of one expression: brackets in brackets have a limit
+
+
+@dataclass(frozen=True)
+class Formulas:
+    """A right-hand side as source: `lines` from t, s0, s1, ... and c0, c1, ... to the expressions `rates`."""
+
+    lines: tuple[str, ...]
+    rates: tuple[str, ...]
+    constants: int = 0
+    reads: frozenset[int] = frozenset()  # the components of the state that occur at all
+    timed: bool = False
+
+    @property
+    def size(self) -> int:
+        return len(self.rates)
+
+    @property
+    def moving(self) -> list[int]:
+        """The components that change: a derivative of plain zero needs no stages."""
+        return [i for i, rate in enumerate(self.rates) if rate != "0.0"]
+
+
+def written(graph: Graph) -> tuple[Formulas, tuple[float, ...]]:
+    """The whole right-hand side, and the constants in it."""
+    constants: dict[float, str] = {}
+    formulas = _written(graph.operations, graph.rates, constants)
+    return formulas, tuple(constants)
+
+
+def halves(graph: Graph) -> tuple[Formulas, Formulas, tuple[float, ...]]:
+    """The rates of the first half of the state and those of the second, and the constants of both."""
+    constants: dict[float, str] = {}
+    _written(graph.operations, graph.rates, constants)
+    middle = len(graph.rates) // 2
+    first, second = (
+        _written(graph.operations, part, constants) for part in (graph.rates[:middle], graph.rates[middle:])
+    )
+    return first, second, tuple(constants)
+
+
+def call_of(size: int) -> Formulas:
+    """The right-hand side that is a call of the function `given`."""
+    rates = tuple(f"p{i}" for i in range(size))
+    line = f"{tuple_of(rates)} = given(t, {tuple_of(names('s', size))})"
+    return Formulas((line,), rates, 0, frozenset(range(size)), timed=True)
+
+
+def by_call(formulas: Formulas) -> Formulas:
+    """The same right-hand side, as a call of `rhs`: shorter, for a compiler that takes its time."""
+    rates = tuple("0.0" if rate == "0.0" else f"p{i}" for i, rate in enumerate(formulas.rates))
+    results = tuple_of(f"p{i}" for i in range(formulas.size))
+    state = tuple_of(f"s{i}" if i in formulas.reads else "0.0" for i in range(formulas.size))
+    line = f"{results} = rhs({'t' if formulas.timed else '0.0'}, {state}, c)"
+    return replace(formulas, lines=(line,), rates=rates)
+
+
+def names(letter: str, size: int) -> list[str]:
+    """s0, s1, ..."""
+    return [f"{letter}{i}" for i in range(size)]
+
+
+def tuple_of(items: Iterable[str]) -> str:
+    """Source of a tuple, of one or none too; on the left of an assignment it unpacks."""
+    return "(" + "".join(f"{item}, " for item in items) + ")"
+
+
+def unpacked(formulas: Formulas, **letters: str) -> list[str]:
+    """Lines that unpack a tuple into y0, y1, ... for each `name="y"`, and the constants c if there are any."""
+    lines = [f"{tuple_of(names(letter, formulas.size))} = {name}" for name, letter in letters.items()]
+    constants = [f"{tuple_of(names('c', formulas.constants))} = c"] if formulas.constants else []
+    return lines + constants
+
+
+def _written(operations: Sequence[Symbol], rates: Sequence[Value], constants: dict[float, str]) -> Formulas:
+    uses = _uses(operations, rates)
+    texts: dict[int, str] = {}
+    lines: list[str] = []
+
+    def text(value: Value) -> str:
+        if isinstance(value, Symbol):
+            return texts[value.number]
+        return constants.setdefault(value, f"c{len(constants)}") if value else "0.0"
+
+    for symbol in operations:
+        if not uses[symbol.number]:
+            continue
+        expression = _expression(symbol.name, [text(a) for a in symbol.arguments])
+        texts[symbol.number] = expression
+        if symbol.arguments and (uses[symbol.number] > 1 or len(expression) > LONGEST):
+            texts[symbol.number] = f"v{len(lines)}"
+            lines.append(f"v{len(lines)} = {expression}")
+    used = [symbol.name for symbol in operations if uses[symbol.number] and not symbol.arguments]
+    reads = frozenset(int(name[1:]) for name in used if name != "t")
+    return Formulas(tuple(lines), tuple(map(text, rates)), len(constants), reads, "t" in used)
+
+
+def _uses(operations: Sequence[Symbol], rates: Sequence[Value]) -> list[int]:
+    """How often each symbol is needed; what nobody asks for counts zero."""
+    uses = [0] * len(operations)
+    for value in rates:
+        if isinstance(value, Symbol):
+            uses[value.number] += 1
+    for symbol in reversed(operations):
+        for argument in symbol.arguments if uses[symbol.number] else ():
+            if isinstance(argument, Symbol):
+                uses[argument.number] += 1
+    return uses
+
+
+def _expression(name: str, arguments: list[str]) -> str:
+    if not arguments:
+        return name
+    if name == "neg":
+        return f"(-{arguments[0]})"
+    if name in ("+", "-", "*", "/"):
+        return f"({arguments[0]} {name} {arguments[1]})"
+    return f"{name}({', '.join(arguments)})"

@@ -1,0 +1,97 @@
+"""Input that cannot be used is named, with its remedy; every habit of writing a function works."""
+
+import math
+
+import numpy as np
+import pytest
+
+from tam570.integrate import solve, solve_rotation
+
+EPS = 2.0**-52
+
+
+def oscillator(t, y):
+    return y[1], -y[0]
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"t": [0, 1, 1]}, r"^t: must increase, but t\[2\] = 1"),
+        ({"t": [0.0]}, "^t: need"),
+        ({"t": [0, math.nan]}, "^t: "),
+        ({"y0": [1.0, math.inf]}, "^y0: every number must be finite"),
+        ({"y0": []}, "^y0: need"),
+        ({"y0": [1j, 0]}, "^y0: must be"),
+        ({"rtol": 0}, "^rtol: "),
+        ({"method": "euler"}, "^method: one of"),
+        ({"parameters": {"w": 1}}, "^rhs: cannot be called"),
+        ({"rhs": lambda t, y: (y[0],)}, "^rhs: must return 2 numbers"),
+        ({"rhs": lambda t, y: 1j * np.asarray(y)}, "^rhs: must return real"),
+        ({"rhs": lambda t, y: (math.nan, 0.0)}, "^rhs: gives"),
+        ({"method": "gauss", "step": -1.0}, "^step: must be"),
+        ({"method": "gauss", "step": math.inf}, "^step: must be"),
+        ({"step": 0.1}, '^step: goes with method "gauss" or "composition" alone'),
+        ({"step": -5.0, "method": "python"}, '^step: goes with method "gauss" or "composition" alone'),
+        ({"step": 0.1, "method": "numba"}, '^step: goes with method "gauss" or "composition" alone'),
+        ({"y0": [[1.0, 0.0], [0.0, 1.0]], "step": 0.1}, '^step: goes with method "gauss" or "composition" alone'),
+        ({"method": "composition", "rhs": lambda t, y: (y[1], -y[0] - y[1])}, "^method: "),
+        ({"method": "gauss", "project": lambda y: y}, "^project: "),
+        ({"y0": [[1.0, 0.0], [0.0, 1.0]], "project": lambda y: y}, "^project: "),
+        ({"y0": [[1.0, 0.0], [0.0, 1.0]], "method": "gauss"}, "^y0: "),
+        ({"method": "numba", "rhs": lambda t, y: (y[1], -y[0]) if y[0] > 0 else (0.0, 1.0)}, "^method: "),
+    ],
+)
+def test_bad_input_is_named_with_its_remedy(change, message):
+    given = {"rhs": oscillator, "t": [0, 1], "y0": [1.0, 0.0], **change}
+    with pytest.raises(ValueError, match=message):
+        solve(given.pop("rhs"), given.pop("t"), given.pop("y0"), **given)
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"R": np.eye(2)}, "^R: need finite numbers of shape"),
+        ({"R": np.full((3, 3), math.nan)}, "^R: need finite numbers of shape"),
+        ({"omega": (1.0, 0.0)}, "^omega: need finite numbers of shape"),
+        ({"omega": (math.inf, 0.0, 0.0)}, "^omega: need finite numbers of shape"),
+        ({"t": [0.0]}, "^t: need"),
+        ({"rtol": 1.0}, "^rtol: "),
+    ],
+)
+def test_bad_input_of_a_rotation_is_named_too(change, message):
+    given = {"t": [0, 1], "omega": (0.0, 0.0, 1.0), "R": np.eye(3), "rtol": 1e-10, **change}
+    with pytest.raises(ValueError, match=message):
+        solve_rotation(lambda t, w: (0.0, 0.0, 0.0), given["t"], given["omega"], given["R"], rtol=given["rtol"])
+
+
+def test_a_rotation_that_becomes_infinitely_fast_is_told_with_its_time():
+    with pytest.raises(ArithmeticError, match=r"t = 0\.(9|99\d*)|t = 1"):
+        solve_rotation(lambda t, w: (0.0, 0.0, w[2] * w[2]), [0, 2], (0.0, 0.0, 1.0), np.eye(3))
+
+
+def test_functions_of_every_habit_give_the_same():
+    def of_arrays(t, y):
+        return np.array([[0.0, 1.0], [-1.0, 0.0]]) @ y
+
+    def of_halves(t, y):
+        q, v = y[:1], y[1:]
+        return np.concatenate([v, -q])
+
+    def that_adds_slices(t, y):  # a tuple would be joined, not added
+        turned = y[::-1] + y[::-1]
+        return turned * np.array([0.5, -0.5])
+
+    def that_branches(t, y):
+        return (y[1], -y[0]) if y[0] > -9 else (0.0, 0.0)
+
+    def that_changes_what_it_gets(t, y):
+        y[0], y[1] = y[1], -y[0]
+        return y
+
+    exact = solve(oscillator, [0, 7.0], [1.0, 0.5])
+    for rhs in (of_arrays, of_halves, that_adds_slices, that_branches, that_changes_what_it_gets):
+        assert solve(rhs, [0, 7.0], [1.0, 0.5]) == pytest.approx(exact, abs=1e-13), rhs.__name__
+    start = np.array([1.0, 0.5])
+    solve(that_changes_what_it_gets, [0, 1.0], start)
+    assert (start == [1.0, 0.5]).all()

@@ -1,0 +1,90 @@
+"""Order of the methods, by the law that the error of a step follows."""
+
+import math
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+from tam570.integrate import solve, tableau
+from tam570.integrate.dop853_source import compiled
+from tam570.integrate.formulas import written
+from tam570.integrate.trace import traced
+from tam570.invariants import observed_order
+
+EPS = 2.0**-52
+
+
+def pendulum(t, state, *, length, gravity):
+    theta, omega = state
+    return omega, -gravity / length * math.sin(theta)
+
+
+def clock(t, y):
+    """y = exp(sin t): a stage at the wrong time shows, where the pendulum would hide it."""
+    return (y[0] * math.cos(t),)
+
+
+def test_tableau_satisfies_the_order_conditions():
+    b = tableau.ROWS[12]
+    for power in range(8):
+        moment = sum(Fraction(w) * Fraction(tableau.NODES[j]) ** power for j, w in b.items())
+        assert abs(moment - Fraction(1, power + 1)) < 20 * EPS  # some weights are as large as 6
+    for estimate in (tableau.FIFTH, tableau.THIRD):
+        assert abs(sum(estimate.values())) < 20 * EPS  # no error where the derivative is constant
+
+
+def one_step(h, theta=None):
+    formulas, constants = written(traced(clock, 1))
+    functions = compiled(formulas, True)
+    y = (1.0,)
+    f = functions["rhs"](0.3, y, constants)
+    n, _, g, _, fifth, third, stages = functions["step"](0.3, h, y, (0.0,), f, y, constants)
+    out = np.empty((1, 1))
+    if theta is None:
+        return n[0], fifth, third
+    functions["at"](out, 0, theta, y, functions["dense"](0.3, h, y, n, f, g, stages, constants))
+    return out[0, 0]
+
+
+def exact_clock(t):
+    return math.exp(math.sin(0.3 + t) - math.sin(0.3))
+
+
+def test_a_step_is_of_order_eight_and_its_estimates_of_five_and_three():
+    steps = np.array([1.6, 1.2, 0.9, 0.7])
+    results = [one_step(h) for h in steps]
+    errors = [abs(n - exact_clock(h)) for h, (n, _, _) in zip(steps, results, strict=True)]
+    assert observed_order(steps, errors) > 8.5  # 9 of one step
+    small = steps / 4
+    fifth, third = np.transpose([one_step(h)[1:] for h in small]) ** 0.5
+    assert observed_order(small, fifth) > 5.6
+    assert observed_order(small, third) > 3.6
+
+
+def test_inside_a_step_the_error_is_that_of_the_step():
+    for h in (0.5, 0.3, 0.2):
+        inside = max(abs(one_step(h, x) - exact_clock(x * h)) for x in np.linspace(0.02, 0.98, 25))
+        n, fifth, third = one_step(h)
+        estimate = fifth / math.sqrt(fifth + 0.01 * third)
+        assert inside < 5 * max(estimate, abs(n - exact_clock(h)))  # DOP853's own interpolant: 20 to 60
+
+
+@pytest.mark.parametrize(("method", "order"), [("gauss", 12), ("composition", 8)])
+def test_fixed_steps_show_their_order(method, order):
+    steps = np.array([0.8, 0.5, 0.4]) if method == "gauss" else np.array([0.2, 0.125, 0.1])
+    exact = solve(pendulum, [0, 4], [1.0, 0.5], parameters={"length": 9.81, "gravity": 9.81}, rtol=1e-15)[-1]
+    errors = [
+        np.abs(
+            solve(pendulum, [0, 4], [1.0, 0.5], parameters={"length": 9.81, "gravity": 9.81}, method=method, step=h)[-1]
+            - exact
+        ).max()
+        for h in steps
+    ]
+    assert observed_order(steps, errors) > order - 0.7
+
+
+def test_gauss_knows_the_time_of_its_stages():
+    steps = np.array([1.0, 0.8, 0.5])
+    errors = [abs(solve(clock, [0, 4], [1.0], method="gauss", step=h)[-1, 0] - math.exp(math.sin(4))) for h in steps]
+    assert observed_order(steps, errors) > 10.5

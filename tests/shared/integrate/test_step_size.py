@@ -1,0 +1,88 @@
+"""Steps are neither deceived by zeros nor stopped by rounding."""
+
+import math
+
+import numpy as np
+import pytest
+
+from tam570.integrate import solve
+
+EPS = 2.0**-52
+
+
+def oscillator(t, y):
+    return y[1], -y[0]
+
+
+def primitive_of_sin8(t):
+    """By its Fourier series."""
+    series = ((-7 / 16, 2), (7 / 32, 4), (-1 / 16, 6), (1 / 128, 8))
+    return 35 / 128 * t + sum(a * math.sin(k * t) / k for a, k in series)
+
+
+@pytest.mark.parametrize(
+    ("rhs", "start", "exact"),
+    [
+        (lambda t, y: (t**3,), [0.0], lambda t: t**4 / 4),  # derivative and its first two derivatives zero
+        (lambda t, y: (0.0,), [1.5], lambda t: 1.5),
+        (lambda t, y: (2.0,), [0.0], lambda t: 2 * t),
+        (lambda t, y: (math.sin(t) ** 8,), [0.0], primitive_of_sin8),
+    ],
+)
+def test_zero_derivatives_at_the_start(rhs, start, exact):
+    t = np.array([0.0, 3.0, 30.0])
+    found = solve(rhs, t, start, rtol=1e-12)[:, 0]
+    assert found == pytest.approx([exact(x) for x in t], rel=1e-10, abs=1e-12)
+
+
+def test_noise_in_a_component_that_should_be_zero_stops_nothing():
+    def noisy(t, y):
+        u = (y[0] + 3.0) - 3.0 - y[0]  # nothing but rounding
+        return y[1], -y[0], u
+
+    calls = []
+    solve(lambda t, y: calls.append(0) or noisy(t, y), [0, 20], [1.0, 0.0, 0.0], rtol=1e-12)
+    assert len(calls) < 20000  # the oscillator alone takes 3000
+
+
+def braked_car(t, y, mass, inertia, free, locked, drag):
+    """Straight ahead and in the ground's axes: the yaw acceleration is rounding, and exactly zero at most headings."""
+    heading, speed, yaw_rate = y[2:]
+    c, s = math.cos(heading), math.sin(heading)
+    sideways = (locked - free) * yaw_rate
+    slip = math.hypot(speed, sideways)
+    along, aside = -drag * speed / slip, -drag * sideways / slip
+    fx, fy, moment = along * c - aside * s, along * s + aside * c, locked * aside
+    lacking = yaw_rate * speed - (c * fy - s * fx) / mass - free * moment / inertia
+    multiplier = lacking / (1 / mass + free**2 / inertia)
+    ax, ay = (fx - s * multiplier) / mass, (fy + c * multiplier) / mass
+    left = -free * yaw_rate
+    turning = (moment + free * multiplier) / inertia
+    return speed * c - left * s, speed * s + left * c, yaw_rate, ax * c + ay * s + yaw_rate * left, turning
+
+
+def test_noise_that_is_seldom_there_stops_nothing():
+    start = (-4.8552552320993305, -4.674480783934106, -0.04617421486523288, -2.2205596578680047, 0.0)
+    car = {
+        "mass": 94.56225829295548,
+        "inertia": 40.18801082303782,
+        "free": 0.4215275712597747,
+        "locked": -1.2915052972567986,
+        "drag": 96.83754605511551,
+    }
+    span = (-0.49083545047596405, 0.8101878878199923)
+    _, _, heading, speed, yaw_rate = solve(braked_car, span, start, parameters=car, rtol=1e-11)[-1]
+    lost = car["drag"] / car["mass"] * (span[1] - span[0])
+    assert (heading, yaw_rate) == pytest.approx((start[2], 0.0), abs=1e-15)
+    assert abs(speed) == pytest.approx(abs(start[3]) - lost, rel=1e-12)
+
+
+def test_an_infinite_solution_is_an_error_and_says_where():
+    with pytest.raises(ArithmeticError, match=r"t = 1\.0"):
+        solve(lambda t, y: (y[0] ** 2,), [0, 2], [1.0])
+
+
+def test_tolerances_beyond_rounding_finish():
+    for rtol in (1e-15, 1e-17, 1e-30):
+        state = solve(oscillator, [0, 100], [1.0, 0.0], rtol=rtol)[-1]
+        assert state == pytest.approx([math.cos(100), -math.sin(100)], abs=100 * EPS)

@@ -1,0 +1,112 @@
+"""A right-hand side is written down as it is in its scene: nothing missing, nothing twice, nothing stale."""
+
+import ast
+import functools
+import math
+
+import numpy as np
+import pytest
+
+from tam570.integrate import solve
+from tam570.integrate.dop853_source import functions
+from tam570.integrate.engine import engine
+from tam570.integrate.formulas import written
+from tam570.integrate.symbols import Untraceable
+from tam570.integrate.trace import traced
+
+EPS = 2.0**-52
+
+
+def operations(rhs, size, **parameters):
+    """Operations of one evaluation and of one step, counted in the generated source."""
+    formulas, _ = written(traced(functools.partial(rhs, **parameters), size))
+    tree = ast.parse(functions(formulas))
+    return {
+        function.name: sum(isinstance(node, (ast.BinOp, ast.UnaryOp, ast.Call)) for node in ast.walk(function))
+        for function in tree.body
+    }
+
+
+def drag_and_wind(t, state, *, mass, drag, gravity, wind):
+    x, y, z, u, v, w = state
+    speed = math.sqrt((u - wind) ** 2 + v * v + w * w)
+    return (u, v, w, -drag / mass * speed * (u - wind), -drag / mass * speed * v, -drag / mass * speed * w - gravity)
+
+
+def test_what_a_scene_lacks_is_not_computed():
+    given = {"mass": 2.0, "drag": 0.1, "gravity": 9.81, "wind": 3.0}
+    full = operations(drag_and_wind, 6, **given)
+    for absent in ("wind", "gravity", "drag"):
+        fewer = operations(drag_and_wind, 6, **{**given, absent: 0.0})
+        assert fewer["rhs"] < full["rhs"]
+        assert fewer["step"] < full["step"]
+    nothing = operations(drag_and_wind, 6, **{**given, "drag": 0.0})
+    assert nothing["rhs"] == 0  # constant rates
+    assert nothing["step"] < full["step"] / 2
+
+
+def hanging_spring(t, state, *, mass, stiffness, rest, gravity, anchor):
+    x, y, z, u, v, w = state
+    dx, dy, dz = x - anchor[0], y - anchor[1], z - anchor[2]
+    length = math.sqrt(dx * dx + dy * dy + dz * dz)
+    pull = stiffness / mass * (length - rest) / length
+    return u, v, w, -pull * dx, -pull * dy - gravity[1], -pull * dz - gravity[2]
+
+
+def test_what_is_zero_in_a_plane_is_not_computed_if_it_is_a_parameter():
+    """Not so of a component that starts at zero: the formulas hold for every start, the motion stays in the plane."""
+    given = {"mass": 2.0, "stiffness": 40.0, "rest": 1.0}
+    general = operations(hanging_spring, 6, **given, gravity=(0.0, 9.81, 0.5), anchor=(0.1, 0.2, 0.3))
+    planar = operations(hanging_spring, 6, **given, gravity=(0.0, 9.81, 0.0), anchor=(0.1, 0.2, 0.0))
+    assert planar["rhs"] < general["rhs"]
+    assert planar["step"] < general["step"]
+    parameters = {**given, "gravity": (0.0, 9.81, 0.0), "anchor": (0.1, 0.2, 0.0)}
+    states = solve(hanging_spring, [0, 1, 5], [0.8, -1.0, 0.0, 0.3, 0.0, 0.0], parameters=parameters)
+    assert (states[:, [2, 5]] == 0).all()
+
+
+def test_what_occurs_twice_is_computed_once():
+    graph = traced(lambda t, y: (math.sin(y[0]) * y[1], y[1] * math.sin(y[0]) + math.sin(y[0])), 2)
+    formulas, _ = written(graph)
+    assert "\n".join((*formulas.lines, *formulas.rates)).count("sin") == 1
+
+
+def test_states_that_nothing_depends_on_have_no_stages():
+    free = functions(written(traced(lambda t, y: (y[1], -y[1]), 2))[0])
+    assert "s0 = y0 + h" not in free
+
+
+@pytest.mark.parametrize("question", [lambda x: x > 0, lambda x: x == 0, bool, float, int, lambda x: max(x, 0.0)])
+def test_a_function_that_asks_for_values_is_not_written_down(question):
+    with pytest.raises((Untraceable, TypeError)):
+        traced(lambda t, y: (1.0 if question(y[0]) else 2.0,), 1)
+
+
+def test_a_function_that_treats_symbols_otherwise_is_found_out():
+    def two_faced(t, y):
+        return (y[1], -y[0]) if isinstance(y[0], float) else (y[1], y[0])
+
+    assert not engine(two_faced, None, np.array([0.0, 1.0]), np.array([1.0, 0.0])).traced
+    assert solve(two_faced, [0, math.pi], [1.0, 0.0])[-1] == pytest.approx([-1, 0], abs=1e-9)
+
+
+def test_helpers_and_numpy_functions_are_traced_too():
+    def helper(x):
+        return np.sin(x) + math.cos(x) ** 2
+
+    def rates(t, y, *, matrix):
+        return matrix @ np.array([helper(y[0]), np.sqrt(y[1] ** 2 + 1)]) - np.cross([y[0], 0, 1], [0, 1, y[1]])[:2]
+
+    bound = functools.partial(rates, matrix=np.array([[1.0, 0.0], [-2.0, 0.5]]))
+    assert engine(bound, None, np.array([0.0, 1.0]), np.array([1.0, 0.0])).traced
+
+
+def test_a_value_changed_between_two_runs_is_seen():
+    gravity = 1.0
+
+    def falling(t, y):
+        return y[1], -gravity
+
+    first = solve(falling, [0, 1], [0.0, 0.0])[-1, 0]
+    gravity = 2.0
+    assert solve(falling, [0, 1], [0.0, 0.0])[-1, 0] == pytest.approx(2 * first)
