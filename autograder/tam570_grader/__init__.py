@@ -7,15 +7,17 @@ import os
 if os.name != "posix":
     raise SystemExit("tam570-grader: error: the grader needs Linux or macOS; on Windows, use WSL")
 
-from tam570_grader.writing.check import Failure, check, expect, expect_that, given, once, suspect
+from tam570_grader.writing.check import check, given, once, suspect
 from tam570_grader.writing.curves import kept
 from tam570_grader.writing.drawings import distances, judge_axes_of_lengths, judge_boxes, words
+from tam570_grader.writing.expect import Failed, expect, expect_that, fail
 from tam570_grader.writing.returns import array, drawing, formula, group, number, rows
 from tam570_grader.writing.times import SOME_TIMES, mistimed, uneven
 
 __all__ = [
     "SOME_TIMES",
-    "Failure",
+    "Failed",
+    "fail",
     "array",
     "check",
     "distances",

@@ -11,7 +11,7 @@ from scipy.optimize import brentq
 
 from tam570_grader import (
     SOME_TIMES,
-    Failure,
+    Failed,
     array,
     check,
     distances,
@@ -996,7 +996,7 @@ def judge_twins(student, call):
     """Two curves of the same numbers, to the last bit, are one drawn twice, unless simulate and trajectory agree so."""
     try:
         (simulated,), (closed,) = student.simulate.many([call]), student.trajectory.many([call])
-    except Failure:  # of which their own checks tell
+    except Failed:  # of which their own checks tell
         return
     expect_that(
         np.array_equal(simulated, closed),

@@ -8,7 +8,7 @@ import numpy as np
 from scipy.special import ellipj, ellipkinc
 
 from tam570_grader import (
-    Failure,
+    Failed,
     array,
     check,
     expect,
@@ -491,7 +491,7 @@ def of_motion(student, found, states, scale, kind):
     fine = np.append(np.linspace(t[:-1], t[1:], BETWEEN, endpoint=False).T.ravel(), t[-1])
     try:
         again = student.simulate(fine, expected[0], **known)[::BETWEEN]
-    except Failure:
+    except Failed:
         return ""
     better = np.max(np.abs(again - expected) / scale) < BETTER * np.max(np.abs(states - expected) / scale)
     return SAMPLED if better else ""

@@ -6,7 +6,7 @@ import numpy as np
 from scipy.special import ellipe, ellipeinc, ellipk
 
 from tam570_grader import (
-    Failure,
+    Failed,
     array,
     check,
     expect,
@@ -569,7 +569,7 @@ def another(student, t, start, wire):
     """A further simulation, to choose the words; None if there is none."""
     try:
         return student.simulate(t, *start, **wire)
-    except Failure:
+    except Failed:
         return None
 
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from tam570.integrate import solve
 from tam570_grader import (
-    Failure,
+    Failed,
     check,
     expect,
     expect_that,
@@ -410,7 +410,7 @@ def hint_of_rates(student, of):
     still = [(phi, 0.0, c) for phi, _, c in of]
     try:
         found = student.acceleration.many(calls(still, *ALL))
-    except Failure:
+    except Failed:
         return "what is it at rest?"
     errors = [
         abs(value - acceleration_of(*motion, **c)) / acceleration_scale(*motion, c)
@@ -814,7 +814,7 @@ def joined(student, states, expected, call, scale):
         return False
     try:
         again = student.simulate(t[[0, row]], *start, **call.kwargs)
-    except Failure:
+    except Failed:
         return False
     return bool(np.max(np.abs(again[-1] / scale - expected[row])) <= TRAJECTORY)
 

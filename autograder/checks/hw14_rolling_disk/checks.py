@@ -9,7 +9,7 @@ import math
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from tam570_grader import Failure, array, check, expect, expect_that, given, mistimed, number, once, rows, suspect
+from tam570_grader import Failed, array, check, expect, expect_that, given, mistimed, number, once, rows, suspect
 
 RESULTS = {
     "euler_state_derivative": array(8),
@@ -826,7 +826,7 @@ def another(simulate, t, start, disk):
     """A further simulation, to choose the words; None if there is none."""
     try:
         return simulate(t, start, **disk)
-    except Failure:
+    except Failed:
         return None
 
 

@@ -1,18 +1,19 @@
 """Does the feedback name the mistake? Wrong submissions say in their headers what it must say of them.
 
-`suspect: FRAGMENT` is in the name of a suspect, `names: FRAGMENT` in a message (its hint, its kind of input); one of
-several fragments, `A | B`, is enough.
+Its own first paragraph, or one of those after `also:`, must be the known mistake that is named; a fragment after
+`names:` must be in a message (its hint, its kind of input). One of several, `A | B`, is enough.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from tam570_grader.audit.trials import Trial, done, header, progress, submissions, tried
+from tam570_grader.audit.trials import Trial, done, progress, submissions, tried
 from tam570_grader.errors import UsageError
 from tam570_grader.grading.one import Result
 from tam570_grader.writing import assignments
+from tam570_grader.writing.mistakes import header
 
 __all__ = ["ENOUGH", "Diagnosis", "as_json", "diagnoses", "diagnosis", "report"]
 
@@ -48,15 +49,17 @@ def diagnoses(course: Path, slug: str, jobs: int, quick: bool) -> list[Diagnosis
     wrong = dict(list(wrong.items())[:: max(1, len(wrong) // QUICK)]) if quick else wrong
     tasks = [Trial(course, slug, name, f"{solution}\n\n{text}", SEED) for name, text in wrong.items()]
     results = progress(done(tried, tasks, jobs), len(tasks), "submission")
-    return [diagnosis(result, header(wrong[result.student])) for result in results]
+    return [diagnosis(result, wrong[result.student]) for result in results]
 
 
-def diagnosis(result: Result, says: Mapping[str, str]) -> Diagnosis:
-    """What the feedback of a wrong submission says, beside what its header `says` that it must."""
+def diagnosis(result: Result, text: str) -> Diagnosis:
+    """What the feedback of a wrong submission says, beside what its text says that it must."""
+    own, says = header(text)
     failed = [mark for mark in result.checks if mark.outcome == "failed"]
     suspects = tuple(mark.suspect for mark in failed if mark.suspect)
     messages = tuple(mark.message for mark in failed)
-    expected, fragment = says.get("suspect", ""), says.get("names", "")
+    fragment = says.get("names", "")
+    expected = " | ".join(filter(None, ["" if fragment else own, says.get("also", "")]))
     by_suspect = any(_in(one, expected) for one in suspects)
     by_message = any(_in(one, fragment) for one in messages)
     return Diagnosis(result.student, expected, by_suspect or by_message, suspects, messages)

@@ -4,8 +4,7 @@ A wrong submission whose docstring says `numerics: WHY` has right physics, integ
 as near to a limit as one likes. It is told apart.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -13,8 +12,9 @@ from typing import Any
 import numpy as np
 
 from tam570_grader.audit.mutation import calls_of_checks, reached
-from tam570_grader.audit.trials import Trial, done, header, progress, submissions, tried
+from tam570_grader.audit.trials import Trial, done, progress, submissions, tried
 from tam570_grader.writing import assignments
+from tam570_grader.writing.mistakes import header
 
 __all__ = ["ENOUGH", "Margin", "as_json", "faults", "margin", "margins", "report"]
 
@@ -51,37 +51,22 @@ class Margin:
         return self.careful * ENOUGH > 1 or (self.physics is not None and self.physics[1] < ENOUGH)
 
 
-@contextmanager
-def _recorded(trial: Trial) -> Iterator[list[float]]:
-    """The errors over their limits of all that is compared while a trial runs; none of them ends its check."""
-    found: list[float] = []
-    space = assignments.assignment(trial.course, trial.slug).checks[0].judge.__globals__
-    expect = space["expect"]
-
-    def recording(actual: Any, expected: Any, *, within: float, scale: Any = 1.0, **words: Any) -> None:
-        errors = np.abs(np.asarray(actual, float) - np.asarray(expected, float)) / scale
-        worst = float(np.max(errors)) if errors.size else np.nan
-        found.append(np.inf if np.isnan(worst) else worst / within)
-
-    space["expect"] = recording
-    try:
-        yield found
-    finally:
-        space["expect"] = expect
-
-
 def _errors(trial: Trial) -> dict[str, float]:
     """The largest error over its limit of each check of a trial, run one by one; infinite if it fails otherwise."""
     assert trial.checks is not None
-    errors = {}
-    for check in sorted(trial.checks):
-        with _recorded(trial) as found:
-            result = tried(replace(trial, checks=frozenset({check})))
-        passed = all(mark.outcome == "passed" for mark in result.checks if mark.name == check)
-        if found or not passed:
-            largest = max(found, default=0.0)
-            errors[check] = largest if passed or largest > 1 else np.inf
-    return errors
+    found = {check: _largest(replace(trial, checks=frozenset({check}))) for check in sorted(trial.checks)}
+    return {check: error for check, error in found.items() if error is not None}
+
+
+def _largest(trial: Trial) -> float | None:
+    """The largest error over its limit of a trial of one check; None if it passes without a comparison."""
+    found: list[float] = []
+    result = tried(trial, lambda _, error: found.append(error))
+    largest = max(found, default=0.0)
+    passed = all(mark.outcome == "passed" for mark in result.checks)
+    if not found and passed:
+        return None
+    return largest if passed or largest > 1 else np.inf
 
 
 def margins(course: Path, slug: str, seeds: int, jobs: int) -> list[Margin]:
@@ -115,7 +100,7 @@ def _not_passed(course: Path, slug: str, slip: str) -> frozenset[str]:
 
 
 def _failed(slip: str) -> set[str]:
-    return set(header(slip)["fails"].split(", "))
+    return set(header(slip)[1]["fails"].split(", "))
 
 
 def _careful(text: str, method: str) -> str:
@@ -143,7 +128,7 @@ def margin(check: str, found: Sequence[tuple[str, Mapping[str, float]]], slips: 
         return None
     wrong = [(name, error) for name, error in errors if name in slips and error < np.inf]
     told = [(name, error) for name, error in wrong if error > 1 or check in _failed(slips[name])]
-    inaccurate = [one for one in told if "numerics" in header(slips[one[0]])]
+    inaccurate = [one for one in told if "numerics" in header(slips[one[0]])[1]]
     physics = [one for one in told if one not in inaccurate]
     own = [one for one in physics if check in _failed(slips[one[0]])]
     return Margin(check, max(careful), _smallest(own or physics), _smallest(inaccurate))

@@ -2,19 +2,19 @@
 
 import multiprocessing
 import signal
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, TypeVar
 
-from tam570_grader.grading.one import Result, graded
+from tam570_grader.grading.one import Recorder, Result, graded
 from tam570_grader.sandbox.preload import imported
 from tam570_grader.sandbox.student import Source
 from tam570_grader.sandbox.worker import Allowance, Worker, WorkerLost
 from tam570_grader.writing import assignments
 
-__all__ = ["Trial", "done", "header", "progress", "sandboxes", "submissions", "tried"]
+__all__ = ["Trial", "done", "progress", "sandboxes", "submissions", "tried"]
 
 Task = TypeVar("Task")
 Outcome = TypeVar("Outcome")
@@ -36,7 +36,7 @@ class Trial:
     enough: int | None = None  # failed checks after which the rest is not run
 
 
-def tried(trial: Trial) -> Result:
+def tried(trial: Trial, recorder: Recorder | None = None) -> Result:
     """The result of a trial, on a worker of this process."""
     assignment = assignments.assignment(trial.course, trial.slug)
     if trial.checks is not None:
@@ -48,7 +48,7 @@ def tried(trial: Trial) -> Result:
     for last in (False,) * (TRIES - 1) + (True,):
         worker = _worker(needs, trial)
         try:
-            return graded(trial.name, source, assignment, worker, trial.seed, enough=trial.enough)
+            return graded(trial.name, source, assignment, worker, trial.seed, enough=trial.enough, recorder=recorder)
         except WorkerLost:
             _warm.pop(_key(needs, trial)).close()
             if last:
@@ -104,11 +104,3 @@ def submissions(course: Path, slug: str, kind: str) -> dict[str, str]:
     """The texts of the alternatives or mistakes of an assignment, by name."""
     paths = sorted((assignments.checks_folder(course, slug) / kind).glob("*.py"))
     return {path.stem: path.read_text(encoding="utf-8") for path in paths}
-
-
-def header(text: str) -> Mapping[str, str]:
-    """The `key: value` lines of a submission's docstring."""
-    import ast
-    import re
-
-    return dict(re.findall(r"^(\w+): (.+)$", ast.get_docstring(ast.parse(text)) or "", re.MULTILINE))

@@ -49,7 +49,7 @@ def _shown(mark: Mapping[str, Any], sheet: Sheet) -> dict[str, Any]:
         "points": mark["points"],
         "max_points": mark["max_points"],
         "says": "" if mark["outcome"] == "passed" else mark["message"],
-        "pictures": pictures(mark.get("picture")),
+        "pictures": pictures((mark.get("failure") or {}).get("curve")),
     }
 
 

@@ -207,7 +207,7 @@ def _submissions(arguments: argparse.Namespace, known: list[str]) -> list[Any]:
 def _exit_code(done: list[Record]) -> int:
     failed = [r for r in done if r["score"] is None]
     for record in failed:
-        errors = {mark["detail"]["error"] for mark in record["checks"] if mark["outcome"] == "grader_error"}
+        errors = {mark["error"] for mark in record["checks"] if mark["outcome"] == "grader_error"}
         print(
             f"tam570-grader: the grader failed on {record['student']} {record['assignment']}: {'; '.join(errors)}",
             file=sys.stderr,

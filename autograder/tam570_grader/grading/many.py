@@ -8,7 +8,7 @@ import threading
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from tam570_grader.grading.one import Result, failed_by_us, graded, not_graded
@@ -66,7 +66,7 @@ def records(plan: Plan, book: Book | None = None, old: Iterable[Record] = ()) ->
         else:
             fresh.append((submission, source, digest))
     for result, digest in graded_sources(plan, fresh):
-        yield _kept({**result.record(), "digest": digest}, book)
+        yield _kept(replace(result, digest=digest).record(), book)
 
 
 def _kept(record: Record, book: Book | None) -> Record:

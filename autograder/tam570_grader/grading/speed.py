@@ -13,7 +13,7 @@ import numpy as np
 from tam570_grader.sandbox.student import BudgetSpent, NotLoaded, NotWritten, Source, Student
 from tam570_grader.sandbox.worker import CellLost, Worker
 from tam570_grader.writing.assignments import Assignment
-from tam570_grader.writing.check import Failure
+from tam570_grader.writing.expect import Failed
 
 __all__ = ["Speed", "Yardstick", "scenes", "time_to"]
 
@@ -94,7 +94,7 @@ def _point(student: Student, scene: dict[str, Any]) -> tuple[float, float] | Non
         before = student.seconds()
         states = getattr(student, scene["function"])(*arguments, **keywords)
         seconds = student.seconds() - before
-    except (Failure, NotWritten, NotLoaded, BudgetSpent, CellLost):
+    except (Failed, NotWritten, NotLoaded, BudgetSpent, CellLost):
         return None
     end = np.array(scene["end"])
     error = float(np.abs(states[-1] - end).max() / np.abs(end).max())

@@ -9,7 +9,9 @@ from pathlib import Path
 from typing import Any
 
 from tam570_grader.errors import UsageError
+from tam570_grader.pages.sentences import message
 from tam570_grader.results.journal import Record
+from tam570_grader.results.records import failure
 
 __all__ = ["Sheet", "must_write_pages", "page", "pictures", "sheet", "table", "template", "write_pages"]
 
@@ -107,16 +109,17 @@ def _part(letter: str, record: Record, sheet: Sheet) -> dict[str, Any]:
 def _shown(mark: Record, sheet: Sheet) -> dict[str, Any]:
     """A mark as the page shows it; never its detail, which is the instructor's."""
     line = sheet.lines.get(mark["name"], mark["name"])
-    stuck = mark["outcome"] == "failed" or mark["message"].endswith("is not written yet")
+    why = failure(mark.get("failure"))
+    stuck = mark["outcome"] == "failed" or mark.get("unwritten")
     return {
         "name": mark["name"],
         "outcome": mark["outcome"],
         "line": line,
         "points": _points(mark["points"]),
         "max_points": _points(mark["max_points"]),
-        "says": mark["message"].removesuffix(f"; it matches the result with {mark['suspect']}"),
+        "says": message(why) if why else mark["message"],
         "suspect": mark["suspect"],
-        "pictures": pictures(mark.get("picture")),
+        "pictures": pictures(why.curve if why else None),
         "hint": next((word for word in re.findall(r"\w+", line) if stuck and word in sheet.functions), None),
     }
 
@@ -172,7 +175,7 @@ def _remark(record: Record) -> str:
     named = next((mark["suspect"] for mark in marks if mark["suspect"]), None)
     if named:
         return f"known mistake: {named}"
-    unwritten = [mark["message"] for mark in record["checks"] if mark["message"].endswith("is not written yet")]
+    unwritten = [mark["message"] for mark in record["checks"] if mark.get("unwritten")]
     first = [f"{mark['name']}: {mark['message']}" for mark in marks]
     return _short(record.get("message") or next(iter([*first, *unwritten]), ""))
 

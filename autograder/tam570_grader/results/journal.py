@@ -16,7 +16,7 @@ __all__ = ["FORMULA", "Book", "Record", "cell", "name_in", "read", "seed_of", "w
 Record = dict[str, Any]  # a result line, with "digest": of all that the result depends on
 # what every result has, and every mark in its "checks"
 RESULT = {"student", "assignment", "status", "score", "max_score", "seed", "seconds", "isolation", "checks"}
-MARK = {"name", "part", "points", "max_points", "outcome", "message", "suspect", "detail"}
+MARK = {"name", "part", "points", "max_points", "outcome", "message", "suspect"}
 # how formulas begin; spreadsheets take the wide forms for the narrow ones
 FORMULA = "=", "+", "-", "@", "\t", "\r", "\n", "\uff1d", "\uff0b", "\uff0d", "\uff20"
 

@@ -1,7 +1,7 @@
 """The student as a check sees it: functions to call, each call made in the sandbox, each result what was promised."""
 
 import builtins
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from typing import Any
@@ -11,8 +11,9 @@ import numpy as np
 from tam570_grader.sandbox.replies import checked, drawn, error_of, printable, sent, strings
 from tam570_grader.sandbox.worker import PATIENCE, Cell, CellLost, CellTimeout, Worker, WorkerLost
 from tam570_grader.writing.assignments import Assignment
-from tam570_grader.writing.check import Failure, Given, given
+from tam570_grader.writing.check import Given, given
 from tam570_grader.writing.curves import readable
+from tam570_grader.writing.expect import Failed, current
 from tam570_grader.writing.returns import Drawing, Formula, result
 
 __all__ = ["BudgetSpent", "Call", "NotLoaded", "NotWritten", "Source", "Student"]
@@ -97,9 +98,9 @@ class Student:
         self._cells.clear()
 
     def replies(self, name: str, calls: Sequence[Given], **mode: Any) -> list[dict[str, Any]]:
-        """One reply for each call up to the first error; Failure if the function hangs or ends its process."""
+        """One reply for each call up to the first error; Failed if the function hangs or ends its process."""
         if name in self._broken:
-            raise Failure(self._broken[name])
+            raise Failed(self._broken[name])
         uncallable = tuple(self._assignment.off_limits.get(name, ()))
         cell = self._cell(uncallable)
         if name not in self._defined:
@@ -130,7 +131,7 @@ class Student:
         self._must_end()
         if self._cpu >= (most := self._worker.allowance.cpu) - 0.5:
             raise BudgetSpent(f"the submission has used its {most:g} s of processor time")
-        raise Failure(message)
+        raise Failed(message)
 
     def _end_cell(self, cell: Cell) -> None:
         """End a cell and count its CPU time; WorkerLost if it died with its worker, or by another's hand."""
@@ -206,11 +207,19 @@ class Function:
         """The result of one call, in the promised form."""
         return self.many([given(*args, **kwargs)])[0]
 
+    def each(self, calls: Iterable[Given]) -> Iterator[tuple[Given, Any]]:
+        """Every call with its result; the one at hand is the trial's case, for what `expect` says of it."""
+        calls = list(calls)
+        for call, found in zip(calls, self.many(calls), strict=True):
+            current().judge(self.name, call)
+            yield call, found
+
     def many(self, calls: Sequence[Given]) -> list[Any]:
         """The results of many calls, made in one round trip."""
         results = []
         for call, reply in zip(calls, self.student.replies(self.name, calls, mode="value"), strict=False):
             self.student.calls.append(Call(self.name, call, None))
+            current().judge(self.name, call if call.kind else call.on(self.kind))
             with _saying(call.kind or self.kind):
                 self._must_be_fair(reply, call)
                 results.append(result(self.promise, reply["value"], self.name, call))
@@ -218,7 +227,7 @@ class Function:
         return results
 
     def refuses(self, *args: Any, **kwargs: Any) -> bool:
-        """Whether the call raises ValueError; another exception is a Failure."""
+        """Whether the call raises ValueError; another exception is Failed."""
         call = given(*args, **kwargs)
         reply = self.student.replies(self.name, [call], mode="value")[0]
         if "ValueError" in error_of(reply)["kinds"]:
@@ -237,15 +246,13 @@ class Function:
         self._must_be_fair(reply, given())
         values = reply["value"]
         if not isinstance(values, list) or len(values) != len(points):
-            raise Failure(
-                f"{self.name} does not return a SymPy expression in {', '.join(symbols)} alone", actual=values
-            )
+            raise Failed(f"{self.name} does not return a SymPy expression in {', '.join(symbols)} alone", actual=values)
         try:
             numbers = np.array([complex(value) for value in values])
         except (TypeError, ValueError):
-            raise Failure(f"the expression of {self.name} has no value at some numbers", actual=values) from None
+            raise Failed(f"the expression of {self.name} has no value at some numbers", actual=values) from None
         if not np.all(np.isfinite(numbers)) or np.any(np.abs(numbers.imag) > REAL * np.abs(numbers) + ROUNDING):
-            raise Failure(f"the expression of {self.name} is not real and finite at some numbers", actual=numbers)
+            raise Failed(f"the expression of {self.name} is not real and finite at some numbers", actual=numbers)
         self.student.calls.append(Call(self.name, given(list(points)), numbers.real))
         return numbers.real
 
@@ -258,27 +265,26 @@ class Function:
         try:
             return readable(drawn(reply["value"]))
         except Exception:  # whatever a forged reply is made of
-            raise Failure(f"{self.name} draws too much, or nothing that can be read") from None
+            raise Failed(f"{self.name} draws too much, or nothing that can be read") from None
 
     def _must_be_fair(self, reply: dict[str, Any], call: Given) -> None:
-        """Raise NotWritten or Failure for an exception, and for arguments changed in place."""
+        """Raise NotWritten or Failed for an exception, and for arguments changed in place."""
         if "error" in reply:
             error = error_of(reply)
             if error["kinds"][:1] == ["NotImplementedError"]:
                 raise NotWritten(self.name)
-            raise Failure(_raised(self.name, error, self.student._assignment), actual=error["text"], at=call)
+            raise Failed(_raised(self.name, error, self.student._assignment), actual=error["text"], at=call)
         if reply.get("changed"):
-            raise Failure(f"{self.name} changes the arrays it is given; work on copies", at=call)
+            raise Failed(f"{self.name} changes the arrays it is given", hint="work on copies", at=call)
 
 
 @contextmanager
 def _saying(kind: str) -> Iterator[None]:
-    """A failure of a call says for what kind of input, before its advice."""
+    """A failure of a call says for what kind of input."""
     try:
         yield
-    except Failure as failure:
-        says, semicolon, advice = failure.message.partition("; ")
-        failure.message = f"{says} for {kind}{semicolon}{advice}" if kind else failure.message
+    except Failed as failed:
+        failed.failure = replace(failed.failure, kind=failed.failure.kind or kind)
         raise
 
 

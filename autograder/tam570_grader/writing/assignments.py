@@ -16,6 +16,7 @@ import tam570
 import tam570_grader
 from tam570_grader.errors import UsageError
 from tam570_grader.writing.check import Check
+from tam570_grader.writing.mistakes import Mistake, mistakes
 from tam570_grader.writing.returns import Promise
 
 __all__ = [
@@ -43,6 +44,17 @@ class Assignment:
     source: bytes  # of the checks
     digest: bytes  # of all that their folder holds
     manual: Mapping[str, tuple[float, str]]  # part: points given by hand, and for what
+    root: Path = Path()
+
+    @property
+    def solution(self) -> str:
+        """The text of the reference solution."""
+        return (self.root / "solutions" / f"{self.slug}.py").read_text(encoding="utf-8")
+
+    def suspects(self, check: str) -> list[Mistake]:
+        """The mistakes that a student who fails this check may have made."""
+        known = mistakes(checks_folder(self.root, self.slug) / "mistakes")
+        return [one for one in known if one.suspect and check in one.fails]
 
     @property
     def max_score(self) -> float:
@@ -98,7 +110,7 @@ def assignment(root: Path, slug: str) -> Assignment:
     checks = tuple(value for value in vars(module).values() if isinstance(value, Check))
     off_limits: dict[str, Sequence[str]] = getattr(module, "OFF_LIMITS", {})
     manual: dict[str, tuple[float, str]] = getattr(module, "MANUAL", {})
-    return Assignment(slug, checks, module.RESULTS, module.NEEDS, off_limits, source, _digest(folder), manual)
+    return Assignment(slug, checks, module.RESULTS, module.NEEDS, off_limits, source, _digest(folder), manual, root)
 
 
 def solution(slug: str, root: Path | None = None) -> Any:

@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tam570_grader.sandbox.student import Function
-from tam570_grader.writing.check import expect, expect_that, given
+from tam570_grader.writing.check import given
+from tam570_grader.writing.expect import expect, expect_that
 from tam570_grader.writing.returns import Drawing
 
 __all__ = ["distances", "judge_axes_of_lengths", "judge_boxes", "words"]

@@ -13,7 +13,8 @@ from typing import Any
 import numpy as np
 
 from tam570_grader.sandbox.inside.wire import Foreign
-from tam570_grader.writing.check import Failure, Given
+from tam570_grader.writing.check import Given
+from tam570_grader.writing.expect import Failed
 
 __all__ = ["Array", "Drawing", "Formula", "Group", "Line", "array", "drawing", "formula", "group", "number", "rows"]
 
@@ -84,16 +85,16 @@ def formula(*symbols: str) -> Formula:
 
 
 def result(promise: Array | Group, value: Any, name: str, call: Given) -> Any:
-    """The student's result in the promised form: a float, an array, or a tuple of these; Failure otherwise."""
+    """The student's result in the promised form: a float, an array, or a tuple of these; Failed otherwise."""
     if isinstance(promise, Group):
         return _members(promise, value, name, call)
     found = _array(value, name)
     shape = tuple(len(call.args[0]) if size == "n" else size for size in promise.shape)
     if not _fits(found.shape, shape):
         says = f"{name} returned {_shaped(found.shape)}, not {_shaped(shape)}"
-        raise Failure(says + _cut_short(promise, found.shape, shape), actual=found, at=call)
+        raise Failed(says, hint=_cut_short(promise, found.shape, shape), actual=found, at=call)
     if not np.isfinite(found).all() and (not promise.infinite or np.isnan(found).any()):
-        raise Failure(f"{name} returned NaN or infinity", actual=found, at=call)
+        raise Failed(f"{name} returned NaN or infinity", actual=found, at=call)
     return found if found.ndim else float(found)
 
 
@@ -101,7 +102,7 @@ def _members(promise: Group, value: Any, name: str, call: Given) -> tuple[Any, .
     several = isinstance(value, list) or (isinstance(value, np.ndarray) and value.ndim > 0)
     if not several or len(value) != len(promise.members):
         came = f"{_size(len(value))} results" if several else _kind(value)
-        raise Failure(f"{name} returned {came}, not a tuple of {len(promise.members)} results", at=call)
+        raise Failed(f"{name} returned {came}, not a tuple of {len(promise.members)} results", at=call)
     return tuple(
         result(member, one, f"{name} (result {index})", call)
         for index, (member, one) in enumerate(zip(promise.members, value, strict=True), start=1)
@@ -113,9 +114,9 @@ def _array(value: Any, name: str) -> np.ndarray:
     try:
         found = np.asarray(value)
     except ValueError:
-        raise Failure(f"{name} returned a list whose rows differ in length") from None
+        raise Failed(f"{name} returned a list whose rows differ in length") from None
     if found.dtype.kind not in "fiub":
-        raise Failure(f"{name} returned {_kind(value)}, not real numbers")
+        raise Failed(f"{name} returned {_kind(value)}, not real numbers")
     return found.astype(np.float64)
 
 
@@ -127,7 +128,7 @@ def _fits(found: tuple[int, ...], wanted: tuple[Any, ...]) -> bool:
 def _cut_short(promise: Array, found: tuple[int, ...], wanted: tuple[Any, ...]) -> str:
     """A row may be forgotten; where several are missing, an integrator gave up."""
     rows_missing = promise.shape[:1] == ("n",) and found[1:] == wanted[1:] and found[:1] < (wanted[0] - 1,)
-    return "; rows are missing: did the integration stop early?" if rows_missing else ""
+    return "rows are missing: did the integration stop early?" if rows_missing else ""
 
 
 def _shaped(shape: tuple[Any, ...]) -> str:

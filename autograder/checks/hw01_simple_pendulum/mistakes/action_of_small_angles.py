@@ -1,7 +1,6 @@
-"""The potential energy of small angles in the action.
+"""The potential energy of small angles.
 
 fails: action_is_stationary_on_motions
-suspect: the potential energy of small angles
 """
 
 def action(theta, step, *, mass, length, gravity):

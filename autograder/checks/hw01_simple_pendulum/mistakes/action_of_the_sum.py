@@ -1,7 +1,6 @@
 """The integral of T + V.
 
 fails: action_is_stationary_on_motions
-suspect: the integral of T + V
 """
 
 def action(theta, step, *, mass, length, gravity):

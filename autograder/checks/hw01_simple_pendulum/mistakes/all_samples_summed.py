@@ -1,7 +1,6 @@
-"""The action as a sum over all samples, where a trapezoid takes half of the first and of the last.
+"""A sum over all samples, its first and last counted whole, where a trapezoid counts half of each.
 
 fails: action_is_stationary_on_motions
-suspect: counted whole
 """
 
 def action(theta, step, *, mass, length, gravity):

@@ -1,7 +1,6 @@
-"""The component of the weight along the circle with the cosine.
+"""Cos theta where sin theta belongs.
 
 fails: newton_gives_the_acceleration
-suspect: cos theta where sin theta belongs
 """
 
 def linear_momentum_balance(theta, omega, *, mass, length, gravity):

@@ -1,8 +1,7 @@
-"""solve_ivp with its default tolerances.
+"""The tolerances that solve_ivp has when none are given.
 
 fails: simulate_swings
 numerics: solve_ivp's own rtol of 1e-3
-suspect: the tolerances that solve_ivp has
 """
 
 def simulate(t, theta0, omega0, *, length, gravity):

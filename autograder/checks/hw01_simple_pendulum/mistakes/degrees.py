@@ -1,7 +1,6 @@
 """The angle taken for degrees.
 
 fails: newton_gives_the_acceleration, newton_gives_the_tension
-suspect: the angle taken for degrees
 """
 
 def linear_momentum_balance(theta, omega, *, mass, length, gravity):

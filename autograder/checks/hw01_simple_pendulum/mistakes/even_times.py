@@ -1,7 +1,7 @@
-"""As many even times in place of the times asked for.
+"""The times taken to be evenly spaced.
 
 fails: simulate_swings
-suspect: the times taken to be evenly spaced
+also: the times taken to be evenly spaced, the first step for all
 """
 
 _right_simulate = simulate

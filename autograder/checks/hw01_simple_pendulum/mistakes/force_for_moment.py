@@ -1,7 +1,6 @@
-"""The generalized force divided by m l.
+"""l alpha for alpha: a length too few in what it is divided by.
 
 fails: virtual_work_gives_the_acceleration
-suspect: l alpha for alpha
 """
 
 def virtual_work(theta, omega, *, mass, length, gravity):

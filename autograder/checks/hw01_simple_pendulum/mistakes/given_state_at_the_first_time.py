@@ -1,7 +1,6 @@
-"""The small oscillation as if the given state were that at t[0].
+"""The state at t[0] for that at t = 0.
 
 fails: small_angle_solution_is_harmonic
-suspect: the state at t[0] for that at t = 0
 """
 
 def small_angle_solution(t, theta0, omega0, *, length, gravity):

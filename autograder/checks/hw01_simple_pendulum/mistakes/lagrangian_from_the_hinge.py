@@ -1,7 +1,6 @@
-"""A Lagrangian with the potential zero at the hinge.
+"""A potential energy that is zero at the hinge.
 
 fails: lagrangian_is_kinetic_less_potential
-suspect: a potential energy that is zero at the hinge
 """
 
 def lagrangian():

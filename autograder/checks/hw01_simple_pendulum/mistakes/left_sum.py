@@ -1,7 +1,6 @@
-"""The action as a sum over the left ends: an error of the order of the step.
+"""A sum over the first ends of the steps, with an error of the order of the step.
 
 fails: action_is_the_integral
-suspect: a sum over the first ends
 """
 
 def action(theta, step, *, mass, length, gravity):

@@ -1,7 +1,6 @@
-"""Lagrange's equation for small angles.
+"""The linearised equation, theta for sin theta.
 
 fails: lagrange_gives_the_acceleration
-suspect: the linearised equation, theta for sin theta
 """
 
 def lagrange_equation():

@@ -1,7 +1,6 @@
-"""The small oscillation for the simulation.
+"""The linearised equation, theta for sin theta.
 
 fails: simulate_swings
-suspect: the linearised equation, theta for sin theta
 """
 
 def simulate(t, theta0, omega0, *, length, gravity):

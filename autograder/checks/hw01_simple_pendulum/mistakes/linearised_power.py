@@ -1,7 +1,6 @@
-"""Small angles in the power of gravity.
+"""The linearised equation, theta for sin theta.
 
 fails: power_gives_the_acceleration
-suspect: the linearised equation, theta for sin theta
 """
 
 def power_balance(theta, omega, *, mass, length, gravity):

@@ -1,7 +1,6 @@
-"""SciPy's ellipk takes m = k^2, and gets k.
+"""The modulus k for the parameter m = k^2.
 
 fails: period_is_exact
-suspect: the modulus k for the parameter m = k^2
 """
 
 def period(amplitude, *, length, gravity):

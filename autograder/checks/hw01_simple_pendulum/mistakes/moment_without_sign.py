@@ -1,7 +1,6 @@
-"""The moment of the weight turns the pendulum away from the bottom.
+"""The sign of gravity's term missing.
 
 fails: moments_give_the_acceleration, momentum_and_moment_are_about_the_hinge
-suspect: the sign of gravity's term missing
 """
 
 def angular_momentum_balance(theta, omega, *, mass, length, gravity):

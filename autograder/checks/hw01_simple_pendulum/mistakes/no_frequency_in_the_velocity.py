@@ -1,7 +1,6 @@
-"""The frequency is missing from the derivative of the cosine.
+"""Velocities that lack a factor, the frequency, in the part of the given angle.
 
 fails: small_angle_solution_is_harmonic
-suspect: lack a factor, the frequency
 """
 
 

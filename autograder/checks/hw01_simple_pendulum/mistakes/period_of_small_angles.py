@@ -1,7 +1,6 @@
-"""The period that does not know the amplitude.
+"""The period of small angles.
 
 fails: period_is_exact
-suspect: the period of small angles
 """
 
 def period(amplitude, *, length, gravity):

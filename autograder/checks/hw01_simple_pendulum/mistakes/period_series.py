@@ -1,7 +1,6 @@
-"""The first correction to the period of small angles.
+"""The first two terms of the series.
 
 fails: period_is_exact
-suspect: the first two terms of the series
 """
 
 def period(amplitude, *, length, gravity):

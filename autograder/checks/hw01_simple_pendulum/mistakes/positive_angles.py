@@ -1,7 +1,6 @@
-"""The pendulum falls the right way on one side only.
+"""The size of the sine of theta, where its sign matters: theta may be on either side.
 
 fails: energy_gives_the_acceleration
-suspect: the size of the sine
 """
 
 def energy_balance(theta, omega, *, mass, length, gravity):

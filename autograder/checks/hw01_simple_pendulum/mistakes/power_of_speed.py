@@ -1,7 +1,6 @@
-"""The power with the speed, which has no sign, for the velocity.
+"""The speed, which has no sign, for the velocity in the power.
 
 fails: power_gives_the_acceleration
-suspect: the speed, which has no sign
 """
 
 def power_balance(theta, omega, *, mass, length, gravity):

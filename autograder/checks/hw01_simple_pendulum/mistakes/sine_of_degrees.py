@@ -1,7 +1,6 @@
-"""The motion with the angle taken for degrees.
+"""The angle taken for degrees.
 
 fails: simulate_swings
-suspect: the angle taken for degrees
 """
 
 def simulate(t, theta0, omega0, *, length, gravity):

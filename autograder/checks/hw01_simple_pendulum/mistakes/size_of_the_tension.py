@@ -1,7 +1,7 @@
-"""The size of the force in the rod, whether it pulls or pushes.
+"""The weight's part of the tension without its sign: above the hinge it pushes the rod in.
 
 fails: newton_gives_the_tension
-suspect: the tension without its sign
+also: the tension without its sign: where the rod pushes it is negative
 """
 
 _right_balance = linear_momentum_balance

@@ -1,7 +1,7 @@
-"""T + V for T - V.
+"""The sign of the potential energy reversed.
 
 fails: lagrangian_is_kinetic_less_potential, lagrange_gives_the_acceleration
-suspect: the sign of the potential energy reversed
+also: the sign of gravity's term missing, as with the sign of the potential energy reversed
 """
 
 def lagrangian():

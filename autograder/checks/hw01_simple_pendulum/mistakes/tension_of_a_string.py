@@ -1,7 +1,6 @@
-"""The tension of a string, which cannot push.
+"""The tension of a string, zero where it would be negative: a rod can push.
 
 fails: newton_gives_the_tension
-suspect: a rod can push
 """
 
 _right_balance = linear_momentum_balance

@@ -1,7 +1,6 @@
-"""The tension of a string, from the force along x and y: at the top alpha is what rounding leaves of it.
+"""The tension of a string, zero where it would be negative: a rod can push.
 
 fails: newton_gives_the_tension
-suspect: the tension of a string
 """
 
 

@@ -1,7 +1,6 @@
-"""The centripetal term of the tension with the wrong sign.
+"""A tension with -m l omega^2.
 
 fails: newton_gives_the_tension
-suspect: a tension with -m l omega^2
 """
 
 def linear_momentum_balance(theta, omega, *, mass, length, gravity):

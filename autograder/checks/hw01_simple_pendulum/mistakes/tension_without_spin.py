@@ -1,7 +1,6 @@
-"""The tension only carries the weight.
+"""A tension without m l omega^2.
 
 fails: newton_gives_the_tension
-suspect: a tension without m l omega^2
 """
 
 def linear_momentum_balance(theta, omega, *, mass, length, gravity):

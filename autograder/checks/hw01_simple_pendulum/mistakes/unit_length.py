@@ -1,7 +1,7 @@
-"""The momentum m l omega for its moment: right for a rod of one metre.
+"""The momentum m l omega for its moment about the hinge, which is right for a length of 1 m.
 
 fails: momentum_and_moment_are_about_the_hinge
-suspect: for its moment about the hinge
+also: the weight's part across the rod for its moment about the hinge, which is right for a length of 1 m
 """
 
 def angular_momentum_balance(theta, omega, *, mass, length, gravity):

@@ -1,7 +1,6 @@
-"""The weight pulls up.
+"""The sign of gravity's term missing.
 
 fails: simulate_swings
-suspect: the sign of gravity's term missing
 """
 
 def _state_derivative(t, state, *, length, gravity):

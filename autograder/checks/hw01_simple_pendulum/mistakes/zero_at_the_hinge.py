@@ -1,7 +1,6 @@
-"""The potential energy counted from the hinge.
+"""A potential energy that is zero at the hinge.
 
 fails: energies_are_right
-suspect: a potential energy that is zero at the hinge
 """
 
 def energy_balance(theta, omega, *, mass, length, gravity):

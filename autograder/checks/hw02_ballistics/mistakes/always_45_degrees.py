@@ -1,7 +1,6 @@
-"""The best angle without drag is taken for that with drag.
+"""45 degrees always, which holds without drag alone.
 
 fails: best_angle_has_the_largest_range
-suspect: 45 degrees always
 """
 
 

@@ -1,7 +1,6 @@
-"""The closed form takes the angle for degrees.
+"""The angle taken for degrees.
 
 fails: trajectory_is_the_motion, both_paths_are_drawn
-suspect: the angle taken for degrees
 """
 
 in_radians = trajectory

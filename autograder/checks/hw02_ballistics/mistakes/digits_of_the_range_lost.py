@@ -1,7 +1,6 @@
-"""The range by 1 - e^-s.
+"""1 - e^-s as a difference, which loses digits.
 
 fails: range_with_hardly_any_drag
-suspect: 1 - e^-s as a difference
 """
 
 

@@ -1,7 +1,6 @@
-"""The range is the launch's horizontal speed times the flight time.
+"""Drag on the vertical component alone.
 
 fails: range_is_where_it_lands
-suspect: drag on the vertical component alone
 """
 
 

@@ -1,7 +1,6 @@
-"""The drag always points down: right on the way up only.
+"""A drag that points down in the fall, too.
 
 fails: rates_are_newtons
-suspect: points down in the fall, too
 """
 
 

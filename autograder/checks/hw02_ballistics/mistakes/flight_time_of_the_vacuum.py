@@ -1,7 +1,6 @@
-"""The range at the flight time without drag.
+"""The flight time without drag, or drag on the horizontal component alone.
 
 fails: range_is_where_it_lands
-suspect: the flight time without drag
 """
 
 

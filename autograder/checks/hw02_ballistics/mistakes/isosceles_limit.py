@@ -1,7 +1,6 @@
-"""The limit of the shape comes down as it went up.
+"""A path as long on its way down as up.
 
 fails: path_at_a_huge_speed_has_the_limit_shape
-suspect: a path as long on its way down as up
 """
 
 

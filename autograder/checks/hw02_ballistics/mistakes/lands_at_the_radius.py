@@ -1,7 +1,6 @@
-"""A limit shape that lands at the distance of its top corner.
+"""A landing as far from the launch as the top corner is: it falls straight down from there.
 
 fails: path_at_a_huge_speed_has_the_limit_shape
-suspect: as far from the launch as the top corner
 """
 
 

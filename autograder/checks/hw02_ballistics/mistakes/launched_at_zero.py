@@ -1,7 +1,7 @@
-"""The simulation is launched at t = 0 instead of t[0].
+"""The given state taken for that at t = 0, where it is that at t[0].
 
 fails: simulation_follows_the_motion
-suspect: the given state taken for that at t = 0
+also: the given state taken for that at t = 0, where it is that at t[0], and no times before 0
 """
 
 

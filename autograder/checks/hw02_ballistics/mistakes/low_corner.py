@@ -1,7 +1,6 @@
-"""The top corner at the height cos(angle) sin(angle).
+"""A top corner at the height cos(angle) sin(angle): it is as far along the launch as the speed carries it.
 
 fails: path_at_a_huge_speed_has_the_limit_shape
-suspect: a top corner at the height cos(angle) sin(angle)
 """
 
 

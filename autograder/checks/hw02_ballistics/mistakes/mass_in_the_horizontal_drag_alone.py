@@ -1,7 +1,6 @@
-"""The drag's vertical component is not divided by the mass.
+"""The vertical drag not divided by the mass.
 
 fails: rates_are_newtons
-suspect: the vertical drag not divided by the mass
 """
 
 

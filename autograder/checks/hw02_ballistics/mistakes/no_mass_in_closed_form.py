@@ -1,7 +1,7 @@
-"""The closed form is right for a mass of 1 kg.
+"""The vertical drag not divided by the mass.
 
 fails: trajectory_is_the_motion, both_paths_are_drawn
-suspect: not divided by the mass
+also: the drag force not divided by the mass
 """
 
 with_mass = trajectory

@@ -1,7 +1,6 @@
-"""The mass is missing in the exponent of x alone.
+"""The exponent not divided by the mass.
 
 fails: range_is_where_it_lands
-suspect: the exponent not divided by the mass
 """
 
 _right_range = horizontal_range

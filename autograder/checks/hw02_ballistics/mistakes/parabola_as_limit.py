@@ -1,7 +1,6 @@
-"""The limit of the shape is taken for the parabola without drag: launch, top, landing.
+"""A parabola, as if the drag did not matter at high speed.
 
 fails: path_at_a_huge_speed_has_the_limit_shape
-suspect: a parabola
 """
 
 

@@ -1,7 +1,6 @@
-"""The drag grows with the square of the speed.
+"""Quadratic drag, -c v^2; here it is linear.
 
 fails: rates_are_newtons, simulation_follows_the_motion, both_paths_are_drawn
-suspect: quadratic drag
 """
 
 

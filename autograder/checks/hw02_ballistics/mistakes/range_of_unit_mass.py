@@ -1,7 +1,6 @@
-"""The range has x of unit mass at the right time.
+"""The drag force not divided by the mass in x, where it is in the flight time.
 
 fails: range_is_where_it_lands
-suspect: the drag force not divided by the mass in x
 """
 
 _right_trajectory = trajectory

@@ -1,7 +1,7 @@
-"""The drag force is taken for the acceleration.
+"""The vertical drag not divided by the mass.
 
 fails: rates_are_newtons
-suspect: not divided by the mass
+also: the drag force not divided by the mass
 """
 
 

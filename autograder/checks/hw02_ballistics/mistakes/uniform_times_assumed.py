@@ -1,7 +1,7 @@
-"""The simulation takes the times for evenly spaced.
+"""The times taken to be evenly spaced.
 
 fails: simulation_follows_the_motion
-suspect: the times taken to be evenly spaced
+also: the times taken to be evenly spaced, the first step for all
 """
 
 

@@ -1,7 +1,6 @@
-"""The way down is taken to last as long as the way up.
+"""Twice the time to the top; the way down takes longer than the way up.
 
 fails: flight_ends_at_launch_height, range_is_where_it_lands
-suspect: twice the time to the top
 """
 
 

@@ -1,7 +1,6 @@
-"""C' taken to move with C.
+"""The rate of definition b: a point C' that moves.
 
 fails: rate_about_a_fixed_point, no_discrepancy_about_a_fixed_point
-suspect: a point C' that moves
 """
 
 _right_discrepancy = discrepancy

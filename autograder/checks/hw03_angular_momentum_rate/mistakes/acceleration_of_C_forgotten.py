@@ -1,7 +1,6 @@
-"""In c, the relative velocity differentiated as if C moved uniformly.
+"""The moment for the rate: the acceleration of C forgotten.
 
 fails: rate_with_the_velocity_relative_to_C, discrepancy_with_the_velocity_relative_to_C
-suspect: acceleration of C forgotten
 """
 
 _right_discrepancy = discrepancy

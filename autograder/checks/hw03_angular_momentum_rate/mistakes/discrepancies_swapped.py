@@ -1,7 +1,6 @@
-"""The discrepancies of b and c swapped; the rates are right.
+"""The other definition: are b and c swapped?.
 
 fails: discrepancy_with_the_velocity_in_F, discrepancy_with_the_velocity_relative_to_C
-suspect: are b and c swapped
 """
 
 def rate(definition, r_p, v_p, a_p, r_c, v_c, a_c, *, mass):

@@ -1,7 +1,7 @@
-"""Moment less rate, where rate less moment is asked.
+"""The sign of the velocity of C's term reversed.
 
 fails: discrepancy_with_the_velocity_in_F, discrepancy_with_the_velocity_relative_to_C
-suspect: sign of the
+also: the sign of the acceleration of C reversed
 """
 
 _right_discrepancy = discrepancy

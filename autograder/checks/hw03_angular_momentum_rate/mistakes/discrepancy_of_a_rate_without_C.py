@@ -1,7 +1,6 @@
-"""The rate of c forgets the acceleration of C, and the discrepancy is its difference from the moment: rounding.
+"""The moment for the rate: the acceleration of C forgotten.
 
 fails: rate_with_the_velocity_relative_to_C, discrepancy_with_the_velocity_relative_to_C
-suspect: the acceleration of C forgotten
 names: it vanishes for every motion
 """
 

@@ -1,7 +1,6 @@
-"""The discrepancy of 1 kg.
+"""The discrepancy without the mass.
 
 fails: discrepancy_with_the_velocity_in_F, discrepancy_with_the_velocity_relative_to_C
-suspect: the discrepancy without the mass
 """
 
 _right_discrepancy = discrepancy

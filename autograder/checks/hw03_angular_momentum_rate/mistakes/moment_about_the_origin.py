@@ -1,7 +1,6 @@
-"""The moment about O.
+"""The moment about O in place of C.
 
 fails: moment_is_about_C, rate_about_a_fixed_point, rate_with_the_velocity_in_F, rate_with_the_velocity_relative_to_C
-suspect: about O in place of C
 """
 
 def moment(r_p, a_p, r_c, *, mass):

@@ -1,8 +1,8 @@
-"""Moment less rate, as the difference of the two, where rounding is left of what vanishes.
+"""The sign of the velocity of C's term reversed.
 
 fails: discrepancy_with_the_velocity_in_F, discrepancy_with_the_velocity_relative_to_C
-suspect: sign of the
 names: it is moment less rate
+also: the sign of the acceleration of C reversed
 """
 
 _right_discrepancy = discrepancy

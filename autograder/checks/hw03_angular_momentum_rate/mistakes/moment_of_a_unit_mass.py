@@ -1,7 +1,6 @@
-"""The moment of the acceleration: right for 1 kg. The other functions do not use it.
+"""The moment without the mass.
 
 fails: moment_is_about_C
-suspect: without the mass
 """
 
 _right_moment = moment

@@ -1,7 +1,6 @@
-"""F x r for r x F.
+"""The lever arm from P to C.
 
 fails: moment_is_about_C, rate_about_a_fixed_point, rate_with_the_velocity_in_F, rate_with_the_velocity_relative_to_C
-suspect: from P to C
 """
 
 def moment(r_p, a_p, r_c, *, mass):

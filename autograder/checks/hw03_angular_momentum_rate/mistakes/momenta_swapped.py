@@ -1,7 +1,6 @@
-"""Definitions b and c of the angular momentum swapped.
+"""The other definition: are b and c swapped?.
 
 fails: momentum_with_the_velocity_in_F, momentum_with_the_velocity_relative_to_C
-suspect: are b and c swapped
 """
 
 def angular_momentum(definition, r_p, v_p, r_c, v_c, *, mass):

@@ -1,7 +1,6 @@
-"""The angular momentum about O.
+"""The angular momentum about O in place of C.
 
 fails: momentum_with_the_velocity_in_F, momentum_with_the_velocity_relative_to_C
-suspect: angular momentum about O
 """
 
 def angular_momentum(definition, r_p, v_p, r_c, v_c, *, mass):

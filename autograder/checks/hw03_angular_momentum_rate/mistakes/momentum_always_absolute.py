@@ -1,7 +1,6 @@
-"""The velocity relative to F in every definition.
+"""The other definition: are b and c swapped?.
 
 fails: momentum_with_the_velocity_relative_to_C
-suspect: the other definition
 """
 
 def angular_momentum(definition, r_p, v_p, r_c, v_c, *, mass):

@@ -1,7 +1,6 @@
 """The velocity relative to C in every definition.
 
 fails: momentum_with_the_velocity_in_F
-suspect: relative to C in every definition
 """
 
 def angular_momentum(definition, r_p, v_p, r_c, v_c, *, mass):

@@ -1,7 +1,6 @@
-"""The velocity relative to C in definition a, too.
+"""The velocity relative to C in definition a, whose C' does not move.
 
 fails: momentum_with_the_velocity_in_F
-suspect: in definition a, whose C' does not move
 """
 
 _right_momentum = angular_momentum

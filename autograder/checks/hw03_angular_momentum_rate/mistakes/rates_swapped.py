@@ -1,7 +1,6 @@
-"""The rates of b and c swapped.
+"""The other definition: are b and c swapped?.
 
 fails: rate_with_the_velocity_in_F, rate_with_the_velocity_relative_to_C
-suspect: are b and c swapped
 """
 
 _right_rate = rate

@@ -1,7 +1,6 @@
-"""The velocity of C relative to P, where that of P relative to C is asked.
+"""v_{C/P} for v_{P/C}: the sign of the relative velocity reversed.
 
 fails: momentum_with_the_velocity_relative_to_C
-suspect: v_{C/P} for v_{P/C}
 """
 
 _right_momentum = angular_momentum

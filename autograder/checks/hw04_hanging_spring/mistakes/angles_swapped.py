@@ -1,7 +1,6 @@
-"""Azimuth and elevation in each other's place.
+"""Azimuth and elevation swapped.
 
 fails: projection_is_orthographic
-suspect: azimuth and elevation swapped
 """
 
 def project(points, azimuth, elevation):

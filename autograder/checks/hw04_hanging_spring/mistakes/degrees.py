@@ -1,7 +1,6 @@
-"""Angles in degrees.
+"""Angles taken for degrees.
 
 fails: projection_is_orthographic
-suspect: angles taken for degrees
 """
 
 _right_project = project

@@ -1,7 +1,6 @@
-"""Zero at the equilibrium, not at the origin.
+"""Zero energy at the equilibrium in place of the origin.
 
 fails: energy_is_that_of_motion_spring_and_weight
-suspect: zero energy at the equilibrium
 """
 
 def energy(state, *, mass, stiffness, gravity):

@@ -1,7 +1,6 @@
-"""The energy of a spring of 1 m.
+"""The energy of a spring with a rest length of 1 m.
 
 fails: energy_is_that_of_motion_spring_and_weight
-suspect: rest length of 1 m
 """
 
 def energy(state, *, mass, stiffness, gravity):

@@ -1,7 +1,6 @@
-"""- m g z.
+"""The weight's potential energy of the wrong sign.
 
 fails: energy_is_that_of_motion_spring_and_weight
-suspect: weight's potential energy
 """
 
 def energy(state, *, mass, stiffness, gravity):

@@ -1,7 +1,6 @@
-"""The start is left out and the last state stands twice.
+"""The rows one time late, the start left out.
 
 fails: simulate_moves_as_it_must
-suspect: the rows one time late, the start left out
 """
 
 _right_simulate = simulate

@@ -1,7 +1,7 @@
-"""The simulation starts at t = 0, whatever t[0] is.
+"""The given state taken for that at t = 0, where it is that at t[0].
 
 fails: simulate_moves_as_it_must
-suspect: taken for that at t = 0
+also: the given state taken for that at t = 0, where it is that at t[0], and no times before 0
 """
 
 def simulate(t, position, velocity, **parameters):

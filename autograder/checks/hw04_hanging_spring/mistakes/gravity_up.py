@@ -1,7 +1,6 @@
-"""Gravity pulls up; the closed form is right.
+"""Gravity pulling up.
 
 fails: derivative_is_velocity_and_force_over_mass, simulate_moves_as_it_must, the_path_is_drawn
-suspect: gravity pulling up
 """
 
 def state_derivative(t, state, *, mass, stiffness, gravity):

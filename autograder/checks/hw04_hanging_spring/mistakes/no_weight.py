@@ -1,7 +1,6 @@
-"""The equilibrium taken for the origin, so that the weight drops out.
+"""The equilibrium at the origin: no weight.
 
 fails: derivative_is_velocity_and_force_over_mass, simulate_moves_as_it_must, the_path_is_drawn
-suspect: equilibrium at the origin
 """
 
 def state_derivative(t, state, *, mass, stiffness, gravity):

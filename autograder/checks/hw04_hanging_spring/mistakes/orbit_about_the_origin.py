@@ -1,7 +1,6 @@
-"""The ellipse of the motion without gravity.
+"""The equilibrium at the origin.
 
 fails: orbit_has_its_centre_at_the_equilibrium, orbit_is_the_ellipse_of_the_motion
-suspect: equilibrium at the origin
 """
 
 _right_orbit = orbit

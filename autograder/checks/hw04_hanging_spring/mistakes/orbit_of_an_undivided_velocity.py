@@ -1,7 +1,6 @@
-"""The ellipse of position and velocity, the velocity not divided by the frequency.
+"""The velocity not divided by the frequency.
 
 fails: orbit_is_the_ellipse_of_the_motion
-suspect: the velocity not divided by the frequency
 """
 
 def orbit(position, velocity, *, mass, stiffness, gravity):

@@ -1,7 +1,6 @@
 """Left for right.
 
 fails: projection_is_orthographic
-suspect: left for right
 """
 
 _right_project = project

@@ -1,7 +1,6 @@
-"""The sign of the elevation.
+"""The elevation's sign reversed.
 
 fails: projection_is_orthographic
-suspect: elevation's sign
 """
 
 _right_project = project

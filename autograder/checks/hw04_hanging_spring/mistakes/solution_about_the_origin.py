@@ -1,7 +1,6 @@
-"""The closed form oscillates about the origin.
+"""The equilibrium at the origin: no weight.
 
 fails: solution_is_the_motion
-suspect: equilibrium at the origin
 """
 
 def solution(t, position, velocity, *, mass, stiffness, gravity):

@@ -1,7 +1,6 @@
-"""The closed form oscillates about a point above the origin.
+"""Gravity pulling up.
 
 fails: solution_is_the_motion
-suspect: gravity pulling up
 """
 
 _right_solution = solution

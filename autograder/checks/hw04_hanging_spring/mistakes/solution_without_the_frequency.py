@@ -1,7 +1,6 @@
-"""The initial velocity taken for the sine's amplitude: right where k = m.
+"""The sine's amplitude not divided by the frequency.
 
 fails: solution_is_the_motion
-suspect: amplitude not divided
 """
 
 _right_solution = solution

@@ -1,7 +1,6 @@
-"""The first step taken for all.
+"""The times taken to be evenly spaced, the first step for all.
 
 fails: simulate_moves_as_it_must
-suspect: the first step for all
 """
 
 _right_simulate = simulate

@@ -1,7 +1,6 @@
-"""Right for a mass of 1 kg.
+"""The spring's force not divided by the mass.
 
 fails: derivative_is_velocity_and_force_over_mass, simulate_moves_as_it_must, the_path_is_drawn
-suspect: the spring's force not divided by the mass
 """
 
 def state_derivative(t, state, *, mass, stiffness, gravity):

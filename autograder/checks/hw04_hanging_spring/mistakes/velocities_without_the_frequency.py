@@ -1,7 +1,6 @@
-"""The closed form with velocities that lack the factor of the chain rule.
+"""Velocities that lack a factor, the frequency.
 
 fails: solution_is_the_motion
-suspect: velocities that lack a factor
 names: the positions are right
 """
 

@@ -1,7 +1,6 @@
 """A string, which does not push.
 
 fails: force_keeps_the_particle_on_the_circle
-suspect: which does not push
 """
 
 _right_force = constraint_force

@@ -1,7 +1,6 @@
-"""The angular momentum about the hinge is kept.
+"""The angular momentum about the hinge kept, where the tangent part of the velocity is to be.
 
 fails: consistent_state_is_the_nearest
-suspect: the angular momentum about the hinge kept
 """
 
 _right = consistent_state

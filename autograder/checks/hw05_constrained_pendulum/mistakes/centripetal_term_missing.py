@@ -1,7 +1,7 @@
-"""The force holds the weight alone.
+"""The constraint differentiated once, to r . v = 0, and r . a = 0 for the second time: the centripetal term is
+missing.
 
 fails: force_keeps_the_particle_on_the_circle
-suspect: centripetal term is missing
 """
 
 def constraint_force(state, *, mass, length, gravity):

@@ -1,7 +1,8 @@
-"""The constraint differentiated once; r . a = 0 by analogy: the centripetal term is missing everywhere.
+"""The constraint differentiated once, to r . v = 0, and r . a = 0 for the second time: the centripetal term is
+missing.
 
 fails: force_keeps_the_particle_on_the_circle, acceleration_is_that_of_both_forces, without_gravity_it_goes_round_uniformly, with_gravity_it_swings_or_goes_round
-suspect: differentiated once
+also: the centripetal term missing from the acceleration: the constraint differentiated once, r . a = 0
 """
 
 def constraint_force(state, *, mass, length, gravity):

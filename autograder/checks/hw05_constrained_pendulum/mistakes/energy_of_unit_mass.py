@@ -1,7 +1,6 @@
-"""The energy of one kilogram.
+"""The energy of a mass of 1 kg.
 
 fails: energy_is_kinetic_and_potential
-suspect: 1 kg
 """
 
 def energy(state, *, mass, gravity):

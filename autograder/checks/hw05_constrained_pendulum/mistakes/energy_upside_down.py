@@ -1,7 +1,6 @@
-"""The height counted downwards.
+"""The weight's potential energy of the wrong sign.
 
 fails: energy_is_kinetic_and_potential
-suspect: wrong sign
 """
 
 def energy(state, *, mass, gravity):

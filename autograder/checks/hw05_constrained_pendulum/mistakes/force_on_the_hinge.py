@@ -1,7 +1,6 @@
-"""The force on the hinge, not on the particle.
+"""The force on the hinge, which is opposite.
 
 fails: force_keeps_the_particle_on_the_circle
-suspect: the force on the hinge
 """
 
 _right_force = constraint_force

@@ -1,7 +1,6 @@
-"""The force for each kilogram.
+"""The force on a mass of 1 kg.
 
 fails: force_keeps_the_particle_on_the_circle
-suspect: the force on a mass of 1 kg
 """
 
 _right = constraint_force

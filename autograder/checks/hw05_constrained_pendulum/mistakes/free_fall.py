@@ -1,7 +1,6 @@
-"""The acceleration of a free particle.
+"""No constraint force, a free fall.
 
 fails: acceleration_is_that_of_both_forces
-suspect: a free fall
 """
 
 def acceleration(state, *, mass, length, gravity):

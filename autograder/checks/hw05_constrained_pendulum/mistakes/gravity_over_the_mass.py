@@ -1,7 +1,6 @@
-"""Gravity divided by the mass in the motion.
+"""Gravity divided by the mass: a heavy particle falls as a light one does.
 
 fails: with_gravity_it_swings_or_goes_round
-suspect: gravity divided by the mass
 """
 
 _right = simulate

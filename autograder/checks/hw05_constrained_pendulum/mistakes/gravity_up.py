@@ -1,7 +1,6 @@
-"""Gravity pulls up.
+"""Gravity pulling up.
 
 fails: with_gravity_it_swings_or_goes_round
-suspect: gravity pulling up
 """
 
 def _rates(t, state, *, pull):

@@ -1,7 +1,6 @@
-"""The potential energy of the height's absolute value.
+"""The height without its sign.
 
 fails: energy_is_kinetic_and_potential
-suspect: the height without its sign
 """
 
 _right_energy = energy

@@ -1,7 +1,6 @@
-"""The centripetal term without its mass.
+"""The mass left out of the centripetal term.
 
 fails: force_keeps_the_particle_on_the_circle
-suspect: the mass left out of the centripetal term
 """
 
 

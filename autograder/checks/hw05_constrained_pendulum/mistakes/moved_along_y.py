@@ -1,7 +1,7 @@
-"""The point of the circle above or below.
+"""A position moved along y, not along its radius.
 
 fails: consistent_state_is_the_nearest
-suspect: moved along y
+also: a position moved along y, not along its radius, and a velocity tangent there
 """
 
 def consistent_state(state, *, length):

@@ -1,7 +1,6 @@
-"""The force turns the velocity alone: right without gravity.
+"""A radial force without the weight's share.
 
 fails: force_keeps_the_particle_on_the_circle
-suspect: without the weight's share
 """
 
 def constraint_force(state, *, mass, length, gravity):

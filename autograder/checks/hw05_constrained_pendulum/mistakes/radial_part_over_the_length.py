@@ -1,7 +1,6 @@
-"""The radial part of the velocity with l^2 for x^2 + y^2, off the circle.
+"""The velocity's radial part over l^2, where the square of the distance from the hinge belongs.
 
 fails: consistent_state_is_the_nearest
-suspect: over l^2
 """
 
 _right_state = consistent_state

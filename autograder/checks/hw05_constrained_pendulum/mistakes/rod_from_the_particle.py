@@ -1,7 +1,6 @@
-"""From the particle to the hinge.
+"""A rod from the particle to the hinge.
 
 fails: wireframe_is_the_rod
-suspect: from the particle to the hinge
 """
 
 _right_wireframe = wireframe

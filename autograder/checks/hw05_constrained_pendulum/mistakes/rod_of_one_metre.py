@@ -1,7 +1,6 @@
-"""A rod of one metre in the right direction.
+"""A rod of one metre.
 
 fails: wireframe_is_the_rod
-suspect: a rod of one metre
 """
 
 _right_wireframe = wireframe

@@ -1,7 +1,6 @@
-"""A harmonic oscillator, wrapped around the circle.
+"""The oscillation of small angles.
 
 fails: with_gravity_it_swings_or_goes_round
-suspect: the oscillation of small angles
 """
 
 def simulate(t, state, *, mass, length, gravity):

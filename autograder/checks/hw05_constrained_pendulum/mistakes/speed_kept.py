@@ -1,7 +1,6 @@
-"""All of the speed along the tangent.
+"""A velocity turned into the tangent with all of its speed.
 
 fails: consistent_state_is_the_nearest
-suspect: with all of its speed
 """
 
 _right_state = consistent_state

@@ -1,7 +1,7 @@
-"""As many times evenly spaced between the first and the last.
+"""The times taken to be evenly spaced.
 
 fails: without_gravity_it_goes_round_uniformly, with_gravity_it_swings_or_goes_round
-suspect: the times taken to be evenly spaced
+also: the times taken to be evenly spaced, the first step for all
 """
 
 _right_simulate = simulate

@@ -1,7 +1,6 @@
-"""The first step taken for all.
+"""The times taken to be evenly spaced, the first step for all.
 
 fails: without_gravity_it_goes_round_uniformly, with_gravity_it_swings_or_goes_round
-suspect: the first step for all
 """
 
 _right_simulate = simulate

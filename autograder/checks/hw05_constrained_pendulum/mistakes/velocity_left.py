@@ -1,7 +1,6 @@
-"""The position mended, the velocity left.
+"""The velocity left as it was.
 
 fails: consistent_state_is_the_nearest
-suspect: velocity left as it was
 """
 
 def consistent_state(state, *, length):

@@ -1,7 +1,6 @@
-"""The weight's share of the constraint force is right below the hinge only.
+"""The weight's share of the wrong sign above the hinge.
 
 fails: force_keeps_the_particle_on_the_circle
-suspect: wrong sign above the hinge
 """
 
 

@@ -1,7 +1,6 @@
-"""Friction of its full size along each of the axes of the car.
+"""Friction of its full size along each of the car's axes.
 
 fails: friction_opposes_the_sliding
-suspect: along each of the car's axes
 """
 
 

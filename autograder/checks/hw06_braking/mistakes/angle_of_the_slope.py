@@ -1,7 +1,6 @@
-"""The direction by atan of left over forward: half of all directions, none on the spot.
+"""The direction of friction by an atan of left over forward, which is the same in reverse.
 
 fails: friction_in_any_motion_and_at_rest, mechanics_refuses_other_axles
-suspect: atan of left over forward
 """
 
 _right = friction_force

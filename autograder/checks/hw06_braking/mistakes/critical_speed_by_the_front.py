@@ -1,7 +1,6 @@
-"""The distance to the front axle for the wheelbase.
+"""The distance from G to an axle for the wheelbase.
 
 fails: critical_speed_is_where_growth_begins
-suspect: for the wheelbase
 """
 
 _right = critical_speed

@@ -1,7 +1,6 @@
-"""The square of the critical speed.
+"""The square of the speed.
 
 fails: critical_speed_is_where_growth_begins
-suspect: square of the speed
 """
 
 _right = critical_speed

@@ -1,7 +1,6 @@
 """G's velocity to the side left out.
 
 fails: kinetic_energy_of_G_and_of_turning
-suspect: velocity to the side
 """
 
 

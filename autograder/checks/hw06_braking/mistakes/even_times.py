@@ -1,7 +1,7 @@
-"""Times taken to be even.
+"""The times taken to be evenly spaced.
 
 fails: simulate_brakes
-suspect: the times taken to be evenly spaced
+also: the times taken to be evenly spaced, the first step for all
 """
 
 _right = simulate

@@ -1,7 +1,6 @@
-"""The force's components along x and y.
+"""The force in the axes of the ground, where forward and left are those of the car.
 
 fails: friction_opposes_the_sliding
-suspect: the force in the axes of the ground
 """
 
 _right = friction_force

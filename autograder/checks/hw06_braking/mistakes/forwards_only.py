@@ -1,7 +1,6 @@
-"""The equations of motion take the speed for positive.
+"""The speed taken for positive.
 
 fails: equations_in_any_motion
-suspect: the speed taken for positive
 names: a car in reverse
 """
 

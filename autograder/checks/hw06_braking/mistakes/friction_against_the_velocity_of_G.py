@@ -1,7 +1,6 @@
-"""The friction force has the direction of the velocity of G.
+"""Friction against the velocity of G, where it is the locked axle that drags.
 
 fails: friction_opposes_the_sliding
-suspect: against the velocity of G
 """
 
 

@@ -1,7 +1,6 @@
-"""Its forward part is backward in reverse too.
+"""Friction backward along the car in reverse too.
 
 fails: friction_in_any_motion_and_at_rest
-suspect: backward along the car in reverse
 """
 
 _right = friction_force

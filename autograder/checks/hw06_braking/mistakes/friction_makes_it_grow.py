@@ -1,7 +1,6 @@
-"""Friction's part of the growth rate with the wrong sign.
+"""friction's part with the wrong sign.
 
 fails: growth_rate_is_the_slope
-suspect: wrong sign
 """
 
 _right = yaw_growth_rate

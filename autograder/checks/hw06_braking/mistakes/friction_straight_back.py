@@ -1,7 +1,6 @@
-"""Friction only forward or backward, in the force and in the equations of motion.
+"""Friction straight back along the car, whatever way the locked axle moves.
 
 fails: friction_opposes_the_sliding, equations_of_motion
-suspect: friction straight back
 """
 
 _right = friction_force

@@ -1,7 +1,6 @@
-"""The part of the speed has one sign.
+"""The part of the speed positive with either axle locked.
 
 fails: small_yaw_rate_is_the_linear_solution
-suspect: the part of the speed positive with either axle locked
 """
 
 

@@ -1,7 +1,6 @@
-"""The free axle's distance from G without its sign: with the front locked the speed drives it, too.
+"""The part of the speed positive with either axle locked.
 
 fails: growth_rate_is_the_slope
-suspect: positive with either axle locked
 """
 
 

@@ -1,7 +1,6 @@
-"""The distance from G to the locked axle for the wheelbase.
+"""The distance from G to the locked axle, where the wheelbase belongs.
 
 fails: growth_rate_is_the_slope
-suspect: the distance from G to the locked axle
 """
 
 

@@ -1,7 +1,6 @@
-"""The whole weight for the load of the locked axle.
+"""Friction under the whole weight.
 
 fails: growth_rate_is_the_slope
-suspect: friction under the whole weight
 """
 
 

@@ -1,7 +1,6 @@
-"""Friction left out of the growth rate.
+"""Friction left out.
 
 fails: growth_rate_is_the_slope
-suspect: friction left out
 """
 
 _right = yaw_growth_rate

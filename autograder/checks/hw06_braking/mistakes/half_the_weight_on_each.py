@@ -1,7 +1,6 @@
-"""Half the weight on each axle, wherever G is; nothing else uses it.
+"""Half the weight.
 
 fails: axle_load_balances_the_weight
-suspect: half the weight
 """
 
 _load = axle_load

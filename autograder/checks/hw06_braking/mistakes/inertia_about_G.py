@@ -1,7 +1,7 @@
-"""The moments about the free axle turn the inertia about G.
+"""The inertia about G where that about the free axle belongs.
 
 fails: equations_of_motion, simulate_brakes, growth_rate_is_the_slope, small_yaw_rate_is_the_linear_solution
-suspect: inertia about G
+also: the inertia about G in friction's part, where that about the free axle belongs
 """
 
 _right = _car

@@ -1,7 +1,6 @@
-"""The locked axle's velocity to the side by its distance from G, which itself moves to the side.
+"""The locked axle's velocity to the side by its distance from G, where that is from the free axle.
 
 fails: friction_opposes_the_sliding
-suspect: by its distance from G
 """
 
 

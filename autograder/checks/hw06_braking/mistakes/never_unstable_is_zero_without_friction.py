@@ -1,7 +1,6 @@
-"""Without friction the critical speed is taken to be 0 with the front locked, too.
+"""0 where there is no friction, with the front locked too, where it never is unstable.
 
 fails: critical_speed_is_where_growth_begins
-suspect: 0 where there is no friction
 """
 
 _right = critical_speed

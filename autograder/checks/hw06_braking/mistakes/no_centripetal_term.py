@@ -1,7 +1,7 @@
-"""Speed changes by friction alone.
+"""The term with the square of the yaw rate missing from the speed's rate.
 
 fails: equations_of_motion, simulate_brakes
-suspect: square of the yaw rate
+also: the term with the square of the yaw rate in the speed's rate reversed | the square of the yaw rate in the speed's rate with one sign, whichever axle is locked
 """
 
 

@@ -1,7 +1,6 @@
-"""m d v omega is missing.
+"""The term with mass, speed and yaw rate (m d v omega) missing from the turning.
 
 fails: equations_of_motion, simulate_brakes
-suspect: m d v omega
 """
 
 

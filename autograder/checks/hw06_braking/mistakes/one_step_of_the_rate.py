@@ -1,7 +1,6 @@
-"""The middle speed for all speeds: right for small changes of speed only.
+"""The growth rate of the speed half way at every speed.
 
 fails: small_yaw_rate_is_the_linear_solution
-suspect: the speed half way
 """
 
 

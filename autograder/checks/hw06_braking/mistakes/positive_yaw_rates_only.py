@@ -1,7 +1,6 @@
-"""The size of the yaw rate.
+"""The yaw rate without its sign.
 
 fails: small_yaw_rate_is_the_linear_solution
-suspect: the yaw rate without its sign
 """
 
 _right = small_yaw_rate

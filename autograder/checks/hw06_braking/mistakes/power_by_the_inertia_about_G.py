@@ -1,7 +1,6 @@
-"""The inertia about G in friction's part.
+"""The inertia about G in friction's part, where that about the free axle belongs.
 
 fails: small_yaw_rate_is_the_linear_solution
-suspect: the inertia about G in friction's part
 """
 
 _right = small_yaw_rate

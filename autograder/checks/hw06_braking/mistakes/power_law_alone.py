@@ -1,7 +1,6 @@
-"""Friction's part of the linear solution alone.
+"""friction's part alone.
 
 fails: small_yaw_rate_is_the_linear_solution
-suspect: friction's part alone
 """
 
 

@@ -1,7 +1,6 @@
-"""The growth rate of the first speed all the time.
+"""The growth rate of the first speed at every speed.
 
 fails: small_yaw_rate_is_the_linear_solution
-suspect: first speed at every speed
 """
 
 

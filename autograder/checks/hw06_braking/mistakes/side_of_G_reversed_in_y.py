@@ -1,7 +1,6 @@
-"""The sign of G's velocity to the side in the rate of y.
+"""G's velocity to the side with the wrong sign in the rate of y.
 
 fails: equations_of_motion, simulate_brakes
-suspect: G's velocity to the side with the wrong sign in the rate of y
 """
 
 

@@ -1,7 +1,6 @@
-"""The direction of friction that small yaw rates have, at any.
+"""The direction of friction for small angles, its full size along the car.
 
 fails: friction_opposes_the_sliding
-suspect: for small angles
 """
 
 

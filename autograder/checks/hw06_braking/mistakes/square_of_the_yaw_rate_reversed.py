@@ -1,7 +1,6 @@
-"""The sign of the term with the square of the yaw rate, for one of the axles.
+"""The square of the yaw rate in the speed's rate with one sign, whichever axle is locked.
 
 fails: equations_of_motion, simulate_brakes
-suspect: with one sign, whichever axle is locked
 names: in axes that turn
 """
 

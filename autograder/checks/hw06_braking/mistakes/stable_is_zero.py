@@ -1,7 +1,6 @@
-"""A growth rate below zero cut off.
+"""A growth rate below zero cut off to zero.
 
 fails: growth_rate_is_the_slope
-suspect: below zero cut off
 """
 
 _right = yaw_growth_rate

@@ -1,7 +1,6 @@
-"""G is taken to move along the car: its velocity to the side is left out.
+"""G moving along the car alone, its velocity to the side left out.
 
 fails: equations_of_motion
-suspect: velocity to the side left out
 """
 
 _right = state_derivative

@@ -1,7 +1,6 @@
-"""Rates of x and y in the axes of the car.
+"""The velocity of G in the axes of the car, where x and y are those of the ground.
 
 fails: equations_of_motion
-suspect: in the axes of the car
 """
 
 _right = state_derivative

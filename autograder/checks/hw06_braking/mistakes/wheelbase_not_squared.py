@@ -1,7 +1,6 @@
-"""Friction's part of the growth with the wheelbase, not its square.
+"""The wheelbase where its square belongs.
 
 fails: growth_rate_is_the_slope
-suspect: the wheelbase where its square belongs
 """
 
 

@@ -1,7 +1,6 @@
-"""The weight of bar 2 does not turn bar 1.
+"""The weight of bar 2 left out of the first one.
 
 fails: gravity_terms_are_moments_of_the_weights
-suspect: the weight of bar 2 left out
 """
 
 

@@ -1,7 +1,6 @@
-"""Bar 2 is drawn at th2 - th1.
+"""Bar 2 drawn at th2 - th1; th2 is measured from straight down.
 
 fails: wireframe_shows_the_bars, tip_path_is_drawn
-suspect: drawn at th2 - th1
 """
 
 absolute = wireframe

@@ -1,7 +1,6 @@
-"""Bar 2 is drawn at th1 + th2, as if th2 were measured from bar 1.
+"""th2 taken as measured from bar 1: bar 2 drawn at th1 + th2.
 
 fails: wireframe_shows_the_bars, tip_path_is_drawn
-suspect: drawn at th1 + th2
 """
 
 absolute = wireframe

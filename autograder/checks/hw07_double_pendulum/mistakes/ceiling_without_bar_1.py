@@ -1,7 +1,6 @@
-"""The ceiling does not carry bar 1.
+"""The weight of bar 1 left out of the first row.
 
 fails: hinge_forces_balance
-suspect: the weight of bar 1 left out
 """
 
 of_both_bars = on_the_fly

@@ -1,7 +1,6 @@
-"""The end of bar 1 at the ceiling has the acceleration of a bar without angular velocity.
+"""The centripetal acceleration of bar 1 left out at the ceiling's hinge.
 
 fails: free_bars_accelerate_as_lagranges
-suspect: left out at the ceiling's hinge
 """
 
 _right = _weights_and_centripetal

@@ -1,7 +1,6 @@
-"""The mass centre of bar 1 is given no centripetal acceleration in the balance of bar 1's forces.
+"""The centripetal acceleration of bar 1's own mass centre left out in the first row.
 
 fails: hinge_forces_balance
-suspect: bar 1's own mass centre left out
 """
 
 _right = on_the_fly

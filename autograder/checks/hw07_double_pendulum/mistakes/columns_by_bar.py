@@ -1,7 +1,6 @@
-"""The columns are th1, om1, th2, om2.
+"""The columns th1, om1, th2, om2.
 
 fails: simulation_follows_the_equations
-suspect: the columns th1, om1, th2, om2
 """
 
 by_kind = simulate

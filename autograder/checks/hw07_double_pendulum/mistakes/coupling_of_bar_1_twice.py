@@ -1,7 +1,6 @@
-"""The coupling with the length of bar 1 twice.
+"""l1^2 in the coupling, where l1 l2 belongs.
 
 fails: mass_matrix_makes_the_kinetic_energy, energy_is_kinetic_and_potential, angular_momentum_is_about_the_ceiling
-suspect: l1^2 in the coupling
 """
 
 of_both_lengths = mass_matrix

@@ -1,7 +1,6 @@
-"""The coupling with the cosine's series.
+"""The cosine of small angles, 1 - (th1 - th2)^2/2.
 
 fails: mass_matrix_makes_the_kinetic_energy, energy_is_kinetic_and_potential, angular_momentum_is_about_the_ceiling
-suspect: the cosine of small angles
 """
 
 of_any_angles = mass_matrix

@@ -1,7 +1,6 @@
-"""The velocity of bar 2's mass centre is put together without the angle between its parts.
+"""The kinetic energy without its term with om1 om2.
 
 fails: energy_is_kinetic_and_potential
-suspect: without its term with om1 om2
 """
 
 _right = energy

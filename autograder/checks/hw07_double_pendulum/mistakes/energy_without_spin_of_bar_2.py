@@ -1,7 +1,6 @@
-"""The kinetic energy of bar 2 is that of its mass centre.
+"""The kinetic energy without the turning of bar 2, I om2^2/2.
 
 fails: energy_is_kinetic_and_potential
-suspect: without the turning of bar 2
 """
 
 _right = energy

@@ -1,7 +1,6 @@
-"""The first row is the state after a step, not the start.
+"""The state after a step for the start in the first row.
 
 fails: simulation_follows_the_equations
-suspect: the state after a step
 """
 
 from_the_start = simulate

@@ -1,7 +1,6 @@
-"""The elbow's force is that of bar 2 on bar 1.
+"""The force of bar 2 on bar 1 in the second row.
 
 fails: hinge_forces_balance
-suspect: the force of bar 2 on bar 1
 """
 
 on_bar_2 = on_the_fly

@@ -1,7 +1,6 @@
-"""The first row is the force of bar 1 on the ceiling.
+"""The force of bar 1 on the ceiling in the first row.
 
 fails: hinge_forces_balance
-suspect: bar 1 on the ceiling
 """
 
 _right = on_the_fly

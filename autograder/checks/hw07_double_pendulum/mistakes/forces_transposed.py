@@ -1,7 +1,6 @@
-"""The hinge forces are in the columns.
+"""Rows and columns swapped.
 
 fails: hinge_forces_balance
-suspect: rows and columns swapped
 """
 
 in_rows = on_the_fly

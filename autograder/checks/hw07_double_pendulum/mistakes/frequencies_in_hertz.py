@@ -1,7 +1,6 @@
-"""The frequencies are in Hz.
+"""Frequencies in Hz.
 
 fails: small_oscillations_have_two_frequencies
-suspect: frequencies in Hz
 """
 
 circular = small_oscillation_frequencies

@@ -1,7 +1,6 @@
-"""The frequencies of equal bars are taken for those of any.
+"""The frequencies of equal bars, of the first one's length.
 
 fails: small_oscillations_have_two_frequencies
-suspect: the frequencies of equal bars
 """
 
 

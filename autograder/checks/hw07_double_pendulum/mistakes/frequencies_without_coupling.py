@@ -1,7 +1,6 @@
-"""The frequencies of the bars each by itself.
+"""The coupling of [M] left out.
 
 fails: small_oscillations_have_two_frequencies
-suspect: the coupling of [M] left out
 """
 
 

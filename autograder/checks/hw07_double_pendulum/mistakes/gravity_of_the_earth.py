@@ -1,7 +1,6 @@
-"""The weights of the free bars are taken on the Earth, whatever the gravity.
+"""9.81 m/s^2 for whatever gravity is given.
 
 fails: free_bars_accelerate_as_lagranges
-suspect: 9.81 m/s^2 for whatever gravity
 """
 
 _right = on_the_fly

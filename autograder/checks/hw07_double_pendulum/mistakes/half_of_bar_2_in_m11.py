@@ -1,7 +1,6 @@
-"""Half of bar 2 moves with the elbow.
+"""m2 l1^2/2 in M11, where m2 l1^2 belongs.
 
 fails: mass_matrix_makes_the_kinetic_energy, energy_is_kinetic_and_potential, angular_momentum_is_about_the_ceiling
-suspect: m2 l1^2/2 in M11
 """
 
 _right = mass_matrix

@@ -1,7 +1,6 @@
-"""Half of both weights hangs at the elbow.
+"""(m1 + m2)/2 in the first one, where m1/2 + m2 belongs.
 
 fails: gravity_terms_are_moments_of_the_weights
-suspect: (m1 + m2)/2 in the first one
 """
 
 _right = gravity_terms

@@ -1,7 +1,6 @@
-"""The moment of inertia of bar 1 is taken about its mass centre, as if that stayed.
+"""m1 l1^2/12 in M11, where m1 l1^2/3 belongs.
 
 fails: mass_matrix_makes_the_kinetic_energy, energy_is_kinetic_and_potential, angular_momentum_is_about_the_ceiling
-suspect: m1 l1^2/12 in M11
 """
 
 _right = mass_matrix

@@ -1,7 +1,6 @@
-"""The moment of inertia of bar 2 is taken about its mass centre, as if that stayed.
+"""m2 l2^2/12 for M22, where m2 l2^2/3 belongs.
 
 fails: mass_matrix_makes_the_kinetic_energy, energy_is_kinetic_and_potential, angular_momentum_is_about_the_ceiling
-suspect: m2 l2^2/12 for M22
 """
 
 _right = mass_matrix

@@ -1,7 +1,6 @@
-"""The bars' angular momenta about their own mass centres are left out.
+"""Bars without inertia about their mass centres.
 
 fails: angular_momentum_is_about_the_ceiling
-suspect: without inertia
 """
 
 with_spin = angular_momentum

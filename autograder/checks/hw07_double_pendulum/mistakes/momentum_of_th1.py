@@ -1,7 +1,6 @@
-"""The angular momentum is taken for the momentum conjugate to th1.
+"""The momentum conjugate to th1 alone.
 
 fails: angular_momentum_is_about_the_ceiling
-suspect: conjugate to th1 alone
 """
 
 

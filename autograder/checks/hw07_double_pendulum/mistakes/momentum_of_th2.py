@@ -1,7 +1,6 @@
-"""The momentum conjugate to th2 is taken for the angular momentum of both bars.
+"""The momentum conjugate to th2 alone.
 
 fails: angular_momentum_is_about_the_ceiling
-suspect: the momentum conjugate to th2
 """
 
 

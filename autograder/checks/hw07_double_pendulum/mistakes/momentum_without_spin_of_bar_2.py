@@ -1,7 +1,6 @@
-"""The angular momentum of bar 2 is that of its mass centre.
+"""I om2 of bar 2 left out.
 
 fails: angular_momentum_is_about_the_ceiling
-suspect: I om2 of bar 2 left out
 """
 
 _right = angular_momentum

@@ -1,7 +1,6 @@
-"""Bar 2 does not pull at bar 1 in the linear momentum balance of bar 1.
+"""The force of bar 2 left out of bar 1's linear momentum balance.
 
 fails: free_bars_accelerate_as_lagranges
-suspect: the force of bar 2 left out
 """
 
 _right = _balances_and_constraints

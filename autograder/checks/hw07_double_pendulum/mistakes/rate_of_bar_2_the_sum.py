@@ -1,7 +1,6 @@
-"""The free bar 2 turns at om1 + om2.
+"""om1 + om2 for the angular velocity of bar 2.
 
 fails: free_bars_accelerate_as_lagranges
-suspect: om1 + om2 for the angular velocity
 """
 
 _right = on_the_fly

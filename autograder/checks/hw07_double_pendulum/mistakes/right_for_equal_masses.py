@@ -1,7 +1,6 @@
-"""The mass of the second bar is taken for both.
+"""The mass of bar 2 for both.
 
 fails: accelerations_obey_the_equations
-suspect: the mass of bar 2 for both
 """
 
 unequal = angular_acceleration

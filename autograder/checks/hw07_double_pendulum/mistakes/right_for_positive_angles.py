@@ -1,7 +1,6 @@
-"""Gravity pulls back by the absolute value of the sine.
+"""Moments that are never negative: the sign of the sine lost.
 
 fails: gravity_terms_are_moments_of_the_weights
-suspect: never negative
 """
 
 signed = gravity_terms

@@ -1,7 +1,6 @@
-"""The lengths are left out of the velocity terms.
+"""Lengths of 1 m.
 
 fails: velocity_terms_are_centripetal
-suspect: lengths of 1 m
 """
 
 

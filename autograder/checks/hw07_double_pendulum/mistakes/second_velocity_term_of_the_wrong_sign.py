@@ -1,7 +1,6 @@
-"""The second velocity term with the sign of the first.
+"""The second one with the wrong sign.
 
 fails: velocity_terms_are_centripetal
-suspect: the second one with the wrong sign
 """
 
 of_both_signs = velocity_terms

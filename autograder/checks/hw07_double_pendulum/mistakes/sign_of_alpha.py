@@ -1,7 +1,6 @@
-"""The minus sign of -M^-1 (f + g) is forgotten.
+"""The sign reversed: M^-1 (f + g), where -M^-1 (f + g) belongs.
 
 fails: accelerations_obey_the_equations
-suspect: the sign reversed
 """
 
 _right_alpha = angular_acceleration

@@ -1,7 +1,6 @@
-"""The velocity terms have the wrong sign.
+"""The wrong sign of the sine term, that of om^2.
 
 fails: velocity_terms_are_centripetal, accelerations_obey_the_equations, simulation_follows_the_equations, tip_path_is_drawn
-suspect: sign of the sine term
 """
 
 

@@ -1,7 +1,7 @@
-"""The integration spans the times from 0 to the last.
+"""The given state taken for that at t = 0, where it is that at t[0].
 
 fails: simulation_follows_the_equations, tip_path_is_drawn
-suspect: taken for that at t = 0
+also: the given state taken for that at t = 0, where it is that at t[0], and no times before 0
 """
 
 from_the_first = simulate

@@ -1,7 +1,6 @@
-"""Bar 2 turns about its mass centre at om2 - om1.
+"""om2 - om1 for the rate at which bar 2 turns.
 
 fails: energy_is_kinetic_and_potential
-suspect: om2 - om1
 """
 
 of_absolute_rates = energy

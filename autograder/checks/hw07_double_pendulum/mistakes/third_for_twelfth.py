@@ -1,7 +1,6 @@
-"""The free bars have m l^2/3 for their inertia about the mass centre.
+"""m l^2/3 where m l^2/12 belongs.
 
 fails: free_bars_accelerate_as_lagranges
-suspect: m l^2/3 where m l^2/12 belongs
 """
 
 right_inertias = _balances_and_constraints

@@ -1,7 +1,6 @@
-"""The end of bar 2 is given as seen from the elbow.
+"""The tip as seen from the elbow; both points of a bar are seen from the ceiling.
 
 fails: wireframe_shows_the_bars, tip_path_is_drawn
-suspect: the tip as seen from the elbow
 """
 
 _right = wireframe

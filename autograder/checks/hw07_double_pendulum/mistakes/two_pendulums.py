@@ -1,7 +1,6 @@
-"""The frequencies are those of two compound pendulums.
+"""The frequencies of two bars that each hang from a ceiling.
 
 fails: small_oscillations_have_two_frequencies
-suspect: two bars that each hang from a ceiling
 """
 
 

@@ -1,7 +1,7 @@
-"""The times are taken for evenly spaced.
+"""The times taken to be evenly spaced.
 
 fails: simulation_follows_the_equations
-suspect: the times taken to be evenly spaced
+also: the times taken to be evenly spaced, the first step for all
 """
 
 at_the_times = simulate

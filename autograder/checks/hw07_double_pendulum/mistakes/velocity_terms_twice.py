@@ -1,7 +1,6 @@
-"""Twice the velocity terms, from a coupling that is differentiated once for each of its two places.
+"""Twice what is right, which is {f} of point masses at the ends of the bars.
 
 fails: velocity_terms_are_centripetal
-suspect: twice what is right
 """
 
 once = velocity_terms

@@ -1,7 +1,6 @@
-"""The weight of bar 2 has the lever l2.
+"""m2 g l2 in the second one, where m2 g l2/2 belongs.
 
 fails: gravity_terms_are_moments_of_the_weights
-suspect: m2 g l2 in the second one
 """
 
 _right = gravity_terms

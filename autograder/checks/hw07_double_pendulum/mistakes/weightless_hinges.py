@@ -1,7 +1,6 @@
-"""The hinge forces leave the weights out.
+"""Forces without the weights.
 
 fails: hinge_forces_balance
-suspect: forces without the weights
 """
 
 with_weights = on_the_fly

@@ -1,7 +1,6 @@
-"""The angles are wrapped to -pi to pi.
+"""Angles wrapped to -pi and pi.
 
 fails: simulation_follows_the_equations
-suspect: angles wrapped
 """
 
 unwrapped = simulate

@@ -1,7 +1,6 @@
-"""The bars are drawn with y down.
+"""y pointing down.
 
 fails: wireframe_shows_the_bars, tip_path_is_drawn
-suspect: y pointing down
 """
 
 y_up = wireframe

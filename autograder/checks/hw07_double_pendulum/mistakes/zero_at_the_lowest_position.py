@@ -1,7 +1,6 @@
-"""The potential energy is zero at the lowest position.
+"""The potential energy zero at the lowest position.
 
 fails: energy_is_kinetic_and_potential
-suspect: zero at the lowest position
 """
 
 zero_at_the_ceiling = energy

@@ -1,7 +1,7 @@
-"""The matrix takes the axis for a unit vector.
+"""The axis not made a unit vector.
 
 fails: matrix_turns_by_the_right_hand_rule, matrix_refuses_what_is_no_axis
-suspect: the axis not made a unit vector
+also: the axis not made a unit vector in the sin th term | the axis not made a unit vector in the (1 - cos th) term | the axis not made a unit vector in n . r
 """
 
 

@@ -1,8 +1,8 @@
-"""The cosine is taken for 1 where the angle is small.
+"""Cos th taken for 1 where the angle is small.
 
 fails: matrix_holds_for_every_angle
-suspect: cos th taken for 1 where the angle is small
 names: the sine is right in it, the cosine is not
+within: 1e-14
 """
 
 

@@ -1,7 +1,6 @@
-"""rotate has r x n for n x r.
+"""The transpose, the rotation the other way (look at the sign of the sin th term).
 
 fails: vector_turns_by_the_right_hand_rule
-suspect: the transpose
 """
 
 

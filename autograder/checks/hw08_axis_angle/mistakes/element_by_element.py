@@ -1,7 +1,6 @@
-"""rotate takes n * r for n . r.
+"""n * r, element by element, for n . r.
 
 fails: vector_turns_by_the_right_hand_rule
-suspect: element by element
 """
 
 def rotate(r, axis, angle):

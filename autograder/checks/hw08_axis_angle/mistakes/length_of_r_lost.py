@@ -1,7 +1,6 @@
-"""rotate gives the direction of the turned vector.
+"""r made a unit vector: its length is lost.
 
 fails: vector_turns_by_the_right_hand_rule
-suspect: its length is lost
 """
 
 _right = rotate

@@ -1,7 +1,6 @@
-"""The axis is divided by n . n, its length squared.
+"""The axis divided by the square of its length.
 
 fails: matrix_turns_by_the_right_hand_rule, matrix_refuses_what_is_no_axis
-suspect: the axis divided by the square of its length
 """
 
 

@@ -1,7 +1,6 @@
-"""The sign of the second term is wrong.
+"""-(1 - cos th) for 1 - cos th.
 
 fails: vector_turns_by_the_right_hand_rule
-suspect: -(1 - cos th) for
 """
 
 def rotate(r, axis, angle):

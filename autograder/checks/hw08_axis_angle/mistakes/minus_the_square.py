@@ -1,7 +1,6 @@
-"""The sign of the term with the square of the cross product's matrix is wrong.
+"""-(1 - cos th) [n x]^2 for (1 - cos th) [n x]^2.
 
 fails: matrix_turns_by_the_right_hand_rule
-suspect: -(1 - cos th) [n x]^2
 """
 
 def rotation_matrix(axis, angle):

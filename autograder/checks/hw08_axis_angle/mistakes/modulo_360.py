@@ -1,7 +1,6 @@
-"""Angles are reduced modulo 360.
+"""The angle reduced modulo 360, which is no whole number of turns in radians.
 
 fails: matrix_turns_by_the_right_hand_rule
-suspect: modulo 360
 """
 
 _right = rotation_matrix

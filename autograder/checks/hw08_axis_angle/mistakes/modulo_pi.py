@@ -1,7 +1,6 @@
-"""Angles are reduced modulo pi.
+"""The angle reduced modulo pi.
 
 fails: matrix_turns_by_the_right_hand_rule
-suspect: modulo pi
 """
 
 import math

@@ -1,7 +1,6 @@
-"""1 - sin th where 1 - cos th belongs.
+"""1 - sin th for 1 - cos th.
 
 fails: vector_turns_by_the_right_hand_rule
-suspect: 1 - sin th
 """
 
 def rotate(r, axis, angle):

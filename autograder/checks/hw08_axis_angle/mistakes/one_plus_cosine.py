@@ -1,7 +1,6 @@
 """1 + cos th for 1 - cos th.
 
 fails: matrix_turns_by_the_right_hand_rule
-suspect: 1 + cos th for 1 - cos th
 """
 
 

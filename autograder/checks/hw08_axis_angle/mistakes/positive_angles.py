@@ -1,7 +1,6 @@
-"""The matrix is right for positive angles only.
+"""The sign of the angle dropped.
 
 fails: matrix_turns_by_the_right_hand_rule
-suspect: the sign of the angle dropped
 """
 
 

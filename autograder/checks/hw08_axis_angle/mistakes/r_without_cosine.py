@@ -1,7 +1,6 @@
-"""The cosine of the first term is forgotten.
+"""r for cos th r, or n n^T for [n x]^2 in a formula with it.
 
 fails: vector_turns_by_the_right_hand_rule
-suspect: r for cos th r
 """
 
 def rotate(r, axis, angle):

@@ -1,7 +1,6 @@
-"""rotate takes the angle for degrees.
+"""The angle taken for degrees.
 
 fails: vector_turns_by_the_right_hand_rule
-suspect: the angle taken for degrees
 """
 
 

@@ -1,7 +1,7 @@
-"""The formula of first order for angles below 1e-4.
+"""Cos th taken for 1 where the angle is small.
 
 fails: vector_turns_by_every_angle
-suspect: cos th taken for 1 where the angle is small
+within: 1e-14
 """
 
 _right_rotate = rotate

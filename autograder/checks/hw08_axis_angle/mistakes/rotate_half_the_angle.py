@@ -1,7 +1,6 @@
-"""A quaternion of a quarter of the angle: half of the turn.
+"""Half of the angle.
 
 fails: vector_turns_by_the_right_hand_rule
-suspect: half of the angle
 """
 
 _right_rotate = rotate

@@ -1,7 +1,6 @@
-"""The sine is the root of 1 - cos^2 th, which is never negative.
+"""Sin th never negative (a root of 1 - cos^2 th has lost the sign).
 
 fails: matrix_turns_by_the_right_hand_rule
-suspect: sin th never negative
 """
 
 

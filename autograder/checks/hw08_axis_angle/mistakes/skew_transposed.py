@@ -1,7 +1,7 @@
-"""skew is r x v; the matrix is built with it.
+"""The transpose, r x v.
 
 fails: skew_is_the_cross_product, matrix_turns_by_the_right_hand_rule
-suspect: the transpose
+also: the transpose, the rotation the other way (look at the sign of the sin th term)
 """
 
 

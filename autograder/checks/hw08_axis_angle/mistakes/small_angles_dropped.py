@@ -1,7 +1,7 @@
-"""A small angle is taken for none.
+"""A turn by 1e-12 taken for no turn.
 
 fails: matrix_holds_for_every_angle
-suspect: a turn by 1e-12 taken for no turn
+within: 1e-14
 """
 
 

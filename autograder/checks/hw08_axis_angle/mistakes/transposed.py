@@ -1,7 +1,6 @@
-"""The matrix turns the other way.
+"""The transpose, the rotation the other way (look at the sign of the sin th term).
 
 fails: matrix_turns_by_the_right_hand_rule
-suspect: the transpose
 """
 
 

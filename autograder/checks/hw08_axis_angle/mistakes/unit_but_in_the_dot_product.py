@@ -1,7 +1,6 @@
-"""rotate takes the axis as it is in n . r.
+"""The axis not made a unit vector in n . r.
 
 fails: vector_turns_by_the_right_hand_rule
-suspect: in n . r
 """
 
 def rotate(r, axis, angle):

@@ -1,7 +1,6 @@
-"""The axis is a unit vector in the sin th term alone.
+"""The axis not made a unit vector in the (1 - cos th) term.
 
 fails: matrix_turns_by_the_right_hand_rule
-suspect: the axis not made a unit vector in the (1 - cos th) term
 """
 
 

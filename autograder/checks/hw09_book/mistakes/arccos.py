@@ -1,7 +1,6 @@
-"""The angle by arccos of the trace alone.
+"""Arccos of the trace alone, which loses half of the digits.
 
 fails: small_angles_keep_their_digits, angles_near_pi_keep_their_digits, half_turns_have_their_axis
-suspect: arccos of the trace alone
 """
 
 _right_axis_angle = axis_angle

@@ -1,7 +1,6 @@
-"""The axis of the transpose.
+"""The axis reversed, that of the transpose.
 
 fails: axis_and_angle_are_those_of_the_matrix
-suspect: the axis reversed
 """
 
 _right_axis_angle = axis_angle

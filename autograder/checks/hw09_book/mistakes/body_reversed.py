@@ -1,7 +1,6 @@
-"""body_sequence multiplies on the left: axes fixed in space.
+"""The order reversed: axes fixed in space.
 
 fails: body_sequence_takes_the_axes_along
-suspect: the order reversed
 """
 
 

@@ -1,7 +1,7 @@
-"""body_sequence gives the matrix from space to body components.
+"""The transpose.
 
 fails: body_sequence_takes_the_axes_along
-suspect: the transpose
+also: the transpose, the rotation the other way, in every turn
 """
 
 _right_body = body_sequence

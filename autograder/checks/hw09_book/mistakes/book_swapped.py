@@ -1,7 +1,6 @@
-"""The book's turns are about axes that turn with it.
+"""(a) and (b) swapped, or axes that turn with the book.
 
 fails: the_book_is_turned_in_both_orders
-suspect: (a) and (b) swapped
 """
 
 

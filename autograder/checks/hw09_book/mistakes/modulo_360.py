@@ -1,7 +1,6 @@
-"""Angles are reduced modulo 360 in sequences.
+"""The angle reduced modulo 360, which is no whole number of turns in radians, in every turn.
 
 fails: space_sequence_takes_the_first_step_first, body_sequence_takes_the_axes_along
-suspect: modulo 360
 """
 
 _space, _body = space_sequence, body_sequence

@@ -1,7 +1,6 @@
-"""At a half turn, and there alone, the axis is that of R - R^T, which is zero.
+"""An axis divided by sin(pi) = 0, where R - R^T says nothing.
 
 fails: half_turns_have_their_axis
-suspect: an axis divided by sin(pi) = 0
 """
 
 _right_axis_angle = axis_angle

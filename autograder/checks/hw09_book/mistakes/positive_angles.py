@@ -1,7 +1,7 @@
-"""axis_rotation is right for positive angles only.
+"""The sign of the angle dropped, in every turn.
 
 fails: turns_about_the_coordinate_axes, space_sequence_takes_the_first_step_first, body_sequence_takes_the_axes_along
-suspect: the sign of the angle dropped
+also: the sign of the angle dropped
 """
 
 _right = axis_rotation

@@ -1,7 +1,6 @@
-"""The axis is (R - R^T) / (2 sin angle), zero by zero at a half turn.
+"""An axis divided by sin(pi) = 0, where R - R^T says nothing.
 
 fails: angles_near_pi_keep_their_digits, half_turns_have_their_axis
-suspect: an axis divided by sin(pi) = 0
 """
 
 

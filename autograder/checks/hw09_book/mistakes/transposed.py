@@ -1,7 +1,7 @@
-"""axis_rotation turns the other way, and the sequences with it.
+"""The transpose, the rotation the other way, in every turn.
 
 fails: turns_about_the_coordinate_axes, space_sequence_takes_the_first_step_first, body_sequence_takes_the_axes_along, the_book_is_turned_in_both_orders
-suspect: the rotation the other way | both turns the other way
+also: the transpose, the rotation the other way | both turns the other way
 """
 
 _right = axis_rotation

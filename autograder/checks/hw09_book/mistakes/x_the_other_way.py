@@ -1,7 +1,7 @@
-"""The sines of the matrix about x have the wrong signs.
+"""x turned the other way, y and z turned right, in every turn.
 
 fails: turns_about_the_coordinate_axes, space_sequence_takes_the_first_step_first, body_sequence_takes_the_axes_along, the_book_is_turned_in_both_orders
-suspect: x turned the other way
+also: x turned the other way, y and z turned right
 """
 
 _right = axis_rotation

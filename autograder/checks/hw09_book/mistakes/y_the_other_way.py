@@ -1,7 +1,7 @@
-"""The sines of the matrix about y have the signs of those about x and z.
+"""y turned the other way (z, x is the order about y, not x, z), in every turn.
 
 fails: turns_about_the_coordinate_axes, space_sequence_takes_the_first_step_first, body_sequence_takes_the_axes_along
-suspect: y turned the other way
+also: y turned the other way (z, x is the order about y, not x, z)
 """
 
 _right = axis_rotation

@@ -1,7 +1,7 @@
-"""The sines of the matrix about z have the wrong signs.
+"""z turned the other way, x and y turned right, in every turn.
 
 fails: turns_about_the_coordinate_axes, space_sequence_takes_the_first_step_first, body_sequence_takes_the_axes_along, the_book_is_turned_in_both_orders
-suspect: z turned the other way
+also: z turned the other way, x and y turned right
 """
 
 _right = axis_rotation

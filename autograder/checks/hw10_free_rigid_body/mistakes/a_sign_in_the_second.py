@@ -1,7 +1,6 @@
-"""The second of Euler's equations has A - C for C - A; the simulation has it right.
+"""A sign changed in the second of Euler's equations.
 
 fails: euler_equations_keep_the_angular_momentum
-suspect: a sign changed in the second
 """
 
 _right_euler, _right_rates = euler_equations, _rates

@@ -1,7 +1,6 @@
-"""attitude_rate multiplies the transpose of R.
+"""The transpose of R in R omega-hat.
 
 fails: attitude_follows_omega
-suspect: the transpose of R in R omega-hat
 """
 
 _rate = attitude_rate

@@ -1,7 +1,6 @@
-"""attitude_rate is omega-hat.
+"""omega-hat alone, without R.
 
 fails: attitude_follows_omega
-suspect: omega-hat alone
 """
 
 def attitude_rate(R, omega):

@@ -1,8 +1,7 @@
-"""solve_ivp with its own tolerances, 1e-3 and 1e-6.
+"""solve_ivp at its own tolerances, rtol 1e-3 and atol 1e-6.
 
 fails: omega_follows_elliptic_functions, attitude_follows_the_motion
 numerics: solve_ivp's own rtol of 1e-3
-suspect: solve_ivp at its own tolerances
 """
 
 _right_simulate = simulate

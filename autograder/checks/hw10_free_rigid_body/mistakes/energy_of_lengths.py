@@ -1,7 +1,6 @@
-"""The energy is |H| |omega| / 2.
+"""The product of the lengths of H and omega: they have a scalar product.
 
 fails: energy_is_half_omega_h
-suspect: the product of the lengths
 """
 
 def energy(omega, *, inertia):

@@ -1,7 +1,6 @@
-"""Every sign in Euler's equations is changed: the motion runs backwards.
+"""Every sign in Euler's equations changed.
 
 fails: euler_equations_keep_the_angular_momentum, omega_follows_elliptic_functions, attitude_follows_the_motion, rim_paths_are_drawn
-suspect: every sign in Euler's equations changed
 """
 
 

@@ -1,7 +1,7 @@
-"""The times are taken for evenly spaced.
+"""The times taken to be evenly spaced.
 
 fails: omega_follows_elliptic_functions, attitude_follows_the_motion
-suspect: the times taken to be evenly spaced
+also: the times taken to be evenly spaced, the first step for all
 """
 
 _right_simulate = simulate

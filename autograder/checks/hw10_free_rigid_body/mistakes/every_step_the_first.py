@@ -1,7 +1,6 @@
-"""Every step is as long as the first.
+"""The times taken to be evenly spaced, the first step for all.
 
 fails: omega_follows_elliptic_functions, attitude_follows_the_motion
-suspect: the first step for all
 """
 
 _right_simulate = simulate

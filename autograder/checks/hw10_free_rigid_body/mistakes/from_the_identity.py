@@ -1,7 +1,6 @@
-"""The attitude at the start is not used.
+"""Rotations that start with the identity, not with the given R.
 
 fails: attitude_follows_the_motion, rim_paths_are_drawn
-suspect: rotations that start with the identity
 """
 
 _right_simulate = simulate

@@ -1,7 +1,6 @@
-"""The first row is the given attitude, the others go on from the identity.
+"""Rotations that go on from the identity, not from the given R.
 
 fails: attitude_follows_the_motion, rim_paths_are_drawn
-suspect: rotations that go on from the identity
 """
 
 _right_simulate = simulate

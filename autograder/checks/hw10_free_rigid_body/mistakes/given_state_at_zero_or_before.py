@@ -1,7 +1,7 @@
-"""The simulation starts at t = 0, if not before: solve_ivp over (min(0, t[0]), t[-1]).
+"""The given state taken for that at t = 0, not at t[0].
 
 fails: omega_follows_elliptic_functions, attitude_follows_the_motion
-suspect: the given state taken for that at t = 0
+also: the given state taken for that at t = 0, where it is that at t[0] | the given state taken for that at t = 0, where it is that at t[0], and no times before 0
 """
 
 _right_simulate = simulate

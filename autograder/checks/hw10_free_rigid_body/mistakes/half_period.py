@@ -1,7 +1,6 @@
-"""2 K for 4 K: omega is back but for two signs.
+"""Half of the period.
 
 fails: period_round_the_last_axis, period_round_the_first_axis
-suspect: half of the period
 """
 
 _right_period = tumble_period

@@ -1,7 +1,6 @@
-"""ellipk is given k where it wants k^2.
+"""k where ellipk wants k^2.
 
 fails: period_round_the_last_axis, period_round_the_first_axis
-suspect: k where ellipk wants k^2
 """
 
 

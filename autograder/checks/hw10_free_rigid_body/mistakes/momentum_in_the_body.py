@@ -1,7 +1,6 @@
-"""angular_momentum leaves out R.
+"""Body components.
 
 fails: angular_momentum_is_in_space_axes
-suspect: body components
 """
 
 

@@ -1,7 +1,6 @@
-"""The inertias multiply the space components of omega.
+"""R omega times A, B, C: the inertias belong to body axes.
 
 fails: angular_momentum_is_in_space_axes
-suspect: R omega times A, B, C
 """
 
 

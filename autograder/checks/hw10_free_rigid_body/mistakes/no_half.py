@@ -1,7 +1,6 @@
-"""The energy is omega . H.
+"""An energy without the half.
 
 fails: energy_is_half_omega_h
-suspect: an energy without the half
 """
 
 

@@ -1,7 +1,6 @@
-"""H x omega is taken for omega': right for unit inertias only.
+"""The moments H x omega not divided by A, B, C.
 
 fails: euler_equations_keep_the_angular_momentum, omega_follows_elliptic_functions, attitude_follows_the_motion, rim_paths_are_drawn
-suspect: the moments H x omega not divided
 """
 
 

@@ -1,7 +1,6 @@
-"""attitude_rate is omega-hat R, as if omega were in space components.
+"""omega-hat R for R omega-hat: omega is in body components.
 
 fails: attitude_follows_omega
-suspect: omega-hat R for R omega-hat
 """
 
 

@@ -1,7 +1,6 @@
-"""The simulation gives omega in space components.
+"""Omega in space components.
 
 fails: omega_follows_elliptic_functions
-suspect: omega in space components
 """
 
 _motion = simulate

@@ -1,7 +1,6 @@
-"""The formula for omega round the axis of the largest inertia with 1 - k^2 without its sign.
+"""The formula for the other side of the separatrix.
 
 fails: period_round_the_first_axis
-suspect: the formula for the other side of the separatrix
 """
 
 

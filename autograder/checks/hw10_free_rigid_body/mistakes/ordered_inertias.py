@@ -1,7 +1,6 @@
-"""growth_rate_squared sorts the inertias first.
+"""The inertias put in order first: the axis is that of the inertias as they are given.
 
 fails: small_deviations_grow_at_this_rate
-suspect: the inertias put in order first
 """
 
 _right_growth = growth_rate_squared

@@ -1,7 +1,6 @@
-"""phi' is r + psi' cos(theta).
+"""The sign of psi' cos(theta) in phi' changed.
 
 fails: euler_rates_make_omega
-suspect: the sign of psi' cos(theta) in phi' changed
 """
 
 _right_rates = euler_rates_313

@@ -1,7 +1,6 @@
-"""The matrix of the last turn is transposed: -phi for phi.
+"""Phi of the other sign.
 
 fails: euler_rates_make_omega
-suspect: phi of the other sign
 """
 
 _right_rates = euler_rates_313

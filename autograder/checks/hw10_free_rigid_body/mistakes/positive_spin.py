@@ -1,7 +1,6 @@
-"""growth_rate_squared is right for positive spins.
+"""The sign of the spin left in its square.
 
 fails: small_deviations_grow_at_this_rate
-suspect: the sign of the spin left in its square
 """
 
 _right_growth = growth_rate_squared

@@ -1,7 +1,6 @@
-"""The precession in the body is divided by C.
+"""The rate (C - A)/C omega_3: A divides.
 
 fails: symmetric_bodies_precess
-suspect: the rate (C - A)/C omega_3
 """
 
 

@@ -1,7 +1,6 @@
-"""symmetric_solution takes the given omega for that at t = 0.
+"""The given omega taken at t = 0, not at t[0].
 
 fails: symmetric_bodies_precess
-suspect: the given omega taken at t = 0
 """
 
 _right_symmetric = symmetric_solution

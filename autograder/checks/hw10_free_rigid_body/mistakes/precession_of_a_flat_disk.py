@@ -1,7 +1,6 @@
-"""The precession is that of a flat disk.
+"""The rate omega_3 of a flat disk, C = 2 A.
 
 fails: symmetric_bodies_precess
-suspect: the rate omega_3 of a flat disk
 """
 
 

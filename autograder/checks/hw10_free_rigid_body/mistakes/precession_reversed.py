@@ -1,7 +1,6 @@
-"""symmetric_solution turns the other way.
+"""The precession reversed.
 
 fails: symmetric_bodies_precess
-suspect: the precession reversed
 """
 
 

@@ -1,7 +1,6 @@
-"""The quaternion of the turn since the start changes as for an omega in space components, omega q / 2.
+"""omega-hat R for R omega-hat, or omega q for q omega: omega is in body components.
 
 fails: attitude_follows_the_motion, rim_paths_are_drawn
-suspect: omega-hat R for R omega-hat, or omega q for q omega
 """
 
 

@@ -1,7 +1,6 @@
-"""euler_rates_313 takes omega in space components.
+"""Omega taken in space components.
 
 fails: euler_rates_make_omega
-suspect: omega taken in space components
 """
 
 

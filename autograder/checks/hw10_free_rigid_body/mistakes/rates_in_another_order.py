@@ -1,7 +1,6 @@
-"""The rates come as phi, theta, psi.
+"""The rates in the order phi, theta, psi.
 
 fails: euler_rates_make_omega
-suspect: the rates in the order phi, theta, psi
 """
 
 _right_rates_313 = euler_rates_313

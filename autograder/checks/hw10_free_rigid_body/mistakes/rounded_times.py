@@ -1,7 +1,6 @@
-"""The times are rounded to a millisecond.
+"""The times rounded to a millisecond.
 
 fails: omega_follows_elliptic_functions, attitude_follows_the_motion
-suspect: the times rounded to a millisecond
 """
 
 _right_simulate = simulate

@@ -1,7 +1,7 @@
-"""The simulation integrates R' = omega-hat R.
+"""omega-hat R for R omega-hat: omega is in body components.
 
 fails: attitude_follows_the_motion, rim_paths_are_drawn
-suspect: omega-hat R for R omega-hat
+also: omega-hat R for R omega-hat, or omega q for q omega: omega is in body components
 """
 
 

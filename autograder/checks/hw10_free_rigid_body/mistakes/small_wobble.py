@@ -1,7 +1,6 @@
-"""The wobble rate of spin very near the axis.
+"""C/A omega_3, for spin very near the axis.
 
 fails: wobble_goes_round_the_angular_momentum
-suspect: C/A omega_3
 """
 
 

@@ -1,7 +1,6 @@
-"""solve_ivp over (0, t[-1]) with t_eval=t: it refuses times before 0.
+"""The given state taken for that at t = 0, where it is that at t[0], and no times before 0.
 
 fails: omega_follows_elliptic_functions, attitude_follows_the_motion, rim_paths_are_drawn
-suspect: and no times before 0
 """
 
 _right_simulate = simulate

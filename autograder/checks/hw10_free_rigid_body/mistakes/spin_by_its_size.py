@@ -1,7 +1,6 @@
-"""The size of the spin stands for its square in growth_rate_squared.
+"""The spin not squared.
 
 fails: small_deviations_grow_at_this_rate
-suspect: the spin not squared
 """
 
 _growth = growth_rate_squared

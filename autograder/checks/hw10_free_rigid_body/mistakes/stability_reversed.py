@@ -1,7 +1,6 @@
-"""Stable axes have a positive number.
+"""The sign changed.
 
 fails: small_deviations_grow_at_this_rate
-suspect: the sign changed
 """
 
 _right_growth = growth_rate_squared

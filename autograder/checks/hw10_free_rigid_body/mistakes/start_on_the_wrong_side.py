@@ -1,7 +1,6 @@
-"""The turn since the start is multiplied with the attitude at the start as if it were in space components.
+"""The given R on the wrong side of the turn since then.
 
 fails: attitude_follows_the_motion, rim_paths_are_drawn
-suspect: the given R on the wrong side
 """
 
 _right_simulate = simulate

@@ -1,7 +1,6 @@
-"""The formula for omega round the axis of the smallest inertia, on both sides of the separatrix.
+"""The formula for the other side of the separatrix.
 
 fails: period_round_the_last_axis
-suspect: the formula for the other side of the separatrix
 """
 
 

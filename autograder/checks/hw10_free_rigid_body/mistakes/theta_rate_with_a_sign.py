@@ -1,7 +1,6 @@
-"""theta' is p cos(phi) + q sin(phi).
+"""The sign of omega_2 sin(phi) in theta' changed.
 
 fails: euler_rates_make_omega
-suspect: the sign of omega_2 sin(phi) in theta' changed
 """
 
 _right_rates = euler_rates_313

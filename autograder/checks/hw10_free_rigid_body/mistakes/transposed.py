@@ -1,7 +1,6 @@
-"""The simulation's rotations take space to body components.
+"""The transposes, from space to body.
 
 fails: attitude_follows_the_motion, rim_paths_are_drawn
-suspect: the transposes
 """
 
 _right_simulate = simulate

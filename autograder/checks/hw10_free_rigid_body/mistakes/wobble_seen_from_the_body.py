@@ -1,7 +1,6 @@
-"""The rate at which omega goes round the symmetry axis in the body.
+"""The rate (C - A)/A omega_3 at which omega goes round in the body.
 
 fails: wobble_goes_round_the_angular_momentum
-suspect: the rate (C - A)/A omega_3
 """
 
 

@@ -1,7 +1,6 @@
-"""The wobble is negative where the spin is.
+"""The sign of omega_3 left in the rate.
 
 fails: wobble_goes_round_the_angular_momentum
-suspect: the sign of omega_3 left in the rate
 """
 
 _rate = wobble_rate

@@ -1,7 +1,6 @@
-"""The moment of inertia about the contact, though G does not move.
+"""A + m a^2 taken for A, as if G moved.
 
 fails: common_precession_is_in_both_families
-suspect: as if G moved
 """
 
 

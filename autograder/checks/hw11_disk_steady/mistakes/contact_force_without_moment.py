@@ -1,7 +1,6 @@
-"""The inward force is left out of the balance of moments: no m a^2.
+"""m a^2 missing: the force that keeps G on its circle has a moment about G too.
 
 fails: rolling_spin_balances_the_moments, rolling_track_has_the_contact_at_rest, rolling_precession_balances_the_moments
-suspect: m a^2 missing
 """
 
 

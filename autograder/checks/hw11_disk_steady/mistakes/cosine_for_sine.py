@@ -1,7 +1,6 @@
-"""The sliding track has the cosine of the lean.
+"""The cosine of the lean.
 
 fails: sliding_track_is_around_the_resting_centre
-suspect: the cosine of the lean
 """
 
 

@@ -1,7 +1,6 @@
-"""The kinetic energy has C/4 for A/2, at the right precession.
+"""C/2 for A, as of a thin disk.
 
 fails: settling_energy_adds_up
-suspect: C/2 for A
 """
 
 def settling_energy(lean, *, mass, radius, inertia, gravity):

@@ -1,7 +1,6 @@
-"""The inward force has the cosine of the lean, as if G's acceleration were along the axle.
+"""The cosine of the lean in the inward force, which is horizontal.
 
 fails: contact_force_moves_the_centre
-suspect: the cosine of the lean in the inward force
 """
 
 

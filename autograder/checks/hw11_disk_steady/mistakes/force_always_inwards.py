@@ -1,7 +1,6 @@
-"""The inward force is never negative.
+"""The inward force taken without its sign.
 
 fails: contact_force_moves_the_centre
-suspect: the inward force taken without its sign
 """
 
 

@@ -1,7 +1,6 @@
-"""The pair comes the other way round.
+"""The normal force first; the inward force is asked first.
 
 fails: contact_force_moves_the_centre
-suspect: the normal force first
 """
 
 

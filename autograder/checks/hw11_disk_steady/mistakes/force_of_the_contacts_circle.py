@@ -1,7 +1,6 @@
-"""The inward force is m Omega^2 R, with the radius of the contact's track; G goes round on another circle.
+"""R, of the contact's track, for the radius of the circle of G.
 
 fails: contact_force_moves_the_centre
-suspect: R, of the contact's track, for the radius of the circle of G
 """
 
 

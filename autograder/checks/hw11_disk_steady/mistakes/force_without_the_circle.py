@@ -1,7 +1,6 @@
-"""The inward force is m a spin^2.
+"""m a spin^2 for the mass times the centripetal acceleration.
 
 fails: contact_force_moves_the_centre
-suspect: m a spin^2
 """
 
 

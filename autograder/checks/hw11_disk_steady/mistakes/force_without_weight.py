@@ -1,7 +1,6 @@
-"""The ground gives G its acceleration, and does not bear the weight.
+"""No weight in the normal force.
 
 fails: contact_force_moves_the_centre
-suspect: no weight in the normal force
 """
 
 

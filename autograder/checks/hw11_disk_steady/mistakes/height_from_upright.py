@@ -1,7 +1,6 @@
-"""The potential energy is 0 where the disk stands upright.
+"""The potential 0 where G of the upright disk is; it is 0 with G on the ground.
 
 fails: settling_energy_adds_up
-suspect: the potential 0 where G of the upright disk is
 """
 
 

@@ -1,7 +1,6 @@
-"""The energy for a lean that is measured from the ground.
+"""The sine for the cosine: the lean is measured from the vertical.
 
 fails: settling_energy_adds_up
-suspect: the sine for the cosine
 """
 
 

@@ -1,7 +1,6 @@
-"""The lean is taken for degrees.
+"""The lean taken for degrees.
 
 fails: common_precession_is_in_both_families
-suspect: the lean taken for degrees
 """
 
 

@@ -1,7 +1,6 @@
-"""The spin comes without the sign of the precession.
+"""The precession taken without its sign.
 
 fails: rolling_spin_balances_the_moments, rolling_track_has_the_contact_at_rest
-suspect: the precession taken without its sign
 """
 
 

@@ -1,7 +1,6 @@
-"""The disk is said to have no kinetic energy, for its centre is at rest.
+"""The potential energy alone.
 
 fails: settling_energy_adds_up
-suspect: the potential energy alone
 """
 
 

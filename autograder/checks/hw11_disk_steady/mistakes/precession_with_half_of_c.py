@@ -1,7 +1,6 @@
-"""rolling_precession has C/2 for A.
+"""C/2 for A, as of a thin disk.
 
 fails: rolling_precession_balances_the_moments
-suspect: C/2 for A
 """
 
 _precession = rolling_precession

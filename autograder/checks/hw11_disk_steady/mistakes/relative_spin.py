@@ -1,7 +1,6 @@
-"""The spins are relative to the frame that goes round with Omega, and not total.
+"""The spin relative to the turning frame taken for the total spin.
 
 fails: rolling_spin_balances_the_moments, rolling_track_has_the_contact_at_rest, sliding_spin_balances_the_moments
-suspect: the spin relative to the turning frame
 """
 
 

@@ -1,7 +1,6 @@
-"""The moment of the inward force has the sign of an outward one.
+"""The moment of the inward force turned round.
 
 fails: moment_residual_is_moment_minus_rate
-suspect: the moment of the inward force turned round
 """
 
 _residual = moment_residual

@@ -1,7 +1,6 @@
-"""The forces given are ignored for those of steady rolling on a floor.
+"""The inward force of steady rolling, not the one given.
 
 fails: moment_residual_is_moment_minus_rate
-suspect: the inward force of steady rolling
 """
 
 

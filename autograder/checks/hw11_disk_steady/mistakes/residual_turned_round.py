@@ -1,7 +1,6 @@
-"""The rate of angular momentum minus the moment.
+"""The sign turned round.
 
 fails: moment_residual_is_moment_minus_rate
-suspect: the sign turned round
 """
 
 

@@ -1,7 +1,6 @@
-"""The rate of angular momentum has C + m a^2, as if about the contact.
+"""C + m a^2 for C: the moments are about G, and the force is given.
 
 fails: moment_residual_is_moment_minus_rate
-suspect: C + m a^2 for C
 """
 
 _residual = moment_residual

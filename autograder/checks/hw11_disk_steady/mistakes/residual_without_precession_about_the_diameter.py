@@ -1,7 +1,6 @@
-"""The angular momentum is that of the spin alone.
+"""The angular momentum of the spin alone: Omega turns the disk about its diameter too.
 
 fails: moment_residual_is_moment_minus_rate
-suspect: the angular momentum of the spin alone
 """
 
 

@@ -1,7 +1,6 @@
-"""The formula for the thin uniform disk, whatever the inertias.
+"""A and C of a thin uniform disk for those given.
 
 fails: rolling_precession_balances_the_moments
-suspect: A and C of a thin uniform disk
 """
 
 

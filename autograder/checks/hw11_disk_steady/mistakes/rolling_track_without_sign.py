@@ -1,7 +1,6 @@
-"""The track of the rolling disk is a distance.
+"""The radius without its sign.
 
 fails: rolling_track_has_the_contact_at_rest
-suspect: the radius without its sign
 """
 
 _track = rolling_track_radius

@@ -1,7 +1,6 @@
-"""The balance is divided by cos(lean), but for the moment of the weight.
+"""sin(lean) for tan(lean) in the moment of the weight: the cosine divides that term too.
 
 fails: rolling_spin_balances_the_moments, rolling_track_has_the_contact_at_rest
-suspect: sin(lean) for tan(lean) in the moment of the weight
 """
 
 

@@ -1,7 +1,6 @@
-"""R is a spin / Omega - a sin(lean).
+"""A sin(lean) taken off where it is to be added.
 
 fails: rolling_track_has_the_contact_at_rest
-suspect: a sin(lean) taken off
 """
 
 _track = rolling_track_radius

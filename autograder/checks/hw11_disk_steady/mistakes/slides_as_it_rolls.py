@@ -1,7 +1,6 @@
-"""The sliding disk gets the spin of the rolling one.
+"""The spin of the rolling disk.
 
 fails: sliding_spin_balances_the_moments
-suspect: the spin of the rolling disk
 """
 
 

@@ -1,7 +1,6 @@
-"""The spin given is taken for the one relative to the turning frame.
+"""The spin relative to the turning frame taken for the total spin.
 
 fails: contact_force_moves_the_centre, moment_residual_is_moment_minus_rate
-suspect: the spin relative to the turning frame
 """
 
 

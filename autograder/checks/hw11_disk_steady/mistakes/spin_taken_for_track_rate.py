@@ -1,7 +1,6 @@
-"""a times the relative spin, Omega R, is put into the angular momentum.
+"""The spin relative to the turning frame taken for the total spin.
 
 fails: rolling_precession_balances_the_moments
-suspect: the spin relative to the turning frame
 """
 
 

@@ -1,7 +1,6 @@
-"""The negative root of Omega^2.
+"""The sign turned round.
 
 fails: rolling_precession_balances_the_moments
-suspect: the sign turned round
 """
 
 

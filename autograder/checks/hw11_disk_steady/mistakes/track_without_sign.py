@@ -1,7 +1,6 @@
-"""The sliding track is a distance, without its sign.
+"""The lean taken without its sign.
 
 fails: sliding_track_is_around_the_resting_centre
-suspect: the lean taken without its sign
 """
 
 

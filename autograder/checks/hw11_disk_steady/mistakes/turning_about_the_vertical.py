@@ -1,7 +1,6 @@
-"""The kinetic energy is A Omega^2 / 2, as if the disk turned about the vertical.
+"""Omega, about the vertical, for the rate at which the disk turns about its diameter.
 
 fails: settling_energy_adds_up
-suspect: Omega, about the vertical
 """
 
 

@@ -1,7 +1,6 @@
-"""T - V where T + V is asked.
+"""The sign of the potential energy reversed.
 
 fails: energy_is_kinetic_and_potential
-suspect: the sign of the potential energy reversed
 """
 
 def energy(x, v, *, mass, curvature, gravity):

@@ -1,7 +1,6 @@
-"""2 c^2 x^2 for the square of the slope.
+"""2 c^2 x^2 for the square of the slope, 4 c^2 x^2.
 
 fails: energy_is_kinetic_and_potential
-suspect: 2 c^2 x^2 for the square of the slope
 """
 
 

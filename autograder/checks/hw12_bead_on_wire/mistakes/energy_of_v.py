@@ -1,7 +1,6 @@
-"""Kinetic energy of v alone.
+"""The kinetic energy of a flat wire, v for the speed.
 
 fails: energy_is_kinetic_and_potential
-suspect: the kinetic energy of a flat wire
 """
 
 def energy(x, v, *, mass, curvature, gravity):

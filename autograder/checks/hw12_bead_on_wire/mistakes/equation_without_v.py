@@ -1,7 +1,6 @@
-"""The rate of dT/dv without the term in which x changes.
+"""The term 4 c^2 x v^2 missing.
 
 fails: lagrange_gives_the_acceleration
-suspect: the term 4 c^2 x v^2 missing
 """
 
 def lagrange_equation():

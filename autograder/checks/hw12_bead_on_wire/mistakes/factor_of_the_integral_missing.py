@@ -1,7 +1,6 @@
-"""The integral turned to a positive parameter, without the factor that this brings.
+"""The factor before the integral, sqrt(1 + (2 c A)^2), missing.
 
 fails: period_is_exact
-suspect: the factor before the integral
 """
 
 def period(amplitude, *, curvature, gravity):

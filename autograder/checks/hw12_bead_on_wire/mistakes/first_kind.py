@@ -1,7 +1,6 @@
-"""The elliptic integral of the pendulum.
+"""The integral of the first kind for that of the second.
 
 fails: period_is_exact
-suspect: the integral of the first kind for that of the second
 """
 
 def period(amplitude, *, curvature, gravity):

@@ -1,7 +1,6 @@
-"""The kinetic energy of v alone, as on a flat wire; the equation follows from it.
+"""The kinetic energy of a flat wire, v for the speed.
 
 fails: lagrangian_is_kinetic_less_potential, lagrange_gives_the_acceleration
-suspect: the kinetic energy of a flat wire
 """
 
 def lagrangian():

@@ -1,7 +1,6 @@
-"""The small motion for the large one.
+"""The kinetic energy of a flat wire, v for the speed.
 
 fails: simulate_slides
-suspect: the kinetic energy of a flat wire
 """
 
 def simulate(t, x, v, *, curvature, gravity):

@@ -1,7 +1,6 @@
-"""The rate of x for the speed along the wire in the force.
+"""v for the speed along the wire, where it is that along x.
 
 fails: force_has_the_right_size
-suspect: v for the speed along the wire
 """
 
 _right = constraint_force

@@ -1,7 +1,6 @@
-"""A force of the right size that points up, not along the normal.
+"""A force straight up, not along the normal.
 
 fails: force_and_weight_make_the_acceleration
-suspect: a force straight up
 """
 
 def constraint_force(x, v, *, mass, curvature, gravity):

@@ -1,7 +1,6 @@
-"""The force of the bead on the wire.
+"""The force reversed, that of the bead on the wire.
 
 fails: force_and_weight_make_the_acceleration
-suspect: the force reversed
 """
 
 def constraint_force(x, v, *, mass, curvature, gravity):

@@ -1,7 +1,6 @@
-"""The radius of curvature is 1/(2 c) at the bottom alone.
+"""The radius of curvature at the bottom, 1/(2 c), taken everywhere.
 
 fails: force_has_the_right_size
-suspect: the radius of curvature at the bottom
 """
 
 

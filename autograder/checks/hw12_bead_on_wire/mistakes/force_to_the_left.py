@@ -1,7 +1,6 @@
-"""The force on either side points to the left.
+"""A force that always points to the left, where it points to the middle.
 
 fails: force_and_weight_make_the_acceleration
-suspect: a force that always points to the left
 """
 
 _right = constraint_force

@@ -1,7 +1,6 @@
-"""y'' without 2 c v^2.
+"""y'' without the term 2 c v^2: y = c x^2 differentiated twice has two terms.
 
 fails: force_has_the_right_size
-suspect: y'' without the term 2 c v^2
 """
 
 

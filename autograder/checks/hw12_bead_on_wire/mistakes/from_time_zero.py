@@ -1,7 +1,7 @@
-"""Integrated from t = 0, whatever t[0] is.
+"""The given state taken for that at t = 0, where it is that at t[0].
 
 fails: simulate_slides
-suspect: taken for that at t = 0
+also: the given state taken for that at t = 0, where it is that at t[0], and no times before 0
 """
 
 _right_simulate = simulate

@@ -2,7 +2,6 @@
 
 fails: simulate_slides
 numerics: solve_ivp's own rtol of 1e-3
-suspect: solve_ivp at its default tolerance
 """
 
 def simulate(t, x, v, *, curvature, gravity):

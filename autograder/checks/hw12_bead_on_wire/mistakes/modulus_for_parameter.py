@@ -1,7 +1,6 @@
-"""SciPy's ellipe given the modulus k, where it takes the parameter k^2.
+"""The modulus for the parameter: SciPy's ellipe takes k^2.
 
 fails: period_is_exact
-suspect: the modulus for the parameter
 """
 
 def period(amplitude, *, curvature, gravity):

@@ -1,7 +1,6 @@
-"""The rate of the speed along the wire handed in for x''.
+"""gravity's share along the wire, the rate of the speed there, taken for x''.
 
 fails: newton_gives_the_acceleration
-suspect: the rate of the speed there, taken for x''
 """
 
 

@@ -1,7 +1,6 @@
-"""Right for x > 0 only.
+"""The slope without its sign.
 
 fails: newton_gives_the_acceleration
-suspect: the slope without its sign
 """
 
 def acceleration_newton(x, v, *, curvature, gravity):

@@ -1,7 +1,6 @@
-"""The sign of the term with v^2 is reversed.
+"""The sign of the term 4 c^2 x v^2 reversed.
 
 fails: newton_gives_the_acceleration
-suspect: the sign of the term 4 c^2 x v^2 reversed
 """
 
 

@@ -1,7 +1,6 @@
-"""1 + 2 c x where the tangent dotted with itself belongs.
+"""The slope 2 c x not squared.
 
 fails: newton_gives_the_acceleration
-suspect: the slope 2 c x not squared
 """
 
 def acceleration_newton(x, v, *, curvature, gravity):

@@ -1,7 +1,6 @@
-"""Gravity along +y.
+"""The sign of gravity's term reversed.
 
 fails: newton_gives_the_acceleration
-suspect: the sign of gravity's term reversed
 """
 
 def acceleration_newton(x, v, *, curvature, gravity):

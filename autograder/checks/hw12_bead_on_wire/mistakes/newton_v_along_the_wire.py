@@ -1,7 +1,6 @@
-"""v taken for the speed along the wire.
+"""The term 4 c^2 x v^2 with v along the wire, where it is the rate of x.
 
 fails: newton_gives_the_acceleration
-suspect: with v along the wire
 """
 
 

@@ -1,7 +1,6 @@
-"""The period that does not know the amplitude.
+"""The period of small amplitudes.
 
 fails: period_is_exact
-suspect: the period of small amplitudes
 """
 
 def period(amplitude, *, curvature, gravity):

@@ -1,7 +1,6 @@
-"""T + V for T - V; the equation is done by hand.
+"""The sign of the potential energy reversed.
 
 fails: lagrangian_is_kinetic_less_potential
-suspect: the sign of the potential energy reversed
 """
 
 def lagrangian():

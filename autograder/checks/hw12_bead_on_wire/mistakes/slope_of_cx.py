@@ -1,7 +1,6 @@
-"""The slope taken for c x in the Lagrangian; the equation is done by hand.
+"""c x for the slope 2 c x.
 
 fails: lagrangian_is_kinetic_less_potential
-suspect: c x for the slope 2 c x
 """
 
 def lagrangian():

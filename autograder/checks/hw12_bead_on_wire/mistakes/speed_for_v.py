@@ -1,7 +1,6 @@
-"""The second column is the speed along the wire.
+"""The speed along the wire in place of v.
 
 fails: simulate_slides
-suspect: the speed along the wire in place of v
 """
 
 _right_simulate = simulate

@@ -1,7 +1,6 @@
-"""The force on a bead at rest, whatever its speed.
+"""The force on a bead at rest, the term with v^2 missing.
 
 fails: force_has_the_right_size
-suspect: the force on a bead at rest
 """
 
 def constraint_force(x, v, *, mass, curvature, gravity):

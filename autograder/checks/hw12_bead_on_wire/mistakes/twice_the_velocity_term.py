@@ -1,7 +1,6 @@
-"""dT/dx forgotten: the term with v^2 is twice what it is.
+"""Twice the term 4 c^2 x v^2, no dT/dx.
 
 fails: lagrange_gives_the_acceleration
-suspect: twice the term 4 c^2 x v^2
 """
 
 def lagrange_equation():

@@ -1,7 +1,6 @@
-"""The force on a bead of one kilogram.
+"""A mass of 1 for the one given.
 
 fails: force_has_the_right_size
-suspect: a mass of 1 for the one given
 """
 
 def constraint_force(x, v, *, mass, curvature, gravity):

@@ -1,7 +1,6 @@
-"""The force along the ramp holds the weight alone.
+"""A force along the ramp that holds the weight alone, as at rest.
 
 fails: contact_force_accelerates_G
-suspect: a force along the ramp that holds the weight alone
 """
 
 _right = contact_force

@@ -1,7 +1,6 @@
 """The weight left out of the force along the ramp.
 
 fails: contact_force_accelerates_G
-suspect: the weight left out of the force along the ramp
 """
 
 _right = contact_force

@@ -1,7 +1,7 @@
-"""phi wrapped to half a turn to either side.
+"""Phi wrapped to half a turn to either side.
 
 fails: simulate_rolls_and_rocks
-suspect: phi wrapped
+also: phi wrapped to a turn from 0
 """
 
 _right = simulate

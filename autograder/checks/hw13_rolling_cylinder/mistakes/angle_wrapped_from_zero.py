@@ -1,7 +1,6 @@
-"""phi wrapped to a turn from 0.
+"""Phi wrapped to a turn from 0.
 
 fails: simulate_rolls_and_rocks
-suspect: phi wrapped to a turn from 0
 """
 
 _right = simulate

@@ -1,7 +1,6 @@
-"""I^C of phi = 0 at every phi.
+"""That of phi = 0 at every phi: G is as far from C there as r - e.
 
 fails: contact_inertia_by_the_parallel_axis_theorem, naive_acceleration_is_the_moment_over_the_inertia, energy_of_G_and_of_turning
-suspect: that of phi = 0 at every phi
 """
 
 

@@ -1,8 +1,7 @@
-"""solve_ivp with its default tolerances.
+"""The tolerances that solve_ivp has when none are given.
 
 fails: simulate_rolls_and_rocks
 numerics: solve_ivp's own rtol of 1e-3
-suspect: tolerances that solve_ivp has
 """
 
 

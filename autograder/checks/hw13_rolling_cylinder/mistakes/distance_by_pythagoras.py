@@ -1,7 +1,6 @@
-"""The distance from C to G as if the radius to G were along the ramp.
+"""The distance from C to G by r^2 + e^2, which it is where O G is along the ramp.
 
 fails: contact_inertia_by_the_parallel_axis_theorem, naive_acceleration_is_the_moment_over_the_inertia, energy_of_G_and_of_turning
-suspect: the distance from C to G by r^2 + e^2
 """
 
 

@@ -1,7 +1,6 @@
-"""m r^2 for the contact, wherever G is.
+"""The distance from C to the centre, where that to G belongs.
 
 fails: contact_inertia_by_the_parallel_axis_theorem
-suspect: from C to the centre
 """
 
 _right, _energy, _naive = contact_inertia, energy, naive_contact_acceleration

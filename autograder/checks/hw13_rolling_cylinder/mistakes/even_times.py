@@ -1,7 +1,7 @@
-"""Times taken to be even.
+"""The times taken to be evenly spaced.
 
 fails: simulate_rolls_and_rocks
-suspect: evenly spaced
+also: the times taken to be evenly spaced, the first step for all
 """
 
 _right = simulate

@@ -1,7 +1,7 @@
-"""The times taken as even, all as far apart as the first two.
+"""The times taken to be evenly spaced.
 
 fails: simulate_rolls_and_rocks
-suspect: evenly spaced
+also: the times taken to be evenly spaced, the first step for all
 """
 
 _right = simulate

@@ -1,7 +1,6 @@
-"""The centre's acceleration along the ramp for that of G.
+"""The acceleration of the centre along the ramp, r phi'', for that of G.
 
 fails: contact_force_accelerates_G
-suspect: the acceleration of the centre along the ramp
 names: normal is right, along is not
 """
 

@@ -1,7 +1,6 @@
-"""The acceleration of G is that of the centre, and the centripetal part about it: alpha x r is forgotten.
+"""The acceleration of G without alpha x r, its turning about the centre.
 
 fails: contact_force_accelerates_G
-suspect: without alpha x r
 """
 
 

@@ -1,7 +1,6 @@
-"""along positive up the ramp.
+"""The friction positive up the ramp.
 
 fails: contact_force_accelerates_G
-suspect: positive up the ramp
 """
 
 _right = contact_force

@@ -1,7 +1,6 @@
-"""Half the missing moment.
+"""Half the term.
 
 fails: missing_moment_makes_it_right
-suspect: half the term
 """
 
 

@@ -1,7 +1,7 @@
-"""Half the missing moment in the acceleration.
+"""Half the term that M_C = I^C phi'' lacks.
 
 fails: acceleration_balances_momentum_about_G, contact_force_accelerates_G, simulate_rolls_and_rocks
-suspect: half the term
+also: half the term that M_C = I^C phi'' lacks, for the acceleration
 """
 
 

@@ -1,7 +1,6 @@
-"""cos(phi) cos(slope) in the height of G.
+"""The height of G with cos(phi) cos(slope), where cos(phi + slope) belongs.
 
 fails: energy_of_G_and_of_turning
-suspect: the height of G with cos(phi) cos(slope)
 """
 
 _right = energy

@@ -1,7 +1,6 @@
-"""I^C with the height of G above the ramp for its distance from the contact.
+"""The height of G above the ramp for its distance from C.
 
 fails: contact_inertia_by_the_parallel_axis_theorem, naive_acceleration_is_the_moment_over_the_inertia, energy_of_G_and_of_turning
-suspect: the height of G above the ramp
 """
 
 _right = contact_inertia

@@ -1,7 +1,6 @@
-"""phi - slope for the angle of G from the vertical.
+"""The height of G with cos(phi - slope), where cos(phi + slope) belongs.
 
 fails: energy_of_G_and_of_turning
-suspect: the height of G with cos(phi - slope)
 """
 
 _right = energy

@@ -1,7 +1,6 @@
-"""The parallel-axis theorem to the centre.
+"""The inertia about the centre.
 
 fails: centred_cylinder_rolls_by_both_methods, contact_inertia_by_the_parallel_axis_theorem, naive_acceleration_is_the_moment_over_the_inertia, energy_of_G_and_of_turning
-suspect: inertia about the centre
 """
 
 

@@ -1,7 +1,6 @@
-"""phi_dot times its size for the square.
+"""phi' times its size, where its square belongs, which has no sign.
 
 fails: missing_moment_makes_it_right
-suspect: phi' times its size
 """
 
 

@@ -1,7 +1,6 @@
-"""The naive equation with I^G.
+"""I^G for I^C.
 
 fails: centred_cylinder_rolls_by_both_methods, naive_acceleration_is_the_moment_over_the_inertia
-suspect: I^G for I^C
 """
 
 _right = naive_contact_acceleration

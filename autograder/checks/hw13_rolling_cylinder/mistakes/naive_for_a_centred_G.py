@@ -1,7 +1,6 @@
-"""The naive equation with I^G + m r^2, which is I^C for a G at the centre alone.
+"""I^G + m r^2 for I^C, which is that of a G at the centre.
 
 fails: naive_acceleration_is_the_moment_over_the_inertia
-suspect: I^G + m r^2 for I^C
 """
 
 _right = naive_contact_acceleration

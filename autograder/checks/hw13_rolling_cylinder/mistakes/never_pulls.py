@@ -1,7 +1,6 @@
-"""A normal force below zero is cut off.
+"""A normal force below zero cut off to zero.
 
 fails: contact_force_may_pull
-suspect: cut off
 """
 
 _right = contact_force

@@ -1,7 +1,6 @@
-"""G's acceleration without its terms in phi_dot squared.
+"""The acceleration of G without its terms in phi_dot squared.
 
 fails: contact_force_accelerates_G
-suspect: terms in phi_dot squared
 """
 
 

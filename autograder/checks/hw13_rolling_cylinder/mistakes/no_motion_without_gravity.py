@@ -1,7 +1,6 @@
-"""Without gravity nothing changes.
+"""No change of phi_dot where there is no gravity.
 
 fails: acceleration_level_and_without_gravity, contact_force_may_pull, simulate_keeps_the_energy
-suspect: where there is no gravity
 """
 
 _right = acceleration

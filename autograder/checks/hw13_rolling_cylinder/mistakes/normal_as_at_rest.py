@@ -1,7 +1,6 @@
-"""The normal force carries the weight alone.
+"""A normal force that carries the weight alone, as at rest.
 
 fails: contact_force_accelerates_G
-suspect: a normal force that carries the weight alone
 names: along is right, normal is not
 """
 

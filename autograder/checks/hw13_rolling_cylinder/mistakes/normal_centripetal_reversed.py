@@ -1,7 +1,6 @@
-"""The sign of the part with phi_dot squared in the acceleration of G off the ramp.
+"""The acceleration of G off the ramp, the wrong sign of its part with phi_dot squared.
 
 fails: contact_force_accelerates_G
-suspect: the wrong sign of its part with phi_dot squared
 """
 
 _right = contact_force

@@ -1,7 +1,6 @@
-"""The components in the other order.
+"""Normal first, along second.
 
 fails: contact_force_accelerates_G
-suspect: normal first
 """
 
 _right = contact_force

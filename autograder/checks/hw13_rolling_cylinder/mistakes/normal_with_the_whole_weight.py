@@ -1,7 +1,6 @@
 """The weight without the cosine of the slope in the normal force.
 
 fails: contact_force_accelerates_G
-suspect: the weight without the cosine of the slope
 """
 
 _right = contact_force

@@ -1,7 +1,6 @@
-"""The acceleration of G off the ramp lacks its part with phi''.
+"""The acceleration of G off the ramp without its part with phi''.
 
 fails: contact_force_accelerates_G
-suspect: the acceleration of G off the ramp without its part with phi''
 """
 
 _right = contact_force

@@ -1,7 +1,7 @@
-"""G away from the contact at phi = 0.
+"""G on the other side of the centre.
 
 fails: acceleration_balances_momentum_about_G, contact_force_accelerates_G, simulate_rolls_and_rocks
-suspect: other side of the centre
+also: G on the other side of the centre, for the acceleration
 """
 
 _right = acceleration

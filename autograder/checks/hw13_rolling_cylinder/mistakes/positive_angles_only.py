@@ -1,7 +1,6 @@
-"""Right for positive angles within half a turn.
+"""The size of the sine of phi, where its sign matters: G may be on either side.
 
 fails: missing_moment_makes_it_right
-suspect: the size of the sine
 """
 
 

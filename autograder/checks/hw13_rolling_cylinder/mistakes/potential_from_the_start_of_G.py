@@ -1,7 +1,6 @@
-"""Potential zero with G where it is at phi = 0.
+"""The potential zero with G where it is at phi = 0.
 
 fails: energy_of_G_and_of_turning
-suspect: G where it is at phi = 0
 """
 
 _right = energy

@@ -1,7 +1,6 @@
-"""phi_dot not squared.
+"""phi' where its square belongs.
 
 fails: missing_moment_makes_it_right
-suspect: phi' where its square belongs
 """
 
 

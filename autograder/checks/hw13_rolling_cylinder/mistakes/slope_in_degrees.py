@@ -1,7 +1,6 @@
-"""The slope taken for degrees in the energy.
+"""The slope taken for degrees.
 
 fails: energy_of_G_and_of_turning
-suspect: the slope taken for degrees
 """
 
 _right = energy

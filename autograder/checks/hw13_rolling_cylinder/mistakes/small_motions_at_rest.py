@@ -1,7 +1,6 @@
-"""A start of less than a hundredth of a radian is taken for rest.
+"""A start at rest, or nearly so, that stays where it is.
 
 fails: simulate_needs_no_dense_times, simulate_rocks_at_the_linear_frequency
-suspect: that stays where it is
 names: row 1 is the start again for two times, let go at rest
 """
 

@@ -1,7 +1,6 @@
-"""The centre's speed in the kinetic energy.
+"""The centre's speed for that of G.
 
 fails: energy_of_G_and_of_turning
-suspect: centre's speed
 """
 
 _right = energy

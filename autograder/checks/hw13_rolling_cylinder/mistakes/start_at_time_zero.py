@@ -1,7 +1,7 @@
-"""The given state taken for that at t = 0.
+"""The given state taken for that at t = 0, where it is that at t[0].
 
 fails: simulate_rolls_and_rocks
-suspect: taken for that at t = 0
+also: the given state taken for that at t = 0, where it is that at t[0], and no times before 0
 """
 
 _right = simulate

@@ -1,7 +1,6 @@
-"""The moment of a weight at the centre.
+"""The moment of a weight at the centre, where it acts at G.
 
 fails: naive_acceleration_is_the_moment_over_the_inertia
-suspect: weight at the centre
 """
 
 

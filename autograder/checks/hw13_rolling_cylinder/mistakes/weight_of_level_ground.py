@@ -1,7 +1,7 @@
-"""The weight turns the cylinder by m g e sin(phi), as on level ground, where G is aside by e sin(phi + slope).
+"""The moment of the weight at G with sin(phi), where sin(phi + slope) belongs.
 
 fails: acceleration_balances_momentum_about_G, contact_force_accelerates_G, simulate_rolls_and_rocks
-suspect: sin(phi + slope) belongs
+also: the moment of the weight at G with sin(phi - slope), where sin(phi + slope) belongs | the moment of the weight at G with sin(phi), where sin(phi + slope) belongs, for the acceleration | the moment of the weight at G with sin(phi - slope), where sin(phi + slope) belongs, for the acceleration
 """
 
 _right = acceleration

@@ -1,7 +1,6 @@
-"""The whole rate of I^C times phi_dot.
+"""Twice the term: the whole rate of I^C times phi'.
 
 fails: missing_moment_makes_it_right
-suspect: twice the term
 """
 
 

@@ -1,7 +1,6 @@
-"""The acceleration's components along e1, e2, e3 are brought to space by R, in which the roll is.
+"""The components of the acceleration along e1, e2, e3 brought to space by R, which rolls.
 
 fails: contact_force_moves_the_centre
-suspect: brought to space by R
 """
 
 

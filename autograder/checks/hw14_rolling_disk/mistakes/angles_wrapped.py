@@ -1,7 +1,7 @@
-"""simulate_euler wraps the angles.
+"""The angles wrapped to half a turn to either side.
 
 fails: euler_simulation_follows_the_motion
-suspect: the angles wrapped
+also: the angles wrapped to a turn from 0
 """
 
 

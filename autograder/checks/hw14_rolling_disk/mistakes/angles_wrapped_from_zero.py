@@ -1,7 +1,6 @@
-"""simulate_euler wraps yaw and roll to a turn from 0.
+"""The angles wrapped to a turn from 0.
 
 fails: euler_simulation_follows_the_motion
-suspect: the angles wrapped to a turn from 0
 """
 
 

@@ -1,7 +1,6 @@
-"""dR/dt is R skew(omega) with omega in space axes.
+"""dR/dt of an omega in body axes, where it is in space axes.
 
 fails: matrix_equations_hold, matrix_simulation_follows_the_motion
-suspect: dR/dt of an omega in body axes
 """
 
 

@@ -1,7 +1,6 @@
-"""The matrix state has the centre straight above the contact.
+"""The centre straight above the contact.
 
 fails: matrix_state_places_the_disk, wireframe_is_a_rolling_disk
-suspect: the centre straight above the contact
 """
 
 _placed = matrix_state

@@ -1,7 +1,6 @@
-"""The contact point is said to be at rest, as the point of the disk there is.
+"""The contact at rest (the point of the disk there is, the place is not).
 
 fails: euler_equations_hold, euler_simulation_follows_the_motion
-suspect: the contact at rest
 """
 
 

@@ -1,7 +1,6 @@
-"""The contact point is taken as fixed in the body when its motion is differentiated.
+"""The contact point taken as fixed in the body (its place in the disk changes as the disk rolls).
 
 fails: euler_equations_hold, contact_force_moves_the_centre, euler_simulation_follows_the_motion
-suspect: the contact point taken as fixed in the body
 """
 
 

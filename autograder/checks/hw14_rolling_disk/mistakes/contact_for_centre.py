@@ -1,7 +1,6 @@
-"""The matrix state has the contact point for the centre.
+"""The contact for the centre.
 
 fails: matrix_state_places_the_disk, wireframe_is_a_rolling_disk
-suspect: the contact for the centre
 """
 
 

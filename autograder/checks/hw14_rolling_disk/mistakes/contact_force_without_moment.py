@@ -1,7 +1,6 @@
-"""m a^2 is missing: the contact force carries the weight alone.
+"""m a^2 missing: the force that moves the centre has a moment about it too.
 
 fails: euler_equations_hold, contact_force_moves_the_centre, euler_simulation_follows_the_motion
-suspect: m a^2 missing
 """
 
 

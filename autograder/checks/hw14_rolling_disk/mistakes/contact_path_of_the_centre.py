@@ -1,7 +1,6 @@
-"""The contact point is said to move as fast as the centre.
+"""The contact moving as fast as the centre.
 
 fails: euler_equations_hold, euler_simulation_follows_the_motion
-suspect: the contact moving as fast as the centre
 """
 
 

@@ -1,7 +1,7 @@
-"""sqrt(g a / 3), whatever the inertias.
+"""The thin uniform disk's m a^2/4 and m a^2/2, whatever A and C.
 
 fails: critical_speed_parts_stable_from_unstable
-suspect: the thin uniform disk's m a^2/4
+within: 1e-08
 """
 
 

@@ -1,7 +1,6 @@
-"""9.81 m/s^2 for gravity in the critical speed.
+"""9.81 m/s^2, whatever the gravity.
 
 fails: critical_speed_parts_stable_from_unstable
-suspect: 9.81 m/s^2
 """
 
 _critical = critical_speed

@@ -1,7 +1,6 @@
-"""A = C/2, whatever the disk.
+"""C/2 for A, as of a thin disk.
 
 fails: critical_speed_parts_stable_from_unstable
-suspect: C/2 for A
 """
 
 _right = critical_speed

@@ -1,7 +1,6 @@
-"""C^2 for C (C + m a^2) in the critical speed.
+"""m a^2 missing beside C.
 
 fails: critical_speed_parts_stable_from_unstable
-suspect: m a^2 missing beside C
 """
 
 

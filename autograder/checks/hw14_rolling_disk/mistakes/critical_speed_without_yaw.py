@@ -1,7 +1,6 @@
-"""The inertias are swapped in the critical speed.
+"""A and C swapped.
 
 fails: critical_speed_parts_stable_from_unstable
-suspect: A and C swapped
 """
 
 

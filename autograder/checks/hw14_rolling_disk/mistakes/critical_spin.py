@@ -1,7 +1,6 @@
-"""The critical spin instead of the speed.
+"""The critical spin for the speed.
 
 fails: critical_speed_parts_stable_from_unstable
-suspect: the critical spin for the speed
 """
 
 

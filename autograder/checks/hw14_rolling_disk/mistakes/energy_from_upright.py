@@ -1,7 +1,6 @@
-"""The potential is 0 where the disk is upright.
+"""The potential 0 where the disk is upright; it is 0 with the centre on the ground.
 
 fails: energy_is_kinetic_and_potential
-suspect: the potential 0 where the disk is upright
 """
 
 _energy = energy

@@ -1,7 +1,6 @@
-"""The centre is at the height a, whatever the tilt.
+"""The height a of the upright disk, whatever the tilt.
 
 fails: energy_is_kinetic_and_potential
-suspect: the height a of the upright disk
 """
 
 _energy = energy

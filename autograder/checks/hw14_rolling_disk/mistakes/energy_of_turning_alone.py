@@ -1,7 +1,6 @@
-"""The kinetic energy of the moving centre is left out.
+"""The energy of turning alone: that of the moving centre left out.
 
 fails: energy_is_kinetic_and_potential
-suspect: the energy of turning alone
 """
 
 

@@ -1,7 +1,6 @@
-"""A + m a^2 for both diameters.
+"""m a^2 added to A for the rate along e2: the contact lies on e2.
 
 fails: energy_is_kinetic_and_potential
-suspect: m a^2 added to A for the rate along e2
 """
 
 _energy = energy

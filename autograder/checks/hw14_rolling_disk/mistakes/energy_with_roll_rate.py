@@ -1,7 +1,6 @@
-"""The kinetic energy takes the roll rate for the total spin.
+"""roll' taken for the total spin (yaw' has a part along the axle).
 
 fails: energy_is_kinetic_and_potential
-suspect: roll' taken for the total spin
 """
 
 

@@ -1,7 +1,6 @@
-"""The centre's speed is that of tilting alone.
+"""The energy of the moving centre left out that comes from the spin.
 
 fails: energy_is_kinetic_and_potential
-suspect: left out that comes from the spin
 """
 
 _energy = energy

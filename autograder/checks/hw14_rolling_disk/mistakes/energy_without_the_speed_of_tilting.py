@@ -1,7 +1,6 @@
-"""The centre's speed is that of the spin alone.
+"""The energy of the moving centre left out that comes from tilt'.
 
 fails: energy_is_kinetic_and_potential
-suspect: left out that comes from tilt'
 """
 
 _energy = energy

@@ -1,7 +1,7 @@
-"""Both simulations take the times to be all as far apart as the first two.
+"""The times taken to be evenly spaced.
 
 fails: euler_simulation_follows_the_motion, matrix_simulation_follows_the_motion
-suspect: evenly spaced
+also: the times taken to be evenly spaced, the first step for all
 """
 
 

@@ -1,7 +1,7 @@
-"""simulate_euler takes the times to be evenly spaced.
+"""The times taken to be evenly spaced.
 
 fails: euler_simulation_follows_the_motion
-suspect: evenly spaced
+also: the times taken to be evenly spaced, the first step for all
 """
 
 

@@ -1,7 +1,6 @@
-"""Gravity has the wrong sign in the Euler equations.
+"""The weight upwards.
 
 fails: euler_equations_hold, contact_force_moves_the_centre, euler_simulation_follows_the_motion
-suspect: the weight upwards
 """
 
 

@@ -1,7 +1,6 @@
-"""The contact force has the components along the body's axes, which roll.
+"""The components along axes that roll with the disk.
 
 fails: contact_force_moves_the_centre
-suspect: axes that roll with the disk
 """
 
 

@@ -1,7 +1,6 @@
-"""The contact force has the components along e1, e2, e3.
+"""The components along e1, e2, e3.
 
 fails: contact_force_moves_the_centre
-suspect: the components along e1, e2, e3
 """
 
 

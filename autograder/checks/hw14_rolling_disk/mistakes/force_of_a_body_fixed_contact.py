@@ -1,7 +1,6 @@
-"""The acceleration is that of a centre that turns about a contact fixed in the body.
+"""The contact point taken as fixed in the body (its place in the disk changes as the disk rolls).
 
 fails: contact_force_moves_the_centre
-suspect: the contact point taken as fixed in the body
 """
 
 

@@ -1,7 +1,6 @@
-"""The acceleration from the rates of the velocity's components along e1 and e3, as if these did not turn.
+"""The acceleration without the rate of e1, e2, e3, along which the velocity is taken.
 
 fails: contact_force_moves_the_centre
-suspect: without the rate of e1, e2, e3
 """
 
 

@@ -1,7 +1,6 @@
-"""The contact force moves the centre and carries no weight.
+"""The weight left out.
 
 fails: contact_force_moves_the_centre
-suspect: the weight left out
 """
 
 

@@ -1,7 +1,6 @@
-"""Euler's equations with the rate of the body, in the frame e1, e2, e3.
+"""The rate of the frame e1, e2, e3 taken for that of the body.
 
 fails: euler_equations_hold, contact_force_moves_the_centre, euler_simulation_follows_the_motion
-suspect: the rate of the frame e1, e2, e3
 """
 
 

@@ -1,7 +1,6 @@
-"""The Euler equations have 9.81 m/s^2 for gravity.
+"""9.81 m/s^2, whatever the gravity.
 
 fails: euler_equations_hold, contact_force_moves_the_centre, euler_simulation_follows_the_motion
-suspect: 9.81 m/s^2
 """
 
 

@@ -1,7 +1,6 @@
-"""9.81 m/s^2 for gravity in the growth rate.
+"""9.81 m/s^2, whatever the gravity.
 
 fails: growth_rate_is_that_of_a_small_lean
-suspect: 9.81 m/s^2
 """
 
 _growth = growth_rate_squared

@@ -1,7 +1,7 @@
-"""The growth rate has C/2 for A, as of a thin disk.
+"""C/2 for A, as of a thin disk.
 
 fails: growth_rate_is_that_of_a_small_lean
-suspect: C/2 for A
+within: 1e-08
 """
 
 _growth = growth_rate_squared

@@ -1,7 +1,6 @@
-"""Stable where it is unstable.
+"""The sign turned round.
 
 fails: growth_rate_is_that_of_a_small_lean
-suspect: the sign turned round
 """
 
 

@@ -1,7 +1,6 @@
-"""The inertia about the contact lacks m a^2.
+"""m a^2 missing about the contact.
 
 fails: growth_rate_is_that_of_a_small_lean
-suspect: m a^2 missing about the contact
 """
 
 

@@ -1,7 +1,6 @@
-"""C^2 for C (C + m a^2) in the growth rate.
+"""m a^2 missing beside C.
 
 fails: growth_rate_is_that_of_a_small_lean
-suspect: m a^2 missing beside C
 """
 
 

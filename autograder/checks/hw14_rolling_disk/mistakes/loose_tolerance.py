@@ -1,8 +1,7 @@
-"""simulate_euler with the default tolerances of solve_ivp.
+"""The tolerances that solve_ivp has when none are given.
 
 fails: euler_simulation_follows_the_motion
 numerics: solve_ivp's own rtol of 1e-3
-suspect: tolerances that solve_ivp has
 """
 
 

@@ -1,7 +1,6 @@
-"""The contact arm is turned with the body in the matrix equations.
+"""The contact point taken as fixed in the body (its place in the disk changes as the disk rolls).
 
 fails: matrix_equations_hold, matrix_simulation_follows_the_motion
-suspect: the contact point taken as fixed in the body
 """
 
 

@@ -1,7 +1,6 @@
-"""simulate_matrix gives the states one sample late.
+"""The rows one time late, the start left out.
 
 fails: matrix_simulation_follows_the_motion
-suspect: one time late
 """
 
 

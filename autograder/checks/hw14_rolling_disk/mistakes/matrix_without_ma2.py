@@ -1,7 +1,6 @@
-"""m a^2 is missing in the matrix equations.
+"""m a^2 missing: the force that moves the centre has a moment about it too.
 
 fails: matrix_equations_hold, matrix_simulation_follows_the_motion
-suspect: m a^2 missing
 """
 
 

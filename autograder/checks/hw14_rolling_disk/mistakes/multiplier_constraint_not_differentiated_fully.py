@@ -1,7 +1,6 @@
-"""The rate of the arm is left out of the constraint's derivative.
+"""The rate of the arm to the contact left out.
 
 fails: multiplier_equations_hold
-suspect: the rate of the arm to the contact left out
 """
 
 

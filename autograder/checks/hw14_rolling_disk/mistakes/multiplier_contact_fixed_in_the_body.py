@@ -1,7 +1,6 @@
-"""The constraint is differentiated with the contact fixed in the body.
+"""The contact point taken as fixed in the body (its place in the disk changes as the disk rolls).
 
 fails: multiplier_equations_hold
-suspect: the contact point taken as fixed in the body
 """
 
 

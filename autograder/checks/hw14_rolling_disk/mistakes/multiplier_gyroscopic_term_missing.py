@@ -1,7 +1,6 @@
-"""omega x I omega is left out.
+"""Omega x H left out of the balance of angular momentum.
 
 fails: multiplier_equations_hold
-suspect: omega x H left out
 """
 
 

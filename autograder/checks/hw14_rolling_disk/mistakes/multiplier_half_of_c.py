@@ -1,7 +1,6 @@
-"""The tensor of inertia has C/2 for A, as that of a thin disk.
+"""C/2 for A, as of a thin disk.
 
 fails: multiplier_equations_hold
-suspect: C/2 for A
 """
 
 _rates = multiplier_state_derivative

@@ -1,7 +1,6 @@
-"""The tensor of inertia is diag(A, A, C) in space axes, where it is so in body axes.
+"""The inertias of body axes taken along those of space: I is R diag(A, A, C) R^T.
 
 fails: multiplier_equations_hold
-suspect: the inertias of body axes taken along those of space
 """
 
 

@@ -1,7 +1,6 @@
-"""The weight stands in the balance of momentum as g, beside the mass times the acceleration.
+"""The weight without the mass.
 
 fails: multiplier_equations_hold
-suspect: the weight without the mass
 """
 
 _rates = multiplier_state_derivative

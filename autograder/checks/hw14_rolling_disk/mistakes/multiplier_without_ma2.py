@@ -1,7 +1,6 @@
-"""The multipliers carry the weight and do not move the centre.
+"""m a^2 missing: the force that moves the centre has a moment about it too.
 
 fails: multiplier_equations_hold
-suspect: m a^2 missing
 """
 
 

@@ -1,7 +1,6 @@
-"""The matrix state has omega in body axes.
+"""Omega in body axes.
 
 fails: matrix_state_places_the_disk
-suspect: omega in body axes
 """
 
 

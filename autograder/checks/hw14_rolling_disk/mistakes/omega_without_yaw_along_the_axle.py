@@ -1,7 +1,6 @@
-"""The total spin in the matrix state is the roll rate.
+"""roll' taken for the total spin (yaw' has a part along the axle).
 
 fails: matrix_state_places_the_disk
-suspect: roll' taken for the total spin
 """
 
 

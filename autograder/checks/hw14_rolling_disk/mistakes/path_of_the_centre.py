@@ -1,7 +1,6 @@
-"""simulate_euler gives x and y of the centre.
+"""x and y of the centre, where they are those of the contact.
 
 fails: euler_simulation_follows_the_motion
-suspect: x and y of the centre
 """
 
 _motion = simulate_euler

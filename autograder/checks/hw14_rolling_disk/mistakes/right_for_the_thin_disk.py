@@ -1,7 +1,6 @@
-"""The Euler equations of a thin uniform disk, whatever the inertias.
+"""The inertia of a thin uniform disk, whatever A and C.
 
 fails: euler_equations_hold, contact_force_moves_the_centre, euler_simulation_follows_the_motion
-suspect: the inertia of a thin uniform disk
 """
 
 

@@ -1,7 +1,6 @@
-"""The moment of inertia of the moving centre is that of a radius of 1 m.
+"""m where m a^2 belongs: right for a radius of 1 m alone.
 
 fails: euler_equations_hold, contact_force_moves_the_centre, euler_simulation_follows_the_motion
-suspect: right for a radius of 1 m alone
 """
 
 

@@ -1,7 +1,6 @@
-"""roll' turns the disk about z in the matrix state's omega.
+"""roll' along z: it is along the axle.
 
 fails: matrix_state_places_the_disk
-suspect: roll' along z
 """
 
 _placed = matrix_state

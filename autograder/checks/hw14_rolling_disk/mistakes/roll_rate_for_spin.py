@@ -1,7 +1,6 @@
-"""The total spin is taken to be the roll rate.
+"""roll' taken for the total spin (yaw' has a part along the axle).
 
 fails: euler_equations_hold, contact_force_moves_the_centre, euler_simulation_follows_the_motion
-suspect: roll' taken for the total spin
 """
 
 

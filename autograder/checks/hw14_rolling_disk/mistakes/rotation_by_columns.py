@@ -1,7 +1,6 @@
-"""The matrix state has R column by column.
+"""R column by column, or transposed.
 
 fails: matrix_state_places_the_disk
-suspect: R column by column
 """
 
 

@@ -1,7 +1,7 @@
-"""simulate_euler takes the given state as that at t = 0.
+"""The given state taken for that at t = 0, where it is that at t[0].
 
 fails: euler_simulation_follows_the_motion
-suspect: taken for that at t = 0
+also: the given state taken for that at t = 0, where it is that at t[0], and no times before 0
 """
 
 _simulate = simulate_euler

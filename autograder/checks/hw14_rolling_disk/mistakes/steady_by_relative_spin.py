@@ -1,7 +1,6 @@
-"""The spin of the steady motion is taken for the rate relative to the turning frame.
+"""The spin relative to the turning frame taken for the total spin.
 
 fails: steady_residual_is_the_tilt_acceleration
-suspect: relative to the turning frame
 """
 
 

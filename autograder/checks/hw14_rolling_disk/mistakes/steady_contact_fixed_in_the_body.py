@@ -1,7 +1,7 @@
-"""tilt'' of steady motion with the contact fixed in the body.
+"""The contact point taken as fixed in the body (its place in the disk changes as the disk rolls).
 
 fails: steady_residual_is_the_tilt_acceleration
-suspect: the contact point taken as fixed in the body
+within: 1e-10
 """
 
 

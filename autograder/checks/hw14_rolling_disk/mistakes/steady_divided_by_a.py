@@ -1,7 +1,6 @@
-"""The moment is divided by A, not by A + m a^2.
+"""A moment divided by A alone: about the contact it is A + m a^2.
 
 fails: steady_residual_is_the_tilt_acceleration
-suspect: a moment divided by A alone
 """
 
 _residual = steady_residual

@@ -1,7 +1,6 @@
-"""The lean has the other sign.
+"""The lean to the other side.
 
 fails: steady_residual_is_the_tilt_acceleration
-suspect: the lean to the other side
 """
 
 

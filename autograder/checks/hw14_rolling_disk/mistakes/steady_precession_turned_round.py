@@ -1,7 +1,6 @@
-"""The precession has the other sign.
+"""The spin or the precession the other way.
 
 fails: steady_residual_is_the_tilt_acceleration
-suspect: the spin or the precession the other way
 """
 
 _residual = steady_residual

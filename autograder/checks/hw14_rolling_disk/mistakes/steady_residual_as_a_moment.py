@@ -1,7 +1,6 @@
-"""The residual is a moment instead of an angular acceleration.
+"""A moment: it is not divided by the inertia about the contact.
 
 fails: steady_residual_is_the_tilt_acceleration
-suspect: not divided by the inertia
 """
 
 

@@ -1,7 +1,6 @@
-"""roll' is spin + yaw' cos(tilt).
+"""roll' = spin + yaw' cos(tilt): the spin is roll' + yaw' cos(tilt).
 
 fails: steady_residual_is_the_tilt_acceleration
-suspect: roll' = spin + yaw' cos(tilt)
 """
 
 _residual = steady_residual

@@ -1,7 +1,7 @@
-"""The matrix state takes yaw for roll and roll for yaw.
+"""Yaw and roll exchanged in R.
 
 fails: matrix_state_places_the_disk, wireframe_is_a_rolling_disk
-suspect: yaw and roll exchanged
+also: yaw and roll exchanged
 """
 
 _placed = matrix_state

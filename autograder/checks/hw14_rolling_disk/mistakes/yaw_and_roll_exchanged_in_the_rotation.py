@@ -1,7 +1,6 @@
-"""R is Rz(roll) Rx(tilt) Rz(yaw); the centre and omega are right.
+"""Yaw and roll exchanged in R.
 
 fails: matrix_state_places_the_disk, wireframe_is_a_rolling_disk
-suspect: yaw and roll exchanged in R
 """
 
 _placed = matrix_state

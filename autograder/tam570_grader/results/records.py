@@ -1,0 +1,146 @@
+"""Results as records: plain, frozen, and the same on disk as in memory."""
+
+import base64
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, fields, replace
+from typing import Any
+
+import numpy as np
+
+from tam570_grader.writing.check import Given
+
+__all__ = ["FORMAT", "Failure", "Mark", "Result", "failure", "numbers", "read", "write"]
+
+FORMAT = 2  # of a result line; lines of another format are graded anew
+WHOLE = ("expected", "actual", "at")  # numbers of which no digit is lost
+WRITTEN_OUT = 64  # elements of an array; longer ones are kept as their bytes
+
+
+@dataclass(frozen=True)
+class Failure:
+    """Why a check failed, as data: a page makes a sentence of it.
+
+    A quantity `of` is wrong by `error`, in `unit`, beyond a `limit`, at a `time` in s; or `says` tells what is wrong.
+    `expected`, `actual` and `at`, the very input, are the instructor's; the rest is the student's.
+    """
+
+    of: str = ""
+    error: float | None = None
+    unit: str = ""
+    limit: float | None = None
+    time: float | None = None
+    says: str = ""
+    kind: str = ""  # of input, in words that give no input away
+    hint: str = ""
+    suspect: str | None = None  # the known mistake
+    nearly: bool = False  # wrong by less than ten limits: what builds on it is judged all the same
+    curve: dict[str, Any] | None = None  # the error along a motion
+    expected: Any = None
+    actual: Any = None
+    at: Any = None
+    function: str = ""  # that was called at this input
+    fault: str = ""  # of ours, in looking for a name
+
+    def named(self, suspect: str | None, fault: str = "") -> "Failure":
+        """The same failure with the known mistake, or with what kept us from finding one."""
+        return replace(self, suspect=suspect, fault=fault)
+
+
+@dataclass(frozen=True)
+class Mark:
+    """The outcome of one check."""
+
+    name: str
+    part: str
+    points: float | None
+    max_points: float
+    outcome: str  # passed, failed, not_run, grader_error
+    message: str  # for the student
+    suspect: str | None = None
+    failure: Failure | None = None
+    unwritten: str = ""  # the function that is not there
+    error: str = ""  # ours
+
+    @property
+    def opens(self) -> bool:
+        """Whether the checks that build on this one are run."""
+        return self.outcome == "passed" or bool(self.failure and self.failure.nearly)
+
+
+@dataclass(frozen=True)
+class Result:
+    """The outcome of one submission."""
+
+    student: str
+    assignment: str
+    status: str  # graded, missing, unreadable, timeout, crashed
+    score: float | None
+    max_score: float
+    seed: int
+    seconds: float
+    isolation: str
+    checks: tuple[Mark, ...]
+    message: str = ""
+    speed: dict[str, Any] | None = None
+    digest: str = ""  # of all that the result depends on
+    format: int = FORMAT
+
+    def record(self) -> dict[str, Any]:
+        return write(self)
+
+
+def write(result: Result) -> dict[str, Any]:
+    """The result line as plain data; what is empty is left out where it may be."""
+    line = {**asdict(result), "checks": [_mark(mark) for mark in result.checks]}
+    return {key: value for key, value in line.items() if value or key not in ("message", "speed", "digest")}
+
+
+def _mark(mark: Mark) -> dict[str, Any]:
+    line = {one.name: getattr(mark, one.name) for one in fields(mark) if one.name != "failure"}
+    line = {key: value for key, value in line.items() if value or key not in ("unwritten", "error")}
+    if mark.failure:
+        given = [(one.name, getattr(mark.failure, one.name), one.default) for one in fields(mark.failure)]
+        line["failure"] = dict((name, numbers(value)) for name, value, usual in given if value is not usual)
+    return line
+
+
+def read(line: dict[str, Any]) -> Result:
+    """The result in a line. KeyError or TypeError if there is none."""
+    marks = tuple(Mark(**{**mark, "failure": failure(mark.get("failure"))}) for mark in line["checks"])
+    return Result(**{**line, "checks": marks})
+
+
+def failure(line: dict[str, Any] | None) -> Failure | None:
+    """The failure in a mark's line."""
+    if line is None:
+        return None
+    known: dict[str, Any] = {key: _restored(value) if key in WHOLE else value for key, value in line.items()}
+    return Failure(**known)
+
+
+def numbers(value: Any) -> Any:
+    """A value as plain data that loses no digit: arrays become lists, long ones their bytes."""
+    if isinstance(value, np.ndarray):
+        if value.dtype.kind not in "fiub":
+            return [numbers(item) for item in value.tolist()]
+        if value.size <= WRITTEN_OUT:
+            return value.tolist()
+        packed = base64.b64encode(np.ascontiguousarray(value, "<f8").tobytes()).decode()
+        return {"shape": list(value.shape), "float64": packed}
+    if isinstance(value, np.generic):
+        return value.item()
+    if isinstance(value, Given):
+        return {"args": numbers(value.args), "kwargs": numbers(value.kwargs)}
+    if isinstance(value, Mapping):
+        return {str(key): numbers(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [numbers(item) for item in value]
+    return value if value is None or isinstance(value, bool | int | float | str) else repr(value)[:400]
+
+
+def _restored(value: Any) -> Any:
+    if isinstance(value, dict):
+        if value.keys() == {"shape", "float64"}:
+            return np.frombuffer(base64.b64decode(value["float64"]), "<f8").reshape(value["shape"])
+        return {key: _restored(item) for key, item in value.items()}
+    return [_restored(item) for item in value] if isinstance(value, list) else value

@@ -1,0 +1,178 @@
+"""What a check says of a result: `expect` compares numbers, `expect_that` takes any condition.
+
+Both speak to the trial that is running: it knows the input at hand and its kind, so that a check need not repeat them,
+and it goes on behind an error that leaves a share of the points, for the smallest share of all cases counts.
+"""
+
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from contextvars import ContextVar
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from tam570_grader.results.records import Failure
+from tam570_grader.writing.check import Given
+from tam570_grader.writing.curves import Curve, curve
+
+__all__ = ["NEARLY", "NEARLY_SHARE", "Failed", "Trial", "current", "expect", "expect_that", "fail", "trial"]
+
+NEARLY = 10  # limits: wrong physics lies further off, a loose tolerance is often nearer
+NEARLY_SHARE = 0.9  # of the points, for what is right but for a loose tolerance
+Hint = str | Callable[[], str]
+
+
+class Failed(Exception):
+    """The student's result is wrong; a share of the points may be left."""
+
+    def __init__(self, says: str = "", *, share: float = 0.0, **fields: Any) -> None:
+        super().__init__(says)
+        self.failure, self.share = Failure(says=says, **fields), share
+
+
+@dataclass
+class Trial:
+    """A check as it runs: the case at hand, the failures that leave a share of the points, who listens to errors."""
+
+    case: Given | None = None
+    function: str = ""  # that the case was given to
+    failures: list[Failed] = field(default_factory=list)
+    recorder: Callable[[float], None] | None = None  # told every error over its limit; nothing fails then
+
+    def judge(self, function: str, case: Given) -> None:
+        """From now on the result of this call is judged."""
+        self.function, self.case = function, case
+
+    def fail(self, failed: Failed) -> None:
+        """Keep a failure that leaves a share, else end the check with it."""
+        if failed.share <= 0:
+            raise failed
+        self.failures.append(failed)
+
+    def end(self) -> None:
+        """Raise the failure that leaves the smallest share."""
+        if self.failures:
+            raise min(self.failures, key=lambda failed: failed.share)
+
+
+_current: ContextVar[Trial] = ContextVar("trial")
+
+
+def current() -> Trial:
+    """The trial that is running; one of its own for a check that is called by hand."""
+    return _current.get(Trial())
+
+
+@contextmanager
+def trial(recorder: Callable[[float], None] | None = None) -> Iterator[Trial]:
+    """Run a check; at its end the smallest share of the points counts."""
+    running = Trial(recorder=recorder)
+    token = _current.set(running)
+    try:
+        yield running
+        running.end()
+    finally:
+        _current.reset(token)
+
+
+def expect(
+    actual: Any,
+    expected: Any,
+    *,
+    within: float,
+    of: str = "the result",
+    unit: str = "",
+    hint: Hint = "",
+    scale: Any = 1.0,
+    t: Any = None,
+    partial: Mapping[float, float] | None = None,
+    kind: str = "",
+    at: Any = None,
+    keeps: Callable[[], Curve | None] | None = None,
+) -> None:
+    """Fail unless every abs(actual - expected) / scale is at most `within`; a NaN fails.
+
+    of, unit : what is compared and its unit, for the message; with a scale the unit says of what ("of the energy")
+    hint     : where to look; a function is asked on failure alone
+    t        : times along the first axis of actual; the message names the time of the largest error
+    partial  : {limit: share of the points} for larger errors; up to ten limits NEARLY_SHARE is left
+    kind, at : the kind of input and the input, where they are not those of the call that was judged last
+    keeps    : `kept(...)`, asked for on failure: what becomes of an invariant along the student's motion
+    """
+    actual, expected = np.asarray(actual, float), np.asarray(expected, float)
+    errors = np.abs(actual - expected) / scale
+    largest = float(errors.max()) if errors.size else np.nan  # with a NaN among them the maximum is NaN
+    running = current()
+    if running.recorder:
+        running.recorder(np.inf if np.isnan(largest) else largest / within)
+        return
+    if largest <= within:
+        return
+    worst = _worst(errors)
+    error = float(errors.flat[worst]) if errors.size else np.nan
+    share = _share(error, within, partial)
+    failed = Failed(
+        of=of,
+        unit=unit,
+        error=error,
+        limit=within,
+        time=None if t is None else _time(t, errors, worst),
+        kind=kind or (running.case.kind if running.case else ""),
+        hint=hint() if callable(hint) else hint,
+        nearly=error <= NEARLY * within,
+        curve=_curve(t, actual, expected, scale, within, of, unit, keeps),
+        expected=expected,
+        actual=actual,
+        at=running.case if at is None else at,
+        function=running.function,
+        share=share,
+    )
+    running.fail(failed)
+
+
+def expect_that(holds: Any, says: str, *, hint: Hint = "", kind: str = "", at: Any = None, share: float = 0.0) -> None:
+    """Fail with `says` (what is wrong) unless the condition holds."""
+    if not holds:
+        fail(says, hint=hint, kind=kind, at=at, share=share)
+
+
+def fail(says: str, *, hint: Hint = "", kind: str = "", at: Any = None, share: float = 0.0, **fields: Any) -> None:
+    """Fail with `says`; with a share the check goes on."""
+    running = current()
+    known = running.case
+    failed = Failed(
+        says,
+        hint=hint() if callable(hint) else hint,
+        kind=kind or (known.kind if known else ""),
+        at=known if at is None else at,
+        function=running.function,
+        share=share,
+        **fields,
+    )
+    running.fail(failed)
+
+
+def _share(error: float, within: float, partial: Mapping[float, float] | None) -> float:
+    """Of the points, for an error beyond the limit."""
+    known = {**(partial or {}), NEARLY * within: NEARLY_SHARE}
+    return max((share for limit, share in known.items() if error <= limit), default=0.0)
+
+
+def _curve(t: Any, actual: Any, expected: Any, scale: Any, within: float, of: str, unit: str, keeps: Any) -> Any:
+    if t is None:
+        return None
+    found = curve(t, actual, expected, scale, within=within, of=of, unit=unit)
+    if found and keeps:
+        found["keeps"] = keeps()
+    return found
+
+
+def _worst(errors: Any) -> int:
+    """Flat index of the largest error, a NaN being larger than any."""
+    return int(np.argmax(np.where(np.isnan(errors), np.inf, errors))) if errors.size else 0
+
+
+def _time(t: Any, errors: Any, worst: int) -> float:
+    row = int(np.unravel_index(worst, errors.shape)[0])
+    return float(f"{t[row]:.2g}")

@@ -1,0 +1,178 @@
+"""Known mistakes: wrong submissions, each written once, that prove the checks and are what feedback names.
+
+A mistake is a file `mistakes/<name>.py` beside the checks: definitions that replace the solution's, and a docstring
+whose first paragraph is what a student reads. Lines `key: value` follow it:
+
+    fails: a, b      the checks that must fail, on which the student's numbers are compared with the mistake's
+    within: 1e-2     how closely they must agree, of the largest number (1e-6; rows of a motion 1e-3)
+    also: A | B      other names that the feedback may give it
+    names: FRAGMENT  the message of the check names it, in these words; its numbers are not compared
+    numerics: WHY    its physics is right, and integrated inaccurately
+"""
+
+import ast
+import functools
+import re
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from types import ModuleType
+from typing import Any, Protocol
+
+import numpy as np
+
+from tam570_grader.sandbox.inside.wire import packed
+from tam570_grader.writing.check import Given, Memory
+
+__all__ = ["Called", "Mistake", "header", "known", "mistake", "mistakes"]
+
+CANCELLED = 1e-14  # what rounding leaves where numbers of order one cancel, and a wrong answer is exactly zero
+WITHIN = 1e-6  # random inputs tell mistakes further apart
+OF_MOTIONS = 1e-3  # two integrations of one wrong equation differ by their tolerances
+MOST_ANSWERS = 2000  # a mistake that does not agree is asked for one answer; those of a class are the same
+
+
+class Called(Protocol):
+    """A call that a check made, and the result that came back."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def given(self) -> Given: ...
+    @property
+    def result(self) -> Any: ...  # None where the call raised, or returned what was not promised
+
+
+@dataclass(frozen=True)
+class Mistake:
+    """A wrong submission and what is known of it."""
+
+    name: str
+    says: str
+    fails: frozenset[str]
+    within: float | None
+    names: str
+    numerics: str
+    text: str
+
+    @property
+    def suspect(self) -> bool:
+        """Whether the numbers of a student are compared with its own."""
+        return not self.names
+
+
+def header(text: str) -> tuple[str, dict[str, str]]:
+    """The first paragraph of a docstring on one line, and its lines `key: value`."""
+    docstring = ast.get_docstring(ast.parse(text)) or ""
+    says = " ".join(docstring.split("\n\n")[0].split())
+    return says, dict(re.findall(r"^(\w+): (.+)$", docstring, re.MULTILINE))
+
+
+def mistake(name: str, text: str) -> Mistake:
+    """The mistake in a file's text."""
+    says, known = header(text)
+    fails = frozenset(filter(None, known.get("fails", "").split(", ")))
+    within = float(known["within"]) if "within" in known else None
+    return Mistake(name, says, fails, within, known.get("names", ""), known.get("numerics", ""), text)
+
+
+@functools.cache
+def mistakes(folder: Path) -> tuple[Mistake, ...]:
+    """The mistakes in a folder, in order of their names."""
+    return tuple(mistake(path.stem, path.read_text(encoding="utf-8")) for path in sorted(folder.glob("*.py")))
+
+
+def known(solution: str, suspects: Iterable[Mistake], calls: Sequence[Called]) -> str | None:
+    """What to say of the first mistake that the calls agree with; None if there is none.
+
+    Of each function that the mistake changes, every result must be the mistake's.
+    """
+    groups = {call.name: [one for one in calls if one.name == call.name] for call in calls}
+    return next((one.says for one in suspects if _agrees(solution, one, groups)), None)
+
+
+def _agrees(solution: str, one: Mistake, groups: dict[str, list[Called]]) -> bool:
+    told = False
+    for group in groups.values():
+        within = one.within or _within(group[0])
+        changed = (not _same(_answer(solution, "", call), _answer(solution, one.text, call), within) for call in group)
+        if all(_same(call.result, _answer(solution, one.text, call), within) for call in group):
+            told = told or any(changed)
+        elif any(changed):
+            return False
+    return told
+
+
+def _within(call: Called) -> float:
+    times, rows = (call.given.args or (None,))[0], _parts(call.result)[0]
+    moves = isinstance(times, np.ndarray) and np.ndim(rows) > 1 and len(times) == len(rows)
+    return OF_MOTIONS if moves else WITHIN
+
+
+class _NoValue:
+    """In the place of an answer: a wrong formula may have none where the right one has one."""
+
+
+_answers = Memory(MOST_ANSWERS)
+
+
+def _answer(solution: str, slip: str, call: Called) -> Any:
+    """The answer of the solution with a slip, computed a single time for all who are given the same input."""
+    from tam570_grader.sandbox.replies import sent
+
+    key = (hash((solution, slip)), packed([call.name, sent(call.given)]))
+    return _answers.value(key, lambda: _computed(_module(solution, slip), call))
+
+
+def _computed(module: ModuleType, call: Called) -> Any:
+    function, asked = getattr(module, call.name), call.given
+    try:
+        with np.errstate(all="ignore"):
+            if call.given.args and isinstance(asked.args[0], list) and isinstance(asked.args[0][0], dict):
+                return _values(function(), asked.args[0])
+            return function(*asked.args, **asked.kwargs)
+    except (ArithmeticError, ValueError, np.linalg.LinAlgError):
+        return _NoValue
+
+
+def _values(formula: Any, points: list[dict[str, float]]) -> Any:
+    """Of a formula in plain symbols, at each of the points."""
+    import sympy
+
+    value = sympy.lambdify([sympy.Symbol(name) for name in points[0]], formula, "numpy")
+    return np.array([value(*point.values()) for point in points], float)
+
+
+@functools.lru_cache(maxsize=256)
+def _module(solution: str, slip: str) -> ModuleType:
+    """The solution as a module of its own, with the definitions of the slip in the place of its own."""
+    module = ModuleType("_mistaken")
+    exec(compile(f"{solution}\n\n{slip}", "<mistake>", "exec"), vars(module))
+    return module
+
+
+def _same(found: Any, wrong: Any, within: float) -> bool:
+    if found is None or found is _NoValue or wrong is _NoValue:
+        return (found is None or found is _NoValue) and (wrong is _NoValue or not _finite(wrong))
+    pairs = list(zip(_parts(found), _parts(wrong), strict=False))
+    return len(_parts(found)) == len(_parts(wrong)) and all(_close(one, other, within) for one, other in pairs)
+
+
+def _parts(result: Any) -> list[Any]:
+    return list(result) if isinstance(result, tuple) else [result]
+
+
+def _finite(result: Any) -> bool:
+    return all(bool(np.all(np.isfinite(np.asarray(part, float)))) for part in _parts(result))
+
+
+def _close(found: Any, expected: Any, within: float) -> bool:
+    found, expected = np.asarray(found, float), np.asarray(expected, float)
+    if found.shape != expected.shape:
+        return False
+    if not np.all(np.isfinite(expected)):
+        return bool(np.array_equal(found, expected))
+    with np.errstate(all="ignore"):
+        return bool(
+            np.max(np.abs(found - expected), initial=0.0) <= within * np.max(np.abs(expected), initial=0.0) + CANCELLED
+        )
