@@ -10,10 +10,11 @@ import pytest
 
 from tam570_grader.audit.diagnosis import ENOUGH, diagnosis
 from tam570_grader.delivery.stubs import stub
-from tam570_grader.grading.one import agrees
 from tam570_grader.sandbox.student import Source, Student
 from tam570_grader.sandbox.worker import Allowance
 from tam570_grader.writing import assignments
+from tam570_grader.writing.expect import trial
+from tam570_grader.writing.mistakes import known, mistake
 from tam570_grader.writing.returns import Array, Drawing, Formula, Group
 
 TESTS = Path(__file__).parent
@@ -106,38 +107,35 @@ def test_right_answers_in_other_styles_have_full_marks(slug, path, seed, grade):
 
 @pytest.mark.parametrize(("slug", "path"), **named(overlays("mistakes")))
 def test_a_wrong_submission_fails_its_checks_and_no_other_whatever_the_draw(slug, path, draw, grade, solution_text):
-    expected = header(path)
-    result = grade(slug, solution_text(slug) + "\n\n" + path.read_text(), seed=draw)
-    assert outcomes(result, "failed") == set(expected["fails"].split(", ")), failures(result)
+    slip = mistake(path.stem, path.read_text())
+    result = grade(slug, f"{solution_text(slug)}\n\n{slip.text}", seed=draw)
+    assert outcomes(result, "failed") == slip.fails, failures(result)
     assert not outcomes(result, "grader_error"), failures(result)
-    found = diagnosis(result, expected)
-    assert found.named or not {"suspect", "names"} & set(expected), failures(result)
+    found = diagnosis(result, slip.text)
+    assert found.named or slip.unnamed, failures(result)
     assert not found.misled, failures(result)
-    assert not any("naming" in mark.detail for mark in result.checks), "a suspect raised"
+    assert not any(mark.failure.fault for mark in result.checks if mark.failure), "a suspect raised"
 
 
 def test_most_mistakes_are_named(slug):
-    headers = [header(path) for _, path in overlays("mistakes") if path.parents[1].name == slug]
-    named_ones = [says for says in headers if {"suspect", "names"} & set(says)]
-    assert len(named_ones) >= ENOUGH * len(headers)
+    slips = [mistake(path.stem, path.read_text()) for where, path in overlays("mistakes") if where == slug]
+    assert sum(not slip.unnamed for slip in slips) >= ENOUGH * len(slips)
 
 
 @pytest.mark.parametrize(("slug", "check"), **named(CHECKS))
-def test_every_check_has_a_wrong_submission_that_it_catches(slug, check):
-    caught = [header(path)["fails"].split(", ") for _, path in overlays("mistakes") if path.parents[1].name == slug]
-    assert any(check.name in names for names in caught)
+def test_every_check_has_a_mistake_that_it_catches(slug, check):
+    slips = [mistake(path.stem, path.read_text()) for where, path in overlays("mistakes") if where == slug]
+    assert any(check.name in slip.fails for slip in slips)
 
 
-@pytest.mark.parametrize(("slug", "check"), **named([pair for pair in CHECKS if pair[1].suspects]))
-def test_the_inputs_of_a_check_tell_its_suspects_from_the_truth(slug, check, workers, solution_text):
-    source = Source(solution_text(slug).encode())
+@pytest.mark.parametrize(("slug", "check"), **named(CHECKS))
+def test_the_inputs_of_a_check_tell_its_mistakes_from_the_truth(slug, check, workers, solution_text):
     assignment = assignments.assignment(COURSE, slug)
-    student = Student(source, assignment, workers(slug, Allowance()))
-    check.judge(student, np.random.default_rng(5))
+    student = Student(Source(solution_text(slug).encode()), assignment, workers(slug, Allowance()))
+    with trial():
+        check.judge(student, np.random.default_rng(5))
     student.leave()
-    for suspect in check.suspects:
-        assert any(call.name in suspect.variants for call in student.calls), f"never tried: {suspect.says}"
-        assert not agrees(suspect, student.calls), suspect.says
+    assert known(solution_text(slug), assignment.suspects(check.name), student.calls) is None
 
 
 # Nothing scores nothing
@@ -247,12 +245,6 @@ def filled(promise, number):
         return f"__import__('sympy').sympify({number})"
     sizes = ["len(args[0])" if size == "n" else "2" if size is None else str(size) for size in promise.shape]
     return f"__import__('numpy').full(({', '.join(sizes)}{',' if sizes else ''}), {number})"
-
-
-def header(path):
-    """The `key: value` lines of a submission's docstring."""
-    docstring = ast.get_docstring(ast.parse(path.read_text())) or ""
-    return dict(re.findall(r"^(\w+): (.+)$", docstring, re.MULTILINE))
 
 
 def functions(text):

@@ -67,7 +67,7 @@ def diagnosis(result: Result, text: str) -> Diagnosis:
 
 def _in(says: str, expected: str) -> bool:
     """Whether one of the expected fragments is in what is said."""
-    return any(fragment and fragment in says for fragment in expected.split(" | "))
+    return any(fragment and fragment.lower() in says.lower() for fragment in expected.split(" | "))
 
 
 def faults(found: Sequence[Diagnosis]) -> int:

@@ -226,6 +226,12 @@ class Function:
             self.student.calls[-1] = Call(self.name, call, results[-1])
         return results
 
+    def aside(self, call: Given) -> Any:
+        """The result of a call that is made to choose the words: it is not among those that are judged."""
+        (reply,) = self.student.replies(self.name, [call], mode="value")
+        self._must_be_fair(reply, call)
+        return result(self.promise, reply["value"], self.name, call)
+
     def refuses(self, *args: Any, **kwargs: Any) -> bool:
         """Whether the call raises ValueError; another exception is Failed."""
         call = given(*args, **kwargs)
@@ -258,9 +264,13 @@ class Function:
 
     def draw(self, *args: Any, **kwargs: Any) -> Drawing:
         """The curves that the plot function draws on the Axes that it is given, before these arguments."""
-        call = given(*args, **kwargs)
+        return self.drawn(given(*args, **kwargs).on(self.kind))
+
+    def drawn(self, call: Given) -> Drawing:
+        """The curves that the plot function draws in a case."""
+        current().judge(self.name, call)
         reply = self.student.replies(self.name, [call], mode="drawing")[0]
-        with _saying(self.kind):
+        with _saying(call.kind):
             self._must_be_fair(reply, call)
         try:
             return readable(drawn(reply["value"]))

@@ -1,6 +1,6 @@
 """What students draw: curves, whatever their corners are, the edges of boxes in any order, labels in many forms."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 from typing import Any
 
@@ -9,10 +9,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from tam570_grader.sandbox.student import Function
 from tam570_grader.writing.check import given
+from tam570_grader.writing.curves import along
 from tam570_grader.writing.expect import expect, expect_that
-from tam570_grader.writing.returns import Drawing
+from tam570_grader.writing.returns import Drawing, Line
 
-__all__ = ["distances", "judge_axes_of_lengths", "judge_boxes", "words"]
+__all__ = ["distances", "judge_axes_of_lengths", "judge_boxes", "path_drawn", "words"]
 
 Array = NDArray[np.float64]
 
@@ -32,6 +33,36 @@ def distances(points: ArrayLike, polygon: ArrayLike) -> Array:
     return np.asarray(np.abs(from_corners - share * sides).min(axis=1))
 
 
+def path_drawn(
+    picture: Drawing, line: Line, path: Array, *, within: float, of: str, others: Mapping[str, Array] | None = None
+) -> None:
+    """Whether a line is the path, from its first point to its last and in its order; of what else it is, in a hint.
+
+    within : of the path's extent, for the line's points; ten times as much for the path between fewer points
+    """
+    size, drawn = float(np.ptp(path, axis=0).max()), along(line, path)
+    hint = partial(_other_path, drawn, others or {}, within * size)
+    for found, expected, what, room in (
+        (drawn[[0, -1]], path[[0, -1]], f"an end of {of}", 1),
+        (distances(drawn, path), 0.0, f"a point of {of}", 1),
+        (distances(path, drawn), 0.0, f"a point that {of} passes", 10),  # the curve may have fewer points
+    ):
+        expect(found, expected, within=room * within * size, of=what, unit="m", hint=hint)
+    # a curve through the same points in another order is longer; one of fewer points is shorter
+    in_order = line.scatter or _arc_length(drawn) < 1.05 * _arc_length(path)
+    expect_that(in_order, f"{of} goes to and fro between its points", hint="draw the points in the order of time")
+
+
+def _other_path(drawn: Array, others: Mapping[str, Array], near: float) -> str:
+    ends = drawn[[0, -1]]
+    known = [says for says, path in others.items() if np.allclose(ends, path[[0, -1]], rtol=0, atol=near)]
+    return known[0] if known else "does it run from t[0] to t[-1]?"
+
+
+def _arc_length(path: Array) -> float:
+    return float(np.sum(np.linalg.norm(np.diff(path, axis=0), axis=1)))
+
+
 def _some(points: ArrayLike, most: int) -> NDArray[Any]:
     """Every kth of the points, so that there are `most` or fewer, in the complex plane."""
     points = np.asarray(points, float)
@@ -43,6 +74,8 @@ def judge_axes_of_lengths(picture: Drawing, names: str = "x and y") -> None:
     """Whether both axes are lengths by their labels, the unit being a word of its own, and drawn at one scale."""
     labelled = all(METRES & words(label) for label in (picture.xlabel, picture.ylabel))
     expect_that(labelled, "the axes are not labelled with their unit, as in x (m)")
+    exchanged = "y" in words(picture.xlabel) and "x" in words(picture.ylabel)
+    expect_that(not exchanged, "the label of x stands at the axis of y")
     expect_that(picture.equal_aspect, f"{names} are not drawn at the same scale")
 
 

@@ -86,18 +86,21 @@ def expect(
     hint: Hint = "",
     scale: Any = 1.0,
     t: Any = None,
-    partial: Mapping[float, float] | None = None,
+    partial: Mapping[float, float] | Callable[[float], float] | None = None,
     kind: str = "",
     at: Any = None,
     keeps: Callable[[], Curve | None] | None = None,
+    gradual: bool = True,
 ) -> None:
     """Fail unless every abs(actual - expected) / scale is at most `within`; a NaN fails.
 
     of, unit : what is compared and its unit, for the message; with a scale the unit says of what ("of the energy")
     hint     : where to look; a function is asked on failure alone
     t        : times along the first axis of actual; the message names the time of the largest error
-    partial  : {limit: share of the points} for larger errors; up to ten limits NEARLY_SHARE is left
+    partial  : {limit: share of the points} for larger errors, or a function of the error; up to ten limits
+               NEARLY_SHARE is left
     kind, at : the kind of input and the input, where they are not those of the call that was judged last
+    gradual  : False where an error of a few limits is no sign that the physics is right
     keeps    : `kept(...)`, asked for on failure: what becomes of an invariant along the student's motion
     """
     actual, expected = np.asarray(actual, float), np.asarray(expected, float)
@@ -111,7 +114,7 @@ def expect(
         return
     worst = _worst(errors)
     error = float(errors.flat[worst]) if errors.size else np.nan
-    share = _share(error, within, partial)
+    share = _share(error, within if gradual else 0.0, partial)
     failed = Failed(
         of=of,
         unit=unit,
@@ -120,7 +123,7 @@ def expect(
         time=None if t is None else _time(t, errors, worst),
         kind=kind or (running.case.kind if running.case else ""),
         hint=hint() if callable(hint) else hint,
-        nearly=error <= NEARLY * within,
+        nearly=gradual and error <= NEARLY * within,
         curve=_curve(t, actual, expected, scale, within, of, unit, keeps),
         expected=expected,
         actual=actual,
@@ -153,8 +156,10 @@ def fail(says: str, *, hint: Hint = "", kind: str = "", at: Any = None, share: f
     running.fail(failed)
 
 
-def _share(error: float, within: float, partial: Mapping[float, float] | None) -> float:
+def _share(error: float, within: float, partial: Mapping[float, float] | Callable[[float], float] | None) -> float:
     """Of the points, for an error beyond the limit."""
+    if callable(partial):
+        return NEARLY_SHARE if error <= NEARLY * within else partial(error)
     known = {**(partial or {}), NEARLY * within: NEARLY_SHARE}
     return max((share for limit, share in known.items() if error <= limit), default=0.0)
 

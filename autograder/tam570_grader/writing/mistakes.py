@@ -8,6 +8,7 @@ whose first paragraph is what a student reads. Lines `key: value` follow it:
     also: A | B      other names that the feedback may give it
     names: FRAGMENT  the message of the check names it, in these words; its numbers are not compared
     numerics: WHY    its physics is right, and integrated inaccurately
+    unnamed: WHY     the feedback cannot name it
 """
 
 import ast
@@ -53,6 +54,7 @@ class Mistake:
     within: float | None
     names: str
     numerics: str
+    unnamed: str
     text: str
 
     @property
@@ -73,7 +75,8 @@ def mistake(name: str, text: str) -> Mistake:
     says, known = header(text)
     fails = frozenset(filter(None, known.get("fails", "").split(", ")))
     within = float(known["within"]) if "within" in known else None
-    return Mistake(name, says, fails, within, known.get("names", ""), known.get("numerics", ""), text)
+    words = {key: known.get(key, "") for key in ("names", "numerics", "unnamed")}
+    return Mistake(name, says, fails, within, text=text, **words)
 
 
 @functools.cache

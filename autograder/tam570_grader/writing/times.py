@@ -6,9 +6,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tam570_grader.writing.check import Suspect, suspect
+from tam570_grader.writing.check import Given, Suspect, suspect
 
-__all__ = ["SOME_TIMES", "mistimed", "uneven"]
+__all__ = ["SOME_TIMES", "in_turn", "mistimed", "uneven"]
 
 Array = NDArray[np.float64]
 # kind: of an array of times, what a closed form must take, too
@@ -22,6 +22,35 @@ def uneven(draw: np.random.Generator, span: float, count: int, start: float | No
     if start is None:
         start = span * draw.uniform(0.3, 0.6) * draw.choice([-1, 1])
     return np.asarray(start + span * steps / steps[-1])
+
+
+def in_turn(draw: np.random.Generator, case: Given, **others: Any) -> list[Given]:
+    """A simulation again, and with one argument changed at a time: what is kept from a call is wrong then.
+
+    others : other values of parameters, or start=(...) the arguments behind t, where a random change is not allowed
+    """
+    t = case.args[0]
+    again = case.on("a motion that is asked for again")
+    changed = [case.but(uneven(draw, t[-1] - t[0], len(t), t[0] + draw.uniform(1, 3)))]
+    starts = others.pop("start", None) or [_other(draw, one) for one in case.args[1:]]
+    for place, start in enumerate(starts, start=1):
+        if start is not None:
+            changed.append(case.but(*case.args[:place], start))
+    for name, value in case.kwargs.items():
+        changed.append(case.but(**{name: others.get(name, _other(draw, value))}))
+    return [again, *(one.on("the call before, but for one argument") for one in changed)]
+
+
+def _other(draw: np.random.Generator, value: Any) -> Any:
+    """A value that differs: of several numbers only the first, for what grows alike may change nothing."""
+    if isinstance(value, str):
+        return None
+    factor = draw.uniform(1.2, 1.5)
+    if np.ndim(value) == 0:
+        return value * factor if value else factor
+    other = np.array(value, float)
+    other.flat[0] = other.flat[0] * factor if other.flat[0] else factor
+    return other
 
 
 def mistimed(

@@ -1,0 +1,87 @@
+"""A student's function against the right one, over cases."""
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from tam570_grader.writing.answers import answer
+from tam570_grader.writing.check import Given
+from tam570_grader.writing.expect import Hint, expect, expect_that, fail
+
+__all__ = ["agree", "refuse"]
+
+Scale = Callable[[Given, Any], Any]  # scale(case, right result) -> what a relative error is relative to
+
+
+def agree(
+    function: Any,
+    right: Callable[..., Any],
+    cases: Iterable[Given],
+    *,
+    within: float,
+    of: str | Sequence[str] = "the result",
+    unit: str | Sequence[str] = "",
+    scale: Scale | Sequence[Scale] | None = None,
+    hint: str | Callable[[Given, Any, Any], str] = "",
+    partial: Mapping[float, float] | None = None,
+    only: int | None = None,
+) -> None:
+    """Fail unless the student's `function` gives what `right` gives, in every case.
+
+    within : of the scale, by default the largest number of the right result
+    of, unit, scale : one for each member where the result is a tuple
+    hint   : where to look; a function of the case, the result and the right one is asked on failure alone
+    only   : the member of a tuple that is judged
+    """
+    for case, found in function.each(cases):
+        for one, expected, what, its_unit, its_scale in _members(
+            found, answer(right, case), (of, unit, scale), case, only
+        ):
+            told: Hint = (lambda f=found, c=case: hint(c, f, answer(right, c))) if callable(hint) else hint
+            size = float(its_scale) if np.ndim(its_scale) == 0 else its_scale
+            limits = {limit * size: share for limit, share in (partial or {}).items()}
+            if np.ndim(size):
+                expect(one, expected, within=within, of=what, unit=its_unit, hint=told, scale=size, partial=partial)
+            else:
+                expect(one, expected, within=within * size, of=what, unit=its_unit, hint=told, partial=limits)
+
+
+def _members(found: Any, expected: Any, words: Any, case: Given, only: int | None) -> Iterable[tuple[Any, ...]]:
+    """(found, expected, of, unit, scale) of each member of a result."""
+    several = isinstance(found, tuple)
+    pairs = list(zip(found, expected, strict=True)) if several else [(found, expected)]
+    for index, (one, other) in enumerate(pairs):
+        if only not in (None, index):
+            continue
+        what, its_unit, its_scale = (_of(index, said) for said in words)
+        size = its_scale(case, other) if its_scale else np.max(np.abs(np.asarray(other, float)), initial=0.0)
+        yield one, other, what, its_unit, np.where(np.asarray(size) == 0, 1.0, size) if np.ndim(size) else size or 1.0
+
+
+def _of(index: int, said: Any) -> Any:
+    return said[index] if isinstance(said, list | tuple) else said
+
+
+def refuse(
+    function: Any, cases: Iterable[Given], *, accepts: Iterable[tuple[Given, Any]], within: float, hint: str = ""
+) -> None:
+    """Fail unless the function raises ValueError in every case, and gives the right result where it must give one.
+
+    accepts : (case, right result) of inputs that are allowed: what refuses everything earns nothing
+    """
+    for case, expected in accepts:
+        for _, found in function.each([case]):
+            expect(found, expected, within=within, of="the result", hint="this input is allowed")
+    for case in cases:
+        if not function.refuses(*case.args, **case.kwargs):
+            fail(f"{function.name} does not raise ValueError", kind=case.kind, hint=hint, at=case)
+
+
+def same_for_all(function: Any, cases: Iterable[Given]) -> None:
+    """Fail if the results of all cases are the same: nothing was computed from the input."""
+    results = [np.asarray(found, float) for _, found in function.each(cases)]
+    expect_that(
+        any(not np.array_equal(results[0], other) for other in results[1:]),
+        f"{function.name} gives the same result for every input",
+    )

@@ -1,0 +1,158 @@
+"""A simulated motion against the right one: what is compared, and what a wrong one is called."""
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tam570_grader.writing.answers import answer
+from tam570_grader.writing.check import Given
+from tam570_grader.writing.curves import kept
+from tam570_grader.writing.expect import NEARLY, current, expect
+from tam570_grader.writing.motions import Motion, diagnosed, obeys
+
+__all__ = ["Column", "Invariant", "follow", "stays"]
+
+Array = NDArray[np.float64]
+Right = Callable[..., Any]  # right(t, *start, **parameters) -> rows, or several arrays of them
+LOOSE = ((1e-3, 0.5), (1e-1, 0.25))  # (error of the scale, share of the points) of right physics at a loose tolerance
+
+
+@dataclass(frozen=True)
+class Column:
+    """Columns of a motion that share a unit and a scale."""
+
+    of: str  # "the angles"
+    unit: str
+    where: slice | Sequence[int]
+    turns: bool = False  # angles, which are never wrapped
+    scale: Callable[[Given, Array], float] | None = None  # scale(case, right rows); default: the largest number
+
+
+@dataclass(frozen=True)
+class Invariant:
+    """What every right motion keeps: value(rows, **parameters) -> (n,), and the scale of its drift."""
+
+    of: str  # "the energy"
+    unit: str
+    value: Callable[..., Array]
+    scale: Callable[[Given, Array], float]  # scale(case, right rows)
+    within: float
+
+
+def follow(
+    function: Any,
+    right: Right,
+    cases: Iterable[Given],
+    columns: Sequence[Column],
+    *,
+    within: float,
+    hint: str = "",
+    keeps: Invariant | None = None,
+    restart: Callable[[Array], tuple[Any, ...]] | None = None,
+    gradual: bool = True,
+) -> list[Motion]:
+    """Fail unless the student's simulation follows the right motion in every case; the motions, for further checks.
+
+    within  : of the scale of each column
+    hint    : where to look, if nothing is told by the rows themselves
+    keeps   : an invariant whose course the student's page draws beside the error
+    restart : restart(row) -> the arguments behind t that begin the motion there; default: the row, cut as these are
+    """
+    motions = []
+    for case, found in function.each(cases):
+        expected = flat(answer(right, case))
+        motions.append(Motion(case, flat(found), expected, _scales(columns, case, expected), function, right, restart))
+    turns = [index for column in columns if column.turns for index in np.arange(expected.shape[1])[column.where]]
+    for motion in sorted(motions, key=lambda one: one.error, reverse=True):
+        current().judge(function.name, motion.case)
+        _compare(motion, columns, within, partial(_hint, motion, motions, turns, within, hint), keeps, gradual)
+    return motions
+
+
+def stays(
+    function: Any,
+    right: Right,
+    cases: Iterable[Given],
+    columns: Sequence[Column],
+    invariant: Invariant,
+    *,
+    coarsely: float = 1e-2,
+    partial: dict[float, float] | None = None,
+    hint: str = "use a tighter tolerance, or a smaller step",
+) -> None:
+    """Fail unless the invariant keeps its value at the start along motions that are followed coarsely.
+
+    coarsely : of the scale of each column, until the motion is no longer this sensitive to rounding
+    """
+    for motion in follow(function, right, cases, columns, within=coarsely, gradual=False):
+        case = motion.case
+        size = invariant.scale(case, motion.expected) or 1.0
+        start = invariant.value(motion.expected[:1], **case.kwargs)
+        current().judge(function.name, case)
+        expect(
+            invariant.value(motion.found, **case.kwargs),
+            np.broadcast_to(start, (len(motion.found), *np.shape(start)[1:])),
+            within=invariant.within,
+            scale=size,
+            of=invariant.of,
+            unit=invariant.unit,
+            t=case.args[0],
+            partial=partial,
+            hint=hint,
+        )
+
+
+def flat(rows: Any) -> Array:
+    """(n, k) of rows, or of several arrays of them side by side."""
+    parts = rows if isinstance(rows, tuple) else (rows,)
+    return np.hstack([np.reshape(part, (len(part), -1)) for part in parts])
+
+
+def _scales(columns: Sequence[Column], case: Given, expected: Array) -> Array:
+    """(k,) the scale of each column; 1 where all is zero."""
+    scales = np.ones(expected.shape[1])
+    for column in columns:
+        largest = np.max(np.abs(expected[:, column.where]))
+        scales[column.where] = (column.scale(case, expected) if column.scale else largest) or 1.0
+    return scales
+
+
+def _compare(
+    motion: Motion, columns: Sequence[Column], within: float, hint: Any, keeps: Invariant | None, gradual: bool
+) -> None:
+    """Judge the column that is off most, in its own unit."""
+    where = [column.where for column in columns]
+    worst = int(np.argmax([np.max(motion.errors[:, place], initial=0.0) for place in where]))
+    size, column = float(np.max(motion.scales[where[worst]])), columns[worst]
+    expect(
+        motion.found[:, column.where],
+        motion.expected[:, column.where],
+        within=within * size,
+        of=column.of,
+        unit=column.unit,
+        t=motion.case.args[0],
+        partial=partial(_share, motion, size) if gradual else None,
+        gradual=gradual,
+        hint=hint,
+        keeps=partial(_kept, keeps, motion) if keeps else None,
+    )
+
+
+def _share(motion: Motion, size: float, error: float) -> float:
+    """Right physics at a loose tolerance keeps a share that depends on the error."""
+    share = max((share for limit, share in LOOSE if error <= limit * size), default=0.0)
+    return share if share and obeys(motion) else 0.0
+
+
+def _hint(motion: Motion, motions: Sequence[Motion], turns: Sequence[int], within: float, hint: str) -> str:
+    return diagnosed(motion, motions, turns, within, NEARLY) or hint
+
+
+def _kept(invariant: Invariant, motion: Motion) -> Any:
+    size = invariant.scale(motion.case, motion.expected) or 1.0
+    values = invariant.value(motion.found, **motion.case.kwargs) / size
+    return kept(motion.case.args[0], values, within=invariant.within, of=invariant.of, unit=invariant.unit)

@@ -1,0 +1,202 @@
+"""What is wrong with a simulated motion, told by its rows: late, wrapped, kept from another call, joined, too loose."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tam570_grader.writing.answers import answer
+from tam570_grader.writing.check import Given
+from tam570_grader.writing.expect import Failed
+
+__all__ = ["Motion", "diagnosed", "obeys"]
+
+Array = NDArray[np.float64]
+
+ALIKE = 1e-3  # of the scale: two integrations of one motion differ by their tolerances
+BETTER = 0.1  # of the error is left where other times are what matters
+TRIED = 12  # rows at which the right equations are asked where they lead
+OBEYED = 0.03  # of the change between rows: a wrong term makes more, a loose tolerance less
+
+
+@dataclass(frozen=True)
+class Motion:
+    """A case, the student's rows, the right ones, the scale of each column."""
+
+    case: Given
+    found: Array
+    expected: Array
+    scales: Array
+    function: Any
+    right: Callable[..., Any]
+    restart: Callable[[Array], tuple[Any, ...]] | None = None
+
+    @property
+    def t(self) -> Array:
+        return np.asarray(self.case.args[0])
+
+    @cached_property
+    def errors(self) -> Array:
+        """(n, k) of the scales; a NaN is larger than any."""
+        errors = np.abs(self.found - self.expected) / self.scales
+        return np.where(np.isnan(errors), np.inf, errors)
+
+    @property
+    def error(self) -> float:
+        return float(self.errors.max())
+
+    def near(self, rows: Any, within: float = ALIKE, of: Any = None) -> bool:
+        """Whether the student's rows are these, or those `of` some."""
+        found = self.found if of is None else of
+        return np.shape(rows) == found.shape and bool(np.max(np.abs(rows - found) / self.scales) <= within)
+
+    def again(self, t: Array) -> Array | None:
+        """The student's rows when other times are asked for; None where there are none."""
+        from tam570_grader.writing.follow import flat
+
+        try:
+            return flat(self.function.aside(self.case.but(t)))
+        except Failed:
+            return None
+
+    def truly(self, t: Array, *start: Any) -> Array:
+        """The right rows at other times, or from another start."""
+        from tam570_grader.writing.follow import flat
+
+        case = self.case.but(t, *start)
+        return flat(answer(self.right, case))
+
+
+def diagnosed(motion: Motion, motions: Sequence[Motion], turns: Sequence[int], within: float, nearly: float) -> str:
+    """What a wrong motion is instead, in a sentence; empty if the rows do not tell."""
+    with np.errstate(all="ignore"):
+        if motion.error <= nearly * within:
+            return TIGHT
+        return next((says for tells, says in _tells(motion, motions, turns) if tells()), "")
+
+
+TIGHT = "the physics is right: tighten rtol and atol"
+Tell = tuple[Callable[[], bool], str]
+
+
+def _tells(motion: Motion, motions: Sequence[Motion], turns: Sequence[int]) -> list[Tell]:
+    """The questions in order: what is cheap and certain comes first."""
+    return [
+        (lambda: _still(motion), "every row is the start"),
+        (lambda: _late(motion), "the rows are one time late: row 0 is the start"),
+        (lambda: motion.errors[0].max() > ALIKE >= motion.errors[1:].max(), "row 0 is not the start"),
+        (lambda: _turned(motion, turns), "only whole turns are missing: never wrap angles"),
+        (lambda: _even(motion), "these are the rows at evenly spaced times: use the times in t"),
+        (lambda: _from_zero(motion), "the start is taken at t = 0: it is the state at t[0]"),
+        (lambda: _exchanged(motion), "two columns are exchanged"),
+        (lambda: _another(motion, motions), "this is the motion of an earlier call: is a result kept between calls?"),
+        (lambda: _joined(motion), JOINED),
+        (lambda: _denser(motion), SAMPLED),
+        (lambda: obeys(motion), TIGHT),
+    ]
+
+
+JOINED = "this row is accurate when requested alone: do you interpolate linearly between steps?"
+SAMPLED = "with more times in between the same rows are accurate: do your steps depend on t?"
+
+
+def _still(motion: Motion) -> bool:
+    return bool((motion.found == motion.found[0]).all())
+
+
+def _late(motion: Motion) -> bool:
+    return len(motion.t) > 2 and motion.near(motion.expected[1:], of=motion.found[:-1])
+
+
+def _turned(motion: Motion, turns: Sequence[int]) -> bool:
+    off = np.zeros_like(motion.found)
+    columns = list(turns)
+    off[:, columns] = 2 * np.pi * np.round((motion.found - motion.expected)[:, columns] / (2 * np.pi))
+    return bool(off.any()) and motion.near(motion.expected, of=motion.found - off)
+
+
+def _even(motion: Motion) -> bool:
+    t = motion.t
+    return any(
+        motion.near(motion.truly(even))
+        for even in (np.linspace(t[0], t[-1], len(t)), t[0] + (t[1] - t[0]) * np.arange(len(t)))
+        if len(t) > 2
+    )
+
+
+def _from_zero(motion: Motion) -> bool:
+    """The right motion with its start at t = 0; before it, the way back is left to the right function."""
+    t = motion.t
+    if t[0] == 0:
+        return False
+    try:
+        late = t - t[0] if t[0] < 0 else np.append(0.0, t)
+        rows = motion.truly(late)[1:] if t[0] > 0 else motion.truly(np.append(0.0, t[::-1]))[:0:-1]
+    except (ValueError, ArithmeticError):
+        return False
+    return motion.near(rows)
+
+
+def _exchanged(motion: Motion) -> bool:
+    k = motion.found.shape[1]
+    orders = [[*range(i), j, *range(i + 1, j), i, *range(j + 1, k)] for j in range(k) for i in range(j)]
+    return any(motion.near(motion.expected[:, order]) for order in orders if k <= 8)
+
+
+def _another(motion: Motion, motions: Sequence[Motion]) -> bool:
+    others = [one for one in motions if one is not motion and one.expected.shape == motion.expected.shape]
+    return any(motion.near(one.expected) and not motion.near(one.expected, of=motion.expected) for one in others)
+
+
+def _joined(motion: Motion) -> bool:
+    """Whether the worst row is right where its time is the last, at which every integrator ends a step."""
+    row = int(np.argmax(motion.errors.max(axis=1)))
+    if row == 0 or len(motion.t) < 3 or not motion.error < 1:
+        return False
+    again = motion.again(motion.t[[0, row]])
+    return again is not None and _left(motion, again[-1:], row) <= BETTER * motion.error
+
+
+def _denser(motion: Motion) -> bool:
+    """Whether more times bring the first row that is off right, which cannot be the equation's fault."""
+    sizes = motion.errors.max(axis=1)
+    row = int(np.argmax(sizes > BETTER * sizes.max()))
+    if row == 0:
+        return False
+    t = motion.t
+    again = motion.again(np.concatenate([t[: row - 1], np.linspace(t[row - 1], t[row], 300)]))
+    return again is not None and _left(motion, again[-1:], row) <= BETTER * sizes[row]
+
+
+def _left(motion: Motion, rows: Array, row: int) -> float:
+    """The error of a row that was asked for in another way."""
+    return float(np.max(np.abs(rows - motion.expected[row]) / motion.scales))
+
+
+def obeys(motion: Motion) -> bool:
+    """Whether each row nearly follows from the one before by the right equations: then only the steps are coarse."""
+    if not np.isfinite(motion.found).all() or motion.errors[0].max() > ALIKE:
+        return False
+    rows = np.unique(np.linspace(0, len(motion.t) - 2, TRIED).astype(int))
+    try:
+        led = [motion.truly(motion.t[row : row + 2], *_restart(motion, motion.found[row]))[-1] for row in rows]
+    except (ValueError, ArithmeticError):
+        return False
+    off = np.abs(np.array(led) - motion.found[rows + 1]) / motion.scales
+    moved = np.abs(motion.found[rows + 1] - motion.found[rows]) / motion.scales
+    return bool(np.quantile(off.max(axis=1), 0.9) <= OBEYED * np.median(moved.max(axis=1)))
+
+
+def _restart(motion: Motion, row: Array) -> tuple[Any, ...]:
+    """The arguments behind t that begin the motion at a row; ValueError where the row does not tell them."""
+    if motion.restart:
+        return motion.restart(row)
+    starts = [one for one in motion.case.args[1:] if not isinstance(one, str)]
+    ends = np.cumsum([np.size(one) for one in starts])
+    if not starts or ends[-1] != len(row):
+        raise ValueError("the row is no start")
+    pairs = zip(np.split(row, ends[:-1]), starts, strict=True)
+    return tuple(part.reshape(np.shape(one)) if np.ndim(one) else float(part[0]) for part, one in pairs)
