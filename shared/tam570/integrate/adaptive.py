@@ -1,19 +1,27 @@
 """Runs of order 8 with automatic steps."""
 
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Sequence
 from functools import lru_cache, partial
 from typing import Any
 
 import numpy as np
 
-from tam570.integrate.adaptive_loop import LARGEST, State, loop_with
+from tam570.integrate.adaptive_loop import LACKS_SCALE, LARGEST, NOT_FINITE, RUNNING, TOO_SHORT, State, loop_with
 from tam570.integrate.arguments import Array
 from tam570.integrate.dop853_source import functions
 from tam570.integrate.engine import Engine
 from tam570.integrate.formulas import Formulas
+from tam570.integrate.scale import magnitudes
+from tam570.integrate.tableau import NODES
 from tam570.integrate.when_to_compile import Loop, carried_through
 
-__all__ = ["at_start", "module", "shortest_step", "states"]
+__all__ = ["TROUBLE", "at_start", "module", "scaled", "shortest_step", "states"]
+
+TROUBLE = {
+    NOT_FINITE: "rhs or solution is not finite at t = {t:.17g}",
+    TOO_SHORT: "no step is short enough at t = {t:.17g}: the solution seems to become infinite there",
+}
 
 
 @lru_cache(maxsize=64)
@@ -31,12 +39,14 @@ def states(
     start: Array,
     rtol: float,
     how: str,
+    floor: Sequence[float] = (),
     project: Callable[[Array], Any] | None = None,
     longest: Callable[[Array], float] | None = None,
 ) -> Array:
     """(n, k) states at `times`.
 
     how     : "auto", "python" or "numba"
+    floor   : (k,) sizes by which components are judged at least
     project : project(y) -> y after every step
     longest : longest(y) -> s, no step from y is longer; only together with project
     """
@@ -45,18 +55,24 @@ def states(
     origin, since = float(times[0]), times - times[0]
     listed = since.tolist()
 
-    def run(advance: Any, state: Any, budget: int, by_numba: bool) -> Any:
-        return advance(origin, since if by_numba else listed, rows, state, engine.constants, rtol, budget)
+    def run(advance: Any, state: State, budget: int, by_numba: bool) -> State:
+        tried = state.steps + state.refusals
+        while True:
+            left = budget + tried - state.steps - state.refusals
+            state = advance(origin, since if by_numba else listed, rows, state, engine.constants, rtol, left)
+            if state.halt != LACKS_SCALE:
+                return State(*state)
+            state = scaled(engine, origin, state)
 
-    def share(state: Any) -> float:
-        return 1.0 if state.row == len(rows) or state.h == 0.0 else state.t / listed[-1]
+    def share(state: State) -> float:
+        return 1.0 if state.row == len(rows) or state.halt > LACKS_SCALE else state.t / listed[-1]
 
     source = partial(module, engine.formulas) if engine.traced and not project else None
     by_steps = _stepwise(engine, run, share, origin, project, longest) if project else run
     loop = Loop(by_steps, share, engine.functions["advance"], "advance", source)
-    last = carried_through(loop, at_start(engine, origin, listed[-1], start), how)
-    if last.h == 0.0:
-        raise ArithmeticError(f"no step is short enough at t = {origin + last.t:.17g}: rhs or solution not finite")
+    last = carried_through(loop, at_start(engine, origin, listed[-1], start, floor), how)
+    if last.halt:
+        raise ArithmeticError(TROUBLE[last.halt].format(t=origin + last.t))
     if project:
         rows[1:] = [project(row) for row in rows[1:]]
     return rows
@@ -87,30 +103,43 @@ def _projected(engine: Engine, state: State, origin: float, project: Callable[[A
     return state._replace(y=y, r=(0.0,) * len(y), f=f)
 
 
-def at_start(engine: Engine, origin: float, span: float, start: Array) -> State:
-    """The state that `advance` begins with; what starts at zero has the magnitude that it will have before long."""
-    y, c = tuple(start.tolist()), engine.constants
-    f = engine.functions["rhs"](origin, y, c)
-    h = engine.functions["first_step"](origin, span, y, f, c)
-    soon = engine.functions["rhs"](origin + h / 100, engine.functions["euler"](h / 100, y, f), c)
-    m = tuple(map(_magnitude, y, f, soon, [h] * len(y)))
-    return State(1, 0.0, h, y, (0.0,) * len(y), f, m, LARGEST, 0, 0, 0)
+def at_start(engine: Engine, origin: float, span: float, start: Array, floor: Sequence[float] = ()) -> State:
+    """The state that `advance` begins with; floor : (k,) sizes by which components are judged at least."""
+    y, c, rhs = tuple(start.tolist()), engine.constants, engine.functions["rhs"]
+    f = rhs(origin, y, c)
+    first_step = engine.functions["first_step"]
+    h, g = first_step(origin, span, y, f, c), f
+    if h < 1e-8 * span:  # the rates may jump at the very start
+        g = rhs(origin + h, y, c)
+        h = max(h, first_step(origin + h, span, y, g, c))
+    later = _doubling(origin, h, span) if engine.formulas.timed else ()
+    m = magnitudes(rhs, origin, h, y, g, floor or [0.0] * len(y), c, later)
+    return State(1, 0.0, h, y, (0.0,) * len(y), f, m, LARGEST, 0, 0, 0, RUNNING)
 
 
-def _magnitude(y: float, rate: float, soon: float, h: float) -> float:
-    """The size of a component, or where it starts at zero what it will be before long; never 0, as it divides."""
-    moved = h * abs(rate) or h / 100 * abs(soon)
-    return max(abs(y), moved if moved < float("inf") else 0.0, 1e-300)
+def _doubling(origin: float, h: float, span: float) -> list[float]:
+    """Times ever later: a force may not be there yet."""
+    return [origin + h * 4.0**k for k in range(int(math.log(span / h, 4)) + 1)]
 
 
-def shortest_step(engine: Engine, times: Array, start: Array, rtol: float, *, steps: int = 200) -> float:
+def scaled(engine: Engine, origin: float, state: State) -> State:
+    """The state with a scale for what a step found moving that had none, if the times of its stages show one."""
+    t, h, (y, f, m) = origin + state.t, state.h, (state.y, state.f, state.m)
+    later = [t + 10 * h * node for node in NODES[1:13]]  # the step was ten times as long
+    found = magnitudes(engine.functions["rhs"], t, 10 * h, y, f, m, engine.constants, later)
+    return state._replace(m=found, halt=RUNNING)
+
+
+def shortest_step(
+    engine: Engine, times: Array, start: Array, rtol: float, floor: Sequence[float], steps: int = 200
+) -> float:
     """The shortest of the steps that this method takes at `rtol` once it has found its pace; s."""
     origin, span = float(times[0]), float(times[-1] - times[0])
-    rows, state, shortest = np.empty((2, len(start))), at_start(engine, origin, span, start), span
-    for step in range(steps):
+    rows, state, shortest = np.empty((2, len(start))), at_start(engine, origin, span, start, floor), span
+    for step in range(200):
         before = state.t
         state = engine.functions["advance"](origin, [0.0, span], rows, state, engine.constants, rtol, 1)
-        if state.row == 2 or state.h == 0.0:
+        if state.row == 2 or state.halt:
             break
         if step > 5 and state.t > before:  # taken, not refused
             shortest = min(shortest, state.t - before)

@@ -8,16 +8,36 @@ from collections.abc import Callable
 from math import sqrt
 from typing import Any, NamedTuple
 
-__all__ = ["EXPONENT", "LARGEST", "ROUNDING", "SAFETY", "SMALLEST", "State", "first_step_with", "loop_with"]
+from tam570.integrate.scale import UNKNOWN
+
+__all__ = [
+    "EXPONENT",
+    "JUMP",
+    "LACKS_SCALE",
+    "LARGEST",
+    "NOT_FINITE",
+    "ROUNDING",
+    "RUNNING",
+    "SAFETY",
+    "SMALLEST",
+    "TOO_SHORT",
+    "UNKNOWN",
+    "State",
+    "first_step_with",
+    "loop_with",
+]
 
 SAFETY = 0.9
 LARGEST, SMALLEST = 6.0, 0.2  # change of the step size from one step to the next
 EXPONENT = -1 / 8
 ROUNDING = 1.0  # an error up to so many times what a few roundings of the state do to h f is not the method's
+JUMP = 1e-11  # error of the shortest of all steps, relative: a jump of the rates passes, a singularity does not
+
+RUNNING, LACKS_SCALE, TOO_SHORT, NOT_FINITE = 0, 1, 2, 3  # why a loop comes back
 
 
 class State(NamedTuple):
-    """Where a run is. h = 0 tells that the step size vanished."""
+    """Where a run is."""
 
     row: int  # the next sample
     t: float  # s, since the start
@@ -30,6 +50,7 @@ class State(NamedTuple):
     refused: int  # attempts in a row
     steps: int
     refusals: int
+    halt: int  # RUNNING, or why it goes no further: LACKS_SCALE is mended by `m`
 
 
 def first_step_with(rhs: Any, euler: Any) -> Callable[..., float]:
@@ -61,26 +82,31 @@ def loop_with(raised: Any, step: Any, dense: Any, at: Any) -> Callable[..., Stat
     """The loop over the steps of a run."""
 
     def advance(origin: Any, times: Any, out: Any, state: Any, c: Any, rtol: Any, budget: Any) -> Any:
-        """Fill the rows of `out` until none is left, `budget` steps are tried, or the step size vanishes.
+        """Fill the rows of `out` until none is left, `budget` steps are tried, or it has to halt.
 
         times : since `origin`; state : a `State`, as returned
         """
-        row, t, h, y, r, f, m, growth, refused, steps, refusals = state
+        row, t, h, y, r, f, m, growth, refused, steps, refusals, halt = state
         rows, end = len(times), times[len(times) - 1]
-        while row < rows and budget > 0:
+        while row < rows and budget > 0 and halt == RUNNING:
             budget -= 1
             left = end - t
+            shortest = max(2.0**-50 * t, 1e-17 * end)  # t + h would hardly differ from t
+            h = max(h, shortest)
+            at_last = h == shortest
             if h >= left:
                 h, new = left, end
             else:
                 new = t + (h if 2 * h < left else left / 2)
                 h = new - t  # exactly: else the rounding of t would shift the motion
-            if h <= 2.0**-50 * t or h < 1e-17 * end:  # t + h would hardly differ from t
-                h = 0.0
-                break
             n, rest, g, size, fifth, third, stages = step(origin + t, h, y, r, f, m, c)
             error = fifth / (rtol * sqrt(fifth + 0.01 * third)) if fifth > 0 else fifth
-            if error <= 1:
+            lacking, finite = False, True
+            if not error <= 1:
+                for i in range(len(n)):
+                    lacking = lacking or m[i] <= UNKNOWN < abs(n[i])
+                    finite = finite and n[i] - n[i] == 0.0
+            if error <= 1 or (at_last and finite and (lacking or error * rtol <= JUMP)):
                 if times[row] < new:
                     q = dense(origin + t, h, y, n, f, g, stages, c)
                     while times[row] < new:
@@ -91,16 +117,20 @@ def loop_with(raised: Any, step: Any, dense: Any, at: Any) -> Callable[..., Stat
                         out[row, i] = n[i]
                     row += 1
                 t, y, r, f, m = new, n, rest, g, size
-                h *= min(growth, SAFETY * error**EXPONENT) if error > 0 else growth
+                h *= min(growth, SAFETY * error**EXPONENT) if 0 < error <= 1 else growth
                 growth, refused = LARGEST, 0
                 steps += 1
             else:
                 refused += 1
                 refusals += 1
-                if error < 1e300:
+                if at_last:
+                    halt = TOO_SHORT if finite else NOT_FINITE
+                elif lacking:
+                    halt = LACKS_SCALE
+                elif error < 1e300:
                     m = raised(origin + t, h, y, f, m, c, ROUNDING / rtol, 2.0 * refused - 1.0)
-                h *= max(SMALLEST, SAFETY * error**EXPONENT) if error < 1e300 else 0.1
+                h *= max(SMALLEST, SAFETY * error**EXPONENT) if error < 1e300 and not lacking else 0.1
                 growth = 1.0
-        return State(row, t, h, y, r, f, m, growth, refused, steps, refusals)
+        return State(row, t, h, y, r, f, m, growth, refused, steps, refusals, halt)
 
     return advance

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["Array", "initial_state", "sample_times", "tolerance"]
+__all__ = ["Array", "allowed_error", "initial_state", "sample_times", "tolerance"]
 
 Array = NDArray[np.float64]
 
@@ -41,3 +41,16 @@ def tolerance(rtol: float) -> float:
     if not 0 < rtol < 1:
         raise ValueError(f"rtol: need 0 < rtol < 1, got {rtol!r}; 1e-10 is a good start")
     return max(float(rtol), SMALLEST_RTOL)
+
+
+def allowed_error(atol: ArrayLike | None, size: int) -> Array:
+    """(k,) errors allowed in any case, zero if left out. ValueError unless one or k numbers, none negative."""
+    try:
+        allowed = np.array(0.0 if atol is None else atol, dtype=float)
+    except (TypeError, ValueError) as problem:
+        raise ValueError(f"atol: must be one number, or one a component ({problem})") from problem
+    if allowed.shape not in ((), (size,)):
+        raise ValueError(f"atol: need one number, or {size}, one a component; got shape {allowed.shape}")
+    if not (np.isfinite(allowed).all() and (allowed >= 0).all()):
+        raise ValueError(f"atol: must be finite and not negative, got {allowed}")
+    return np.array(np.broadcast_to(allowed, size))

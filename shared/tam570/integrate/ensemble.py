@@ -1,13 +1,26 @@
 """Many starts of one system at once: each element of an array is a member, with a time and a step of its own."""
 
 import time
+from collections.abc import Sequence
 from functools import lru_cache
 from typing import Any
 
 import numpy as np
 
 from tam570.integrate import adaptive, numba_backend
-from tam570.integrate.adaptive_loop import EXPONENT, LARGEST, ROUNDING, SAFETY, SMALLEST
+from tam570.integrate.adaptive_loop import (
+    EXPONENT,
+    JUMP,
+    LACKS_SCALE,
+    LARGEST,
+    NOT_FINITE,
+    ROUNDING,
+    SAFETY,
+    SMALLEST,
+    TOO_SHORT,
+    UNKNOWN,
+    State,
+)
 from tam570.integrate.arguments import Array
 from tam570.integrate.dop853_source import array_functions
 from tam570.integrate.engine import Engine
@@ -20,16 +33,16 @@ WORTH_ARRAYS = 16  # members: with fewer the calls of NumPy cost more than they 
 GAIN = 3.0  # of the arrays over single runs in Python, with thousands of members
 
 
-def states(engine: Engine, times: Array, starts: Array, rtol: float, how: str) -> Array:
+def states(engine: Engine, times: Array, starts: Array, rtol: float, how: str, floor: Sequence[float]) -> Array:
     """(m, n, k) states at `times` from the (m, k) starts; how: "auto", "python" or "numba"."""
     began = time.perf_counter()
-    first = adaptive.states(engine, times, starts[0], rtol, how)
+    first = adaptive.states(engine, times, starts[0], rtol, how, floor)
     alone = (time.perf_counter() - began) * len(starts)
     by_numba = how == "numba" or (how == "auto" and engine.traced and _numba_repays(engine, alone))
     if engine.traced and not by_numba and len(starts) >= WORTH_ARRAYS:
-        return _Members(engine, times, starts, rtol).walked()
+        return _Members(engine, times, starts, rtol, floor).walked()
     one_by_one = "numba" if by_numba else "python"
-    rest = [adaptive.states(engine, times, start, rtol, one_by_one) for start in starts[1:]]
+    rest = [adaptive.states(engine, times, start, rtol, one_by_one, floor) for start in starts[1:]]
     return np.array([first, *rest])
 
 
@@ -53,12 +66,13 @@ def _functions(formulas: Formulas) -> dict[str, Any]:
 class _Members:
     """The members still under way; y, r, f, m are (k, members), all else is (members,)."""
 
-    def __init__(self, engine: Engine, times: Array, starts: Array, rtol: float) -> None:
+    def __init__(self, engine: Engine, times: Array, starts: Array, rtol: float, floor: Sequence[float]) -> None:
+        self.engine = engine
         self.functions, self.c, self.rtol = _functions(engine.formulas), engine.constants, rtol
         self.origin, self.since = float(times[0]), times - times[0]
         self.rows = np.empty((len(starts), len(times), starts.shape[1]))
         self.rows[:, 0] = starts
-        each = [adaptive.at_start(engine, self.origin, float(self.since[-1]), start) for start in starts]
+        each = [adaptive.at_start(engine, self.origin, float(self.since[-1]), start, floor) for start in starts]
         self.who, self.row = np.arange(len(starts)), np.ones(len(starts), dtype=int)
         self.t, self.h = np.zeros(len(starts)), np.array([state.h for state in each])
         self.y, self.r, self.f, self.m = (np.array([getattr(state, name) for state in each]).T for name in "yrfm")
@@ -74,16 +88,16 @@ class _Members:
 
     def _step(self) -> None:
         left = self.since[-1] - self.t
+        self.h = np.maximum(self.h, self._shortest())
         last = self.h >= left
         new = np.where(last, self.since[-1], self.t + np.where(2 * self.h < left, self.h, left / 2))
         h = np.where(last, left, new - self.t)
-        if (h <= 2.0**-50 * self.t).any():
-            where = self.origin + self.t[np.argmin(h)]
-            raise ArithmeticError(f"no step is short enough at t = {where:.17g}: rhs or solution not finite")
         step, start = self.functions["step"], self.origin + self.t
         n, r, g, m, fifth, third, stages = step(start, h, self.y, self.r, self.f, self.m, self.c)
         error = np.where(fifth > 0, fifth / (self.rtol * np.sqrt(fifth + 0.01 * third)), fifth)
         fine = error <= 1
+        if not fine.all():
+            fine |= self._passed(h, np.array(_rows(n, h)), error)
         self._sample(fine, new, h, np.array(n), _rows(g, h), stages)
         self.refused = np.where(fine, 0.0, self.refused + 1.0)
         self._forgive(h)
@@ -93,6 +107,24 @@ class _Members:
         self.t = np.where(fine, new, self.t)
         for name, value in (("y", n), ("r", r), ("f", g), ("m", m)):
             setattr(self, name, np.where(fine, _rows(value, h), getattr(self, name)))
+
+    def _shortest(self) -> Any:
+        return np.maximum(2.0**-50 * self.t, 1e-17 * self.since[-1])
+
+    def _passed(self, h: Array, n: Array, error: Array) -> Any:
+        """Which of the refused steps pass as jumps; what has no scale and moves gets one, as in `adaptive_loop`."""
+        lacking: Any = ~(error <= 1) & ((self.m <= UNKNOWN) & (np.abs(n) > UNKNOWN)).any(axis=0)
+        last = ~(error <= 1) & (self.h == self._shortest())
+        finite: Any = np.isfinite(n).all(axis=0)
+        passed = last & finite & (lacking | (error * self.rtol <= JUMP))
+        for i in np.flatnonzero(last & ~passed)[:1]:
+            kind = TOO_SHORT if finite[i] else NOT_FINITE
+            raise ArithmeticError(adaptive.TROUBLE[kind].format(t=self.origin + self.t[i]))
+        for i in np.flatnonzero(lacking & ~passed):
+            y, f, m = (tuple(values[:, i].tolist()) for values in (self.y, self.f, self.m))
+            state = State(0, float(self.t[i]), float(h[i]) / 10, y, y, f, m, 0.0, 0, 0, 0, LACKS_SCALE)
+            self.m[:, i] = adaptive.scaled(self.engine, self.origin, state).m
+        return passed
 
     def _sample(self, fine: Any, new: Array, h: Array, n: Array, g: Array, stages: Any) -> None:
         """Fill the rows that the steps taken have reached."""

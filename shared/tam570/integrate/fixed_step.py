@@ -1,6 +1,7 @@
 """Long runs at a fixed step by the methods that keep the structure of mechanics."""
 
 import math
+from collections.abc import Sequence
 from functools import lru_cache, partial
 from typing import Any
 
@@ -22,12 +23,14 @@ METHODS = {"gauss": 3.5, "composition": 0.5}  # step over the shortest that DOP8
 COMPILE_COST = {"gauss": 3.0, "composition": 1.0}  # as in `Loop`: the sweeps are one long loop
 
 
-def states(method: str, engine: Engine, times: Array, start: Array, rtol: float, step: float | None) -> Array:
+def states(
+    method: str, engine: Engine, times: Array, start: Array, rtol: float, floor: Sequence[float], step: float | None
+) -> Array:
     """(n, k) states at `times`, all steps of the same length."""
     rows = np.empty((len(times), len(start)))
     rows[0] = start
     origin, since = float(times[0]), times - times[0]
-    listed, h = since.tolist(), _step(method, engine, times, start, rtol, step)
+    listed, h = since.tolist(), _step(method, engine, times, start, rtol, floor, step)
     source, constants = _source(method, engine, len(start))
     python = fixed_loop_with(_leap(source, engine))
 
@@ -48,12 +51,14 @@ def states(method: str, engine: Engine, times: Array, start: Array, rtol: float,
     return rows
 
 
-def _step(method: str, engine: Engine, times: Array, start: Array, rtol: float, step: float | None) -> float:
+def _step(
+    method: str, engine: Engine, times: Array, start: Array, rtol: float, floor: Sequence[float], step: float | None
+) -> float:
     """A step that divides the whole run, no longer than asked for."""
     if step is not None and not 0 < step < math.inf:
         raise ValueError(f"step: must be positive and finite, got {step!r}")
     span = float(times[-1] - times[0])
-    longest = step or METHODS[method] * shortest_step(engine, times, start, rtol)
+    longest = step or METHODS[method] * shortest_step(engine, times, start, rtol, floor)
     return span / math.ceil(span / longest)
 
 

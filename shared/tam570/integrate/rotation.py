@@ -64,7 +64,7 @@ def solve_rotation(
     start = np.concatenate([spinning, np.zeros(3), turned.ravel()])
     times, tolerated = sample_times(t), tolerance(rtol)
     states = adaptive.states(
-        engine(rates, None, times, start), times, start, tolerated, "python", _recentred, _one_radian
+        engine(rates, None, times, start), times, start, tolerated, "python", (), _recentred, _one_radian
     )
     rotations = states[:, 6:].reshape(-1, 3, 3)
     rotations[0] = turned

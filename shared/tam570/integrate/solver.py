@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from tam570.integrate import adaptive
-from tam570.integrate.arguments import Array, initial_state, sample_times, tolerance
+from tam570.integrate.arguments import Array, allowed_error, initial_state, sample_times, tolerance
 from tam570.integrate.engine import engine
 
 __all__ = ["solve"]
@@ -23,6 +23,7 @@ def solve(
     *,
     parameters: Mapping[str, Any] | None = None,
     rtol: float = 1e-10,
+    atol: ArrayLike | None = None,
     method: str = "auto",
     step: float | None = None,
     project: Callable[[Array], Any] | None = None,
@@ -33,7 +34,9 @@ def solve(
     t          : (n,) strictly increasing, n >= 2; the choice of times does not change the steps taken
     y0         : (k,), or (m, k) for m starts at once
     parameters : keyword arguments of rhs, bound before the first step
-    rtol       : largest error of a step, relative to the largest magnitude so far of each component
+    rtol       : largest error of a step, relative to the largest magnitude so far of each component; what starts at
+                 zero takes the size to which it, time, or the other components move it within the first step
+    atol       : an error of a step that is allowed in any case, one number or k; left out, none but that of rtol
     method     : "auto" runs in Python and goes on compiled by numba where that is installed and repays;
                  "python" and "numba" insist; at a fixed step, for long runs of conservative systems:
                  "gauss" (Gauss-Legendre, order 12), "composition" (order 8, y0 = (q, v), q' of v, v' of q)
@@ -44,18 +47,19 @@ def solve(
     ValueError names the argument, ArithmeticError the time at which rhs or solution cease to be finite.
     """
     times, start, rtol = sample_times(t), initial_state(y0), tolerance(rtol)
+    floor = (allowed_error(atol, start.shape[-1]) / rtol).tolist()
     _check_method(method, several=start.ndim == 2, projected=project is not None, stepped=step is not None)
     with np.errstate(all="ignore"):  # a step that proves too long may overflow: it is taken again
         if start.ndim == 2:
             from tam570.integrate import ensemble
 
-            return ensemble.states(engine(rhs, parameters, times, start[0]), times, start, rtol, method)
+            return ensemble.states(engine(rhs, parameters, times, start[0]), times, start, rtol, method, floor)
         made = engine(rhs, parameters, times, start)
         if method in FIXED_STEP:
             from tam570.integrate import fixed_step
 
-            return fixed_step.states(method, made, times, start, rtol, step)
-        return adaptive.states(made, times, start, rtol, method, project)
+            return fixed_step.states(method, made, times, start, rtol, floor, step)
+        return adaptive.states(made, times, start, rtol, method, floor, project)
 
 
 def _check_method(method: str, *, several: bool, projected: bool, stepped: bool) -> None:

@@ -1,0 +1,213 @@
+"""What starts at zero has a scale: chains that a motion runs along, forces that set in late, jumps in time.
+
+Each is compared with an exact solution, or with SciPy's DOP853 at its best tolerance.
+"""
+
+import math
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from tam570.integrate import solve
+
+EPS = 2.0**-52
+
+
+def chain(masses):
+    """Masses of 1 kg between springs of 1 N/m, the ends fixed."""
+
+    def rates(t, y):
+        x = [0.0, *y[:masses], 0.0]
+        return [*y[masses:], *(x[i - 1] - 2 * x[i] + x[i + 1] for i in range(1, masses + 1))]
+
+    return rates
+
+
+def chain_exactly(masses, start, t):
+    """By its normal modes."""
+    stiffness = 2 * np.eye(masses) - np.eye(masses, k=1) - np.eye(masses, k=-1)
+    squares, modes = np.linalg.eigh(stiffness)
+    rates, parts = np.sqrt(squares), modes.T @ start[:masses]
+    phases = np.outer(t, rates)
+    return np.hstack([parts * np.cos(phases) @ modes.T, -parts * rates * np.sin(phases) @ modes.T])
+
+
+def unit(size, index, value=1.0):
+    state = np.zeros(size)
+    state[index] = value
+    return state
+
+
+@pytest.mark.parametrize("masses", [4, 6, 7, 8, 9, 10, 30])
+@pytest.mark.parametrize("rtol", [1e-6, 1e-10, 1e-13])
+def test_masses_on_springs_with_the_first_displaced(masses, rtol):
+    t, start = np.linspace(0, 20, 41), unit(2 * masses, 0)
+    states = solve(chain(masses), t, start, rtol=rtol)
+    assert np.abs(states - chain_exactly(masses, start, t)).max() < 10 * rtol
+
+
+@pytest.mark.parametrize("size", [1e-9, 1.0, 1e11])
+def test_a_chain_of_any_size_is_judged_by_its_own(size):
+    t, start = np.linspace(0, 20, 11), unit(16, 0, size)
+    states = solve(chain(8), t, start)
+    assert np.abs(states - chain_exactly(8, start, t)).max() < 1e-9 * size
+
+
+def by_scipy(rates, t, start, **given):
+    """SciPy's DOP853 at its best tolerance; `given` changes it."""
+    found = solve_ivp(
+        rates, (t[0], t[-1]), start, t_eval=t, **{"method": "DOP853", "rtol": 3e-14, "atol": 1e-16, **given}
+    )
+    assert found.success
+    return found.y.T
+
+
+def fermi_pasta_ulam(t, y):
+    """16 masses, springs with a quadratic and a cubic part: what the linear part does not reach must not be missed."""
+    x = [0.0, *y[:16], 0.0]
+    stretch = [b - a for a, b in zip(x, x[1:], strict=False)]
+    pull = [d + 0.25 * d * d + d * d * d for d in stretch]
+    return [*y[16:], *(b - a for a, b in zip(pull, pull[1:], strict=False))]
+
+
+def heat(t, y):
+    u = [0.0, *y, 0.0]
+    return [u[i - 1] - 2 * u[i] + u[i + 1] for i in range(1, len(y) + 1)]
+
+
+def detest_c1(t, y):
+    return [-y[0], *(y[i - 1] - y[i] for i in range(1, 9)), y[8]]
+
+
+def detest_c2(t, y):
+    return [-y[0], *(i * y[i - 1] - (i + 1) * y[i] for i in range(1, 9)), 9 * y[8]]
+
+
+def cascade(t, y):
+    """Each drives the next by its square: at the start no rate changes with any state but the first."""
+    return [-y[0], *(a * a - b for a, b in zip(y, y[1:], strict=False))]
+
+
+@pytest.mark.parametrize(
+    ("rates", "start", "end"),
+    [
+        (fermi_pasta_ulam, unit(32, 16), 20),
+        (heat, unit(50, 25), 5),  # C4 has 51 from the edge
+        (heat, unit(50, 0), 5),
+        (detest_c1, unit(10, 0), 20),
+        (detest_c2, unit(10, 0), 20),
+        (heat, unit(10, 0), 20),  # C3
+        (heat, unit(51, 0), 20),  # C4
+        (cascade, unit(6, 0), 10),
+    ],
+)
+@pytest.mark.parametrize("rtol", [1e-8, 1e-11])
+def test_what_reaches_the_others_only_later(rates, start, end, rtol):
+    t = np.linspace(0, end, 21)
+    states = solve(rates, t, start, rtol=rtol)
+    assert np.abs(states - by_scipy(rates, t, start)).max() < 10 * rtol
+
+
+@pytest.mark.parametrize("power", [3, 4, 5, 8, 12])
+def test_an_oscillator_at_rest_under_a_growing_force(power):
+    t = np.linspace(0, 10, 21)
+    states = solve(lambda t, y: (y[1], t**power - y[0]), t, [0.0, 0.0], rtol=1e-11)
+    series = [math.prod(range(power - 2 * k + 1, power + 1)) * (-1) ** k for k in range(power // 2 + 1)]
+    powers = [power - 2 * k for k in range(power // 2 + 1)]
+    exact = sum(c * t**p for c, p in zip(series, powers, strict=True))
+    rate = sum(c * p * t ** max(p - 1, 0) for c, p in zip(series, powers, strict=True))
+    rest, at_zero = exact[0], rate[0]  # the particular solution's start, taken away by a free oscillation
+    exact, rate = exact - rest * np.cos(t) - at_zero * np.sin(t), rate + rest * np.sin(t) - at_zero * np.cos(t)
+    assert np.abs(states - np.stack([exact, rate], 1)).max() < 1e-10 * np.abs(exact).max()
+
+
+def test_a_force_all_of_whose_derivatives_are_zero_at_the_start():
+    def rates(t, y):
+        return y[1], (math.exp(-1 / t) if t > 0 else 0.0) - y[0]
+
+    t = np.linspace(0, 10, 21)
+    assert np.abs(solve(rates, t, [0.0, 0.0]) - by_scipy(rates, t, [0.0, 0.0])).max() < 1e-9
+
+
+def after(t, begin):
+    return np.maximum(t - begin, 0)
+
+
+JUMPS = {
+    "a step force": (
+        lambda t, y: (y[1], (1.0 if t >= 1 else 0.0) - y[0]),
+        lambda t: (1 - np.cos(after(t, 1)), np.sin(after(t, 1))),
+    ),
+    "a thrust from t = 3 on": (
+        lambda t, y: (y[1], 2.0 if t >= 3 else 0.0),
+        lambda t: (after(t, 3) ** 2, 2 * after(t, 3)),
+    ),
+    "a push of half a second": (
+        lambda t, y: (y[1], 2.0 if 3 <= t < 3.5 else 0.0),
+        lambda t: (after(t, 3) ** 2 - after(t, 3.5) ** 2, 2 * (after(t, 3) - after(t, 3.5))),
+    ),
+    "a square wave": (lambda t, y: (y[1], 1.0 if t % 2 < 1 else -1.0), lambda t: (None, 1 - np.abs(t % 2 - 1))),
+    "a jump at the very start": (lambda t, y: (y[1], 1.0 if t > 0 else -1.0), lambda t: (t * t / 2, t)),
+}
+
+
+@pytest.mark.parametrize("name", JUMPS)
+@pytest.mark.parametrize("rtol", [1e-6, 1e-10, 1e-14])
+def test_jumps_in_time_are_passed_by_small_steps(name, rtol):
+    """A stage before and one after the jump: the estimate is a part of the error, in SciPy as here."""
+    rates, exactly = JUMPS[name]
+    t = np.linspace(0, 10, 21)
+    states = solve(rates, t, [0.0, 0.0], rtol=rtol)
+    scipy = by_scipy(rates, t, [0.0, 0.0], rtol=max(rtol, 3e-14), atol=max(rtol, 1e-13))
+    for found, theirs, exact in zip(states.T, scipy.T, exactly(t), strict=True):
+        if exact is not None:
+            allowed = max(40 * rtol, 1000 * EPS) * np.abs(exact).max()
+            assert np.abs(found - exact).max() < max(allowed, 2 * np.abs(theirs - exact).max())
+
+
+def test_a_jump_with_no_scale_at_all_is_passed_too():
+    """The second component is off until the first passes one half: no time and no small change tells."""
+
+    def rates(t, y):
+        return 1.0, (2.0 if y[0] > 0.5 else 0.0)
+
+    assert solve(rates, [0, 2.0], [0.0, 0.0])[-1] == pytest.approx([2.0, 3.0], abs=1e-8)
+
+
+@pytest.mark.parametrize(
+    "rates", [lambda t, y: (y[0] ** 2,), lambda t, y: (-0.5 / y[0],), lambda t, y: (-1 / y[0] ** 3,)]
+)
+def test_where_a_solution_ends_it_is_told(rates):
+    """1 / (1 - t), and roots of 1 - t: no small step passes."""
+    with pytest.raises(ArithmeticError, match=r"at t = (1|0\.9999|0\.25|0\.2499)"):
+        solve(rates, [0, 2], [1.0])
+
+
+def test_only_what_is_not_finite_is_called_so():
+    with pytest.raises(ArithmeticError, match=r"not finite at t = (1|0\.9999)"):
+        solve(lambda t, y: (1.0 if t < 1 else math.nan,), [0, 2], [0.0])
+    with pytest.raises(ArithmeticError, match=r"become infinite there") as told:
+        solve(lambda t, y: (y[0] ** 2,), [0, 2], [1.0])
+    assert "not finite" not in str(told.value)
+
+
+def test_an_ensemble_of_chains():
+    t, starts = np.linspace(0, 20, 5), np.zeros((20, 16))
+    starts[:, 0] = np.linspace(1, 2, 20)
+    found = solve(chain(8), t, starts, method="python")
+    exact = chain_exactly(8, unit(16, 0), t)
+    assert np.abs(found - starts[:, :1, None] * exact).max() < 1e-9
+
+
+def test_an_ensemble_under_a_force_that_sets_in_late():
+    """The square root is zero until t = 3."""
+
+    def rates(t, y):
+        return y[1], np.sqrt(np.abs(t - 3) + (t - 3)) - y[0]
+
+    t, starts = np.linspace(0, 10, 5), np.zeros((20, 2))
+    starts[10:, 0] = 1.0
+    together = solve(rates, t, starts, rtol=1e-8, method="python")
+    for start, found in zip(starts, together, strict=True):
+        assert found == pytest.approx(solve(rates, t, start, rtol=1e-10, method="python"), abs=1e-6)
