@@ -9,6 +9,7 @@ from typing import Any
 
 from tam570 import __version__
 from tam570.course import Unknown, assignments, folder, start, title
+from tam570.lectures import commands as lectures
 from tam570.progress import hints_given, recalled, remember_hints
 
 __all__ = ["main"]
@@ -43,10 +44,11 @@ def _parser() -> argparse.ArgumentParser:
 
     command = commands.add_parser("list", help="the assignments, and how far you are with those here")
     command.set_defaults(command=_list)
+    command.add_argument("--lectures", action="store_true", help="the systems that are solved in class, by date")
 
-    command = commands.add_parser("start", help="get an assignment: the problem, the file to fill in, the tests")
+    command = commands.add_parser("start", help="get an assignment, or a copy of a lecture to play with")
     command.set_defaults(command=_start)
-    command.add_argument("assignment", help="hw07, say")
+    command.add_argument("assignment", metavar="ASSIGNMENT|LECTURE", help="hw07, or top, for example")
     command.add_argument("--into", type=Path, default=Path(), metavar="DIR", help="where (default: here)")
 
     command = commands.add_parser("check", help="run the visible tests on what you have written")
@@ -55,10 +57,13 @@ def _parser() -> argparse.ArgumentParser:
     command.add_argument("--assignment", metavar="SLUG", help="which one a FILE of another name is")
     command.add_argument("--watch", action="store_true", help="test what has changed each time you save")
 
-    command = commands.add_parser("show", help="see what your functions do, as a scene that moves")
+    command = commands.add_parser("show", help="see what your functions do, or a lecture, as a scene that moves")
     command.set_defaults(command=_show)
-    command.add_argument("assignment", help="hw07, say")
+    command.add_argument(
+        "assignment", metavar="ASSIGNMENT|LECTURE", help="hw07, or top, for example, or a lecture's copy"
+    )
     command.add_argument("file", nargs="?", type=Path, metavar="FILE", help="default: yours that is here")
+    command.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="of a lecture: mass=2")
     command.add_argument("--save", type=Path, metavar="FILE", help="a page (.html), picture (.png), .gif or .mp4")
 
     command = commands.add_parser("hint", help="one more hint each time you ask")
@@ -70,6 +75,8 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _list(arguments: argparse.Namespace) -> int:
+    if arguments.lectures:
+        return lectures.listed()
     points = most = 0.0
     for slug in assignments():
         work = _work(slug)
@@ -92,6 +99,8 @@ def _state(file: Path | None, known: tuple[dict[str, Any], bool] | None) -> str:
 
 
 def _start(arguments: argparse.Namespace) -> int:
+    if lectures.is_lecture(arguments.assignment):
+        return lectures.start(arguments.assignment, arguments.into)
     work, copied, kept = start(arguments.assignment, arguments.into)
     for name in copied:
         print(work / name)
@@ -134,6 +143,8 @@ def _named(file: Path) -> str:
 
 
 def _show(arguments: argparse.Namespace) -> int:
+    if arguments.file is None and lectures.is_lecture(arguments.assignment):
+        return lectures.show(arguments.assignment, arguments.set, arguments.save)
     from tam570.show import command
 
     slug = folder(arguments.assignment).name

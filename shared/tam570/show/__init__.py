@@ -1,5 +1,6 @@
 """Scenes that move: `show` runs the student's own functions and shows what they do."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
@@ -9,7 +10,7 @@ from tam570.course import folder
 from tam570.show.film import Film
 from tam570.show.student import Student, Trouble, loaded
 
-__all__ = ["Shown", "Trouble", "command", "film_of", "save", "show"]
+__all__ = ["Shown", "Trouble", "command", "film_of", "presented", "save", "show", "troubled"]
 
 SAVED_AS = (".html", ".png", ".gif", ".mp4")
 
@@ -45,20 +46,28 @@ class Shown:
         save(self.film, Path(file))
 
 
-def show(what: Any, *, assignment: str | None = None, height: int = 620) -> Shown:
-    """The scene of an assignment, driven by the student's functions.
+def show(
+    what: Any, *, assignment: str | None = None, numbers: Mapping[str, Any] | None = None, height: int = 620
+) -> Shown:
+    """The scene of an assignment, driven by the student's functions, or that of a lecture.
 
-    what       : the student's module, or its file; in a notebook also `globals()`, with the assignment's name
-    assignment : hw07, say, where the name of the module does not tell
+    what       : the student's module, or its file; in a notebook also `globals()`, with the assignment's name;
+                 or the module of a lecture, or the file of a copy
+    assignment : hw07, for example, where the name of the module does not tell
+    numbers    : other values for a lecture, {"mass": 2.0, "start.vx": 3.0}
     height     : in a notebook, pixels
     """
     try:
-        return Shown(_film(what, assignment), height=height)
+        return Shown(_film(what, assignment, numbers), height=height)
     except Trouble as trouble:
         return Shown(None, str(trouble), height)
 
 
-def _film(what: Any, assignment: str | None) -> Film:
+def _film(what: Any, assignment: str | None, numbers: Mapping[str, Any] | None) -> Film:
+    if assignment is None and (hasattr(what, "EXAMPLE") or _is_lecture(what)):
+        from tam570.show.lecture import film_of_lecture, lecture_module
+
+        return film_of_lecture(lecture_module(str(what)) if isinstance(what, str | Path) else what, numbers)
     if isinstance(what, str | Path):
         slug = folder(assignment or Path(what).stem).name
         return film_of(loaded(Path(what), slug), slug)
@@ -67,6 +76,12 @@ def _film(what: Any, assignment: str | None) -> Film:
 
         what = SimpleNamespace(**what)
     return film_of(what, folder(assignment or what.__name__).name)
+
+
+def _is_lecture(what: Any) -> bool:
+    from tam570.lectures import commands
+
+    return isinstance(what, str | Path) and commands.is_lecture(str(what))
 
 
 def film_of(module: Any, slug: str) -> Film:
@@ -81,10 +96,18 @@ def film_of(module: Any, slug: str) -> Film:
 
 def command(file: Path, slug: str, where: Path | None) -> int:
     """What `tam570 show` does: save the film of a file, or show it in a window; 0, or 1 if it cannot be."""
+    try:
+        film = film_of(loaded(file, slug), slug)
+    except Trouble as trouble:
+        return troubled(trouble)
+    return presented(film, where)
+
+
+def presented(film: Film, where: Path | None) -> int:
+    """Save a film, or show it in a window; 0, or 1 if it cannot be."""
     import sys
 
     try:
-        film = film_of(loaded(file, slug), slug)
         if where:
             save(film, where)
         else:
@@ -92,13 +115,20 @@ def command(file: Path, slug: str, where: Path | None) -> int:
 
             window(film)
     except Trouble as trouble:
-        print(f"tam570: {trouble}", file=sys.stderr)
-        return 1
+        return troubled(trouble)
     for note in film.notes:
         print(note, file=sys.stderr)
     if where:
         print(where)
     return 0
+
+
+def troubled(trouble: Trouble) -> int:
+    """Say why there is no film; 1, the exit code."""
+    import sys
+
+    print(f"tam570: {trouble}", file=sys.stderr)
+    return 1
 
 
 def save(film: Film, file: Path) -> None:

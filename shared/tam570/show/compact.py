@@ -5,7 +5,8 @@ body are stored as combinations of three or four of them; and a sample that line
 neighbours gives to half a pixel is not stored at all.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -26,8 +27,25 @@ TRACK, FIXED, MIXED = range(3)  # kinds of points; a point's number is 3 * index
 
 def packed(film: Film) -> dict[str, Any]:
     """The film as the player reads it: numbers, strings, lists."""
-    points = _Points()
-    panels = [_packed_panel(panel, points, film.in_space) for panel in film.panels]
+    slider = film.slider
+    if slider is None:
+        return _packed(film, [_frame([panel]) for panel in film.panels])
+    frames = [_frame(panels) for panels in zip(*(one.panels for one in slider.films), strict=True)]
+    return {
+        **_packed(film, frames),
+        "slider": {
+            "name": slider.name,
+            "unit": slider.unit,
+            "values": [_figures(value, 6) for value in slider.values],
+            "chosen": slider.chosen,
+            "films": [None if i == slider.chosen else _packed(one, frames) for i, one in enumerate(slider.films)],
+        },
+    }
+
+
+def _packed(film: Film, frames: Sequence["_Frame"]) -> dict[str, Any]:
+    points, space = _Points(), film.in_space
+    panels = [_packed_panel(panel, frame, points, space) for panel, frame in zip(film.panels, frames, strict=True)]
     kept = kept_samples(np.concatenate(points.tracks, axis=1)) if points.tracks else np.array([0])
     kept = np.union1d(kept, [0, len(film.times) - 1])
     return {
@@ -127,20 +145,39 @@ def kept_samples(tracks: Array, within: float = STEPS / 2) -> NDArray[np.int64]:
     return np.array(sorted(kept))
 
 
-def _packed_panel(panel: Panel, points: _Points, in_space: bool) -> dict[str, Any]:
-    low, high = _box(panel)
-    flat = panel.parts[0].points.shape[-1] == 2
-    unit = float((high - low).max() or 1.0) / (PIXELS * STEPS)  # m
-    middle = (low + high) / 2
-    scaled = [_in_space((part.points - middle) / unit, in_space) for part in panel.parts]
+@dataclass(frozen=True)
+class _Frame:
+    """What fits a panel into the screen, and the same panel of other values.
+
+    middle : (dim,) m
+    unit   : m, of a whole number
+    size   : width and height, units
+    flat   : does not turn with the view
+    """
+
+    middle: Array
+    unit: float
+    size: tuple[float, float]
+    flat: bool
+
+
+def _frame(panels: Sequence[Panel]) -> _Frame:
+    low, high = _box(panels)
+    middle, unit = (low + high) / 2, float((high - low).max() or 1.0) / (PIXELS * STEPS)
+    if len(low) == 2:
+        return _Frame(middle, unit, tuple((high - low) / unit), True)
+    scaled = [(part.points - middle) / unit for panel in panels for part in panel.parts]
+    return _Frame(middle, unit, _size_in_space(scaled), False)
+
+
+def _packed_panel(panel: Panel, frame: _Frame, points: _Points, in_space: bool) -> dict[str, Any]:
+    scaled = [_in_space((part.points - frame.middle) / frame.unit, in_space) for part in panel.parts]
     return {
         "title": panel.title,
-        "flat": flat,
+        "flat": frame.flat,
         "ruler": panel.ruler,
-        "unit": unit,
-        "size": [
-            _figures(side, 6) for side in (_size_in_space(scaled) if in_space and not flat else (high - low) / unit)
-        ],
+        "unit": frame.unit,
+        "size": [_figures(side, 6) for side in frame.size],
         "parts": [_packed_part(part, at, points) for part, at in zip(panel.parts, scaled, strict=True)],
     }
 
@@ -151,9 +188,9 @@ def _size_in_space(scaled: list[Array]) -> tuple[float, float]:
     return 2.0 * width, 2.0 * max(float(np.abs(points[..., 2]).max()) for points in scaled)
 
 
-def _box(panel: Panel) -> tuple[Array, Array]:
-    """Corners of the box around all that the panel ever shows. Trouble if it is too large for numbers."""
-    rows = [part.points.reshape(-1, part.points.shape[-1]) for part in panel.parts]
+def _box(panels: Sequence[Panel]) -> tuple[Array, Array]:
+    """Corners of the box around all that the panels ever show. Trouble if it is too large for numbers."""
+    rows = [part.points.reshape(-1, part.points.shape[-1]) for panel in panels for part in panel.parts]
     low = np.min([row.min(axis=0) for row in rows], axis=0)
     high = np.max([row.max(axis=0) for row in rows], axis=0)
     with np.errstate(over="ignore"):

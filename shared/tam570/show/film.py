@@ -1,8 +1,8 @@
 """What is seen: a film of panels and strips, made of numbers. A scene makes it, the player and the savers show it."""
 
 import math
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -17,6 +17,7 @@ __all__ = [
     "Film",
     "Panel",
     "Part",
+    "Slider",
     "Strip",
     "clock",
     "conserved",
@@ -24,6 +25,7 @@ __all__ = [
     "followed",
     "moving",
     "strip_samples",
+    "with_slider",
 ]
 
 Array = NDArray[np.float64]
@@ -101,6 +103,7 @@ class Film:
     view  : azimuth and elevation of the eye in a scene in space, rad
     poster : share of the time at which a single picture tells most
     notes : what could not be shown, and why
+    slider : the same scene for other values of a number
     """
 
     title: str
@@ -111,11 +114,36 @@ class Film:
     view: tuple[float, float] = (0.7, 0.35)
     poster: float = 0.6
     notes: Sequence[str] = field(default_factory=list)
+    slider: "Slider | None" = None
 
     @property
     def in_space(self) -> bool:
         """Whether any panel has three dimensions."""
         return any(part.points.shape[-1] == 3 for panel in self.panels for part in panel.parts)
+
+
+@dataclass(frozen=True)
+class Slider:
+    """One number of a scene with its values, and the scene for each.
+
+    values : ascending
+    films  : for each value, with as many panels each
+    chosen : which one is shown first
+    """
+
+    name: str
+    unit: str
+    values: Sequence[float]
+    films: Sequence[Film]
+    chosen: int
+
+
+def with_slider(make: Callable[[float], Film], name: str, unit: str, values: Sequence[float], first: float) -> Film:
+    """The film for the value `first`, with a slider that changes to those for others."""
+    several = sorted({*values, first})
+    films = [make(value) for value in several]
+    chosen = several.index(first)
+    return replace(films[chosen], slider=Slider(name, unit, several, films, chosen))
 
 
 def clock(seconds: float) -> Array:

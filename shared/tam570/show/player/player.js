@@ -1,14 +1,19 @@
 "use strict";
 const byId = (id) => document.getElementById(id);
-const film = JSON.parse(byId("film").textContent);
+const shownFirst = JSON.parse(byId("film").textContent), {slider} = shownFirst;
 const sums = (steps) => { let sum = 0; return steps.map((step) => (sum += step)); };
 
-// What the file holds: differences between the samples that matter.
-const keys = sums(film.keys);
-const tracks = film.tracks.map((track) => track.map(sums));
-const duration = keys[keys.length - 1] * film.step;
-const strips = film.strips.map((strip) => ({...strip, curves: strip.curves.map(sums)}));
+// What the file holds: differences between the samples that matter. A slider holds a film for each of its values.
+let film, keys, tracks, duration, strips;
 const state = {time: 0, speed: 1, playing: false, last: 0};
+function read(chosen) {
+  film = chosen;
+  keys = sums(film.keys);
+  tracks = film.tracks.map((track) => track.map(sums));
+  duration = keys[keys.length - 1] * film.step;
+  strips = film.strips.map((strip) => ({...strip, curves: strip.curves.map(sums)}));
+  state.time = Math.min(state.time, duration);
+}
 
 // Where things are
 
@@ -205,6 +210,7 @@ function drawLive() {
 
 function showTime() {
   const text = `${(film.start + state.time).toFixed(2)} s`;
+  byId("scrub").max = duration;
   byId("scrub").value = state.time;
   byId("scrub").setAttribute("aria-valuetext", `${text} of ${(film.start + duration).toFixed(2)} s`);
   byId("clock").textContent = text;
@@ -237,8 +243,32 @@ function onKey(event) {
   else if (event.key === "ArrowRight") goTo(state.time + 1 / 30);
   else if (event.key === "Home") goTo(0);
   else if (event.key === "End") goTo(duration);
+  else if (slider && (event.key === "[" || event.key === "]")) choose(Number(byId("value").value) + (event.key === "]" ? 1 : -1));
   else return;
   event.preventDefault();
+}
+function choose(wanted) {
+  const index = Math.max(0, Math.min(slider.values.length - 1, wanted));
+  const text = `${slider.values[index]} ${slider.unit}`.trim();
+  byId("value").value = index;
+  byId("value").setAttribute("aria-valuetext", text);
+  byId("chosen").textContent = text;
+  show(slider.films[index] || shownFirst);
+  drawStill();
+}
+function show(chosen) {
+  read(chosen);
+  byId("legend").replaceChildren();
+  byId("strips").replaceChildren();
+  showLegend();
+  strips.forEach(figure);
+}
+function beginSlider() {
+  byId("choice").hidden = false;
+  byId("name").textContent = slider.name;
+  byId("value").max = slider.values.length - 1;
+  byId("value").addEventListener("input", (event) => choose(Number(event.target.value)));
+  choose(slider.chosen);
 }
 function showLegend() {
   const named = film.panels.flatMap((panel) => panel.parts).filter((part) => part.name);
@@ -251,11 +281,10 @@ function showLegend() {
 }
 function begin() {
   readColors();
-  showLegend();
-  strips.forEach(figure);
+  show(shownFirst);
   if (camera) camera.begin();
-  byId("keys").textContent = `Keys: space plays and pauses, ← → step, Home, End${camera ? camera.keys : ""}.`;
-  Object.assign(byId("scrub"), {max: duration, step: "any"});
+  byId("keys").textContent = `Keys: space plays and pauses, ← → step, Home, End${camera ? camera.keys : ""}${slider ? `; [ and ] change ${slider.name}` : ""}.`;
+  byId("scrub").step = "any";
   byId("scrub").addEventListener("input", (event) => { setPlaying(false); goTo(Number(event.target.value)); });
   byId("play").addEventListener("click", () => setPlaying(!state.playing));
   byId("speed").addEventListener("change", (event) => { state.speed = Number(event.target.value); });
@@ -263,6 +292,7 @@ function begin() {
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => { readColors(); drawStill(); });
   new ResizeObserver(drawStill).observe(byId("stage"));
   drawStill();
+  if (slider) beginSlider();
   if (!matchMedia("(prefers-reduced-motion: reduce)").matches) setPlaying(true);
 }
 begin();

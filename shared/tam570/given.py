@@ -1,0 +1,83 @@
+"""What a function is given: each of these raises a ValueError that names the argument it refuses."""
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["array", "finite", "nonnegative", "numbers", "one_of", "positive", "sequence"]
+
+
+def positive(**named: float) -> None:
+    """Refuses what is not a finite number above 0, as in positive(mass=mass)."""
+    for name, value in named.items():
+        if not (_is_real(value) and 0.0 < value < math.inf):
+            raise ValueError(f"{name}: must be a positive number, got {value!r}")
+
+
+def nonnegative(**named: float) -> None:
+    """Refuses what is not a finite number of 0 or more."""
+    for name, value in named.items():
+        if not (_is_real(value) and 0.0 <= value < math.inf):
+            raise ValueError(f"{name}: must be a number of 0 or more, got {value!r}")
+
+
+def finite(**named: float) -> None:
+    """Refuses what is not a finite number."""
+    for name, value in named.items():
+        if not (_is_real(value) and math.isfinite(value)):
+            raise ValueError(f"{name}: must be a finite number, got {value!r}")
+
+
+def one_of(choices: Sequence[Any], **named: Any) -> None:
+    """Refuses what is not among the choices."""
+    for name, value in named.items():
+        if not (isinstance(value, str) and value in choices):
+            raise ValueError(f"{name}: must be one of {', '.join(map(repr, choices))}, got {value!r}")
+
+
+def sequence(count: int, **named: Sequence[float]) -> None:
+    """Refuses what is not a flat list of `count`; the numbers themselves may be symbols."""
+    for name, value in named.items():
+        if len(_shape(name, value)) != 1 or len(value) != count:
+            raise ValueError(f"{name}: must be {count} numbers, got {value!r}")
+
+
+def array(shape: tuple[int | None, ...], **named: ArrayLike) -> NDArray[np.float64]:
+    """The one array that is named, of finite floats and this shape; None stands for any length."""
+    ((name, value),) = named.items()
+    found = _shape(name, value)
+    if len(found) != len(shape) or any(n is not None and m != n for m, n in zip(found, shape, strict=True)):
+        wanted = ", ".join("n" if n is None else str(n) for n in shape)
+        raise ValueError(f"{name}: must have the shape ({wanted}), got {found}")
+    values = _floats(name, value)
+    if not np.isfinite(values).all():
+        raise ValueError(f"{name}: must be finite, got {values}")
+    return values
+
+
+def numbers(count: int | None = None, **named: ArrayLike) -> NDArray[np.float64]:
+    """The one flat array that is named, of `count` finite floats."""
+    return array((count,), **named)
+
+
+def _is_real(value: Any) -> bool:
+    return isinstance(value, float | int | np.floating | np.integer)
+
+
+def _shape(name: str, value: Any) -> tuple[int, ...]:
+    try:
+        return np.shape(value)
+    except ValueError:  # rows of different lengths
+        raise ValueError(f"{name}: must be numbers in equal rows, got {value!r}") from None
+
+
+def _floats(name: str, value: Any) -> NDArray[np.float64]:
+    if np.iscomplexobj(value):
+        raise ValueError(f"{name}: must be real, got {value!r}")
+    try:
+        return np.array(value, dtype=float)
+    except (TypeError, ValueError):
+        raise ValueError(f"{name}: must be numbers, got {value!r}") from None

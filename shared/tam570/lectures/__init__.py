@@ -1,0 +1,63 @@
+"""The systems that the course solves in class, a module for each: its physics, what it conserves, a scene.
+
+A file in this folder is a lecture if its docstring begins with a date: `31 Aug: A mass on a spring`. To list the
+lectures, only first lines are read; to load one, no other is imported.
+"""
+
+import re
+from dataclasses import dataclass
+from functools import cache
+from importlib import import_module
+from pathlib import Path
+from types import ModuleType
+
+from tam570.course import Unknown
+
+__all__ = ["Lecture", "heading", "known", "load", "names"]
+
+HEADING = re.compile(r'"""((\d+).*?(Aug|Sept|Oct|Nov)\b.*?): (.*?)\.?"*$')
+MONTHS = ("Aug", "Sept", "Oct", "Nov")
+
+
+@dataclass(frozen=True)
+class Lecture:
+    """One lecture as its first line tells it.
+
+    day  : (month, day) of the first lecture on it, to sort by
+    date : as it is written, "19, 21 Sept"
+    """
+
+    name: str
+    day: tuple[int, int]
+    date: str
+    title: str
+    file: Path
+
+
+def names() -> list[str]:
+    """The names of all lectures, by date."""
+    return list(known())
+
+
+def load(name: str) -> ModuleType:
+    """The module of a lecture. Unknown, which says what there is, if there is none of that name."""
+    if name not in known():
+        raise Unknown(f"there is no lecture {name!r}; the lectures are: {', '.join(names())}")
+    return import_module(f"tam570.lectures.{name}")
+
+
+@cache
+def known() -> dict[str, Lecture]:
+    """All lectures by name, in the order of their dates."""
+    found = [lecture for file in Path(__file__).parent.glob("*.py") if (lecture := heading(file))]
+    return {lecture.name: lecture for lecture in sorted(found, key=lambda lecture: (lecture.day, lecture.name))}
+
+
+def heading(file: Path) -> Lecture | None:
+    """What the first line of a file says; None if the file is neither a lecture nor a copy of one."""
+    with open(file, encoding="utf-8", errors="replace") as text:
+        found = HEADING.match(text.readline().rstrip())
+    if found is None:
+        return None
+    date, day, month, title = found.groups()
+    return Lecture(file.stem, (MONTHS.index(month), int(day)), date, title, file)

@@ -1,0 +1,61 @@
+"""What `tam570 list --lectures`, `tam570 start NAME` and `tam570 show NAME` do with lectures."""
+
+import shutil
+from collections.abc import Sequence
+from pathlib import Path
+
+from tam570.course import Unknown, folder
+from tam570.lectures import heading, known
+
+__all__ = ["is_lecture", "listed", "show", "start"]
+
+
+def is_lecture(what: str) -> bool:
+    """Whether a name or a file means a lecture or a copy of one, and not an assignment.
+
+    So does any name that is neither an assignment nor a path; it is refused later, with the right names.
+    """
+    if what in known():
+        return True
+    path = Path(what)
+    if path.is_file():
+        return heading(path) is not None
+    try:
+        folder(what)
+    except Unknown:
+        return path.name == what and not path.suffix and not what.lower().startswith("hw")
+    return False
+
+
+def listed() -> int:
+    """Print all lectures by date."""
+    for lecture in known().values():
+        print(f"{lecture.date:<13} {lecture.name:<18} {lecture.title}")
+    return 0
+
+
+def start(name: str, where: Path) -> int:
+    """Copy a lecture to `where`, as a file to play with; one that is there already stays. Unknown names are told."""
+    from tam570.lectures import load
+
+    copy = where / f"{name}.py"
+    if copy.exists():
+        print(f"{copy} is there already and stays as it is; see it with: tam570 show {copy}")
+        return 0
+    source = Path(load(name).__file__ or "")
+    where.mkdir(parents=True, exist_ok=True)
+    shutil.copyfile(source, copy)
+    print(f"{copy}\nChange it as you like and see what it does: tam570 show {copy}")
+    return 0
+
+
+def show(what: str, numbers: Sequence[str], where: Path | None) -> int:
+    """Show a lecture, or a copy of one, with other numbers; 0, or 1 if it cannot be shown."""
+    from tam570.show import Trouble, presented, troubled
+    from tam570.show.lecture import film_of_lecture, lecture_module, settings
+
+    try:
+        film = film_of_lecture(lecture_module(what), settings(numbers))
+    except Trouble as trouble:
+        return troubled(trouble)
+    return presented(film, where)

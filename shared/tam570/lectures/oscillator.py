@@ -1,0 +1,99 @@
+"""31 Aug: A mass on a spring of zero rest length, in space.
+
+The origin is where the spring is held; there is no gravity. The force is -k r, so m r'' = -k r in each direction by
+itself, and r = r0 cos(w t) + (v0/w) sin(w t) with w = sqrt(k/m): an ellipse about the origin, once round in 2 pi/w
+whatever its size (Newton, Principia, book I, propositions 10 and 47). State r, v in space.
+"""
+
+from collections.abc import Mapping, Sequence
+from math import sqrt
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from tam570.given import numbers, positive, sequence
+from tam570.integrate import solve
+from tam570.show.drawing import axes, circle
+from tam570.show.film import GREY, INK, Array, Film, Panel, Part, clock, conserved, moving, strip_samples
+
+__all__ = ["angular_momentum", "energy", "exact", "film", "orbit_tensor", "rates"]
+
+STATE = {"x": "m", "y": "m", "z": "m", "vx": "m/s", "vy": "m/s", "vz": "m/s"}
+EXAMPLE = {"mass": 1.0, "stiffness": 4.0}  # kg, N/m
+START = (1.0, 0.0, 0.3, 0.2, 1.2, -0.4)
+SECONDS = 10.0
+
+
+def rates(t: float, state: Sequence[float], *, mass: float, stiffness: float) -> tuple[float, ...]:
+    """(6,) velocity, m/s, and acceleration -(k/m) r, m/s^2."""
+    _check(mass, stiffness)
+    sequence(6, state=state)
+    x, y, z, vx, vy, vz = state
+    pull = -stiffness / mass
+    return vx, vy, vz, pull * x, pull * y, pull * z
+
+
+def exact(t: ArrayLike, state: ArrayLike, *, mass: float, stiffness: float) -> Array:
+    """(n, 6) states at the times t (n,), s, of the motion that has `state` at t[0]."""
+    _check(mass, stiffness)
+    times, start = numbers(t=t), numbers(6, state=state)
+    w = sqrt(stiffness / mass)  # rad/s
+    c, s = (wave(w * (times - times[:1]))[:, None] for wave in (np.cos, np.sin))
+    r, v = start[:3], start[3:]
+    return np.hstack([c * r + s * v / w, c * v - s * w * r])
+
+
+def energy(state: ArrayLike, *, mass: float, stiffness: float) -> float:
+    """Kinetic energy and that of the spring, J."""
+    tensor = orbit_tensor(state, mass=mass, stiffness=stiffness)
+    return float(tensor[:3].sum() / 2)
+
+
+def angular_momentum(state: ArrayLike, *, mass: float, stiffness: float) -> Array:
+    """(3,) about the origin, kg m^2/s."""
+    _check(mass, stiffness)
+    r, v = numbers(6, state=state).reshape(2, 3)
+    return mass * np.cross(r, v)
+
+
+def orbit_tensor(state: ArrayLike, *, mass: float, stiffness: float) -> Array:
+    """(6,) m v v + k r r, J: the parts xx, yy, zz, yz, zx, xy. It fixes the ellipse; its trace is twice the energy."""
+    _check(mass, stiffness)
+    r, v = numbers(6, state=state).reshape(2, 3)
+    whole = mass * np.outer(v, v) + stiffness * np.outer(r, r)
+    return whole[[0, 1, 2, 1, 2, 0], [0, 1, 2, 2, 0, 1]]
+
+
+INVARIANTS = {"energy": energy, "angular_momentum": angular_momentum, "orbit_tensor": orbit_tensor}
+
+
+def _check(mass: float, stiffness: float) -> None:
+    positive(mass=mass, stiffness=stiffness)
+
+
+def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Film:
+    """The solved motion on the ellipse that is known before it begins."""
+    times = clock(seconds)
+    states = solve(rates, times, start, parameters=parameters)
+    mass, w = states[:, :3], sqrt(parameters["stiffness"] / parameters["mass"])
+    ellipse = circle(np.zeros(3), states[0, :3], states[0, 3:] / w)
+    parts = [
+        *axes(0.5 * float(np.abs(ellipse).max())),
+        Part("path", ellipse, GREY, "exact ellipse", width=5, faint=True),
+        Part("trail", mass[:, None], 2, "path", width=2),
+        Part("lines", moving(np.zeros(3), mass), 0, "spring", width=3),
+        Part("dot", np.zeros((1, 3)), INK, width=4),
+        Part("dot", mass[:, None], 1, "mass", width=9),
+    ]
+    shown = strip_samples(times)
+    tensors = np.array([orbit_tensor(state, **parameters) for state in states[shown]])
+    size = float(np.linalg.norm(tensors[0])) or 1.0
+    return Film(
+        "Oscillator in space",
+        "A mass on a spring with no rest length goes round an ellipse in space. The centre of the ellipse is where the "
+        "spring is held. The solved motion stays on the ellipse that its start prescribes.",
+        times,
+        [Panel(parts)],
+        [conserved("tensor m v v + k r r, change", times[shown], {"": tensors}, size, "itself")],
+        poster=0.25,
+    )

@@ -1,0 +1,81 @@
+"""The film of a lecture, with the numbers that someone wants to see it with.
+
+A lecture has EXAMPLE, a dict of parameters, and `film(parameters)`. One that moves has START, SECONDS and STATE too,
+and `film(parameters, start, seconds)`.
+"""
+
+import ast
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from tam570.course import Unknown
+from tam570.given import finite, positive
+from tam570.lectures import known, load
+from tam570.show.film import Film
+from tam570.show.student import Trouble, loaded
+
+__all__ = ["film_of_lecture", "lecture_module", "settings"]
+
+LONGEST = 600.0  # s, of a film
+
+
+def lecture_module(what: str) -> Any:
+    """The lecture of this name, or the copy of one in a file. Unknown or Trouble if there is none."""
+    file = Path(what)
+    if not file.is_file() or what in known():
+        return load(what)
+    module = loaded(file, f"copy_of_{file.stem}")
+    if not (hasattr(module, "film") and hasattr(module, "EXAMPLE")):
+        raise Trouble(f"{what} has no film or no EXAMPLE; tam570 start makes a new copy of a lecture")
+    return module
+
+
+def settings(texts: Sequence[str]) -> dict[str, Any]:
+    """The numbers in "mass=2", "start.speed=3", "masses=1,2", by name. Unknown says which text is none."""
+    found = {}
+    for text in texts:
+        name, equals, value = text.partition("=")
+        if not (name.strip() and equals and value.strip()):
+            raise Unknown(f"--set takes NAME=VALUE, as in mass=2, and not {text!r}")
+        found[name.strip()] = _value(value.strip())
+    return found
+
+
+def _value(text: str) -> Any:
+    try:
+        return ast.literal_eval(text)
+    except (ValueError, SyntaxError):
+        return text  # a choice, such as saddle
+
+
+def film_of_lecture(module: Any, numbers: Mapping[str, Any] | None = None) -> Film:
+    """The film of a lecture, its parameters and start changed. Trouble says what cannot be shown.
+
+    numbers : by parameter, by "start.speed" for a number of the start, or "seconds"
+    Unknown tells a wrong name with the right ones.
+    """
+    given: dict[str, Any] = dict(module.EXAMPLE)
+    moves = hasattr(module, "START")
+    if moves:
+        given |= {f"start.{name}": value for name, value in zip(module.STATE, module.START, strict=True)}
+        given["seconds"] = module.SECONDS
+    for name in numbers or {}:
+        if name not in given:
+            raise Unknown(f"there is no number {name!r} to set; there are: {', '.join(given)}")
+    given |= numbers or {}
+    try:
+        film: Film = module.film(*_arguments(given) if moves else (given,))
+    except (TypeError, ValueError, ArithmeticError) as error:
+        raise Trouble(str(error)) from error
+    return film
+
+
+def _arguments(given: dict[str, Any]) -> tuple[dict[str, Any], tuple[float, ...], float]:
+    """Parameters, start and seconds. ValueError if the last two cannot be shown."""
+    start = {name: given.pop(name) for name in list(given) if name.startswith("start.")}
+    finite(**start)
+    positive(seconds=given["seconds"])
+    if given["seconds"] > LONGEST:
+        raise ValueError(f"seconds: at most {LONGEST:g}, got {given['seconds']:g}")
+    return given, tuple(start.values()), given.pop("seconds")

@@ -1,0 +1,227 @@
+"""What holds for every lecture. A new module comes under these laws by being there."""
+
+import ast
+import inspect
+import math
+import re
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from tam570 import cli
+from tam570.course import Unknown
+from tam570.integrate import solve
+from tam570.invariants import drift
+from tam570.lectures import known, load, names
+from tam570.show import show
+from tam570.show.page import page
+
+LARGEST = 200_000  # bytes of a page
+LONGEST_MODULE, LONGEST_FUNCTION = 150, 40  # lines
+MOVING = [name for name in names() if hasattr(load(name), "rates")]
+EXACT = [name for name in names() if hasattr(load(name), "exact")]
+
+CHARACTERISTIC_TIMES = 1000
+# Some motions end, or lose what they began with; they are followed for as long as their film.
+ENDING = {
+    "quadratic_drag": "at terminal speed the velocity across, by which the invariant divides, is exponentially small",
+    "rocket": "the tank is empty",
+}
+
+
+def parts(name):
+    """rates and invariants of a lecture with its parameters in place, and its start."""
+    module = load(name)
+
+    def rates(t, state):
+        return module.rates(t, state, **module.EXAMPLE)
+
+    laws = {law: lambda state, f=f: f(state, **module.EXAMPLE) for law, f in module.INVARIANTS.items()}
+    return rates, laws, np.array(module.START)
+
+
+def duration(name):
+    """s; a characteristic time is that in which the state changes by its own size."""
+    rates, _, start = parts(name)
+    if name in ENDING:
+        return load(name).SECONDS
+    return CHARACTERISTIC_TIMES * np.linalg.norm(start) / np.linalg.norm(rates(0.0, start.tolist()))
+
+
+# Where they are
+
+
+def test_they_are_listed_by_date(capsys):
+    assert cli.main(["list", "--lectures"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert [line.split("  ")[0] for line in lines] == [lecture.date for lecture in known().values()]
+    days = [lecture.day for lecture in known().values()]
+    assert days == sorted(days) and len(lines) == len(names()) > 0
+
+
+def test_a_wrong_name_is_told_with_the_right_ones(capsys):
+    with pytest.raises(Unknown, match="'tpo'.*oscillator"):
+        load("tpo")
+    assert cli.main(["show", "tpo"]) == 2 and "oscillator" in capsys.readouterr().err
+    assert cli.main(["start", "tpo"]) == 2 and "oscillator" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("name", names())
+def test_one_is_loaded_without_the_others(name):
+    code = f"import sys; from tam570.lectures import load; load({name!r}); print(*sys.modules)"
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    modules = set(run.stdout.split())
+    assert not modules & {f"tam570.lectures.{other}" for other in names() if other != name}
+    assert not {module.partition(".")[0] for module in modules} & {"matplotlib", "sympy", "scipy", "PIL"}
+
+
+@pytest.mark.parametrize("name", names())
+def test_it_is_short(name):
+    text = known()[name].file.read_text()
+    functions = [node for node in ast.walk(ast.parse(text)) if isinstance(node, ast.FunctionDef)]
+    assert len(text.splitlines()) <= LONGEST_MODULE
+    assert max(node.end_lineno - node.lineno + 1 for node in functions) <= LONGEST_FUNCTION
+
+
+# What they have
+
+
+@pytest.mark.parametrize("name", MOVING)
+def test_state_start_and_parameters_fit_together(name):
+    module = load(name)
+    assert len(module.STATE) == len(module.START) and isinstance(module.START, tuple)
+    assert all(type(value) is float for value in (*module.START, module.SECONDS)) and module.SECONDS > 0
+    assert all(isinstance(unit, str) for unit in module.STATE.values())
+    for function in (module.rates, *module.INVARIANTS.values(), *([module.exact] if name in EXACT else [])):
+        keywords = [p for p in inspect.signature(function).parameters.values() if p.kind is p.KEYWORD_ONLY]
+        assert {p.name for p in keywords} == set(module.EXAMPLE) and all(p.default is p.empty for p in keywords)
+
+
+@pytest.mark.parametrize("name", MOVING)
+def test_rates_are_plain_floats(name):
+    rates, _, start = parts(name)
+    found = rates(0.0, tuple(start.tolist()))
+    assert len(found) == len(start) and all(type(rate) is float for rate in found)
+
+
+@pytest.mark.parametrize("name", MOVING)
+@pytest.mark.parametrize("wrong", [math.nan, math.inf, "many", None])
+def test_a_parameter_that_is_no_number_is_refused_by_name(name, wrong):
+    module = load(name)
+    for parameter in module.EXAMPLE:
+        with pytest.raises(ValueError, match=rf"\b{parameter}\b"):
+            module.rates(0.0, module.START, **{**module.EXAMPLE, parameter: wrong})
+
+
+@pytest.mark.parametrize("name", MOVING)
+def test_a_mass_of_zero_is_refused(name):
+    module = load(name)
+    for parameter in {"mass", "masses"} & set(module.EXAMPLE):
+        zero = 0.0 * np.asarray(module.EXAMPLE[parameter])
+        for function in (module.rates, *([module.exact] if name in EXACT else [])):
+            with pytest.raises(ValueError, match=rf"\b{parameter}\b"):
+                t = 0.0 if function is module.rates else [0.0, 1.0]
+                function(t, module.START, **{**module.EXAMPLE, parameter: zero if zero.ndim else 0.0})
+
+
+@pytest.mark.parametrize("name", MOVING)
+def test_a_state_of_another_shape_is_refused_by_name(name):
+    module = load(name)
+    for wrong in (module.START[:-1], [*module.START, 0.0], [module.START], 1.0):
+        with pytest.raises(ValueError, match=r"\bstate\b"):
+            module.rates(0.0, wrong, **module.EXAMPLE)
+
+
+# What they keep
+
+
+@pytest.mark.parametrize("name", MOVING)
+def test_invariants_stay_for_a_thousand_characteristic_times(name):
+    rates, laws, start = parts(name)
+    times = np.linspace(0.0, duration(name), 60)
+    states = solve(rates, times, start, rtol=1e-13, method="gauss")
+    for law, invariant in laws.items():
+        assert drift(invariant, states).max() < 1e-10, law  # rounding of a thousand steps is 1e-13; chaos has its share
+
+
+@pytest.mark.parametrize("name", MOVING)
+def test_rates_that_are_a_thousandth_off_break_a_law(name):
+    """One rate after the other, of all those that an invariant depends on."""
+    rates, laws, start = parts(name)
+    times = np.linspace(0.0, min(duration(name), load(name).SECONDS), 60)
+    for j in range(len(start)):
+        nudged = start + 0.01 * np.eye(len(start))[j]
+        if all(np.allclose(invariant(nudged), invariant(start), rtol=1e-9) for invariant in laws.values()):
+            continue
+        factor = np.where(np.arange(len(start)) == j, 1.001, 1.0)
+        states = solve(lambda t, y, factor=factor: factor * np.array(rates(t, y)), times, start, rtol=1e-11)
+        assert max(drift(invariant, states).max() for invariant in laws.values()) > 1e-6, j
+
+
+@pytest.mark.parametrize("name", EXACT)
+@pytest.mark.parametrize("begin", [0.0, -2.5])
+def test_the_exact_motion_is_the_solved_one(name, begin):
+    module = load(name)
+    rates, _, start = parts(name)
+    times = begin + np.linspace(0.0, module.SECONDS, 40)
+    exact, solved = module.exact(times, start, **module.EXAMPLE), solve(rates, times, start, rtol=1e-12)
+    assert exact.shape == solved.shape and exact[0] == pytest.approx(start, rel=1e-14, abs=1e-14)
+    assert np.abs(exact - solved).max() < 1e-8 * np.abs(solved).max()  # what the solution loses in these seconds
+
+
+# What is seen of them
+
+
+@pytest.mark.parametrize("name", names())
+def test_its_film_shows_its_laws_on_a_small_page(name):
+    shown = show(load(name))
+    assert shown.film is not None, shown.trouble
+    films = shown.film.slider.films if shown.film.slider else [shown.film]
+    assert not any(film.notes or any(strip.alarm for strip in film.strips) for film in films)
+    assert len(shown.film.sight) > 60
+    assert len(page(shown.film).encode()) < LARGEST
+
+
+@pytest.mark.parametrize("name", MOVING)
+def test_its_film_solves_for_the_samples_that_it_shows(name, monkeypatch):
+    module, asked = load(name), []
+
+    def counted(rates, t, *rest, **options):
+        asked.append(len(t))
+        return solve(rates, t, *rest, **options)
+
+    monkeypatch.setattr(module, "solve", counted, raising=False)
+    film = show(module).film
+    shown = {len(one.times) for one in (film.slider.films if film.slider else [film])}
+    assert set(asked) <= shown
+
+
+@pytest.mark.parametrize("name", names())
+def test_a_copy_plays_with_other_numbers(name, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    module = load(name)
+    number = next((p for p, value in module.EXAMPLE.items() if isinstance(value, float)), None)
+    change = ["--set", f"{number}={1.01 * module.EXAMPLE[number]}"] if number else []
+    assert cli.main(["start", name]) == 0 and cli.main(["start", name]) == 0
+    assert cli.main(["show", f"{name}.py", *change, "--save", "copy.html"]) == 0
+    said = capsys.readouterr()
+    assert "stays as it is" in said.out and not said.err
+    assert (tmp_path / "copy.html").stat().st_size < LARGEST
+
+
+def test_what_cannot_be_shown_is_said(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    wrong = {
+        "mass=0": (1, "mass: must be positive|mass: must be a positive"),
+        "seconds=-1": (1, "seconds: "),
+        "seconds=1e9": (1, "seconds: at most"),
+        "start.vx=nan": (1, "start.vx: "),
+        "weight=2": (2, "'weight'.*mass, stiffness, start.x"),
+        "mass": (2, "NAME=VALUE"),
+    }
+    for text, (code, said) in wrong.items():
+        assert cli.main(["show", "oscillator", "--set", text, "--save", "a.html"]) == code
+        assert re.search(said, capsys.readouterr().err)
+    assert not (tmp_path / "a.html").exists()
