@@ -10,8 +10,8 @@ import pytest
 from tam570_grader.sandbox.student import Source, Student
 from tam570_grader.sandbox.worker import Allowance
 from tam570_grader.writing import assignments
-from tam570_grader.writing.check import Failure
 from tam570_grader.writing.curves import along, readable
+from tam570_grader.writing.expect import Failed, trial
 from tam570_grader.writing.returns import Drawing, Line
 
 DRAWN = {  # assignment: the function that draws, its check, its visible test
@@ -67,7 +67,8 @@ def judged(slug, text, course, workers):
     (check,) = (check for check in assignment.checks if check.name == DRAWN[slug][1])
     student = Student(Source(text.encode()), assignment, workers(slug, Allowance()))
     try:
-        check.judge(student, np.random.default_rng(3))
+        with trial():
+            check.judge(student, np.random.default_rng(3))
     finally:
         student.leave()
 
@@ -96,7 +97,7 @@ def test_a_right_picture_is_one_however_it_is_drawn(what, slug, course, workers,
 @pytest.mark.parametrize("what", WRONG)
 def test_a_curve_that_is_missing_or_one_too_many_is_seen(what, slug, course, workers, solution_text, monkeypatch):
     text = redrawn(slug, WRONG[what], solution_text(slug))
-    with pytest.raises(Failure):
+    with pytest.raises(Failed):
         judged(slug, text, course, workers)
     if what in SEEN:
         with pytest.raises(AssertionError):
@@ -117,7 +118,7 @@ def plot_rim_paths(ax, *args, **kwargs):
 def test_rim_paths_may_be_seen_from_below_if_the_labels_say_so(course, workers, solution_text):
     slug, labels = "hw10_free_rigid_body", "ax.set(xlabel='y (m)', ylabel='x (m)')"
     judged(slug, solution_text(slug) + SEEN_FROM_BELOW.format(code=labels), course, workers)
-    with pytest.raises(Failure, match="a path"):
+    with pytest.raises(Failed, match="a path"):
         judged(slug, solution_text(slug) + SEEN_FROM_BELOW.format(code="pass"), course, workers)
 
 

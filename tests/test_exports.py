@@ -3,6 +3,7 @@
 import csv
 import json
 import os
+import re
 import subprocess
 import sys
 import unicodedata
@@ -14,7 +15,7 @@ from tam570_grader import cli
 from tam570_grader.delivery import gradescope, lms
 from tam570_grader.delivery.stubs import stub
 from tam570_grader.grading.one import failed_by_us
-from tam570_grader.results import journal
+from tam570_grader.results import journal, records
 from tam570_grader.writing import assignments
 
 ONE = "hw08_axis_angle"
@@ -102,7 +103,10 @@ def test_results_are_what_gradescope_accepts(course, submission, solution_text, 
 def test_results_hold_nothing_hidden(course, grade, solution_text):
     wrong = (assignments.checks_folder(course, ONE) / "mistakes" / "transposed.py").read_text()
     record = grade(ONE, solution_text(ONE) + wrong).record()
-    hidden = [text for mark in record["checks"] for text in mark["detail"].values()]
+    failed = [mark["failure"] for mark in record["checks"] if "failure" in mark]
+    hidden = re.findall(
+        r"\d\.\d{6,}|[A-Za-z0-9+/]{40,}", json.dumps([failure.get(key) for failure in failed for key in records.WHOLE])
+    )
     page = json.dumps(gradescope.results(record, {}))
     assert hidden and not any(json.dumps(text)[1:-1] in page for text in hidden)
 

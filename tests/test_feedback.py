@@ -15,9 +15,11 @@ from hypothesis import strategies as st
 
 from tam570_grader.pages import feedback
 from tam570_grader.pages.pictures import BOTTOM, LEFT, RIGHT, TOP, picture
+from tam570_grader.pages.sentences import message
+from tam570_grader.results.records import WHOLE, numbers
 from tam570_grader.writing import assignments
-from tam570_grader.writing.check import Failure, expect
 from tam570_grader.writing.curves import SLOTS, curve
+from tam570_grader.writing.expect import Failed, expect
 
 CHECKS = assignments.find() / "autograder" / "checks"
 NUMBER = re.compile(r"-?\d+\.\d{3,}(?:e[-+]?\d+)?")  # more digits than a message has
@@ -49,24 +51,28 @@ def test_a_page_says_every_line_message_and_suspect_and_no_detail(slug, page, gr
     for result in failing(slug, grade, solution_text, 6):
         text = texts(page(result))
         for mark in result.checks:
-            says = mark.message.removesuffix(f"; it matches the result with {mark.suspect}")
+            says = message(mark.failure) if mark.failure else mark.message
             assert lines[mark.name] in text and (mark.outcome == "passed" or says in text)
-            assert not mark.suspect or f"your result is that with {mark.suspect}" in text
-            hidden = {number for value in mark.detail.values() for number in NUMBER.findall(value)}
+            assert not mark.suspect or mark.suspect in text
+            hidden = secrets(mark)
             told = "".join([*lines.values(), *(one.message for one in result.checks)])
             assert not {number for number in hidden if number in text and number not in told}
-            assert not any(value in text for value in mark.detail.values() if len(value) > 8)
             shown += len(hidden)
     assert shown, "there was something to hide"
+
+
+def secrets(mark):
+    """The numbers of a failure that are the instructor's, with three digits or more."""
+    line = json.dumps({key: numbers(getattr(mark.failure, key, None)) for key in WHOLE})
+    return set(NUMBER.findall(line))
 
 
 def test_the_detail_would_be_found_if_it_were_there(page, grade, solution_text):
     slug = "hw07_double_pendulum"
     result = wrong(slug, "point_masses", grade, solution_text)
     record = result.record()
-    detail = next(mark.detail for mark in result.checks if mark.detail)
-    number = next(number for value in detail.values() for number in NUMBER.findall(value))
-    leaking = json.loads(json.dumps(record).replace('"message": "', f'"message": "{number} ', 1))
+    number = next(number for mark in result.checks for number in secrets(mark))
+    leaking = json.loads(json.dumps(record).replace('"of": "', f'"of": "{number} ', 1))
     assert number in texts(feedback.page(leaking, feedback.Sheet(slug, {}, (), {})))
 
 
@@ -99,7 +105,7 @@ def test_a_page_of_an_older_run_has_no_picture_and_is_whole(page, grade, solutio
     record = json.loads(json.dumps(result.record()))
     assert "<figure" in feedback.page(record, feedback.sheet(course, result.assignment))
     for mark in record["checks"]:
-        del mark["picture"]
+        mark.get("failure", {}).pop("curve", None)
     old = feedback.page(record, feedback.sheet(course, result.assignment))
     assert "<figure" not in old and "9.5 of 10 points" in old
 
@@ -117,11 +123,12 @@ def test_a_page_of_an_older_run_has_no_picture_and_is_whole(page, grade, solutio
 def test_beside_a_wrong_motion_is_what_becomes_of_the_energy_along_it(slug, mistake, stays, grade, solution_text, page):
     """A mistake in the forces changes the energy; one in the times alone does not."""
     result = wrong(slug, mistake, grade, solution_text)
-    curves = [mark.picture["keeps"] for mark in result.checks if mark.picture and mark.picture.get("keeps")]
+    drawn = [mark.failure.curve for mark in result.checks if mark.failure and mark.failure.curve]
+    curves = [curve["keeps"] for curve in drawn if curve.get("keeps")]
     assert curves
     largest = max(abs(value) for one in curves for value in one["values"] if value is not None)
     assert (largest <= curves[0]["within"]) == stays
-    assert page(result).count("<figure") == len(curves) + sum(mark.picture is not None for mark in result.checks)
+    assert page(result).count("<figure") == len(curves) + len(drawn)
 
 
 # Curves
@@ -175,12 +182,12 @@ def test_a_curve_says_too_little_to_carry_an_input_out():
 
 def test_the_failure_of_an_expect_with_times_carries_its_curve():
     t = np.linspace(0, 1, 20)
-    with pytest.raises(Failure) as failure:
+    with pytest.raises(Failed) as failure:
         expect(t + 1, t, within=1e-3, t=t)
-    assert failure.value.picture["within"] == 1e-3
-    with pytest.raises(Failure) as failure:
+    assert failure.value.failure.curve["within"] == 1e-3
+    with pytest.raises(Failed) as failure:
         expect(1.0, 0.0, within=1e-3)
-    assert failure.value.picture is None
+    assert failure.value.failure.curve is None
 
 
 @settings(max_examples=100, deadline=None)

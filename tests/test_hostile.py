@@ -40,7 +40,7 @@ def attacked(grade):
 
 
 def said(result):
-    return [(mark.name, mark.outcome, mark.message, mark.detail) for mark in result.checks] + [result.message]
+    return [(mark.name, mark.outcome, mark.message, mark.error) for mark in result.checks] + [result.message]
 
 
 @pytest.mark.parametrize("path", ATTACKS, ids=lambda path: path.stem)

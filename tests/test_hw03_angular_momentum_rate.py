@@ -7,7 +7,7 @@ import pytest
 import sympy
 
 from tam570_grader.writing import assignments
-from tam570_grader.writing.check import Failure
+from tam570_grader.writing.expect import Failed
 
 hw = assignments.solution("hw03_angular_momentum_rate")
 CHECKS = {
@@ -173,7 +173,7 @@ def test_any_special_motion_is_taken(definition, p, c):
 
 @pytest.mark.parametrize(("definition", "p", "c"), SPECIAL.values(), ids=SPECIAL.keys())
 def test_none_is_special_for_the_other_definition(definition, p, c):
-    with pytest.raises(Failure, match="rate and moment differ"):
+    with pytest.raises(Failed, match="rate and moment differ"):
         judge({"b": "c", "c": "b"}[definition], p, c)
 
 
@@ -182,7 +182,7 @@ def test_a_special_motion_disturbed_is_none(definition, p, c):
     """One part in a million of one coefficient, whichever moves the two apart."""
     disturbed = np.vstack([p, np.zeros((3, 3))])
     disturbed[1:4] += 1e-6 * DRAW.normal(size=(3, 3))
-    with pytest.raises(Failure, match="rate and moment differ"):
+    with pytest.raises(Failed, match="rate and moment differ"):
         judge(definition, disturbed, c)
 
 
@@ -191,7 +191,7 @@ def test_no_distance_hides_that_a_motion_is_none(definition, p, c):
     disturbed = np.vstack([p, np.zeros((3, 3))])
     disturbed[1:4] += [[0.5, 0.25, 1], [0.25, 1, -0.5], [1, -0.5, 0.25]]
     for far in (1e7, 1e10, 1e13):
-        with pytest.raises(Failure):
+        with pytest.raises(Failed):
             judge(definition, *turned(disturbed, c, far))
 
 
@@ -228,9 +228,9 @@ SEEMING = {
 
 @pytest.mark.parametrize(("definition", "p", "c", "says"), SEEMING.values(), ids=SEEMING.keys())
 def test_none_that_only_seems_special_is_taken(definition, p, c, says):
-    with pytest.raises(Failure, match=says):
+    with pytest.raises(Failed, match=says):
         judge(definition, p, c)
-    with pytest.raises(Failure, match=says):
+    with pytest.raises(Failed, match=says):
         judge(definition, *turned(p, c))
 
 
@@ -239,7 +239,7 @@ def test_a_property_at_many_times_is_not_one_at_every_time():
     stops = np.poly(np.linspace(0, 1, 9))[::-1]
     p = np.outer(np.polynomial.polynomial.polyint(stops), [0.0, 1.0, 0.0])
     p[0] = [0, 1, 0]
-    with pytest.raises(Failure, match="differ"):
+    with pytest.raises(Failed, match="differ"):
         judge("b", p, LINE)
 
 

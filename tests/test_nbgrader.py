@@ -3,6 +3,7 @@
 import csv
 import html
 import json
+import re
 import shutil
 import warnings
 from pathlib import Path
@@ -10,6 +11,7 @@ from pathlib import Path
 import pytest
 
 from tam570_grader import cli
+from tam570_grader.results.records import WHOLE
 from tam570_grader.writing import assignments
 
 TESTS = Path(__file__).parent
@@ -158,12 +160,13 @@ def assert_the_feedback_says_what_was_lost(term):
         ben = next(r for r in map(json.loads, results) if r["student"] == "ben")
         lost = [mark for mark in ben["checks"] if mark["outcome"] == "failed"]
         assert lost, ben
-        assert all(mark["message"].split(";")[0][:40] in pages[1] for mark in lost)
-        details = [text for mark in lost for text in mark["detail"].values()]
-        hidden = [text for text in details if len(text) >= TELLS]
+        assert all(mark["message"][:40] in pages[1] for mark in lost)
+        details = json.dumps([mark["failure"].get(key) for mark in lost for key in WHOLE])
+        hidden = [number for number in re.findall(r"[\d.e-]+", details) if len(number) >= TELLS]
         assert not [text for text in hidden for page in pages if text in page], slug
         secrets += len(hidden)
-        drawn = [1 + bool(mark["picture"].get("keeps")) for mark in lost if mark["picture"]]
+        curves = [curve for mark in lost if (curve := mark["failure"].get("curve"))]
+        drawn = [1 + bool(curve.get("keeps")) for curve in curves]
         assert pages[1].count("</svg>") - pages[0].count("</svg>") == sum(drawn)
         pictures += len(drawn)
     assert pictures and secrets

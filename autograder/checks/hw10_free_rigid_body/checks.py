@@ -1350,4 +1350,4 @@ def rim_paths_are_drawn(student, draw):
             kind=kind,
             hint=partial(wrong_paths, found, picture, fine, radius),
         )
-        judge_axes_of_lengths(picture)
+        judge_axes_of_lengths(picture, either=True)

@@ -70,12 +70,12 @@ def _some(points: ArrayLike, most: int) -> NDArray[Any]:
     return np.asarray(x + 1j * y)
 
 
-def judge_axes_of_lengths(picture: Drawing, names: str = "x and y") -> None:
+def judge_axes_of_lengths(picture: Drawing, names: str = "x and y", either: bool = False) -> None:
     """Whether both axes are lengths by their labels, the unit being a word of its own, and drawn at one scale."""
     labelled = all(METRES & words(label) for label in (picture.xlabel, picture.ylabel))
     expect_that(labelled, "the axes are not labelled with their unit, as in x (m)")
     exchanged = "y" in words(picture.xlabel) and "x" in words(picture.ylabel)
-    expect_that(not exchanged, "the label of x stands at the axis of y")
+    expect_that(either or not exchanged, "the label of x stands at the axis of y")
     expect_that(picture.equal_aspect, f"{names} are not drawn at the same scale")
 
 

@@ -27,7 +27,7 @@ class Failed(Exception):
     """The student's result is wrong; a share of the points may be left."""
 
     def __init__(self, says: str = "", *, share: float = 0.0, **fields: Any) -> None:
-        super().__init__(says)
+        super().__init__(says or fields.get("of", ""))
         self.failure, self.share = Failure(says=says, **fields), share
 
 

@@ -67,7 +67,9 @@ def follow(
         expected = flat(answer(right, case))
         motions.append(Motion(case, flat(found), expected, _scales(columns, case, expected), function, right, restart))
     turns = [index for column in columns if column.turns for index in np.arange(expected.shape[1])[column.where]]
-    for motion in sorted(motions, key=lambda one: one.error, reverse=True):
+    # the worst first; of those beyond hope the longest, of which there is most to draw
+    order = partial(_telling, within)
+    for motion in sorted(motions, key=order, reverse=True):
         current().judge(function.name, motion.case)
         _compare(motion, columns, within, partial(_hint, motion, motions, turns, within, hint), keeps, gradual)
     return motions
@@ -104,6 +106,11 @@ def stays(
             partial=partial,
             hint=hint,
         )
+
+
+def _telling(within: float, motion: Motion) -> tuple[bool, int, float]:
+    hopeless = motion.error > NEARLY * within
+    return hopeless, len(motion.found) if hopeless else 0, motion.error
 
 
 def flat(rows: Any) -> Array:
