@@ -9,6 +9,7 @@ import numpy as np
 
 from tam570.integrate.adaptive_loop import LACKS_SCALE, LARGEST, NOT_FINITE, RUNNING, TOO_SHORT, State, loop_with
 from tam570.integrate.arguments import Array
+from tam570.integrate.binding import check_start
 from tam570.integrate.dop853_source import functions
 from tam570.integrate.engine import Engine
 from tam570.integrate.formulas import Formulas
@@ -107,6 +108,8 @@ def at_start(engine: Engine, origin: float, span: float, start: Array, floor: Se
     """The state that `advance` begins with; floor : (k,) sizes by which components are judged at least."""
     y, c, rhs = tuple(start.tolist()), engine.constants, engine.functions["rhs"]
     f = rhs(origin, y, c)
+    if not all(map(math.isfinite, f)):
+        check_start(engine.rates, origin, start)
     first_step = engine.functions["first_step"]
     h, g = first_step(origin, span, y, f, c), f
     if h < 1e-8 * span:  # the rates may jump at the very start

@@ -1,5 +1,7 @@
 """What a caller gives, checked: each error names the argument."""
 
+import math
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -15,12 +17,17 @@ def sample_times(t: ArrayLike) -> Array:
     times = np.array(t, dtype=float)
     if times.ndim != 1 or len(times) < 2:
         raise ValueError(f"t: need a list of two or more times, got shape {times.shape}; try np.linspace(0, 10, 101)")
-    if not np.isfinite(times).all():
-        raise ValueError("t: a time is infinite or not a number")
-    if not (np.diff(times) > 0).all():
-        where = int(np.argmin(np.diff(times) > 0))
-        raise ValueError(f"t: must increase, but t[{where + 1}] = {times[where + 1]:g} does not exceed t[{where}]")
+    steps = times[1:] - times[:-1]
+    if not (steps.min() > 0 and times[-1] - times[0] < math.inf):
+        raise ValueError(f"t: {_wrong_with(times, steps)}")
     return times
+
+
+def _wrong_with(times: Array, steps: Array) -> str:
+    if not np.isfinite(times).all():
+        return "a time is infinite or not a number"
+    where = int(np.argmin(steps > 0))
+    return f"must increase, but t[{where + 1}] = {times[where + 1]:g} does not exceed t[{where}]"
 
 
 def initial_state(y0: ArrayLike) -> Array:
@@ -31,7 +38,7 @@ def initial_state(y0: ArrayLike) -> Array:
         raise ValueError(f"y0: must be a flat list of real numbers ({problem})") from problem
     if state.ndim not in (1, 2) or state.size == 0:
         raise ValueError(f"y0: need k numbers, or (m, k) for m starts at once, got shape {state.shape}")
-    if not np.isfinite(state).all():
+    if not math.isfinite(sum(state.ravel().tolist())) and not np.isfinite(state).all():
         raise ValueError(f"y0: every number must be finite, got {state}")
     return state
 
@@ -43,14 +50,16 @@ def tolerance(rtol: float) -> float:
     return max(float(rtol), SMALLEST_RTOL)
 
 
-def allowed_error(atol: ArrayLike | None, size: int) -> Array:
-    """(k,) errors allowed in any case, zero if left out. ValueError unless one or k numbers, none negative."""
+def allowed_error(atol: ArrayLike | None, size: int) -> list[float]:
+    """k errors allowed in any case, none at all if left out. ValueError unless one or k numbers, none negative."""
+    if atol is None:
+        return []
     try:
-        allowed = np.array(0.0 if atol is None else atol, dtype=float)
+        allowed = np.array(atol, dtype=float)
     except (TypeError, ValueError) as problem:
         raise ValueError(f"atol: must be one number, or one a component ({problem})") from problem
     if allowed.shape not in ((), (size,)):
         raise ValueError(f"atol: need one number, or {size}, one a component; got shape {allowed.shape}")
     if not (np.isfinite(allowed).all() and (allowed >= 0).all()):
         raise ValueError(f"atol: must be finite and not negative, got {allowed}")
-    return np.array(np.broadcast_to(allowed, size))
+    return [float(one) for one in np.broadcast_to(allowed, size)]

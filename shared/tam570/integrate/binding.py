@@ -9,7 +9,7 @@ import numpy as np
 
 from tam570.integrate.arguments import Array
 
-__all__ = ["Rates", "agrees", "bound", "check_start", "floats_function"]
+__all__ = ["Rates", "agrees", "bound", "check_start", "floats_function", "reversed_rates"]
 
 Rates = Callable[[float, Any], Any]
 
@@ -25,6 +25,11 @@ def bound(rhs: Callable[..., Any], parameters: Mapping[str, Any] | None) -> Rate
     if not fixed:
         return rhs
     return lambda t, y: rhs(t, y, **fixed)
+
+
+def reversed_rates(rates: Rates) -> Rates:
+    """The rates of the motion that runs back: with -t for the time."""
+    return lambda t, y: [-rate for rate in rates(-t, y)]
 
 
 def check_start(rates: Rates, t: float, y0: Array) -> None:

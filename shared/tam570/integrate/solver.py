@@ -47,7 +47,7 @@ def solve(
     ValueError names the argument, ArithmeticError the time at which rhs or solution cease to be finite.
     """
     times, start, rtol = sample_times(t), initial_state(y0), tolerance(rtol)
-    floor = (allowed_error(atol, start.shape[-1]) / rtol).tolist()
+    floor = [allowed / rtol for allowed in allowed_error(atol, start.shape[-1])]
     _check_method(method, several=start.ndim == 2, projected=project is not None, stepped=step is not None)
     with np.errstate(all="ignore"):  # a step that proves too long may overflow: it is taken again
         if start.ndim == 2:

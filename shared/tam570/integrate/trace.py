@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from tam570.integrate.fingerprint import global_names
 from tam570.integrate.symbols import FUNCTIONS, Symbol, Tape, Untraceable, Value
 
 __all__ = ["Graph", "traced"]
@@ -90,13 +91,8 @@ def _translated_function(function: types.FunctionType, known: dict[int, Any]) ->
     twin = types.FunctionType(function.__code__, names, function.__name__, function.__defaults__, cells)
     twin.__kwdefaults__ = function.__kwdefaults__
     known[id(function)] = twin  # before its names are looked at: it may call itself
-    for name in _global_names(function.__code__) & names.keys():
+    for name in global_names(function.__code__) & names.keys():
         names[name] = _translated(names[name], known)
     for cell, original in zip(cells, function.__closure__ or (), strict=True):
         cell.cell_contents = _translated(original.cell_contents, known)
     return twin
-
-
-def _global_names(code: types.CodeType) -> set[str]:
-    inner = (_global_names(c) for c in code.co_consts if isinstance(c, types.CodeType))
-    return set(code.co_names).union(*inner)

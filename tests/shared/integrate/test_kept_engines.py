@@ -1,0 +1,178 @@
+"""An engine is kept for a right-hand side that has not changed, and for no other."""
+
+import dataclasses
+import functools
+import math
+import types
+
+import numpy as np
+import pytest
+
+from tam570.integrate import solve
+from tam570.integrate.engine import engine
+from tam570.integrate.fingerprint import Changeable, fingerprint
+
+TIMES, START = np.array([0.0, 1.0]), np.array([1.0, 0.5])
+GRAVITY = 9.81
+
+
+def end(rhs, **parameters):
+    return solve(rhs, TIMES, START, parameters=parameters)[-1].tolist()
+
+
+def oscillator(rate):
+    return lambda t, y: (y[1], -rate * y[0])
+
+
+def falling(t, y, *, gravity=1.0, extra=(0.0,)):
+    return y[1], -gravity * GRAVITY + extra[0]
+
+
+def same(one, other, first=None, second=None):
+    return engine(one, first, TIMES, START) is engine(other, second, TIMES, START)
+
+
+def test_the_same_code_with_the_same_numbers_is_traced_and_compared_once():
+    assert same(oscillator(2.0), oscillator(2.0))
+    assert same(falling, falling, {"gravity": 2.0}, {"gravity": 2.0})
+
+
+def test_what_a_closure_or_a_parameter_holds_makes_another_engine():
+    assert not same(oscillator(2.0), oscillator(3.0))
+    assert not same(oscillator(0.0), oscillator(-0.0))
+    assert not same(oscillator(1), oscillator(True))
+    assert not same(falling, falling, {"gravity": 2.0}, {"gravity": 3.0})
+    assert end(oscillator(4.0)) != end(oscillator(9.0))
+
+
+def changed_in_place(kind):
+    """Pairs of a right-hand side and a function that changes what it reads."""
+    if kind == "list":
+        held = [1.0]
+        return lambda t, y: (y[1], -held[0] * y[0]), functools.partial(held.__setitem__, 0, 5.0)
+    if kind == "array":
+        matrix = np.array([[0.0, 1.0], [-1.0, 0.0]])
+        return lambda t, y: matrix @ y, functools.partial(matrix.__setitem__, (1, 0), -5.0)
+    if kind == "dictionary":
+        known = {"rate": 1.0}
+        return lambda t, y: (y[1], -known["rate"] * y[0]), functools.partial(known.update, rate=5.0)
+    if kind == "object":
+        thing = types.SimpleNamespace(rate=1.0)
+        return lambda t, y: (y[1], -thing.rate * y[0]), functools.partial(setattr, thing, "rate", 5.0)
+    if kind == "attribute of a function":
+
+        def rates(t, y):
+            return y[1], -rates.rate * y[0]
+
+        rates.rate = 1.0
+        return rates, functools.partial(setattr, rates, "rate", 5.0)
+    if kind == "default":
+
+        def with_default(t, y, held=[1.0]):  # noqa: B006
+            return y[1], -held[0] * y[0]
+
+        return with_default, functools.partial(with_default.__defaults__[0].__setitem__, 0, 5.0)
+    if kind == "inner function":
+        held = [1.0]
+
+        def rate():
+            return held[0]
+
+        return lambda t, y: (y[1], -rate() * y[0]), functools.partial(held.__setitem__, 0, 5.0)
+    module = types.ModuleType("constants")
+    module.rate = 1.0
+    return lambda t, y: (y[1], -module.rate * y[0]), functools.partial(setattr, module, "rate", 5.0)
+
+
+KINDS = [
+    "list",
+    "array",
+    "dictionary",
+    "object",
+    "attribute of a function",
+    "default",
+    "function of a function",
+    "module",
+]
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_what_is_changed_in_place_between_two_runs_is_seen(kind):
+    rates, change = changed_in_place(kind)
+    assert end(rates) == pytest.approx(end(oscillator(1.0)), rel=1e-12)
+    change()
+    assert end(rates) == pytest.approx(end(oscillator(5.0)), rel=1e-12)
+
+
+def test_a_global_changed_between_two_runs_is_seen(monkeypatch):
+    first = end(falling)
+    monkeypatch.setitem(globals(), "GRAVITY", 1.62)
+    assert end(falling)[1] == pytest.approx(START[1] - 1.62)
+    assert end(falling) != first
+
+
+def test_parameters_changed_in_place_are_seen():
+    extra = [1.0]
+    first = end(falling, extra=extra)
+    extra[0] = 7.0
+    assert end(falling, extra=extra)[1] - first[1] == pytest.approx(6.0)
+
+
+def test_other_code_makes_another_engine_even_in_the_same_function():
+    def rates(t, y):
+        return y[1], -y[0]
+
+    assert end(rates)
+    rates.__code__ = (lambda t, y: (y[1], -9.0 * y[0])).__code__
+    assert end(rates) == pytest.approx(end(oscillator(9.0)), rel=1e-12)
+
+
+@dataclasses.dataclass
+class Spring:
+    rate: float = 2.0
+
+    def rates(self, t, y):
+        return y[1], -self.rate * y[0]
+
+
+def by_import(t, y):
+    import random
+
+    return y[1], -random.choice([1.0]) * y[0]
+
+
+@pytest.mark.parametrize("value", [Spring(), Spring().rates, by_import, [].append, object(), np.array([object()])])
+def test_what_may_change_unseen_has_no_fingerprint(value):
+    with pytest.raises(Changeable):
+        fingerprint(value)
+
+
+def test_methods_of_objects_that_change_are_traced_anew():
+    spring = Spring()
+    first = end(spring.rates)
+    spring.rate = 7.0
+    assert end(spring.rates) == pytest.approx(end(oscillator(7.0)), rel=1e-12)
+    assert first == pytest.approx(end(oscillator(2.0)), rel=1e-12)
+
+
+def test_a_function_that_calls_itself_has_a_fingerprint():
+    def power(x, n):
+        return x * power(x, n - 1) if n else 1.0
+
+    assert fingerprint(power) == fingerprint(power)
+    assert (
+        same(lambda t, y: (y[1], -power(y[0], 3)), lambda t, y: (y[1], -power(y[0], 3))) is False
+    )  # other lines of code
+    rates = functools.partial(lambda t, y, n: (y[1], -power(y[0], n)), n=3)
+    assert same(rates, rates)
+
+
+def test_a_start_that_is_not_allowed_is_told_by_a_kept_engine_too():
+    def rates(t, y):
+        return y[1], -1 / y[0] ** 2
+
+    assert end(rates)
+    with pytest.raises((ValueError, ArithmeticError)):
+        solve(rates, TIMES, [0.0, 1.0])
+    with pytest.raises(ValueError, match="rhs: gives"):
+        solve(lambda t, y: (y[1], math.inf * y[0]), TIMES, START)
