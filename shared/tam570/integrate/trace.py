@@ -42,11 +42,19 @@ def traced(rates: Callable[..., Any], size: int) -> Graph:
     try:
         values = _translated(rates, {})(time, np.array(state))
         found = tuple(v if isinstance(v, Symbol) else float(v) for v in values)
-    except Untraceable:
-        raise
-    except ANSWERS as answer:
-        raise Untraceable(f"{type(answer).__name__}: {answer}") from answer
+    except Exception as answer:
+        raise _refusal(answer) from answer
     return Graph(tuple(tape.symbols.values()), found)
+
+
+def _refusal(answer: Exception) -> Exception:
+    """Why the function does not take symbols; another error than these is its own."""
+    cause: BaseException | None = answer
+    while cause is not None:
+        if isinstance(cause, Untraceable):  # the function may have made another error of it
+            return Untraceable(str(cause))
+        cause = cause.__cause__ or cause.__context__
+    return Untraceable(f"{type(answer).__name__}: {answer}") if isinstance(answer, ANSWERS) else answer
 
 
 class _Mathematics:

@@ -110,3 +110,26 @@ def test_a_value_changed_between_two_runs_is_seen():
     first = solve(falling, [0, 1], [0.0, 0.0])[-1, 0]
     gravity = 2.0
     assert solve(falling, [0, 1], [0.0, 0.0])[-1, 0] == pytest.approx(2 * first)
+
+
+class Trouble(Exception):
+    """A function's own."""
+
+
+def test_a_refusal_says_why_and_an_error_of_the_functions_own_is_not_one():
+    def rebranded(t, y):
+        try:
+            return (float(y[0]),)
+        except TypeError as problem:
+            raise Trouble("only numbers") from problem
+
+    def broken(t, y):
+        raise Trouble("always")
+
+    with pytest.raises(Untraceable, match="value of the state"):
+        traced(rebranded, 1)
+    with pytest.raises(Untraceable, match="ValueError: no"):
+        traced(lambda t, y: math.nan if isinstance(y[0], float) else (_ for _ in ()).throw(ValueError("no")), 1)
+    with pytest.raises(Trouble, match="always"):
+        traced(broken, 1)
+    assert solve(rebranded, [0, 1.0], [1.0])[-1, 0] == pytest.approx(math.e, rel=1e-9)
