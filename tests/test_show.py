@@ -149,7 +149,7 @@ TROUBLES = {
     "simulate = lambda t, *_, **__: np.full((len(t), 4), np.nan)": "simulate gives numbers that are not finite",
     "def simulate(t, *_, **__):\n    a = np.ones((len(t), 4))\n    a[37:] = np.inf\n    return a": "first in row 37 of",
     "simulate = lambda t, *_, **__: np.zeros((4, len(t)))": r"shape \(4, 1201\); \(1201, 4\) is asked for",
-    "def simulate(t, *_, **__):\n    raise ValueError('</pre>no step left')": r"line \d+, in simulate\n.*\n.*left",
+    "def simulate(t, *_, **__):\n    raise ValueError('</pre>no step left')": r"Line \d+, in simulate: .*\n.*left",
     "def simulate(t, *_, **__):\n    raise SystemExit('bye')": "simulate raises an exception",
     "simulate = lambda *_, **__: None": "simulate gives no numbers but None",
     "simulate = lambda t, *_, **__: np.zeros((len(t), 4)) + 1j": "simulate gives no numbers",
@@ -159,7 +159,7 @@ TROUBLES = {
     "wireframe = lambda theta, lengths: np.full((2, 2, 2), 1e308 * np.sign(theta[0] - 1))": "no screen shows that",
     "wireframe = lambda theta, lengths: None": "wireframe gives no numbers but None",
     "def simulate(:": r"cannot be imported(.|\n)*SyntaxError",
-    "1 / 0": r"cannot be imported(.|\n)*line \d+(.|\n)*ZeroDivisionError",
+    "1 / 0": r"cannot be imported(.|\n)*Line \d+(.|\n)*ZeroDivisionError",
     "raise SystemExit(0)": "cannot be imported",
 }
 

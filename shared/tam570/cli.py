@@ -3,12 +3,13 @@
 import argparse
 import os
 import sys
+import textwrap
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from tam570 import __version__
-from tam570.course import Unknown, assignments, folder, start, title
+from tam570 import __version__, releases, work
+from tam570.course import Unknown, assignments, folder, title
 from tam570.lectures import commands as lectures
 from tam570.progress import hints_given, recalled, remember_hints
 
@@ -38,7 +39,11 @@ def main(argv: list[str] | None = None) -> int:
 
 
 def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(prog="tam570", description="Homework in intermediate dynamics.")
+    parser = argparse.ArgumentParser(
+        prog="tam570",
+        description="Homework in intermediate dynamics.",
+        epilog="An assignment goes by any part of its name that tells it: hw07, 7, double_pendulum.",
+    )
     parser.add_argument("--version", action="version", version=f"tam570 {__version__}")
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
 
@@ -50,27 +55,37 @@ def _parser() -> argparse.ArgumentParser:
     command.set_defaults(command=_start)
     command.add_argument("assignment", metavar="ASSIGNMENT|LECTURE", help="hw07, or top, for example")
     command.add_argument("--into", type=Path, default=Path(), metavar="DIR", help="where (default: here)")
+    command.add_argument("--notebook", action="store_true", help="a notebook too")
 
     command = commands.add_parser("check", help="run the visible tests on what you have written")
     command.set_defaults(command=_check)
     command.add_argument("what", nargs="?", metavar="ASSIGNMENT|FILE", help="default: all that you have started here")
-    command.add_argument("--assignment", metavar="SLUG", help="which one a FILE of another name is")
+    command.add_argument("--assignment", metavar="NAME", help="which one a FILE of another name is")
     command.add_argument("--watch", action="store_true", help="test what has changed each time you save")
+    command.add_argument("--final", action="store_true", help="before you hand in: what the hidden tests look at")
 
     command = commands.add_parser("show", help="see what your functions do, or a lecture, as a scene that moves")
     command.set_defaults(command=_show)
-    command.add_argument(
-        "assignment", metavar="ASSIGNMENT|LECTURE", help="hw07, or top, for example, or a lecture's copy"
-    )
+    command.add_argument("what", nargs="?", metavar="ASSIGNMENT|LECTURE|FILE", help="default: the one in this folder")
     command.add_argument("file", nargs="?", type=Path, metavar="FILE", help="default: yours that is here")
+    command.add_argument("--assignment", metavar="NAME", help="which one a FILE of another name is")
     command.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="of a lecture: mass=2")
     command.add_argument("--save", type=Path, metavar="FILE", help="a page (.html), picture (.png), .gif or .mp4")
 
     command = commands.add_parser("hint", help="one more hint each time you ask")
     command.set_defaults(command=_hint)
-    command.add_argument("assignment")
+    command.add_argument("assignment", help="hw07, for example")
     command.add_argument("function", nargs="?", help="default: the functions that there are hints for")
     command.add_argument("--again", action="store_true", help="begin with the first hint again")
+    command.add_argument("--all", action="store_true", help="all hints for the function")
+
+    command = commands.add_parser("update", help="bring the problem and the tests to those of this kit")
+    command.set_defaults(command=_update)
+    command.add_argument("assignment", nargs="?", help="default: all that you have started here")
+
+    command = commands.add_parser("completion", help="a script that completes commands in your shell")
+    command.set_defaults(command=_completion)
+    command.add_argument("shell", choices=["bash", "zsh", "tcsh"])
     return parser
 
 
@@ -79,9 +94,9 @@ def _list(arguments: argparse.Namespace) -> int:
         return lectures.listed()
     points = most = 0.0
     for slug in assignments():
-        work = _work(slug)
-        known = recalled(work) if work else None
-        print(f"{slug:<26} {title(slug):<44} {_state(work, known)}".rstrip())
+        file = work.work_of(slug)
+        known = recalled(file) if file else None
+        print(f"{slug:<26} {_state(file, known) or title(slug)}")
         if known:
             points, most = points + known[0]["points"], most + known[0]["most"]
     if most:
@@ -95,64 +110,69 @@ def _state(file: Path | None, known: tuple[dict[str, Any], bool] | None) -> str:
         return "started" if file else ""
     found, current = known
     ahead = f"next: {found['next']}" if found["next"] else "done"
-    return f"{found['points']:g} of {found['most']:g}, {ahead}{'' if current else '; changed since: tam570 check'}"
+    return f"{found['points']:g} of {found['most']:g}, {ahead}" if current else "changed since you checked it"
 
 
 def _start(arguments: argparse.Namespace) -> int:
     if lectures.is_lecture(arguments.assignment):
         return lectures.start(arguments.assignment, arguments.into)
-    work, copied, kept = start(arguments.assignment, arguments.into)
-    for name in copied:
-        print(work / name)
-    if kept:
-        print(f"left as you have them: {', '.join(kept)}")
-    print(f"Read {work / 'README.md'}, fill in {work / (work.name + '.py')}, and try: tam570 check {work.name[:4]}")
+    copied = releases.start(arguments.assignment, arguments.into, notebook=arguments.notebook)
+    for name in copied.new:
+        print(copied.work / name)
+    if not copied.new:
+        print(f"{copied.work} is there already and stays as it is")
+    _differing(copied)
+    slug = copied.work.name
+    if arguments.notebook and not (copied.work / f"{slug}.ipynb").exists():
+        print("there is no notebook of it here; the kit of your course has one", file=sys.stderr)
+    print(f"Read {copied.work / 'README.md'}, fill in {copied.work / f'{slug}.py'},")
+    print(f"and try: tam570 check {slug[:4]}")
+    return 0
+
+
+def _differing(copied: releases.Copied) -> None:
+    for name in copied.differing:
+        print(f"{name} is not as this kit has it: yours is older, or you have changed it.")
+        print(f"    To get this kit's, move {copied.work / name} away, then: tam570 update {copied.work.name[:4]}")
+
+
+def _update(arguments: argparse.Namespace) -> int:
+    for file, slug in work.chosen(arguments.assignment):
+        copied = releases.update(file.parent, slug)
+        changed = [*copied.new, *copied.refreshed]
+        print(f"{slug[:4]}: {'now as this kit has them: ' + ', '.join(changed) if changed else 'nothing to bring up'}")
+        _differing(copied)
+        for signature in copied.signatures:
+            print(f"    this kit asks for {signature}")
     return 0
 
 
 def _check(arguments: argparse.Namespace) -> int:
-    work = _chosen(arguments.what, arguments.assignment)
+    files = work.chosen(arguments.what, arguments.assignment)
+    from tam570 import checking
+
     if arguments.watch:
-        from tam570.watching import watch
+        return checking.watch(files)
+    code = checking.check(files)
+    if arguments.final:
+        from tam570.checking.final import before_handing_in
 
-        return watch(work)
-    from tam570.checking import check
-
-    return max(check(file, slug) for file, slug in work)
-
-
-def _chosen(what: str | None, assignment: str | None) -> list[tuple[Path, str]]:
-    """The files that are meant, and their assignments."""
-    if what is not None and (what.endswith(".py") or len(Path(what).parts) > 1):
-        file = Path(what)
-        if not file.is_file():
-            raise Unknown(f"there is no file {what}")
-        return [(file, folder(assignment or _named(file)).name)]
-    slugs = [folder(what).name] if what else assignments()
-    found = [(work, slug) for slug in slugs if (work := _work(slug))]
-    if not found:
-        state = f"{what} is not" if what else "nothing is"
-        raise Unknown(f"{state} started here; begin with: tam570 start {what or 'hw01'}")
-    return found
-
-
-def _named(file: Path) -> str:
-    """The name that tells the assignment: the file's, else its folder's."""
-    name = file.stem
-    return name if any(name.startswith(slug[:4]) for slug in assignments()) else file.resolve().parent.name
+        for file, slug in files:
+            before_handing_in(file, slug)
+    return code
 
 
 def _show(arguments: argparse.Namespace) -> int:
-    if arguments.file is None and lectures.is_lecture(arguments.assignment):
-        return lectures.show(arguments.assignment, arguments.set, arguments.save)
+    if arguments.what and arguments.file is None and lectures.is_lecture(arguments.what):
+        return lectures.show(arguments.what, arguments.set, arguments.save)
     from tam570.show import command
 
-    slug = folder(arguments.assignment).name
-    file = arguments.file or _work(slug)
-    if file is None:
-        raise Unknown(f"{slug} is not started here; begin with: tam570 start {slug[:4]}")
-    if not file.is_file():
-        raise Unknown(f"there is no file {file}")
+    if arguments.file:
+        file, slug = arguments.file, folder(arguments.assignment or arguments.what).name
+        if not file.is_file():
+            raise Unknown(f"there is no file {file}")
+    else:
+        file, slug = work.one(arguments.what, arguments.assignment)
     return command(file, slug, arguments.save)
 
 
@@ -168,15 +188,31 @@ def _hint(arguments: argparse.Namespace) -> int:
         raise Unknown(f"no hints for {arguments.function!r}; there are hints for {', '.join(hints)}")
     steps = hints[arguments.function]
     given = 0 if arguments.again else hints_given(released.name, arguments.function)
-    step = min(given, len(steps) - 1)
-    print(f"{steps[step]}\n({step + 1} of {len(steps)}{'' if step + 1 < len(steps) else '; this is the last'})")
-    remember_hints(released.name, arguments.function, step + 1)
+    step = len(steps) - 1 if arguments.all else min(given, len(steps) - 1)
+    for number in range(0 if arguments.all else step, step + 1):
+        print(textwrap.fill(steps[number], 80))
+        print(f"({number + 1} of {len(steps)}{'' if number + 1 < len(steps) else '; this is the last'})")
+    if not remember_hints(released.name, arguments.function, step + 1) and step + 1 < len(steps):
+        print("Which hints you have seen cannot be kept here: --all shows all of them.")
     return 0
 
 
-def _work(slug: str) -> Path | None:
-    """The student's file here: in a folder of its own, or in the working directory."""
-    return next((path for path in (Path(slug, f"{slug}.py"), Path(f"{slug}.py")) if path.exists()), None)
+def _completion(arguments: argparse.Namespace) -> int:
+    import shtab
+
+    parser = _parser()
+    for action in parser._actions:  # argparse has no public way to its commands
+        for command in (action.choices or {}).values() if isinstance(action.choices, dict) else ():
+            _named_in_full(command)
+    print(shtab.complete(parser, arguments.shell))
+    return 0
+
+
+def _named_in_full(command: argparse.ArgumentParser) -> None:
+    """Let a shell offer the assignments where a command takes one."""
+    for action in command._actions:
+        if action.dest in ("what", "assignment"):
+            action.choices = assignments()
 
 
 if __name__ == "__main__":

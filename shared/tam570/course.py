@@ -1,14 +1,27 @@
 """The assignments as students get them: where they are, what they are called, and how to start one."""
 
+import ast
+import json
 import re
-import shutil
+from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
-__all__ = ["Unknown", "assignments", "folder", "start", "title"]
+__all__ = ["Stub", "Unknown", "assignments", "contract", "folder", "named", "stubs", "title"]
 
 
 class Unknown(Exception):
     """There is no such assignment, function or file; the message says what there is."""
+
+
+@dataclass(frozen=True)
+class Stub:
+    """A function as it stands in a file."""
+
+    positions: tuple[str, ...]
+    keywords: tuple[str, ...]  # keyword-only
+    docstring: str
+    written: bool
 
 
 def assignments() -> list[str]:
@@ -17,12 +30,32 @@ def assignments() -> list[str]:
 
 
 def folder(name: str) -> Path:
-    """The released folder of the assignment that `name` stands for: hw07, hw07_double_pendulum, or a path to it."""
-    number = re.match(r"hw\d\d(?!\d)", Path(name).name, re.IGNORECASE)
-    for slug in assignments():
-        if number and slug.startswith(number[0].lower() + "_"):
-            return _home() / slug
-    raise Unknown(f"there is no assignment {name!r}; there are: {', '.join(assignments())}")
+    """The released folder of the assignment that a name stands for: hw07, hw7, 7, double_pendulum, or all of it."""
+    plain = name.lower().replace("-", "_")
+    number = re.fullmatch(r"(?:hw)?0*(\d{1,2})", plain)
+    found = [slug for slug in assignments() if plain == slug or number and slug[2:4] == f"{int(number[1]):02}"]
+    if not (found or number):
+        found = [slug for slug in assignments() if plain and f"_{plain}_" in f"{slug[4:]}_"]
+    if len(found) == 1:
+        return _home() / found[0]
+    says = "may be any of" if found else "is not an assignment; there are"
+    more = "" if found else "; lectures: tam570 list --lectures"
+    raise Unknown(f"{name!r} {says}: {', '.join(found or assignments())}{more}")
+
+
+def named(file: Path) -> str:
+    """The assignment that a file is work on, by its name, hw07-final.py, else by its folder's. Unknown if neither."""
+    for name in (file.stem, file.resolve().parent.name):
+        number = re.match(r"hw\d\d(?!\d)", name, re.IGNORECASE)
+        for slug in assignments():
+            if number and slug.startswith(f"{number[0].lower()}_"):
+                other = [one for one in assignments() if one[4:] in name.lower() and one[4:] not in slug]
+                if other:
+                    raise Unknown(f"{file.name} may be {slug} or {other[0]}; say which: --assignment {slug[:4]}")
+                return slug
+    raise Unknown(
+        f"the name of {file.name} does not tell which assignment it is; say so: --assignment hw07, for example"
+    )
 
 
 def title(slug: str) -> str:
@@ -31,21 +64,24 @@ def title(slug: str) -> str:
         return file.readline().lstrip("# ").partition(": ")[2].strip()
 
 
-def start(name: str, where: Path) -> tuple[Path, list[str], list[str]]:
-    """Copy an assignment to a folder of its name in `where`; the folder, the files copied, those left alone."""
-    released = folder(name)
-    work = where / released.name
-    work.mkdir(parents=True, exist_ok=True)
-    copied, kept = [], []
-    for path in sorted(released.iterdir()):
-        if not path.is_file() or path.name == "hints.toml":
-            continue
-        if (work / path.name).exists():
-            kept.append(path.name)
-        else:
-            shutil.copyfile(path, work / path.name)
-            copied.append(path.name)
-    return work, copied, kept
+def contract(slug: str) -> dict[str, Any]:
+    """What the functions of an assignment return, and what is off limits: {"results": ..., "off_limits": ...}."""
+    given: dict[str, Any] = json.loads((folder(slug) / "contract.json").read_text(encoding="utf-8"))
+    return given
+
+
+def stubs(source: str | bytes) -> dict[str, Stub]:
+    """The functions of a module. SyntaxError if it is not Python."""
+    nodes = [node for node in ast.parse(source).body if isinstance(node, ast.FunctionDef)]
+    return {node.name: _stub(node) for node in nodes}
+
+
+def _stub(node: ast.FunctionDef) -> Stub:
+    body = node.body[1:] if ast.get_docstring(node) else node.body
+    empty = len(body) == 1 and isinstance(body[0], ast.Raise) and "NotImplementedError" in ast.dump(body[0])
+    given = node.args
+    positions = tuple(one.arg for one in given.posonlyargs + given.args)
+    return Stub(positions, tuple(one.arg for one in given.kwonlyargs), ast.get_docstring(node) or "", not empty)
 
 
 def _home() -> Path:

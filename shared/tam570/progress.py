@@ -10,46 +10,66 @@ from typing import Any
 
 from tam570.course import folder
 
-__all__ = ["FAILED", "PASSED", "hints_given", "kept", "progress", "recalled", "remember", "remember_hints", "said"]
+__all__ = [
+    "FAILED",
+    "PASSED",
+    "Progress",
+    "hints_given",
+    "kept",
+    "progress",
+    "recalled",
+    "remember",
+    "remember_hints",
+    "rows",
+    "said",
+]
 
 PASSED, FAILED = "passed", "failed"
 PROGRESS, HINTS = "progress.json", "hints.json"  # the files in which it is kept
 ROW = re.compile(r"^\| `(\w+)\(.*?\| *([\d.]+) *\|", re.MULTILINE)
-Progress = dict[str, Any]  # points, most, passed, tests, next: plain data
+TESTED = re.compile(r"^\| `(\w+)\(.*\| *(.+?) *\|$", re.MULTILINE)
+Progress = dict[str, Any]  # points, most, passed, tests, missing, next: plain data
 
 
 def _home() -> Path:
     """Where things are remembered for a student."""
-    return Path(os.environ.get("TAM570_HOME", Path.home() / ".tam570"))
+    return Path(os.environ.get("TAM570_HOME") or os.path.expanduser("~/.tam570"))
 
 
-def progress(slug: str, outcomes: Mapping[str, str], calls: Mapping[str, set[str]]) -> Progress:
+def progress(
+    slug: str, outcomes: Mapping[str, str], used: Mapping[str, set[str]], causes: Mapping[str, str | None] | None = None
+) -> Progress:
     """Points by the visible tests, and the function to look at next.
 
-    A function has its points when a test that calls it passes and none that fails is its fault; a test that fails
-    is the fault of those of its functions that no test has passed with, if there are such.
+    outcomes : of each test
+    used     : the functions that each test calls
+    causes   : the function that is at fault for certain, of tests that failed
+
+    A test is a function's own if it calls none that stands below it in the README. A function has its points when all
+    of its own tests pass, or, if it has none, all that call it: to mend one function never takes points from another.
     """
     worth = {name: float(points) for name, points in ROW.findall(_readme(slug))}
-    used = {test: functions & set(worth) for test, functions in calls.items()}
-    proven = {name for test in used if outcomes.get(test) == PASSED for name in used[test]}
-    at_fault = {name for test in used if outcomes.get(test) != PASSED for name in used[test] - proven or used[test]}
-    seen = [name for name in worth if any(name in functions for functions in used.values())]
-    done = [name for name in seen if name in proven - at_fault]
+    calling = {name: [test for test in used if name in used[test]] for name in worth}
+    last = {test: max(used[test] & set(worth), key=list(worth).index, default="") for test in used}
+    judging = {name: [test for test in calling[name] if last[test] == name] or calling[name] for name in worth}
+    failed = {name: [test for test in judging[name] if outcomes.get(test) != PASSED] for name in worth if calling[name]}
+    missing = [name for name in failed if failed[name]]
+    known = [(causes or {}).get(test) for test in failed[missing[0]]] if missing else []
     return {
-        "points": sum(worth[name] for name in done),
-        "most": sum(worth[name] for name in seen),
+        "points": sum(worth[name] for name in failed if name not in missing),
+        "most": sum(worth[name] for name in failed),
         "passed": sum(outcome == PASSED for outcome in outcomes.values()),
-        "tests": len(calls),
-        "next": next((name for name in seen if name not in done), None),
+        "tests": len(used),
+        "missing": missing,
+        "next": next((name for name in [*known[:1], *missing] if name in missing), None),
     }
 
 
 def said(found: Progress) -> str:
     """The progress in a line."""
-    ahead = f"next: {found['next']}" if found["next"] else "all done"
     return (
         f"{found['passed']} of {found['tests']} tests pass; "
-        f"{found['points']:g} of {found['most']:g} points by the visible tests; {ahead}"
+        f"{found['points']:g} of {found['most']:g} points by the visible tests"
     )
 
 
@@ -76,9 +96,14 @@ def hints_given(slug: str, function: str) -> int:
     return count if isinstance(count, int) else 0
 
 
-def remember_hints(slug: str, function: str, count: int) -> None:
-    """Keep how many of the hints for a function were given."""
-    _keep(HINTS, f"{slug} {function}", count)
+def remember_hints(slug: str, function: str, count: int) -> bool:
+    """Keep how many of the hints for a function were given; whether that works."""
+    return _keep(HINTS, f"{slug} {function}", count)
+
+
+def rows(slug: str) -> dict[str, str]:
+    """What the hidden tests look at, for each function, as the README has it."""
+    return dict(TESTED.findall(_readme(slug)))
 
 
 def _readme(slug: str) -> str:
@@ -102,8 +127,8 @@ def _read(name: str) -> dict[str, Any]:
     return known if isinstance(known, dict) else {}
 
 
-def _keep(name: str, key: str, value: Any) -> None:
-    """Remember this too; where nothing can be kept, go on without."""
+def _keep(name: str, key: str, value: Any) -> bool:
+    """Remember this too; whether it can be kept."""
     known = _read(name) | {key: value}
     try:
         _home().mkdir(parents=True, exist_ok=True)
@@ -111,4 +136,5 @@ def _keep(name: str, key: str, value: Any) -> None:
         draft.write_text(json.dumps(known))
         draft.replace(_home() / name)
     except OSError:
-        pass
+        return False
+    return True

@@ -1,30 +1,61 @@
-"""Makes a student's stub from the reference solution: the bodies go, the signatures and docstrings stay."""
+"""Makes a student's stub from the reference solution: the bodies go, the signatures and docstrings stay.
+
+Beside it stands the contract: what each function returns, as the checks have it.
+"""
 
 import ast
+import json
 import re
 import sys
 from pathlib import Path
+from typing import Any
 
 from tam570_grader.writing import assignments
+from tam570_grader.writing.assignments import Assignment
+from tam570_grader.writing.returns import Drawing, Formula, Group, Promise
 
-__all__ = ["run", "stub"]
+__all__ = ["contract", "run", "stub"]
 
 BODY = "raise NotImplementedError"
 
 
 def run(course: Path, *, check: bool) -> int:
-    """Write every stub that is out of date, or with `check` name it; the exit code."""
-    stale = [slug for slug in assignments.slugs(course) if _stale(course, slug)]
-    for slug in stale:
+    """Write every stub and contract that is out of date, or with `check` name it; the exit code."""
+    made = {path: text for slug in assignments.slugs(course) for path, text in _made(course, slug).items()}
+    stale = {path: text for path, text in made.items() if not path.exists() or path.read_text(encoding="utf-8") != text}
+    for path, text in stale.items():
         if not check:
-            path = _path(course, slug)
             path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(stub(_solution(course, slug)), encoding="utf-8")
-        print(
-            f"{_path(course, slug)} {'is out of date: run tam570-grader stubs' if check else 'written'}",
-            file=sys.stderr,
-        )
+            path.write_text(text, encoding="utf-8")
+        print(f"{path} {'is out of date: run tam570-grader stubs' if check else 'written'}", file=sys.stderr)
     return 1 if check and stale else 0
+
+
+def _made(course: Path, slug: str) -> dict[Path, str]:
+    """What is derived of an assignment: the stub, and the contract that the students' `check` reads."""
+    released, solution = course / "assignments" / slug, course / "solutions" / f"{slug}.py"
+    return {
+        released / f"{slug}.py": stub(solution.read_text(encoding="utf-8")),
+        released / "contract.json": contract(assignments.assignment(course, slug)),
+    }
+
+
+def contract(assignment: Assignment) -> str:
+    """The forms of the results, and what is off limits, as JSON: a line for each."""
+    results = [f'  "{name}": {json.dumps(_plain(promise))}' for name, promise in assignment.results.items()]
+    banned = json.dumps({name: list(modules) for name, modules in assignment.off_limits.items()})
+    return '{\n "results": {\n' + ",\n".join(results) + '\n },\n "off_limits": ' + banned + "\n}\n"
+
+
+def _plain(promise: Promise) -> dict[str, Any]:
+    """A promise as plain data."""
+    if isinstance(promise, Group):
+        return {"group": [_plain(member) for member in promise.members]}
+    if isinstance(promise, Formula):
+        return {"formula": list(promise.symbols)}
+    if isinstance(promise, Drawing):
+        return {"drawing": True}
+    return {"array": list(promise.shape), **({"infinite": True} if promise.infinite else {})}
 
 
 def stub(source: str) -> str:
@@ -101,16 +132,3 @@ def _gap(before: ast.stmt | None, node: ast.stmt) -> str:
         return "\n\n\n"
     alike = isinstance(before, ast.Import | ast.ImportFrom) and isinstance(node, ast.Import | ast.ImportFrom)
     return "\n" if alike else "\n\n"
-
-
-def _path(course: Path, slug: str) -> Path:
-    return course / "assignments" / slug / f"{slug}.py"
-
-
-def _solution(course: Path, slug: str) -> str:
-    return (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8")
-
-
-def _stale(course: Path, slug: str) -> bool:
-    path = _path(course, slug)
-    return not path.exists() or path.read_text(encoding="utf-8") != stub(_solution(course, slug))

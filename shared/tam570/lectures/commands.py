@@ -4,27 +4,14 @@ import shutil
 from collections.abc import Sequence
 from pathlib import Path
 
-from tam570.course import Unknown, folder
 from tam570.lectures import heading, known
 
 __all__ = ["is_lecture", "listed", "show", "start"]
 
 
 def is_lecture(what: str) -> bool:
-    """Whether a name or a file means a lecture or a copy of one, and not an assignment.
-
-    So does any name that is neither an assignment nor a path; it is refused later, with the right names.
-    """
-    if what in known():
-        return True
-    path = Path(what)
-    if path.is_file():
-        return heading(path) is not None
-    try:
-        folder(what)
-    except Unknown:
-        return path.name == what and not path.suffix and not what.lower().startswith("hw")
-    return False
+    """Whether a name or a file means a lecture or a copy of one, and not an assignment."""
+    return what in known() or Path(what).is_file() and heading(Path(what)) is not None
 
 
 def listed() -> int:

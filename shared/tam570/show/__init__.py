@@ -6,7 +6,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any
 
-from tam570.course import folder
+from tam570.course import folder, named
 from tam570.show.film import Film
 from tam570.show.student import Student, Trouble, loaded
 
@@ -69,7 +69,7 @@ def _film(what: Any, assignment: str | None, numbers: Mapping[str, Any] | None) 
 
         return film_of_lecture(lecture_module(str(what)) if isinstance(what, str | Path) else what, numbers)
     if isinstance(what, str | Path):
-        slug = folder(assignment or Path(what).stem).name
+        slug = folder(assignment).name if assignment else named(Path(what))
         return film_of(loaded(Path(what), slug), slug)
     if isinstance(what, dict):
         from types import SimpleNamespace

@@ -1,6 +1,5 @@
 """The student's functions, called with care: what goes wrong in them is said in a sentence or two."""
 
-import importlib.util
 import sys
 import traceback
 from collections.abc import Callable, Sequence
@@ -11,27 +10,20 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Student", "Trouble", "loaded", "tried"]
+from tam570.loading import Trouble, said
+from tam570.loading import loaded as load
+
+__all__ = ["Student", "Trouble", "loaded", "numbers", "tried"]
 
 Array = NDArray[np.float64]
 Made = TypeVar("Made")
 
 
-class Trouble(Exception):
-    """The scene cannot be shown; the message says why, in the student's terms."""
-
-
 def loaded(file: Path, slug: str) -> ModuleType:
-    """The module in a file, imported under the assignment's name. Trouble if it cannot be."""
-    spec = importlib.util.spec_from_file_location(slug, file)
-    if spec is None or spec.loader is None:
-        raise Trouble(f"{file} is no Python file")
-    module = importlib.util.module_from_spec(spec)
+    """The module in a file or notebook, imported under the assignment's name. Trouble if it cannot be."""
+    module, _ = load(file, slug)
+    module.__file__ = str(file)
     sys.modules[slug] = module
-    try:
-        spec.loader.exec_module(module)
-    except (Exception, SystemExit) as error:
-        raise Trouble(f"{file} cannot be imported:\n{_said(error, str(spec.origin))}") from error
     return module
 
 
@@ -55,14 +47,14 @@ class Student:
 
     def __call__(self, name: str, *arguments: Any, shape: Sequence[int] | None = None, **known: Any) -> Array:
         """What the function returns, as an array of this shape. Trouble if it does not, or is not finite."""
-        return self._finite(name, _numbers(name, self._raw(name, *arguments, **known), shape))
+        return self._finite(name, numbers(name, self._raw(name, *arguments, **known), shape))
 
     def group(self, name: str, *arguments: Any, shapes: Sequence[Sequence[int]], **known: Any) -> list[Array]:
         """The arrays that the function returns together, each of its shape."""
         result = self._raw(name, *arguments, **known)
         if not isinstance(result, Sequence | np.ndarray) or len(result) != len(shapes):
             raise Trouble(f"{name} gives {_short(result)}; {len(shapes)} results are asked for")
-        return [self._finite(name, _numbers(name, one, shape)) for one, shape in zip(result, shapes, strict=True)]
+        return [self._finite(name, numbers(name, one, shape)) for one, shape in zip(result, shapes, strict=True)]
 
     def _raw(self, name: str, *arguments: Any, **known: Any) -> Any:
         """What the function returns, whatever it is."""
@@ -74,10 +66,10 @@ class Student:
         try:  # all at once: one by one takes longer than the student's function
             values = np.array(results)
         except ValueError:  # of different shapes
-            values = np.array([_numbers(name, result, shape) for result in results])
+            values = np.array([numbers(name, result, shape) for result in results])
         if values.shape[1:] != tuple(shape):
-            _numbers(name, results[0], shape)
-        return self._finite(name, _numbers(name, values, (len(results), *shape)))
+            numbers(name, results[0], shape)
+        return self._finite(name, numbers(name, values, (len(results), *shape)))
 
     def _guarded(self, name: str, use: Callable[[Callable[..., Any]], Any]) -> Any:
         function = getattr(self._module, name, None)
@@ -89,7 +81,7 @@ class Student:
             *_, last = traceback.extract_tb(error.__traceback__)
             raise Trouble(f"{last.name} is not written yet") from error
         except (Exception, SystemExit) as error:
-            raise Trouble(f"{name} raises an exception\n{_said(error, self._file)}") from error
+            raise Trouble(f"{name} raises an exception\n{said(error, self._file)}") from error
 
     def _finite(self, name: str, values: Array) -> Array:
         if np.isfinite(values).all():
@@ -100,7 +92,8 @@ class Student:
         raise Trouble(f"{name} gives numbers that are not finite, first in row {rows.argmin()} of {len(rows)}")
 
 
-def _numbers(name: str, result: Any, shape: Sequence[int] | None) -> Array:
+def numbers(name: str, result: Any, shape: Sequence[int] | None) -> Array:
+    """A result as an array of this shape, any if None. Trouble if it is not one, in words for a student."""
     try:
         values = np.asarray(result)
         if values.dtype.kind == "O":  # of SymPy, say
@@ -118,12 +111,3 @@ def _numbers(name: str, result: Any, shape: Sequence[int] | None) -> Array:
 def _short(result: Any) -> str:
     text = repr(result)
     return text if len(text) <= 60 else f"{text[:57]}..."
-
-
-def _said(error: BaseException, file: str) -> str:
-    """The exception and the last line of the student's file that led to it."""
-    if isinstance(error, SyntaxError):
-        return "".join(traceback.format_exception_only(error)).rstrip()
-    frames = [frame for frame in traceback.extract_tb(error.__traceback__) if frame.filename == file]
-    said = traceback.format_exception_only(error)[-1].rstrip()
-    return "".join(traceback.format_list(frames[-1:])) + said

@@ -1,26 +1,37 @@
-"""Tests what is saved, as soon as it is saved.
+"""Runs the visible tests of assignments on a student's files, each time in a process that a hang cannot outlive.
 
-The interpreter that will run the tests is started ahead and has imported pytest and the libraries by the time a file
-is saved; each runs once, so nothing of an older version of the file is left in it, and one that hangs is ended by
-the next save.
+The interpreter that will run the tests of a watched file is started ahead and has imported pytest and the libraries by
+the time the file is saved; each runs once, so nothing of an older version of the file is left in it.
 """
 
-import ast
 import contextlib
-import importlib
 import json
 import os
 import subprocess
 import sys
+import tempfile
 import time
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
-__all__ = ["watch"]
+__all__ = ["ALL_PASS", "OUR_FAULT", "SOME_FAIL", "Work", "check", "watch"]
 
 PAUSE = 0.05  # s between two looks at the files: two calls of stat each
-LIBRARIES = ("matplotlib", "numpy", "pytest", "scipy", "sympy", "tam570")  # what may be imported ahead
+ALL_PASS, SOME_FAIL, OUR_FAULT = 10, 11, 12  # exit codes of the process; with another one a student's code ended it
+ENDED = """Your code ended the process that tests it{where}.
+It exits, crashes, uses too much memory, or makes a call that never comes back."""
+FAILED = "The tests could not be run; the lines above say why. Please tell your teacher."
 Work = Sequence[tuple[Path, str]]  # files and their assignments
+
+
+def check(work: Work) -> int:
+    """Check these files; the exit code: 0 if all tests pass, 1 if some fail."""
+    runner = Runner([])
+    try:
+        runner.run(work, changed=False)
+        return runner.result()
+    finally:
+        runner.end()
 
 
 def watch(work: Work) -> int:
@@ -36,6 +47,7 @@ def watch(work: Work) -> int:
             if runner.ended():
                 if runner.idle:
                     return 1  # it could not start, and has said why
+                runner.result()
                 runner = Runner(work)
             saved = [(file, slug) for file, slug in work if _stamp(file, slug) not in (None, seen[file])]
             if saved:
@@ -51,17 +63,19 @@ def watch(work: Work) -> int:
 
 
 class Runner:
-    """An interpreter that waits for an order, runs the tests once, and ends."""
+    """An interpreter that waits for an order, runs the tests once, and ends; `ahead` is what it may prepare for."""
 
-    def __init__(self, work: Work) -> None:
-        files = [str(file) for file, _ in work]
-        slugs = [slug for _, slug in work]
+    def __init__(self, ahead: Work) -> None:
         group = getattr(subprocess, "CREATE_NEW_PROCESS_GROUP", 0)  # Ctrl-C is for the one that watches
+        prepared = [[str(file.resolve()), slug] for file, slug in ahead]
         self.idle = True
+        self._folder = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
+        self._log = Path(self._folder.name, "test.txt")
         self._process = subprocess.Popen(
-            [sys.executable, "-m", "tam570.watching", json.dumps([files, slugs])],
+            [sys.executable, "-m", "tam570.checking", json.dumps(prepared)],
             stdin=subprocess.PIPE,
             text=True,
+            env=_environment(),
             start_new_session=os.name == "posix",
             creationflags=group,
         )
@@ -69,13 +83,22 @@ class Runner:
     def run(self, work: Work, *, changed: bool) -> None:
         """Give it its order."""
         self.idle = False
-        order = [[str(file), slug, changed] for file, slug in work]
+        order = {"work": [[str(file.resolve()), slug, changed] for file, slug in work], "log": str(self._log)}
         assert self._process.stdin is not None
         with contextlib.suppress(BrokenPipeError):
             print(json.dumps(order), file=self._process.stdin, flush=True)
 
     def ended(self) -> bool:
         return self._process.poll() is not None
+
+    def result(self) -> int:
+        """Wait for its end: 0 if all tests pass, else 1; says so if a student's code has ended it."""
+        code = self._process.wait()
+        if code not in (ALL_PASS, SOME_FAIL):
+            test = self._log.read_text(encoding="utf-8") if self._log.exists() else ""
+            where = f" in {test}" if test else " while it was imported"
+            print(FAILED if code == OUR_FAULT else ENDED.format(where=where), file=sys.stderr, flush=True)
+        return 0 if code == ALL_PASS else 1
 
     def replaced(self, work: Work) -> "Runner":
         """End it in the middle of its work; a new one."""
@@ -85,6 +108,15 @@ class Runner:
     def end(self) -> None:
         self._process.kill()
         self._process.communicate()
+        self._folder.cleanup()
+
+
+def _environment() -> dict[str, str]:
+    """No windows, one thread, and a place for Matplotlib where the home folder is read only."""
+    given = {"MPLBACKEND": "agg", "OPENBLAS_NUM_THREADS": "1", "PYTHONDONTWRITEBYTECODE": "1", **os.environ}
+    if not os.access(os.path.expanduser("~"), os.W_OK):
+        given.setdefault("MPLCONFIGDIR", os.path.join(tempfile.gettempdir(), "tam570-matplotlib"))
+    return given
 
 
 def _stamp(file: Path, slug: str) -> tuple[float, ...] | None:
@@ -96,33 +128,3 @@ def _stamp(file: Path, slug: str) -> tuple[float, ...] | None:
     except OSError:
         return None
     return tuple(number for stat in found for number in (stat.st_mtime_ns, stat.st_size))
-
-
-def _wait(files: Iterable[str], slugs: Iterable[str]) -> int:
-    """The runner: import ahead, read the order, follow it."""
-    from tam570.checking import check, tests_of, warm_up
-
-    warm_up()
-    for file, slug in zip(map(Path, files), slugs, strict=True):
-        for path in (file, tests_of(file, slug)):
-            _import_ahead(path)
-    order = sys.stdin.readline()
-    return max(
-        (check(Path(file), slug, changed=changed) for file, slug, changed in json.loads(order or "[]")), default=0
-    )
-
-
-def _import_ahead(path: Path) -> None:
-    """Import what the file imports, as far as it is a library; what is wrong with the file shows when it runs."""
-    with contextlib.suppress(OSError, SyntaxError, ValueError):
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-            names = [alias.name for alias in node.names] if isinstance(node, ast.Import) else []
-            names += [node.module] if isinstance(node, ast.ImportFrom) and node.module else []
-            for name in names:
-                if name.partition(".")[0] in LIBRARIES:
-                    with contextlib.suppress(ImportError):
-                        importlib.import_module(name)
-
-
-if __name__ == "__main__":
-    sys.exit(_wait(*json.loads(sys.argv[1])))

@@ -7,7 +7,7 @@ import ast
 import hashlib
 from collections.abc import Iterable, Iterator, Mapping
 
-__all__ = ["ANY", "calls", "keys"]
+__all__ = ["ANY", "calls", "keys", "by_parameters"]
 
 ANY = "*"  # among the functions that a test calls: it may call any
 Statements = Mapping[str, list[ast.stmt]]  # of a module, by the names that they bind; "" is what concerns all
@@ -40,6 +40,20 @@ def calls(tests: str, module: str) -> dict[str, set[str]]:
             nodes = [node for one in _reached(here, [name]) for node in here[one]]
             found[name] = _named(nodes, aliases, members)
     return found
+
+
+def by_parameters(found: Mapping[str, set[str]], tests: Iterable[str]) -> dict[str, set[str]]:
+    """The functions that each of these tests, named with its parameters, calls.
+
+    A parameter that is the name of a function tells which of all that the test may call is meant.
+    """
+    used = {}
+    for test in tests:
+        name, _, parameters = test.partition("[")
+        functions = found.get(name, set())
+        meant = functions & set(parameters.rstrip("]").split("-")) if ANY in functions else set()
+        used[test] = meant or functions - {ANY}
+    return used
 
 
 def _named(nodes: Iterable[ast.stmt], aliases: set[str], members: Mapping[str, str]) -> set[str]:

@@ -1,0 +1,151 @@
+"""The student's functions as the tests call them: watched as the grader would, and told at once what is wrong."""
+
+import functools
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import ExitStack, contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from tam570.checking.deadline import CALL, TooLong, limited
+from tam570.checking.mistakes import Mistake
+from tam570.checking.promises import Promise, complaint
+from tam570.loading import Forbidden, Unusable, replaced, said
+
+__all__ = ["HERE", "Fault", "Functions", "Given"]
+
+Given = tuple[tuple[Any, ...], dict[str, Any]]  # the arguments of a call
+HERE = "in this assignment"
+
+
+class Fault(BaseException):
+    """A call of a student's function went wrong; `name` is the function, the message is for the student."""
+
+    def __init__(self, name: str, message: str) -> None:
+        super().__init__(message)
+        self.name = name
+
+
+@dataclass
+class Functions:
+    """A student's module, and what is noted of the calls of its functions."""
+
+    module: ModuleType
+    file: Path
+    results: Mapping[str, Promise]
+    off_limits: Mapping[str, Sequence[str]]
+    called: list[str] = field(default_factory=list)  # in the test that runs, in order
+    mistake: Mistake | None = None  # what is tried on the results
+    known: dict[tuple[str, bytes], Any] = field(default_factory=dict)  # results, by function and arguments
+    hanging: set[str] = field(default_factory=set)
+    depth: int = 0
+
+    def stand_in(self) -> ModuleType:
+        """What the tests import in place of the student's module."""
+        stand_in = ModuleType(self.module.__name__)
+        stand_in.__dict__.update({k: v for k, v in vars(self.module).items() if k != "__builtins__"})
+        for name in self.results:
+            function = getattr(self.module, name, None)
+            setattr(stand_in, name, self._watched(name, function) if callable(function) else self._missing(name))
+        return stand_in
+
+    def _missing(self, name: str) -> Callable[..., Any]:
+        def missing(*args: Any, **kwargs: Any) -> Any:
+            raise Fault(name, f"{name} is not written yet: {self.file.name} has no function of this name.")
+
+        return missing
+
+    def _watched(self, name: str, function: Callable[..., Any]) -> Callable[..., Any]:
+        @functools.wraps(function)
+        def watched(*args: Any, **kwargs: Any) -> Any:
+            self.called.append(name)
+            if self.depth:  # a student's function was handed to another, by way of the tests
+                return function(*args, **kwargs)
+            if self.mistake is None or self.mistake.function != name:
+                return self._result(name, function, (args, kwargs))
+            return self.mistake.applied(lambda *a, **k: self._result(name, function, (a, k)), args, kwargs)
+
+        return watched
+
+    def _result(self, name: str, function: Callable[..., Any], given: Given) -> Any:
+        """What the function returns, remembered while mistakes are tried. Fault if it is not what is promised."""
+        key = (name, _contents(given))
+        if self.mistake is None or key not in self.known:
+            self.known[key] = self._called(name, function, given)
+        if said := complaint(self.results[name], self.known[key], name, given[0]):
+            raise Fault(name, said)
+        return self.known[key]
+
+    def _called(self, name: str, function: Callable[..., Any], given: Given) -> Any:
+        if name in self.hanging:
+            raise Fault(name, f"{name} did not return within {CALL:g} s in a test before; it is not called again.")
+        before = _contents(given)
+        with self._fair(name):
+            result = function(*given[0], **given[1])
+        if _contents(given) != before:
+            raise Fault(name, f"{name} changes the arrays that it is given. Work on copies: the grader refuses this.")
+        return result
+
+    @contextmanager
+    def _fair(self, name: str) -> Iterator[None]:
+        """A call under the grader's rules. Fault where it breaks them; ValueError passes, for it may be asked for."""
+        self.depth += 1
+        try:
+            with ExitStack() as rules:
+                rules.enter_context(replaced(self.off_limits.get("*", ()), HERE))
+                rules.enter_context(self._without(name))
+                rules.enter_context(limited())
+                yield
+        except TooLong:
+            self.hanging.add(name)
+            raise Fault(
+                name, f"{name} did not return within {CALL:g} s. The grader ends such a call: is there an endless loop?"
+            ) from None
+        except NotImplementedError as error:
+            raise Fault(name, f"{_last(error, name)} is not written yet.") from None
+        except (Fault, ValueError):
+            raise
+        except (Exception, SystemExit) as error:
+            what = "uses what is off limits" if isinstance(error, Forbidden) else "raises an exception"
+            raise Fault(name, f"{name} {what}.\n{said(error, str(self.file))}") from error
+        finally:
+            self.depth -= 1
+
+    @contextmanager
+    def _without(self, name: str) -> Iterator[None]:
+        """Put away what is off limits in this function alone."""
+        banned = tuple(self.off_limits.get(name, ()))
+        names = vars(self.module)
+        found = {key: value for key, value in names.items() if _origin(value).startswith(banned)} if banned else {}
+        with replaced(banned, f"in {name}"):
+            names.update({key: Unusable(_origin(value), f"in {name}") for key, value in found.items()})
+            try:
+                yield
+            finally:
+                names.update(found)
+
+
+def _origin(value: Any) -> str:
+    """The module that a value is, or comes from."""
+    return value.__name__ if isinstance(value, ModuleType) else str(getattr(value, "__module__", None))
+
+
+def _last(error: BaseException, name: str) -> str:
+    """The function that raised."""
+    trace = error.__traceback__
+    while trace is not None:
+        name, trace = trace.tb_frame.f_code.co_name, trace.tb_next
+    return name
+
+
+def _contents(given: Given) -> bytes:
+    """What the arguments hold now; what is not data, Matplotlib's Axes, is meant to change."""
+    values = [*given[0], *(one for pair in given[1].items() for one in pair)]
+    return b"\0".join(_bytes(one) for one in values)
+
+
+def _bytes(value: Any) -> bytes:
+    if hasattr(value, "tobytes"):
+        return bytes(value.tobytes())
+    return repr(value if isinstance(value, list | tuple | str | int | float) else id(value)).encode()

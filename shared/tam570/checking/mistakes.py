@@ -1,0 +1,130 @@
+"""Known mistakes, told by the student's own numbers: a test that fails would pass if a result were changed like this.
+
+Nothing about an assignment is in here but the names and units that its docstrings give.
+"""
+
+import re
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from tam570.checking.promises import Promise
+from tam570.course import Stub
+
+__all__ = ["Mistake", "candidates"]
+
+UNIT = re.compile(r"^\s*(\w+(?:, \w+)*)\s*: (?:\([^)]*\) )?rad\b", re.MULTILINE)
+Change = Callable[[Any], Any]
+
+
+@dataclass(frozen=True)
+class Mistake:
+    """A change of one function's results, or of its arguments, that may make tests pass."""
+
+    function: str
+    says: str  # "the transpose of what rotation_matrix gives"
+    result: Callable[[Any, Mapping[str, Any]], Any] | None = None
+    argument: tuple[str, Change] | None = None
+
+    def applied(self, function: Callable[..., Any], args: Sequence[Any], kwargs: Mapping[str, Any]) -> Any:
+        """The function's result with the change."""
+        if self.argument is not None:
+            args, kwargs = _changed(self.argument, args, dict(kwargs))
+        given = function(*args, **kwargs)
+        return given if self.result is None else self.result(given, kwargs)
+
+
+def candidates(name: str, stub: Stub, promise: Promise) -> Iterator[Mistake]:
+    """The mistakes that a function of this form can have, the most telling first."""
+    angles = {one for match in UNIT.finditer(stub.docstring) for one in match[1].split(", ")}
+    yield from _of_results(name, promise)
+    for index, argument in enumerate(stub.positions):
+        yield from _of_argument(name, index, argument, argument in angles)
+    for argument in stub.keywords:
+        yield from _of_factor(name, argument)
+    if "array" in promise:
+        for factor, says in ((2.0, "twice"), (0.5, "half of")):
+            yield Mistake(name, f"{says} what {name} gives", _whole(partial(np.multiply, factor)))
+
+
+def _of_results(name: str, promise: Promise) -> Iterator[Mistake]:
+    if "group" in promise:
+        yield from _of_members(name, promise["group"])
+    if "array" not in promise:
+        return
+    shape = promise["array"]
+    if len(shape) == 2 and shape[0] == shape[1]:
+        yield Mistake(name, f"the transpose of what {name} gives", _whole(np.transpose))
+    yield Mistake(name, f"the opposite sign of what {name} gives", _whole(np.negative))
+    yield Mistake(name, f"what {name} gives in radians, as if it were in degrees", _whole(np.radians))
+    if shape[:1] == ["n"]:
+        yield Mistake(name, f"the angles of {name} not wrapped to one turn", _whole(lambda a: np.unwrap(a, axis=0)))
+    if len(shape) in (1, 2) and isinstance(shape[-1], int) and (len(shape) == 1 or shape[0] == "n"):
+        yield from _of_components(name, shape[-1], "column" if len(shape) == 2 else "component")
+
+
+def _of_components(name: str, size: int, word: str) -> Iterator[Mistake]:
+    for index in range(size):
+        flip = np.where(np.arange(size) == index, -1.0, 1.0)
+        says = f"the opposite sign of {word} {index + 1} of what {name} gives"
+        yield Mistake(name, says, _whole(partial(np.multiply, flip)))
+    if size in (2, 3):
+        yield Mistake(
+            name, f"the {word}s of {name} in the opposite order", _whole(lambda a: np.flip(np.asarray(a), axis=-1))
+        )
+
+
+def _of_members(name: str, promises: Sequence[Promise]) -> Iterator[Mistake]:
+    for index, promise in enumerate(promises):
+        for one in _of_results(f"{name} (result {index + 1})", promise):
+            yield Mistake(name, one.says, _member(index, one.result))
+    if len(promises) == 2 and promises[0] == promises[1]:
+        yield Mistake(name, f"the two results of {name} in the opposite order", lambda r, k: list(r)[::-1])
+
+
+def _member(index: int, change: Any) -> Callable[[Any, Mapping[str, Any]], Any]:
+    return lambda given, kwargs: [*given[:index], change(given[index], kwargs), *given[index + 1 :]]
+
+
+def _of_argument(name: str, index: int, argument: str, angle: bool) -> Iterator[Mistake]:
+    def mistake(says: str, change: Change) -> Mistake:
+        return Mistake(name, says, argument=(f"{index}:{argument}", change))
+
+    if angle:
+        yield mistake(f"`{argument}` given to {name} in degrees: it is in radians", np.degrees)
+        yield mistake(f"the opposite sign of the `{argument}` of {name}", np.negative)
+    if argument in ("axis", "n"):
+        yield mistake(f"`{argument}` made a unit vector before {name} uses it", _unit)
+    if argument == "t" and index == 0:
+        yield mistake(
+            f"times from zero on in {name}: the first time is t[0], not always 0", lambda t: np.asarray(t) - t[0]
+        )
+
+
+def _of_factor(name: str, parameter: str) -> Iterator[Mistake]:
+    for word, power in (("times", 1), ("divided by", -1)):
+
+        def change(given: Any, kwargs: Mapping[str, Any], power: int = power) -> Any:
+            return np.asarray(given, float) * np.asarray(kwargs[parameter], float) ** power
+
+        yield Mistake(name, f"what {name} gives {word} `{parameter}`", change)
+
+
+def _whole(change: Change) -> Callable[[Any, Mapping[str, Any]], Any]:
+    return lambda given, kwargs: change(np.asarray(given, float))
+
+
+def _unit(axis: Any) -> Any:
+    return np.asarray(axis) / np.linalg.norm(axis)
+
+
+def _changed(argument: tuple[str, Change], args: Sequence[Any], kwargs: dict[str, Any]) -> tuple[Any, dict[str, Any]]:
+    """The arguments with one of them changed, given by its place or by its name."""
+    place, _, name = argument[0].partition(":")
+    if name in kwargs:
+        return args, {**kwargs, name: argument[1](kwargs[name])}
+    index = int(place)
+    return [*args[:index], argument[1](args[index]), *args[index + 1 :]], kwargs

@@ -1,0 +1,86 @@
+"""Whether a result has the form that the assignment promises, in words that help."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from tam570.loading import Trouble
+from tam570.show.student import numbers
+
+__all__ = ["Promise", "complaint"]
+
+Promise = Mapping[str, Any]  # {"array": [3, 3]}, {"group": [...]}, {"formula": ["theta", ...]} or {"drawing": true}
+FINITE = "gives NaN or infinity"
+STAND_INS = 1.25, 3.75  # for symbols that may cancel
+
+
+def complaint(promise: Promise, result: Any, name: str, arguments: Sequence[Any]) -> str | None:
+    """What is wrong with the form of a result; None if nothing is.
+
+    arguments : of the call; as many rows as the first has elements are promised by "n"
+    """
+    try:
+        if "group" in promise:
+            _members(promise["group"], result, name, arguments)
+        elif "array" in promise:
+            _array(promise, result, name, arguments)
+        elif "formula" in promise:
+            _formula(promise["formula"], result, name)
+    except Trouble as trouble:
+        return f"{trouble}{'?' if result is None else '.'}"
+    return None
+
+
+def _members(promises: Sequence[Promise], result: Any, name: str, arguments: Sequence[Any]) -> None:
+    import numpy as np
+
+    if result is None:
+        raise Trouble(f"{name} gives None. Is a `return` missing")
+    several = isinstance(result, list | tuple) or isinstance(result, np.ndarray) and result.ndim > 0
+    if not several or len(result) != len(promises):
+        came = f"{len(result)} results" if several else _short(result)
+        raise Trouble(f"{name} gives {came}; {len(promises)} results are asked for, as in `return a, b`")
+    for index, (promise, one) in enumerate(zip(promises, result, strict=True), start=1):
+        _array(promise, one, f"{name} (result {index})", arguments)
+
+
+def _array(promise: Promise, result: Any, name: str, arguments: Sequence[Any]) -> None:
+    import numpy as np
+
+    if result is None:
+        raise Trouble(f"{name} gives None. Is a `return` missing")
+    values = numbers(name, result, None)
+    asked = [len(arguments[0]) if size == "n" else size for size in promise["array"]]
+    fits = len(asked) == values.ndim and all(a in (None, b) for a, b in zip(asked, values.shape, strict=False))
+    if not fits:
+        wanted = f"an array of shape {_shape(asked)}" if asked else "a single number"
+        came = f"an array of shape {_shape(values.shape)}" if values.ndim else "a single number"
+        raise Trouble(f"{name} gives {came}; {wanted} is asked for")
+    if np.isnan(values).any() or not promise.get("infinite") and np.isinf(values).any():
+        raise Trouble(f"{name} {FINITE}")
+
+
+def _formula(symbols: Sequence[str], result: Any, name: str) -> None:
+    import sympy
+
+    if not isinstance(result, sympy.Expr | int | float):
+        raise Trouble(f"{name} gives {_short(result)}; a SymPy expression in {', '.join(symbols)} is asked for")
+    strangers = {one for one in sympy.sympify(result).free_symbols if one.name not in symbols}
+    values = {_value(result, strangers, number) for number in STAND_INS} if strangers else set()
+    if len(values) > 1:  # it does not cancel
+        names = ", ".join(sorted(one.name for one in strangers))
+        raise Trouble(f"{name} depends on {names}; an expression in {', '.join(symbols)} alone is asked for")
+
+
+def _value(expression: Any, strangers: set[Any], number: float) -> str:
+    """The value to ten digits where the strangers have this number, and the others 0.7."""
+    named = {one: number if one in strangers else 0.7 for one in expression.free_symbols}
+    return f"{complex(expression.evalf(20, subs=named)):.10g}"
+
+
+def _shape(sizes: Sequence[int | None]) -> str:
+    return f"({', '.join('k' if size is None else str(size) for size in sizes)}{',' if len(sizes) == 1 else ''})"
+
+
+def _short(result: Any) -> str:
+    text = " ".join(repr(result).split())
+    return text if len(text) <= 60 else f"{text[:57]}..."

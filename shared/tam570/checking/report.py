@@ -1,0 +1,124 @@
+"""What `check` prints: the failures in a student's words, in lines of 80 columns."""
+
+import os
+import sys
+import textwrap
+from collections.abc import Iterable, Mapping, Sequence
+
+from tam570.checking.outcomes import Failure, Outcomes
+from tam570.progress import Progress, said
+
+__all__ = ["before", "cleared", "failures", "imported", "progressed", "terminal", "trouble", "untouched"]
+
+WIDTH = 80
+MOST_LINES = 12  # of a message
+MOST_PRINTED = 3  # lines of what a student's code prints
+
+
+def untouched(slug: str, functions: Sequence[str]) -> None:
+    """An assignment of which nothing is written yet, in one line."""
+    count = f"{len(functions)} functions" if len(functions) > 1 else "1 function"
+    print(f"{slug[:4]}: nothing is written yet; {count} to fill in, first {functions[0]}")
+
+
+def trouble(slug: str, message: str) -> None:
+    """Why a file cannot be tested, and what that would cost."""
+    print(_wrapped(f"{slug[:4]}: {message}"), file=sys.stderr)
+    print("The grader would give this file 0 points.", file=sys.stderr, flush=True)
+
+
+def imported(skipped: Iterable[str], printed: str) -> None:
+    """What happened while the file was imported."""
+    for cell in skipped:
+        print(_wrapped(f"left out, as the grader leaves it out: {cell}"))
+    if printed:
+        print(_printed(printed, "your file prints when it is imported", ""))
+
+
+def failures(found: Outcomes, told: Mapping[str, str]) -> None:
+    """Every failure once, with the tests that it ends."""
+    tests: dict[str, list[str]] = {}
+    for test, failure in found.failures.items():
+        tests.setdefault(failure.message, []).append(test)
+    for names in tests.values():
+        print(f"\n{_names(names)}")
+        _failure(found.failures[names[0]], told.get(names[0]))
+    if tests:
+        print()
+
+
+def _failure(failure: Failure, told: str | None) -> None:
+    if failure.where and not failure.function:
+        print(_wrapped(failure.where, "    "))
+    print(_short(failure.message))
+    if told:
+        print(_wrapped(f"It would pass with {told}.", "    "))
+    if failure.printed:
+        print(_printed(failure.printed, "your code prints", "    "))
+
+
+def before(names: Sequence[str]) -> None:
+    """The tests that failed before and were not run again."""
+    if names:
+        print(_wrapped(f"As before, these fail: {', '.join(map(_words, names))}."))
+
+
+def progressed(slug: str, come: Progress, since: str) -> None:
+    """How far the student is, and what is next."""
+    print(f"{slug[:4]}: {said(come)}")
+    done = "all done here; other inputs are hidden: --final says which"
+    ahead = f"next: {come['next']}" if come["next"] else done
+    print(f"{since}      {ahead}", flush=True)
+
+
+def terminal() -> int | None:
+    """A way to the terminal that pytest does not capture; None where nobody looks."""
+    return os.dup(2) if sys.stderr.isatty() else None
+
+
+def cleared(where: int | None) -> None:
+    """Take away the line that says which test runs."""
+    if where is not None:
+        os.write(where, b"\r\x1b[K")
+        os.close(where)
+
+
+def _names(tests: Sequence[str]) -> str:
+    shown = [_wrapped(f"- {_words(test)}", "", "  ") for test in tests[:3]]
+    return "\n".join([*shown, f"  and {len(tests) - 3} more"] if len(tests) > 3 else shown)
+
+
+def _words(test: str) -> str:
+    """The name of a test as a sentence."""
+    name, bracket, parameters = test.partition("[")
+    return name.removeprefix("test_").replace("_", " ") + bracket.replace("[", " [") + parameters
+
+
+def _short(message: str) -> str:
+    """The first lines of a message, indented."""
+    lines = [line.rstrip() for line in message.splitlines() if line.strip()]
+    lines[MOST_LINES:] = ["..."] if len(lines) > MOST_LINES else []
+    return "\n".join(_wrapped(line, "    ") for line in lines)
+
+
+def _printed(text: str, what: str, indent: str) -> str:
+    lines = text.rstrip().splitlines()
+    head = f"{indent}{what}" + (f" ({len(lines)} lines, the last are)" if len(lines) > MOST_PRINTED else "")
+    return "\n".join([f"{head}:", *(f"{indent}    {line[: WIDTH - 8]}" for line in lines[-MOST_PRINTED:])])
+
+
+def _wrapped(text: str, indent: str = "", more: str | None = None) -> str:
+    """The text in lines of at most 80 columns."""
+    lines = []
+    for line in text.splitlines():
+        lead = indent + line[: len(line) - len(line.lstrip())]
+        lines.append(
+            textwrap.fill(
+                line.strip(),
+                WIDTH,
+                initial_indent=lead,
+                subsequent_indent=lead if more is None else more,
+                break_on_hyphens=False,
+            )
+        )
+    return "\n".join(lines)

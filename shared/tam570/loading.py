@@ -1,0 +1,186 @@
+"""Runs a student's file, a module or a notebook, as the grader will: alone, with the libraries that it has there."""
+
+import builtins
+import linecache
+import sys
+import traceback
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager, redirect_stdout
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from tam570.notebooks import code_cells, compiled
+
+__all__ = [
+    "LIBRARIES",
+    "SUFFIXES",
+    "Forbidden",
+    "Trouble",
+    "Unusable",
+    "guarded_import",
+    "loaded",
+    "replaced",
+    "said",
+    "source_of",
+]
+
+SUFFIXES = (".py", ".ipynb")
+LIBRARIES = ("numpy", "scipy", "sympy", "mpmath", "matplotlib", "mpl_toolkits", "tam570")  # where work is graded
+OF_NOTEBOOKS = ("IPython", "ipywidgets", "lab")  # without them a cell would be skipped
+Builtins = Mapping[str, Any]
+
+
+class Trouble(Exception):
+    """A file cannot be used; the message says why, in the student's terms."""
+
+
+class Forbidden(ImportError):
+    """Something off limits is imported or used."""
+
+
+def source_of(file: Path) -> bytes:
+    """The text of a module or notebook. Trouble if it is neither, or not in UTF-8 where Python expects that."""
+    if file.suffix not in SUFFIXES:
+        raise Trouble(f"{file.name} is neither a Python module (.py) nor a notebook (.ipynb).")
+    source = file.read_bytes()
+    if file.suffix == ".py" and b"coding" not in b"".join(source.splitlines()[:2]):
+        try:
+            source.decode()
+        except UnicodeDecodeError as error:
+            line = source[: error.start].count(b"\n") + 1
+            raise Trouble(
+                f"{file.name}, line {line}: a character is not UTF-8, so Python cannot read the file.\n"
+                "Save it as UTF-8 in your editor, or write the character without its accent."
+            ) from None
+    return source
+
+
+def loaded(file: Path, slug: str, own: Builtins | None = None) -> tuple[ModuleType, list[str]]:
+    """The module in a file, under the assignment's name, and the notebook cells that were skipped because they raised.
+
+    own : what replaces the built-in functions
+    Trouble if the file cannot be run.
+    """
+    source = source_of(file)
+    module = ModuleType(slug)
+    module.__dict__["__builtins__"] = {**vars(builtins), **(own or {})}
+    module.__dict__["__file__"] = f"{slug}.py"
+    before, sys.modules[slug] = sys.modules.get(slug), module  # a dataclass looks for its module there
+    try:
+        return module, list(_cells_run(source, module)) if file.suffix == ".ipynb" else _run(source, file, module)
+    except (Exception, SystemExit) as error:
+        raise Trouble(f"{file.name} cannot be imported.\n{said(error, str(file))}") from error
+    finally:
+        if before is not None:
+            sys.modules[slug] = before
+
+
+def _run(source: bytes, file: Path, module: ModuleType) -> list[str]:
+    linecache.checkcache(str(file))
+    exec(compile(source, str(file), "exec", dont_inherit=True), module.__dict__)
+    return []
+
+
+def _cells_run(source: bytes, module: ModuleType) -> Iterator[str]:
+    """Run the cells one by one; the number and the error of each that raises."""
+    kernel = _Kernel()
+    module.__dict__["__builtins__"].update(display=kernel, get_ipython=kernel)
+    for number, text in code_cells(source):
+        name = f"cell {number}"
+        linecache.cache[name] = (len(text), None, [f"{line}\n" for line in text.split("\n")], name)
+        try:
+            with redirect_stdout(None):
+                exec(compiled(text, name), module.__dict__)
+        except (Exception, SystemExit) as error:
+            yield f"{name}: {type(error).__name__}: {error}"
+
+
+class _Kernel:
+    """In place of a notebook's kernel: does nothing, whatever is asked of it."""
+
+    def __getattr__(self, attribute: str) -> Any:
+        return self
+
+    def __call__(self, *args: Any, **kwargs: Any) -> Any:
+        return self
+
+
+def guarded_import(banned: Sequence[str], notebook: bool) -> Callable[..., ModuleType]:
+    """An import that knows what is off limits and which libraries there are where work is graded."""
+    known = {*LIBRARIES, *sys.stdlib_module_names, *(OF_NOTEBOOKS if notebook else ())}
+    import_module = builtins.__import__
+
+    def guarded(name: str, globals: Any = None, locals: Any = None, fromlist: Any = (), level: int = 0) -> ModuleType:
+        wanted = {name, *(f"{name}.{item}" for item in fromlist or ())}
+        for one in banned:
+            if any(item == one or item.startswith(f"{one}.") for item in wanted):
+                raise Forbidden(f"{one} is off limits in this assignment, even where nothing uses it")
+        if (top := name.partition(".")[0]) not in known:
+            message = f"{top} is not there where your work is graded: only Python itself, {', '.join(LIBRARIES)}"
+            raise ModuleNotFoundError(message, name=top)
+        module = import_module(name, globals, locals, fromlist, level)
+        if top == "matplotlib":
+            sys.modules[top].use = _no_window  # type: ignore[attr-defined]
+        return module
+
+    return guarded
+
+
+def _no_window(*backend: Any, **how: Any) -> None:
+    """Where work is graded nothing is shown on a screen."""
+
+
+@contextmanager
+def replaced(names: Sequence[str], what: str) -> Iterator[None]:
+    """Put something in place of these modules of which nothing can be called; `what` says so."""
+    before = {name: sys.modules.get(name) for name in names}
+    try:
+        for name in names:
+            _put(name, Unusable(name, what))
+        yield
+    finally:
+        for name, module in before.items():
+            _put(name, module)
+
+
+def _put(name: str, module: ModuleType | None) -> None:
+    """Make this module the one that every import finds; None takes it away."""
+    parent, _, last = name.rpartition(".")
+    members = vars(sys.modules[parent]) if parent in sys.modules else {}
+    if module is None:
+        sys.modules.pop(name, None)
+        members.pop(last, None)
+    else:
+        sys.modules[name] = members[last] = module
+
+
+class Unusable(ModuleType):
+    """A module whose parts can be named and not used."""
+
+    def __init__(self, name: str, what: str) -> None:
+        super().__init__(name)
+        self._what = what
+
+    def __getattr__(self, attribute: str) -> Any:
+        if attribute.startswith("__"):
+            raise AttributeError(attribute)
+        return Unusable(self.__name__, self._what)
+
+    def __call__(self, *args: Any, **kwargs: Any) -> Any:
+        raise Forbidden(f"{self.__name__} is off limits {self._what}")
+
+
+def said(error: BaseException, file: str) -> str:
+    """The exception, and the line of the student's file that led to it."""
+    if isinstance(error, SyntaxError):
+        place = f"Line {error.lineno}: " if error.lineno else ""
+        return f"{place}{type(error).__name__}: {error.msg}\n    {(error.text or '').strip()}".rstrip()
+    frames = [one for one in traceback.extract_tb(error.__traceback__) if one.filename in (file, _cell(one.filename))]
+    inside = f", in {frames[-1].name}" if frames and not frames[-1].name.startswith("<") else ""
+    place = f"Line {frames[-1].lineno}{inside}: {frames[-1].line}\n" if frames else ""
+    return place + traceback.format_exception_only(error)[-1].strip()
+
+
+def _cell(name: str) -> str | None:
+    return name if name.startswith("cell ") else None

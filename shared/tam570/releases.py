@@ -1,0 +1,99 @@
+"""A student's copy of an assignment: how it is started, and how it follows a new kit without losing work."""
+
+import hashlib
+import json
+import shutil
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from tam570.course import folder, stubs
+
+__all__ = ["Copied", "differing", "start", "update"]
+
+KEPT_BACK = ("contract.json", "hints.toml")  # used by the commands, not copied
+RECORD = ".tam570.json"  # in the student's folder: the digest of each file as it was copied
+
+
+@dataclass(frozen=True)
+class Copied:
+    """What became of the files of an assignment."""
+
+    work: Path
+    new: Sequence[str]
+    refreshed: Sequence[str] = ()
+    differing: Sequence[str] = ()  # changed here, and not as this kit has them
+    signatures: Sequence[str] = ()  # of functions that this kit has otherwise than the student's file
+
+
+def start(name: str, where: Path, *, notebook: bool = False) -> Copied:
+    """Copy an assignment to a folder of its name in `where`; what is there already stays as it is."""
+    slug = folder(name).name
+    work = where / slug
+    work.mkdir(parents=True, exist_ok=True)
+    new = [path for path in _released(slug, notebook) if not (work / path.name).exists()]
+    for path in new:
+        _copy(path, work)
+    return Copied(work, [path.name for path in new], differing=differing(work, slug))
+
+
+def update(work: Path, slug: str) -> Copied:
+    """Bring the files that the student has not changed to this kit's; the others stay, and are named."""
+    known, refreshed, new = _record(work), [], []
+    notebook = (work / f"{slug}.ipynb").exists()
+    for path in _released(slug, notebook):
+        mine = work / path.name
+        if not mine.exists():
+            new.append(path.name)
+        elif _digest(mine) == _digest(path) or _digest(mine) != known.get(path.name):
+            continue
+        else:
+            refreshed.append(path.name)
+        _copy(path, work)
+    return Copied(work, new, refreshed, differing(work, slug), _signatures(work / f"{slug}.py", slug))
+
+
+def differing(work: Path, slug: str) -> list[str]:
+    """The files beside the student's own that are not as this kit has them."""
+    given = [path for path in _released(slug, True) if path.stem != slug and (work / path.name).exists()]
+    return [path.name for path in given if _digest(work / path.name) != _digest(path)]
+
+
+def _released(slug: str, notebook: bool) -> list[Path]:
+    """The files of an assignment for a student; those of the notebook form only if it is asked for."""
+    files = [path for path in folder(slug).iterdir() if path.is_file() and path.name not in KEPT_BACK]
+    more = (folder(slug) / "notebook").glob("*.*") if notebook else []
+    return sorted([*files, *more], key=lambda path: path.name)
+
+
+def _signatures(mine: Path, slug: str) -> list[str]:
+    """The functions as this kit asks for them, where the student's file has other parameters."""
+    try:
+        have = stubs(mine.read_bytes())
+    except (OSError, SyntaxError, ValueError):
+        return []
+    asked = stubs((folder(slug) / f"{slug}.py").read_bytes())
+    return [
+        f"{name}({', '.join([*one.positions, *(['*', *one.keywords] if one.keywords else [])])})"
+        for name, one in asked.items()
+        if name not in have or (one.positions, set(one.keywords)) != (have[name].positions, set(have[name].keywords))
+    ]
+
+
+def _copy(path: Path, work: Path) -> None:
+    shutil.copyfile(path, work / path.name)
+    record = _record(work) | {path.name: _digest(path)}
+    (work / RECORD).write_text(json.dumps(record, indent=1), encoding="utf-8")
+
+
+def _record(work: Path) -> dict[str, str]:
+    """What was copied, by its digest; nothing where it is not known."""
+    try:
+        known = json.loads((work / RECORD).read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return {}
+    return known if isinstance(known, dict) else {}
+
+
+def _digest(path: Path) -> str:
+    return hashlib.sha256(path.read_bytes()).hexdigest()

@@ -1,0 +1,89 @@
+"""Which of a student's files a command means, wherever it is given: in the folder, above it, or by a path."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+from tam570.course import Unknown, assignments, folder, named, stubs
+from tam570.loading import SUFFIXES
+
+__all__ = ["Work", "chosen", "here", "one", "work_of"]
+
+Work = tuple[Path, str]  # a file and its assignment
+
+
+def chosen(what: str | None, assignment: str | None = None) -> list[Work]:
+    """The files that a word on the command line stands for: a file, a folder, or an assignment; all here if None.
+
+    Unknown where there are none; the message says what to do.
+    """
+    if what is None:
+        return here() or _nothing("nothing is", "hw01")
+    path = Path(what)
+    if path.is_file():
+        if path.suffix not in SUFFIXES:
+            raise Unknown(f"{what} is neither a Python module (.py) nor a notebook (.ipynb)")
+        return [(path, folder(assignment).name if assignment else named(path))]
+    if path.is_dir():
+        slugs = [folder(assignment).name] if assignment else assignments()
+        found = [(file, slug) for slug in slugs if (file := _in(path, slug))]
+        return found or _nothing(f"{what} holds no work: nothing is", "hw01")
+    if path.suffix or len(path.parts) > 1:
+        raise Unknown(f"there is no file {what}")
+    slug = folder(what).name
+    file = work_of(slug)
+    return [(file, slug)] if file else _nothing(f"{what} is not", slug[:4])
+
+
+def one(what: str | None, assignment: str | None = None) -> Work:
+    """The only file that is meant. Unknown if there are several."""
+    found = chosen(what, assignment)
+    if len(found) > 1:
+        raise Unknown(f"say which assignment: {', '.join(slug[:4] for _, slug in found)}")
+    return found[0]
+
+
+def here() -> list[Work]:
+    """The work in the folder where the command is given, if it is that of an assignment; else all below it."""
+    for place in _places():
+        found = [(file, slug) for slug in assignments() if (file := _beside(place, slug))]
+        if found:
+            return found
+    return [(file, slug) for slug in assignments() if (file := work_of(slug))]
+
+
+def work_of(slug: str) -> Path | None:
+    """The student's file of an assignment: in a folder of its name here or above, or in this folder."""
+    return next((file for place in _places() if (file := _in(place, slug))), None)
+
+
+def _places() -> Iterator[Path]:
+    """This folder, and those above as long as one of them is an assignment's."""
+    yield Path()
+    above = Path.cwd()
+    inside = [one for one in (above, *above.parents) if one.name in assignments()]
+    if inside:
+        yield from (one for one in above.parents if one == inside[0].parent or inside[0] in (one, *one.parents))
+
+
+def _in(place: Path, slug: str) -> Path | None:
+    return _beside(place / slug, slug) or _beside(place, slug)
+
+
+def _beside(place: Path, slug: str) -> Path | None:
+    """The module in a folder; the notebook where there is no module, or nothing is written in it."""
+    module, notebook = place / f"{slug}.py", place / f"{slug}.ipynb"
+    if module.is_file() and not (notebook.is_file() and _empty(module) and b"def " in notebook.read_bytes()):
+        return module
+    return notebook if notebook.is_file() else None
+
+
+def _empty(module: Path) -> bool:
+    """Whether no function of a module is written."""
+    try:
+        return not any(stub.written for stub in stubs(module.read_bytes()).values())
+    except (SyntaxError, ValueError):
+        return False
+
+
+def _nothing(state: str, first: str) -> list[Work]:
+    raise Unknown(f"{state} started here; begin with: tam570 start {first}")

@@ -1,0 +1,110 @@
+"""Which tests a change of the code, or of the tests, concerns."""
+
+import pytest
+
+from tam570.checking.changes import ANY, by_parameters, calls, keys
+
+CODE = '''
+import numpy as np
+
+RATE = 2.0  # 1/s
+
+
+def helper(x):
+    """Says what it does."""
+    return RATE * x
+
+
+def first(x):
+    return helper(x)
+
+
+def second(x):
+    return x
+
+
+def third(x):
+    return np.sin(x)
+'''
+TESTS = """
+import code_of_mine as hw
+import pytest
+from code_of_mine import third as another
+
+POINT = 1.0
+
+
+@pytest.fixture
+def value():
+    return hw.second(POINT)
+
+
+def apart(f):
+    return f(POINT)
+
+
+def test_first():
+    assert hw.first(POINT) == 2.0
+
+
+def test_second(value):
+    assert value == POINT
+
+
+def test_third():
+    assert apart(another) < POINT
+
+
+def test_all():
+    assert callable(getattr(hw, "first"))
+"""
+EVERY = {"test_first", "test_second", "test_third", "test_all"}
+
+
+def concerned(code=None, tests=None):
+    """The tests whose key becomes another."""
+    before, after = (keys(TESTS, CODE, "code_of_mine"), keys(tests or TESTS, code or CODE, "code_of_mine"))
+    return {test for test in before | after if before.get(test) != after.get(test)}
+
+
+def test_the_functions_that_a_test_calls_are_found_in_helpers_and_fixtures():
+    assert calls(TESTS, "code_of_mine") == {
+        "test_first": {"first"},
+        "test_second": {"second"},
+        "test_third": {"third"},
+        "test_all": {"first", ANY},
+    }
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "which"),
+    [
+        ("return x\n", "return 1 * x\n", {"test_second", "test_all"}),
+        ("return RATE * x", "return x * RATE", {"test_first", "test_all"}),
+        ("RATE = 2.0", "RATE = 3.0", {"test_first", "test_all"}),
+        ("import numpy as np", "import math as np", {"test_third", "test_all"}),
+        ("def second(x)", "def second(x, y=0)", {"test_second", "test_all"}),
+        ("RATE = 2.0", "if 1 < 2:\n    RATE = 2.0", EVERY),
+        ("# 1/s", "# per second", set()),
+        ("Says what it does.", "Says it better.", set()),
+        ("\n\n\ndef third", "\n\n\n\n\ndef third", set()),
+        ("def third(x):\n    return np.sin(x)\n", "", {"test_third", "test_all"}),
+    ],
+)
+def test_a_change_concerns_the_tests_that_see_it(old, new, which):
+    assert old in CODE
+    assert concerned(code=CODE.replace(old, new)) == which
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "which"),
+    [("POINT = 1.0", "POINT = 1.5", EVERY - {"test_all"}), ("return f(POINT)", "return f(2)", {"test_third"})],
+)
+def test_a_change_of_the_tests_concerns_those_that_it_changes(old, new, which):
+    assert concerned(tests=TESTS.replace(old, new)) == which
+
+
+def test_a_parameter_that_names_a_function_tells_which_one_is_meant():
+    found = {"test_all": {"first", "second", ANY}, "test_one": {"first"}}
+    used = by_parameters(found, ["test_all[first]", "test_all[x-second]", "test_all[3]", "test_one[second]"])
+    assert list(used.values()) == [{"first"}, {"second"}, {"first", "second"}, {"first"}]

@@ -1,0 +1,159 @@
+"""`check` predicts the grader: what would cost points there is found here, and said in a student's words."""
+
+import json
+import os
+import time
+
+import pytest
+
+from tam570.checking import deadline
+
+TOP = {
+    "import scipy.spatial.transform": "Line 1: import scipy.spatial.transform\n",
+    "from tam570.rotations import exp": "tam570.rotations is off limits",
+    "from scipy.spatial import transform": "scipy.spatial.transform is off limits",
+    "import pandas as pd": "pandas is not there where your work is graded",
+    "import my_helpers": "my_helpers is not there where your work is graded",
+    "x = input('angle? ')": "EOFError",
+    "x = open('data.csv').read()": "FileNotFoundError",
+    "import numpy as np; np.loadtxt('data.csv')": "FileNotFoundError",
+    "1 / 0": "ZeroDivisionError",
+    "import sys; sys.exit(0)": "SystemExit",
+    "x = 1\ndef skew(v:\n": "Line 2: SyntaxError",
+    "import time; time.sleep(60)": "takes longer than 10 s to import",
+}
+
+
+@pytest.mark.parametrize("above", TOP)
+def test_what_stops_the_import_where_work_is_graded_stops_it_here(hw08, desk, tam570, above):
+    file = hw08(above=above + "\n")
+    (file.parent / "data.csv").write_text("1\n")
+    (desk / "data.csv").write_text("1\n")
+    code, said = tam570("check", input="0.5\n")
+    assert code == 1 and " ".join(TOP[above].split()) in " ".join(said.split())
+    assert "The grader would give this file 0 points." in said and "Traceback" not in said
+
+
+def test_a_missing_library_may_be_done_without(hw08, tam570):
+    hw08(above="try:\n    import pandas\nexcept ImportError:\n    pandas = None\n")
+    assert tam570("check")[0] == 0
+
+
+def test_a_file_in_another_encoding_names_the_line(hw08, tam570):
+    file = hw08()
+    file.write_bytes(b"x = 1\n# caf\xe9\n" + file.read_bytes())
+    code, said = tam570("check")
+    assert code == 1 and "line 2: a character is not UTF-8" in said
+    file.write_bytes(b"# coding: latin-1\n" + file.read_bytes())
+    assert tam570("check")[0] == 0
+
+
+CALLS = {
+    "while True: pass": "rotate did not return within 10 s",
+    "import time; time.sleep(100)": "rotate did not return within 10 s",
+    "return None": "rotate gives None. Is a `return` missing?",
+    "return [1.0, 2.0]": "rotate gives an array of shape (2,); an array of shape (3,) is asked for.",
+    "return 1.0": "rotate gives a single number; an array of shape (3,) is asked for.",
+    "return r * float('nan')": "rotate gives NaN or infinity.",
+    "return 'a vector'": "rotate gives no numbers but 'a vector'.",
+    "return r + nothing": "NameError: name 'nothing' is not defined",
+    "import pandas": "pandas is not there",
+    "r[:] = r @ rotation_matrix(axis, angle).T; return r": "rotate changes the arrays that it is given.",
+    "raise NotImplementedError": "rotate is not written yet.",
+    "return open('data.csv').read()": "FileNotFoundError",
+}
+
+
+@pytest.mark.parametrize("body", CALLS)
+def test_what_a_call_does_wrong_is_said_at_once(hw08, tam570, body):
+    hw08(f"def rotate(r, axis, angle):\n    {body}")
+    code, said = tam570("check")
+    assert code == 1 and CALLS[body] in " ".join(said.split()) and "next: rotate" in said
+    assert "of 7 tests pass; 6 of 10 points" in said, "the other tests are run, hang or not"
+
+
+def test_a_loop_that_swallows_what_ends_it_is_ended(hw08, tam570):
+    hw08(
+        "def rotate(r, axis, angle):\n    while True:\n        try:\n            while True: pass\n        except: pass"
+    )
+    code, said = tam570("check")
+    assert code == 1 and ("did not return within 10 s" in said or "ended the process" in said)
+
+
+@pytest.mark.parametrize("body", ["import itertools; sum(itertools.count())", "import os; os._exit(0)"])
+def test_code_that_ends_the_process_or_never_comes_back_is_named_by_its_test(hw08, tam570, body):
+    hw08(f"def rotate(r, axis, angle):\n    {body}")
+    code, said = tam570("check")
+    assert code == 1 and "ended the process that tests it in test_rotate_agrees_with_the_matrix" in said
+
+
+def test_a_number_of_results_is_compared_and_not_unpacked(desk, tam570, solution_text):
+    text = solution_text("hw07_double_pendulum") + "\n\ndef on_the_fly(*a, **k):\n    return np.zeros(3)\n"
+    (desk / "hw07.py").write_text(text)
+    said = tam570("check", "hw07.py")[1]
+    assert "on_the_fly gives 3 results; 2 results are asked for" in " ".join(said.split())
+
+
+@pytest.mark.parametrize(
+    ("above", "body"),
+    [
+        ("from scipy.integrate import solve_ivp", "solve_ivp(lambda t, y: y, (0, 1), [1.0])"),
+        ("from scipy import integrate", "integrate.solve_ivp(lambda t, y: y, (0, 1), [1.0])"),
+        ("import scipy.integrate", "scipy.integrate.solve_ivp(lambda t, y: y, (0, 1), [1.0])"),
+        ("from tam570 import integrate as ours", "ours.solve(lambda t, y: y, [0.0, 1.0], [1.0])"),
+    ],
+)
+def test_what_is_off_limits_in_one_function_may_be_used_in_the_others(desk, tam570, solution_text, above, body):
+    text = f"{solution_text('hw02_ballistics')}\n\n{above}\nkept = trajectory\n\ndef trajectory(*args, **how):\n"
+    (desk / "hw02.py").write_text(f"{text}    {body}\n    return kept(*args, **how)\n")
+    code, said = tam570("check", "hw02.py")
+    assert code == 1 and "off limits in trajectory" in " ".join(said.split())
+    assert "test_drag" not in said and "drag is against the velocity" not in said
+
+
+def test_prints_do_not_bury_the_failure(hw08, tam570):
+    loop = "    for i in range(5000): print('value', i)\n    return None"
+    hw08(f"print('hello')\n\ndef rotate(r, axis, angle):\n{loop}")
+    said = tam570("check")[1]
+    assert "hello" in said and "value 4999" in said and "value 4990" not in said
+    assert len(said.splitlines()) < 30 and max(map(len, said.splitlines())) <= 80
+
+
+def test_what_is_unseen_is_said_at_the_end(hw08, tam570):
+    file = hw08()
+    assert "--final" in tam570("check")[1]
+    said = tam570("check", "--final")[1]
+    assert "The hidden tests have other inputs" in said and "angles from 1e-12 to 1e6" in " ".join(said.split())
+    assert "not as this kit has it" not in said and max(map(len, said.splitlines())) <= 80
+    tests = file.parent / f"test_{file.name}"
+    tests.write_text(tests.read_text() + "\n# old\n")
+    assert f"{tests.name} is not as this kit has it: tam570 update hw08" in tam570("check", "--final")[1]
+
+
+def test_tests_that_cannot_be_read_are_named(hw08, tam570):
+    file = hw08()
+    (file.parent / f"test_{file.name}").write_text("x = 1\ndef test(:\n")
+    code, said = tam570("check")
+    assert code == 1 and f"test_{file.name}, line 2: SyntaxError" in said
+
+
+def test_a_home_that_is_read_only_brings_no_warnings(desk, tam570, solution_text, tmp_path):
+    (desk / "hw02.py").write_text(solution_text("hw02_ballistics"))
+    environment = {**os.environ, "HOME": "/proc", "TAM570_HOME": "/proc/nothing"}
+    code, said = tam570("check", "hw02.py", env=environment)
+    assert code == 0 and "atplotlib" not in said
+
+
+def test_a_limit_counts_processor_time():
+    deadline.start()
+    with pytest.raises(deadline.TooLong), deadline.limited(0.2):
+        begun = time.process_time()
+        while time.process_time() < begun + 20:
+            pass
+    with deadline.limited(0.2):
+        time.sleep(0.1)
+
+
+def test_the_contract_is_data(slug, course):
+    found = json.loads((course / "assignments" / slug / "contract.json").read_text())
+    assert set(found) == {"results", "off_limits"} and found["results"]

@@ -1,0 +1,51 @@
+"""Known mistakes are named by the student's own numbers, and a wrong one is not."""
+
+import pytest
+
+HW08 = {
+    "rotation_matrix": {
+        "kept(axis, angle).T": "the transpose of what rotation_matrix gives",
+        "kept(axis, np.radians(angle))": "`angle` given to rotation_matrix in degrees: it is in radians",
+        "2 * kept(axis, angle)": "half of what rotation_matrix gives",
+        "-kept(axis, angle)": "the opposite sign of what rotation_matrix gives",
+    },
+    "skew": {"kept(v).T": "the transpose of what skew gives"},
+}
+CASES = [(name, body, says) for name, bodies in HW08.items() for body, says in bodies.items()]
+
+
+def changed(hw08, name, body):
+    arguments = {"skew": "v", "rotation_matrix": "axis, angle"}[name]
+    return hw08(f"kept = {name}\n\n\ndef {name}({arguments}):\n    return {body}\n")
+
+
+@pytest.mark.parametrize(("name", "body", "says"), CASES)
+def test_a_known_mistake_is_named(hw08, tam570, name, body, says):
+    changed(hw08, name, body)
+    code, said = tam570("check")
+    assert code == 1 and f"It would pass with {says}." in " ".join(said.split())
+
+
+def test_an_unknown_one_is_not(hw08, tam570):
+    changed(hw08, "rotation_matrix", "kept(axis, angle) + 0.1 * np.ones((3, 3))")
+    said = tam570("check")[1]
+    assert "would pass with" not in said
+
+
+OTHERS = {
+    "hw13_rolling_cylinder": ("energy", "kept(*args, **how) / how['mass']", "what energy gives times `mass`"),
+    "hw07_double_pendulum": ("gravity_terms", "-kept(*args, **how)", "the opposite sign of what gravity_terms gives"),
+    "hw01_simple_pendulum": (
+        "power_balance",
+        "kept(*args, **how)[::-1]",
+        "the two results of power_balance in the opposite order",
+    ),
+}
+
+
+@pytest.mark.parametrize("slug", OTHERS)
+def test_factors_signs_and_orders_are_named(desk, tam570, solution_text, slug):
+    name, body, says = OTHERS[slug]
+    text = f"{solution_text(slug)}\n\nkept = {name}\n\n\ndef {name}(*args, **how):\n    return {body}\n"
+    (desk / f"{slug}.py").write_text(text)
+    assert f"It would pass with {says}." in " ".join(tam570("check", f"{slug}.py")[1].split())

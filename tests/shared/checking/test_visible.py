@@ -1,0 +1,57 @@
+"""The visible tests take every right answer, of any style, and no stub."""
+
+import shutil
+
+import pytest
+
+from tam570_grader.writing import assignments
+
+EXACT = """
+import runpy
+import numpy as np
+import sympy
+
+def exact(value):
+    if isinstance(value, tuple):
+        return [exact(one) for one in value]
+    numbers = isinstance(value, float | np.ndarray | np.generic)
+    return np.vectorize(sympy.Float, otypes=[object])(value) if numbers else value
+
+def strict(function):
+    def called(*args, **kwargs):
+        for value in (*args, *kwargs.values()):
+            steps = isinstance(value, list) and all(isinstance(one, tuple) for one in value)
+            plain = steps or isinstance(value, str | float | int) or hasattr(value, "plot")
+            assert plain or value.dtype == float, value
+        return exact(function(*args, **kwargs))
+    return called
+
+right = runpy.run_path({solution!r})
+globals().update((name, strict(right[name])) for name in right["__all__"])
+"""
+
+
+def test_the_visible_tests_pass_on_the_solution_and_fail_on_the_stub(tam570, slug, course):
+    code, said = tam570("check", course / "solutions" / f"{slug}.py")
+    assert code == 0, said
+    code, said = tam570("check", course / "assignments" / slug / f"{slug}.py")
+    assert code == 1 and "nothing is written yet" in said and len(said.splitlines()) == 1
+
+
+RIGHT = sorted((assignments.find() / "autograder" / "checks").glob("*/alternatives/*.py"))
+
+
+@pytest.mark.parametrize("path", RIGHT, ids=[f"{path.parents[1].name[:4]}-{path.stem}" for path in RIGHT])
+def test_the_visible_tests_pass_on_right_answers_in_other_styles(desk, tam570, path):
+    shutil.copy(path, desk / f"{path.parents[1].name}.py")
+    code, said = tam570("check", desk / f"{path.parents[1].name}.py")
+    assert code == 0, said
+
+
+def test_the_visible_tests_take_any_numbers_and_give_arrays(desk, tam570, slug, course):
+    """SymPy's numbers and arrays of them are right results; only hw09's steps are given as a list."""
+    name = f"{slug}.py"
+    (desk / name).write_text(EXACT.format(solution=str(course / "solutions" / name)))
+    shutil.copy(course / "assignments" / slug / f"test_{name}", desk)
+    code, said = tam570("check", desk / name)
+    assert code == 0, said

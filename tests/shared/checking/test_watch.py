@@ -1,0 +1,82 @@
+"""`check --watch`, from a save to the result."""
+
+import re
+import signal
+import subprocess
+import sys
+
+import pytest
+
+from tam570.checking.changes import calls
+
+SLUG = "hw08_axis_angle"
+REFUSED = "test_what_is_no_axis_is_refused"  # has two parameters
+
+
+@pytest.fixture
+def watching(hw08):
+    """`watching(text)` -> what is said after this text is saved; None waits for the first result."""
+    file = hw08()
+    command = [sys.executable, "-m", "tam570", "check", "hw08", "--watch"]
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+
+    def after(text=None, until=("all done", "next:")):
+        if text is not None:
+            draft = file.with_suffix(".new")
+            draft.write_text(text)
+            draft.replace(file)  # as editors do
+        said = ""
+        for one in process.stdout:
+            said += one
+            if any(one_of in one for one_of in ((until,) if isinstance(until, str) else until)):
+                return said
+        raise AssertionError(f"ended with {process.wait()}: {said}")
+
+    after.process = process
+    yield after
+    process.kill()
+    process.communicate()
+
+
+def count(said):
+    """The tests that were run."""
+    return int(re.search(r"(\d+) tests? run", said)[1])
+
+
+def test_a_save_runs_the_tests_that_it_concerns_and_no_other(watching, desk, solution_text):
+    everything = int(re.search(r"(\d+) of \d+ tests pass", watching())[1])
+    right = solution_text(SLUG)
+    last = "\n\ndef {}(*args):\n    return None\n"
+    assert "Nothing has changed that a test sees" in watching(right + "\n# a remark\n")
+    wrong = watching(right + last.format("rotate"))
+    assert 0 < count(wrong) < everything and "next: rotate" in wrong
+    text = (desk / SLUG / f"test_{SLUG}.py").read_text()
+    apart = everything - sum(1 + (test == REFUSED) for test, used in calls(text, SLUG).items() if "rotate" in used)
+    assert f"{apart} of {everything} tests pass" in wrong
+    again = watching(right + last.format("unused"))
+    assert "all done" in again and count(again) == count(wrong)
+
+
+def test_a_file_that_is_half_written_is_said_so_and_the_next_save_is_tested(watching, solution_text):
+    watching()
+    assert "SyntaxError" in watching("def skew(", until="SyntaxError")
+    assert "all done" in watching(solution_text(SLUG) + "\nMORE = 1\n")
+
+
+def test_a_save_ends_tests_that_hang(watching, solution_text):
+    watching()
+    hanging = solution_text(SLUG) + "\n\ndef skew(v):\n    print('hangs', flush=True)\n    while True:\n        pass\n"
+    hanging += "\n\nprint('loaded', flush=True)\n"
+    watching(hanging, until="loaded")
+    assert "all done" in watching(solution_text(SLUG) + "\nMORE = 2\n")
+
+
+def test_ctrl_c_ends_it_without_a_traceback(watching):
+    watching()
+    watching.process.send_signal(signal.SIGINT)
+    out, _ = watching.process.communicate(timeout=60)
+    assert watching.process.returncode == 0 and "Traceback" not in out and "no longer watching" in out
+
+
+def test_bad_usage_of_watch_exits_2(tam570):
+    assert tam570("check", "hw09", "--watch")[0] == 2

@@ -1,0 +1,172 @@
+"""The students' command: what it lists, starts, hints and refuses, where it finds work, and what it imports."""
+
+import subprocess
+import sys
+
+import pytest
+
+from tam570 import cli, course
+
+SLUG = "hw08_axis_angle"
+HEAVY = {"numpy", "scipy", "matplotlib", "sympy", "pytest", "numba", "nbgrader", "tqdm", "hatchling", "shtab"}
+COMMANDS = ["list", "start hw08", "hint hw08 skew", "update hw08"]
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_a_light_command_imports_no_numerical_library(hw08, command):
+    code = f"import sys\nfrom tam570.cli import main\nassert main({command.split()}) == 0\n"
+    code += "print(*{name.partition('.')[0] for name in sys.modules}, file=sys.stderr)"
+    process = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert not set(process.stderr.split()) & HEAVY
+
+
+def test_python_m_is_the_command(tam570):
+    assert tam570("--version") == (0, f"tam570 {cli.__version__}\n")
+
+
+def test_every_assignment_is_listed_within_80_columns(desk, capsys):
+    assert cli.main(["list"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert [line.split()[0] for line in lines] == course.assignments() and max(map(len, lines)) <= 80
+
+
+NAMES = {
+    "hw02_ballistics": ["hw02", "hw2", "2", "02", "HW02", "ballistics"],
+    "hw12_bead_on_wire": ["12", "hw12", "bead", "bead-on-wire", "bead_on_wire"],
+}
+SHORT = [(slug, name) for slug, names in NAMES.items() for name in names]
+
+
+@pytest.mark.parametrize(("slug", "name"), SHORT)
+def test_an_assignment_goes_by_any_part_that_tells_it(slug, name):
+    assert course.folder(name).name == slug
+
+
+@pytest.mark.parametrize("name", ["pendulum", "rolling", "x", "hw99", "hw8.txt", "hw080", "", "123"])
+def test_a_name_of_none_or_of_several_is_refused_with_those_that_there_are(name):
+    with pytest.raises(course.Unknown, match="hw"):
+        course.folder(name)
+
+
+def test_start_gives_the_problem_the_stub_and_the_tests_and_overwrites_nothing(hw08):
+    stub = hw08(None)
+    assert {path.name for path in stub.parent.glob("[!.]*")} == {"README.md", stub.name, f"test_{stub.name}"}
+    stub.write_text("my work")
+    (stub.parent / "README.md").unlink()
+    assert cli.main(["start", "hw08"]) == 0
+    assert stub.read_text() == "my work" and (stub.parent / "README.md").exists()
+
+
+@pytest.mark.parametrize("place", [".", "hw08_axis_angle", "hw08_axis_angle/plots", "hw09_book"])
+def test_check_knows_where_it_is(hw08, desk, tam570, place):
+    """Above the folder, in it, below it, and in that of a neighbour."""
+    hw08()
+    (desk / place).mkdir(exist_ok=True)
+    code, said = tam570("check", "hw08", cwd=desk / place)
+    assert code == 0 and "hw08: 7 of 7" in said
+
+
+def test_check_without_a_name_means_the_folder_where_it_is_given(hw08, desk, tam570):
+    cli.main(["start", "hw03"])
+    hw08()
+    assert "hw03" not in tam570("check", cwd=desk / SLUG)[1]
+    assert tam570("check")[1].startswith("hw03: nothing is written yet")
+
+
+@pytest.mark.parametrize("what", [[SLUG], [f"{SLUG}/{SLUG}.py"], ["mine.py", "--assignment", "axis_angle"]])
+def test_check_takes_a_folder_a_file_and_a_file_of_another_name(hw08, desk, tam570, what):
+    (desk / "mine.py").write_text(hw08().read_text())
+    code, said = tam570("check", *what)
+    assert code == 0 and "hw08: 7 of 7" in said
+
+
+BAD = {
+    "check": "nothing is started here; begin with: tam570 start hw",
+    "check hw08": "hw08 is not started here; begin with: tam570 start hw08",
+    "check no.py": "there is no file no.py",
+    "check hw08.txt": "there is no file hw08.txt",
+    "check README.md": "README.md is neither a Python module (.py) nor a notebook (.ipynb)",
+    "check mine.py": "mine.py does not tell which assignment",
+    "check hw08_ballistics.py": "may be hw08_axis_angle or hw02_ballistics",
+    "check hw99": "'hw99' is not an assignment",
+    "show hw08": "hw08 is not started here",
+    "start x": "'x' is not an assignment",
+    "start pendulum": "may be any of: hw01_simple_pendulum, hw05_constrained_pendulum, hw07_double_pendulum",
+    "hint hw08 nothing": "there are hints for skew",
+    "hint hw99": "'hw99' is not an assignment",
+}
+
+
+@pytest.mark.parametrize("arguments", BAD)
+def test_bad_usage_exits_2_and_says_what_to_do(desk, capsys, arguments):
+    for name in ("README.md", "mine.py", "hw08_ballistics.py"):
+        (desk / name).write_text("text")
+    assert cli.main(arguments.split()) == 2
+    err = capsys.readouterr().err
+    assert err.startswith("tam570: error: ") and BAD[arguments] in err
+
+
+def line(capsys):
+    capsys.readouterr()
+    assert cli.main(["list"]) == 0
+    out = capsys.readouterr().out
+    return next(one for one in out.splitlines() if one.startswith(SLUG)), out
+
+
+def test_list_tells_points_next_step_and_a_change_since(hw08, capsys, tam570):
+    hw08(None)
+    assert line(capsys)[0].endswith("started")
+    tam570("check", "hw08")
+    assert "0 of 10, next: skew" in line(capsys)[0]
+    hw08()
+    assert "changed since" in line(capsys)[0]
+    assert "10 of 10 points by the visible tests" in tam570("check", "hw08")[1]
+    said, out = line(capsys)
+    assert said.endswith("10 of 10, done")
+    assert out.endswith("10 of 10 points by the visible tests of what you have checked here\n")
+
+
+def test_list_runs_nothing_of_the_students(hw08, capsys):
+    hw08().write_text("raise SystemExit('run')")
+    assert "started" in line(capsys)[0]
+
+
+def test_a_home_that_cannot_be_written_stops_nothing(hw08, tam570, tmp_path):
+    (tmp_path / "home").write_text("not a folder")
+    hw08()
+    assert tam570("check", "hw08")[0] == 0
+
+
+def hinted(capsys, *more):
+    capsys.readouterr()
+    assert cli.main(["hint", "hw08", "skew", *more]) == 0
+    out, err = capsys.readouterr()
+    assert not err
+    return out
+
+
+def test_hints_go_one_step_further_each_time(desk, capsys):
+    said = [hinted(capsys) for _ in range(3)]
+    assert said[0] != said[1] == said[2] and "(1 of 2)" in said[0] and "last" in said[1]
+    assert hinted(capsys, "--again") == said[0]
+    assert hinted(capsys, "--all") == said[0] + said[1]
+
+
+def test_hints_that_cannot_be_remembered_are_all_to_be_had(desk, capsys, tmp_path):
+    (tmp_path / "home").write_text("not a folder")
+    assert "(1 of 2)" in hinted(capsys) and "--all" in hinted(capsys)
+    assert "(2 of 2" in hinted(capsys, "--all")
+
+
+@pytest.mark.parametrize("text", ["", "[1]", "null", f'{{"{SLUG} skew": "two"}}', f'{{"{SLUG}": {{"skew": 1}}}}'])
+def test_what_is_no_memory_of_hints_is_overwritten(desk, capsys, tmp_path, text):
+    (tmp_path / "home").mkdir()
+    (tmp_path / "home" / "hints.json").write_text(text)
+    assert "(1 of 2)" in hinted(capsys) and "(2 of 2" in hinted(capsys)
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh", "tcsh"])
+def test_completion_is_a_script_for_the_shell(desk, capsys, shell):
+    assert cli.main(["completion", shell]) == 0
+    out = capsys.readouterr().out
+    assert "tam570" in out and "watch" in out and "axis_angle" in out
