@@ -11,12 +11,13 @@ from tam570_grader.writing.agree import agree, refuse, same_for_all
 from tam570_grader.writing.check import check, given, once, suspect
 from tam570_grader.writing.curves import kept
 from tam570_grader.writing.drawings import distances, judge_axes_of_lengths, judge_boxes, path_drawn, words
-from tam570_grader.writing.expect import Failed, expect, expect_that, fail
+from tam570_grader.writing.expect import Failed, current, expect, expect_that, fail
 from tam570_grader.writing.follow import Column, Invariant, follow, stays
 from tam570_grader.writing.returns import array, drawing, formula, group, number, rows
 from tam570_grader.writing.times import SOME_TIMES, in_turn, mistimed, uneven
 
 __all__ = [
+    "current",
     "path_drawn",
     "in_turn",
     "Column",

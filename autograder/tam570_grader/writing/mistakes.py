@@ -88,7 +88,7 @@ def mistakes(folder: Path) -> tuple[Mistake, ...]:
 def known(solution: str, suspects: Iterable[Mistake], calls: Sequence[Called]) -> str | None:
     """What to say of the first mistake that the calls agree with; None if there is none.
 
-    Of each function that the mistake changes, every result must be the mistake's.
+    Of each function that the mistake changes, every result must be the mistake's, and one must be numbers.
     """
     groups = {call.name: [one for one in calls if one.name == call.name] for call in calls}
     return next((one.says for one in suspects if _agrees(solution, one, groups)), None)
@@ -100,7 +100,7 @@ def _agrees(solution: str, one: Mistake, groups: dict[str, list[Called]]) -> boo
         within = one.within or _within(group[0])
         changed = (not _same(_answer(solution, "", call), _answer(solution, one.text, call), within) for call in group)
         if all(_same(call.result, _answer(solution, one.text, call), within) for call in group):
-            told = told or any(changed)
+            told = told or (any(changed) and any(call.result is not None for call in group))
         elif any(changed):
             return False
     return told

@@ -18,6 +18,7 @@ Array = NDArray[np.float64]
 
 ALIKE = 1e-3  # of the scale: two integrations of one motion differ by their tolerances
 BETTER = 0.1  # of the error is left where other times are what matters
+DENSER = 400  # times that are asked for in the place of few
 TRIED = 12  # rows at which the right equations are asked where they lead
 OBEYED = 0.03  # of the change between rows: a wrong term makes more, a loose tolerance less
 
@@ -161,14 +162,13 @@ def _joined(motion: Motion) -> bool:
 
 
 def _denser(motion: Motion) -> bool:
-    """Whether more times bring the first row that is off right, which cannot be the equation's fault."""
-    sizes = motion.errors.max(axis=1)
-    row = int(np.argmax(sizes > BETTER * sizes.max()))
-    if row == 0:
+    """Whether times in between bring the rows right, which cannot be the equation's fault."""
+    t, between = motion.t, max(2, DENSER // len(motion.t))
+    fine = np.append(np.linspace(t[:-1], t[1:], between, endpoint=False).T.ravel(), t[-1])
+    again = motion.again(fine)
+    if again is None:
         return False
-    t = motion.t
-    again = motion.again(np.concatenate([t[: row - 1], np.linspace(t[row - 1], t[row], 300)]))
-    return again is not None and _left(motion, again[-1:], row) <= BETTER * sizes[row]
+    return bool(np.max(np.abs(again[::between] - motion.expected) / motion.scales) <= BETTER * motion.error)
 
 
 def _left(motion: Motion, rows: Array, row: int) -> float:

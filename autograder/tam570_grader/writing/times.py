@@ -27,17 +27,22 @@ def uneven(draw: np.random.Generator, span: float, count: int, start: float | No
 def in_turn(draw: np.random.Generator, case: Given, **others: Any) -> list[Given]:
     """A simulation again, and with one argument changed at a time: what is kept from a call is wrong then.
 
-    others : other values of parameters, or start=(...) the arguments behind t, where a random change is not allowed
+    others : other values of parameters, None for no other, or start=(...) the arguments behind t, where a random
+             change is not allowed
     """
     t = case.args[0]
     again = case.on("a motion that is asked for again")
-    changed = [case.but(uneven(draw, t[-1] - t[0], len(t), t[0] + draw.uniform(1, 3)))]
+    span = t[-1] - t[0]
+    changed = [case.but(uneven(draw, span, len(t), t[0] + draw.uniform(1, 3)))]
+    if len(t) > 2:
+        changed.append(case.but(t[0] + (t - t[0]) ** 2 / span))  # of the same first and last
     starts = others.pop("start", None) or [_other(draw, one) for one in case.args[1:]]
     for place, start in enumerate(starts, start=1):
         if start is not None:
             changed.append(case.but(*case.args[:place], start))
     for name, value in case.kwargs.items():
-        changed.append(case.but(**{name: others.get(name, _other(draw, value))}))
+        if (other := others.get(name, _other(draw, value))) is not None:
+            changed.append(case.but(**{name: other}))
     return [again, *(one.on("the call before, but for one argument") for one in changed)]
 
 

@@ -1,7 +1,6 @@
-"""The forces' sum without division by the mass.
+"""The acceleration is the sum of the forces, not divided by the mass.
 
 fails: acceleration_is_that_of_both_forces
-names: not divided by the mass
 """
 
 def acceleration(state, *, mass, length, gravity):

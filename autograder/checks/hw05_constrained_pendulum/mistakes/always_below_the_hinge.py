@@ -1,7 +1,6 @@
-"""y from x and the constraint, below the hinge.
+"""Every row but the first has y below the hinge: x^2 + y^2 = l^2 has two y for an x.
 
 fails: without_gravity_it_goes_round_uniformly, with_gravity_it_swings_or_goes_round
-names: every row but the first is below the hinge
 """
 
 _right = simulate

@@ -1,7 +1,6 @@
-"""Positions near the origin are refused as well.
+"""Positions close to the origin are refused; only the origin itself has no nearest point.
 
 fails: consistent_state_is_the_nearest
-names: close to the origin
 """
 
 _right_state = consistent_state

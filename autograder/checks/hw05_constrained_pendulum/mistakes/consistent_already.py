@@ -1,7 +1,6 @@
-"""A particle on the circle is given back as it is, whatever its velocity.
+"""A particle that is on the circle keeps the radial part of its velocity.
 
 fails: consistent_state_is_the_nearest
-names: on the circle already
 """
 
 _right_consistent = consistent_state

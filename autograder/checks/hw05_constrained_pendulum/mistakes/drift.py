@@ -1,8 +1,8 @@
-"""Nothing brings the particle back to the circle: rtol 1e-8.
+"""The acceleration keeps only the second derivative of the constraint at zero.
 
 fails: it_stays_on_the_circle
 numerics: the constraint drifts as the error of the integration does
-names: neither place nor velocity is kept
+names: Neither place nor velocity is put back
 """
 
 def _off_the_circle(y, gravity):

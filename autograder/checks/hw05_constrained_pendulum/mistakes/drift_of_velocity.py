@@ -1,8 +1,8 @@
-"""The position is put back onto the circle, the velocity is left as it came.
+"""The place is put back onto the circle, the velocity is not made tangent.
 
 fails: it_stays_on_the_circle
 numerics: the constraint drifts as the error of the integration does
-names: the velocity is not made tangent
+names: is the velocity made tangent
 """
 
 def _off_the_circle(y, gravity):

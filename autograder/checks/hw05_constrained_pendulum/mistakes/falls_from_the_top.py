@@ -1,7 +1,6 @@
-"""A little push, so that something happens.
+"""The particle at rest at the very top falls; there it is in equilibrium.
 
 fails: at_the_very_top_it_stays
-names: a start at rest at the very top
 """
 
 _right_simulate = simulate

@@ -1,7 +1,7 @@
-"""Four steps of Heun's method from each row to the next, however far it is.
+"""The number of steps for each row is fixed.
 
 fails: without_gravity_it_goes_round_uniformly, with_gravity_it_swings_or_goes_round
-names: with more times in between
+names: do your steps depend on t
 """
 
 

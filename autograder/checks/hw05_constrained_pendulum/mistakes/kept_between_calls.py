@@ -1,7 +1,6 @@
-"""A motion is kept by times, start and length, and given again for another gravity.
+"""A motion is kept from an earlier call.
 
 fails: with_gravity_it_swings_or_goes_round
-names: but for another gravity, times from
 """
 
 _right_simulate = simulate

@@ -1,7 +1,6 @@
-"""A motion is kept by start, parameters and the number of times, and given again at other times.
+"""A motion is kept from an earlier call, whatever the times between the ends.
 
 fails: with_gravity_it_swings_or_goes_round
-names: is something kept from one call to the next?
 """
 
 _right_simulate = simulate

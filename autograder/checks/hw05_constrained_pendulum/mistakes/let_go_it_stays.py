@@ -1,7 +1,6 @@
-"""A particle at rest is taken to be in equilibrium wherever it is.
+"""A particle let go at rest stays where it is.
 
 fails: with_gravity_it_swings_or_goes_round
-names: let go at rest
 """
 
 _right_simulate = simulate

@@ -1,7 +1,6 @@
 """A motion of 100 s gives the start in every row.
 
 fails: it_stays_on_the_circle, energy_stays
-names: the particle does not move
 """
 
 _right_simulate = simulate

@@ -1,8 +1,8 @@
-"""solve_ivp at rtol 1e-4, put back onto the circle.
+"""The physics is right, the tolerance is loose.
 
 fails: without_gravity_it_goes_round_uniformly, with_gravity_it_swings_or_goes_round
 numerics: a relative tolerance of 1e-4
-names: is the tolerance tight
+names: tighten rtol and atol
 """
 
 

@@ -1,8 +1,8 @@
-"""A projection that takes some energy away.
+"""A little of the energy is lost at every step.
 
 fails: energy_stays
 numerics: the loss of a careless projection
-names: the energy is off
+names: Tighten rtol and atol
 """
 
 _right_simulate = simulate

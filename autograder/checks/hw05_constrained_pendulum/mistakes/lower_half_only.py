@@ -1,7 +1,6 @@
-"""x as the coordinate, y = -sqrt(l^2 - x^2): wrong above the hinge.
+"""It is right below the hinge alone, where y = -sqrt(l^2 - x^2).
 
 fails: acceleration_is_that_of_both_forces
-names: right below the hinge alone
 """
 
 def acceleration(state, *, mass, length, gravity):

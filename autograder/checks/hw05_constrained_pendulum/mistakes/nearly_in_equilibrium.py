@@ -1,7 +1,6 @@
-"""At rest within a hundredth of the length of the line through the hinge it is taken to be in equilibrium.
+"""A particle at rest near the top or the bottom stays; it stays exactly there alone.
 
 fails: with_gravity_it_swings_or_goes_round
-names: exactly at the top
 """
 
 _right_simulate = simulate

@@ -1,7 +1,7 @@
-"""Time in units of sqrt(l/g), which there is none of without gravity.
+"""The motion without gravity raises an error.
 
 fails: without_gravity_it_goes_round_uniformly
-names: ValueError for no gravity
+names: simulate raised
 """
 
 _right_simulate = simulate

@@ -1,7 +1,7 @@
-"""At the origin, the lowest point.
+"""The origin is accepted; no point of the circle is nearest to it.
 
 fails: consistent_state_refuses_the_origin
-names: a state at the origin is taken
+names: does not raise ValueError
 """
 
 _right_state = consistent_state

@@ -1,7 +1,6 @@
-"""The rod is drawn by its slope y/x, and one straight up or down lies along x.
+"""The rod is drawn by its slope y/x, which loses the side and the vertical.
 
 fails: wireframe_is_the_rod
-names: at the bottom
 """
 
 

@@ -1,7 +1,6 @@
-"""The rate of turning from the speed, which has no sign.
+"""It goes round the other way: a speed has no sign.
 
 fails: without_gravity_it_goes_round_uniformly, with_gravity_it_swings_or_goes_round
-names: it goes round the other way
 """
 
 _right = simulate

@@ -1,8 +1,6 @@
-"""The given state taken for that at t = 0, where it is that at t[0].
+"""The start is taken at t = 0; it is the state at t[0].
 
 fails: without_gravity_it_goes_round_uniformly, with_gravity_it_swings_or_goes_round
-names: times from below zero on | taken for that at t = 0
-also: the given state taken for that at t = 0, where it is that at t[0], and no times before 0
 """
 
 _right_simulate = simulate

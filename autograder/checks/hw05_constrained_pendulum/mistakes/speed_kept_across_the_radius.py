@@ -1,7 +1,6 @@
-"""All of the speed goes across the radius, unless there is none across it.
+"""The velocity keeps all of its speed; its radial part must be lost.
 
 fails: consistent_state_is_the_nearest
-names: it has all of the speed
 """
 
 _right = consistent_state

@@ -1,8 +1,8 @@
-"""Runge and Kutta's steps of a hundredth of a second, whatever the length of the rod.
+"""The step is a hundredth of a second, whatever the motion.
 
 fails: with_gravity_it_swings_or_goes_round
 numerics: a step of 0.01 s does for rods of a metre
-names: are the steps as short as it asks for | with more times in between
+names: tighten rtol and atol | do your steps depend on t
 """
 
 

@@ -1,7 +1,6 @@
-"""The force is the sum of the rod's and the weight.
+"""The weight is counted in; the constraint force is only the rod's.
 
 fails: force_keeps_the_particle_on_the_circle
-names: the weight is counted in
 """
 
 _right_force, _right_acceleration = constraint_force, acceleration

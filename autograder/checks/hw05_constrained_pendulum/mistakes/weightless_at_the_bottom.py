@@ -1,7 +1,6 @@
-"""Straight below the hinge or above it the weight is left out of the force, as if it had no moment there to balance.
+"""The weight is left out where the rod is vertical.
 
 fails: force_keeps_the_particle_on_the_circle
-names: at the bottom
 """
 
 _right_force = constraint_force
