@@ -1,0 +1,1 @@
+"""Right-hand sides compiled by LLVM: from the recorded operations, and from the loops as they stand in Python."""
