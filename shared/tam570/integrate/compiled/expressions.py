@@ -42,6 +42,7 @@ class Expressions(Writer):
     def __init__(self, names: Mapping[str, Any]) -> None:
         super().__init__()
         self.globals = {**KNOWN, **names}
+        self.flags = ""  # of additions and products: none, so that both give Python's bits
 
     def value(self, names: Names, node: ast.expr) -> Any:
         method = getattr(self, f"of_{type(node).__name__}", None)
@@ -91,7 +92,7 @@ class Expressions(Writer):
         if not isinstance(left, Value) and not isinstance(right, Value):
             return known(left, right)
         whole = _whole(left) and _whole(right) and name != "div"
-        kind, instruction = ("i64", name) if whole else ("double", f"f{name}")
+        kind, instruction = ("i64", name) if whole else ("double", f"f{name}{self.flags}")
         return self.emit(kind, f"{instruction} {kind} {self.text(left, kind)}, {self.text(right, kind)}")
 
     def of_UnaryOp(self, names: Names, node: ast.UnaryOp) -> Any:

@@ -17,8 +17,8 @@ BRANCHING = ast.If | ast.For | ast.While
 
 
 def functions_of(source: str) -> dict[str, ast.FunctionDef]:
-    """The functions that a source defines, by name."""
-    return {node.name: node for node in ast.parse(source).body if isinstance(node, ast.FunctionDef)}
+    """The functions that a source defines, those inside of others too, by name."""
+    return {node.name: node for node in ast.walk(ast.parse(source)) if isinstance(node, ast.FunctionDef)}
 
 
 class Translator(Expressions):

@@ -1,0 +1,109 @@
+"""From text to machine code by llvmlite, kept on disk by content for the next process."""
+
+import ctypes
+import hashlib
+import os
+import re
+import tempfile
+from functools import cache, lru_cache
+from pathlib import Path
+from typing import Any
+
+__all__ = ["address", "assembled", "folder"]
+
+MARK = b"tam570 object 1\n"
+_CALLED = re.compile(r"call(?: \w+)*? (<\d+ x double>|double|void|i64) @([\w.]+)\(([^)]*)\)")
+_DEFINED = re.compile(r"^define [^@]*@([\w.]+)\(", re.MULTILINE)
+_KIND = re.compile(r"(<\d+ x double>|\b(?:double|ptr|i64|i1)\b)[^,]*")
+
+
+def assembled(lines: list[str]) -> str:
+    """A module: these lines, and declarations of what they call and do not define."""
+    text = "\n".join(lines) + "\n"
+    defined = set(_DEFINED.findall(text))
+    declared = {}
+    for result, name, given in _CALLED.findall(text):
+        if name not in defined:
+            declared[name] = f"declare {result} @{name}({', '.join(_KIND.findall(given))})"
+    return text + "\n".join(declared.values()) + "\n"
+
+
+@cache
+def _machine() -> Any:
+    """(binding, target machine, what identifies both)."""
+    import llvmlite
+    from llvmlite import binding
+
+    binding.initialize_native_target()
+    binding.initialize_native_asmprinter()
+    name, features = binding.get_host_cpu_name(), binding.get_host_cpu_features().flatten()
+    machine = binding.Target.from_default_triple().create_target_machine(name, features, opt=2, jit=True)
+    return binding, machine, f"{llvmlite.__version__} {binding.llvm_version_info} {name} {features}"
+
+
+@lru_cache(maxsize=256)
+def address(text: str, entry: str) -> tuple[Any, int]:
+    """(what owns the code, the address of `entry`)."""
+    binding, machine, who = _machine()
+    name = hashlib.sha256(f"{who}\n{text}".encode()).hexdigest()
+    engine = binding.create_mcjit_compiler(binding.parse_assembly(""), machine)
+    code = _kept(name)
+    if code is None:
+        code = _compiled(binding, machine, text)
+        _keep(name, code)
+    engine.add_object_file(binding.ObjectFileRef.from_data(code))
+    engine.finalize_object()
+    return engine, engine.get_function_address(entry)
+
+
+def _compiled(binding: Any, machine: Any, text: str) -> bytes:
+    module = binding.parse_assembly(text)
+    module.verify()
+    module.triple, module.data_layout = binding.get_default_triple(), str(machine.target_data)
+    builder = binding.create_pass_builder(machine, binding.create_pipeline_tuning_options(speed_level=0))
+    passes = binding.create_new_function_pass_manager()  # these alone: all of LLVM's take as long as the rest together
+    passes.add_sroa_pass()
+    passes.add_instruction_combine_pass()
+    passes.add_simplify_cfg_pass()
+    for each in module.functions:
+        if not each.is_declaration:
+            passes.run(each, builder)
+    return bytes(machine.emit_object(module))
+
+
+def folder() -> Path:
+    """The user's folder for compiled code. OSError where there is none to be had."""
+    base = os.environ.get("XDG_CACHE_HOME")
+    place = (Path(base) if base else Path.home() / ".cache") / "tam570"
+    place.mkdir(mode=0o700, parents=True, exist_ok=True)
+    if hasattr(os, "getuid") and place.stat().st_uid != os.getuid():
+        raise PermissionError(f"{place} belongs to somebody else")
+    return place
+
+
+def _kept(name: str) -> bytes | None:
+    """The object code of that name, if what the file holds is what was written."""
+    try:
+        whole = (folder() / f"{name}.o").read_bytes()
+    except (OSError, RuntimeError):
+        return None
+    head, code = whole[: len(MARK) + 32], whole[len(MARK) + 32 :]
+    return code if head == MARK + hashlib.sha256(name.encode() + code).digest() else None
+
+
+def _keep(name: str, code: bytes) -> None:
+    """Write at once or not at all: another process may want to read it; a folder that takes nothing is no error."""
+    try:
+        with tempfile.NamedTemporaryFile(dir=folder(), delete=False) as file:
+            file.write(MARK + hashlib.sha256(name.encode() + code).digest() + code)
+        os.replace(file.name, folder() / f"{name}.o")
+    except (OSError, RuntimeError):
+        return
+
+
+def function(text: str, entry: str, kinds: tuple[Any, ...]) -> Any:
+    """`entry` as a function from Python; other threads run while it does."""
+    owner, where = address(text, entry)
+    made = ctypes.CFUNCTYPE(None, *kinds)(where)
+    made.owner = owner
+    return made

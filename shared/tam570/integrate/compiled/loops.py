@@ -1,0 +1,97 @@
+"""The Python engine's loops compiled as they stand, with the functions generated for one right-hand side."""
+
+import ast
+import ctypes
+import inspect
+from types import ModuleType
+from typing import Any
+
+from tam570.integrate.compiled.ir import Array, Value, Writer
+from tam570.integrate.compiled.llvm import assembled
+from tam570.integrate.compiled.translate import Translator, functions_of
+
+__all__ = ["KINDS", "flat", "loop_text", "unflat"]
+
+POINTER, WHOLE, NUMBER = ctypes.c_void_p, ctypes.c_int64, ctypes.c_double
+KINDS = (POINTER, POINTER, POINTER, WHOLE, POINTER, NUMBER, NUMBER, WHOLE)
+HEAD = """define void @{name}(ptr %state, ptr %c, ptr %times, i64 %rows, ptr %out,
+    double %origin, double %x, i64 %budget) {{
+entry:"""
+
+
+def flat(state: Any) -> list[float]:
+    """The numbers of a state, a tuple of numbers and tuples."""
+    return [x for part in state for x in (flat(part) if isinstance(part, tuple) else [float(part)])]
+
+
+def unflat(numbers: Any, like: Any) -> Any:
+    """The tuples that `flat` was given, from an iterator over its numbers; whole where they are whole in `like`."""
+    parts = [unflat(numbers, part) if isinstance(part, tuple) else type(part)(next(numbers)) for part in like]
+    return type(like)(*parts) if hasattr(like, "_fields") else tuple(parts)
+
+
+def loop_text(loop: ModuleType, generated: str, entry: str, like: Any, constants: int) -> str:
+    """A module with `entry` of (origin, times, out, state, c, x, budget), a function somewhere in `loop`.
+
+    generated : source of the functions that it calls; a call of `rhs` among them stays a call
+    like      : a state
+    """
+    functions = {**functions_of(inspect.getsource(loop)), **functions_of(generated)}
+    numbers = {name: value for name, value in vars(loop).items() if name.isupper()}
+    rhs = functions.pop("rhs", None)
+    records = {name: _tuple for name, value in vars(loop).items() if hasattr(value, "_fields")}
+    names = {**numbers, **records, **({"rhs": _call_of_rhs} if rhs else {})}
+    writer = Translator(functions, names)
+    c = tuple(writer.emit("double", f"load double, ptr {writer.element('%c', i)}") for i in range(constants))
+    places = iter(range(len(flat(like))))
+    state = _loaded(writer, like, places)
+    arrays = Array("%times", None, Value("i64", "%rows")), Array("%out", _size(like))
+    origin, x, budget = Value("double", "%origin"), Value("double", "%x"), Value("i64", "%budget")
+    result = writer.called(writer.globals[entry], [origin, *arrays, state, c, x, budget])
+    for i, value in enumerate(_leaves(result)):
+        writer.do(f"store double {writer.text(value, 'double')}, ptr {writer.element('%state', i)}")
+    body = [HEAD.format(name=entry), *writer.allocations, *writer.lines, "  ret void", "}"]
+    return assembled([*writer.constants(), *(_rhs_text(rhs, _size(like), constants) if rhs else []), *body])
+
+
+def _size(like: Any) -> int:
+    return len(like.y)
+
+
+def _tuple(_: Any, *parts: Any) -> tuple[Any, ...]:
+    return parts
+
+
+def _loaded(writer: Writer, like: Any, places: Any) -> Any:
+    parts: list[Any] = []
+    for part in like:
+        if isinstance(part, tuple):
+            parts.append(_loaded(writer, part, places))
+            continue
+        number = writer.emit("double", f"load double, ptr {writer.element('%state', next(places))}")
+        whole = isinstance(part, int)
+        parts.append(writer.emit("i64", f"fptosi double {number.text} to i64") if whole else number)
+    return tuple(parts)
+
+
+def _leaves(value: Any) -> list[Any]:
+    return [x for part in value for x in _leaves(part)] if isinstance(value, tuple) else [value]
+
+
+def _call_of_rhs(writer: Any, t: Any, state: tuple[Any, ...], _: Any) -> tuple[Value, ...]:
+    kind = f"{{{', '.join(['double'] * len(state))}}}"
+    given = ", ".join(f"double {writer.text(x, 'double')}" for x in (t, *state))
+    whole = writer.emit(kind, f"call {kind} @rhs({given}, ptr %c)").text
+    return tuple(writer.emit("double", f"extractvalue {kind} {whole}, {i}") for i in range(len(state)))
+
+
+def _rhs_text(rhs: ast.FunctionDef, size: int, constants: int) -> list[str]:
+    writer = Translator({"rhs": rhs}, {})
+    c = tuple(writer.emit("double", f"load double, ptr {writer.element('%c', i)}") for i in range(constants))
+    state = tuple(Value("double", f"%s{i}") for i in range(size))
+    rates = writer.called(writer.globals["rhs"], [Value("double", "%t"), state, c])
+    kind, whole = f"{{{', '.join(['double'] * size)}}}", "poison"
+    for i, rate in enumerate(rates):
+        whole = writer.emit(kind, f"insertvalue {kind} {whole}, double {writer.text(rate, 'double')}, {i}").text
+    given = ", ".join(f"double %s{i}" for i in range(size))
+    return [f"define internal {kind} @rhs(double %t, {given}, ptr %c) {{", *writer.lines, f"  ret {kind} {whole}", "}"]

@@ -1,0 +1,224 @@
+"""A recorded right-hand side as recurrences: the n-th Taylor coefficient of everything in it from the earlier ones.
+
+Each function is reduced to sums, products, quotients, roots, powers and two laws of derivatives, y' = w a' and w y' = a':
+sin' = cos a', tan' = (1 + tan^2) a', (1 + a^2) atan' = a'. Jorba and Zou, A software package for the numerical
+integration of ODEs by means of high-order Taylor methods, Experimental Mathematics 14 (2005).
+"""
+
+import math
+from dataclasses import dataclass
+
+from tam570.integrate.symbols import Symbol, Value
+from tam570.integrate.trace import Graph
+
+__all__ = ["NotAnalytic", "Recurrence", "Recurrences", "recurrences"]
+
+
+class NotAnalytic(TypeError):
+    """A function without derivatives of all orders."""
+
+
+@dataclass(frozen=True)
+class Recurrence:
+    """A series that follows from those at `of`; below zero are constants, -1 for the first.
+
+    kind  : "time", "state", "+", "-", "neg", "scale", "shift", "*", "square", "/", "sqrt", "pow", and three laws of
+            derivatives: "y'=wa'" of (w, a), "wy'=a'" of (w, a), "wy'=ub'-ba'" for atan2 of (w, b, a)
+    value : the function that gives the first coefficient, of `arguments`
+    """
+
+    kind: str
+    of: tuple[int, ...]
+    value: str = ""
+    arguments: tuple[int, ...] = ()
+
+
+@dataclass(frozen=True)
+class Recurrences:
+    """All series, each after those that give its coefficient of the same order; `rates` index them, as `of` does."""
+
+    series: tuple[Recurrence, ...]
+    rates: tuple[int, ...]
+    constants: int
+
+
+def recurrences(graph: Graph) -> tuple[Recurrences, tuple[float, ...]]:
+    """The recurrences, and the constants in them. Raises NotAnalytic."""
+    making = _Making()
+    places: dict[int, int] = {}
+
+    def place(value: Value) -> int:
+        return places[value.number] if isinstance(value, Symbol) else making.constant(value)
+
+    needed = _needed(graph)
+    for symbol in graph.operations:
+        if symbol.number in needed or symbol.name[0] == "s" and not symbol.arguments:
+            places[symbol.number] = making.function(symbol.name, tuple(map(place, symbol.arguments)))
+    rates = tuple(map(place, graph.rates))
+    return Recurrences(tuple(making.series), rates, len(making.constants)), tuple(making.constants)
+
+
+def _needed(graph: Graph) -> set[int]:
+    needed = {rate.number for rate in graph.rates if isinstance(rate, Symbol)}
+    for symbol in reversed(graph.operations):
+        if symbol.number in needed:
+            needed |= {a.number for a in symbol.arguments if isinstance(a, Symbol)}
+    return needed
+
+
+class _Making:
+    """The series so far; each is made once."""
+
+    def __init__(self) -> None:
+        self.series: dict[Recurrence, int] = {}
+        self.constants: dict[float, int] = {}
+
+    def constant(self, value: float) -> int:
+        return -1 - self.constants.setdefault(value, len(self.constants))
+
+    def known(self, place: int) -> float:
+        return list(self.constants)[-1 - place]
+
+    def add(self, kind: str, *of: int, value: str = "", arguments: tuple[int, ...] = ()) -> int:
+        return self.series.setdefault(Recurrence(kind, of, value, arguments), len(self.series))
+
+    def function(self, name: str, of: tuple[int, ...]) -> int:
+        if not of:
+            return self.add("time") if name == "t" else self.add("state", int(name[1:]))
+        if name in _ARITHMETIC:
+            return _ARITHMETIC[name](self, *of)
+        if name in _DERIVATIVES:
+            return _DERIVATIVES[name](self, name, *of)
+        raise NotAnalytic(f"{name} has no derivatives of all orders")
+
+    # a + b and its like, where one may be a number
+
+    def sum(self, a: int, b: int) -> int:
+        if a < 0 and b < 0:
+            return self.constant(self.known(a) + self.known(b))
+        if a < 0 or b < 0:
+            return self.add("shift", max(a, b), min(a, b))
+        return self.add("+", a, b)
+
+    def difference(self, a: int, b: int) -> int:
+        if b < 0:
+            return self.add("shift", a, self.constant(-self.known(b)))
+        return self.sum(a, self.add("neg", b)) if a < 0 else self.add("-", a, b)
+
+    def product(self, a: int, b: int) -> int:
+        if a < 0 and b < 0:
+            return self.constant(self.known(a) * self.known(b))
+        if a < 0 or b < 0:
+            return self.add("scale", max(a, b), min(a, b))
+        return self.add("square", a) if a == b else self.add("*", a, b)
+
+    def quotient(self, a: int, b: int) -> int:
+        if b >= 0:
+            return self.add("/", a, b)
+        if not self.known(b):
+            raise NotAnalytic("a division by zero")
+        return self.add("scale", a, self.constant(1 / self.known(b)))
+
+    def power(self, a: int, b: int) -> int:
+        if b < 0 <= a:
+            return self.add("pow", a, b, value="pow", arguments=(a, b))
+        return self.following("pow", (a, b), self.product(b, self.natural_logarithm(a)))
+
+    def natural_logarithm(self, a: int) -> int:
+        if a >= 0:
+            return self.logarithm("log", a)
+        if self.known(a) <= 0:
+            raise NotAnalytic("a power of a negative number")
+        return self.constant(math.log(self.known(a)))
+
+    def following(self, name: str, arguments: tuple[int, ...], exponent: int) -> int:
+        """e to the exponent, its first coefficient by name(arguments): y' = y exponent'."""
+        own = len(self.series)
+        return self.add("y'=wa'", own, exponent, value=name, arguments=arguments)
+
+    def one_and_square(self, a: int, sign: float) -> int:
+        """1 + a^2, or 1 - a^2."""
+        square = self.add("square", a)
+        return self.add("shift", square if sign > 0 else self.add("neg", square), self.constant(1.0))
+
+    def root(self, name: str, a: int) -> int:
+        return self.add("sqrt", a, value="sqrt", arguments=(a,))
+
+    def exponential(self, name: str, a: int) -> int:
+        plain = next((i for r, i in self.series.items() if r.value == "exp" and r.arguments == (a,)), None)
+        plain = self.following("exp", (a,), a) if plain is None else plain
+        return plain if name == "exp" else self.add("y'=wa'", plain, a, value="expm1", arguments=(a,))
+
+    def turning(self, name: str, a: int) -> int:
+        """sin and cos, or sinh and cosh: each is the other's derivative, but for a sign."""
+        hyperbolic = "h" if name.endswith("h") else ""
+        first, second = f"sin{hyperbolic}", f"cos{hyperbolic}"
+        own = next((i for r, i in self.series.items() if r.value == first and r.arguments == (a,)), None)
+        if own is None:
+            own = len(self.series)
+            self.add("y'=wa'", own + 1, a, value=first, arguments=(a,))
+            self.add("y'=wa'" if hyperbolic else "y'=-wa'", own, a, value=second, arguments=(a,))
+        return own + (name == second)
+
+    def tangent(self, name: str, a: int) -> int:
+        """tan' = a' + tan^2 a': the square of a series that comes after it; its coefficients up to n - 1 do."""
+        kind = "y'=a'+y^2a'" if name == "tan" else "y'=a'-y^2a'"
+        own = len(self.series)
+        self.add(kind, own + 1, a, value=name, arguments=(a,))
+        self.add("square", own)
+        return own
+
+    def inverse(self, name: str, a: int) -> int:
+        """Arcus and area functions: w y' = a', or of cosines w y' = -a'."""
+        sign = {"atan": 1, "asinh": 1, "acosh": -1, "atanh": -1, "asin": -1, "acos": -1}[name]
+        w = self.one_and_square(a, sign)
+        if name == "acosh":
+            w = self.add("neg", w)
+        if name not in ("atan", "atanh"):
+            w = self.root("sqrt", w)
+        return self.add("wy'=-a'" if name == "acos" else "wy'=a'", w, a, value=name, arguments=(a,))
+
+    def logarithm(self, name: str, a: int) -> int:
+        w = self.add("shift", a, self.constant(1.0)) if name == "log1p" else a
+        if name in ("log2", "log10"):
+            w = self.add("scale", a, self.constant(0.6931471805599453 if name == "log2" else 2.302585092994046))
+        return self.add("wy'=a'", w, a, value=name, arguments=(a,))
+
+    def cube_root(self, name: str, a: int) -> int:
+        return self.add("pow", a, self.constant(1 / 3), value="cbrt", arguments=(a,))
+
+    def hypotenuse(self, name: str, a: int, b: int) -> int:
+        squares = self.sum(self.product(a, a), self.product(b, b))
+        return self.add("sqrt", squares, value="hypot", arguments=(a, b))
+
+    def error_function(self, name: str, a: int) -> int:
+        bell = self.exponential("exp", self.add("neg", self.add("square", a)))
+        slope = 1.1283791670955126 if name == "erf" else -1.1283791670955126  # 2 / sqrt(pi)
+        w = self.add("scale", bell, self.constant(slope))
+        return self.add("y'=wa'", w, a, value=name, arguments=(a,))
+
+    def angle(self, name: str, b: int, a: int) -> int:
+        """atan2(b, a): (a^2 + b^2) y' = a b' - b a'."""
+        if a < 0 or b < 0:
+            raise NotAnalytic("atan2 of a number")
+        w = self.sum(self.product(a, a), self.product(b, b))
+        return self.add("wy'=ab'-ba'", w, b, a, value="atan2", arguments=(b, a))
+
+
+_ARITHMETIC = {
+    "+": _Making.sum,
+    "-": _Making.difference,
+    "*": _Making.product,
+    "/": _Making.quotient,
+    "pow": _Making.power,
+    "neg": lambda making, a: making.add("neg", a),
+}
+_DERIVATIVES = (
+    dict.fromkeys(("sin", "cos", "sinh", "cosh"), _Making.turning)
+    | dict.fromkeys(("tan", "tanh"), _Making.tangent)
+    | dict.fromkeys(("exp", "expm1"), _Making.exponential)
+    | dict.fromkeys(("log", "log1p", "log2", "log10"), _Making.logarithm)
+    | dict.fromkeys(("asin", "acos", "atan", "asinh", "acosh", "atanh"), _Making.inverse)
+    | dict.fromkeys(("erf", "erfc"), _Making.error_function)
+    | {"sqrt": _Making.root, "cbrt": _Making.cube_root, "hypot": _Making.hypotenuse, "atan2": _Making.angle}
+)

@@ -1,0 +1,215 @@
+"""The loop over Taylor steps, as Python that is translated: step size, the test of each step, samples.
+
+A step is the polynomial itself. It is tried first and judged afterwards: at its end the right-hand side must be the
+polynomial's derivative. That test needs nothing but the next step's first coefficients, and no coefficient that
+happens to be zero deceives it.
+
+Names that are put in place for one right-hand side: SIZE components, ORDER of this run, STRIDE and LANES as in `series.Layout`.
+Memory of one motion, `z`: NUMBERS first, then seven numbers a component and its polynomial, HIGHEST + 1 coefficients.
+"""
+
+from typing import Any
+
+from tam570.integrate.compiled.series import HIGHEST
+
+__all__ = ["NUMBERS", "advance", "advance_all", "memory"]
+
+NUMBERS = 16
+ROW, T, H, NEW, STATUS, STEPS, REFUSALS, TRIES, LONGEST = range(9)  # where in z
+Y, REST, M, SLOPE, NEXT, BASE, NOISE, POLYNOMIAL = range(8)
+# of a component: at the end of the step tried; what rounding took from its start; the largest magnitude so far; the
+# polynomial's derivative at the end; what rounding takes from the end; the derivative there; what a rounding does to it
+RUNNING, DONE, VANISHED, SINGULAR = 0.0, 1.0, 2.0, 3.0
+WINDOW = 4  # coefficients, from the last: a motion at rest has every second one zero, from a symmetric start more
+TOLERATED = 2.0  # the derivative may be off by so many times (ORDER + 1) rtol of the state in a step
+ROUNDINGS = 8.0  # and by so many times what a rounding of the state does to it
+GROWTH = 6.0  # of the step where all coefficients in the window are zero
+
+Number = Any
+SIZE = ORDER = STRIDE = LANES = 0
+coefficients: Any = None
+rates: Any = None
+
+
+def memory(size: int) -> int:
+    """Doubles in z."""
+    return NUMBERS + size * (POLYNOMIAL + HIGHEST + 1)
+
+
+def advance(z: Any, work: Any, time: Any, c: Any, times: Any, out: Any, origin: Any, rtol: Any, budget: Any) -> Any:
+    """Step until the last sample, `budget` steps are tried, or no step is possible: z[STATUS] tells."""
+    reach = rtol ** (1.0 / ORDER)
+    while z[STATUS] == RUNNING and budget > 0:
+        budget -= 1
+        time[0] = origin + z[NEW]
+        if z[NEW] == times[len(times) - 1]:
+            rates(work, c, time, ORDER)
+        else:
+            coefficients(work, c, time, ORDER)
+        settle(z, work, time, c, times, out, 0, rtol, reach)
+
+
+def settle(z: Any, work: Any, time: Any, c: Any, times: Any, out: Any, lane: Any, rtol: Any, reach: Any) -> Any:
+    """Judge the step that was tried, and try the next: `work` holds the coefficients at the state in z."""
+    if z[H] > 0.0:
+        if refused(z, work, time, c, lane, rtol):
+            z[REFUSALS] += 1.0
+            z[TRIES] += 1.0
+            attempt(z, work, times, lane, z[H] / 2.0 if z[TRIES] < 3.0 else z[H] / 8.0)
+            return 0
+        taken(z, times, out)
+    if z[STATUS] == RUNNING:
+        if z[STEPS] == 0.0:
+            scaled(z, work, lane)
+        h = longest(z, work, lane, reach)
+        if not h < inf:
+            h = GROWTH * z[LONGEST]
+        if not h > 0.0:
+            z[STATUS] = SINGULAR
+        else:
+            for i in range(SIZE):
+                for n in range(ORDER + 1):
+                    z[at(POLYNOMIAL, i) + n] = work[(i * STRIDE + n) * LANES + lane]
+            attempt(z, work, times, lane, h)
+    return 0
+
+
+def refused(z: Any, work: Any, time: Any, c: Any, lane: Any, rtol: Any) -> Any:
+    """Whether the derivative at the end of the step is not the polynomial's; what is but rounding is let pass."""
+    limit = TOLERATED * (ORDER + 1) * max(rtol, 2.0**-52)
+    if defect(z, work, lane, limit, 0.0) <= 1.0:
+        return False
+    shaken(z, work, time, c, lane)
+    return defect(z, work, lane, limit, ROUNDINGS * (1.0 + z[TRIES])) > 1.0
+
+
+def shaken(z: Any, work: Any, time: Any, c: Any, lane: Any) -> Any:
+    """What changes of the state by a few roundings do to the derivative."""
+    for i in range(SIZE):
+        z[at(BASE, i)] = work[(i * STRIDE + 1) * LANES + lane]
+        z[at(NOISE, i)] = 0.0
+    for strength in (1.37, -1.78, 2.19):
+        shift = strength
+        for i in range(SIZE):
+            work[i * STRIDE * LANES + lane] = z[at(Y, i)] * (1.0 + 2.0**-52 * shift)
+            shift = -1.3 * shift if abs(shift) < 3.0 else shift / 2.7
+        rates(work, c, time, ORDER)
+        for i in range(SIZE):
+            change = abs(work[(i * STRIDE + 1) * LANES + lane] - z[at(BASE, i)])
+            z[at(NOISE, i)] = max(z[at(NOISE, i)], change)
+    for i in range(SIZE):
+        work[i * STRIDE * LANES + lane] = z[at(Y, i)]
+        work[(i * STRIDE + 1) * LANES + lane] = z[at(BASE, i)]
+    return 0
+
+
+def at(part: Any, i: Any) -> Any:
+    """Where in z that part of component i is, or the first coefficient of its polynomial."""
+    return NUMBERS + part * SIZE + i * (HIGHEST + 1 if part == POLYNOMIAL else 1)
+
+
+def defect(z: Any, work: Any, lane: Any, limit: Any, roundings: Any) -> Any:
+    """Largest error of a derivative times the step, over what is allowed; infinite if it is not a number."""
+    worst = 0.0
+    for i in range(SIZE):
+        slope = z[at(SLOPE, i)]
+        wrong = z[H] * abs(work[(i * STRIDE + 1) * LANES + lane] - slope)
+        size = max(z[at(M, i)], abs(z[at(Y, i)]))
+        ratio = wrong / (limit * size + roundings * z[H] * z[at(NOISE, i)] + 2.0**-51 * z[H] * abs(slope))
+        if wrong > 0.0 and ratio > worst:
+            worst = ratio
+        if not wrong < inf:
+            worst = inf
+    return worst
+
+
+def taken(z: Any, times: Any, out: Any) -> Any:
+    """Samples of the step that proved right, and the magnitudes at its end."""
+    row = int(z[ROW])
+    while row < len(times) and times[row] <= z[NEW]:
+        x = times[row] - z[T]
+        for i in range(SIZE):
+            out[row, i] = z[at(Y, i)] if times[row] == z[NEW] else inside(z, i, x)
+        row += 1
+    for i in range(SIZE):
+        z[at(M, i)] = max(z[at(M, i)], abs(z[at(Y, i)]))
+        z[at(REST, i)] = z[at(NEXT, i)]
+    z[ROW] = float(row)
+    z[T] = z[NEW]
+    z[LONGEST] = z[H]
+    z[STEPS] += 1.0
+    z[TRIES] = 0.0
+    if row >= len(times):
+        z[STATUS] = DONE
+    return 0
+
+
+def inside(z: Any, i: Any, x: Any) -> Any:
+    """Component i at x, s after the start of the step."""
+    first = at(POLYNOMIAL, i)
+    value = 0.0
+    for n in range(ORDER):
+        value = value * x + z[first + ORDER - n]
+    return z[first] + (z[at(REST, i)] + value * x)
+
+
+def longest(z: Any, work: Any, lane: Any, reach: Any) -> Any:
+    """The step from the last coefficients, the whole state together; infinite where all are zero, 0 if none will do."""
+    nearest = 0.0
+    for back in range(WINDOW):
+        n = ORDER - back
+        largest = 0.0
+        for i in range(SIZE):
+            size = abs(work[(i * STRIDE + n) * LANES + lane]) / z[at(M, i)]
+            if not size <= largest:
+                largest = size
+        if not largest < inf:
+            return 0.0
+        if largest > 0.0:
+            nearest = max(nearest, largest ** (1.0 / n))
+    return reach / nearest if nearest > 0.0 else inf
+
+
+def scaled(z: Any, work: Any, lane: Any) -> Any:
+    """What starts at zero has the magnitude that it will have before long."""
+    for i in range(SIZE):
+        power = 1.0
+        for n in range(1, ORDER + 1):
+            power *= z[LONGEST]
+            size = power * abs(work[(i * STRIDE + n) * LANES + lane])
+            if n < 4 and size < inf:
+                z[at(M, i)] = max(z[at(M, i)], size)
+    return 0
+
+
+def attempt(z: Any, work: Any, times: Any, lane: Any, h: Any) -> Any:
+    """The state and the polynomial's derivative at the end of a step of about h."""
+    t = z[T]
+    end = times[len(times) - 1]
+    left = end - t
+    new = end
+    if h < left:
+        new = t + (h if 2.0 * h < left else left / 2.0)
+    h = new - t
+    if h <= 2.0**-50 * t or h < 1e-17 * end:
+        z[STATUS] = VANISHED
+        return 0
+    z[H] = h
+    z[NEW] = new
+    for i in range(SIZE):
+        first = at(POLYNOMIAL, i)
+        value = 0.0
+        slope = 0.0
+        for n in range(ORDER):
+            slope = slope * h + value
+            value = value * h + z[first + ORDER - n]
+        slope = slope * h + value
+        z[at(SLOPE, i)] = slope
+        y = z[first]
+        change = value * h + z[at(REST, i)]
+        total = y + change
+        part = total - y
+        z[at(Y, i)] = total
+        work[i * STRIDE * LANES + lane] = total
+        z[at(NEXT, i)] = (y - (total - part)) + (change - part)
+    return 0
