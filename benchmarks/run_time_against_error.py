@@ -139,7 +139,7 @@ def cold_times(name, found):
         if tolerance is None:
             continue
         times[method] = min(_process(name, method, tolerance) for _ in range(2))
-        if method in ("tam570, numba", "tam570, auto"):
+        if method in ("tam570, compiled", "tam570, auto"):
             with tempfile.TemporaryDirectory() as empty:
                 times[f"{method} (first)"] = _process(name, method, tolerance, XDG_CACHE_HOME=empty)
     return times

@@ -16,7 +16,7 @@ from tam570_grader.results import journal
 from tam570_grader.writing import assignments
 
 SLUG = "hw08_axis_angle"
-HEAVY = {"scipy", "matplotlib", "sympy", "pytest", "numba", "nbgrader", "tqdm", "hatchling", "IPython"}
+HEAVY = {"scipy", "matplotlib", "sympy", "pytest", "llvmlite", "nbgrader", "tqdm", "hatchling", "IPython"}
 
 
 @pytest.fixture

@@ -11,7 +11,7 @@ from tam570.integrate import solve
 
 def available(name):
     """Whether the library behind a method is installed."""
-    library = {"tam570, numba": "numba", "tam570, auto": "numba"}
+    library = {"tam570, compiled": "llvmlite", "tam570, auto": "llvmlite"}
     peers = {"heyoka": "heyoka", "CyRK": "CyRK", "diffrax": "diffrax"}
     needed = {**library, **peers}.get(name, "numpy" if name.startswith("tam570") else "scipy")
     return importlib.util.find_spec(needed) is not None
@@ -135,7 +135,7 @@ def _rates_in(rhs, parameters, size, library, time):
 
 METHODS = {
     "tam570, Python": functools.partial(ours, "python"),
-    "tam570, numba": functools.partial(ours, "numba"),
+    "tam570, compiled": functools.partial(ours, "compiled"),
     "tam570, auto": functools.partial(ours, "auto"),
     "tam570, Gauss": functools.partial(ours, "gauss"),
     "tam570, composition": functools.partial(ours, "composition"),

@@ -1,37 +1,29 @@
 """Runs of order 8 with automatic steps."""
 
 import math
+import sys
 from collections.abc import Callable, Sequence
-from functools import lru_cache, partial
+from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
 
-from tam570.integrate.adaptive_loop import LACKS_SCALE, LARGEST, NOT_FINITE, RUNNING, TOO_SHORT, State, loop_with
+from tam570.integrate.adaptive_loop import LACKS_SCALE, LARGEST, NOT_FINITE, RUNNING, TOO_SHORT, State
 from tam570.integrate.arguments import Array
 from tam570.integrate.binding import check_start
-from tam570.integrate.dop853_source import functions
 from tam570.integrate.engine import Engine
-from tam570.integrate.formulas import Formulas
 from tam570.integrate.scale import magnitudes
 from tam570.integrate.tableau import NODES
-from tam570.integrate.when_to_compile import Loop, carried_through
+from tam570.integrate.trace import Graph
+from tam570.integrate.when_to_compile import Loop, carried_through, seconds_until_compiled
 
-__all__ = ["TROUBLE", "at_start", "module", "scaled", "shortest_step", "states"]
+__all__ = ["TROUBLE", "at_start", "scaled", "shortest_step", "states"]
 
 TROUBLE = {
     NOT_FINITE: "rhs or solution is not finite at t = {t:.17g}",
     TOO_SHORT: "no step is short enough at t = {t:.17g}: the solution seems to become infinite there",
 }
-
-
-@lru_cache(maxsize=64)
-def module(formulas: Formulas) -> str:
-    """The module that numba compiles for these formulas."""
-    from tam570.integrate import numba_backend
-
-    text = functions(formulas, forgiving=False)
-    return numba_backend.module_source(loop_with, text, "rhs, raised, step, dense, at", "advance")
 
 
 def states(
@@ -46,48 +38,92 @@ def states(
 ) -> Array:
     """(n, k) states at `times`.
 
-    how     : "auto", "python" or "numba"
+    how     : "auto", "python" or "compiled"
     floor   : (k,) sizes by which components are judged at least
     project : project(y) -> y after every step
     longest : longest(y) -> s, no step from y is longer; only together with project
     """
     rows = np.empty((len(times), len(start)))
     rows[0] = start
-    origin, since = float(times[0]), times - times[0]
-    listed = since.tolist()
-
-    def run(advance: Any, state: State, budget: int, by_numba: bool) -> State:
-        tried = state.steps + state.refusals
-        while True:
-            left = budget + tried - state.steps - state.refusals
-            state = advance(origin, since if by_numba else listed, rows, state, engine.constants, rtol, left)
-            if state.halt != LACKS_SCALE:
-                return State(*state)
-            state = scaled(engine, origin, state)
-
-    def share(state: State) -> float:
-        return 1.0 if state.row == len(rows) or state.halt > LACKS_SCALE else state.t / listed[-1]
-
-    source = partial(module, engine.formulas) if engine.traced and not project else None
-    by_steps = _stepwise(engine, run, share, origin, project, longest) if project else run
-    loop = Loop(by_steps, share, engine.functions["advance"], "advance", source)
-    last = carried_through(loop, at_start(engine, origin, listed[-1], start, floor), how)
+    run = Run(engine, float(times[0]), times - times[0], rows, rtol)
+    in_python = partial(advanced, run, engine.functions["advance"], run.since.tolist())
+    first = at_start(engine, run.origin, float(run.since[-1]), start, floor)
+    loop = Loop(in_python, run.share)
+    if project:
+        loop = Loop(_stepwise(run, in_python, project, longest), run.share)
+    elif engine.graph is not None:
+        loop = Loop(in_python, run.share, partial(_compiled, run, in_python), partial(_wait, engine.graph))
+    last = carried_through(loop, first, how)
     if last.halt:
-        raise ArithmeticError(TROUBLE[last.halt].format(t=origin + last.t))
+        raise ArithmeticError(TROUBLE[last.halt].format(t=run.origin + last.t))
     if project:
         rows[1:] = [project(row) for row in rows[1:]]
     return rows
 
 
-def _stepwise(
-    engine: Engine, run: Any, share: Any, origin: float, project: Callable[[Array], Any], longest: Any
-) -> Callable[..., Any]:
-    """`run` to the end with every step limited before and projected after."""
+@dataclass(frozen=True, eq=False)
+class Run:
+    """What is the same at every step. since : times since `origin`; rows : (n, k), to be filled."""
 
-    def projected(advance: Any, state: Any, _budget: int, by_numba: bool) -> Any:
-        while share(state) < 1:
-            state = run(advance, _shortened(state, longest), 1, by_numba)
-            state = _projected(engine, state, origin, project)
+    engine: Engine
+    origin: float
+    since: Array
+    rows: Array
+    rtol: float
+
+    def share(self, state: State) -> float:
+        """The part that is done, 1 where it goes no further."""
+        return 1.0 if state.row == len(self.rows) or state.halt > LACKS_SCALE else state.t / float(self.since[-1])
+
+
+def advanced(run: Run, advance: Any, since: Any, state: State, budget: int) -> State:
+    """The state after so many steps of `advance`; since : as its code wants them."""
+    tried = state.steps + state.refusals
+    while True:
+        left = budget + tried - state.steps - state.refusals
+        state = advance(run.origin, since, run.rows, state, run.engine.constants, run.rtol, left)
+        if state.halt != LACKS_SCALE:
+            return State(*state)
+        state = scaled(run.engine, run.origin, state)
+
+
+def _compiled(run: Run, in_python: Callable[[State, int], State], state: State) -> State:
+    """By Taylor's method as far as it goes; where a derivative is lacking, that of order 8 goes on."""
+    from tam570.integrate.compiled import backend
+
+    graph, formulas = run.engine.graph, run.engine.formulas
+    assert graph is not None
+    state = backend.taylor_run(graph, run.origin, run.since, run.rows, run.rtol, state)
+    backend.READY.add(graph)
+    if run.share(state) >= 1:
+        return state
+    f = run.engine.functions["rhs"](run.origin + state.t, state.y, run.engine.constants)
+
+    def order_8(state: State) -> State:
+        by_steps = partial(advanced, run, backend.dop853(formulas), run.since)
+        last: State = backend.by_moments(by_steps, run.share, state)
+        return last
+
+    wait = partial(seconds_until_compiled, len(graph.operations))
+    last: State = carried_through(
+        Loop(in_python, run.share, order_8, wait), state._replace(f=f), "auto" if state.steps else "compiled"
+    )
+    return last
+
+
+def _wait(graph: Graph) -> float:
+    """Seconds until the compiled loop could start; none where this process has run it before."""
+    backend = sys.modules.get("tam570.integrate.compiled.backend")
+    return 0.0 if backend and graph in backend.READY else seconds_until_compiled(len(graph.operations))
+
+
+def _stepwise(run: Run, step: Any, project: Callable[[Array], Any], longest: Any) -> Callable[..., Any]:
+    """`step` to the end with every step limited before and projected after."""
+
+    def projected(state: Any, _budget: int) -> Any:
+        while run.share(state) < 1:
+            state = step(_shortened(state, longest), 1)
+            state = _projected(run.engine, state, run.origin, project)
         return state
 
     return projected

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from tam570.integrate import adaptive, numba_backend
+from tam570.integrate import adaptive
 from tam570.integrate.adaptive_loop import (
     EXPONENT,
     JUMP,
@@ -26,6 +26,7 @@ from tam570.integrate.dop853_source import array_functions
 from tam570.integrate.engine import Engine
 from tam570.integrate.formulas import Formulas
 from tam570.integrate.symbols import FUNCTIONS
+from tam570.integrate.when_to_compile import seconds_until_compiled
 
 __all__ = ["states"]
 
@@ -34,23 +35,22 @@ GAIN = 3.0  # of the arrays over single runs in Python, with thousands of member
 
 
 def states(engine: Engine, times: Array, starts: Array, rtol: float, how: str, floor: Sequence[float]) -> Array:
-    """(m, n, k) states at `times` from the (m, k) starts; how: "auto", "python" or "numba"."""
+    """(m, n, k) states at `times` from the (m, k) starts; how: "auto", "python" or "compiled"."""
     began = time.perf_counter()
     first = adaptive.states(engine, times, starts[0], rtol, how, floor)
     alone = (time.perf_counter() - began) * len(starts)
-    by_numba = how == "numba" or (how == "auto" and engine.traced and _numba_repays(engine, alone))
-    if engine.traced and not by_numba and len(starts) >= WORTH_ARRAYS:
+    compiled = how == "compiled" or (how == "auto" and _compiling_repays(engine, alone))
+    if engine.traced and not compiled and len(starts) >= WORTH_ARRAYS:
         return _Members(engine, times, starts, rtol, floor).walked()
-    one_by_one = "numba" if by_numba else "python"
+    one_by_one = "compiled" if compiled else "python"
     rest = [adaptive.states(engine, times, start, rtol, one_by_one, floor) for start in starts[1:]]
     return np.array([first, *rest])
 
 
-def _numba_repays(engine: Engine, seconds_alone: float) -> bool:
-    source = adaptive.module(engine.formulas)
-    if numba_backend.loaded_already(source):
-        return True
-    return seconds_alone / GAIN > numba_backend.wait(source)
+def _compiling_repays(engine: Engine, seconds_alone: float) -> bool:
+    if engine.graph is None:
+        return False
+    return seconds_alone / GAIN > seconds_until_compiled(len(engine.graph.operations))
 
 
 @lru_cache(maxsize=64)

@@ -14,7 +14,7 @@ from tam570.integrate.engine import Engine
 from tam570.integrate.fixed_loop import FixedState, fixed_loop_with
 from tam570.integrate.formulas import halves
 from tam570.integrate.gauss_source import STAGES, gauss_source
-from tam570.integrate.when_to_compile import Loop, carried_through
+from tam570.integrate.when_to_compile import Loop, carried_through, seconds_until_compiled
 
 __all__ = ["METHODS", "states"]
 
@@ -34,18 +34,25 @@ def states(
     source, constants = _source(method, engine, len(start))
     python = fixed_loop_with(_leap(source, engine))
 
-    def run(function: Any, state: Any, budget: int, by_numba: bool) -> Any:
-        return function(origin, since if by_numba else listed, rows, state, constants, h, budget)
+    def run(function: Any, since: Any, state: Any, budget: int) -> Any:
+        return function(origin, since, rows, state, constants, h, budget)
 
     def share(state: Any) -> float:
         return 1.0 if state.row == len(rows) else min(state.done * h / listed[-1], 0.999)
 
-    module = partial(_module, source) if engine.traced else None
-    carried_through(
-        Loop(run, share, python, "march", module, COMPILE_COST[method]),
-        _at_start(method, engine, origin, start),
-        "auto",
-    )
+    first = _at_start(method, engine, origin, start)
+    in_python = partial(run, python, listed)
+
+    def compiled(state: FixedState) -> FixedState:
+        from tam570.integrate.compiled import backend
+
+        march = backend.fixed(source, len(start), len(first.k), len(constants))
+        last: FixedState = backend.by_moments(partial(run, march, since), share, state)
+        return last
+
+    wait = partial(seconds_until_compiled, COMPILE_COST[method] * source.count("\n"))
+    loop = Loop(in_python, share, compiled if engine.traced else None, wait)
+    carried_through(loop, first, "auto")
     if not np.isfinite(rows).all():
         raise ArithmeticError(f"the stages do not settle at a step of {h:.3g} s: give a shorter `step`")
     return rows
@@ -83,13 +90,6 @@ def _leap(source: str, engine: Engine) -> Any:
     namespace = {**vars(math), "given": engine.functions["given"]}
     exec(_code(source), namespace)
     return namespace["leap"]
-
-
-@lru_cache(maxsize=64)
-def _module(source: str) -> str:
-    from tam570.integrate import numba_backend
-
-    return numba_backend.module_source(fixed_loop_with, source, "leap", "march")
 
 
 def _at_start(method: str, engine: Engine, origin: float, start: Array) -> FixedState:

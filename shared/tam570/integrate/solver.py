@@ -13,7 +13,7 @@ from tam570.integrate.engine import engine
 __all__ = ["solve"]
 
 FIXED_STEP = ("gauss", "composition")
-METHODS = ("auto", "python", "numba", *FIXED_STEP)
+METHODS = ("auto", "python", "compiled", *FIXED_STEP)
 
 
 def solve(
@@ -37,8 +37,8 @@ def solve(
     rtol       : largest error of a step, relative to the largest magnitude so far of each component; what starts at
                  zero takes the size to which it, time, or the other components move it within the first step
     atol       : an error of a step that is allowed in any case, one number or k; left out, none but that of rtol
-    method     : "auto" runs in Python and goes on compiled by numba where that is installed and repays;
-                 "python" and "numba" insist; at a fixed step, for long runs of conservative systems:
+    method     : "auto" runs in Python and goes on compiled by llvmlite where that is installed and repays;
+                 "python" and "compiled" insist; at a fixed step, for long runs of conservative systems:
                  "gauss" (Gauss-Legendre, order 12), "composition" (order 8, y0 = (q, v), q' of v, v' of q)
                  these two also reach the last digits of a hundred periods, where the others' energy drifts
     step       : s, of "gauss" and "composition" alone, no longer than this; left out it follows from rtol

@@ -33,13 +33,13 @@ def oscillator(t, y):
         ({"method": "gauss", "step": math.inf}, "^step: must be"),
         ({"step": 0.1}, '^step: goes with method "gauss" or "composition" alone'),
         ({"step": -5.0, "method": "python"}, '^step: goes with method "gauss" or "composition" alone'),
-        ({"step": 0.1, "method": "numba"}, '^step: goes with method "gauss" or "composition" alone'),
+        ({"step": 0.1, "method": "compiled"}, '^step: goes with method "gauss" or "composition" alone'),
         ({"y0": [[1.0, 0.0], [0.0, 1.0]], "step": 0.1}, '^step: goes with method "gauss" or "composition" alone'),
         ({"method": "composition", "rhs": lambda t, y: (y[1], -y[0] - y[1])}, "^method: "),
         ({"method": "gauss", "project": lambda y: y}, "^project: "),
         ({"y0": [[1.0, 0.0], [0.0, 1.0]], "project": lambda y: y}, "^project: "),
         ({"y0": [[1.0, 0.0], [0.0, 1.0]], "method": "gauss"}, "^y0: "),
-        ({"method": "numba", "rhs": lambda t, y: (y[1], -y[0]) if y[0] > 0 else (0.0, 1.0)}, "^method: "),
+        ({"method": "compiled", "rhs": lambda t, y: (y[1], -y[0]) if y[0] > 0 else (0.0, 1.0)}, "^method: "),
     ],
 )
 def test_bad_input_is_named_with_its_remedy(change, message):

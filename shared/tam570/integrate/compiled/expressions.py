@@ -8,14 +8,12 @@ from typing import Any
 
 from tam570.integrate.compiled.ir import Array, Slot, Untranslatable, Value, Writer
 
-__all__ = ["LIBM", "LIBM_OF_TWO", "Expressions", "Names"]
+__all__ = ["Expressions", "Names"]
 
 Names = dict[str, Any]
 
-LIBM = frozenset(
-    """sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh
-    exp expm1 log log1p log2 log10 cbrt erf erfc""".split()
-)
+_LIBM = "sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh exp expm1 log log1p log2 log10 cbrt erf erfc"
+LIBM = frozenset(_LIBM.split(" "))
 LIBM_OF_TWO = frozenset(("atan2", "hypot", "pow"))
 ROOTS = {"sqrt": "llvm.sqrt.f64", "fabs": "llvm.fabs.f64", "abs": "llvm.fabs.f64"}
 ARITHMETIC: dict[type[ast.operator], tuple[str, Callable[[Any, Any], Any]]] = {
@@ -103,7 +101,9 @@ class Expressions(Writer):
             return value
         if not isinstance(value, Value):
             return -value
-        return self.emit(value.kind, f"fneg double {value.text}" if value.kind == "double" else f"sub i64 0, {value.text}")
+        return self.emit(
+            value.kind, f"fneg double {value.text}" if value.kind == "double" else f"sub i64 0, {value.text}"
+        )
 
     def of_Compare(self, names: Names, node: ast.Compare) -> Any:
         """a < b < c: all parts are evaluated, as they have no side effects."""
@@ -144,9 +144,7 @@ class Expressions(Writer):
 
     def chosen(self, test: Value, yes: Any, no: Any) -> Value:
         kind = "i64" if _whole(yes) and _whole(no) else "double"
-        return self.emit(
-            kind, f"select i1 {test.text}, {kind} {self.text(yes, kind)}, {kind} {self.text(no, kind)}"
-        )
+        return self.emit(kind, f"select i1 {test.text}, {kind} {self.text(yes, kind)}, {kind} {self.text(no, kind)}")
 
     def of_Call(self, names: Names, node: ast.Call) -> Any:
         given = [self.value(names, argument) for argument in node.args]
@@ -175,10 +173,8 @@ class Expressions(Writer):
         result = given[0]
         for other in given[1:]:
             beyond = self.compared(ast.Lt() if function == "min" else ast.Gt(), other, result)
-            if isinstance(beyond, Value):
-                result = self.chosen(beyond, other, result)
-            else:
-                result = other if beyond else result
+            known = other if beyond else result
+            result = self.chosen(beyond, other, result) if isinstance(beyond, Value) else known
         return result
 
 

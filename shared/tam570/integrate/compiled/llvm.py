@@ -5,11 +5,12 @@ import hashlib
 import os
 import re
 import tempfile
-from functools import cache, lru_cache
+from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 from typing import Any
 
-__all__ = ["address", "assembled", "folder"]
+__all__ = ["assembled", "folder", "function"]
 
 MARK = b"tam570 object 1\n"
 _CALLED = re.compile(r"call(?: \w+)*? (<\d+ x double>|double|void|i64) @([\w.]+)\(([^)]*)\)")
@@ -29,35 +30,50 @@ def assembled(lines: list[str]) -> str:
 
 
 @cache
-def _machine() -> Any:
-    """(binding, target machine, what identifies both)."""
+def _binding() -> tuple[Any, str]:
+    """llvmlite's binding, and what identifies it and this processor."""
     import llvmlite
     from llvmlite import binding
 
     binding.initialize_native_target()
     binding.initialize_native_asmprinter()
     name, features = binding.get_host_cpu_name(), binding.get_host_cpu_features().flatten()
-    machine = binding.Target.from_default_triple().create_target_machine(name, features, opt=2, jit=True)
-    return binding, machine, f"{llvmlite.__version__} {binding.llvm_version_info} {name} {features}"
+    return binding, f"{llvmlite.__version__} {binding.llvm_version_info} {name} {features}"
 
 
-@lru_cache(maxsize=256)
-def address(text: str, entry: str) -> tuple[Any, int]:
-    """(what owns the code, the address of `entry`)."""
-    binding, machine, who = _machine()
-    name = hashlib.sha256(f"{who}\n{text}".encode()).hexdigest()
-    engine = binding.create_mcjit_compiler(binding.parse_assembly(""), machine)
+def _machine(binding: Any) -> Any:
+    """A new one each time: the engine that is given it disposes of it."""
+    name, features = binding.get_host_cpu_name(), binding.get_host_cpu_features().flatten()
+    return binding.Target.from_default_triple().create_target_machine(name, features, opt=2, jit=True)
+
+
+def function(key: str, text: Callable[[], str], entry: str, kinds: tuple[Any, ...]) -> Any:
+    """`entry` as a function from Python, and what owns its code; other threads run while it does.
+
+    key : what the text follows from, together with the source of this package; it is written if it is not kept
+    """
+    binding, who = _binding()
+    name = hashlib.sha256(f"{_source()}\n{who}\n{key}".encode()).hexdigest()
+    owner = binding.create_mcjit_compiler(binding.parse_assembly(""), _machine(binding))
     code = _kept(name)
     if code is None:
-        code = _compiled(binding, machine, text)
+        code = _compiled(binding, text())
         _keep(name, code)
-    engine.add_object_file(binding.ObjectFileRef.from_data(code))
-    engine.finalize_object()
-    return engine, engine.get_function_address(entry)
+    owner.add_object_file(binding.ObjectFileRef.from_data(code))
+    owner.finalize_object()
+    made = ctypes.CFUNCTYPE(None, *kinds)(owner.get_function_address(entry))
+    return made, owner  # the code lives as long as its owner
 
 
-def _compiled(binding: Any, machine: Any, text: str) -> bytes:
-    module = binding.parse_assembly(text)
+@cache
+def _source() -> str:
+    """What identifies the engine itself, of which the compiled code is a part."""
+    files = sorted(Path(__file__).parents[1].rglob("*.py"))
+    return hashlib.sha256(b"".join(file.read_bytes() for file in files)).hexdigest()
+
+
+def _compiled(binding: Any, text: str) -> bytes:
+    module, machine = binding.parse_assembly(text), _machine(binding)
     module.verify()
     module.triple, module.data_layout = binding.get_default_triple(), str(machine.target_data)
     builder = binding.create_pass_builder(machine, binding.create_pipeline_tuning_options(speed_level=0))
@@ -99,11 +115,3 @@ def _keep(name: str, code: bytes) -> None:
         os.replace(file.name, folder() / f"{name}.o")
     except (OSError, RuntimeError):
         return
-
-
-def function(text: str, entry: str, kinds: tuple[Any, ...]) -> Any:
-    """`entry` as a function from Python; other threads run while it does."""
-    owner, where = address(text, entry)
-    made = ctypes.CFUNCTYPE(None, *kinds)(where)
-    made.owner = owner
-    return made

@@ -1,11 +1,12 @@
 """A recorded right-hand side as recurrences: the n-th Taylor coefficient of everything in it from the earlier ones.
 
-Each function is reduced to sums, products, quotients, roots, powers and two laws of derivatives, y' = w a' and w y' = a':
-sin' = cos a', tan' = (1 + tan^2) a', (1 + a^2) atan' = a'. Jorba and Zou, A software package for the numerical
+Each function is reduced to sums, products, quotients, roots, powers and laws of derivatives, y' = w a' or w y' = a':
+sin' = cos a', (1 + a^2) atan' = a'. Jorba and Zou, A software package for the numerical
 integration of ODEs by means of high-order Taylor methods, Experimental Mathematics 14 (2005).
 """
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from tam570.integrate.symbols import Symbol, Value
@@ -205,7 +206,7 @@ class _Making:
         return self.add("wy'=ab'-ba'", w, b, a, value="atan2", arguments=(b, a))
 
 
-_ARITHMETIC = {
+_ARITHMETIC: dict[str, Callable[..., int]] = {
     "+": _Making.sum,
     "-": _Making.difference,
     "*": _Making.product,
@@ -213,7 +214,7 @@ _ARITHMETIC = {
     "pow": _Making.power,
     "neg": lambda making, a: making.add("neg", a),
 }
-_DERIVATIVES = (
+_DERIVATIVES: dict[str, Callable[..., int]] = (
     dict.fromkeys(("sin", "cos", "sinh", "cosh"), _Making.turning)
     | dict.fromkeys(("tan", "tanh"), _Making.tangent)
     | dict.fromkeys(("exp", "expm1"), _Making.exponential)

@@ -218,9 +218,9 @@ class _Series(Writer):
         """What the recurrences divide by, once for all orders."""
         one = self.constant(1.0)
         for i, r in enumerate(self.found.series):
-            w = {"/": r.of[-1], "sqrt": i, "pow": r.of[0]}.get(r.kind, r.of[0] if r.kind[0] == "w" else None)
-            if w is not None:
-                doubled = self.op("add", self.first[w], self.first[w]) if r.kind == "sqrt" else self.first[w]
+            w = {"/": r.of[-1:], "sqrt": (i,), "pow": r.of[:1]}.get(r.kind, r.of[:1] if r.kind[0] == "w" else ())
+            for divisor in (self.first[j] for j in w):
+                doubled = self.op("add", divisor, divisor) if r.kind == "sqrt" else divisor
                 self.inverse[i] = self.op("div", one, doubled)
 
     def stored(self, i: int, n: str, n_number: str) -> None:

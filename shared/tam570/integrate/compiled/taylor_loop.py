@@ -4,15 +4,17 @@ A step is the polynomial itself. It is tried first and judged afterwards: at its
 polynomial's derivative. That test needs nothing but the next step's first coefficients, and no coefficient that
 happens to be zero deceives it.
 
-Names that are put in place for one right-hand side: SIZE components, ORDER of this run, STRIDE and LANES as in `series.Layout`.
+Names put in place for one right-hand side: SIZE components, ORDER of the run, STRIDE and LANES of `series.Layout`.
 Memory of one motion, `z`: NUMBERS first, then seven numbers a component and its polynomial, HIGHEST + 1 coefficients.
 """
 
+from math import inf
 from typing import Any
 
 from tam570.integrate.compiled.series import HIGHEST
+from tam570.integrate.scale import UNKNOWN
 
-__all__ = ["NUMBERS", "advance", "advance_all", "memory"]
+__all__ = ["NUMBERS", "advance", "memory"]
 
 NUMBERS = 16
 ROW, T, H, NEW, STATUS, STEPS, REFUSALS, TRIES, LONGEST = range(9)  # where in z
@@ -55,12 +57,15 @@ def settle(z: Any, work: Any, time: Any, c: Any, times: Any, out: Any, lane: Any
         if refused(z, work, time, c, lane, rtol):
             z[REFUSALS] += 1.0
             z[TRIES] += 1.0
+            for i in range(SIZE):  # what had no scale and was found moving
+                moved = 0.1 * z[H] * abs(work[(i * STRIDE + 1) * LANES + lane])
+                if z[at(M, i)] <= UNKNOWN and moved < inf:
+                    z[at(M, i)] = max(UNKNOWN, moved)
             attempt(z, work, times, lane, z[H] / 2.0 if z[TRIES] < 3.0 else z[H] / 8.0)
             return 0
         taken(z, times, out)
     if z[STATUS] == RUNNING:
-        if z[STEPS] == 0.0:
-            scaled(z, work, lane)
+        scaled(z, work, lane)
         h = longest(z, work, lane, reach)
         if not h < inf:
             h = GROWTH * z[LONGEST]
@@ -171,14 +176,16 @@ def longest(z: Any, work: Any, lane: Any, reach: Any) -> Any:
 
 
 def scaled(z: Any, work: Any, lane: Any) -> Any:
-    """What starts at zero has the magnitude that it will have before long."""
+    """What is zero and has no scale takes the size to which its first coefficient moves it within a step."""
     for i in range(SIZE):
-        power = 1.0
-        for n in range(1, ORDER + 1):
-            power *= z[LONGEST]
-            size = power * abs(work[(i * STRIDE + n) * LANES + lane])
-            if n < 4 and size < inf:
-                z[at(M, i)] = max(z[at(M, i)], size)
+        if z[at(M, i)] <= UNKNOWN:
+            power = 1.0
+            for n in range(1, ORDER + 1):
+                power *= z[LONGEST]
+                size = power * abs(work[(i * STRIDE + n) * LANES + lane])
+                if UNKNOWN < size < inf:
+                    z[at(M, i)] = size
+                    break
     return 0
 
 
@@ -193,6 +200,8 @@ def attempt(z: Any, work: Any, times: Any, lane: Any, h: Any) -> Any:
     h = new - t
     if h <= 2.0**-50 * t or h < 1e-17 * end:
         z[STATUS] = VANISHED
+        for i in range(SIZE):
+            z[at(Y, i)] = z[at(POLYNOMIAL, i)]
         return 0
     z[H] = h
     z[NEW] = new

@@ -154,7 +154,7 @@ class Translator(Expressions):
     def do_For(self, names: Names, node: ast.For) -> bool:
         bounds = self._bounds(names, node.iter)
         if bounds and any(isinstance(bound, Value) for bound in bounds):
-            return self._counted(names, node.body, *bounds, lambda i: self.assign(names, node.target, i))
+            return self._counted(names, node.body, bounds, lambda i: self.assign(names, node.target, i))
         items = tuple(range(*bounds)) if bounds else self.value(names, node.iter)
         if items and isinstance(items[0], float | tuple):
             return self._over_table(names, node, items)
@@ -170,8 +170,9 @@ class Translator(Expressions):
         return (0, *given) if len(given) == 1 else tuple(given)
 
     def _counted(
-        self, names: Names, body: Sequence[ast.stmt], first: Any, last: Any, named: Callable[[Value], None]
+        self, names: Names, body: Sequence[ast.stmt], bounds: tuple[Any, ...], named: Callable[[Value], None]
     ) -> bool:
+        first, last = bounds
         counter, end = self.allocated("i64"), self.text(last, "i64")
         test, inside, more, after = self.labels("test", "inside", "more", "after")
         self.store(first, counter)
@@ -198,7 +199,7 @@ class Translator(Expressions):
                 table = self.tables.setdefault(column, f"@table{len(self.tables)}")
                 self.assign(names, target, self.emit("double", f"load double, ptr {self.element(table, i)}"))
 
-        return self._counted(names, node.body, 0, len(rows), named)
+        return self._counted(names, node.body, (0, len(rows)), named)
 
     def do_Break(self, names: Names, node: ast.Break) -> bool:
         self.jump(self.loops[-1][1])
@@ -225,5 +226,3 @@ class Translator(Expressions):
 
 def _kind(value: float) -> str:
     return "i1" if isinstance(value, bool) else "i64" if isinstance(value, int) else "double"
-
-

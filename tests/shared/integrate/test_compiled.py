@@ -1,0 +1,132 @@
+"""Compiled code: the same motions as in Python, kept on disk safely, open to interrupts."""
+
+import math
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tam570.integrate import solve
+
+pytest.importorskip("llvmlite")
+
+
+def pendulum(t, state, *, length, gravity):
+    theta, omega = state
+    return omega, -gravity / length * math.sin(theta)
+
+
+PENDULUM = {"length": 1.0, "gravity": 9.81}
+RUN = """
+import sys, math
+from tam570.integrate import solve
+end = solve(lambda t, y: (y[1], -math.sin(y[0])), [0, 50.0], [2.0, 0.0], method="compiled")[-1]
+print(*map(float.hex, end.tolist()), "numba" in sys.modules)
+"""
+
+
+def first_and_second(cache, between=lambda files: None):
+    """What two processes say, one after the other, with the same folder; `between` has the files of the first."""
+    given = {**os.environ, "XDG_CACHE_HOME": str(cache)}
+    told = []
+    for _ in range(2):
+        told.append(subprocess.run([sys.executable, "-c", RUN], env=given, capture_output=True, text=True))
+        between(sorted(Path(cache).rglob("*.o")))
+    assert [one.stderr for one in told] == ["", ""]
+    return [one.stdout for one in told]
+
+
+@pytest.mark.parametrize("rtol", [1e-6, 1e-9, 1e-12])
+def test_compiled_and_interpreted_agree(rtol):
+    t = np.linspace(0, 30, 50)
+    compiled, plain, best = (
+        solve(pendulum, t, [2.0, 0.0], parameters=PENDULUM, rtol=r, method=m)
+        for r, m in ((rtol, "compiled"), (rtol, "python"), (1e-15, "python"))
+    )
+    wrong, usual = (np.abs(states - best).max() for states in (compiled, plain))
+    assert wrong < 3 * usual + 1e-12  # another method, no less accurate
+
+
+def test_a_function_without_derivatives_takes_the_steps_of_python():
+    def rates(t, y):
+        return y[1], -abs(y[0]) * y[0] - 0.1 * abs(y[1]) * y[1]
+
+    t = np.linspace(0, 20, 41)
+    compiled, plain = (solve(rates, t, [2.0, 0.0], method=m) for m in ("compiled", "python"))
+    assert (compiled == plain).all()  # products and sums in the same order: the same bits
+
+
+@pytest.mark.parametrize("method", ["gauss", "composition"])
+def test_long_runs_compiled_take_the_steps_of_python(method, monkeypatch):
+    t, given = np.linspace(0, 50, 6), {"method": method, "step": 0.01}
+    compiled = solve(lambda t, y: (y[1], -y[0] * y[0] * y[0]), t, [1.0, 0.0], **given)
+    monkeypatch.setenv("TAM570_COMPILED", "0")
+    assert (solve(lambda t, y: (y[1], -y[0] * y[0] * y[0]), t, [1.0, 0.0], **given) == compiled).all()
+
+
+def test_a_second_process_takes_what_the_first_compiled(tmp_path):
+    def unchanged(files):
+        stamps.append([file.stat().st_mtime_ns for file in files])
+
+    stamps = []
+    one, two = first_and_second(tmp_path, unchanged)
+    assert one == two and one.endswith("False\n")  # numba is not imported
+    assert len(stamps[0]) == 1 and stamps[0] == stamps[1]
+
+
+@pytest.mark.parametrize("spoiled", [b"", b"nonsense", None])
+def test_a_file_that_was_spoiled_is_made_again(tmp_path, spoiled):
+    whole = []
+
+    def spoil(files):
+        code = files[0].read_bytes()
+        whole.append(code)
+        files[0].write_bytes(code[:-1] + bytes([code[-1] ^ 1]) if spoiled is None else spoiled)
+
+    one, two = first_and_second(tmp_path, spoil)
+    assert one == two
+    assert whole[0] == whole[1]  # the second process did not take it, and wrote its own
+
+
+def test_a_folder_that_takes_nothing_is_no_hindrance(tmp_path):
+    (tmp_path / "file").touch()
+    one, two = first_and_second(tmp_path / "file")
+    assert one == two and one
+
+
+def test_without_the_compiler_auto_runs_in_python(monkeypatch):
+    monkeypatch.setenv("TAM570_COMPILED", "0")
+
+    def rates(t, state):
+        return state[1], -math.sin(state[0]) - 0.0123 * state[1]
+
+    rows = solve(rates, [0, 500.0], [2.0, 0.0])
+    assert (rows == solve(rates, [0, 500.0], [2.0, 0.0], method="python")).all()
+
+
+def test_what_cannot_be_written_down_is_refused_by_name():
+    with pytest.raises(ValueError, match="^method: "):
+        solve(lambda t, y: (y[1], -y[0]) if y[0] > 0 else (0.0, 1.0), [0, 1], [1.0, 0.0], method="compiled")
+
+
+def test_what_becomes_infinite_is_told_with_the_time():
+    with pytest.raises(ArithmeticError, match=r"t = (0\.9999|1\.0000)"):
+        solve(lambda t, y: (y[0] * y[0],), [0, 2.0], [1.0], method="compiled")
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no SIGINT for one process there")
+def test_an_interrupt_is_heard_in_compiled_code():
+    code = (
+        "import math\nfrom tam570.integrate import solve\nprint('go', flush=True)\n"
+        "solve(lambda t, y: (y[1], -math.sin(y[0])), [0, 1e12], [2.0, 0.0], method='compiled')"
+    )
+    run = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    run.stdout.readline()
+    time.sleep(1.0)  # until it is under way
+    run.send_signal(signal.SIGINT)
+    assert "KeyboardInterrupt" in run.communicate(timeout=20)[1]
