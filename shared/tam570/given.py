@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["array", "finite", "nonnegative", "numbers", "one_of", "positive", "sequence"]
+__all__ = ["array", "finite", "nonnegative", "numbers", "one_of", "positive", "positives", "sequence"]
 
 
 def positive(**named: float) -> None:
@@ -56,6 +56,15 @@ def array(shape: tuple[int | None, ...], **named: ArrayLike) -> NDArray[np.float
     if not np.isfinite(values).all():
         raise ValueError(f"{name}: must be finite, got {values}")
     return values
+
+
+def positives(count: int | None = None, **named: Sequence[float]) -> tuple[float, ...]:
+    """The one sequence that is named, of `count` positive floats."""
+    ((name, value),) = named.items()
+    values = numbers(count, **named)
+    if not (values > 0.0).all():
+        raise ValueError(f"{name}: must be positive numbers, got {value!r}")
+    return tuple(values.tolist())
 
 
 def numbers(count: int | None = None, **named: ArrayLike) -> NDArray[np.float64]:

@@ -1,0 +1,131 @@
+"""29 Aug, 5 Sept: A ball thrown through air, with drag in proportion to the square of its speed.
+
+x is level, y up. The drag -c |v| v points against the velocity, so m x'' = -c |v| x', m y'' = -m g - c |v| y'. The path
+has no closed form; the velocity has one integral, found by dividing the equations by each other: with the slope
+p = vy/vx it is d(1/vx^2)/dp = -2 (c/(m g)) sqrt(1 + p^2), the hodograph (Johann Bernoulli, 1719).
+"""
+
+from collections.abc import Mapping, Sequence
+from math import asinh, copysign, hypot, inf, isfinite, sqrt
+
+import numpy as np
+
+from tam570.given import nonnegative, positive, sequence
+from tam570.integrate import solve
+from tam570.show.film import GREY, Array, Film, Panel, Part, Strip, clock, followed, strip_samples, with_slider
+
+__all__ = ["film", "hodograph", "rates", "terminal_speed"]
+
+STATE = {"x": "m", "y": "m", "vx": "m/s", "vy": "m/s"}
+EXAMPLE = {"mass": 5.0, "drag": 0.01, "gravity": 9.81}  # kg, kg/m, m/s^2: a cannon ball
+START = (0.0, 0.0, 90.0, 90.0)
+SECONDS = 20.0
+SLIDER = (0.3, 1.0, 3.0, 10.0, 30.0)  # times the drag
+
+
+def rates(t: float, state: Sequence[float], *, mass: float, drag: float, gravity: float) -> tuple[float, ...]:
+    """(4,) velocity, m/s, and acceleration, m/s^2. Without drag (0) the path is a parabola."""
+    _check(mass, drag, gravity)
+    sequence(4, state=state)
+    _, _, vx, vy = state
+    slowing = drag / mass * sqrt(vx * vx + vy * vy)  # 1/s
+    return vx, vy, -slowing * vx, -gravity - slowing * vy
+
+
+def terminal_speed(*, mass: float, drag: float, gravity: float) -> float:
+    """m/s, at which the drag carries the weight."""
+    positive(mass=mass, drag=drag)
+    nonnegative(gravity=gravity)
+    return sqrt(mass * gravity / drag)
+
+
+def hodograph(state: Sequence[float], *, mass: float, drag: float, gravity: float) -> float:
+    """1/vx^2 + (drag/(mass gravity)) (p sqrt(1 + p^2) + asinh p), p = vy/|vx|, s^2/m^2; infinite where vx = 0."""
+    _check(mass, drag, gravity)
+    positive(gravity=gravity)
+    sequence(4, state=state)
+    across = abs(float(state[2]))
+    p = float(state[3]) / across if across else inf
+    return across**-2 + drag / (mass * gravity) * (p * hypot(1.0, p) + asinh(p)) if isfinite(p) else inf
+
+
+INVARIANTS = {"hodograph": hodograph}
+
+
+def _check(mass: float, drag: float, gravity: float) -> None:
+    positive(mass=mass)
+    nonnegative(drag=drag, gravity=gravity)
+
+
+def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Film:
+    """How a cannon ball flies: as the Middle Ages thought, as a parabola, as it does; for several drags."""
+    drag = parameters["drag"]
+    drags = [share * drag for share in SLIDER] if drag else []
+    return with_slider(lambda c: _one({**parameters, "drag": c}, start, seconds), "drag", "kg/m", drags, drag)
+
+
+def _one(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Film:
+    times = clock(seconds)
+    states = solve(rates, times, start, parameters=parameters, rtol=1e-8)
+    falls = np.outer(times**2 / 2, [0.0, -parameters["gravity"]])
+    parabola = np.add(start[:2], np.outer(times, start[2:]) + falls)
+    paths = {"parabola": _landed(parabola), "with drag": _landed(states[:, :2])}
+    paths["as in the Middle Ages"] = _out_then_down(times, start, paths["with drag"], parameters)
+    colors = dict(zip(paths, (0, 2, 1), strict=True))
+    ground = np.array([start[:2], [paths["parabola"][-1, 0], start[1]]])
+    return Film(
+        "Cannon ball",
+        "Three balls leave one point together. One flies on a parabola, one through air, where it falls more steeply "
+        "than it rose, and one as in the Middle Ages, straight out and then straight down. The more drag there is, the "
+        "more the second looks like the third.",
+        times,
+        [
+            Panel([Part("lines", ground, GREY), *_flights(paths, colors, named=True)], "as far as they go"),
+            *_shapes(paths, colors),
+        ],
+        [_speed(times, states, parameters)],
+        poster=0.45,
+    )
+
+
+def _landed(path: Array) -> Array:
+    """(n, 2) the path, which ends where it comes back to the height of its start."""
+    below = np.flatnonzero(path[1:, 1] < path[0, 1]) + 1
+    if path[1, 1] <= path[0, 1] or not len(below):
+        return path
+    before, after = path[below[0] - 1], path[below[0]]
+    share = (before[1] - path[0, 1]) / (before[1] - after[1])
+    return np.where(np.arange(len(path))[:, None] < below[0], path, before + share * (after - before))
+
+
+def _out_then_down(times: Array, start: Sequence[float], real: Array, parameters: Mapping[str, float]) -> Array:
+    """(n, 2) straight on at the speed of the start as far as the real ball comes, then down at terminal speed."""
+    x, y, vx, vy = start
+    turn = abs((real[-1, 0] - x) / vx) if vx else 0.0
+    out = np.minimum(times, turn)
+    down = (times - out) * (terminal_speed(**parameters) if parameters["drag"] else 0.0)
+    return _landed(np.column_stack([x + vx * out, y + vy * out - down]))
+
+
+def _flights(paths: Mapping[str, Array], colors: Mapping[str, int], *, named: bool) -> list[Part]:
+    trails = [
+        Part("trail", path[:, None], colors[name], name if named else "", width=2.5) for name, path in paths.items()
+    ]
+    return [*trails, *(Part("dot", path[:, None], colors[name], width=7) for name, path in paths.items())]
+
+
+def _shapes(paths: Mapping[str, Array], colors: Mapping[str, int]) -> list[Panel]:
+    """The paths, each as large as its range; no panel if one goes straight up."""
+    ranges = {name: path[-1, 0] - path[0, 0] for name, path in paths.items()}
+    if not all(ranges.values()):
+        return []
+    shapes = {name: (path - path[0]) / abs(ranges[name]) for name, path in paths.items()}
+    along = copysign(1.0, ranges["parabola"])
+    ground = Part("lines", np.array([[0.0, 0.0], [along, 0.0]]), GREY)
+    return [Panel([ground, *_flights(shapes, colors, named=False)], "each as a share of its range", ruler=False)]
+
+
+def _speed(times: Array, states: Array, parameters: Mapping[str, float]) -> Strip:
+    shown = strip_samples(times)
+    note = f"terminal speed {terminal_speed(**parameters):.3g} m/s" if parameters["drag"] else "no drag"
+    return followed("speed through air", times[shown], {"": np.hypot(*states[shown, 2:].T)}, "m/s", note)
