@@ -17,7 +17,7 @@ def is_lecture(what: str) -> bool:
 def listed() -> int:
     """Print all lectures by date."""
     for lecture in known().values():
-        print(f"{lecture.date:<13} {lecture.name:<18} {lecture.title}")
+        print(f"{lecture.date:<15} {lecture.name:<18} {lecture.title}")
     return 0
 
 

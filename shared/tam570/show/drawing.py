@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike
 
 from tam570.show.film import GREY, Array, Part
 
-__all__ = ["axes", "box_face", "circle", "floor", "unit_circle"]
+__all__ = ["axes", "box_face", "circle", "coil", "floor", "unit_circle"]
 
 
 def unit_circle(count: int) -> Array:
@@ -21,6 +21,18 @@ def circle(centre: ArrayLike, one: ArrayLike, other: ArrayLike, count: int = 61)
     c, s = unit_circle(count).T[..., None]
     centre, one, other = (np.asarray(vector, dtype=float)[..., None, :] for vector in (centre, one, other))
     path: Array = centre + c * one + s * other
+    return path
+
+
+def coil(start: Array, end: Array, width: float, turns: int = 8) -> Array:
+    """(n, 2 turns + 4, 2) zigzag of a spring in the plane between points (n, 2), straight for an eighth at each end."""
+    share = np.concatenate([[0.0, 0.125], 0.125 + 0.75 * (np.arange(2 * turns) + 0.5) / (2 * turns), [0.875, 1.0]])
+    aside = np.concatenate([[0.0, 0.0], width * (-1.0) ** np.arange(2 * turns), [0.0, 0.0]])
+    along = end - start
+    across = np.stack([-along[:, 1], along[:, 0]], axis=-1)
+    length = np.linalg.norm(along, axis=1, keepdims=True)
+    across = across / np.where(length > 0.0, length, 1.0)
+    path: Array = start[:, None] + share[:, None] * along[:, None] + aside[:, None] * across[:, None]
     return path
 
 

@@ -1,0 +1,126 @@
+"""5 Sept: n bodies that attract each other, as in the solar system.
+
+Positions and velocities in space. m_i r_i'' = sum over j of G m_i m_j (r_j - r_i)/|r_j - r_i|^3. The example is the
+figure of eight of Chenciner and Montgomery (Annals of Mathematics 152, 2000), start by Simo: three equal bodies chase
+each other on one curve, once round in 6.32591398 s.
+"""
+
+from collections.abc import Mapping, Sequence
+from math import sqrt
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from tam570.given import nonnegative, numbers, positives, sequence
+from tam570.integrate import solve
+from tam570.show.film import Array, Film, Panel, Part, clock, conserved, strip_samples
+
+__all__ = ["angular_momentum", "energy", "film", "momentum", "rates"]
+
+STATE = {f"{part}{axis}{i}": unit for part, unit in (("", "m"), ("v", "m/s")) for i in (1, 2, 3) for axis in "xyz"}
+EXAMPLE: dict[str, Any] = {"masses": (1.0, 1.0, 1.0), "newton": 1.0}  # kg, m^3/(kg s^2)
+X, Y, VX, VY = 0.97000436, -0.24308753, 0.466203685, 0.43236573  # m, m, m/s, m/s
+START = (X, Y, 0.0, -X, -Y, 0.0, 0.0, 0.0, 0.0, VX, VY, 0.0, VX, VY, 0.0, -2 * VX, -2 * VY, 0.0)
+SECONDS = 12.65182796
+MANY = 10  # from so many bodies on arrays are faster than loops
+
+
+def rates(t: float, state: Sequence[float], *, masses: Sequence[float], newton: float) -> Sequence[float]:
+    """(6 n,) all velocities, m/s, then all accelerations, m/s^2.
+
+    masses : (n,) kg
+    newton : the constant of gravitation, m^3/(kg s^2)
+    """
+    each = _checked(masses, newton)
+    n = len(each)
+    sequence(6 * n, state=state)
+    try:
+        accelerations = (_by_arrays if n >= MANY else _by_pairs)(state[: 3 * n], each, newton)
+    except ZeroDivisionError:
+        raise ValueError("state: two bodies are at the same place") from None
+    return (*state[3 * n :], *accelerations)
+
+
+def _by_pairs(places: Sequence[float], masses: Sequence[float], newton: float) -> list[float]:
+    pulls = [0.0] * len(places)
+    for i in range(len(masses)):
+        for j in range(i):
+            gap = [places[3 * j + axis] - places[3 * i + axis] for axis in range(3)]
+            square = gap[0] * gap[0] + gap[1] * gap[1] + gap[2] * gap[2]
+            factor = newton / (square * sqrt(square))
+            for axis in range(3):
+                pulls[3 * i + axis] += factor * masses[j] * gap[axis]
+                pulls[3 * j + axis] -= factor * masses[i] * gap[axis]
+    return pulls
+
+
+def _by_arrays(places: Sequence[float], masses: Sequence[float], newton: float) -> list[float]:
+    r = np.reshape(places, (-1, 3))
+    gaps = r - r[:, None]  # from i, the first index, to j
+    squares = (gaps * gaps).sum(axis=-1) + np.eye(len(r))  # none pulls at itself: its gap is 0
+    if r.dtype == float and not squares.all():
+        raise ZeroDivisionError
+    factors = newton * np.asarray(masses) / (squares * np.sqrt(squares))
+    pulls: list[float] = (factors[:, :, None] * gaps).sum(axis=1).ravel().tolist()
+    return pulls
+
+
+def energy(state: ArrayLike, *, masses: Sequence[float], newton: float) -> float:
+    """Kinetic energy and that of all pairs, J."""
+    m, r, v = _parts(state, masses, newton)
+    first, second = np.triu_indices(len(m), 1)
+    distances = np.linalg.norm(r[first] - r[second], axis=1)
+    return float(m @ (v * v).sum(axis=1) / 2 - newton * (m[first] * m[second] / distances).sum())
+
+
+def momentum(state: ArrayLike, *, masses: Sequence[float], newton: float) -> Array:
+    """(3,) kg m/s."""
+    m, _, v = _parts(state, masses, newton)
+    total: Array = m @ v
+    return total
+
+
+def angular_momentum(state: ArrayLike, *, masses: Sequence[float], newton: float) -> Array:
+    """(3,) about the origin, kg m^2/s."""
+    m, r, v = _parts(state, masses, newton)
+    total: Array = m @ np.cross(r, v)
+    return total
+
+
+INVARIANTS = {"energy": energy, "momentum": momentum, "angular_momentum": angular_momentum}
+
+
+def _checked(masses: Sequence[float], newton: float) -> tuple[float, ...]:
+    nonnegative(newton=newton)
+    return positives(masses=masses)
+
+
+def _parts(state: ArrayLike, masses: Sequence[float], newton: float) -> tuple[Array, Array, Array]:
+    """(n,) masses, (n, 3) positions, (n, 3) velocities."""
+    m = np.array(_checked(masses, newton))
+    r, v = numbers(6 * len(m), state=state).reshape(2, -1, 3)
+    return m, r, v
+
+
+def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Film:
+    """All of them with their paths."""
+    times = clock(seconds)
+    states = solve(rates, times, start, parameters=parameters)
+    n = len(start) // 6
+    places = states[:, : 3 * n].reshape(-1, n, 3)
+    if not places[..., 2].any():
+        places = places[..., :2]
+    parts = [Part("trail", places[:, [i]], i % 6, width=2) for i in range(n)]
+    parts += [Part("dot", places[:, [i]], i % 6, f"body {i + 1}", width=8) for i in range(n)]
+    shown = strip_samples(times)
+    energies = np.array([energy(state, **parameters) for state in states[shown]])
+    return Film(
+        f"{n} bodies",
+        "Bodies attract each other and move on paths that bend around each other. In the example three equal bodies "
+        "chase each other on one curve in the shape of an eight.",
+        times,
+        [Panel(parts)],
+        [conserved("energy, change", times[shown], {"": energies}, abs(energies[0]) or 1.0, "itself")],
+        poster=0.2,
+    )
