@@ -1,4 +1,4 @@
-"""The grader's commands: what each imports, what cannot be written, interrupts, stubs, and the students' kit."""
+"""The grader's commands: what each imports, what cannot be written, interrupts and stubs."""
 
 import errno
 import itertools
@@ -6,12 +6,10 @@ import json
 import signal
 import subprocess
 import sys
-import zipfile
 
 import pytest
 
 from tam570_grader import cli as grader
-from tam570_grader.delivery.kit import run as make_kit
 from tam570_grader.results import journal
 from tam570_grader.writing import assignments
 
@@ -110,37 +108,3 @@ def test_stubs_are_written_and_compared(tmp_path, capsys, course):
     assert "run tam570-grader stubs" in capsys.readouterr().err
     assert grader.main(["--root", str(tmp_path), "stubs"]) == 0
     assert grader.main(["--root", str(tmp_path), "stubs", "--check"]) == 0
-
-
-@pytest.fixture(scope="module")
-def kit(tmp_path_factory, course):
-    folder = tmp_path_factory.mktemp("kit")
-    assert make_kit(course, folder) == 0
-    return folder
-
-
-def test_the_kit_holds_the_assignments_and_no_secret(kit, course):
-    (wheel,) = kit.glob("*.whl")
-    with zipfile.ZipFile(wheel) as archive:
-        names = archive.namelist()
-        texts = b"\n".join(archive.read(name) for name in names if "/grader/" not in name)
-    assert wheel.name in (kit / "README.md").read_text()
-    assert {f"tam570/assignments/{slug}/{slug}.py" for slug in assignments.slugs(course)} <= set(names)
-    assert not [name for name in names if "solutions" in name or "checks/" in name or "__pycache__" in name]
-    for slug in assignments.slugs(course):
-        first = assignments.assignment(course, slug).checks[0]
-        assert f"def {first.name}".encode() not in texts
-
-
-@pytest.mark.full
-def test_a_student_installs_the_kit_in_an_empty_environment_and_works(kit, tmp_path):
-    (wheel,) = kit.glob("*.whl")
-    python = tmp_path / "env" / "bin" / "python"
-    for command in (
-        [sys.executable, "-m", "venv", tmp_path / "env"],
-        [python, "-m", "pip", "install", "-q", wheel],
-        [python, "-m", "tam570", "start", "hw08"],
-    ):
-        subprocess.run(command, check=True, cwd=tmp_path)
-    process = subprocess.run([python, "-m", "tam570", "check", "hw08"], cwd=tmp_path, capture_output=True, text=True)
-    assert process.returncode == 1 and "nothing is written yet" in process.stdout

@@ -12,7 +12,7 @@ from tam570_grader.errors import UsageError, writing
 from tam570_grader.results.journal import written
 from tam570_grader.writing import assignments
 
-__all__ = ["run"]
+__all__ = ["run", "write_notebook"]
 
 TEMPLATES = Path(__file__).parent / "templates"
 
@@ -42,12 +42,18 @@ def _write_assignment(course: Path, slug: str, folder: Path) -> None:
         if not (released / name).is_file():
             raise UsageError(f"{released / name} is missing: the assignment cannot be released yet")
         shutil.copyfile(released / name, folder / name)
+    write_notebook(course, slug, folder)
+
+
+def write_notebook(course: Path, slug: str, folder: Path) -> None:
+    """The notebook form of an assignment, and the module that it uses."""
+    released = course / "assignments" / slug
     shutil.copyfile(TEMPLATES / "lab.py", folder / "lab.py")
     pictures = assignments.checks_folder(course, slug) / "notebook.md"
     made = notebook(
         assignments.assignment(course, slug),
-        (released / readme).read_text(encoding="utf-8"),
-        (released / tests).read_text(encoding="utf-8"),
+        (released / "README.md").read_text(encoding="utf-8"),
+        (released / f"test_{slug}.py").read_text(encoding="utf-8"),
         pictures.read_text(encoding="utf-8") if pictures.exists() else "",
     )
     written(folder / f"{slug}.ipynb", json.dumps(made, indent=1, ensure_ascii=False) + "\n")

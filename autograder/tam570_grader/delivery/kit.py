@@ -1,33 +1,27 @@
-"""Makes the students' kit: the wheel of the course and a page that says how to start."""
+"""Makes the students' kit: a wheel with the assignments and the students' command, and a page that says how to start.
 
+The wheel's version ends in a digest of its content: pip installs a kit that has changed over an older one.
+"""
+
+import hashlib
+import re
+import shutil
 import sys
+import tempfile
+import tomllib
 from pathlib import Path
+from typing import Any
 
+from tam570_grader.delivery.course import write_notebook
 from tam570_grader.errors import UsageError, writing
 from tam570_grader.results.journal import written
+from tam570_grader.writing import assignments
 
 __all__ = ["run"]
 
-README = """# Your kit for Intermediate Dynamics
-
-You need Python 3.11 or newer. In this folder:
-
-    python3 -m venv dynamics           # on Windows: python -m venv dynamics
-    . dynamics/bin/activate            # on Windows: dynamics\\Scripts\\activate
-    pip install {wheel}
-
-Then, wherever you want to work:
-
-    tam570 list                        # the assignments
-    tam570 start hw08                  # makes a folder with the problem, the file to fill in, and tests
-    tam570 check hw08                  # runs the tests on what you have written so far
-    tam570 check hw08 --watch          # runs those that a change concerns, each time you save
-    tam570 hint hw08 rotation_matrix   # a first hint; ask again for the next one
-    tam570 show hw08                   # your own functions, as a scene that moves
-
-Fill in the functions of `hw08_axis_angle.py`; everything asked for is in the README beside it. Hand in that
-one file. It will be tested with other numbers than yours.
-"""
+OF_THE_GRADER = ("msgpack", "tqdm")  # what the students' side does without
+NOT_FOR_STUDENTS = shutil.ignore_patterns("__pycache__", ".*", "*.pyc")
+TEMPLATES = Path(__file__).parent / "templates"
 
 
 def run(course: Path, folder: Path) -> int:
@@ -35,17 +29,66 @@ def run(course: Path, folder: Path) -> int:
     with writing(folder):
         folder.mkdir(parents=True, exist_ok=True)
     wheel = _wheel(course, folder.resolve())
-    written(folder / "README.md", README.format(wheel=wheel.name))
-    print(f"{folder}: {wheel.name} and README.md, for your students", file=sys.stderr)
+    text = (TEMPLATES / "kit.md").read_text(encoding="utf-8")
+    written(folder / "README.md", text.replace("{wheel}", wheel.name))
+    shutil.copyfile(course / "NOTATION.md", folder / "NOTATION.md")
+    print(f"{folder}: {wheel.name}, README.md and NOTATION.md, for your students", file=sys.stderr)
     return 0
 
 
 def _wheel(course: Path, folder: Path) -> Path:
-    """Build the wheel, which holds no solution and no check."""
+    """Build the wheel, which holds no solution, no check, and nothing of the grader."""
     try:
         from hatchling.builders.wheel import WheelBuilder
     except ImportError:
         raise UsageError("building the wheel needs hatchling: pip install 'tam570[grader]'") from None
     for old in folder.glob("tam570-*.whl"):
         old.unlink()
-    return Path(next(iter(WheelBuilder(str(course)).build(directory=str(folder), versions=["standard"]))))
+    with tempfile.TemporaryDirectory() as stage:
+        version = _staged(course, Path(stage))
+        builder = WheelBuilder(stage, config=_project(course, version))
+        return Path(next(iter(builder.build(directory=str(folder), versions=["standard"]))))
+
+
+def _staged(course: Path, stage: Path) -> str:
+    """Put together what the wheel holds; its version."""
+    package = stage / "tam570"
+    shutil.copytree(course / "shared" / "tam570", package, ignore=NOT_FOR_STUDENTS)
+    shutil.copytree(course / "assignments", package / "assignments", ignore=NOT_FOR_STUDENTS)
+    for slug in assignments.slugs(course):
+        place = package / "assignments" / slug / "notebook"
+        place.mkdir()
+        write_notebook(course, slug, place)
+    for name in ("README.md", "LICENSE"):
+        shutil.copyfile(course / name, stage / name)
+    start = package / "__init__.py"
+    text = start.read_text(encoding="utf-8")
+    version = re.sub(r'[\s\S]*__version__ = "(.*?)"[\s\S]*', rf"\1+{_digest(package)}", text)
+    start.write_text(re.sub(r'__version__ = ".*?"', f'__version__ = "{version}"', text), encoding="utf-8")
+    return version
+
+
+def _digest(folder: Path) -> str:
+    """Of all that is in a folder."""
+    found = hashlib.sha256()
+    for path in sorted(path for path in folder.rglob("*") if path.is_file()):
+        found.update(f"{path.relative_to(folder).as_posix()}\0{path.stat().st_size}\0".encode() + path.read_bytes())
+    return found.hexdigest()[:10]
+
+
+def _project(course: Path, version: str) -> dict[str, Any]:
+    """The project as pyproject.toml has it, without the grader."""
+    config = tomllib.loads((course / "pyproject.toml").read_text(encoding="utf-8"))
+    project: dict[str, Any] = config["project"]
+    project |= {
+        "version": version,
+        "dynamic": [],
+        "dependencies": [one for one in project["dependencies"] if not one.startswith(OF_THE_GRADER)],
+        "optional-dependencies": {"fast": project["optional-dependencies"]["fast"]},
+        "scripts": {"tam570": project["scripts"]["tam570"]},
+    }
+    return {
+        "build-system": config["build-system"],
+        "project": project,
+        "tool": {"hatch": {"build": {"targets": {"wheel": {"packages": ["tam570"]}}}}},
+    }

@@ -30,7 +30,7 @@ def trouble(slug: str, message: str) -> None:
 def imported(skipped: Iterable[str], printed: str) -> None:
     """What happened while the file was imported."""
     for cell in skipped:
-        print(_wrapped(f"left out, as the grader leaves it out: {cell}"))
+        print(_wrapped(f"left out, as where it is graded: {cell}", "", "    "))
     if printed:
         print(_printed(printed, "your file prints when it is imported", ""))
 

@@ -92,7 +92,7 @@ def _functions(file: Path, slug: str) -> tuple[Functions, list[str], str]:
     """The student's functions, the notebook's cells that were skipped, and what was printed. Trouble if none."""
     given = contract(slug)
     banned = given["off_limits"].get("*", ())
-    guard = guarded_import(banned, file.suffix == ".ipynb")
+    guard = guarded_import(slug, banned, file.suffix == ".ipynb")
     with contextlib.redirect_stdout(io.StringIO()) as printed, replaced(banned, HERE):
         try:
             with limited():

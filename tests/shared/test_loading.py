@@ -1,0 +1,92 @@
+"""Notebooks as their students wrote them: checked, shown, and read as the grader reads them."""
+
+import json
+
+import pytest
+
+from tam570 import notebooks
+from tam570.loading import LIBRARIES, Trouble, loaded
+from tam570.show import show
+
+SLUG = "hw08_axis_angle"
+
+
+def notebook(*sources):
+    cells = [{"cell_type": "code", "source": source, "metadata": {}, "outputs": []} for source in sources]
+    return json.dumps({"cells": [{"cell_type": "markdown", "source": "# title"}, *cells], "nbformat": 4})
+
+
+@pytest.fixture
+def book(desk, solution_text):
+    """`book(*cells)` -> a notebook with the solution of hw08, magics about it, and these cells."""
+
+    def book(*cells):
+        head, body = solution_text(SLUG).split("\ndef ", 1)
+        file = desk / f"{SLUG}.ipynb"
+        file.write_text(notebook(f"%matplotlib inline\n!ls\nprint('x')\n{head}", f"\ndef {body}", *cells))
+        return file
+
+    return book
+
+
+def test_a_notebook_is_checked(book, tam570):
+    code, said = tam570("check", book())
+    assert code == 0 and "7 of 7 tests pass" in said
+
+
+def test_a_cell_that_raises_is_left_out_and_named(book, tam570):
+    code, said = tam570("check", book("def skew(v):\n    return 1 +", "rotate(nothing)", "display(1)"))
+    assert code == 0 and "left out" in said and "cell 4: SyntaxError" in said and "cell 5: NameError" in said
+    assert "cell 6" not in said
+
+
+def test_what_is_wrong_in_a_cell_is_named_by_its_line(book, tam570):
+    code, said = tam570("check", book("def rotate(r, axis, angle):\n    x = 1\n    return r + nothing"))
+    assert code == 1 and "Line 3, in rotate: return r + nothing" in said
+
+
+def test_what_is_off_limits_is_off_limits_in_a_notebook(book, tam570):
+    code, said = tam570("check", book("from scipy.spatial.transform import Rotation\n\ndef rotate(*a): return None"))
+    assert code == 0 and "scipy.spatial.transform is off limits" in " ".join(said.split())
+
+
+@pytest.mark.parametrize("text", ["", "{}", "[]", "not json", notebook("x = 1")])
+def test_a_notebook_without_functions_is_said_so(desk, tam570, text):
+    (desk / f"{SLUG}.ipynb").write_text(text)
+    code, said = tam570("check", f"{SLUG}.ipynb")
+    assert code == 1 and "Traceback" not in said and "The grader would give this file 0 points." in said
+
+
+def test_the_notebook_counts_where_the_module_is_still_empty(book, hw08, desk, tam570):
+    book().rename(hw08(None).with_suffix(".ipynb"))
+    assert tam570("check", "hw08")[0] == 0
+    hw08("def skew(v):\n    return None")
+    assert tam570("check", "hw08")[0] == 1
+
+
+def test_a_notebook_is_shown(book, tam570, desk):
+    code, said = tam570("show", book(), "--save", "scene.html")
+    assert code == 0 and (desk / "scene.html").stat().st_size > 10_000, said
+    assert show(book()).film is not None
+
+
+@pytest.mark.parametrize(
+    ("cell", "plain"),
+    [
+        ("%matplotlib inline\nx = 1", "pass\nx = 1"),
+        ("files = !ls\nx = 7 \\\n % 3", "pass\nx = 7 \\\n % 3"),
+        ("%time x = 2", "x = 2"),
+        ("x?\nif x:\n    !pip install \\\n  y", "pass\nif x:\n\n    pass"),
+        ("x = (", ""),
+    ],
+)
+def test_magics_are_dropped_where_pythons_syntax_ends(cell, plain):
+    assert notebooks.plain(cell) == plain
+
+
+def test_the_libraries_that_are_allowed_can_be_imported(desk):
+    (desk / "hw08.py").write_text("".join(f"import {name}\n" for name in LIBRARIES if name != "mpl_toolkits"))
+    assert loaded(desk / "hw08.py", SLUG)
+    (desk / "hw08.txt").write_text("")
+    with pytest.raises(Trouble, match="neither a Python module"):
+        loaded(desk / "hw08.txt", SLUG)
