@@ -11,7 +11,6 @@ import pytest
 
 from tam570_grader import cli as grader
 from tam570_grader.results import journal
-from tam570_grader.writing import assignments
 
 SLUG = "hw08_axis_angle"
 HEAVY = {"scipy", "matplotlib", "sympy", "pytest", "llvmlite", "nbgrader", "tqdm", "hatchling", "IPython"}

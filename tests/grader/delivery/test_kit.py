@@ -46,7 +46,7 @@ def test_its_only_command_is_the_students(unpacked):
     (entry_points,) = unpacked.glob("*.dist-info/entry_points.txt")
     assert entry_points.read_text().split() == ["[console_scripts]", "tam570", "=", "tam570.cli:main"]
     (metadata,) = unpacked.glob("*.dist-info/METADATA")
-    assert "nbgrader" not in metadata.read_text().partition("\n\n")[0]
+    assert "msgpack" not in metadata.read_text().partition("\n\n")[0]
 
 
 def test_its_page_names_the_wheel_and_what_may_be_used(kit):
