@@ -13,6 +13,7 @@ from tam570_grader.writing.curves import kept
 from tam570_grader.writing.drawings import distances, judge_axes_of_lengths, judge_boxes, path_drawn, words
 from tam570_grader.writing.expect import Failed, current, expect, expect_that, fail
 from tam570_grader.writing.follow import Column, Invariant, follow, stays
+from tam570_grader.writing.formulas import from_own_lagrangian
 from tam570_grader.writing.returns import array, drawing, formula, group, number, rows
 from tam570_grader.writing.times import SOME_TIMES, in_turn, mistimed, uneven
 
@@ -37,6 +38,7 @@ __all__ = [
     "expect",
     "expect_that",
     "formula",
+    "from_own_lagrangian",
     "given",
     "group",
     "judge_axes_of_lengths",

@@ -1,6 +1,7 @@
 """The student as a check sees it: functions to call, each call made in the sandbox, each result what was promised."""
 
 import builtins
+import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
@@ -20,6 +21,7 @@ __all__ = ["BudgetSpent", "Call", "NotLoaded", "NotWritten", "Source", "Student"
 
 REAL = 1e-12  # of a value: complex exponentials that make it real leave 1e-25 of imaginary part
 ROUNDING = 1e-25  # where they cancel to zero
+STRANGER = r"[A-Za-z]{1,12}(_?[A-Za-z0-9]{1,3})?(\(t\))?"  # a symbol's name, theta_1, or a function of time, theta(t)
 
 
 @dataclass(frozen=True)
@@ -96,6 +98,11 @@ class Student:
         for cell in self._cells.values():
             cell.drop()
         self._cells.clear()
+
+    @property
+    def text(self) -> str:
+        """What was handed in, as far as it is text."""
+        return self._source.text.decode("utf-8", "replace")
 
     def replies(self, name: str, calls: Sequence[Given], **mode: Any) -> list[dict[str, Any]]:
         """One reply for each call up to the first error; Failed if the function hangs or ends its process."""
@@ -208,9 +215,14 @@ class Function:
         return self.many([given(*args, **kwargs)])[0]
 
     def each(self, calls: Iterable[Given]) -> Iterator[tuple[Given, Any]]:
-        """Every call with its result; the one at hand is the trial's case, for what `expect` says of it."""
+        """Every call with its result; the one at hand is the trial's case, for what `expect` says of it.
+
+        Of a formula the value, where the call's keywords are the symbols.
+        """
         calls = list(calls)
-        for call, found in zip(calls, self.many(calls), strict=True):
+        symbolic = isinstance(self.promise, Formula)
+        results = self.at([call.kwargs for call in calls]).tolist() if symbolic else self.many(calls)
+        for call, found in zip(calls, results, strict=True):
             current().judge(self.name, call)
             yield call, found
 
@@ -252,7 +264,9 @@ class Function:
         self._must_be_fair(reply, given())
         values = reply["value"]
         if not isinstance(values, list) or len(values) != len(points):
-            raise Failed(f"{self.name} does not return a SymPy expression in {', '.join(symbols)} alone", actual=values)
+            strange = _strangers(values, self.student.text)
+            says = f"{self.name} does not return a SymPy expression in {', '.join(symbols)} alone"
+            raise Failed(says, hint=strange and f"It has {strange} in it.", actual=values)
         try:
             numbers = np.array([complex(value) for value in values])
         except (TypeError, ValueError):
@@ -286,6 +300,16 @@ class Function:
             raise Failed(_raised(self.name, error, self.student._assignment), actual=error["text"], at=call)
         if reply.get("changed"):
             raise Failed(f"{self.name} changes the arrays it is given", hint="work on copies", at=call)
+
+
+def _strangers(value: Any, source: str) -> str:
+    """A symbol of a formula that the contract does not know, if it is a word that the student wrote down.
+
+    The name of a symbol may be made at run time, of hidden inputs: no other is told, and but one.
+    """
+    names: Any = value.get("strangers") if isinstance(value, dict) else None
+    words = [name for name in names if re.fullmatch(STRANGER, name)] if strings(names) else []
+    return next((name for name in words if re.search(rf"\b{name.removesuffix('(t)')}\b", source)), "")
 
 
 @contextmanager

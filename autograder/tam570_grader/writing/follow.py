@@ -68,10 +68,11 @@ def follow(
         motions.append(Motion(case, flat(found), expected, _scales(columns, case, expected), function, right, restart))
     turns = [index for column in columns if column.turns for index in np.arange(expected.shape[1])[column.where]]
     # the worst first; of those beyond hope the longest, of which there is most to draw
+    nearly = NEARLY * within if gradual else 0.0
     order = partial(_telling, within)
     for motion in sorted(motions, key=order, reverse=True):
         current().judge(function.name, motion.case)
-        _compare(motion, columns, within, partial(_hint, motion, motions, turns, within, hint), keeps, gradual)
+        _compare(motion, columns, within, partial(_hint, motion, motions, turns, nearly, hint), keeps, gradual)
     return motions
 
 
@@ -155,8 +156,8 @@ def _share(motion: Motion, size: float, error: float) -> float:
     return share if share and obeys(motion) else 0.0
 
 
-def _hint(motion: Motion, motions: Sequence[Motion], turns: Sequence[int], within: float, hint: str) -> str:
-    return diagnosed(motion, motions, turns, within, NEARLY) or hint
+def _hint(motion: Motion, motions: Sequence[Motion], turns: Sequence[int], nearly: float, hint: str) -> str:
+    return diagnosed(motion, motions, turns, nearly) or hint
 
 
 def _kept(invariant: Invariant, motion: Motion) -> Any:

@@ -71,10 +71,13 @@ class Motion:
         return flat(answer(self.right, case))
 
 
-def diagnosed(motion: Motion, motions: Sequence[Motion], turns: Sequence[int], within: float, nearly: float) -> str:
-    """What a wrong motion is instead, in a sentence; empty if the rows do not tell."""
+def diagnosed(motion: Motion, motions: Sequence[Motion], turns: Sequence[int], nearly: float) -> str:
+    """What a wrong motion is instead, in a sentence; empty if the rows do not tell.
+
+    nearly : the error, of the scale, up to which the physics is right
+    """
     with np.errstate(all="ignore"):
-        if motion.error <= nearly * within:
+        if motion.error <= nearly:
             return TIGHT
         return next((says for tells, says in _tells(motion, motions, turns) if tells()), "")
 

@@ -1,8 +1,8 @@
-"""Eighteen hundred Runge-Kutta steps for every duration, and a thousand or so for many rows.
+"""The number of Runge-Kutta steps does not grow with the duration.
 
 fails: simulate_keeps_the_energy, simulate_slides_down_steep_wires
 numerics: steps that grow with the duration
-names: the steps must not grow with the duration
+names: Do your steps grow with the duration
 """
 
 def _rk4_step(x, v, h, wire):

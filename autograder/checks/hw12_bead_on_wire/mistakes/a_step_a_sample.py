@@ -1,8 +1,8 @@
-"""One Runge-Kutta step from each time to the next, however far.
+"""One Runge-Kutta step goes from each time to the next, however far.
 
 fails: simulate_needs_no_dense_times, simulate_slides_down_steep_wires, simulate_keeps_the_energy
 numerics: steps that grow with the distance of the times
-names: how t is sampled must not change it
+names: do your steps depend on t
 """
 
 def _rk4_step(x, w, h, c, g):

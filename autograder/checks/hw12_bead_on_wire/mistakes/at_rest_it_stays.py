@@ -1,7 +1,7 @@
 """A bead that starts at rest stays at rest, on a slope too.
 
 fails: simulate_needs_no_dense_times
-names: the bead stays where it was let go
+names: every row is the start
 """
 
 _right = simulate

@@ -1,4 +1,4 @@
-"""The sign of the potential energy reversed.
+"""The potential energy has the wrong sign.
 
 fails: energy_is_kinetic_and_potential
 """

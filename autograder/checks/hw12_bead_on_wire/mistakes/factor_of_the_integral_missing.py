@@ -1,4 +1,4 @@
-"""The factor before the integral, sqrt(1 + (2 c A)^2), missing.
+"""The factor sqrt(1 + (2 c A)^2) before the integral is missing.
 
 fails: period_is_exact
 """

@@ -1,4 +1,4 @@
-"""The integral of the first kind for that of the second.
+"""The integral is that of the first kind; the period needs the second kind.
 
 fails: period_is_exact
 """

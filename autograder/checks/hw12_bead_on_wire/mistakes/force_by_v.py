@@ -1,4 +1,4 @@
-"""v for the speed along the wire, where it is that along x.
+"""v is used as the speed along the wire, but it is the rate of x.
 
 fails: force_has_the_right_size
 """

@@ -1,4 +1,4 @@
-"""A force straight up, not along the normal.
+"""The force points straight up, not along the normal.
 
 fails: force_and_weight_make_the_acceleration
 """

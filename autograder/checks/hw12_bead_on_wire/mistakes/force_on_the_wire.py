@@ -1,4 +1,4 @@
-"""The force reversed, that of the bead on the wire.
+"""The force has the wrong sign: this one acts on the wire, not on the bead.
 
 fails: force_and_weight_make_the_acceleration
 """

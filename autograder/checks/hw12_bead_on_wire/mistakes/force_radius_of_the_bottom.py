@@ -1,4 +1,4 @@
-"""The radius of curvature at the bottom, 1/(2 c), taken everywhere.
+"""The radius of curvature is 1/(2 c) at the bottom only.
 
 fails: force_has_the_right_size
 """

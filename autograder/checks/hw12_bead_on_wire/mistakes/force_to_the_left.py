@@ -1,4 +1,4 @@
-"""A force that always points to the left, where it points to the middle.
+"""The force always points to the left; it should point to the middle.
 
 fails: force_and_weight_make_the_acceleration
 """

@@ -1,4 +1,4 @@
-"""y'' without the term 2 c v^2: y = c x^2 differentiated twice has two terms.
+"""y'' has no term 2 c v^2: differentiate y = c x^2 twice.
 
 fails: force_has_the_right_size
 """

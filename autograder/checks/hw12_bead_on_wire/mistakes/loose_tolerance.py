@@ -1,4 +1,4 @@
-"""solve_ivp at its default tolerance.
+"""This is solve_ivp at its default tolerances.
 
 fails: simulate_slides
 numerics: solve_ivp's own rtol of 1e-3

@@ -1,4 +1,4 @@
-"""The modulus for the parameter: SciPy's ellipe takes k^2.
+"""SciPy's ellipe takes the parameter k^2, not the modulus k.
 
 fails: period_is_exact
 """

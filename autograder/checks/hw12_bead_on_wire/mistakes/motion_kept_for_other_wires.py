@@ -1,4 +1,4 @@
-"""Motions are kept by the start and the times, whatever the wire and gravity.
+"""A motion is kept by its start and times, whatever the wire and gravity.
 
 fails: simulate_without_gravity
 """

@@ -1,4 +1,4 @@
-"""gravity's share along the wire, the rate of the speed there, taken for x''.
+"""x'' is not the rate of the speed along the wire.
 
 fails: newton_gives_the_acceleration
 """

@@ -1,4 +1,4 @@
-"""The slope without its sign.
+"""The slope 2 c x has lost its sign.
 
 fails: newton_gives_the_acceleration
 """

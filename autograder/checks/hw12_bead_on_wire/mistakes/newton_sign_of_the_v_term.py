@@ -1,4 +1,4 @@
-"""The sign of the term 4 c^2 x v^2 reversed.
+"""The term 4 c^2 x v^2 has the wrong sign.
 
 fails: newton_gives_the_acceleration
 """

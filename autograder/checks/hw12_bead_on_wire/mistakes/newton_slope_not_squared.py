@@ -1,4 +1,4 @@
-"""The slope 2 c x not squared.
+"""The slope 2 c x is not squared.
 
 fails: newton_gives_the_acceleration
 """

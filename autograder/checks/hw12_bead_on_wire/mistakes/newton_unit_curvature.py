@@ -1,4 +1,4 @@
-"""The curvature missing beside v^2.
+"""The curvature beside v^2 is missing.
 
 fails: newton_gives_the_acceleration
 """

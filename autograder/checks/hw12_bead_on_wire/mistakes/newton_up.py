@@ -1,4 +1,4 @@
-"""The sign of gravity's term reversed.
+"""The term with gravity has the wrong sign.
 
 fails: newton_gives_the_acceleration
 """

@@ -1,4 +1,4 @@
-"""The term 4 c^2 x v^2 with v along the wire, where it is the rate of x.
+"""The term 4 c^2 x v^2 uses the speed along the wire for v, which is the rate of x.
 
 fails: newton_gives_the_acceleration
 """

@@ -1,4 +1,4 @@
-"""The term 4 c^2 x v^2 missing.
+"""The term 4 c^2 x v^2 is missing.
 
 fails: newton_gives_the_acceleration
 """

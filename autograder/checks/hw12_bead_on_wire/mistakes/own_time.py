@@ -1,4 +1,4 @@
-"""Time in units of 1/sqrt(2 g c), which there is none of without gravity.
+"""Time is measured in units of 1/sqrt(2 g c), which is infinite without gravity.
 
 fails: simulate_without_gravity
 names: raised ValueError for gravity 0

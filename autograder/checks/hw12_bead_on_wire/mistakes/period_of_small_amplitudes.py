@@ -1,4 +1,4 @@
-"""The period of small amplitudes.
+"""This is the period of small amplitudes.
 
 fails: period_is_exact
 """

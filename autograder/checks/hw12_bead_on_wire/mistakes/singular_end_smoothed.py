@@ -1,7 +1,7 @@
-"""The singular end of the integral is smoothed, by the same number whatever the amplitude.
+"""A fixed small number smooths the singular end of the integral, whatever the amplitude.
 
 fails: period_of_small_and_of_huge_amplitudes
-names: is a small number added under a root
+names: Do you add a small number under a root
 """
 
 

@@ -1,4 +1,4 @@
-"""c x for the slope 2 c x.
+"""The slope is 2 c x, not c x.
 
 fails: lagrangian_is_kinetic_less_potential
 """

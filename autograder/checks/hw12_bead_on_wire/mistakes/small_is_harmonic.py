@@ -1,7 +1,7 @@
-"""Let go closer to the bottom than a tenth of 1/c it is taken for the oscillation of small amplitudes.
+"""Close to the bottom this is the oscillation of small amplitudes.
 
 fails: simulate_needs_no_dense_times
-names: it is the oscillation of small amplitudes
+within: 1e-4
 """
 
 _right = simulate

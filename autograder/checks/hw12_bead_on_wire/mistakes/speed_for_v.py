@@ -1,4 +1,4 @@
-"""The speed along the wire in place of v.
+"""The second column is the speed along the wire, not v.
 
 fails: simulate_slides
 """

@@ -1,7 +1,7 @@
-"""Over many periods the start is given in every row, which keeps the energy.
+"""Over many periods every row is the start, which keeps the energy.
 
 fails: simulate_keeps_the_energy
-names: the bead does not move
+names: every row is the start
 """
 
 _right = simulate

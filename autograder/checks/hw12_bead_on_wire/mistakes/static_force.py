@@ -1,4 +1,4 @@
-"""The force on a bead at rest, the term with v^2 missing.
+"""The term with v^2 is missing: this is the force on a bead at rest.
 
 fails: force_has_the_right_size
 """

@@ -1,8 +1,8 @@
-"""Steps that suit small motions, and miss the turn at the bottom of a steep wire.
+"""The steps are too long for the sharp turn at the bottom of a steep wire.
 
 fails: simulate_needs_no_dense_times, simulate_slides_down_steep_wires
 numerics: steps too long where the wire is steep
-names: the steps are too long for the turn
+names: The physics is right: tighten
 """
 
 def _rk4_step(x, v, h, wire):

@@ -1,8 +1,8 @@
-"""Steps that are longer in longer runs.
+"""The steps are longer in longer runs.
 
 fails: simulate_keeps_the_energy
 numerics: steps that grow with the duration
-names: the steps must not grow with the duration
+names: The physics is right: tighten | Do your steps grow with the duration
 """
 
 def _rk4_step(x, v, h, wire):

@@ -1,4 +1,4 @@
-"""Twice the term 4 c^2 x v^2, no dT/dx.
+"""The term 4 c^2 x v^2 is there twice: dT/dx is missing.
 
 fails: lagrange_gives_the_acceleration
 """

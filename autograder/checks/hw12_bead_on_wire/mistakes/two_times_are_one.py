@@ -1,7 +1,7 @@
-"""Of two times the second is never reached.
+"""With two times the second is never reached.
 
 fails: simulate_needs_no_dense_times
-names: how t is sampled must not change it
+names: every row is the start
 """
 
 _right = simulate

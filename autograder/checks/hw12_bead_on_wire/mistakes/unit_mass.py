@@ -1,4 +1,4 @@
-"""A mass of 1 for the one given.
+"""The mass is left out.
 
 fails: force_has_the_right_size
 """

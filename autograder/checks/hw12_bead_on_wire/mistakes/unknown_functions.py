@@ -1,6 +1,7 @@
-"""x left as a function of time.
+"""x is left as a function of time.
 
 fails: lagrange_gives_the_acceleration
+names: It has x(t) in it
 """
 
 def lagrange_equation():

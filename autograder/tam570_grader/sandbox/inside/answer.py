@@ -80,19 +80,19 @@ def _formula(function: Callable[..., Any], args: list[Any], kwargs: dict[str, An
     if not isinstance(expression, sympy.Expr | int | float):
         return portable(expression if isinstance(expression, str) else object())
     expression = sympy.sympify(expression).doit()
-    if expression.has(AppliedUndef):
-        return {"stranger": True}
-    values = _values(expression, request, STAND_INS[0])
-    if {symbol.name for symbol in expression.free_symbols} <= set(request["symbols"]):
-        return [portable(value) for value in values]
-    others = _values(expression, request, STAND_INS[1])
-    cancels = all(abs(a - b) <= max(CANCELLED * abs(a), NOTHING) for a, b in zip(values, others, strict=True))
-    return [portable(value) for value in values] if cancels else {"stranger": True}
-
-
-def _values(expression: Any, request: Any, stand_in: float) -> list[complex]:
-    """At each point, other symbols being numbers from the stand-in on."""
+    if unknown := expression.atoms(AppliedUndef):
+        return {"strangers": sorted(map(str, unknown))}
     strangers = sorted({symbol.name for symbol in expression.free_symbols} - set(request["symbols"]))
+    values = _values(expression, request, strangers, STAND_INS[0])
+    if not strangers:
+        return [portable(value) for value in values]
+    others = _values(expression, request, strangers, STAND_INS[1])
+    cancels = all(abs(a - b) <= max(CANCELLED * abs(a), NOTHING) for a, b in zip(values, others, strict=True))
+    return [portable(value) for value in values] if cancels else {"strangers": strangers}
+
+
+def _values(expression: Any, request: Any, strangers: list[str], stand_in: float) -> list[complex]:
+    """At each point, the strange symbols being numbers from the stand-in on."""
     others = {name: stand_in + number for number, name in enumerate(strangers)}
     named = {symbol: symbol.name for symbol in expression.free_symbols}
     return [

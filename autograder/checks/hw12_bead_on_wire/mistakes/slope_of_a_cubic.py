@@ -1,0 +1,12 @@
+"""The slope is 2 c x, not 3 c x^2; the equation follows from this Lagrangian.
+
+fails: lagrangian_is_kinetic_less_potential, lagrange_gives_the_acceleration
+names: It follows from your Lagrangian
+"""
+
+
+def lagrangian():
+    import sympy
+
+    x, v, m, c, g = sympy.symbols("x v m c g")
+    return m * (1 + 9 * c**2 * x**4) * v**2 / 2 - m * g * c * x**2

@@ -1,0 +1,44 @@
+"""Of formulas in plain symbols: whether an equation of motion follows from the student's own Lagrangian."""
+
+from collections.abc import Iterable, Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tam570_grader.sandbox.student import Function, NotWritten
+from tam570_grader.writing.check import Given
+from tam570_grader.writing.expect import Failed
+
+__all__ = ["from_own_lagrangian"]
+
+Point = Mapping[str, float]
+
+STEP = 1e-3  # of x and of v: differences of a formula's doubles are good to 1e-6
+FOLLOWS = 1e-4  # another term changes more
+
+
+def from_own_lagrangian(equation: Function, lagrangian: Function, cases: Iterable[Given], x: str, v: str) -> str:
+    """What to say of a wrong x'' that is that of the student's own Lagrangian, in x and its rate v; empty if it is not.
+
+    cases : whose keywords are the Lagrangian's symbols, x and v not zero
+    """
+    points = [dict(case.kwargs) for case in cases]
+    asked = [{name: point[name] for name in equation.promise.symbols} for point in points]
+    try:
+        found, own = equation.at(asked), _accelerations(lagrangian, points, x, v)
+    except (Failed, NotWritten):
+        return ""
+    follows = np.max(np.abs(found - own) / np.abs(own)) <= FOLLOWS
+    return "It follows from your Lagrangian, which is wrong." if follows else ""
+
+
+def _accelerations(lagrangian: Function, points: list[dict[str, float]], x: str, v: str) -> NDArray[np.float64]:
+    """x'' = (L_x - L_vx v) / L_vv by central differences."""
+    shifts = [(i, j) for i in (-1, 0, 1) for j in (-1, 0, 1)]
+    moved = [{**p, x: p[x] * (1 + i * STEP), v: p[v] * (1 + j * STEP)} for p in points for i, j in shifts]
+    values = np.reshape(lagrangian.at(moved), (len(points), 3, 3))
+    rates, steps = np.array([p[v] for p in points]), STEP * np.array([[p[x], p[v]] for p in points])
+    by_x = (values[:, 2, 1] - values[:, 0, 1]) / (2 * steps[:, 0])
+    by_both = (values[:, 2, 2] - values[:, 2, 0] - values[:, 0, 2] + values[:, 0, 0]) / (4 * steps[:, 0] * steps[:, 1])
+    by_v_twice = (values[:, 1, 2] - 2 * values[:, 1, 1] + values[:, 1, 0]) / steps[:, 1] ** 2
+    return np.asarray((by_x - by_both * rates) / by_v_twice)
