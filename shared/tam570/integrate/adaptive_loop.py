@@ -59,21 +59,26 @@ def first_step_with(rhs: Any, euler: Any) -> Callable[..., float]:
     def first_step(origin: Any, span: Any, y: Any, f: Any, c: Any) -> Any:
         """A step across which the derivative changes little, found from above: a derivative of zero deceives nobody."""
         h = span / 100 or span
-        while h > 1e-9 * span and _restless(h, y, f, rhs(origin + h, euler(h, y, f), c)):
+        while h > 1e-9 * span:
+            onward = euler(h, y, f)
+            g = rhs(origin + h, onward, c)
+            # What starts at zero at zero rate does nothing to the others before a second step.
+            if not (_restless(h, y, f, g, 0.1) or _restless(h, y, f, rhs(origin + 2 * h, euler(h, onward, g), c), 0.3)):
+                break
             h /= 4
         return h
 
     return first_step
 
 
-def _restless(h: float, y: Any, f: Any, g: Any) -> bool:
-    """Whether the derivative changes by more than a tenth of the state, or of itself, within h.
+def _restless(h: float, y: Any, f: Any, g: Any, part: float) -> bool:
+    """Whether the derivative changes by more than a part of the state, or of itself, within h.
 
     What starts at zero with zero rate has no scale to compare with and is left to the estimates of the steps.
     """
     for i in range(len(y)):
         size = max(abs(y[i]), h * abs(f[i]))
-        if size > 0 and not h * abs(g[i] - f[i]) <= 0.1 * max(size, h * abs(g[i])):
+        if size > 0 and not h * abs(g[i] - f[i]) <= part * max(size, h * abs(g[i])):
             return True
     return False
 

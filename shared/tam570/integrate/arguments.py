@@ -5,11 +5,11 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["Array", "allowed_error", "initial_state", "sample_times", "tolerance"]
+__all__ = ["Array", "allowed_error", "initial_state", "of_one_step", "sample_times", "tolerance"]
 
 Array = NDArray[np.float64]
 
-SMALLEST_RTOL = 1e-18  # below that nothing but rounding is left to control
+SMALLEST_RTOL = 1e-16  # below that nothing but rounding is left to control
 
 
 def sample_times(t: ArrayLike) -> Array:
@@ -44,10 +44,15 @@ def initial_state(y0: ArrayLike) -> Array:
 
 
 def tolerance(rtol: float) -> float:
-    """The tolerance, no less than rounding allows. ValueError unless 0 < rtol < 1."""
+    """The tolerance as a number. ValueError unless 0 < rtol < 1."""
     if not 0 < rtol < 1:
         raise ValueError(f"rtol: need 0 < rtol < 1, got {rtol!r}; 1e-10 is a good start")
-    return max(float(rtol), SMALLEST_RTOL)
+    return float(rtol)
+
+
+def of_one_step(rtol: float) -> float:
+    """The tolerance of a step: beyond 13 digits it falls faster than what is asked for, as errors add up."""
+    return max(min(rtol, rtol**3 * 1e26), SMALLEST_RTOL)
 
 
 def allowed_error(atol: ArrayLike | None, size: int) -> list[float]:

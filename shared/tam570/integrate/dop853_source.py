@@ -1,7 +1,8 @@
 """The step of DOP853 written out for one right-hand side: Python source without loops, arrays or calls.
 
-Names in the source: y state, k3_1 stage 3's derivative of component 1, s the state at a stage, n the new state,
-r what rounding took from the state, m the largest magnitude so far, c the constants of the scene.
+Names in the source: y state, k0 its derivative, e3_1 what stage 3's derivative of component 1 differs from that,
+s the state at a stage, n the new state, r what rounding took from the state, m the largest magnitude so far, c the
+constants of the scene.
 """
 
 import math
@@ -11,7 +12,7 @@ from types import CodeType
 from typing import Any
 
 from tam570.integrate.formulas import Formulas, by_call, names, tuple_of, unpacked
-from tam570.integrate.tableau import FIFTH, NODES, ROWS, THIRD, Row, interpolant
+from tam570.integrate.tableau import FIFTH, LESS, NODES, ROWS, Row, interpolant
 
 __all__ = ["array_functions", "compiled", "functions"]
 
@@ -48,21 +49,25 @@ def _forgiving(function: list[str], answer: str) -> list[str]:
 
 
 def _combination(row: Row, i: int) -> str:
-    return " + ".join(f"{a!r} * k{j}_{i}" for j, a in row.items())
+    """The sum over the stages: of the row's sum times k0, and the differences from k0. These are small: so are the
+    roundings of weights as large as 43, and what these lack themselves."""
+    return " + ".join(f"{a!r} * e{j}_{i}" for j, a in row.items() if j)
 
 
 def _stage(formulas: Formulas, number: int, row: Row, node: float) -> list[str]:
-    """Lines that set k<number>: the derivative where the earlier stages point to."""
-    lines = [
-        f"s{i} = y{i} + h * ({_combination(row, i)})" if i in formulas.moving else f"s{i} = y{i}"
-        for i in sorted(formulas.reads)
-    ]
-    return lines + _derivative(formulas, number, f"start + {node!r} * h")
+    """Lines that set e<number>: the derivative where the earlier stages point to, less that at the start."""
+    lines = []
+    for i in sorted(formulas.reads):
+        sum_ = " + ".join(filter(None, (f"{node!r} * k0_{i}", _combination(row, i))))
+        lines.append(f"s{i} = y{i} + h * ({sum_})" if i in formulas.moving else f"s{i} = y{i}")
+    return [*lines, *_derivative(formulas, number, f"start + {node!r} * h", " - k0_")]
 
 
-def _derivative(formulas: Formulas, number: int, time: str) -> list[str]:
+def _derivative(formulas: Formulas, number: int, time: str, less: str = "") -> list[str]:
+    """Lines that set k<number>, or where it is less that of the start, e<number>."""
     clock = [f"t = {time}"] if formulas.timed else []
-    rates = [f"k{number}_{i} = {formulas.rates[i]}" for i in formulas.moving]
+    letter = "e" if less else "k"
+    rates = [f"{letter}{number}_{i} = {formulas.rates[i]}{less and less + str(i)}" for i in formulas.moving]
     return [*clock, *formulas.lines, *rates]
 
 
@@ -117,15 +122,15 @@ def _step(formulas: Formulas, arrays: bool = False) -> list[str]:
 
 
 def _kept(formulas: Formulas) -> list[str]:
-    return [f"k{j}_{i}" for j in KEPT for i in formulas.moving]
+    return [f"e{j}_{i}" for j in KEPT for i in formulas.moving]
 
 
 def _update(formulas: Formulas, i: int) -> list[str]:
     """Compensated sum (Kahan): what the addition loses is carried to the next step."""
     if i not in formulas.moving:
         return [f"n{i} = y{i}"]
-    change = f"d = r{i} + h * ({_combination(ROWS[12], i)})"
-    return [change, f"n{i} = y{i} + d", f"r{i} = d - (n{i} - y{i})"]
+    sums = [f"u{i} = {_combination(ROWS[12], i)}", f"d = r{i} + h * (k0_{i} + u{i})"]
+    return [*sums, f"n{i} = y{i} + d", f"r{i} = d - (n{i} - y{i})"]
 
 
 def _largest(i: int, arrays: bool) -> list[str]:
@@ -138,7 +143,7 @@ def _estimate(i: int) -> list[str]:
     return [
         f"x = h * ({_combination(FIFTH, i)}) / m{i}",
         "fifth += x * x",
-        f"x = h * ({_combination(THIRD, i)}) / m{i}",
+        f"x = h * (u{i} + {_combination(LESS, i)}) / m{i}",
         "third += x * x",
     ]
 
@@ -149,12 +154,13 @@ def _dense(formulas: Formulas) -> list[str]:
     lines = ["def dense(start, h, y, n, f, g, stages, c):"]
     lines += unpacked(formulas, y="y", n="n", f="k0_", g="k12_")
     lines += [f"{tuple_of(_kept(formulas))} = stages"]
+    lines += [f"e12_{i} = k12_{i} - k0_{i}" for i in formulas.moving]
     for number in (13, 14, 15):
         lines += _stage(formulas, number, ROWS[number], NODES[number])
     for number, row, node in zip((16, 17, 18, 19), rows, nodes, strict=True):
         lines += _stage(formulas, number, row, node)
     for i in formulas.moving:
-        data = [f"(n{i} - y{i})", *(f"h * k{j}_{i}" for j in (0, 12, 16, 17, 18, 19))]
+        data = [f"(n{i} - y{i})", f"h * k0_{i}", f"h * k12_{i}", *(f"h * (k0_{i} + e{j}_{i})" for j in range(16, 20))]
         lines += [f"x{j} = {datum}" for j, datum in enumerate(data)]
         for power, weights in enumerate(matrix):
             terms = (f"{float(w)!r} * x{j}" for j, w in enumerate(weights))

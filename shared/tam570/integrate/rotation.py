@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from tam570.integrate import adaptive
-from tam570.integrate.arguments import Array, sample_times, tolerance
+from tam570.integrate.arguments import Array, of_one_step, sample_times, tolerance
 from tam570.integrate.engine import engine
 
 __all__ = ["solve_rotation"]
@@ -62,7 +62,7 @@ def solve_rotation(
         return [*acceleration(time, spin, **fixed), *_vector_rate(u, spin), *[0.0] * 9]
 
     start = np.concatenate([spinning, np.zeros(3), turned.ravel()])
-    times, tolerated = sample_times(t), tolerance(rtol)
+    times, tolerated = sample_times(t), of_one_step(tolerance(rtol))
     states = adaptive.states(
         engine(rates, None, times, start), times, start, tolerated, "python", (), _recentred, _one_radian
     )

@@ -68,7 +68,7 @@ def _spread(
 
 def _sign(i: int) -> float:
     """No two cancel."""
-    return (1.0 + 0.3 * (i % 5)) * (-1 if i % 2 else 1)
+    return (1.0 - 0.15 * (i % 5)) * (-1 if i % 2 else 1)
 
 
 def _finite(x: float) -> float:

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from tam570.integrate import adaptive
-from tam570.integrate.arguments import Array, allowed_error, initial_state, sample_times, tolerance
+from tam570.integrate.arguments import Array, allowed_error, initial_state, of_one_step, sample_times, tolerance
 from tam570.integrate.engine import engine
 
 __all__ = ["solve"]
@@ -46,7 +46,8 @@ def solve(
     Returns (n, k), row 0 is y0; or (m, n, k).
     ValueError names the argument, ArithmeticError the time at which rhs or solution cease to be finite.
     """
-    times, start, rtol = sample_times(t), initial_state(y0), tolerance(rtol)
+    times, start, asked = sample_times(t), initial_state(y0), tolerance(rtol)
+    rtol = of_one_step(asked)
     floor = [allowed / rtol for allowed in allowed_error(atol, start.shape[-1])]
     _check_method(method, several=start.ndim == 2, projected=project is not None, stepped=step is not None)
     with np.errstate(all="ignore"):  # a step that proves too long may overflow: it is taken again
@@ -58,7 +59,7 @@ def solve(
         if method in FIXED_STEP:
             from tam570.integrate import fixed_step
 
-            return fixed_step.states(method, made, times, start, rtol, floor, step)
+            return fixed_step.states(method, made, times, start, asked, floor, step)
         return adaptive.states(made, times, start, rtol, method, floor, project)
 
 

@@ -4,11 +4,12 @@ Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, 2nd ed., II.
 """
 
 from functools import cache
+from math import sqrt
 
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["FIFTH", "NODES", "ROWS", "THIRD", "Row", "interpolant"]
+__all__ = ["FIFTH", "LESS", "NODES", "ROWS", "THIRD", "Row", "interpolant"]
 
 Row = dict[int, float]  # coefficient of each earlier stage's derivative
 
@@ -76,10 +77,13 @@ def _rows(text: str) -> list[Row]:
 
 
 ROWS: list[Row] = [{}, *_rows(_STAGES)]
-FIFTH, _less = _rows(_ESTIMATES)
-THIRD: Row = {j: ROWS[12].get(j, 0.0) + _less.get(j, 0.0) for j in ROWS[12]}
-NODES: list[float] = [sum(row.values()) for row in ROWS]
-NODES[12] = 1.0  # the sum is off by a rounding; the last derivative is taken at the very end of the step
+FIFTH, LESS = _rows(_ESTIMATES)
+THIRD: Row = {j: ROWS[12].get(j, 0.0) + LESS.get(j, 0.0) for j in ROWS[12]}
+
+# Sums of the rows, to the last bit: the rows' own numbers are rounded.
+_EARLY, _LATE = (6 - sqrt(6)) / 30, (6 + sqrt(6)) / 30
+NODES = [0.0, 4 / 9 * _EARLY, 2 / 3 * _EARLY, _EARLY, _LATE, 1 / 3, 1 / 4, 4 / 13, 127 / 195, 3 / 5, 6 / 7, 1.0, 1.0]
+NODES += [1 / 10, 1 / 5, 7 / 9]
 
 
 def _dense_weights() -> NDArray[np.float64]:
