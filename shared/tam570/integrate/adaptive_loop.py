@@ -11,6 +11,8 @@ from typing import Any, NamedTuple
 from tam570.integrate.scale import UNKNOWN
 
 __all__ = [
+    "AT_A_JUMP",
+    "AT_REST",
     "EXPONENT",
     "JUMP",
     "LACKS_SCALE",
@@ -32,6 +34,8 @@ LARGEST, SMALLEST = 6.0, 0.2  # change of the step size from one step to the nex
 EXPONENT = -1 / 8
 ROUNDING = 1.0  # an error up to so many times what a few roundings of the state do to h f is not the method's
 JUMP = 1e-11  # error of the shortest of all steps, relative: a jump of the rates passes, a singularity does not
+AT_A_JUMP = 200.0  # of the rates the estimate is but a part of the error; the ratio of both estimates tells it
+AT_REST = 8  # steps at least: where nothing moves, no error says how far to look for what sets in later
 
 RUNNING, LACKS_SCALE, TOO_SHORT, NOT_FINITE = 0, 1, 2, 3  # why a loop comes back
 
@@ -106,6 +110,8 @@ def loop_with(raised: Any, step: Any, dense: Any, at: Any) -> Callable[..., Stat
                 h = new - t  # exactly: else the rounding of t would shift the motion
             n, rest, g, size, fifth, third, stages = step(origin + t, h, y, r, f, m, c)
             error = fifth / (rtol * sqrt(fifth + 0.01 * third)) if fifth > 0 else fifth
+            if refused > 0 and fifth > 0.01 * third:
+                error *= AT_A_JUMP
             lacking, finite = False, True
             if not error <= 1:
                 for i in range(len(n)):
@@ -122,7 +128,10 @@ def loop_with(raised: Any, step: Any, dense: Any, at: Any) -> Callable[..., Stat
                         out[row, i] = n[i]
                     row += 1
                 t, y, r, f, m = new, n, rest, g, size
-                h *= min(growth, SAFETY * error**EXPONENT) if 0 < error <= 1 else growth
+                if 0 < error <= 1:
+                    h *= min(growth, SAFETY * error**EXPONENT)
+                else:
+                    h = max(h, min(growth * h, end / AT_REST))
                 growth, refused = LARGEST, 0
                 steps += 1
             else:
