@@ -287,26 +287,30 @@ def test_every_scene_has_a_picture(films, slug, tmp_path):
         assert len(picture.convert("RGB").getcolors(1 << 20)) > 20
 
 
-def test_a_window_keeps_the_time(short, monkeypatch):
-    drawn, moments = [], iter([0.0, 0.1, 0.4, 0.6])
-    monkeypatch.setattr(pictures, "_drawn", lambda film, figure: drawn.append)
-    monkeypatch.setattr(pictures.time, "monotonic", lambda: next(moments))
-    monkeypatch.setattr("matplotlib.get_backend", lambda: "tkagg")
-    made = []
-    monkeypatch.setattr(pictures, "FuncAnimation", lambda figure, frame, **_: made.append(frame))
-    monkeypatch.setattr("matplotlib.pyplot.show", lambda: [made[0](0) for _ in range(3)])
-    pictures.window(short)
-    assert drawn == [6, 24, 36 - 31]
+@pytest.fixture
+def opened(tmp_path, monkeypatch):
+    """What is opened in a browser, of which there is one."""
+    pages = []
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("BROWSER", "some")
+    monkeypatch.setattr("webbrowser.open", lambda address: pages.append(address) or True)
+    return pages
 
 
-def test_without_a_screen_a_window_is_refused_and_the_page_named(course, capsys):
-    code = f"""
-import sys
-from tam570.cli import main
-sys.exit(main(["show", "hw05", {str(course / "solutions" / "hw05_constrained_pendulum.py")!r}]))
-"""
-    run = subprocess.run([sys.executable, "-c", code], env={"PATH": "", "HOME": "/"}, capture_output=True, text=True)
-    assert run.returncode == 1 and "--save FILE.html" in run.stderr and "Traceback" not in run.stderr
+def test_show_opens_the_page_in_a_browser(course, opened, tmp_path, capsys):
+    """It has pause and scrubber; it stays in the folder."""
+    assert cli.main(["show", "hw05", str(course / "solutions" / "hw05_constrained_pendulum.py")]) == 0
+    page = tmp_path / "hw05_constrained_pendulum.html"
+    assert opened == [page.as_uri()] and 'id="scrub"' in page.read_text() and str(page.name) in capsys.readouterr().out
+    assert cli.main(["show", "hw05", str(page.name)]) == 1 and len(opened) == 1
+
+
+def test_where_there_is_no_screen_the_page_is_named(course, opened, monkeypatch, capsys):
+    for name in ("BROWSER", "DISPLAY", "WAYLAND_DISPLAY"):
+        monkeypatch.delenv(name, raising=False)
+    assert cli.main(["show", "hw05", str(course / "solutions" / "hw05_constrained_pendulum.py")]) == 0
+    said = capsys.readouterr()
+    assert "hw05_constrained_pendulum.html" in said.out and "no browser" in said.err and not opened
 
 
 def test_the_pictures_eye_is_that_of_hw04(course):

@@ -141,7 +141,7 @@ def _drift(curve: Curve) -> Picture:
         says,
         places,
         (top, max(bottom - top, 0.0)),
-        _apart([(_up(value, low, high), f"{value:.1g}") for value in (0.0, *_ends(known))]),
+        [(_up(value, low, high), text) for value, text in _ticks(low, high)],
     )
 
 
@@ -163,27 +163,19 @@ def _picture(
         dots=[(round(x, 1), round(y, 1)) for x, y in places] if len(places) <= DOT else [],
         band=(round(band[0], 1), round(band[1], 1)),
         limit=allowed if band[1] >= NARROW else f"{allowed}, too narrow to see",
-        x=[(LEFT + (RIGHT - LEFT) * k / 4, _short(first + (last - first) * k / 4)) for k in range(5)],
+        x=[(LEFT + (RIGHT - LEFT) * (t - first) / (last - first), text) for t, text in _ticks(first, last)],
         y=[(round(place, 1), text) for place, text in ticks],
     )
 
 
-def _ends(known: Sequence[float]) -> tuple[float, float]:
-    return max(known, key=abs), max(known) if max(known, key=abs) < 0 else min(known)
-
-
-def _apart(ticks: Sequence[tuple[float, str]]) -> list[tuple[float, str]]:
-    """Those ticks, the first before the others, whose texts do not touch."""
-    kept: list[tuple[float, str]] = []
-    for place, text in ticks:
-        if all(abs(place - other) > 14 for other, _ in kept):
-            kept.append((place, text))
-    return kept
-
-
-def _short(time: float) -> str:
-    """Without an exponent, to the four digits that a quarter of a span of two digits has."""
-    return f"{float(f'{time:.4g}'):g}"
+def _ticks(low: float, high: float) -> list[tuple[float, str]]:
+    """Three to eight round numbers from low to high, with their texts."""
+    rough = (high - low) / 7.5
+    power = 10.0 ** math.floor(math.log10(rough))
+    step = next(factor * power for factor in (1, 2, 5, 10) if factor * power >= rough)
+    digits = max(0, math.ceil(math.log10(max(abs(low), abs(high)) / step) - 1e-9)) + 1
+    counts = range(math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9) + 1)
+    return [(k * step, f"{k * step:.{digits}g}") for k in counts]
 
 
 def _places(curve: Curve, heights: Sequence[Any], low: float, high: float) -> list[tuple[float, float]]:

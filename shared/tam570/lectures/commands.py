@@ -45,4 +45,4 @@ def show(what: str, numbers: Sequence[str], where: Path | None) -> int:
         film = film_of_lecture(lecture_module(what), settings(numbers))
     except Trouble as trouble:
         return troubled(trouble)
-    return presented(film, where)
+    return presented(film, where, Path(what).stem)

@@ -95,32 +95,42 @@ def film_of(module: Any, slug: str) -> Film:
 
 
 def command(file: Path, slug: str, where: Path | None) -> int:
-    """What `tam570 show` does: save the film of a file, or show it in a window; 0, or 1 if it cannot be."""
+    """What `tam570 show` does: save the film of a file, or open it in a browser; 0, or 1 if it cannot be."""
     try:
         film = film_of(loaded(file, slug), slug)
     except Trouble as trouble:
         return troubled(trouble)
-    return presented(film, where)
+    return presented(film, where, slug)
 
 
-def presented(film: Film, where: Path | None) -> int:
-    """Save a film, or show it in a window; 0, or 1 if it cannot be."""
+def presented(film: Film, where: Path | None, name: str) -> int:
+    """Save a film, or write its page into this folder and open it in a browser; 0, or 1 if it cannot be.
+
+    name : of the page, without .html
+    """
     import sys
 
+    file = where or Path(f"{name}.html")
     try:
-        if where:
-            save(film, where)
-        else:
-            from tam570.show.pictures import window
-
-            window(film)
+        save(film, file)
     except Trouble as trouble:
         return troubled(trouble)
     for note in film.notes:
         print(note, file=sys.stderr)
-    if where:
-        print(where)
+    print(file)
+    if where is None and not _opened(file):
+        print("There is no browser to open it in; the page plays in any, on a phone too.", file=sys.stderr)
     return 0
+
+
+def _opened(page: Path) -> bool:
+    """Whether a browser opens the page; none of those is asked that would take over a terminal."""
+    import os
+    import sys
+    import webbrowser
+
+    screen = sys.platform in ("win32", "darwin") or {"DISPLAY", "WAYLAND_DISPLAY", "BROWSER"} & set(os.environ)
+    return bool(screen) and webbrowser.open(page.resolve().as_uri())
 
 
 def troubled(trouble: Trouble) -> int:

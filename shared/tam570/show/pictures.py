@@ -1,15 +1,13 @@
-"""A film by Matplotlib: a window, a picture, a GIF, a video. Frames are made one by one, and only those asked for."""
+"""A film by Matplotlib: a picture, a GIF, a video. Frames are made one by one, and only those asked for."""
 
 import re
-import time
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from matplotlib.animation import AbstractMovieWriter, FFMpegWriter, FuncAnimation, PillowWriter
-from matplotlib.artist import Artist
+from matplotlib.animation import AbstractMovieWriter, FFMpegWriter, PillowWriter
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
@@ -19,7 +17,7 @@ from tam570.show.film import RATE, Array, Film, Panel, Part, Strip
 from tam570.show.page import HERE
 from tam570.show.student import Trouble
 
-__all__ = ["frames", "window", "write"]
+__all__ = ["frames", "write"]
 
 SIZE = (10.0, 5.6)  # inches
 DPI = 100
@@ -47,32 +45,6 @@ def write(film: Film, file: Path) -> None:
 def frames(film: Film, suffix: str) -> range:
     """The samples that become frames of a file of this kind."""
     return range(0, len(film.times), EVERY[suffix])
-
-
-def window(film: Film) -> None:
-    """Show the film in a window until it is closed. Trouble where there is no screen."""
-    import matplotlib
-    from matplotlib import pyplot
-
-    try:
-        figure = pyplot.figure(figsize=SIZE)
-    except ImportError:  # a backend that is asked for and cannot be had
-        figure = None
-    if figure is None or matplotlib.get_backend().lower() == "agg":
-        raise Trouble(
-            "there is no screen to open a window on, or no toolkit for windows; save a page: --save FILE.html"
-        )
-    update = _drawn(film, figure)
-    started = time.monotonic()
-
-    def now(_: int) -> list[Artist]:
-        """The frame of this moment: a slow machine shows fewer of them, and the same motion."""
-        update(int((time.monotonic() - started) * RATE) % len(film.times))
-        return []
-
-    playing = FuncAnimation(figure, now, interval=1000 / RATE, cache_frame_data=False)
-    pyplot.show()
-    del playing  # until now it had to live
 
 
 def _writer(suffix: str) -> AbstractMovieWriter:
