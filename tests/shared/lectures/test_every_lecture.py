@@ -42,11 +42,13 @@ def parts(name):
 
 
 def duration(name):
-    """s; a characteristic time is that in which the state changes by its own size."""
+    """s; a characteristic time is one radian of the fastest small motion about the start."""
     rates, _, start = parts(name)
     if name in ENDING:
         return load(name).SECONDS
-    return CHARACTERISTIC_TIMES * np.linalg.norm(start) / np.linalg.norm(rates(0.0, start.tolist()))
+    h = 1e-5 * (1 + np.abs(start))
+    nearby = [(np.array(rates(0.0, start + d)) - rates(0.0, start - d)) / (2 * d.max()) for d in np.diag(h)]
+    return CHARACTERISTIC_TIMES / np.abs(np.linalg.eigvals(np.transpose(nearby))).max()
 
 
 def wandered(invariant, states):
@@ -160,7 +162,7 @@ def test_invariants_stay_for_a_thousand_characteristic_times(name):
 def test_rates_that_are_a_thousandth_off_break_a_law(name):
     """One rate after the other, of all those that an invariant depends on."""
     rates, laws, start = parts(name)
-    times = np.linspace(0.0, min(duration(name), load(name).SECONDS), 60)
+    times = np.linspace(0.0, min(duration(name) / 30, load(name).SECONDS), 60)
     for j, one in enumerate(np.eye(len(start))):
         if all(np.allclose(law(start + 0.01 * one), law(start), rtol=1e-9) for law in laws.values()):
             continue

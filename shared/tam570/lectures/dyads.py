@@ -1,0 +1,92 @@
+"""3 Oct: Dyads, and a rotation as the sum of three of them, or of nine.
+
+The dyad a b turns a vector r into a (b . r); its matrix is a b^T. A rotation that takes the triad e1, e2, e3 to
+e1', e2', e3' is R = e1' e1 + e2' e2 + e3' e3, three dyads of mixed base vectors. With the base vectors of one triad
+alone it takes nine: R = sum of R_ij ei ej with R_ij = ei . R ej. Triads are (3, 3), their vectors the rows.
+"""
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from tam570.given import array, numbers
+from tam570.rotations import exp, log
+from tam570.show.film import GREY, INK, Array, Film, Panel, Part, clock, followed, moving, strip_samples
+
+__all__ = ["dyad", "film", "nine", "rotation"]
+
+EXAMPLE: dict[str, Any] = {  # triads, and a vector to turn, m
+    "before": ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)),
+    "after": ((0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (1.0, 0.0, 0.0)),
+    "vector": (0.9, 0.5, 0.7),
+}
+SECONDS = 8.0  # of the film
+LARGEST = 1e-9  # of what is off in a triad: its rotation is off by as much
+
+
+def dyad(a: ArrayLike, b: ArrayLike) -> Array:
+    """(3, 3) the matrix of the dyad a b of two vectors (3,)."""
+    return np.outer(numbers(3, a=a), numbers(3, b=b))
+
+
+def rotation(before: ArrayLike, after: ArrayLike) -> Array:
+    """(3, 3) the rotation with rotation(before, after) @ before[i] = after[i], the sum of three dyads.
+
+    before, after : (3, 3) orthonormal rows, both right-handed or both left-handed, else ValueError
+    """
+    old, new = _triad(before=before), _triad(after=after)
+    if np.linalg.det(old) * np.linalg.det(new) < 0:
+        raise ValueError("after: is of the other hand than before; only a reflection takes one to the other")
+    return dyad(new[0], old[0]) + dyad(new[1], old[1]) + dyad(new[2], old[2])
+
+
+def nine(R: ArrayLike, triad: ArrayLike) -> Array:
+    """(3, 3) the coefficients R_ij = ei . R ej, with which R is the sum of the nine dyads ei ej.
+
+    R     : (3, 3)
+    triad : (3, 3) orthonormal rows, else ValueError
+    """
+    base = _triad(triad=triad)
+    coefficients: Array = base @ array((3, 3), R=R) @ base.T
+    return coefficients
+
+
+def _triad(**named: ArrayLike) -> Array:
+    rows = array((3, 3), **named)
+    if np.abs(rows @ rows.T - np.eye(3)).max() > LARGEST:
+        raise ValueError(f"{next(iter(named))}: must be three orthonormal rows, got {rows.tolist()}")
+    return rows
+
+
+def film(parameters: Mapping[str, Any]) -> Film:
+    """A vector is turned: its components stay, their base vectors go from one triad to the other."""
+    before, vector = array((3, 3), before=parameters["before"]), numbers(3, vector=parameters["vector"])
+    times = clock(SECONDS)
+    share = np.sin(np.pi * times / SECONDS) ** 2  # there and back
+    whole = log(rotation(before, parameters["after"]))
+    triads = before @ np.swapaxes(exp(share[:, None] * whole), 1, 2)
+    parts_of_it = (before @ vector)[:, None] * triads  # ei' (ei . r)
+    chain = np.concatenate([np.zeros((len(times), 1, 3)), np.cumsum(parts_of_it, axis=1)], axis=1)
+    origin = np.zeros(3)
+    turned = chain[:, -1]
+    parts = [
+        *(Part("arrow", np.array([origin, row]), GREY, "e1, e2, e3", width=1.5) for row in before),
+        *(Part("arrow", moving(origin, triads[:, i]), i, f"e{i + 1}'", width=3) for i in range(3)),
+        *(Part("lines", chain[:, i : i + 2], i, width=2, faint=True) for i in range(3)),
+        Part("trail", turned[:, None], 4, width=1.5),
+        Part("arrow", np.array([origin, vector]), GREY, "r", width=2.5),
+        Part("arrow", moving(origin, turned), INK, "R r", width=3.5),
+    ]
+    shown = strip_samples(times)
+    return Film(
+        "A rotation as three dyads",
+        "Three base vectors turn to another triad and back. A vector turns with them: its parts along the base vectors "
+        "keep their lengths, ei' (ei . r), and add up to it.",
+        times,
+        [Panel(parts, ruler=False)],
+        [followed("parts of the vector in space", times[shown], dict(zip("xyz", turned[shown].T, strict=True)), "m")],
+        view=(0.2, 0.5),
+        poster=0.35,
+    )

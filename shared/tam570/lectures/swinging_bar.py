@@ -1,0 +1,122 @@
+"""14 Sept: A uniform bar that swings about a hinge at its end.
+
+The angle is measured from straight down, positive to the right. About the hinge the moment of inertia is m l^2/3 and
+the weight's moment -m g (l/2) sin th, so th'' = -(3 g/(2 l)) sin th. The hinge's force follows from F = m a of the
+centre of mass G: along the bar (from G to the hinge) m (om^2 l/2 + g cos th), across it (towards growing th)
+m (th'' l/2 + g sin th) = (m g/4) sin th. From rest, sin(th/2) = sin(th0/2) cd(w t) with w^2 = 3 g/(2 l) and Jacobi's
+cd of the modulus sin(th0/2) (Whittaker, Analytical Dynamics, section 44).
+"""
+
+from collections.abc import Mapping, Sequence
+from math import cos, pi, sin, sqrt
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from tam570.given import numbers, positive, sequence
+from tam570.integrate import solve
+from tam570.show.film import GREY, INK, Array, Film, Panel, Part, clock, energy_strip, moving, strip_samples
+
+__all__ = ["energy", "exact", "film", "hinge_force", "rates"]
+
+STATE = {"th": "rad", "om": "rad/s"}
+EXAMPLE = {"mass": 2.0, "length": 1.0, "gravity": 9.81}  # kg, m, m/s^2
+START = (2.5, 0.0)
+SECONDS = 10.0
+
+
+def rates(t: float, state: Sequence[float], *, mass: float, length: float, gravity: float) -> tuple[float, ...]:
+    """(2,) om, rad/s, and om', rad/s^2."""
+    positive(mass=mass, length=length, gravity=gravity)
+    sequence(2, state=state)
+    th, om = state
+    return om, -1.5 * gravity / length * sin(th)
+
+
+def hinge_force(state: Sequence[float], *, mass: float, length: float, gravity: float) -> tuple[float, float]:
+    """(along, across) what the hinge does to the bar, N: along from G to the hinge, across towards growing th."""
+    positive(mass=mass, length=length, gravity=gravity)
+    th, om = map(float, numbers(2, state=state))
+    return mass * (om * om * length / 2 + gravity * cos(th)), mass * gravity / 4 * sin(th)
+
+
+def energy(state: Sequence[float], *, mass: float, length: float, gravity: float) -> float:
+    """J, from hanging straight down at rest."""
+    positive(mass=mass, length=length, gravity=gravity)
+    th, om = map(float, numbers(2, state=state))
+    return mass * length * (length * om * om / 6 + gravity * sin(th / 2) ** 2)
+
+
+INVARIANTS = {"energy": energy}
+
+
+def exact(t: ArrayLike, state: ArrayLike, *, mass: float, length: float, gravity: float) -> Array:
+    """(n, 2) states at the times t (n,), s, of the bar that is let go at rest: `state` is (th0, 0) at t[0].
+
+    ValueError for a start that moves.
+    """
+    positive(mass=mass, length=length, gravity=gravity)
+    times, (th, om) = numbers(t=t), numbers(2, state=state)
+    if om:
+        raise ValueError(f"state: the exact motion begins at rest, got om = {om:g}")
+    turns = 2 * pi * round(th / (2 * pi))
+    modulus, other = sin((th - turns) / 2), cos((th - turns) / 2)
+    w = sqrt(1.5 * gravity / length)  # rad/s
+    sn, cn = _jacobi(w * (times - times[:1]), modulus, other)
+    dn = np.hypot(other, modulus * cn)  # of sqrt(1 - modulus^2 sn^2) less would be left near the top
+    angle = 2 * np.arctan2(modulus * cn, np.full_like(cn, other))
+    return np.column_stack([turns + angle, -2 * modulus * other * w * sn / dn])
+
+
+def _jacobi(u: Array, modulus: float, other: float) -> tuple[Array, Array]:
+    """sn and cn by the arithmetic-geometric mean (Abramowitz and Stegun 16.4), `other` = sqrt(1 - modulus^2).
+
+    SciPy's take the square of the modulus, of which nothing is left near 1, where the bar starts near the top.
+    """
+    means, gaps, b = [1.0], [abs(modulus)], other
+    while gaps[-1] > 1e-17 * means[-1]:
+        a = means[-1]
+        means.append((a + b) / 2)
+        gaps.append((a - b) / 2)
+        b = sqrt(a * b)
+    phase = 2.0 ** (len(means) - 1) * means[-1] * u
+    for a, gap in zip(means[:0:-1], gaps[:0:-1], strict=True):
+        phase = (phase + np.arcsin(gap / a * np.sin(phase))) / 2
+    return np.sin(phase), np.cos(phase)
+
+
+def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Film:
+    """The bar and the force of its hinge."""
+    times = clock(seconds)
+    states = solve(rates, times, start, parameters=parameters, rtol=1e-8)
+    length = parameters["length"]
+    c, s = np.cos(states[:, 0]), np.sin(states[:, 0])
+    down, aside = np.column_stack([s, -c]), np.column_stack([c, s])
+    forces = np.array([hinge_force(state, **parameters) for state in states])
+    force = forces[:, :1] * -down + forces[:, 1:] * aside
+    arrow = 0.25 * length / (parameters["mass"] * parameters["gravity"]) * force
+    parts = [
+        Part(
+            "path",
+            length * np.column_stack([np.sin(np.linspace(-pi, pi)), -np.cos(np.linspace(-pi, pi))]),
+            GREY,
+            width=1,
+            faint=True,
+        ),
+        Part("lines", moving(np.zeros(2), length * down), 0, "bar", width=7),
+        Part("dot", (length / 2 * down)[:, None], 2, "G", width=5),
+        Part("arrow", moving(np.zeros(2), arrow), 1, "force of the hinge", width=3),
+        Part("dot", np.zeros((1, 2)), INK, width=4),
+    ]
+    shown = strip_samples(times)
+    total = np.array([energy(state, **parameters) for state in states[shown]])
+    still = np.array([energy(state, **parameters) for state in states[shown] * [1, 0]])
+    return Film(
+        "Swinging bar",
+        "A bar swings about a hinge at its end. An arrow at the hinge shows its force on the bar, which is largest as "
+        "the bar passes straight down.",
+        times,
+        [Panel(parts)],
+        [energy_strip(times[shown], total, still)],
+        poster=0.06,
+    )
