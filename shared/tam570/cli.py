@@ -54,7 +54,7 @@ def _parser() -> argparse.ArgumentParser:
     command = commands.add_parser("start", help="get an assignment, or a copy of a lecture to play with")
     command.set_defaults(command=_start)
     command.add_argument("assignment", metavar="ASSIGNMENT|LECTURE", help="hw07, or top, for example")
-    command.add_argument("--into", type=Path, default=Path(), metavar="DIR", help="where (default: here)")
+    command.add_argument("--into", type=Path, metavar="DIR", help="where (default: here)")
     command.add_argument("--notebook", action="store_true", help="a notebook too")
 
     command = commands.add_parser("check", help="run the visible tests on what you have written")
@@ -114,9 +114,10 @@ def _state(file: Path | None, known: tuple[dict[str, Any], bool] | None) -> str:
 
 
 def _start(arguments: argparse.Namespace) -> int:
+    where = arguments.into or work.beside()
     if lectures.is_lecture(arguments.assignment):
-        return lectures.start(arguments.assignment, arguments.into)
-    copied = releases.start(arguments.assignment, arguments.into, notebook=arguments.notebook)
+        return lectures.start(arguments.assignment, where)
+    copied = releases.start(arguments.assignment, where, notebook=arguments.notebook)
     for name in copied.new:
         print(copied.work / name)
     if not copied.new:

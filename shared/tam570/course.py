@@ -22,6 +22,7 @@ class Stub:
     keywords: tuple[str, ...]  # keyword-only
     docstring: str
     written: bool
+    takes_any: bool  # *args or **kwargs
 
 
 def assignments() -> list[str]:
@@ -81,7 +82,13 @@ def _stub(node: ast.FunctionDef) -> Stub:
     empty = len(body) == 1 and isinstance(body[0], ast.Raise) and "NotImplementedError" in ast.dump(body[0])
     given = node.args
     positions = tuple(one.arg for one in given.posonlyargs + given.args)
-    return Stub(positions, tuple(one.arg for one in given.kwonlyargs), ast.get_docstring(node) or "", not empty)
+    return Stub(
+        positions,
+        tuple(one.arg for one in given.kwonlyargs),
+        ast.get_docstring(node) or "",
+        not empty,
+        bool(given.vararg or given.kwarg),
+    )
 
 
 def _home() -> Path:

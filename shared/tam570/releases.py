@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from tam570.course import folder, stubs
+from tam570.course import Stub, folder, stubs
 
 __all__ = ["Copied", "differing", "start", "update"]
 
@@ -76,8 +76,14 @@ def _signatures(mine: Path, slug: str) -> list[str]:
     return [
         f"{name}({', '.join([*one.positions, *(['*', *one.keywords] if one.keywords else [])])})"
         for name, one in asked.items()
-        if name not in have or (one.positions, set(one.keywords)) != (have[name].positions, set(have[name].keywords))
+        if name not in have or _differ(one, have[name])
     ]
+
+
+def _differ(asked: Stub, have: Stub) -> bool:
+    """Whether a function does not have the parameters that are asked for."""
+    same = (asked.positions, set(asked.keywords)) == (have.positions, set(have.keywords))
+    return not (same or have.takes_any)
 
 
 def _copy(path: Path, work: Path) -> None:

@@ -6,7 +6,7 @@ from pathlib import Path
 from tam570.course import Unknown, assignments, folder, named, stubs
 from tam570.loading import SUFFIXES
 
-__all__ = ["Work", "chosen", "here", "one", "work_of"]
+__all__ = ["Work", "beside", "chosen", "here", "one", "work_of"]
 
 Work = tuple[Path, str]  # a file and its assignment
 
@@ -56,13 +56,18 @@ def work_of(slug: str) -> Path | None:
     return next((file for place in _places() if (file := _in(place, slug))), None)
 
 
+def beside() -> Path:
+    """Where another assignment belongs: this folder, or the one above the assignment's in which we are."""
+    inside = [one for one in (Path.cwd(), *Path.cwd().parents) if one.name in assignments()]
+    return inside[0].parent if inside else Path()
+
+
 def _places() -> Iterator[Path]:
     """This folder, and those above as long as one of them is an assignment's."""
     yield Path()
-    above = Path.cwd()
-    inside = [one for one in (above, *above.parents) if one.name in assignments()]
-    if inside:
-        yield from (one for one in above.parents if one == inside[0].parent or inside[0] in (one, *one.parents))
+    top = beside()
+    if top != Path():
+        yield from (one for one in Path.cwd().parents if one.is_relative_to(top))
 
 
 def _in(place: Path, slug: str) -> Path | None:

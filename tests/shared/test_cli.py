@@ -57,6 +57,12 @@ def test_start_gives_the_problem_the_stub_and_the_tests_and_overwrites_nothing(h
     assert stub.read_text() == "my work" and (stub.parent / "README.md").exists()
 
 
+def test_start_in_the_folder_of_an_assignment_puts_another_one_beside_it(hw08, desk, monkeypatch):
+    monkeypatch.chdir(hw08().parent)
+    assert cli.main(["start", "hw09"]) == 0
+    assert (desk / "hw09_book" / "hw09_book.py").exists()
+
+
 @pytest.mark.parametrize("place", [".", "hw08_axis_angle", "hw08_axis_angle/plots", "hw09_book"])
 def test_check_knows_where_it_is(hw08, desk, tam570, place):
     """Above the folder, in it, below it, and in that of a neighbour."""

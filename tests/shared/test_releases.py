@@ -52,6 +52,11 @@ def test_update_never_changes_work_and_tells_new_signatures(new_kit, capsys):
     assert stub.read_text() == "def skew(v):\n    return 1\n" and "this kit asks for unskew(matrix, *, scale)" in said
 
 
+def test_any_parameters_are_the_right_ones(hw08, capsys):
+    hw08("def rotate(*args):\n    return None")
+    assert cli.main(["update", "hw08"]) == 0 and "asks for" not in capsys.readouterr().out
+
+
 def test_update_of_a_folder_without_a_record_changes_nothing(new_kit, capsys):
     readme = new_kit("README.md", "\nmore\n")
     (readme.parent / releases.RECORD).unlink()

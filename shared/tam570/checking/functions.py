@@ -9,7 +9,7 @@ from types import ModuleType
 from typing import Any
 
 from tam570.checking.deadline import CALL, TooLong, limited
-from tam570.checking.mistakes import Mistake
+from tam570.checking.mistakes import Mistake, tightened
 from tam570.checking.promises import Promise, complaint
 from tam570.loading import Forbidden, Unusable, replaced, said
 
@@ -37,7 +37,7 @@ class Functions:
     off_limits: Mapping[str, Sequence[str]]
     called: list[str] = field(default_factory=list)  # in the test that runs, in order
     mistake: Mistake | None = None  # what is tried on the results
-    known: dict[tuple[str, bytes], Any] = field(default_factory=dict)  # results, by function and arguments
+    known: dict[tuple[str, bool, bytes], Any] = field(default_factory=dict)  # results, by function and arguments
     hanging: set[str] = field(default_factory=set)
     depth: int = 0
 
@@ -64,13 +64,17 @@ class Functions:
                 return function(*args, **kwargs)
             if self.mistake is None or self.mistake.function != name:
                 return self._result(name, function, (args, kwargs))
+            if self.mistake.tight:
+                with tightened(vars(self.module)):
+                    return self._result(name, function, (args, kwargs))
             return self.mistake.applied(lambda *a, **k: self._result(name, function, (a, k)), args, kwargs)
 
         return watched
 
     def _result(self, name: str, function: Callable[..., Any], given: Given) -> Any:
         """What the function returns, remembered while mistakes are tried. Fault if it is not what is promised."""
-        key = (name, _contents(given))
+        tight = self.mistake is not None and self.mistake.tight and self.mistake.function == name
+        key = (name, tight, _contents(given))
         if self.mistake is None or key not in self.known:
             self.known[key] = self._called(name, function, given)
         if said := complaint(self.results[name], self.known[key], name, given[0]):

@@ -49,3 +49,26 @@ def test_factors_signs_and_orders_are_named(desk, tam570, solution_text, slug):
     text = f"{solution_text(slug)}\n\nkept = {name}\n\n\ndef {name}(*args, **how):\n    return {body}\n"
     (desk / f"{slug}.py").write_text(text)
     assert f"It would pass with {says}." in " ".join(tam570("check", f"{slug}.py")[1].split())
+
+
+LOOSE = """
+
+def simulate(t, theta0, omega0, *, length, gravity):
+    def rates(t, y):
+        return y[1], -gravity / length * np.sin(y[0])
+
+    return {call}
+"""
+CALLS = {
+    "from scipy.integrate import solve_ivp": "solve_ivp(rates, t[[0, -1]], [theta0, omega0], t_eval=t).y.T",
+    "import scipy.integrate as si": "si.solve_ivp(rates, t[[0, -1]], [theta0, omega0], t_eval=t, rtol=1e-4).y.T",
+    "from scipy import integrate": "integrate.odeint(rates, [theta0, omega0], t, tfirst=True, rtol=1e-4, atol=1e-4)",
+}
+
+
+@pytest.mark.parametrize("above", CALLS)
+def test_loose_tolerances_are_named(desk, tam570, solution_text, above):
+    text = f"{solution_text('hw01_simple_pendulum')}\n\n{above}\n{LOOSE.format(call=CALLS[above])}"
+    (desk / "hw01.py").write_text(text)
+    said = " ".join(tam570("check", "hw01.py")[1].split())
+    assert "It would pass with the tolerances rtol=1e-9, atol=1e-9 in simulate." in said
