@@ -1,6 +1,7 @@
 """The students' command, `tam570`. What a command does not need is not imported: `list` takes no numerical library."""
 
 import argparse
+import io
 import os
 import sys
 import textwrap
@@ -20,6 +21,7 @@ INTERRUPTED = 130
 
 def main(argv: list[str] | None = None) -> int:
     """Run the command; the exit code is 0, 1 (a test failed), 2 (bad usage) or 130 (interrupted)."""
+    _printable()
     arguments = _parser().parse_args(argv)
     command: Callable[[argparse.Namespace], int] = arguments.command
     try:
@@ -36,6 +38,13 @@ def main(argv: list[str] | None = None) -> int:
     except KeyboardInterrupt:
         print("\ntam570: interrupted", file=sys.stderr)
         return INTERRUPTED
+
+
+def _printable() -> None:
+    """Where a file or an old terminal has no character for an exponent or a Greek letter, print a question mark."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="replace")
 
 
 def _parser() -> argparse.ArgumentParser:

@@ -114,6 +114,7 @@ class Runner:
 def _environment() -> dict[str, str]:
     """No windows, one thread, and a place for Matplotlib where the home folder is read only."""
     given = {"MPLBACKEND": "agg", "OPENBLAS_NUM_THREADS": "1", "PYTHONDONTWRITEBYTECODE": "1", **os.environ}
+    given["PYTHONIOENCODING"] = f"{sys.stdout.encoding}:replace"
     if not os.access(os.path.expanduser("~"), os.W_OK):
         given.setdefault("MPLCONFIGDIR", os.path.join(tempfile.gettempdir(), "tam570-matplotlib"))
     return given

@@ -130,6 +130,12 @@ def test_what_is_unseen_is_said_at_the_end(hw08, tam570):
     assert f"{tests.name} is not as this kit has it: tam570 update hw08" in tam570("check", "--final")[1]
 
 
+def test_a_terminal_without_greek_letters_is_enough(desk, tam570, solution_text):
+    (desk / "hw06.py").write_text(solution_text("hw06_braking") + "\n\ndef axle_load(*a, **k):\n    return 'Ω²'\n")
+    code, said = tam570("check", "hw06.py", "--final", env={**os.environ, "PYTHONIOENCODING": "ascii"})
+    assert code == 1 and "Traceback" not in said and "axle_load gives no numbers but" in said and "10??" in said
+
+
 def test_tests_that_cannot_be_read_are_named(hw08, tam570):
     file = hw08()
     (file.parent / f"test_{file.name}").write_text("x = 1\ndef test(:\n")
