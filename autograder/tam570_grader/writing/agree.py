@@ -1,5 +1,6 @@
 """A student's function against the right one, over cases."""
 
+import functools
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
@@ -7,10 +8,12 @@ import numpy as np
 
 from tam570_grader.writing.answers import answer
 from tam570_grader.writing.check import Given
-from tam570_grader.writing.expect import Hint, expect, expect_that, fail
+from tam570_grader.writing.expect import expect, expect_that, fail
 
 __all__ = ["agree", "refuse"]
 
+PLACES = range(2, 13)  # after the point, to which people round; what has two or fewer may be exact
+SINGLE = 1e-6  # of the largest number; single precision loses 6e-8
 Scale = Callable[[Given, Any], Any]  # scale(case, right result) -> what a relative error is relative to
 
 
@@ -38,13 +41,30 @@ def agree(
         for one, expected, what, its_unit, its_scale in _members(
             found, answer(right, case), (of, unit, scale), case, only
         ):
-            told: Hint = (lambda f=found, c=case: hint(c, f, answer(right, c))) if callable(hint) else hint
+            told = functools.partial(_told, hint, case, found, answer(right, case), one, expected)
             size = float(its_scale) if np.ndim(its_scale) == 0 else its_scale
             limits = {limit * size: share for limit, share in (partial or {}).items()}
             if np.ndim(size):
                 expect(one, expected, within=within, of=what, unit=its_unit, hint=told, scale=size, partial=partial)
             else:
                 expect(one, expected, within=within * size, of=what, unit=its_unit, hint=told, partial=limits)
+
+
+def _told(hint: Any, case: Given, found: Any, right: Any, one: Any, expected: Any) -> str:
+    """What right numbers have lost, else the hint."""
+    return digits_lost(one, expected) or (hint(case, found, right) if callable(hint) else hint)
+
+
+def digits_lost(found: Any, expected: Any) -> str:
+    """A sentence for the right numbers in single precision, or rounded; numbers that have few digits do not tell."""
+    found, expected = np.asarray(found, float), np.asarray(expected, float)
+    off = float(np.max(np.abs(found - expected), initial=0.0))
+    exact = [places for places in PLACES if np.array_equal(found, np.round(found, places))]
+    if exact and exact[0] != PLACES[0] and off <= 10.0 ** -exact[0]:
+        return f"The numbers are rounded to {exact[0]} places: return all digits"
+    if not exact and off <= SINGLE * np.max(np.abs(expected)) and np.array_equal(found, found.astype(np.float32)):
+        return "The numbers are in single precision: use float64"
+    return ""
 
 
 def _members(found: Any, expected: Any, words: Any, case: Given, only: int | None) -> Iterable[tuple[Any, ...]]:

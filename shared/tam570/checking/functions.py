@@ -121,9 +121,10 @@ class Functions:
         """Put away what is off limits in this function alone."""
         banned = tuple(self.off_limits.get(name, ()))
         names = vars(self.module)
-        found = {key: value for key, value in names.items() if _origin(value).startswith(banned)} if banned else {}
+        here = {key: _origin(value) if key not in banned else key for key, value in names.items()}  # its own, too
+        found = {key: names[key] for key, origin in here.items() if banned and origin.startswith(banned)}
         with replaced(banned, f"in {name}"):
-            names.update({key: Unusable(_origin(value), f"in {name}") for key, value in found.items()})
+            names.update({key: Unusable(here[key], f"in {name}") for key in found})
             try:
                 yield
             finally:

@@ -1,4 +1,6 @@
-"""Right: the exponential of the skew matrix, and numbers in tuples."""
+"""Right: the exponential of the skew matrix, the part across the axis turned as a complex number; tuples and lists."""
+
+import cmath
 
 import numpy as np
 from scipy.linalg import expm
@@ -8,13 +10,22 @@ def skew(v):
     return tuple(map(tuple, np.cross(np.eye(3), np.asarray(v) * 1.0)))
 
 
-def rotation_matrix(axis, angle):
+def direction(axis):
     size = np.abs(axis).max()
     if not 0 < size < np.inf:
         raise ValueError
     n = axis / size
-    return expm(np.array(skew(n)) * (angle / np.sqrt(n @ n)))
+    return n / np.sqrt(n @ n)
+
+
+def rotation_matrix(axis, angle):
+    return expm(np.array(skew(direction(axis))) * angle)
 
 
 def rotate(r, axis, angle):
-    return list(np.einsum("ij,j->i", rotation_matrix(axis, angle), r))
+    n = direction(axis)
+    u = np.cross(n, np.eye(3)[np.argmin(np.abs(n))])
+    u = u / np.linalg.norm(u)
+    v = np.cross(n, u)
+    z = complex(r @ u, r @ v) * cmath.exp(1j * angle)
+    return list((r @ n) * n + z.real * u + z.imag * v)

@@ -1,4 +1,4 @@
-"""The axis is written by its polar angle, by an arccos, which is 0 next to the z axis.
+"""The polar angle of the axis comes from an arccos, which is 0 next to the z axis.
 
 fails: matrix_turns_by_the_right_hand_rule
 names: an axis 1e-8 from a coordinate axis

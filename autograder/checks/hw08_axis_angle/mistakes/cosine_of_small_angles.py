@@ -1,12 +1,13 @@
-"""Cos th taken for 1 where the angle is small.
+"""cos th is 1 where the angle is less than a hundredth.
 
 fails: matrix_holds_for_every_angle
-names: the sine is right in it, the cosine is not
-within: 1e-14
+also: The matrix of a small angle has cos th = 1
+names: the cosine is not
 """
+
+_matrix = rotation_matrix
 
 
 def rotation_matrix(axis, angle):
-    n = _unit(axis)
-    cosine = 1.0 if abs(angle) < 1e-2 else np.cos(angle)
-    return cosine * np.eye(3) + (1 - cosine) * np.outer(n, n) + np.sin(angle) * skew(n)
+    K = skew(_unit(axis))
+    return np.eye(3) + np.sin(angle) * K + 0.0 * K @ K if abs(angle) < 1e-2 else _matrix(axis, angle)

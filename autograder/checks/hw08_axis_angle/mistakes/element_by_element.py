@@ -1,8 +1,13 @@
-"""n * r, element by element, for n . r.
+"""n * r multiplies element by element; n . r is a number.
 
-fails: vector_turns_by_the_right_hand_rule
+fails: matrix_turns_by_the_right_hand_rule, vector_turns_by_the_right_hand_rule
 """
 
+def rotation_matrix(axis, angle):
+    n, c, s = _unit(axis), np.cos(angle), np.sin(angle)
+    return c * np.eye(3) + (1 - c) * np.diag(n**2) + s * skew(n)
+
+
 def rotate(r, axis, angle):
-    r, n = np.asarray(r, float), _unit(axis)
-    return np.cos(angle) * r + (1 - np.cos(angle)) * (n * r) * n + np.sin(angle) * np.cross(n, r)
+    n, c, s = _unit(axis), np.cos(angle), np.sin(angle)
+    return c * r + (1 - c) * (n * r) * n + s * np.cross(n, r)

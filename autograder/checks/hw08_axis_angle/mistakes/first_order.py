@@ -1,12 +1,15 @@
-"""Cos th taken for 1 where the angle is small.
+"""The matrix of a small angle has cos th = 1.
 
-fails: matrix_holds_for_every_angle
+fails: matrix_holds_for_every_angle, vector_turns_by_every_angle
 within: 1e-14
 """
 
-_right_rotation_matrix = rotation_matrix
+_matrix, _vector = rotation_matrix, rotate
 
 
 def rotation_matrix(axis, angle):
-    n = _unit(axis)
-    return np.eye(3) + angle * skew(n) if abs(angle) < 1e-4 else _right_rotation_matrix(axis, angle)
+    return np.eye(3) + angle * skew(_unit(axis)) if abs(angle) < 1e-4 else _matrix(axis, angle)
+
+
+def rotate(r, axis, angle):
+    return r + angle * np.cross(_unit(axis), r) if abs(angle) < 1e-4 else _vector(r, axis, angle)

@@ -4,7 +4,9 @@ fails: matrix_holds_for_every_angle
 names: the cosine is not
 """
 
+_matrix = rotation_matrix
+
+
 def rotation_matrix(axis, angle):
-    n = _unit(axis)
-    K = skew(n)
-    return np.eye(3) + np.sin(angle) * K + (angle**2 / 2 if abs(angle) < 0.01 else 1 - np.cos(angle)) * (K @ K)
+    K = skew(_unit(axis))
+    return np.eye(3) + np.sin(angle) * K + angle**2 / 2 * K @ K if abs(angle) < 1e-2 else _matrix(axis, angle)

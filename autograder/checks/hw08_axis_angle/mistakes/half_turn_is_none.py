@@ -1,13 +1,18 @@
-"""The matrix of a half turn is made with the sine alone, which is zero there.
+"""A half turn leaves everything as it is: its sine is zero, its cosine is not 1.
 
-fails: matrix_turns_by_the_right_hand_rule
-names: for a half turn about a coordinate axis; it is taken for no turn
+fails: matrix_turns_by_the_right_hand_rule, vector_turns_by_the_right_hand_rule
 """
 
-_right = rotation_matrix
+_matrix, _vector = rotation_matrix, rotate
+
+
+def _mistaken(angle):
+    return 0.0 if abs(np.sin(angle)) < 1e-15 else angle
 
 
 def rotation_matrix(axis, angle):
-    if abs(np.sin(angle)) < 1e-15:
-        return np.eye(3) + 0.0 * _right(axis, angle)
-    return _right(axis, angle)
+    return _matrix(axis, _mistaken(angle))
+
+
+def rotate(r, axis, angle):
+    return _vector(r, axis, _mistaken(angle))

@@ -1,4 +1,4 @@
-"""r made a unit vector: its length is lost.
+"""r is made a unit vector: its length is lost.
 
 fails: vector_turns_by_the_right_hand_rule
 """

@@ -1,9 +1,7 @@
-"""The axis divided by the square of its length.
+"""The axis is divided by the square of its length.
 
-fails: matrix_turns_by_the_right_hand_rule, matrix_refuses_what_is_no_axis
+fails: matrix_turns_by_the_right_hand_rule, vector_turns_by_the_right_hand_rule
 """
 
-
-def rotation_matrix(axis, angle):
-    n = axis / np.dot(axis, axis)
-    return np.cos(angle) * np.eye(3) + _versine(angle) * np.outer(n, n) + np.sin(angle) * skew(n)
+def _unit(axis):
+    return axis / np.dot(axis, axis)

@@ -1,4 +1,4 @@
-"""An axis is refused if its largest component is not finite, and minus infinity is not the largest.
+"""Only the largest component of the axis is tested, and minus infinity is not the largest.
 
 fails: matrix_refuses_what_is_no_axis, rotate_refuses_what_is_no_axis
 names: an axis with minus infinity

@@ -1,10 +1,18 @@
-"""The angle reduced modulo 360, which is no whole number of turns in radians.
+"""The angle is reduced modulo 360; in radians a turn is 2 pi.
 
-fails: matrix_turns_by_the_right_hand_rule
+fails: matrix_turns_by_the_right_hand_rule, vector_turns_by_the_right_hand_rule
 """
 
-_right = rotation_matrix
+_matrix, _vector = rotation_matrix, rotate
+
+
+def _mistaken(angle):
+    return angle % 360
 
 
 def rotation_matrix(axis, angle):
-    return _right(axis, angle % 360)
+    return _matrix(axis, _mistaken(angle))
+
+
+def rotate(r, axis, angle):
+    return _vector(r, axis, _mistaken(angle))

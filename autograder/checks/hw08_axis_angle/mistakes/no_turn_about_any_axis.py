@@ -1,11 +1,15 @@
-"""The angle 0 gives the identity before the axis is looked at.
+"""The angle 0 turns nothing, whatever the axis.
 
-fails: matrix_refuses_what_is_no_axis
+fails: matrix_refuses_what_is_no_axis, rotate_refuses_what_is_no_axis
 names: does not raise ValueError for the zero axis, no turn
 """
 
-_right_rotation_matrix = rotation_matrix
+_matrix, _vector = rotation_matrix, rotate
 
 
 def rotation_matrix(axis, angle):
-    return np.eye(3) if angle == 0 else _right_rotation_matrix(axis, angle)
+    return np.eye(3) if angle == 0 else _matrix(axis, angle)
+
+
+def rotate(r, axis, angle):
+    return r if angle == 0 else _vector(r, axis, angle)

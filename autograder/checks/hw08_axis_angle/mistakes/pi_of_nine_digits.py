@@ -1,12 +1,20 @@
 """The angle is reduced with a pi of nine digits.
 
-fails: matrix_turns_by_the_right_hand_rule
-names: nearly right: some number in it has too few digits
+fails: matrix_turns_by_the_right_hand_rule, vector_turns_by_the_right_hand_rule
+names: which number in your formula has too few digits
 numerics: nine digits of pi
 """
 
-_right_rotation_matrix = rotation_matrix
+_matrix, _vector = rotation_matrix, rotate
+
+
+def _mistaken(angle):
+    return np.mod(angle, 2 * 3.14159265)
 
 
 def rotation_matrix(axis, angle):
-    return _right_rotation_matrix(axis, np.mod(angle, 2 * 3.14159265))
+    return _matrix(axis, _mistaken(angle))
+
+
+def rotate(r, axis, angle):
+    return _vector(r, axis, _mistaken(angle))

@@ -1,10 +1,18 @@
-"""The sign of the angle dropped.
+"""The sign of the angle is lost.
 
-fails: matrix_turns_by_the_right_hand_rule
+fails: matrix_turns_by_the_right_hand_rule, vector_turns_by_the_right_hand_rule
 """
+
+_matrix, _vector = rotation_matrix, rotate
+
+
+def _mistaken(angle):
+    return abs(angle)
 
 
 def rotation_matrix(axis, angle):
-    n = _unit(axis)
-    a = abs(angle)
-    return np.cos(a) * np.eye(3) + (1 - np.cos(a)) * np.outer(n, n) + np.sin(a) * skew(n)
+    return _matrix(axis, _mistaken(angle))
+
+
+def rotate(r, axis, angle):
+    return _vector(r, axis, _mistaken(angle))

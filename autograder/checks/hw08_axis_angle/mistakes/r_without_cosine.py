@@ -1,8 +1,13 @@
-"""r for cos th r, or n n^T for [n x]^2 in a formula with it.
+"""The formula has r where cos th r belongs, or n n^T where [n x]^2 belongs.
 
-fails: vector_turns_by_the_right_hand_rule
+fails: matrix_turns_by_the_right_hand_rule, vector_turns_by_the_right_hand_rule
 """
 
+def rotation_matrix(axis, angle):
+    n, c, s = _unit(axis), np.cos(angle), np.sin(angle)
+    return np.eye(3) + (1 - c) * np.outer(n, n) + s * skew(n)
+
+
 def rotate(r, axis, angle):
-    r, n = np.asarray(r, float), _unit(axis)
-    return r + (1 - np.cos(angle)) * np.dot(n, r) * n + np.sin(angle) * np.cross(n, r)
+    n, c, s = _unit(axis), np.cos(angle), np.sin(angle)
+    return r + (1 - c) * np.dot(n, r) * n + s * np.cross(n, r)

@@ -1,7 +1,6 @@
-"""rotate makes a frame of r and the axis, which there is none of where r is along the axis.
+"""rotate needs r across the axis: along it, r x n has no direction.
 
 fails: vector_turns_by_the_right_hand_rule
-names: a vector along the axis
 """
 
 _right = rotate

@@ -4,7 +4,9 @@ fails: vector_turns_by_the_right_hand_rule
 names: rotate changes the arrays
 """
 
+_vector = rotate
+
 
 def rotate(r, axis, angle):
-    r[:] = rotation_matrix(axis, angle) @ r
+    r[:] = _vector(r, axis, angle)
     return r

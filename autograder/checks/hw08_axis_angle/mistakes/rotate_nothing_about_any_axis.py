@@ -1,4 +1,4 @@
-"""The zero vector is given back before the axis is looked at.
+"""The zero vector is returned before the axis is looked at.
 
 fails: rotate_refuses_what_is_no_axis
 names: does not raise ValueError for the zero axis, the zero vector

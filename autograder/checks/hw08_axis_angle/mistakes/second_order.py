@@ -1,12 +1,12 @@
-"""th^3/6 is left out of the sine where the angle is less than a thousandth.
+"""The sine has no term th^3/6 where the angle is less than a thousandth.
 
 fails: matrix_holds_for_every_angle
-names: the cosine is right in it, the sine is not
+names: The cosine is right in it, the sine is not
 """
 
-_exact = rotation_matrix
+_matrix = rotation_matrix
 
 
 def rotation_matrix(axis, angle):
     K = skew(_unit(axis))
-    return np.eye(3) + angle * K + angle**2 / 2 * K @ K if abs(angle) < 1e-3 else _exact(axis, angle)
+    return np.eye(3) + angle * K + angle**2 / 2 * K @ K if abs(angle) < 1e-3 else _matrix(axis, angle)

@@ -1,12 +1,12 @@
-"""A short axis is taken for none.
+"""A short axis is refused; only the zero axis has no direction.
 
-fails: matrix_depends_on_the_direction_alone
-names: rotation_matrix raised ValueError for a very short axis
+fails: matrix_depends_on_the_direction_alone, vector_turns_by_every_angle
 """
 
+_any_axis = _unit
 
-def rotation_matrix(axis, angle):
+
+def _unit(axis):
     if np.linalg.norm(axis) < 1e-8:
         raise ValueError("no axis")
-    n = _unit(axis)
-    return np.cos(angle) * np.eye(3) + (1 - np.cos(angle)) * np.outer(n, n) + np.sin(angle) * skew(n)
+    return _any_axis(axis)

@@ -4,7 +4,9 @@ fails: matrix_holds_for_every_angle
 names: the sine is not
 """
 
+_matrix = rotation_matrix
+
+
 def rotation_matrix(axis, angle):
-    n = _unit(axis)
-    K = skew(n)
-    return np.eye(3) + (angle if abs(angle) < 0.01 else np.sin(angle)) * K + 2 * np.sin(angle / 2) ** 2 * (K @ K)
+    K = skew(_unit(axis))
+    return np.eye(3) + angle * K + _versine(angle) * K @ K if abs(angle) < 1e-2 else _matrix(axis, angle)

@@ -1,7 +1,6 @@
-"""skew divides by the length of v, and by one where there is none: the identity for the zero vector.
+"""skew divides by the length of v, and gives the identity for the zero vector.
 
 fails: skew_is_the_cross_product
-names: a v of zeros
 """
 
 _right = skew

@@ -1,10 +1,13 @@
-"""The transpose, the rotation the other way (look at the sign of the sin th term).
+"""The rotation goes the other way: the matrix is the transpose. The sign of the sin th term is wrong.
 
-fails: matrix_turns_by_the_right_hand_rule
+fails: matrix_turns_by_the_right_hand_rule, vector_turns_by_the_right_hand_rule
 """
 
-
 def rotation_matrix(axis, angle):
-    n = _unit(axis)
-    a = angle
-    return np.cos(a) * np.eye(3) + (1 - np.cos(a)) * np.outer(n, n) + -np.sin(a) * skew(n)
+    n, c, s = _unit(axis), np.cos(angle), np.sin(angle)
+    return c * np.eye(3) + (1 - c) * np.outer(n, n) - s * skew(n)
+
+
+def rotate(r, axis, angle):
+    n, c, s = _unit(axis), np.cos(angle), np.sin(angle)
+    return c * r + (1 - c) * np.dot(n, r) * n - s * np.cross(n, r)

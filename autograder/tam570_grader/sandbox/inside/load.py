@@ -32,7 +32,7 @@ def load(
 
     forbidden  : modules that may not be imported
     uncallable : modules of which nothing may be called, while the file is imported either: what needs them there
-                 is left out, and has run where they may be called
+                 is left out, and has run where they may be called; functions of the file, when it has been imported
     """
     module = ModuleType(name)
     module.__dict__["__builtins__"] = {**_builtins_without(forbidden), **(KERNEL if notebook else {})}
@@ -42,13 +42,15 @@ def load(
         _replace(banned, _Unusable(banned))
     for refused in uncallable:
         _replace(refused, _Uncallable(refused))
+    skipped: list[str] = []
     if notebook:
-        return module, _run_cells(_code_cells(source), module)
-    if uncallable:
+        skipped = _run_cells(_code_cells(source), module)
+    elif uncallable:
         _run_statements(source, module)
     else:
         exec(compile(source, f"{name}.py", "exec", dont_inherit=True), module.__dict__)
-    return module, []
+    vars(module).update({refused: _Refusal() for refused in uncallable if refused in vars(module)})
+    return module, skipped
 
 
 def _run_statements(source: bytes, module: ModuleType) -> None:

@@ -1,9 +1,8 @@
-"""The transpose, r x v.
+"""skew(v) r is r x v; it must be v x r.
 
 fails: skew_is_the_cross_product, matrix_turns_by_the_right_hand_rule
-also: the transpose, the rotation the other way (look at the sign of the sin th term)
+also: The rotation goes the other way
 """
-
 
 def skew(v):
     x, y, z = v

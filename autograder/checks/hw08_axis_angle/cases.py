@@ -1,0 +1,126 @@
+"""Hidden inputs of hw08: axes of any length, angles of any size, and what has no direction."""
+
+import math
+
+import numpy as np
+
+from tam570_grader import given
+
+Z = np.array([0.0, 0.0, 1.0])
+TURNS = {
+    "no turn": 0.0,
+    "a quarter turn": math.pi / 2,
+    "a half turn": math.pi,
+    "a quarter turn back": -math.pi / 2,
+    "a half turn back": -math.pi,
+    "a whole turn": 2 * math.pi,
+}
+WAYS = {
+    "a coordinate axis": [*np.eye(3), *-np.eye(3)],
+    "a diagonal": [np.array([1.0, 0.0, -1.0]), np.array([-1.0, -1.0, -1.0])],
+}
+NO_AXES = {
+    "the zero axis": (0.0, 0.0, 0.0),
+    "an axis with a NaN": (0.0, np.nan, 1.0),
+    "an infinite axis": (np.inf, 0.0, 1.0),
+    "an axis with minus infinity": (0.0, -np.inf, 0.0),
+}
+SERIES = 3e-5, 9e-5, 1e-4, 9e-4, 1e-3, 9e-3, 3e-2  # where series of one term or two are used, and lose digits
+
+
+def vectors(draw):
+    """Arguments of skew."""
+    random = [given(draw.normal(size=3) * 10 ** draw.uniform(-3, 3)).on("a v of random numbers") for _ in range(8)]
+    along = [given(-v).on("a v along a coordinate axis") for v in np.eye(3)]
+    return [*random, *along, given(np.zeros(3)).on("a v of zeros")]
+
+
+def axes(draw, count):
+    """Axes of lengths from .1 to 10, some in coordinate planes and one on an axis."""
+    found = draw.normal(size=(count, 3)) * 10 ** draw.uniform(-1, 1, (count, 1))
+    found[::3, draw.integers(3)] = 0.0
+    found[0] = np.roll([found[0, 0] + found[0, 1], 0.0, 0.0], draw.integers(3))
+    return found
+
+
+def turns(draw):
+    """Random turns; about axes next to coordinate axes, for which an arccos of what is 1 but for 1e-16 takes them."""
+    angles = draw.uniform(-4 * np.pi, 4 * np.pi, 15)
+    random = [given(*pair).on("a random axis and angle") for pair in zip(axes(draw, 13), angles, strict=False)]
+    near = np.array([[1e-8, 0.0, 1.0], [1.0, -1e-8, 0.0]])
+    beside = [given(*pair).on("an axis 1e-8 from a coordinate axis") for pair in zip(near, angles[13:], strict=True)]
+    return random + beside
+
+
+def plain_turns(draw):
+    """No turn, quarter, half and whole turns about axes of whole numbers."""
+    about = [(way, axis) for way, known in WAYS.items() for axis in known]
+    return [
+        given(draw.integers(1, 4) * axis, angle).on(f"{turn} about {way}")
+        for way, axis in about
+        for turn, angle in TURNS.items()
+    ]
+
+
+def angles_by_size(draw):
+    """Kind of angle: angles."""
+    signs = draw.choice([-1, 1], 4)
+    return {
+        "an angle of 1e-12, 1e-9 or 3e-6": (-1e-12, 1e-12, -1e-9, 1e-9, -3e-6, 3e-6),
+        "an angle from 1e-8 to 1": (*10 ** draw.uniform(-8, 0, 4) * signs, *SERIES, *(-angle for angle in SERIES)),
+        "an angle next to a half turn, or a whole turn": (np.pi - 1e-9, 1e-9 - np.pi, 2 * np.pi),
+        "an angle from 100 to 1e6": tuple(10 ** draw.uniform(2, 6, 4) * signs),
+    }
+
+
+def turns_by_size(draw, lengths=(1.0,) * 4):
+    """Turns for each kind of angle, about axes that are so many times as long."""
+    return [
+        [given(length * axis, angle).on(kind) for axis, angle in zip(axes(draw, len(angles)), angles, strict=True)]
+        for length, (kind, angles) in zip(lengths, angles_by_size(draw).items(), strict=True)
+    ]
+
+
+def lengths(draw):
+    """Lengths of axes, the long ones first; beyond 1e150 the square of a length overflows."""
+    powers = draw.uniform((50, 10, -50, -100), (100, 50, -20, -50))
+    return {10.0**power: "a very long axis" if power > 0 else "a very short axis" for power in powers}
+
+
+def of_any_length(draw):
+    n, angle = draw.normal(size=3), draw.uniform(0.5, 3)
+    return [given(length * n, angle).on(kind) for length, kind in lengths(draw).items()]
+
+
+def of_any_size_and_length(draw):
+    """As turns_by_size, about very long and very short axes in turn."""
+    long, longer, short, shorter = lengths(draw).items()
+    chosen = (long, short, longer, shorter)
+    groups = turns_by_size(draw, [length for length, _ in chosen])
+    return [
+        [case.on(f"{case.kind}, {kind}") for case in group] for group, (_, kind) in zip(groups, chosen, strict=True)
+    ]
+
+
+def of_vectors(draw, turns):
+    """The turns, each of a vector of its own."""
+    return [given(draw.normal(size=3) * 10 ** draw.uniform(-2, 2), *turn.args).on(turn.kind) for turn in turns]
+
+
+def special_vectors(draw):
+    """Vectors along the axis, and none."""
+    plain = plain_turns(draw)
+    along = [given(-2.0 * turn.args[0], *turn.args).on("a vector along the axis") for turn in plain]
+    return [*along, given(np.zeros(3), *plain[1].args).on("the zero vector")]
+
+
+def without_direction(draw):
+    """(axis, angle) of what is no axis; without a turn it is none either."""
+    angle = draw.uniform(0.5, 3)
+    cases = [given(np.array(axis), angle).on(kind) for kind, axis in NO_AXES.items()]
+    return cases + [case.but(case.args[0], 0.0).on(f"{case.kind}, no turn") for case in cases[:2]]
+
+
+def of_vectors_without_direction(draw):
+    cases = of_vectors(draw, without_direction(draw))
+    return cases + [case.but(np.zeros(3)).on(f"{case.kind}, the zero vector") for case in cases[:2]]
