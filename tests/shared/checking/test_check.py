@@ -58,7 +58,8 @@ CALLS = {
     "return 'a vector'": "rotate gives no numbers but 'a vector'.",
     "return r + nothing": "NameError: name 'nothing' is not defined",
     "import pandas": "pandas is not there",
-    "r[:] = r @ rotation_matrix(axis, angle).T; return r": "rotate changes the arrays that it is given.",
+    "r[:] = r + np.cross(axis, r); return r": "rotate changes the arrays that it is given.",
+    "return rotation_matrix(axis, angle) @ r": "rotation_matrix is off limits in rotate",
     "raise NotImplementedError": "rotate is not written yet.",
     "return open('data.csv').read()": "FileNotFoundError",
 }
