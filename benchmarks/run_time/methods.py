@@ -66,7 +66,7 @@ def heyoka(scene, tolerance):
 
     rhs, start, parameters, end = scene
     names = [f"s{i}" for i in range(len(start))]
-    state = hy.make_vars(*names)
+    state = [hy.make_vars(name) for name in names]
     rates = _rates_in(rhs, parameters, len(start), hy, hy.time)(state)
     rates = [rate if isinstance(rate, hy.expression) else hy.expression(rate) for rate in rates]
     run = hy.taylor_adaptive(list(zip(state, rates, strict=True)), list(start), tol=tolerance)

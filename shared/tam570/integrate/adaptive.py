@@ -47,7 +47,8 @@ def states(
     rows[0] = start
     run = Run(engine, float(times[0]), times - times[0], rows, rtol)
     in_python = partial(advanced, run, engine.functions["advance"], run.since.tolist())
-    first = at_start(engine, run.origin, float(run.since[-1]), start, floor)
+    span = float(run.since[-1])
+    first = at_start(engine, run.origin, span, start, floor, plainly=how == "compiled")
     loop = Loop(in_python, run.share)
     if project:
         loop = Loop(_stepwise(run, in_python, project, longest), run.share)
@@ -93,8 +94,11 @@ def _compiled(run: Run, in_python: Callable[[State, int], State], state: State) 
 
     graph, formulas = run.engine.graph, run.engine.formulas
     assert graph is not None
-    state = backend.taylor_run(graph, run.origin, run.since, run.rows, run.rtol, state)
+    by_series = partial(backend.taylor_run, graph, run.origin, run.since, run.rows, run.rtol)
+    state = by_series(state)
     backend.READY.add(graph)
+    if not state.steps:
+        state = by_series(at_start(run.engine, run.origin, float(run.since[-1]), np.array(state.y), state.m))
     if run.share(state) >= 1:
         return state
     f = run.engine.functions["rhs"](run.origin + state.t, state.y, run.engine.constants)
@@ -140,8 +144,18 @@ def _projected(engine: Engine, state: State, origin: float, project: Callable[[A
     return state._replace(y=y, r=(0.0,) * len(y), f=f)
 
 
-def at_start(engine: Engine, origin: float, span: float, start: Array, floor: Sequence[float] = ()) -> State:
-    """The state that `advance` begins with; floor : (k,) sizes by which components are judged at least."""
+def at_start(
+    engine: Engine, origin: float, span: float, start: Array, floor: Sequence[float] = (), plainly: bool = False
+) -> State:
+    """The state that `advance` begins with.
+
+    floor   : (k,) sizes by which components are judged at least
+    plainly : leave the scales to Taylor's method: what starts at zero has a magnitude of zero
+    """
+    if plainly and engine.graph is not None:
+        y = tuple(start.tolist())
+        m = tuple(max(abs(value), least) for value, least in zip(y, floor or [0.0] * len(y), strict=True))
+        return State(1, 0.0, span / 100, y, (0.0,) * len(y), y, m, LARGEST, 0, 0, 0, RUNNING)
     y, c, rhs = tuple(start.tolist()), engine.constants, engine.functions["rhs"]
     f = rhs(origin, y, c)
     if not all(map(math.isfinite, f)):

@@ -43,8 +43,16 @@ def states(engine: Engine, times: Array, starts: Array, rtol: float, how: str, f
     if engine.traced and not compiled and len(starts) >= WORTH_ARRAYS:
         return _Members(engine, times, starts, rtol, floor).walked()
     one_by_one = "compiled" if compiled else "python"
-    rest = [adaptive.states(engine, times, start, rtol, one_by_one, floor) for start in starts[1:]]
-    return np.array([first, *rest])
+    rows = np.empty((len(starts), *first.shape))
+    rows[:, 0], rows[0] = starts, first
+    done = np.arange(len(starts)) == 0
+    if compiled and engine.graph is not None and len(starts) >= WORTH_ARRAYS:
+        from tam570.integrate.compiled import backend
+
+        done = backend.taylor_runs(engine.graph, float(times[0]), times - times[0], rows, rtol, starts, floor)
+    for i in np.flatnonzero(~done):
+        rows[i] = adaptive.states(engine, times, starts[i], rtol, one_by_one, floor)
+    return rows
 
 
 def _compiling_repays(engine: Engine, seconds_alone: float) -> bool:

@@ -12,6 +12,7 @@ from tam570.integrate import adaptive_loop, fixed_loop
 from tam570.integrate.adaptive_loop import State
 from tam570.integrate.arguments import Array
 from tam570.integrate.compiled import loops, taylor, taylor_loop
+from tam570.integrate.compiled.coefficients import LANES
 from tam570.integrate.compiled.llvm import function
 from tam570.integrate.compiled.recurrences import NotAnalytic, Recurrences, recurrences
 from tam570.integrate.compiled.series import layout
@@ -20,7 +21,7 @@ from tam570.integrate.fixed_loop import FixedState
 from tam570.integrate.formulas import Formulas
 from tam570.integrate.trace import Graph
 
-__all__ = ["READY", "analytic", "by_moments", "dop853", "fixed", "taylor_run"]
+__all__ = ["READY", "analytic", "by_moments", "dop853", "fixed", "taylor_run", "taylor_runs"]
 
 MOMENT = 0.05  # s in compiled code, after which Python may look for an interrupt
 READY: set[Any] = set()  # what was compiled or loaded by this process
@@ -36,42 +37,60 @@ def analytic(graph: Graph) -> tuple[Recurrences, tuple[float, ...]] | None:
 
 
 @lru_cache(maxsize=256)
-def _taylor(found: Recurrences) -> Any:
-    return function(repr(found), lambda: taylor.taylor_text(found), "advance", taylor.KINDS)
+def _taylor(found: Recurrences, lanes: int = 1) -> Any:
+    return function(repr((found, lanes)), lambda: taylor.taylor_text(found, lanes), "advance", taylor.KINDS)
 
 
 def taylor_run(graph: Graph, origin: float, times: Array, out: Array, rtol: float, state: State) -> State:
-    """The state at the end, or where Taylor's method cannot go on; times since `origin`."""
+    """The state at the end, or where Taylor's method cannot go on; times since `origin`.
+
+    A state whose m is not positive has no scale: it is found, or the state comes back as it was.
+    """
     known = analytic(graph)
     if known is None:
         return state
     found, constants = known
-    (advance, _), order, place = _taylor(found), taylor.order_for(rtol), layout(found, 1)
-    size = len(state.y)
-    z, work, c, clock = np.zeros(taylor_loop.memory(size)), np.zeros(place.doubles), np.array(constants), np.zeros(1)
-    parts = z[taylor_loop.NUMBERS :].reshape(-1)[: 3 * size].reshape(3, size)
-    parts[:] = state.y, state.r, state.m
-    z[[taylor_loop.ROW, taylor_loop.T, taylor_loop.NEW, taylor_loop.LONGEST]] = state.row, state.t, state.t, state.h
-    work[: size * place.stride].reshape(size, place.stride)[:, 0] = state.y
-    arrays = [a.ctypes.data for a in (z, work, clock, c, times)]
+    (advance, _), place, size = _taylor(found), layout(found, 1), len(state.y)
+    z, work, clock, c, given = _memory(taylor_loop.memory(size), place.doubles, 1, constants)
+    z[: taylor_loop.GIVEN + 1] = (state.row, state.t, 0, state.t, 0, 0, 0, 0, state.h, min(state.m) > 0.0)
+    kept = z[taylor_loop.NUMBERS : taylor_loop.NUMBERS + 3 * size].reshape(3, size)
+    kept[:] = state.y, state.r, state.m
+    work[: size * place.stride : place.stride] = state.y
+    clock[0] = origin + state.t
+    ends = times.ctypes.data, len(times), out.ctypes.data, None, 0, origin, rtol, taylor.order_for(rtol)
+    _by_moments(lambda budget: advance(*given, *ends, budget) or bool(z[taylor_loop.STATUS] == taylor_loop.RUNNING))
+    row, t, _, _, _, steps, refusals, _, h = z[: taylor_loop.LONGEST + 1].tolist()
+    y, r, m = map(tuple, kept.tolist())
+    total = state.steps + int(steps), state.refusals + int(refusals)
+    return State(int(row), t, h, y, r, state.f, m, state.growth, state.refused, *total, state.halt)
 
-    def some(budget: int) -> bool:
-        advance(*arrays, len(times), out.ctypes.data, origin, rtol, order, budget)
-        return bool(z[taylor_loop.STATUS] == taylor_loop.RUNNING)
 
-    _by_moments(some)
-    steps, refusals = (int(z[i]) for i in (taylor_loop.STEPS, taylor_loop.REFUSALS))
-    y, r, m = (tuple(part.tolist()) for part in parts)
-    return state._replace(
-        row=int(z[taylor_loop.ROW]),
-        t=float(z[taylor_loop.T]),
-        h=float(z[taylor_loop.LONGEST]),
-        y=y,
-        r=r,
-        m=m,
-        steps=state.steps + steps,
-        refusals=state.refusals + refusals,
-    )
+def taylor_runs(graph: Graph, origin: float, times: Array, out: Array, rtol: float, starts: Array, floor: Any) -> Array:
+    """Fill (m, n, k) `out` from the (m, k) starts; (m,) whether that was possible."""
+    known = analytic(graph)
+    if known is None:
+        return np.zeros(len(starts), dtype=bool)
+    found, constants = known
+    (advance, _), place, size = _taylor(found, LANES), layout(found, LANES), starts.shape[1]
+    one = taylor_loop.memory(size)
+    z, _, clock, _, given = _memory(LANES * one + 2, place.doubles, LANES, constants)
+    z[taylor_loop.STATUS : LANES * one : one] = taylor_loop.IDLE
+    z[-1], clock[:] = LANES, origin
+    members = np.hstack([np.full((len(starts), 1), times[-1] / 100), starts, np.maximum(np.abs(starts), floor)])
+    ends = times.ctypes.data, len(times), out.ctypes.data, members.ctypes.data, len(starts)
+    order = taylor.order_for(rtol)
+    _by_moments(lambda budget: advance(*given, *ends, origin, rtol, order, budget) or bool(z[-1] > 0.0))
+    return np.asarray(members[:, 0] == taylor_loop.DONE)
+
+
+def _memory(one: int, work: int, lanes: int, constants: tuple[float, ...]) -> tuple[Any, ...]:
+    """z, work, time and constants in one piece of memory, and the addresses of the four."""
+    places = [0, one, one + work, one + work + lanes]
+    whole = np.zeros(places[3] + len(constants))
+    parts = [whole[a:b] for a, b in zip(places, [*places[1:], None], strict=True)]
+    parts[3][:] = constants
+    start = whole.ctypes.data
+    return *parts, [start + 8 * place for place in places]
 
 
 def _by_moments(some: Callable[[int], bool]) -> None:

@@ -12,7 +12,7 @@ __all__ = ["Expressions", "Names"]
 
 Names = dict[str, Any]
 
-_LIBM = "sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh exp expm1 log log1p log2 log10 cbrt erf erfc"
+_LIBM = "sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh exp exp2 expm1 log log1p log2 log10 cbrt erf erfc"
 LIBM = frozenset(_LIBM.split(" "))
 LIBM_OF_TWO = frozenset(("atan2", "hypot", "pow"))
 ROOTS = {"sqrt": "llvm.sqrt.f64", "fabs": "llvm.fabs.f64", "abs": "llvm.fabs.f64"}

@@ -7,18 +7,19 @@ from functools import lru_cache
 from typing import Any
 
 from tam570.integrate.compiled import taylor_loop
-from tam570.integrate.compiled.ir import Array, Value
+from tam570.integrate.compiled.coefficients import HIGHEST
+from tam570.integrate.compiled.ir import Array, Value, number
 from tam570.integrate.compiled.llvm import assembled
 from tam570.integrate.compiled.recurrences import Recurrences
-from tam570.integrate.compiled.series import HIGHEST, layout, series_text
+from tam570.integrate.compiled.series import layout, series_text
 from tam570.integrate.compiled.translate import Translator, functions_of
 
 __all__ = ["KINDS", "order_for", "taylor_text"]
 
 POINTER, WHOLE, NUMBER = ctypes.c_void_p, ctypes.c_int64, ctypes.c_double
-KINDS = (*[POINTER] * 5, WHOLE, POINTER, NUMBER, NUMBER, WHOLE, WHOLE)
+KINDS = (*[POINTER] * 5, WHOLE, POINTER, POINTER, WHOLE, NUMBER, NUMBER, WHOLE, WHOLE)
 HEAD = """define void @advance(ptr %z, ptr %work, ptr %time, ptr %c, ptr %times, i64 %rows, ptr %out,
-    double %origin, double %rtol, i64 %order, i64 %budget) {
+    ptr %members, i64 %several, double %origin, double %rtol, i64 %order, i64 %budget) {
 entry:"""
 
 
@@ -28,21 +29,26 @@ def order_for(rtol: float) -> int:
 
 
 @lru_cache(maxsize=256)
-def taylor_text(found: Recurrences) -> str:
+def taylor_text(found: Recurrences, lanes: int = 1) -> str:
     """The module: the series, and the loop over the steps."""
-    place = layout(found, 1)
-    whole = {"SIZE": len(found.rates), "STRIDE": place.stride, "LANES": 1, "ORDER": "%order"}
+    place, size = layout(found, lanes), len(found.rates)
+    whole = {"SIZE": size, "STRIDE": place.stride, "DOUBLES": place.doubles, "ORDER": "%order"}
     names: dict[str, Any] = {
         **{name: value for name, value in vars(taylor_loop).items() if name.isupper()},
         **{name: Value("i64", str(value)) for name, value in whole.items()},
         **{name: _call_of(name) for name in ("coefficients", "rates")},
+        "LANES": lanes if lanes == 1 else Value("i64", str(lanes)),
+        "MEMORY": taylor_loop.memory(size),
+        "logarithm": _logarithm,
+        "behind": lambda writer, array, k: Array(writer.element(array.text, k), array.row, array.length),
     }
     translator = Translator(functions_of(inspect.getsource(taylor_loop)), names)
     translator.flags = " contract"
     given: list[Any] = [Array(f"%{name}") for name in ("z", "work", "time", "c")]
-    given += [Array("%times", None, Value("i64", "%rows")), Array("%out", len(found.rates))]
-    given += [Value("double", "%origin"), Value("double", "%rtol"), Value("i64", "%budget")]
-    translator.called(translator.globals["advance"], given)
+    given += [Array("%times", None, Value("i64", "%rows")), Array("%out", size)]
+    several = [] if lanes == 1 else [Array("%members", 1 + 2 * size, Value("i64", "%several"))]
+    given += [*several, Value("double", "%origin"), Value("double", "%rtol"), Value("i64", "%budget")]
+    translator.called(translator.globals["advance" if lanes == 1 else "advance_all"], given)
     loop = [HEAD, *translator.allocations, *translator.lines, "  ret void", "}"]
     return assembled([*series_text(found, place), *translator.constants(), *loop])
 
@@ -53,3 +59,11 @@ def _call_of(name: str) -> Any:
         return 0
 
     return call
+
+
+def _logarithm(writer: Any, x: Value) -> Value:
+    """To base 2, from the exponent and the fraction: a double's bits are almost that, to 0.09."""
+    bits = writer.emit("i64", f"bitcast double {x.text} to i64").text
+    shifted = writer.emit("i64", f"sub i64 {bits}, {1023 << 52}").text
+    exact = writer.emit("double", f"sitofp i64 {shifted} to double").text
+    return Value("double", writer.emit("double", f"fmul double {exact}, {number(2.0**-52)}").text)

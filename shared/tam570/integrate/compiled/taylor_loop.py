@@ -8,29 +8,30 @@ Names put in place for one right-hand side: SIZE components, ORDER of the run, S
 Memory of one motion, `z`: NUMBERS first, then seven numbers a component and its polynomial, HIGHEST + 1 coefficients.
 """
 
-from math import inf
+from math import exp2, inf, log2
 from typing import Any
 
-from tam570.integrate.compiled.series import HIGHEST
+from tam570.integrate.compiled.coefficients import HIGHEST
 from tam570.integrate.scale import UNKNOWN
 
-__all__ = ["NUMBERS", "advance", "memory"]
+__all__ = ["NUMBERS", "advance", "advance_all", "memory"]
 
 NUMBERS = 16
-ROW, T, H, NEW, STATUS, STEPS, REFUSALS, TRIES, LONGEST = range(9)  # where in z
+ROW, T, H, NEW, STATUS, STEPS, REFUSALS, TRIES, LONGEST, GIVEN, WHO = range(11)  # where in z
 Y, REST, M, SLOPE, NEXT, BASE, NOISE, POLYNOMIAL = range(8)
 # of a component: at the end of the step tried; what rounding took from its start; the largest magnitude so far; the
 # polynomial's derivative at the end; what rounding takes from the end; the derivative there; what a rounding does to it
-RUNNING, DONE, VANISHED, SINGULAR = 0.0, 1.0, 2.0, 3.0
-WINDOW = 4  # coefficients, from the last: a motion at rest has every second one zero, from a symmetric start more
+RUNNING, DONE, VANISHED, SINGULAR, LACKING, IDLE = 0.0, 1.0, 2.0, 3.0, 4.0, 5.0
 TOLERATED = 2.0  # the derivative may be off by so many times (ORDER + 1) rtol of the state in a step
 ROUNDINGS = 8.0  # and by so many times what a rounding of the state does to it
 GROWTH = 6.0  # of the step where all coefficients in the window are zero
 
 Number = Any
-SIZE = ORDER = STRIDE = LANES = 0
+SIZE = ORDER = STRIDE = LANES = DOUBLES = MEMORY = 0
 coefficients: Any = None
+logarithm: Any = None  # to base 2, to a tenth: a root of it is wanted
 rates: Any = None
+behind: Any = None  # behind(array, k): from its k-th number on
 
 
 def memory(size: int) -> int:
@@ -40,7 +41,7 @@ def memory(size: int) -> int:
 
 def advance(z: Any, work: Any, time: Any, c: Any, times: Any, out: Any, origin: Any, rtol: Any, budget: Any) -> Any:
     """Step until the last sample, `budget` steps are tried, or no step is possible: z[STATUS] tells."""
-    reach = rtol ** (1.0 / ORDER)
+    reach = log2(rtol) / ORDER
     while z[STATUS] == RUNNING and budget > 0:
         budget -= 1
         time[0] = origin + z[NEW]
@@ -49,6 +50,51 @@ def advance(z: Any, work: Any, time: Any, c: Any, times: Any, out: Any, origin: 
         else:
             coefficients(work, c, time, ORDER)
         settle(z, work, time, c, times, out, 0, rtol, reach)
+
+
+def advance_all(
+    z: Any, work: Any, time: Any, c: Any, times: Any, out: Any, members: Any, origin: Any, rtol: Any, budget: Any
+) -> Any:
+    """The same for many motions, as many at a time as there are lanes.
+
+    members : what a motion starts with, a row each: its first step at most, y, m; and as it ends, its status
+    Memory behind all z: how many motions were begun, and how many are under way.
+    """
+    reach = log2(rtol) / ORDER
+    begun, going = LANES * MEMORY, LANES * MEMORY + 1
+    while z[going] > 0.0 and budget > 0:
+        budget -= 1
+        coefficients(work, c, time, ORDER)
+        for lane in range(LANES):
+            own = behind(z, lane * MEMORY)
+            if own[STATUS] == RUNNING:
+                who = int(own[WHO])
+                settle(own, work, time, c, times, behind(out, who * len(times) * SIZE), lane, rtol, reach)
+                if own[STATUS] != RUNNING:
+                    members[who, 0] = own[STATUS]
+                    own[STATUS] = IDLE
+            if own[STATUS] == IDLE:
+                if int(z[begun]) < len(members):
+                    begin(own, work, members, z[begun], lane)
+                    z[begun] += 1.0
+                else:
+                    own[STATUS] = DONE
+                    z[going] -= 1.0
+            time[lane] = origin + own[NEW]
+
+
+def begin(z: Any, work: Any, members: Any, who: Any, lane: Any) -> Any:
+    """Put a motion's start where it belongs."""
+    for k in range(NUMBERS + 7 * SIZE):
+        z[k] = 0.0
+    z[ROW] = 1.0
+    z[WHO] = who
+    z[LONGEST] = members[int(who), 0]
+    for i in range(SIZE):
+        z[at(Y, i)] = members[int(who), 1 + i]
+        z[at(M, i)] = members[int(who), 1 + SIZE + i]
+        work[i * STRIDE * LANES + lane] = z[at(Y, i)]
+    return 0
 
 
 def settle(z: Any, work: Any, time: Any, c: Any, times: Any, out: Any, lane: Any, rtol: Any, reach: Any) -> Any:
@@ -61,31 +107,63 @@ def settle(z: Any, work: Any, time: Any, c: Any, times: Any, out: Any, lane: Any
                 moved = 0.1 * z[H] * abs(work[(i * STRIDE + 1) * LANES + lane])
                 if z[at(M, i)] <= UNKNOWN and moved < inf:
                     z[at(M, i)] = max(UNKNOWN, moved)
+            if LANES == 1:  # numbers that are not finite would stay, times zero
+                for k in range(DOUBLES):
+                    work[k] = 0.0
             attempt(z, work, times, lane, z[H] / 2.0 if z[TRIES] < 3.0 else z[H] / 8.0)
             return 0
         taken(z, times, out)
     if z[STATUS] == RUNNING:
-        scaled(z, work, lane)
         h = longest(z, work, lane, reach)
+        if z[STEPS] == 0.0:
+            if z[GIVEN] == 0.0 and lacking(z, work, lane):
+                z[STATUS] = LACKING
+            elif h < inf:
+                for i in range(SIZE):  # what is small yet and moves fast
+                    z[at(M, i)] = max(z[at(M, i)], h * abs(work[(i * STRIDE + 1) * LANES + lane]))
+                h = longest(z, work, lane, reach)
         if not h < inf:
             h = GROWTH * z[LONGEST]
         if not h > 0.0:
             z[STATUS] = SINGULAR
-        else:
-            for i in range(SIZE):
-                for n in range(ORDER + 1):
-                    z[at(POLYNOMIAL, i) + n] = work[(i * STRIDE + n) * LANES + lane]
-            attempt(z, work, times, lane, h)
+    if z[STATUS] == RUNNING:
+        scaled(z, work, lane, h)
+        for i in range(SIZE):
+            for n in range(ORDER + 1):
+                z[at(POLYNOMIAL, i) + n] = work[(i * STRIDE + n) * LANES + lane]
+        attempt(z, work, times, lane, h)
     return 0
+
+
+def lacking(z: Any, work: Any, lane: Any) -> Any:
+    """Whether something is zero, and so is its rate: its scale follows from others, one after the other."""
+    found = False
+    for i in range(SIZE):
+        if z[at(M, i)] <= UNKNOWN and work[(i * STRIDE + 1) * LANES + lane] == 0.0:
+            found = True
+    return found
 
 
 def refused(z: Any, work: Any, time: Any, c: Any, lane: Any, rtol: Any) -> Any:
     """Whether the derivative at the end of the step is not the polynomial's; what is but rounding is let pass."""
     limit = TOLERATED * (ORDER + 1) * max(rtol, 2.0**-52)
-    if defect(z, work, lane, limit, 0.0) <= 1.0:
+    if not off(z, work, lane, limit, 0.0):
         return False
     shaken(z, work, time, c, lane)
-    return defect(z, work, lane, limit, ROUNDINGS * (1.0 + z[TRIES])) > 1.0
+    return off(z, work, lane, limit, ROUNDINGS * (1.0 + z[TRIES]))
+
+
+def off(z: Any, work: Any, lane: Any, limit: Any, roundings: Any) -> Any:
+    """Whether an error of a derivative times the step is more than is allowed, or not a number."""
+    h = z[H]
+    wrong = False
+    for i in range(SIZE):
+        slope = z[at(SLOPE, i)]
+        size = max(z[at(M, i)], abs(z[at(Y, i)]))
+        allowed = limit * size + h * (roundings * z[at(NOISE, i)] + 2.0**-51 * abs(slope))
+        if not h * abs(work[(i * STRIDE + 1) * LANES + lane] - slope) <= allowed:
+            wrong = True
+    return wrong
 
 
 def shaken(z: Any, work: Any, time: Any, c: Any, lane: Any) -> Any:
@@ -111,21 +189,6 @@ def shaken(z: Any, work: Any, time: Any, c: Any, lane: Any) -> Any:
 def at(part: Any, i: Any) -> Any:
     """Where in z that part of component i is, or the first coefficient of its polynomial."""
     return NUMBERS + part * SIZE + i * (HIGHEST + 1 if part == POLYNOMIAL else 1)
-
-
-def defect(z: Any, work: Any, lane: Any, limit: Any, roundings: Any) -> Any:
-    """Largest error of a derivative times the step, over what is allowed; infinite if it is not a number."""
-    worst = 0.0
-    for i in range(SIZE):
-        slope = z[at(SLOPE, i)]
-        wrong = z[H] * abs(work[(i * STRIDE + 1) * LANES + lane] - slope)
-        size = max(z[at(M, i)], abs(z[at(Y, i)]))
-        ratio = wrong / (limit * size + roundings * z[H] * z[at(NOISE, i)] + 2.0**-51 * z[H] * abs(slope))
-        if wrong > 0.0 and ratio > worst:
-            worst = ratio
-        if not wrong < inf:
-            worst = inf
-    return worst
 
 
 def taken(z: Any, times: Any, out: Any) -> Any:
@@ -159,29 +222,42 @@ def inside(z: Any, i: Any, x: Any) -> Any:
 
 
 def longest(z: Any, work: Any, lane: Any, reach: Any) -> Any:
-    """The step from the last coefficients, the whole state together; infinite where all are zero, 0 if none will do."""
-    nearest = 0.0
-    for back in range(WINDOW):
-        n = ORDER - back
-        largest = 0.0
-        for i in range(SIZE):
-            size = abs(work[(i * STRIDE + n) * LANES + lane]) / z[at(M, i)]
-            if not size <= largest:
-                largest = size
-        if not largest < inf:
-            return 0.0
-        if largest > 0.0:
-            nearest = max(nearest, largest ** (1.0 / n))
-    return reach / nearest if nearest > 0.0 else inf
+    """The step from the last coefficients, the whole state together; infinite where all are zero, 0 if none will do.
+
+    reach : the logarithm, to base 2, of the step over the distance to the singularity
+    """
+    a = b = c = d = 0.0
+    for i in range(SIZE):
+        last = (i * STRIDE + ORDER) * LANES + lane
+        scale = 1.0 / z[at(M, i)]
+        if z[at(M, i)] <= UNKNOWN:  # then its own first coefficients are its scale
+            first = abs(work[(i * STRIDE + 1) * LANES + lane])
+            scale = 1.0 / first if first > UNKNOWN else 0.0
+        a = larger(a, abs(work[last]) * scale)
+        b = larger(b, abs(work[last - LANES]) * scale)
+        c = larger(c, abs(work[last - 2 * LANES]) * scale)
+        d = larger(d, abs(work[last - 3 * LANES]) * scale)
+    if not a + b + c + d < inf:
+        return 0.0
+    if not a + b + c + d > 0.0:
+        return inf
+    nearest = max(logarithm(a) / ORDER, logarithm(b) / (ORDER - 1))
+    nearest = max(nearest, logarithm(c) / (ORDER - 2), logarithm(d) / (ORDER - 3))
+    return exp2(reach - nearest)
 
 
-def scaled(z: Any, work: Any, lane: Any) -> Any:
-    """What is zero and has no scale takes the size to which its first coefficient moves it within a step."""
+def larger(a: Any, b: Any) -> Any:
+    """The larger, and what is not a number rather than either."""
+    return a if a >= b else b
+
+
+def scaled(z: Any, work: Any, lane: Any, h: Any) -> Any:
+    """What is zero and has no scale takes the size to which its first coefficient moves it within the step."""
     for i in range(SIZE):
         if z[at(M, i)] <= UNKNOWN:
             power = 1.0
             for n in range(1, ORDER + 1):
-                power *= z[LONGEST]
+                power *= h
                 size = power * abs(work[(i * STRIDE + n) * LANES + lane])
                 if UNKNOWN < size < inf:
                     z[at(M, i)] = size

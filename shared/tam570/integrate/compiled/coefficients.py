@@ -1,0 +1,254 @@
+"""Recurrences as LLVM's representation: the instructions for orders 0 and n, of one double or eight."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from tam570.integrate.compiled.ir import Writer, number
+from tam570.integrate.compiled.recurrences import Recurrence, Recurrences
+
+__all__ = ["BACK", "FAST", "HIGHEST", "LANES", "Coefficients", "Factor", "Layout", "Row", "sums_of"]
+
+LANES = 8
+BACK = 3 * LANES  # order j of a row backwards is at BACK - j, and zeros from BACK on
+HIGHEST = 2 * LANES + 2  # order: sums of two times eight terms; for the last digits 19 would do
+FAST = "nsz reassoc contract"  # sums of products may be taken in any order
+
+Factor = tuple[int, bool]  # a series, and whether its coefficients are times their order
+Row = tuple[int, bool | None]  # the same; None for the series backwards
+
+
+@dataclass(frozen=True)
+class Layout:
+    """Where the coefficients are: rows of `stride` numbers, of `lanes` doubles each, from order 0 on.
+
+    Row i < states is component i of the state; the others serve the sums.
+    """
+
+    lanes: int
+    stride: int
+    rows: dict[Row, int]
+
+    @property
+    def doubles(self) -> int:
+        return max(1, len(self.rows)) * self.stride * self.lanes
+
+
+def sums_of(series: int, r: Recurrence) -> list[tuple[Factor, Factor]]:
+    """The sums over j = 1 ... n - 1 of x_j y_(n - j) that a recurrence needs."""
+    of = r.of
+    if r.kind in ("*", "square"):
+        return [((of[0], False), (of[-1], False))]
+    if r.kind in ("/", "sqrt"):
+        return [((series, False), (of[1] if r.kind == "/" else series, False))]
+    if r.kind == "pow":
+        return [((of[0], True), (series, False)), ((series, True), (of[0], False))]
+    if r.kind == "wy'=ab'-ba'":
+        return [((of[1], True), (of[2], False)), ((of[2], True), (of[1], False)), ((series, True), (of[0], False))]
+    if r.kind[0] == "w":
+        return [((series, True), (of[0], False))]
+    return [((of[1], True), (of[0], False))] if r.kind[0] == "y" else []
+
+
+class Coefficients(Writer):
+    """What both ways of taking the sums have in common."""
+
+    def __init__(self, found: Recurrences, place: Layout) -> None:
+        super().__init__()
+        self.found, self.place = found, place
+        self.kind = "double" if place.lanes == 1 else f"<{place.lanes} x double>"
+        self.suffix = "f64" if place.lanes == 1 else f"v{place.lanes}f64"
+        self.first: dict[int, str] = {}  # the coefficients of order 0, of constants too
+        self.now: dict[int, str] = {}  # of order n
+
+    # Instructions on numbers of the kind
+
+    def op(self, name: str, a: str, b: str) -> str:
+        return self.emit(self.kind, f"f{name} {FAST} {self.kind} {a}, {b}").text
+
+    def negative(self, a: str) -> str:
+        return self.emit(self.kind, f"fneg {self.kind} {a}").text
+
+    def constant(self, value: float) -> str:
+        return self.spread(number(value))
+
+    def spread(self, value: str) -> str:
+        if self.place.lanes == 1:
+            return value
+        one = self.emit(self.kind, f"insertelement {self.kind} poison, double {value}, i32 0").text
+        zeros = f"<{self.place.lanes} x i32> zeroinitializer"
+        return self.emit(self.kind, f"shufflevector {self.kind} {one}, {self.kind} poison, {zeros}").text
+
+    def address(self, row: int, index: str | int, scale: int) -> str:
+        """Of a number at row and index; scale: doubles a step of the index."""
+        base = row * self.place.stride * self.place.lanes
+        if isinstance(index, int):
+            return self.element("%work", base + index * scale)
+        start = self.element("%work", base)
+        step = index if scale == 1 else self.emit("i64", f"mul i64 {index}, {scale}").text
+        return self.emit("ptr", f"getelementptr double, ptr {start}, i64 {step}").text
+
+    def keep(self, row: int, index: str | int, value: str) -> None:
+        self.do(f"store {self.kind} {value}, ptr {self.address(row, index, self.place.lanes)}, align 8")
+
+    def kept(self, row: int, index: str | int) -> str:
+        place = self.address(row, index, self.place.lanes)
+        return self.emit(self.kind, f"load {self.kind}, ptr {place}, align 8").text
+
+    def function(self, name: str, arguments: list[str]) -> str:
+        """A function of each lane."""
+        if name == "sqrt":
+            return self.emit(self.kind, f"call {self.kind} @llvm.sqrt.{self.suffix}({self.kind} {arguments[0]})").text
+        if self.place.lanes == 1:
+            listed = ", ".join(f"double {a}" for a in arguments)
+            return self.emit("double", f"call double @{name}({listed})").text
+        whole = "poison"
+        for lane in range(self.place.lanes):
+            parts = [self.emit("double", f"extractelement {self.kind} {a}, i32 {lane}").text for a in arguments]
+            one = self.emit("double", f"call double @{name}({', '.join(f'double {p}' for p in parts)})").text
+            whole = self.emit(self.kind, f"insertelement {self.kind} {whole}, double {one}, i32 {lane}").text
+        return whole
+
+    # Order 0
+
+    def values(self) -> None:
+        """Coefficients of order 0: time and state are in memory."""
+        for i in range(self.found.constants):
+            place = self.element("%c", i)
+            self.first[-1 - i] = self.spread(self.emit("double", f"load double, ptr {place}").text)
+        for i, r in enumerate(self.found.series):
+            self.first[i] = self.value(r)
+
+    def value(self, r: Recurrence) -> str:
+        if r.kind == "time":
+            return self.emit(self.kind, f"load {self.kind}, ptr %t, align 8").text
+        if r.kind == "state":
+            return self.kept(r.of[0], 0)
+        given = [self.first[i] for i in (r.arguments if r.value else r.of)]
+        if r.value:
+            return self.function(r.value, given)
+        if r.kind == "neg":
+            return self.negative(given[0])
+        name = {"+": "add", "shift": "add", "-": "sub", "/": "div"}.get(r.kind, "mul")
+        return self.op(name, given[0], given[-1])
+
+    # Order n
+
+    def all_orders(self, slots: list[str]) -> None:
+        """Coefficients of the orders from 1 up to %order, which is left out."""
+        raise NotImplementedError
+
+    def coefficient(self, i: int, r: Recurrence, one_over_n: str, sums: list[str]) -> str:
+        """The coefficient of order n: what is known before, and multiples of others of order n."""
+        of = [self.now.get(j, "") for j in r.of]  # empty where it comes later, and is not asked for
+        if r.kind in ("+", "-"):
+            return self.op("add" if r.kind == "+" else "sub", of[0], of[1])
+        if r.kind == "neg":
+            return self.negative(of[0])
+        if r.kind == "shift":
+            return of[0]
+        known = self.known(i, r, one_over_n, sums)
+        for place, factor in self.multiples[i]:
+            if r.of[place] >= 0:  # a number has no further coefficients
+                product = self.op("mul", of[place], factor)
+                known = self.op("add", known, product) if known else product
+        return known
+
+    def known(self, i: int, r: Recurrence, one_over_n: str, sums: list[str]) -> str:
+        """What of it follows from earlier orders."""
+        if not sums:
+            return ""
+        total = sums[0]
+        if r.kind == "pow":
+            total = self.op("sub", self.op("mul", self.first[r.of[1]], sums[0]), sums[1])
+        elif r.kind == "wy'=ab'-ba'":
+            total = self.op("sub", self.op("sub", sums[0], sums[1]), sums[2])
+        if i in self.scales:
+            total = self.op("mul", total, self.scales[i])
+        return total if r.kind in ("*", "square", "/", "sqrt") else self.op("mul", total, one_over_n)
+
+    def prepared(self) -> None:
+        """What is the same for all orders: factors of other coefficients and of the sums."""
+        one = self.constant(1.0)
+        self.multiples: dict[int, list[tuple[int, str]]] = {}
+        self.scales: dict[int, str] = {}
+        for i, r in enumerate(self.found.series):
+            start = [self.first.get(j, "") for j in r.of]
+            if r.kind == "scale":
+                self.multiples[i] = [(0, start[1])]
+            elif r.kind == "*":
+                self.multiples[i] = [(1, start[0]), (0, start[1])]
+            elif r.kind == "square":
+                self.multiples[i] = [(0, self.op("add", start[0], start[0]))]
+            elif r.kind in ("/", "sqrt", "pow") or r.kind[0] == "w":
+                self._divided(i, r, start, one)
+            elif r.kind[0] == "y":
+                self._multiplied(i, r, start, one)
+
+    def _divided(self, i: int, r: Recurrence, start: list[str], one: str) -> None:
+        divisor = {"/": start[-1], "sqrt": self.op("add", self.first[i], self.first[i])}.get(r.kind, start[0])
+        inverse = self.op("div", one, divisor)
+        minus = self.negative(inverse)
+        self.scales[i] = minus
+        if r.kind == "/":
+            self.multiples[i] = [(0, inverse), (1, self.op("mul", self.first[i], minus))]
+        elif r.kind == "sqrt":
+            self.multiples[i] = [(0, inverse)]
+        elif r.kind == "pow":
+            self.scales[i] = inverse
+            self.multiples[i] = [(0, self.op("mul", self.op("mul", start[1], self.first[i]), inverse))]
+        elif r.kind == "wy'=ab'-ba'":
+            self.scales[i] = inverse
+            self.multiples[i] = [(1, self.op("mul", start[2], inverse)), (2, self.op("mul", start[1], minus))]
+        else:
+            self.multiples[i] = [(1, minus if r.kind == "wy'=-a'" else inverse)]
+
+    def _multiplied(self, i: int, r: Recurrence, start: list[str], one: str) -> None:
+        if r.kind in ("y'=-wa'", "y'=a'-y^2a'"):
+            self.scales[i] = self.constant(-1.0)
+        factor = self.negative(start[0]) if i in self.scales else start[0]
+        self.multiples[i] = [(1, factor if "y^2" not in r.kind else self.op("add", one, factor))]
+
+    def states(self, n: str, one_over_n: str, slots: list[str]) -> None:
+        """The state's coefficients of order n, from the rates' of order n - 1."""
+        for i, r in enumerate(self.found.series):
+            if r.kind == "state":
+                rate = self.emit(self.kind, f"load {self.kind}, ptr {slots[r.of[0]]}").text
+                self.now[i] = self.op("mul", rate, one_over_n)
+                self.keep(r.of[0], n, self.now[i])
+
+    def orders(self, n: str, slots: list[str], sums: list[list[str]], numbers: tuple[str, str]) -> None:
+        """All coefficients of order n; numbers: n and 1 / n."""
+        zero = self.constant(0.0)
+        self.now = dict.fromkeys(range(-self.found.constants, 0), zero)
+        self.states(n, numbers[1], slots)
+        for i, r in enumerate(self.found.series):
+            if r.kind == "time":
+                first = self.emit("i1", f"icmp eq i64 {n}, 1").text
+                self.now[i] = self.spread(self.emit("double", f"select i1 {first}, double 1.0, double 0.0").text)
+            elif r.kind != "state":
+                self.now[i] = self.coefficient(i, r, numbers[1], sums[i])
+        for slot, rate in zip(slots, self.found.rates, strict=True):
+            self.do(f"store {self.kind} {self.now[rate]}, ptr {slot}")
+
+    def numbers(self, n: str) -> tuple[str, str]:
+        """n and 1 / n as numbers of the kind."""
+        exact = self.emit("double", f"sitofp i64 {n} to double").text
+        return self.spread(exact), self.spread(self.emit("double", f"fdiv double 1.0, {exact}").text)
+
+    def loop(self, first: int, end: str, body: Callable[[str], None]) -> None:
+        """body(n) for n from first up to end, which is left out."""
+        before, test, inside, last, after = self.labels("before", "test", "inside", "last", "after")
+        n, more = f"%n{self.count}", f"%more{self.count}"
+        self.jump(before)
+        self.start(before)
+        self.jump(test)
+        self.start(test)
+        self.lines.append(f"  {n} = phi i64 [{first}, %{before}], [{more}, %{last}]")
+        self.branch(self.emit("i1", f"icmp slt i64 {n}, {end}"), inside, after)
+        self.start(inside)
+        body(n)
+        self.jump(last)
+        self.start(last)
+        self.lines.append(f"  {more} = add i64 {n}, 1")
+        self.jump(test)
+        self.start(after)
