@@ -74,7 +74,7 @@ def _jacobi(u: Array, modulus: float, other: float) -> tuple[Array, Array]:
     SciPy's take the square of the modulus, of which nothing is left near 1, where the bar starts near the top.
     """
     means, gaps, b = [1.0], [abs(modulus)], other
-    while gaps[-1] > 1e-17 * means[-1]:
+    while gaps[-1] > 1e-8 * means[-1]:  # the next would be a quarter of its square
         a = means[-1]
         means.append((a + b) / 2)
         gaps.append((a - b) / 2)
