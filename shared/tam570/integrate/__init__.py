@@ -5,6 +5,7 @@ solve(rhs, t, y0, parameters=..., rtol=1e-10) is all that most scenes need. For 
     project=function               a holonomic constraint, restored after every step
     solve_rotation(...)            rotations that stay rotations, by Lie-group steps
     y0 of shape (m, k)             m starts at once
+    events=, dense=, report=       zeros of functions, the motion as a function of time, how the run went
 """
 
 from tam570.integrate.rotation import solve_rotation

@@ -14,11 +14,26 @@ from tam570.integrate.arguments import Array
 from tam570.integrate.binding import check_start
 from tam570.integrate.engine import Engine
 from tam570.integrate.scale import magnitudes
+from tam570.integrate.stiffness import COMPILED, PYTHON, Look, stiffness_watch
 from tam570.integrate.tableau import NODES
 from tam570.integrate.trace import Graph
 from tam570.integrate.when_to_compile import Loop, carried_through, seconds_until_compiled
 
-__all__ = ["TROUBLE", "at_start", "scaled", "shortest_step", "states"]
+__all__ = [
+    "BETWEEN_LOOKS",
+    "TROUBLE",
+    "Run",
+    "advanced",
+    "at_start",
+    "begun",
+    "finished",
+    "scaled",
+    "shortest_step",
+    "states",
+    "travelled",
+]
+
+BETWEEN_LOOKS = 500  # steps
 
 TROUBLE = {
     NOT_FINITE: "rhs or solution is not finite at t = {t:.17g}",
@@ -36,30 +51,54 @@ def states(
     project: Callable[[Array], Any] | None = None,
     longest: Callable[[Array], float] | None = None,
 ) -> Array:
-    """(n, k) states at `times`.
+    """(n, k) states at `times`; see `travelled`."""
+    return travelled(engine, times, start, rtol, how, floor, project, longest)[0]
+
+
+def travelled(
+    engine: Engine,
+    times: Array,
+    start: Array,
+    rtol: float,
+    how: str,
+    floor: Sequence[float] = (),
+    project: Callable[[Array], Any] | None = None,
+    longest: Callable[[Array], float] | None = None,
+) -> tuple[Array, State, str]:
+    """(n, k) states at `times`, the state at the end, and the name of what went there.
 
     how     : "auto", "python" or "compiled"
     floor   : (k,) sizes by which components are judged at least
     project : project(y) -> y after every step
     longest : longest(y) -> s, no step from y is longer; only together with project
     """
-    rows = np.empty((len(times), len(start)))
-    rows[0] = start
-    run = Run(engine, float(times[0]), times - times[0], rows, rtol)
-    in_python = partial(advanced, run, engine.functions["advance"], run.since.tolist())
-    span = float(run.since[-1])
-    first = at_start(engine, run.origin, span, start, floor, plainly=how == "compiled")
+    run, names = begun(engine, times, start, rtol), ["Python"]
+    in_python = partial(advanced, run, engine.functions["advance"], run.since.tolist(), run.watch(PYTHON))
     loop = Loop(in_python, run.share)
     if project:
         loop = Loop(_stepwise(run, in_python, project, longest), run.share)
     elif engine.graph is not None:
-        loop = Loop(in_python, run.share, partial(_compiled, run, in_python), partial(_wait, engine.graph))
-    last = carried_through(loop, first, how)
-    if last.halt:
-        raise ArithmeticError(TROUBLE[last.halt].format(t=run.origin + last.t))
+        loop = Loop(in_python, run.share, partial(_compiled, run, in_python, names), partial(_wait, engine.graph))
+    last = finished(run, loop, floor, how)
     if project:
-        rows[1:] = [project(row) for row in rows[1:]]
-    return rows
+        run.rows[1:] = [project(row) for row in run.rows[1:]]
+    return run.rows, last, names[-1]
+
+
+def begun(engine: Engine, times: Array, start: Array, rtol: float) -> "Run":
+    """A run whose first row is filled."""
+    rows = np.empty((len(times), len(start)))
+    rows[0] = start
+    return Run(engine, float(times[0]), times - times[0], rows, rtol)
+
+
+def finished(run: "Run", loop: Loop, floor: Sequence[float], how: str) -> State:
+    """The state at the end. ArithmeticError, with the time, where there is none."""
+    first = at_start(run.engine, run.origin, float(run.since[-1]), run.rows[0], floor, plainly=how == "compiled")
+    last: State = carried_through(loop, first, how)
+    if last.halt in TROUBLE:
+        raise ArithmeticError(TROUBLE[last.halt].format(t=run.engine.sign * (run.origin + last.t)))
+    return last
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,25 +115,33 @@ class Run:
         """The part that is done, 1 where it goes no further."""
         return 1.0 if state.row == len(self.rows) or state.halt > LACKS_SCALE else state.t / float(self.since[-1])
 
+    def watch(self, too_many: int) -> Look:
+        """Whether the run is to be given up, so many steps left being too many."""
+        rhs, end = self.engine.functions["rhs"], float(self.since[-1])
+        return stiffness_watch(rhs, self.engine.constants, self.origin, end, self.engine.sign, too_many)
 
-def advanced(run: Run, advance: Any, since: Any, state: State, budget: int) -> State:
+
+def advanced(run: Run, advance: Any, since: Any, look: Look, state: State, budget: int) -> State:
     """The state after so many steps of `advance`; since : as its code wants them."""
-    tried = state.steps + state.refusals
-    while True:
-        left = budget + tried - state.steps - state.refusals
-        state = advance(run.origin, since, run.rows, state, run.engine.constants, run.rtol, left)
-        if state.halt != LACKS_SCALE:
-            return State(*state)
-        state = scaled(run.engine, run.origin, state)
+    last = state.steps + state.refusals + budget
+    while run.share(state) < 1 and (left := last - state.steps - state.refusals) > 0:
+        some = min(left, BETWEEN_LOOKS)
+        state = advance(run.origin, since, run.rows, state, run.engine.constants, run.rtol, some)
+        if state.halt == LACKS_SCALE:
+            state = scaled(run.engine, run.origin, state)
+        elif some == BETWEEN_LOOKS:
+            look(state.t, state.y, state.m, state.steps)
+    return state
 
 
-def _compiled(run: Run, in_python: Callable[[State, int], State], state: State) -> State:
+def _compiled(run: Run, in_python: Callable[[State, int], State], names: list[str], state: State) -> State:
     """By Taylor's method as far as it goes; where a derivative is lacking, that of order 8 goes on."""
     from tam570.integrate.compiled import backend
 
     graph, formulas = run.engine.graph, run.engine.formulas
     assert graph is not None
-    by_series = partial(backend.taylor_run, graph, run.origin, run.since, run.rows, run.rtol)
+    names.append("compiled")
+    by_series = partial(backend.taylor_run, graph, run.origin, run.since, run.rows, run.rtol, run.watch(COMPILED))
     state = by_series(state)
     backend.READY.add(graph)
     if not state.steps:
@@ -104,7 +151,7 @@ def _compiled(run: Run, in_python: Callable[[State, int], State], state: State) 
     f = run.engine.functions["rhs"](run.origin + state.t, state.y, run.engine.constants)
 
     def order_8(state: State) -> State:
-        by_steps = partial(advanced, run, backend.dop853(formulas), run.since)
+        by_steps = partial(advanced, run, backend.dop853(formulas), run.since, run.watch(COMPILED))
         last: State = backend.by_moments(by_steps, run.share, state)
         return last
 
@@ -159,7 +206,7 @@ def at_start(
     y, c, rhs = tuple(start.tolist()), engine.constants, engine.functions["rhs"]
     f = rhs(origin, y, c)
     if not all(map(math.isfinite, f)):
-        check_start(engine.rates, origin, start)
+        check_start(engine.rates, origin, start, engine.sign)
     first_step = engine.functions["first_step"]
     h, g = first_step(origin, span, y, f, c), f
     if h < 1e-8 * span:  # the rates may jump at the very start
@@ -183,9 +230,7 @@ def scaled(engine: Engine, origin: float, state: State) -> State:
     return state._replace(m=found, halt=RUNNING)
 
 
-def shortest_step(
-    engine: Engine, times: Array, start: Array, rtol: float, floor: Sequence[float], steps: int = 200
-) -> float:
+def shortest_step(engine: Engine, times: Array, start: Array, rtol: float, floor: Sequence[float]) -> float:
     """The shortest of the steps that this method takes at `rtol` once it has found its pace; s."""
     origin, span = float(times[0]), float(times[-1] - times[0])
     rows, state, shortest = np.empty((2, len(start))), at_start(engine, origin, span, start, floor), span

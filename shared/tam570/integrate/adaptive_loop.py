@@ -5,7 +5,7 @@ back is the loop for that right-hand side.
 """
 
 from collections.abc import Callable
-from math import sqrt
+from math import inf, sqrt
 from typing import Any, NamedTuple
 
 from tam570.integrate.scale import UNKNOWN
@@ -18,10 +18,13 @@ __all__ = [
     "LACKS_SCALE",
     "LARGEST",
     "NOT_FINITE",
+    "PLAUSIBLE",
     "ROUNDING",
     "RUNNING",
     "SAFETY",
     "SMALLEST",
+    "STOPPED",
+    "STUBBORN",
     "TOO_SHORT",
     "UNKNOWN",
     "State",
@@ -34,10 +37,12 @@ LARGEST, SMALLEST = 6.0, 0.2  # change of the step size from one step to the nex
 EXPONENT = -1 / 8
 ROUNDING = 1.0  # an error up to so many times what a few roundings of the state do to h f is not the method's
 JUMP = 1e-11  # error of the shortest of all steps, relative: a jump of the rates passes, a singularity does not
+PLAUSIBLE = 0.005  # of the third's power 9/4, the error of exp(a t) and of its like is 0.02 and more
+STUBBORN = 0.01  # an error that falls no faster from one attempt to the next may be rounding; a long step's does
 AT_A_JUMP = 200.0  # of the rates the estimate is but a part of the error; the ratio of both estimates tells it
 AT_REST = 8  # steps at least: where nothing moves, no error says how far to look for what sets in later
 
-RUNNING, LACKS_SCALE, TOO_SHORT, NOT_FINITE = 0, 1, 2, 3  # why a loop comes back
+RUNNING, LACKS_SCALE, TOO_SHORT, NOT_FINITE, STOPPED = 0, 1, 2, 3, 4  # why a loop comes back
 
 
 class State(NamedTuple):
@@ -55,6 +60,7 @@ class State(NamedTuple):
     steps: int
     refusals: int
     halt: int  # RUNNING, or why it goes no further: LACKS_SCALE is mended by `m`
+    error: float = inf  # of the attempt before
 
 
 def first_step_with(rhs: Any, euler: Any) -> Callable[..., float]:
@@ -95,7 +101,7 @@ def loop_with(raised: Any, step: Any, dense: Any, at: Any) -> Callable[..., Stat
 
         times : since `origin`; state : a `State`, as returned
         """
-        row, t, h, y, r, f, m, growth, refused, steps, refusals, halt = state
+        row, t, h, y, r, f, m, growth, refused, steps, refusals, halt, before = state
         rows, end = len(times), times[len(times) - 1]
         while row < rows and budget > 0 and halt == RUNNING:
             budget -= 1
@@ -110,6 +116,8 @@ def loop_with(raised: Any, step: Any, dense: Any, at: Any) -> Callable[..., Stat
                 h = new - t  # exactly: else the rounding of t would shift the motion
             n, rest, g, size, fifth, third, stages = step(origin + t, h, y, r, f, m, c)
             error = fifth / (rtol * sqrt(fifth + 0.01 * third)) if fifth > 0 else fifth
+            if error < 1:  # the fifth may pass through zero
+                error = max(error, PLAUSIBLE / rtol * third**1.125)
             if refused > 0 and fifth > 0.01 * third:
                 error *= AT_A_JUMP
             lacking, finite = False, True
@@ -132,7 +140,7 @@ def loop_with(raised: Any, step: Any, dense: Any, at: Any) -> Callable[..., Stat
                     h *= min(growth, SAFETY * error**EXPONENT)
                 else:
                     h = max(h, min(growth * h, end / AT_REST))
-                growth, refused = LARGEST, 0
+                growth, refused, before = LARGEST, 0, inf
                 steps += 1
             else:
                 refused += 1
@@ -141,10 +149,11 @@ def loop_with(raised: Any, step: Any, dense: Any, at: Any) -> Callable[..., Stat
                     halt = TOO_SHORT if finite else NOT_FINITE
                 elif lacking:
                     halt = LACKS_SCALE
-                elif error < 1e300:
+                elif STUBBORN * before < error < 1e300:
                     m = raised(origin + t, h, y, f, m, c, ROUNDING / rtol, 2.0 * refused - 1.0)
                 h *= max(SMALLEST, SAFETY * error**EXPONENT) if error < 1e300 and not lacking else 0.1
                 growth = 1.0
-        return State(row, t, h, y, r, f, m, growth, refused, steps, refusals, halt)
+                before = error if error < 1e300 else inf
+        return State(row, t, h, y, r, f, m, growth, refused, steps, refusals, halt, before)
 
     return advance

@@ -12,22 +12,28 @@ Array = NDArray[np.float64]
 SMALLEST_RTOL = 1e-16  # below that nothing but rounding is left to control
 
 
-def sample_times(t: ArrayLike) -> Array:
-    """(n,) times as floats. ValueError unless they are finite, two or more, and increasing."""
+def sample_times(t: ArrayLike) -> tuple[Array, float]:
+    """(n,) times that increase, and the sign by which they are those asked for: -1 where these decrease.
+
+    ValueError unless they are finite, two or more, and increase or decrease.
+    """
     times = np.array(t, dtype=float)
     if times.ndim != 1 or len(times) < 2:
         raise ValueError(f"t: need a list of two or more times, got shape {times.shape}; try np.linspace(0, 10, 101)")
+    sign = -1.0 if times[1] < times[0] else 1.0
+    times = times if sign > 0 else 0.0 - times
     steps = times[1:] - times[:-1]
     if not (steps.min() > 0 and times[-1] - times[0] < math.inf):
-        raise ValueError(f"t: {_wrong_with(times, steps)}")
-    return times
+        raise ValueError(f"t: {_wrong_with(sign * times, steps, sign)}")
+    return times, sign
 
 
-def _wrong_with(times: Array, steps: Array) -> str:
+def _wrong_with(times: Array, steps: Array, sign: float) -> str:
     if not np.isfinite(times).all():
         return "a time is infinite or not a number"
     where = int(np.argmin(steps > 0))
-    return f"must increase, but t[{where + 1}] = {times[where + 1]:g} does not exceed t[{where}]"
+    verb, relation = ("increase", "exceed") if sign > 0 else ("decrease", "come before")
+    return f"must {verb}, but t[{where + 1}] = {times[where + 1]:g} does not {relation} t[{where}]"
 
 
 def initial_state(y0: ArrayLike) -> Array:

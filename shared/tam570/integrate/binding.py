@@ -14,14 +14,14 @@ __all__ = ["Rates", "agrees", "bound", "check_start", "floats_function", "revers
 Rates = Callable[[float, Any], Any]
 
 
-def bound(rhs: Callable[..., Any], parameters: Mapping[str, Any] | None) -> Rates:
-    """rhs(t, y) with the parameters in place. ValueError where they do not fit its signature."""
+def bound(rhs: Callable[..., Any], parameters: Mapping[str, Any] | None, name: str = "rhs") -> Rates:
+    """rhs(t, y) with the parameters in place. ValueError, with the name, where they do not fit its signature."""
     if not callable(rhs):
-        raise ValueError(f"rhs: must be a function rhs(t, y, **parameters), got {type(rhs).__name__}")
+        raise ValueError(f"{name}: must be a function of (t, y, **parameters), got {type(rhs).__name__}")
     fixed = dict(parameters or {})
     problem = _misfit(rhs, tuple(fixed))
     if problem:
-        raise ValueError(f"rhs: cannot be called as rhs(t, y, **parameters): {problem}")
+        raise ValueError(f"{name}: cannot be called with (t, y, **parameters): {problem}")
     if not fixed:
         return rhs
     return lambda t, y: rhs(t, y, **fixed)
@@ -32,11 +32,11 @@ def reversed_rates(rates: Rates) -> Rates:
     return lambda t, y: [-rate for rate in rates(-t, y)]
 
 
-def check_start(rates: Rates, t: float, y0: Array) -> None:
-    """ValueError unless rhs gives as many finite real numbers as y0 has."""
+def check_start(rates: Rates, t: float, y0: Array, sign: float) -> None:
+    """ValueError unless rhs gives as many finite real numbers as y0 has; sign : of the engine's clock."""
     found = _checked(rates(t, y0.copy()), len(y0))
     if not np.isfinite(found).all():
-        raise ValueError(f"rhs: gives {found} at the start, t = {t:g}; is the start allowed?")
+        raise ValueError(f"rhs: gives {found} at the start, t = {sign * t:g}; is the start allowed?")
 
 
 @lru_cache(maxsize=256)

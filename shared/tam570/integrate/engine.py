@@ -31,6 +31,7 @@ class Engine:
     formulas: Formulas
     graph: Graph | None  # None where the right-hand side is called as it stands
     why: str = ""  # it is not traced
+    sign: float = 1.0  # of the clock: -1 where the times are those of -t
 
     @property
     def traced(self) -> bool:
@@ -46,46 +47,49 @@ class _Recipe:
     parameters: Mapping[str, Any] | None = field(compare=False)
     times: Array = field(compare=False)
     start: Array = field(compare=False)
-    backward: bool = field(compare=False)
+    sampled: bool = field(compare=False)
+    sign: float = field(compare=False)
 
     @property
     def rates(self) -> Rates:
         rates = bound(self.rhs, self.parameters)
-        return reversed_rates(rates) if self.backward else rates
-
-    @property
-    def sampled(self) -> bool:
-        return len(self.times) > 2
+        return rates if self.sign > 0 else reversed_rates(rates)
 
 
 def engine(
-    rhs: Callable[..., Any], parameters: Mapping[str, Any] | None, times: Array, start: Array, *, backward: bool = False
+    rhs: Callable[..., Any],
+    parameters: Mapping[str, Any] | None,
+    times: Array,
+    start: Array,
+    *,
+    sign: float = 1.0,
+    sampled: bool = False,
 ) -> Engine:
     """Functions for the right-hand side as traced, if it can be and agrees; else for calls of it.
 
-    backward : the times are those of -t
+    sign    : of the clock; -1 where the times are those of -t
+    sampled : states inside of steps will be asked for, not only where there are more than two times
     """
+    sampled = sampled or len(times) > 2
+    given = rhs, parameters, times, start, sampled, sign
     try:
         held = fingerprint(rhs), fingerprint(dict(parameters)) if parameters else None
-        key = *held, len(start), len(times) > 2, backward
-        found = _kept(_Recipe(key, rhs, parameters, times, start, backward))
+        found = _kept(_Recipe((*held, len(start), sampled, sign), *given))
     except Changeable:
-        found = _made(_Recipe(None, rhs, parameters, times, start, backward))
-    return (
-        found if isinstance(found, Engine) else _called(_Recipe(None, rhs, parameters, times, start, backward), found)
-    )
+        found = _made(_Recipe(None, *given))
+    return found if isinstance(found, Engine) else _called(_Recipe(None, *given), found)
 
 
 def _made(recipe: _Recipe) -> Engine | str:
     """The engine of a traced right-hand side; or why it is not traced."""
     rates, start = recipe.rates, recipe.start
-    check_start(rates, float(recipe.times[0]), start)
+    check_start(rates, float(recipe.times[0]), start, recipe.sign)
     try:
         graph = traced(rates, len(start))
     except Untraceable as reason:
         return str(reason)
     formulas, constants = written(graph)
-    found = Engine(rates, _functions(formulas, recipe.sampled), constants, formulas, graph)
+    found = Engine(rates, _functions(formulas, recipe.sampled), constants, formulas, graph, sign=recipe.sign)
     if agrees(rates, found.functions["rhs"], constants, recipe.times, start):
         return found
     return "its formulas as traced give other numbers than it does"
@@ -96,10 +100,10 @@ _kept = lru_cache(maxsize=256)(_made)
 
 def _called(recipe: _Recipe, why: str) -> Engine:
     rates, start = recipe.rates, recipe.start
-    check_start(rates, float(recipe.times[0]), start)
+    check_start(rates, float(recipe.times[0]), start, recipe.sign)
     given = floats_function(rates, float(recipe.times[0]), start)
     formulas = call_of(len(start))
-    return Engine(rates, _with_loop(compiled(formulas, recipe.sampled, given)), (), formulas, None, why)
+    return Engine(rates, _with_loop(compiled(formulas, recipe.sampled, given)), (), formulas, None, why, recipe.sign)
 
 
 @lru_cache(maxsize=256)

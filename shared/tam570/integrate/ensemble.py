@@ -14,6 +14,7 @@ from tam570.integrate.adaptive_loop import (
     LACKS_SCALE,
     LARGEST,
     NOT_FINITE,
+    PLAUSIBLE,
     ROUNDING,
     SAFETY,
     SMALLEST,
@@ -103,6 +104,7 @@ class _Members:
         step, start = self.functions["step"], self.origin + self.t
         n, r, g, m, fifth, third, stages = step(start, h, self.y, self.r, self.f, self.m, self.c)
         error = np.where(fifth > 0, fifth / (self.rtol * np.sqrt(fifth + 0.01 * third)), fifth)
+        error = np.where(error < 1, np.maximum(error, PLAUSIBLE / self.rtol * third**1.125), error)
         fine = error <= 1
         if not fine.all():
             fine |= self._passed(h, np.array(_rows(n, h)), error)
@@ -127,7 +129,7 @@ class _Members:
         passed = last & finite & (lacking | (error * self.rtol <= JUMP))
         for i in np.flatnonzero(last & ~passed)[:1]:
             kind = TOO_SHORT if finite[i] else NOT_FINITE
-            raise ArithmeticError(adaptive.TROUBLE[kind].format(t=self.origin + self.t[i]))
+            raise ArithmeticError(adaptive.TROUBLE[kind].format(t=self.engine.sign * (self.origin + self.t[i])))
         for i in np.flatnonzero(lacking & ~passed):
             y, f, m = (tuple(values[:, i].tolist()) for values in (self.y, self.f, self.m))
             state = State(0, float(self.t[i]), float(h[i]) / 10, y, y, f, m, 0.0, 0, 0, 0, LACKS_SCALE)

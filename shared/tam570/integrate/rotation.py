@@ -43,7 +43,7 @@ def solve_rotation(
     """Angular velocities and rotations at the times `t` of a body with R' = R hat(omega).
 
     acceleration : acceleration(t, omega, **parameters) -> omega', both (3,) in body axes
-    t            : (n,) strictly increasing
+    t            : (n,) strictly increasing, or decreasing
     omega, R     : (3,) in body axes and (3, 3), body to space, at t[0]
     parameters   : keyword arguments of acceleration
     rtol         : as in `solve`
@@ -62,9 +62,9 @@ def solve_rotation(
         return [*acceleration(time, spin, **fixed), *_vector_rate(u, spin), *[0.0] * 9]
 
     start = np.concatenate([spinning, np.zeros(3), turned.ravel()])
-    times, tolerated = sample_times(t), of_one_step(tolerance(rtol))
+    (times, sign), tolerated = sample_times(t), of_one_step(tolerance(rtol))
     states = adaptive.states(
-        engine(rates, None, times, start), times, start, tolerated, "python", (), _recentred, _one_radian
+        engine(rates, None, times, start, sign=sign), times, start, tolerated, "python", (), _recentred, _one_radian
     )
     rotations = states[:, 6:].reshape(-1, 3, 3)
     rotations[0] = turned

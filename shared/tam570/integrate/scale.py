@@ -11,7 +11,7 @@ import math
 from collections.abc import Callable, Sequence
 from typing import Any
 
-__all__ = ["UNKNOWN", "magnitudes"]
+__all__ = ["PART", "UNKNOWN", "magnitudes"]
 
 UNKNOWN = 1e-300  # the magnitude of what is zero and has no scale; never 0, as errors are divided by it
 PART = 2.0**-20  # of its own size, by which each component is changed

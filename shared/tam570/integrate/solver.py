@@ -1,7 +1,7 @@
 """The one function everybody calls: `solve`."""
 
-from collections.abc import Callable, Mapping
-from typing import Any
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, Literal, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -9,13 +9,46 @@ from numpy.typing import ArrayLike
 from tam570.integrate import adaptive
 from tam570.integrate.arguments import Array, allowed_error, initial_state, of_one_step, sample_times, tolerance
 from tam570.integrate.engine import engine
+from tam570.integrate.motion import Motion
 
 __all__ = ["solve"]
 
 FIXED_STEP = ("gauss", "composition")
 METHODS = ("auto", "python", "compiled", *FIXED_STEP)
 
+Events = Callable[..., float] | Sequence[Callable[..., float]]
 
+
+@overload
+def solve(
+    rhs: Callable[..., Any],
+    t: ArrayLike,
+    y0: ArrayLike,
+    *,
+    parameters: Mapping[str, Any] | None = ...,
+    rtol: float = ...,
+    atol: ArrayLike | None = ...,
+    method: str = ...,
+    step: float | None = ...,
+    project: Callable[[Array], Any] | None = ...,
+    events: None = ...,
+    dense: Literal[False] = ...,
+    report: Literal[False] = ...,
+) -> Array: ...
+@overload
+def solve(
+    rhs: Callable[..., Any],
+    t: ArrayLike,
+    y0: ArrayLike,
+    *,
+    parameters: Mapping[str, Any] | None = ...,
+    rtol: float = ...,
+    atol: ArrayLike | None = ...,
+    method: str = ...,
+    events: Events | None = ...,
+    dense: bool = ...,
+    report: bool = ...,
+) -> Motion: ...
 def solve(
     rhs: Callable[..., Any],
     t: ArrayLike,
@@ -27,15 +60,19 @@ def solve(
     method: str = "auto",
     step: float | None = None,
     project: Callable[[Array], Any] | None = None,
-) -> Array:
+    events: Events | None = None,
+    dense: bool = False,
+    report: bool = False,
+) -> Array | Motion:
     """States at the times `t` of y' = rhs(t, y, **parameters), y(t[0]) = y0.
 
     rhs        : rhs(t, y, **parameters) -> k numbers; NumPy or plain floats inside
-    t          : (n,) strictly increasing, n >= 2; the choice of times does not change the steps taken
+    t          : (n,) strictly increasing or decreasing, n >= 2; the choice of times does not change the steps taken
     y0         : (k,), or (m, k) for m starts at once
     parameters : keyword arguments of rhs, bound before the first step
     rtol       : largest error of a step, relative to the largest magnitude so far of each component; what starts at
-                 zero takes the size to which it, time, or the other components move it within the first step
+                 zero takes the size to which it, time, or the other components move it within the first step;
+                 1e-14 gets all the digits that rounding leaves
     atol       : an error of a step that is allowed in any case, one number or k; left out, none but that of rtol
     method     : "auto" runs in Python and goes on compiled by llvmlite where that is installed and repays;
                  "python" and "compiled" insist; at a fixed step, for long runs of conservative systems:
@@ -43,27 +80,49 @@ def solve(
                  these two also reach the last digits of a hundred periods, where the others' energy drifts
     step       : s, of "gauss" and "composition" alone, no longer than this; left out it follows from rtol
     project    : project(y) -> the nearest allowed state, applied after every step: for holonomic constraints
-    Returns (n, k), row 0 is y0; or (m, n, k).
-    ValueError names the argument, ArithmeticError the time at which rhs or solution cease to be finite.
+    events     : event(t, y, **parameters) -> a number, or a list of such functions: their zeros are found. As in
+                 solve_ivp, event.direction > 0 asks for zeros from below, < 0 from above; event.terminal = True
+                 ends the run at the first, n at the n-th. A zero at the start is none.
+    dense      : also give the motion as a function of time
+    report     : also tell how the run went
+    Returns (n, k), row 0 is y0; or (m, n, k). With events, dense or report a `Motion`: t and states up to a terminal
+    event, events, at, report.
+    ValueError names the argument, ArithmeticError the time at which rhs or solution cease to be finite, or from which
+    on the equations are stiff, with the remedy.
+
+    >>> def falling(t, y, *, gravity):
+    ...     return y[1], -gravity
+    >>> def ground(t, y, *, gravity):
+    ...     return y[0]
+    >>> ground.terminal = True
+    >>> motion = solve(falling, [0, 10], [5.0, 0.0], parameters={"gravity": 10.0}, events=ground, dense=True)
+    >>> motion.events[0].t.round(12).tolist(), motion.at(0.5).round(9).tolist()
+    ([1.0], [3.75, -5.0])
     """
-    times, start, asked = sample_times(t), initial_state(y0), tolerance(rtol)
+    (times, sign), start, asked = sample_times(t), initial_state(y0), tolerance(rtol)
     rtol = of_one_step(asked)
     floor = [allowed / rtol for allowed in allowed_error(atol, start.shape[-1])]
-    _check_method(method, several=start.ndim == 2, projected=project is not None, stepped=step is not None)
+    more = events is not None or dense or report
+    _check_method(method, several=start.ndim == 2, projected=project is not None, stepped=step is not None, more=more)
     with np.errstate(all="ignore"):  # a step that proves too long may overflow: it is taken again
         if start.ndim == 2:
             from tam570.integrate import ensemble
 
-            return ensemble.states(engine(rhs, parameters, times, start[0]), times, start, rtol, method, floor)
-        made = engine(rhs, parameters, times, start)
+            first = engine(rhs, parameters, times, start[0], sign=sign)
+            return ensemble.states(first, times, start, rtol, method, floor)
+        made = engine(rhs, parameters, times, start, sign=sign, sampled=events is not None or dense)
         if method in FIXED_STEP:
             from tam570.integrate import fixed_step
 
             return fixed_step.states(method, made, times, start, asked, floor, step)
+        if more:
+            from tam570.integrate import watched
+
+            return watched.motion(made, times, start, rtol, floor, events, parameters, dense, method)
         return adaptive.states(made, times, start, rtol, method, floor, project)
 
 
-def _check_method(method: str, *, several: bool, projected: bool, stepped: bool) -> None:
+def _check_method(method: str, *, several: bool, projected: bool, stepped: bool, more: bool) -> None:
     if method not in METHODS:
         raise ValueError(f"method: one of {', '.join(METHODS)}, got {method!r}")
     if method in FIXED_STEP and several:
@@ -72,3 +131,5 @@ def _check_method(method: str, *, several: bool, projected: bool, stepped: bool)
         raise ValueError('project: goes with one start and method "auto" or "python" alone')
     if stepped and method not in FIXED_STEP:
         raise ValueError(f'step: goes with method "gauss" or "composition" alone, {method!r} takes rtol')
+    if more and (several or projected or method in FIXED_STEP):
+        raise ValueError("events, dense, report: go with one start, no project, and a method that chooses its steps")

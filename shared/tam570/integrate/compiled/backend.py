@@ -19,6 +19,7 @@ from tam570.integrate.compiled.series import layout
 from tam570.integrate.dop853_source import functions
 from tam570.integrate.fixed_loop import FixedState
 from tam570.integrate.formulas import Formulas
+from tam570.integrate.stiffness import Look
 from tam570.integrate.trace import Graph
 
 __all__ = ["READY", "analytic", "by_moments", "dop853", "fixed", "taylor_run", "taylor_runs"]
@@ -41,10 +42,11 @@ def _taylor(found: Recurrences, lanes: int = 1) -> Any:
     return function(repr((found, lanes)), lambda: taylor.taylor_text(found, lanes), "advance", taylor.KINDS)
 
 
-def taylor_run(graph: Graph, origin: float, times: Array, out: Array, rtol: float, state: State) -> State:
+def taylor_run(graph: Graph, origin: float, times: Array, out: Array, rtol: float, look: Look, state: State) -> State:
     """The state at the end, or where Taylor's method cannot go on; times since `origin`.
 
     A state whose m is not positive has no scale: it is found, or the state comes back as it was.
+    look : called now and then
     """
     known = analytic(graph)
     if known is None:
@@ -58,7 +60,13 @@ def taylor_run(graph: Graph, origin: float, times: Array, out: Array, rtol: floa
     work[: size * place.stride : place.stride] = state.y
     clock[0] = origin + state.t
     ends = times.ctypes.data, len(times), out.ctypes.data, None, 0, origin, rtol, taylor.order_for(rtol)
-    _by_moments(lambda budget: advance(*given, *ends, budget) or bool(z[taylor_loop.STATUS] == taylor_loop.RUNNING))
+
+    def some(budget: int) -> bool:
+        advance(*given, *ends, budget)
+        look(float(z[taylor_loop.T]), kept[0].tolist(), kept[2].tolist(), int(z[taylor_loop.STEPS]))
+        return bool(z[taylor_loop.STATUS] == taylor_loop.RUNNING)
+
+    _by_moments(some)
     row, t, _, _, _, steps, refusals, _, h = z[: taylor_loop.LONGEST + 1].tolist()
     y, r, m = map(tuple, kept.tolist())
     total = state.steps + int(steps), state.refusals + int(refusals)

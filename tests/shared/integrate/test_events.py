@@ -1,0 +1,198 @@
+"""Events, motions as functions of time, times that decrease, and reports."""
+
+import doctest
+import math
+
+import numpy as np
+import pytest
+
+from tam570.integrate import solve, solve_rotation, solver
+
+EPS = 2.0**-52
+
+
+def oscillator(t, y):
+    return y[1], -y[0]
+
+
+def thrown(t, y):
+    """Constant rates: one step goes all the way."""
+    return y[1], -10.0
+
+
+def event(value, direction=0.0, terminal=False):
+    def function(t, y):
+        return value(t, y)
+
+    function.direction, function.terminal = direction, terminal
+    return function
+
+
+def height(level):
+    return lambda t, y: y[0] - level
+
+
+def test_the_docstring_tells_what_happens():
+    assert doctest.testmod(solver).failed == 0
+
+
+@pytest.mark.parametrize("rtol", [1e-6, 1e-10, 1e-13])
+def test_zeros_are_found_to_the_tolerance(rtol):
+    motion = solve(oscillator, [0, 30], [1.0, 0.0], events=event(lambda t, y: y[0]), rtol=rtol)
+    exact = math.pi * (np.arange(len(motion.events[0].t)) + 0.5)
+    assert len(exact) == 10  # 30 / pi
+    assert np.abs(motion.events[0].t - exact).max() < 100 * rtol
+    assert np.abs(motion.events[0].states[:, 0]).max() < 4 * EPS  # located to rounding by the polynomial
+
+
+def test_a_direction_is_that_of_the_crossing():
+    both, up, down = (event(lambda t, y: y[0], direction) for direction in (0.0, 1.0, -1.0))
+    motion = solve(oscillator, [0, 30], [1.0, 0.0], events=[both, up, down])
+    assert [len(found.t) for found in motion.events] == [10, 5, 5]
+    assert np.sort(np.concatenate([motion.events[1].t, motion.events[2].t])).tolist() == motion.events[0].t.tolist()
+    assert (motion.events[1].states[:, 1] > 0).all()
+    assert (motion.events[2].states[:, 1] < 0).all()
+
+
+def test_two_crossings_in_one_step_are_two():
+    """Up and down through a level near the top, within a single step of a polynomial motion."""
+    motion = solve(thrown, [0, 2.0], [0.0, 10.0], events=event(height(3.0)))
+    assert motion.events[0].t == pytest.approx([1 - math.sqrt(0.4), 1 + math.sqrt(0.4)], abs=1e-12)
+    assert motion.report.steps < 20
+
+
+def test_a_terminal_event_ends_the_run():
+    t = np.linspace(0, 10, 101)
+    motion = solve(thrown, t, [0.0, 10.0], events=event(height(0.0), terminal=True), dense=True)
+    assert motion.events[0].t == pytest.approx([2.0], abs=1e-12)
+    assert motion.t.tolist() == t[: len(motion.t)].tolist()
+    assert motion.t[-1] <= motion.events[0].t[0] < motion.t[-1] + 0.1
+    assert motion.states[:, 0] == pytest.approx(10 * motion.t - 5 * motion.t**2, abs=1e-11)
+    with pytest.raises(ValueError, match=r"^t: the motion is known from 0 to 2, not at 2.5"):
+        motion.at(2.5)
+
+
+def test_a_terminal_event_may_be_the_third():
+    motion = solve(oscillator, [0, 30], [1.0, 0.0], events=[event(lambda t, y: y[0], terminal=3), lambda t, y: y[1]])
+    assert motion.events[0].t == pytest.approx(math.pi * np.array([0.5, 1.5, 2.5]), abs=1e-8)
+    assert motion.events[1].t == pytest.approx(
+        math.pi * np.array([1.0, 2.0]), abs=1e-8
+    )  # none later, none at the start
+
+
+def test_a_zero_at_the_start_is_no_event():
+    """Thrown up from the ground: the ground is reached once, at the end."""
+    motion = solve(thrown, [0, 5.0], [0.0, 10.0], events=event(height(0.0)))
+    assert motion.events[0].t == pytest.approx([2.0], abs=1e-12)
+
+
+def test_a_touch_is_no_crossing_and_an_event_may_know_time_and_parameters():
+    def touching(t, y, *, rate):
+        return (t - 1.0) ** 2
+
+    def timed(t, y, *, rate):
+        return t - 0.3 * rate
+
+    motion = solve(lambda t, y, *, rate: (rate,), [0, 2.0], [0.0], parameters={"rate": 2.0}, events=[touching, timed])
+    assert len(motion.events[0].t) == 0
+    assert motion.events[0].states.shape == (0, 1)
+    assert motion.events[1].t == pytest.approx([0.6], abs=1e-15)
+
+
+def test_events_that_cannot_be_called_are_named():
+    with pytest.raises(ValueError, match="^events: cannot be called"):
+        solve(oscillator, [0, 1], [1.0, 0.0], events=lambda t: t)
+    with pytest.raises(ValueError, match="^events: must be a function"):
+        solve(oscillator, [0, 1], [1.0, 0.0], events=[1.0])
+    for change in ({"method": "gauss"}, {"project": lambda y: y}, {"y0": [[1.0, 0.0]]}):
+        given = {"y0": [1.0, 0.0], **change}
+        with pytest.raises(ValueError, match="^events, dense, report: "):
+            solve(oscillator, [0, 1], given.pop("y0"), dense=True, **given)
+
+
+# A function of time
+
+
+def test_a_motion_as_a_function_of_time_is_the_motion():
+    t = np.linspace(0, 20, 77)
+    motion = solve(oscillator, t, [1.0, 0.0], dense=True, rtol=1e-12)
+    assert (motion.at(t) == motion.states).mean() > 0.9  # but for roundings where a sample is the end of a step
+    assert motion.at(t) == pytest.approx(motion.states, abs=4 * EPS)
+    fine = np.linspace(0, 20, 1001)
+    assert np.abs(motion.at(fine) - np.stack([np.cos(fine), -np.sin(fine)], 1)).max() < 1e-10
+    assert motion.at(0.0).tolist() == [1.0, 0.0]
+    assert motion.at(3.0).shape == (2,)
+    assert motion.events == ()
+
+
+def test_events_and_dense_change_no_step():
+    t = np.linspace(0, 20, 77)
+    plain = solve(oscillator, t, [1.0, 0.0], method="python")
+    watched = solve(oscillator, t, [1.0, 0.0], dense=True, events=lambda t, y: y[0])
+    assert (watched.states == plain).all()
+
+
+# Times that decrease
+
+
+def test_times_may_decrease():
+    t = np.linspace(3.0, -2.0, 26)
+    states = solve(lambda t, y: (y[0] * math.cos(t),), t, [math.exp(math.sin(3.0))], rtol=1e-12)
+    assert states[:, 0] == pytest.approx(np.exp(np.sin(t)), rel=1e-10)
+    for method in ("gauss", "python"):
+        ends = solve(oscillator, [1.0, 0.0], [math.cos(1), -math.sin(1)], method=method, rtol=1e-12)[-1]
+        assert ends == pytest.approx([1.0, 0.0], abs=1e-11)
+    starts = np.array([[math.cos(1), -math.sin(1)]] * 20)
+    assert solve(oscillator, [1.0, 0.0], starts)[:, -1] == pytest.approx(np.array([[1.0, 0.0]] * 20), abs=1e-8)
+
+
+def test_there_and_back_by_the_same_function():
+    start = [0.4, -1.0]
+    there = solve(oscillator, [0.0, 7.0], start, rtol=1e-13)[-1]
+    assert solve(oscillator, [7.0, 0.0], there, rtol=1e-13)[-1] == pytest.approx(start, abs=1e-12)
+
+
+def test_events_of_a_run_that_goes_back_have_their_times():
+    motion = solve(oscillator, [3.0, -3.0], [math.cos(3), -math.sin(3)], events=lambda t, y: y[0], dense=True)
+    assert motion.events[0].t == pytest.approx([math.pi / 2, -math.pi / 2], abs=1e-8)
+    assert motion.t.tolist() == [3.0, -3.0]
+    assert motion.at(0.5) == pytest.approx([math.cos(0.5), -math.sin(0.5)], abs=1e-9)
+    with pytest.raises(ArithmeticError, match=r"t = -1"):
+        solve(lambda t, y: (-(y[0] ** 2),), [0, -2], [1.0])
+
+
+def test_a_rotation_goes_back():
+    spin, still = [0.3, -0.4, 1.2], lambda t, w: (0.0, 0.0, 0.0)
+    _, there = solve_rotation(still, [0, 5.0], spin, np.eye(3), rtol=1e-12)
+    _, back = solve_rotation(still, [5.0, 0.0], spin, there[-1], rtol=1e-12)
+    assert back[-1] == pytest.approx(np.eye(3), abs=1e-11)
+
+
+def test_times_that_turn_are_named():
+    with pytest.raises(ValueError, match=r"^t: must decrease, but t\[2\] = 1 does not come before t\[1\]"):
+        solve(oscillator, [2.0, 0.0, 1.0], [1.0, 0.0])
+
+
+# A report
+
+
+def test_a_report_tells_how_the_run_went():
+    calls = np.zeros(1)
+
+    def branching(t, y):
+        calls[0] += 1
+        return (y[1], -y[0]) if y[0] > -9 else (0.0, 0.0)
+
+    told = solve(branching, [0, 20.0], [1.0, 0.0], report=True).report
+    assert told.engine == "Python"
+    assert told.why_called == "depends on the value of the state"
+    assert told.evaluations == 12 * (told.steps + told.refusals)
+    assert told.evaluations <= calls[0] < told.evaluations + 60  # those before the first step, and of refusals
+    assert solve(oscillator, [0, 20.0], [1.0, 0.0], report=True).report.why_called == ""
+
+
+def test_a_report_tells_of_compiled_code():
+    pytest.importorskip("llvmlite")
+    told = solve(oscillator, [0, 20.0], [1.0, 0.0], report=True, method="compiled").report
+    assert (told.engine, told.evaluations) == ("compiled", None)
+    assert told.steps > 3
