@@ -170,6 +170,12 @@ def test_a_scene_in_space_is_turned_by_touch(opened):
     assert tab.evaluate("camera.azimuth") != before
 
 
+def test_a_swipe_upwards_is_left_to_the_page(opened):
+    """It scrolls; a finger that moves sideways turns the scene."""
+    for slug, left in ((PLANE, "auto"), (SPACE, "pan-y")):
+        assert opened(slug, "phone").evaluate("getComputedStyle(document.getElementById('live')).touchAction") == left
+
+
 def test_a_scene_in_the_plane_does_not_turn(opened):
     tab = opened(PLANE)
     before = tab.evaluate(PIXELS, "live")

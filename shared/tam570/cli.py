@@ -17,6 +17,7 @@ from tam570.progress import hints_given, recalled, remember_hints
 __all__ = ["main"]
 
 INTERRUPTED = 130
+Commands = Any  # what argparse calls the commands of a parser
 
 
 def main(argv: list[str] | None = None) -> int:
@@ -56,6 +57,12 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--version", action="version", version=f"tam570 {__version__}")
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
 
+    _add_work(commands)
+    _add_help(commands)
+    return parser
+
+
+def _add_work(commands: Commands) -> None:
     command = commands.add_parser("list", help="the assignments, and how far you are with those here")
     command.set_defaults(command=_list)
     command.add_argument("--lectures", action="store_true", help="the systems that are solved in class, by date")
@@ -81,6 +88,8 @@ def _parser() -> argparse.ArgumentParser:
     command.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="of a lecture: mass=2")
     command.add_argument("--save", type=Path, metavar="FILE", help="a page (.html), picture (.png), .gif or .mp4")
 
+
+def _add_help(commands: Commands) -> None:
     command = commands.add_parser("hint", help="one more hint each time you ask")
     command.set_defaults(command=_hint)
     command.add_argument("assignment", help="hw07, for example")
@@ -95,7 +104,6 @@ def _parser() -> argparse.ArgumentParser:
     command = commands.add_parser("completion", help="a script that completes commands in your shell")
     command.set_defaults(command=_completion)
     command.add_argument("shell", choices=["bash", "zsh", "tcsh"])
-    return parser
 
 
 def _list(arguments: argparse.Namespace) -> int:

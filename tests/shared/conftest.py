@@ -18,6 +18,7 @@ def desk(tmp_path, monkeypatch):
     monkeypatch.chdir(desk)
     monkeypatch.setenv("TAM570_HOME", str(tmp_path / "home"))
     monkeypatch.setenv("PYTHONUNBUFFERED", "1")
+    monkeypatch.setenv("TAM570_CALL_LIMIT", "2")  # s: tests do not wait for longer
     return desk
 
 

@@ -31,6 +31,7 @@ SLOW_IMPORT = (
     f"{{file}} takes longer than {CALL:g} s to import. Does it run a simulation by itself?\n"
     'Put that below `if __name__ == "__main__":`, so that it runs only when you start the file.'
 )
+Known = Mapping[str, tuple[str, str]]  # of each test what its outcome depends on, and the outcome
 
 
 def check(file: Path, slug: str, log: str, *, changed: bool = False) -> bool:
@@ -47,29 +48,29 @@ def check(file: Path, slug: str, log: str, *, changed: bool = False) -> bool:
         return False
     try:
         functions, skipped, printed = _functions(file, slug)
+        now = _keys(file, tests, slug)
     except Trouble as trouble:
         report.trouble(slug, str(trouble))
         return False
     report.imported(skipped, printed)
-    code, asked = text_of(source_of(file), file.suffix), tests.read_text(encoding="utf-8")
-    try:
-        now = keys(asked, code, slug)
-    except SyntaxError as error:
-        report.trouble(slug, f"{tests.name}, line {error.lineno}: SyntaxError: {error.msg}")
-        return False
     known = {test: was for test, was in kept(file).items() if was[0] == now.get(_function(test))} if changed else {}
     found = Outcomes(functions, tests, log, report.terminal())
     _run(tests, [name for name in now if name not in map(_function, known)], found, everything=not known)
     known |= {test: (now.get(_function(test), ""), outcome) for test, outcome in found.passed.items()}
+    lasted = time.time() - file.stat().st_mtime
+    since = f"      {len(found.passed)} tests run, {lasted:.2f} s after saving\n" if changed else ""
+    return _reported(file, slug, known, found, released, since)
+
+
+def _reported(file: Path, slug: str, known: Known, found: Outcomes, released: Mapping[str, Stub], since: str) -> bool:
+    """Say and remember what became of the tests; whether all pass."""
     outcomes = {test: outcome for test, (_, outcome) in known.items()}
-    used = by_parameters(calls(asked, slug), outcomes)
+    used = by_parameters(calls(found.tests.read_text(encoding="utf-8"), slug), outcomes)
     causes = {test: one.function for test, one in found.failures.items() if one.function}
     come = progress(slug, outcomes, used, causes)
     remember(file, known, come)
     report.failures(found, _told(found, used, come, released))
     report.before([test for test, outcome in outcomes.items() if outcome != PASSED and test not in found.failures])
-    lasted = time.time() - file.stat().st_mtime
-    since = f"      {len(found.passed)} tests run, {lasted:.2f} s after saving\n" if changed else ""
     report.progressed(slug, come, since)
     return not found.failures and all(one == PASSED for one in outcomes.values())
 
@@ -104,6 +105,14 @@ def _functions(file: Path, slug: str) -> tuple[Functions, list[str], str]:
         raise Trouble(f"{file.name} defines none of the functions. Are they in {slug}.py?")
     sys.modules[slug] = functions.stand_in()
     return functions, skipped, printed.getvalue()
+
+
+def _keys(file: Path, tests: Path, slug: str) -> dict[str, str]:
+    """What the outcome of each test depends on. Trouble if the tests are not Python."""
+    try:
+        return keys(tests.read_text(encoding="utf-8"), text_of(source_of(file), file.suffix), slug)
+    except SyntaxError as error:
+        raise Trouble(f"{tests.name}, line {error.lineno}: SyntaxError: {error.msg}") from None
 
 
 def _untouched(file: Path, released: Mapping[str, Stub]) -> list[str]:

@@ -7,6 +7,7 @@ import time
 import pytest
 
 from tam570.checking import deadline
+from tam570_grader.sandbox.worker import Allowance
 
 TOP = {
     "import scipy.spatial.transform": "Line 1: import scipy.spatial.transform\n",
@@ -20,8 +21,24 @@ TOP = {
     "1 / 0": "ZeroDivisionError",
     "import sys; sys.exit(0)": "SystemExit",
     "x = 1\ndef skew(v:\n": "Line 2: SyntaxError",
-    "import time; time.sleep(60)": "takes longer than 10 s to import",
+    "import time; time.sleep(60)": "takes longer than 2 s to import",
 }
+CALLS = {
+    "while True: pass": "rotate did not return within 2 s",
+    "import time; time.sleep(100)": "rotate did not return within 2 s",
+    "return None": "rotate gives None. Is a `return` missing?",
+    "return [1.0, 2.0]": "rotate gives an array of shape (2,); an array of shape (3,) is asked for.",
+    "return 1.0": "rotate gives a single number; an array of shape (3,) is asked for.",
+    "return r * float('nan')": "rotate gives NaN or infinity.",
+    "return 'a vector'": "rotate gives no numbers but 'a vector'.",
+    "return r + nothing": "NameError: name 'nothing' is not defined",
+    "import pandas": "pandas is not there",
+    "r[:] = r + np.cross(axis, r); return r": "rotate changes the arrays that it is given.",
+    "return rotation_matrix(axis, angle) @ r": "rotation_matrix is off limits in rotate",
+    "raise NotImplementedError": "rotate is not written yet.",
+    "return open('data.csv').read()": "FileNotFoundError",
+}
+HW08 = "hw08_axis_angle"
 
 
 @pytest.mark.parametrize("above", TOP)
@@ -32,6 +49,22 @@ def test_what_stops_the_import_where_work_is_graded_stops_it_here(hw08, desk, ta
     code, said = tam570("check", input="0.5\n")
     assert code == 1 and " ".join(TOP[above].split()) in " ".join(said.split())
     assert "The grader would give this file 0 points." in said and "Traceback" not in said
+
+
+@pytest.mark.parametrize("above", [one for one in TOP if "pandas" not in one])
+def test_the_grader_gives_what_is_said(grade, solution_text, above):
+    """No points for a file that check says has none; a library that is not promised may be there."""
+    result = grade(HW08, f"{above}\n{solution_text(HW08)}", allowance=Allowance(call=2))
+    assert result.status != "graded" and result.score == 0
+
+
+@pytest.mark.parametrize("body", [one for one in CALLS if "pandas" not in one])
+def test_the_grader_refuses_the_function(grade, solution_text, body):
+    """And the others have their points."""
+    result = grade(
+        HW08, f"{solution_text(HW08)}\n\ndef rotate(r, axis, angle):\n    {body}\n", allowance=Allowance(call=2)
+    )
+    assert result.status == "graded" and 0 < result.score < 10
 
 
 def test_a_missing_library_may_be_done_without(hw08, tam570):
@@ -48,23 +81,6 @@ def test_a_file_in_another_encoding_names_the_line(hw08, tam570):
     assert tam570("check")[0] == 0
 
 
-CALLS = {
-    "while True: pass": "rotate did not return within 10 s",
-    "import time; time.sleep(100)": "rotate did not return within 10 s",
-    "return None": "rotate gives None. Is a `return` missing?",
-    "return [1.0, 2.0]": "rotate gives an array of shape (2,); an array of shape (3,) is asked for.",
-    "return 1.0": "rotate gives a single number; an array of shape (3,) is asked for.",
-    "return r * float('nan')": "rotate gives NaN or infinity.",
-    "return 'a vector'": "rotate gives no numbers but 'a vector'.",
-    "return r + nothing": "NameError: name 'nothing' is not defined",
-    "import pandas": "pandas is not there",
-    "r[:] = r + np.cross(axis, r); return r": "rotate changes the arrays that it is given.",
-    "return rotation_matrix(axis, angle) @ r": "rotation_matrix is off limits in rotate",
-    "raise NotImplementedError": "rotate is not written yet.",
-    "return open('data.csv').read()": "FileNotFoundError",
-}
-
-
 @pytest.mark.parametrize("body", CALLS)
 def test_what_a_call_does_wrong_is_said_at_once(hw08, tam570, body):
     hw08(f"def rotate(r, axis, angle):\n    {body}")
@@ -78,7 +94,7 @@ def test_a_loop_that_swallows_what_ends_it_is_ended(hw08, tam570):
         "def rotate(r, axis, angle):\n    while True:\n        try:\n            while True: pass\n        except: pass"
     )
     code, said = tam570("check")
-    assert code == 1 and ("did not return within 10 s" in said or "ended the process" in said)
+    assert code == 1 and ("did not return within 2 s" in said or "ended the process" in said)
 
 
 @pytest.mark.parametrize("body", ["import itertools; sum(itertools.count())", "import os; os._exit(0)"])
