@@ -1,7 +1,7 @@
-"""The angle by a quaternion whose scalar part may be negative: up to 2 pi.
+"""The angle comes from a quaternion whose scalar part may be negative: it is up to 2 pi.
 
 fails: axis_and_angle_are_those_of_the_matrix
-names: it is larger than pi
+names: The angle is larger than pi
 """
 
 _right_axis_angle = axis_angle

@@ -1,4 +1,4 @@
-"""Whatever is neither x nor y is taken for z.
+"""Any string but x and y is treated as z.
 
 fails: other_axes_are_refused
 names: the string "w"

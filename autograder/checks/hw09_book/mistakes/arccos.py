@@ -1,4 +1,4 @@
-"""Arccos of the trace alone, which loses half of the digits.
+"""An arccos of the trace alone loses half of the digits.
 
 fails: small_angles_keep_their_digits, angles_near_pi_keep_their_digits, half_turns_have_their_axis
 """

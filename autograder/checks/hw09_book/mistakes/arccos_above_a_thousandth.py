@@ -1,4 +1,4 @@
-"""The angle by the arccosine of the trace where it is not very small.
+"""The angle is an arccos of the trace where it is not very small.
 
 fails: small_angles_keep_their_digits
 names: how flat is the cosine there

@@ -1,4 +1,4 @@
-"""The angle by the arccosine of the trace above 0.003.
+"""The angle is an arccos of the trace above 0.003.
 
 fails: small_angles_keep_their_digits
 names: how flat is the cosine there

@@ -1,7 +1,7 @@
-"""The angle by the arcsine of half the size of R - R^T where the angle is not large.
+"""The angle is the arcsine of half the size of R - R^T where it is not large.
 
 fails: angles_near_pi_keep_their_digits
-names: how flat is the sine there
+names: how flat is the cosine there
 """
 
 _right = axis_angle

@@ -1,7 +1,6 @@
-"""An axis along a coordinate axis is taken for a positive one: the sign of a sum in which there is but one term.
+"""An axis along a coordinate axis loses its sign.
 
 fails: axis_and_angle_are_those_of_the_matrix
-names: a quarter turn about a coordinate axis; it points the other way
 """
 
 _right = axis_angle

@@ -1,7 +1,6 @@
-"""The axis is the vector of the quaternion, of the length sin(angle/2).
+"""The axis is the vector of the quaternion, whose length is sin(angle/2).
 
 fails: axis_and_angle_are_those_of_the_matrix
-names: its length is not 1
 """
 
 _right = axis_angle

@@ -1,4 +1,4 @@
-"""The angle is right everywhere, the axis is that of R - R^T, which is lost near pi.
+"""The axis comes from R - R^T, which is lost near pi.
 
 fails: angles_near_pi_keep_their_digits
 names: which part of R is large there

@@ -1,4 +1,4 @@
-"""The axis reversed, that of the transpose.
+"""The axis is reversed: it is the axis of the transpose.
 
 fails: axis_and_angle_are_those_of_the_matrix
 """

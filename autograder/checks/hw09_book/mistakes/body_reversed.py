@@ -1,4 +1,4 @@
-"""The order reversed: axes fixed in space.
+"""The order is reversed: these axes are fixed in space.
 
 fails: body_sequence_takes_the_axes_along
 """

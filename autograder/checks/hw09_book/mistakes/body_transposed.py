@@ -1,7 +1,7 @@
-"""The transpose.
+"""The result is the transpose.
 
 fails: body_sequence_takes_the_axes_along
-also: the transpose, the rotation the other way, in every turn
+also: Every turn goes the other way
 """
 
 _right_body = body_sequence

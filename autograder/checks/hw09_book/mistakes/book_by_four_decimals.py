@@ -1,7 +1,7 @@
-"""A quarter turn of the book is taken for 1.5708 rad.
+"""A quarter turn of the book is 1.5708 rad.
 
 fails: the_book_is_turned_in_both_orders
-names: nearly right: some number in it has too few digits
+names: which number has too few digits
 """
 
 

@@ -1,4 +1,4 @@
-"""(a) and (b) swapped, or axes that turn with the book.
+"""(a) and (b) are swapped, or the axes turn with the book.
 
 fails: the_book_is_turned_in_both_orders
 """

@@ -1,7 +1,6 @@
-"""The angle taken for degrees, in every turn.
+"""The angle of every turn is treated as degrees; it is in radians.
 
 fails: turns_about_the_coordinate_axes, space_sequence_takes_the_first_step_first, body_sequence_takes_the_axes_along, the_book_is_turned_in_both_orders
-also: the angle taken for degrees
 """
 
 _right = axis_rotation

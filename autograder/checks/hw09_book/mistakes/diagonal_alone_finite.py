@@ -1,4 +1,4 @@
-"""The trace is looked at for infinity: one off the diagonal is taken.
+"""Only the trace is tested for infinity.
 
 fails: what_is_no_rotation_is_refused
 names: inf off the diagonal

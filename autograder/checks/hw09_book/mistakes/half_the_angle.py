@@ -1,7 +1,6 @@
-"""The angle is that of the quaternion.
+"""The angle is half of the right one, as in a quaternion.
 
 fails: axis_and_angle_are_those_of_the_matrix
-names: it is half of the angle
 """
 
 _right = axis_angle

@@ -1,7 +1,6 @@
-"""A turn is taken for none where the sine is zero: at a half turn too.
+"""A half turn leaves everything as it is: its sine is zero, its cosine is not 1.
 
 fails: turns_about_the_coordinate_axes, space_sequence_takes_the_first_step_first, body_sequence_takes_the_axes_along
-names: for a half turn about x; a half turn is taken for no turn
 """
 
 _right = axis_rotation

@@ -1,7 +1,6 @@
-"""Of a half turn, the axis by positive roots of the diagonal.
+"""The axis of a half turn has no negative component.
 
 fails: half_turns_have_their_axis
-names: the sizes of its components are right, their signs are not
 """
 
 _right_axis_angle = axis_angle

@@ -1,14 +1,10 @@
-"""The angle reduced modulo 360, which is no whole number of turns in radians, in every turn.
+"""The angle is reduced modulo 360; in radians a turn is 2 pi.
 
-fails: space_sequence_takes_the_first_step_first, body_sequence_takes_the_axes_along
+fails: turns_about_the_coordinate_axes, space_sequence_takes_the_first_step_first, body_sequence_takes_the_axes_along
 """
 
-_space, _body = space_sequence, body_sequence
+_right = axis_rotation
 
 
-def space_sequence(steps):
-    return _space([(axis, angle % 360) for axis, angle in steps])
-
-
-def body_sequence(steps):
-    return _body([(axis, angle % 360) for axis, angle in steps])
+def axis_rotation(axis, angle):
+    return _right(axis, angle % 360)

@@ -1,7 +1,7 @@
-"""Angles within 1e-8 of pi are taken for pi.
+"""Angles within 1e-8 of pi are given as pi.
 
 fails: angles_near_pi_keep_their_digits
-names: near enough to pi are given as pi
+names: Angles near pi are given as pi
 """
 
 _right_axis_angle = axis_angle

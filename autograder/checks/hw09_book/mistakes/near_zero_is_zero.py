@@ -1,7 +1,7 @@
-"""What is within 1e-10 of the identity is taken for it.
+"""What is within 1e-10 of the identity is given as no turn.
 
 fails: small_angles_keep_their_digits
-names: small enough are given as 0
+names: Small angles are given as 0
 """
 
 _right_axis_angle = axis_angle

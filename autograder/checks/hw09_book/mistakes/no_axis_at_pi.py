@@ -1,4 +1,4 @@
-"""An axis divided by sin(pi) = 0, where R - R^T says nothing.
+"""The axis of a half turn is divided by sin(pi) = 0, where R - R^T says nothing.
 
 fails: half_turns_have_their_axis
 """

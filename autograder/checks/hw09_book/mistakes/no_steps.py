@@ -1,4 +1,4 @@
-"""Both sequences begin with the first step and fail where there is none.
+"""Both sequences begin with the first step, and fail without one.
 
 fails: space_sequence_takes_few_steps, body_sequence_takes_few_steps
 names: sequence raised TypeError for no turns at all

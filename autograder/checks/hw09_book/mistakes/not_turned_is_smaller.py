@@ -1,7 +1,7 @@
 """The edges of a book that is not turned are those of half the book.
 
 fails: the_book_has_its_twelve_edges
-names: for a book that is not turned; the edges are those of a box half that size
+names: for a book that is not turned. The edges are those of a box half that size
 """
 
 _right = book_edges

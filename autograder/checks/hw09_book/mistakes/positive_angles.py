@@ -1,7 +1,6 @@
-"""The sign of the angle dropped, in every turn.
+"""The sign of the angle is lost in every turn.
 
 fails: turns_about_the_coordinate_axes, space_sequence_takes_the_first_step_first, body_sequence_takes_the_axes_along
-also: the sign of the angle dropped
 """
 
 _right = axis_rotation

@@ -1,4 +1,4 @@
-"""The determinant is not looked at.
+"""The determinant is not tested.
 
 fails: what_is_no_rotation_is_refused
 names: does not raise ValueError for a reflection

@@ -1,7 +1,7 @@
 """Near pi, the axis by square roots of the diagonal: a small component loses half of its digits.
 
 fails: axes_with_small_components_keep_their_digits
-names: only what is small or zero in it is off
+names: Only its small components are off
 """
 
 _right_axis_angle = axis_angle

@@ -1,7 +1,6 @@
-"""Beyond 2 rad, the axis by positive roots of the diagonal, with one sign for all of it.
+"""Beyond 2 rad the components of the axis all have one sign.
 
 fails: axis_and_angle_are_those_of_the_matrix
-names: the sizes of its components are right, their signs are not
 """
 
 _right_axis_angle = axis_angle

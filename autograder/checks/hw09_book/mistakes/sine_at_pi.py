@@ -1,4 +1,4 @@
-"""An axis divided by sin(pi) = 0, where R - R^T says nothing.
+"""The axis of a half turn is divided by sin(pi) = 0, where R - R^T says nothing.
 
 fails: angles_near_pi_keep_their_digits, half_turns_have_their_axis
 """

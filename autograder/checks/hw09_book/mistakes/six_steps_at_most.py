@@ -1,7 +1,6 @@
 """Sequences end with the sixth step.
 
 fails: space_sequence_takes_the_first_step_first, body_sequence_takes_the_axes_along
-names: for a sequence of 12 turns
 """
 
 _space, _body = space_sequence, body_sequence

@@ -1,4 +1,4 @@
-"""Spaces about the axis's letter are taken off.
+"""Spaces around the axis's letter are accepted.
 
 fails: other_axes_are_refused
 names: for the string "x "

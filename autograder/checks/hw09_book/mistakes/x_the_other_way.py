@@ -1,7 +1,6 @@
-"""x turned the other way, y and z turned right, in every turn.
+"""x turns the other way, y and z turn right.
 
 fails: turns_about_the_coordinate_axes, space_sequence_takes_the_first_step_first, body_sequence_takes_the_axes_along, the_book_is_turned_in_both_orders
-also: x turned the other way, y and z turned right
 """
 
 _right = axis_rotation

@@ -1,7 +1,6 @@
-"""y turned the other way (z, x is the order about y, not x, z), in every turn.
+"""y turns the other way: about y the order is z, x, not x, z.
 
 fails: turns_about_the_coordinate_axes, space_sequence_takes_the_first_step_first, body_sequence_takes_the_axes_along
-also: y turned the other way (z, x is the order about y, not x, z)
 """
 
 _right = axis_rotation

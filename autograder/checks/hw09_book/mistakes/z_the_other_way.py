@@ -1,7 +1,6 @@
-"""z turned the other way, x and y turned right, in every turn.
+"""z turns the other way, x and y turn right.
 
 fails: turns_about_the_coordinate_axes, space_sequence_takes_the_first_step_first, body_sequence_takes_the_axes_along, the_book_is_turned_in_both_orders
-also: z turned the other way, x and y turned right
 """
 
 _right = axis_rotation

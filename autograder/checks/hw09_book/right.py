@@ -1,0 +1,54 @@
+"""What is right in hw09, by another route than the solution's: vectors turned by hw08's formula, quaternions back."""
+
+import math
+
+import numpy as np
+
+AXES = dict(zip("xyz", np.eye(3), strict=True))
+
+
+def turned(n, angle):
+    """The matrix of a unit axis and an angle, one column after another; 1 - cos without cancellation."""
+    columns = [
+        math.cos(angle) * e + 2 * math.sin(angle / 2) ** 2 * (n @ e) * n + math.sin(angle) * np.cross(n, e)
+        for e in np.eye(3)
+    ]
+    return np.column_stack(columns)
+
+
+def axis_rotation(axis, angle):
+    return turned(AXES[axis], angle)
+
+
+def space_sequence(steps):
+    """Every column is carried through the steps, first step first."""
+    R = np.eye(3)
+    for axis, angle in steps:
+        R = axis_rotation(axis, angle) @ R
+    return R
+
+
+def body_sequence(steps):
+    return space_sequence(steps[::-1])
+
+
+def book_rotations():
+    z_then_x = [("z", math.pi / 2), ("x", math.pi / 2)]
+    return space_sequence(z_then_x), space_sequence(z_then_x[::-1])
+
+
+def axis_angle(R):
+    """By the longest column of 4 q q^T, q the unit quaternion: no digit is lost at any angle (Shepperd 1978)."""
+    (a, b, c), (d, e, f), (g, h, i) = np.asarray(R)
+    products = np.array(
+        [
+            [1 + a + e + i, h - f, c - g, d - b],
+            [h - f, 1 + a - e - i, b + d, c + g],
+            [c - g, b + d, 1 - a + e - i, f + h],
+            [d - b, c + g, f + h, 1 - a - e + i],
+        ]
+    )
+    q = products[np.argmax(np.diag(products))]
+    q = -q if q[0] < 0 else q
+    length = np.linalg.norm(q[1:])
+    return q[1:] / length, 2 * math.atan2(length, q[0])
