@@ -1,13 +1,13 @@
 """What a function is given: each of these raises a ValueError that names the argument it refuses."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["array", "finite", "nonnegative", "numbers", "one_of", "positive", "positives", "sequence"]
+__all__ = ["array", "finite", "nonnegative", "numbers", "one_of", "positive", "positives", "sequence", "whole"]
 
 
 def positive(**named: float) -> None:
@@ -31,7 +31,14 @@ def finite(**named: float) -> None:
             raise ValueError(f"{name}: must be a finite number, got {value!r}")
 
 
-def one_of(choices: Sequence[Any], **named: Any) -> None:
+def whole(least: int, **named: int) -> None:
+    """Refuses what is not a whole number of `least` or more."""
+    for name, value in named.items():
+        if not isinstance(value, int | np.integer) or value < least:
+            raise ValueError(f"{name}: must be a whole number of {least} or more, got {value!r}")
+
+
+def one_of(choices: Collection[str], **named: Any) -> None:
     """Refuses what is not among the choices."""
     for name, value in named.items():
         if not (isinstance(value, str) and value in choices):

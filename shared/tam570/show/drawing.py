@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike
 
 from tam570.show.film import GREY, Array, Part
 
-__all__ = ["axes", "box_face", "circle", "coil", "floor", "unit_circle"]
+__all__ = ["axes", "box_face", "brick", "circle", "coil", "cone", "floor", "unit_circle"]
 
 
 def unit_circle(count: int) -> Array:
@@ -60,3 +60,22 @@ def box_face(rotations: Array, size: ArrayLike) -> Array:
     corners = half * np.array([[1, 1, 1], [-1, 1, 1], [-1, -1, 1], [1, -1, 1]])
     turned: Array = corners @ np.swapaxes(rotations, -1, -2)
     return turned
+
+
+def brick(rotations: Array, size: ArrayLike, color: int, name: str = "") -> list[Part]:
+    """Two opposite faces of a box about the origin, one of them filled, and the edges between them."""
+    top, bottom = box_face(rotations, size), -box_face(rotations, size)[:, [2, 3, 0, 1]]
+    around = np.concatenate([top, top[:, :1], bottom, bottom[:, :1]], axis=1)
+    posts = np.stack([top[:, 1:], bottom[:, 1:]], axis=2).reshape(len(top), 6, 3)
+    return [
+        Part("fill", top, color, faint=True),
+        Part("path", around, color, name, width=2.5),
+        Part("lines", posts, color, width=2.5),
+    ]
+
+
+def cone(rim: Array, color: int, name: str) -> list[Part]:
+    """A rim, (m, 3) still or (n, m, 3) moving, and lines to it from the origin."""
+    spokes = rim[..., ::3, :]
+    lines = np.stack([np.zeros_like(spokes), spokes], axis=-2).reshape(*rim.shape[:-2], -1, 3)
+    return [Part("path", rim, color, name, width=2), Part("lines", lines, color, width=1)]

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from tam570.show.drawing import box_face
+from tam570.show.drawing import box_face, cone
 from tam570.show.film import GREY, Array, Film, Panel, Part, Strip, clock, conserved, moving, strip_samples
 from tam570.show.student import Student, Trouble, tried
 
@@ -126,8 +126,8 @@ def _cones(student: Student, times: Array) -> Panel:
     space_rim = _once_round(in_space, UP)
     parts = [
         Part("lines", edges, GREY, width=1.5),
-        *_cone(space_rim, 2, "space cone"),
-        *_cone(body_rim @ np.swapaxes(rotations, 1, 2), 0, "body cone"),
+        *cone(space_rim, 2, "space cone"),
+        *cone(body_rim @ np.swapaxes(rotations, 1, 2), 0, "body cone"),
         Part("arrow", moving(np.zeros(3), in_space), 1, width=2.5),
     ]
     return Panel(parts, "symmetric body, in space", ruler=False)
@@ -140,13 +140,6 @@ def _once_round(vectors: Array, axis: Array) -> Array:
     last = beyond[0] if len(beyond) else len(vectors) - 1
     chosen: Array = vectors[np.rint(np.linspace(0, last, 37)).astype(int)]
     return chosen
-
-
-def _cone(rim: Array, color: int, name: str) -> list[Part]:
-    """A rim, still or moving, and lines to it from the origin."""
-    spokes = rim[..., ::3, :]
-    lines = np.stack([np.zeros_like(spokes), spokes], axis=-2).reshape(*rim.shape[:-2], -1, 3)
-    return [Part("path", rim, color, name, width=2), Part("lines", lines, color, width=1)]
 
 
 def _energy(student: Student, times: Array, omegas: Array, inertia: Array) -> Strip:

@@ -1,0 +1,98 @@
+"""26, 31 Oct: Bearings of a body that turns about a fixed axis.
+
+z is the axis, fixed in the body and in space; the other axes turn with the body. M = I alpha + omega x I omega about a
+point of the axis, with omega = (0, 0, spin) and alpha = (0, 0, spin_rate), is (Ixz spin_rate - Iyz spin^2, Iyz
+spin_rate + Ixz spin^2, Izz spin_rate): the off-diagonal terms of I make what the bearings feel, a moment that goes
+round with the body (Greenwood, Principles of Dynamics, section 8-2).
+"""
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from tam570.given import array, finite
+from tam570.rotations import matrix_from_axis_angle
+from tam570.show.film import GREY, INK, Array, Film, Panel, Part, clock, conserved, followed, moving, strip_samples
+
+__all__ = ["film", "moment"]
+
+EXAMPLE = {
+    "inertia": ((1.2, 0.0, -0.4), (0.0, 1.5, 0.0), (-0.4, 0.0, 0.6)),  # kg m^2
+    "spin": 3.0,  # rad/s
+    "spin_rate": 0.0,  # rad/s^2
+}
+SYMMETRIC = 1e-9  # of the largest: rounding of a matrix that was turned
+UP = np.array([0.0, 0.0, 1.0])
+SHAFT = 1.5  # m, half of it
+
+
+def moment(inertia: ArrayLike, spin: float, spin_rate: float) -> Array:
+    """(3,) N m in the body's axes, of inertia (3, 3), kg m^2, spin, rad/s, and spin_rate, rad/s^2."""
+    matrix = _checked(inertia)
+    finite(spin=spin, spin_rate=spin_rate)
+    omega, alpha = spin * UP, spin_rate * UP
+    return matrix @ alpha + np.cross(omega, matrix @ omega)
+
+
+def _checked(inertia: ArrayLike) -> Array:
+    matrix = array((3, 3), inertia=inertia)
+    if np.abs(matrix - matrix.T).max() > SYMMETRIC * np.abs(matrix).max():
+        raise ValueError(f"inertia: must be symmetric, got {matrix.tolist()}")
+    return matrix
+
+
+def film(parameters: Mapping[str, Any]) -> Film:
+    """The body, and one that is balanced: the same without the off-diagonal terms."""
+    matrix, spin, spin_rate = _checked(parameters["inertia"]), parameters["spin"], parameters["spin_rate"]
+    finite(spin=spin, spin_rate=spin_rate)
+    times = clock(8.0)
+    speeds = spin + spin_rate * times
+    R = matrix_from_axis_angle(UP, times * (spin + speeds) / 2)
+    felt = np.array([moment(matrix, speed, spin_rate) for speed in speeds])
+    in_space = np.einsum("nij,nj->ni", R, felt)
+    longest = float(np.linalg.norm(felt[:, :2], axis=1).max()) or 1.0
+    shown = strip_samples(times)
+    across = np.linalg.norm(felt[shown, :2], axis=1)
+    if spin_rate:
+        # Across the axis M has the size of sqrt(Ixz^2 + Iyz^2) sqrt(spin_rate^2 + spin^4), whatever the angle.
+        across = across / np.hypot(spin_rate, speeds[shown] ** 2)
+    size = float(across[0]) or 1.0
+    curves = dict(zip(("x", "y", "z"), in_space[shown].T, strict=True))
+    arrow = Part(
+        "arrow", moving(np.zeros(3), 1.2 * in_space * [1, 1, 0] / longest), 1, "moment across the axis", width=3
+    )
+    return Film(
+        "Bearings",
+        "Two bodies turn on vertical shafts. One is not balanced: the moment that its bearings must give goes round "
+        "with it. The balanced one needs no moment across its axis.",
+        times,
+        [
+            Panel([*_body(matrix, R), arrow], "with off-diagonal terms", ruler=False),
+            Panel(_body(np.diag(np.diag(matrix)), R), "balanced", ruler=False),
+        ],
+        [
+            followed("moment on the unbalanced body, in space", times[shown], curves, "N m"),
+            conserved("its size for the spin it has, change", times[shown], {"": across}, size, "itself"),
+        ],
+        view=(0.6, 0.35),
+        poster=0.3,
+    )
+
+
+def _body(inertia: Array, R: Array) -> list[Part]:
+    """Six equal masses on the principal axes, as far out as the moments of inertia ask, on their shaft."""
+    moments, principal = np.linalg.eigh(inertia)
+    squares = np.maximum(moments.sum() / 2 - moments, 0.0)
+    reach = 1.1 * np.sqrt(squares / (squares.max() or 1.0))
+    arms = R[:, None] @ (principal * reach).T[None, :, :, None]
+    arms = arms[..., 0]
+    ends = np.concatenate([arms, -arms], axis=1)
+    pairs = np.stack([arms, -arms], axis=2).reshape(len(R), 6, 3)
+    return [
+        Part("lines", SHAFT * np.array([UP, -UP]), INK, width=3),
+        Part("dot", SHAFT * np.array([UP, -UP]), GREY, "bearings", width=12),
+        Part("lines", pairs, 0, width=3),
+        Part("dot", ends, 0, "masses", width=11),
+    ]

@@ -1,0 +1,102 @@
+"""31 Oct: A rotation matrix as a state, and how it drifts.
+
+Free body: R' = hat(omega) R and, as H does not change, I omega' = -omega x I omega with I = R diag(inertia) R^T; omega
+in space. The nine numbers of R obey six conditions, R^T R = I, that no equation here enforces: each step of a
+Runge-Kutta method breaks them a little, and the breaks add up. `tam570.integrate.solve_rotation` turns R by rotations
+only.
+"""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from tam570.given import numbers, positives, sequence
+from tam570.integrate import solve, solve_rotation
+from tam570.invariants import rotation_defect
+from tam570.show.drawing import brick
+from tam570.show.film import Array, Film, Panel, clock, conserved, followed, strip_samples
+
+__all__ = ["angular_momentum", "energy", "film", "rates"]
+
+STATE = {f"R{i}{j}": "1" for i in (1, 2, 3) for j in (1, 2, 3)} | {f"omega_{axis}": "rad/s" for axis in "xyz"}
+EXAMPLE = {"inertia": (1.0, 2.0, 2.6)}  # kg m^2, about the principal axes of the body
+START = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.3, 2.0, 0.4)
+SECONDS = 20.0
+LOOSE = 3e-4  # rtol of the film, so that the drift is seen in it
+
+
+def rates(t: float, state: Sequence[float], *, inertia: Sequence[float]) -> tuple[float, ...]:
+    """(12,) R', 1/s, row by row, and omega', rad/s^2."""
+    moments = positives(3, inertia=inertia)
+    sequence(12, state=state)
+    R, w = [state[0:3], state[3:6], state[6:9]], state[9:12]
+    H = _in_space(R, [m * x for m, x in zip(moments, _in_body(R, w), strict=True)])
+    torque = _in_body(R, _cross(H, w))
+    turned = [_cross(w, column) for column in zip(*R, strict=True)]
+    rotated = [number for row in zip(*turned, strict=True) for number in row]
+    return (*rotated, *_in_space(R, [x / m for m, x in zip(moments, torque, strict=True)]))
+
+
+def energy(state: ArrayLike, *, inertia: Sequence[float]) -> float:
+    """Kinetic energy, J."""
+    return float(angular_momentum(state, inertia=inertia) @ numbers(12, state=state)[9:] / 2)
+
+
+def angular_momentum(state: ArrayLike, *, inertia: Sequence[float]) -> Array:
+    """(3,) kg m^2/s in space."""
+    values = numbers(12, state=state)
+    R, omega = values[:9].reshape(3, 3), values[9:]
+    return R @ (np.array(positives(3, inertia=inertia)) * (R.T @ omega))
+
+
+INVARIANTS = {"energy": energy, "angular_momentum": angular_momentum}
+
+
+def _cross(a: Any, b: Any) -> tuple[float, ...]:
+    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
+
+
+def _in_space(R: Sequence[Sequence[float]], v: Sequence[float]) -> list[float]:
+    return [row[0] * v[0] + row[1] * v[1] + row[2] * v[2] for row in R]
+
+
+def _in_body(R: Sequence[Sequence[float]], v: Sequence[float]) -> list[float]:
+    return _in_space(list(zip(*R, strict=True)), v)
+
+
+def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Film:
+    """One body twice, both at a loose tolerance."""
+    times, moments = clock(seconds), np.array(positives(3, inertia=parameters["inertia"]))
+    states = solve(rates, times, start, parameters=parameters, rtol=LOOSE)
+    R0, omega0 = states[0, :9].reshape(3, 3), states[0, 9:]
+
+    def acceleration(t: float, omega: Array) -> list[float]:
+        return [-x / m for m, x in zip(moments, _cross(omega, moments * omega), strict=True)]
+
+    turning, kept = solve_rotation(acceleration, times, R0.T @ omega0, R0, rtol=LOOSE)
+    drifting = states[:, :9].reshape(-1, 3, 3)
+    shown, size = strip_samples(times), np.sqrt(np.maximum(moments.sum() / 2 - moments, 0.05 * moments.max()))
+    defects = {"nine numbers": rotation_defect(drifting[shown]), "rotations": rotation_defect(kept[shown])}
+    H = np.einsum("nij,nj->ni", kept[shown], moments * turning[shown])
+    beside = [angular_momentum(state, **parameters) for state in states[shown]]
+    scale = float(np.linalg.norm(H[0])) or 1.0
+    note = f"at the end {defects['nine numbers'][-1]:.1e}, and {defects['rotations'][-1]:.0e} by rotations"
+    return Film(
+        "Drifting matrix",
+        "One body, solved twice at the same loose tolerance. As nine numbers the matrix ceases to be a rotation: the "
+        "box changes its shape and its corners are no longer square. Turned by rotations alone it stays a box.",
+        times,
+        [
+            Panel(brick(drifting, size, 1, "nine numbers"), "R' = hat(ω) R by a Runge-Kutta method", ruler=False),
+            Panel(brick(kept, size, 0, "rotations"), "by rotations", ruler=False),
+        ],
+        [
+            followed("RᵀR - I, largest element", times[shown], defects, "1", note),
+            conserved(
+                "angular momentum, change", times[shown], {"rotations": H}, scale, "itself", beside={"nine": beside}
+            ),
+        ],
+        poster=1.0,
+    )

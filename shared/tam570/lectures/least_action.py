@@ -1,0 +1,144 @@
+"""24 Oct, 9 Nov: Hamilton's principle: a pendulum takes the path of least action, for a while.
+
+Angles from straight down, action per unit mass: the integral of l^2 th'^2/2 + g l cos(th), the potential energy
+counted from the hinge. On a path of n even times it becomes a sum, (difference)^2 l^2/(2 h) + h g l cos(th), half at
+both ends; what makes it least obeys the difference equation of Stoermer and Verlet, so it is off by h^2 (Marsden and
+West, Discrete mechanics and variational integrators, Acta Numerica 2001). Its second variation -th'' - (g/l) cos(th)
+is positive for all neighbours only as long as no half period of a small swing has passed (Jacobi).
+"""
+
+from collections.abc import Mapping
+from math import copysign, pi, sin, sqrt
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from tam570.given import finite, numbers, positive, whole
+from tam570.show.film import Array, Film, with_slider
+
+__all__ = ["action", "film", "is_minimum", "path"]
+
+EXAMPLE = {"a": 0.3, "b": 0.5, "duration": 2.6, "points": 241, "length": 10.0, "gravity": 9.81}  # rad, s, 1, m, m/s^2
+FINISHED = 1e-11  # rad, of a Newton step, after which the next would be rounding
+ITERATIONS = 500
+MOTION = 0.05  # of the largest angular acceleration: what a path may miss it by and still count as a motion
+
+
+def path(a: float, b: float, duration: float, *, points: int, length: float, gravity: float) -> Array:
+    """(points,) rad at even times from 0 to duration, s, from angle a to b: the action is a minimum among neighbours.
+
+    Newton's method in a banded matrix, damped until the action shrinks. A bump of a thousandth breaks the symmetry.
+    """
+    finite(a=a, b=b)
+    whole(2, points=points)
+    share = np.linspace(0.0, 1.0, points)
+    angles = a + (b - a) * share + 1e-3 * np.sin(pi * share)
+    angles[-1] = b
+    scene = {"duration": duration, "length": length, "gravity": gravity}
+    for _ in range(ITERATIONS if points > 2 else 0):
+        step = _descent(angles, **scene)
+        angles[1:-1] += step
+        if np.abs(step).max() < FINISHED:
+            return angles
+    if points > 2:
+        raise ArithmeticError(f"duration: no path of least action is found for {duration!r} s")
+    return angles
+
+
+def action(path: ArrayLike, duration: float, *, length: float, gravity: float) -> float:
+    """m^2/s, per unit mass, of angles (n,), rad, at even times over duration, s."""
+    angles, h = _path(path, duration, length, gravity)
+    kinetic = length**2 * np.sum(np.diff(angles) ** 2) / (2 * h)
+    return float(kinetic + h * gravity * length * (np.cos(angles).sum() - (np.cos(angles[0]) + np.cos(angles[-1])) / 2))
+
+
+def is_minimum(path: ArrayLike, duration: float, *, length: float, gravity: float) -> bool:
+    """Whether a path (n,), rad, is a motion and every neighbour between the same ends has more action."""
+    angles, h = _path(path, duration, length, gravity)
+    if len(angles) == 2:
+        return True
+    slope, _ = _variations(angles, h, length, gravity)
+    turning = np.abs(np.diff(angles, 2)) / h**2 + (gravity / length) * np.abs(np.sin(angles[1:-1]))
+    motion = np.abs(slope).max() / (h * length**2) <= MOTION * turning.max()
+    return bool(motion and _newton(angles, h, length, gravity, 0.0) is not None)
+
+
+def _path(path: ArrayLike, duration: float, length: float, gravity: float) -> tuple[Array, float]:
+    """The angles and the time between two of them; every argument checked."""
+    positive(duration=duration, length=length)
+    finite(gravity=gravity)
+    angles = numbers(path=path)
+    if len(angles) < 2:
+        raise ValueError(f"path: must have both ends at least, got {angles}")
+    return angles, duration / (len(angles) - 1)
+
+
+def _variations(angles: Array, h: float, length: float, gravity: float) -> tuple[Array, Array]:
+    """First derivatives of the action by the inner angles, and the diagonal of the second ones."""
+    inner, weight = angles[1:-1], h * gravity * length
+    slope = -(length**2 / h) * np.diff(angles, 2) - weight * np.sin(inner)
+    return slope, 2 * length**2 / h - weight * np.cos(inner)
+
+
+def _newton(angles: Array, h: float, length: float, gravity: float, damping: float) -> Array | None:
+    """Newton's step of the inner angles; None if the action, with the damping, is not convex here."""
+    from scipy.linalg import LinAlgError, solveh_banded
+
+    slope, diagonal = _variations(angles, h, length, gravity)
+    beside = np.full(len(slope), -(length**2) / h)
+    try:
+        step: Array = solveh_banded(np.stack([beside, diagonal + damping]), -slope)
+    except LinAlgError:
+        return None
+    return step
+
+
+def _descent(angles: Array, *, duration: float, length: float, gravity: float) -> Array:
+    """The step with the least damping that makes the action smaller."""
+    angles, h = _path(angles, duration, length, gravity)
+    now = action(angles, duration, length=length, gravity=gravity)
+    rounding = 1e-14 * (abs(now) + abs(gravity) * length * duration)
+    damping = 0.0
+    while True:
+        step = _newton(angles, h, length, gravity, damping)
+        if step is not None:
+            tried = np.concatenate([angles[:1], angles[1:-1] + step, angles[-1:]])
+            if action(tried, duration, length=length, gravity=gravity) <= now + rounding:
+                return step
+        damping = 4 * damping or 1e-6 * length**2 / h
+
+
+def film(parameters: Mapping[str, Any]) -> Film:
+    """A slider for the time in which the pendulum has to go from a to b."""
+    from tam570.show.scenes.least_action import paths
+
+    positive(length=parameters["length"], gravity=parameters["gravity"])
+    half = pi * sqrt(parameters["length"] / parameters["gravity"])  # s
+    values = [round(share * half, 1) for share in (0.5, 0.95, 1.05, 1.4)]
+
+    scene = {name: parameters[name] for name in ("length", "gravity")}
+    ends = parameters["a"], parameters["b"]
+
+    def make(duration: float) -> Film:
+        least = path(*ends, duration, points=parameters["points"], **scene)
+        return paths(
+            least, _swing(least, duration, **scene), duration, lambda angles: action(angles, duration, **scene)
+        )
+
+    return with_slider(make, "time from a to b", "s", values, parameters["duration"])
+
+
+def _swing(angles: Array, duration: float, *, length: float, gravity: float) -> Array:
+    """The motion nearest to the small swing between the same ends, whether its action is least or not."""
+    w, times = sqrt(gravity / length), np.linspace(0.0, duration, len(angles))
+    a, b, h = angles[0], angles[-1], duration / (len(angles) - 1)
+    wave = sin(w * duration)
+    size = copysign(max(abs(wave), 0.05), wave)  # at half a period the small swing would be infinite
+    swing: Array = (a * np.sin(w * (duration - times)) + b * np.sin(w * times)) / size
+    swing[[0, -1]] = a, b
+    for _ in range(20):
+        slope, diagonal = _variations(swing, h, length, gravity)
+        beside = np.eye(len(slope), k=1) + np.eye(len(slope), k=-1)
+        swing[1:-1] -= np.linalg.solve(np.diag(diagonal) - length**2 / h * beside, slope)
+    return swing

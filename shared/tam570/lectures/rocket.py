@@ -1,0 +1,122 @@
+"""30 Nov: A rocket, and what d(m v)/dt = F makes of it.
+
+Momentum balance for the rocket and what it throws out in dt, downwards at `exhaust_speed` u from the rocket, gives m
+v' = u b - m g with m' = -b, b the `burn_rate`. So v + u ln m - g m/b stays while it burns (Meriam, Dynamics, section
+4-7). `wrong_rates` takes the rocket alone for a system and writes m v' + m' v = -m g: no thrust, and a push that
+depends on the observer's speed. The tank is empty at `empty_mass`; then the burning stops. Heights upwards.
+"""
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from tam570.given import finite, nonnegative, numbers, positive, sequence
+from tam570.integrate import solve
+from tam570.show.film import GREY, Array, Film, Panel, Part, clock, conserved, followed, moving, strip_samples
+
+__all__ = ["coasting_energy", "exact", "film", "rates", "wrong_rates"]
+
+STATE = {"height": "m", "speed": "m/s", "mass": "kg"}
+EXAMPLE = {"burn_rate": 20.0, "exhaust_speed": 1500.0, "empty_mass": 400.0, "gravity": 9.81}  # kg/s, m/s, kg, m/s^2
+START = (0.0, 5.0, 600.0)
+SECONDS = 18.0
+
+
+def rates(
+    t: float, state: Sequence[float], *, burn_rate: float, exhaust_speed: float, empty_mass: float, gravity: float
+) -> tuple[float, float, float]:
+    """Rates of height, m/s, speed, m/s^2, and mass, kg/s."""
+    _check(state, burn_rate, exhaust_speed, empty_mass, gravity)
+    _, speed, mass = state
+    burning = mass > empty_mass
+    return speed, burning * exhaust_speed * burn_rate / mass - gravity, -burn_rate if burning else 0.0
+
+
+def wrong_rates(
+    t: float, state: Sequence[float], *, burn_rate: float, exhaust_speed: float, empty_mass: float, gravity: float
+) -> tuple[float, float, float]:
+    """The same by d(m v)/dt = -m g, which is wrong."""
+    _check(state, burn_rate, exhaust_speed, empty_mass, gravity)
+    _, speed, mass = state
+    burning = mass > empty_mass
+    return speed, burning * speed * burn_rate / mass - gravity, -burn_rate if burning else 0.0
+
+
+def exact(
+    t: ArrayLike, state: ArrayLike, *, burn_rate: float, exhaust_speed: float, empty_mass: float, gravity: float
+) -> Array:
+    """(n, 3) states at the times t (n,), s, of the motion that has `state` at t[0]; through the end of the burning."""
+    times, (height, speed, mass) = numbers(t=t), numbers(3, state=state).tolist()
+    _check((height, speed, mass), burn_rate, exhaust_speed, empty_mass, gravity)
+    since = times - times[:1]
+    fuel = max(mass - empty_mass, 0.0)
+    burnt = np.minimum(burn_rate * since, fuel)
+    left = np.where(burn_rate * since < fuel, mass - burnt, min(mass, empty_mass))
+    gained = -exhaust_speed * np.log1p(-burnt / mass)  # by the thrust, m/s
+    pushed = exhaust_speed * burnt / burn_rate - left * gained / burn_rate  # its integral while it burns, m
+    coasting = since - burnt / burn_rate
+    risen = height + speed * since - gravity * since**2 / 2 + pushed + gained * coasting
+    return np.column_stack([risen, speed + gained - gravity * since, left])
+
+
+def coasting_energy(
+    state: ArrayLike, *, burn_rate: float, exhaust_speed: float, empty_mass: float, gravity: float
+) -> float:
+    """J/kg, v^2/2 + g h as it will be at the end of the burning, and is after it."""
+    height, speed, mass = numbers(3, state=state).tolist()
+    known = {"burn_rate": burn_rate, "exhaust_speed": exhaust_speed, "empty_mass": empty_mass, "gravity": gravity}
+    _check((height, speed, mass), **known)
+    burning = max(mass - empty_mass, 0.0) / burn_rate  # s
+    height, speed, _ = exact([0.0, burning], (height, speed, mass), **known)[-1]
+    return float(speed**2 / 2 + gravity * height)
+
+
+INVARIANTS = {"coasting_energy": coasting_energy}
+
+
+def _check(state: Sequence[float], burn_rate: float, exhaust_speed: float, empty_mass: float, gravity: float) -> None:
+    positive(burn_rate=burn_rate, empty_mass=empty_mass)
+    nonnegative(exhaust_speed=exhaust_speed)
+    finite(gravity=gravity)
+    sequence(3, state=state)
+    if isinstance(state[2], float | int) and state[2] <= 0:
+        raise ValueError(f"state: mass must be positive, got {state[2]!r}")
+
+
+def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Film:
+    """One start by both equations."""
+    times = clock(seconds)
+    right, wrong = (solve(equations, times, start, parameters=parameters) for equations in (rates, wrong_rates))
+    shown, apart = strip_samples(times), 0.1 * float(np.ptp(np.concatenate([right[:, 0], wrong[:, 0]])))
+    burning = right[:, 2] > parameters["empty_mass"]
+    parts = [
+        Part("lines", np.array([[-2 * apart, 0.0], [2 * apart, 0.0]]), GREY, "start", width=2),
+        *_rocket(right, -apart, burning, 0, "momentum of rocket and exhaust"),
+        *_rocket(wrong, apart, burning, 1, "d(mv)/dt = F of the rocket alone"),
+    ]
+    energies = [coasting_energy(state, **parameters) for state in right[shown]]
+    scale = abs(energies[0]) or 1.0
+    return Film(
+        "Rocket",
+        "Two rockets start alike. The right one is pushed by its exhaust until its tank is empty. The other follows "
+        "the momentum of what is left in the rocket alone: it has no thrust and falls.",
+        times,
+        [Panel(parts)],
+        [
+            followed("speed", times[shown], {"right": right[shown, 1], "wrong": wrong[shown, 1]}, "m/s"),
+            conserved("energy at the end of the burning, change", times[shown], {"": energies}, scale, "itself"),
+        ],
+        poster=0.7,
+    )
+
+
+def _rocket(states: Array, x: float, burning: NDArray[np.bool_], color: int, name: str) -> list[Part]:
+    """A dot with its path, and a flame while it burns."""
+    place = np.column_stack([np.full(len(states), x), states[:, 0]])
+    flame = place - np.outer(burning * 0.6 * abs(x), [0.0, 1.0])
+    return [
+        Part("trail", place[:, None], color, width=1.5),
+        Part("lines", moving(place, flame), 3, width=4),
+        Part("dot", place[:, None], color, name, width=10),
+    ]

@@ -1,0 +1,110 @@
+"""24 Oct: Two particles on one string, one on a table, the other below a hole in it.
+
+r is the distance from the hole on the frictionless table, th the angle there. Newton, with the tension T:
+m1 (r'' - r om^2) = -T,  m1 (r th'' + 2 vr om) = 0,  m2 r'' = T - m2 g, as the string does not stretch.
+Lagrange: L = (m1 + m2) vr^2/2 + m1 r^2 om^2/2 - m2 g r, and no tension anywhere.
+"""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from tam570.given import finite, numbers, positive, positives, sequence
+from tam570.integrate import solve
+from tam570.show.drawing import unit_circle
+from tam570.show.film import GREY, INK, Film, Panel, Part, clock, conserved, energy_strip, moving, strip_samples
+
+__all__ = ["angular_momentum", "by_lagrange", "by_newton", "energy", "film", "rates"]
+
+STATE = {"r": "m", "th": "rad", "vr": "m/s", "om": "rad/s"}
+EXAMPLE = {"masses": (1.0, 1.5), "gravity": 9.81}  # kg, on the table and below it; m/s^2
+START = (0.6, 0.0, 0.0, 3.0)
+SECONDS = 10.0
+
+
+def rates(t: float, state: Sequence[float], *, masses: Sequence[float], gravity: float) -> tuple[float, ...]:
+    """(4,) rates of r, th, vr, om."""
+    accelerations = by_lagrange(state, masses=masses, gravity=gravity)
+    return state[2], state[3], *accelerations
+
+
+def by_newton(state: Sequence[float], *, masses: Sequence[float], gravity: float) -> tuple[tuple[float, float], float]:
+    """Accelerations r'', m/s^2, and th'', rad/s^2, and the tension, N, from three balances solved together."""
+    (m1, m2), (r, _, vr, om) = _checked(state, masses, gravity)
+    balances = np.array([[m1, 0.0, 1.0], [0.0, m1 * r, 0.0], [m2, 0.0, -1.0]])
+    r_rate, th_rate, tension = np.linalg.solve(balances, [m1 * r * om**2, -2 * m1 * vr * om, -m2 * gravity]).tolist()
+    return (r_rate, th_rate), tension
+
+
+def by_lagrange(state: Sequence[float], *, masses: Sequence[float], gravity: float) -> tuple[float, float]:
+    """Accelerations r'', m/s^2, and th'', rad/s^2: each equation has its own."""
+    (m1, m2), (r, _, vr, om) = _checked(state, masses, gravity)
+    return (m1 * r * om * om - m2 * gravity) / (m1 + m2), -2 * m1 * r * vr * om / (m1 * r * r)
+
+
+def energy(state: ArrayLike, *, masses: Sequence[float], gravity: float) -> float:
+    """J, the hanging mass's potential energy from where r = 0."""
+    (m1, m2), (r, _, vr, om) = _checked(numbers(4, state=state).tolist(), masses, gravity)
+    return (m1 + m2) * vr**2 / 2 + m1 * (r * om) ** 2 / 2 + m2 * gravity * r
+
+
+def angular_momentum(state: ArrayLike, *, masses: Sequence[float], gravity: float) -> float:
+    """About the hole, kg m^2/s."""
+    (m1, _), (r, _, _, om) = _checked(numbers(4, state=state).tolist(), masses, gravity)
+    return m1 * r**2 * om
+
+
+INVARIANTS = {"energy": energy, "angular_momentum": angular_momentum}
+
+
+def _checked(
+    state: Sequence[float], masses: Sequence[float], gravity: float
+) -> tuple[tuple[float, ...], Sequence[float]]:
+    pair = positives(2, masses=masses)
+    finite(gravity=gravity)
+    sequence(4, state=state)
+    if isinstance(state[0], float | int) and state[0] <= 0:
+        raise ValueError(f"state: r must be positive, got {state[0]!r}: the mass would be in the hole")
+    return pair, state
+
+
+def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Film:
+    """The table from above and aside, the hanging mass below."""
+    positive(**{"start.r": start[0]})
+    times = clock(seconds)
+    states = solve(rates, times, start, parameters=parameters)
+    r, th = states[:, 0], states[:, 1]
+    still = np.zeros(len(times))
+    above = np.column_stack([r * np.cos(th), r * np.sin(th), still])
+    farthest = float(r.max())
+    below = np.column_stack([still, still, r - 1.4 * farthest])
+    edge = np.column_stack([1.1 * farthest * unit_circle(61), np.zeros(61)])
+    parts = [
+        Part("fill", edge, GREY, faint=True),
+        Part("path", edge, GREY, "table", width=2),
+        Part("trail", above[:, None], 2, "path", width=1.5),
+        Part("lines", moving(above, np.zeros(3), np.zeros(3), below), INK, "string", width=2),
+        Part("dot", above[:, None], 0, "mass on the table", width=10),
+        Part("dot", below[:, None], 1, "mass below", width=12),
+    ]
+    shown = strip_samples(times)
+    total, resting = (
+        np.array([energy(row, **parameters) for row in rows]) for rows in (states[shown], states[shown] * [1, 1, 0, 0])
+    )
+    turning = np.array([angular_momentum(state, **parameters) for state in states[shown]])
+    size = abs(float(turning[0])) or 1.0
+    return Film(
+        "Two particles on a string",
+        "A mass circles on a table. The string through the hole holds a second mass below the table. The circle's "
+        "radius swings in and out, and the mass below goes down and up with it.",
+        times,
+        [Panel(parts)],
+        [
+            energy_strip(times[shown], total, resting),
+            conserved("angular momentum about the hole, change", times[shown], {"": turning}, size, "itself"),
+        ],
+        view=(0.6, 0.45),
+        poster=0.35,
+    )

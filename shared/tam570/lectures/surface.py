@@ -1,0 +1,123 @@
+"""7 Nov: A particle on a smooth surface, by virtual work.
+
+The surface is z = h(x, y); the constraint force N does no work in any displacement along it, (1, 0, hx) or (0, 1, hy),
+so N = lam (-hx, -hy, 1). With m a = N - m g k and z'' = hx x'' + hy y'' + q, q = hxx vx^2 + 2 hxy vx vy + hyy vy^2:
+lam = m (g + q)/(1 + hx^2 + hy^2). The particle cannot leave the surface upwards either, as a bead on it could not.
+"""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from tam570.given import finite, numbers, one_of, positive, sequence
+from tam570.integrate import solve
+from tam570.show.film import GREY, Array, Film, Panel, Part, clock, conserved, moving, strip_samples
+
+__all__ = ["constraint_force", "energy", "film", "height", "rates"]
+
+STATE = {"x": "m", "y": "m", "vx": "m/s", "vy": "m/s"}
+EXAMPLE = {"mass": 1.0, "gravity": 9.81, "surface": "bowl", "curvature": 0.6}  # kg, m/s^2, 1/m
+START = (-1.0, 0.25, 2.6, -0.5)
+SECONDS = 3.0
+SIGNS = {"bowl": (1.0, 1.0), "saddle": (1.0, -1.0), "plane": (0.0, 0.0)}  # of z = c (sx x^2 + sy y^2)/2
+
+
+def rates(
+    t: float, state: Sequence[float], *, mass: float, gravity: float, surface: str, curvature: float
+) -> tuple[float, ...]:
+    """(4,) velocity, m/s, and acceleration, m/s^2, of x and y."""
+    lam, hx, hy = _normal(state, mass, gravity, surface, curvature)
+    return state[2], state[3], -lam * hx / mass, -lam * hy / mass
+
+
+def constraint_force(state: ArrayLike, *, mass: float, gravity: float, surface: str, curvature: float) -> Array:
+    """(3,) N, of the surface on the particle, in space, z up."""
+    lam, hx, hy = _normal(numbers(4, state=state).tolist(), mass, gravity, surface, curvature)
+    return np.array([-lam * hx, -lam * hy, lam])
+
+
+def energy(state: ArrayLike, *, mass: float, gravity: float, surface: str, curvature: float) -> float:
+    """J, from the height of the origin."""
+    x, y, vx, vy = numbers(4, state=state).tolist()
+    _, hx, hy = _normal((x, y, vx, vy), mass, gravity, surface, curvature)
+    square = vx**2 + vy**2 + (hx * vx + hy * vy) ** 2
+    return float(mass * (square / 2 + gravity * height(x, y, surface=surface, curvature=curvature)))
+
+
+INVARIANTS = {"energy": energy}
+
+
+def height(x: Any, y: Any, *, surface: str, curvature: float) -> Any:
+    """m, z of the surface at x and y, m: floats or arrays."""
+    one_of(SIGNS, surface=surface)
+    finite(curvature=curvature)
+    sx, sy = SIGNS[surface]
+    return curvature * (sx * x * x + sy * y * y) / 2
+
+
+def _normal(
+    state: Sequence[float], mass: float, gravity: float, surface: str, curvature: float
+) -> tuple[float, float, float]:
+    """lam, N, and the slopes hx, hy; every argument checked."""
+    positive(mass=mass)
+    finite(gravity=gravity, curvature=curvature)
+    one_of(SIGNS, surface=surface)
+    sequence(4, state=state)
+    x, y, vx, vy = state
+    cx, cy = (curvature * sign for sign in SIGNS[surface])
+    hx, hy = cx * x, cy * y
+    bend = cx * vx * vx + cy * vy * vy
+    return mass * (gravity + bend) / (1.0 + hx * hx + hy * hy), hx, hy
+
+
+def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Film:
+    """The same start on all three surfaces, the chosen one first."""
+    one_of(SIGNS, surface=parameters["surface"])
+    times = clock(seconds)
+    names = sorted(SIGNS, key=lambda name: name != parameters["surface"])
+    shown, panels, energies, largest = strip_samples(times), [], {}, 0.0
+    for name in names:
+        known = {**parameters, "surface": name}
+        states = solve(rates, times, start, parameters=known)
+        panels.append(Panel(_sliding(states, known), name))
+        total = np.array([energy(state, **known) for state in states[shown]])
+        resting = np.array([energy(state, **known) for state in states[shown] * [1, 1, 0, 0]])
+        energies[name], largest = total, max(largest, float(np.abs(total - resting).max()))
+    return Film(
+        "Particle on a surface",
+        "A particle slides without friction in a bowl, on a saddle and on a level plane, each time from the same "
+        "start. In the bowl it comes back, from the saddle it slides off. An arrow across the surface shows its force.",
+        times,
+        panels,
+        [
+            conserved(
+                "energy, change since the start", times[shown], energies, largest or 1.0, "the largest kinetic energy"
+            )
+        ],
+        view=(0.9, 0.5),
+        poster=0.4,
+    )
+
+
+def _sliding(states: Array, known: Mapping[str, Any]) -> list[Part]:
+    """A net of the surface as far as the particle goes, the particle, the force on it."""
+    shape = {name: known[name] for name in ("surface", "curvature")}
+    x, y = states[:, 0], states[:, 1]
+    place = np.column_stack([x, y, height(x, y, **shape)])
+    low, high = states[:, :2].min(axis=0) - 0.2, states[:, :2].max(axis=0) + 0.2
+    net = []
+    for i in (0, 1):
+        along = np.linspace(low[i], high[i], 25)
+        for across in np.linspace(low[1 - i], high[1 - i], 11):
+            pair = (along, np.full(25, across))[:: 1 - 2 * i]
+            net.append(Part("path", np.column_stack([*pair, height(*pair, **shape)]), GREY, width=1, faint=True))
+    forces = np.array([constraint_force(state, **known) for state in states])
+    unit = 0.4 / (float(np.linalg.norm(forces, axis=1).max()) or 1.0)  # m/N
+    return [
+        *net,
+        Part("trail", place[:, None], 2, "path", width=2),
+        Part("arrow", moving(place, place + unit * forces), 3, "force of the surface", width=2.5),
+        Part("dot", place[:, None], 0, "particle", width=9),
+    ]

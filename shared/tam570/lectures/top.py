@@ -1,0 +1,140 @@
+"""2 Nov: A heavy symmetric top on its tip.
+
+3-1-3 Euler angles psi (round the vertical), theta (the tilt from it), phi (about the axis), their rates W, n, s.
+Moments of inertia about the tip: axial C, transverse A; the centre of mass is `distance` d from the tip. Angular
+momentum balance about the tip: A theta'' = (A W cos(theta) - C w) W sin(theta) + m g d sin(theta) with w = s + W
+cos(theta), the spin; and neither C w nor A W sin(theta)^2 + C w cos(theta) changes. In steady precession A cos(theta)
+W^2 - C w W + m g d = 0; the classic m g d/(C w) leaves out the first term (Goldstein, Classical Mechanics, section
+5.7).
+"""
+
+from collections.abc import Mapping, Sequence
+from functools import partial
+from math import copysign, cos, inf, sin, sqrt
+
+from numpy.typing import ArrayLike
+
+from tam570.given import finite, numbers, positive, sequence
+from tam570.integrate import solve
+from tam570.show.film import Film, with_slider
+
+__all__ = [
+    "axial_momentum",
+    "classic_precession",
+    "energy",
+    "film",
+    "rates",
+    "sleeps",
+    "steady_precession",
+    "vertical_momentum",
+]
+
+STATE = {"psi": "rad", "theta": "rad", "phi": "rad", "psi_rate": "rad/s", "theta_rate": "rad/s", "phi_rate": "rad/s"}
+EXAMPLE = {"mass": 2.0, "distance": 1.5, "axial": 5.0, "transverse": 7.0, "gravity": 9.81}  # kg, m, kg m^2, m/s^2
+START = (0.0, 1.0, 0.0, 0.0, 0.0, 5.0)
+SECONDS = 5.0
+SPINS = (3.5, 8.0)  # rad/s, of the film's slider
+LEVEL = 1e-15  # |cos(tilt)| of pi/2 rounded
+
+
+def rates(
+    t: float, state: Sequence[float], *, mass: float, distance: float, axial: float, transverse: float, gravity: float
+) -> tuple[float, ...]:
+    """(6,) rates of the angles, rad/s, and their accelerations, rad/s^2. ValueError where theta is 0 or pi."""
+    weight = _weight(mass, distance, axial, transverse, gravity)
+    sequence(6, state=state)
+    _, theta, _, W, nod, s = state
+    if isinstance(theta, float | int) and abs(sin(theta)) < LEVEL:
+        raise ValueError(f"state: theta = {theta:g} is singular: psi and phi turn about one line there")
+    sine, cosine = sin(theta), cos(theta)
+    gyro = axial * (s + W * cosine)
+    turn = nod * (gyro - 2 * transverse * W * cosine) / (transverse * sine)
+    dip = sine * ((transverse * W * cosine - gyro) * W + weight) / transverse
+    return W, nod, s, turn, dip, W * nod * sine - turn * cosine
+
+
+def energy(state: ArrayLike, *, mass: float, distance: float, axial: float, transverse: float, gravity: float) -> float:
+    """J, from the height of the tip."""
+    weight = _weight(mass, distance, axial, transverse, gravity)
+    _, theta, _, W, nod, s = numbers(6, state=state)
+    across, along = nod**2 + (W * sin(theta)) ** 2, s + W * cos(theta)
+    return float((transverse * across + axial * along**2) / 2 + weight * cos(theta))
+
+
+def axial_momentum(
+    state: ArrayLike, *, mass: float, distance: float, axial: float, transverse: float, gravity: float
+) -> float:
+    """Angular momentum about the top's own axis, kg m^2/s."""
+    _weight(mass, distance, axial, transverse, gravity)
+    _, theta, _, W, _, s = numbers(6, state=state)
+    return float(axial * (s + W * cos(theta)))
+
+
+def vertical_momentum(
+    state: ArrayLike, *, mass: float, distance: float, axial: float, transverse: float, gravity: float
+) -> float:
+    """Angular momentum about the vertical through the tip, kg m^2/s."""
+    known = {"mass": mass, "distance": distance, "axial": axial, "transverse": transverse, "gravity": gravity}
+    _, theta, _, W, _, _ = numbers(6, state=state)
+    return float(transverse * W * sin(theta) ** 2 + axial_momentum(state, **known) * cos(theta))
+
+
+INVARIANTS = {"energy": energy, "axial_momentum": axial_momentum, "vertical_momentum": vertical_momentum}
+
+
+def steady_precession(
+    tilt: float, spin: float, *, mass: float, distance: float, axial: float, transverse: float, gravity: float
+) -> tuple[float, float]:
+    """(slow, fast) rad/s round the vertical at a tilt, rad, and a spin along the axis, rad/s; level, fast is infinite.
+
+    ValueError if there is no steady precession: the spin is too small for an axis above the level.
+    """
+    weight = _weight(mass, distance, axial, transverse, gravity)
+    finite(tilt=tilt, spin=spin)
+    level = 0.0 if abs(cos(tilt)) < LEVEL else transverse * cos(tilt)
+    under = (axial * spin) ** 2 - 4 * level * weight
+    if under < 0 or (spin == 0 and level == 0):
+        raise ValueError(f"spin: {spin!r} rad/s is too slow, at a tilt of {tilt!r} rad there is no steady precession")
+    larger = (axial * spin + copysign(sqrt(under), spin)) / 2  # of the two sums, the one without cancellation
+    return weight / larger if larger else 0.0, larger / level if level else copysign(inf, larger)
+
+
+def classic_precession(
+    spin: float, *, mass: float, distance: float, axial: float, transverse: float, gravity: float
+) -> float:
+    """rad/s, as if the angular momentum lay along the axis: m g d/(axial spin)."""
+    weight = _weight(mass, distance, axial, transverse, gravity)
+    finite(spin=spin)
+    if spin == 0:
+        raise ValueError("spin: must not be 0: what does not spin falls and does not precess")
+    return weight / (axial * spin)
+
+
+def sleeps(spin: float, *, mass: float, distance: float, axial: float, transverse: float, gravity: float) -> bool:
+    """Whether the top stands upright stably at this spin, rad/s: (axial spin)^2 > 4 transverse m g d."""
+    weight = _weight(mass, distance, axial, transverse, gravity)
+    finite(spin=spin)
+    return (axial * spin) ** 2 > 4 * transverse * weight
+
+
+def _weight(mass: float, distance: float, axial: float, transverse: float, gravity: float) -> float:
+    """m g d, N m; every parameter checked."""
+    positive(mass=mass, distance=distance, axial=axial, transverse=transverse)
+    finite(gravity=gravity)
+    return mass * gravity * distance
+
+
+def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Film:
+    """The same top let go, precessing steadily and asleep, with a slider for the rate of its spin."""
+    from tam570.show.scenes.top import tops
+
+    def make(spin: float) -> Film:
+        return tops(
+            (*start[:5], spin),
+            seconds,
+            lambda times, begin: solve(rates, times, begin, parameters=parameters),
+            partial(steady_precession, **parameters),
+            {name: partial(law, **parameters) for name, law in INVARIANTS.items()},
+        )
+
+    return with_slider(make, "rate of phi", "rad/s", SPINS, start[5])

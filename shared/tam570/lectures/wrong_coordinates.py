@@ -1,0 +1,100 @@
+"""16 Nov: The coordinates that are none: q = the integral of omega, for each component in the body.
+
+Free body, L = (I1 w1^2 + I2 w2^2 + I3 w3^2)/2. If there were coordinates q with q' = w, no q would occur in L and
+Lagrange's equations would be I w' = 0. But rotations do not commute, so no function of the orientation has these
+rates, and what is right is Euler's I w' = -w x I w (Goldstein, Classical Mechanics, section 5.5). Both keep the energy
+and the size of H; the wrong one has H go round with the body. State R row by row, body to space, and omega along the
+body's principal axes.
+"""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from tam570.given import numbers, positives, sequence
+from tam570.integrate import solve
+from tam570.show.drawing import brick
+from tam570.show.film import Array, Film, Panel, Part, clock, conserved, followed, moving, strip_samples
+
+__all__ = ["angular_momentum", "energy", "film", "rates", "wrong_rates"]
+
+STATE = {f"R{i}{j}": "1" for i in (1, 2, 3) for j in (1, 2, 3)} | {f"omega_{i}": "rad/s" for i in (1, 2, 3)}
+EXAMPLE = {"inertia": (1.0, 2.0, 2.6)}  # kg m^2
+START = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.4, 1.6, 0.9)
+SECONDS = 10.0
+
+
+def rates(t: float, state: Sequence[float], *, inertia: Sequence[float]) -> tuple[float, ...]:
+    """(12,) R' = R hat(omega), 1/s, row by row, and omega', rad/s^2, by Euler's equations."""
+    A, B, C = positives(3, inertia=inertia)
+    sequence(12, state=state)
+    p, q, r = state[9:12]
+    return *_turning(state), (B - C) * q * r / A, (C - A) * r * p / B, (A - B) * p * q / C
+
+
+def wrong_rates(t: float, state: Sequence[float], *, inertia: Sequence[float]) -> tuple[float, ...]:
+    """(12,) the same R', and omega' = 0 by Lagrange's equations for coordinates that do not exist."""
+    positives(3, inertia=inertia)
+    sequence(12, state=state)
+    return *_turning(state), 0.0, 0.0, 0.0
+
+
+def energy(state: ArrayLike, *, inertia: Sequence[float]) -> float:
+    """Kinetic energy, J."""
+    omega = numbers(12, state=state)[9:]
+    return float(np.array(positives(3, inertia=inertia)) @ omega**2 / 2)
+
+
+def angular_momentum(state: ArrayLike, *, inertia: Sequence[float]) -> Array:
+    """(3,) kg m^2/s, in space."""
+    values = numbers(12, state=state)
+    return values[:9].reshape(3, 3) @ (np.array(positives(3, inertia=inertia)) * values[9:])
+
+
+INVARIANTS = {"energy": energy, "angular_momentum": angular_momentum}
+
+
+def _turning(state: Sequence[float]) -> list[float]:
+    """R' = R hat(omega), row by row."""
+    p, q, r = state[9:12]
+    rows = [state[0:3], state[3:6], state[6:9]]
+    return [rate for a, b, c in rows for rate in (b * r - c * q, c * p - a * r, a * q - b * p)]
+
+
+def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Film:
+    """One start, by the right equations and by the wrong ones."""
+    times, moments = clock(seconds), np.array(positives(3, inertia=parameters["inertia"]))
+    both = {
+        name: solve(equations, times, start, parameters=parameters)
+        for name, equations in {"Euler": rates, "wrong Lagrange": wrong_rates}.items()
+    }
+    size = np.sqrt(np.maximum(moments.sum() / 2 - moments, 0.05 * moments.max()))
+    momenta = {
+        name: np.einsum("nij,nj->ni", states[:, :9].reshape(-1, 3, 3), moments * states[:, 9:])
+        for name, states in both.items()
+    }
+    shown, first = strip_samples(times), momenta["Euler"][0]
+    scale = float(np.linalg.norm(first)) or 1.0
+    panels = []
+    for color, (name, states) in enumerate(both.items()):
+        arrow = moving(np.zeros(3), 1.8 * float(size.max()) * momenta[name] / scale)
+        body = brick(states[:, :9].reshape(-1, 3, 3), size, color, "body")
+        panels.append(Panel([*body, Part("arrow", arrow, 2, "angular momentum", width=3)], name, ruler=False))
+    across = {
+        name: np.degrees(np.arccos(np.clip(H[shown] @ first / scale**2, -1.0, 1.0))) for name, H in momenta.items()
+    }
+    energies = {name: [energy(state, **parameters) for state in states[shown]] for name, states in both.items()}
+    return Film(
+        "Wrong coordinates",
+        "Two bodies are thrown alike. By Euler's equations the angular momentum stays where it is. By Lagrange's "
+        "equations for coordinates that do not exist it is carried round by the body, with no moment on it.",
+        times,
+        panels,
+        [
+            followed("angular momentum from where it was", times[shown], across, "°"),
+            conserved("energy, change", times[shown], energies, energies["Euler"][0] or 1.0, "itself"),
+        ],
+        poster=0.35,
+    )

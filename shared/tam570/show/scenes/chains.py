@@ -1,0 +1,88 @@
+"""The lecture on chains: a folded one by both of its equations, one lifted from a heap, one poured on a scale."""
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from tam570.show.film import GREY, INK, Array, Film, Panel, Part, Strip, conserved, followed, moving, strip_samples
+
+__all__ = ["chains"]
+
+DISTANCE = 0.12  # of the length, between the two sides of a fold
+
+
+def chains(
+    times: Array, fallen: Array, free: Array, risen: Array, pull: Array, scale: Array, parameters: Mapping[str, float]
+) -> Film:
+    """Three panels.
+
+    fallen : (n, 2) m and m/s, the end of the folded chain, by energy
+    free   : (n,) m, that it, and the poured chain, have fallen freely
+    risen  : (n,) m, the end of the lifted chain
+    pull, scale : (n,) N, what lifts that end, and the reading of the scale
+    """
+    length, weight = parameters["length"], parameters["density"] * parameters["gravity"]
+    side = DISTANCE * length
+    unit = 0.25 * length / max(float(pull.max()), float(scale.max()))  # m/N
+    still, up = np.zeros(len(times)), np.array([0.0, 1.0])
+    lifting = [
+        Part("lines", moving(np.zeros(2), np.outer(risen, up)), 0, "chain", width=4),
+        Part("arrow", moving(np.outer(risen, up), np.outer(risen + unit * pull, up)), 3, "force that lifts", width=3),
+    ]
+    lying = np.column_stack([still, -unit * scale])
+    pouring = [
+        Part("lines", moving(np.zeros(2), np.outer(length - free, up)), 0, width=4),
+        Part("arrow", moving(lying, np.zeros(2)), 3, "force of the scale", width=3),
+    ]
+    heap = Part("dot", np.zeros((1, 2)), 0, width=14)
+    ground = Part("lines", np.array([[-2 * side, 0.0], [2 * side, 0.0]]), GREY, width=3)
+    shown = strip_samples(times)
+    forces = {"lifted": pull, "on the scale": scale, "weight on the scale": weight * free}
+    return Film(
+        "Chains",
+        "A folded chain falls faster than free fall if it keeps its energy, and freely if its links stop "
+        "inelastically. A chain is lifted from a heap. A third one falls on a scale, which shows three times what lies"
+        " there.",
+        times,
+        [
+            Panel([*_fold(fallen[:, 0], 0, 0.0, length), *_fold(free, 1, 3 * side, length)], "folded"),
+            Panel([ground, *lifting, heap], "lifted"),
+            Panel([ground, *pouring, heap], "poured"),
+        ],
+        [
+            _energy(times, fallen, free, parameters),
+            followed("forces", times[shown], {name: force[shown] for name, force in forces.items()}, "N"),
+        ],
+        poster=0.72,
+    )
+
+
+def _fold(fallen: Array, color: int, left: float, length: float) -> list[Part]:
+    """A chain hung at one end, its other end fallen by (n,) m."""
+    still, side = np.zeros(len(fallen)), DISTANCE * length
+    bottom = -(length + fallen) / 2
+    corners = [(still, still), (still, bottom), (still + side, bottom), (still + side, -fallen)]
+    path = np.stack([np.column_stack([x + left, y]) for x, y in corners], axis=1)
+    return [
+        Part("path", path, color, ("by energy", "inelastic")[color], width=3.5),
+        Part("dot", path[:, 3:], color, width=8),
+        Part("dot", path[0, :1], INK, width=6),
+    ]
+
+
+def _energy(times: Array, fallen: Array, free: Array, parameters: Mapping[str, float]) -> Strip:
+    """Of the folded chain, as long as both fall."""
+    length, density, gravity = (parameters[name] for name in ("length", "density", "gravity"))
+    speeds = np.append(np.diff(fallen[:, 0]), 0.0)
+    falling = np.flatnonzero((speeds > 0) & (free < length))
+    shown = falling[strip_samples(times[falling])]
+
+    def energy(x: Array, v: Array) -> Array:
+        return density * ((length - x) * v**2 - gravity * (2 * length * x - x**2)) / 4
+
+    right, lost = energy(*fallen[shown].T), energy(free[shown], gravity * times[shown])
+    scale = density * gravity * length**2 / 4
+    title = "folded: energy, change"
+    return conserved(
+        title, times[shown], {"by energy": right}, scale, "the potential energy", beside={"inelastic": lost}
+    )

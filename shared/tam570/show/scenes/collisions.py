@@ -1,0 +1,94 @@
+"""The lecture on collisions: a cradle that hits whenever its balls hang straight down, and a rod that hits a corner."""
+
+from collections.abc import Callable
+from math import inf, pi, sqrt
+from typing import Any
+
+import numpy as np
+
+from tam570.show.film import GREY, INK, Array, Film, Panel, Part, clock, conserved, followed, moving, strip_samples
+
+__all__ = ["cradle_and_rod"]
+
+SECONDS = 8.0
+BALLS, RADIUS, LENGTH, GRAVITY = 5, 0.12, 1.0, 9.81  # 1, m, m, m/s^2
+FIRST = np.array([1.6, 1.6, 0.0, 0.0, 0.0])  # m/s, as two balls come down
+ROD = {"length": 1.0, "mass": 1.0}  # m, kg
+ARM, FALL, TURN, HIT = 0.3, 0.5, 0.4, 2.0  # m from G to the corner, m/s, rad/s, s
+
+
+def cradle_and_rod(cradle: Callable[[Array], Array], collide: Callable[..., Any], restitution: float) -> Film:
+    """Both films in one; the functions are those of the lecture, with the restitution in place."""
+    times = clock(SECONDS)
+    shown = strip_samples(times)
+    angles, speeds = _swings(times, cradle)
+    places, about_corner, energies = _rod(times, collide)
+    scale = float(np.abs(about_corner).max())
+    of_cradle = (speeds[shown] ** 2 + GRAVITY * LENGTH * angles[shown] ** 2).sum(axis=1) / 2
+    loss = {"cradle": 100 * of_cradle / of_cradle[0], "rod": 100 * energies[shown] / energies[0]}
+    return Film(
+        f"Collisions, restitution {restitution:g}",
+        "Two balls of a cradle swing down, and two fly off at the other end, again and again. Beside it a rod without "
+        "weight comes down on a corner, which pushes it across its length: it flies off turning.",
+        times,
+        [Panel(_balls(angles), "cradle"), Panel(places, "rod on a corner")],
+        [
+            conserved(
+                "rod: angular momentum about the corner", times[shown], {"": about_corner[shown]}, scale, "itself"
+            ),
+            followed("energy, of that at the start", times[shown], loss, "%"),
+        ],
+        poster=0.13,
+    )
+
+
+def _swings(times: Array, cradle: Callable[[Array], Array]) -> tuple[Array, Array]:
+    """(n, 5) angles, rad, and speeds, m/s: all balls are down at once, every half period of a small swing."""
+    w = sqrt(GRAVITY / LENGTH)
+    rounds = np.floor(w * times / pi + 0.5).astype(int)  # the first quarter is their way down
+    starts, now = [FIRST], cradle(FIRST)
+    for _ in range(rounds.max()):
+        starts.append(now)
+        now = cradle(-now)
+    phase = (w * times - pi * rounds)[:, None]
+    amplitude = np.array(starts)[rounds]
+    return amplitude * np.sin(phase) / (w * LENGTH), amplitude * np.cos(phase)
+
+
+def _balls(angles: Array) -> list[Part]:
+    hooks = np.column_stack([2 * RADIUS * np.arange(BALLS), np.zeros(BALLS)])
+    balls = hooks + LENGTH * np.stack([np.sin(angles), -np.cos(angles)], axis=-1)
+    parts = [Part("lines", np.array([[-RADIUS, 0.0], [2 * RADIUS * BALLS - RADIUS, 0.0]]), INK, width=3)]
+    u = np.linspace(0.0, 2 * pi, 33)
+    rim = RADIUS * np.column_stack([np.cos(u), np.sin(u)])
+    for i in range(BALLS):
+        parts += [
+            Part("lines", moving(hooks[i], balls[:, i]), GREY, width=1.5),
+            Part("fill", balls[:, i, None] + rim, 0, "balls", faint=True),
+            Part("path", balls[:, i, None] + rim, 0, width=2),
+        ]
+    return parts
+
+
+def _rod(times: Array, collide: Callable[..., Any]) -> tuple[list[Part], Array, Array]:
+    """The picture, the angular momentum about the corner, kg m^2/s, and the energy, J, at the times."""
+    mass, inertia = ROD["mass"], ROD["mass"] * ROD["length"] ** 2 / 12
+    before = np.array([[0.2, -FALL, TURN], [0.0, 0.0, 0.0]])
+    arms = np.array([[ARM, 0.0], [0.0, 0.0]])  # the corner is the second body's own place
+    both, _ = collide(before, [0.0, -1.0], arms, masses=(mass, inf), inertias=(inertia, inf))
+    late = times >= HIT
+    velocities = np.where(late[:, None], both[0], before[0])
+    moved = velocities * (times - HIT)[:, None]
+    G = moved[:, :2] - arms[0]  # the corner is the origin
+    half = 0.5 * ROD["length"] * np.column_stack([np.cos(moved[:, 2]), np.sin(moved[:, 2])])
+    across = G[:, 0] * velocities[:, 1] - G[:, 1] * velocities[:, 0]
+    corner = np.array([[0.0, 0.0], [0.0, -0.8], [1.2, -0.8], [1.2, -0.2]])
+    parts = [
+        Part("fill", corner, GREY, "corner", faint=True),
+        Part("path", corner[[3, 0, 1]], GREY, width=2),
+        Part("trail", G[:, None], 2, "centre of mass", width=1.5),
+        Part("lines", moving(G - half, G + half), 1, "rod", width=5),
+        Part("dot", G[:, None], 2, width=6),
+    ]
+    energies = mass * (velocities[:, :2] ** 2).sum(axis=1) / 2 + inertia * velocities[:, 2] ** 2 / 2
+    return parts, mass * across + inertia * velocities[:, 2], energies

@@ -1,0 +1,80 @@
+"""The lecture on the top: let go, in both steady precessions, and asleep."""
+
+from collections.abc import Callable, Mapping, Sequence
+
+import numpy as np
+
+from tam570.show.drawing import circle
+from tam570.show.film import GREY, INK, Array, Film, Panel, Part, clock, conserved, moving, strip_samples
+
+__all__ = ["tops"]
+
+LENGTH, HEIGHT, RADIUS = 1.0, 0.6, 0.45  # m, of the picture: the axis, its disk
+NUDGED = 0.02  # rad, the tilt of a top that may sleep
+
+
+def tops(
+    start: Sequence[float],
+    seconds: float,
+    motion: Callable[[Array, Sequence[float]], Array],
+    steady: Callable[[float, float], tuple[float, float]],
+    laws: Mapping[str, Callable[[Array], float]],
+) -> Film:
+    """Three panels of one top.
+
+    start  : psi, theta, phi and their rates, of the top that is let go
+    motion : (n, 6) states at times, from a start
+    steady : both rates of precession at a tilt and a spin
+    laws   : what does not change, of a state
+    """
+    times, (_, tilt, _, _, _, rate) = clock(seconds), start
+    spin = rate + start[3] * np.cos(tilt)  # along the axis
+    free = motion(times, start)
+    asleep = motion(times, (0.0, NUDGED, 0.0, 0.0, 0.0, spin))
+    try:
+        both = [motion(times, (0.0, tilt, 0.0, W, 0.0, spin - W * np.cos(tilt))) for W in steady(tilt, spin)]
+        title = "steady precession, slow and fast"
+    except ValueError:  # too slow a spin
+        both, title = [], "too slow for steady precession"
+    precessing = [part for color, states in enumerate(both) for part in _top(states, color, ("slow", "fast")[color])]
+    shown = strip_samples(times)
+    changes = {}
+    for name, law in laws.items():
+        values = np.array([law(state) for state in free[shown]])
+        changes[name.replace("_", " ")] = values / (abs(values[0]) or 1.0)
+    return Film(
+        "Heavy top",
+        "One top three times. Let go at rest it nods, and the end of its axis draws cusps. Started as it should be it "
+        "goes round steadily, slowly or fast. Upright it sleeps, if it spins fast enough, else it falls over.",
+        times,
+        [
+            Panel(_top(free, 0, "axis"), "let go", ruler=False),
+            Panel([*_ground(), *precessing], title, ruler=False),
+            Panel(_top(asleep, 2, "axis"), "almost upright", ruler=False),
+        ],
+        [conserved("let go: energy and both momenta, change", times[shown], changes, 1.0, "themselves")],
+        view=(0.5, 0.3),
+        poster=0.5,
+    )
+
+
+def _ground() -> list[Part]:
+    level = circle(np.zeros(3), [LENGTH, 0.0, 0.0], [0.0, LENGTH, 0.0])
+    return [Part("path", level, GREY, width=1), Part("dot", np.zeros((1, 3)), INK, width=4)]
+
+
+def _top(states: Array, color: int, name: str) -> list[Part]:
+    """The axis, its disk and where its end has been; states (n, 6)."""
+    psi, theta, phi = states[:, :3].T
+    node = np.column_stack([np.cos(psi), np.sin(psi), 0 * psi])
+    axis = np.column_stack([np.sin(theta) * np.sin(psi), -np.sin(theta) * np.cos(psi), np.cos(theta)])
+    other = np.cross(axis, node)
+    rim = circle(HEIGHT * axis, RADIUS * node, RADIUS * other, 37)
+    spoke = HEIGHT * axis + RADIUS * (np.cos(phi)[:, None] * node + np.sin(phi)[:, None] * other)
+    return [
+        *_ground(),
+        Part("fill", rim, color, faint=True),
+        Part("path", rim, color, width=2),
+        Part("lines", moving(np.zeros(3), LENGTH * axis, HEIGHT * axis, spoke), color, name, width=3),
+        Part("trail", LENGTH * axis[:, None], 1, "end of the axis", width=1.8),
+    ]
