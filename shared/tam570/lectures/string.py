@@ -79,7 +79,7 @@ def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) 
     still = np.zeros(len(times))
     above = np.column_stack([r * np.cos(th), r * np.sin(th), still])
     farthest = float(r.max())
-    below = np.column_stack([still, still, r - 1.4 * farthest])
+    below = np.column_stack([still, still, r - 2.2 * farthest])
     edge = np.column_stack([1.1 * farthest * unit_circle(61), np.zeros(61)])
     parts = [
         Part("fill", edge, GREY, faint=True),
@@ -105,6 +105,6 @@ def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) 
             energy_strip(times[shown], total, resting),
             conserved("angular momentum about the hole, change", times[shown], {"": turning}, size, "itself"),
         ],
-        view=(0.6, 0.45),
+        view=(0.6, 0.25),
         poster=0.35,
     )

@@ -19,8 +19,8 @@ __all__ = ["constraint_force", "energy", "film", "height", "rates"]
 
 STATE = {"x": "m", "y": "m", "vx": "m/s", "vy": "m/s"}
 EXAMPLE = {"mass": 1.0, "gravity": 9.81, "surface": "bowl", "curvature": 0.6}  # kg, m/s^2, 1/m
-START = (-1.0, 0.25, 2.6, -0.5)
-SECONDS = 3.0
+START = (-1.0, 0.4, 1.5, -0.9)
+SECONDS = 2.2
 SIGNS = {"bowl": (1.0, 1.0), "saddle": (1.0, -1.0), "plane": (0.0, 0.0)}  # of z = c (sx x^2 + sy y^2)/2
 
 

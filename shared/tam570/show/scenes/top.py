@@ -48,9 +48,9 @@ def tops(
         "goes round steadily, slowly or fast. Upright it sleeps, if it spins fast enough, else it falls over.",
         times,
         [
-            Panel(_top(free, 0, "axis"), "let go", ruler=False),
+            Panel(_top(free, 0, "let go"), "let go", ruler=False),
             Panel([*_ground(), *precessing], title, ruler=False),
-            Panel(_top(asleep, 2, "axis"), "almost upright", ruler=False),
+            Panel(_top(asleep, 2, "almost upright"), "almost upright", ruler=False),
         ],
         [conserved("let go: energy and both momenta, change", times[shown], changes, 1.0, "themselves")],
         view=(0.5, 0.3),
