@@ -89,7 +89,7 @@ def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) 
     note = f"at the end {defects['nine numbers'][-1]:.1e}, and {defects['rotations'][-1]:.0e} by rotations"
     return Film(
         "Drifting matrix",
-        "One body, solved twice at the same tolerance. As nine numbers the matrix ceases to be a rotation, more and more: "
+        "One body, solved twice at the same tolerance. As nine numbers the matrix ceases to be a rotation, ever more: "
         "the box, its drift enlarged, changes its shape. Turned by rotations alone it stays a box.",
         times,
         [
