@@ -107,10 +107,10 @@ def few_times(draw):
             wire, size, rate = _wired(draw, low, high)
             start = (0.0, sign * size * rate) if kind == "at the bottom" else (sign * size, 0.0)
             cases.append(given(uneven(draw, 5.0 / rate, 2), *start, **wire).on(f"two times, the bead let go {kind}"))
-    return [*cases, _close(draw), _at_rest(draw)]
+    return [*cases, _at_rest(draw)]
 
 
-def _close(draw):
+def close(draw):
     """The oscillation of small amplitudes is off by 2e-3; an absolute tolerance of 1e-9 m is good to 1e-6."""
     wire, size, rate = _wired(draw, 0.02, 0.025, decade=0.3)
     kind = "two times, the bead let go at rest, close to the bottom"

@@ -14,6 +14,8 @@ __all__ = ["agree", "refuse"]
 
 PLACES = range(2, 13)  # after the point, to which people round; what has two or fewer may be exact
 SINGLE = 1e-6  # of the largest number; single precision loses 6e-8
+
+Only = int | Sequence[int] | None
 Scale = Callable[[Given, Any], Any]  # scale(case, right result) -> what a relative error is relative to
 
 
@@ -28,14 +30,14 @@ def agree(
     scale: Scale | Sequence[Scale] | None = None,
     hint: str | Callable[[Given, Any, Any], str] = "",
     partial: Mapping[float, float] | None = None,
-    only: int | None = None,
+    only: Only = None,
 ) -> None:
     """Fail unless the student's `function` gives what `right` gives, in every case.
 
     within : of the scale, by default the largest number of the right result
     of, unit, scale : one for each member where the result is a tuple
     hint   : where to look; a function of the case, the result and the right one is asked on failure alone
-    only   : the member of a tuple that is judged
+    only   : the member of a tuple that is judged, or several
     """
     for case, found in function.each(cases):
         for one, expected, what, its_unit, its_scale in _members(
@@ -67,12 +69,12 @@ def digits_lost(found: Any, expected: Any) -> str:
     return ""
 
 
-def _members(found: Any, expected: Any, words: Any, case: Given, only: int | None) -> Iterable[tuple[Any, ...]]:
+def _members(found: Any, expected: Any, words: Any, case: Given, only: Only) -> Iterable[tuple[Any, ...]]:
     """(found, expected, of, unit, scale) of each member of a result."""
     several = isinstance(found, tuple)
     pairs = list(zip(found, expected, strict=True)) if several else [(found, expected)]
     for index, (one, other) in enumerate(pairs):
-        if only not in (None, index):
+        if only is not None and index not in np.atleast_1d(only):
             continue
         what, its_unit, its_scale = (_of(index, said) for said in words)
         size = its_scale(case, other) if its_scale else np.max(np.abs(np.asarray(other, float)), initial=0.0)

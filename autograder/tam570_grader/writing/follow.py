@@ -91,7 +91,7 @@ def stays(
 
     coarsely : of the scale of each column, until the motion is no longer this sensitive to rounding
     """
-    for motion in follow(function, right, cases, columns, within=coarsely, gradual=False):
+    for motion in follow(function, right, cases, columns, within=coarsely, hint=hint, gradual=False):
         case = motion.case
         size = invariant.scale(case, motion.expected) or 1.0
         start = invariant.value(motion.expected[:1], **case.kwargs)

@@ -74,12 +74,13 @@ class Motion:
 def diagnosed(motion: Motion, motions: Sequence[Motion], turns: Sequence[int], nearly: float) -> str:
     """What a wrong motion is instead, in a sentence; empty if the rows do not tell.
 
-    nearly : the error, of the scale, up to which the physics is right
+    nearly : the error, of the scale, up to which the physics is right; 0 where wrong physics nearly obeys the equations
     """
     with np.errstate(all="ignore"):
         if motion.error <= nearly:
             return TIGHT
-        return next((says for tells, says in _tells(motion, motions, turns) if tells()), "")
+        told = next((says for tells, says in _tells(motion, motions, turns) if tells()), "")
+        return told or (TIGHT if nearly and obeys(motion) else "")
 
 
 TIGHT = "the physics is right: tighten rtol and atol"
@@ -99,7 +100,6 @@ def _tells(motion: Motion, motions: Sequence[Motion], turns: Sequence[int]) -> l
         (lambda: _another(motion, motions), "this is the motion of an earlier call: is a result kept between calls?"),
         (lambda: _joined(motion), JOINED),
         (lambda: _denser(motion), SAMPLED),
-        (lambda: obeys(motion), TIGHT),
     ]
 
 
@@ -132,16 +132,15 @@ def _even(motion: Motion) -> bool:
 
 
 def _from_zero(motion: Motion) -> bool:
-    """The right motion with its start at t = 0; before it, the way back is left to the right function."""
+    """The right motion with its start at t = 0, at the times after both."""
     t = motion.t
-    if t[0] == 0:
+    after = t > max(t[0], 0.0)
+    if t[0] == 0 or not after.any():
         return False
     try:
-        late = t - t[0] if t[0] < 0 else np.append(0.0, t)
-        rows = motion.truly(late)[1:] if t[0] > 0 else motion.truly(np.append(0.0, t[::-1]))[:0:-1]
+        return motion.near(motion.truly(np.append(0.0, t[after]))[1:], of=motion.found[after])
     except (ValueError, ArithmeticError):
         return False
-    return motion.near(rows)
 
 
 def _exchanged(motion: Motion) -> bool:

@@ -1,8 +1,8 @@
-"""Seven hundred Runge-Kutta steps for every duration.
+"""The number of Runge-Kutta steps does not grow with the duration.
 
 fails: simulate_needs_no_dense_times, simulate_keeps_the_energy
 numerics: steps that grow with the duration
-names: a fixed number of steps
+names: does not do for every duration
 """
 
 def _rk4_step(state, h, ratio):

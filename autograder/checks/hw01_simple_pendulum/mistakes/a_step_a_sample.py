@@ -1,8 +1,8 @@
-"""One Runge-Kutta step from each time to the next, however far.
+"""One Runge-Kutta step goes from each time to the next, however far.
 
 fails: simulate_needs_no_dense_times, simulate_turns_over_the_top, simulate_keeps_the_energy
 numerics: steps as long as the times are apart
-names: the steps of the integration are not those of t
+names: do your steps depend on t
 """
 
 def _rk4_step(state, h, ratio):

@@ -1,4 +1,4 @@
-"""The action right, and the path it was given spoilt.
+"""The action is right, but the path that it was given is changed.
 
 fails: action_is_stationary_on_motions
 names: action changes the arrays

@@ -1,4 +1,4 @@
-"""Differences of second order at the ends of the path as well, for which two samples are too few.
+"""Differences of second order at the ends need three samples.
 
 fails: action_is_the_integral
 names: without gravity, two samples

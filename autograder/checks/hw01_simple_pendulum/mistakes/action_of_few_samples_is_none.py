@@ -1,4 +1,4 @@
-"""Less than four samples are taken for no path.
+"""Fewer than four samples give no action.
 
 fails: action_is_the_integral
 names: without gravity, two samples

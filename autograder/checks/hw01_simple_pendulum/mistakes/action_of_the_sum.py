@@ -1,6 +1,7 @@
-"""The integral of T + V.
+"""This is the integral of T + V.
 
 fails: action_is_stationary_on_motions
+within: 1e-3
 """
 
 def action(theta, step, *, mass, length, gravity):

@@ -1,4 +1,4 @@
-"""A sum over all samples, its first and last counted whole, where a trapezoid counts half of each.
+"""The first and last samples count whole; a trapezoid counts half of each.
 
 fails: action_is_stationary_on_motions
 """

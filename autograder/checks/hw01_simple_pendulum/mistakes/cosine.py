@@ -1,4 +1,4 @@
-"""Cos theta where sin theta belongs.
+"""cos theta stands where sin theta belongs.
 
 fails: newton_gives_the_acceleration
 """

@@ -1,4 +1,4 @@
-"""The acceleration as the rate of the potential over omega: nothing at rest.
+"""The acceleration is a rate over omega, which is 0/0 at rest.
 
 fails: energy_gives_the_acceleration_at_rest
 names: energy_balance (result 1) returned NaN or infinity

@@ -1,4 +1,4 @@
-"""The acceleration as power over omega: nothing at rest.
+"""The acceleration is power over omega, which is 0/0 at rest.
 
 fails: power_gives_the_acceleration_at_rest
 names: power_balance raised ZeroDivisionError

@@ -1,4 +1,4 @@
-"""The small oscillation with 0/0 where there is no gravity.
+"""sin(k t)/k is 0/0 without gravity.
 
 fails: small_angle_solution_without_gravity
 names: small_angle_solution returned NaN or infinity

@@ -1,7 +1,6 @@
-"""The action as a sum over the samples but the last, with omega by central differences.
+"""The sum leaves the last sample out.
 
 fails: action_is_stationary_on_motions
-names: is the quadrature of second order
 numerics: an error of the order of the step
 """
 

@@ -1,7 +1,7 @@
-"""The rows shifted by one: row 0 is not the start.
+"""The rows are one time early: row 0 is the start.
 
 fails: simulate_swings
-names: row i is the state at t[i + 1]
+names: row 0 is the start
 """
 
 _right_simulate = simulate

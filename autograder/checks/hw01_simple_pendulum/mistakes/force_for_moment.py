@@ -1,4 +1,4 @@
-"""l alpha for alpha: a length too few in what it is divided by.
+"""alpha lacks a length: a moment is m l^2 alpha.
 
 fails: virtual_work_gives_the_acceleration
 """

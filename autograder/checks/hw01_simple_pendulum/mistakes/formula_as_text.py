@@ -1,4 +1,4 @@
-"""The formula as a string.
+"""The formula is a string.
 
 fails: lagrange_gives_the_acceleration
 names: does not return a SymPy expression

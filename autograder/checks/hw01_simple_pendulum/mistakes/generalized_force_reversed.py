@@ -1,4 +1,4 @@
-"""The sign of the generalized force reversed.
+"""The generalized force has the wrong sign.
 
 fails: virtual_work_gives_the_acceleration
 """

@@ -1,4 +1,4 @@
-"""The state at t[0] for that at t = 0.
+"""The start is used at t[0]; it is the state at t = 0.
 
 fails: small_angle_solution_is_harmonic
 """

@@ -1,8 +1,8 @@
-"""A hundred Runge-Kutta steps from each time to the next, however far.
+"""A hundred Runge-Kutta steps go from each time to the next, however far.
 
 fails: simulate_needs_no_dense_times
 numerics: steps as long as the times are apart
-names: a fixed number of steps from each time to the next
+names: do your steps depend on t
 """
 
 def simulate(t, theta0, omega0, *, length, gravity):

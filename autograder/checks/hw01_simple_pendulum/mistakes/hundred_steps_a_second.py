@@ -1,8 +1,8 @@
-"""Runge-Kutta steps of 0.01 s, whatever the pendulum: too long for a short one.
+"""The steps of 0.01 s are too long for a short pendulum.
 
 fails: simulate_needs_no_dense_times
 numerics: a step of fixed length
-names: does not do for every pendulum
+names: The physics is right: tighten
 """
 
 def simulate(t, theta0, omega0, *, length, gravity):

@@ -1,7 +1,7 @@
-"""Integrated from t = 0 with the given state, and read off where the times are; the first row put right.
+"""The start is used at t = 0; it is the state at t[0].
 
 fails: simulate_swings
-names: that at t[0], not at t = 0
+names: the start is taken at t = 0
 """
 
 

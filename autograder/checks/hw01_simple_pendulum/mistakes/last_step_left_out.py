@@ -1,4 +1,4 @@
-"""A sum that leaves the last step out.
+"""The sum leaves the last step out.
 
 fails: action_is_stationary_on_motions
 within: 5e-05

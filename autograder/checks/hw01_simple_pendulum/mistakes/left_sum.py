@@ -1,4 +1,4 @@
-"""A sum over the first ends of the steps, with an error of the order of the step.
+"""The sum takes the first ends of the steps, which is of first order in the step.
 
 fails: action_is_the_integral
 """

@@ -1,4 +1,4 @@
-"""The linearised equation, theta for sin theta.
+"""theta stands for sin theta: this is the linearised equation.
 
 fails: simulate_swings
 """

@@ -1,7 +1,7 @@
-"""Of more than 150 sqrt(l/g) nothing is integrated: the start in every row, whose energy stays.
+"""In long motions every row is the start, which keeps the energy.
 
 fails: simulate_keeps_the_energy
-names: the pendulum does not move
+names: every row is the start
 """
 
 _right_simulate = simulate

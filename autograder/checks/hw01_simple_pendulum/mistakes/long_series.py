@@ -1,4 +1,4 @@
-"""A power series of the elliptic integral, cut off after eighty terms.
+"""The series of eighty terms is too short near pi.
 
 fails: period_grows_towards_the_top
 names: a series in the amplitude

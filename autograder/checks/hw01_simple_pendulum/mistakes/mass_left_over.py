@@ -1,7 +1,7 @@
-"""A mass that does not cancel.
+"""A mass does not cancel.
 
 fails: lagrange_gives_the_acceleration
-names: in theta, l, g alone
+names: It has m in it
 """
 
 def lagrange_equation():

@@ -1,4 +1,4 @@
-"""The modulus k for the parameter m = k^2.
+"""SciPy's ellipk takes the parameter m = k^2, not the modulus k.
 
 fails: period_is_exact
 """

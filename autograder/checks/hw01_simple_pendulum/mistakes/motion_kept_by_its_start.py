@@ -1,7 +1,7 @@
-"""Motions are kept by their start and the number of their times.
+"""A motion is kept by its start and the number of its times.
 
 fails: simulate_needs_no_dense_times
-names: is anything kept
+names: is a result kept between calls
 """
 
 _right_simulate, _kept = simulate, {}

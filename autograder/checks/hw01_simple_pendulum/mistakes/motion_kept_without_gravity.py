@@ -1,7 +1,7 @@
-"""Motions are kept, by times, start and length; another gravity gets the motion of the first.
+"""A motion is kept by its times, start and length; another gravity gets the same motion.
 
 fails: simulate_needs_no_dense_times
-names: is anything kept
+names: is a result kept between calls
 """
 
 _right_simulate, _kept = simulate, {}

@@ -1,4 +1,4 @@
-"""Velocities that lack a factor, the frequency, in the part of the given angle.
+"""In the velocity the part of the given angle lacks a factor, the frequency.
 
 fails: small_angle_solution_is_harmonic
 """

@@ -1,7 +1,6 @@
-"""At the lowest point the tension is taken to be the weight, as if the pendulum did not move.
+"""At the bottom the tension is the weight alone, as if the pendulum did not move.
 
 fails: newton_gives_the_tension
-names: a pendulum at the bottom
 """
 
 _right_balance = linear_momentum_balance

@@ -1,4 +1,4 @@
-"""Time in units of sqrt(length/gravity), which there is none of without gravity.
+"""Time is measured in units of sqrt(l/g), which is infinite without gravity.
 
 fails: simulate_without_gravity
 names: simulate raised ValueError

@@ -1,7 +1,7 @@
-"""The period as an integral with a difference of cosines, of which a tiny amplitude leaves no digit.
+"""The period is an integral with a difference of cosines, which leaves no digit of a tiny amplitude.
 
 fails: period_grows_towards_the_top
-names: for a tiny amplitude
+names: for an amplitude of less than 1e-4
 numerics: digits that cancel
 """
 

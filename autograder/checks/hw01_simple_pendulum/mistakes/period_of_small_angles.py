@@ -1,4 +1,4 @@
-"""The period of small angles.
+"""This is the period of small angles.
 
 fails: period_is_exact
 """

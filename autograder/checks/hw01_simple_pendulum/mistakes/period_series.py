@@ -1,4 +1,4 @@
-"""The first two terms of the series.
+"""These are the first two terms of the series.
 
 fails: period_is_exact
 """

@@ -1,4 +1,4 @@
-"""A series in sin(amplitude/2), cut after sixteen terms, for amplitudes from 2 to 2.8 rad.
+"""The series in sin(A/2) is too short for large amplitudes.
 
 fails: period_grows_towards_the_top
 names: an amplitude between 2 and 3 rad

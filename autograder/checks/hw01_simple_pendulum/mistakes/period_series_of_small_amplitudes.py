@@ -1,7 +1,6 @@
-"""The first two terms of the series for amplitudes between 0.1 and 0.45 rad.
+"""From 0.1 to 0.45 rad these are the first two terms of the series.
 
 fails: period_grows_towards_the_top
-names: a series cut short
 numerics: what is left out is the fourth power of a small amplitude
 """
 

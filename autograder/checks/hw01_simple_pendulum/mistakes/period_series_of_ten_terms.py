@@ -1,7 +1,6 @@
-"""Ten terms of the period's series, a long way for a pendulum that swings beyond level.
+"""Ten terms of the series are too few for a pendulum that swings above the hinge.
 
 fails: period_is_exact
-names: a series cut short
 numerics: the length of the series
 """
 

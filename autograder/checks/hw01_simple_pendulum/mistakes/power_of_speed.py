@@ -1,4 +1,4 @@
-"""The speed, which has no sign, for the velocity in the power.
+"""The speed, which has no sign, stands for the velocity.
 
 fails: power_gives_the_acceleration
 """

@@ -1,4 +1,4 @@
-"""A pendulum let go at rest is taken to stay.
+"""A pendulum that is let go at rest stays at rest.
 
 fails: simulate_needs_no_dense_times
 names: let go at rest

@@ -1,4 +1,4 @@
-"""The angle taken for degrees.
+"""The angle is treated as degrees; it is in radians.
 
 fails: simulate_swings
 """

@@ -1,7 +1,6 @@
-"""The slope of the potential energy as a difference to one side, off by a part in ten thousand.
+"""The slope of the potential energy is a difference quotient to one side.
 
 fails: energy_gives_the_acceleration
-names: a difference quotient to one side
 numerics: the step of a difference
 """
 

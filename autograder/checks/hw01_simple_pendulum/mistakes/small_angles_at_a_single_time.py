@@ -1,4 +1,4 @@
-"""A single time is taken for that of the given state.
+"""A single time gets the given state.
 
 fails: small_angle_solution_is_harmonic
 names: a single time

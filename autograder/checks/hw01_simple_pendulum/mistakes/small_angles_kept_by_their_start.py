@@ -1,4 +1,4 @@
-"""The frequency is kept by the start; another rod gets that of the first.
+"""The frequency is kept by the start; another rod gets the same frequency.
 
 fails: small_angle_solution_is_harmonic
 names: is anything kept

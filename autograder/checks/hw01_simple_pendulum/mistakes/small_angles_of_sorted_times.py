@@ -1,4 +1,4 @@
-"""The small-angle solution at the times in ascending order.
+"""The rows are at the times in ascending order.
 
 fails: small_angle_solution_is_harmonic
 names: times in descending order

@@ -1,7 +1,6 @@
-"""The sign of the potential energy reversed.
+"""The potential energy has the wrong sign.
 
 fails: lagrangian_is_kinetic_less_potential, lagrange_gives_the_acceleration
-also: the sign of gravity's term missing, as with the sign of the potential energy reversed
 """
 
 def lagrangian():

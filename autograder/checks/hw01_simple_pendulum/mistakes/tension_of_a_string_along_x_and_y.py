@@ -1,4 +1,4 @@
-"""The tension of a string, zero where it would be negative: a rod can push.
+"""This is the tension of a string, zero where it would be negative: a rod can push.
 
 fails: newton_gives_the_tension
 """

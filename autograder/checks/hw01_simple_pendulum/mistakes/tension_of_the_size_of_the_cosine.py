@@ -1,7 +1,6 @@
-"""The weight's part of the tension without its sign: above the hinge it pushes the rod in.
+"""The weight's part of the tension has lost its sign: above the hinge it pushes the rod in.
 
 fails: newton_gives_the_tension
-also: the tension without its sign: where the rod pushes it is negative
 """
 
 _right_balance = linear_momentum_balance

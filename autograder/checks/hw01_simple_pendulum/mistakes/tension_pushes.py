@@ -1,4 +1,4 @@
-"""A tension with -m l omega^2.
+"""m l omega^2 has the wrong sign in the tension.
 
 fails: newton_gives_the_tension
 """

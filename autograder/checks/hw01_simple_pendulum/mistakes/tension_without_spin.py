@@ -1,4 +1,4 @@
-"""A tension without m l omega^2.
+"""m l omega^2 is missing in the tension.
 
 fails: newton_gives_the_tension
 """

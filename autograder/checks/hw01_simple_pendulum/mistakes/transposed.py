@@ -1,4 +1,4 @@
-"""(2, n) as solve_ivp has it.
+"""The rows and columns are exchanged: solve_ivp returns (2, n).
 
 fails: simulate_swings
 names: not an array of shape (1000, 2)

@@ -1,7 +1,6 @@
-"""The momentum m l omega for its moment about the hinge, which is right for a length of 1 m.
+"""The momentum m l omega stands for its moment m l^2 omega about the hinge.
 
 fails: momentum_and_moment_are_about_the_hinge
-also: the weight's part across the rod for its moment about the hinge, which is right for a length of 1 m
 """
 
 def angular_momentum_balance(theta, omega, *, mass, length, gravity):

@@ -1,4 +1,4 @@
-"""The sign of gravity's term missing.
+"""The sign of gravity's term is missing.
 
 fails: simulate_swings
 """

@@ -1,7 +1,7 @@
-"""The angle brought back between -pi and pi.
+"""The angle is brought back between -pi and pi.
 
 fails: simulate_turns_over_the_top
-names: off by whole turns alone
+names: Only whole turns are missing
 """
 
 _right_simulate = simulate

@@ -1,4 +1,4 @@
-"""A potential energy that is zero at the hinge.
+"""The potential energy is zero at the hinge; it should be zero at the lowest point.
 
 fails: energies_are_right
 """

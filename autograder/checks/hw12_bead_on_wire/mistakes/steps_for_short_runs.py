@@ -2,7 +2,7 @@
 
 fails: simulate_keeps_the_energy
 numerics: steps that grow with the duration
-names: The physics is right: tighten | Do your steps grow with the duration
+names: Do your steps grow with the duration
 """
 
 def _rk4_step(x, v, h, wire):

@@ -1,0 +1,237 @@
+"""Hidden inputs of hw01: random pendulums, and plain ones that tell what random ones do not."""
+
+import math
+
+import numpy as np
+
+from tam570_grader import SOME_TIMES, given, in_turn, once, uneven
+
+from . import right
+
+ANY = "a random pendulum"
+NAMES = ("theta", "omega", "m", "l", "g")
+PLAIN = {
+    0.0: "at the bottom",
+    math.pi / 2: "level with the hinge",
+    -math.pi / 2: "level with the hinge",
+    math.pi: "at the top",
+    -math.pi: "at the top",
+}  # angle: what to call it
+
+
+def parameters(draw, gravity=None):
+    gravity = draw.uniform(1.0, 25.0) if gravity is None else gravity
+    return {"mass": 10 ** draw.uniform(-1, 1), "length": 10 ** draw.uniform(-0.6, 0.8), "gravity": gravity}
+
+
+def rod(draw, gravity=None):
+    """A pendulum without its mass, and the rate of its small motions."""
+    known = parameters(draw, gravity)
+    known.pop("mass")
+    return known, math.sqrt(known["gravity"] / known["length"])
+
+
+def kind_of(theta, omega, gravity):
+    rest, place = "" if omega else "at rest", PLAIN.get(theta, "")
+    where = " ".join(filter(None, ("a pendulum", rest, place))) if rest or place else ANY
+    return where if gravity else f"{where}, without gravity"
+
+
+def named(calls):
+    return [call.on(kind_of(*call.args, call.kwargs["gravity"])) for call in calls]
+
+
+def states(draw):
+    """Random states, the last of them without gravity; named angles with this speed either way; whole numbers."""
+    angles, rates = draw.uniform(-9, 9, 18), draw.uniform(1, 6, 18) * draw.choice([-1, 1], 18)
+    pendulums = [parameters(draw, gravity) for gravity in [None] * 15 + [0.0] * 3]
+    calls = [given(th, om, **pendulum) for th, om, pendulum in zip(angles, rates, pendulums, strict=True)]
+    first, speed = calls[0], abs(rates[0])
+    for angle in PLAIN:
+        calls += [first.but(angle, speed), first.but(angle, -speed), first.but(angle, speed, gravity=0.0)]
+    whole = {"mass": 1.0, "length": 1.0, "gravity": 1.0}
+    return named(calls + [given(*state, **whole) for state in ((1.0, 1.0), (-1.0, 2.0), (0.01, -1.0))])
+
+
+def at_rest(draw):
+    """At rest anywhere and at the angles that have a name; with gravity and without."""
+    angles = [*draw.uniform(0.3, 2.8, 5), *draw.uniform(-2.8, -0.3, 2), *PLAIN, 1.0]
+    return named([given(th, 0.0, **parameters(draw, pull)) for th in angles for pull in (None, 0.0)])
+
+
+def symbols(calls, *names):
+    """The same values for symbols of these names."""
+    known = [dict(zip(NAMES, (*call.args, *call.kwargs.values()), strict=True)) for call in calls]
+    return [given(**{name: one[name] for name in names}).on(call.kind) for one, call in zip(known, calls, strict=True)]
+
+
+# Motions
+
+
+def swing(draw):
+    """A start that swings back and forth far from small angles, its pendulum and the rate of small motions."""
+    known, k = rod(draw)
+    return (draw.uniform(1.2, 2.2) * draw.choice([-1, 1]), draw.uniform(0.2, 0.6) * k * draw.choice([-1, 1])), known, k
+
+
+def turning(draw):
+    """As `swing`, a start that goes over the top, from an angle of more than a turn."""
+    known, k = rod(draw)
+    sign = draw.choice([-1, 1])
+    return (-sign * draw.uniform(6, 9), sign * draw.uniform(2.3, 3) * k), known, k
+
+
+def quick(draw):
+    """As `swing`, at 20 to 30 rad/s: steps of a millisecond follow it, those of ten do not."""
+    (angle, rate), _, k = swing(draw)
+    faster, length = draw.uniform(20, 30), draw.uniform(0.01, 0.03)
+    return (angle, rate * faster / k), {"length": length, "gravity": faster**2 * length}, faster
+
+
+def motion(draw, start, turns, count, kind):
+    """A motion for `turns` over the rate of small motions."""
+    state, known, k = start(draw)
+    return given(uneven(draw, turns / k, count), *state, **known).on(kind)
+
+
+def few_times(draw):
+    """Motions of a few times, of which nothing may depend on the times or on other calls."""
+    far = motion(draw, swing, 15, 4, "few times, far apart")
+    t, angle, rate = far.args
+    starts = {
+        "let go at rest": [(angle, 0.0), (-angle, 0.0)],
+        "from the bottom": [(0.0, rate), (0.0, -rate)],
+        "let go level with the hinge": [(math.pi / 2, 0.0)],
+        "at rest at the bottom": [(0.0, 0.0)],
+    }
+    plain = [
+        far.but(uneven(draw, (t[-1] - t[0]) / 3, 2), *start).on(f"two times, {kind}")
+        for kind, states in starts.items()
+        for start in states
+    ]
+    short = motion(draw, quick, 8, 3, "three times, a rod of few centimetres")
+    again = motion(draw, swing, 5, 3, "a large swing")
+    _, angle, rate = again.args
+    return [far, *plain, short, again, *in_turn(draw, again, start=(0.8 * angle, -rate))]
+
+
+def small_swing(draw):
+    """After six periods the linear motion is 40 A^3/16 behind, 3e-4 rad and more."""
+    state = draw.uniform(0.05, 0.09) * draw.choice([-1, 1]), draw.uniform(0.02, 0.09) * draw.choice([-1, 1])
+    known, k = rod(draw)
+    kind = "a small swing, two times many periods apart"
+    return given(uneven(draw, 40 / k, 2), *state, **known).on(kind)
+
+
+def over_the_top(draw):
+    """Turning round and round, and at rest at the top."""
+    turns = motion(draw, turning, 15, 100, "a pendulum that goes over the top")
+    t = turns.args[0]
+    still = [turns.but(t[:4], angle, 0.0).on("a pendulum at rest at the top") for angle in (math.pi, -math.pi)]
+    return [turns, *still]
+
+
+def weightless(draw):
+    """Turning evenly, and at rest anywhere, without gravity."""
+    known, _ = rod(draw, gravity=0.0)
+    t = uneven(draw, 8.0, 30)
+    turns = given(t, draw.uniform(0.5, 1), draw.uniform(-0.4, -0.3), **known).on("gravity 0")
+    return [turns, *(turns.but(t[:2], angle, 0.0).on("gravity 0, at rest") for angle in (0.0, 1.0, -1.0))]
+
+
+def small_angles(draw):
+    """The closed form for any times and starts, and for another rod."""
+    (angle, rate), known, k = swing(draw)
+    t = uneven(draw, 20 / k, 50)
+    starts = {
+        "times that do not start at zero": (t, angle, rate),
+        "two times, the first of them zero": (t[:2] - t[0], angle, rate),
+        "a pendulum let go at rest": (t, angle, 0.0),
+        "a pendulum that starts at the bottom": (t, 0.0, rate),
+        "a pendulum at rest at the bottom": (t, 0.0, 0.0),
+        "a pendulum that starts level with the hinge": (t, math.copysign(math.pi / 2, angle), rate),
+        **{kind: (t[some], angle, rate) for kind, some in SOME_TIMES.items()},
+    }
+    calls = [given(*start, **known).on(kind) for kind, start in starts.items()]
+    others = [calls[0].but(**{name: 1.4 * value}) for name, value in known.items()]
+    return calls + [other.on("a pendulum like one before but for its rod or gravity") for other in others]
+
+
+def small_angles_without_gravity(draw):
+    angle, rate, length = draw.uniform(0.5, 1), draw.uniform(-2, -1), draw.uniform(1, 3)
+    t = uneven(draw, 5.0, 20)
+    starts = {"": (angle, rate), ", let go at rest": (angle, 0.0), ", from the bottom": (0.0, rate)}
+    return [given(t, *start, length=length, gravity=0.0).on(f"gravity 0{kind}") for kind, start in starts.items()]
+
+
+# Paths
+
+
+def wave(s, start, end, height):
+    """A path that is no motion of a pendulum, over 0 <= s <= 1."""
+    return start + (end - start) * s + height * np.sin(2 * np.pi * s)
+
+
+@once
+def varied_paths(draw, amount):
+    """Pairs of calls, a path varied to both sides by smooth functions that vanish at both ends; the right variation."""
+    cases = []
+    s = np.linspace(0, 1, 2001)
+    changes = [np.sin(np.pi * s), np.sin(2 * np.pi * s) * np.exp(-s), s * (1 - s) * (2 + np.cos(5 * s))]
+    for start, kind in (
+        (swing, "a true motion, swinging"),
+        (turning, "a true motion, turning"),
+        (swing, "another path"),
+    ):
+        state, known, k = start(draw)
+        t = s * 2 * np.pi * draw.uniform(1.2, 1.5) / k
+        path = right.motion(t, *state, **known)[:, 0]
+        if kind == "another path":
+            path = wave(s, state[0], state[0] + draw.uniform(1, 2), draw.uniform(0.3, 0.6))
+        call = given(path, t[1], mass=10 ** draw.uniform(-1, 1), **known).on(kind)
+        for change in changes:
+            both = call.but(path + amount * change), call.but(path - amount * change)
+            high, low = (right.action(*one.args, **one.kwargs) for one in both)
+            cases.append((both, (high - low) / (2 * amount)))
+    return cases
+
+
+def paths(draw):
+    """Paths between different heights, with gravity and without."""
+    s, calls = np.linspace(0, 1, 4001), []
+    for share, kind in ((1, "a smooth path"), (1, "a smooth path"), (0, "a smooth path without gravity")):
+        known = parameters(draw)
+        span = draw.uniform(3, 4) * math.sqrt(known["length"] / known["gravity"])
+        path = wave(s, draw.uniform(-0.3, 0.3), draw.uniform(2.6, 3.4) * draw.choice([-1, 1]), draw.uniform(0.3, 0.6))
+        calls.append(given(path, span * s[1], **known).but(gravity=share * known["gravity"]).on(kind))
+    return calls + _plain_paths(draw)
+
+
+def _plain_paths(draw):
+    """At rest anywhere and at the named angles; turning evenly without gravity; two samples and more."""
+    calls = []
+    for theta in (draw.uniform(0.3, 2.8), *PLAIN):
+        samples, step = 2 * int(draw.integers(200, 300)), 10 ** draw.uniform(-3, -1)
+        calls.append(given(np.full(samples, theta), step, **parameters(draw)).on(kind_of(theta, 0.0, 1.0)))
+    # chords for arcs are second order too: off by (omega step)^2/12, a tenth of the limit
+    known, omega, step = parameters(draw, gravity=0.0), draw.uniform(-3, -1), 1e-3
+    for samples, few in ((5000, ""), (2, ", two samples"), (3, ", three samples")):
+        kind = f"a pendulum that turns evenly, without gravity{few}"
+        calls.append(given(omega * step * np.arange(samples), step, **known).on(kind))
+    return calls
+
+
+# Amplitudes. Between these edges there is no gap: a formula for some range is tried in it. The series' second term is
+# off by 6e-6 from 0.2 rad on, its third by 1e-6 from 0.41.
+SMALLER, LARGER = (0.1, 0.2, 0.3, 0.45, 0.5), (2.0, 2.2, 2.4, 2.6, 2.8, 3.04)
+
+
+def periods(draw, amplitudes, kind):
+    rods = [{"length": 10 ** draw.uniform(-1, 1), "gravity": draw.uniform(1, 25)} for _ in amplitudes]
+    rods[-1] = {"length": 1.0, "gravity": 1.0}
+    return [given(amplitude, **known).on(kind) for amplitude, known in zip(amplitudes, rods, strict=True)]
+
+
+def one_in_each(draw, edges):
+    """A random number between each of the edges and the next."""
+    return draw.uniform(edges[:-1], edges[1:])

@@ -1,0 +1,10 @@
+"""This is half the period: the pendulum has to come back.
+
+fails: period_is_exact
+"""
+
+_right_period = period
+
+
+def period(amplitude, **rod):
+    return _right_period(amplitude, **rod) / 2
