@@ -158,7 +158,7 @@ def _update(arguments: argparse.Namespace) -> int:
     for file, slug in work.chosen(arguments.assignment):
         copied = releases.update(file.parent, slug)
         changed = [*copied.new, *copied.refreshed]
-        print(f"{slug[:4]}: {'now as this kit has them: ' + ', '.join(changed) if changed else 'nothing to bring up'}")
+        print(f"{slug[:4]}: {'now as this kit has them: ' + ', '.join(changed) if changed else 'up to date'}")
         _differing(copied)
         for signature in copied.signatures:
             print(f"    this kit asks for {signature}")

@@ -7,6 +7,7 @@ import pytest
 from tam570 import notebooks
 from tam570.loading import LIBRARIES, Trouble, loaded
 from tam570.show import show
+from tam570_grader.sandbox.inside import load as inside
 
 SLUG = "hw08_axis_angle"
 
@@ -68,6 +69,16 @@ def test_a_notebook_is_shown(book, tam570, desk):
     code, said = tam570("show", book(), "--save", "scene.html")
     assert code == 0 and (desk / "scene.html").stat().st_size > 10_000, said
     assert show(book()).film is not None
+
+
+@pytest.mark.parametrize("cell", ["%matplotlib inline\nx = 1", "y = !ls\nx = 7 \\\n % 3", "%time x = 2", "x = ("])
+def test_the_grader_reads_the_same_code_of_a_cell(cell):
+    """The sandbox stands alone and reads notebooks by itself."""
+    if not notebooks.plain(cell):
+        with pytest.raises(SyntaxError):
+            inside._compiled(cell, "cell")
+    else:
+        assert inside._compiled(cell, "cell").co_code == notebooks.compiled(cell, "cell").co_code
 
 
 @pytest.mark.parametrize(

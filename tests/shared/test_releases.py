@@ -32,7 +32,7 @@ def test_update_brings_what_was_not_touched(new_kit, capsys):
     readme = new_kit("README.md", "\nmore\n")
     assert cli.main(["update", "hw08"]) == 0
     assert readme.read_text().endswith("\nmore\n") and "README.md" in capsys.readouterr().out
-    assert cli.main(["update"]) == 0 and "nothing to bring up" in capsys.readouterr().out
+    assert cli.main(["update"]) == 0 and "up to date" in capsys.readouterr().out
 
 
 def test_update_names_what_was_touched_and_leaves_it(new_kit, capsys):
