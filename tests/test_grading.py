@@ -23,12 +23,13 @@ from tam570_grader import cli
 from tam570_grader.grading import submissions
 from tam570_grader.grading.one import graded
 from tam570_grader.pages.sentences import message
+from tam570_grader.sandbox.cell import Cell
 from tam570_grader.sandbox.inside.answer import MODES
 from tam570_grader.sandbox.inside.wire import Foreign, Unreadable, packed, portable, unpacked
 from tam570_grader.sandbox.launch import isolation
 from tam570_grader.sandbox.preload import imported
 from tam570_grader.sandbox.student import Source, Student
-from tam570_grader.sandbox.worker import Allowance, Cell
+from tam570_grader.sandbox.worker import Allowance
 from tam570_grader.writing import assignments
 from tam570_grader.writing.assignments import slug_of
 from tam570_grader.writing.check import given

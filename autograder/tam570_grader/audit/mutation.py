@@ -124,10 +124,10 @@ class _Watched(Student):
         self.asked: set[str] = set()
         self.longest = 0.0  # s
 
-    def replies(self, name: str, calls: Sequence[Given], **mode: Any) -> list[dict[str, Any]]:
+    def replies(self, name: str, calls: Sequence[Given], mode: str = "value", **more: Any) -> list[dict[str, Any]]:
         started = time.perf_counter()
         try:
-            return super().replies(name, calls, **mode)
+            return super().replies(name, calls, mode, **more)
         finally:
             self.asked.add(name)
             self.longest = max(self.longest, (time.perf_counter() - started) / len(calls))

@@ -2,6 +2,7 @@
 
 import hashlib
 import hmac
+import platform
 import queue
 import sys
 import threading
@@ -11,6 +12,7 @@ from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from tam570_grader.errors import UsageError
 from tam570_grader.grading.one import Result, failed_by_us, graded, not_graded
 from tam570_grader.grading.speed import Yardstick
 from tam570_grader.grading.submissions import CannotRead, Submission, read
@@ -18,13 +20,13 @@ from tam570_grader.results.journal import Book, Record
 from tam570_grader.sandbox.launch import isolation
 from tam570_grader.sandbox.preload import imported
 from tam570_grader.sandbox.student import Source
-from tam570_grader.sandbox.worker import Allowance, Worker, WorkerLost
+from tam570_grader.sandbox.worker import Allowance, NotConfined, Worker, WorkerLost
 from tam570_grader.writing import assignments
 from tam570_grader.writing.assignments import Assignment
 
 __all__ = ["Plan", "graded_sources", "records"]
 
-LIBRARIES = "numpy", "scipy", "sympy", "matplotlib"  # that students use
+NO_JAIL = "submissions cannot be confined on this machine, and nothing was graded: {why}"
 TRIES = 3  # workers that a submission may see die under it before we give up
 
 
@@ -129,10 +131,16 @@ class _Crew:
                     error = str(lost)
                     if self.ended.is_set():
                         raise
+                    if isinstance(lost, NotConfined) and not left:
+                        raise UsageError(NO_JAIL.format(why=lost)) from None
                     worker.close()
                     self._everyone.remove(worker)
                     worker = self._hired()
             return failed_by_us(submission.student, assignment, error, seed)
+        except (UsageError, WorkerLost):
+            raise
+        except Exception as fault:  # ours, and of this submission alone: the class is graded on
+            return failed_by_us(submission.student, assignment, repr(fault), seed)
         finally:
             self._idle.put(worker)
 
@@ -169,7 +177,9 @@ def _source(submission: Submission) -> Source | CannotRead:
 def _digest(engine: bytes, plan: Plan, submission: Submission, source: Source | CannotRead) -> str:
     """A name for all that the result depends on."""
     text = source.text if isinstance(source, Source) else str(source).encode()
+    kind = type(source).__name__ + (".ipynb" if isinstance(source, Source) and source.notebook else "")
     parts = (
+        kind.encode(),
         submission.student.encode(),
         submission.slug.encode(),
         text,
@@ -182,11 +192,17 @@ def _digest(engine: bytes, plan: Plan, submission: Submission, source: Source | 
 
 def _engine_digest(plan: Plan) -> bytes:
     """Of the limits, of what keeps submissions apart, and of all code but the assignment's."""
-    asked = (plan.allowance, isolation(), sys.version, _installed(), *(("speed",) if plan.speed else ()))
+    asked = (
+        plan.allowance,
+        isolation(),
+        sys.version,
+        platform.machine(),
+        _installed(),
+        *(("speed",) if plan.speed else ()),
+    )
     return repr(asked).encode() + assignments.engine_digest()
 
 
 def _installed() -> list[str]:
-    """Names and versions of the libraries that students use, by their folders: importlib.metadata takes longer."""
-    folders = [Path(folder) for folder in sys.path if folder]
-    return sorted(found.name for folder in folders for name in LIBRARIES for found in folder.glob(f"{name}-*.*-info"))
+    """Names and versions of the libraries, by their folders: importlib.metadata takes longer."""
+    return sorted(found.name for folder in sys.path if folder for found in Path(folder).glob("*-info"))

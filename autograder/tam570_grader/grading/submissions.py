@@ -2,6 +2,7 @@
 
 import collections
 import hashlib
+import itertools
 import os
 import re
 import stat
@@ -18,6 +19,7 @@ __all__ = ["BadPath", "CannotRead", "Submission", "of_folder", "read", "submissi
 
 LARGEST = 10 * 2**20  # bytes; a notebook with pictures in it may have a few MiB
 LONGEST_NAME = 255  # bytes, of a file
+MOST_FILES = 1000  # in the folder of a student, or of an assignment
 MOST_NAMES = 10  # of files, in a note on what was found
 
 
@@ -125,7 +127,7 @@ def _trees(folder: Path, known: Sequence[str], given: str | None) -> list[Submis
 def _of_student(own: Path, known: Sequence[str], given: str | None) -> Iterator[Submission]:
     """What is in a student's own folder: for each assignment a folder, or files."""
     work = collections.defaultdict(list)
-    for entry in _entries(own):
+    for entry in _entries(own, MOST_FILES):
         if slug := _chosen(entry, known, given):
             work[slug].append(entry)
     for slug, entries in work.items():
@@ -136,12 +138,17 @@ def _of_student(own: Path, known: Sequence[str], given: str | None) -> Iterator[
             yield _of_files(entries, own.name, slug, own)
 
 
-def _entries(folder: Path) -> list[Path]:
+def _entries(folder: Path, most: int | None = None) -> list[Path]:
+    """What is in a folder, hidden files aside; of a student's folder no more than `most` is looked at."""
     try:
         os.stat(os.path.join(folder, "."))  # one that may be listed may be closed all the same
-        return sorted(entry for entry in folder.iterdir() if not entry.name.startswith((".", "__")))
+        with os.scandir(folder) as entries:
+            names = [entry.name for entry in itertools.islice(entries, most and most + 1)]
     except OSError as error:
         raise BadPath(f"{printable(str(folder))} cannot be read: {error.strerror}; who owns it?") from None
+    if most and len(names) > most:
+        raise BadPath(f"{printable(folder.name)} holds more than {most} files: hand in the module or notebook alone")
+    return sorted(folder / name for name in names if not name.startswith((".", "__")))
 
 
 def _name(text: str) -> str:
@@ -168,7 +175,7 @@ def of_folder(folder: Path, student: str, slug: str, tree: Path) -> Submission:
     """What is in a student's folder of one assignment."""
     try:
         if _own(folder, tree):
-            return _of_files(_entries(folder), student, slug, tree)
+            return _of_files(_entries(folder, MOST_FILES), student, slug, tree)
         note = f"{printable(folder.name)} is a link to a place outside of the submission"
     except BadPath as unreadable:
         note = str(unreadable)
@@ -191,7 +198,8 @@ def _of_files(entries: Sequence[Path], student: str, slug: str, tree: Path) -> S
     chosen = next(filter(None, choices), [])
     if len(chosen) == 1:
         return Submission(_name(student), slug, chosen[0], tree)
-    seen = [printable(entry.name[:80]) for entry in entries if entry in files or os.path.isdir(entry)]
+    among = set(files)
+    seen = [printable(entry.name[:80]) for entry in entries if entry in among or os.path.isdir(entry)]
     seen[MOST_NAMES:] = [f"{len(seen) - MOST_NAMES} more"] if len(seen) > MOST_NAMES else []
     names = ", ".join(seen) or "neither a module nor a notebook"
     note = f"there is no {slug}.py in the folder; it holds {names}"

@@ -1,29 +1,65 @@
-"""What goes to a submission and what comes back: arguments as sent, and replies, of which nothing is trusted."""
+"""What goes to a submission and what comes back: arguments as sent, and replies, of which nothing is trusted.
 
+    reply    {"value": ..., "changed": bool} or {"error": {"kinds": [...], "text": ..., "line": ...}}
+
+A student's process can write any reply it likes. Each is checked by type, depth, size and number against what its mode
+promises before anything else sees it: numbers for a call, values for a formula, lines and labels for a drawing.
+"""
+
+import math
 from typing import Any
 
 import numpy as np
 
-from tam570_grader.sandbox.worker import CellLost
+from tam570_grader.sandbox.cell import CellLost
+from tam570_grader.sandbox.inside.wire import DEEPEST, Foreign
 from tam570_grader.writing.check import Given
 from tam570_grader.writing.returns import Drawing, Line
 
-__all__ = ["checked", "drawn", "error_of", "printable", "sent", "strings"]
+__all__ = ["checked", "error_of", "imported", "printable", "sent", "strings"]
 
+Reply = dict[str, Any]
 
 MOST_KINDS = 20  # classes of an exception
 MOST_LINES = 2000  # of a drawing: three times what is read of one
+MOST_POINTS = 2**20  # of all lines of a drawing
+MOST_SCATTERED = 10_000  # points of a scatter; of a larger one every kth: each is looked for along a path
+MOST_DIMENSIONS = 8  # of an array
+MOST_EMPTY = 10_000  # lists that an array without a number may stand for: sizes cost nothing there
+MOST_WORDS = 100  # strange symbols of a formula, functions of a module, cells of a notebook
+LONGEST_TEXT = 300  # characters of a label, of the text of an exception
+NO_ERROR: Reply = {"kinds": [], "text": "", "line": 0}
 
 
-def error_of(reply: Any) -> dict[str, Any]:
+def checked(reply: Any, mode: str) -> Reply:
+    """The reply, made of nothing but what this mode promises; else CellLost: it is not from our part of the process."""
+    if not isinstance(reply, dict) or not isinstance(reply.get("changed", False), bool):
+        raise CellLost
+    if "error" in reply:
+        return {"error": error_of(reply)}
+    if "value" not in reply:
+        raise CellLost
+    return {"value": FORMS[mode](reply["value"]), "changed": reply.get("changed", False)}
+
+
+def imported(reply: Any) -> Reply:
+    """A reply to the text of a submission: {"names": [...], "skipped": [...]} or {"error": ...}, of short strings."""
+    if not isinstance(reply, dict) or not ("error" in reply or strings(reply.get("names"))):
+        raise CellLost
+    if "error" in reply:
+        return {"error": error_of(reply)}
+    return {"names": reply["names"], "skipped": reply["skipped"] if strings(reply.get("skipped")) else []}
+
+
+def error_of(reply: Any) -> Reply:
     """The error of a reply, {"kinds": [], ...} where there is none, and nothing that is not of the right type."""
     error = reply.get("error") if isinstance(reply, dict) else None
     if not isinstance(error, dict) or not strings(error.get("kinds")):
-        return {"kinds": [], "text": "", "line": 0}
+        return NO_ERROR
     line, text = error.get("line"), error.get("text")
     return {
         "kinds": error["kinds"][:MOST_KINDS],
-        "text": printable(" ".join(text[:300].split())) if isinstance(text, str) else "",
+        "text": printable(" ".join(text[:LONGEST_TEXT].split())) if isinstance(text, str) else "",
         "line": line if isinstance(line, int) else 0,
     }
 
@@ -33,29 +69,65 @@ def printable(text: str) -> str:
     return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text)
 
 
-def checked(reply: Any) -> dict[str, Any]:
-    """The reply, if it has the form of one, else CellLost: it is not from our part of the process."""
-    if not isinstance(reply, dict) or not ("value" in reply or "error" in reply):
-        raise CellLost
-    if not isinstance(reply.get("changed", False), bool):
-        raise CellLost
-    return reply
-
-
 def strings(value: Any) -> bool:
-    """Whether it is a list of strings."""
-    return isinstance(value, list) and all(isinstance(item, str) for item in value)
+    """Whether it is a list of a few short strings."""
+    return (
+        isinstance(value, list)
+        and len(value) <= MOST_WORDS
+        and all(isinstance(item, str) and len(item) <= LONGEST_TEXT for item in value)
+    )
 
 
-def drawn(value: Any) -> Drawing:
-    """The drawing in a reply; an exception of any class where it is none."""
-    if len(value["lines"]) > MOST_LINES:
-        raise ValueError("too many lines")
-    lines = [
-        Line(np.asarray(line["points"], float).reshape(-1, 2), str(line["label"]), bool(line["scatter"]))
-        for line in value["lines"]
-    ]
-    return Drawing(tuple(lines), str(value["xlabel"]), str(value["ylabel"]), bool(value["equal_aspect"]))
+def _numbers(value: Any, depth: int = 0) -> Any:
+    """Numbers, arrays of numbers and lists of these, no deeper than they are sent; of anything else the kind alone."""
+    if value is None or type(value) in (bool, float, Foreign):
+        return value
+    if isinstance(value, np.ndarray) and value.ndim <= MOST_DIMENSIONS:
+        return value if value.size or math.prod(filter(None, value.shape)) <= MOST_EMPTY else np.empty(0)
+    if isinstance(value, list) and depth <= DEEPEST:
+        return [_numbers(item, depth + 1) for item in value]
+    raise CellLost
+
+
+def _values(value: Any) -> Any:
+    """The values of a formula, one number each; or the strange symbols that it has."""
+    if isinstance(value, dict):
+        return {"strangers": value["strangers"]} if strings(value.get("strangers")) else {"strangers": []}
+    if isinstance(value, list):
+        return [one if _is_number(one) else Foreign("an object") for one in value]
+    return _numbers(value)
+
+
+def _is_number(value: Any) -> bool:
+    return type(value) is float or (isinstance(value, np.ndarray) and value.ndim == 0)
+
+
+def _drawing(value: Any) -> Drawing | None:
+    """What was drawn; None where it is too much, or nothing that can be read."""
+    if not isinstance(value, dict) or not isinstance(value.get("lines"), list) or len(value["lines"]) > MOST_LINES:
+        return None
+    lines = [_line(line) for line in value["lines"]]
+    whole = [line for line in lines if line is not None]
+    if len(whole) < len(lines) or sum(len(line.points) for line in whole) > MOST_POINTS:
+        return None
+    return Drawing(tuple(whole), _label(value, "xlabel"), _label(value, "ylabel"), value.get("equal_aspect") is True)
+
+
+def _line(line: Any) -> Line | None:
+    points = line.get("points") if isinstance(line, dict) else None
+    if not isinstance(points, np.ndarray) or points.dtype != np.float64 or points.ndim != 2 or points.shape[1] != 2:
+        return None
+    scatter = line.get("scatter") is True
+    every = -(-len(points) // MOST_SCATTERED) if scatter and len(points) else 1
+    return Line(points[::every], _label(line, "label"), scatter)
+
+
+def _label(value: Reply, key: str) -> str:
+    label = value.get(key)
+    return label[:LONGEST_TEXT] if isinstance(label, str) else ""
+
+
+FORMS = {"value": _numbers, "formula": _values, "drawing": _drawing}
 
 
 def sent(call: Given) -> list[Any]:

@@ -1,6 +1,5 @@
 """The student as a check sees it: functions to call, each call made in the sandbox, each result what was promised."""
 
-import builtins
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -9,8 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from tam570_grader.sandbox.replies import checked, drawn, error_of, printable, sent, strings
-from tam570_grader.sandbox.worker import PATIENCE, Cell, CellLost, CellTimeout, Worker, WorkerLost
+from tam570_grader.sandbox.cell import PATIENCE, Cell, CellLost, CellTimeout
+from tam570_grader.sandbox.imports import NotLoaded, not_compiled, not_imported, python_class, skipped_cells
+from tam570_grader.sandbox.replies import checked, error_of, imported, printable, sent, strings
+from tam570_grader.sandbox.worker import Worker, WorkerLost
 from tam570_grader.writing.assignments import Assignment
 from tam570_grader.writing.check import Given, given
 from tam570_grader.writing.curves import readable
@@ -43,14 +44,6 @@ class Call:
 
 class NotWritten(Exception):
     """The function is not there, or is still the stub."""
-
-
-class NotLoaded(Exception):
-    """The submission could not be imported; `status` is what the result line says."""
-
-    def __init__(self, status: str, message: str) -> None:
-        super().__init__(message)
-        self.status = status
 
 
 class BudgetSpent(Exception):
@@ -104,7 +97,7 @@ class Student:
         """What was handed in, as far as it is text."""
         return self._source.text.decode("utf-8", "replace")
 
-    def replies(self, name: str, calls: Sequence[Given], **mode: Any) -> list[dict[str, Any]]:
+    def replies(self, name: str, calls: Sequence[Given], mode: str = "value", **more: Any) -> list[dict[str, Any]]:
         """One reply for each call up to the first error; Failed if the function hangs or ends its process."""
         if name in self._broken:
             raise Failed(self._broken[name])
@@ -114,9 +107,9 @@ class Student:
             raise NotWritten(name)
         replies: list[dict[str, Any]] = []
         try:
-            cell.send({"function": name, **mode, "calls": [sent(call) for call in calls]})
+            cell.send({"function": name, "mode": mode, **more, "calls": [sent(call) for call in calls]})
             while len(replies) < len(calls) and not (replies and "error" in replies[-1]):
-                replies.append(checked(cell.receive()))
+                replies.append(cell.receive(lambda reply: checked(reply, mode)))
                 self._must_end()
         except CellTimeout:
             self._end(uncallable, name, f"{name} did not return within {self._worker.allowance.call:g} s")
@@ -126,7 +119,13 @@ class Student:
         return replies
 
     def _must_end(self) -> None:
-        """Raise BudgetSpent for one that sleeps through its calls: it uses little CPU time, but holds up the class."""
+        """Raise BudgetSpent for one that costs us its time to read, or sleeps through its calls and holds up the class.
+
+        The processor time of a call is its cell's to limit.
+        """
+        read = self._cpu + sum(cell.read for cell in self._cells.values())
+        if read > (most := self._worker.allowance.cpu):
+            raise BudgetSpent(f"the submission has used its {most:g} s of processor time")
         lasted = self._lasted + sum(cell.lasted for cell in self._cells.values())
         if lasted > (most := PATIENCE * self._worker.allowance.cpu):
             raise BudgetSpent(f"the submission has taken {most:g} s, and used little processor time")
@@ -142,7 +141,7 @@ class Student:
 
     def _end_cell(self, cell: Cell) -> None:
         """End a cell and count its CPU time; WorkerLost if it died with its worker, or by another's hand."""
-        self._cpu += cell.end()
+        self._cpu += cell.end() + cell.read
         self._lasted += cell.lasted
         if not cell.guarded:
             self._worker.must_live()
@@ -175,18 +174,21 @@ class Student:
                     "forbidden": list(self._assignment.off_limits.get("*", ())),
                 }
             )
-            reply = cell.receive()
+            compiled = cell.receive(imported)
+            reply = compiled if "error" in compiled else cell.receive(imported)
         except CellTimeout:
             slow = "importing the file took too long: does it run a simulation by itself?"
             raise NotLoaded("timeout", slow) from None
         except CellLost:
             raise NotLoaded("crashed", "importing the file ended its process") from None
-        if not isinstance(reply, dict) or "error" in reply:
-            raise _not_loaded(error_of(reply), self._assignment, again=self._informed)
-        self._defined = set(reply["defined"]) if strings(reply.get("defined")) else set()
-        if not self._informed:
-            skipped = reply["skipped"] if strings(reply.get("skipped")) else []
-            self.skipped = [printable(text[:100]) for text in skipped[:50]]
+        text, again = self._source.text, self._informed
+        if "error" in compiled:
+            raise not_compiled(compiled)
+        if "error" in reply:
+            raise not_imported(reply, text, self._assignment, again)
+        self._defined = set(reply["names"])
+        if not again:
+            self.skipped = [*map(printable, compiled["names"]), *skipped_cells(reply["skipped"], text)]
         self._informed = True
 
 
@@ -229,7 +231,7 @@ class Function:
     def many(self, calls: Sequence[Given]) -> list[Any]:
         """The results of many calls, made in one round trip."""
         results = []
-        for call, reply in zip(calls, self.student.replies(self.name, calls, mode="value"), strict=False):
+        for call, reply in zip(calls, self.student.replies(self.name, calls), strict=False):
             self.student.calls.append(Call(self.name, call, None))
             current().judge(self.name, call if call.kind else call.on(self.kind))
             with _saying(call.kind or self.kind):
@@ -240,14 +242,14 @@ class Function:
 
     def aside(self, call: Given) -> Any:
         """The result of a call that is made to choose the words: it is not among those that are judged."""
-        (reply,) = self.student.replies(self.name, [call], mode="value")
+        (reply,) = self.student.replies(self.name, [call])
         self._must_be_fair(reply, call)
         return result(self.promise, reply["value"], self.name, call)
 
     def refuses(self, *args: Any, **kwargs: Any) -> bool:
         """Whether the call raises ValueError; another exception is Failed."""
         call = given(*args, **kwargs)
-        reply = self.student.replies(self.name, [call], mode="value")[0]
+        reply = self.student.replies(self.name, [call])[0]
         if "ValueError" in error_of(reply)["kinds"]:
             return True
         with _saying(self.kind):
@@ -259,14 +261,14 @@ class Function:
         if not isinstance(self.promise, Formula):
             raise TypeError(f"{self.name} does not promise a formula")
         symbols = list(self.promise.symbols)
-        mode = {"mode": "formula", "symbols": symbols, "points": [dict(point) for point in points]}
-        reply = self.student.replies(self.name, [given()], **mode)[0]
+        asked = {"symbols": symbols, "points": [dict(point) for point in points]}
+        reply = self.student.replies(self.name, [given()], "formula", **asked)[0]
         self._must_be_fair(reply, given())
         values = reply["value"]
         if not isinstance(values, list) or len(values) != len(points):
             strange = _strangers(values, self.student.text)
             says = f"{self.name} does not return a SymPy expression in {', '.join(symbols)} alone"
-            raise Failed(says, hint=strange and f"It has {strange} in it.", actual=values)
+            raise Failed(says, hint=strange and f"It has {strange} in it.")
         try:
             numbers = np.array([complex(value) for value in values])
         except (TypeError, ValueError):
@@ -283,13 +285,12 @@ class Function:
     def drawn(self, call: Given) -> Drawing:
         """The curves that the plot function draws in a case."""
         current().judge(self.name, call)
-        reply = self.student.replies(self.name, [call], mode="drawing")[0]
+        reply = self.student.replies(self.name, [call], "drawing")[0]
         with _saying(call.kind):
             self._must_be_fair(reply, call)
-        try:
-            return readable(drawn(reply["value"]))
-        except Exception:  # whatever a forged reply is made of
-            raise Failed(f"{self.name} draws too much, or nothing that can be read") from None
+        if reply["value"] is None:
+            raise Failed(f"{self.name} draws too much, or nothing that can be read")
+        return readable(reply["value"])
 
     def _must_be_fair(self, reply: dict[str, Any], call: Given) -> None:
         """Raise NotWritten or Failed for an exception, and for arguments changed in place."""
@@ -326,22 +327,4 @@ def _raised(name: str, error: dict[str, Any], assignment: Assignment) -> str:
     if "Forbidden" in error["kinds"]:
         banned = [*assignment.off_limits.get(name, ()), *assignment.off_limits.get("*", ())]
         return f"{name} uses what is off limits in it: {', '.join(banned)}"
-    return f"{name} raised {_known(error)}"
-
-
-def _known(error: dict[str, Any]) -> str:
-    """The exception's first class that is Python's own: a name that a student chose could carry an input out."""
-    return next((kind for kind in error["kinds"] if isinstance(getattr(builtins, kind, None), type)), "an exception")
-
-
-def _not_loaded(error: dict[str, Any], assignment: Assignment, again: bool) -> NotLoaded:
-    """Why it could not be imported, in the exception's own words if no hidden input can be in them."""
-    if again:
-        return NotLoaded("unreadable", "the file could not be imported a second time: what does it do at import?")
-    if "Forbidden" in error["kinds"]:
-        banned = ", ".join(assignment.off_limits.get("*", ()))
-        return NotLoaded("unreadable", f"the file imports what is off limits in this assignment: {banned}")
-    if "SystemExit" in error["kinds"]:
-        return NotLoaded("crashed", "importing the file ends its process")
-    where = f" at line {error['line']}" if error["line"] else ""
-    return NotLoaded("unreadable", f"the file cannot be imported: {_known(error)}{where}: {error['text']}")
+    return f"{name} raised {python_class(error)}"

@@ -28,7 +28,7 @@ LARGEST = 1e100  # of a drift, and of what a student draws; what is larger is ta
 FEWEST = 10  # points of a drawn curve; fewer are a marker, a line for reference or an entry of the legend
 # In a label, by Matplotlib's mathtext: fonts and sizes of brackets, and spaces.
 FONTS = r"\\(?:(?:math|text)[a-z]*|(?:rm|it|bf|sf|tt|boldsymbol|operatorname|left|right|[bB]igg?[lr]?)(?![A-Za-z]))"
-SPACES = r"\\(?:[ ,:;/>]|(?:quad|qquad|enspace|thinspace)(?![A-Za-z])|hspace\{[^}]*\})|~"
+SPACES = r"\\(?:[ ,:;/>]|(?:quad|qquad|enspace|thinspace)(?![A-Za-z])|hspace\{[^{}]*\})|~"
 
 
 def readable(picture: "Drawing") -> "Drawing":

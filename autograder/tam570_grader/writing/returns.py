@@ -61,6 +61,8 @@ class Drawing:
 
 
 LONGEST_TOLD = 2000  # elements of a result: no check asks for more rows
+LONGEST = 100_000  # rows of a result whose length is the student's choice
+MOST_DIMENSIONS = 3  # of a shape that is told
 
 number = Array(())
 drawing = Drawing()
@@ -92,7 +94,8 @@ def result(promise: Array | Group, value: Any, name: str, call: Given) -> Any:
     shape = tuple(len(call.args[0]) if size == "n" else size for size in promise.shape)
     if not _fits(found.shape, shape):
         says = f"{name} returned {_shaped(found.shape)}, not {_shaped(shape)}"
-        raise Failed(says, hint=_cut_short(promise, found.shape, shape), actual=found, at=call)
+        actual = found if found.size <= LONGEST_TOLD else None  # of a size that no check asked for
+        raise Failed(says, hint=_cut_short(promise, found.shape, shape), actual=actual, at=call)
     if not np.isfinite(found).all() and (not promise.infinite or np.isnan(found).any()):
         raise Failed(f"{name} returned NaN or infinity", actual=found, at=call)
     return found if found.ndim else float(found)
@@ -122,7 +125,9 @@ def _array(value: Any, name: str) -> np.ndarray:
 
 def _fits(found: tuple[int, ...], wanted: tuple[Any, ...]) -> bool:
     sizes = zip(found, wanted, strict=False)
-    return len(found) == len(wanted) and all(have == want if want is not None else have for have, want in sizes)
+    return len(found) == len(wanted) and all(
+        have == want if want is not None else 0 < have <= LONGEST for have, want in sizes
+    )
 
 
 def _cut_short(promise: Array, found: tuple[int, ...], wanted: tuple[Any, ...]) -> str:
@@ -134,6 +139,10 @@ def _cut_short(promise: Array, found: tuple[int, ...], wanted: tuple[Any, ...]) 
 def _shaped(shape: tuple[Any, ...]) -> str:
     if not shape:
         return "a single number"
+    if 0 in shape:
+        return "an empty array"  # whose other sizes could be anything
+    if len(shape) > MOST_DIMENSIONS:
+        return f"an array of more than {MOST_DIMENSIONS} dimensions"
     sizes = ", ".join("k" if size is None else _size(size) for size in shape)
     return f"an array of shape ({sizes}{',' if len(shape) == 1 else ''})"
 

@@ -9,21 +9,20 @@ Where namespaces are not to be had, the limits and the process group remain.
 import contextlib
 import ctypes
 import os
-import platform
 import resource
 import select
 import signal
 import socket
-import struct
 import sys
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from .refusals import LIBC, refuse_calls
+
 __all__ = ["SCRATCH", "Limits", "confine", "hidden_from_debuggers", "secede", "watch"]
 
-LIBC = ctypes.CDLL(None, use_errno=True)
 NEW_MOUNTS, NEW_IPC, NEW_USER, NEW_PROCESSES = 0x20000, 0x8000000, 0x10000000, 0x20000000
 # mount flags; private is recursive
 PRIVATE, BIND, REMOUNT, NO_PROGRAMS, NO_DEVICES, NO_SUID, READ_ONLY = 0x44000, 0x1000, 32, 8, 4, 2, 1
@@ -34,56 +33,6 @@ SCRATCH = "/scratch"  # the prisoner's own folder; not /tmp, where Python and it
 CHANNEL = 3  # the prisoner's only file besides /dev/null
 
 
-@dataclass(frozen=True)
-class Calls:
-    """A machine's system calls, by number: those that are refused, and those of which some uses are."""
-
-    name: int  # of the machine, in the kernel's audit
-    # add_key, request_key, keyctl, bpf, perf_event_open, userfaultfd, io_uring_setup, ptrace, process_vm_*,
-    # pidfd_getfd;
-    # shmget, shmat, semget, msgget, mq_open, memfd_create, memfd_secret, io_setup (memory that no limit counts);
-    # unshare, setns; socket (a worker's network, without a device, remembers ports from one submission to the next);
-    # flock (a lock on a file that all may read is a note to all); setrlimit (a limit of its own would end it by
-    # a signal that looks like somebody else's)
-    refused: Sequence[int]
-    fcntl: int  # not for locks
-    prlimit: int  # not to set any
-    clone: int  # not with namespaces
-    clone3: int  # says it is not there, for what it is asked cannot be seen; clone is taken then
-
-
-CALLS = {
-    "x86_64": Calls(
-        0xC000003E,
-        (248, 249, 250, 321, 298, 323, 425, 101, 310, 311, 438)
-        + (29, 30, 64, 68, 240, 319, 447, 206, 272, 308, 41, 73, 160),
-        fcntl=72,
-        prlimit=302,
-        clone=56,
-        clone3=435,
-    ),
-    "aarch64": Calls(
-        0xC00000B7,
-        (217, 218, 219, 280, 241, 282, 425, 117, 270, 271, 438)
-        + (194, 196, 190, 186, 180, 279, 447, 0, 97, 268, 198, 32, 164),
-        fcntl=25,
-        prlimit=261,
-        clone=220,
-        clone3=435,
-    ),
-}
-# what fcntl is asked for locks of records and of open files, for leases
-LOCKS = (5, 6, 7, 36, 37, 38, 1024, 1025)
-NAMESPACES = 0x7E020000  # flags of clone
-SECCOMP, FILTER = 22, 2  # of prctl
-# instructions of a filter
-LOAD, EQUAL, AT_LEAST, ANY_BIT, RETURN = 0x20, 0x15, 0x35, 0x45, 0x06
-# where a filter finds the call, the machine, the first argument's lower half
-NUMBER, MACHINE, ARGUMENTS = 0, 4, 16
-NEXT, REFUSE, ABSENT = 0, -2, -1  # where a comparison leads: so many steps on, or to one of the last two
-FOREIGN_CALLS = 0x40000000  # and above: the numbers of x32, whose calls have the name of x86-64
-ALLOWED, FORBIDDEN, UNKNOWN = 0x7FFF0000, 0x50001, 0x50026  # what a filter returns: yes, EPERM, ENOSYS
-Steps = list[tuple[int, int, int, int]]
 POLL = 0.02  # s between looks at a prisoner that may have ended
 
 
@@ -117,12 +66,12 @@ def secede(limits: Limits) -> None:
 
 def confine(limits: Limits, channel: int, folder: str) -> None:
     """Make this process the prisoner: its own file system, one channel, limits, no privilege."""
+    _only(channel)
     os.setsid()  # a signal to one's own process group would reach the worker
     if limits.namespaces:
         _own_files(limits)
     else:
         os.chdir(folder)
-    _only(channel)
     _limit(limits)
     if limits.user is not None:
         os.setgroups([])
@@ -133,54 +82,7 @@ def confine(limits: Limits, channel: int, folder: str) -> None:
         LIBC.prctl(NO_NEW_PRIVILEGES, 1, 0, 0, 0)
         LIBC.prctl(DIE_WITH_PARENT, signal.SIGKILL, 0, 0, 0)
         hidden_from_debuggers()
-        _refuse_calls()
-
-
-def _refuse_calls() -> None:
-    """Have the kernel refuse what no submission needs: what outlives a process, what no limit counts, ways to others.
-
-    A kernel without filters takes no notice; the namespaces and the other user remain.
-    """
-    if sys.platform != "linux" or sys.maxsize < 2**32 or platform.machine() not in CALLS:  # 32 bits: others
-        return
-    calls = CALLS[platform.machine()]
-    steps: Steps = [(LOAD, MACHINE, NEXT, NEXT), (EQUAL, calls.name, NEXT, REFUSE)]
-    steps += [(LOAD, NUMBER, NEXT, NEXT), (AT_LEAST, FOREIGN_CALLS, REFUSE, NEXT)]
-    steps += [(EQUAL, number, REFUSE, NEXT) for number in calls.refused]
-    steps += [(EQUAL, calls.clone3, ABSENT, NEXT)]
-    steps += _refused_if(calls.fcntl, [_half(1)], [(EQUAL, command) for command in LOCKS])
-    steps += _refused_if(calls.prlimit, [_half(2), _half(2) + 4], [(AT_LEAST, 1)])
-    steps += _refused_if(calls.clone, [_half(0)], [(ANY_BIT, NAMESPACES)])
-    steps += [(RETURN, verdict, NEXT, NEXT) for verdict in (ALLOWED, FORBIDDEN, UNKNOWN)]
-    program = ctypes.create_string_buffer(_packed(steps))
-    LIBC.prctl(SECCOMP, FILTER, ctypes.byref(_Filter(len(steps), ctypes.addressof(program))), 0, 0)
-
-
-def _half(argument: int) -> int:
-    """Where the lower half of a call's argument is."""
-    return ARGUMENTS + 8 * argument
-
-
-def _refused_if(number: int, places: Sequence[int], tests: Sequence[tuple[int, int]]) -> Steps:
-    """Steps that refuse a call where one of these places passes one of the tests, and allow it elsewhere."""
-    body: Steps = []
-    for place in places:
-        body += [(LOAD, place, NEXT, NEXT), *((test, value, REFUSE, NEXT) for test, value in tests)]
-    body += [(RETURN, ALLOWED, NEXT, NEXT)]
-    return [(EQUAL, number, NEXT, len(body)), *body]
-
-
-def _packed(steps: Steps) -> bytes:
-    """A filter as the kernel reads it; REFUSE and ABSENT are its last two instructions."""
-    packed = b""
-    for i, (instruction, value, if_so, if_not) in enumerate(steps, start=1):
-        so, no = (len(steps) + leads - i if leads < 0 else leads for leads in (if_so, if_not))
-        packed += struct.pack("=HBBI", instruction, so, no, value)
-    return packed
-
-
-class _Filter(ctypes.Structure):
-    _fields_ = [("steps", ctypes.c_ushort), ("program", ctypes.c_void_p)]
+        refuse_calls()
 
 
 def hidden_from_debuggers() -> None:
@@ -287,18 +189,28 @@ def _only(channel: int) -> None:
 
 
 def _limit(limits: Limits) -> None:
-    for what, most in (
-        (resource.RLIMIT_CPU, limits.cpu),
-        (resource.RLIMIT_FSIZE, limits.file_size),
-        (resource.RLIMIT_NOFILE, 64),
-        (resource.RLIMIT_CORE, 0),
-    ):
-        resource.setrlimit(what, (most, most))
+    _at_most(resource.RLIMIT_CPU, limits.cpu, "s of processor time")
+    for what, most in ((resource.RLIMIT_FSIZE, limits.file_size), (resource.RLIMIT_NOFILE, 64)):
+        _at_most(what, most)
+    _at_most(resource.RLIMIT_CORE, 0)
     if sys.platform == "linux":  # elsewhere address space is not limited, or far beyond what is used
-        memory = limits.memory + _address_space()
-        resource.setrlimit(resource.RLIMIT_AS, (memory, memory))
+        _at_most(resource.RLIMIT_AS, limits.memory + _address_space(), "bytes of memory")
     if limits.namespaces or limits.user is not None:  # else all processes of the teacher would count
-        resource.setrlimit(resource.RLIMIT_NPROC, (limits.processes, limits.processes))
+        _at_most(resource.RLIMIT_NPROC, limits.processes)
+
+
+def _at_most(what: int, most: int, promised: str = "") -> None:
+    """Set a limit; where the teacher's own is lower, that is kept, unless a submission was promised more."""
+    try:
+        resource.setrlimit(what, (most, most))
+    except ValueError:
+        hard = resource.getrlimit(what)[1]
+        if promised:
+            raise OSError(
+                f"a submission may use {most} {promised}, and this shell's own limit is {hard}: "
+                "raise it (ulimit -H), or allow submissions less"
+            ) from None
+        resource.setrlimit(what, (hard, hard))
 
 
 def _address_space() -> int:

@@ -2,7 +2,6 @@
 
 import ast
 import builtins
-import contextlib
 import json
 import re
 import sys
@@ -10,7 +9,9 @@ from collections.abc import Callable, Sequence
 from types import CodeType, ModuleType
 from typing import Any
 
-__all__ = ["Forbidden", "load"]
+__all__ = ["Forbidden", "compiled", "load"]
+
+Piece = tuple[str, CodeType]  # a notebook's cell, or "", and its code
 
 __builtins__ = dict(vars(builtins))  # type: ignore[assignment]  # as in wire
 
@@ -25,8 +26,20 @@ class Forbidden(ImportError):
     """An import, or a use, of what the assignment puts off limits."""
 
 
+def compiled(source: bytes, name: str, *, notebook: bool, piecewise: bool) -> tuple[list[Piece], list[str]]:
+    """What is to be run, and the notebook cells that are no Python, as "cell 3: SyntaxError". Nothing has run yet.
+
+    piecewise : each statement of a module by itself
+    """
+    if notebook:
+        return _compiled_cells(_code_cells(source))
+    if piecewise:
+        return _statements(source, f"{name}.py"), []
+    return [("", compile(source, f"{name}.py", "exec", dont_inherit=True))], []
+
+
 def load(
-    source: bytes, name: str, *, notebook: bool, forbidden: Sequence[str], uncallable: Sequence[str]
+    pieces: Sequence[Piece], name: str, *, notebook: bool, forbidden: Sequence[str], uncallable: Sequence[str]
 ) -> tuple[ModuleType, list[str]]:
     """The student's module, and the notebook cells that were skipped because they raised, as "cell 3: NameError".
 
@@ -42,35 +55,34 @@ def load(
         _replace(banned, _Unusable(banned))
     for refused in uncallable:
         _replace(refused, _Uncallable(refused))
-    skipped: list[str] = []
-    if notebook:
-        skipped = _run_cells(_code_cells(source), module)
-    elif uncallable:
-        _run_statements(source, module)
-    else:
-        exec(compile(source, f"{name}.py", "exec", dont_inherit=True), module.__dict__)
+    skipped = []
+    for cell, code in pieces:
+        try:
+            exec(code, module.__dict__)
+        except BaseException as error:
+            if not (notebook or (uncallable and isinstance(error, Exception))):
+                raise
+            skipped.append(f"{cell}: {_told(error)}")
     vars(module).update({refused: _Refusal() for refused in uncallable if refused in vars(module)})
-    return module, skipped
+    return module, skipped if notebook else []
 
 
-def _run_statements(source: bytes, module: ModuleType) -> None:
-    """Run what can be run of a module, each of its statements by itself."""
+def _statements(source: bytes, file: str) -> list[Piece]:
     statements = ast.parse(source).body
     future = [one for one in statements if isinstance(one, ast.ImportFrom) and one.module == "__future__"]
-    for statement in statements:
-        alone = ast.Module([*future, statement], type_ignores=[])
-        with contextlib.suppress(Exception):
-            exec(compile(alone, f"{module.__name__}.py", "exec", dont_inherit=True), module.__dict__)
+    alone = (ast.Module([*future, statement], type_ignores=[]) for statement in statements)
+    return [("", compile(one, file, "exec", dont_inherit=True)) for one in alone]
 
 
-def _run_cells(cells: list[tuple[int, str]], module: ModuleType) -> list[str]:
-    skipped = []
+def _compiled_cells(cells: list[tuple[int, str]]) -> tuple[list[Piece], list[str]]:
+    pieces, skipped = [], []
     for number, text in cells:
+        name = f"cell {number}"
         try:
-            exec(_compiled(text, f"cell {number}"), module.__dict__)
-        except BaseException as error:
-            skipped.append(f"cell {number}: {_told(error)}")
-    return skipped
+            pieces.append((name, _compiled(text, name)))
+        except Exception as error:
+            skipped.append(f"{name}: {_told(error)}")
+    return pieces, skipped
 
 
 def _told(error: BaseException) -> str:

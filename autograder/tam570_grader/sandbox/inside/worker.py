@@ -21,7 +21,7 @@ from typing import Any
 
 from . import jail
 from .answer import answer, error_report, seed_generators
-from .load import load
+from .load import compiled, load
 from .wire import packed, unpacked
 
 __all__ = ["main"]
@@ -30,6 +30,7 @@ __builtins__ = dict(vars(builtins))  # type: ignore[assignment]  # as in wire
 
 LENGTH = struct.Struct(">I")
 LONGEST_ORDER = 2**14  # bytes
+LONGEST_TEXT, MOST_TOLD = 300, 50  # of what is told of a notebook's cells
 HOLD = 0.02  # s that a reply may wait for the next one
 
 
@@ -85,7 +86,7 @@ def _guard(files: list[int], lifeline: int, limits: jail.Limits) -> None:
 def _serve(channel: socket.socket, limits: jail.Limits, folder: str) -> None:
     """Be the prisoner: load the submission, then answer calls; never returns."""
     try:
-        jail.confine(limits, channel.detach(), folder)
+        _confined(limits, channel, folder)
         seed_generators()
         module = None
         while True:
@@ -100,18 +101,30 @@ def _serve(channel: socket.socket, limits: jail.Limits, folder: str) -> None:
         os._exit(0)
 
 
-def _loaded(request: dict[str, Any]) -> Any:
-    """Import the submission, and report the contract's functions that it defines."""
+def _confined(limits: jail.Limits, channel: socket.socket, folder: str) -> None:
+    """Confine this process and say so before it is sent a submission; or say what was in the way, and end."""
     try:
+        jail.confine(limits, channel.detach(), folder)
+    except Exception as error:
+        _send({"confined": str(error)})
+        os._exit(0)
+    _send({"confined": True})
+
+
+def _loaded(request: dict[str, Any]) -> Any:
+    """Import the submission, and report the contract's functions that it defines.
+
+    The first reply, on whether it is Python, is sent before any of it runs.
+    """
+    notebook, uncallable = request["notebook"], request["uncallable"]
+    try:
+        pieces, broken = compiled(request["source"], request["name"], notebook=notebook, piecewise=bool(uncallable))
+        _send({"names": [text[:LONGEST_TEXT] for text in broken[:MOST_TOLD]]})
         module, skipped = load(
-            request["source"],
-            request["name"],
-            notebook=request["notebook"],
-            forbidden=request["forbidden"],
-            uncallable=request["uncallable"],
+            pieces, request["name"], notebook=notebook, forbidden=request["forbidden"], uncallable=uncallable
         )
         defined = [name for name in request["functions"] if callable(getattr(module, name, None))]
-        _send({"defined": defined, "skipped": skipped})
+        _send({"names": defined, "skipped": [text[:LONGEST_TEXT] for text in skipped[:MOST_TOLD]]})
         return module
     except BaseException as error:
         _send({"error": error_report(error)})

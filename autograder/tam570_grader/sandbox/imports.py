@@ -1,0 +1,117 @@
+"""What a student is told of an import that failed: the interpreter's own messages.
+
+What runs while a file is imported may hold the inputs of an earlier submission, and can say whatever it likes. So its
+words are told where they are a known message about words that stand in the file, and its line where the file has it.
+What the interpreter says of the text itself comes before any of it runs, and is told as it is.
+"""
+
+import builtins
+import re
+from collections.abc import Sequence
+from typing import Any
+
+from tam570_grader.sandbox.replies import error_of, printable
+from tam570_grader.writing.assignments import Assignment
+
+__all__ = ["NotLoaded", "not_compiled", "not_imported", "python_class", "skipped_cells"]
+
+MOST_CELLS = 3  # of a notebook, that are named: which ones is the notebook's to choose
+LONGEST_WORD = 60
+WORD = r"[\w.]+"
+MESSAGES = [
+    re.compile(re.escape(message).replace("@", f"({WORD})"))
+    for message in (
+        "name '@' is not defined",
+        "No module named '@'",
+        "No module named '@'; '@' is not a package",
+        "cannot import name '@' from '@' (unknown location)",
+        "module '@' has no attribute '@'",
+        "'@' object has no attribute '@'",
+        "'@' object is not callable",
+        "'@' object is not iterable",
+        "'@' object is not subscriptable",
+        "@() missing 1 required positional argument: '@'",
+        "[Errno 2] No such file or directory: '@'",
+        "division by zero",
+        "float division by zero",
+        "math domain error",
+        "list index out of range",
+        "maximum recursion depth exceeded",
+        "@ is off limits in this assignment",  # in our words
+        "attempted relative import with no known parent package",
+    )
+]
+FROM_FILE = re.compile(rf"(cannot import name '{WORD}' from '{WORD}') \(.*\)")  # the place is the worker's own
+SKIPPED = re.compile(r"cell ([1-9]\d{0,2}): (\w+)(?:: (.*))?", re.DOTALL)
+
+
+class NotLoaded(Exception):
+    """The submission could not be imported; `status` is what the result line says."""
+
+    def __init__(self, status: str, message: str) -> None:
+        super().__init__(message)
+        self.status = status
+
+
+def not_compiled(reply: Any) -> NotLoaded:
+    """Why the text is no Python, in the interpreter's words: nothing of it has run."""
+    return _unreadable(error_of(reply), error_of(reply)["text"])
+
+
+def not_imported(reply: Any, text: bytes, assignment: Assignment, again: bool) -> NotLoaded:
+    """Why it could not be imported; of one that is tried again, not even that."""
+    error = error_of(reply)
+    if again:
+        return NotLoaded("unreadable", "the file could not be imported a second time: what does it do at import?")
+    if "Forbidden" in error["kinds"]:
+        banned = ", ".join(assignment.off_limits.get("*", ()))
+        return NotLoaded("unreadable", f"the file imports what is off limits in this assignment: {banned}")
+    if "SystemExit" in error["kinds"]:
+        return NotLoaded("crashed", "importing the file ends its process")
+    line = error["line"] if error["line"] <= text.count(b"\n") + 1 else 0
+    return _unreadable({**error, "line": line}, _own_words(error["text"], text))
+
+
+def python_class(error: dict[str, Any]) -> str:
+    """The exception's first class that is Python's own: a name that a student chose could carry an input out."""
+    return next((kind for kind in error["kinds"] if _is_python(kind)), "an exception")
+
+
+def skipped_cells(told: Sequence[str], text: bytes) -> list[str]:
+    """The first cells that were skipped, and why, by what ran in them."""
+    found = [_skipped(match, text) for one in told if (match := SKIPPED.fullmatch(one)) and _may_be_named(match[2])]
+    return [*found[:MOST_CELLS], *(["and others"] if len(found) > MOST_CELLS else [])]
+
+
+def _skipped(match: re.Match[str], text: bytes) -> str:
+    words = _own_words(match[3] or "", text)
+    return f"cell {match[1]}: {match[2]}{': ' + words if words else ''}"
+
+
+def _unreadable(error: dict[str, Any], words: str) -> NotLoaded:
+    where = f" at line {error['line']}" if error["line"] > 0 else ""
+    says = ": ".join(filter(None, ("the file cannot be imported", python_class(error) + where, words)))
+    return NotLoaded("unreadable", says)
+
+
+def _is_python(kind: str) -> bool:
+    return isinstance(getattr(builtins, kind, None), type)
+
+
+def _may_be_named(kind: str) -> bool:
+    return _is_python(kind) or kind == "Forbidden"
+
+
+def _own_words(said: str, text: bytes) -> str:
+    """A message of the interpreter's about words of the file; "" for any other."""
+    said = FROM_FILE.sub(r"\1 (unknown location)", said.strip())
+    matches = filter(None, (message.fullmatch(said) for message in MESSAGES))
+    known = any(all(_stands_in(word, text) for word in match.groups()) for match in matches)
+    return printable(said.removesuffix(" (unknown location)")) if known else ""
+
+
+def _stands_in(word: str, text: bytes) -> bool:
+    """Whether it is a word of the file, or the name of a type of Python's."""
+    if len(word) > LONGEST_WORD:
+        return False
+    return _is_python(word) or word == "NoneType" or bool(re.search(rb"\b%b\b" % re.escape(word.encode()), text))

@@ -1,0 +1,166 @@
+"""What the kernel refuses a submission: a filter of system calls, which the process sets itself and cannot take off.
+
+    refused   always
+    allowed   with these values of one argument alone; any other use is refused
+    absent    said not to exist: what is asked of them cannot be seen, or they are newer than this table
+
+Refused is what outlives a process and is seen by the next, what no limit counts, and the ways to other processes.
+"""
+
+import ctypes
+import platform
+import struct
+import sys
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+__all__ = ["LIBC", "refuse_calls"]
+
+LIBC = ctypes.CDLL(None, use_errno=True)
+
+# fcntl: to copy a descriptor, its flags and those of the file; no locks, leases, watches and hints
+FCNTL = (0, 1, 2, 3, 4, 1030)
+# madvise: how memory is used; what is said of a file's pages would stay, or tell who has read them
+MADVISE = (0, 1, 2, 4, 8, 10, 11, 14, 15, 16, 17)
+# ioctl: whether it is a terminal, its size, bytes to be read, to wait or not, to be closed by another program
+IOCTL = (0x5401, 0x5413, 0x541B, 0x5421, 0x5450, 0x5451)
+NOTHING = (0,)
+
+
+@dataclass(frozen=True)
+class Calls:
+    """A machine's system calls, by number."""
+
+    machine: int  # its name in the kernel's audit
+    refused: Mapping[str, int]
+    allowed: Mapping[str, tuple[int, int, Sequence[int]]]  # number, argument (from 0), values
+    clone: int  # not with namespaces
+    prctl: int  # not to set filters
+
+
+# By the same number on every machine.
+COMMON = {
+    **{"io_uring_setup": 425, "pidfd_getfd": 438, "process_madvise": 440, "memfd_secret": 447},
+    **{"landlock_create_ruleset": 444, "landlock_add_rule": 445, "landlock_restrict_self": 446},  # uncounted memory
+}
+X86_64 = Calls(
+    0xC000003E,
+    {
+        # ways to others and to the kernel
+        **{"ptrace": 101, "process_vm_readv": 310, "process_vm_writev": 311, "bpf": 321, "perf_event_open": 298},
+        **{"userfaultfd": 323, "unshare": 272, "setns": 308, "seccomp": 317},
+        # has no namespace: keys, the kernel's messages (who crashed, and at what address)
+        **{"add_key": 248, "request_key": 249, "keyctl": 250, "syslog": 103},
+        # memory that no limit counts
+        **{"shmget": 29, "shmat": 30, "semget": 64, "msgget": 68, "mq_open": 240, "memfd_create": 319, "io_setup": 206},
+        # the ports of a worker's network are remembered
+        "socket": 41,
+        # a note on a file that all may read: a lock, a watch of who opens it
+        **{"flock": 73, "inotify_init": 253, "inotify_init1": 294, "inotify_add_watch": 254, "fanotify_init": 300},
+        # what of a file is in memory: to put it there or to ask
+        **{"fadvise64": 221, "readahead": 187, "mincore": 27, "splice": 275, "tee": 276, "vmsplice": 278},
+        "getrusage": 98,  # counts the pages that had to be read
+        # a limit of its own would end it by a signal that looks like somebody else's
+        "setrlimit": 160,
+    },
+    {
+        "fcntl": (72, 1, FCNTL),
+        "ioctl": (16, 1, IOCTL),
+        "madvise": (28, 2, MADVISE),
+        "prlimit64": (302, 2, NOTHING),
+        "preadv2": (327, 5, NOTHING),
+        "pwritev2": (328, 5, NOTHING),
+        "wait4": (61, 3, NOTHING),  # as getrusage
+        "waitid": (247, 4, NOTHING),
+    },
+    clone=56,
+    prctl=157,
+)
+ARM64 = Calls(
+    0xC00000B7,
+    {
+        **{"ptrace": 117, "process_vm_readv": 270, "process_vm_writev": 271, "bpf": 280, "perf_event_open": 241},
+        **{"userfaultfd": 282, "unshare": 97, "setns": 268, "seccomp": 277},
+        **{"add_key": 217, "request_key": 218, "keyctl": 219, "syslog": 116},
+        **{"shmget": 194, "shmat": 196, "semget": 190, "msgget": 186, "mq_open": 180, "memfd_create": 279},
+        **{"io_setup": 0, "socket": 198, "flock": 32},
+        **{"inotify_init1": 26, "inotify_add_watch": 27, "fanotify_init": 262},
+        **{"fadvise64": 223, "readahead": 213, "mincore": 232, "splice": 76, "tee": 77, "vmsplice": 75},
+        **{"getrusage": 165, "setrlimit": 164},
+    },
+    {
+        "fcntl": (25, 1, FCNTL),
+        "ioctl": (29, 1, IOCTL),
+        "madvise": (233, 2, MADVISE),
+        "prlimit64": (261, 2, NOTHING),
+        "preadv2": (286, 5, NOTHING),
+        "pwritev2": (287, 5, NOTHING),
+        "wait4": (260, 3, NOTHING),
+        "waitid": (95, 4, NOTHING),
+    },
+    clone=220,
+    prctl=167,
+)
+CALLS = {"x86_64": X86_64, "aarch64": ARM64}
+CLONE3 = 435  # clone is taken where it is absent
+NEWER = 450  # and above: no call that this table knows; programs fall back on older ones
+FOREIGN_CALLS = 0x40000000  # and above: the numbers of x32, whose calls have the name of x86-64
+NAMESPACES = 0x7E020000  # flags of clone
+SECCOMP, FILTER = 22, 2  # of prctl
+
+# instructions of a filter
+LOAD, EQUAL, AT_LEAST, ANY_BIT, RETURN = 0x20, 0x15, 0x35, 0x45, 0x06
+# where a filter finds the call, the machine, the first argument's lower half
+NUMBER, MACHINE, ARGUMENTS = 0, 4, 16
+NEXT, REFUSE, ABSENT, ALLOW = 0, -2, -1, -3  # where a comparison leads: on, or to one of the last three
+PASS, FORBIDDEN, UNKNOWN = 0x7FFF0000, 0x50001, 0x50026  # what a filter returns: yes, EPERM, ENOSYS
+Steps = list[tuple[int, int, int, int]]
+
+
+def refuse_calls() -> None:
+    """Have the kernel refuse what no submission needs.
+
+    A kernel without filters takes no notice; the namespaces and the other user remain.
+    """
+    if sys.platform != "linux" or sys.maxsize < 2**32 or platform.machine() not in CALLS:  # 32 bits: others
+        return
+    steps = _steps(CALLS[platform.machine()])
+    program = ctypes.create_string_buffer(_packed(steps))
+    LIBC.prctl(SECCOMP, FILTER, ctypes.byref(_Filter(len(steps), ctypes.addressof(program))), 0, 0)
+
+
+def _steps(calls: Calls) -> Steps:
+    steps: Steps = [(LOAD, MACHINE, NEXT, NEXT), (EQUAL, calls.machine, NEXT, REFUSE)]
+    steps += [(LOAD, NUMBER, NEXT, NEXT), (AT_LEAST, FOREIGN_CALLS, REFUSE, NEXT), (AT_LEAST, NEWER, ABSENT, NEXT)]
+    steps += [(EQUAL, number, REFUSE, NEXT) for number in (*COMMON.values(), *calls.refused.values())]
+    steps += [(EQUAL, CLONE3, ABSENT, NEXT)]
+    for number, argument, values in calls.allowed.values():
+        steps += _judged(number, argument, [(EQUAL, value, ALLOW, NEXT) for value in values], REFUSE)
+    steps += _judged(calls.clone, 0, [(ANY_BIT, NAMESPACES, REFUSE, NEXT)], ALLOW)
+    steps += _judged(calls.prctl, 0, [(EQUAL, SECCOMP, REFUSE, NEXT)], ALLOW)
+    return [*steps, *((RETURN, verdict, NEXT, NEXT) for verdict in (PASS, FORBIDDEN, UNKNOWN))]
+
+
+def _judged(number: int, argument: int, tests: Steps, otherwise: int) -> Steps:
+    """Steps that judge a call by the lower half of an argument, and go on with any other call.
+
+    An argument that must be nothing is a pointer, or flags of its own size: its upper half must be nothing, too.
+    """
+    lower = ARGUMENTS + 8 * argument
+    nothing = [test[1] for test in tests] == [0]
+    upper: Steps = [(LOAD, lower + 4, NEXT, NEXT), (EQUAL, 0, NEXT, REFUSE)] if nothing else []
+    body: Steps = [*upper, (LOAD, lower, NEXT, NEXT), *tests, (AT_LEAST, 0, otherwise, otherwise)]
+    return [(EQUAL, number, NEXT, len(body)), *body]
+
+
+def _packed(steps: Steps) -> bytes:
+    """A filter as the kernel reads it; its last three instructions are the verdicts."""
+    packed = b""
+    for i, (instruction, value, if_so, if_not) in enumerate(steps, start=1):
+        so, no = (len(steps) + leads - i if leads < 0 else leads for leads in (if_so, if_not))
+        packed += struct.pack("=HBBI", instruction, so, no, value)
+    return packed
+
+
+class _Filter(ctypes.Structure):
+    _fields_ = [("steps", ctypes.c_ushort), ("program", ctypes.c_void_p)]
