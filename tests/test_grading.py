@@ -274,7 +274,7 @@ def test_names_and_messages_that_are_no_text_are_escaped(tree, tmp_path, capsys)
     (tree / "ben" / SLUG / f"{SLUG}.py").write_text("raise ValueError('\\x1b[1A\\x1b[2Kben  10 / 10\\n')")
     assert cli.main(["grade", str(tree), "--out", str(tmp_path / "out"), "--seed", "1"]) == 0
     said = capsys.readouterr().out
-    assert all(line.isprintable() for line in said.splitlines()) and r"\x1b[2Kben" in said
+    assert all(line.isprintable() for line in said.splitlines()) and "2Kben" not in said
     rows = list(csv.DictReader((tmp_path / "out" / "grades.csv").read_text().splitlines()))
     assert {row["student"]: row["score"] for row in rows if row["score"] != "0.0"} == {"ada": "10.0"}
     assert len(rows) == 7 and r"\udcffeve" in {row["student"] for row in rows}
@@ -376,10 +376,10 @@ def test_a_link_with_too_long_a_target_is_no_folder(run, tree):
 def test_a_students_folder_that_is_closed_is_a_note(run, tree, monkeypatch):
     entries = submissions._entries
 
-    def closed(folder):
+    def closed(folder, most=None):
         if folder.name == "dan":
             raise submissions.BadPath("dan cannot be read")
-        return entries(folder)
+        return entries(folder, most)
 
     monkeypatch.setattr(submissions, "_entries", closed)
     (tree / "dan").mkdir()
@@ -616,7 +616,7 @@ def test_a_function_that_hangs_fails_alone(grade, solution_text):
 def test_one_that_sleeps_through_its_calls_is_ended(grade, solution_text, monkeypatch):
     monkeypatch.setattr("tam570_grader.sandbox.student.PATIENCE", 1)
     received, receive = [], Cell.receive
-    monkeypatch.setattr(Cell, "receive", lambda cell: received.append(receive(cell)) or received[-1])
+    monkeypatch.setattr(Cell, "receive", lambda *given: received.append(receive(*given)) or received[-1])
     text = solution_text(SLUG) + "\n_skew = skew\ndef skew(v):\n    time.sleep(0.3)\n    return _skew(v)\nimport time\n"
     outcome = grade(SLUG, text, allowance=Allowance(cpu=2, call=1))
     assert outcome.status == "timeout" and outcome.score < 10 and "little processor time" in outcome.message
@@ -648,10 +648,10 @@ def test_what_a_later_import_says_reaches_no_page(run, tmp_path, solution_text):
 
 
 def test_one_that_is_tried_again_is_not_quoted(course, workers):
-    source = Source(b"raise ValueError('1.25')")
+    source = Source(b"1 / 0")
     assignment, worker = assignments.assignment(course, SLUG), workers(SLUG, Allowance())
     first, second = (graded("dan", source, assignment, worker, 1, again=again) for again in (False, True))
-    assert "1.25" in first.message and "second time" in second.message and "1.25" not in second.message
+    assert "division" in first.message and "second time" in second.message and "division" not in second.message
 
 
 # Drawings

@@ -7,6 +7,7 @@ import glob
 import os
 import re
 import secrets
+import stat
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -22,14 +23,24 @@ from nbgrader.preprocessors import NbGraderPreprocessor  # type: ignore[import-u
 from nbgrader.utils import find_all_files  # type: ignore[import-untyped]
 from traitlets import Bool, Dict, Integer, Unicode
 
-from tam570_grader.delivery.nbgrader_cells import Notebook, grade_id, marked, node, note, pictures_only, safe
+from tam570_grader.delivery.nbgrader_cells import Notebook, grade_id, marked, node, note, pictures_only, rebuilt, safe
 from tam570_grader.delivery.nbgrader_gradebook import OpenGradebook, keep_gradebooks_open
 from tam570_grader.delivery.notebook import FORMAT, part_of, part_points, text_cell
 from tam570_grader.grading.many import Plan, records
-from tam570_grader.grading.submissions import BadPath, Submission, of_folder, submissions
+from tam570_grader.grading.submissions import (
+    LARGEST,
+    MOST_FILES,
+    BadPath,
+    CannotRead,
+    Submission,
+    of_folder,
+    read,
+    submissions,
+)
 from tam570_grader.options import cores
 from tam570_grader.pages.feedback import Sheet, sheet
 from tam570_grader.results.journal import Book, Record
+from tam570_grader.sandbox.notebooks import Unshown, cells_of
 from tam570_grader.sandbox.worker import Allowance
 from tam570_grader.writing import assignments
 
@@ -38,7 +49,6 @@ __all__ = ["ForgivingExporter", "KeepPictures", "RestoreMetadata", "SandboxGrade
 Resources = Any
 Outcome = tuple[Notebook, Resources]
 
-CELL_ID = re.compile(r"[A-Za-z0-9_-]{1,64}")  # as nbformat has it
 BROKEN = """**This notebook could not be read** ({why}). The module beside it was graded; the file as it came is \
 in `submitted/`."""
 
@@ -63,13 +73,11 @@ class ForgivingExporter(NotebookExporter):
         place: Any = self.parent.coursedir  # type: ignore[union-attr]
         return str(place.format_path(place.submitted_directory, "*", "*"))
 
-    def _is_a_link(self, filename: str) -> bool:
-        path = Path(filename)
-        submitted = fnmatch.fnmatch(str(path.parent), self._submitted())
-        return submitted and (path.is_symlink() or _linked(path.parent))
+    def _is_submitted(self, filename: str) -> bool:
+        return fnmatch.fnmatch(str(Path(filename).parent), self._submitted())
 
     def from_filename(self, filename: str, resources: Resources = None, **kwargs: Any) -> Outcome:
-        notebook = "it is a link" if self._is_a_link(filename) else _notebook(filename)
+        notebook = _students(Path(filename)) if self._is_submitted(filename) else _notebook(filename)
         if isinstance(notebook, str):
             self.log.warning("%s cannot be read (%s): its module is graded", filename, notebook)
             cells = [text_cell("broken", BROKEN.format(why=notebook))]
@@ -80,17 +88,23 @@ class ForgivingExporter(NotebookExporter):
         return made
 
 
-def _notebook(filename: str) -> Notebook | str:
-    """The notebook of a file, or why it is none."""
+def _students(path: Path) -> Notebook | str:
+    """The notebook that a student handed in, or why it is none; it is taken apart in the sandbox."""
+    if path.is_symlink() or _linked(path.parent):
+        return "it is a link"
     try:
-        notebook = nbformat.read(filename, as_version=4)  # type: ignore[no-untyped-call]
-        [(cell.cell_type, cell.source + "", cell.metadata.items()) for cell in notebook.cells]
-        for number, cell in enumerate(notebook.cells):
-            if "id" in cell and not CELL_ID.fullmatch(str(cell.id)):
-                cell.id = f"cell-{number}"
+        source = read(Submission("", "", path, path.parent))
+        return rebuilt(cells_of(source.text))
+    except (CannotRead, Unshown) as reason:
+        return str(reason)
+
+
+def _notebook(filename: str) -> Notebook | str:
+    """One of the teacher's notebooks, or why it is none."""
+    try:
+        return nbformat.read(filename, as_version=4)  # type: ignore[no-untyped-call]
     except Exception as error:  # nbformat raises whatever it stumbles over
         return type(error).__name__
-    return notebook
 
 
 class RestoreMetadata(NbGraderPreprocessor):  # type: ignore[misc]
@@ -224,11 +238,17 @@ def _of_folder(folder: Path, slug: str, student: str) -> Submission:
 
 
 def _own_files(submitted: str, folder: str, exclude: Any = None) -> list[str]:
-    """Those in a folder; of a submission's, those that are no links, which lead to whatever the teacher may read."""
+    """Those in a folder; of a submission's, regular files alone: links lead to whatever the teacher may read."""
     files: list[str] = find_all_files(folder, exclude)
     if not fnmatch.fnmatch(folder, submitted):
         return files
-    return [] if _linked(Path(folder)) else [file for file in files if not os.path.islink(file)]
+    return [] if _linked(Path(folder)) else [file for file in files if _is_small(file)][:MOST_FILES]
+
+
+def _is_small(file: str) -> bool:
+    """Whether it is a regular file that is no larger than a submission may be."""
+    status = os.lstat(file)
+    return stat.S_ISREG(status.st_mode) and status.st_size <= LARGEST
 
 
 def _linked(folder: Path) -> bool:

@@ -6,18 +6,34 @@ from typing import Any
 
 import nbformat
 
+from tam570_grader.delivery.notebook import FORMAT
 from tam570_grader.grading.submissions import Submission
 from tam570_grader.pages.feedback import NOTES, SIGNS, Sheet, pictures, template
 from tam570_grader.results.journal import Record
 
-__all__ = ["Notebook", "grade_id", "marked", "node", "note", "pictures_only", "safe"]
+__all__ = ["Notebook", "grade_id", "marked", "node", "note", "pictures_only", "rebuilt", "safe"]
 
 Notebook = Any  # nbformat's own types say no more
 
 # Of a student's outputs; HTML and SVG could carry scripts to the teacher.
 PICTURES = ("image/png", "image/jpeg")
+CELL_ID = re.compile(r"[A-Za-z0-9_-]{1,64}")  # as nbformat has it
 BASE64 = re.compile(r"[A-Za-z0-9+/=\s]*")
 NO_MODULE = "There is no {slug}.py in the folder; the functions were looked for in {found}."
+
+
+def rebuilt(cells: Iterable[Mapping[str, Any]]) -> Notebook:
+    """A notebook of a student's cells, as the sandbox reads them."""
+    return node({**FORMAT, "metadata": {}, "cells": [_cell(number, cell) for number, cell in enumerate(cells)]})
+
+
+def _cell(number: int, cell: Mapping[str, Any]) -> dict[str, Any]:
+    noted = {"nbgrader": {"grade_id": cell["grade_id"]}} if cell["grade_id"] else {}
+    name = cell["id"] if CELL_ID.fullmatch(cell["id"]) else f"cell-{number}"
+    made = {"cell_type": cell["kind"], "id": name, "metadata": noted, "source": cell["source"]}
+    if cell["kind"] == "code":
+        return {**made, "execution_count": None, "outputs": [kept for one in cell["outputs"] if (kept := safe(one))]}
+    return {**made, "attachments": cell["attachments"]} if cell["attachments"] else made
 
 
 def note(submission: Submission, record: Record) -> str:

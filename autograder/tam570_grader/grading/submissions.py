@@ -15,7 +15,7 @@ from tam570_grader.sandbox.replies import printable
 from tam570_grader.sandbox.student import Source
 from tam570_grader.writing.assignments import slug_of
 
-__all__ = ["BadPath", "CannotRead", "Submission", "of_folder", "read", "submissions"]
+__all__ = ["LARGEST", "MOST_FILES", "BadPath", "CannotRead", "Submission", "of_folder", "read", "submissions"]
 
 LARGEST = 10 * 2**20  # bytes; a notebook with pictures in it may have a few MiB
 LONGEST_NAME = 255  # bytes, of a file

@@ -21,6 +21,7 @@ from typing import Any
 
 from . import jail
 from .answer import answer, error_report, seed_generators
+from .cells import plain_cells
 from .load import compiled, load
 from .wire import packed, unpacked
 
@@ -91,7 +92,9 @@ def _serve(channel: socket.socket, limits: jail.Limits, folder: str) -> None:
         module = None
         while True:
             request = _received()
-            if "source" in request:
+            if "book" in request:
+                _send(_cells(request["book"]))
+            elif "source" in request:
                 module = _loaded(request)
             else:
                 _answer_all(module, request)
@@ -109,6 +112,14 @@ def _confined(limits: jail.Limits, channel: socket.socket, folder: str) -> None:
         _send({"confined": str(error)})
         os._exit(0)
     _send({"confined": True})
+
+
+def _cells(book: bytes) -> dict[str, Any]:
+    """The cells of a notebook, nothing of which is run."""
+    try:
+        return {"cells": plain_cells(book)}
+    except Exception as error:
+        return {"error": error_report(error)}
 
 
 def _loaded(request: dict[str, Any]) -> Any:

@@ -1,0 +1,82 @@
+"""Reads a notebook's cells as short plain text: what a page shows of one, where nothing of it is run."""
+
+import json
+from collections.abc import Iterator
+from typing import Any
+
+__all__ = ["plain_cells"]
+
+MOST_CELLS, MOST_OUTPUTS = 500, 50
+LONGEST_TEXT = 10_000  # characters of a text: the time to make a page of it may go with the square
+MOST_TEXT = 100_000  # characters of all texts
+LONGEST_CODE, LONGEST_OUTPUT, LONGEST_PICTURE = 50_000, 10_000, 3 * 2**20
+CUT = "\n\n(cut: this is too long to show)"
+SHOWN = ("text/plain", "image/png", "image/jpeg")
+
+Cell = dict[str, Any]
+
+
+def plain_cells(source: bytes) -> list[Cell]:
+    """The cells of a notebook of format 4 or 3: {"kind", "source", "id", "grade_id", "outputs", "attachments"}."""
+    book = json.loads(source)
+    cells = book["cells"] if "cells" in book else [c for sheet in book["worksheets"] for c in sheet["cells"]]
+    plain = [_plain(cell) for cell in cells[:MOST_CELLS]]
+    if len(cells) > MOST_CELLS:
+        plain.append({**_plain({}), "source": f"({len(cells) - MOST_CELLS} more cells are left out)"})
+    left = MOST_TEXT
+    for cell in plain:
+        if cell["kind"] == "markdown":
+            cell["source"] = _cut(cell["source"], min(left, LONGEST_TEXT))
+            left = max(0, left - len(cell["source"]))
+    return plain
+
+
+def _plain(cell: Any) -> Cell:
+    code = cell.get("cell_type") == "code"
+    source = _text(cell["source"] if "source" in cell else cell.get("input", ""))
+    noted = cell.get("metadata", {}).get("nbgrader")
+    name = noted.get("grade_id") if isinstance(noted, dict) else None
+    outputs = cell.get("outputs", []) if code else []
+    return {
+        "kind": "code" if code else "raw" if cell.get("cell_type") == "raw" else "markdown",
+        "source": _cut(source, LONGEST_CODE),
+        "id": _text(cell.get("id", ""))[:100],
+        "grade_id": _text(name)[:100],
+        "outputs": [shown for one in outputs[:MOST_OUTPUTS] if (shown := _output(one))],
+        "attachments": {
+            str(key)[:100]: _bundle(one) for key, one in list((cell.get("attachments") or {}).items())[:MOST_OUTPUTS]
+        },
+    }
+
+
+def _output(one: Any) -> Cell | None:
+    """An output in nbformat's terms; None for one that is none."""
+    if not isinstance(one, dict):
+        return None
+    if one.get("output_type") == "stream":
+        return {"output_type": "stream", "text": _cut(_text(one.get("text")), LONGEST_OUTPUT)}
+    if one.get("output_type") == "error":
+        told = {key: _cut(_text(one.get(key)), LONGEST_OUTPUT) for key in ("ename", "evalue")}
+        return {"output_type": "error", **told}
+    return {"output_type": "display_data", "data": _bundle(one.get("data"))}
+
+
+def _bundle(data: Any) -> dict[str, str]:
+    """Of what is to be shown the pictures, whole or not at all, and the text."""
+    texts = {mime: _text(data[mime]) for mime in SHOWN if mime in data} if isinstance(data, dict) else {}
+    plain = {"text/plain": _cut(texts.pop("text/plain"), LONGEST_OUTPUT)} if "text/plain" in texts else {}
+    return plain | {mime: text for mime, text in texts.items() if len(text) <= LONGEST_PICTURE}
+
+
+def _text(value: Any) -> str:
+    return "".join(_strings(value))
+
+
+def _strings(value: Any) -> Iterator[str]:
+    for one in value if isinstance(value, list) else [value]:
+        if isinstance(one, str):
+            yield one.encode("utf-8", "replace").decode()  # half of a surrogate pair crosses no boundary
+
+
+def _cut(text: str, most: int) -> str:
+    return text if len(text) <= most else text[:most] + CUT

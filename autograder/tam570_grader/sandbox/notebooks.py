@@ -1,0 +1,43 @@
+"""Reads students' notebooks in a process of their own: a parser may need memory and time without end."""
+
+import atexit
+import functools
+from typing import Any
+
+from tam570_grader.sandbox.cell import CellLost, CellTimeout
+from tam570_grader.sandbox.imports import python_class
+from tam570_grader.sandbox.replies import error_of
+from tam570_grader.sandbox.worker import Allowance, Worker
+
+__all__ = ["Unshown", "cells_of"]
+
+READING = Allowance(memory=2**30, cpu=10, call=10)
+
+
+class Unshown(Exception):
+    """A notebook of which nothing can be shown; the message says why."""
+
+
+def cells_of(text: bytes) -> list[dict[str, Any]]:
+    """The cells of a notebook, as `inside.cells` describes them, or Unshown; nothing of it has run."""
+    cell = _reader().cell(READING.cpu)
+    try:
+        cell.send({"book": text})
+        reply = cell.receive(lambda reply: reply)
+    except CellTimeout:
+        raise Unshown("it takes too long to read") from None
+    except CellLost:
+        raise Unshown("it takes too much memory to read") from None
+    finally:
+        cell.end()
+    if "error" in reply:
+        raise Unshown(python_class(error_of(reply)))
+    cells: list[dict[str, Any]] = reply["cells"]
+    return cells
+
+
+@functools.cache
+def _reader() -> Worker:
+    worker = Worker([], READING)
+    atexit.register(worker.close)
+    return worker

@@ -1,0 +1,126 @@
+"""What of a submission costs nobody else: its words at import, its folder, a machine on which it cannot be confined."""
+
+import json
+import subprocess
+import sys
+
+import pytest
+
+from tam570_grader import cli
+from tam570_grader.grading import submissions
+from tam570_grader.sandbox.launch import isolation
+
+SLUG = "hw08_axis_angle"
+
+
+@pytest.fixture
+def tree(tmp_path, solution_text):
+    """A class of two, of whom the first has done the work."""
+    for student, text in (("ada", solution_text(SLUG)), ("ben", "")):
+        folder = tmp_path / "class" / student / SLUG
+        folder.mkdir(parents=True)
+        (folder / f"{SLUG}.py").write_text(text)
+    return tmp_path / "class"
+
+
+@pytest.fixture
+def run(capsys):
+    """`run(path, *options)` -> the result lines."""
+
+    def run(path, *options):
+        assert cli.main(["grade", str(path), "--json", "--seed", "3", *map(str, options)]) == 0
+        return [json.loads(line) for line in capsys.readouterr().out.splitlines()]
+
+    return run
+
+
+def notebook(*cells):
+    code = [{"cell_type": "code", "metadata": {}, "outputs": [], "source": text} for text in cells]
+    return json.dumps({"cells": code, "metadata": {}, "nbformat": 4, "nbformat_minor": 5})
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ("import nunpy", "ModuleNotFoundError at line 1: No module named 'nunpy'"),
+        ("from numpy import ar_ray", "ImportError at line 1: cannot import name 'ar_ray' from 'numpy'"),
+        ("\nx = whatever", "NameError at line 2: name 'whatever' is not defined"),
+        ("def skew(v:", "SyntaxError at line 1: '(' was never closed (hw08_axis_angle.py, line 1)"),
+        ("raise ValueError('1.25')", "ValueError at line 1"),
+        ("raise NameError(f\"name '{'wha' + 'tever'}' is not defined\")", "NameError at line 1"),
+        ("class Odd(Exception): pass\nraise Odd('1.25')", "Exception at line 2"),
+    ],
+)
+def test_of_an_import_the_interpreters_own_words_are_told_about_words_of_the_file(grade, text, says):
+    assert grade(SLUG, text).message == f"the file cannot be imported: {says}"
+
+
+def test_of_the_cells_that_were_skipped_three_are_named(run, tmp_path, solution_text):
+    (tmp_path / "hw08.ipynb").write_text(notebook(solution_text(SLUG), *(f"x{i}" for i in range(9))))
+    (line,) = run(tmp_path / "hw08.ipynb")
+    assert line["score"] == 10.0 and line["message"].count("is not defined") == 3
+    assert line["message"].endswith("and others")
+
+
+def test_a_folder_of_many_files_is_a_note(run, tree):
+    for i in range(submissions.MOST_FILES + 1):
+        (tree / "ben" / SLUG / f"{i}.py").touch()
+    lines = run(tree)
+    assert {line["student"]: line["score"] for line in lines} == {"ada": 10.0, "ben": 0.0}
+    assert "hand in the module" in next(line for line in lines if line["student"] == "ben")["message"]
+
+
+def test_a_submission_of_many_files_is_looked_at_once_a_file(tree):
+    """Each name is compared with no other: a class would wait for the square of their number."""
+    compared = []
+
+    class Counted(type(tree)):
+        def __eq__(self, other):
+            compared.append(1)
+            return super().__eq__(other)
+
+        __hash__ = type(tree).__hash__
+
+    entries = [Counted(tree / f"{number}.py") for number in range(300)]
+    submissions._of_files(entries, "ben", SLUG, tree)
+    assert len(compared) <= 2 * len(entries)
+
+
+@pytest.mark.skipif(isolation() != "bubblewrap", reason="needs bubblewrap and namespaces")
+@pytest.mark.parametrize(("limit", "code"), [("-t 5", 2), ("-f 1000", 0), ("-n 32", 0)])
+@pytest.mark.parametrize("container", [[], ["unshare", "-Ur"]], ids=["here", "one user"])
+def test_a_shells_own_limits_cost_nobody_points(tmp_path, solution_text, limit, code, container):
+    """Published against graders in rootless containers, where root is alone and may raise no limit."""
+    if container and subprocess.run([*container, "true"], check=False).returncode:
+        pytest.skip("no user namespaces")
+    (tmp_path / "hw08.py").write_text(solution_text(SLUG))
+    grading = [*container, sys.executable, "-m", "tam570_grader.cli", "grade", str(tmp_path / "hw08.py"), "--json"]
+    done = subprocess.run(
+        ["bash", "-c", f'ulimit {limit}; exec "$@"', "-", *grading], capture_output=True, text=True, check=False
+    )
+    assert done.returncode == code, done.stderr
+    if code:
+        assert "cannot be confined" in done.stderr and "ulimit" in done.stderr and not done.stdout
+    else:
+        assert json.loads(done.stdout)["score"] == 10.0
+
+
+@pytest.mark.parametrize("fault", ["right", "endless"])
+def test_a_worker_that_fails_the_canary_grades_nobody(solution_text, tmp_path, monkeypatch, capsys, fault):
+    """A jail in which right calls fail, or endless ones are not stopped."""
+    was, becomes = {"right": (b"2 * x", b"3 * x"), "endless": (b"while True:", b"if True:")}[fault]
+    monkeypatch.setattr(worker, "CANARY", worker.CANARY.replace(was, becomes))
+    (tmp_path / "hw08.py").write_text(solution_text(SLUG))
+    assert cli.main(["grade", str(tmp_path / "hw08.py")]) == 2
+    assert "nothing was graded" in capsys.readouterr().err
+
+
+def test_renaming_a_file_does_not_keep_its_score(run, tmp_path, solution_text):
+    """The same bytes are right as a module, and no notebook."""
+    folder = tmp_path / "ada" / SLUG
+    folder.mkdir(parents=True)
+    (folder / f"{SLUG}.py").write_text(solution_text(SLUG))
+    (first,) = run(tmp_path / "ada", "--out", tmp_path / "out")
+    (folder / f"{SLUG}.py").rename(folder / f"{SLUG}.ipynb")
+    (second,) = run(tmp_path / "ada", "--out", tmp_path / "out")
+    assert (first["score"], second["score"]) == (10.0, 0.0)
