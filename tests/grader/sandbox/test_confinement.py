@@ -8,6 +8,7 @@ import pytest
 
 from tam570_grader import cli
 from tam570_grader.grading import submissions
+from tam570_grader.sandbox import worker
 from tam570_grader.sandbox.launch import isolation
 
 SLUG = "hw08_axis_angle"
