@@ -8,7 +8,7 @@ import tokenize
 from types import CodeType
 from typing import Any
 
-__all__ = ["Cells", "code_cells", "compiled", "text_of"]
+__all__ = ["Cells", "code_cells", "compiled", "plain", "text_of"]
 
 # %timeit, files = !ls, f?
 MAGIC = re.compile(r"(\s*)(?:%time\s+(.*)|[%!?].*|[\w, ]+=\s*[%!].*|.*\?\s*)$", re.DOTALL)
