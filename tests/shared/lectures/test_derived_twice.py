@@ -21,10 +21,10 @@ def compared(name, states, parameters, other):
         assert found == pytest.approx(other(state), rel=1e-11, abs=1e-11)
 
 
-def by_lagrange(name, L, q, v, parameters, others, **options):
-    """Compare with the equations of a Lagrangian; `others` are its parameters."""
+def by_lagrange(name, L, q, v, parameters, others, around=0.0, **options):
+    """Compare with the equations of a Lagrangian; `others` are its parameters, states are drawn around a state."""
     equations = lagrange.load(lagrange.source(L, q, v, **options))
-    states = DRAW.normal(size=(5, 2 * len(q)))
+    states = around + DRAW.normal(size=(5, 2 * len(q)))
     compared(name, states, parameters, lambda state: equations.rhs(0.0, state.tolist(), **others))
 
 
@@ -103,3 +103,36 @@ def test_sleigh():
 
     known = {"mass": 0.7, "inertia": 0.2, "offset": 0.4}
     compared("sleigh", DRAW.normal(size=(5, 5)), known, other)
+
+
+def test_string():
+    """The Lagrangian in Cartesian coordinates of both particles, with r put in by SymPy."""
+    r, th, u, w, m1, m2, g = symbols("r", "th", "u", "w", "m1", "m2", "g")
+    x, y = r * sympy.cos(th), r * sympy.sin(th)
+    square = sum((a.diff(r) * u + a.diff(th) * w) ** 2 for a in (x, y))
+    L = sympy.simplify(m1 * square / 2) + m2 * u**2 / 2 - m2 * g * r
+    known = {"masses": (0.7, 1.9), "gravity": 9.81}
+    by_lagrange("string", L, [r, th], [u, w], known, {"m1": 0.7, "m2": 1.9, "g": 9.81}, around=[6.0, 0, 0, 0])
+
+
+@pytest.mark.parametrize(("surface", "signs"), [("bowl", (1, 1)), ("saddle", (1, -1)), ("plane", (0, 0))])
+def test_surface(surface, signs):
+    x, y, u, v, m, g, c = symbols("x", "y", "u", "v", "m", "g", "c")
+    h = c * (signs[0] * x**2 + signs[1] * y**2) / 2
+    L = m * (u**2 + v**2 + (h.diff(x) * u + h.diff(y) * v) ** 2) / 2 - m * g * h
+    known = {"mass": 1.7, "gravity": 9.81, "surface": surface, "curvature": 0.8}
+    others = {"m": 1.7, "g": 9.81, "c": 0.8} if surface != "plane" else {"m": 1.7}
+    by_lagrange("surface", L, [x, y], [u, v], known, others)
+
+
+def test_top():
+    """Body components of omega from R^T R', R a product of three matrices."""
+    psi, theta, phi, a, b, c, m, d, C, A, g = symbols("psi", "theta", "phi", "a", "b", "c", "m", "d", "C", "A", "g")
+    R = sympy.rot_ccw_axis3(psi) * sympy.rot_ccw_axis1(theta) * sympy.rot_ccw_axis3(phi)
+    rate = sum((R.diff(q) * v for q, v in zip((psi, theta, phi), (a, b, c), strict=True)), sympy.zeros(3))
+    spin = sympy.simplify(R.T * rate)
+    w1, w2, w3 = spin[2, 1], spin[0, 2], spin[1, 0]
+    L = sympy.simplify((A * (w1**2 + w2**2) + C * w3**2) / 2) - m * g * d * R[2, 2]
+    known = {"mass": 0.5, "distance": 0.3, "axial": 0.2, "transverse": 0.5, "gravity": 9.81}
+    others = {"m": 0.5, "d": 0.3, "C": 0.2, "A": 0.5, "g": 9.81}
+    by_lagrange("top", L, [psi, theta, phi], [a, b, c], known, others, around=[0, 1.6, 0, 0, 0, 0])

@@ -1,0 +1,128 @@
+"""Laws of the lectures on the string, the top, and the particle on a surface."""
+
+import math
+
+import numpy as np
+import pytest
+
+from tam570.integrate import solve
+from tam570.lectures import string, surface, top
+
+DRAW = np.random.default_rng(572)
+
+
+def test_newton_and_lagrange_agree_on_the_string():
+    for _ in range(10):
+        state = [*DRAW.uniform(0.2, 3, 1), *DRAW.normal(size=3)]
+        known = {"masses": DRAW.uniform(0.1, 5, 2), "gravity": 9.81}
+        accelerations, tension = string.by_newton(state, **known)
+        assert accelerations == pytest.approx(string.by_lagrange(state, **known), rel=1e-12, abs=1e-12)
+        # the mass below by itself: m2 r'' = T - m2 g
+        assert tension == pytest.approx(known["masses"][1] * (accelerations[0] + 9.81), rel=1e-12)
+
+
+def test_a_string_at_rest_lets_go():
+    (falling, turning), tension = string.by_newton([1.0, 0.0, 0.0, 0.0], masses=(1.0, 3.0), gravity=8.0)
+    assert (falling, turning, tension) == pytest.approx((-6.0, 0.0, 6.0))
+
+
+def test_a_disturbed_circle_swings_as_it_should():
+    known, r = {"masses": (1.3, 0.7), "gravity": 9.81}, 0.8
+    om = math.sqrt(0.7 * 9.81 / (1.3 * r))  # of the circle
+    w = math.sqrt(3 * 0.7 * 9.81 / (2.0 * r))
+    times = np.linspace(0.0, 4 * math.pi / w, 200)
+    states = solve(string.rates, times, [r + 1e-5, 0.0, 0.0, om * (1 - 2e-5 / r)], parameters=known)  # same momentum
+    swing = r + 1e-5 * np.cos(w * times)
+    assert np.abs(states[:, 0] - swing).max() < 1e-8  # squares of the disturbance, 1e-10, over two swings
+
+
+def test_the_string_refuses_by_name():
+    for state in ([0.0, 0, 1, 1], [-1.0, 0, 0, 1]):
+        for function in (string.by_newton, string.by_lagrange):
+            with pytest.raises(ValueError, match="state: r"):
+                function(state, **string.EXAMPLE)
+    for masses in ((1.0, 0.0), (1.0,), (1.0, math.inf)):
+        with pytest.raises(ValueError, match="masses"):
+            string.by_newton(string.START, masses=masses, gravity=9.81)
+
+
+TOP = {"mass": 0.8, "distance": 0.3, "axial": 0.02, "transverse": 0.09, "gravity": 9.81}
+WEIGHT = 0.8 * 0.3 * 9.81
+
+
+@pytest.mark.parametrize("tilt", [0.4, 1.2, math.pi / 2 + 0.3, 2.8])
+@pytest.mark.parametrize("spin", [60.0, -60.0])
+def test_steady_precession_stays_steady(tilt, spin):
+    slow, fast = top.steady_precession(tilt, spin, **TOP)
+    assert abs(slow) < abs(fast)
+    for W in (slow, fast):
+        balance = TOP["transverse"] * math.cos(tilt) * W**2 - TOP["axial"] * spin * W + WEIGHT
+        assert abs(balance) < 1e-12 * (WEIGHT + abs(TOP["axial"] * spin * W))
+        rates = top.rates(0.0, (0.2, tilt, 0.1, W, 0.0, spin - W * math.cos(tilt)), **TOP)
+        assert rates[3:] == pytest.approx((0.0, 0.0, 0.0), abs=1e-10)
+
+
+def test_a_level_top_precesses_as_the_classics_have_it():
+    slow, fast = top.steady_precession(math.pi / 2, 40.0, **TOP)
+    assert slow == pytest.approx(top.classic_precession(40.0, **TOP), rel=1e-14) and math.isinf(fast)
+    assert top.classic_precession(40.0, **TOP) == pytest.approx(WEIGHT / (0.02 * 40.0))
+    near = top.steady_precession(math.pi / 2 - 1e-3, 40.0, **TOP)[0]
+    assert near == pytest.approx(slow, rel=1e-2) and near != slow
+
+
+def test_too_slow_a_top_has_no_steady_precession():
+    limit = math.sqrt(4 * TOP["transverse"] * math.cos(0.5) * WEIGHT) / TOP["axial"]
+    top.steady_precession(0.5, limit * (1 + 1e-9), **TOP)
+    with pytest.raises(ValueError, match="no steady precession"):
+        top.steady_precession(0.5, limit * (1 - 1e-9), **TOP)
+    with pytest.raises(ValueError, match="no steady precession"):
+        top.steady_precession(math.pi / 2, 0.0, **TOP)
+    assert top.steady_precession(2.5, 0.0, **TOP)[0] == pytest.approx(-top.steady_precession(2.5, 0.0, **TOP)[1])
+    with pytest.raises(ValueError, match="spin"):
+        top.classic_precession(0.0, **TOP)
+
+
+@pytest.mark.parametrize("share", [0.97, 1.03])
+def test_a_top_sleeps_as_its_motion_does(share):
+    """Next to upright: within 3 s the tilt grows many times, or hardly."""
+    spin = share * math.sqrt(4 * TOP["transverse"] * WEIGHT) / TOP["axial"]
+    start = (0.0, 1e-4, 0.0, spin * TOP["axial"] / (2 * TOP["transverse"]), 0.0, 0.0)
+    start = (*start[:5], spin - start[3])
+    tilts = solve(top.rates, np.linspace(0.0, 3.0, 100), start, parameters=TOP)[:, 1]
+    assert top.sleeps(spin, **TOP) == (tilts.max() < 1e-3) == (share > 1)
+
+
+def test_the_top_refuses_by_name():
+    with pytest.raises(ValueError, match="theta"):
+        top.rates(0.0, (0.0, 0.0, 0.0, 1.0, 0.0, 5.0), **TOP)
+    for name in ("mass", "distance", "axial", "transverse"):
+        for call in (lambda known: top.sleeps(3.0, **known), lambda known: top.steady_precession(1.0, 90.0, **known)):
+            with pytest.raises(ValueError, match=name):
+                call({**TOP, name: 0.0})
+
+
+@pytest.mark.parametrize("kind", ["bowl", "saddle", "plane"])
+def test_the_force_of_the_surface_does_no_virtual_work(kind):
+    """Along both tangents it vanishes; with the weight it gives F = m a of the motion in space."""
+    known = {"mass": 1.7, "gravity": 9.81, "surface": kind, "curvature": 0.8}
+    sx, sy = {"bowl": (0.8, 0.8), "saddle": (0.8, -0.8), "plane": (0, 0)}[kind]
+    for x, y, u, v in DRAW.normal(size=(5, 4)):
+        force = surface.constraint_force([x, y, u, v], **known)
+        assert [force @ [1, 0, sx * x], force @ [0, 1, sy * y]] == pytest.approx([0, 0], abs=1e-12)
+        _, _, ax, ay = surface.rates(0.0, [x, y, u, v], **known)
+        az = sx * (u * u + x * ax) + sy * (v * v + y * ay)
+        assert force - [0, 0, 1.7 * 9.81] == pytest.approx(1.7 * np.array([ax, ay, az]), abs=1e-11)
+
+
+def test_what_surfaces_keep_besides_energy():
+    times = np.linspace(0.0, 4.0, 30)
+    known = {"mass": 1.0, "gravity": 9.81, "curvature": 0.7}
+    x, y, u, v = solve(surface.rates, times, [1.0, 0.2, -0.3, 1.1], parameters={**known, "surface": "bowl"}).T
+    assert x * v - y * u == pytest.approx(np.full(30, 1.0 * 1.1 + 0.2 * 0.3), rel=1e-8)
+    for kind, sign in (("bowl", 1), ("saddle", -1)):  # geodesics
+        free = {**known, "gravity": 0.0, "surface": kind}
+        x, y, u, v = solve(surface.rates, times, [1.0, 0.2, -0.3, 1.1], parameters=free).T
+        square = u**2 + v**2 + 0.49 * (x * u + sign * y * v) ** 2
+        assert square == pytest.approx(np.full(30, square[0]), rel=1e-8)
+    with pytest.raises(ValueError, match="surface"):
+        surface.rates(0.0, surface.START, **{**surface.EXAMPLE, "surface": "cone"})

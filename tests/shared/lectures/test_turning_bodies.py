@@ -1,0 +1,183 @@
+"""Laws of the lectures on gimbals, cones, bearings, matrices as states, and coordinates that are none."""
+
+import math
+
+import numpy as np
+import pytest
+
+from tam570 import rotations
+from tam570.integrate import solve, solve_rotation
+from tam570.invariants import growth_exponent, rotation_defect
+from tam570.lectures import bearings, cones, drifting_matrix, gimbals, wrong_coordinates
+
+DRAW = np.random.default_rng(571)
+STEP = 1e-5  # of differences, which are then off by 1e-10 and by 1e-11 of rounding
+
+
+def inertia():
+    """(3, 3) of a random body."""
+    points = DRAW.normal(size=(6, 3))
+    return np.sum(points**2) * np.eye(3) - points.T @ points
+
+
+@pytest.mark.parametrize("sequence", ["313", "312"])
+class TestGimbals:
+    def test_rings_turn_in_order(self, sequence):
+        angles = DRAW.uniform(-3, 3, 3)
+        first, both, all_three = gimbals.rings(angles, sequence)
+        assert all_three == pytest.approx(rotations.matrix_from_euler(sequence, angles), abs=1e-14)
+        assert first == pytest.approx(rotations.matrix_from_axis_angle([0, 0, 1], angles[0]), abs=1e-14)
+        assert both[:, 0] == pytest.approx(first[:, 0], abs=1e-14)  # the second turn is about x
+
+    def test_omega_is_the_vector_of_R_dot_R_transposed(self, sequence):
+        angles, rates = DRAW.uniform(-3, 3, 3), DRAW.normal(size=3)
+        after, before = (gimbals.rings(angles + s * STEP * rates, sequence)[2] for s in (1, -1))
+        spin = (after - before) / (2 * STEP) @ gimbals.rings(angles, sequence)[2].T
+        assert gimbals.angular_velocity(angles, rates, sequence) == pytest.approx(rotations.unskew(spin), abs=1e-8)
+
+    def test_both_directions_are_inverse(self, sequence):
+        for _ in range(20):
+            angles, rates = DRAW.uniform(-3, 3, 3), DRAW.normal(size=3)
+            omega = gimbals.angular_velocity(angles, rates, sequence)
+            # the rates are as much larger than omega as the lock is near
+            assert gimbals.euler_rates(angles, omega, sequence) == pytest.approx(rates, rel=1e-9, abs=1e-9)
+
+    def test_the_lock_is_told_by_its_angle(self, sequence):
+        for theta in (0.0, math.pi) if sequence == "313" else (math.pi / 2, -math.pi / 2):
+            with pytest.raises(ValueError, match="theta"):
+                gimbals.euler_rates([0.3, theta, 0.1], [1.0, 2.0, 3.0], sequence)
+        near = 1e-6 if sequence == "313" else math.pi / 2 - 1e-6
+        assert np.isfinite(gimbals.euler_rates([0.3, near, 0.1], [1.0, 2.0, 3.0], sequence)).all()
+
+
+def test_gimbals_refuse_by_name():
+    for wrong, name in (
+        (("123", [1, 2, 3]), "sequence"),
+        (("313", [1, 2]), "angles"),
+        (("313", [1, 2, math.nan]), "angles"),
+    ):
+        with pytest.raises(ValueError, match=name):
+            gimbals.rings(wrong[1], wrong[0])
+    with pytest.raises(ValueError, match="rates"):
+        gimbals.angular_velocity([1, 2, 3], [1, 2], "313")
+    with pytest.raises(ValueError, match="omega"):
+        gimbals.euler_rates([1, 2, 3], [1, math.inf, 2], "313")
+
+
+BODIES = [
+    {"axial": C, "transverse": A, "spin": s, "wobble": w}
+    for C, A in ((2.0, 1.0), (0.3, 1.4), (1.0, 1.0))
+    for s, w in ((2.0, 0.7), (-1.5, 0.4), (0.0, 1.0), (3.0, 0.0), (1.0, -0.5))
+]
+
+
+@pytest.mark.parametrize("body", BODIES)
+def test_cones_touch_and_roll(body):
+    """omega lies on both cones; the same arc is rolled on each."""
+    t = np.linspace(0.0, 3.0, 7)
+    omega, axis = cones.omega(t, **body), cones.axis(t, **body)
+    size = math.hypot(body["spin"], body["wobble"])
+    assert np.linalg.norm(omega, axis=1) == pytest.approx(np.full(7, size))
+    assert np.sum(omega * axis, axis=1) / size == pytest.approx(np.full(7, math.cos(cones.body_cone(**body))))
+    assert omega[:, 2] / size == pytest.approx(np.full(7, math.cos(cones.space_cone(**body))))
+    in_space = cones.precession_rate(**body) * math.sin(cones.space_cone(**body))
+    in_body = cones.body_rate(**body) * math.sin(cones.body_cone(**body))
+    assert in_space == pytest.approx(in_body, rel=1e-12, abs=1e-12)
+
+
+@pytest.mark.parametrize("body", BODIES)
+def test_cones_are_the_free_motion_of_the_body(body):
+    """The axis moves with the body, axis' = omega x axis; H by omega and axis stands still."""
+    t = np.linspace(0.0, 3.0, 7)
+    omega, axis = cones.omega(t, **body), cones.axis(t, **body)
+    rate = (cones.axis(t + STEP, **body) - cones.axis(t - STEP, **body)) / (2 * STEP)
+    assert rate == pytest.approx(np.cross(omega, axis), abs=1e-8)
+    along = np.sum(omega * axis, axis=1)[:, None] * axis
+    H = body["transverse"] * (omega - along) + body["axial"] * along
+    assert pytest.approx(np.tile(H[0], (7, 1)), abs=1e-12) == H
+    assert cones.precession_rate(**body) == pytest.approx(np.linalg.norm(H[0]) / body["transverse"])
+
+
+def test_cones_in_their_limits():
+    spinning = {"axial": 2.0, "transverse": 1.0, "spin": 3.0}
+    assert cones.body_cone(**spinning, wobble=0.0) == 0.0 == cones.space_cone(**spinning, wobble=0.0)
+    assert cones.precession_rate(**spinning, wobble=1e-4) == pytest.approx(2 * 3.0, rel=1e-8)  # a disk, twice its spin
+    assert cones.omega(0.5, **spinning, wobble=1.0).shape == (3,)
+    resting = {**spinning, "spin": 0.0, "wobble": 0.0}
+    assert (cones.omega([0.0, 1.0], **resting) == 0).all()
+    with pytest.raises(ValueError, match="spin"):
+        cones.body_cone(**resting)
+    for name in ("axial", "transverse"):
+        with pytest.raises(ValueError, match=name):
+            cones.space_cone(**{**spinning, "wobble": 1.0, name: 0.0})
+
+
+def test_bearings_give_the_rate_of_angular_momentum():
+    """H of the turning body in space, by differences, taken back into the body."""
+    for _ in range(5):
+        body, spin, spin_rate = inertia(), *DRAW.normal(size=2)
+
+        def momentum(t, body=body, spin=spin, spin_rate=spin_rate):
+            R = rotations.matrix_from_axis_angle([0, 0, 1], spin * t + spin_rate * t * t / 2)
+            return R @ body @ [0, 0, spin + spin_rate * t]
+
+        rate = (momentum(STEP) - momentum(-STEP)) / (2 * STEP)
+        assert bearings.moment(body, spin, spin_rate) == pytest.approx(rate, abs=1e-7)
+
+
+def test_bearings_feel_the_off_diagonal_terms_alone():
+    assert bearings.moment(np.diag([1.0, 2.0, 0.5]), 7.0, 0.0) == pytest.approx([0, 0, 0], abs=0)
+    only = np.array([[0.0, 0.3, 0.2], [0.3, 0.0, -0.1], [0.2, -0.1, 0.0]])
+    assert bearings.moment(only, 2.0, 0.5) == pytest.approx([0.2 * 0.5 + 0.1 * 4, -0.1 * 0.5 + 0.2 * 4, 0.0])
+    for wrong in (np.eye(2), [[1, 2, 0], [0, 1, 0], [0, 0, 1]], np.full((3, 3), math.nan)):
+        with pytest.raises(ValueError, match="inertia"):
+            bearings.moment(wrong, 1.0, 0.0)
+    with pytest.raises(ValueError, match="spin_rate"):
+        bearings.moment(np.eye(3), 1.0, math.inf)
+
+
+def free_state():
+    """R and omega in the body, of a random start."""
+    return rotations.exp(DRAW.normal(size=3)), DRAW.normal(size=3)
+
+
+def test_the_matrix_moves_as_euler_has_it():
+    """Two derivations: omega in space, and omega in the body, with H constant and with Euler's equations."""
+    known = {"inertia": (1.0, 2.3, 2.9)}
+    for _ in range(5):
+        R, omega = free_state()
+        body = wrong_coordinates.rates(0.0, [*R.ravel(), *omega], **known)
+        space = drifting_matrix.rates(0.0, [*R.ravel(), *(R @ omega)], **known)
+        assert space[:9] == pytest.approx(body[:9], abs=1e-13)
+        assert space[9:] == pytest.approx(R @ body[9:], abs=1e-13)  # omega x omega = 0
+
+
+def test_the_matrix_drifts_and_rotations_do_not():
+    m, times = drifting_matrix, np.linspace(0.0, 1000.0, 101)
+    states = solve(m.rates, times, m.START, parameters=m.EXAMPLE, rtol=1e-6)
+    defects = rotation_defect(states[:, :9].reshape(-1, 3, 3))
+    assert growth_exponent(times[1:], defects[1:]) == pytest.approx(1.0, abs=0.15)
+    A, B, C = m.EXAMPLE["inertia"]
+
+    def euler(t, w):
+        return (B - C) * w[1] * w[2] / A, (C - A) * w[2] * w[0] / B, (A - B) * w[0] * w[1] / C
+
+    _, kept = solve_rotation(euler, times, m.START[9:], np.eye(3), rtol=1e-6)
+    assert rotation_defect(kept).max() < 1e-14 < 1e-6 < defects[-1]  # rounding
+
+
+def test_the_wrong_coordinates_keep_energy_and_size_and_lose_the_direction():
+    m, times = wrong_coordinates, np.linspace(0.0, 5.0, 11)
+    states = solve(m.wrong_rates, times, m.START, parameters=m.EXAMPLE)
+    H = np.array([m.angular_momentum(state, **m.EXAMPLE) for state in states])
+    energies = [m.energy(state, **m.EXAMPLE) for state in states]
+    assert energies == pytest.approx([energies[0]] * 11, rel=1e-9)
+    assert np.linalg.norm(H, axis=1) == pytest.approx(np.full(11, np.linalg.norm(H[0])), rel=1e-9)
+    assert np.linalg.norm(H - H[0], axis=1).max() > 0.1 * np.linalg.norm(H[0])
+
+
+@pytest.mark.parametrize("module", [drifting_matrix, wrong_coordinates])
+def test_moments_of_inertia_are_positive(module):
+    for wrong in ((1.0, 0.0, 2.0), (1.0, 2.0), (1.0, math.nan, 1.0)):
+        with pytest.raises(ValueError, match="inertia"):
+            module.rates(0.0, module.START, inertia=wrong)
