@@ -21,6 +21,7 @@ __all__ = ["action", "film", "is_minimum", "path"]
 
 EXAMPLE = {"a": 0.3, "b": 0.5, "duration": 2.6, "points": 241, "length": 10.0, "gravity": 9.81}  # rad, s, 1, m, m/s^2
 FINISHED = 1e-11  # rad, of a Newton step, after which the next would be rounding
+ROUNDING = 1e-15  # of the terms of a derivative: near half a period a step does not tell, so flat is the action
 ITERATIONS = 500
 MOTION = 0.05  # of the largest angular acceleration: what a path may miss it by and still count as a motion
 
@@ -39,7 +40,8 @@ def path(a: float, b: float, duration: float, *, points: int, length: float, gra
     for _ in range(ITERATIONS if points > 2 else 0):
         step = _descent(angles, **scene)
         angles[1:-1] += step
-        if np.abs(step).max() < FINISHED:
+        slope, diagonal = _variations(angles, duration / (points - 1), length, gravity)
+        if np.abs(step).max() < FINISHED or np.abs(slope).max() < ROUNDING * diagonal.max() * np.abs(angles).max():
             return angles
     if points > 2:
         raise ArithmeticError(f"duration: no path of least action is found for {duration!r} s")
@@ -106,7 +108,7 @@ def _descent(angles: Array, *, duration: float, length: float, gravity: float) -
             tried = np.concatenate([angles[:1], angles[1:-1] + step, angles[-1:]])
             if action(tried, duration, length=length, gravity=gravity) <= now + rounding:
                 return step
-        damping = 4 * damping or 1e-6 * length**2 / h
+        damping = 4 * damping or 1e-13 * length**2 / h
 
 
 def film(parameters: Mapping[str, Any]) -> Film:
