@@ -23,6 +23,7 @@ EXAMPLE = {"a": 0.3, "b": 0.5, "duration": 2.6, "points": 241, "length": 10.0, "
 FINISHED = 1e-11  # rad, of a Newton step, after which the next would be rounding
 ROUNDING = 1e-15  # of the terms of a derivative: near half a period a step does not tell, so flat is the action
 ITERATIONS = 500
+SOLVED = 1e-9  # rad, by which the angles of a motion that was solved for may be off
 MOTION = 0.05  # of the largest angular acceleration: what a path may miss it by and still count as a motion
 
 
@@ -62,7 +63,7 @@ def is_minimum(path: ArrayLike, duration: float, *, length: float, gravity: floa
         return True
     slope, _ = _variations(angles, h, length, gravity)
     turning = np.abs(np.diff(angles, 2)) / h**2 + (gravity / length) * np.abs(np.sin(angles[1:-1]))
-    motion = np.abs(slope).max() / (h * length**2) <= MOTION * turning.max()
+    motion = np.abs(slope).max() / (h * length**2) <= MOTION * turning.max() + SOLVED / h**2
     return bool(motion and _newton(angles, h, length, gravity, 0.0) is not None)
 
 
@@ -90,7 +91,8 @@ def _newton(angles: Array, h: float, length: float, gravity: float, damping: flo
     slope, diagonal = _variations(angles, h, length, gravity)
     beside = np.full(len(slope), -(length**2) / h)
     try:
-        step: Array = solveh_banded(np.stack([beside, diagonal + damping]), -slope)
+        bands = np.stack([beside, diagonal + damping])[-len(slope) :]  # one angle has no neighbours
+        step: Array = solveh_banded(bands, -slope)
     except LinAlgError:
         return None
     return step

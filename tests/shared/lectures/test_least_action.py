@@ -51,6 +51,8 @@ def test_small_swings_are_minima_before_half_a_period_alone(share, least):
 
 def test_what_is_no_motion_is_no_minimum():
     assert is_minimum(np.zeros(41), 0.5 * HALF, **SCENE)
+    for points in (3, 5, 401):
+        assert is_minimum(path(0.0, 0.0, 0.9 * HALF, points=points, **SCENE), 0.9 * HALF, **SCENE)
     assert not is_minimum(0.3 * np.linspace(0, 1, 41), 0.5 * HALF, **SCENE)
 
 
