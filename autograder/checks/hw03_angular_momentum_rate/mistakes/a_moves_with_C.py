@@ -1,4 +1,4 @@
-"""The rate of definition b: a point C' that moves.
+"""Definition a has the rate of definition b: C' does not move.
 
 fails: rate_about_a_fixed_point, no_discrepancy_about_a_fixed_point
 """

@@ -1,4 +1,4 @@
-"""The moment for the rate: the acceleration of C forgotten.
+"""The rate of definition c is the moment: the acceleration of C is missing.
 
 fails: rate_with_the_velocity_relative_to_C, discrepancy_with_the_velocity_relative_to_C
 """

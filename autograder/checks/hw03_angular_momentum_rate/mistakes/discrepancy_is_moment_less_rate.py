@@ -1,7 +1,6 @@
-"""The sign of the velocity of C's term reversed.
+"""The discrepancy has the opposite sign.
 
 fails: discrepancy_with_the_velocity_in_F, discrepancy_with_the_velocity_relative_to_C
-also: the sign of the acceleration of C reversed
 """
 
 _right_discrepancy = discrepancy

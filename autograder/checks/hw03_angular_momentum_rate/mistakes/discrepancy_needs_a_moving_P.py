@@ -1,7 +1,6 @@
-"""By definition c nothing is left over for a P at rest.
+"""Definition c has no discrepancy while P is at rest.
 
 fails: discrepancy_with_the_velocity_relative_to_C, rate_with_the_velocity_relative_to_C
-names: definition c, v_p zero
 """
 
 _right_discrepancy = discrepancy

@@ -1,7 +1,8 @@
-"""The moment for the rate: the acceleration of C forgotten.
+"""The rate of definition c is the moment: the acceleration of C is missing.
 
 fails: rate_with_the_velocity_relative_to_C, discrepancy_with_the_velocity_relative_to_C
-names: it vanishes for every motion
+also: The rate of definition c is the moment: the acceleration of C is missing
+names: it vanishes
 """
 
 def rate(definition, r_p, v_p, a_p, r_c, v_c, a_c, *, mass):

@@ -1,4 +1,4 @@
-"""The discrepancy without the mass.
+"""The discrepancy lacks the mass.
 
 fails: discrepancy_with_the_velocity_in_F, discrepancy_with_the_velocity_relative_to_C
 """

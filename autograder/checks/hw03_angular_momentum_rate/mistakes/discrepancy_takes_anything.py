@@ -1,7 +1,7 @@
 """Any other letter means a; the other functions refuse it.
 
 fails: discrepancy_refuses_other_definitions
-names: discrepancy takes a definition that there is none of
+names: does not raise ValueError for the definition
 """
 
 _right_discrepancy = discrepancy

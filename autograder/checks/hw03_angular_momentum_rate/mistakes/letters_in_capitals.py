@@ -1,7 +1,7 @@
-"""Capital letters are taken for small ones.
+"""Capital letters are accepted.
 
 fails: momentum_refuses_other_definitions, rate_refuses_other_definitions, discrepancy_refuses_other_definitions, special_motion_refuses_other_definitions
-names: a definition that there is none of
+names: does not raise ValueError for the definition
 """
 
 def _lenient(function):

@@ -1,7 +1,7 @@
-"""Whatever has all three letters in it is taken for c.
+"""A string with all three letters in it means c.
 
 fails: momentum_refuses_other_definitions, rate_refuses_other_definitions, discrepancy_refuses_other_definitions, special_motion_refuses_other_definitions
-names: a definition that there is none of
+names: does not raise ValueError for the definition
 """
 
 def _lenient(function):

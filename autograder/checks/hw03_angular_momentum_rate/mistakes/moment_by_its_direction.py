@@ -1,4 +1,4 @@
-"""The moment as force times arm along the unit normal of both, which there is none of for parallel vectors.
+"""The moment is force times arm along the unit normal of both; parallel vectors have none.
 
 fails: moment_is_about_C, rate_about_a_fixed_point, rate_with_the_velocity_in_F, rate_with_the_velocity_relative_to_C
 names: a_p zero

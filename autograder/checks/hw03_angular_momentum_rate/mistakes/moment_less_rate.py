@@ -1,8 +1,8 @@
-"""The sign of the velocity of C's term reversed.
+"""The discrepancy is moment less rate.
 
 fails: discrepancy_with_the_velocity_in_F, discrepancy_with_the_velocity_relative_to_C
 names: it is moment less rate
-also: the sign of the acceleration of C reversed
+also: The discrepancy has the opposite sign
 """
 
 _right_discrepancy = discrepancy

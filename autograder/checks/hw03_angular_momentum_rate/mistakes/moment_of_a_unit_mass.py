@@ -1,4 +1,4 @@
-"""The moment without the mass.
+"""The moment lacks the mass.
 
 fails: moment_is_about_C
 """

@@ -1,4 +1,4 @@
-"""The velocity relative to C in every definition.
+"""The velocity is relative to C in every definition.
 
 fails: momentum_with_the_velocity_in_F
 """

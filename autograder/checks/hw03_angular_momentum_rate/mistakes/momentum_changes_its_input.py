@@ -1,4 +1,4 @@
-"""The lever arm is computed in the place of r_P.
+"""The lever arm replaces r_P.
 
 fails: momentum_with_the_velocity_in_F, momentum_with_the_velocity_relative_to_C
 names: angular_momentum changes the arrays

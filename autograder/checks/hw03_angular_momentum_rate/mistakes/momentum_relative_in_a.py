@@ -1,4 +1,4 @@
-"""The velocity relative to C in definition a, whose C' does not move.
+"""The velocity is relative to C in definition a; C' does not move.
 
 fails: momentum_with_the_velocity_in_F
 """

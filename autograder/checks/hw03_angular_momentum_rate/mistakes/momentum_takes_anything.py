@@ -1,7 +1,7 @@
 """Any letter but c means a or b.
 
 fails: momentum_refuses_other_definitions
-names: angular_momentum takes a definition that there is none of
+names: does not raise ValueError for the definition
 """
 
 def angular_momentum(definition, r_p, v_p, r_c, v_c, *, mass):

@@ -1,7 +1,7 @@
 """Definition a, which always holds, gets a motion too.
 
 fails: special_motion_refuses_other_definitions
-names: special_motion gives a motion for definition a
+names: special_motion does not raise ValueError for the definition
 """
 
 _right_motion = special_motion

@@ -1,7 +1,7 @@
 """Any other letter gets the motion of c.
 
 fails: special_motion_refuses_other_definitions
-names: special_motion takes a definition that there is none of
+names: special_motion does not raise ValueError for the definition
 """
 
 _right_motion = special_motion

@@ -1,4 +1,4 @@
-"""The coefficients of the motion as numpy.polyval takes them, the highest first.
+"""The coefficients are in the order of numpy.polyval, the highest first.
 
 fails: special_motion_of_b, special_motion_of_c
 names: the sum starts at j = 0

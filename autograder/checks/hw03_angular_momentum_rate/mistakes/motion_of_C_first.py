@@ -1,4 +1,4 @@
-"""The motion of C before that of P, which for c is as good here.
+"""The motion of C comes before the motion of P.
 
 fails: special_motion_of_b
 names: are P and C swapped

@@ -1,4 +1,4 @@
-"""The motions of b and c swapped.
+"""The motions of b and c are swapped.
 
 fails: special_motion_of_b, special_motion_of_c
 names: they do not by definition c

@@ -1,7 +1,6 @@
-"""No angular momentum about a point that stays where it is.
+"""There is no angular momentum about a C at rest.
 
 fails: momentum_with_the_velocity_in_F, momentum_with_the_velocity_relative_to_C
-names: v_c zero
 """
 
 _right_momentum = angular_momentum

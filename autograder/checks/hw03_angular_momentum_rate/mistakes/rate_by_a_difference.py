@@ -1,4 +1,4 @@
-"""The rates as difference quotients to one side.
+"""The rates are difference quotients to one side.
 
 fails: rate_about_a_fixed_point, rate_with_the_velocity_in_F, rate_with_the_velocity_relative_to_C
 names: is it a difference quotient

@@ -1,7 +1,7 @@
 """Any other letter means a. The discrepancy is right.
 
 fails: rate_refuses_other_definitions
-names: rate takes a definition that there is none of
+names: does not raise ValueError for the definition
 """
 
 _right_rate = rate

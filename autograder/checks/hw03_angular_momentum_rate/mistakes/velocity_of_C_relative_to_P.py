@@ -1,4 +1,4 @@
-"""v_{C/P} for v_{P/C}: the sign of the relative velocity reversed.
+"""The velocity is v_{C/P}: its sign is reversed.
 
 fails: momentum_with_the_velocity_relative_to_C
 """

@@ -1,8 +1,9 @@
-"""The other definition: are b and c swapped?.
+"""The velocity is the velocity of C; the momentum is m v of P.
 
 fails: momentum_with_the_velocity_in_F, momentum_with_the_velocity_relative_to_C
 """
 
+
 def angular_momentum(definition, r_p, v_p, r_c, v_c, *, mass):
     _check(definition)
-    return np.cross(r_p - r_c, mass * (v_p - v_c if definition == "b" else v_p))
+    return np.cross(r_p - r_c, mass * v_c)

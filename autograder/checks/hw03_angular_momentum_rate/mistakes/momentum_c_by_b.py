@@ -1,7 +1,8 @@
-"""The other definition: are b and c swapped?.
+"""Definition c has the velocity of P in F: this is definition b.
 
 fails: momentum_with_the_velocity_relative_to_C
 """
+
 
 def angular_momentum(definition, r_p, v_p, r_c, v_c, *, mass):
     _check(definition)

@@ -1,0 +1,54 @@
+"""Hidden inputs of hw03: positions, velocities and accelerations of P and C, random and plain ones."""
+
+import numpy as np
+
+from tam570_grader import given
+
+NAMES = "r_p", "v_p", "a_p", "r_c", "v_c", "a_c"
+# vectors that are zero together: P or C at the origin, at rest, without acceleration, fixed
+ZERO = "r_p", "r_c", "v_p", "v_c", "v_c a_c", "a_p", "a_c", "v_p v_c", "r_p v_p a_p", "r_c v_c a_c"
+LETTERS_ALIKE = "A", "C", " b", "abc"  # no definitions, though they hold a letter of one
+
+
+def motions(draw):
+    """(state, mass) of random sizes; with zeros; P at C, P along with C, in a plane, whole numbers."""
+    random = [(draw.normal(size=(6, 3)) * draw.uniform(0.3, 3, (6, 1)), 10 ** draw.uniform(-1, 1)) for _ in range(8)]
+    zero = [(draw.normal(size=(6, 3)) * [[name not in names.split()] for name in NAMES], 1.0) for names in ZERO]
+    state = draw.normal(size=(6, 3))
+    at_c, along = state.copy(), state.copy()
+    at_c[0], along[1] = state[3], state[4]
+    return [*random, *zero, (at_c, 2.0), (along, 2.0), (state * [1, 1, 0], 1.0), (np.round(3 * state), 1.0)]
+
+
+def kind(state, what):
+    """What to call a state: which of its vectors are zero."""
+    vectors = {
+        **dict(zip(NAMES, state, strict=True)),
+        "r_p - r_c": state[0] - state[3],
+        "v_p - v_c": state[1] - state[4],
+    }
+    zero = [name for name, vector in vectors.items() if not np.any(vector)]
+    alike = {"r_p - r_c": {"r_p", "r_c"}, "v_p - v_c": {"v_p", "v_c"}}
+    zero = [name for name in zero if not alike.get(name, {""}) <= set(zero)]
+    return what + (f", {' and '.join(zero)} zero" if zero else "")
+
+
+def moments(draw):
+    return [given(s[0], s[2], s[3], mass=mass).on(kind(s, "random vectors")) for s, mass in motions(draw)]
+
+
+def momenta(draw, definitions):
+    return [
+        given(definition, s[0], s[1], s[3], s[4], mass=mass).on(kind(s, f"definition {definition}"))
+        for definition in definitions
+        for s, mass in motions(draw)
+    ]
+
+
+def rates(draw, definition):
+    return [given(definition, *s, mass=mass).on(kind(s, f"definition {definition}")) for s, mass in motions(draw)]
+
+
+def others(case):
+    """The same call with strings that name no definition."""
+    return [case.but(name).on(f'the definition "{name}"') for name in ("d", "ab", "", *LETTERS_ALIKE)]

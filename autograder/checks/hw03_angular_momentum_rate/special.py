@@ -1,0 +1,95 @@
+"""Which motions of P and C are special: at every t, told by the coefficients of products of polynomials."""
+
+import numpy as np
+
+from .right import cross, derivative, difference, value
+
+IDENTITY = 1e-12  # relative, of a coefficient: those of a motion, and so their products, are rounded to 1e-16 each
+FAR_OFF = 1e-6  # the same of a motion far from O: 1e7 m away from it one metre is rounded to 1e-9
+CERTAIN = 1e-9  # relative, of a coefficient that is there for certain
+NOTHING = 1e-8  # of the largest: a polynomial that vanishes twice is found to be below the root of rounding
+LONGEST = 100  # coefficients of a motion that are looked at
+GRID = np.linspace(0, 1, 2001)
+
+
+def smallest(p):
+    """Smallest magnitude of a vector of polynomials for 0 <= t <= 1, and where: by thirds about each dip of a grid."""
+
+    def magnitude(t):
+        return np.linalg.norm(value(p, t), axis=-1)
+
+    known = np.pad(magnitude(GRID), 1, constant_values=np.inf)
+    dips = np.flatnonzero((known[1:-1] < known[2:]) & (known[1:-1] <= known[:-2]))
+    low, high = GRID[np.maximum(dips - 1, 0)], GRID[np.minimum(dips + 1, len(GRID) - 1)]
+    for _ in range(80):  # 1e-17
+        a, b = low + (high - low) / 3, high - (high - low) / 3
+        left = magnitude(a) < magnitude(b)
+        low, high = np.where(left, low, a), np.where(left, b, high)
+    times = np.append([0.0, 1.0], (low + high) / 2)
+    where = np.argmin(magnitude(times))
+    return magnitude(times)[where], times[where]
+
+
+def extent(p):
+    """What a vector of polynomials cannot exceed for 0 <= t <= 1."""
+    return np.abs(p).sum()
+
+
+def violation(definition, p, c):
+    """The product that vanishes at every t if the definition holds, its size, and that of what it is rounded from."""
+    if definition == "b":  # -v_C x m v_P
+        one, other = derivative(c), derivative(p)
+        rounded = extent(one) * extent(other)
+    else:  # -r_{P/C} x m a_C
+        one, other = difference(p, c), derivative(derivative(c))
+        rounded = (extent(p) + extent(c)) * extent(other)
+    return np.abs(cross(one, other)).max(), extent(one) * extent(other), rounded
+
+
+def holds(definition, p, c):
+    """Whether rate = moment at every t: all coefficients of the violation are zero, but for rounding."""
+    worst, whole, rounded = violation(definition, p, c)
+    return worst <= min(IDENTITY * rounded, FAR_OFF * whole)
+
+
+def fails(definition, p, c):
+    """Whether rate and moment differ at some t for certain."""
+    worst, whole, rounded = violation(definition, p, c)
+    return worst > max(CERTAIN * whole, IDENTITY * rounded)
+
+
+def flaws(definition, p, c):
+    """What is wrong with a motion for which this definition should hold and the other fail; each flaw with a hint."""
+    if max(len(p), len(c)) > LONGEST:
+        yield f"the motion has more than {LONGEST} coefficients", ""
+    apart, speed = difference(p, c), derivative(c)
+    still, rounded = NOTHING * extent(speed), IDENTITY * (extent(p) + extent(c))
+    for vector, limit, what in (
+        (speed, still, "the velocity of C vanishes"),
+        (derivative(speed), still, "the acceleration of C vanishes"),
+        (apart, max(NOTHING * extent(apart), rounded), "P and C meet"),
+    ):
+        least, when = smallest(vector)
+        if not least > limit:
+            yield f"{what} at t = {when:.2g}", ""
+    if not extent(apart[1:]) > max(CERTAIN * extent(speed), rounded):
+        yield "P moves along with C: the vector between them does not change", ""
+    other = {"b": "c", "c": "b"}[definition]
+    if not holds(definition, p, c):
+        worst, whole, _ = violation(definition, p, c)
+        swapped = f"They do not by definition {other}" if holds(other, p, c) else ""
+        hint = swapped or "Which product must vanish, and at every t? Multiply the polynomials out"
+        yield f"rate and moment differ by {worst / (whole or 1.0):.1e} of their size", hint
+    if not fails(other, p, c):
+        yield f"definition {other} has rate = moment, too, along the motion", ""
+
+
+def order_hint(definition, p, c):
+    """What to say of a motion that has no flaw with P and C exchanged, or with its coefficients turned round.
+
+    While P rests, definition b holds whatever C does: then only a highest coefficient of zero tells that they are.
+    """
+    orders = {"Are P and C swapped? the motion of P comes first": (c, p)}
+    if definition == "c" or np.any(p[:-1]) or not np.any(c[-1]):
+        orders["The sum starts at j = 0: p[0] and c[0] are the positions at t = 0"] = (p[::-1], c[::-1])
+    return next((says for says, pair in orders.items() if next(flaws(definition, *pair), None) is None), "")
