@@ -162,12 +162,13 @@ def test_invariants_stay_for_a_thousand_characteristic_times(name):
 def test_rates_that_are_a_thousandth_off_break_a_law(name):
     """One rate after the other, of all those that an invariant depends on."""
     rates, laws, start = parts(name)
-    times = np.linspace(0.0, min(duration(name) / 30, load(name).SECONDS), 60)
+    short = load(name).SECONDS if name in ENDING else min(duration(name) / 30, load(name).SECONDS)
+    times = np.linspace(0.0, short, 60)
     for j, one in enumerate(np.eye(len(start))):
         if all(np.allclose(law(start + 0.01 * one), law(start), rtol=1e-9) for law in laws.values()):
             continue
         at_rest = rates(0.0, start.tolist())[j] == 0.0
-        states = solve(wrong, times, start, parameters={"rates": rates, "one": one, "at_rest": at_rest}, rtol=1e-11)
+        states = solve(wrong, times, start, parameters={"rates": rates, "one": one, "at_rest": at_rest}, rtol=1e-9)
         assert max(wandered(law, states) for law in laws.values()) > 1e-6, j
 
 
