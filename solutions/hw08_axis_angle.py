@@ -4,8 +4,8 @@ A rotation by the angle th about the unit vector n takes every r to
 
     r' = cos th r + (1 - cos th) (n . r) n + sin th n x r.
 
-Off limits in this file: scipy.spatial.transform and tam570.rotations, which would answer it. In rotate:
-rotation_matrix.
+Off limits in this file: scipy.spatial.transform, tam570.rotations and tam570.lectures, which would answer it. In
+rotate: rotation_matrix.
 """
 
 import numpy as np

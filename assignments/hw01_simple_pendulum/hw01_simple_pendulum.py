@@ -4,7 +4,7 @@ A point mass on a massless rod. The hinge is the origin, x right, y up; theta is
 counter-clockwise positive, so that the mass is at r = length (sin theta, -cos theta); omega and alpha are its
 first and second rates. The potential energy is zero at the lowest point.
 
-Off limits in this file: tam570.lagrange, which would answer it.
+Off limits in this file: tam570.lagrange and tam570.lectures, which would answer it.
 """
 
 import numpy as np

@@ -2,6 +2,8 @@
 
 The spring is hung at the origin and pulls the mass there with stiffness times distance; z points up and gravity acts
 along -z. A state is (x, y, z, vx, vy, vz). The potential energy is zero at the origin.
+
+Off limits in this file: tam570.lectures, which would answer it.
 """
 
 import numpy as np

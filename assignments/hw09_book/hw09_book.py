@@ -3,7 +3,7 @@
 A rotation matrix acts on column vectors, r' = R r; angles are in radians and right-handed about their axis.
 A sequence of rotations is a list of steps (axis, angle), first step first, where axis is "x", "y" or "z".
 
-Off limits in this file: scipy.spatial.transform and tam570.rotations, which would answer it.
+Off limits in this file: scipy.spatial.transform, tam570.rotations and tam570.lectures, which would answer it.
 """
 
 import numpy as np

@@ -4,7 +4,8 @@ inertia = (A, B, C) are the principal moments of inertia about the centre of mas
 velocity in rad/s, in components along the body's principal axes; R (3, 3) takes body to space components. No moment
 acts. Axes 0, 1, 2 are those of A, B, C.
 
-Off limits in `euler_rates_313`: tam570.rotations and scipy.spatial.transform, which would answer it.
+Off limits in this file: tam570.lectures, and in `euler_rates_313` tam570.rotations and scipy.spatial.transform, which
+would answer it.
 """
 
 import numpy as np

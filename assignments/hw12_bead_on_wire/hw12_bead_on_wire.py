@@ -2,7 +2,7 @@
 
 x is the generalised coordinate and v = dx/dt its rate, which is not the speed along the wire; curvature > 0.
 
-Off limits in this file: tam570.lagrange, which would answer it.
+Off limits in this file: tam570.lagrange and tam570.lectures, which would answer it.
 """
 
 import numpy as np

@@ -8,7 +8,7 @@ from . import cases, right
 
 RESULTS = {"skew": array(3, 3), "rotation_matrix": array(3, 3), "rotate": array(3)}
 NEEDS = ("numpy",)
-OFF_LIMITS = {"*": ("scipy.spatial.transform", "tam570.rotations"), "rotate": ("rotation_matrix",)}
+OFF_LIMITS = {"*": ("scipy.spatial.transform", "tam570.rotations", "tam570.lectures"), "rotate": ("rotation_matrix",)}
 
 # a few roundings of numbers of size 1 make 1e-15; quaternions and products of matrices, 1e-14
 POINTWISE = 1e-12

@@ -43,7 +43,7 @@ RESULTS = {
     "plot_rim_paths": drawing,
 }
 NEEDS = ("numpy", "matplotlib.figure")
-OFF_LIMITS = {"euler_rates_313": ("tam570.rotations", "scipy.spatial.transform")}
+OFF_LIMITS = {"*": ("tam570.lectures",), "euler_rates_313": ("tam570.rotations", "scipy.spatial.transform")}
 MANUAL = {
     "a": (2, "a simple explanation of the two tilted circles"),
     "b": (2, "the prediction for (0, 1, eps), made before looking, and the plot that shows the instability"),

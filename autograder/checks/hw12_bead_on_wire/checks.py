@@ -31,7 +31,7 @@ RESULTS = {
     "period": number,
 }
 NEEDS = ("numpy", "sympy")
-OFF_LIMITS = {"*": ("tam570.lagrange",)}
+OFF_LIMITS = {"*": ("tam570.lagrange", "tam570.lectures")}
 
 FORMULA = 1e-8  # a few roundings make 1e-15, a derivative by central differences 1e-10
 FEW_DIGITS = 1e-4  # of x'' next to the bottom; differences of energies are good to 5e-6 of what is nearly zero
