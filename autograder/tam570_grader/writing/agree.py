@@ -2,6 +2,7 @@
 
 import functools
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -10,7 +11,19 @@ from tam570_grader.writing.answers import answer
 from tam570_grader.writing.check import Given
 from tam570_grader.writing.expect import expect, expect_that, fail
 
-__all__ = ["agree", "refuse"]
+__all__ = ["Column", "agree", "agree_by_columns", "refuse", "same_for_all"]
+
+
+@dataclass(frozen=True)
+class Column:
+    """Numbers of a result, or columns of a motion, that share a unit and a scale."""
+
+    of: str  # "the angles"
+    unit: str
+    where: slice | Sequence[int]
+    turns: bool = False  # angles, which are never wrapped
+    scale: Callable[[Given, Any], float] | None = None  # scale(case, right result); default: the largest number
+
 
 PLACES = range(2, 13)  # after the point, to which people round; what has two or fewer may be exact
 SINGLE = 1e-6  # of the largest number; single precision loses 6e-8
@@ -67,6 +80,25 @@ def digits_lost(found: Any, expected: Any) -> str:
     if not exact and off <= SINGLE * np.max(np.abs(expected)) and np.array_equal(found, found.astype(np.float32)):
         return "The numbers are in single precision: use float64"
     return ""
+
+
+def agree_by_columns(
+    function: Any,
+    right: Callable[..., Any],
+    cases: Iterable[Given],
+    columns: Sequence[Column],
+    *,
+    within: float,
+    hint: str | Callable[[Given, Any, Any], str] = "",
+) -> None:
+    """As `agree`, for a flat result whose numbers have different units: each column is judged in its own."""
+    for case, found in function.each(cases):
+        expected = np.asarray(answer(right, case), float)
+        for column in columns:
+            one, other = found[column.where], expected[column.where]
+            size = (column.scale(case, expected) if column.scale else np.max(np.abs(other))) or 1.0
+            told = functools.partial(_told, hint, case, found, expected, one, other)
+            expect(one, other, within=within * size, of=column.of, unit=column.unit, hint=told)
 
 
 def _members(found: Any, expected: Any, words: Any, case: Given, only: Only) -> Iterable[tuple[Any, ...]]:

@@ -104,7 +104,7 @@ def expect(
     keeps    : `kept(...)`, asked for on failure: what becomes of an invariant along the student's motion
     """
     actual, expected = np.asarray(actual, float), np.asarray(expected, float)
-    errors = np.abs(actual - expected) / scale
+    errors = np.where(actual == expected, 0.0, np.abs(actual - expected)) / scale  # infinity may be right
     largest = float(errors.max()) if errors.size else np.nan  # with a NaN among them the maximum is NaN
     running = current()
     if running.recorder:

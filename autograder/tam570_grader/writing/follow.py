@@ -8,28 +8,18 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tam570_grader.writing.agree import Column
 from tam570_grader.writing.answers import answer
 from tam570_grader.writing.check import Given
 from tam570_grader.writing.curves import kept
 from tam570_grader.writing.expect import NEARLY, current, expect
 from tam570_grader.writing.motions import Motion, diagnosed, obeys
 
-__all__ = ["Column", "Invariant", "follow", "stays"]
+__all__ = ["Invariant", "follow", "stays"]
 
 Array = NDArray[np.float64]
 Right = Callable[..., Any]  # right(t, *start, **parameters) -> rows, or several arrays of them
 LOOSE = ((1e-3, 0.5), (1e-1, 0.25))  # (error of the scale, share of the points) of right physics at a loose tolerance
-
-
-@dataclass(frozen=True)
-class Column:
-    """Columns of a motion that share a unit and a scale."""
-
-    of: str  # "the angles"
-    unit: str
-    where: slice | Sequence[int]
-    turns: bool = False  # angles, which are never wrapped
-    scale: Callable[[Given, Array], float] | None = None  # scale(case, right rows); default: the largest number
 
 
 @dataclass(frozen=True)
@@ -50,7 +40,7 @@ def follow(
     columns: Sequence[Column],
     *,
     within: float,
-    hint: str = "",
+    hint: str | Callable[[Motion], str] = "",
     keeps: Invariant | None = None,
     restart: Callable[[Array], tuple[Any, ...]] | None = None,
     gradual: bool = True,
@@ -58,7 +48,7 @@ def follow(
     """Fail unless the student's simulation follows the right motion in every case; the motions, for further checks.
 
     within  : of the scale of each column
-    hint    : where to look, if nothing is told by the rows themselves
+    hint    : where to look, or a function of the motion that says it, if the rows themselves tell nothing
     keeps   : an invariant whose course the student's page draws beside the error
     restart : restart(row) -> the arguments behind t that begin the motion there; default: the row, cut as these are
     """
@@ -156,8 +146,8 @@ def _share(motion: Motion, size: float, error: float) -> float:
     return share if share and obeys(motion) else 0.0
 
 
-def _hint(motion: Motion, motions: Sequence[Motion], turns: Sequence[int], nearly: float, hint: str) -> str:
-    return diagnosed(motion, motions, turns, nearly) or hint
+def _hint(motion: Motion, motions: Sequence[Motion], turns: Sequence[int], nearly: float, hint: Any) -> str:
+    return diagnosed(motion, motions, turns, nearly) or (hint(motion) if callable(hint) else hint)
 
 
 def _kept(invariant: Invariant, motion: Motion) -> Any:

@@ -1,7 +1,6 @@
 """Friction no smaller than 0.05.
 
 fails: simulate_glides_without_friction, simulate_comes_to_rest_and_stays
-names: for friction 0
 """
 
 _right = simulate

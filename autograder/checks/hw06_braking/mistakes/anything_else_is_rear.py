@@ -1,7 +1,7 @@
 """Whatever is not "front" is taken for "rear".
 
 fails: mechanics_refuses_other_axles, stability_refuses_other_axles
-names: neither "front" nor "rear"
+names: does not raise ValueError
 """
 
 _right = _axles

@@ -1,7 +1,7 @@
 """The axle is not looked at where the car is at rest.
 
 fails: mechanics_refuses_other_axles
-names: does not raise ValueError for a `locked` that is neither "front" nor "rear", 'both', a car at rest
+names: does not raise ValueError
 """
 
 _friction, _simulate = friction_force, simulate

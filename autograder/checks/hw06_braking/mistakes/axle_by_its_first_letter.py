@@ -1,7 +1,7 @@
 """Any name that begins with an axle's first letter is taken for it.
 
 fails: mechanics_refuses_other_axles, stability_refuses_other_axles
-names: neither "front" nor "rear", 'r'
+names: does not raise ValueError
 """
 
 _right = _axles

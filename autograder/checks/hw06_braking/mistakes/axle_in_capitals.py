@@ -1,7 +1,7 @@
 """The axle's name in any case.
 
 fails: mechanics_refuses_other_axles, stability_refuses_other_axles
-names: neither "front" nor "rear", 'Front'
+names: does not raise ValueError
 """
 
 _right = _axles

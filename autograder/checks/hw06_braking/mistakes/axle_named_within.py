@@ -1,7 +1,7 @@
 """A part of the axles' names, like none of it, is taken for one.
 
 fails: mechanics_refuses_other_axles, stability_refuses_other_axles
-names: neither "front" nor "rear", ''
+names: does not raise ValueError
 """
 
 _right = _axles

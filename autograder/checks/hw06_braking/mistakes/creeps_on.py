@@ -1,7 +1,6 @@
 """At rest by its speed, but its place goes on.
 
 fails: simulate_comes_to_rest_and_stays
-names: and yet place or heading goes on
 """
 
 _right = simulate

@@ -1,6 +1,6 @@
 """The distance from G to an axle for the wheelbase.
 
-fails: critical_speed_is_where_growth_begins
+fails: critical_speed_is_where_growth_begins, stability_refuses_other_axles
 """
 
 _right = critical_speed

@@ -1,7 +1,8 @@
-"""The tolerances that solve_ivp has when none are given.
+"""The tolerances are solve_ivp's defaults.
 
 fails: simulate_brakes
 numerics: solve_ivp's own rtol of 1e-3
+names: tighten rtol and atol
 """
 
 

@@ -1,7 +1,6 @@
 """Where the car turns on the spot, or does not turn, the kinetic energy is taken for that of a car at rest.
 
 fails: kinetic_energy_of_G_and_of_turning
-names: turns about its free axle on the spot
 """
 
 _right = kinetic_energy

@@ -1,7 +1,7 @@
 """Without a name of the locked axle it is the rear one, for the kinetic energy.
 
 fails: mechanics_refuses_other_axles
-names: neither "front" nor "rear", None
+names: does not raise ValueError
 """
 
 _right = kinetic_energy

@@ -1,7 +1,6 @@
 """The speed taken for positive.
 
 fails: equations_in_any_motion
-names: a car in reverse
 """
 
 _right = state_derivative

@@ -1,7 +1,7 @@
 """A small speed added to the locked axle's, against a division by zero, where it is slow too.
 
 fails: friction_opposes_the_sliding, equations_of_motion
-names: the direction is right, the size too small
+unnamed: how small the added speed is, nobody can tell from what is lost
 """
 
 

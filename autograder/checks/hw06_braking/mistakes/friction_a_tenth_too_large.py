@@ -1,7 +1,6 @@
 """The rates have a tenth more friction than friction_force gives.
 
 fails: equations_of_motion
-names: it is friction that is wrong in it: of the right direction, and too large
 """
 
 _right = state_derivative

@@ -1,7 +1,6 @@
 """Coulomb friction smoothed where the locked axle is slower than a centimetre a second.
 
 fails: friction_in_any_motion_and_at_rest
-names: moves slowly
 """
 
 _right = friction_force

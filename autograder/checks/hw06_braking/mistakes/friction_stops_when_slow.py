@@ -1,7 +1,6 @@
 """No friction below a centimetre a second, as if the car were at rest.
 
 fails: friction_in_any_motion_and_at_rest
-names: as if the car were at rest
 """
 
 _right = friction_force

@@ -1,7 +1,6 @@
 """No friction where np.allclose says that the car is at rest.
 
 fails: friction_in_any_motion_and_at_rest
-names: as if the car were at rest
 """
 
 _right = friction_force

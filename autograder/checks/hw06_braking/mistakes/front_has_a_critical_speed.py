@@ -1,7 +1,6 @@
 """The same critical speed for both axles.
 
 fails: critical_speed_is_where_growth_begins
-names: critical_speed is not math.inf for a locked front axle
 """
 
 

@@ -1,6 +1,6 @@
 """Half the weight.
 
-fails: axle_load_balances_the_weight
+fails: axle_load_balances_the_weight, mechanics_refuses_other_axles
 """
 
 _load = axle_load

@@ -1,7 +1,6 @@
 """Heading wrapped to half a turn to either side.
 
 fails: simulate_brakes
-names: off by whole turns alone
 """
 
 _right = simulate

@@ -1,7 +1,6 @@
 """A motion is kept by axle and start, and given again at other times and for other cars.
 
 fails: simulate_needs_no_dense_times
-names: is something kept from one call to the next?
 """
 
 _right_simulate = simulate

@@ -1,7 +1,6 @@
 """By the logarithm of the yaw rate, which only a positive one has.
 
 fails: small_yaw_rate_is_the_linear_solution
-names: for a negative yaw rate | for no yaw rate | no yaw rate
 """
 
 _right = small_yaw_rate

@@ -1,7 +1,6 @@
 """G half way between the axles is taken for a car that nothing turns.
 
 fails: equations_without_friction_and_at_rest, growth_rate_is_the_slope
-names: G half way between the axles
 """
 
 _right_derivative, _right_growth = state_derivative, yaw_growth_rate

@@ -1,7 +1,6 @@
 """Fixed steps go on through the stop, and to and fro.
 
 fails: simulate_comes_to_rest_and_stays
-names: small there but never zero
 """
 
 

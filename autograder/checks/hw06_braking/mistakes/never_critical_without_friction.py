@@ -1,7 +1,6 @@
 """Without friction no critical speed, where it is zero.
 
 fails: critical_speed_is_where_growth_begins
-names: without friction or gravity
 """
 
 _right = critical_speed

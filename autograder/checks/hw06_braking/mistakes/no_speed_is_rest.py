@@ -1,7 +1,6 @@
 """A car that turns on the spot is taken for one at rest, by its speed alone.
 
 fails: friction_in_any_motion_and_at_rest, equations_in_any_motion, equations_without_friction_and_at_rest
-names: as if the car were at rest
 """
 
 _right_force, _right_rates = friction_force, state_derivative

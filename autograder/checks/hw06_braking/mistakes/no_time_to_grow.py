@@ -1,7 +1,6 @@
 """The yaw rate is found by steps of the speed, and is nothing where the speed has not fallen yet.
 
 fails: small_yaw_rate_is_the_linear_solution
-names: a speed that has not fallen yet
 """
 
 _right = small_yaw_rate

@@ -1,7 +1,6 @@
 """With two times only the start is given back, twice.
 
 fails: simulate_needs_no_dense_times, simulate_glides_without_friction, simulate_comes_to_rest_and_stays
-names: row 1 is the start again
 """
 
 _right = simulate

@@ -1,7 +1,6 @@
 """No rates below a tenth of a millimetre a second, as if the car were at rest.
 
 fails: equations_in_any_motion
-names: as if the car were at rest
 """
 
 _right = state_derivative

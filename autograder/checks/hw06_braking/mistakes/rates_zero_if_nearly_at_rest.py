@@ -1,7 +1,6 @@
 """No rates where np.allclose says that the car is at rest.
 
 fails: equations_in_any_motion
-names: as if the car were at rest
 """
 
 _right = state_derivative

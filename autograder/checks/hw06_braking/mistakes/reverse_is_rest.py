@@ -1,7 +1,6 @@
 """A car that goes straight back is taken for one at rest: its speed is not positive.
 
 fails: simulate_needs_no_dense_times, simulate_glides_without_friction, mechanics_refuses_other_axles
-names: taken for at rest | every row is the start | row 1 is the start again
 """
 
 _right = simulate

@@ -1,7 +1,6 @@
 """After the stop friction goes on pushing as before, and the car goes back.
 
 fails: simulate_comes_to_rest_and_stays
-names: it goes back after the stop
 """
 
 _right = simulate

@@ -1,7 +1,6 @@
 """After the stop all of the row is zero, the place and heading as well.
 
 fails: simulate_comes_to_rest_and_stays
-names: place and heading are zero there
 """
 
 _right = simulate

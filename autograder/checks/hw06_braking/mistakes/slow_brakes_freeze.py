@@ -1,7 +1,6 @@
 """A car slower than a walker counts as at rest from the start, while it still has a way to go.
 
 fails: simulate_comes_to_rest_and_stays
-names: slow is not at rest: it has a way to go before it stops
 """
 
 _right = simulate

@@ -1,7 +1,6 @@
 """Below a centimetre a second it counts as at rest, where there is no friction to bring it to rest, too.
 
 fails: simulate_glides_without_friction
-names: for a slow car
 """
 
 _right = simulate

@@ -1,7 +1,6 @@
 """The square of the yaw rate in the speed's rate with one sign, whichever axle is locked.
 
 fails: equations_of_motion, simulate_brakes
-names: in axes that turn
 """
 
 

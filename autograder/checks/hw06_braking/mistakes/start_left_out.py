@@ -1,7 +1,6 @@
 """Row 0 is the state after the first step.
 
 fails: simulate_brakes
-names: row i is the state at t[i + 1]
 """
 
 _right = simulate

@@ -2,7 +2,6 @@
 
 fails: simulate_needs_no_dense_times, simulate_comes_to_rest_and_stays
 numerics: steps that grow with the distance of the times
-names: the steps of the integration are not those of t
 """
 
 _right = simulate

@@ -1,7 +1,6 @@
 """The end of the integration, a time since t[0], compared with the times of the clock.
 
 fails: simulate_brakes
-names: before it stops
 """
 
 _right = simulate

@@ -1,7 +1,6 @@
 """It is taken for at rest where its speed passes zero, though it turns on.
 
 fails: simulate_glides_without_friction, simulate_comes_to_rest_and_stays
-names: it stops where its speed passes zero
 """
 
 _right = simulate

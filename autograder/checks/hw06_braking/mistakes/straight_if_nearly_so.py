@@ -1,7 +1,7 @@
 """Braking with a yaw rate below a thousandth of a radian a second it goes straight.
 
 fails: simulate_needs_no_dense_times
-names: it goes straight on
+names: tighten rtol and atol
 """
 
 _right = simulate

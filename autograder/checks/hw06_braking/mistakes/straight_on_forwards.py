@@ -1,7 +1,6 @@
 """A car that does not turn is stopped by a formula of its own, which takes it to go forwards.
 
 fails: simulate_needs_no_dense_times, simulate_glides_without_friction, mechanics_refuses_other_axles
-names: straight motion in reverse
 """
 
 _right = simulate
