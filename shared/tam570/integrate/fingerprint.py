@@ -84,8 +84,8 @@ def _function(value: types.FunctionType, functions: dict[int, int]) -> Hashable:
     if (value.__module__ or "").partition(".")[0] == "numpy":
         return value
     names, hidden = _looked_up(value.__code__)
-    if hidden or value.__dict__:
-        raise Changeable(f"{value.__name__} uses {hidden or 'attributes of its own'}")
+    if hidden:
+        raise Changeable(f"{value.__name__} uses {hidden}")
     held = [cell.cell_contents for cell in value.__closure__ or ()]
     known = value.__globals__
     held += [value.__defaults__, value.__kwdefaults__, *[known[name] for name in names if name in known]]

@@ -56,8 +56,8 @@ def test_a_direction_is_that_of_the_crossing():
 
 def test_two_crossings_in_one_step_are_two():
     """Up and down through a level near the top, within a single step of a polynomial motion."""
-    motion = solve(thrown, [0, 2.0], [0.0, 10.0], events=event(height(3.0)))
-    assert motion.events[0].t == pytest.approx([1 - math.sqrt(0.4), 1 + math.sqrt(0.4)], abs=1e-12)
+    motion = solve(thrown, [0, 2.0], [0.0, 10.0], events=event(height(4.95)))
+    assert motion.events[0].t == pytest.approx([0.9, 1.1], abs=1e-12)
     assert motion.report.steps < 20
 
 
@@ -137,8 +137,8 @@ def test_events_and_dense_change_no_step():
 
 def test_times_may_decrease():
     t = np.linspace(3.0, -2.0, 26)
-    states = solve(lambda t, y: (y[0] * math.cos(t),), t, [math.exp(math.sin(3.0))], rtol=1e-12)
-    assert states[:, 0] == pytest.approx(np.exp(np.sin(t)), rel=1e-10)
+    states = solve(lambda t, y: (y[0] * math.sin(t),), t, [math.exp(-math.cos(3.0))], rtol=1e-12)
+    assert states[:, 0] == pytest.approx(np.exp(-np.cos(t)), rel=1e-10)
     for method in ("gauss", "python"):
         ends = solve(oscillator, [1.0, 0.0], [math.cos(1), -math.sin(1)], method=method, rtol=1e-12)[-1]
         assert ends == pytest.approx([1.0, 0.0], abs=1e-11)

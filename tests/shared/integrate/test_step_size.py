@@ -86,3 +86,30 @@ def test_tolerances_beyond_rounding_finish():
     for rtol in (1e-15, 1e-17, 1e-30):
         state = solve(oscillator, [0, 100], [1.0, 0.0], rtol=rtol)[-1]
         assert state == pytest.approx([math.cos(100), -math.sin(100)], abs=100 * EPS)
+
+
+def test_an_estimate_that_passes_through_zero_deceives_nobody():
+    """The estimate of order 5 of this one component changes sign in the last step: 600 times the tolerance without."""
+    t = np.array([-3.0, -1.0, 2.0])
+    states = solve(lambda t, y: (-y[0] * math.cos(t),), t, [math.exp(math.sin(3.0))], rtol=1e-12, method="python")
+    assert states[:, 0] == pytest.approx(np.exp(-np.sin(t)), rel=1e-11)
+
+
+def test_atol_spares_steps_where_nobody_looks():
+    """A tiny component beside a large one, of the same kind: judged by itself, or by what is asked for."""
+
+    def rates(t, y):
+        return y[1], -y[0], y[3], -400 * y[2]
+
+    def steps(**given):
+        return solve(rates, [0, 20.0], [1.0, 0.0, 1e-12, 0.0], report=True, method="python", **given).report.steps
+
+    assert steps(atol=1e-10) < steps() / 5
+    assert steps(atol=[0.0, 0.0, 1e-10, 1e-10]) < steps() / 5
+    assert steps(atol=0.0) == steps()
+
+
+@pytest.mark.parametrize("atol", [-1.0, math.nan, [1.0, 2.0, 3.0], "small"])
+def test_an_atol_that_is_none_is_named(atol):
+    with pytest.raises(ValueError, match="^atol: "):
+        solve(oscillator, [0, 1], [1.0, 0.0], atol=atol)

@@ -1,0 +1,60 @@
+"""The size by which a component is judged before it has shown one."""
+
+import math
+
+import pytest
+
+from tam570.integrate.scale import UNKNOWN, magnitudes
+
+
+def sizes(rhs, y, h, later=(), m=None):
+    y = tuple(y)
+    return magnitudes(lambda t, s, c: rhs(t, s), 0.0, h, y, rhs(0.0, y), m or [0.0] * len(y), (), later)
+
+
+def chain(t, y):
+    """Eight masses on springs."""
+    x = [0.0, *y[:8], 0.0]
+    return [*y[8:], *(x[i - 1] - 2 * x[i] + x[i + 1] for i in range(1, 9))]
+
+
+def test_what_moves_keeps_its_own_size():
+    assert sizes(lambda t, y: (y[1], -y[0]), (2.0, 3.0), 0.1) == (2.0, 3.0)
+    assert sizes(lambda t, y: (y[1], -y[0]), (2.0, 0.0), 0.1) == (2.0, 0.2)  # at rest, and about to move
+    assert sizes(lambda t, y: (y[1], -y[0]), (2.0, 0.0), 0.1, m=[5.0, 7.0]) == (5.0, 7.0)
+
+
+def test_a_chain_hands_its_size_on_and_less_of_it_from_link_to_link():
+    found = sizes(chain, [1.0, *[0.0] * 15], 0.1)
+    assert found[0] == 1.0
+    assert all(UNKNOWN < b < a for a, b in zip(found[:8], found[1:8], strict=False))
+
+
+@pytest.mark.parametrize("unit", [2.0**-40, 2.0**40])
+def test_sizes_go_with_the_unit(unit):
+    found, other = sizes(chain, [1.0, *[0.0] * 15], 0.1), sizes(chain, [unit, *[0.0] * 15], 0.1)
+    assert other == tuple(unit * size for size in found)
+
+
+def test_a_stiff_spring_at_its_length_does_not_make_a_size_of_a_step_that_is_too_long():
+    """It would turn over in 1e-4 s; in the step of 0.1 s that its rest suggests, the speed looks like 1e7 m/s."""
+    found = sizes(lambda t, y: (y[1], -1e8 * (y[0] - 1)), (1.0, 0.0), 0.1)
+    assert found[1] < 10 * math.sqrt(1e8)
+
+
+def test_a_force_that_sets_in_later_gives_a_size_to_what_it_moves():
+    def rates(t, y):
+        return y[1], 3.0 if t > 1 else 0.0
+
+    assert sizes(rates, (0.0, 0.0), 0.1) == (UNKNOWN, UNKNOWN)
+    assert sizes(rates, (0.0, 0.0), 0.1, later=[0.5, 2.0]) == pytest.approx(
+        (0.03, 0.3), rel=0.2
+    )  # each is changed by another part of its size
+
+
+def test_what_nothing_moves_has_no_size():
+    assert sizes(lambda t, y: (y[1], -y[0], 0.0), (2.0, 3.0, 0.0), 0.1)[2] == UNKNOWN
+
+
+def test_no_two_sizes_cancel():
+    assert sizes(lambda t, y: (0.0, 0.0, y[0] - y[1]), (1.0, 1.0, 0.0), 0.1)[2] > UNKNOWN
