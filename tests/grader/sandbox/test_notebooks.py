@@ -1,0 +1,52 @@
+"""Notebooks that nbgrader shows are read in a process of their own: short plain text comes back, or a reason."""
+
+import json
+import os
+
+import pytest
+
+from tam570_grader.sandbox.inside import cells as inside
+from tam570_grader.sandbox.notebooks import Unshown, cells_of
+
+
+def book(*cells, **other):
+    return json.dumps({"cells": cells, **other}).encode()
+
+
+def words(text, kind="markdown", **other):
+    return {"cell_type": kind, "metadata": {}, "source": text, **other}
+
+
+def test_what_is_shown_of_a_cell():
+    stream = {"output_type": "stream", "text": ["a", "b"]}
+    picture = {"output_type": "display_data", "data": {"image/png": "aGk=", "text/html": "<script>"}}
+    code = words(["x = 1\n", "x"], "code", outputs=[stream, picture, 3], metadata={"nbgrader": {"grade_id": "a"}})
+    first, second = cells_of(book(words("text"), code))
+    assert (first["kind"], first["source"]) == ("markdown", "text")
+    assert (second["kind"], second["source"], second["grade_id"]) == ("code", "x = 1\nx", "a")
+    assert [one.get("text") or one["data"] for one in second["outputs"]] == ["ab", {"image/png": "aGk="}]
+
+
+@pytest.mark.parametrize("text", [b"[" * 3_000_000, b'{"cells": [3]}', b"[]", b"{}", b'{"cells": {"a": 1}}', b"\xff"])
+def test_a_strange_notebook_is_told_and_harms_nobody(text):
+    with pytest.raises(Unshown):
+        cells_of(text)
+    assert len(cells_of(book(words("the next")))) == 1
+
+
+def test_many_cells_and_long_ones_are_cut():
+    assert len(cells_of(book(*[words("x")] * 60_000))) == inside.MOST_CELLS + 1
+    cells = cells_of(book(*[words(r"\begin{a} " * 16_000)] * 40, words("x" * 10**6, "code")))
+    shown = sum(len(cell["source"]) - len(inside.CUT) for cell in cells if cell["kind"] == "markdown")
+    assert shown <= inside.MOST_TEXT and len(cells[0]["source"]) <= inside.LONGEST_TEXT + len(inside.CUT)
+    assert len(cells[-1]["source"]) <= inside.LONGEST_CODE + len(inside.CUT)
+
+
+def test_a_pipe_in_place_of_a_notebook_is_told(tmp_path):
+    bridge = pytest.importorskip("tam570_grader.delivery.nbgrader_bridge")
+    os.mkfifo(tmp_path / "hw08.ipynb")
+    assert "not a regular file" in bridge._students(tmp_path / "hw08.ipynb")
+    (tmp_path / "large.ipynb").write_bytes(b" " * (bridge.LARGEST + 1))
+    assert "larger" in bridge._students(tmp_path / "large.ipynb")
+    (tmp_path / "notes.txt").touch()
+    assert bridge._own_files(str(tmp_path), str(tmp_path)) == [str(tmp_path / "notes.txt")]

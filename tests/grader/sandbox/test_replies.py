@@ -1,0 +1,104 @@
+"""A reply is checked before anything reads it: by type, depth, size and number, for each mode."""
+
+import json
+
+import numpy as np
+import pytest
+
+from tam570_grader.sandbox import replies
+from tam570_grader.sandbox.cell import CellLost
+from tam570_grader.sandbox.inside.wire import DEEPEST, Foreign
+from tam570_grader.writing.curves import readable
+from tam570_grader.writing.returns import Drawing
+
+LINE = {"points": np.zeros((12, 2)), "label": "path", "scatter": False}
+
+
+def value(sent, mode="value"):
+    return replies.checked({"value": sent, "changed": False}, mode)["value"]
+
+
+def nested(depth):
+    made = 1.0
+    for _ in range(depth):
+        made = [made]
+    return made
+
+
+def drawing(**other):
+    return value({"lines": [LINE], "xlabel": "x (m)", "ylabel": "y (m)", "equal_aspect": True, **other}, "drawing")
+
+
+@pytest.mark.parametrize("sent", ["text", b"bytes", {"a": 1.0}, ["x" * 10**6, ""], [[b""]], 3, nested(DEEPEST + 2)])
+def test_what_is_no_number_is_no_reply_of_a_call(sent):
+    with pytest.raises(CellLost):
+        value(sent)
+
+
+@pytest.mark.parametrize("sent", [1.0, None, True, [1.0, [2.0, Foreign("str")]], nested(DEEPEST)])
+def test_numbers_come_through(sent):
+    assert value(sent) == sent
+
+
+@pytest.mark.parametrize("shape", [(2**40, 0), (0, 1999, 1999), (1, 2**50, 0)])
+def test_an_array_of_no_number_stands_for_few_lists(shape):
+    assert value(np.empty(shape)).shape == (0,)
+
+
+@pytest.mark.parametrize("sent", [nested(900), "x" * 10**6, [nested(900)], [{"a": 1.0}], ["1+2j"], {"strangers": 1}])
+def test_a_formula_has_numbers_alone(sent):
+    try:
+        found = value(sent, "formula")
+    except CellLost:
+        return
+    kinds = (float, Foreign, np.ndarray)
+    assert found == {"strangers": []} or all(isinstance(one, kinds) for one in found)
+
+
+@pytest.mark.parametrize(
+    "other",
+    [
+        {"lines": [LINE] * 2001},
+        {"lines": [{**LINE, "points": [[0.0, 0.0]]}]},
+        {"lines": [{**LINE, "points": np.zeros((12, 3))}]},
+        {"lines": [{**LINE, "points": np.zeros((2**20, 2))}] * 2},
+        {"lines": "many"},
+        {"lines": [[]]},
+    ],
+)
+def test_a_drawing_of_too_much_is_none(other):
+    assert drawing(**other) is None
+
+
+def test_a_drawing_has_short_labels_and_a_scatter_few_points():
+    scatter = {**LINE, "points": np.zeros((10**6, 2)), "scatter": True, "label": r"\hspace{" * 10**5}
+    made = drawing(lines=[scatter], xlabel=r"\hspace{" * 10**6, ylabel=7)
+    assert len(made.xlabel) == len(made.lines[0].label) == replies.LONGEST_TEXT and made.ylabel == ""
+    assert len(made.lines[0].points) <= replies.MOST_SCATTERED
+
+
+def test_a_label_is_read_once_through():
+    """Spaces that are not closed are not looked for again from each of them."""
+    label = r"\hspace{" * 20_000 + "}"
+    assert readable(Drawing(xlabel=label)).xlabel == r"\hspace{" * 19_999 + " "
+
+
+@pytest.mark.parametrize("error", [{"kinds": ["x"] * 10**6}, {"kinds": ["x" * 10**6]}, {"kinds": nested(900)}, "odd"])
+def test_an_error_of_many_words_has_none(error):
+    assert replies.checked({"error": error}, "value") == {"error": replies.NO_ERROR}
+
+
+FORGED = """
+import struct
+
+def lagrangian():
+    reply = b"\\x82\\xa5value" + b"\\x91" * 900 + b"\\xc0\\xa7changed\\xc2"
+    with open(3, "wb", closefd=False) as channel:
+        channel.write(struct.pack(">I", len(reply)) + reply)
+"""
+
+
+def test_a_formula_nested_a_thousand_deep_is_one_submissions_result(grade):
+    """To show such a value, or to write it down, takes as deep a recursion."""
+    result = grade("hw12_bead_on_wire", FORGED)
+    assert result.score == 0 and json.dumps(result.record())
