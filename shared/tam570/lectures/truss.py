@@ -26,7 +26,7 @@ EXAMPLE: dict[str, Any] = {  # kg, -, m, N/m: a square with one diagonal
     "stiffness": 300.0,
 }
 START = (0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0, 1.9, -1.5, 1.9, 1.5, -1.1, 1.5, -1.1, -1.5)  # turns at 3 rad/s
-SECONDS = 8.0
+SECONDS = 6.0
 
 
 def rates(

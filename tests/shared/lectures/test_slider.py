@@ -1,0 +1,72 @@
+"""The slider of a film that is there for several values of a number."""
+
+import numpy as np
+import pytest
+
+from tam570.show.compact import packed
+from tam570.show.film import Film, Panel, Part, clock, followed, with_slider
+from tam570.show.page import page
+
+
+def grown(size):
+    """A point that goes as far as it is told, in as many seconds."""
+    times = clock(size)
+    path = np.column_stack([size * times / times[-1], 0 * times])
+    return Film(
+        f"goes {size:g}",
+        "",
+        times,
+        [Panel([Part("dot", path[:, None], name=f"to {size:g}"), Part("dot", np.zeros((1, 2)))])],
+        [followed(f"place of {size:g}", times, {"": path[:, 0]}, "m")],
+    )
+
+
+@pytest.fixture
+def tab(browser, tmp_path):
+    """The page of the film at 2, with a slider to 1 and 4; it must not complain."""
+    document = page(with_slider(grown, "size", "m", [4.0, 1.0, 2.0], 2.0))
+    (tmp_path / "slider.html").write_text(document, encoding="utf-8")
+    complaints = []
+    context = browser.new_context(viewport={"width": 390, "height": 844}, reduced_motion="reduce")
+    tab = context.new_page()
+    tab.on("pageerror", lambda error: complaints.append(str(error)))
+    tab.goto((tmp_path / "slider.html").as_uri())
+    yield tab
+    context.close()
+    assert not complaints
+
+
+def test_all_films_of_a_slider_share_one_scale():
+    found = packed(with_slider(grown, "size", "m", [4.0, 1.0], 2.0))
+    assert found["slider"]["values"] == [1.0, 2.0, 4.0] and found["slider"]["chosen"] == 1
+    one, chosen, four = found["slider"]["films"]
+    assert chosen is None and {film["panels"][0]["unit"] for film in (one, found, four)} == {4.0 / 2000}
+    assert one["panels"][0]["size"] == four["panels"][0]["size"]
+
+
+def test_a_film_without_a_slider_has_none():
+    assert "slider" not in packed(grown(1.0))
+
+
+def test_the_slider_begins_at_the_value_that_was_set(tab):
+    assert tab.get_by_label("size").is_visible()
+    assert tab.locator("#chosen").inner_text() == "2 m"
+    assert tab.locator("#legend").inner_text() == "to 2" and tab.locator("figure").count() == 1
+    assert tab.evaluate("document.documentElement.scrollWidth") <= 390
+
+
+def test_keys_change_the_value_the_length_and_what_is_shown(tab):
+    tab.keyboard.press("End")
+    assert tab.evaluate("state.time") == pytest.approx(2.0)
+    tab.keyboard.press("]")
+    assert tab.locator("#chosen").inner_text() == "4 m" and tab.evaluate("duration") == pytest.approx(4.0)
+    assert tab.evaluate("state.time") == pytest.approx(2.0)  # the same moment of the other motion
+    assert "place of 4" in tab.locator("figure").inner_text()
+    tab.keyboard.press("]")
+    assert tab.locator("#chosen").inner_text() == "4 m"
+    tab.get_by_label("size").focus()
+    tab.keyboard.press("ArrowLeft")
+    tab.keyboard.press("ArrowLeft")
+    assert tab.locator("#chosen").inner_text() == "1 m" and tab.evaluate("state.time") == pytest.approx(1.0)
+    assert tab.get_by_label("size").get_attribute("aria-valuetext") == "1 m"
+    assert tab.locator("#legend").inner_text() == "to 1" and tab.locator("figure").count() == 1
