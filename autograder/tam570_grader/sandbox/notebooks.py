@@ -7,7 +7,7 @@ from typing import Any
 from tam570_grader.sandbox.cell import CellLost, CellTimeout
 from tam570_grader.sandbox.imports import python_class
 from tam570_grader.sandbox.replies import error_of
-from tam570_grader.sandbox.worker import Allowance, Worker
+from tam570_grader.sandbox.worker import Allowance, Worker, WorkerLost
 
 __all__ = ["Unshown", "cells_of"]
 
@@ -20,7 +20,11 @@ class Unshown(Exception):
 
 def cells_of(text: bytes) -> list[dict[str, Any]]:
     """The cells of a notebook, as `inside.cells` describes them, or Unshown; nothing of it has run."""
-    cell = _reader().cell(READING.cpu)
+    try:
+        cell = _reader().cell(READING.cpu)
+    except WorkerLost:
+        _reader.cache_clear()  # the next one has a new reader
+        raise
     try:
         cell.send({"book": text})
         reply = cell.receive(lambda reply: reply)

@@ -1,16 +1,21 @@
 """A reply is checked before anything reads it: by type, depth, size and number, for each mode."""
 
+import itertools
 import json
 
 import numpy as np
 import pytest
 
+from tam570_grader import cli
+from tam570_grader.grading import many
 from tam570_grader.sandbox import replies
 from tam570_grader.sandbox.cell import CellLost
 from tam570_grader.sandbox.inside.wire import DEEPEST, Foreign
+from tam570_grader.sandbox.worker import Allowance
 from tam570_grader.writing.curves import readable
 from tam570_grader.writing.returns import Drawing
 
+SLUG = "hw08_axis_angle"
 LINE = {"points": np.zeros((12, 2)), "label": "path", "scatter": False}
 
 
@@ -102,3 +107,29 @@ def test_a_formula_nested_a_thousand_deep_is_one_submissions_result(grade):
     """To show such a value, or to write it down, takes as deep a recursion."""
     result = grade("hw12_bead_on_wire", FORGED)
     assert result.score == 0 and json.dumps(result.record())
+
+
+def test_reading_replies_counts_as_the_submissions_time(grade, solution_text, monkeypatch):
+    """A clock that goes on by half a second each time that it is read."""
+    ticks = itertools.count(step=0.5)
+    monkeypatch.setattr("tam570_grader.sandbox.cell.time.thread_time", lambda: next(ticks))
+    result = grade(SLUG, solution_text(SLUG), allowance=Allowance(cpu=3))
+    assert result.status == "timeout" and "processor time" in result.message
+
+
+def test_a_fault_of_ours_is_one_submissions_result(tmp_path, solution_text, monkeypatch, capsys):
+    """Whatever it is, in whatever part: the class is graded on."""
+    grades = many.graded
+    for student in ("ada", "ben"):
+        (tmp_path / student / SLUG).mkdir(parents=True)
+        (tmp_path / student / SLUG / f"{SLUG}.py").write_text(solution_text(SLUG))
+
+    def broken(name, *arguments, **options):
+        if name == "ada":
+            raise RecursionError
+        return grades(name, *arguments, **options)
+
+    monkeypatch.setattr(many, "graded", broken)
+    assert cli.main(["grade", str(tmp_path), "--json"]) == 1
+    lines = [json.loads(line) for line in capsys.readouterr().out.splitlines()]
+    assert {line["student"]: line["score"] for line in lines} == {"ada": None, "ben": 10.0}
