@@ -1,4 +1,4 @@
-"""A force along the ramp that holds the weight alone, as at rest.
+"""The force along the ramp holds the weight alone, as at rest.
 
 fails: contact_force_accelerates_G
 """

@@ -1,4 +1,4 @@
-"""The weight left out of the force along the ramp.
+"""The weight is missing in the force along the ramp.
 
 fails: contact_force_accelerates_G
 """

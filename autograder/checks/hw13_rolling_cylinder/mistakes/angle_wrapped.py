@@ -1,7 +1,6 @@
-"""Phi wrapped to half a turn to either side.
+"""phi is wrapped to half a turn on either side.
 
 fails: simulate_rolls_and_rocks
-also: phi wrapped to a turn from 0
 """
 
 _right = simulate

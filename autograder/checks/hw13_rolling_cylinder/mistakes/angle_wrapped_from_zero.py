@@ -1,4 +1,4 @@
-"""Phi wrapped to a turn from 0.
+"""phi is wrapped to a turn from 0.
 
 fails: simulate_rolls_and_rocks
 """

@@ -1,7 +1,7 @@
-"""Let go at less than a tenth of a radian on level ground it follows the linear equation.
+"""Close to its lowest place the cylinder follows the linear equation.
 
 fails: simulate_needs_no_dense_times
-names: it is the small rocking of the linear equation
+names: However small the rocking
 """
 
 _right = simulate

@@ -1,4 +1,4 @@
-"""That of phi = 0 at every phi: G is as far from C there as r - e.
+"""I^C is that of phi = 0 at every phi: only there is G as far from C as r - e.
 
 fails: contact_inertia_by_the_parallel_axis_theorem, naive_acceleration_is_the_moment_over_the_inertia, energy_of_G_and_of_turning
 """

@@ -1,4 +1,4 @@
-"""The tolerances that solve_ivp has when none are given.
+"""This is solve_ivp at its default tolerances.
 
 fails: simulate_rolls_and_rocks
 numerics: solve_ivp's own rtol of 1e-3

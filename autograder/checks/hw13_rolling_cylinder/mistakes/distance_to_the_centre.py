@@ -1,4 +1,4 @@
-"""The distance from C to the centre, where that to G belongs.
+"""The distance from C to the centre stands where the distance from C to G belongs.
 
 fails: contact_inertia_by_the_parallel_axis_theorem
 """

@@ -1,7 +1,6 @@
-"""The acceleration of the centre along the ramp, r phi'', for that of G.
+"""The acceleration along the ramp is that of the centre, r phi'', not that of G.
 
 fails: contact_force_accelerates_G
-names: normal is right, along is not
 """
 
 _right = contact_force

@@ -1,4 +1,4 @@
-"""The acceleration of G without alpha x r, its turning about the centre.
+"""alpha x r, by which G turns about the centre, is missing in the acceleration of G.
 
 fails: contact_force_accelerates_G
 """

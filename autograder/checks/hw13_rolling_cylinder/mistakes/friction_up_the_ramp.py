@@ -1,4 +1,4 @@
-"""The friction positive up the ramp.
+"""The force along the ramp is positive up the ramp; it should be positive down.
 
 fails: contact_force_accelerates_G
 """

@@ -1,4 +1,4 @@
-"""The weight with a gravity that is not the one given: what is wrong is wrong at rest, too.
+"""The gravity is not the given one.
 
 fails: centred_cylinder_rolls_by_both_methods, acceleration_balances_momentum_about_G, contact_force_accelerates_G, simulate_rolls_and_rocks
 names: at rest it is wrong, too

@@ -1,4 +1,4 @@
-"""Half the term.
+"""Half the term is missing.
 
 fails: missing_moment_makes_it_right
 """

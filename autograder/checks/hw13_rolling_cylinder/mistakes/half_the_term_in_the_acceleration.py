@@ -1,7 +1,6 @@
-"""Half the term that M_C = I^C phi'' lacks.
+"""This has half the term that M_C = I^C phi'' lacks.
 
 fails: acceleration_balances_momentum_about_G, contact_force_accelerates_G, simulate_rolls_and_rocks
-also: half the term that M_C = I^C phi'' lacks, for the acceleration
 """
 
 

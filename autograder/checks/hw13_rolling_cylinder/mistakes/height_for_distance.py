@@ -1,4 +1,4 @@
-"""The height of G above the ramp for its distance from C.
+"""The height of G above the ramp stands for its distance from C.
 
 fails: contact_inertia_by_the_parallel_axis_theorem, naive_acceleration_is_the_moment_over_the_inertia, energy_of_G_and_of_turning
 """

@@ -1,4 +1,4 @@
-"""The height of G with cos(phi - slope), where cos(phi + slope) belongs.
+"""The height of G has cos(phi - slope) where cos(phi + slope) belongs.
 
 fails: energy_of_G_and_of_turning
 """

@@ -1,4 +1,4 @@
-"""phi' times its size, where its square belongs, which has no sign.
+"""phi' times its size stands where its square belongs, which has no sign.
 
 fails: missing_moment_makes_it_right
 """

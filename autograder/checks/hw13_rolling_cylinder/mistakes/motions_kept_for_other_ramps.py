@@ -1,7 +1,6 @@
-"""Motions are kept by the start and the times, whatever the cylinder and the ramp.
+"""A motion is kept by its start and times, whatever the cylinder and the ramp.
 
 fails: simulate_needs_no_dense_times
-names: and another ramp
 """
 
 _simulate, _kept = simulate, {}

@@ -1,4 +1,4 @@
-"""The moment arm by the offset: none for a centred cylinder.
+"""The moment is divided by the offset, which is zero for a centred cylinder.
 
 fails: centred_cylinder_rolls_by_both_methods, naive_acceleration_is_the_moment_over_the_inertia
 names: ZeroDivisionError for G at the centre

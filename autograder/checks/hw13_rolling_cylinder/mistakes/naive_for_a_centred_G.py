@@ -1,4 +1,4 @@
-"""I^G + m r^2 for I^C, which is that of a G at the centre.
+"""I^G + m r^2 is I^C only with G at the centre.
 
 fails: naive_acceleration_is_the_moment_over_the_inertia
 """

@@ -1,4 +1,4 @@
-"""A normal force below zero cut off to zero.
+"""A normal force below zero is cut off to zero; contact is kept.
 
 fails: contact_force_may_pull
 """

@@ -1,4 +1,4 @@
-"""The acceleration of G without its terms in phi_dot squared.
+"""The terms in phi_dot squared are missing in the acceleration of G.
 
 fails: contact_force_accelerates_G
 """

@@ -1,4 +1,4 @@
-"""No change of phi_dot where there is no gravity.
+"""Without gravity phi_dot does not change; G is accelerated all the same.
 
 fails: acceleration_level_and_without_gravity, contact_force_may_pull, simulate_keeps_the_energy
 """

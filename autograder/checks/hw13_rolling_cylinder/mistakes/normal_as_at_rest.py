@@ -1,7 +1,6 @@
-"""A normal force that carries the weight alone, as at rest.
+"""The normal force carries the weight alone, as at rest.
 
 fails: contact_force_accelerates_G
-names: along is right, normal is not
 """
 
 _right = contact_force

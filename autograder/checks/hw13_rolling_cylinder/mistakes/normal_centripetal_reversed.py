@@ -1,4 +1,4 @@
-"""The acceleration of G off the ramp, the wrong sign of its part with phi_dot squared.
+"""Off the ramp, the term in phi_dot squared of G's acceleration has the wrong sign.
 
 fails: contact_force_accelerates_G
 """

@@ -1,4 +1,4 @@
-"""Normal first, along second.
+"""The order is (along, normal), not (normal, along).
 
 fails: contact_force_accelerates_G
 """

@@ -1,4 +1,4 @@
-"""The weight without the cosine of the slope in the normal force.
+"""The cosine of the slope is missing in the normal force.
 
 fails: contact_force_accelerates_G
 """

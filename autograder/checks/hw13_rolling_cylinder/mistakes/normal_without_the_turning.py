@@ -1,4 +1,4 @@
-"""The acceleration of G off the ramp without its part with phi''.
+"""The part with phi'' is missing in the acceleration of G off the ramp.
 
 fails: contact_force_accelerates_G
 """

@@ -1,7 +1,8 @@
-"""A thousand Runge-Kutta steps for any duration.
+"""The number of Runge-Kutta steps does not grow with the duration.
 
 fails: simulate_keeps_the_energy
 numerics: steps that grow with the duration
+names: does not do for every duration
 """
 
 

@@ -1,7 +1,6 @@
-"""G on the other side of the centre.
+"""G is on the other side of the centre.
 
 fails: acceleration_balances_momentum_about_G, contact_force_accelerates_G, simulate_rolls_and_rocks
-also: G on the other side of the centre, for the acceleration
 """
 
 _right = acceleration

@@ -1,4 +1,4 @@
-"""The size of the sine of phi, where its sign matters: G may be on either side.
+"""The sine of phi has lost its sign: G may be on either side.
 
 fails: missing_moment_makes_it_right
 """

@@ -1,4 +1,4 @@
-"""The potential zero with G where it is at phi = 0.
+"""The potential is zero with G where it is at phi = 0; it should be zero with G where the centre is.
 
 fails: energy_of_G_and_of_turning
 """

@@ -1,4 +1,4 @@
-"""A factor of its own before the terms in phi_dot squared: at rest it is right.
+"""The terms in phi_dot squared have a wrong factor.
 
 fails: acceleration_balances_momentum_about_G, contact_force_accelerates_G, simulate_rolls_and_rocks
 names: at rest it is right

@@ -1,4 +1,4 @@
-"""phi' where its square belongs.
+"""phi' stands where its square belongs.
 
 fails: missing_moment_makes_it_right
 """

@@ -1,8 +1,8 @@
-"""Straight lines between the steps of an integrator with a tight tolerance.
+"""The rows lie on straight lines between the steps of the integrator.
 
 fails: simulate_rolls_and_rocks
 numerics: interpolation of the first order
-names: joined by straight lines
+names: do you interpolate linearly
 """
 
 

@@ -1,4 +1,4 @@
-"""The slope taken for degrees.
+"""The slope is treated as degrees; it is in radians.
 
 fails: energy_of_G_and_of_turning
 """

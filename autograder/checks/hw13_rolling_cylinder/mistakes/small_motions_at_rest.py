@@ -1,7 +1,6 @@
-"""A start at rest, or nearly so, that stays where it is.
+"""A start at rest, or nearly so, stays where it is.
 
 fails: simulate_needs_no_dense_times, simulate_rocks_at_the_linear_frequency
-names: row 1 is the start again for two times, let go at rest
 """
 
 _right = simulate

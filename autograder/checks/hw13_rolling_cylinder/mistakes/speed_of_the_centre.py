@@ -1,4 +1,4 @@
-"""The centre's speed for that of G.
+"""The speed of the centre stands for that of G.
 
 fails: energy_of_G_and_of_turning
 """

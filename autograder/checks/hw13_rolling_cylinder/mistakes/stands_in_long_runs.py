@@ -1,7 +1,7 @@
-"""Over many turns the start is given in every row, which keeps the energy.
+"""Over many turns every row is the start, which keeps the energy.
 
 fails: simulate_keeps_the_energy
-names: the cylinder does not roll on
+names: every row is the start
 """
 
 _right = simulate

@@ -1,7 +1,6 @@
-"""The given state taken for that at t = 0, where it is that at t[0].
+"""The start is used at t = 0; it is the state at t[0].
 
 fails: simulate_rolls_and_rocks
-also: the given state taken for that at t = 0, where it is that at t[0], and no times before 0
 """
 
 _right = simulate

@@ -1,7 +1,6 @@
-"""The simulation ends where the normal force is zero; the last row is repeated.
+"""The simulation ends where the normal force is zero; contact is kept.
 
 fails: simulate_rolls_and_rocks
-names: contact is kept, and the motion goes on
 """
 
 _right = simulate

@@ -1,4 +1,4 @@
-"""One row for phi, one for phi_dot.
+"""The rows and columns are exchanged: solve_ivp returns (2, n).
 
 fails: simulate_rolls_and_rocks
 names: (2, 200), not an array of shape (200, 2)

@@ -1,8 +1,8 @@
-"""Two hundred Runge-Kutta steps from each time to the next, however far.
+"""Two hundred Runge-Kutta steps go from each time to the next, however far.
 
 fails: simulate_needs_no_dense_times
 numerics: steps that grow with the distance of the times
-names: a cylinder with a heavy side; the steps of the integration are not those of t
+names: do your steps depend on t
 """
 
 

@@ -1,7 +1,7 @@
-"""Of two times the second is never reached.
+"""With two times the second is never reached.
 
 fails: simulate_needs_no_dense_times
-names: row 1 is the start again
+names: every row is the start
 """
 
 import numpy as np

@@ -1,4 +1,4 @@
-"""The moment of a weight at the centre, where it acts at G.
+"""The weight acts at G, not at the centre.
 
 fails: naive_acceleration_is_the_moment_over_the_inertia
 """

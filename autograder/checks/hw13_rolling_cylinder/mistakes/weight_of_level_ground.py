@@ -1,7 +1,6 @@
-"""The moment of the weight at G with sin(phi), where sin(phi + slope) belongs.
+"""The weight's moment has sin(phi) where sin(phi + slope) belongs.
 
 fails: acceleration_balances_momentum_about_G, contact_force_accelerates_G, simulate_rolls_and_rocks
-also: the moment of the weight at G with sin(phi - slope), where sin(phi + slope) belongs | the moment of the weight at G with sin(phi), where sin(phi + slope) belongs, for the acceleration | the moment of the weight at G with sin(phi - slope), where sin(phi + slope) belongs, for the acceleration
 """
 
 _right = acceleration

@@ -1,4 +1,4 @@
-"""Twice the term: the whole rate of I^C times phi'.
+"""This is twice the term: the whole rate of I^C times phi'.
 
 fails: missing_moment_makes_it_right
 """

@@ -1,0 +1,87 @@
+"""What is right in hw13, by another route than the solution's: with the force, from the balances of momentum about G.
+
+Axes: x down the ramp, y off it; a cylinder that rolls down turns clockwise.
+"""
+
+import math
+
+import numpy as np
+
+from tam570.integrate import solve
+
+
+def arms(phi, radius, offset):
+    """G from the contact C, and its first and second derivatives over phi (G from the ramp's origin moves along)."""
+    c, s = offset * math.cos(phi), offset * math.sin(phi)
+    return np.array([-s, radius - c]), np.array([radius - c, s]), np.array([s, c])
+
+
+def clockwise(r, force):
+    return r[1] * force[0] - r[0] * force[1]
+
+
+def weight(mass, gravity, slope):
+    return mass * gravity * np.array([math.sin(slope), -math.cos(slope)])
+
+
+def balanced(phi, phi_dot, mass, radius, offset, inertia, slope, gravity):
+    """(phi'', along, normal): m a = weight + contact force, I phi'' = its moment about G."""
+    arm, first, second = (it.tolist() for it in arms(phi, radius, offset))
+    from_G = -arm[0], -arm[1]  # to C
+    pull = weight(mass, gravity, slope).tolist()
+    known = [mass * it * phi_dot**2 - w for it, w in zip(second, pull, strict=True)]  # the force, but for m first phi''
+    phi_ddot = clockwise(from_G, known) / (inertia - mass * clockwise(from_G, first))
+    along, normal = (mass * it * phi_ddot + rest for it, rest in zip(first, known, strict=True))
+    return phi_ddot, along, normal
+
+
+def acceleration(*state, **cylinder):
+    return balanced(*state, **cylinder)[0]
+
+
+def contact_force(*state, **cylinder):
+    return balanced(*state, **cylinder)[1:]
+
+
+def contact_inertia(phi, mass, radius, offset, inertia):
+    arm = arms(phi, radius, offset)[0]
+    return inertia + mass * (arm @ arm)
+
+
+def naive_contact_acceleration(phi, mass, radius, offset, inertia, slope, gravity):
+    moment = clockwise(arms(phi, radius, offset)[0], weight(mass, gravity, slope))
+    return moment / contact_inertia(phi, mass, radius, offset, inertia)
+
+
+def missing_moment(phi, phi_dot, mass, radius, offset):
+    """What is left of I^C phi'' where there is no weight: M_C is zero. It is the same for any inertia."""
+    inertia = mass * radius**2
+    phi_ddot = acceleration(phi, phi_dot, mass=mass, radius=radius, offset=offset, inertia=inertia, slope=0, gravity=0)
+    return -contact_inertia(phi, mass, radius, offset, inertia) * phi_ddot
+
+
+def energy(phi, phi_dot, mass, radius, offset, inertia, slope, gravity):
+    arm, first, _ = arms(phi, radius, offset)
+    position = arm + np.array([radius * phi, -radius])  # of G from where the centre is at phi = 0
+    speed_squared = first @ first * phi_dot**2
+    return (mass * speed_squared + inertia * phi_dot**2) / 2 - weight(mass, gravity, slope) @ position
+
+
+def motion(t, *start, **cylinder):
+    """(n, 2) states at t, within 1e-9."""
+
+    def rates(_, state):
+        return state[1], acceleration(*state, **cylinder)
+
+    return solve(rates, t, start, rtol=1e-12, method="python")
+
+
+def small_rocking(t, phi, phi_dot, mass, radius, offset, inertia, slope, gravity):
+    """On level ground: the inertia is that about C at phi = 0."""
+    k = math.sqrt(mass * gravity * offset / contact_inertia(0.0, mass, radius, offset, inertia))
+    z = (phi - 1j * phi_dot / k) * np.exp(1j * k * (t - t[0]))
+    return np.column_stack([z.real, -k * z.imag])
+
+
+def energy_of_rows(rows, **cylinder):
+    return np.array([energy(*row, **cylinder) for row in rows])
