@@ -1,17 +1,20 @@
-"""Run time against error: every method and every peer installed, on the scene of each assignment that simulates.
+"""Run time against error: every method and every peer installed, on the assignments' scenes and on public problems.
 
 The error is that of the state at the end, its largest component over the largest of the state, against a reference
-to 30 digits. Warm times are the smallest of repeated runs in this process; cold ones are those of a new process,
-imports and compilation included, at the first tolerance that reaches an error of 1e-9.
+to 30 digits. Times are processor time: warm ones the median of repeated runs, the methods in turn; compiling is what
+the first run of a right-hand side took more; cold ones are those of a new process, imports and compilation included,
+at the first tolerance that reaches an error of 1e-9.
 
     python benchmarks/run_time_against_error.py            all; writes results/run_time_against_error.json and .png
     python benchmarks/run_time_against_error.py --quick    three scenes, four tolerances, no cold processes
+    python benchmarks/run_time_against_error.py --methods "tam570, compiled" heyoka CyRK --sets public
 """
 
 import argparse
 import json
 import os
 import platform
+import resource
 import subprocess
 import sys
 import tempfile
@@ -25,6 +28,7 @@ from tqdm import tqdm
 HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE / "run_time"))
 
+import comparison  # noqa: E402
 import methods  # noqa: E402
 import scenes  # noqa: E402
 
@@ -33,10 +37,11 @@ REFERENCES = HERE / "results" / "run_time_references.json"
 
 TOLERANCES = [10.0**-k for k in range(3, 16)]
 QUICK_TOLERANCES = [1e-4, 1e-7, 1e-10, 1e-13]
+ALL = [name for group in scenes.SETS.values() for name in group]
 QUICK_SCENES = ["ballistics", "hanging spring", "braking car"]
-TARGETS = (1e-6, 1e-9)
+TARGETS = (1e-6, 1e-9, 1e-12)
 LONGEST = 4.0  # s of one run; a method that takes longer is not asked for more digits
-REPEATED = 0.05  # s spent on the repeats of a run
+REPEATED = 0.02  # s of processor time spent on the repeats of a run
 EPS = 2.0**-52
 
 
@@ -83,31 +88,38 @@ def condition(scene):
 
 
 def measured(method, scene, tolerance, reference):
-    """(seconds, error) of one method at one tolerance, or None where it gives up."""
+    """(seconds, error, seconds of the first run and what it needs) of a method at a tolerance; None if it gives up."""
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # odeint and LSODA complain beyond their own rounding
+            began = time.process_time()
             run = methods.METHODS[method](scene, tolerance)
             state = run()
-            seconds = _smallest_time(run)
-            return (seconds, error(state, reference)) if np.isfinite(state).all() else None
-    except (ValueError, ArithmeticError, RuntimeError, NotImplementedError):
+            first = time.process_time() - began
+            return (_median_time(run, first), error(state, reference), first) if np.isfinite(state).all() else None
+    except (ValueError, ArithmeticError, RuntimeError, NotImplementedError, TypeError):
         return None
 
 
-def _smallest_time(run):
-    times, began = [], time.perf_counter()
-    while len(times) < 3 or (time.perf_counter() - began < REPEATED and len(times) < 50):
-        start = time.perf_counter()
-        run()
-        times.append(time.perf_counter() - start)
-        if times[-1] > 1.0:
+def _median_time(run, first):
+    """Of runs so many at a time that the clock is good to a thousandth."""
+    together, times, began = 1, [], time.process_time()
+    while time.process_time() - began < REPEATED or len(times) < 3:
+        start = time.process_time()
+        for _ in range(together):
+            run()
+        passed = time.process_time() - start
+        if passed < 1e-3 and not times:
+            together *= 2
+            continue
+        times.append(passed / together)
+        if times[-1] > 0.1:
             break
-    return min(times)
+    return float(np.median(times))
 
 
 def curves(name, tolerances, reference, names):
-    """{method: [[tolerance, seconds, error], ...]} of one scene. Methods take turns, so that all see the same noise."""
+    """{method: [[tolerance, seconds, error, seconds of the first run], ...]} of one scene; the methods take turns."""
     scene, found, done = scenes.scene(name), {method: [] for method in names}, set()
     for tolerance in tolerances:
         for method in (m for m in names if m not in done):
@@ -119,15 +131,6 @@ def curves(name, tolerances, reference, names):
     return found
 
 
-def time_to(target, curve):
-    """Seconds to an error of `target`, between the two runs that enclose it, in logarithms; None if not reached."""
-    for (_, t1, e1), (_, t2, e2) in zip(curve, curve[1:], strict=False):
-        if e1 > target >= e2 > 0:
-            share = np.log(e1 / target) / np.log(e1 / e2)
-            return float(t1 * (t2 / t1) ** share)
-    return curve[0][1] if curve and curve[0][2] <= target else None
-
-
 def cold_times(name, found):
     """{method: seconds} from the start of a new process to its first result, of those that reach 1e-9.
 
@@ -135,7 +138,7 @@ def cold_times(name, found):
     """
     times = {}
     for method, curve in found.items():
-        tolerance = next((tol for tol, _, e in curve if e <= 1e-9), None)
+        tolerance = next((tol for tol, _, e, _ in curve if e <= 1e-9), None)
         if tolerance is None:
             continue
         times[method] = min(_process(name, method, tolerance) for _ in range(2))
@@ -146,26 +149,15 @@ def cold_times(name, found):
 
 
 def _process(name, method, tolerance, **environment):
+    """Processor time of a new process up to its first result."""
     code = (
         f"import sys; sys.path.insert(0, {str(HERE / 'run_time')!r}); import scenes, methods; "
         f"methods.METHODS[{method!r}](scenes.scene({name!r}), {tolerance!r})()"
     )
-    start = time.perf_counter()
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
     subprocess.run([sys.executable, "-c", code], env={**os.environ, **environment}, check=True, capture_output=True)
-    return time.perf_counter() - start
-
-
-def ratios(found, target):
-    """Median over the scenes, and the largest, of each method's time over that of SciPy's DOP853 at that error."""
-    table = {}
-    for method in methods.METHODS:
-        pairs = [
-            (time_to(target, s.get(method, [])), time_to(target, s.get("SciPy DOP853", []))) for s in found.values()
-        ]
-        values = [ours / peer for ours, peer in pairs if ours and peer]
-        if values:
-            table[method] = {"median": float(np.median(values)), "worst": max(values), "scenes": len(values)}
-    return table
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
 
 def report(results):
@@ -174,10 +166,17 @@ def report(results):
         print(f"\ntime to an error of {target:g}, SciPy DOP853 = 1")
         for method, row in results["ratios"][f"{target:g}"].items():
             print(f"  {method:22} median {row['median']:8.4f}   worst {row['worst']:8.4f}   scenes {row['scenes']}")
+    print("\ncompiling, processor s: median, largest")
+    for method, (median, largest) in results["compiling"].items():
+        print(f"  {method:22} {median:8.3f} {largest:8.3f}")
+    for group, rows in results["against"].items():
+        print(f"\ntam570, compiled, over a peer at the same error: {group}")
+        for peer, target, row in rows:
+            print(f"  {peer:14} {target:g}  median {row[0]:7.2f}   worst {row[1]:7.2f} ({row[2]})   of {row[3]}")
     print("\nsmallest error over condition number times eps")
     for name, scene in results["scenes"].items():
         floor = scene["condition"] * EPS
-        best = {m: min(e for *_, e in curve) / floor for m, curve in scene["curves"].items() if curve}
+        best = {m: min(e for _, _, e, _ in curve) / floor for m, curve in scene["curves"].items() if curve}
         print(f"  {name:22} {floor:.1e}  " + ", ".join(f"{m} {x:.2g}" for m, x in best.items()))
     for name, scene in results["scenes"].items():
         if scene.get("cold"):
@@ -201,7 +200,7 @@ def picture(results, path):
         scene = results["scenes"][name]
         for method, curve in scene["curves"].items():
             if curve:
-                _, seconds, errors = np.transpose(curve)
+                _, seconds, errors, _ = np.transpose(curve)
                 ours = method.startswith("tam570")
                 ax.loglog(
                     np.maximum(errors, 1e-18),
@@ -226,16 +225,16 @@ def picture(results, path):
     figure.savefig(path, dpi=110)
 
 
-def measure(names, tolerances, cold, keep, found):
+def measure(names, tolerances, cold, keep, found, asked=()):
     """The results, handed to `keep` after every scene: a run that is stopped has not been for nothing.
 
     found : scenes measured before, which stay beside those measured now
     """
     exact = references(names)
-    installed = [method for method in methods.METHODS if methods.available(method)]
+    installed = [method for method in asked or methods.METHODS if methods.available(method)]
     for name in tqdm(names, desc="scenes"):
-        scene = {"condition": condition(scenes.scene(name))}
-        scene["curves"] = curves(name, tolerances, exact[name], installed)
+        scene = {"curves": curves(name, tolerances, exact[name], installed)}  # first: nothing is compiled yet
+        scene["condition"] = condition(scenes.scene(name))
         scene["cold"] = cold_times(name, scene["curves"]) if cold else {}
         found[name] = scene
         keep(summary(found))
@@ -243,29 +242,33 @@ def measure(names, tolerances, cold, keep, found):
 
 
 def summary(found):
-    all_curves = {name: scene["curves"] for name, scene in found.items()}
     return {
         "machine": f"{platform.processor() or platform.machine()}, {os.cpu_count()} cores",
         "python": platform.python_version(),
         "scenes": found,
-        "ratios": {f"{target:g}": ratios(all_curves, target) for target in TARGETS},
+        **comparison.tables({name: scene["curves"] for name, scene in found.items()}, TARGETS, scenes.SETS),
     }
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--quick", action="store_true", help="three scenes, four tolerances, no cold processes")
-    parser.add_argument("--scenes", nargs="+", choices=scenes.SCENES, help="these alone; what is kept of others stays")
+    parser.add_argument("--scenes", nargs="+", choices=ALL, help="these alone; what is kept of others stays")
+    parser.add_argument("--sets", nargs="+", choices=scenes.SETS, help="the scenes of these sets alone")
+    parser.add_argument("--methods", nargs="+", choices=methods.METHODS, help="these alone")
     parser.add_argument("--tolerances", nargs="+", type=float, help="these alone")
     parser.add_argument("--no-cold", action="store_true", help="no cold processes")
     parser.add_argument("--out", type=Path, help="JSON to write; the picture goes beside it")
     given = parser.parse_args()
-    names = given.scenes or (QUICK_SCENES if given.quick else list(scenes.SCENES))
+    sets = [name for group in given.sets or () for name in scenes.SETS[group]]
+    names = given.scenes or sets or (QUICK_SCENES if given.quick else ALL)
     tolerances = given.tolerances or (QUICK_TOLERANCES if given.quick else TOLERANCES)
     out = given.out or (None if given.quick else RESULTS)
     keep = (lambda results: out.write_text(json.dumps(results, indent=1) + "\n")) if out else (lambda results: None)
-    kept = json.loads(out.read_text())["scenes"] if given.scenes and out and out.exists() else {}
-    results = measure(names, tolerances, not (given.quick or given.no_cold), keep, kept)
+    kept = json.loads(out.read_text())["scenes"] if (given.scenes or sets) and out and out.exists() else {}
+    with tempfile.TemporaryDirectory() as empty:  # so that compiling is measured
+        os.environ["XDG_CACHE_HOME"] = empty
+        results = measure(names, tolerances, not (given.quick or given.no_cold), keep, kept, given.methods or ())
     report(results)
     if out:
         picture(results, out.with_suffix(".png"))

@@ -8,13 +8,20 @@ import importlib.util
 
 from tam570.integrate import solve
 
+LIBRARIES = {
+    "tam570, compiled": ["llvmlite"],
+    "heyoka": ["heyoka"],
+    "CyRK": ["CyRK", "numba"],
+    "CyRK, Python": ["CyRK"],
+    "numbalsoda": ["numbalsoda", "numba"],
+    "diffrax": ["diffrax"],
+}
+
 
 def available(name):
-    """Whether the library behind a method is installed."""
-    library = {"tam570, compiled": "llvmlite", "tam570, auto": "llvmlite"}
-    peers = {"heyoka": "heyoka", "CyRK": "CyRK", "diffrax": "diffrax"}
-    needed = {**library, **peers}.get(name, "numpy" if name.startswith("tam570") else "scipy")
-    return importlib.util.find_spec(needed) is not None
+    """Whether the libraries behind a method are installed."""
+    needed = LIBRARIES.get(name, ["numpy" if name.startswith("tam570") else "scipy"])
+    return all(importlib.util.find_spec(library) for library in needed)
 
 
 def ours(method, scene, tolerance):
@@ -48,6 +55,7 @@ def odeint(scene, tolerance):
 
 
 def cyrk(scene, tolerance):
+    """Called from Python, with the right-hand side in Python."""
     import numpy as np
     from CyRK import pysolve_ivp
 
@@ -61,6 +69,63 @@ def cyrk(scene, tolerance):
     return lambda: pysolve_ivp(rates, (0.0, end), np.array(start), **given).y[:, -1]
 
 
+def cyrk_compiled(scene, tolerance):
+    """Its numba interface, with the right-hand side as a callback in C."""
+    import numpy as np
+    from CyRK.nb.numba_solver import cyjit, nbsolve2_ivp
+
+    rhs, start, parameters, end = scene
+    address = _by_numba(rhs, parameters, len(start), "dy, t, y, args", "dy[{}] = {}", cyjit).address
+    given = np.array(start)
+
+    def states():
+        found = nbsolve2_ivp(address, (0.0, end), given, method="DOP853", rtol=tolerance, atol=tolerance)
+        last = found.y[:, -1].copy()
+        found.free()
+        return last
+
+    return states
+
+
+def numbalsoda(scene, tolerance):
+    import numba
+    import numpy as np
+    from numbalsoda import dop853, lsoda_sig
+
+    rhs, start, parameters, end = scene
+    address = _by_numba(rhs, parameters, len(start), "t, y, dy, p", "dy[{}] = {}", numba.cfunc(lsoda_sig)).address
+    times = np.array([0.0, end])
+
+    def states():
+        found, success = dop853(address, np.array(start), times, rtol=tolerance, atol=tolerance)
+        if not success:
+            raise RuntimeError("no success")
+        return found[-1]
+
+    return states
+
+
+_WRITTEN = {}
+
+
+def _by_numba(rhs, parameters, size, arguments, assigned, compiler):
+    """The traced right-hand side as a function in numba's hands, as both peers' manuals advise; once a problem."""
+    import math
+
+    from tam570.integrate.formulas import written
+    from tam570.integrate.trace import traced
+
+    formulas, constants = written(traced(functools.partial(rhs, **parameters), size))
+    lines = [f"c{i} = {c!r}" for i, c in enumerate(constants)] + [f"s{i} = y[{i}]" for i in range(size)]
+    lines += [*formulas.lines, *(assigned.format(i, rate) for i, rate in enumerate(formulas.rates))]
+    source = f"def rates({arguments}):\n    " + "\n    ".join(lines)
+    if (source, arguments) not in _WRITTEN:
+        names = dict(vars(math))
+        exec(compile(source, "<rates>", "exec"), names)
+        _WRITTEN[source, arguments] = compiler(names["rates"])
+    return _WRITTEN[source, arguments]
+
+
 def heyoka(scene, tolerance):
     import heyoka as hy
 
@@ -69,7 +134,8 @@ def heyoka(scene, tolerance):
     state = [hy.make_vars(name) for name in names]
     rates = _rates_in(rhs, parameters, len(start), hy, hy.time)(state)
     rates = [rate if isinstance(rate, hy.expression) else hy.expression(rate) for rate in rates]
-    run = hy.taylor_adaptive(list(zip(state, rates, strict=True)), list(start), tol=tolerance)
+    compact = len(start) > 20  # as its manual advises for large systems
+    run = hy.taylor_adaptive(list(zip(state, rates, strict=True)), list(start), tol=tolerance, compact_mode=compact)
 
     def states():
         run.time, run.state[:] = 0.0, start
@@ -144,7 +210,9 @@ METHODS = {
     "SciPy LSODA": functools.partial(scipy_ivp, "LSODA"),
     "SciPy Radau": functools.partial(scipy_ivp, "Radau"),
     "odeint": odeint,
-    "CyRK": cyrk,
+    "CyRK": cyrk_compiled,
+    "CyRK, Python": cyrk,
+    "numbalsoda": numbalsoda,
     "heyoka": heyoka,
     "diffrax": diffrax,
 }

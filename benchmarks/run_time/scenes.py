@@ -1,4 +1,4 @@
-"""The scene of every assignment that simulates: what its reference solution hands to the integrator."""
+"""What the reference solution of every assignment that simulates hands to the integrator; and public problems."""
 
 import importlib.util
 from pathlib import Path
@@ -15,8 +15,8 @@ class _Captured(Exception):
     """Raised in place of the integration, with its arguments."""
 
 
-def _solution(slug):
-    spec = importlib.util.spec_from_file_location(f"_{slug}", SOLUTIONS / f"{slug}.py")
+def _loaded(path):
+    spec = importlib.util.spec_from_file_location(f"_{path.stem}", path)
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return module
@@ -31,7 +31,7 @@ def _handed_over(slug, function, *arguments, **given):
     original = tam570.integrate.solve
     tam570.integrate.solve = _capture
     try:
-        module = _solution(slug)  # loaded now, so that it takes `solve` from above
+        module = _loaded(SOLUTIONS / f"{slug}.py")  # loaded now, so that it takes `solve` from above
         getattr(module, function)(*arguments, **given)
     except _Captured as captured:
         return captured.args
@@ -117,6 +117,13 @@ SCENES = {
 }
 
 
+public = _loaded(Path(__file__).with_name("public.py"))
+SETS = {"scenes": list(SCENES), "public": list(public.PROBLEMS)}  # another set is one more row
+
+
 def scene(name):
     """(rhs, start, parameters, end): states at `end`, s, are compared."""
-    return SCENES[name]()
+    if name in SCENES:
+        return SCENES[name]()
+    rhs, start, end = public.PROBLEMS[name]
+    return rhs, start, {}, end

@@ -115,10 +115,15 @@ def _called(name, arguments, pairs, key):
     raise NotImplementedError(name)
 
 
-def _expansion(formulas, constants, state):
+def _time(t):
+    return Series(lambda k: t if k == 0 else mpmath.mpf(k == 1))
+
+
+def _expansion(formulas, constants, state, t):
     """Taylor coefficients of the solution through `state`: (k, ORDER + 1)."""
     series = [Series(None) for _ in state]
     names = {f"s{i}": s for i, s in enumerate(series)} | {f"c{i}": _constant(c) for i, c in enumerate(constants)}
+    names["t"] = _time(t)
     pairs = {}
     for line in formulas.lines:
         target, expression = line.split(" = ", 1)
@@ -136,8 +141,8 @@ def end_state(scene):
     with mpmath.workdps(DIGITS):
         state, t, end = [mpmath.mpf(x) for x in start], mpmath.mpf(0), mpmath.mpf(end)
         while t < end:
-            expansion = _expansion(formulas, constants, state)
-            size = max(max(abs(c) for c in s[:2]) for s in expansion)
+            expansion = _expansion(formulas, constants, state, t)
+            size = max(max(abs(c) for c in s[:4]) for s in expansion)  # at rest the first are zero
             last = max(max(abs(s[ORDER]), abs(s[ORDER - 1])) for s in expansion) / size
             h = end - t if last == 0 else min((mpmath.mpf(10) ** -DIGITS / last) ** (mpmath.mpf(1) / ORDER), end - t)
             state = [mpmath.polyval(s[::-1], h) for s in expansion]

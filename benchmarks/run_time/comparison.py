@@ -1,0 +1,66 @@
+"""What curves of run time against error come to: times to an error, one method over another, compiling."""
+
+import numpy as np
+from methods import METHODS
+
+PEERS = ("heyoka", "CyRK", "numbalsoda")
+
+
+def tables(curves, targets, sets):
+    """All of it; curves : {scene: {method: rows}}, sets : {name: scenes}."""
+    return {
+        "ratios": {f"{target:g}": ratios(curves, target) for target in targets},
+        "compiling": compiling(curves),
+        "against": {group: list(_against(curves, members, targets)) for group, members in sets.items()},
+    }
+
+
+def time_to(target, curve):
+    """Seconds to an error of `target`, between the two runs that enclose it, in logarithms; None if not reached."""
+    for (_, t1, e1, *_), (_, t2, e2, *_) in zip(curve, curve[1:], strict=False):
+        if e1 > target >= e2 > 0:
+            share = np.log(e1 / target) / np.log(e1 / e2)
+            return float(t1 * (t2 / t1) ** share)
+    return curve[0][1] if curve and curve[0][2] <= target else None
+
+
+def compiling(found):
+    """{method: [median, largest]} of the seconds that a first run took more than a warm one, over the scenes."""
+    extra = {}
+    for scene in found.values():
+        for method, curve in scene.items():
+            if curve:
+                extra.setdefault(method, []).append(max(0.0, curve[0][3] - curve[0][1]))
+    return {method: [float(np.median(values)), max(values)] for method, values in extra.items()}
+
+
+def against(found, target, ours, peer):
+    """(median, worst, its scene, number) of our time over the peer's at that error."""
+    pairs = {name: (time_to(target, s.get(ours, [])), time_to(target, s.get(peer, []))) for name, s in found.items()}
+    values = {name: a / b for name, (a, b) in pairs.items() if a and b}
+    if not values:
+        return None
+    worst = max(values, key=values.get)
+    return float(np.median(list(values.values()))), values[worst], worst, len(values)
+
+
+def ratios(found, target):
+    """Median over the scenes, and the largest, of each method's time over that of SciPy's DOP853 at that error."""
+    table = {}
+    for method in METHODS:
+        pairs = [
+            (time_to(target, s.get(method, [])), time_to(target, s.get("SciPy DOP853", []))) for s in found.values()
+        ]
+        values = [ours / peer for ours, peer in pairs if ours and peer]
+        if values:
+            table[method] = {"median": float(np.median(values)), "worst": max(values), "scenes": len(values)}
+    return table
+
+
+def _against(found, members, targets):
+    part = {name: curves for name, curves in found.items() if name in members}
+    for peer in PEERS:
+        for target in targets:
+            row = against(part, target, "tam570, compiled", peer)
+            if row:
+                yield peer, target, row
