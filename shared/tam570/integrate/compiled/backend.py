@@ -2,7 +2,7 @@
 
 import time
 from collections.abc import Callable
-from functools import lru_cache, partial
+from functools import lru_cache
 from types import ModuleType
 from typing import Any
 
@@ -52,7 +52,7 @@ def taylor_run(graph: Graph, origin: float, times: Array, out: Array, rtol: floa
     if known is None:
         return state
     found, constants = known
-    (advance, _), place, size = _taylor(found), layout(found, 1), len(state.y)
+    advance, place, size = _taylor(found), layout(found, 1), len(state.y)
     z, work, clock, c, given = _memory(taylor_loop.memory(size), place.doubles, 1, constants)
     z[: taylor_loop.GIVEN + 1] = (state.row, state.t, 0, state.t, 0, 0, 0, 0, state.h, min(state.m) > 0.0)
     kept = z[taylor_loop.NUMBERS : taylor_loop.NUMBERS + 3 * size].reshape(3, size)
@@ -79,12 +79,14 @@ def taylor_runs(graph: Graph, origin: float, times: Array, out: Array, rtol: flo
     if known is None:
         return np.zeros(len(starts), dtype=bool)
     found, constants = known
-    (advance, _), place, size = _taylor(found, LANES), layout(found, LANES), starts.shape[1]
+    advance, place, size = _taylor(found, LANES), layout(found, LANES), starts.shape[1]
     one = taylor_loop.memory(size)
     z, _, clock, _, given = _memory(LANES * one + 2, place.doubles, LANES, constants)
     z[taylor_loop.STATUS : LANES * one : one] = taylor_loop.IDLE
     z[-1], clock[:] = LANES, origin
-    members = np.hstack([np.full((len(starts), 1), times[-1] / 100), starts, np.maximum(np.abs(starts), floor)])
+    members = np.hstack(
+        [np.full((len(starts), 1), times[-1] / 100), starts, np.maximum(np.abs(starts), floor if len(floor) else 0.0)]
+    )
     ends = times.ctypes.data, len(times), out.ctypes.data, members.ctypes.data, len(starts)
     order = taylor.order_for(rtol)
     _by_moments(lambda budget: advance(*given, *ends, origin, rtol, order, budget) or bool(z[-1] > 0.0))
@@ -143,11 +145,11 @@ def fixed(source: str, size: int, stages: int, constants: int) -> Callable[..., 
 def _loop(loop: ModuleType, generated: str, entry: str, like: Any, constants: int) -> Callable[..., Any]:
     """A loop of the Python engine, compiled, that takes and gives what it does in Python."""
     key = repr((loop.__name__, generated, constants))
-    made, owner = function(key, lambda: loops.loop_text(loop, generated, entry, like, constants), entry, loops.KINDS)
+    made = function(key, lambda: loops.loop_text(loop, generated, entry, like, constants), entry, loops.KINDS)
 
-    def run(_: Any, origin: float, times: Array, out: Array, state: Any, c: Any, x: float, budget: int) -> Any:
+    def run(origin: float, times: Array, out: Array, state: Any, c: Any, x: float, budget: int) -> Any:
         numbers, given = np.array(loops.flat(state)), np.array(c, dtype=float)
         made(*(a.ctypes.data for a in (numbers, given, times)), len(times), out.ctypes.data, origin, x, budget)
         return loops.unflat(iter(numbers.tolist()), state)
 
-    return partial(run, owner)
+    return run

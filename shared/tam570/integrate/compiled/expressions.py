@@ -160,7 +160,7 @@ class Expressions(Writer):
         if function in LIBM or function in LIBM_OF_TWO:
             listed = ", ".join(f"double {self.text(x, 'double')}" for x in given)
             return self.emit("double", f"call double @{function}({listed})")
-        if function == "len":
+        if function == "len" and isinstance(given[0], tuple | Array):
             return len(given[0]) if isinstance(given[0], tuple) else given[0].length
         if function == "float":
             return Value("double", self.text(given[0], "double"))

@@ -12,6 +12,7 @@ from typing import Any
 
 __all__ = ["assembled", "folder", "function"]
 
+_LOADED: list[Any] = []
 MARK = b"tam570 object 1\n"
 _CALLED = re.compile(r"call(?: \w+)*? (<\d+ x double>|double|void|i64) @([\w.]+)\(([^)]*)\)")
 _DEFINED = re.compile(r"^define [^@]*@([\w.]+)\(", re.MULTILINE)
@@ -48,7 +49,7 @@ def _machine(binding: Any) -> Any:
 
 
 def function(key: str, text: Callable[[], str], entry: str, kinds: tuple[Any, ...]) -> Any:
-    """`entry` as a function from Python, and what owns its code; other threads run while it does.
+    """`entry` as a function from Python; other threads run while it does.
 
     key : what the text follows from, together with the source of this package; it is written if it is not kept
     """
@@ -62,7 +63,8 @@ def function(key: str, text: Callable[[], str], entry: str, kinds: tuple[Any, ..
     owner.add_object_file(binding.ObjectFileRef.from_data(code))
     owner.finalize_object()
     made = ctypes.CFUNCTYPE(None, *kinds)(owner.get_function_address(entry))
-    return made, owner  # the code lives as long as its owner
+    _LOADED.append((owner.detach(), code))  # never disposed of: its memory is read to the end, and somebody may run it
+    return made
 
 
 @cache
