@@ -6,7 +6,7 @@ BIN := $(VENV)/bin
 CLASS := build/sample_class
 export OPENBLAS_NUM_THREADS := 1
 
-.PHONY: demo test verify bubblewrap clean
+.PHONY: demo test every verify bubblewrap clean
 
 demo: $(VENV)/ready bubblewrap
 	$(BIN)/python tests/sample_class.py $(CLASS)
@@ -18,10 +18,14 @@ test: $(VENV)/ready bubblewrap
 	$(BIN)/ruff format --check
 	$(BIN)/mypy
 	$(BIN)/tam570-grader stubs --check
-	$(BIN)/pytest -q -n 2
+	$(BIN)/pytest -q -n 2 --dist loadgroup
+
+# What `make test` samples, whole.
+every: $(VENV)/ready bubblewrap
+	$(BIN)/pytest -q -n 2 --dist loadgroup --every -m every
 
 verify: $(VENV)/ready bubblewrap
-	$(BIN)/pytest -q -n 2 --full
+	$(BIN)/pytest -q -n 2 --dist loadgroup --full
 	$(BIN)/tam570-grader audit --diagnosis
 	$(BIN)/tam570-grader audit --margins
 	mkdir -p build && $(BIN)/tam570-grader audit --fairness 100 --keep build/fairness.jsonl

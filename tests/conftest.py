@@ -48,30 +48,22 @@ signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 def pytest_addoption(parser):
+    parser.addoption("--every", action="store_true", help="every mistake, alternative and attack, five seeds")
     parser.addoption("--full", action="store_true", help="every figure in full: 50 seeds, the long runs")
 
 
-@pytest.hookimpl(optionalhook=True)
-def pytest_xdist_make_scheduler(config, log):
-    """Tests go to whichever process is free, but what shares dear fixtures, or an assignment's workers, to one."""
-    from xdist.scheduler import LoadScopeScheduling
-
-    class Scheduling(LoadScopeScheduling):
-        def _split_scope(self, nodeid):
-            module = nodeid.partition("::")[0]
-            if module.endswith("test_laws.py") and (graded := re.search(r"\bhw\d\d", nodeid)):
-                return module + graded[0]
-            return module if module.endswith(WHOLE) else nodeid
-
-    return Scheduling(config, log)
-
-
+@pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(config, items):
-    if not config.getoption("--full"):
-        skip = pytest.mark.skip(reason="long; run with --full")
-        for item in items:
-            if "full" in item.keywords:
-                item.add_marker(skip)
+    """What shares dear fixtures, or an assignment's workers, runs in one process; what is not asked for is left out."""
+    full = config.getoption("--full")
+    asked = {"full": full, "every": full or config.getoption("--every")}
+    for item in items:
+        for name in [name for name, wanted in asked.items() if name in item.keywords and not wanted]:
+            item.add_marker(pytest.mark.skip(reason=f"long; run with --{name}"))
+        module = item.nodeid.partition("::")[0]
+        graded = re.search(r"\bhw\d\d", item.nodeid) if module.endswith("test_laws.py") else None
+        if graded or module.endswith(WHOLE):
+            item.add_marker(pytest.mark.xdist_group(module + (graded[0] if graded else "")))
 
 
 def pytest_generate_tests(metafunc):
@@ -80,7 +72,8 @@ def pytest_generate_tests(metafunc):
         metafunc.parametrize("slug", SLUGS)
     for name, (quick, full) in SEEDS.items():
         if name in metafunc.fixturenames:
-            metafunc.parametrize(name, full if metafunc.config.getoption("--full") else quick)
+            first, *rest = full if metafunc.config.getoption("--full") else quick
+            metafunc.parametrize(name, [first, *(pytest.param(one, marks=pytest.mark.every) for one in rest)])
 
 
 def _parametrized(metafunc, name):

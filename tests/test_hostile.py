@@ -14,7 +14,8 @@ from tam570_grader.writing import assignments
 
 COURSE = assignments.find()
 SLUG = "hw08_axis_angle"
-ATTACKS = sorted((Path(__file__).parent / "hostile").glob("*.py"))
+FILES = sorted((Path(__file__).parent / "hostile").glob("*.py"))
+ATTACKS = [pytest.param(path, marks=[pytest.mark.every] if k % 8 else []) for k, path in enumerate(FILES)]
 HONEST = (
     COURSE / "autograder" / "checks" / SLUG / "alternatives" / "quaternions_and_lists.py"
 )  # no function calls another
@@ -69,7 +70,7 @@ def test_the_next_student_notices_nothing(path, attacked, grade, solution_text, 
 
 
 def test_no_hidden_input_comes_back(attacked):
-    attack = next(path for path in ATTACKS if path.stem == "tells_the_inputs")
+    attack = next(path for path in FILES if path.stem == "tells_the_inputs")
     result = attacked(attack, honest=True)
     assert not any("LEAK" in mark.message for mark in result.checks), said(result)
 

@@ -21,9 +21,7 @@ PATIENCE = 6  # a call may last this many times as long where the machine is bus
 ASLEEP = 0.02  # of a core: a call that uses less for so long as its limit is asleep
 GRACE = 5.0  # s, in which an interrupted call must end
 GLANCE = 0.05  # s between two looks
-STUCK = (
-    CALL + GRACE
-)  # s in which no other thread may run: C code that never comes back, sum(itertools.count()) for example
+STUCK = CALL + GRACE  # s in which no other thread may run: C code that never comes back, for example
 HUNG = 97  # the exit code where it did not
 
 
@@ -67,9 +65,12 @@ def _interrupted(number: int, frame: object) -> None:
 
 def _watch() -> None:
     nobody = open(os.devnull, "w")  # noqa: SIM115  for what is said at the very end
+    parent = os.getppid()
     while True:
         faulthandler.dump_traceback_later(STUCK, exit=True, file=nobody)
         time.sleep(GLANCE)
+        if os.getppid() != parent:  # who waits for this process has gone
+            os._exit(HUNG)
         since, ended = _now.since, _now.ended
         if since is None:
             continue
