@@ -39,6 +39,12 @@ def test_an_empty_tank_stops_the_burning(begin):
     assert rocket.rates(0.0, exact[3].tolist(), **BURN)[1:] == (-9.81, 0.0)
 
 
+def test_an_empty_tank_has_no_rounding():
+    for full, empty in zip(DRAW.uniform(2, 3, 50), DRAW.uniform(0.1, 2, 50), strict=True):
+        left = rocket.exact([0.0, 100.0], [0.0, 0.0, full], **{**BURN, "empty_mass": empty})[-1, 2]
+        assert left == empty
+
+
 def test_its_energy_at_the_end_of_burning_is_known_all_the_time():
     states = rocket.exact(np.linspace(0.0, 40.0, 9), START, **BURN)
     energies = [rocket.coasting_energy(state, **BURN) for state in states]
