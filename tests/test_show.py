@@ -221,11 +221,12 @@ def test_strings_stay_data(films, tmp_path):
     assert data(document)["panels"][0]["parts"][0]["words"] == bad
 
 
-def test_a_notebook_shows_the_page_in_a_frame_that_cannot_reach_out(course, films):
+def test_a_notebook_shows_the_page_in_a_frame_that_cannot_reach_out(course):
     file = course / "solutions" / f"{HW07}.py"
-    inline = show(loaded(file, HW07))._repr_html_()
+    shown = show(loaded(file, HW07))
+    inline = shown._repr_html_()
     assert 'sandbox="allow-scripts"' in inline
-    assert unescape(re.search(r'srcdoc="([^"]*)"', inline)[1]) == page(films(HW07))
+    assert unescape(re.search(r'srcdoc="([^"]*)"', inline)[1]) == page(shown.film)
     functions = vars(loaded(file, HW07))
     assert show(dict(functions), assignment="hw07").film is not None
 
