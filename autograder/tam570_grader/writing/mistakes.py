@@ -5,6 +5,7 @@ whose first paragraph is what a student reads. Lines `key: value` follow it:
 
     fails: a, b      the checks that must fail, on which the student's numbers are compared with the mistake's
     within: 1e-2     how closely they must agree, of the largest number (1e-6; rows of a motion 1e-3)
+    where: FRAGMENT  only calls whose kind of input has these words are compared: it may be one mistake of several
     also: A | B      other names that the feedback may give it
     names: FRAGMENT  the message of the check names it, in these words; its numbers are not compared
     numerics: WHY    its physics is right, and integrated inaccurately
@@ -56,6 +57,7 @@ class Mistake:
     numerics: str
     unnamed: str
     text: str
+    where: str = ""
 
     @property
     def suspect(self) -> bool:
@@ -75,7 +77,7 @@ def mistake(name: str, text: str) -> Mistake:
     says, known = header(text)
     fails = frozenset(filter(None, known.get("fails", "").split(", ")))
     within = float(known["within"]) if "within" in known else None
-    words = {key: known.get(key, "") for key in ("names", "numerics", "unnamed")}
+    words = {key: known.get(key, "") for key in ("names", "numerics", "unnamed", "where")}
     return Mistake(name, says, fails, within, text=text, **words)
 
 
@@ -96,7 +98,8 @@ def known(solution: str, suspects: Iterable[Mistake], calls: Sequence[Called]) -
 
 def _agrees(solution: str, one: Mistake, groups: dict[str, list[Called]]) -> bool:
     told = False
-    for group in groups.values():
+    alike = ([call for call in group if one.where in call.given.kind] for group in groups.values())
+    for group in filter(None, alike):
         within = one.within or _within(group[0])
         changed = (not _same(_answer(solution, "", call), _answer(solution, one.text, call), within) for call in group)
         if all(_same(call.result, _answer(solution, one.text, call), within) for call in group):

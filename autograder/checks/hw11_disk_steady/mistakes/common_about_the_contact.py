@@ -1,4 +1,4 @@
-"""A + m a^2 taken for A, as if G moved.
+"""The formula has A + m a^2 where A belongs, as if G moved.
 
 fails: common_precession_is_in_both_families
 """

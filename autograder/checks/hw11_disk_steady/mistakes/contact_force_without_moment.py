@@ -1,4 +1,4 @@
-"""m a^2 missing: the force that keeps G on its circle has a moment about G too.
+"""m a^2 is missing: the force that keeps G on its circle has a moment about G too.
 
 fails: rolling_spin_balances_the_moments, rolling_track_has_the_contact_at_rest, rolling_precession_balances_the_moments
 """

@@ -1,4 +1,4 @@
-"""The cosine of the lean.
+"""The radius has the cosine of the lean.
 
 fails: sliding_track_is_around_the_resting_centre
 """

@@ -1,4 +1,4 @@
-"""Divided by what multiplies Omega^2 without a look whether it is zero.
+"""The factor of Omega^2 may be zero, and is not tested.
 
 fails: rolling_precession_refuses_what_does_not_exist
 names: for a roller that turns on a point

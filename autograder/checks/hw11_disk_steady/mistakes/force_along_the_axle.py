@@ -1,4 +1,4 @@
-"""The cosine of the lean in the inward force, which is horizontal.
+"""The inward force has the cosine of the lean; it is horizontal.
 
 fails: contact_force_moves_the_centre
 """

@@ -1,4 +1,4 @@
-"""The inward force taken without its sign.
+"""The inward force has lost its sign.
 
 fails: contact_force_moves_the_centre
 """

@@ -1,4 +1,4 @@
-"""The normal force first; the inward force is asked first.
+"""The normal force comes first; the result is (inward, normal).
 
 fails: contact_force_moves_the_centre
 """

@@ -1,4 +1,4 @@
-"""R, of the contact's track, for the radius of the circle of G.
+"""The circle of G has a radius of its own, not R of the contact's track.
 
 fails: contact_force_moves_the_centre
 """

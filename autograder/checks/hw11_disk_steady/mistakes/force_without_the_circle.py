@@ -1,4 +1,4 @@
-"""m a spin^2 for the mass times the centripetal acceleration.
+"""The inward force is m a spin^2; it is the mass times the centripetal acceleration of G.
 
 fails: contact_force_moves_the_centre
 """

@@ -1,4 +1,4 @@
-"""No weight in the normal force.
+"""The normal force lacks the weight.
 
 fails: contact_force_moves_the_centre
 """

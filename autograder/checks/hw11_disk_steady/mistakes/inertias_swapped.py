@@ -1,4 +1,4 @@
-"""A and C swapped: A is about a diameter, C about the axle.
+"""A and C are swapped: A is about a diameter, C about the axle.
 
 fails: rolling_spin_balances_the_moments, rolling_track_has_the_contact_at_rest, rolling_precession_balances_the_moments, sliding_spin_balances_the_moments, common_precession_is_in_both_families, moment_residual_is_moment_minus_rate
 """

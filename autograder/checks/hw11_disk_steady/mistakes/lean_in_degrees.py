@@ -1,4 +1,4 @@
-"""The lean taken for degrees.
+"""The lean is treated as degrees; it is in radians.
 
 fails: common_precession_is_in_both_families
 """

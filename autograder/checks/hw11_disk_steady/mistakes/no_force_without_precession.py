@@ -1,7 +1,7 @@
 """Where nothing goes round there is no force at all.
 
 fails: contact_force_of_straight_rolling
-names: nothing there goes round
+names: Nothing there goes round
 """
 
 _right = contact_force

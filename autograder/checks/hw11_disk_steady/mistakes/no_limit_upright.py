@@ -1,4 +1,4 @@
-"""The common precession as a quotient that is 0/0 upright.
+"""The common precession is a quotient that is 0/0 upright.
 
 fails: common_precession_has_a_limit_upright
 names: returned NaN or infinity for an upright disk

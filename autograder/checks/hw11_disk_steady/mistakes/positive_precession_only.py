@@ -1,4 +1,4 @@
-"""The precession taken without its sign.
+"""The precession has lost its sign.
 
 fails: rolling_spin_balances_the_moments, rolling_track_has_the_contact_at_rest
 """

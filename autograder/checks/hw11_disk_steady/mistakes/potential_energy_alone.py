@@ -1,4 +1,4 @@
-"""The potential energy alone.
+"""The energy lacks the kinetic energy.
 
 fails: settling_energy_adds_up
 """

@@ -1,4 +1,4 @@
-"""C/2 for A, as of a thin disk.
+"""The formula has C/2 where A belongs, as for a thin disk.
 
 fails: rolling_precession_balances_the_moments
 """

@@ -1,4 +1,4 @@
-"""Where Omega^2 is negative its size is taken, and an upright spinning disk gets 0.
+"""Omega^2 has lost its sign, and an upright spinning disk gets 0.
 
 fails: rolling_precession_refuses_what_does_not_exist
 names: does not raise ValueError for a disk that leans away from the centre

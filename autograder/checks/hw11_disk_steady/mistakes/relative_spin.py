@@ -1,6 +1,7 @@
-"""The spin relative to the turning frame taken for the total spin.
+"""The spin is relative to the turning frame; the total spin is asked for.
 
 fails: rolling_spin_balances_the_moments, rolling_track_has_the_contact_at_rest, sliding_spin_balances_the_moments
+where: thin
 """
 
 

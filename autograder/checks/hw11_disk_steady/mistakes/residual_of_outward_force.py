@@ -1,4 +1,4 @@
-"""The moment of the inward force turned round.
+"""The moment of the inward force has the wrong sign.
 
 fails: moment_residual_is_moment_minus_rate
 """

@@ -1,4 +1,4 @@
-"""The inward force of steady rolling, not the one given.
+"""The inward force is the one of steady rolling, not the one given.
 
 fails: moment_residual_is_moment_minus_rate
 """

@@ -1,4 +1,4 @@
-"""The sign turned round.
+"""The sign is wrong.
 
 fails: moment_residual_is_moment_minus_rate
 """

@@ -1,4 +1,4 @@
-"""C + m a^2 for C: the moments are about G, and the force is given.
+"""The formula has C + m a^2 where C belongs: the moments are about G, and the force is given.
 
 fails: moment_residual_is_moment_minus_rate
 """

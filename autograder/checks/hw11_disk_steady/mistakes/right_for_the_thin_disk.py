@@ -1,4 +1,4 @@
-"""A and C of a thin uniform disk for those given.
+"""A and C are those of a thin uniform disk, not the given ones.
 
 fails: rolling_precession_balances_the_moments
 """

@@ -1,4 +1,4 @@
-"""A mass and a radius of 1 for those given.
+"""The mass and the radius are 1, not the given ones.
 
 fails: rolling_spin_balances_the_moments, rolling_track_has_the_contact_at_rest
 """

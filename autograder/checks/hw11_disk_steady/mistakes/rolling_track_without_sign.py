@@ -1,4 +1,4 @@
-"""The radius without its sign.
+"""The radius has lost its sign.
 
 fails: rolling_track_has_the_contact_at_rest
 """

@@ -1,4 +1,4 @@
-"""A sin(lean) taken off where it is to be added.
+"""a sin(lean) is subtracted; it must be added.
 
 fails: rolling_track_has_the_contact_at_rest
 """

@@ -1,4 +1,4 @@
-"""The spin of the rolling disk.
+"""The spin is the spin of the rolling disk.
 
 fails: sliding_spin_balances_the_moments
 """

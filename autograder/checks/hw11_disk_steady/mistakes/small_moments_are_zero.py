@@ -1,7 +1,7 @@
-"""A moment below 1e-6 is taken for zero, as it is on a coin.
+"""A moment below 1e-6 is treated as zero, as it is on a coin.
 
 fails: rolling_precession_holds_on_tracks_of_any_sign
-names: rolling_precession raised ValueError for a disk as small as a coin
+names: rolling_precession raised ValueError for a thin disk as small as a coin
 """
 
 _precession = rolling_precession

@@ -1,4 +1,4 @@
-"""The spin relative to the turning frame taken for the total spin.
+"""The spin is relative to the turning frame; the total spin is asked for.
 
 fails: contact_force_moves_the_centre, moment_residual_is_moment_minus_rate
 """

@@ -1,4 +1,4 @@
-"""The sign turned round.
+"""The sign is wrong.
 
 fails: rolling_precession_balances_the_moments
 """

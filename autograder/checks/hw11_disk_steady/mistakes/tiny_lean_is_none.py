@@ -1,4 +1,4 @@
-"""A lean below 1e-6 is taken for none.
+"""A lean below 1e-6 is treated as none.
 
 fails: rolling_precession_refuses_what_does_not_exist
 names: its lean tiny but not zero

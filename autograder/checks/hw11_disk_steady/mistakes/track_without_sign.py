@@ -1,4 +1,4 @@
-"""The lean taken without its sign.
+"""The lean has lost its sign.
 
 fails: sliding_track_is_around_the_resting_centre
 """

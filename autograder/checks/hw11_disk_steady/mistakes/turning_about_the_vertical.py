@@ -1,4 +1,4 @@
-"""Omega, about the vertical, for the rate at which the disk turns about its diameter.
+"""The disk turns about its diameter by less than Omega, which is about the vertical.
 
 fails: settling_energy_adds_up
 """

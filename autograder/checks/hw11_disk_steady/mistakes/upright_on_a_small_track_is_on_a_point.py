@@ -1,4 +1,4 @@
-"""An upright disk on a track of less than a fifth of its radius is taken for one that spins on a point.
+"""An upright disk on a track of less than a fifth of its radius is treated as spinning on a point.
 
 fails: rolling_precession_is_zero_where_nothing_turns_it
 names: far below the radius of the disk

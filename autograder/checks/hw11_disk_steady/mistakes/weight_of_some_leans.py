@@ -1,7 +1,7 @@
 """The normal force has the cosine of a lean that is negative.
 
 fails: contact_force_moves_the_centre
-names: only the normal force is
+names: Only the normal force is
 """
 
 

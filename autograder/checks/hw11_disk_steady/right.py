@@ -1,0 +1,122 @@
+"""What is right in hw11: the balance of moments in vectors, solved for the unknown.
+
+Axes: x towards the centre of the circle, z up, y such that z turns towards x about +y, as the lean grows.
+"""
+
+import math
+
+import numpy as np
+
+X, Y, Z = np.eye(3)
+NEXT_TO_UPRIGHT = 1e-5  # rad; the lean enters the common precession by its square
+
+
+def axle(lean):
+    return math.cos(lean) * X - math.sin(lean) * Z
+
+
+def rim(lean, radius):
+    """From the contact to G."""
+    return radius * (math.sin(lean) * X + math.cos(lean) * Z)
+
+
+def angular_velocity(lean, precession, spin):
+    """Precession about z, and about the axle what is missing to the total spin."""
+    n = axle(lean)
+    return precession * Z + (spin - precession * n @ Z) * n
+
+
+def moment_residual(lean, precession, spin, inward, normal, *, mass, radius, inertia):
+    """Moment of the contact force about G minus Omega z x H."""
+    A, C = inertia
+    n, omega = axle(lean), angular_velocity(lean, precession, spin)
+    H = A * omega + (C - A) * (omega @ n) * n
+    moment = np.cross(-rim(lean, radius), inward * X + normal * Z)
+    return float((moment - precession * np.cross(Z, H)) @ Y)
+
+
+def contact_force(lean, precession, spin, mass, radius, gravity):
+    """Towards the centre and upwards: G moves at omega x (contact to G), and Omega turns that velocity."""
+    velocity = np.cross(angular_velocity(lean, precession, spin), rim(lean, radius))
+    force = mass * (precession * np.cross(Z, velocity) + gravity * Z)
+    return float(force @ X), float(force @ Z)
+
+
+def sliding_force(lean, precession, spin, mass, radius, gravity):
+    return 0.0, mass * gravity
+
+
+def unbalanced(lean, precession, spin, force, *, mass, radius, inertia, gravity):
+    """The residual under the force that the motion needs."""
+    needed = force(lean, precession, spin, mass, radius, gravity)
+    return moment_residual(lean, precession, spin, *needed, mass=mass, radius=radius, inertia=inertia)
+
+
+def balanced_spin(lean, precession, force, **disk):
+    """The residual is linear in the spin."""
+    at_rest, turning = (unbalanced(lean, precession, spin, force, **disk) for spin in (0.0, 1.0))
+    return at_rest / (at_rest - turning)
+
+
+def spin_size(lean, precession, force, *, mass, radius, inertia, gravity):
+    """Size of the two terms that add up to the spin."""
+    still = {"mass": mass, "radius": radius, "inertia": inertia, "gravity": 0.0}
+    per_spin = [unbalanced(lean, precession, spin, force, **still) for spin in (0.0, 1.0)]
+    return (mass * gravity * radius + inertia[0] * precession**2) / abs(per_spin[1] - per_spin[0])
+
+
+def track_of(lean, precession, spin, radius):
+    """Rolling: the velocity omega x (contact to G) is that of a point that goes round with Omega."""
+    velocity = np.cross(angular_velocity(lean, precession, spin), rim(lean, radius)) @ Y
+    return rim(lean, radius) @ X - velocity / precession
+
+
+def spin_on_track(lean, track_radius, radius):
+    """At Omega = 1; the track's radius is linear in the spin."""
+    r0, r1 = (track_of(lean, 1.0, spin, radius) for spin in (0.0, 1.0))
+    return (track_radius - r0) / (r1 - r0)
+
+
+def balanced_precession(lean, spin, force, **disk):
+    """Omega with weight - resistance Omega^2 = 0, the spin being given at Omega = 1."""
+    weight = disk["mass"] * disk["gravity"] * disk["radius"] * math.sin(lean)
+    resistance = -unbalanced(lean, 1.0, spin, force, **{**disk, "gravity": 0.0})
+    return math.sqrt(weight / resistance)
+
+
+def rolling_spin(lean, precession, **disk):
+    return balanced_spin(lean, precession, contact_force, **disk)
+
+
+def sliding_spin(lean, precession, **disk):
+    return balanced_spin(lean, precession, sliding_force, **disk)
+
+
+def rolling_track_radius(lean, precession, **disk):
+    return track_of(lean, precession, rolling_spin(lean, precession, **disk), disk["radius"])
+
+
+def rolling_precession(lean, track_radius, **disk):
+    return balanced_precession(lean, spin_on_track(lean, track_radius, disk["radius"]), contact_force, **disk)
+
+
+def smallest_track(lean, *, mass, radius, inertia, gravity):
+    """Track radius at which Omega would be infinite."""
+    return radius * math.sin(lean) * (1 - inertia[0] / (inertia[1] + mass * radius**2))
+
+
+def sliding_track_radius(lean, radius):
+    return rim(lean, radius) @ X
+
+
+def common_precession(lean, **disk):
+    """No spin, and the weight's moment alone; upright it is a limit."""
+    return balanced_precession(max(abs(lean), NEXT_TO_UPRIGHT), 0.0, sliding_force, **disk)
+
+
+def settling_energy(lean, **disk):
+    """Of a disk whose centre is at rest and that has no spin."""
+    A, C = disk["inertia"]
+    n, omega = axle(lean), angular_velocity(lean, common_precession(lean, **disk), 0.0)
+    kinetic = 0.5 * (A * omega @ omega + (C - A) * (omega @ n) ** 2)
+    return kinetic + disk["mass"] * disk["gravity"] * rim(lean, disk["radius"]) @ Z
