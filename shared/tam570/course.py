@@ -40,8 +40,14 @@ def folder(name: str) -> Path:
     if len(found) == 1:
         return _home() / found[0]
     says = "may be any of" if found else "is not an assignment; there are"
-    more = "" if found else "; lectures: tam570 list --lectures"
-    raise Unknown(f"{name!r} {says}: {', '.join(found or assignments())}{more}")
+    raise Unknown(f"{name!r} {says}: {', '.join(found or assignments())}{'' if found else _lectures()}")
+
+
+def _lectures() -> str:
+    """What else a name might have meant."""
+    from tam570.lectures import names  # which imports this module
+
+    return f"; and the lectures (tam570 list --lectures): {', '.join(names())}"
 
 
 def named(file: Path) -> str:
