@@ -135,6 +135,8 @@ def film(parameters: Mapping[str, Any]) -> Film:
 
 def _swing(angles: Array, duration: float, *, length: float, gravity: float) -> Array:
     """The motion nearest to the small swing between the same ends, whether its action is least or not."""
+    from scipy.linalg import solve_banded
+
     w, times = sqrt(gravity / length), np.linspace(0.0, duration, len(angles))
     a, b, h = angles[0], angles[-1], duration / (len(angles) - 1)
     wave = sin(w * duration)
@@ -143,6 +145,6 @@ def _swing(angles: Array, duration: float, *, length: float, gravity: float) -> 
     swing[[0, -1]] = a, b
     for _ in range(20):
         slope, diagonal = _variations(swing, h, length, gravity)
-        beside = np.eye(len(slope), k=1) + np.eye(len(slope), k=-1)
-        swing[1:-1] -= np.linalg.solve(np.diag(diagonal) - length**2 / h * beside, slope)
+        beside = np.full(len(slope), -(length**2) / h)
+        swing[1:-1] += solve_banded((1, 1), np.stack([beside, diagonal, beside]), -slope)
     return swing
