@@ -42,6 +42,12 @@ def _taylor(found: Recurrences, lanes: int = 1) -> Any:
     return function(repr((found, lanes)), lambda: taylor.taylor_text(found, lanes), "advance", taylor.KINDS)
 
 
+@lru_cache(maxsize=256)
+def _one_motion(found: Recurrences) -> tuple[Any, list[Any]]:
+    """advance, and memory for it that is free; of several threads each takes its own."""
+    return _taylor(found), []
+
+
 def taylor_run(graph: Graph, origin: float, times: Array, out: Array, rtol: float, look: Look, state: State) -> State:
     """The state at the end, or where Taylor's method cannot go on; times since `origin`.
 
@@ -52,24 +58,31 @@ def taylor_run(graph: Graph, origin: float, times: Array, out: Array, rtol: floa
     if known is None:
         return state
     found, constants = known
-    advance, place, size = _taylor(found), layout(found, 1), len(state.y)
-    z, work, clock, c, given = _memory(taylor_loop.memory(size), place.doubles, 1, constants)
-    z[: taylor_loop.GIVEN + 1] = (state.row, state.t, 0, state.t, 0, 0, 0, 0, state.h, min(state.m) > 0.0)
-    kept = z[taylor_loop.NUMBERS : taylor_loop.NUMBERS + 3 * size].reshape(3, size)
-    kept[:] = state.y, state.r, state.m
-    work[: size * place.stride : place.stride] = state.y
-    clock[0] = origin + state.t
+    (advance, free), size = _one_motion(found), len(state.y)
+    memory = free.pop() if free else _memory(taylor_loop.memory(size), layout(found, 1).doubles, 1, constants)
+    z, _, _, c, given = memory
+    if constants:
+        c[:] = constants
+    head = [state.row, state.t, 0, state.t, 0, 0, 0, 0, state.h, min(state.m) > 0.0, 0]
+    used = taylor_loop.NUMBERS + 3 * size
+    z[:used] = [*head, *[0] * (taylor_loop.NUMBERS - len(head)), *state.y, *state.r, *state.m]
     ends = times.ctypes.data, len(times), out.ctypes.data, None, 0, origin, rtol, taylor.order_for(rtol)
 
     def some(budget: int) -> bool:
         advance(*given, *ends, budget)
-        look(float(z[taylor_loop.T]), kept[0].tolist(), kept[2].tolist(), int(z[taylor_loop.STEPS]))
-        return bool(z[taylor_loop.STATUS] == taylor_loop.RUNNING)
+        running = bool(z[taylor_loop.STATUS] == taylor_loop.RUNNING)
+        if running:
+            y, _, m = z[taylor_loop.NUMBERS : used].reshape(3, size).tolist()
+            look(float(z[taylor_loop.T]), y, m, int(z[taylor_loop.STEPS]))
+        return running
 
     _by_moments(some)
-    row, t, _, _, _, steps, refusals, _, h = z[: taylor_loop.LONGEST + 1].tolist()
-    y, r, m = map(tuple, kept.tolist())
+    numbers = z[:used].tolist()
+    row, t, _, _, status, steps, refusals, _, h = numbers[: taylor_loop.LONGEST + 1]
+    if status == taylor_loop.DONE:  # after all others there may be numbers that are not finite in it
+        free.append(memory)
     total = state.steps + int(steps), state.refusals + int(refusals)
+    y, r, m = (tuple(numbers[k : k + size]) for k in range(taylor_loop.NUMBERS, used, size))
     return State(int(row), t, h, y, r, state.f, m, state.growth, state.refused, *total, state.halt)
 
 

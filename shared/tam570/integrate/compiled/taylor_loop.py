@@ -42,6 +42,8 @@ def memory(size: int) -> int:
 def advance(z: Any, work: Any, time: Any, c: Any, times: Any, out: Any, origin: Any, rtol: Any, budget: Any) -> Any:
     """Step until the last sample, `budget` steps are tried, or no step is possible: z[STATUS] tells."""
     reach = log2(rtol) / ORDER
+    for i in range(SIZE):
+        work[i * STRIDE] = z[at(Y, i)]
     while z[STATUS] == RUNNING and budget > 0:
         budget -= 1
         time[0] = origin + z[NEW]
