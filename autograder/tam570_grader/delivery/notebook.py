@@ -62,7 +62,7 @@ def problem(readme: str) -> Problem:
     """Split the README at its lettered parts and at the table after them."""
     text, bar, table = readme.partition("\n|")
     starts = list(PART.finditer(text))
-    ends = [start.start() for start in starts[1:]] + [len(text)]
+    ends = [start.start() for start in starts[1:]] + [len(text)] if starts else []
     parts = {start[1]: text[start.start() : end].strip() for start, end in zip(starts, ends, strict=True)}
     return Problem(text[: starts[0].start()].strip() if starts else text.strip(), parts, (bar + table).strip())
 

@@ -1,0 +1,179 @@
+"""An assignment is six places: a fifteenth, a mass on a damped spring, is added to a copy of the course and graded."""
+
+import json
+import shutil
+
+import pytest
+
+from tam570_grader import cli
+from tam570_grader.writing import assignments
+
+SLUG = "hw15_damped_spring"
+SOLUTION = '''"""hw15: A mass on a damped spring."""
+
+import numpy as np
+from tam570.integrate import solve
+
+__all__ = ["energy", "simulate"]
+
+
+def energy(x, v, *, mass, stiffness):
+    """Energy, J.
+
+    x, v : m, m/s
+    """
+    return mass * v**2 / 2 + stiffness * x**2 / 2
+
+
+def simulate(t, x, v, *, mass, stiffness, damping):
+    """(n, 2) states x, v at the times t.
+
+    t : (n,) s
+    """
+    return solve(_rates, t, [x, v], parameters={"mass": mass, "stiffness": stiffness, "damping": damping})
+
+
+def _rates(t, state, *, mass, stiffness, damping):
+    x, v = state
+    return v, -(stiffness * x + damping * v) / mass
+'''
+RIGHT = '''"""What is right in hw15: the complex exponential."""
+
+import numpy as np
+
+
+def energy(x, v, mass, stiffness):
+    return abs(complex(np.sqrt(stiffness) * x, np.sqrt(mass) * v)) ** 2 / 2
+
+
+def motion(t, x, v, mass, stiffness, damping):
+    decay = damping / (2 * mass)
+    rate = np.sqrt(complex(stiffness / mass - decay**2))
+    a, b = x, (v + decay * x) / rate
+    s, fade = t - t[0], np.exp(-decay * (t - t[0]))
+    place = (fade * (a * np.cos(rate * s) + b * np.sin(rate * s))).real
+    turned = (fade * rate * (b * np.cos(rate * s) - a * np.sin(rate * s))).real
+    return np.column_stack([place, turned - decay * place])
+'''
+CASES = '''"""Hidden inputs of hw15."""
+
+from tam570_grader import given, in_turn, uneven
+
+
+def states(draw):
+    spring = [{"mass": draw.uniform(1, 3), "stiffness": draw.uniform(2, 9)} for _ in range(5)]
+    return [given(*draw.uniform(-2, 2, 2), **known).on("a random spring") for known in spring]
+
+
+def motions(draw):
+    known = {"mass": draw.uniform(1, 3), "stiffness": draw.uniform(2, 9), "damping": draw.uniform(0.1, 0.4)}
+    first = given(uneven(draw, 9.0, 30), draw.uniform(1, 2), draw.uniform(1, 2), **known).on("a random start")
+    return [first, *in_turn(draw, first)]
+'''
+CHECKS = '''"""Hidden checks of hw15."""
+
+from tam570_grader import Column, agree, check, follow, number, rows
+
+from . import cases, right
+
+RESULTS = {"energy": number, "simulate": rows(2)}
+NEEDS = ("numpy",)
+
+FORMULA = 1e-9  # roundings make 1e-15
+FOLLOWED = 1e-5  # solve_ivp at rtol 1e-9, atol 1e-9 is off by 1e-7
+MOTION = (Column("the place", "m", [0]), Column("the velocity", "m/s", [1]))
+
+
+@check(points=4, part="a")
+def energy_is_kinetic_and_elastic(student, draw):
+    """energy: of the mass and of the spring."""
+    agree(student.energy, right.energy, cases.states(draw), within=FORMULA, of="the energy", unit="J")
+
+
+@check(points=6, part="b")
+def simulation_follows_the_motion(student, draw):
+    """simulate: place and velocity at uneven times."""
+    follow(student.simulate, right.motion, cases.motions(draw), MOTION, within=FOLLOWED)
+'''
+MISTAKE = '''"""The damping has the wrong sign.
+
+fails: simulation_follows_the_motion
+"""
+
+
+def _rates(t, state, *, mass, stiffness, damping):
+    x, v = state
+    return v, -(stiffness * x - damping * v) / mass
+'''
+README = """# hw15: A mass on a damped spring
+
+**(a)** What is its energy?
+
+**(b)** How does it move?
+
+| function | points | part |
+|---|---|---|
+| `energy(x, v, ...)` | 4 | a |
+| `simulate(t, x, v, ...)` | 6 | b |
+"""
+VISIBLE = f'''"""Visible tests of hw15."""
+
+from {SLUG} import energy
+
+
+def test_energy():
+    assert energy(1.0, 0.0, mass=1.0, stiffness=2.0) == 1.0
+'''
+HINTS = 'energy = ["Whose energies?"]\nsimulate = ["What is the acceleration?"]\n'
+FILES = {
+    f"solutions/{SLUG}.py": SOLUTION,
+    f"autograder/checks/{SLUG}/right.py": RIGHT,
+    f"autograder/checks/{SLUG}/cases.py": CASES,
+    f"autograder/checks/{SLUG}/checks.py": CHECKS,
+    f"autograder/checks/{SLUG}/mistakes/growing.py": MISTAKE,
+    f"autograder/checks/{SLUG}/alternatives/the_same.py": SOLUTION,
+    f"assignments/{SLUG}/README.md": README,
+    f"assignments/{SLUG}/test_{SLUG}.py": VISIBLE,
+    f"assignments/{SLUG}/hints.toml": HINTS,
+}
+
+
+@pytest.fixture(scope="module")
+def fifteen(tmp_path_factory, course):
+    """A copy of the course with the new assignment's files, and a class of two."""
+    copy = tmp_path_factory.mktemp("fifteen")
+    for part in ("assignments", "solutions", "autograder/checks"):
+        shutil.copytree(course / part, copy / part)
+    for path, text in FILES.items():
+        (copy / path).parent.mkdir(parents=True, exist_ok=True)
+        (copy / path).write_text(text)
+    for student, text in {"ada": SOLUTION, "ben": f"{SOLUTION}\n\n{MISTAKE}"}.items():
+        (work := copy / "submitted" / student / SLUG).mkdir(parents=True)
+        (work / f"{SLUG}.py").write_text(text)
+    return copy
+
+
+def test_it_is_found_and_its_stub_is_made(fifteen):
+    assert SLUG in assignments.slugs(fifteen)
+    assert cli.main(["--root", str(fifteen), "stubs"]) == 0
+    stub = (fifteen / "assignments" / SLUG / f"{SLUG}.py").read_text()
+    assert stub.count("raise NotImplementedError") == 2 and "_rates" not in stub
+
+
+def test_it_is_graded_and_its_mistake_is_named(fifteen, capsys):
+    capsys.readouterr()
+    command = ["--root", str(fifteen), "grade", str(fifteen / "submitted"), "--json", "--jobs", "1", "--seed", "2"]
+    assert cli.main(command) == 0
+    ada, ben = sorted(map(json.loads, capsys.readouterr().out.splitlines()), key=lambda line: line["student"])
+    assert (ada["score"], ben["score"]) == (10.0, 4.0)
+    assert ben["checks"][1]["suspect"] == "The damping has the wrong sign."
+
+
+def test_it_is_released_for_nbgrader(fifteen, tmp_path):
+    assert cli.main(["--root", str(fifteen), "stubs"]) == 0
+    assert cli.main(["--root", str(fifteen), "course", str(tmp_path / "course"), SLUG]) == 0
+    assert list((tmp_path / "course" / "source" / SLUG).glob("*.ipynb"))
+
+
+def test_it_is_audited(fifteen):
+    assert cli.main(["--root", str(fifteen), "audit", SLUG, "--diagnosis", "--jobs", "1"]) == 0
