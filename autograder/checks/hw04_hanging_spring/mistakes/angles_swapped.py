@@ -1,4 +1,4 @@
-"""Azimuth and elevation swapped.
+"""Azimuth and elevation are swapped.
 
 fails: projection_is_orthographic
 """

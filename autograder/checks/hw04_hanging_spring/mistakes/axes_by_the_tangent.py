@@ -1,4 +1,4 @@
-"""The turn from conjugate radii to the axes by its tangent, which a circle has none of.
+"""The turn from conjugate radii to the axes comes from its tangent; a circle has none.
 
 fails: orbit_has_its_centre_at_the_equilibrium, orbit_is_the_ellipse_of_the_motion
 names: NaN or infinity for a circle

@@ -1,4 +1,4 @@
-"""Position and velocity from the centre as they are: radii, not axes.
+"""These are position and velocity from the centre: radii, not axes.
 
 fails: orbit_is_the_ellipse_of_the_motion
 names: two radii that give the ellipse need not be its axes

@@ -1,6 +1,7 @@
 """A little of the energy is lost at every step.
 
 fails: energy_stays
+names: use a tighter tolerance, or a smaller step
 numerics: the loss of a method that damps
 """
 

@@ -1,4 +1,4 @@
-"""Angles taken for degrees.
+"""The angles are treated as degrees; they are in radians.
 
 fails: projection_is_orthographic
 """

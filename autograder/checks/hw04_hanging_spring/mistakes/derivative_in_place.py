@@ -1,4 +1,4 @@
-"""The rates are written over the state. The simulation has a copy.
+"""The rates replace the state.
 
 fails: derivative_is_velocity_and_force_over_mass
 names: state_derivative changes the arrays

@@ -1,4 +1,4 @@
-"""Axes for semi-axes.
+"""These are axes, not semi-axes.
 
 fails: orbit_is_the_ellipse_of_the_motion
 names: not semi-axes

@@ -1,4 +1,4 @@
-"""x and y, from whatever direction one looks.
+"""The picture shows x and y, from whatever direction one looks.
 
 fails: the_path_is_drawn
 names: these are x and y

@@ -1,4 +1,4 @@
-"""Zero energy at the equilibrium in place of the origin.
+"""The energy is zero at the equilibrium; it is zero at the origin.
 
 fails: energy_is_that_of_motion_spring_and_weight
 """

@@ -1,4 +1,4 @@
-"""The energy of a spring with a rest length of 1 m.
+"""The spring has a rest length of 1 m.
 
 fails: energy_is_that_of_motion_spring_and_weight
 """

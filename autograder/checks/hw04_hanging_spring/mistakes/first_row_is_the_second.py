@@ -1,6 +1,7 @@
-"""The rows one time late, the start left out.
+"""The rows are one time late: the start is missing.
 
 fails: simulate_moves_as_it_must
+names: one time late
 """
 
 _right_simulate = simulate

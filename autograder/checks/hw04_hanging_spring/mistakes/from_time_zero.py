@@ -1,7 +1,7 @@
-"""The given state taken for that at t = 0, where it is that at t[0].
+"""The given state is taken at t = 0; it is the state at t[0].
 
 fails: simulate_moves_as_it_must
-also: the given state taken for that at t = 0, where it is that at t[0], and no times before 0
+names: at t = 0
 """
 
 def simulate(t, position, velocity, **parameters):

@@ -1,7 +1,7 @@
 """Of more than eight periods nothing is integrated: the start in every row, whose energy stays.
 
 fails: energy_stays
-names: the mass does not move
+names: every row is the start
 """
 
 _right_simulate = simulate

@@ -2,7 +2,7 @@
 
 fails: simulate_moves_as_it_must
 numerics: a relative tolerance of 1e-4
-names: tolerances of the integrator tight enough
+names: tighten rtol and atol
 """
 
 def simulate(t, position, velocity, **parameters):

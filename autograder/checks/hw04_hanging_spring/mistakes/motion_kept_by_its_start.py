@@ -1,7 +1,7 @@
 """Motions are kept by times and start; another spring gets the motion of the first.
 
 fails: simulate_does_not_depend_on_the_sampling
-names: is anything kept
+names: kept between calls
 """
 
 _right_simulate, _kept = simulate, {}

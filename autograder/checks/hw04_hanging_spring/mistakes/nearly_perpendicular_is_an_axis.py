@@ -1,4 +1,4 @@
-"""Radii are taken for axes that are perpendicular to a thousandth.
+"""Radii that are perpendicular to a thousandth are treated as axes.
 
 fails: orbit_is_the_ellipse_of_the_motion
 names: two radii that give the ellipse need not be its axes

@@ -1,4 +1,4 @@
-"""Right as the vertical times the direction of the eye, which there is none of from straight above.
+"""Right is the vertical times the direction of the eye, zero straight above.
 
 fails: projection_is_orthographic
 names: a view from straight above

@@ -1,6 +1,7 @@
-"""The equilibrium at the origin.
+"""The equilibrium is at the origin.
 
 fails: orbit_has_its_centre_at_the_equilibrium, orbit_is_the_ellipse_of_the_motion
+where: ellipse
 """
 
 _right_orbit = orbit

@@ -1,4 +1,4 @@
-"""Orbits are kept by their start; another spring gets that of the first.
+"""Orbits are kept by their start; another spring gets the orbit of the first.
 
 fails: orbit_has_its_centre_at_the_equilibrium, orbit_is_the_ellipse_of_the_motion
 names: an ellipse of a start as before

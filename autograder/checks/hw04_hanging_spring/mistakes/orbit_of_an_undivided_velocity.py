@@ -1,6 +1,7 @@
-"""The velocity not divided by the frequency.
+"""The velocity is not divided by the frequency.
 
 fails: orbit_is_the_ellipse_of_the_motion
+where: ellipse
 """
 
 def orbit(position, velocity, *, mass, stiffness, gravity):

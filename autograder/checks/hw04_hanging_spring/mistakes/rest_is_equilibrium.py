@@ -1,7 +1,7 @@
-"""A mass let go at rest is taken to stay.
+"""A mass let go at rest stays.
 
 fails: simulate_does_not_depend_on_the_sampling
-names: a mass at rest
+names: every row is the start
 """
 
 _right_simulate = simulate

@@ -1,4 +1,4 @@
-"""Left for right.
+"""Left and right are exchanged.
 
 fails: projection_is_orthographic
 """

@@ -1,4 +1,4 @@
-"""The elevation's sign reversed.
+"""The elevation has the wrong sign.
 
 fails: projection_is_orthographic
 """

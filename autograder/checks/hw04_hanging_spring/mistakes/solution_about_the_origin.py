@@ -1,4 +1,4 @@
-"""The equilibrium at the origin: no weight.
+"""There is no weight: the equilibrium is at the origin.
 
 fails: solution_is_the_motion
 """

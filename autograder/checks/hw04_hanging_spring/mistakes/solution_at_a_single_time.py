@@ -1,4 +1,4 @@
-"""A single time is taken for that of the given state.
+"""A single time is treated as the time of the given state.
 
 fails: solution_holds_without_gravity_and_from_any_time
 names: a single time

@@ -1,7 +1,7 @@
 """Closed forms are kept by times and start; another spring gets that of the first.
 
 fails: solution_holds_without_gravity_and_from_any_time
-names: is anything kept
+names: the call before, but for one argument
 """
 
 _right_solution, _kept = solution, {}

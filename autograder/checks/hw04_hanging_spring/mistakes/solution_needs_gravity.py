@@ -1,4 +1,4 @@
-"""Lengths in units of g m/k, which there is none of without gravity.
+"""Lengths are in units of g m/k, which is zero without gravity.
 
 fails: solution_holds_without_gravity_and_from_any_time
 names: for no gravity

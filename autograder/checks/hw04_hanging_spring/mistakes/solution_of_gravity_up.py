@@ -1,4 +1,4 @@
-"""Gravity pulling up.
+"""Gravity pulls up.
 
 fails: solution_is_the_motion
 """

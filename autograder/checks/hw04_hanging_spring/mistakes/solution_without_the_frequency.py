@@ -1,4 +1,4 @@
-"""The sine's amplitude not divided by the frequency.
+"""The sine's amplitude is not divided by the frequency.
 
 fails: solution_is_the_motion
 """

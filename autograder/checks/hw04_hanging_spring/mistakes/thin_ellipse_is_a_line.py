@@ -1,4 +1,4 @@
-"""The smaller axis is taken for none below a fiftieth of the larger.
+"""The smaller axis is zero below a fiftieth of the larger.
 
 fails: orbit_is_the_ellipse_of_the_motion
 names: a thin ellipse

@@ -1,4 +1,4 @@
-"""(6, n) as solve_ivp has it.
+"""The rows are (6, n), as solve_ivp has them.
 
 fails: simulate_moves_as_it_must, the_path_is_drawn
 names: not an array of shape (12, 6)

@@ -1,6 +1,7 @@
-"""The times taken to be evenly spaced, the first step for all.
+"""The times are evenly spaced by the first step.
 
 fails: simulate_moves_as_it_must
+names: evenly spaced
 """
 
 _right_simulate = simulate

@@ -1,4 +1,4 @@
-"""The spring's force not divided by the mass.
+"""The spring's force is not divided by the mass.
 
 fails: derivative_is_velocity_and_force_over_mass, simulate_moves_as_it_must, the_path_is_drawn
 """

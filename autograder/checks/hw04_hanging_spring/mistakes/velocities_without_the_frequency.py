@@ -1,7 +1,6 @@
-"""Velocities that lack a factor, the frequency.
+"""The velocities lack a factor, the frequency.
 
 fails: solution_is_the_motion
-names: the positions are right
 """
 
 def solution(t, position, velocity, *, mass, stiffness, gravity):

@@ -1,0 +1,64 @@
+"""What is right in hw04: a matrix exponential, the oscillator's (Fradkin's) tensor, and turned coordinates."""
+
+import math
+
+import numpy as np
+from scipy.linalg import expm
+
+Z = np.array([0.0, 0.0, 1.0])
+
+
+def rate_of(mass, stiffness, gravity):
+    return math.sqrt(stiffness / mass)
+
+
+def generator(mass, stiffness, gravity):
+    """The matrix of the linear equation for (r, v, 1)."""
+    matrix = np.zeros((7, 7))
+    matrix[:3, 3:6] = np.eye(3)
+    matrix[3:6, :3] = -stiffness / mass * np.eye(3)
+    matrix[5, 6] = -gravity
+    return matrix
+
+
+def state_derivative(t, state, **known):
+    return (generator(**known) @ [*state, 1.0])[:6]
+
+
+def energy(state, mass, stiffness, gravity):
+    matrix = np.diag([stiffness] * 3 + [mass] * 3)
+    return state @ matrix @ state / 2 + mass * gravity * state[2]
+
+
+def solution(t, position, velocity, **known):
+    """(n, 6) states, position and velocity being those at t = 0."""
+    start = [*position, *velocity, 1.0]
+    return np.array([expm(generator(**known) * time) @ start for time in t])[:, :6]
+
+
+def motion(t, position, velocity, **known):
+    """(n, 6) states, position and velocity being those at t[0]."""
+    return solution(t - t[0], position, velocity, **known)
+
+
+def centre(mass, stiffness, gravity):
+    return -mass * gravity / stiffness * Z
+
+
+def energies(states, mass, stiffness, gravity):
+    """(n,) J, from the place of rest."""
+    places = states[:, :3] - centre(mass, stiffness, gravity)
+    return (stiffness * np.sum(places**2, axis=1) + mass * np.sum(states[:, 3:] ** 2, axis=1)) / 2
+
+
+def tensor(position, velocity, **known):
+    """Fradkin's, over stiffness/2: constant; the ellipse's squared axes are its eigenvalues."""
+    place = position - centre(**known)
+    return np.outer(place, place) + np.outer(velocity, velocity) / rate_of(**known) ** 2
+
+
+def project(points, azimuth, elevation):
+    """The points in coordinates turned by the azimuth about z, then by the elevation about the y axis."""
+    plane = (points[:, 0] + 1j * points[:, 1]) * np.exp(-1j * azimuth)
+    tilted = (plane.real + 1j * points[:, 2]) * np.exp(-1j * elevation)
+    return np.column_stack([plane.imag, tilted.imag])
