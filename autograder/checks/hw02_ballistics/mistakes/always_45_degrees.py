@@ -1,4 +1,4 @@
-"""45 degrees always, which holds without drag alone.
+"""45 degrees hold without drag alone.
 
 fails: best_angle_has_the_largest_range
 """

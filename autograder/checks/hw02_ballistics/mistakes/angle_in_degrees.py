@@ -1,4 +1,4 @@
-"""The angle taken for degrees.
+"""The angle is treated as degrees; it is in radians.
 
 fails: trajectory_is_the_motion, both_paths_are_drawn
 """

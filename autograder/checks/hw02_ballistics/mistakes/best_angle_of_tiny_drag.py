@@ -1,4 +1,4 @@
-"""Drag below 1e-4 kg/s is taken for none in the best angle, however light the particle.
+"""A drag below 1e-4 kg/s counts as none, however light the particle.
 
 fails: best_angle_is_45_degrees_without_drag
 names: a light particle

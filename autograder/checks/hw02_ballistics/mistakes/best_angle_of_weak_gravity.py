@@ -1,4 +1,4 @@
-"""Launches where gravity is below 0.1 m/s^2 get the best angle of those without drag, however little pulls them.
+"""Where gravity is below 0.1 m/s^2 the drag counts as none, however little pulls.
 
 fails: best_angle_is_45_degrees_without_drag
 names: where gravity is weak

@@ -1,7 +1,6 @@
-"""A single time is taken for that of the launch. The range, which has its own, is right.
+"""A single time counts as the time of the launch.
 
 fails: trajectory_counts_time_from_the_launch
-names: a single time
 """
 
 _right_trajectory = trajectory

@@ -1,4 +1,4 @@
-"""Paths are kept by times and launch; other drag gets the path of the first.
+"""A path is kept by times and launch; other drag gets the same path.
 
 fails: trajectory_with_any_drag
 names: is anything kept

@@ -1,7 +1,6 @@
-"""The closed form at the times in ascending order.
+"""The rows are at the times in ascending order.
 
 fails: trajectory_counts_time_from_the_launch
-names: times in descending order
 """
 
 _right_trajectory = trajectory

@@ -1,4 +1,4 @@
-"""The best angle is the best of a thousand.
+"""This is the best of a thousand angles.
 
 fails: best_angle_has_the_largest_range
 names: a search stops early

@@ -1,4 +1,4 @@
-"""The textbook formula, in which little drag leaves no digits.
+"""Little drag leaves the textbook formula no digits.
 
 fails: trajectory_with_any_drag
 names: for very little drag

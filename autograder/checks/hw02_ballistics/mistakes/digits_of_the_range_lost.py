@@ -1,4 +1,4 @@
-"""1 - e^-s as a difference, which loses digits.
+"""1 - e^-s is a difference that loses digits.
 
 fails: range_with_hardly_any_drag
 """

@@ -1,4 +1,4 @@
-"""The drag along the direction of the velocity, which a particle at rest has none of.
+"""The drag is along the direction of the velocity, which a particle at rest does not have.
 
 fails: rates_are_newtons
 names: NaN or infinity for a particle at rest

@@ -1,7 +1,7 @@
-"""Drag on the horizontal component alone.
+"""The drag acts on the horizontal component alone.
 
 fails: rates_are_newtons, simulation_follows_the_motion, trajectory_is_the_motion, flight_ends_at_launch_height, range_is_where_it_lands
-also: the flight time without drag, or with drag on the horizontal component alone | the flight time without drag, or drag on the horizontal component alone
+also: The flight time is that without drag.
 """
 
 

@@ -1,4 +1,4 @@
-"""Drag on the vertical component alone.
+"""The drag acts on the vertical component alone.
 
 fails: range_is_where_it_lands
 """

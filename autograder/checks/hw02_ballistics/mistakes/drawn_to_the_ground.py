@@ -1,4 +1,4 @@
-"""The paths drawn are laid on the ground, where they would go on below it.
+"""The curves end on the ground; the paths go on below it.
 
 fails: both_paths_are_drawn
 names: do simulate and trajectory pass

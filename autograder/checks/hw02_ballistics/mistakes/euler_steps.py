@@ -1,8 +1,8 @@
-"""The simulation takes ten steps of Euler's method from sample to sample.
+"""Ten steps of Euler's method go from each time to the next.
 
 fails: simulation_follows_the_motion, both_paths_are_drawn
 numerics: a method of first order
-names: are the steps short
+names: do your steps depend on t | tighten
 """
 
 

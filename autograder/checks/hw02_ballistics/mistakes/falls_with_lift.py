@@ -1,4 +1,4 @@
-"""A drag that points down in the fall, too.
+"""The vertical drag points down in the fall, too.
 
 fails: rates_are_newtons
 """

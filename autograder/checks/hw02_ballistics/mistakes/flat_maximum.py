@@ -1,4 +1,4 @@
-"""The best angle by a search for the maximum, which is too flat at a huge speed.
+"""A search for the maximum is too coarse at a huge speed, where it is very flat.
 
 fails: best_angle_at_a_huge_speed
 names: the largest range is very flat there

@@ -1,4 +1,4 @@
-"""No flight is shorter than 1e-5 s.
+"""The search for the flight time begins at 1e-5 s.
 
 fails: flight_time_with_great_drag_and_straight_up
 names: a nearly flat launch

@@ -1,6 +1,7 @@
-"""The flight time without drag, or drag on the horizontal component alone.
+"""The flight time is that without drag.
 
 fails: range_is_where_it_lands
+also: The drag acts on the horizontal component alone.
 """
 
 

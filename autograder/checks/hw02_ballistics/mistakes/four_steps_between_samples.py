@@ -1,7 +1,7 @@
-"""Four Runge-Kutta steps from each time to the next, however far it is.
+"""Four Runge-Kutta steps go from each time to the next, however far.
 
 fails: simulation_follows_the_motion
-names: are the steps short
+names: do your steps depend on t | tighten
 numerics: the length of the steps
 """
 

@@ -1,4 +1,4 @@
-"""The closed form by e^(c t/m), which is more than any number in the end.
+"""e^(c t/m) is more than any number in the end.
 
 fails: trajectory_with_any_drag
 names: NaN or infinity for great drag

@@ -1,7 +1,7 @@
-"""A closed form that takes a drag below 1e-4 kg/s for none.
+"""A drag below 1e-4 kg/s counts as none.
 
 fails: trajectory_with_any_drag
-names: taken for none
+within: 1e-8
 """
 
 _right_trajectory = trajectory

@@ -1,4 +1,4 @@
-"""A path as long on its way down as up.
+"""The path is as long on its way down as up; it should fall straight down.
 
 fails: path_at_a_huge_speed_has_the_limit_shape
 """

@@ -1,4 +1,4 @@
-"""The flight time by Lambert's W, with Newton's method only where b is below a millionth.
+"""Newton's method helps Lambert's W only where b is below a millionth.
 
 fails: flight_time_with_hardly_any_drag, range_with_hardly_any_drag
 numerics: a right equation, solved to too few digits

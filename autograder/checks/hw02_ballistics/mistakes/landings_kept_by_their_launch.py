@@ -1,4 +1,4 @@
-"""Flight times, ranges and best angles are kept by the launch; other drag gets those of the first.
+"""Results are kept by the launch; other drag gets the same results.
 
 fails: flight_time_with_great_drag_and_straight_up, range_with_hardly_any_drag, best_angle_is_45_degrees_without_drag
 names: is anything kept

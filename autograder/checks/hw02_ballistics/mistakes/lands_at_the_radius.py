@@ -1,4 +1,4 @@
-"""A landing as far from the launch as the top corner is: it falls straight down from there.
+"""The landing is as far from the launch as the top corner; the particle falls straight down.
 
 fails: path_at_a_huge_speed_has_the_limit_shape
 """

@@ -1,7 +1,6 @@
-"""The given state taken for that at t = 0, where it is that at t[0].
+"""The launch is used at t = 0; it is at t[0].
 
 fails: simulation_follows_the_motion
-also: the given state taken for that at t = 0, where it is that at t[0], and no times before 0
 """
 
 

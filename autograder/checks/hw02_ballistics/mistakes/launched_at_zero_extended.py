@@ -1,7 +1,6 @@
-"""Integrated from t = 0, with what the integrator makes of times before that.
+"""The launch is used at t = 0; it is at t[0].
 
 fails: simulation_follows_the_motion
-names: the launch is at t[0], not at t = 0
 """
 
 

@@ -1,4 +1,4 @@
-"""Drag below 1e-4 kg/s is taken for none in the range, where it is not little beside the weight.
+"""A drag below 1e-4 kg/s counts as none in the range, however light the particle.
 
 fails: range_with_hardly_any_drag
 names: a light particle

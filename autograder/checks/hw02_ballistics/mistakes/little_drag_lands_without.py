@@ -1,7 +1,7 @@
-"""Below a ten thousandth the drag is taken for none by the flight time and the range.
+"""Below a ten thousandth the drag counts as none.
 
 fails: flight_time_with_hardly_any_drag, range_with_hardly_any_drag
-names: very little drag is taken for none
+names: very little drag is not none
 numerics: how little drag is none
 """
 

@@ -1,4 +1,4 @@
-"""A top corner at the height cos(angle) sin(angle): it is as far along the launch as the speed carries it.
+"""The top corner is at the height sin(angle), not cos(angle) sin(angle).
 
 fails: path_at_a_huge_speed_has_the_limit_shape
 """

@@ -1,4 +1,4 @@
-"""The vertical drag not divided by the mass.
+"""The vertical drag is not divided by the mass.
 
 fails: rates_are_newtons
 """

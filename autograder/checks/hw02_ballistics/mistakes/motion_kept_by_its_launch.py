@@ -1,7 +1,7 @@
-"""Motions are kept by times and launch; other drag gets the motion of the first.
+"""A motion is kept by times and launch; other drag gets the same motion.
 
 fails: simulation_without_drag_or_gravity
-names: is anything kept
+names: kept between calls
 """
 
 _right_simulate, _kept = simulate, {}

@@ -1,7 +1,6 @@
-"""The closed form's vertical velocity falls as freely as without drag.
+"""The vertical velocity falls as freely as without drag.
 
 fails: trajectory_is_the_motion
-names: only vy is off
 """
 
 _right_trajectory = trajectory

@@ -1,7 +1,6 @@
-"""The vertical drag not divided by the mass.
+"""The drag force is not divided by the mass.
 
 fails: trajectory_is_the_motion, both_paths_are_drawn
-also: the drag force not divided by the mass
 """
 
 with_mass = trajectory

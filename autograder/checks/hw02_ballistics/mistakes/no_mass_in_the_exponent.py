@@ -1,4 +1,4 @@
-"""The exponent not divided by the mass.
+"""The exponent is not divided by the mass.
 
 fails: range_is_where_it_lands
 """

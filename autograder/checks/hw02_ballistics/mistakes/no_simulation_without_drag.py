@@ -1,4 +1,4 @@
-"""The simulation scales the time by m/c and the speed by m g/c.
+"""Time and speed are scaled by m/c and m g/c, which are infinite without drag.
 
 fails: simulation_without_drag_or_gravity
 names: ZeroDivisionError for zero drag

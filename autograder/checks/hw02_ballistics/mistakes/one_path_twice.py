@@ -1,4 +1,4 @@
-"""The numerical path is drawn twice, once with the label of the other.
+"""The numerical path is drawn twice.
 
 fails: both_paths_are_drawn
 names: both curves are the same numbers

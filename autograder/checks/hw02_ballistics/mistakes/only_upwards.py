@@ -1,4 +1,4 @@
-"""The simulation takes every launch for one upwards.
+"""Every launch counts as one upwards.
 
 fails: simulation_follows_the_motion
 names: a launch straight down

@@ -1,4 +1,4 @@
-"""Quadratic drag, -c v^2; here it is linear.
+"""The drag is quadratic, -c v^2; it should be linear.
 
 fails: rates_are_newtons, simulation_follows_the_motion, both_paths_are_drawn
 """

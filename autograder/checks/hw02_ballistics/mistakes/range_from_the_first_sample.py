@@ -1,7 +1,6 @@
-"""The range is x at the flight time, by a trajectory that counts its times from the first.
+"""The range is zero: the trajectory counts its times from the first.
 
 fails: range_is_where_it_lands
-names: it is zero: does your trajectory
 """
 
 _right_trajectory = trajectory

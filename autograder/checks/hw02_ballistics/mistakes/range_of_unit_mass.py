@@ -1,4 +1,4 @@
-"""The drag force not divided by the mass in x, where it is in the flight time.
+"""The drag is not divided by the mass in x, although it is in the flight time.
 
 fails: range_is_where_it_lands
 """

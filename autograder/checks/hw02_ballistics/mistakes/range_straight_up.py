@@ -1,4 +1,4 @@
-"""A launch straight up is given a range, that of one at 45 degrees without drag.
+"""A launch straight up gets the range of one at 45 degrees.
 
 fails: range_is_where_it_lands
 names: a launch straight up

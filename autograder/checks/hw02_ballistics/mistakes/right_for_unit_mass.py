@@ -1,7 +1,6 @@
-"""The vertical drag not divided by the mass.
+"""The drag force is not divided by the mass.
 
 fails: rates_are_newtons
-also: the drag force not divided by the mass
 """
 
 

@@ -1,4 +1,4 @@
-"""The closed form takes the sine for the root of what the cosine leaves, so every launch goes up.
+"""The sine is a root of 1 - cos^2, so every launch goes up.
 
 fails: trajectory_is_the_motion
 names: a launch straight down

@@ -1,7 +1,6 @@
-"""Below a hundredth of the terminal speed the best angle is a series of first order.
+"""At a low speed this is a series of first order in the drag.
 
 fails: best_angle_is_45_degrees_without_drag
-names: a series of first order in the drag
 numerics: the next term of the series
 """
 

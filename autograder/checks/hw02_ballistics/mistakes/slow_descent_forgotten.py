@@ -1,4 +1,4 @@
-"""The flight time is sought up to two hundred times m/c only.
+"""The search for the flight time ends at two hundred times m/c.
 
 fails: flight_time_with_great_drag_and_straight_up
 names: great drag

@@ -1,4 +1,4 @@
-"""The best angle of a launch slower than a tenth of the terminal speed, taken for that without drag.
+"""Below a tenth of the terminal speed the drag counts as none.
 
 fails: best_angle_is_45_degrees_without_drag
 names: 45 degrees are for no drag

@@ -1,4 +1,4 @@
-"""A particle that stays at launch height when it is back there.
+"""The particle stays at launch height; there is no ground.
 
 fails: simulation_follows_the_motion, both_paths_are_drawn
 names: there is no ground

@@ -1,7 +1,7 @@
-"""The paths drawn at times that crowd about the launch, with one straight line from there to the end.
+"""The curves end in one long straight line.
 
 fails: both_paths_are_drawn
-names: a point of the motion is off
+names: a point of the motion is wrong
 """
 
 

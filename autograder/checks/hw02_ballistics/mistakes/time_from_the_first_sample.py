@@ -1,7 +1,6 @@
-"""The closed form counts the time from the first sample.
+"""The times are counted from the first; the launch is at t = 0.
 
 fails: trajectory_counts_time_from_the_launch
-names: times that do not begin at 0
 """
 
 from_launch = trajectory

@@ -1,4 +1,4 @@
-"""The closed form scales the times in place.
+"""The times are scaled in place.
 
 fails: trajectory_is_the_motion
 names: trajectory changes the arrays

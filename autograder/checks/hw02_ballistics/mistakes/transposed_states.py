@@ -1,4 +1,4 @@
-"""The simulation returns (4, n).
+"""The rows and columns are exchanged: solve_ivp returns (4, n).
 
 fails: simulation_follows_the_motion
 names: not an array of shape (30, 4)

@@ -1,4 +1,4 @@
-"""The plot has different scales for x and y.
+"""The scales of x and y differ.
 
 fails: both_paths_are_drawn
 names: not drawn at the same scale

@@ -1,7 +1,6 @@
-"""The times taken to be evenly spaced.
+"""The rows are at evenly spaced times, not at the times in t.
 
 fails: simulation_follows_the_motion
-also: the times taken to be evenly spaced, the first step for all
 """
 
 
