@@ -32,7 +32,7 @@ def _replay(arguments: argparse.Namespace) -> int:
 
     slug, why = _failure(arguments.results, arguments.student, arguments.check)
     print(f"{arguments.student}, {slug}, {arguments.check}: {message(why)}")
-    given = why.at if isinstance(why.at, dict) else {"args": [why.at], "kwargs": {}}
+    given: dict[str, Any] = why.at if isinstance(why.at, dict) else {"args": [why.at], "kwargs": {}}
     told = [*map(_digits, given["args"]), *(f"{name}={_digits(value)}" for name, value in given["kwargs"].items())]
     print(f"\n{why.function}({', '.join(told)})")
     print(f"\nexpected: {_digits(why.expected)}\nactual:   {_digits(why.actual)}")
