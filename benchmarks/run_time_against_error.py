@@ -214,6 +214,8 @@ def picture(results, path):
         ax.axvline(scene["condition"] * EPS, color="0.7", lw=1)
         ax.set_title(name, fontsize=10)
         ax.grid(alpha=0.3)
+    for ax in axes.flat[len(names) :]:
+        ax.set_visible(False)
     for ax in axes[-1]:
         ax.set_xlabel("relative error at the end")
     for ax in axes[:, 0]:
@@ -221,7 +223,7 @@ def picture(results, path):
     axes[0, 0].set_xlim(1.0, 1e-18)
     lines = {line.get_label(): line for ax in axes.flat for line in ax.get_lines() if line.get_label()[0] != "_"}
     figure.legend(lines.values(), lines.keys(), loc="lower center", ncol=7, frameon=False, fontsize=9)
-    figure.tight_layout(rect=(0, 0.08, 1, 1))
+    figure.tight_layout(rect=(0, 0.3 / (rows + 1), 1, 1))
     figure.savefig(path, dpi=110)
 
 

@@ -99,6 +99,12 @@ def test_gaps_between_the_coefficients_are_no_accuracy(power, rtol):
     assert curved == pytest.approx(best, rel=100 * rtol)  # it grows without bound behind t = 1.6, 1.1, ...
 
 
+def test_a_step_is_judged_at_its_end():
+    """1 / (1 + t^8) has no coefficient between the first and the ninth: at a low order the step alone seems endless."""
+    end = solve(lambda t, y: (1 / (1 + t**8),), [0, 100.0], [1.0], rtol=1e-3, method="compiled")[-1, 0]
+    assert end == pytest.approx(1 + math.pi / 8 / math.sin(math.pi / 8), rel=1e-2)  # 7 where it is not
+
+
 def test_what_does_not_move_takes_no_steps_and_stays():
     states = solve(lambda t, y: (y[1], -math.sin(y[0])), [0, 1e6], [0.0, 0.0], method="compiled")
     assert (states == 0).all()
