@@ -71,3 +71,12 @@ def test_an_answer_is_computed_once_for_the_same_input():
     for x in (5.0, 5.0, 6.0, 5.0):
         known(SOLUTION, [counted], [Call("f", given(x), x)])
     assert len(_module(SOLUTION, text).calls) == 2
+
+
+def test_one_mistake_of_several_is_told_by_the_inputs_that_show_it_alone():
+    thin, thick = given(1.0).on("a thin disk"), given(2.0).on("a hoop")
+    calls = [Call("f", thin, 1.0), Call("f", thick, 7.0)]
+    told, untold = wrong("x", "where: thin\n"), wrong("x")
+    assert known(SOLUTION, [untold, told], calls) == told.says
+    assert known(SOLUTION, [untold], calls) is None
+    assert known(SOLUTION, [wrong("x", "where: thick\n")], calls) is None
