@@ -255,7 +255,9 @@ def summary(found):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--quick", action="store_true", help="three scenes, four tolerances, no cold processes")
-    parser.add_argument("--scenes", nargs="+", choices=ALL, help="these alone; what is kept of others stays")
+    parser.add_argument(
+        "--scenes", nargs="+", choices=ALL, metavar="NAME", help="these alone; what is kept of others stays"
+    )
     parser.add_argument("--sets", nargs="+", choices=scenes.SETS, help="the scenes of these sets alone")
     parser.add_argument("--methods", nargs="+", choices=methods.METHODS, help="these alone")
     parser.add_argument("--tolerances", nargs="+", type=float, help="these alone")

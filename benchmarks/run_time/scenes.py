@@ -1,4 +1,4 @@
-"""What the reference solution of every assignment that simulates hands to the integrator; and public problems."""
+"""What the reference solution of every assignment that simulates hands to the integrator; public problems, lectures."""
 
 import importlib.util
 from pathlib import Path
@@ -118,12 +118,17 @@ SCENES = {
 
 
 public = _loaded(Path(__file__).with_name("public.py"))
-SETS = {"scenes": list(SCENES), "public": list(public.PROBLEMS)}  # another set is one more row
+lectures = _loaded(Path(__file__).with_name("lectures.py"))
+SMOOTH = [name for name in lectures.PROBLEMS if name != "rocket"]  # no reference by series past its burnout
+# another set is one more row
+SETS = {"scenes": list(SCENES), "public": list(public.PROBLEMS), "lectures": SMOOTH}
 
 
 def scene(name):
     """(rhs, start, parameters, end): states at `end`, s, are compared."""
     if name in SCENES:
         return SCENES[name]()
+    if name in lectures.PROBLEMS:
+        return lectures.PROBLEMS[name]
     rhs, start, end = public.PROBLEMS[name]
     return rhs, start, {}, end
