@@ -1,7 +1,6 @@
-"""A pendulum at rest is taken to be in equilibrium.
+"""A pendulum at rest stays where it is.
 
 fails: energy_is_conserved_from_horizontal
-names: the bars do not move
 """
 
 released = simulate

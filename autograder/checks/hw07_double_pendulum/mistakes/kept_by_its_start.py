@@ -1,7 +1,7 @@
-"""A motion is kept by its start, masses and number of times, and given again at other times.
+"""A motion is kept by its start, and given again at other times.
 
 fails: simulation_follows_the_equations
-names: but for other times; is something kept from one call to the next?
+names: is a result kept between calls
 """
 
 _right_simulate = simulate

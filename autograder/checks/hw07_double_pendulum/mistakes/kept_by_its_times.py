@@ -1,7 +1,7 @@
 """A motion is kept by its times, and given again for another pendulum.
 
 fails: simulation_follows_the_equations
-names: but for another theta; is something kept from one call to the next?
+names: is a result kept between calls
 """
 
 _right_simulate = simulate

@@ -1,7 +1,6 @@
-"""At rest there is no kinetic energy, so that the energy is taken for zero, and the hinges for free of force.
+"""At rest the energy and the hinge forces are zero; the weights act there too.
 
 fails: energy_is_kinetic_and_potential, hinge_forces_balance
-names: for th1 = th2, at rest
 """
 
 whole, flown = energy, on_the_fly

@@ -1,7 +1,7 @@
 """The path is drawn from t = 0 on, not from t[0].
 
 fails: tip_path_is_drawn
-names: it begins at the tip's place at t[0] and ends at that at t[-1]
+names: does it run from t[0] to t[-1]
 """
 
 _right_plot = plot_tip_path

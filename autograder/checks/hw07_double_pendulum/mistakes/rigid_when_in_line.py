@@ -1,7 +1,6 @@
-"""Bars in line that turn alike are taken for one bar, and its angular acceleration for that of both.
+"""Bars in line that turn alike move as one bar.
 
 fails: accelerations_obey_the_equations
-names: th1 = th2
 """
 
 accelerated = angular_acceleration

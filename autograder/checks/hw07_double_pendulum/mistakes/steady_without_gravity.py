@@ -1,7 +1,6 @@
-"""Without gravity the angular velocities stay as they are.
+"""Without gravity the angular velocities stay as they are; the bars still act on each other.
 
 fails: momentum_is_conserved_without_gravity
-names: the bars still act on each other
 """
 
 _right = simulate

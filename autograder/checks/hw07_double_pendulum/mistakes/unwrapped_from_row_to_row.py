@@ -1,7 +1,7 @@
-"""Angles are wrapped and then unwrapped from row to row, which loses turns between two times.
+"""Angles are unwrapped from row to row, which loses turns between two times.
 
 fails: simulation_follows_the_equations
-names: off by whole turns alone
+names: never wrap angles
 """
 
 _right = simulate

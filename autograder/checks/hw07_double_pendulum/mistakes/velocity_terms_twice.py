@@ -1,6 +1,7 @@
-"""Twice what is right, which is {f} of point masses at the ends of the bars.
+"""Every velocity term is twice what is right.
 
 fails: velocity_terms_are_centripetal
+also: point masses at the ends of the bars
 """
 
 once = velocity_terms

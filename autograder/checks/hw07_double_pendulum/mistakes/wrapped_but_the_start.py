@@ -1,7 +1,7 @@
 """The angles after the start are wrapped to -pi to pi.
 
 fails: simulation_follows_the_equations
-names: off by whole turns alone
+names: never wrap angles
 """
 
 unwrapped = simulate
