@@ -14,7 +14,7 @@ from typing import Any
 from tam570.integrate.compiled.coefficients import HIGHEST
 from tam570.integrate.scale import UNKNOWN
 
-__all__ = ["NUMBERS", "advance", "advance_all", "memory"]
+__all__ = ["DONE", "IDLE", "LONGEST", "NUMBERS", "RUNNING", "STATUS", "STEPS", "T", "advance", "advance_all", "memory"]
 
 NUMBERS = 16
 ROW, T, H, NEW, STATUS, STEPS, REFUSALS, TRIES, LONGEST, GIVEN, WHO = range(11)  # where in z
