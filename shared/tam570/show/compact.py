@@ -122,7 +122,8 @@ def _affine_base(tracks: Array) -> tuple[list[int], Array]:
         direction = rest[:, farthest] / np.linalg.norm(rest[:, farthest])
         rest -= np.outer(direction, direction @ rest)
         base.append(farthest)
-    weights = np.linalg.lstsq(relative[:, base[1:]], relative, rcond=None)[0]
+    spanning = relative[:, base[1:]]  # three columns at most, far apart: the normal equations lose nothing that shows
+    weights = np.linalg.solve(spanning.T @ spanning, spanning.T @ relative)
     return base, np.vstack([1.0 - weights.sum(axis=0), weights])
 
 
