@@ -2,7 +2,7 @@
 
 fails: invariants_stay_over_many_turns, special_bodies_move_too
 numerics: steps that grow with the duration
-names: for two times, and axes along those of space at the start; it is nearly right
+names: The steps must be short for a fast turn
 """
 
 

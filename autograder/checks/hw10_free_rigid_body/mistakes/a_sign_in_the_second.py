@@ -8,7 +8,7 @@ _right_euler, _right_rates = euler_equations, _rates
 
 def euler_equations(omega, *, inertia):
     p, q, r = _right_euler(omega, inertia=inertia)
-    return p, -q, r
+    return np.array([p, -q, r])
 
 
 def _rates(t, state, *, inertia):

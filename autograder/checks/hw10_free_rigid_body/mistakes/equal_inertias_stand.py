@@ -1,7 +1,6 @@
-"""A body with three equal inertias is taken for one that does not turn.
+"""A body with three equal inertias does not turn.
 
 fails: special_bodies_move_too
-names: for three equal inertias; it is the same at all times
 """
 
 _right_simulate = simulate

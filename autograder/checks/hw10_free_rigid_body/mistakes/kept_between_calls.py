@@ -1,7 +1,7 @@
 """A motion is kept by body, omega and the number of times, and given again from another R and at other times.
 
 fails: special_bodies_move_too
-names: the motion of a call before, but for other times; is something kept from one call to the next?
+names: is a result kept between calls?
 """
 
 _right_simulate = simulate

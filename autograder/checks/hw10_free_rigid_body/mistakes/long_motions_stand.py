@@ -1,7 +1,7 @@
 """A motion of many turns gives the start in every row.
 
 fails: invariants_stay_over_many_turns
-names: the body does not tumble
+names: for many fast turns. Every row is the start
 """
 
 _right_simulate = simulate

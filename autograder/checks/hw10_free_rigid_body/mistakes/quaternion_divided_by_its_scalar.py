@@ -1,7 +1,7 @@
 """The quaternion at the start is made with the scalar part below the line: there is none at a half turn.
 
 fails: special_bodies_move_too
-names: for a start half a turn about x from the axes of space
+names: for a start half a turn about
 """
 
 _right_simulate = simulate

@@ -1,7 +1,6 @@
-"""A sine of theta below 1e-6 is taken for 1e-6.
+"""A sine of theta below 1e-6 is replaced by 1e-6.
 
 fails: euler_rates_are_refused_where_undetermined
-names: a rate is off
 """
 
 _right_rates_313 = euler_rates_313

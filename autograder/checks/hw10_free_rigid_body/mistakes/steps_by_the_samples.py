@@ -2,7 +2,7 @@
 
 fails: special_bodies_move_too
 numerics: steps that grow with the distance of the times
-names: two times many turns apart; the steps must be short for a fast turn, and must not depend on the sampling
+names: do your steps depend on t
 """
 
 

@@ -1,7 +1,6 @@
 """sin theta by a square root, right for theta from 0 to pi.
 
 fails: euler_rates_make_omega
-names: sin theta is taken for positive
 """
 
 

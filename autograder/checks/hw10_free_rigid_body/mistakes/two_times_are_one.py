@@ -1,7 +1,6 @@
 """Asked for two times alone, it gives the start twice.
 
 fails: special_bodies_move_too
-names: for two times, and axes along those of space at the start; it is the same at all times
 """
 
 _right = simulate

@@ -1,0 +1,126 @@
+"""What is right in hw10: H' = 0 in vectors, Jacobi's elliptic functions, the two turns of a wheel."""
+
+import math
+
+import numpy as np
+from scipy.integrate import solve_ivp
+from scipy.special import ellipj, ellipkinc, elliprf
+
+PRECISE = {"method": "DOP853", "rtol": 1e-11, "atol": 1e-11}
+
+
+def hat(omega):
+    """The matrix of omega x."""
+    return np.cross(omega, np.eye(3)).T
+
+
+def turned(v):
+    """The rotation by |v| about v."""
+    angle = np.linalg.norm(v)
+    n = v / angle if angle else v
+    return np.cos(angle) * np.eye(3) + 2 * math.sin(angle / 2) ** 2 * np.outer(n, n) + math.sin(angle) * hat(n)
+
+
+def euler_equations(omega, *, inertia):
+    """omega', from H' = 0: the rate of H in the body's axes is H x omega."""
+    inertia = np.asarray(inertia)
+    return np.cross(inertia * omega, omega) / inertia
+
+
+def attitude_rate(R, omega):
+    """Every row of R, an axis of space seen from the body, turns backwards."""
+    return np.cross(R, omega)
+
+
+def energy(omega, *, inertia):
+    return 0.5 * np.sum(inertia * omega**2)
+
+
+def angular_momentum(R, omega, *, inertia):
+    return np.sum([moment * w * axis for moment, w, axis in zip(inertia, omega, R.T, strict=True)], axis=0)
+
+
+def omega_of_rates(angles):
+    """(3, 3): the columns are omega, in body components, of unit rates of psi, theta and phi."""
+    _, theta, phi = angles
+    x, z = np.eye(3)[[0, 2]]
+    after_phi = turned(-phi * z)
+    return np.column_stack([after_phi @ turned(-theta * x) @ z, after_phi @ x, z])
+
+
+def euler_rates_313(angles, omega):
+    return np.linalg.solve(omega_of_rates(angles), omega)
+
+
+def motion(t, R, omega, *, inertia):
+    """omegas and rotations of any body, by solve_ivp."""
+
+    def rates(_, y):
+        return np.append(euler_equations(y[:3], inertia=inertia), attitude_rate(y[3:].reshape(3, 3), y[:3]))
+
+    states = solve_ivp(rates, (t[0], t[-1]), np.append(omega, R), t_eval=t, **PRECISE).y.T
+    return states[:, :3], states[:, 3:].reshape(-1, 3, 3)
+
+
+def elliptic(t, omega, *, inertia):
+    """omega at the times t in Jacobi's elliptic functions, for any three different inertias."""
+    order = np.argsort(inertia)
+    (A, B, C), w = inertia[order], omega[order]
+    double, square = 2 * energy(omega, inertia=inertia), np.sum((inertia * omega) ** 2)
+    outward = slice(None, None, 1 if square > double * B else -1)  # ends with the axis that omega goes round
+    (A, B, C), w = inertia[order][outward], w[outward]
+    beside, along = double * C - square, square - double * A
+    amplitudes = np.sqrt([beside / (A * (C - A)), beside / (B * (C - B)), along / (C * (C - A))])
+    m, rate = (B - A) * beside / ((C - B) * along), math.sqrt((C - B) * along / (A * B * C))
+    sign = math.copysign(1.0, w[2])
+    handedness = np.linalg.det(np.eye(3)[order])  # axes in a left-handed order see the motion backwards
+    start = ellipkinc(math.atan2(sign * w[1] / amplitudes[1], w[0] / amplitudes[0]), m)
+    sn, cn, dn, _ = ellipj(start + handedness * rate * (t - t[0]), m)
+    found = np.column_stack([cn, sign * sn, sign * dn]) * amplitudes
+    return found[:, outward][:, np.argsort(order)]
+
+
+def tumble(t, R, omega, *, inertia):
+    """omegas in elliptic functions, rotations by solve_ivp."""
+    return elliptic(t, omega, inertia=inertia), motion(t, R, omega, inertia=inertia)[1]
+
+
+def special(t, R, omega, *, inertia):
+    """omegas and rotations of a spin about a principal axis, or of a body with A = B."""
+    A, B, C = inertia
+    H, slip = R @ (inertia * omega), np.array([0.0, 0.0, (1 - C / A) * omega[2]])
+    if A != B:
+        return np.tile(omega, (len(t), 1)), np.array([R @ turned(omega * tau) for tau in t - t[0]])
+    omegas = [turned(-slip * tau) @ omega for tau in t - t[0]]
+    return np.array(omegas), np.array([turned(H / A * tau) @ R @ turned(slip * tau) for tau in t - t[0]])
+
+
+def symmetric_solution(t, omega, *, inertia):
+    """omega whose part across the axis turns at (C/A - 1) omega_3."""
+    A, _, C = inertia
+    across = (omega[0] + 1j * omega[1]) * np.exp(1j * (C / A - 1) * omega[2] * (t - t[0]))
+    return np.column_stack([across.real, across.imag, np.full(len(t), omega[2])])
+
+
+def wobble_rate(omega, *, inertia):
+    """How fast the symmetry axis e, which moves at omega x e, goes round H."""
+    H, e = inertia * omega, np.array([0.0, 0.0, 1.0])
+    return np.linalg.norm(H) * np.linalg.norm(np.cross(omega, e)) / np.linalg.norm(np.cross(H, e))
+
+
+def growth_rate_squared(axis, spin, *, inertia):
+    """Deviations of the next axis grow at a rate whose square is this."""
+    omega, other = spin * np.eye(3)[axis], (axis + 1) % 3
+    columns = [(np.cross(inertia * d, omega) + np.cross(inertia * omega, d)) / inertia for d in np.eye(3)]
+    M = np.column_stack(columns)
+    return (M @ M)[other, other]
+
+
+def tumble_period(omega, *, inertia):
+    """4 K(k) over the rate, by Carlson's integral; for pure spin that of small oscillations."""
+    A, B, C = inertia
+    p, q, r = np.square(omega)
+    beside = B * (B - A) * (C - B) * q
+    round_first, round_last = A * (B - A) * p, C * (C - B) * r
+    smaller, larger = (C - A) * abs(round_last - round_first), beside + (C - A) * max(round_first, round_last)
+    return 4 * math.sqrt(A * B * C) * elliprf(0.0, smaller, larger)
