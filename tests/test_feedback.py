@@ -259,8 +259,8 @@ def test_pages_are_written_beside_the_results_and_left_when_nothing_changed(tmp_
     ],
 )
 def test_what_draws_is_imported_where_something_is_drawn(options, right, needed, tmp_path, course, solution_text):
-    slug = "hw02_ballistics"
-    mistake = "" if right else (CHECKS / slug / "mistakes" / "euler_steps.py").read_text()
+    slug = "hw07_double_pendulum"
+    mistake = "" if right else (CHECKS / slug / "mistakes" / "too_few_steps.py").read_text()
     (tmp_path / f"{slug}.py").write_text(solution_text(slug) + "\n\n" + mistake)
     code = (
         "import sys\nfrom tam570_grader.cli import main\n"

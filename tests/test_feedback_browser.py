@@ -110,7 +110,7 @@ def test_every_text_can_be_read_in_light_and_dark(opened, file, scheme):
 def test_pictures_have_a_name_for_those_who_do_not_see_them(opened):
     page = opened("feedback/ben/hw07_double_pendulum.html")
     named = page.get_by_role("img", name="From t = 0 s to 10 s.")
-    assert named.count() == 1 and "energy" in named.locator("title").text_content()
+    assert named.count() == 1 and "along your motion" in named.locator("title").text_content()
 
 
 def test_the_first_thing_to_look_at_is_a_link_to_it(opened):

@@ -17,7 +17,7 @@ from tam570_grader.writing import assignments
 TESTS = Path(__file__).parent
 IN_CI = {  # assignment: the slip in what the second student hands in
     "hw07_double_pendulum": "too_few_steps",
-    "hw08_axis_angle": "skew_transposed",
+    "hw08_axis_angle": "transposed_skew",
     "hw12_bead_on_wire": "steps_for_short_runs",
 }
 ONE = "hw08_axis_angle"

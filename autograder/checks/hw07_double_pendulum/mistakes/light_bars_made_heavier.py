@@ -1,7 +1,7 @@
 """The free bars are given a thousandth of the total mass at least.
 
 fails: free_bars_with_a_nearly_massless_one
-names: a nearly massless lower bar
+names: nearly massless
 """
 
 as_given = on_the_fly

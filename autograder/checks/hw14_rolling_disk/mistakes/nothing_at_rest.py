@@ -1,6 +1,7 @@
 """What is at rest has no rates, no energy, and a force that is its weight.
 
 fails: euler_equations_hold, matrix_equations_hold, multiplier_equations_hold, euler_simulation_follows_the_motion, matrix_simulation_follows_the_motion, energy_is_kinetic_and_potential, contact_force_moves_the_centre, steady_residual_is_the_tilt_acceleration
+also: a disk without tilt rate and roll rate is said to be at rest
 names: for a disk at rest
 """
 

@@ -1,6 +1,6 @@
 """Axles next to the vertical are moved away from it, to avoid a division by zero.
 
-fails: matrix_equations_hold, multiplier_equations_hold
+fails: multiplier_equations_hold
 names: for a nearly flat disk; no tilt but 0 and pi is singular
 """
 
@@ -22,5 +22,4 @@ def _away_from_flat(rates):
     return function
 
 
-matrix_state_derivative = _away_from_flat(matrix_state_derivative)
 multiplier_state_derivative = _away_from_flat(multiplier_state_derivative)
