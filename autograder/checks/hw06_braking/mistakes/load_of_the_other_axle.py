@@ -2,7 +2,6 @@
 
 fails: axle_load_balances_the_weight, friction_opposes_the_sliding, equations_of_motion, simulate_brakes, growth_rate_is_the_slope, small_yaw_rate_is_the_linear_solution, mechanics_refuses_other_axles
 also: the locked axle and the free one exchanged
-also: the load of the other axle: the locked axle and the free one exchanged
 """
 
 

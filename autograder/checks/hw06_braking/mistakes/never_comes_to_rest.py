@@ -1,6 +1,7 @@
 """Fixed steps go on through the stop, and to and fro.
 
 fails: simulate_comes_to_rest_and_stays
+names: it goes back after the stop
 """
 
 

@@ -1,8 +1,8 @@
 """Two steps of the classical Runge-Kutta method from row to row of a long motion.
 
 fails: energy_is_conserved_from_horizontal
+names: do your steps depend on t
 numerics: steps as long as half the distance of the times
-names: or a smaller step
 """
 
 
