@@ -1,0 +1,130 @@
+"""What a submission's process may do with time, what it says, and what happens when it dies."""
+
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from tam570_grader.grading.one import graded
+from tam570_grader.sandbox.cell import Cell
+from tam570_grader.sandbox.student import Source, Student
+from tam570_grader.sandbox.worker import Allowance
+from tam570_grader.writing import assignments
+from tam570_grader.writing.check import given
+from tam570_grader.writing.expect import Failed
+
+SLUG = "hw08_axis_angle"
+STOPPER = """
+import os, signal, sys, time
+from pathlib import Path
+
+def descendants(pid):
+    for task in Path(f"/proc/{pid}/task").glob("*/children"):
+        for child in map(int, task.read_text().split()):
+            if child != os.getpid():
+                yield child
+                yield from descendants(child)
+
+time.sleep(0.3)
+everybody = [int(sys.argv[1]), *descendants(int(sys.argv[1]))]
+for sign, wait in ((signal.SIGSTOP, 4), (signal.SIGCONT, 0)):
+    for pid in everybody:
+        os.kill(pid, sign)
+    time.sleep(wait)
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="finds the sandbox's processes in /proc")
+def test_who_is_suspended_with_the_grader_is_not_late(course, workers):
+    text = "def skew(v):\n    import time\n    time.sleep(0.8)\n    return [[0.0] * 3] * 3\n"
+    allowance = Allowance(call=2.0)
+    student = Student(Source(text.encode()), assignments.assignment(course, SLUG), workers(SLUG, allowance))
+    student.load()
+    with subprocess.Popen([sys.executable, "-c", STOPPER, str(os.getpid())]):
+        assert np.array_equal(student.skew([1.0, 2.0, 3.0]), np.zeros((3, 3)))
+    student.leave()
+
+
+def test_a_function_that_hangs_fails_alone(grade, solution_text):
+    from tam570_grader.sandbox.worker import Allowance
+
+    text = solution_text(SLUG) + "\ndef rotate(r, axis, angle):\n    while True: pass\n"
+    outcome = grade(SLUG, text, allowance=Allowance(call=1))
+    assert outcome.score == 6.0 and outcome.status == "graded"
+    assert any("did not return within 1 s" in mark.message for mark in outcome.checks)
+
+
+def test_one_that_sleeps_through_its_calls_is_ended(grade, solution_text, monkeypatch):
+    monkeypatch.setattr("tam570_grader.sandbox.student.PATIENCE", 1)
+    received, receive = [], Cell.receive
+    monkeypatch.setattr(Cell, "receive", lambda *given: received.append(receive(*given)) or received[-1])
+    text = solution_text(SLUG) + "\n_skew = skew\ndef skew(v):\n    time.sleep(0.3)\n    return _skew(v)\nimport time\n"
+    outcome = grade(SLUG, text, allowance=Allowance(cpu=2, call=1))
+    assert outcome.status == "timeout" and outcome.score < 10 and "little processor time" in outcome.message
+    assert len(received) < 20, "it is ended within a batch of calls"
+
+
+def test_one_that_sleeps_at_every_import_and_call_is_ended(grade, solution_text, monkeypatch):
+    """Each function of hw02 has bans, and a cell, of its own."""
+    monkeypatch.setattr("tam570_grader.sandbox.student.PATIENCE", 1)
+    slow = "import time\ntime.sleep(0.8)\n" + solution_text("hw02_ballistics")
+    asleep = "import time\nskew = rotate = rotation_matrix = lambda *_, **__: time.sleep(9)\n"
+    for slug, text in (("hw02_ballistics", slow), (SLUG, asleep)):
+        outcome = grade(slug, text, allowance=Allowance(cpu=1.5, call=1))
+        assert outcome.status == "timeout" and "little processor time" in outcome.message
+
+
+def test_a_submission_has_a_process_group_of_its_own(grade, solution_text):
+    text = "import os\nassert os.getpgrp() == os.getpid() == os.getsid(0)\n" + solution_text(SLUG)
+    assert grade(SLUG, text).score == 10
+
+
+def test_one_that_is_tried_again_is_not_quoted(course, workers):
+    source = Source(b"1 / 0")
+    assignment, worker = assignments.assignment(course, SLUG), workers(SLUG, Allowance())
+    first, second = (graded("dan", source, assignment, worker, 1, again=again) for again in (False, True))
+    assert "division" in first.message and "second time" in second.message and "division" not in second.message
+
+
+def test_a_worker_that_dies_is_replaced(solution_text, course):
+    from tam570_grader.grading.many import Plan, graded_sources
+    from tam570_grader.grading.submissions import Submission
+    from tam570_grader.sandbox.student import Source
+    from tam570_grader.sandbox.worker import Allowance, Worker
+
+    started = []
+
+    class Mortal(Worker):
+        """The first worker is killed before it is ready, the second once it is."""
+
+        def __init__(self, *arguments):
+            super().__init__(*arguments)
+            started.append(self)
+            if len(started) == 1:
+                self.kill()
+            elif len(started) == 2:
+                self._await_ready()
+                self.kill()
+
+    plan = Plan(course, [], 1, 1, Allowance())
+    work = [(Submission("ada", SLUG, None, course), Source(solution_text(SLUG).encode()), "digest")]
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("tam570_grader.grading.many.Worker", Mortal)
+        ((outcome, _),) = graded_sources(plan, work)
+    assert outcome.score == 10.0 and len(started) == 3
+
+
+@pytest.mark.parametrize("body", ["raise ValueError", "return float('nan')", "return None", "v[0] = 0.0"])
+def test_a_call_that_fails_says_for_what_kind_of_input(body, course, workers):
+    text = f"def skew(v):\n    {body}\n"
+    student = Student(Source(text.encode()), assignments.assignment(course, SLUG), workers(SLUG, Allowance()))
+    for call in (
+        lambda: student.on("a short v").skew(np.ones(3)),
+        lambda: student.skew.many([given(np.ones(3)).on("a short v")]),
+    ):
+        with pytest.raises(Failed) as failed:
+            call()
+        assert failed.value.failure.kind == "a short v"
+    student.leave()
