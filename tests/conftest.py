@@ -23,7 +23,12 @@ from tam570_grader.writing import assignments
 COURSE = assignments.find()
 SLUGS = assignments.slugs(COURSE)
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "chrome")
-WHOLE = ("test_nbgrader.py", "test_formgrader.py", "test_feedback_browser.py")  # fixtures of up to a minute
+WHOLE = (
+    "test_nbgrader.py",
+    "test_nbgrader_odd.py",
+    "test_formgrader.py",
+    "test_feedback_browser.py",
+)  # fixtures of up to a minute
 SEEDS = {"seed": (range(5), range(50)), "draw": ([1], range(4))}  # in the quick form, and in full
 NBGRADER = """
 import json, os, sys, warnings

@@ -3,7 +3,6 @@
 import ast
 import re
 import tomllib
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -17,7 +16,6 @@ from tam570_grader.writing.expect import trial
 from tam570_grader.writing.mistakes import known, mistake
 from tam570_grader.writing.returns import Array, Drawing, Formula, Group
 
-TESTS = Path(__file__).parent
 COURSE = assignments.find()
 CHECKS = [(slug, check) for slug in assignments.slugs(COURSE) for check in assignments.assignment(COURSE, slug).checks]
 

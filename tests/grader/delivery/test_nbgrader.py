@@ -1,0 +1,231 @@
+"""The course in nbgrader, by its own commands, from release to feedback; what odd submissions come to."""
+
+import csv
+import html
+import json
+import re
+import shutil
+import warnings
+
+import pytest
+
+from tam570_grader import cli
+from tam570_grader.results.records import WHOLE
+from tam570_grader.writing import assignments
+
+IN_CI = {  # assignment: the slip in what the second student hands in
+    "hw07_double_pendulum": "too_few_steps",
+    "hw08_axis_angle": "transposed_skew",
+    "hw12_bead_on_wire": "steps_for_short_runs",
+}
+ONE = "hw08_axis_angle"
+TELLS = 8  # characters: a detail as short as "0.0" may be on a page by chance
+BY_HAND = 0.75  # of the points of a part that is graded by hand
+
+
+def by_part(record):
+    """part -> points of a result line."""
+    parts = {}
+    for mark in record["checks"]:
+        parts[mark["part"]] = parts.get(mark["part"], 0) + mark["points"]
+    return parts
+
+
+def regraded(course, checkout, slug, out):
+    """The results of `tam570-grader grade` on the collected files, with the seed that autograde took."""
+    first = (course / "tam570_results" / slug / "results.jsonl").read_text().splitlines()[0]
+    command = ["--root", str(checkout), "grade", str(course / "submitted"), "--only", slug, "--out", str(out)]
+    assert cli.main([*command, "--seed", str(json.loads(first)["seed"])]) == 0
+    return [json.loads(line) for line in (out / "results.jsonl").read_text().splitlines()]
+
+
+class Term:
+    """A course with two students: ann hands in the solution, ben the same with a slip."""
+
+    def __init__(self, checkout, folder, nbgrader, made_course, slips):
+        self.checkout, self.nbgrader, self.slips = checkout, nbgrader, slips
+        self.course, config = made_course(folder, list(slips))
+        self.homes = {name: folder / name for name in ("ann", "ben")}
+        for home in self.homes.values():
+            home.mkdir()
+            (home / "nbgrader_config.py").write_text(config)
+
+    def released(self):
+        for slug in self.slips:
+            self.nbgrader(self.course, "generate_assignment", slug)
+            self.nbgrader(self.course, "release_assignment", slug)
+
+    def handed_in(self, name, home):
+        """List, fetch, work, validate (ann: what is right must pass), submit."""
+        listed = self.nbgrader(home, "list")
+        assert all(slug in listed for slug in self.slips)
+        self.nbgrader(home, "fetch_assignment", *self.slips)
+        for slug, slip in self.slips.items():
+            wrong = (
+                (assignments.checks_folder(self.checkout, slug) / "mistakes" / f"{slip}.py").read_text()
+                if name == "ben"
+                else ""
+            )
+            solution = (self.checkout / "solutions" / f"{slug}.py").read_text()
+            (home / slug / f"{slug}.py").write_text(f"{solution}\n\n{wrong}")
+            answer_in_words(home / slug / f"{slug}.ipynb")
+            if name == "ann":
+                assert "Success" in self.nbgrader(home / slug, "validate", f"{slug}.ipynb")
+            self.nbgrader(home, "submit", slug, "--student", name)
+        cached = self.nbgrader(home, "list", "--cached")
+        assert all(slug in cached for slug in self.slips)
+
+    def graded(self):
+        """Collect, autograde, the parts that are graded by hand, feedback, and the table."""
+        for slug in self.slips:
+            self.nbgrader(self.course, "collect", slug)
+            self.nbgrader(self.course, "autograde", slug)
+            grade_by_hand(self.course, slug)
+            self.nbgrader(self.course, "generate_feedback", slug)
+            self.nbgrader(self.course, "release_feedback", slug)
+        for name, home in self.homes.items():
+            for slug in self.slips:
+                self.nbgrader(home, "fetch_feedback", slug, "--student", name)
+        self.nbgrader(self.course, "export")
+
+    def page(self, name, slug):
+        """The feedback that a student has fetched."""
+        return next((self.homes[name] / slug / "feedback").rglob("*.html")).read_text()
+
+
+def answer_in_words(path):
+    found = json.loads(path.read_text())
+    for cell in found["cells"]:
+        if cell["metadata"].get("nbgrader", {}).get("solution"):
+            cell["source"] = "As the momentum balance says."
+    path.write_text(json.dumps(found))
+
+
+def grade_by_hand(course, slug):
+    """What formgrader writes when a teacher types a score: here for every manual part."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # nbgrader's own, of SQLAlchemy
+        from nbgrader.api import Gradebook
+
+        with Gradebook(f"sqlite:///{course / 'gradebook.db'}") as book:
+            for submission in book.find_assignment(slug).submissions:
+                for grade in (grade for one in submission.notebooks for grade in one.grades):
+                    if grade.name.startswith("manual-"):
+                        grade.manual_score, grade.needs_manual_grade = BY_HAND * grade.max_score, False
+            book.db.commit()
+
+
+@pytest.fixture
+def a_whole_term(course, tmp_path, nbgrader, made_course):
+    """`a_whole_term(slips)` -> the term from release to fetched feedback and exported table."""
+
+    def a_whole_term(slips):
+        term = Term(course, tmp_path, nbgrader, made_course, slips)
+        term.released()
+        for name, home in term.homes.items():
+            term.handed_in(name, home)
+        term.graded()
+        return term
+
+    return a_whole_term
+
+
+def assert_the_same_scores(term, grades, out):
+    """nbgrader's gradebook and its export hold the points of `tam570-grader grade`, part by part."""
+    found, fractions = grades(term.course), 0
+    rows = csv.DictReader((term.course / "grades.csv").read_text().splitlines())
+    exported = {(row["student_id"], row["assignment"]): row for row in rows}
+    for slug in term.slips:
+        manual = sum(points for points, _ in assignments.assignment(term.checkout, slug).manual.values())
+        for record in regraded(term.course, term.checkout, slug, out / slug):
+            who, parts = (record["student"], slug), by_part(record)
+            automatic = {cell: auto for (*at, cell), (auto, _) in found.items() if tuple(at) == who and auto}
+            assert automatic == pytest.approx({f"part-{p}": points for p, points in parts.items() if points})
+            total = record["score"] + BY_HAND * manual
+            assert float(exported[who]["score"]) == pytest.approx(total, abs=1e-9)
+            assert float(exported[who]["max_score"]) == pytest.approx(record["max_score"] + manual)
+            fractions += sum(points % 1 != 0 for points in parts.values())
+            assert (record["score"] == record["max_score"]) == (record["student"] == "ann")
+    assert fractions  # scores that are no whole numbers came through, too
+
+
+def assert_the_feedback_says_what_was_lost(term):
+    """Every message and picture of ben's failures, nothing hidden, and none of it to ann."""
+    pictures, secrets = 0, 0
+    for slug in term.slips:
+        pages = [html.unescape(term.page(name, slug)) for name in term.homes]
+        results = (term.course / "tam570_results" / slug / "results.jsonl").read_text().splitlines()
+        ben = next(r for r in map(json.loads, results) if r["student"] == "ben")
+        lost = [mark for mark in ben["checks"] if mark["outcome"] == "failed"]
+        assert lost, ben
+        assert all(mark["message"][:40] in pages[1] for mark in lost)
+        details = json.dumps([mark["failure"].get(key) for mark in lost for key in WHOLE])
+        hidden = [number for number in re.findall(r"[\d.e-]+", details) if len(number) >= TELLS]
+        assert not [text for text in hidden for page in pages if text in page], slug
+        secrets += len(hidden)
+        curves = [curve for mark in lost if (curve := mark["failure"].get("curve"))]
+        drawn = [1 + bool(curve.get("keeps")) for curve in curves]
+        assert pages[1].count("</svg>") - pages[0].count("</svg>") == sum(drawn)
+        pictures += len(drawn)
+    assert pictures and secrets
+
+
+def test_three_assignments_by_nbgraders_commands(a_whole_term, nbgrader_grades, tmp_path):
+    term = a_whole_term(IN_CI)
+    assert_the_same_scores(term, nbgrader_grades, tmp_path / "out")
+    assert_the_feedback_says_what_was_lost(term)
+
+
+@pytest.mark.full
+def test_all_fourteen_by_nbgraders_commands(course, a_whole_term, nbgrader_grades, tmp_path):
+    slips = {
+        slug: sorted((assignments.checks_folder(course, slug) / "mistakes").glob("*.py"))[0].stem
+        for slug in assignments.slugs(course)
+    }
+    term = a_whole_term({**slips, **IN_CI})
+    assert_the_same_scores(term, nbgrader_grades, tmp_path / "out")
+    assert_the_feedback_says_what_was_lost(term)
+
+
+def in_order(readme):
+    """The commands of a README's block, without the remarks beside them."""
+    lines = [line.split("#")[0].split() for line in readme.splitlines() if line.startswith("    ")]
+    return [line for line in lines if line[:1] == ["nbgrader"] or line == ["jupyter", "lab"]]
+
+
+def test_the_commands_of_the_courses_readme_in_their_order(course, tmp_path, nbgrader, made_course):
+    made, config = made_course(tmp_path, [ONE])
+    written, ours = in_order((made / "README.md").read_text()), in_order((course / "README.md").read_text())
+    assert len(written) == 7 and [line[:2] for line in ours] == [line[:2] for line in written]
+    for command in written:
+        if command == ["jupyter", "lab"]:  # test_formgrader.py
+            continue
+        if command[1] == "collect":
+            (tmp_path / "nbgrader_config.py").write_text(config)
+            nbgrader(tmp_path, "fetch_assignment", ONE)
+            shutil.copy(course / "solutions" / f"{ONE}.py", tmp_path / ONE)
+            nbgrader(tmp_path, "submit", ONE, "--student", "ann")
+        nbgrader(made, *command[1:])
+    nbgrader(tmp_path, "fetch_feedback", ONE, "--student", "ann")
+    assert "skew(v) r = v x r" in next((tmp_path / ONE / "feedback").rglob("*.html")).read_text()
+
+
+@pytest.mark.filterwarnings("ignore")  # nbgrader's own, of SQLAlchemy
+def test_a_gradebook_is_set_up_once_a_command(tmp_path, monkeypatch, jupyter_environment):
+    from nbgrader import api
+
+    from tam570_grader.delivery.nbgrader_gradebook import OpenGradebook, keep_gradebooks_open
+
+    monkeypatch.setenv("PATH", jupyter_environment["PATH"])
+    made, create = [], api.create_engine
+    monkeypatch.setattr(api, "create_engine", lambda *a, **k: made.append(create(*a, **k)) or made[-1])
+    for command in (1, 2):
+        keep_gradebooks_open()
+        for name in ("ann", "ben"):
+            with OpenGradebook(f"sqlite:///{tmp_path / 'gradebook.db'}", "tam570") as gradebook:
+                gradebook.update_or_create_student(name)
+        assert len(made) == command
+    with api.Gradebook(f"sqlite:///{tmp_path / 'gradebook.db'}", "tam570") as gradebook:
+        assert [student.id for student in gradebook.students] == ["ann", "ben"]
+    for engine in made:
+        engine.dispose()
