@@ -3,6 +3,7 @@
 import ast
 import re
 import tomllib
+from functools import cache
 
 import numpy as np
 import pytest
@@ -191,6 +192,33 @@ def test_an_endless_loop_scores_nothing(slug, grade, course):
     assert (result.status, result.score) == ("timeout", 0)
 
 
+@pytest.fixture(scope="module")
+def called(workers, solution_text):
+    """`called(slug)` -> {check: the functions that it calls}, as the record of the sandbox has them."""
+
+    @cache
+    def called(slug):
+        assignment = assignments.assignment(COURSE, slug)
+        student, names = Student(Source(solution_text(slug).encode()), assignment, workers(slug, Allowance())), {}
+        for check in assignment.checks:
+            student.calls.clear()
+            with trial():
+                check.judge(student, np.random.default_rng(5))
+            names[check.name] = {call.name for call in student.calls}
+        student.leave()
+        return names
+
+    return called
+
+
+def test_every_check_calls_what_is_recorded(slug, called):
+    promises = assignments.assignment(COURSE, slug).results
+    undrawn = {name for name, promise in promises.items() if not isinstance(promise, Drawing)}
+    silent = {name for name, names in called(slug).items() if not names and "refuse" not in name}
+    assert undrawn <= set().union(*called(slug).values()), "a function that no check calls"
+    assert len(silent) <= len(promises) - len(undrawn), f"they call nothing but what draws: {silent}"
+
+
 WRAPPERS = {
     "complex numbers": "lambda x: np.asarray(x) + 0j",
     "numbers as text": "lambda x: np.asarray(x).astype(str)",
@@ -200,10 +228,12 @@ WRAPPERS = {
 
 
 @pytest.mark.parametrize("what", WRAPPERS)
-def test_right_numbers_in_a_wrong_form_score_nothing(slug, what, grade, course, solution_text):
-    result = grade(slug, solution_text(slug) + wrapped(assignments.assignment(course, slug).results, WRAPPERS[what]))
+def test_right_numbers_in_a_wrong_form_score_nothing(slug, what, grade, course, solution_text, called):
+    results = assignments.assignment(course, slug).results
+    numeric = {name for name, promise in results.items() if isinstance(promise, Array | Group)}
+    result = grade(slug, solution_text(slug) + wrapped(results, WRAPPERS[what]))
     kept = {mark.name for mark in result.checks if mark.points}
-    assert not kept - only_drawings_and_formulas(slug, course), failures(result)
+    assert not {name for name in kept if called(slug)[name] & numeric}, failures(result)
 
 
 @pytest.mark.parametrize("form", ["lambda x: np.asarray(x).tolist()", "lambda x: np.asarray(x, dtype=object)"])
@@ -232,15 +262,6 @@ def _wrap(function, change):
 for _name in {list(results)}:
     globals()[_name] = _wrap(globals()[_name], ({wrapper}) if _name in {numeric} else lambda x: x)
 """
-
-
-def only_drawings_and_formulas(slug, course):
-    """Checks that call no function whose result is numbers."""
-    assignment = assignments.assignment(course, slug)
-    numeric = [name for name, promise in assignment.results.items() if isinstance(promise, Array | Group)]
-    return {
-        check.name for check in assignment.checks if not any(name in check.judge.__code__.co_names for name in numeric)
-    }
 
 
 def filled(promise, number):
