@@ -22,10 +22,9 @@ ENOUGH = 10  # times: below the limit for a careful student, above it for wrong 
 SEEDS = 5
 FIRST_SEED = 700
 METHODS = "DOP853", "RK45", "LSODA"
-IMPORT = "from tam570.integrate import solve"
 CAREFUL = """
 
-def solve(rhs, t, y0, *, parameters=None, rtol=None, method=None):
+def solve(rhs, t, y0, *, parameters=None, **_):
     from scipy.integrate import solve_ivp
     given = parameters or {{}}
     rates = lambda s, y: rhs(s, y, **given)
@@ -72,9 +71,9 @@ def _largest(trial: Trial) -> float | None:
 def margins(course: Path, slug: str, seeds: int, jobs: int) -> list[Margin]:
     """The margins of the checks that compare what an integration gave."""
     text = (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8")
-    if IMPORT not in text:
-        return []
     checks = _simulating(course, slug, text)
+    if not checks:
+        return []
     wrong = submissions(course, slug, "mistakes")
     sources = [(method, _careful(text, method), checks) for method in METHODS]
     sources += [(name, f"{text}\n\n{slip}", checks & _not_passed(course, slug, slip)) for name, slip in wrong.items()]
@@ -104,8 +103,8 @@ def _failed(slip: str) -> set[str]:
 
 
 def _careful(text: str, method: str) -> str:
-    """The solution with the integration of a careful student in the place of its own."""
-    return text.replace(IMPORT, "pass") + CAREFUL.format(method=method)
+    """The solution, whose `solve` is another from here on: that of a careful student."""
+    return text + CAREFUL.format(method=method)
 
 
 def _simulating(course: Path, slug: str, text: str) -> frozenset[str]:
