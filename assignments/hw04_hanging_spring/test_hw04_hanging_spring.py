@@ -83,7 +83,7 @@ def curves(axes):
     """The number of lines and scatters; those of fewer than ten points are markers, or lines for reference."""
     from matplotlib.collections import PathCollection
 
-    drawn = [[line.get_xydata()] for line in axes.lines]
+    drawn = [[line.get_xydata()] for line in axes.lines if line.get_visible()]
     drawn += [c.get_segments() for c in axes.collections if hasattr(c, "get_segments")]
     drawn += [[c.get_offsets()] for c in axes.collections if isinstance(c, PathCollection)]
     return sum(len({tuple(point) for piece in pieces for point in piece}) >= 10 for pieces in drawn)

@@ -10,7 +10,14 @@ if os.name != "posix":
 from tam570_grader.writing.agree import Column, agree, agree_by_columns, refuse, same_for_all
 from tam570_grader.writing.check import check, given, once, suspect
 from tam570_grader.writing.curves import kept
-from tam570_grader.writing.drawings import distances, judge_axes_of_lengths, judge_boxes, path_drawn, words
+from tam570_grader.writing.drawings import (
+    curves_seen,
+    distances,
+    exchanged,
+    judge_axes_of_lengths,
+    judge_boxes,
+    path_drawn,
+)
 from tam570_grader.writing.expect import Failed, current, expect, expect_that, fail
 from tam570_grader.writing.follow import Invariant, follow, stays
 from tam570_grader.writing.formulas import from_own_lagrangian
@@ -34,8 +41,10 @@ __all__ = [
     "fail",
     "array",
     "check",
+    "curves_seen",
     "distances",
     "drawing",
+    "exchanged",
     "expect",
     "expect_that",
     "formula",
@@ -51,5 +60,4 @@ __all__ = [
     "rows",
     "suspect",
     "uneven",
-    "words",
 ]

@@ -11,6 +11,7 @@ from tam570_grader import (
     agree,
     array,
     check,
+    curves_seen,
     distances,
     drawing,
     expect,
@@ -35,7 +36,7 @@ RESULTS = {
     "limit_shape": array(3, 2),
     "plot_comparison": drawing,
 }
-NEEDS = ("numpy", "matplotlib.figure")
+NEEDS = ("numpy", "matplotlib.backends.backend_agg")
 OFF_LIMITS = {"trajectory": ("scipy.integrate", "tam570.integrate")}  # a closed form is asked for
 MANUAL = {"b": (2, "the guess before the work; why the limit has the shape it has")}
 
@@ -260,13 +261,11 @@ def both_paths_are_drawn(student, draw):
     """plot_comparison draws both paths from t[0] to t[-1] on the same axes, at the same scale."""
     case = cases.picture(draw)
     picture = student.plot_comparison.drawn(case)
-    two = len(picture.lines) == 2
-    expect_that(two, f"there are {len(picture.lines)} curves on the axes, not two", hint="Ten points make a curve.")
-    for line in picture.lines:
+    curves = curves_seen(picture, 2)
+    for line in curves:
         judge_path(line, case)
     judge_axes_of_lengths(picture)
-    if np.array_equal(*(line.points for line in picture.lines)):
-        judge_twins(student, case)
+    judge_twins(student, case, curves)
 
 
 def judge_path(line, case):
@@ -294,11 +293,28 @@ def end_hint(path, fine, t):
     return next(says, "Draw from t[0] to t[-1].")
 
 
-def judge_twins(student, call):
-    """Two curves of the same numbers, to the last bit, are one drawn twice, unless simulate and trajectory agree so."""
+def judge_twins(student, case, curves):
+    """Where the one function's results are moved, and both curves are, while the other's move none, one is drawn twice.
+
+    So it is where they are the same numbers, to the last bit, unless simulate and trajectory agree so.
+    """
+    hint = "Is one that of simulate, and the other that of trajectory?"
     try:
-        same = np.array_equal(student.simulate.aside(call), student.trajectory.aside(call))
+        moved = [moves(student, case, curves, name) for name in ("simulate", "trajectory")]
+        same = np.array_equal(*(line.points for line in curves))
+        alike = same and np.array_equal(student.simulate.aside(case), student.trajectory.aside(case))
     except Failed:  # of which their own checks tell
         return
-    hint = "Is one that of simulate, and the other that of trajectory?"
-    expect_that(same, "both curves are the same numbers, to the last bit", hint=hint)
+    expect_that(set(moved) != {0, 2}, "both curves are of one function", hint=hint)
+    expect_that(alike or not same, "both curves are the same numbers, to the last bit", hint=hint)
+
+
+def moves(student, case, curves, name):
+    """How many of the curves move by a metre where the results of this function do."""
+    after = student.plot_comparison.drawn(case, moved=name).lines
+    return sum(not any(near(line.points, other.points) for other in after) for line in curves)
+
+
+def near(one, other):
+    """Whether two curves have as many points, half a metre apart at most."""
+    return one.shape == other.shape and np.abs(one - other).max() < 0.5

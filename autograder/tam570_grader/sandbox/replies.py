@@ -110,16 +110,28 @@ def _drawing(value: Any) -> Drawing | None:
     whole = [line for line in lines if line is not None]
     if len(whole) < len(lines) or sum(len(line.points) for line in whole) > MOST_POINTS:
         return None
-    return Drawing(tuple(whole), _label(value, "xlabel"), _label(value, "ylabel"), value.get("equal_aspect") is True)
+    labels = _label(value, "xlabel"), _label(value, "ylabel")
+    showing, scales = (_pair(value.get(key), kind) for key, kind in (("labels_show", bool), ("scales", float)))
+    if showing is None or scales is None or type(bent := value.get("bent")) is not float:
+        return None
+    return Drawing(tuple(whole), *labels, showing, scales, bent)
+
+
+def _pair(value: Any, kind: type) -> Any:
+    """The two members of a list, both of this very type."""
+    return tuple(value) if isinstance(value, list) and [type(one) for one in value] == [kind, kind] else None
 
 
 def _line(line: Any) -> Line | None:
     points = line.get("points") if isinstance(line, dict) else None
     if not isinstance(points, np.ndarray) or points.dtype != np.float64 or points.ndim != 2 or points.shape[1] != 2:
         return None
+    seen = [line.get(key) for key in ("shows", "within", "extent")]
+    if not all(type(share) is float for share in seen):
+        return None
     scatter = line.get("scatter") is True
     every = -(-len(points) // MOST_SCATTERED) if scatter and len(points) else 1
-    return Line(points[::every], _label(line, "label"), scatter)
+    return Line(points[::every], _label(line, "label"), scatter, *seen)
 
 
 def _label(value: Reply, key: str) -> str:

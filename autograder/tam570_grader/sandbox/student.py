@@ -282,10 +282,10 @@ class Function:
         """The curves that the plot function draws on the Axes that it is given, before these arguments."""
         return self.drawn(given(*args, **kwargs).on(self.kind))
 
-    def drawn(self, call: Given) -> Drawing:
-        """The curves that the plot function draws in a case."""
+    def drawn(self, call: Given, moved: str | None = None) -> Drawing:
+        """The curves that the plot function draws in a case, where the results of one function may be moved by one."""
         current().judge(self.name, call)
-        reply = self.student.replies(self.name, [call], "drawing")[0]
+        reply = self.student.replies(self.name, [call], "drawing", moved=moved)[0]
         with _saying(call.kind):
             self._must_be_fair(reply, call)
         if reply["value"] is None:

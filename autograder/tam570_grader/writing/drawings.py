@@ -1,5 +1,6 @@
 """What students draw: curves, whatever their corners are, the edges of boxes in any order, labels in many forms."""
 
+import re
 from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 from typing import Any
@@ -10,13 +11,15 @@ from numpy.typing import ArrayLike, NDArray
 from tam570_grader.sandbox.student import Function
 from tam570_grader.writing.check import given
 from tam570_grader.writing.curves import along
-from tam570_grader.writing.expect import expect, expect_that
+from tam570_grader.writing.expect import expect, expect_that, fail
 from tam570_grader.writing.returns import Drawing, Line
 
-__all__ = ["distances", "judge_axes_of_lengths", "judge_boxes", "path_drawn", "words"]
+__all__ = ["curves_seen", "distances", "exchanged", "judge_axes_of_lengths", "judge_boxes", "path_drawn"]
 
 Array = NDArray[np.float64]
 
+SEEN, WITHIN, EXTENT = 0.5, 0.9, 0.02  # of a curve's points, of them, of the figure: a curve with less is not seen
+STRAIGHT = 1e-3  # of the axes: a logarithmic one over a tenth of a decade is bent by .03
 MOST_POINTS, MOST_CORNERS = 400, 4000  # a picture of a million points costs no more than one that looks alike
 
 
@@ -33,9 +36,7 @@ def distances(points: ArrayLike, polygon: ArrayLike) -> Array:
     return np.asarray(np.abs(from_corners - share * sides).min(axis=1))
 
 
-def path_drawn(
-    picture: Drawing, line: Line, path: Array, *, within: float, of: str, others: Mapping[str, Array] | None = None
-) -> None:
+def path_drawn(line: Line, path: Array, *, within: float, of: str, others: Mapping[str, Array] | None = None) -> None:
     """Whether a line is the path, from its first point to its last and in its order; of what else it is, in a hint.
 
     within : of the path's extent, for the line's points; ten times as much for the path between fewer points
@@ -70,13 +71,51 @@ def _some(points: ArrayLike, most: int) -> NDArray[Any]:
     return np.asarray(x + 1j * y)
 
 
-def judge_axes_of_lengths(picture: Drawing, names: str = "x and y", either: bool = False) -> None:
-    """Whether both axes are lengths by their labels, the unit being a word of its own, and drawn at one scale."""
-    labelled = all(METRES & words(label) for label in (picture.xlabel, picture.ylabel))
-    expect_that(labelled, "the axes are not labelled with their unit, as in x (m)")
-    exchanged = "y" in words(picture.xlabel) and "x" in words(picture.ylabel)
-    expect_that(either or not exchanged, "the label of x stands at the axis of y")
-    expect_that(picture.equal_aspect, f"{names} are not drawn at the same scale")
+def curves_seen(picture: Drawing, count: int) -> tuple[Line, ...]:
+    """The curves that can be seen, of which there must be so many; those that cannot are no fault beside them."""
+    seen = tuple(line for line in picture.lines if not _unseen(line))
+    hidden = [line for line in picture.lines if _unseen(line)]
+    if len(seen) < count and hidden:
+        fail(f"a curve cannot be seen: {_unseen(hidden[0])}", hint="Save the figure, and look at it.")
+    says = f"the number of curves on the axes is {len(seen)}, not {count}"
+    expect_that(len(seen) == count, says, hint="Fewer than ten points are no curve.")
+    return seen
+
+
+def _unseen(line: Line) -> str:
+    """Why a curve cannot be seen; empty if it can."""
+    if not line.within >= WITHIN:
+        return "it leaves the limits of the axes"
+    if not line.extent >= EXTENT:
+        return "it is as small as a point"
+    return "" if line.shows >= SEEN else "it is hidden, covered, too thin or too pale"
+
+
+def judge_axes_of_lengths(
+    picture: Drawing, across: str = "x horizontal", up: str = "y height vertical", *, from_below: bool = False
+) -> None:
+    """Whether both axes are lengths by their labels, the unit being a word of its own, evenly and at one scale.
+
+    across, up : the words that name either axis, the usual one first
+    from_below : whether the picture may be seen from behind the paper, one axis turned round or both exchanged
+    """
+    for label, shows, axis in zip((picture.xlabel, picture.ylabel), picture.labels_show, "xy", strict=True):
+        expect_that(METRES & words(label), "the axes are not labelled with their unit, as in x (m)")
+        expect_that(shows, f"the label of the axis of {axis} cannot be seen")
+    wrong, (one, other) = exchanged(picture, across, up), (names.split()[0] for names in (across, up))
+    expect_that(not any(wrong) or (from_below and all(wrong)), f"the label of {one} stands at the axis of {other}")
+    expect_that(picture.bent <= STRAIGHT, "the axes are not linear: equal lengths must look equal")
+    backwards = [scale < 0 for scale in picture.scales]
+    expect_that(not any(backwards) or (from_below and not all(backwards)), "the picture is upside down")
+    width, height = np.abs(picture.scales)
+    expect_that(abs(width - height) <= 0.01 * height, f"{one} and {other} are not drawn at the same scale")
+
+
+def exchanged(picture: Drawing, across: str = "x", up: str = "y") -> tuple[bool, bool]:
+    """Whether the label of x, and that of y, has a name of the other axis and none of its own."""
+    along_x, along_y = (set(re.findall("[a-z]+", label.lower())) for label in (picture.xlabel, picture.ylabel))
+    right, upwards = set(across.split()), set(up.split())
+    return not along_x & right and bool(along_x & upwards), not along_y & upwards and bool(along_y & right)
 
 
 METRES = {"m", "metre", "metres", "meter", "meters"}

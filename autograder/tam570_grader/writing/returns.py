@@ -43,11 +43,14 @@ class Formula:
 
 @dataclass(frozen=True)
 class Line:
-    """One line or scatter of a drawing: its points `(n, 2)` and its label."""
+    """One line or scatter of a drawing: its points `(n, 2)`, its label, and what of it can be seen."""
 
     points: np.ndarray
     label: str
     scatter: bool
+    shows: float = 1.0  # share of the points that leave ink on the paper
+    within: float = 1.0  # share of them within the limits of the axes
+    extent: float = 1.0  # on paper, as a share of the figure
 
 
 @dataclass(frozen=True)
@@ -57,7 +60,9 @@ class Drawing:
     lines: tuple[Line, ...] = ()
     xlabel: str = ""
     ylabel: str = ""
-    equal_aspect: bool = False
+    labels_show: tuple[bool, bool] = (True, True)
+    scales: tuple[float, float] = (1.0, 1.0)  # lengths on paper of a unit of x to the right and of y up
+    bent: float = 0.0  # how unevenly units follow one another, as a share of the axes
 
 
 LONGEST_TOLD = 2000  # elements of a result: no check asks for more rows

@@ -16,7 +16,15 @@ from tam570_grader.writing.curves import readable
 from tam570_grader.writing.returns import Drawing
 
 SLUG = "hw08_axis_angle"
-LINE = {"points": np.zeros((12, 2)), "label": "path", "scatter": False}
+LINE = {"points": np.zeros((12, 2)), "label": "path", "scatter": False, "shows": 1.0, "within": 1.0, "extent": 0.5}
+DRAWN = {
+    "lines": [LINE],
+    "xlabel": "x (m)",
+    "ylabel": "y (m)",
+    "labels_show": [True, True],
+    "scales": [1.0, 1.0],
+    "bent": 0.0,
+}
 
 
 def value(sent, mode="value"):
@@ -31,7 +39,7 @@ def nested(depth):
 
 
 def drawing(**other):
-    return value({"lines": [LINE], "xlabel": "x (m)", "ylabel": "y (m)", "equal_aspect": True, **other}, "drawing")
+    return value({**DRAWN, **other}, "drawing")
 
 
 @pytest.mark.parametrize("sent", ["text", b"bytes", {"a": 1.0}, ["x" * 10**6, ""], [[b""]], 3, nested(DEEPEST + 2)])
@@ -67,11 +75,17 @@ def test_a_formula_has_numbers_alone(sent):
         {"lines": [{**LINE, "points": [[0.0, 0.0]]}]},
         {"lines": [{**LINE, "points": np.zeros((12, 3))}]},
         {"lines": [{**LINE, "points": np.zeros((2**20, 2))}] * 2},
+        {"lines": [{**LINE, "shows": True}]},
+        {"lines": [{**LINE, "extent": np.ones(3)}]},
+        {"scales": [1.0, 1.0, 1.0]},
+        {"scales": [1.0, "1"]},
+        {"labels_show": [1.0, 1.0]},
+        {"bent": None},
         {"lines": "many"},
         {"lines": [[]]},
     ],
 )
-def test_a_drawing_of_too_much_is_none(other):
+def test_a_drawing_of_too_much_or_of_something_else_is_none(other):
     assert drawing(**other) is None
 
 

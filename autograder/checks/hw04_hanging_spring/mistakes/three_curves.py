@@ -1,7 +1,7 @@
 """x, y and z over time.
 
 fails: the_path_is_drawn
-names: there are 3 curves
+names: the number of curves on the axes is 3
 """
 
 def plot_projection(ax, t, position, velocity, azimuth, elevation, **parameters):

