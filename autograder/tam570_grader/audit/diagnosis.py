@@ -1,15 +1,20 @@
 """Does the feedback name the mistake? Wrong submissions say in their headers what it must say of them.
 
 Its own first paragraph, or one of those after `also:`, must be the known mistake that is named; a fragment after
-`names:` must be in a message (its hint, its kind of input). One of several, `A | B`, is enough.
+`names:` must be in a message (its hint, its kind of input). One of several, `A | B`, is enough. Each mistake is made
+in the solution, and once more in a right submission of another style: there its name is not found by construction.
 """
 
+import ast
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import cycle
 from pathlib import Path
 from typing import Any
 
+from tam570_grader.audit.mutation import reached
 from tam570_grader.audit.trials import Trial, done, progress, submissions, tried
+from tam570_grader.delivery.stubs import exported
 from tam570_grader.errors import UsageError
 from tam570_grader.grading.one import Result
 from tam570_grader.writing import assignments
@@ -19,7 +24,15 @@ __all__ = ["ENOUGH", "Diagnosis", "as_json", "diagnoses", "diagnosis", "report"]
 
 ENOUGH = 0.9  # share of the mistakes that the feedback must name
 SEED = 1
-QUICK = 10  # submissions in the quick form
+QUICK = 10  # mistakes in the quick form
+TAKEN = """
+
+from types import ModuleType as _ModuleType
+_mistaken = _ModuleType("_mistaken")
+exec({text!r}, vars(_mistaken))
+globals().update({{_name: vars(_mistaken)[_name] for _name in {names}}})
+"""
+ON = " on "  # between a mistake and the style that it is made in
 
 
 @dataclass(frozen=True)
@@ -47,9 +60,21 @@ def diagnoses(course: Path, slug: str, jobs: int, quick: bool) -> list[Diagnosis
             f"there is no wrong submission to name in {assignments.checks_folder(course, slug) / 'mistakes'}; write one"
         )
     wrong = dict(list(wrong.items())[:: max(1, len(wrong) // QUICK)]) if quick else wrong
+    styles = submissions(course, slug, "alternatives")
     tasks = [Trial(course, slug, name, f"{solution}\n\n{text}", SEED) for name, text in wrong.items()]
+    for (name, text), (style, other) in zip(wrong.items(), cycle(styles.items())):
+        tasks.append(Trial(course, slug, f"{name}{ON}{style}", other + _taken(solution, text), SEED))
     results = progress(done(tried, tasks, jobs), len(tasks), "submission")
-    return [diagnosis(result, wrong[result.student]) for result in results]
+    found = [diagnosis(result, wrong[result.student.partition(ON)[0]]) for result in results]
+    return [one for one in found if one.messages or ON not in one.name]  # another style may not call what is wrong
+
+
+def _taken(solution: str, slip: str) -> str:
+    """Code that takes the mistaken functions from the solution with the slip, whose helpers stay its own."""
+    own, public = reached(slip), sorted(exported(ast.parse(solution)))
+    wrong = [name for name in public if name in own]
+    wrong = wrong or [name for name in public if reached(f"{solution}\n\n{slip}")[name] & own.keys()]
+    return TAKEN.format(text=f"{solution}\n\n{slip}", names=wrong)
 
 
 def diagnosis(result: Result, text: str) -> Diagnosis:

@@ -14,7 +14,7 @@ from tam570_grader.writing import assignments
 from tam570_grader.writing.assignments import Assignment
 from tam570_grader.writing.returns import Drawing, Formula, Group, Promise
 
-__all__ = ["contract", "run", "stub"]
+__all__ = ["contract", "exported", "run", "stub"]
 
 BODY = "raise NotImplementedError"
 
@@ -65,15 +65,16 @@ def stub(source: str) -> str:
     private ones go, and with them their comments and the imports and constants that nothing uses any more.
     """
     tree = ast.parse(source)
-    exported = _exported(tree)
+    names = exported(tree)
     kept = [node for node in tree.body if not _private(node)]
-    texts = {node: _text(source, node, exported) for node in kept}
+    texts = {node: _text(source, node, names) for node in kept}
     while unused := [node for node in kept if _unused(node, kept, texts)]:
         kept = [node for node in kept if node not in unused]
     return _joined([(node, texts[node]) for node in kept])
 
 
-def _exported(tree: ast.Module) -> set[str]:
+def exported(tree: ast.Module) -> set[str]:
+    """The names of the functions that students write."""
     for node in tree.body:
         if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "__all__":
             return set(ast.literal_eval(node.value))

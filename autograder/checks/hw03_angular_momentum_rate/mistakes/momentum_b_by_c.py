@@ -1,6 +1,7 @@
 """Definition b has the velocity relative to C: this is definition c.
 
 fails: momentum_with_the_velocity_in_F
+also: has the term of definition c
 """
 
 
