@@ -6,7 +6,7 @@ BIN := $(VENV)/bin
 CLASS := build/sample_class
 export OPENBLAS_NUM_THREADS := 1
 
-.PHONY: demo test every verify bubblewrap clean
+.PHONY: demo test every verify docs bubblewrap clean
 
 demo: $(VENV)/ready bubblewrap
 	$(BIN)/python tests/sample_class.py $(CLASS)
@@ -35,6 +35,12 @@ verify: $(VENV)/ready bubblewrap
 	$(BIN)/python benchmarks/show.py --peers
 	$(BIN)/python benchmarks/run_time_against_error.py
 	$(BIN)/python benchmarks/run_time_for_pages.py
+
+# The site, into build/site: warnings are errors, and every link is followed.
+docs: $(VENV)/ready
+	$(BIN)/sphinx-build -q -W --keep-going -j auto -b html docs build/site
+	$(BIN)/python docs/links.py build/site
+	@echo "Open build/site/index.html"
 
 $(VENV)/ready: pyproject.toml
 	@echo "Making $(VENV) and installing the course with all that its tests need (a few minutes, once)"

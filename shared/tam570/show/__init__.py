@@ -12,7 +12,7 @@ from tam570.show.student import Student, Trouble, loaded
 
 __all__ = ["Shown", "Trouble", "command", "film_of", "presented", "save", "show", "troubled"]
 
-SAVED_AS = (".html", ".png", ".gif", ".mp4")
+SAVED_AS = (".html", ".png", ".gif", ".webp", ".mp4")
 
 
 @dataclass(frozen=True)
@@ -40,7 +40,7 @@ class Shown:
         return self.trouble if self.film is None else f"<{self.film.title}: {self.film.times[-1]:g} s>"
 
     def save(self, file: str | Path) -> None:
-        """Write it to FILE.html, .png, .gif or .mp4. Trouble if it cannot be."""
+        """Write it to FILE.html, .png, .gif, .webp or .mp4. Trouble if it cannot be."""
         if self.film is None:
             raise Trouble(self.trouble)
         save(self.film, Path(file))

@@ -21,14 +21,14 @@ __all__ = ["frames", "write"]
 
 SIZE = (10.0, 5.6)  # inches
 DPI = 100
-EVERY = {".gif": 3, ".mp4": 2}  # samples to a frame: 20 and 30 frames a second
+EVERY = {".gif": 3, ".webp": 3, ".mp4": 2}  # samples to a frame: 20 and 30 frames a second
 CSS_COLOUR = re.compile(r"--(\w+): (#\w+);")
 
 Update = Callable[[int], None]
 
 
 def write(film: Film, file: Path) -> None:
-    """Save a picture (.png), a GIF or a video (.mp4). Trouble if its writer is not installed."""
+    """Save a picture (.png), one that moves (.gif, .webp) or a video (.mp4). Trouble if its writer is not installed."""
     figure = Figure(figsize=SIZE, dpi=DPI)
     update = _drawn(film, figure)
     if file.suffix == ".png":
@@ -48,7 +48,7 @@ def frames(film: Film, suffix: str) -> range:
 
 
 def _writer(suffix: str) -> AbstractMovieWriter:
-    if suffix == ".gif":
+    if suffix in (".gif", ".webp"):
         return PillowWriter(fps=RATE // EVERY[suffix])
     if not FFMpegWriter.isAvailable():
         raise Trouble("a video needs ffmpeg, which is not installed; .gif and .html need nothing more")

@@ -188,14 +188,15 @@ def test_all_fourteen_by_nbgraders_commands(course, a_whole_term, nbgrader_grade
 
 
 def in_order(readme):
-    """The commands of a README's block, without the remarks beside them."""
-    lines = [line.split("#")[0].split() for line in readme.splitlines() if line.startswith("    ")]
+    """The commands of a page's blocks, without the remarks beside them."""
+    lines = [line.split("#")[0].split() for line in readme.splitlines() if line.startswith(("    ", "nbgrader", "jup"))]
     return [line for line in lines if line[:1] == ["nbgrader"] or line == ["jupyter", "lab"]]
 
 
 def test_the_commands_of_the_courses_readme_in_their_order(course, tmp_path, nbgrader, made_course):
     made, config = made_course(tmp_path, [ONE])
-    written, ours = in_order((made / "README.md").read_text()), in_order((course / "README.md").read_text())
+    term = course / "docs" / "instructors" / "term.md"
+    written, ours = in_order((made / "README.md").read_text()), in_order(term.read_text())
     assert len(written) == 7 and [line[:2] for line in ours] == [line[:2] for line in written]
     for command in written:
         if command == ["jupyter", "lab"]:  # test_formgrader.py

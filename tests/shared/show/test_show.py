@@ -265,10 +265,11 @@ def test_a_picture_is_one_frame(short, tmp_path, monkeypatch):
         assert picture.size == (1000, 560)
 
 
-def test_a_gif_has_the_frames_of_the_film(short, tmp_path):
-    save(short, tmp_path / "a.gif")
-    with Image.open(tmp_path / "a.gif") as picture:
-        assert picture.n_frames == len(pictures.frames(short, ".gif")) == 11
+@pytest.mark.parametrize("suffix", [".gif", ".webp"])
+def test_a_picture_that_moves_has_the_frames_of_the_film(short, suffix, tmp_path):
+    save(short, tmp_path / f"a{suffix}")
+    with Image.open(tmp_path / f"a{suffix}") as picture:
+        assert picture.n_frames == len(pictures.frames(short, suffix)) == 11
 
 
 @pytest.mark.skipif(shutil.which("ffmpeg") is None, reason="ffmpeg is not installed")

@@ -1,0 +1,21 @@
+"use strict";
+// A still gives way to its scene while that is near the screen, and comes back when it is left.
+function play(figure) {
+  if (figure.querySelector("iframe")) return;
+  const frame = document.createElement("iframe");
+  frame.src = figure.dataset.page;
+  frame.title = `${figure.dataset.title}, a scene that plays`;
+  frame.setAttribute("sandbox", "allow-scripts");
+  figure.append(frame);
+  figure.classList.add("playing");
+}
+function stop(figure) {
+  const frame = figure.querySelector("iframe");
+  if (!frame || frame === document.activeElement) return;
+  frame.remove();
+  figure.classList.remove("playing");
+}
+const watched = new IntersectionObserver((entries) => {
+  for (const {target, isIntersecting} of entries) (isIntersecting ? play : stop)(target);
+}, {rootMargin: "100px"});
+document.querySelectorAll("figure.scene").forEach((figure) => watched.observe(figure));

@@ -1,0 +1,192 @@
+"""Tables and pictures of the benchmarks' page, from `benchmarks/results/`: nothing is measured here, or copied by hand.
+
+python docs/extension/figures.py    draws them again, into docs/generated/
+"""
+
+import json
+import re
+import subprocess
+from pathlib import Path
+from statistics import median
+
+__all__ = ["setup"]
+
+COURSE = Path(__file__).resolve().parents[2]
+RESULTS = COURSE / "benchmarks" / "results"
+INTO = COURSE / "docs" / "generated" / "figures"
+PICTURES = ("run_time_against_error", "run_time_against_peers")
+PANELS = 12  # of a picture; where there are more scenes, every second or third is drawn
+COLOURS = {
+    "tam570, Python": "#0b62b8",
+    "tam570, compiled": "#c2410c",
+    "tam570, numba": "#c2410c",
+    "SciPy DOP853": "#444444",
+    "odeint": "#0f8a5f",
+    "CyRK": "#8b3fc4",
+    "heyoka": "#a16c00",
+    "diffrax": "#c2255c",
+}
+
+
+def setup(app):
+    app.connect("builder-inited", lambda app: _draw())
+    return {"parallel_read_safe": True}
+
+
+def _draw():
+    INTO.mkdir(parents=True, exist_ok=True)
+    for name, make in TABLES.items():
+        text = make(_results(name))
+        (INTO / f"{name}.md").write_text(f"{text}\n\n{_origin(name)}\n", encoding="utf-8")
+    for name in PICTURES:
+        if not (INTO / f"{name}.webp").exists() or _newer(RESULTS / f"{name}.json", INTO / f"{name}.webp"):
+            _picture(name)
+
+
+def _newer(one, other):
+    return one.stat().st_mtime > other.stat().st_mtime
+
+
+def _results(name):
+    return json.loads((RESULTS / f"{name}.json").read_text())
+
+
+def _origin(name):
+    """The machine and the day of a measurement, as the results and their commit tell them."""
+    log = ["git", "-C", str(COURSE), "log", "-1", "--format=%as", "--", str(RESULTS / f"{name}.json")]
+    day = subprocess.run(log, capture_output=True, text=True).stdout.strip() or "an unknown day"
+    known = _results(name)
+    told = known if isinstance(known, dict) else {}
+    told = {**told, **told.get("versions", {})}
+    machine = [told.get("machine", "2 cores"), *(f"Python {told[key]}" for key in ("python",) if key in told)]
+    return f"Measured on a shared machine ({', '.join(machine)}); recorded on {day}."
+
+
+def _picture(name):
+    """Run time over error, a panel for each scene; the thick lines are ours."""
+    import matplotlib
+
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+
+    scenes = _results(name)["scenes"]
+    chosen = list(scenes)[:: -(-len(scenes) // PANELS)]
+    figure, axes = plt.subplots(-(-len(chosen) // 3), 3, figsize=(11, 2.6 * -(-len(chosen) // 3)), squeeze=False)
+    for ax, scene in zip(axes.flat, chosen, strict=False):
+        for method, curve in scenes[scene]["curves"].items():
+            if curve and method in COLOURS:
+                ours = method.startswith("tam570")
+                ax.loglog(
+                    [max(row[2], 1e-18) for row in curve],
+                    [row[1] for row in curve],
+                    "o-" if ours else ".--",
+                    ms=4,
+                    lw=2.0 if ours else 1.0,
+                    color=COLOURS[method],
+                    label=method.replace("numba", "an earlier compiled engine"),
+                )
+        ax.set(title=scene, xlim=(10, 1e-18))
+        ax.grid(alpha=0.3)
+    for ax in axes.flat[len(chosen) :]:
+        ax.set_visible(False)
+    for ax in axes[:, 0]:
+        ax.set_ylabel("run time (s)")
+    for ax in axes[-1]:
+        ax.set_xlabel("relative error")
+    lines = {line.get_label(): line for ax in axes.flat for line in ax.get_lines()}
+    figure.tight_layout(rect=(0, 0.05, 1, 1))
+    figure.legend(lines.values(), lines.keys(), loc="lower center", ncol=4, frameon=False)
+    figure.savefig(INTO / f"{name}.webp", dpi=120, pil_kwargs={"quality": 85})
+    plt.close(figure)
+
+
+def _table(head, rows):
+    lines = [head, ["---"] * len(head), *rows]
+    return "\n".join("| " + " | ".join(line) + " |" for line in lines)
+
+
+def _grading(rows):
+    by = {
+        (row["assignment"], row["grader"].split(",")[0]): row["seconds_each"] for row in rows if row["submissions"] > 1
+    }
+    told = {"hw08_axis_angle": "hw08, functions of a point", "hw07_double_pendulum": "hw07, simulations"}
+    made = []
+    for slug, words in told.items():
+        ours, peer = by[slug, "tam570-grader"], by[slug, "nbgrader"]
+        made.append([words, f"{1e3 * ours:.0f} ms", f"{1e3 * peer:.0f} ms", f"{peer / ours:.0f}"])
+    return _table(["one submission", "tam570-grader, 2 jobs", "nbgrader", "ratio"], made)
+
+
+def _autograde(rows):
+    by = {(row["assignment"], row["way"], row["endless_loop"]): row["one_more"] for row in rows}
+    own = "nbgrader's own, the same notebooks"
+    asked = [
+        ("hw08", "hw08_axis_angle", "our preprocessors", False),
+        ("hw07", "hw07_double_pendulum", "our preprocessors", False),
+        ("hw08, 1 of 20 with an endless loop", "hw08_axis_angle", "our preprocessors", True),
+        ("the same, 2 s for a call in place of 10", "hw08_axis_angle", "our preprocessors, 2 s a call", True),
+    ]
+    made = []
+    for words, slug, way, hangs in asked:
+        ours, peer = by[slug, way, hangs], by[slug, own, hangs]
+        made.append([words, f"{1e3 * ours:.0f} ms", f"{1e3 * peer:.0f} ms", f"{peer / ours:.0f}"])
+    return _table(["one submission more", "our preprocessors", "nbgrader's own", "ratio"], made)
+
+
+def _show(rows):
+    by = {row["scene"]: row for row in rows}
+    ours, peer = by["hw07_double_pendulum"], by["hw07_double_pendulum, matplotlib HTMLWriter"]
+    made = [
+        ["time", f"{ours['seconds']:.2f} s", f"{peer['seconds']:.1f} s"],
+        ["size", f"{ours['bytes'] / 1e3:.0f} kB", f"{peer['bytes'] / 1e3:.0f} kB"],
+    ]
+    return _table(["hw07's scene, 20 s", "tam570", "Matplotlib's HTMLWriter"], made)
+
+
+def _rotations(found):
+    made = []
+    for batch in sorted({row["batch"] for row in found["timings"]}):
+        ratios = [row["ratio"] for row in found["timings"] if row["batch"] == batch and row["ratio"]]
+        made.append([f"{batch}", f"{min(ratios):.2f}", f"{median(ratios):.2f}", f"{max(ratios):.2f}"])
+    worst = max(row["eps"] for row in found["errors"])
+    scipy = max(row["scipy_eps"] or 0 for row in found["errors"])
+    text = _table(["rotations in a call", "smallest", "median", "largest"], made)
+    told = f"The largest error of a round trip is {worst:.1f} eps here. SciPy's is {scipy:.1g} eps, in gimbal lock."
+    return f"{text}\n\n{told}"
+
+
+def _ratios(found):
+    shown = ["tam570, Python", "odeint", "CyRK", "diffrax", "heyoka"]
+    made = []
+    for target, rows in found["ratios"].items():
+        cells = [f"{rows[name]['median']:.2g} ({rows[name]['worst']:.2g})" for name in shown]
+        made.append([_power(target), *cells])
+    return _table(["error", *shown], made)
+
+
+def _against(found):
+    by = {}
+    for peer, target, (middle, worst, scene, _) in found["against"]["public"]:
+        by.setdefault(target, {})[peer] = f"{middle:.2g} ({worst:.2g}, {scene})"
+    made = [[_power(f"{target:g}"), row["CyRK"], row["heyoka"]] for target, row in by.items()]
+    return _table(["error", "over CyRK", "over heyoka"], made)
+
+
+def _power(number):
+    """10⁻⁶ for 1e-06."""
+    digits = re.sub(r".*e-0*", "", number)
+    return "10⁻" + digits.translate(str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹"))
+
+
+TABLES = {
+    "grading": _grading,
+    "autograde": _autograde,
+    "show": _show,
+    "rotations": _rotations,
+    "run_time_against_error": _ratios,
+    "run_time_against_peers": _against,
+}
+
+if __name__ == "__main__":
+    _draw()
+    print(INTO)

@@ -1,0 +1,21 @@
+"""Formulas as MathML, which browsers draw themselves, by the translator that docutils has."""
+
+from docutils import nodes
+from docutils.utils.math.latex2mathml import tex2mathml
+
+__all__ = ["setup"]
+
+
+def setup(app):
+    app.add_html_math_renderer("mathml", (_inline, None), (_block, None))
+    return {"parallel_read_safe": True}
+
+
+def _inline(writer, node):
+    writer.body.append(tex2mathml(node.astext()))
+    raise nodes.SkipNode
+
+
+def _block(writer, node):
+    writer.body.append(f'<div class="math">{tex2mathml(node.astext(), as_block=True)}</div>')
+    raise nodes.SkipNode

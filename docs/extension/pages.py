@@ -1,0 +1,128 @@
+"""Pages made from the code before the rest is read: each assignment's problem, the gallery, each lecture."""
+
+import re
+import shutil
+from pathlib import Path
+
+from scenes import COURSE, film
+
+from tam570.course import assignments, title
+from tam570.lectures import known, load
+
+__all__ = ["readable", "setup"]
+
+GREEK = {
+    **{"alpha": "α", "beta": "β", "gamma": "γ", "theta": "θ", "lam": "λ"},
+    **{"mu": "μ", "pi": "π", "phi": "φ", "psi": "ψ", "omega": "ω"},
+}
+LETTER = re.compile(rf"\b({'|'.join(GREEK)})(?=\d?\b)")
+MARKUP = re.compile(r"([\\*_<>\[\]|$#])")
+
+
+def setup(app):
+    app.connect("builder-inited", _write)
+    return {"parallel_read_safe": True}
+
+
+def _write(app):
+    """Write docs/generated anew; a file that is as it was keeps its time, so that Sphinx does not read it again."""
+    folder = Path(app.srcdir, "generated")
+    pages = {f"problems/{slug}.md": _problem(slug) for slug in assignments()}
+    pages |= {f"lectures/{name}.md": _lecture(lecture) for name, lecture in known().items()}
+    pages |= {"assignments.md": _gallery(), "lectures.md": _lectures(), "stills.md": _stills()}
+    for old in {*folder.glob("problems/*.md"), *folder.glob("lectures/*.md")} - {folder / name for name in pages}:
+        old.unlink()
+    for name, text in pages.items():
+        file = folder / name
+        file.parent.mkdir(parents=True, exist_ok=True)
+        if not file.exists() or file.read_text(encoding="utf-8") != text:
+            file.write_text(text, encoding="utf-8")
+    shutil.copyfile(COURSE / "NOTATION.md", folder / "notation.md")
+
+
+def _problem(slug):
+    given = f"`tam570 start {slug[:4]}` gives you this problem, the file to fill in, and the visible tests."
+    seen = f"[See what it is about](../assignments.md#{slug[:4]})."
+    return f":::{{include}} ../../../assignments/{slug}/README.md\n:::\n\n{given}\n{seen}\n"
+
+
+def _gallery():
+    parts = ["# Scenes of the assignments\n\nEach scene is driven by the reference solution. It shows no code.\n"]
+    for slug in assignments():
+        link = f"[The problem](problems/{slug}.md)"
+        parts.append(f"({slug[:4]})=\n## {title(slug)}\n\n{film(slug).sight}\n\n:::{{scene}} {slug}\n:::\n\n{link}\n")
+    return "\n".join(parts)
+
+
+def _lectures():
+    rows = [f"| {one.date} | [{one.title}](lectures/{name}.md) |" for name, one in known().items()]
+    tree = "\n".join(f"lectures/{name}" for name in known())
+    says = "The course solves these systems in class. Each page has a scene, equations, what does not change, and code."
+    table = "| date | system |\n|---|---|\n" + "\n".join(rows)
+    return f"# The lectures\n\n{says}\n\n{table}\n\n```{{toctree}}\n:hidden:\n\n{tree}\n```\n"
+
+
+def _stills():
+    """What the gallery's front page includes: a still for each scene."""
+    tasks = [_card(slug, f"generated/assignments.html#{slug[:4]}", title(slug)) for slug in assignments()]
+    shown = [_card(name, f"generated/lectures/{name}.html", one.title) for name, one in known().items()]
+    return f"## Assignments\n\n{_grid(tasks)}\n\n## Lectures\n\n{_grid(shown)}\n"
+
+
+def _grid(cards):
+    return f'```{{raw}} html\n<ul class="stills">\n{"".join(cards)}</ul>\n```'
+
+
+def _card(name, address, words):
+    still = f'<img src="../scenes/{name}.webp" width="800" height="448" loading="lazy" alt="">'
+    return f'<li><a href="../{address}">{still}<span>{words}</span></a></li>\n'
+
+
+def _lecture(lecture):
+    module = load(lecture.name)
+    prose = (module.__doc__ or "").partition("\n")[2]
+    parts = [
+        f"# {lecture.title}\n",
+        f"{lecture.date}. Play it with `tam570 show {lecture.name}`, copy it with `tam570 start {lecture.name}`.\n",
+        f":::{{scene}} {lecture.name}\n:::\n",
+        readable(prose.strip()) + "\n",
+        *_numbers(module),
+        f"## The code\n\n`shared/tam570/lectures/{lecture.name}.py`\n",
+        f":::{{literalinclude}} ../../../shared/tam570/lectures/{lecture.name}.py\n:language: python\n:::\n",
+    ]
+    return "\n".join(parts)
+
+
+def _numbers(module):
+    """The state with its units, what does not change, and the numbers of the film."""
+    if hasattr(module, "STATE"):
+        rows = [
+            f"| `{name}` | {unit} | {at:g} |"
+            for (name, unit), at in zip(module.STATE.items(), module.START, strict=True)
+        ]
+        yield "## The state\n\n| name | unit | start of the film |\n|---|---|---|\n" + "\n".join(rows) + "\n"
+    if hasattr(module, "INVARIANTS"):
+        laws = [f"- `{name}`: {_first(law)}" for name, law in module.INVARIANTS.items()]
+        yield "## What does not change\n\n" + "\n".join(laws) + "\n"
+    rows = [f"| `{name}` | `{value!r}` |" for name, value in module.EXAMPLE.items()]
+    yield "## The parameters\n\n| name | in the film |\n|---|---|\n" + "\n".join(rows) + "\n"
+
+
+def _first(function):
+    return readable((function.__doc__ or "").partition("\n")[0])
+
+
+def readable(text):
+    """Prose of a docstring as Markdown: Greek letters, powers and primes as people write them, nothing as markup."""
+    parts = re.split(r"(`[^`]*`)", text)
+    return "".join(part if part.startswith("`") else _pretty(part) for part in parts)
+
+
+def _pretty(text):
+    text = re.sub(LETTER, lambda found: GREEK[found[1]], text)
+    text = re.sub(r"''", "″", text)
+    text = re.sub(r"\b(\w)'(?![a-z])", "\\1′", text)
+    text = re.sub(
+        r"\^(-?\d)(?!\d)", lambda found: found[1].translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")), text
+    )
+    return MARKUP.sub(r"\\\1", text)

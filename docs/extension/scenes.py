@@ -1,0 +1,79 @@
+"""The scenes of the site: a page and a still for each assignment, by its reference solution, and for each lecture."""
+
+import html
+import os
+from concurrent.futures import ProcessPoolExecutor
+from functools import cache
+from pathlib import Path
+
+from docutils import nodes
+from PIL import Image
+from sphinx.util.docutils import SphinxDirective
+from sphinx.util.logging import getLogger
+
+from tam570.course import assignments
+from tam570.lectures import load, names
+from tam570.show import film_of, loaded, save
+from tam570.show.lecture import film_of_lecture
+from tam570.show.page import page
+
+__all__ = ["film", "setup"]
+
+COURSE = Path(__file__).resolve().parents[2]
+WIDTH, QUALITY = 800, 80  # pixels of a still, and of its WebP
+
+
+def setup(app):
+    app.connect("builder-inited", _made)
+    app.add_directive("scene", Scene)
+    return {"parallel_read_safe": True}
+
+
+@cache
+def film(name):
+    """The film of an assignment, by its reference solution, or of a lecture."""
+    if name in names():
+        return film_of_lecture(load(name))
+    return film_of(loaded(COURSE / "solutions" / f"{name}.py", name), name)
+
+
+def _made(app):
+    if app.builder.format != "html":
+        return
+    folder = Path(app.outdir, "scenes")
+    folder.mkdir(parents=True, exist_ok=True)
+    getLogger(__name__).info("making the scenes and their stills")
+    with ProcessPoolExecutor(os.cpu_count()) as processes:
+        list(processes.map(_write, [folder] * 100, [*assignments(), *names()]))
+
+
+def _write(folder, name):
+    """Write the page of a scene and its still; a scene that is as it was keeps its still."""
+    file, document = folder / f"{name}.html", page(film(name))
+    if file.exists() and file.read_text(encoding="utf-8") == document:
+        return
+    picture = folder / f"{name}.png"
+    save(film(name), picture)
+    with Image.open(picture) as whole:
+        small = whole.convert("RGB").resize(
+            (WIDTH, round(whole.height * WIDTH / whole.width)), Image.Resampling.LANCZOS
+        )
+        small.save(folder / f"{name}.webp", quality=QUALITY)
+    picture.unlink()
+    file.write_text(document, encoding="utf-8")
+
+
+class Scene(SphinxDirective):
+    """`{scene} NAME`: the still, in whose place `scenes.js` plays the scene while it is on the screen."""
+
+    required_arguments = 1
+
+    def run(self):
+        (name,), up = self.arguments, "../" * self.env.docname.count("/")
+        sight, title = html.escape(film(name).sight), html.escape(film(name).title)
+        markup = (
+            f'<figure class="scene" data-page="{up}scenes/{name}.html" data-title="{title}">'
+            f'<img src="{up}scenes/{name}.webp" width="800" height="448" loading="lazy" alt="{sight}">'
+            f"</figure>"
+        )
+        return [nodes.raw("", markup, format="html")]

@@ -1,0 +1,65 @@
+"""The style sheets of the site without rules for what no page has, and no maps or fonts that no page loads.
+
+The theme's sheet is that of all of Bootstrap; a page of this site uses a tenth of it.
+"""
+
+import re
+import shutil
+from pathlib import Path
+
+import tinycss2
+
+__all__ = ["setup", "trimmed"]
+
+SHEET = Path("_static/styles/pydata-sphinx-theme.css")
+ICONS = re.compile(
+    r"fa-|svg-inline--fa|fa[bdlrsk]?$|sd-|docsearch|DocSearch"
+)  # fonts, and extensions that are not here
+NAME = re.compile(r"[.#]([A-Za-z_][\w-]*)")
+NEGATION = re.compile(r":not\([^)]*\)")
+
+
+def setup(app):
+    app.connect("build-finished", _trim)
+    return {"parallel_read_safe": True}
+
+
+def _trim(app, error):
+    if error or app.builder.format != "html":
+        return
+    site = Path(app.outdir)
+    words = set()
+    for file in [*site.rglob("*.html"), *site.glob("_static/**/*.js")]:
+        words.update(re.findall(r"[A-Za-z_][\w-]*", file.read_text(encoding="utf-8", errors="replace")))
+    words = {word for word in words if not ICONS.match(word)}
+    sheet = site / SHEET
+    sheet.write_text(trimmed(sheet.read_text(encoding="utf-8"), words), encoding="utf-8")
+    for file in [
+        *site.glob("_static/**/*.map"),
+        site / "_static/scripts/fontawesome.js",
+        site / "_static/webpack-macros.html",
+    ]:
+        file.unlink(missing_ok=True)
+    shutil.rmtree(site / "_static/vendor", ignore_errors=True)
+
+
+def trimmed(sheet, words):
+    """The sheet without the rules all of whose selectors need a class or an id that is not among the words."""
+    rules = tinycss2.parse_stylesheet(sheet, skip_comments=True, skip_whitespace=True)
+    return "".join(_kept(rule, words) for rule in rules)
+
+
+def _kept(rule, words):
+    if rule.type == "at-rule" and rule.lower_at_keyword in ("media", "supports") and rule.content is not None:
+        inside = "".join(_kept(one, words) for one in tinycss2.parse_rule_list(rule.content, True, True))
+        return f"@{rule.at_keyword}{tinycss2.serialize(rule.prelude)}{{{inside}}}" if inside else ""
+    if rule.type == "at-rule" and rule.lower_at_keyword == "font-face":
+        return ""
+    if rule.type != "qualified-rule":
+        return rule.serialize()
+    selectors = [one for one in tinycss2.serialize(rule.prelude).split(",") if _met(one, words)]
+    return f"{','.join(selectors)}{{{tinycss2.serialize(rule.content)}}}" if selectors else ""
+
+
+def _met(selector, words):
+    return all(name in words for name in NAME.findall(NEGATION.sub("", selector)))
