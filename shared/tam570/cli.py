@@ -86,7 +86,7 @@ def _add_work(commands: Commands) -> None:
     command.add_argument("file", nargs="?", type=Path, metavar="FILE", help="default: yours that is here")
     command.add_argument("--assignment", metavar="NAME", help="which one a FILE of another name is")
     command.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="of a lecture: mass=2")
-    command.add_argument("--save", type=Path, metavar="FILE", help="a page (.html), picture (.png), .gif, .webp or .mp4")
+    command.add_argument("--save", type=Path, metavar="FILE", help="a page (.html), a .png, .gif, .webp or .mp4")
 
 
 def _add_help(commands: Commands) -> None:
