@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from tam570 import __version__, releases, work
-from tam570.course import Unknown, assignments, folder, title
+from tam570.course import Unknown, assignments, contract, folder, title
 from tam570.lectures import commands as lectures
 from tam570.progress import hints_given, recalled, remember_hints
 
@@ -28,7 +28,7 @@ def main(argv: list[str] | None = None) -> int:
     try:
         return command(arguments)
     except Unknown as error:
-        print(f"tam570: error: {error}", file=sys.stderr)
+        print(_fitted(f"tam570: error: {error}"), file=sys.stderr)
         return 2
     except BrokenPipeError:  # the reader has gone; nothing more to say
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
@@ -39,6 +39,12 @@ def main(argv: list[str] | None = None) -> int:
     except KeyboardInterrupt:
         print("\ntam570: interrupted", file=sys.stderr)
         return INTERRUPTED
+
+
+def _fitted(text: str) -> str:
+    """A message in lines of 80 characters at most; paths and names stay whole."""
+    lines = text.splitlines()
+    return "\n".join(textwrap.fill(one, 80, break_long_words=False, break_on_hyphens=False) for one in lines)
 
 
 def _printable() -> None:
@@ -92,7 +98,7 @@ def _add_work(commands: Commands) -> None:
 def _add_help(commands: Commands) -> None:
     command = commands.add_parser("hint", help="one more hint each time you ask")
     command.set_defaults(command=_hint)
-    command.add_argument("assignment", help="hw07, for example")
+    command.add_argument("assignment", nargs="?", help="default: the one in this folder")
     command.add_argument("function", nargs="?", help="default: the functions that there are hints for")
     command.add_argument("--again", action="store_true", help="begin with the first hint again")
     command.add_argument("--all", action="store_true", help="all hints for the function")
@@ -197,22 +203,35 @@ def _show(arguments: argparse.Namespace) -> int:
 def _hint(arguments: argparse.Namespace) -> int:
     import tomllib
 
-    released = folder(arguments.assignment)
+    released, function = _hinted(arguments.assignment, arguments.function)
     hints: dict[str, list[str]] = tomllib.loads((released / "hints.toml").read_text(encoding="utf-8"))
-    if arguments.function is None:
+    if function is None:
         print("\n".join(f"{name:<32} {len(steps)} hints" for name, steps in hints.items()))
         return 0
-    if arguments.function not in hints:
-        raise Unknown(f"no hints for {arguments.function!r}; there are hints for {', '.join(hints)}")
-    steps = hints[arguments.function]
-    given = 0 if arguments.again else hints_given(released.name, arguments.function)
+    if function not in hints:
+        raise Unknown(f"no hints for {function!r}; there are hints for {', '.join(hints)}")
+    steps = hints[function]
+    given = 0 if arguments.again else hints_given(released.name, function)
     step = len(steps) - 1 if arguments.all else min(given, len(steps) - 1)
     for number in range(0 if arguments.all else step, step + 1):
         print(textwrap.fill(steps[number], 80))
         print(f"({number + 1} of {len(steps)}{'' if number + 1 < len(steps) else '; this is the last'})")
-    if not remember_hints(released.name, arguments.function, step + 1) and step + 1 < len(steps):
+    if not remember_hints(released.name, function, step + 1) and step + 1 < len(steps):
         print("Which hints you have seen cannot be kept here: --all shows all of them.")
     return 0
+
+
+def _hinted(assignment: str | None, function: str | None) -> tuple[Path, str | None]:
+    """The assignment and the function of a hint; one word may be a function of the assignment in this folder."""
+    if assignment is None:
+        return folder(work.one(None)[1]), None
+    try:
+        return folder(assignment), function
+    except Unknown:
+        file, slug = next(iter(work.here()), (None, ""))
+        if function or file is None or assignment not in contract(slug)["results"]:
+            raise
+        return folder(slug), assignment
 
 
 def _completion(arguments: argparse.Namespace) -> int:

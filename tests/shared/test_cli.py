@@ -109,7 +109,8 @@ def test_bad_usage_exits_2_and_says_what_to_do(desk, capsys, arguments):
         (desk / name).write_text("text")
     assert cli.main(arguments.split()) == 2
     err = capsys.readouterr().err
-    assert err.startswith("tam570: error: ") and BAD[arguments] in err
+    assert err.startswith("tam570: error: ") and BAD[arguments] in " ".join(err.split())
+    assert max(map(len, err.splitlines())) <= 80
 
 
 def line(capsys):
@@ -176,3 +177,11 @@ def test_completion_is_a_script_for_the_shell(desk, capsys, shell):
     assert cli.main(["completion", shell]) == 0
     out = capsys.readouterr().out
     assert "tam570" in out and "watch" in out and "axis_angle" in out
+
+
+def test_in_the_folder_a_function_is_enough_for_a_hint(hw08, monkeypatch, desk, capsys):
+    file = hw08(None)
+    monkeypatch.chdir(file.parent)
+    assert cli.main(["hint", "skew"]) == 0 and "(1 of 2)" in capsys.readouterr().out
+    assert cli.main(["hint"]) == 0 and "rotate" in capsys.readouterr().out
+    assert cli.main(["hint", "mass_matrix"]) == 2 and "'mass_matrix' is not an" in capsys.readouterr().err
