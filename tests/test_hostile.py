@@ -1,6 +1,7 @@
 """Attacks: each gets what its honest part deserves, others notice nothing, and nothing is left behind."""
 
 import ast
+import contextlib
 import os
 import re
 import time
@@ -8,7 +9,10 @@ from pathlib import Path
 
 import pytest
 
+from tam570_grader.grading import one
+from tam570_grader.sandbox.cell import PATIENCE, CellLost
 from tam570_grader.sandbox.launch import isolation
+from tam570_grader.sandbox.student import Student
 from tam570_grader.sandbox.worker import Allowance
 from tam570_grader.writing import assignments
 
@@ -25,6 +29,9 @@ def rotation_matrix(axis, angle): return [[0.0] * 3] * 3
 def rotate(r, axis, angle): return [0.0] * 3
 """
 BRIEF = Allowance(cpu=20, call=1)
+SHORT = Allowance(cpu=4, call=1)
+FORTY = 40
+A_CHECK = 2.0  # s of the supervisor, in which it judges what is honest
 
 pytestmark = pytest.mark.skipif(isolation() != "bubblewrap", reason="needs bubblewrap and namespaces")
 
@@ -67,6 +74,31 @@ def test_the_next_student_notices_nothing(path, attacked, grade, solution_text, 
     assert after.score == after.max_score, said(after)
     assert not processes(workers(SLUG, BRIEF).limits["user"]), "left running"
     assert not planted(), "left lying about"
+
+
+@pytest.mark.every
+def test_a_class_of_attackers_costs_their_allowances_and_no_more(grade, solution_text, workers, monkeypatch):
+    """Forty attacks and an honest one between them on one worker, which outlives them all."""
+    spent = []
+
+    class Counted(Student):
+        def leave(self):
+            cells = self._cells.values()
+            with contextlib.suppress(CellLost):
+                spent.append((self.seconds(), self._lasted + sum(cell.lasted for cell in cells)))
+            super().leave()
+
+    monkeypatch.setattr(one, "Student", Counted)
+    worker, allowance = workers(SLUG, SHORT), SHORT
+    for path in FILES[: 2 * FORTY : 2]:
+        before = time.thread_time()
+        grade(SLUG, HONEST.read_text() + "\n\n" + path.read_text(), seed=2, allowance=SHORT)
+        ours = time.thread_time() - before
+        assert ours <= allowance.cpu + A_CHECK, f"{path.stem} cost the supervisor {ours} s"
+    honest = grade(SLUG, solution_text(SLUG), seed=2, allowance=SHORT)
+    assert honest.score == honest.max_score and workers(SLUG, SHORT) is worker
+    assert max(cpu for cpu, _ in spent) <= allowance.cpu + 1  # the kernel counts in seconds
+    assert max(lasted for _, lasted in spent) <= PATIENCE * (allowance.cpu + allowance.call)
 
 
 def test_no_hidden_input_comes_back(attacked):

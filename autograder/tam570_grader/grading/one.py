@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from tam570_grader.grading.budget import budget
 from tam570_grader.grading.speed import Yardstick
 from tam570_grader.pages.sentences import whole
 from tam570_grader.results.records import Mark, Result
@@ -50,13 +51,14 @@ def graded(
     marks: dict[str, Mark] = {}
     status, note, speed = "graded", "", None
     try:
-        student.load()
-        for check in assignment.checks:
-            marks[check.name] = _mark(check, student, assignment, seed, marks, recorder)
-            if enough and sum(mark.outcome == "failed" for mark in marks.values()) >= enough:
-                break
-        note = _skipped(student.skipped)
-        speed = yardstick.speed(student, assignment, worker) if yardstick else None
+        with budget():
+            student.load()
+            for check in assignment.checks:
+                marks[check.name] = _mark(check, student, assignment, seed, marks, recorder)
+                if enough and sum(mark.outcome == "failed" for mark in marks.values()) >= enough:
+                    break
+            note = _skipped(student.skipped)
+            speed = yardstick.speed(student, assignment, worker) if yardstick else None
     except NotLoaded as failure:
         status, note = failure.status, str(failure)
     except BudgetSpent as spent:
@@ -109,7 +111,7 @@ def _mark(
         return _not_run(check, f"{unwritten} is not written yet.", unwritten=str(unwritten))
     except Failed as failed:
         return _failed(check, failed, student, assignment)
-    except (NotLoaded, BudgetSpent, WorkerLost):
+    except (NotLoaded, BudgetSpent, WorkerLost, MemoryError):
         raise
     except Exception as error:
         return _grader_error(check, repr(error))
@@ -120,6 +122,8 @@ def _failed(check: Check, failed: Failed, student: Student, assignment: Assignme
     suspect, fault = None, ""
     try:
         suspect = known(assignment.solution, assignment.suspects(check.name), student.calls)
+    except (BudgetSpent, MemoryError):
+        raise
     except Exception as error:  # a mistake without a name is no reason to lose a grade
         fault = repr(error)[:LONGEST_ERROR]
     points = round(failed.share * check.points, 6)
