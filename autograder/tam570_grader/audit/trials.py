@@ -1,25 +1,22 @@
 """Gradings by the thousand, to judge the grader: on several processes, each with warm workers of its own."""
 
-import multiprocessing
-import signal
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from contextlib import ExitStack, contextmanager
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import TypeVar
 
 from tam570_grader.grading.one import Recorder, Result, graded
+from tam570_grader.grading.processes import AHEAD, in_order, processes
+from tam570_grader.sandbox import warm
 from tam570_grader.sandbox.preload import imported
 from tam570_grader.sandbox.student import Source
-from tam570_grader.sandbox.worker import Allowance, Worker, WorkerLost
+from tam570_grader.sandbox.worker import Allowance
 from tam570_grader.writing import assignments
 
-__all__ = ["Trial", "done", "progress", "sandboxes", "submissions", "tried"]
+__all__ = ["Trial", "done", "progress", "submissions", "tried"]
 
 Task = TypeVar("Task")
 Outcome = TypeVar("Outcome")
-TRIES = 3  # workers that a submission may see die under it
-_warm: dict[tuple[Any, ...], Worker] = {}  # of this process
 
 
 @dataclass(frozen=True)
@@ -45,52 +42,20 @@ def tried(trial: Trial, recorder: Recorder | None = None) -> Result:
         assignment = replace(assignment, checks=tuple(free))
     source = Source(trial.text.encode())
     needs = sorted({*assignment.needs, *imported(source.text)})
-    for last in (False,) * (TRIES - 1) + (True,):
-        worker = _worker(needs, trial)
-        try:
-            return graded(trial.name, source, assignment, worker, trial.seed, enough=trial.enough, recorder=recorder)
-        except WorkerLost:
-            _warm.pop(_key(needs, trial)).close()
-            if last:
-                raise
-    raise AssertionError("the last try returns or raises")
-
-
-def _key(needs: Sequence[str], trial: Trial) -> tuple[Any, ...]:
-    return (*needs, trial.allowance, trial.course)
-
-
-def _worker(needs: Sequence[str], trial: Trial) -> Worker:
-    key = _key(needs, trial)
-    if key not in _warm:
-        _warm[key] = Worker(list(needs), trial.allowance, [trial.course])
-    return _warm[key]
-
-
-@contextmanager
-def sandboxes() -> Iterator[None]:
-    """Ends the workers of this process."""
-    try:
-        yield
-    finally:
-        while _warm:
-            _warm.popitem()[1].close()
+    return warm.tried(
+        lambda worker, _: graded(
+            trial.name, source, assignment, worker, trial.seed, enough=trial.enough, recorder=recorder
+        ),
+        needs,
+        trial.allowance,
+        [trial.course],
+    )
 
 
 def done(work: Callable[[Task], Outcome], tasks: Iterable[Task], jobs: int) -> Iterator[Outcome]:
     """What the work makes of each task, in the tasks' order; an interrupt ends all processes."""
-    with ExitStack() as stack:
-        stack.enter_context(sandboxes())
-        if jobs == 1:
-            yield from map(work, tasks)
-            return
-        pool = stack.enter_context(multiprocessing.get_context("spawn").Pool(jobs, _deaf))
-        yield from pool.imap(work, tasks)
-
-
-def _deaf() -> None:
-    """Interrupts are the parent's to hear."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    with processes(jobs) as pool:
+        yield from in_order(pool, work, tasks, lambda: AHEAD * jobs if jobs > 1 else 1)
 
 
 def progress(outcomes: Iterable[Outcome], total: int, unit: str) -> Iterator[Outcome]:

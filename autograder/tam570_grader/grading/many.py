@@ -1,33 +1,37 @@
-"""A run of the grader: workers, one for each job; what is known already is not graded again."""
+"""A run of the grader: hands submissions to supervisors, and writes down what they give back.
+
+The head reads bytes, hands out and writes; whatever takes time is done by the supervisors. What is known already is
+not graded again.
+"""
 
 import hashlib
 import hmac
+import json
 import platform
-import queue
 import sys
-import threading
+import tempfile
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
-from concurrent.futures import ThreadPoolExecutor, as_completed
+from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from tam570_grader.errors import UsageError
-from tam570_grader.grading.one import Result, failed_by_us, graded, not_graded
-from tam570_grader.grading.speed import Yardstick
+from tam570_grader.grading import supervisor
+from tam570_grader.grading.processes import AHEAD, Lost, finished, processes
 from tam570_grader.grading.submissions import CannotRead, Submission, read
+from tam570_grader.grading.supervisor import Conditions, Task
 from tam570_grader.results.journal import Book, Record
 from tam570_grader.sandbox.launch import isolation
 from tam570_grader.sandbox.preload import imported
 from tam570_grader.sandbox.student import Source
-from tam570_grader.sandbox.worker import Allowance, NotConfined, Worker, WorkerLost
+from tam570_grader.sandbox.worker import Allowance
 from tam570_grader.writing import assignments
 from tam570_grader.writing.assignments import Assignment
 
-__all__ = ["Plan", "graded_sources", "records"]
+__all__ = ["Plan", "lines", "records"]
 
-NO_JAIL = "submissions cannot be confined on this machine, and nothing was graded: {why}"
-TRIES = 3  # workers that a submission may see die under it before we give up
+FEW = 4  # submissions a process, for which to start one repays
+HELD = 2**26  # bytes of submissions that are held until they are handed out; others are read twice
 
 
 @dataclass(frozen=True)
@@ -59,16 +63,19 @@ def records(plan: Plan, book: Book | None = None, old: Iterable[Record] = ()) ->
     before = (*old, *(book.records() if book else ()))
     known = {record.get("digest"): record for record in before if record["score"] is not None}
     engine = _engine_digest(plan)
-    fresh: list[tuple[Submission, Source | CannotRead, str]] = []
+    fresh, held, users = list[tuple[Submission, Task | None]](), 0, Counter[str]()
     for submission in plan.submissions:
-        source = _source(submission)
-        digest = _digest(engine, plan, submission, source)
-        if digest in known:
-            yield _kept(known[digest], book)
-        else:
-            fresh.append((submission, source, digest))
-    for result, digest in graded_sources(plan, fresh):
-        yield _kept(replace(result, digest=digest).record(), book)
+        task = _task(plan, engine, submission)
+        if task.digest in known:
+            yield _kept(known[task.digest], book)
+            continue
+        text = task.source.text if isinstance(task.source, Source) else b""
+        users.update(imported(text))
+        held += len(text)
+        fresh.append((submission, task if held < HELD else None))
+    tasks = (task or _task(plan, engine, submission) for submission, task in fresh)
+    for line in lines(plan, tasks, len(fresh), _preload(plan, {one.slug for one, _ in fresh}, users)):
+        yield _kept(json.loads(line), book)
 
 
 def _kept(record: Record, book: Book | None) -> Record:
@@ -77,88 +84,31 @@ def _kept(record: Record, book: Book | None) -> Record:
     return record
 
 
-def graded_sources(
-    plan: Plan, fresh: Sequence[tuple[Submission, Source | CannotRead, str]]
-) -> Iterator[tuple[Result, str]]:
-    """Grade on as many workers as there are jobs; an interrupt ends them all."""
-    jobs = min(plan.jobs, len(fresh))
-    crew = _Crew(plan, _preload(plan, fresh, jobs), jobs)
-    pool = ThreadPoolExecutor(max(1, jobs))
-    try:
-        tasks = {pool.submit(crew.graded, submission, source): digest for submission, source, digest in fresh}
-        for task in as_completed(tasks):
-            yield task.result(), tasks[task]
-    finally:
-        crew.ended.set()
-        pool.shutdown(wait=False, cancel_futures=True)
-        crew.dismiss()
+def lines(plan: Plan, tasks: Iterable[Task], count: int, preload: Sequence[str] = ()) -> Iterator[bytes]:
+    """The result lines of these tasks, as soon as each is there; an interrupt ends all supervisors."""
+    jobs = max(1, min(plan.jobs, count // FEW))
+    with ExitStack() as stack:
+        shared = None
+        if jobs > 1 and plan.key is None:
+            shared = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="tam570-")))
+        conditions = Conditions(plan.allowance, tuple(plan.hidden), tuple(preload), plan.speed, shared)
+        pool = stack.enter_context(processes(jobs))
+        asked = (replace(task, conditions=conditions) for task in tasks)
+        for _, task, line in finished(pool, supervisor.line, asked, lambda: AHEAD * jobs if jobs > 1 else 1):
+            yield supervisor.lost(task, str(line)) if isinstance(line, Lost) else line
 
 
-class _Crew:
-    """Warm workers, one for each job; one that dies is replaced."""
-
-    def __init__(self, plan: Plan, preload: Sequence[str], jobs: int) -> None:
-        self.ended = threading.Event()
-        self._plan, self._preload = plan, preload
-        self._yardstick = Yardstick(plan.course) if plan.speed else None
-        self._everyone: list[Worker] = []
-        self._idle: queue.SimpleQueue[Worker] = queue.SimpleQueue()
-        for _ in range(jobs):
-            self._idle.put(self._hired())
-
-    def graded(self, submission: Submission, source: Source | CannotRead) -> Result:
-        """The result of a submission, from the first worker that is free."""
-        assignment = _assignment(self._plan, submission)
-        seed = self._plan.seed_of(submission)
-        if isinstance(source, CannotRead):
-            status = "missing" if submission.path is None else "unreadable"
-            return not_graded(submission.student, assignment, status, str(source), seed)
-        worker, error = self._idle.get(), ""
-        try:
-            for left in reversed(range(TRIES)):
-                try:
-                    return graded(
-                        submission.student,
-                        source,
-                        assignment,
-                        worker,
-                        seed,
-                        self._yardstick,
-                        forgiving=left > 0,
-                        again=left < TRIES - 1,
-                    )
-                except WorkerLost as lost:
-                    error = str(lost)
-                    if self.ended.is_set():
-                        raise
-                    if isinstance(lost, NotConfined) and not left:
-                        raise UsageError(NO_JAIL.format(why=lost)) from None
-                    worker.close()
-                    self._everyone.remove(worker)
-                    worker = self._hired()
-            return failed_by_us(submission.student, assignment, error, seed)
-        except (UsageError, WorkerLost):
-            raise
-        except Exception as fault:  # ours, and of this submission alone: the class is graded on
-            return failed_by_us(submission.student, assignment, repr(fault), seed)
-        finally:
-            self._idle.put(worker)
-
-    def dismiss(self) -> None:
-        for worker in self._everyone:
-            worker.close()
-
-    def _hired(self) -> Worker:
-        self._everyone.append(Worker(self._preload, self._plan.allowance, self._plan.hidden))
-        return self._everyone[-1]
+def _task(plan: Plan, engine: bytes, submission: Submission) -> Task:
+    source = _source(submission)
+    digest = _digest(engine, plan, submission, source)
+    seed = plan.seed_of(submission)
+    return Task(plan.course, submission.student, submission.slug, seed, source, digest, submission.path is None)
 
 
-def _preload(plan: Plan, fresh: Sequence[tuple[Submission, Source | CannotRead, str]], jobs: int) -> list[str]:
+def _preload(plan: Plan, slugs: Iterable[str], users: Counter[str]) -> list[str]:
     """What the assignments need, and the common libraries that repay it: imported by two submissions a worker."""
-    needs = {name for submission, *_ in fresh for name in _assignment(plan, submission).needs}
-    texts = (source.text for _, source, _ in fresh if isinstance(source, Source))
-    users = Counter(name for text in texts for name in imported(text))
-    return sorted(needs | {name for name, count in users.items() if count >= 2 * jobs})
+    needs = {name for slug in slugs for name in assignments.assignment(plan.course, slug).needs}
+    return sorted(needs | {name for name, count in users.items() if count >= 2 * plan.jobs})
 
 
 def _assignment(plan: Plan, submission: Submission) -> Assignment:

@@ -1,20 +1,90 @@
-"""What is right at an input, computed a single time for a class that is given the same inputs."""
+"""What is right at an input, computed a single time for a class that is given the same inputs.
 
-from collections.abc import Callable
+What took long is left in a folder that the supervisors of a run share, as data: the others wait for it and read it.
+"""
+
+import contextlib
+import fcntl
+import hashlib
+import os
+import sys
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
 from typing import Any
 
-from tam570_grader.sandbox.inside.wire import packed
+import numpy as np
+
+from tam570_grader.sandbox.inside.wire import packed, unpacked
 from tam570_grader.writing.check import Given, Memory
 
-__all__ = ["answer"]
+__all__ = ["answer", "share_in", "shared"]
 
 MOST_KNOWN = 3000  # answers; with inputs of its own for each student a run makes thousands
+DEAR = 0.05  # s of processor time, from which an answer is shared
 
 _known = Memory(MOST_KNOWN)
+_place = dict[str, Path]()  # the folder, while there is one
 
 
 def answer(right: Callable[..., Any], case: Given) -> Any:
     """right(*args, **kwargs) of a case; it is shared, and not to be changed."""
     from tam570_grader.sandbox.replies import sent
 
-    return _known.value((right, packed(sent(case))), lambda: right(*case.args, **case.kwargs))
+    inputs = packed(sent(case))
+    return _known.value((right, inputs), lambda: shared(_name(right), inputs, lambda: right(*case.args, **case.kwargs)))
+
+
+def share_in(folder: Path | None) -> None:
+    """Share what is dear with the processes that name the same folder, which must be ours alone."""
+    _place.clear()
+    if folder:
+        _place["folder"] = folder
+
+
+def shared(name: str, inputs: bytes, compute: Callable[[], Any]) -> Any:
+    """What `compute` gives, from whoever computed it first where that took long.
+
+    name : tells the computation from all others; "" where that cannot be
+    """
+    if not name or not _place:
+        return compute()
+    digest = hashlib.sha256(name.encode() + b"\0" + inputs).hexdigest()
+    path = _place["folder"] / digest
+    with _only_one(_place["folder"] / digest[:3]):
+        if path.exists():
+            return _restored(unpacked(path.read_bytes()))
+        began = time.thread_time()
+        value = compute()
+        if time.thread_time() - began > DEAR and _is_data(value):
+            draft = path.with_suffix(f".{os.getpid()}")
+            draft.write_bytes(packed(_written(value)))
+            draft.rename(path)
+    return value
+
+
+def _name(right: Callable[..., Any]) -> str:
+    """A function's, if the module holds it by this name: a closure may be another in the next process."""
+    module, name = right.__module__, getattr(right, "__qualname__", "")
+    return f"{module}.{name}" if getattr(sys.modules.get(module), name, None) is right else ""
+
+
+@contextlib.contextmanager
+def _only_one(path: Path) -> Iterator[None]:
+    """One process at a time computes; those that need the same answer wait for it."""
+    with open(path, "ab") as file:
+        fcntl.flock(file, fcntl.LOCK_EX)
+        yield
+
+
+def _is_data(value: Any) -> bool:
+    parts = value if type(value) is tuple else (value,)
+    return all(type(part) is np.ndarray and part.dtype == np.float64 for part in parts)
+
+
+def _written(value: Any) -> Any:
+    return {"parts": [*value]} if type(value) is tuple else value
+
+
+def _restored(value: Any) -> Any:
+    return tuple(part.copy() for part in value["parts"]) if isinstance(value, dict) else value.copy()

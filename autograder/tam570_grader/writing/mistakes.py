@@ -14,6 +14,7 @@ whose first paragraph is what a student reads. Lines `key: value` follow it:
 
 import ast
 import functools
+import hashlib
 import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -24,6 +25,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from tam570_grader.sandbox.inside.wire import packed
+from tam570_grader.writing.answers import shared
 from tam570_grader.writing.check import Given, Memory
 
 __all__ = ["Called", "Mistake", "header", "known", "mistake", "mistakes"]
@@ -126,8 +128,15 @@ def _answer(solution: str, slip: str, call: Called) -> Any:
     """The answer of the solution with a slip, computed a single time for all who are given the same input."""
     from tam570_grader.sandbox.replies import sent
 
-    key = (hash((solution, slip)), packed([call.name, sent(call.given)]))
-    return _answers.value(key, lambda: _computed(_module(solution, slip), call))
+    name, inputs = _named(solution, slip), packed([call.name, sent(call.given)])
+    return _answers.value(
+        (name, inputs), lambda: shared(name, inputs, lambda: _computed(_module(solution, slip), call))
+    )
+
+
+@functools.lru_cache(maxsize=256)
+def _named(solution: str, slip: str) -> str:
+    return hashlib.sha256(f"{solution}\0{slip}".encode()).hexdigest()
 
 
 def _computed(module: ModuleType, call: Called) -> Any:

@@ -8,7 +8,7 @@ from itertools import pairwise
 import pytest
 
 from tam570_grader import cli
-from tam570_grader.grading import many
+from tam570_grader.grading import many, supervisor
 from tam570_grader.results import regrade
 from tam570_grader.writing import assignments
 
@@ -19,13 +19,13 @@ WRONG = "def skew(v): return [[0.0] * 3] * 3\n"
 @pytest.fixture
 def graded(monkeypatch):
     """The submissions that were run, by student and assignment."""
-    done, real = [], many.graded
+    done, real = [], supervisor.graded
 
     def counted(name, source, assignment, *rest, **more):
         done.append((name, assignment.slug))
         return real(name, source, assignment, *rest, **more)
 
-    monkeypatch.setattr(many, "graded", counted)
+    monkeypatch.setattr(supervisor, "graded", counted)
     return done
 
 
@@ -252,6 +252,8 @@ def test_solutions_have_full_marks_for_a_thousand_students(slug, tmp_path, cours
 
     source = Source(solution_text(slug).encode())
     plan = many.Plan(course, [], 0, 2, Allowance(), key=b"the key of the thousand students")
-    class_ = [(Submission(f"s{i:03}", slug, None, course), source, "") for i in range(1000)]
-    lost = [result.student for result, _ in many.graded_sources(plan, class_) if result.score != 10]
+    everyone = [Submission(f"s{i:03}", slug, None, course) for i in range(1000)]
+    class_ = (supervisor.Task(course, one.student, slug, plan.seed_of(one), source) for one in everyone)
+    results = map(json.loads, many.lines(plan, class_, len(everyone)))
+    lost = [result["student"] for result in results if result["score"] != 10]
     assert lost == []

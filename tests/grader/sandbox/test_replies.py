@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from tam570_grader import cli
-from tam570_grader.grading import many
+from tam570_grader.grading import supervisor
 from tam570_grader.sandbox import replies
 from tam570_grader.sandbox.cell import CellLost
 from tam570_grader.sandbox.inside.wire import DEEPEST, Foreign
@@ -133,7 +133,7 @@ def test_reading_replies_counts_as_the_submissions_time(grade, solution_text, mo
 
 def test_a_fault_of_ours_is_one_submissions_result(tmp_path, solution_text, monkeypatch, capsys):
     """Whatever it is, in whatever part: the class is graded on."""
-    grades = many.graded
+    grades = supervisor.graded
     for student in ("ada", "ben"):
         (tmp_path / student / SLUG).mkdir(parents=True)
         (tmp_path / student / SLUG / f"{SLUG}.py").write_text(solution_text(SLUG))
@@ -143,7 +143,7 @@ def test_a_fault_of_ours_is_one_submissions_result(tmp_path, solution_text, monk
             raise RecursionError
         return grades(name, *arguments, **options)
 
-    monkeypatch.setattr(many, "graded", broken)
+    monkeypatch.setattr(supervisor, "graded", broken)
     assert cli.main(["grade", str(tmp_path), "--json"]) == 1
     lines = [json.loads(line) for line in capsys.readouterr().out.splitlines()]
     assert {line["student"]: line["score"] for line in lines} == {"ada": None, "ben": 10.0}

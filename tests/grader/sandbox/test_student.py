@@ -89,10 +89,9 @@ def test_one_that_is_tried_again_is_not_quoted(course, workers):
 
 
 def test_a_worker_that_dies_is_replaced(solution_text, course):
-    from tam570_grader.grading.many import Plan, graded_sources
-    from tam570_grader.grading.submissions import Submission
-    from tam570_grader.sandbox.student import Source
-    from tam570_grader.sandbox.worker import Allowance, Worker
+    from tam570_grader.grading.supervisor import Task, result
+    from tam570_grader.sandbox.warm import sandboxes
+    from tam570_grader.sandbox.worker import Worker
 
     started = []
 
@@ -108,11 +107,9 @@ def test_a_worker_that_dies_is_replaced(solution_text, course):
                 self._await_ready()
                 self.kill()
 
-    plan = Plan(course, [], 1, 1, Allowance())
-    work = [(Submission("ada", SLUG, None, course), Source(solution_text(SLUG).encode()), "digest")]
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("tam570_grader.grading.many.Worker", Mortal)
-        ((outcome, _),) = graded_sources(plan, work)
+    with pytest.MonkeyPatch.context() as patch, sandboxes():
+        patch.setattr("tam570_grader.sandbox.warm.Worker", Mortal)
+        outcome = result(Task(course, "ada", SLUG, 1, Source(solution_text(SLUG).encode())))
     assert outcome.score == 10.0 and len(started) == 3
 
 

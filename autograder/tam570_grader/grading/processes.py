@@ -1,0 +1,198 @@
+"""Executors of the standard shape: in this process, or with a process for each job.
+
+A process of ours that dies costs its task a try, and nothing else: concurrent.futures gives up the whole pool then.
+Processes talk over a pair of sockets that nobody else can open. Each ends when its parent does, however that ended.
+"""
+
+import contextlib
+import os
+import pickle
+import select
+import signal
+import socket
+import subprocess
+import sys
+import threading
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import FIRST_COMPLETED, Executor, Future, ThreadPoolExecutor, wait
+from itertools import islice
+from typing import Any, TypeVar
+
+from tam570_grader.sandbox.warm import TRIES, sandboxes
+
+__all__ = ["AHEAD", "Lost", "finished", "in_order", "processes", "serve"]
+
+AHEAD = 2  # tasks a job that are handed out: one is graded, one waits
+SERVE = "from tam570_grader.grading.processes import serve; serve()"
+PATIENCE = 5  # s, for a process to end by itself
+Task = TypeVar("Task")
+Outcome = TypeVar("Outcome")
+
+
+class Lost(Exception):
+    """The process that worked on a task has died."""
+
+
+def processes(jobs: int) -> Executor:
+    """An executor for so many jobs; a single one is done in this process."""
+    return _Processes(jobs) if jobs > 1 else _Here()
+
+
+def finished(
+    pool: Executor, work: Callable[[Task], Outcome], tasks: Iterable[Task], ahead: Callable[[], int]
+) -> Iterator[tuple[int, Task, Outcome | Lost]]:
+    """Each task with its number and what the work makes of it, as soon as it is there; again where a process is lost.
+
+    ahead : how many tasks may be handed out at a time; of the rest nothing is held
+    """
+    left, waiting = enumerate(tasks), dict[Future[Outcome], tuple[int, Task, int]]()
+    while True:
+        for number, task in islice(left, max(0, ahead() - len(waiting))):
+            waiting[pool.submit(work, task)] = number, task, 1
+        if not waiting:
+            return
+        for future in wait(waiting, return_when=FIRST_COMPLETED).done:
+            number, task, tries = waiting.pop(future)
+            try:
+                yield number, task, future.result()
+            except Lost as lost:
+                if tries == TRIES:
+                    yield number, task, lost
+                else:
+                    waiting[pool.submit(work, task)] = number, task, tries + 1
+
+
+def in_order(
+    pool: Executor, work: Callable[[Task], Outcome], tasks: Iterable[Task], ahead: Callable[[], int]
+) -> Iterator[Outcome]:
+    """What the work makes of each task, in the tasks' order; Lost where processes died."""
+    early, due = dict[int, Outcome](), 0
+    for number, _, outcome in finished(pool, work, tasks, ahead):
+        if isinstance(outcome, Lost):
+            raise outcome
+        early[number] = outcome
+        while due in early:
+            yield early.pop(due)
+            due += 1
+
+
+class _Here(Executor):
+    """Does a task at once, in this thread."""
+
+    def submit(self, work: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
+        future = Future[Any]()
+        try:
+            future.set_result(work(*args, **kwargs))
+        except Exception as error:
+            future.set_exception(error)
+        return future
+
+    def shutdown(self, wait: bool = True, *, cancel_futures: bool = False) -> None:
+        with sandboxes():
+            pass
+
+
+class _Processes(ThreadPoolExecutor):
+    """A thread for each process: it hands over a task and waits for the outcome."""
+
+    def __init__(self, jobs: int) -> None:
+        super().__init__(jobs)
+        self._mine, self._all, self._lock, self._over = threading.local(), list[_Process](), threading.Lock(), False
+
+    def submit(self, work: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
+        return super().submit(self._done_there, (work, args, kwargs))
+
+    def _done_there(self, order: Any) -> Any:
+        if getattr(self._mine, "process", None) is None:
+            with self._lock:
+                if self._over:
+                    raise Lost("the run has ended")
+                self._mine.process = _Process()
+                self._all.append(self._mine.process)
+        try:
+            worked, outcome = self._mine.process.done(order)
+        except Lost:
+            self._mine.process = None
+            raise
+        if not worked:
+            raise outcome
+        return outcome
+
+    def shutdown(self, wait: bool = True, *, cancel_futures: bool = False) -> None:
+        """End the processes at once, whatever they do: who wants outcomes has waited for them."""
+        with self._lock:
+            self._over = True
+        for process in self._all:
+            process.hang_up()
+        super().shutdown(wait=True, cancel_futures=True)
+        for process in self._all:
+            process.close()
+
+
+class _Process:
+    """A process of ours that does what it is told, one thing at a time."""
+
+    def __init__(self) -> None:
+        self._socket, inside = socket.socketpair()
+        self._file = self._socket.makefile("rwb")
+        with inside:
+            self._process = subprocess.Popen(
+                [
+                    sys.executable,
+                    "-c",
+                    "from tam570_grader.grading.processes import serve; serve()",
+                    str(inside.fileno()),
+                ],
+                pass_fds=[inside.fileno()],
+                env={**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))},
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.DEVNULL,
+                start_new_session=True,  # Ctrl-C is the parent's to hear
+            )
+
+    def done(self, order: Any) -> tuple[bool, Any]:
+        """Whether it worked, and the outcome or the exception."""
+        try:
+            pickle.dump(order, self._file, pickle.HIGHEST_PROTOCOL)
+            self._file.flush()
+            reply: tuple[bool, Any] = pickle.load(self._file)
+        except (EOFError, OSError, pickle.UnpicklingError):
+            raise Lost("the process that graded it died") from None
+        return reply
+
+    def hang_up(self) -> None:
+        with contextlib.suppress(OSError):
+            self._socket.shutdown(socket.SHUT_RDWR)
+
+    def close(self) -> None:
+        with contextlib.suppress(OSError):  # what it has not taken is lost with it
+            self._file.close()
+        self._socket.close()
+        try:
+            self._process.wait(PATIENCE)
+        except subprocess.TimeoutExpired:
+            self._process.kill()
+            self._process.wait()
+
+
+def serve() -> None:
+    """The life of a process: do what comes over the socket, until the other end is closed."""
+    with socket.socket(fileno=int(sys.argv[1])) as line, line.makefile("rwb") as file, sandboxes():
+        threading.Thread(target=_end_with, args=[line.fileno()], daemon=True).start()
+        with contextlib.suppress(EOFError, OSError):
+            while True:
+                work, args, kwargs = pickle.load(file)  # of our parent: no student's bytes are ever unpickled
+                try:
+                    reply = True, work(*args, **kwargs)
+                except Exception as error:
+                    reply = False, error
+                pickle.dump(reply, file, pickle.HIGHEST_PROTOCOL)
+                file.flush()
+
+
+def _end_with(line: int) -> None:
+    """End when the other end of the line is closed; the sandbox ends with its parent."""
+    watch = select.poll()
+    watch.register(line, 0)  # that it is closed is told unasked
+    watch.poll()
+    os.kill(os.getpid(), signal.SIGKILL)

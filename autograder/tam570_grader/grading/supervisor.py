@@ -1,0 +1,96 @@
+"""What one supervisor does: it grades the submissions that it is handed, each to a finished result line."""
+
+import functools
+import json
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from tam570_grader.errors import UsageError
+from tam570_grader.grading.one import Result, failed_by_us, graded, not_graded
+from tam570_grader.grading.speed import Yardstick
+from tam570_grader.grading.submissions import CannotRead
+from tam570_grader.sandbox.student import Source
+from tam570_grader.sandbox.warm import TRIES, tried
+from tam570_grader.sandbox.worker import Allowance, NotConfined, Worker, WorkerLost
+from tam570_grader.writing import answers, assignments
+
+__all__ = ["Conditions", "Task", "line", "lost", "result"]
+
+NO_JAIL = "submissions cannot be confined on this machine, and nothing was graded: {why}"
+
+
+@dataclass(frozen=True)
+class Conditions:
+    """What all submissions of a run have in common."""
+
+    allowance: Allowance
+    hidden: tuple[Path, ...] = ()
+    preload: tuple[str, ...] = ()
+    speed: bool = False
+    shared: Path | None = None  # a folder for answers that are dear, of all supervisors of this machine
+
+
+@dataclass(frozen=True)
+class Task:
+    """A submission as a supervisor gets it; `source` is its bytes, or why there are none."""
+
+    course: Path
+    student: str
+    slug: str
+    seed: int
+    source: Source | CannotRead
+    digest: str = ""
+    missing: bool = False
+    conditions: Conditions = Conditions(Allowance())
+
+
+def line(task: Task) -> bytes:
+    """The result line of a submission."""
+    return _line(task, result(task))
+
+
+def lost(task: Task, error: str) -> bytes:
+    """The result line of a submission whose supervisors died."""
+    return _line(task, failed_by_us(task.student, assignments.assignment(task.course, task.slug), error, task.seed))
+
+
+def _line(task: Task, result: Result) -> bytes:
+    return json.dumps(replace(result, digest=task.digest).record()).encode() + b"\n"
+
+
+def result(task: Task) -> Result:
+    """The result of a submission; what goes wrong with us is this submission's alone."""
+    assignment = assignments.assignment(task.course, task.slug)
+    if isinstance(task.source, CannotRead):
+        status = "missing" if task.missing else "unreadable"
+        return not_graded(task.student, assignment, status, str(task.source), task.seed)
+    asked = task.conditions
+    answers.share_in(asked.shared)
+    try:
+        return tried(functools.partial(_graded, task), asked.preload, asked.allowance, asked.hidden)
+    except NotConfined as why:
+        raise UsageError(NO_JAIL.format(why=why)) from None
+    except UsageError:
+        raise
+    except Exception as fault:
+        error = str(fault) if isinstance(fault, WorkerLost) else repr(fault)
+        return failed_by_us(task.student, assignment, error, task.seed)
+
+
+def _graded(task: Task, worker: Worker, left: int) -> Result:
+    assert isinstance(task.source, Source)
+    return graded(
+        task.student,
+        task.source,
+        assignments.assignment(task.course, task.slug),
+        worker,
+        task.seed,
+        _yardstick(task.course) if task.conditions.speed else None,
+        forgiving=left > 0,
+        again=left < TRIES - 1,
+    )
+
+
+@functools.cache
+def _yardstick(course: Path) -> Yardstick:
+    return Yardstick(course)

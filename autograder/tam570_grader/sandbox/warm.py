@@ -1,0 +1,42 @@
+"""The warm workers of this process, one for each thread and kind of submission; one that dies is replaced."""
+
+import threading
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any, TypeVar
+
+from tam570_grader.sandbox.worker import Allowance, Worker, WorkerLost
+
+__all__ = ["TRIES", "sandboxes", "tried"]
+
+TRIES = 3  # workers, or supervisors, that a submission may see die under it before we give up
+T = TypeVar("T")
+_warm: dict[tuple[Any, ...], Worker] = {}
+
+
+def tried(
+    work: Callable[[Worker, int], T], preload: Sequence[str], allowance: Allowance, hidden: Sequence[Path] = ()
+) -> T:
+    """work(worker, left) on a warm worker, on another where that one is lost; WorkerLost when no tries are left."""
+    key = (threading.get_ident(), *preload, allowance, *hidden)
+    for left in reversed(range(TRIES)):
+        if key not in _warm:
+            _warm[key] = Worker(preload, allowance, hidden)
+        try:
+            return work(_warm[key], left)
+        except WorkerLost:
+            _warm.pop(key).close()
+            if not left:
+                raise
+    raise AssertionError("the last try returns or raises")
+
+
+@contextmanager
+def sandboxes() -> Iterator[None]:
+    """Ends the workers of this process."""
+    try:
+        yield
+    finally:
+        while _warm:
+            _warm.popitem()[1].close()

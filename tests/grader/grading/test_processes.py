@@ -1,0 +1,206 @@
+"""Supervisors as processes: one that dies costs a try and nothing else, and none outlives the run."""
+
+import contextlib
+import functools
+import json
+import os
+import random
+import signal
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tam570_grader.grading import many
+from tam570_grader.grading.processes import AHEAD, Lost, finished, in_order, processes
+from tam570_grader.grading.submissions import submissions
+from tam570_grader.sandbox.warm import TRIES
+from tam570_grader.sandbox.worker import Allowance
+from tam570_grader.writing import answers
+from tam570_grader.writing.check import given
+
+SLUGS = ("hw08_axis_angle", "hw03_angular_momentum_rate")
+linux = pytest.mark.skipif(sys.platform != "linux", reason="finds processes in /proc")
+
+
+def mark(folder, task):
+    """Leave a file for this try of a task."""
+    (folder / f"{task}-{os.getpid()}-{time.monotonic_ns()}").touch()
+    return task
+
+
+def die_at_first(folder, task):
+    mark(folder, task)
+    if task % 5 == 0 and len(list(folder.glob(f"{task}-*"))) == 1:
+        os.kill(os.getpid(), signal.SIGKILL)
+    return task
+
+
+def die(folder, task):
+    mark(folder, task)
+    if task == 3:
+        os.kill(os.getpid(), signal.SIGKILL)
+    return task
+
+
+def tries(folder, task):
+    return len(list(folder.glob(f"{task}-*")))
+
+
+def run(work, count, jobs=2):
+    with processes(jobs) as pool:
+        return list(in_order(pool, work, range(count), lambda: AHEAD * jobs))
+
+
+def test_a_task_whose_process_dies_is_done_by_another_and_no_other_task_twice(tmp_path):
+    assert run(functools.partial(die_at_first, tmp_path), 12) == [*range(12)]
+    assert [tries(tmp_path, task) for task in range(12)] == [2 if task % 5 == 0 else 1 for task in range(12)]
+
+
+def test_a_task_that_no_process_survives_is_given_up_alone(tmp_path):
+    with processes(2) as pool:
+        outcomes = {task: it for _, task, it in finished(pool, functools.partial(die, tmp_path), range(6), lambda: 4)}
+    assert isinstance(outcomes.pop(3), Lost) and outcomes == {task: task for task in (0, 1, 2, 4, 5)}
+    assert tries(tmp_path, 3) == TRIES
+
+
+def test_no_more_tasks_are_taken_than_may_be_handed_out():
+    taken, most = [], []
+    tasks = (taken.append(number) or number for number in range(20))
+    with processes(2) as pool:
+        for done, _ in enumerate(finished(pool, abs, tasks, lambda: 4)):
+            most.append(len(taken) - done)
+    assert max(most) <= 4
+
+
+def refuse(number):
+    raise ValueError(number)
+
+
+@pytest.mark.parametrize("jobs", [1, 2])
+def test_what_a_task_raises_is_raised_here(jobs):
+    with pytest.raises(ValueError, match="7"), processes(jobs) as pool:
+        list(in_order(pool, refuse, [7], lambda: 1))
+
+
+@linux
+@pytest.mark.parametrize("end", [signal.SIGINT, signal.SIGKILL])
+def test_no_process_outlives_a_run_that_is_ended(tmp_path, end):
+    program = (
+        "import time; from tam570_grader.grading.processes import *\n"
+        "with processes(2) as pool:\n"
+        "    tasks = [pool.submit(time.sleep, 60) for _ in range(2)]\n"
+        "    print('on', flush=True); tasks[0].result()\n"
+    )
+    command = [sys.executable, "-c", program]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as head:
+        head.stdout.readline()
+        while len(children := below(head.pid)) < 2:
+            time.sleep(0.05)
+        head.send_signal(end)
+    assert head.returncode
+    deadline = time.monotonic() + 10
+    while any(Path(f"/proc/{child}").exists() for child in children):
+        assert time.monotonic() < deadline, "a supervisor outlives its head"
+        time.sleep(0.05)
+
+
+def below(pid):
+    found = []
+    for stat in Path("/proc").glob("[0-9]*/stat"):
+        with contextlib.suppress(OSError):
+            if int(stat.read_text().rpartition(")")[2].split()[1]) == pid:
+                found.append(int(stat.parent.name))
+    return found
+
+
+def motion(folder, seconds):
+    """A right answer that is dear, and leaves a file each time that it is computed."""
+    mark(Path(folder), "motion")
+    began = time.thread_time()
+    while time.thread_time() - began < seconds:
+        pass
+    return np.array([1 / 3, np.nextafter(1, 2)]), np.eye(2)
+
+
+@pytest.fixture
+def place(tmp_path):
+    (tmp_path / "shared").mkdir()
+    answers.share_in(tmp_path / "shared")
+    yield tmp_path
+    answers.share_in(None)
+
+
+@pytest.mark.parametrize(("seconds", "computed"), [(0.1, 1), (0.0, 2)])
+def test_what_is_dear_is_computed_once_a_run_and_is_the_same_to_the_last_bit(place, monkeypatch, seconds, computed):
+    case = given(str(place), seconds)
+    found = []
+    for _ in range(2):  # two processes, as far as the memory of one is concerned
+        monkeypatch.setattr(answers, "_known", answers.Memory(5))
+        found.append(answers.answer(motion, case))
+    assert tries(place, "motion") == computed
+    assert all(type(one) is tuple and all(np.array_equal(*pair) for pair in zip(*found, strict=True)) for one in found)
+    found[1][0][0] = 0.0  # no read-only memory
+
+
+def test_a_function_without_a_name_of_its_own_shares_nothing(place, monkeypatch):
+    found = []
+    for factor in (1.0, 2.0):
+        monkeypatch.setattr(answers, "_known", answers.Memory(5))
+
+        def answer(seconds, factor=factor):
+            return motion(place, seconds)[0] * factor
+
+        found.append(answers.answer(answer, given(0.06))[0])
+    assert found[1] == 2 * found[0]
+
+
+def class_of(folder, count, solution_text):
+    """Right and wrong submissions, and one that cannot be read."""
+    for number in range(count):
+        for slug in SLUGS:
+            place = folder / f"s{number:02}" / slug
+            place.mkdir(parents=True)
+            end = ("", "def skew(v): return v\n", "def (")[number % 3]
+            (place / f"{slug}.py").write_text(f"{solution_text(slug)}\n# {number}\n{end}")
+    return submissions([folder], SLUGS)
+
+
+def plan_of(course, found, jobs):
+    return many.Plan(course, found, 570, jobs, Allowance(), [course])
+
+
+def same(records):
+    return sorted(json.dumps({**record, "seconds": 0}) for record in records)
+
+
+def kill_at_random(over, kills, killed):
+    """Kill supervisors of ours, one at a time."""
+    moments = random.Random(570)
+    while not over.wait(moments.uniform(0.2, 0.8)) and len(killed) < kills:
+        for child in below(os.getpid()):
+            with contextlib.suppress(OSError):
+                if b"import serve" in Path(f"/proc/{child}/cmdline").read_bytes():
+                    os.kill(child, signal.SIGKILL)
+                    killed.append(child)
+                    break
+
+
+@linux
+@pytest.mark.parametrize(("students", "kills"), [(10, 3), pytest.param(150, 50, marks=pytest.mark.full)])
+def test_scores_are_the_same_for_one_job_for_two_and_where_supervisors_are_killed(
+    tmp_path, course, solution_text, students, kills
+):
+    found = class_of(tmp_path, students, solution_text)
+    alone = same(many.records(plan_of(course, found, 1)))
+    over, killed = threading.Event(), []
+    hand = threading.Thread(target=kill_at_random, args=(over, kills, killed))
+    hand.start()
+    records = list(many.records(plan_of(course, found, 2)))
+    over.set()
+    hand.join()
+    assert killed and same(records) == alone
