@@ -36,6 +36,7 @@ html_css_files = ["site.css"]
 html_js_files = [("scenes.js", {"defer": "defer"})]
 html_copy_source = False
 html_show_sourcelink = False
+html_show_search_summary = False  # it fetches pages, which a browser refuses without a server
 html_theme_options = {
     "logo": {"text": "tam570"},
     "back_to_top_button": False,

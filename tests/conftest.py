@@ -28,6 +28,7 @@ WHOLE = (
     "test_nbgrader_odd.py",
     "test_formgrader.py",
     "test_feedback_browser.py",
+    "test_site_browser.py",
 )  # fixtures of up to a minute
 SEEDS = {"seed": (range(5), range(50)), "draw": ([1], range(4))}  # in the quick form, and in full
 NBGRADER = """

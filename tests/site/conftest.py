@@ -1,0 +1,33 @@
+"""The site, built once, and served from this machine."""
+
+import functools
+import http.server
+import subprocess
+import sys
+import threading
+
+import pytest
+
+
+class Quiet(http.server.SimpleHTTPRequestHandler):
+    def log_message(self, *_):
+        """Say nothing: a page makes dozens of requests."""
+
+
+@pytest.fixture(scope="session")
+def site(course, tmp_path_factory):
+    """The folder of the built site; warnings are errors."""
+    folder = tmp_path_factory.mktemp("site")
+    command = [sys.executable, "-m", "sphinx", "-q", "-W", "-j", "auto", "-b", "html", "-d", str(folder / "read")]
+    made = subprocess.run([*command, str(course / "docs"), str(folder / "site")], capture_output=True, text=True)
+    assert made.returncode == 0, made.stderr
+    return folder / "site"
+
+
+@pytest.fixture(scope="session")
+def address(site):
+    """Where a server on this machine has the site."""
+    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Quiet, directory=str(site))) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        yield f"http://127.0.0.1:{server.server_port}/"
+        server.shutdown()

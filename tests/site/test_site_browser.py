@@ -1,0 +1,156 @@
+"""The site in headless Chromium: quiet, small, without other servers, legible, for a phone, for keys, for paper."""
+
+import subprocess
+import sys
+
+import pytest
+
+pytestmark = pytest.mark.every
+
+LECTURE, SCENES = "generated/lectures/top.html", "generated/assignments.html"
+KINDS = (
+    "index.html",
+    LECTURE,
+    "students/index.html",
+    "instructors/trust.html",
+    "library/integrate.html",
+    "search.html",
+)
+PHONE, DESK = {"width": 390, "height": 844}, {"width": 1280, "height": 800}
+FIRST_PAGE = 300_000  # bytes before scenes
+WHOLE_SITE = 15_000_000  # bytes
+# The contrast of each piece of text with what lies behind it, by the formula of WCAG 2; those below AA.
+FAINT = """() => {
+  const parts = (text) => text.match(/[\\d.]+/g).map(Number);
+  const light = (rgb) => rgb.map((c) => c / 255).map((c) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4))
+    .reduce((sum, c, i) => sum + c * [0.2126, 0.7152, 0.0722][i], 0);
+  const behind = (one) => {
+    for (; one; one = one.parentElement) {
+      const [r, g, b, a = 1] = parts(getComputedStyle(one).backgroundColor);
+      if (a === 1) return [r, g, b];
+    }
+    return [255, 255, 255];
+  };
+  const found = new Set(), texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+  while (texts.nextNode()) {
+    const one = texts.currentNode.parentElement, style = getComputedStyle(one), size = parseFloat(style.fontSize);
+    const seen = one.checkVisibility({opacityProperty: true, visibilityProperty: true});
+    if (!texts.currentNode.data.trim() || !seen) continue;
+    const [x, y] = [light(parts(style.color).slice(0, 3)), light(behind(one))].sort((p, q) => q - p);
+    const large = size >= 24 || (size >= 18.66 && style.fontWeight >= 700);
+    const ratio = (x + 0.05) / (y + 0.05);
+    const said = `${ratio.toFixed(2)} ${one.tagName}.${one.className}: ${texts.currentNode.data.trim().slice(0, 30)}`;
+    if (ratio < (large ? 3 : 4.5)) found.add(said);
+  }
+  return [...found];
+}"""
+
+
+@pytest.fixture
+def opened(browser, address):
+    """`opened(page, ...)` -> the tab; it must not complain, nor ask another server."""
+    contexts, complaints = [], []
+
+    def opened(name, viewport=PHONE, start=address, **options):
+        context = browser.new_context(viewport=viewport, reduced_motion="reduce", **options)
+        contexts.append(context)
+        tab = context.new_page()
+        tab.on("console", lambda said: complaints.append(said.text) if said.type in ("error", "warning") else None)
+        tab.on("pageerror", lambda error: complaints.append(str(error)))
+        tab.on("request", lambda one: None if one.url.startswith((start, "data:")) else complaints.append(one.url))
+        tab.goto(start + name)
+        return tab
+
+    yield opened
+    for context in contexts:
+        context.close()
+    assert not complaints
+
+
+def test_every_page_is_quiet_and_fits_a_phone(opened, site, address):
+    tab, wide = opened("index.html"), []
+    for file in sorted(site.rglob("*.html")):
+        if file.parent.name in ("scenes", "_static"):
+            continue
+        name = file.relative_to(site).as_posix()
+        tab.goto(address + name)
+        if tab.evaluate("document.documentElement.scrollWidth") > PHONE["width"]:
+            wide.append(name)
+    assert not wide
+
+
+def test_the_first_page_is_small_and_so_is_the_site(opened, site, address):
+    sizes = {}
+    tab = opened("about:blank", DESK, start="")
+    tab.on("response", lambda one: sizes.update({one.url: len(one.body())}))
+    tab.goto(f"{address}index.html", wait_until="networkidle")
+    before = {url: size for url, size in sizes.items() if "/scenes/" not in url}
+    assert len(before) > 5 and sum(before.values()) < FIRST_PAGE
+    assert sum(file.stat().st_size for file in site.rglob("*") if file.is_file()) < WHOLE_SITE
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_text_stands_out(opened, scheme):
+    for name in KINDS:
+        assert not opened(name, DESK, color_scheme=scheme).evaluate(FAINT), name
+
+
+def test_scenes_come_as_they_are_seen_and_go(opened):
+    tab = opened(SCENES, DESK)
+    figures = tab.locator("figure.scene")
+    count = figures.count()
+    assert count == 14 and tab.locator("figure.scene iframe").count() < 4
+    figures.last.scroll_into_view_if_needed()
+    tab.wait_for_selector("figure.scene.playing >> nth=-1")
+    tab.wait_for_function("document.querySelectorAll('figure.scene')[13].querySelector('iframe') !== null")
+    tab.wait_for_function("document.querySelectorAll('figure.scene')[0].querySelector('iframe') === null")
+
+
+def test_a_scene_is_reached_and_played_by_keys(opened):
+    tab = opened(LECTURE, DESK)
+    tab.wait_for_selector("figure.scene iframe")
+    for _ in range(150):
+        tab.keyboard.press("Tab")
+        if tab.evaluate("document.activeElement.tagName") == "IFRAME":
+            break
+    scene = tab.frames[1]
+    assert tab.evaluate("document.activeElement.title").endswith("a scene that plays")
+    assert scene.evaluate("document.activeElement.id") == "live"
+    tab.keyboard.press("Space")
+    assert scene.evaluate("document.getElementById('play').textContent") == "Pause"
+    tab.keyboard.press("Tab")
+    assert scene.evaluate("document.activeElement.id") == "play"
+
+
+def test_a_scene_follows_the_colours_of_the_page(opened):
+    tab = opened(LECTURE, DESK, color_scheme="null")  # an emulated scheme would hold for frames too
+    tab.wait_for_selector("figure.scene iframe")
+    dark = "matchMedia('(prefers-color-scheme: dark)').matches"
+    assert not tab.frames[1].evaluate(dark)
+    tab.locator(".theme-switch-button").first.click()
+    tab.locator(".theme-change-button[data-mode=dark]").first.click()
+    assert tab.evaluate("document.documentElement.dataset.theme") == "dark" and tab.frames[1].evaluate(dark)
+
+
+def test_paper_and_readers_without_scripts_have_a_still(opened):
+    tab = opened(LECTURE, DESK)
+    tab.wait_for_selector("figure.scene iframe")
+    tab.emulate_media(media="print")
+    assert tab.locator("figure.scene img").is_visible() and not tab.locator("figure.scene iframe").is_visible()
+    plain = opened(LECTURE, DESK, java_script_enabled=False)
+    assert plain.locator("figure.scene img").is_visible() and plain.locator("figure.scene img").get_attribute("alt")
+
+
+def test_search_needs_no_server(opened, site):
+    for start in ("", f"{site.as_uri()}/"):
+        tab = opened("search.html?q=precession", **({"start": start} if start else {}))
+        tab.wait_for_selector("#search-results li")
+        assert "top" in tab.locator("#search-results").inner_text()
+
+
+def test_all_links_lead_somewhere_and_a_broken_one_is_told(course, site, tmp_path):
+    check = [sys.executable, str(course / "docs" / "links.py")]
+    assert subprocess.run([*check, str(site)]).returncode == 0
+    (tmp_path / "a.html").write_text('<a href="b.html">b</a><img src="https://elsewhere/x.png"><a href="#none">c</a>')
+    found = subprocess.run([*check, str(tmp_path)], capture_output=True, text=True)
+    assert found.returncode == 1 and len(found.stdout.splitlines()) == 3

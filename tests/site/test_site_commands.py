@@ -1,0 +1,128 @@
+"""Every command and program of the site's pages is run, in the order of its page, in an empty folder.
+
+A comment above a block says what a reader does by hand, `% prepared: COMMAND`, another exit code, `% exits 1: REASON`,
+or why the block is not run, `% not run: REASON`.
+"""
+
+import doctest
+import importlib
+import os
+import re
+import subprocess
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+
+from tam570_grader.writing import assignments
+
+DOCS = assignments.find() / "docs"
+PAGES = sorted(page.relative_to(DOCS).as_posix() for page in DOCS.glob("*/*.md") if page.parent.name != "generated")
+PARTS = re.compile(
+    r"^% (prepared|exits|not run):? ?([^\n]*)$|^```(sh|python|pycon)\n(.*?)^```$", re.MULTILINE | re.DOTALL
+)
+MODULES = [
+    *("integrate.solver", "integrate.rotation", "integrate.motion", "rotations", "lagrange", "invariants"),
+    *("lectures", "show", "show.film"),
+]
+
+
+@dataclass(frozen=True)
+class Block:
+    """A block of a page.
+
+    kind     : sh, python, or pycon
+    code     : the exit code that it should have
+    reason   : why it is not run, or empty
+    prepared : commands that stand for what a reader does by hand before
+    """
+
+    kind: str
+    text: str
+    code: int = 0
+    reason: str = ""
+    prepared: str = ""
+
+
+def blocks(text):
+    """The blocks of a page."""
+    code, reason, prepared = 0, "", []
+    for found in PARTS.finditer(text):
+        mark, told, kind, inside = found.groups()
+        if kind:
+            yield Block(kind, inside, code, reason, "\n".join(prepared))
+            code, reason, prepared = 0, "", []
+        elif mark == "prepared":
+            prepared.append(told)
+        elif mark == "exits":
+            code = int(told.partition(":")[0])
+        else:
+            reason = told
+
+
+def texts(page):
+    return list(blocks((DOCS / page).read_text()))
+
+
+def run(block, folder, environment):
+    """Run a block, and what comes before it; a block of several lines stops at the first that fails."""
+    program = [sys.executable, "-W", "error", "-"] if block.kind == "python" else ["bash", "-e", "-s"]
+    if block.prepared:
+        subprocess.run(["bash", "-e", "-c", block.prepared], cwd=folder, env=environment, check=True)
+    return subprocess.run(
+        program, input=block.text, cwd=folder, env=environment, capture_output=True, text=True, timeout=120
+    )
+
+
+@pytest.fixture
+def environment(course, tmp_path):
+    """That of a reader: our commands on the path, a home and nothing in it."""
+    path = f"{os.path.dirname(sys.executable)}{os.pathsep}{os.environ['PATH']}"
+    return {**os.environ, "PATH": path, "COURSE": str(course), "HOME": str(tmp_path / "home"), "MPLBACKEND": "Agg"}
+
+
+@pytest.mark.every
+@pytest.mark.parametrize("page", [page for page in PAGES if any(one.kind != "pycon" for one in texts(page))])
+def test_the_commands_of_a_page_work_in_their_order(page, tmp_path, environment):
+    (tmp_path / "home").mkdir()
+    (tmp_path / "here").mkdir()
+    for block in texts(page):
+        if block.kind != "pycon" and not block.reason:
+            done = run(block, tmp_path / "here", environment)
+            assert done.returncode == block.code, f"{block.text}\n{done.stdout}\n{done.stderr}"
+
+
+def test_a_command_that_fails_is_seen(tmp_path, environment):
+    exits, two = "% exits 3: it says so\n```sh\nexit 3\n```\n", "```sh\nls a b\nfalse\ntrue\n```\n"
+    first, second = blocks(f"{exits}% prepared: touch a\n% prepared: touch b\n{two}")
+    assert run(first, tmp_path, environment).returncode == first.code == 3
+    done = run(second, tmp_path, environment)
+    assert done.stdout == "a\nb\n" and done.returncode == 1 != second.code
+
+
+def test_what_is_not_run_has_a_reason_and_is_little():
+    every = [block for page in PAGES for block in texts(page)]
+    left = [block for block in every if block.reason]
+    assert all(len(block.reason.split()) > 3 for block in left) and len(left) < len(every) / 3
+
+
+@pytest.mark.parametrize("page", [page for page in PAGES if any(one.kind == "pycon" for one in texts(page))])
+def test_the_examples_of_a_page_give_what_they_say(page):
+    text = "\n".join(block.text for block in texts(page) if block.kind == "pycon")
+    example = doctest.DocTestParser().get_doctest(text, {}, page, str(Path(DOCS, page)), 0)
+    told = []
+    result = doctest.DocTestRunner().run(example, out=told.append)
+    assert result.attempted and not result.failed, "".join(told)
+
+
+@pytest.mark.parametrize("name", MODULES)
+def test_the_examples_of_docstrings_give_what_they_say(name):
+    assert not doctest.testmod(importlib.import_module(f"tam570.{name}")).failed
+
+
+def test_examples_are_found_where_there_are_any():
+    shared = DOCS.parent / "shared"
+    found = {file for file in shared.rglob("*.py") if ">>>" in file.read_text()}
+    known = {Path(importlib.import_module(f"tam570.{name}").__file__) for name in MODULES}
+    assert {file.resolve() for file in found} <= {file.resolve() for file in known}
