@@ -30,7 +30,7 @@ MOTION = 0.05  # of the largest angular acceleration: what a path may miss it by
 def path(a: float, b: float, duration: float, *, points: int, length: float, gravity: float) -> Array:
     """(points,) rad at even times from 0 to duration, s, from angle a to b: the action is a minimum among neighbours.
 
-    Newton's method in a banded matrix, damped until the action shrinks. A bump of a thousandth breaks the symmetry.
+    Newton's method by elimination, damped until the action shrinks. A bump of a thousandth breaks the symmetry.
     """
     finite(a=a, b=b)
     whole(2, points=points)
@@ -86,16 +86,21 @@ def _variations(angles: Array, h: float, length: float, gravity: float) -> tuple
 
 def _newton(angles: Array, h: float, length: float, gravity: float, damping: float) -> Array | None:
     """Newton's step of the inner angles; None if the action, with the damping, is not convex here."""
-    from scipy.linalg import LinAlgError, solveh_banded
-
     slope, diagonal = _variations(angles, h, length, gravity)
-    beside = np.full(len(slope), -(length**2) / h)
-    try:
-        bands = np.stack([beside, diagonal + damping])[-len(slope) :]  # one angle has no neighbours
-        step: Array = solveh_banded(bands, -slope)
-    except LinAlgError:
-        return None
-    return step
+    step, least = _eliminated(diagonal + damping, -(length**2) / h, -slope)
+    return step if least > 0 else None
+
+
+def _eliminated(diagonal: Array, beside: float, right: Array) -> tuple[Array, float]:
+    """The solution of a symmetric system with equal numbers beside its diagonal, and the least pivot."""
+    rows = [(1.0, 0.0)]
+    for d, r, near in zip(diagonal.tolist(), right.tolist(), [0.0] + [beside] * len(right), strict=False):
+        pivot, before = rows[-1]
+        rows.append((d - near * near / pivot, r - near * before / pivot))
+    found = [0.0]
+    for pivot, r in rows[:0:-1]:
+        found.append((r - beside * found[-1]) / pivot)
+    return np.array(found[:0:-1]), min(pivot for pivot, _ in rows[1:])
 
 
 def _descent(angles: Array, *, duration: float, length: float, gravity: float) -> Array:
@@ -120,23 +125,19 @@ def film(parameters: Mapping[str, Any]) -> Film:
     positive(length=parameters["length"], gravity=parameters["gravity"])
     half = pi * sqrt(parameters["length"] / parameters["gravity"])  # s
     values = [round(share * half, 1) for share in (0.5, 0.95, 1.05, 1.4)]
-
     scene = {name: parameters[name] for name in ("length", "gravity")}
     ends = parameters["a"], parameters["b"]
 
     def make(duration: float) -> Film:
         least = path(*ends, duration, points=parameters["points"], **scene)
-        return paths(
-            least, _swing(least, duration, **scene), duration, lambda angles: action(angles, duration, **scene)
-        )
+        swing = _swing(least, duration, **scene)
+        return paths(least, swing, duration, lambda angles: action(angles, duration, **scene))
 
     return with_slider(make, "time from a to b", "s", values, parameters["duration"])
 
 
 def _swing(angles: Array, duration: float, *, length: float, gravity: float) -> Array:
     """The motion nearest to the small swing between the same ends, whether its action is least or not."""
-    from scipy.linalg import solve_banded
-
     w, times = sqrt(gravity / length), np.linspace(0.0, duration, len(angles))
     a, b, h = angles[0], angles[-1], duration / (len(angles) - 1)
     wave = sin(w * duration)
@@ -145,6 +146,5 @@ def _swing(angles: Array, duration: float, *, length: float, gravity: float) -> 
     swing[[0, -1]] = a, b
     for _ in range(20):
         slope, diagonal = _variations(swing, h, length, gravity)
-        beside = np.full(len(slope), -(length**2) / h)
-        swing[1:-1] += solve_banded((1, 1), np.stack([beside, diagonal, beside]), -slope)
+        swing[1:-1] += _eliminated(diagonal, -(length**2) / h, -slope)[0]
     return swing
