@@ -103,7 +103,7 @@ def _add_help(commands: Commands) -> None:
     command.add_argument("--again", action="store_true", help="begin with the first hint again")
     command.add_argument("--all", action="store_true", help="all hints for the function")
 
-    command = commands.add_parser("update", help="bring the problem and the tests to those of this kit")
+    command = commands.add_parser("update", help="bring the problem and the tests up to this kit")
     command.set_defaults(command=_update)
     command.add_argument("assignment", nargs="?", help="default: all that you have started here")
 

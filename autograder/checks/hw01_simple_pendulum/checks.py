@@ -218,7 +218,7 @@ def judge_small_angles(function, calls, hint):
 
 @check(points=0.5, part="a")
 def small_angle_solution_is_harmonic(student, draw):
-    """small_angle_solution: theta and omega of theta'' + (g/l) theta = 0, the given state being that at t = 0."""
+    """small_angle_solution: theta and omega of theta'' + (g/l) theta = 0, from the given state at t = 0."""
     hint = "Put t = 0 in: is the state the given one? Differentiate theta: is it omega?"
     judge_small_angles(student.small_angle_solution, cases.small_angles(draw), hint)
 

@@ -126,7 +126,7 @@ def solution_is_the_motion(student, draw):
 @check(points=0.5, part="a", after=solution_is_the_motion)
 def solution_holds_without_gravity_and_from_any_time(student, draw):
     """solution: without gravity too, and at times of which none is zero."""
-    hint = in_columns("Row i is the state at t[i], and the given state is that at t = 0.")
+    hint = in_columns("Row i is the state at t[i], and the given state belongs to t = 0.")
     agree(student.solution, right.solution, cases.from_any_time(draw), within=POINTWISE, hint=hint, **CLOSED_FORM)
 
 
@@ -150,7 +150,7 @@ def simulate_does_not_depend_on_the_sampling(student, draw):
 
 @check(points=0.5, part="a", after=simulate_moves_as_it_must)
 def energy_stays(student, draw):
-    """simulate: the energy after ten periods is that of the start."""
+    """simulate: after ten periods the energy has its first value."""
     share = {1e-3: 0.6, 1e-2: 0.3}
     stays(student.simulate, right.motion, cases.ten_periods(draw), MOTION, KEPT, coarsely=COARSELY, partial=share)
 

@@ -115,7 +115,7 @@ def consistent_state_refuses_the_origin(student, draw):
 
 @check(points=1, part="a")
 def energy_is_kinetic_and_potential(student, draw):
-    """energy: m v^2/2 and that of the weight, zero at y = 0."""
+    """energy: m v^2/2 and the potential energy of the weight, zero at y = 0."""
     known = {"of": "the energy", "unit": "J", "scale": heat, "hint": "How high is it above y = 0, and how fast?"}
     agree(student.energy, right.energy, cases.states(draw, "mass", "gravity"), within=FORMULA, **known)
 
@@ -161,7 +161,7 @@ def drift(off, out):
 
 @check(points=0.25, part="a", after=with_gravity_it_swings_or_goes_round)
 def energy_stays(student, draw):
-    """simulate: after 100 s the energy is that of the start."""
+    """simulate: after 100 s the energy has its first value."""
     hint = "Tighten rtol and atol: does it leave the circle between the samples?"
     share = {1e-3: 0.6, 1e-2: 0.3}
     stays(student.simulate, right.motion, cases.long(draw), MOTION, KEPT, coarsely=COARSELY, partial=share, hint=hint)

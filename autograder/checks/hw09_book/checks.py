@@ -231,7 +231,7 @@ RELATIVE_TOO = "Do you use np.allclose? Its rtol allows 1e-5 beside a one."
 
 @check(points=0.25, part="a", after=axis_and_angle_are_those_of_the_matrix)
 def what_is_no_rotation_is_refused(student, draw):
-    """axis_angle raises ValueError for what is no rotation, and takes one with R^T R off by 9e-7."""
+    """axis_angle refuses matrices that are not rotations, and accepts one with R^T R wrong by 9e-7."""
     agree(student.axis_angle, right.axis_angle, cases.nearly_rotations(draw), within=SHEARED, scale=one, **PAIR)
     stretched = given((1 + 4.5e-7) * np.eye(3)).on("the identity times 1 + 4.5e-7")
     for _, (axis, angle) in student.axis_angle.each([stretched]):

@@ -111,7 +111,7 @@ def one(*_):
 
 @check(points=0.5, part="a", after=rolling_precession_balances_the_moments)
 def rolling_precession_is_zero_where_nothing_turns_it(student, draw):
-    """rolling_precession is 0 without gravity, for an upright disk on a track that is no point, and only there."""
+    """rolling_precession is 0 without gravity, or for an upright disk unless its track is a point, and only then."""
     calls = cases.straight_tracks(draw)
     agree(student.rolling_precession, right.rolling_precession, calls, within=WITHIN, scale=one, **PRECESSION)
 
@@ -146,7 +146,7 @@ def sliding_track_is_around_the_resting_centre(student, draw):
 
 @check(points=0.75, part="c")
 def common_precession_is_in_both_families(student, draw):
-    """common_precession is that of the motions which roll and slide at once."""
+    """common_precession belongs to the motions that roll and slide at once."""
     hint = "Both tracks must be the same circle: what is the spin then?"
     agree(
         student.common_precession, right.common_precession, cases.settled(draw), within=WITHIN, hint=hint, **PRECESSION

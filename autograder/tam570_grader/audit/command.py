@@ -21,9 +21,9 @@ def add_audit(commands: Commands) -> argparse.ArgumentParser:
         "audit",
         help="grade the grader: does it catch what it must?",
         description="Run mutants of the reference solutions, one slip each, through the grader.",
-        epilog="The exit code is 0 if all is well; 1 if a mutant survives that is not listed as equivalent or one is "
-        "listed in vain, if a right submission loses points, a mistake gets a wrong name, too few get one, or a margin "
-        "is too small; 2 on bad usage.",
+        epilog="The exit code is 0 if all is well, and 2 on bad usage. It is 1 if a mutant survives that is not listed "
+        "as equivalent, or one is listed in vain. It is also 1 if a right submission loses points, a mistake gets a "
+        "wrong name, too few get one, or a margin is too small.",
     )
     audit.set_defaults(command=_audit)
     add = audit.add_argument

@@ -72,7 +72,7 @@ def _scores(grades: Path) -> Scores:
     heading, *rows = _rows(grades)
     name = "student" if "student" in heading else "student_id"
     if not {name, "assignment", "score", "max_score"} <= set(heading):
-        raise UsageError(f"{grades} is no grades.csv of tam570-grader or nbgrader")
+        raise UsageError(f"{grades} is not a grades.csv of tam570-grader or nbgrader")
     if odd := [",".join(row) for row in rows if len(row) != len(heading)]:
         raise UsageError(
             f"{grades} has a row that does not fit its heading of {len(heading)} columns: {odd[0]}; mend it"
@@ -97,7 +97,7 @@ def _people(roster: Sequence[Sequence[str]]) -> tuple[list[str], list[Sequence[s
     """The heading of Canvas's export and the rows of students in it, without its notes."""
     heading = list(roster[0])
     if tuple(heading[:5]) != CANVAS:
-        raise UsageError(f"the roster is no gradebook of Canvas: its columns must begin with {', '.join(CANVAS)}")
+        raise UsageError(f"the roster is not a gradebook of Canvas: its columns must begin with {', '.join(CANVAS)}")
     return heading, [row for row in roster[1:] if len(row) >= 5 and any(cell.strip() for cell in row[1:4])]
 
 

@@ -33,7 +33,7 @@ def add_grade(commands: Commands) -> argparse.ArgumentParser:
     add("--out", type=Path, metavar="DIR", help="write results.jsonl, grades.csv and feedback there")
     add("--json", action="store_true", help="print a JSON object for each submission, one a line")
     add("--format", choices=["table", "gradescope"], default="table", help="of what is printed")
-    add("--seed", type=natural, metavar="S", help="of the hidden inputs (default: that of --out, else random)")
+    add("--seed", type=natural, metavar="S", help="of the hidden inputs (default: the one in --out, else random)")
     add(
         "--vary",
         type=Path,
@@ -135,8 +135,8 @@ def _key(path: Path, needed: bool) -> bytes:
     if not path.exists():
         if needed:
             raise UsageError(
-                f"there is no key in {path}, and there are earlier results: name the key that they were varied by, "
-                "or, if they were graded with a seed, leave --vary away or name a new folder with --out"
+                f"there is no key in {path}, and there are earlier results. Name the key that they were varied by. "
+                "If they were graded with a seed, leave --vary away or name a new folder with --out."
             )
         _make_key(path)
     try:
@@ -147,7 +147,7 @@ def _key(path: Path, needed: bool) -> bytes:
         raise UsageError(f"cannot read the key {path}: {error.strerror}") from None
     if len(key) < SHORTEST_KEY:
         raise UsageError(
-            f"{path} is no key: it holds fewer than {SHORTEST_KEY} bytes; name a new file to have one made"
+            f"{path} is not a key: it holds fewer than {SHORTEST_KEY} bytes; name a new file to have one made"
         )
     return key
 

@@ -90,7 +90,7 @@ def _names(roster: Path) -> list[str]:
     except OSError as error:
         raise UsageError(f"cannot read {roster}: {error.strerror}") from None
     except UnicodeDecodeError:
-        raise UsageError(f"{roster} is no text in UTF-8; save the roster as CSV (UTF-8)") from None
+        raise UsageError(f"{roster} is not text in UTF-8; save the roster as CSV (UTF-8)") from None
     names = [line.split(",")[0].strip().strip('"') for line in lines if line.strip()]
     return names[1:] if names and names[0].lower() in ("student", "name", "id") else names
 

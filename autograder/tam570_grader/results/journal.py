@@ -127,7 +127,7 @@ def _parsed(lines: bytes, path: Path) -> dict[tuple[str, str], Record]:
     records = {}
     for number, line in enumerate(lines.splitlines(), start=1):
         if (record := _result(line)) is None:
-            raise UsageError(f"{path} holds a line that is no result (line {number}); move the file away")
+            raise UsageError(f"{path} holds a line that is not a result (line {number}); move the file away")
         records[_key(record)] = record
     return records
 

@@ -78,7 +78,7 @@ def curves_seen(picture: Drawing, count: int) -> tuple[Line, ...]:
     if len(seen) < count and hidden:
         fail(f"a curve cannot be seen: {_unseen(hidden[0])}", hint="Save the figure, and look at it.")
     says = f"the number of curves on the axes is {len(seen)}, not {count}"
-    expect_that(len(seen) == count, says, hint="Fewer than ten points are no curve.")
+    expect_that(len(seen) == count, says, hint="A curve needs ten points or more.")
     return seen
 
 

@@ -199,6 +199,6 @@ def _restart(motion: Motion, row: Array) -> tuple[Any, ...]:
     starts = [one for one in motion.case.args[1:] if not isinstance(one, str)]
     ends = np.cumsum([np.size(one) for one in starts])
     if not starts or ends[-1] != len(row):
-        raise ValueError("the row is no start")
+        raise ValueError("the row is not a start")
     pairs = zip(np.split(row, ends[:-1]), starts, strict=True)
     return tuple(part.reshape(np.shape(one)) if np.ndim(one) else float(part[0]) for part, one in pairs)

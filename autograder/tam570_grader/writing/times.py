@@ -79,7 +79,7 @@ def mistimed(
             raise ValueError("solve_ivp refuses times that its span, from 0 to the last, leaves out")
         return from_zero(t, *start, **parameters)
 
-    at_zero = "the given state taken for that at t = 0, where it is that at t[0]"
+    at_zero = "the given state is treated as the state at t = 0, but it is the state at t[0]"
     wrong = {
         "the times taken to be evenly spaced": at(lambda t: np.linspace(t[0], t[-1], len(t))),
         "the times taken to be evenly spaced, the first step for all": at(

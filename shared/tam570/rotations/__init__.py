@@ -193,5 +193,5 @@ def nearest(M: ArrayLike) -> Array:
 
 def _order(sequence: str) -> _euler.Sequence:
     if sequence not in SEQUENCES:
-        raise ValueError(f"sequence {sequence!r} is none of the twelve: {', '.join(sorted(SEQUENCES))}")
+        raise ValueError(f"sequence {sequence!r} is unknown; the twelve are: {', '.join(sorted(SEQUENCES))}")
     return SEQUENCES[sequence]

@@ -236,7 +236,7 @@ def test_feedback_tells_no_seed(tree, tmp_path):
     assert len(pages) >= 4 and not any(str(seed) in page for page in pages for seed in seeds(out))
 
 
-@pytest.mark.parametrize(("arguments", "says"), [(["--seed", "1"], "--seed and --vary"), ([], "is no key")])
+@pytest.mark.parametrize(("arguments", "says"), [(["--seed", "1"], "--seed and --vary"), ([], "is not a key")])
 def test_what_is_no_key_is_refused(tree, tmp_path, capsys, arguments, says):
     key = tmp_path / "key"
     key.write_text("short")

@@ -1,4 +1,4 @@
-"""The potential energy is that of small angles.
+"""The potential energy holds for small angles alone.
 
 fails: action_is_stationary_on_motions
 within: 1e-3

@@ -1,4 +1,4 @@
-"""Right is the vertical times the direction of the eye, zero straight above.
+"""The direction to the right is the vertical times the direction of the eye, which is zero straight above.
 
 fails: projection_is_orthographic
 names: a view from straight above

@@ -1,4 +1,4 @@
-"""Two radii of equal length are treated as those of a circle, at whatever angle.
+"""Two radii of equal length are treated as a circle's, whatever the angle between them.
 
 fails: orbit_is_the_ellipse_of_the_motion
 names: two radii that give the ellipse need not be its axes

@@ -1,4 +1,4 @@
-"""Closed forms are kept by times and start; another spring gets that of the first.
+"""Closed forms are kept by times and start: another spring gets the first one's.
 
 fails: solution_holds_without_gravity_and_from_any_time
 names: the call before, but for one argument

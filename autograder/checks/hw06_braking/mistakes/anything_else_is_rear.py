@@ -1,4 +1,4 @@
-"""Whatever is not "front" is taken for "rear".
+"""Every name except "front" counts as "rear".
 
 fails: mechanics_refuses_other_axles, stability_refuses_other_axles
 names: does not raise ValueError

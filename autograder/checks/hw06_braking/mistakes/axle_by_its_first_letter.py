@@ -1,4 +1,4 @@
-"""Any name that begins with an axle's first letter is taken for it.
+"""Any name that begins with an axle's first letter counts as that axle.
 
 fails: mechanics_refuses_other_axles, stability_refuses_other_axles
 names: does not raise ValueError

@@ -1,4 +1,4 @@
-"""A part of the axles' names, like none of it, is taken for one.
+"""A part of an axle's name counts as the name, even an empty one.
 
 fails: mechanics_refuses_other_axles, stability_refuses_other_axles
 names: does not raise ValueError

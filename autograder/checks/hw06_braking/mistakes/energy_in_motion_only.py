@@ -1,4 +1,4 @@
-"""Where the car turns on the spot, or does not turn, the kinetic energy is taken for that of a car at rest.
+"""The kinetic energy is zero where the car turns on the spot, or does not turn.
 
 fails: kinetic_energy_of_G_and_of_turning
 """

@@ -1,4 +1,4 @@
-"""The force in the axes of the ground, where forward and left are those of the car.
+"""The force is given in the axes of the ground, not forward and left of the car.
 
 fails: friction_opposes_the_sliding
 """

@@ -1,4 +1,4 @@
-"""The speed taken for positive.
+"""The speed is treated as positive.
 
 fails: equations_in_any_motion
 """

@@ -1,4 +1,4 @@
-"""A coefficient of friction above 1 is taken for 1.
+"""A coefficient of friction above 1 is replaced by 1.
 
 fails: friction_in_any_motion_and_at_rest, equations_without_friction_and_at_rest, simulate_needs_no_dense_times, growth_rate_is_the_slope, critical_speed_is_where_growth_begins, small_yaw_rate_is_the_linear_solution
 """

@@ -1,4 +1,4 @@
-"""G half way between the axles is taken for a car that nothing turns.
+"""With G half way between the axles, the car is treated as one that nothing turns.
 
 fails: equations_without_friction_and_at_rest, growth_rate_is_the_slope
 """

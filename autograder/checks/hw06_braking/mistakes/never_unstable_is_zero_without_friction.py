@@ -1,4 +1,4 @@
-"""0 where there is no friction, with the front locked too, where it never is unstable.
+"""Without friction the result is 0, even with the front locked, where the car is never unstable.
 
 fails: critical_speed_is_where_growth_begins
 """

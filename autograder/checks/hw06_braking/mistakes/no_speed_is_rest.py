@@ -1,4 +1,4 @@
-"""A car that turns on the spot is taken for one at rest, by its speed alone.
+"""A car that turns on the spot is treated as stopped, because its speed is zero.
 
 fails: friction_in_any_motion_and_at_rest, equations_in_any_motion, equations_without_friction_and_at_rest
 """

@@ -1,4 +1,4 @@
-"""A car that goes straight back is taken for one at rest: its speed is not positive.
+"""A car that goes straight back is treated as stopped, because its speed is not positive.
 
 fails: simulate_needs_no_dense_times, simulate_glides_without_friction, mechanics_refuses_other_axles
 """

@@ -1,4 +1,4 @@
-"""Below a centimetre a second it counts as at rest, where there is no friction to bring it to rest, too.
+"""Below 1 cm/s the car counts as stopped, even without friction to stop it.
 
 fails: simulate_glides_without_friction
 """

@@ -1,4 +1,4 @@
-"""It is taken for at rest where its speed passes zero, though it turns on.
+"""The car is treated as stopped where its speed passes zero, while it still turns.
 
 fails: simulate_glides_without_friction, simulate_comes_to_rest_and_stays
 """

@@ -1,4 +1,4 @@
-"""The velocity of G in the axes of the car, where x and y are those of the ground.
+"""The velocity of G is given in the axes of the car, not in x and y of the ground.
 
 fails: equations_of_motion
 """

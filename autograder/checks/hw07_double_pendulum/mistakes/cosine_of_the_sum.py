@@ -1,4 +1,4 @@
-"""The cosine of th1 + th2, where that of th1 - th2 belongs.
+"""The cosine of th1 + th2 stands where the cosine of th1 - th2 belongs.
 
 fails: mass_matrix_makes_the_kinetic_energy, energy_is_kinetic_and_potential, angular_momentum_is_about_the_ceiling
 """

@@ -1,4 +1,4 @@
-"""Without gravity the bars are taken for free ones.
+"""Without gravity the bars are treated as free.
 
 fails: accelerations_obey_the_equations
 names: the bars still act on each other

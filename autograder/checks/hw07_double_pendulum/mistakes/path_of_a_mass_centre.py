@@ -1,4 +1,4 @@
-"""The path is that of the mass centre of bar 2.
+"""The path is drawn for the mass centre of bar 2, not for the tip.
 
 fails: tip_path_is_drawn
 names: the path of bar 2's mass centre

@@ -1,4 +1,4 @@
-"""The time is scaled by sqrt(l/g), which is no number without gravity.
+"""The time is scaled by sqrt(l/g), which is infinite without gravity.
 
 fails: momentum_is_conserved_without_gravity
 names: ValueError for a pendulum without gravity

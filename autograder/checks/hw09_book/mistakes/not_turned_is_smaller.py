@@ -1,4 +1,4 @@
-"""The edges of a book that is not turned are those of half the book.
+"""A book that is not turned has the edges of half the book.
 
 fails: the_book_has_its_twelve_edges
 names: for a book that is not turned. The edges are those of a box half that size

@@ -1,4 +1,4 @@
-"""Pure spin about axis 2 at a negative rate is taken for a motion without period.
+"""Pure spin about axis 2 at a negative rate is treated as a motion without period.
 
 fails: period_of_pure_spin_is_that_of_small_oscillations
 names: the period is infinite for pure spin about axis 2, at a negative rate

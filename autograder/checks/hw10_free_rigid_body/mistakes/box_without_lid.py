@@ -1,4 +1,4 @@
-"""Four edges are drawn twice, and those of the lid are missing.
+"""Four edges are drawn twice, and the lid's four are missing.
 
 fails: the_box_has_its_twelve_edges
 names: is one there twice

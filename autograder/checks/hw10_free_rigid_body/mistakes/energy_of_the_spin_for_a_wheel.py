@@ -1,4 +1,4 @@
-"""Of a body with A = B the energy is that of its spin about the symmetry axis.
+"""For a body with A = B the energy holds the spin about the symmetry axis alone.
 
 fails: energy_is_half_omega_h
 names: for a body with A = B

@@ -1,4 +1,4 @@
-"""A wide band on both sides of the separatrix is taken for it.
+"""A wide band on both sides of the separatrix is treated as the separatrix.
 
 fails: period_grows_to_infinity_at_the_separatrix
 names: the period is infinite for omega next to the separatrix

@@ -1,4 +1,4 @@
-"""1 - k^2 below 1e-9 is taken for zero.
+"""1 - k^2 below 1e-9 is replaced by zero.
 
 fails: period_grows_to_infinity_at_the_separatrix
 names: the period is infinite for omega almost about the middle axis. How near 1 is a k that is not 1?

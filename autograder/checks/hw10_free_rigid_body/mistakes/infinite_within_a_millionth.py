@@ -1,4 +1,4 @@
-"""1 - k is taken for zero below a millionth, unless p or r is zero.
+"""1 - k below a millionth is replaced by zero, unless p or r is zero.
 
 fails: period_grows_to_infinity_at_the_separatrix
 names: the period is infinite for omega next to the separatrix

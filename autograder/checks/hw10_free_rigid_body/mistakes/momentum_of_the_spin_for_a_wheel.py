@@ -1,4 +1,4 @@
-"""Of a body with A = B the angular momentum is that of its spin about the symmetry axis.
+"""For a body with A = B the angular momentum holds the spin about the symmetry axis alone.
 
 fails: angular_momentum_is_in_space_axes
 names: for a body with A = B

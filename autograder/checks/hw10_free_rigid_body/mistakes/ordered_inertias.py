@@ -1,4 +1,4 @@
-"""The inertias put in order first: the axis is that of the inertias as they are given.
+"""The inertias are sorted first, but `axis` counts them as they are given.
 
 fails: small_deviations_grow_at_this_rate
 """

@@ -1,4 +1,4 @@
-"""The paths are those of the wobble of a body with A = B, whatever B is.
+"""The paths show the wobble of a body with A = B, whatever B is.
 
 fails: rim_paths_are_drawn
 names: a body with three different inertias

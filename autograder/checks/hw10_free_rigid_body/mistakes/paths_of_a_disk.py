@@ -1,4 +1,4 @@
-"""The paths are those of a flat disk, C = 2 A = 2 B, whatever the inertia.
+"""The paths belong to a flat disk, C = 2 A = 2 B, whatever the inertia.
 
 fails: rim_paths_are_drawn
 names: a body with three different inertias

@@ -1,4 +1,4 @@
-"""The quaternion at the start is made with the scalar part below the line: there is none at a half turn.
+"""The quaternion at the start is divided by its scalar part, which is zero at a half turn.
 
 fails: special_bodies_move_too
 names: for a start half a turn about

@@ -1,4 +1,4 @@
-"""Where theta is a right angle, psi' is taken for zero: a division by its cosine is left out.
+"""Where theta is a right angle, psi' is set to zero, because a division by the cosine is left out.
 
 fails: euler_rates_make_omega
 names: for theta a right angle

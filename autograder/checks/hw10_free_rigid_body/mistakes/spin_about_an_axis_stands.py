@@ -1,4 +1,4 @@
-"""omega along a principal axis does not change, and so it is taken for rest.
+"""A constant omega along a principal axis is treated as rest.
 
 fails: attitude_follows_omega, angular_momentum_is_in_space_axes
 names: for omega along a principal axis

@@ -1,4 +1,4 @@
-"""Where nothing goes round there is no force at all.
+"""Without precession the force is left out.
 
 fails: contact_force_of_straight_rolling
 names: Nothing there goes round

@@ -1,4 +1,4 @@
-"""The spin is relative to the turning frame, and A and C are those of a thin uniform disk.
+"""The spin is relative to the turning frame, and A and C belong to a thin uniform disk.
 
 fails: rolling_spin_balances_the_moments, rolling_track_has_the_contact_at_rest, sliding_spin_balances_the_moments
 also: The spin is relative to the turning frame

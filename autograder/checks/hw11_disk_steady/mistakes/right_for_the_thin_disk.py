@@ -1,4 +1,4 @@
-"""A and C are those of a thin uniform disk, not the given ones.
+"""A and C belong to a thin uniform disk; use the given ones.
 
 fails: rolling_precession_balances_the_moments
 """

@@ -1,4 +1,4 @@
-"""The integral is that of the first kind; the period needs the second kind.
+"""The integral is of the first kind; the period needs the second kind.
 
 fails: period_is_exact
 """

@@ -1,4 +1,4 @@
-"""The motion is that of a flat wire: the term 4 c^2 x v^2 and the factor 1 + 4 c^2 x^2 are missing.
+"""The motion follows a flat wire: the term 4 c^2 x v^2 and the factor 1 + 4 c^2 x^2 are missing.
 
 fails: simulate_slides
 """

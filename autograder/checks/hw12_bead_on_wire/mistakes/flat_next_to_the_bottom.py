@@ -1,4 +1,4 @@
-"""Where the slope is below a thousandth, x'' is that of small motions.
+"""Where the slope is below 0.001, x'' holds for small motions alone.
 
 fails: newton_gives_the_acceleration
 names: for a bead next to the bottom

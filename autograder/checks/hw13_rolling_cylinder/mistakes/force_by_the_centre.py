@@ -1,4 +1,4 @@
-"""The acceleration along the ramp is that of the centre, r phi'', not that of G.
+"""The acceleration along the ramp belongs to the centre, r phi'', not to G.
 
 fails: contact_force_accelerates_G
 """

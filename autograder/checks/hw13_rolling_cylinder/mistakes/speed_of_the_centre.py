@@ -1,4 +1,4 @@
-"""The speed of the centre stands for that of G.
+"""The speed of the centre stands where the speed of G belongs.
 
 fails: energy_of_G_and_of_turning
 """
