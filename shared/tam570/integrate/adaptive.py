@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from tam570.integrate.adaptive_loop import LACKS_SCALE, LARGEST, NOT_FINITE, RUNNING, TOO_SHORT, State
+from tam570.integrate.adaptive_loop import LACKS_SCALE, LARGEST, NOT_FINITE, RUNNING, TOO_SHORT, State, let_pass
 from tam570.integrate.arguments import Array
 from tam570.integrate.binding import check_start
 from tam570.integrate.engine import Engine
@@ -34,6 +34,7 @@ __all__ = [
 ]
 
 BETWEEN_LOOKS = 500  # steps
+AFTER_A_JUMP = 6  # steps in a row, each as much longer than the one before as it may be
 
 TROUBLE = {
     NOT_FINITE: "rhs or solution is not finite at t = {t:.17g}",
@@ -128,7 +129,7 @@ def advanced(run: Run, advance: Any, since: Any, look: Look, state: State, budge
         some = min(left, BETWEEN_LOOKS)
         state = advance(run.origin, since, run.rows, state, run.engine.constants, run.rtol, some)
         if state.halt == LACKS_SCALE:
-            state = scaled(run.engine, run.origin, state)
+            state = scaled(run.engine, run.origin, state, run.rtol)
         elif some == BETWEEN_LOOKS:
             look(state.t, state.y, state.m, state.steps)
     return state
@@ -222,23 +223,36 @@ def _doubling(origin: float, h: float, span: float) -> list[float]:
     return [origin + h * 4.0**k for k in range(int(math.log(span / h, 4)) + 1)]
 
 
-def scaled(engine: Engine, origin: float, state: State) -> State:
-    """The state with a scale for what a step found moving that had none, if the times of its stages show one."""
-    t, h, (y, f, m) = origin + state.t, state.h, (state.y, state.f, state.m)
+def scaled(engine: Engine, origin: float, state: State, rtol: float) -> State:
+    """The state with a scale for what a step found moving that had none: if the times of its stages show one, or if
+    rounding is all that moves it."""
+    t, h, (y, f, m), c = origin + state.t, state.h, (state.y, state.f, state.m), engine.constants
     later = [t + 10 * h * node for node in NODES[1:13]]  # the step was ten times as long
-    found = magnitudes(engine.functions["rhs"], t, 10 * h, y, f, m, engine.constants, later)
+    found = magnitudes(engine.functions["rhs"], t, 10 * h, y, f, m, c, later)
+    found = engine.functions["raised"](t, h, y, f, found, c, let_pass(rtol), max(2.0 * state.refused - 1.0, 1.0))
     return state._replace(m=found, halt=RUNNING)
 
 
 def shortest_step(engine: Engine, times: Array, start: Array, rtol: float, floor: Sequence[float]) -> float:
-    """The shortest of the steps that this method takes at `rtol` once it has found its pace; s."""
+    """The shortest of the steps that this method takes at `rtol` once it has found its pace; s.
+
+    ValueError where the rates jump: steps grow as fast as they may, for long, where they were short for no reason.
+    """
     origin, span = float(times[0]), float(times[-1] - times[0])
     rows, state, shortest = np.empty((2, len(start))), at_start(engine, origin, span, start, floor), span
+    last, growing = span, 0
     for step in range(200):
-        before = state.t
+        before = state
         state = engine.functions["advance"](origin, [0.0, span], rows, state, engine.constants, rtol, 1)
         if state.row == 2 or state.halt:
             break
-        if step > 5 and state.t > before:  # taken, not refused
-            shortest = min(shortest, state.t - before)
+        if state.t > before.t:  # taken, not refused
+            taken = state.t - before.t
+            growing = growing + 1 if taken > 0.9 * LARGEST * last and state.refusals else 0
+            if growing == AFTER_A_JUMP:
+                where = engine.sign * (origin + state.t)
+                raise ValueError(
+                    f'method: steps of one length do not pass the jump of rhs near t = {where:.6g}; try "auto"'
+                )
+            shortest, last = min(shortest, taken) if step > 5 else shortest, taken
     return shortest

@@ -83,23 +83,24 @@ def _euler(formulas: Formulas) -> list[str]:
 def _raised(formulas: Formulas, arrays: bool = False) -> list[str]:
     """Magnitudes no smaller than `weight` times what a change of the state by a few roundings does to h f.
 
-    Tried a little way into the step: at its start too many things may be exactly zero. What it does to one rate
+    Tried half way through the step: at its start too many things may be exactly zero. What it does to one rate
     shifts that component, and so on the rates of others: chains of four are followed. Then the change is made
-    larger, and `wider` times so at each refusal: a rate that is nothing but rounding is exactly zero for some changes.
+    larger, and `wider` times so at each refusal: a rate that is nothing but rounding is exactly zero for some changes,
+    for all of one sign among them.
     """
     roundings = [(-1) ** i * 2.0**-52 * (1.37 + 0.41 * (i % 5)) for i in range(formulas.size)]  # no two cancel
     lines = ["def raised(start, h, y, f, m, c, weight, wider):", *unpacked(formulas, y="y", f="f", m="m")]
-    lines += [f"s{i} = y{i} + 0.001 * h * f{i}" for i in sorted(formulas.reads)]
-    lines += [*_derivative(formulas, 0, "start + 0.001 * h")]
+    lines += [f"s{i} = y{i} + 0.5 * h * f{i}" for i in sorted(formulas.reads)]
+    lines += [*_derivative(formulas, 0, "start + 0.5 * h")]
     lines += [f"b{i} = s{i}" for i in sorted(formulas.reads)]
     lines += [f"k1_{i} = k0_{i}" for i in formulas.moving]
-    lines += ["for roundings in (1.0, 1.0, 1.0, 1.0, 2.0, 3.0, 5.0):", "    more = roundings * wider"]
+    lines += ["for roundings in (1.0, -1.0, 1.0, -1.0, 2.0, -3.0, 5.0):", "    more = roundings * wider"]
     for i in sorted(formulas.reads):
         shift = f" + {PASSED_ON} * h * (k1_{i} - k0_{i})" if i in formulas.moving else ""
         lines.append(f"    s{i} = b{i} * (1.0 + more * {roundings[i]!r}){shift}")
-    lines += [f"    {line}" for line in _derivative(formulas, 1, "start + 0.001 * h")]
+    lines += [f"    {line}" for line in _derivative(formulas, 1, "start + 0.5 * h")]
     for i in formulas.moving:
-        lines.append(f"    x = abs(k1_{i} - k0_{i}) * h * weight / more")
+        lines.append(f"    x = abs(k1_{i} - k0_{i}) * h * weight / abs(more)")
         lines.append(f"    m{i} = maximum(m{i}, x)" if arrays else f"    m{i} = x if m{i} < x < inf else m{i}")
     return [*lines, f"return {tuple_of(names('m', formulas.size))}"]
 

@@ -15,12 +15,12 @@ from tam570.integrate.adaptive_loop import (
     LARGEST,
     NOT_FINITE,
     PLAUSIBLE,
-    ROUNDING,
     SAFETY,
     SMALLEST,
     TOO_SHORT,
     UNKNOWN,
     State,
+    let_pass,
 )
 from tam570.integrate.arguments import Array
 from tam570.integrate.dop853_source import array_functions
@@ -133,7 +133,7 @@ class _Members:
         for i in np.flatnonzero(lacking & ~passed):
             y, f, m = (tuple(values[:, i].tolist()) for values in (self.y, self.f, self.m))
             state = State(0, float(self.t[i]), float(h[i]) / 10, y, y, f, m, 0.0, 0, 0, 0, LACKS_SCALE)
-            self.m[:, i] = adaptive.scaled(self.engine, self.origin, state).m
+            self.m[:, i] = adaptive.scaled(self.engine, self.origin, state, self.rtol).m
         return passed
 
     def _sample(self, fine: Any, new: Array, h: Array, n: Array, g: Array, stages: Any) -> None:
@@ -160,7 +160,7 @@ class _Members:
         i = np.flatnonzero(self.refused)
         if len(i):
             start, y, f, m = self.origin + self.t[i], self.y[:, i], self.f[:, i], self.m[:, i]
-            weight, wider = ROUNDING / self.rtol, 2.0 * self.refused[i] - 1.0
+            weight, wider = let_pass(self.rtol), 2.0 * self.refused[i] - 1.0
             raised = self.functions["raised"](start, h[i], y, f, m, self.c, weight, wider)
             self.m[:, i] = _rows(raised, h[i])
 

@@ -1,22 +1,31 @@
-"""The size by which a component is judged before it has shown one: what starts at zero has a scale all the same.
+"""The size by which a component is judged: what starts at zero, or is nothing but rounding, has a scale all the same.
 
 A component's errors are relative to the largest magnitude that it had so far. What is zero yet takes the size to which
 it moves within the first step, on its own or driven by time; else the size that the others give it: the rates change
 when these change, each by a part of its own size. What is driven by that in turn takes its size from it, and so on
-along a chain. The time that this is given is too short for any component to be turned over by the others, so that a
-scale is rather too small than too large: too small costs steps, too large digits.
+along a chain. The time that this is given is the shortest in which the known turn each other over, no longer: so a
+scale is rather too small than too large, and too small costs steps, too large digits. Where nothing turns over, it is
+the first step.
+
+What is smaller than the rounding of what drives it is zero here. And no scale is below the rounding that a step of h
+cannot avoid: the rate of component i is known to N, what changes of the state by a few eps of each component do to it,
+so an error of h N is allowed, and the scale is h N / rtol at least. That is proportional to the terms that cancel in
+the rate, not to other components: it goes with the unit, and a small seed that nothing large drives keeps its own
+scale. N is measured after the first step, if a component is that small, and at each refusal that rounding may have
+caused (`raised` in `dop853_source`).
 """
 
 import math
 from collections.abc import Callable, Sequence
 from typing import Any
 
-__all__ = ["PART", "UNKNOWN", "magnitudes"]
+__all__ = ["EPS", "PART", "UNKNOWN", "magnitudes"]
 
 UNKNOWN = 1e-300  # the magnitude of what is zero and has no scale; never 0, as errors are divided by it
+EPS = 2.0**-52
 PART = 2.0**-20  # of its own size, by which each component is changed
-SHORT = 1e-9  # times h: how long the others are given at least
-CALM = 10.0  # times its size: what the others may do to a component with a size
+LONG, SHORT = 4096.0, 1e-9  # times h: how long the others are given at most and at least
+CALM = 4.0  # times its size: what the others may do to a component with a size
 
 Rates = Callable[[float, Any, Any], Sequence[float]]
 
@@ -27,7 +36,8 @@ def magnitudes(
     """(k,) scales; `m` holds those known, UNKNOWN or less the others; `later` times at which a force may set in."""
     known = [max(size, abs(value), _finite(h * rate)) for size, value, rate in zip(m, y, f, strict=True)]
     if min(known) <= UNKNOWN:
-        known = _found(rhs, t, h, y, f, known, c, later)
+        found = _found(rhs, t, h, y, f, known, c, later)
+        known = [max(size, own) for size, own in zip(found, known, strict=True)]
     return tuple(max(size, UNKNOWN) for size in known)
 
 
@@ -35,15 +45,20 @@ def _found(
     rhs: Rates, t: float, h: float, y: Sequence[float], f: Sequence[float], known: list[float], c: Any, later: Any
 ) -> list[float]:
     """The sizes, those of zero replaced where the others or the time move them."""
-    forces, within, best = [0.0] * len(known), h, known
+    driven = _given(rhs, t, h, y, f, known, c)
+    sizes = [0.0 if size < EPS * most else size for size, most in zip(known, driven, strict=True)]
+    forces, within, best = [0.0] * len(sizes), LONG * h, sizes
     for time in (None, *later):
         if time is not None:
             forces = [max(a, _finite(b)) for a, b in zip(forces, rhs(time, y, c), strict=True)]
         spread = None
         while spread is None and within > SHORT * h:
-            driven = [size if size > UNKNOWN else within * a for size, a in zip(known, forces, strict=True)]
-            spread = _spread(rhs, t, within, y, f, driven, c)
-            within = within if spread else within / 4
+            moved = [max(size, h * a) for size, a in zip(sizes, forces, strict=True)]
+            spread = _spread(rhs, t, within, y, f, moved, c)
+            if within == LONG * h and spread:  # nothing turns over
+                within, spread = h, None
+            else:
+                within = within if spread else within / 4
         best = spread or best
         if min(best) > UNKNOWN:
             break
@@ -51,19 +66,26 @@ def _found(
 
 
 def _spread(
-    rhs: Rates, t: float, within: float, y: Sequence[float], f: Sequence[float], sizes: list[float], c: Any
+    rhs: Rates, t: float, within: float, y: Sequence[float], f: Sequence[float], known: list[float], c: Any
 ) -> list[float] | None:
     """What the sizes do to one another within so many s; None where that turns over one that is known."""
+    sizes = [max(size, _finite(within * rate)) if size > UNKNOWN else size for size, rate in zip(known, f, strict=True)]
     for _ in range(len(sizes) + 1):
-        changed = [v + PART * size * _sign(i) for i, (v, size) in enumerate(zip(y, sizes, strict=True))]
-        moved = rhs(t, tuple(changed), c)
-        given = [_finite(within * (b - a) / PART) for a, b in zip(f, moved, strict=True)]
+        given = _given(rhs, t, within, y, f, sizes, c)
         if any(size > UNKNOWN and new > CALM * size for size, new in zip(sizes, given, strict=True)):
             return None
         if not any(size <= UNKNOWN < new for size, new in zip(sizes, given, strict=True)):
-            return sizes
+            break
         sizes = [size if size > UNKNOWN else new for size, new in zip(sizes, given, strict=True)]
-    return sizes
+    return [size if size > UNKNOWN else new for size, new in zip(known, sizes, strict=True)]
+
+
+def _given(
+    rhs: Rates, t: float, within: float, y: Sequence[float], f: Sequence[float], sizes: Sequence[float], c: Any
+) -> list[float]:
+    """To what each is moved within so many s when all change by their sizes, in proportion to a small part of these."""
+    changed = [v + PART * size * _sign(i) for i, (v, size) in enumerate(zip(y, sizes, strict=True))]
+    return [_finite(within * (b - a) / PART) for a, b in zip(f, rhs(t, tuple(changed), c), strict=True)]
 
 
 def _sign(i: int) -> float:

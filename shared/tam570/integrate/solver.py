@@ -71,8 +71,8 @@ def solve(
     y0         : (k,), or (m, k) for m starts at once
     parameters : keyword arguments of rhs, bound before the first step
     rtol       : largest error of a step, relative to the largest magnitude so far of each component; what starts at
-                 zero takes the size to which it, time, or the other components move it within the first step;
-                 1e-14 gets all the digits that rounding leaves
+                 zero takes the size to which it, time, or the other components first move it; an error that the
+                 rounding of these makes in any case is allowed; 1e-14 gets all the digits that rounding leaves
     atol       : an error of a step that is allowed in any case, one number or k; left out, none but that of rtol
     method     : "auto" runs in Python and goes on compiled by llvmlite where that is installed and repays;
                  "python" and "compiled" insist; at a fixed step, for long runs of conservative systems:

@@ -145,7 +145,7 @@ def dop853(formulas: Formulas) -> Callable[..., State]:
     zeros = (0.0,) * formulas.size
     like = State(0, 0.0, 0.0, zeros, zeros, zeros, zeros, 0.0, 0, 0, 0, 0)
     generated = functions(formulas, forgiving=False)
-    return _loop(adaptive_loop, generated, "advance", like, formulas.constants)
+    return _loop(adaptive_loop, generated, "advance", like, formulas.constants, adaptive_loop.HANDED)
 
 
 @lru_cache(maxsize=256)
@@ -155,10 +155,12 @@ def fixed(source: str, size: int, stages: int, constants: int) -> Callable[..., 
     return _loop(fixed_loop, source, "march", like, constants)
 
 
-def _loop(loop: ModuleType, generated: str, entry: str, like: Any, constants: int) -> Callable[..., Any]:
+def _loop(
+    loop: ModuleType, generated: str, entry: str, like: Any, constants: int, handed: tuple[str, ...] = ()
+) -> Callable[..., Any]:
     """A loop of the Python engine, compiled, that takes and gives what it does in Python."""
     key = repr((loop.__name__, generated, constants))
-    made = function(key, lambda: loops.loop_text(loop, generated, entry, like, constants), entry, loops.KINDS)
+    made = function(key, lambda: loops.loop_text(loop, generated, entry, like, constants, handed), entry, loops.KINDS)
 
     def run(origin: float, times: Array, out: Array, state: Any, c: Any, x: float, budget: int) -> Any:
         numbers, given = np.array(loops.flat(state)), np.array(c, dtype=float)

@@ -30,11 +30,14 @@ def unflat(numbers: Any, like: Any) -> Any:
     return type(like)(*parts) if hasattr(like, "_fields") else tuple(parts)
 
 
-def loop_text(loop: ModuleType, generated: str, entry: str, like: Any, constants: int) -> str:
+def loop_text(
+    loop: ModuleType, generated: str, entry: str, like: Any, constants: int, handed: tuple[str, ...] = ()
+) -> str:
     """A module with `entry` of (origin, times, out, state, c, x, budget), a function somewhere in `loop`.
 
     generated : source of the functions that it calls; a call of `rhs` among them stays a call
     like      : a state
+    handed    : those functions that the entry is handed first, as a tuple; others it knows by name
     """
     functions = {**functions_of(inspect.getsource(loop)), **functions_of(generated)}
     numbers = {name: value for name, value in vars(loop).items() if name.isupper()}
@@ -47,7 +50,8 @@ def loop_text(loop: ModuleType, generated: str, entry: str, like: Any, constants
     state = _loaded(writer, like, places)
     arrays = Array("%times", None, Value("i64", "%rows")), Array("%out", _size(like))
     origin, x, budget = Value("double", "%origin"), Value("double", "%x"), Value("i64", "%budget")
-    result = writer.called(writer.globals[entry], [origin, *arrays, state, c, x, budget])
+    made = [tuple(writer.globals[name] for name in handed)] if handed else []
+    result = writer.called(writer.globals[entry], [*made, origin, *arrays, state, c, x, budget])
     for i, value in enumerate(_leaves(result)):
         writer.do(f"store double {writer.text(value, 'double')}, ptr {writer.element('%state', i)}")
     body = [HEAD.format(name=entry), *writer.allocations, *writer.lines, "  ret void", "}"]

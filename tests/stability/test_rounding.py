@@ -1,0 +1,152 @@
+"""What is nothing but the rounding of larger components costs no steps; what is small and physics keeps its scale."""
+
+import importlib.util
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from tam570.integrate import solve
+
+ROOT = Path(__file__).parents[2]
+
+
+def _loaded(path):
+    spec = importlib.util.spec_from_file_location(f"_rounding_{path.stem}", path)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+HW06 = _loaded(ROOT / "solutions" / "hw06_braking.py")
+HW14 = _loaded(ROOT / "solutions" / "hw14_rolling_disk.py")
+PROBLEMS = _loaded(ROOT / "benchmarks" / "run_time" / "public.py").PROBLEMS
+DISK = {"mass": 1.0, "radius": 0.5, "inertia": (0.0625, 0.125), "gravity": 9.81}
+CAR = {"mass": 1136.0, "yaw_inertia": 1300.0, "front": 1.9, "rear": 1.1, "friction": 0.7, "gravity": 9.81}
+
+
+def disk(tilt, yaw=0.3, yaw_rate=0.0, spin=0.0):
+    return HW14.matrix_state([1.0, 2.0, yaw, tilt, 0.2, yaw_rate, 0.0, spin], radius=0.5)
+
+
+def by_matrix(t, y):
+    return HW14.matrix_state_derivative(t, y, **DISK)
+
+
+def by_angles(t, y):
+    return HW14.euler_state_derivative(t, y, **DISK)
+
+
+def braking(locked):
+    return lambda t, y: HW06.state_derivative(t, y, locked, **CAR)
+
+
+def noisy(t, y):
+    return y[1], -y[0], (y[0] + 3.0) - 3.0 - y[0]
+
+
+def balanced(t, y):
+    """Two bodies on a spring, and their centre: its acceleration is nothing but rounding."""
+    pull = y[1] - y[0]
+    return y[2], y[3], pull, -pull, y[5], (y[0] + 0.1) - 0.1 - y[0]
+
+
+def circular(t, y):
+    r, _, outwards, turning = y
+    return outwards, turning, r * turning * turning - 1 / (r * r), -2 * outwards * turning / r
+
+
+ROUNDED = {
+    "a disk let go at rest": (by_matrix, disk(1.2), 0.4),
+    "a disk let go nearly upright": (by_matrix, disk(math.pi / 2 - 0.1), 0.8),
+    "a disk that rolls straight on": (by_matrix, disk(math.pi / 2, spin=8.0), 5.0),
+    "the same by angles": (by_angles, np.array([0, 0, 0.3, math.pi / 2, 0.2, 0, 0, 8.0]), 5.0),
+    "a disk that spins upright": (by_angles, np.array([0, 0, 0.3, math.pi / 2, 0.2, 3.0, 0, 0]), 5.0),
+    "a car that brakes straight": (braking("front"), np.array([1.0, 2.0, 0.74, 24.4, 0.0]), 3.0),
+    "a car with locked rear wheels": (braking("rear"), np.array([1.0, 2.0, -2.3, 11.0, 0.0]), 1.4),
+    "a rate that is rounding": (noisy, np.array([1.0, 0.0, 0.0]), 20.0),
+    "a centre of mass": (balanced, np.array([1.0, -1.0, 0.0, 0.0, 0.0, 0.0]), 50.0),
+    "a circular orbit": (circular, np.array([1.7, 0.0, 0.0, 1.7**-1.5]), 60.0),
+}
+CHAINS = {
+    name: (PROBLEMS[name][0], np.array(PROBLEMS[name][1]), 20.0) for name in ("DETEST C1", "DETEST C3", "DETEST C4")
+}
+
+
+class TooMany(Exception):
+    """A run was given up."""
+
+
+def counted(rates, allowed=math.inf):
+    """`rates`, called at every stage because of the branch, and a list of as many items as calls."""
+    calls = []
+
+    def counting(t, y):
+        calls.append(0)
+        if len(calls) > allowed or not y[0] < math.inf:
+            raise TooMany
+        return rates(t, y)
+
+    return counting, calls
+
+
+def by_scipy(rates, start, end, rtol):
+    found = solve_ivp(rates, (0, end), start, method="DOP853", rtol=rtol, atol=rtol * np.abs(start).max())
+    return found.y[:, -1], found.nfev
+
+
+@pytest.mark.parametrize("name", [*ROUNDED, *CHAINS])
+@pytest.mark.parametrize("rtol", [1e-6, 1e-9, 1e-12])
+def test_what_is_only_rounding_or_far_away_costs_no_steps(name, rtol):
+    """Four times what SciPy takes, and a hundred: it judges all by the largest component, `solve` each by its own."""
+    rates, start, end = {**ROUNDED, **CHAINS}[name]
+    theirs, evaluations = by_scipy(rates, start, end, rtol)
+    found = solve(counted(rates, 4 * evaluations + 100)[0], [0, end], start, rtol=rtol, method="python")[-1]
+    if name != "a car with locked rear wheels":  # there rounding grows until it is seen
+        assert np.abs(found - theirs).max() < 300 * rtol * np.abs(theirs).max() + 1e-13
+
+
+@pytest.mark.parametrize("unit", [2.0**-40, 2.0**40])
+def test_no_unit_changes_a_step(unit):
+    """Springs are linear: in any unit of length the motion is the same, its rounding too."""
+    rates, start, end = ROUNDED["a centre of mass"]
+
+    def scaled(t, y):
+        return [unit * rate for rate in rates(t, [value / unit for value in y])]
+
+    (plain, calls), (other, others) = counted(rates), counted(scaled)
+    assert (solve(plain, [0, end], start)[-1] * unit == solve(other, [0, end], start * unit)[-1]).all()
+    assert len(calls) == len(others)
+
+
+@pytest.mark.parametrize("small", [1e-6, 1e-12, 1e-20])
+def test_a_seed_that_nothing_large_drives_keeps_its_own_scale(small):
+    """A small population beside an oscillator that feeds it: it grows by exp(t - cos t + 1)."""
+
+    def rates(t, y):
+        return y[1], -y[0], y[2] * (1 - y[1])
+
+    for method in ("python", "compiled"):
+        found = solve(rates, [0, 20.0], [1.0, 0.0, small], rtol=1e-10, method=method)[-1, 2]
+        assert found == pytest.approx(small * math.exp(20 - math.cos(20) + 1), rel=1e-8)
+
+
+@pytest.mark.parametrize("size", [1e-3, 1e-9, 1e-12])
+def test_an_unstable_start_grows_as_it_should_beside_what_is_large(size):
+    """A pendulum's angle from the top, on a cart that runs: small motions are proportional to their start."""
+
+    def rates(t, y):
+        return y[2], y[3], 0.0, math.sin(y[1])
+
+    found = solve(rates, [0, 5.0], [100.0, size, 3.0, 0.0], rtol=1e-10, method="python")[-1]
+    reference = solve_ivp(rates, (0, 5), [0.0, size, 0.0, 0.0], method="DOP853", rtol=1e-12, atol=1e-14 * size).y[:, -1]
+    assert found[[1, 3]] == pytest.approx(reference[[1, 3]], rel=1e-8)
+
+
+def test_a_jump_is_nothing_for_steps_of_one_length():
+    from tam570.lectures import rocket
+
+    with pytest.raises(ValueError, match=r"jump of rhs near t = 10\.\d+; try \"auto\""):
+        solve(rocket.rates, [0, 18], rocket.START, parameters=rocket.EXAMPLE, method="gauss")
