@@ -166,7 +166,7 @@ def test_what_holds_no_results_is_said_so(tmp_path, text, capsys):
 def test_a_line_that_lacks_a_field_is_told_by_its_number(tmp_path, field):
     lacking = {name: value for name, value in CLASS[1].items() if name != field}
     (tmp_path / "results.jsonl").write_text(f"{json.dumps(CLASS[0])}\n{json.dumps(lacking)}\n")
-    with pytest.raises(UsageError, match="no result .line 2."):
+    with pytest.raises(UsageError, match="not a result .line 2."):
         report.results(tmp_path)
 
 
@@ -179,7 +179,7 @@ def test_a_roster_that_is_no_text_is_refused(tmp_path, capsys):
     (tmp_path / "results.jsonl").write_text(json.dumps(CLASS[0]) + "\n")
     (tmp_path / "roster.xlsx").write_bytes(b"PK\xff\xfe")
     assert cli.main(["report", str(tmp_path), "--roster", str(tmp_path / "roster.xlsx")]) == 2
-    assert "roster.xlsx is no text" in capsys.readouterr().err
+    assert "roster.xlsx is not text" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("text", ["ada\neve\n", 'student,mail\nada,a@b\n"eve",e@b\n', "\ufeffName\nada\neve"])
