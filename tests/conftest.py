@@ -9,6 +9,7 @@ import subprocess
 import sys
 import warnings
 import zlib
+from collections import defaultdict
 
 import numpy as np
 import pytest
@@ -63,6 +64,8 @@ def pytest_collection_modifyitems(config, items):
     """What shares dear fixtures, or an assignment's workers, runs in one process; what is not asked for is left out."""
     full = config.getoption("--full")
     asked = {"full": full, "every": full or config.getoption("--every")}
+    for item in _beyond_samples(items):
+        item.add_marker(pytest.mark.every)
     for item in items:
         for name in [name for name, wanted in asked.items() if name in item.keywords and not wanted]:
             item.add_marker(pytest.mark.skip(reason=f"long; run with --{name}"))
@@ -70,6 +73,18 @@ def pytest_collection_modifyitems(config, items):
         graded = re.search(r"\bhw\d\d", item.nodeid) if module.endswith("test_laws.py") else None
         if graded or module.endswith(WHOLE):
             item.add_marker(pytest.mark.xdist_group(module + (graded[0] if graded else "")))
+
+
+def _beyond_samples(items):
+    """Of a test marked `sample(n)` all cases but n, which lie evenly among them and not at the same place in each."""
+    cases = defaultdict(list)
+    for item in items:
+        mark = item.get_closest_marker("sample")
+        if mark and not {"every", "full"} & set(item.keywords):
+            cases[item.nodeid.partition("[")[0], mark.args[0]].append(item)
+    for (name, n), found in cases.items():
+        kept = {(zlib.crc32(name.encode()) + k * len(found) // n) % len(found) for k in range(n)}
+        yield from (item for k, item in enumerate(found) if k not in kept)
 
 
 def pytest_generate_tests(metafunc):
@@ -93,6 +108,15 @@ def _numbers_of_its_own(request):
     if draw := getattr(request.module, "DRAW", None):
         seed = zlib.crc32(request.node.nodeid.encode())
         draw.bit_generator.state = np.random.default_rng(seed).bit_generator.state
+
+
+@pytest.fixture(autouse=True)
+def _handlers():
+    """Those of the signals that a command listens to are set back: a command that was interrupted hears no more."""
+    ours = {one: signal.getsignal(one) for one in (signal.SIGINT, signal.SIGTERM)}
+    yield
+    for one, handler in ours.items():
+        signal.signal(one, handler)
 
 
 @pytest.fixture(scope="session")

@@ -105,6 +105,7 @@ def test_the_solution_has_full_marks(slug, seed, grade, solution_text):
     assert result.score == result.max_score, failures(result)
 
 
+@pytest.mark.sample(28)
 @pytest.mark.parametrize(("slug", "path"), **named(overlays("alternatives")))
 def test_right_answers_in_other_styles_have_full_marks(slug, path, seed, grade):
     result = grade(slug, path.read_text(), seed)
@@ -137,6 +138,7 @@ def test_every_check_has_a_mistake_that_it_catches(slug, check):
     assert any(check.name in slip.fails for slip in slips)
 
 
+@pytest.mark.sample(50)
 @pytest.mark.parametrize(("slug", "check"), **named(CHECKS))
 def test_the_inputs_of_a_check_tell_its_mistakes_from_the_truth(slug, check, workers, solution_text):
     assignment = assignments.assignment(COURSE, slug)
@@ -168,6 +170,7 @@ EMPTY = {
 }
 
 
+@pytest.mark.sample(40)
 @pytest.mark.parametrize("what", EMPTY)
 def test_what_says_nothing_scores_nothing(slug, what, grade, course):
     results = assignments.assignment(course, slug).results
@@ -185,6 +188,7 @@ def test_the_untouched_stub_scores_nothing(slug, grade, course):
     assert outcomes(result, "not_run") == {check.name for check in assignments.assignment(course, slug).checks}
 
 
+@pytest.mark.sample(4)
 def test_an_endless_loop_scores_nothing(slug, grade, course):
     names = assignments.assignment(course, slug).results
     text = "\n".join(f"def {name}(*args, **kwargs):\n    while True: pass" for name in names)
@@ -227,6 +231,7 @@ WRAPPERS = {
 }
 
 
+@pytest.mark.sample(18)
 @pytest.mark.parametrize("what", WRAPPERS)
 def test_right_numbers_in_a_wrong_form_score_nothing(slug, what, grade, course, solution_text, called):
     results = assignments.assignment(course, slug).results
@@ -236,6 +241,7 @@ def test_right_numbers_in_a_wrong_form_score_nothing(slug, what, grade, course, 
     assert not {name for name in kept if called(slug)[name] & numeric}, failures(result)
 
 
+@pytest.mark.sample(12)
 @pytest.mark.parametrize("form", ["lambda x: np.asarray(x).tolist()", "lambda x: np.asarray(x, dtype=object)"])
 def test_right_numbers_in_any_form_that_asarray_takes_have_full_marks(slug, form, grade, course, solution_text):
     result = grade(slug, solution_text(slug) + wrapped(assignments.assignment(course, slug).results, form))

@@ -84,17 +84,8 @@ def test_a_disk_that_fails_is_told_in_a_line(desk, capsys, monkeypatch):
     assert capsys.readouterr().err == "tam570-grader: error: [Errno 28] No space left on device: 'x'\n"
 
 
-@pytest.fixture
-def handlers():
-    """Those of the signals that the command listens to are set back."""
-    ours = {one: signal.getsignal(one) for one in (signal.SIGINT, signal.SIGTERM)}
-    yield
-    for one, handler in ours.items():
-        signal.signal(one, handler)
-
-
 @pytest.mark.parametrize("first", [signal.SIGINT, signal.SIGTERM])
-def test_a_second_interrupt_ends_what_the_first_puts_away(handlers, monkeypatch, first):
+def test_a_second_interrupt_ends_what_the_first_puts_away(monkeypatch, first):
     monkeypatch.setattr("tam570_grader.delivery.command._kit", lambda arguments: signal.raise_signal(first))
     assert grader.main(["kit", "x"]) == 130
     assert signal.getsignal(signal.SIGINT) == signal.SIG_DFL

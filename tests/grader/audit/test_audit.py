@@ -56,6 +56,7 @@ def test_slips_that_read_alike_are_numbered():
     assert [one.slip for one in found if one.operator == "a sign"] == ["-a -> a", "-a -> a #2"]
 
 
+@pytest.mark.sample(3)
 def test_mutants_of_solutions_are_programs_with_names_of_their_own(slug, solution_text):
     found = mutants(slug, solution_text(slug))
     assert len(found) >= 50 and len({one.name for one in found}) == len(found)
@@ -69,6 +70,7 @@ def test_the_audit_of_an_assignment_finds_no_survivor(capsys):
     assert " 1 equivalent, 0 survive" in capsys.readouterr().out
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("sample", [["--quick"], pytest.param([], marks=pytest.mark.full)])
 def test_no_slip_in_a_solution_keeps_full_marks(slug, sample, capsys):
     assert cli.main(["audit", slug, "--jobs", "1", *sample]) == 0, capsys.readouterr().out

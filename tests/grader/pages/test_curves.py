@@ -131,6 +131,7 @@ def pictures(known):
     ]
 
 
+@pytest.mark.sample(8)
 @pytest.mark.parametrize(("what", "slug"), pictures(RIGHT))
 def test_a_right_picture_is_one_however_it_is_drawn(what, slug, course, workers, solution_text, monkeypatch):
     text = redrawn(slug, RIGHT[what], solution_text(slug))
@@ -138,6 +139,7 @@ def test_a_right_picture_is_one_however_it_is_drawn(what, slug, course, workers,
     tried(slug, text, course, monkeypatch)
 
 
+@pytest.mark.sample(8)
 @pytest.mark.parametrize(("what", "slug"), pictures(WRONG))
 def test_a_curve_that_is_missing_or_one_too_many_is_seen(what, slug, course, workers, solution_text, monkeypatch):
     text = redrawn(slug, WRONG[what], solution_text(slug))

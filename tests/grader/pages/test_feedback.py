@@ -45,6 +45,7 @@ def texts(page):
     return html.unescape(re.sub(r"<style>.*?</style>", "", page, flags=re.DOTALL))
 
 
+@pytest.mark.sample(4)
 def test_a_page_says_every_line_message_and_suspect_and_no_detail(slug, page, grade, solution_text, course):
     lines = feedback.sheet(course, slug).lines
     shown = 0

@@ -43,6 +43,7 @@ OTHERS = {
 }
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("slug", OTHERS)
 def test_factors_signs_and_orders_are_named(desk, tam570, solution_text, slug):
     name, body, says = OTHERS[slug]

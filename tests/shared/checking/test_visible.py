@@ -41,6 +41,7 @@ def test_the_visible_tests_pass_on_the_solution_and_fail_on_the_stub(tam570, slu
 RIGHT = sorted((assignments.find() / "autograder" / "checks").glob("*/alternatives/*.py"))
 
 
+@pytest.mark.sample(14)
 @pytest.mark.parametrize("path", RIGHT, ids=[f"{path.parents[1].name[:4]}-{path.stem}" for path in RIGHT])
 def test_the_visible_tests_pass_on_right_answers_in_other_styles(desk, tam570, path):
     shutil.copy(path, desk / f"{path.parents[1].name}.py")
@@ -48,6 +49,7 @@ def test_the_visible_tests_pass_on_right_answers_in_other_styles(desk, tam570, p
     assert code == 0, said
 
 
+@pytest.mark.sample(4)
 def test_the_visible_tests_take_any_numbers_and_give_arrays(desk, tam570, slug, course):
     """SymPy's numbers and arrays of them are right results; only hw09's steps are given as a list."""
     name = f"{slug}.py"

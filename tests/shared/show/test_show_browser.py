@@ -69,6 +69,7 @@ def ink(tab, canvas):
     )
 
 
+@pytest.mark.sample(4)
 def test_every_scene_is_drawn_fits_and_has_names(opened, slug, films):
     tab, film = opened(slug), films(slug)
     tab.keyboard.press("End")
