@@ -3,9 +3,8 @@
 import math
 import sys
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from functools import partial
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -74,6 +73,10 @@ def travelled(
     longest : longest(y) -> s, no step from y is longer; only together with project
     """
     run, names = begun(engine, times, start, rtol), ["Python"]
+    if project is None and how != "python" and _at_hand(engine.graph):
+        state = _at_once(run, floor)
+        if state.row == len(times):
+            return run.rows, state, "compiled"
     in_python = partial(advanced, run, engine.functions["advance"], run.since.tolist(), run.watch(PYTHON))
     loop = Loop(in_python, run.share)
     if project:
@@ -84,6 +87,22 @@ def travelled(
     if project:
         run.rows[1:] = [project(row) for row in run.rows[1:]]
     return run.rows, last, names[-1]
+
+
+def _at_hand(graph: Graph | None) -> bool:
+    """Whether this process has compiled it before."""
+    backend = sys.modules.get("tam570.integrate.compiled.backend")
+    return backend is not None and graph in backend.READY
+
+
+def _at_once(run: "Run", floor: Sequence[float]) -> State:
+    """By Taylor's method alone: most short runs need nothing else."""
+    from tam570.integrate.compiled.backend import taylor_run
+
+    graph = run.engine.graph
+    assert graph is not None
+    first = at_start(run.engine, run.origin, float(run.since[-1]), run.rows[0], floor, plainly=True)
+    return taylor_run(graph, run.origin, run.since, run.rows, run.rtol, partial(run.watch, COMPILED), first)
 
 
 def begun(engine: Engine, times: Array, start: Array, rtol: float) -> "Run":
@@ -102,8 +121,7 @@ def finished(run: "Run", loop: Loop, floor: Sequence[float], how: str) -> State:
     return last
 
 
-@dataclass(frozen=True, eq=False)
-class Run:
+class Run(NamedTuple):
     """What is the same at every step. since : times since `origin`; rows : (n, k), to be filled."""
 
     engine: Engine
@@ -142,7 +160,9 @@ def _compiled(run: Run, in_python: Callable[[State, int], State], names: list[st
     graph, formulas = run.engine.graph, run.engine.formulas
     assert graph is not None
     names.append("compiled")
-    by_series = partial(backend.taylor_run, graph, run.origin, run.since, run.rows, run.rtol, run.watch(COMPILED))
+    by_series = partial(
+        backend.taylor_run, graph, run.origin, run.since, run.rows, run.rtol, partial(run.watch, COMPILED)
+    )
     state = by_series(state)
     backend.READY.add(graph)
     if not state.steps:
@@ -165,8 +185,7 @@ def _compiled(run: Run, in_python: Callable[[State, int], State], names: list[st
 
 def _wait(graph: Graph) -> float:
     """Seconds until the compiled loop could start; none where this process has run it before."""
-    backend = sys.modules.get("tam570.integrate.compiled.backend")
-    return 0.0 if backend and graph in backend.READY else seconds_until_compiled(len(graph.operations))
+    return 0.0 if _at_hand(graph) else seconds_until_compiled(len(graph.operations))
 
 
 def _stepwise(run: Run, step: Any, project: Callable[[Array], Any], longest: Any) -> Callable[..., Any]:
@@ -202,7 +221,7 @@ def at_start(
     """
     if plainly and engine.graph is not None:
         y = tuple(start.tolist())
-        m = tuple(max(abs(value), least) for value, least in zip(y, floor or [0.0] * len(y), strict=True))
+        m = tuple(map(max, map(abs, y), floor)) if floor else tuple(map(abs, y))
         return State(1, 0.0, span / 100, y, (0.0,) * len(y), y, m, LARGEST, 0, 0, 0, RUNNING)
     y, c, rhs = tuple(start.tolist()), engine.constants, engine.functions["rhs"]
     f = rhs(origin, y, c)

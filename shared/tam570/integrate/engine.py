@@ -5,7 +5,7 @@ student's function then, and nothing that it depends on has changed since.
 """
 
 from collections.abc import Callable, Hashable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
 
@@ -38,24 +38,6 @@ class Engine:
         return self.graph is not None
 
 
-@dataclass(frozen=True)
-class _Recipe:
-    """What an engine is made of; two with the same key make the same."""
-
-    key: Hashable
-    rhs: Callable[..., Any] = field(compare=False)
-    parameters: Mapping[str, Any] | None = field(compare=False)
-    times: Array = field(compare=False)
-    start: Array = field(compare=False)
-    sampled: bool = field(compare=False)
-    sign: float = field(compare=False)
-
-    @property
-    def rates(self) -> Rates:
-        rates = bound(self.rhs, self.parameters)
-        return rates if self.sign > 0 else reversed_rates(rates)
-
-
 def engine(
     rhs: Callable[..., Any],
     parameters: Mapping[str, Any] | None,
@@ -74,36 +56,62 @@ def engine(
     given = rhs, parameters, times, start, sampled, sign
     try:
         held = fingerprint(rhs), fingerprint(dict(parameters)) if parameters else None
-        found = _kept(_Recipe((*held, len(start), sampled, sign), *given))
+        place = _place((*held, len(start), sampled, sign))
+        if not place:
+            place.append(_made(*given))
+        found = place[0]
     except Changeable:
-        found = _made(_Recipe(None, *given))
-    return found if isinstance(found, Engine) else _called(_Recipe(None, *given), found)
+        found = _made(*given)
+    return found if isinstance(found, Engine) else _called(*given, found)
 
 
-def _made(recipe: _Recipe) -> Engine | str:
+@lru_cache(maxsize=256)
+def _place(key: Hashable) -> list[Any]:
+    """Where the engine is kept that was made for this key, or why there is none."""
+    return []
+
+
+def _rates(rhs: Callable[..., Any], parameters: Mapping[str, Any] | None, sign: float) -> Rates:
+    rates = bound(rhs, parameters)
+    return rates if sign > 0 else reversed_rates(rates)
+
+
+def _made(
+    rhs: Callable[..., Any],
+    parameters: Mapping[str, Any] | None,
+    times: Array,
+    start: Array,
+    sampled: bool,
+    sign: float,
+) -> Engine | str:
     """The engine of a traced right-hand side; or why it is not traced."""
-    rates, start = recipe.rates, recipe.start
-    check_start(rates, float(recipe.times[0]), start, recipe.sign)
+    rates = _rates(rhs, parameters, sign)
+    check_start(rates, float(times[0]), start, sign)
     try:
         graph = traced(rates, len(start))
     except Untraceable as reason:
         return str(reason)
     formulas, constants = written(graph)
-    found = Engine(rates, _functions(formulas, recipe.sampled), constants, formulas, graph, sign=recipe.sign)
-    if agrees(rates, found.functions["rhs"], constants, recipe.times, start):
+    found = Engine(rates, _functions(formulas, sampled), constants, formulas, graph, sign=sign)
+    if agrees(rates, found.functions["rhs"], constants, times, start):
         return found
     return "its formulas as traced give other numbers than it does"
 
 
-_kept = lru_cache(maxsize=256)(_made)
-
-
-def _called(recipe: _Recipe, why: str) -> Engine:
-    rates, start = recipe.rates, recipe.start
-    check_start(rates, float(recipe.times[0]), start, recipe.sign)
-    given = floats_function(rates, float(recipe.times[0]), start)
+def _called(
+    rhs: Callable[..., Any],
+    parameters: Mapping[str, Any] | None,
+    times: Array,
+    start: Array,
+    sampled: bool,
+    sign: float,
+    why: str,
+) -> Engine:
+    rates = _rates(rhs, parameters, sign)
+    check_start(rates, float(times[0]), start, sign)
+    given = floats_function(rates, float(times[0]), start)
     formulas = call_of(len(start))
-    return Engine(rates, _with_loop(compiled(formulas, recipe.sampled, given)), (), formulas, None, why, recipe.sign)
+    return Engine(rates, _with_loop(compiled(formulas, sampled, given)), (), formulas, None, why, sign)
 
 
 @lru_cache(maxsize=256)

@@ -1,10 +1,11 @@
 """Runs of the engine in compiled code: the same states in and out, a moment of the run at a time."""
 
+import struct
 import time
 from collections.abc import Callable
 from functools import lru_cache
 from types import ModuleType
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -22,9 +23,10 @@ from tam570.integrate.formulas import Formulas
 from tam570.integrate.stiffness import Look
 from tam570.integrate.trace import Graph
 
-__all__ = ["READY", "analytic", "by_moments", "dop853", "fixed", "taylor_run", "taylor_runs"]
+__all__ = ["READY", "Memory", "Motion", "analytic", "by_moments", "dop853", "fixed", "taylor_run", "taylor_runs"]
 
 MOMENT = 0.05  # s in compiled code, after which Python may look for an interrupt
+UNSET = (0,) * (taylor_loop.NUMBERS - 10)
 READY: set[Any] = set()  # what was compiled or loaded by this process
 
 
@@ -42,48 +44,86 @@ def _taylor(found: Recurrences, lanes: int = 1) -> Any:
     return function(repr((found, lanes)), lambda: taylor.taylor_text(found, lanes), "advance", taylor.KINDS)
 
 
+class Memory(NamedTuple):
+    """Memory that compiled code works in: what it is given, z, work, time and constants, in one piece."""
+
+    whole: Array
+    z: Array
+    time: Array
+    given: memoryview  # to be filled by `taylor.CALL`
+    state: memoryview  # z, as bytes
+    places: tuple[int, ...]  # the addresses of the four
+    address: int
+
+
+class Motion(NamedTuple):
+    """What a run of one start takes."""
+
+    advance: Any
+    found: Recurrences
+    constants: tuple[float, ...]
+    numbers: struct.Struct  # of the state that is handed over in z
+    free: list[Memory]  # of several threads each takes its own
+
+
 @lru_cache(maxsize=256)
-def _one_motion(found: Recurrences) -> tuple[Any, list[Any]]:
-    """advance, and memory for it that is free; of several threads each takes its own."""
-    return _taylor(found), []
+def _motion(graph: Graph) -> Motion | None:
+    known = analytic(graph)
+    if known is None:
+        return None
+    found, constants = known
+    numbers = struct.Struct(f"={taylor_loop.NUMBERS + 3 * len(found.rates)}d")
+    return Motion(_taylor(found), found, constants, numbers, [])
 
 
-def taylor_run(graph: Graph, origin: float, times: Array, out: Array, rtol: float, look: Look, state: State) -> State:
+def taylor_run(
+    graph: Graph, origin: float, times: Array, out: Array, rtol: float, watch: Callable[[], Look], state: State
+) -> State:
     """The state at the end, or where Taylor's method cannot go on; times since `origin`.
 
     A state whose m is not positive has no scale: it is found, or the state comes back as it was.
-    look : called now and then
+    watch : gives the look that is then taken now and then
     """
-    known = analytic(graph)
-    if known is None:
+    motion = _motion(graph)
+    if motion is None:
         return state
-    found, constants = known
-    (advance, free), size = _one_motion(found), len(state.y)
-    memory = free.pop() if free else _memory(taylor_loop.memory(size), layout(found, 1).doubles, 1, constants)
-    z, _, _, c, given = memory
-    if constants:
-        c[:] = constants
-    head = [state.row, state.t, 0, state.t, 0, 0, 0, 0, state.h, min(state.m) > 0.0, 0]
-    used = taylor_loop.NUMBERS + 3 * size
-    z[:used] = [*head, *[0] * (taylor_loop.NUMBERS - len(head)), *state.y, *state.r, *state.m]
-    ends = times.ctypes.data, len(times), out.ctypes.data, None, 0, origin, rtol, taylor.order_for(rtol)
+    size = len(state.y)
+    place = layout(motion.found, 1).doubles
+    memory = motion.free.pop() if motion.free else _memory(taylor_loop.memory(size), place, 1, motion.constants)
+    head = (state.row, state.t, 0, state.t, 0, 0, 0, 0, state.h, min(state.m) > 0.0, *UNSET)
+    motion.numbers.pack_into(memory.state, 0, *head, *state.y, *state.r, *state.m)
+    ends = _address(times), len(times), _address(out), 0, 0, origin, rtol, taylor.order_for(rtol)
+    looks: list[Look] = []
 
     def some(budget: int) -> bool:
-        advance(*given, *ends, budget)
-        running = bool(z[taylor_loop.STATUS] == taylor_loop.RUNNING)
+        taylor.CALL.pack_into(memory.given, 0, *memory.places, *ends, budget)
+        motion.advance(memory.address)
+        running = bool(memory.z[taylor_loop.STATUS] == taylor_loop.RUNNING)
         if running:
-            y, _, m = z[taylor_loop.NUMBERS : used].reshape(3, size).tolist()
-            look(float(z[taylor_loop.T]), y, m, int(z[taylor_loop.STEPS]))
+            looks.extend([] if looks else [watch()])
+            looks[0](*_seen(memory, size))
         return running
 
     _by_moments(some)
-    numbers = z[:used].tolist()
+    numbers = motion.numbers.unpack_from(memory.state)
     row, t, _, _, status, steps, refusals, _, h = numbers[: taylor_loop.LONGEST + 1]
     if status == taylor_loop.DONE:  # after all others there may be numbers that are not finite in it
-        free.append(memory)
+        motion.free.append(memory)
     total = state.steps + int(steps), state.refusals + int(refusals)
-    y, r, m = (tuple(numbers[k : k + size]) for k in range(taylor_loop.NUMBERS, used, size))
+    y, r, m = (numbers[k : k + size] for k in range(taylor_loop.NUMBERS, len(numbers), size))
     return State(int(row), t, h, y, r, state.f, m, state.growth, state.refused, *total, state.halt)
+
+
+def _address(array: Array) -> int:
+    """Sooner than by `array.ctypes`."""
+    address: int = array.__array_interface__["data"][0]
+    return address
+
+
+def _seen(memory: Memory, size: int) -> tuple[float, list[float], list[float], int]:
+    """Time, state, its scale, and steps so far."""
+    y, _, m = memory.z[taylor_loop.NUMBERS : taylor_loop.NUMBERS + 3 * size].reshape(3, size).tolist()
+    return float(memory.z[taylor_loop.T]), y, m, int(memory.z[taylor_loop.STEPS])
 
 
 def taylor_runs(graph: Graph, origin: float, times: Array, out: Array, rtol: float, starts: Array, floor: Any) -> Array:
@@ -94,26 +134,34 @@ def taylor_runs(graph: Graph, origin: float, times: Array, out: Array, rtol: flo
     found, constants = known
     advance, place, size = _taylor(found, LANES), layout(found, LANES), starts.shape[1]
     one = taylor_loop.memory(size)
-    z, _, clock, _, given = _memory(LANES * one + 2, place.doubles, LANES, constants)
+    memory = _memory(LANES * one + 2, place.doubles, LANES, constants)
+    z = memory.z
     z[taylor_loop.STATUS : LANES * one : one] = taylor_loop.IDLE
-    z[-1], clock[:] = LANES, origin
+    z[-1], memory.time[:] = LANES, origin
     members = np.hstack(
         [np.full((len(starts), 1), times[-1] / 100), starts, np.maximum(np.abs(starts), floor if len(floor) else 0.0)]
     )
-    ends = times.ctypes.data, len(times), out.ctypes.data, members.ctypes.data, len(starts)
+    ends = _address(times), len(times), _address(out), _address(members), len(starts)
     order = taylor.order_for(rtol)
-    _by_moments(lambda budget: advance(*given, *ends, origin, rtol, order, budget) or bool(z[-1] > 0.0))
+
+    def some(budget: int) -> bool:
+        taylor.CALL.pack_into(memory.given, 0, *memory.places, *ends, origin, rtol, order, budget)
+        advance(memory.address)
+        return bool(z[-1] > 0.0)
+
+    _by_moments(some)
     return np.asarray(members[:, 0] == taylor_loop.DONE)
 
 
-def _memory(one: int, work: int, lanes: int, constants: tuple[float, ...]) -> tuple[Any, ...]:
-    """z, work, time and constants in one piece of memory, and the addresses of the four."""
-    places = [0, one, one + work, one + work + lanes]
+def _memory(one: int, work: int, lanes: int, constants: tuple[float, ...]) -> Memory:
+    first = taylor.CALL.size // 8
+    places = [first, first + one, first + one + work, first + one + work + lanes]
     whole = np.zeros(places[3] + len(constants))
-    parts = [whole[a:b] for a, b in zip(places, [*places[1:], None], strict=True)]
-    parts[3][:] = constants
-    start = whole.ctypes.data
-    return *parts, [start + 8 * place for place in places]
+    whole[places[3] :] = constants
+    z, time, start = whole[first : places[1]], whole[places[2] : places[3]], _address(whole)
+    whole_bytes = whole.data.cast("B")
+    given, state = whole_bytes[: 8 * first], whole_bytes[8 * first : 8 * places[1]]
+    return Memory(whole, z, time, given, state, tuple(start + 8 * place for place in places), start)
 
 
 def _by_moments(some: Callable[[int], bool]) -> None:
