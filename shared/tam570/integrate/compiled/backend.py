@@ -12,7 +12,7 @@ import numpy as np
 from tam570.integrate import adaptive_loop, fixed_loop
 from tam570.integrate.adaptive_loop import State
 from tam570.integrate.arguments import Array
-from tam570.integrate.compiled import loops, taylor, taylor_loop
+from tam570.integrate.compiled import loops, taylor, taylor_loop, taylor_memory
 from tam570.integrate.compiled.coefficients import LANES
 from tam570.integrate.compiled.llvm import function
 from tam570.integrate.compiled.recurrences import NotAnalytic, Recurrences, recurrences
@@ -26,7 +26,7 @@ from tam570.integrate.trace import Graph
 __all__ = ["READY", "Memory", "Motion", "analytic", "by_moments", "dop853", "fixed", "taylor_run", "taylor_runs"]
 
 MOMENT = 0.05  # s in compiled code, after which Python may look for an interrupt
-UNSET = (0,) * (taylor_loop.NUMBERS - 10)
+UNSET = (0,) * (taylor_memory.NUMBERS - 10)
 READY: set[Any] = set()  # what was compiled or loaded by this process
 
 
@@ -72,7 +72,7 @@ def _motion(graph: Graph) -> Motion | None:
     if known is None:
         return None
     found, constants = known
-    numbers = struct.Struct(f"={taylor_loop.NUMBERS + 3 * len(found.rates)}d")
+    numbers = struct.Struct(f"={taylor_memory.NUMBERS + 3 * len(found.rates)}d")
     return Motion(_taylor(found), found, constants, numbers, [])
 
 
@@ -89,7 +89,7 @@ def taylor_run(
         return state
     size = len(state.y)
     place = layout(motion.found, 1).doubles
-    memory = motion.free.pop() if motion.free else _memory(taylor_loop.memory(size), place, 1, motion.constants)
+    memory = motion.free.pop() if motion.free else _memory(taylor_memory.memory(size), place, 1, motion.constants)
     head = (state.row, state.t, 0, state.t, 0, 0, 0, 0, state.h, min(state.m) > 0.0, *UNSET)
     motion.numbers.pack_into(memory.state, 0, *head, *state.y, *state.r, *state.m)
     ends = _address(times), len(times), _address(out), 0, 0, origin, rtol, taylor.order_for(rtol)
@@ -98,7 +98,7 @@ def taylor_run(
     def some(budget: int) -> bool:
         taylor.CALL.pack_into(memory.given, 0, *memory.places, *ends, budget)
         motion.advance(memory.address)
-        running = bool(memory.z[taylor_loop.STATUS] == taylor_loop.RUNNING)
+        running = bool(memory.z[taylor_memory.STATUS] == taylor_loop.RUNNING)
         if running:
             looks.extend([] if looks else [watch()])
             looks[0](*_seen(memory, size))
@@ -106,11 +106,11 @@ def taylor_run(
 
     _by_moments(some)
     numbers = motion.numbers.unpack_from(memory.state)
-    row, t, _, _, status, steps, refusals, _, h = numbers[: taylor_loop.LONGEST + 1]
+    row, t, _, _, status, steps, refusals, _, h = numbers[: taylor_memory.LONGEST + 1]
     if status == taylor_loop.DONE:  # after all others there may be numbers that are not finite in it
         motion.free.append(memory)
     total = state.steps + int(steps), state.refusals + int(refusals)
-    y, r, m = (numbers[k : k + size] for k in range(taylor_loop.NUMBERS, len(numbers), size))
+    y, r, m = (numbers[k : k + size] for k in range(taylor_memory.NUMBERS, len(numbers), size))
     return State(int(row), t, h, y, r, state.f, m, state.growth, state.refused, *total, state.halt)
 
 
@@ -122,8 +122,8 @@ def _address(array: Array) -> int:
 
 def _seen(memory: Memory, size: int) -> tuple[float, list[float], list[float], int]:
     """Time, state, its scale, and steps so far."""
-    y, _, m = memory.z[taylor_loop.NUMBERS : taylor_loop.NUMBERS + 3 * size].reshape(3, size).tolist()
-    return float(memory.z[taylor_loop.T]), y, m, int(memory.z[taylor_loop.STEPS])
+    y, _, m = memory.z[taylor_memory.NUMBERS : taylor_memory.NUMBERS + 3 * size].reshape(3, size).tolist()
+    return float(memory.z[taylor_memory.T]), y, m, int(memory.z[taylor_memory.STEPS])
 
 
 def taylor_runs(graph: Graph, origin: float, times: Array, out: Array, rtol: float, starts: Array, floor: Any) -> Array:
@@ -133,10 +133,10 @@ def taylor_runs(graph: Graph, origin: float, times: Array, out: Array, rtol: flo
         return np.zeros(len(starts), dtype=bool)
     found, constants = known
     advance, place, size = _taylor(found, LANES), layout(found, LANES), starts.shape[1]
-    one = taylor_loop.memory(size)
+    one = taylor_memory.memory(size)
     memory = _memory(LANES * one + 2, place.doubles, LANES, constants)
     z = memory.z
-    z[taylor_loop.STATUS : LANES * one : one] = taylor_loop.IDLE
+    z[taylor_memory.STATUS : LANES * one : one] = taylor_loop.IDLE
     z[-1], memory.time[:] = LANES, origin
     members = np.hstack(
         [np.full((len(starts), 1), times[-1] / 100), starts, np.maximum(np.abs(starts), floor if len(floor) else 0.0)]

@@ -7,7 +7,7 @@ import struct
 from functools import lru_cache
 from typing import Any
 
-from tam570.integrate.compiled import taylor_loop
+from tam570.integrate.compiled import taylor_loop, taylor_memory, taylor_scale
 from tam570.integrate.compiled.coefficients import HIGHEST
 from tam570.integrate.compiled.ir import Array, Value, number
 from tam570.integrate.compiled.llvm import assembled
@@ -17,6 +17,7 @@ from tam570.integrate.compiled.translate import Translator, functions_of
 
 __all__ = ["CALL", "KINDS", "order_for", "taylor_text"]
 
+MODULES = (taylor_memory, taylor_scale, taylor_loop)  # that are translated
 KINDS = (ctypes.c_void_p,)  # one address: converting thirteen arguments takes longer than many a run
 GIVEN = {
     **dict.fromkeys(("z", "work", "time", "c", "times"), "ptr"),
@@ -38,15 +39,17 @@ def taylor_text(found: Recurrences, lanes: int = 1) -> str:
     place, size = layout(found, lanes), len(found.rates)
     whole = {"SIZE": size, "STRIDE": place.stride, "DOUBLES": place.doubles, "ORDER": "%order"}
     names: dict[str, Any] = {
-        **{name: value for name, value in vars(taylor_loop).items() if name.isupper()},
+        **{name: value for module in MODULES for name, value in vars(module).items() if name.isupper()},
         **{name: Value("i64", str(value)) for name, value in whole.items()},
         **{name: _call_of(name) for name in ("coefficients", "rates")},
         "LANES": lanes if lanes == 1 else Value("i64", str(lanes)),
-        "MEMORY": taylor_loop.memory(size),
+        "MEMORY": taylor_memory.memory(size),
+        "TIMED": any(one.kind == "time" for one in found.series),
         "logarithm": _logarithm,
         "behind": lambda writer, array, k: Array(writer.element(array.text, k), array.row, array.length),
     }
-    translator = Translator(functions_of(inspect.getsource(taylor_loop)), names)
+    written = {name: node for module in MODULES for name, node in functions_of(inspect.getsource(module)).items()}
+    translator = Translator(written, names)
     translator.flags = " contract"
     given: list[Any] = [Array(f"%{name}") for name in ("z", "work", "time", "c")]
     given += [Array("%times", None, Value("i64", "%rows")), Array("%out", size)]

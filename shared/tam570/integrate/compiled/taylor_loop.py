@@ -3,40 +3,53 @@
 A step is the polynomial itself. It is tried first and judged afterwards: at its end the right-hand side must be the
 polynomial's derivative. That test needs nothing but the next step's first coefficients, and no coefficient that
 happens to be zero deceives it.
-
-Names put in place for one right-hand side: SIZE components, ORDER of the run, STRIDE and LANES of `series.Layout`.
-Memory of one motion, `z`: NUMBERS first, then seven numbers a component and its polynomial, HIGHEST + 1 coefficients.
 """
 
 from math import exp2, inf, log2
 from typing import Any
 
-from tam570.integrate.compiled.coefficients import HIGHEST
+from tam570.integrate.compiled.taylor_memory import (
+    DOUBLES,
+    GIVEN,
+    LANES,
+    LONGEST,
+    MEMORY,
+    NEW,
+    NEXT,
+    NOISE,
+    NUMBERS,
+    ORDER,
+    POLYNOMIAL,
+    REFUSALS,
+    REST,
+    ROW,
+    SIZE,
+    SLOPE,
+    STATUS,
+    STEPS,
+    STRIDE,
+    TRIES,
+    WHO,
+    H,
+    M,
+    T,
+    Y,
+    at,
+    rates,
+)
+from tam570.integrate.compiled.taylor_scale import lacking, scaled, shaken, sized
 from tam570.integrate.scale import UNKNOWN
 
-__all__ = ["DONE", "IDLE", "LONGEST", "NUMBERS", "RUNNING", "STATUS", "STEPS", "T", "advance", "advance_all", "memory"]
+__all__ = ["DONE", "IDLE", "RUNNING", "advance", "advance_all"]
 
-NUMBERS = 16
-ROW, T, H, NEW, STATUS, STEPS, REFUSALS, TRIES, LONGEST, GIVEN, WHO = range(11)  # where in z
-Y, REST, M, SLOPE, NEXT, BASE, NOISE, POLYNOMIAL = range(8)
-# of a component: at the end of the step tried; what rounding took from its start; the largest magnitude so far; the
-# polynomial's derivative at the end; what rounding takes from the end; the derivative there; what a rounding does to it
 RUNNING, DONE, VANISHED, SINGULAR, LACKING, IDLE = 0.0, 1.0, 2.0, 3.0, 4.0, 5.0
 TOLERATED = 2.0  # the derivative may be off by so many times (ORDER + 1) rtol of the state in a step
 ROUNDINGS = 8.0  # and by so many times what a rounding of the state does to it
 GROWTH = 6.0  # of the step where all coefficients in the window are zero
 
-Number = Any
-SIZE = ORDER = STRIDE = LANES = DOUBLES = MEMORY = 0
 coefficients: Any = None
 logarithm: Any = None  # to base 2, to a tenth: a root of it is wanted
-rates: Any = None
 behind: Any = None  # behind(array, k): from its k-th number on
-
-
-def memory(size: int) -> int:
-    """Doubles in z."""
-    return NUMBERS + size * (POLYNOMIAL + HIGHEST + 1)
 
 
 def advance(z: Any, work: Any, time: Any, c: Any, times: Any, out: Any, origin: Any, rtol: Any, budget: Any) -> Any:
@@ -118,7 +131,11 @@ def settle(z: Any, work: Any, time: Any, c: Any, times: Any, out: Any, lane: Any
     if z[STATUS] == RUNNING:
         h = longest(z, work, lane, reach)
         if z[STEPS] == 0.0:
-            if z[GIVEN] == 0.0 and lacking(z, work, lane):
+            if (
+                z[GIVEN] == 0.0
+                and lacking(z, work, lane)
+                and not sized(z, work, time, c, lane, h if h < inf else z[LONGEST])
+            ):
                 z[STATUS] = LACKING
             elif h < inf:
                 for i in range(SIZE):  # what is small yet and moves fast
@@ -135,15 +152,6 @@ def settle(z: Any, work: Any, time: Any, c: Any, times: Any, out: Any, lane: Any
                 z[at(POLYNOMIAL, i) + n] = work[(i * STRIDE + n) * LANES + lane]
         attempt(z, work, times, lane, h)
     return 0
-
-
-def lacking(z: Any, work: Any, lane: Any) -> Any:
-    """Whether something is zero, and so is its rate: its scale follows from others, one after the other."""
-    found = False
-    for i in range(SIZE):
-        if z[at(M, i)] <= UNKNOWN and work[(i * STRIDE + 1) * LANES + lane] == 0.0:
-            found = True
-    return found
 
 
 def refused(z: Any, work: Any, time: Any, c: Any, lane: Any, rtol: Any) -> Any:
@@ -166,31 +174,6 @@ def off(z: Any, work: Any, lane: Any, limit: Any, roundings: Any) -> Any:
         if not h * abs(work[(i * STRIDE + 1) * LANES + lane] - slope) <= allowed:
             wrong = True
     return wrong
-
-
-def shaken(z: Any, work: Any, time: Any, c: Any, lane: Any) -> Any:
-    """What changes of the state by a few roundings do to the derivative."""
-    for i in range(SIZE):
-        z[at(BASE, i)] = work[(i * STRIDE + 1) * LANES + lane]
-        z[at(NOISE, i)] = 0.0
-    for strength in (1.37, -1.78, 2.19):
-        shift = strength
-        for i in range(SIZE):
-            work[i * STRIDE * LANES + lane] = z[at(Y, i)] * (1.0 + 2.0**-52 * shift)
-            shift = -1.3 * shift if abs(shift) < 3.0 else shift / 2.7
-        rates(work, c, time, ORDER)
-        for i in range(SIZE):
-            change = abs(work[(i * STRIDE + 1) * LANES + lane] - z[at(BASE, i)])
-            z[at(NOISE, i)] = max(z[at(NOISE, i)], change)
-    for i in range(SIZE):
-        work[i * STRIDE * LANES + lane] = z[at(Y, i)]
-        work[(i * STRIDE + 1) * LANES + lane] = z[at(BASE, i)]
-    return 0
-
-
-def at(part: Any, i: Any) -> Any:
-    """Where in z that part of component i is, or the first coefficient of its polynomial."""
-    return NUMBERS + part * SIZE + i * (HIGHEST + 1 if part == POLYNOMIAL else 1)
 
 
 def taken(z: Any, times: Any, out: Any) -> Any:
@@ -251,20 +234,6 @@ def longest(z: Any, work: Any, lane: Any, reach: Any) -> Any:
 def larger(a: Any, b: Any) -> Any:
     """The larger, and what is not a number rather than either."""
     return a if a >= b else b
-
-
-def scaled(z: Any, work: Any, lane: Any, h: Any) -> Any:
-    """What is zero and has no scale takes the size to which its first coefficient moves it within the step."""
-    for i in range(SIZE):
-        if z[at(M, i)] <= UNKNOWN:
-            power = 1.0
-            for n in range(1, ORDER + 1):
-                power *= h
-                size = power * abs(work[(i * STRIDE + n) * LANES + lane])
-                if UNKNOWN < size < inf:
-                    z[at(M, i)] = size
-                    break
-    return 0
 
 
 def attempt(z: Any, work: Any, times: Any, lane: Any, h: Any) -> Any:

@@ -1,0 +1,31 @@
+"""The memory of one motion by Taylor's method, `z`, as the translated loop knows it.
+
+NUMBERS first, then seven numbers a component and its polynomial, HIGHEST + 1 coefficients. Names put in place for one
+right-hand side: SIZE components, ORDER of the run, STRIDE and LANES of `series.Layout`.
+"""
+
+from typing import Any
+
+from tam570.integrate.compiled.coefficients import HIGHEST
+
+__all__ = ["BASE", "LANES", "NUMBERS", "ORDER", "POLYNOMIAL", "SIZE", "STRIDE", "at", "memory"]
+
+NUMBERS = 16
+ROW, T, H, NEW, STATUS, STEPS, REFUSALS, TRIES, LONGEST, GIVEN, WHO = range(11)  # where in z
+Y, REST, M, SLOPE, NEXT, BASE, NOISE, POLYNOMIAL = range(8)
+# of a component: at the end of the step tried; what rounding took from its start; the largest magnitude so far; the
+# polynomial's derivative at the end; what rounding takes from the end; the derivative there; what a rounding does to it
+
+SIZE = ORDER = STRIDE = LANES = DOUBLES = MEMORY = 0
+TIMED = False  # whether the right-hand side depends on time
+rates: Any = None  # rates(work, c, time, ORDER): the coefficients of order 1
+
+
+def memory(size: int) -> int:
+    """Doubles in z."""
+    return NUMBERS + size * (POLYNOMIAL + HIGHEST + 1)
+
+
+def at(part: Any, i: Any) -> Any:
+    """Where in z that part of component i is, or the first coefficient of its polynomial."""
+    return NUMBERS + part * SIZE + i * (HIGHEST + 1 if part == POLYNOMIAL else 1)

@@ -1,0 +1,118 @@
+"""Sizes for Taylor's method, as Python that is translated: of what is zero, and of what rounding does.
+
+As in `scale`, which this follows, what is zero and has a rate of zero takes the size that the others give it.
+"""
+
+from math import inf
+from typing import Any
+
+from tam570.integrate.compiled.taylor_memory import (
+    BASE,
+    LANES,
+    NOISE,
+    ORDER,
+    SIZE,
+    SLOPE,
+    STRIDE,
+    TIMED,
+    M,
+    Y,
+    at,
+    rates,
+)
+from tam570.integrate.scale import CALM, PART, UNKNOWN
+
+__all__ = ["LONG", "lacking", "scaled", "shaken", "sized"]
+
+LONG, SHORT = 16.0, 1e-9  # times the first step of a series: how long the others are given at most and at least
+STILL = 0.1  # times it, where nothing turns over
+
+
+def lacking(z: Any, work: Any, lane: Any) -> Any:
+    """Whether something is zero, and so is its rate: its scale follows from others, one after the other."""
+    found = False
+    for i in range(SIZE):
+        if z[at(M, i)] <= UNKNOWN and work[(i * STRIDE + 1) * LANES + lane] == 0.0:
+            found = True
+    return found
+
+
+def sized(z: Any, work: Any, time: Any, c: Any, lane: Any, h: Any) -> Any:
+    """Whether all that lacks a size has one now, or nothing can ever move it; in steps of about h."""
+    for i in range(SIZE):
+        z[at(BASE, i)] = work[(i * STRIDE + 1) * LANES + lane]
+    within, found = LONG * h, False
+    while not found and within > SHORT * h:
+        found = spread(z, work, time, c, lane, within)
+        if found and within == LONG * h:  # nothing turns over
+            found = False
+            within = 4.0 * STILL * h
+        within /= 4.0
+    every = found
+    for i in range(SIZE):
+        work[i * STRIDE * LANES + lane] = z[at(Y, i)]
+        work[(i * STRIDE + 1) * LANES + lane] = z[at(BASE, i)]
+        if z[at(M, i)] <= UNKNOWN and z[at(BASE, i)] == 0.0:
+            z[at(M, i)] = z[at(SLOPE, i)]
+            every = every and (z[at(M, i)] > UNKNOWN or not TIMED)
+    return every
+
+
+def spread(z: Any, work: Any, time: Any, c: Any, lane: Any, within: Any) -> Any:
+    """What the sizes do to one another within so many s, in the place of SLOPE; whether none is turned over by that."""
+    for i in range(SIZE):
+        z[at(SLOPE, i)] = max(z[at(M, i)], abs(z[at(Y, i)]), within * abs(z[at(BASE, i)]))
+    more = SIZE + 1
+    while more > 0:
+        more -= 1
+        sign = 1.0
+        for i in range(SIZE):
+            work[i * STRIDE * LANES + lane] = z[at(Y, i)] + PART * z[at(SLOPE, i)] * sign
+            sign = -0.85 * sign if abs(sign) > 0.45 else (1.0 if sign < 0.0 else -1.0)  # no two cancel
+        rates(work, c, time, ORDER)
+        news = False
+        for i in range(SIZE):
+            size = within / PART * abs(work[(i * STRIDE + 1) * LANES + lane] - z[at(BASE, i)])
+            if z[at(SLOPE, i)] > UNKNOWN:
+                if CALM * z[at(SLOPE, i)] < size < inf:
+                    return False
+            elif UNKNOWN < size < inf:
+                z[at(SLOPE, i)] = size
+                news = True
+        if not news:
+            more = 0
+    return True
+
+
+def scaled(z: Any, work: Any, lane: Any, h: Any) -> Any:
+    """What is zero and has no scale takes the size to which its first coefficient moves it within the step."""
+    for i in range(SIZE):
+        if z[at(M, i)] <= UNKNOWN:
+            power = 1.0
+            for n in range(1, ORDER + 1):
+                power *= h
+                size = power * abs(work[(i * STRIDE + n) * LANES + lane])
+                if UNKNOWN < size < inf:
+                    z[at(M, i)] = size
+                    break
+    return 0
+
+
+def shaken(z: Any, work: Any, time: Any, c: Any, lane: Any) -> Any:
+    """What changes of the state by a few roundings do to the derivative."""
+    for i in range(SIZE):
+        z[at(BASE, i)] = work[(i * STRIDE + 1) * LANES + lane]
+        z[at(NOISE, i)] = 0.0
+    for strength in (1.37, -1.78, 2.19):
+        shift = strength
+        for i in range(SIZE):
+            work[i * STRIDE * LANES + lane] = z[at(Y, i)] * (1.0 + 2.0**-52 * shift)
+            shift = -1.3 * shift if abs(shift) < 3.0 else shift / 2.7
+        rates(work, c, time, ORDER)
+        for i in range(SIZE):
+            change = abs(work[(i * STRIDE + 1) * LANES + lane] - z[at(BASE, i)])
+            z[at(NOISE, i)] = max(z[at(NOISE, i)], change)
+    for i in range(SIZE):
+        work[i * STRIDE * LANES + lane] = z[at(Y, i)]
+        work[(i * STRIDE + 1) * LANES + lane] = z[at(BASE, i)]
+    return 0
