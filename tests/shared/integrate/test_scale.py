@@ -4,6 +4,7 @@ import math
 
 import pytest
 
+from tam570.integrate import solve
 from tam570.integrate.scale import UNKNOWN, magnitudes
 
 
@@ -58,3 +59,35 @@ def test_what_nothing_moves_has_no_size():
 
 def test_no_two_sizes_cancel():
     assert sizes(lambda t, y: (0.0, 0.0, y[0] - y[1]), (1.0, 1.0, 0.0), 0.1)[2] > UNKNOWN
+
+
+def test_the_others_are_given_the_time_in_which_the_known_turn_each_other_over():
+    """About a second, whatever the first step: the far end of a chain is not judged by a step to the sixteenth."""
+    for h in (1e-1, 3e-2, 1e-2, 1e-3):
+        assert min(sizes(chain, [1.0, *[0.0] * 15], h)) > 1e-13
+
+
+def test_what_is_smaller_than_the_rounding_of_what_drives_it_is_zero():
+    def rates(t, y):
+        return y[1], -y[0], y[0] + y[2]
+
+    zero, rounded, small = (sizes(rates, (1.0, 0.0, start), 0.1)[2] for start in (0.0, 1e-19, 1e-6))
+    assert zero == pytest.approx(rounded)
+    assert small == pytest.approx(0.1)  # by its own rate
+
+
+def test_what_is_zero_has_a_scale_in_compiled_code_too(monkeypatch):
+    pytest.importorskip("llvmlite")
+
+    def in_space(t, y):
+        return [*y[3:], *(-x / (y[0] ** 2 + y[1] ** 2 + y[2] ** 2) ** 1.5 for x in y[:3])]
+
+    def none(*given):
+        raise AssertionError("a scale was looked for in Python")
+
+    monkeypatch.setattr("tam570.integrate.adaptive.magnitudes", none)
+    states = solve(chain, [0, 10.0], [1.0, *[0.0] * 15], method="compiled")
+    circle = solve(in_space, [0, 10.0], [1.0, 0, 0, 0, 1.0, 0], method="compiled")[-1]
+    monkeypatch.undo()
+    assert states[-1] == pytest.approx(solve(chain, [0, 10.0], [1.0, *[0.0] * 15], method="python")[-1], abs=1e-8)
+    assert circle[:3] == pytest.approx([math.cos(10), math.sin(10), 0.0], abs=1e-8)
