@@ -6,7 +6,7 @@ BIN := $(VENV)/bin
 CLASS := build/sample_class
 export OPENBLAS_NUM_THREADS := 1
 
-.PHONY: demo test every verify docs bubblewrap clean
+.PHONY: demo test every verify docs release bubblewrap clean
 
 demo: $(VENV)/ready bubblewrap
 	$(BIN)/python tests/sample_class.py $(CLASS)
@@ -42,6 +42,10 @@ docs: $(VENV)/ready
 	$(BIN)/python docs/links.py build/site
 	@echo "Open build/site/index.html"
 
+# A wheel and an sdist into dist/, tried in a bare environment of each Python that is here.
+release: $(VENV)/ready
+	$(BIN)/python .ci/release.py
+
 $(VENV)/ready: pyproject.toml
 	@echo "Making $(VENV) and installing the course with all that its tests need (a few minutes, once)"
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { echo "Python 3.11 or newer is needed: make PYTHON=python3.12 ..."; exit 1; }
@@ -57,4 +61,4 @@ bubblewrap:
 	  else echo "bubblewrap is not installed: submissions will run as plain processes with limits"; fi; fi
 
 clean:
-	rm -rf $(VENV) build
+	rm -rf $(VENV) build dist

@@ -7,6 +7,7 @@ import signal
 import sys
 from collections.abc import Callable
 
+from tam570 import __version__
 from tam570_grader.audit.command import add_audit
 from tam570_grader.delivery.command import add_course, add_gradescope, add_kit, add_lms, add_report, add_stubs
 from tam570_grader.errors import UsageError
@@ -45,11 +46,22 @@ def main(argv: list[str] | None = None) -> int:
 
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="tam570-grader", description="Grade the assignments of the course.")
+    parser.add_argument("--version", action="version", version=f"tam570-grader {__version__}")
     _add_root(parser, None)
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
     for add in COMMANDS:
         _add_root(add(commands), argparse.SUPPRESS)
+    completion = commands.add_parser("completion", help="print a script that completes commands in your shell")
+    completion.add_argument("shell", choices=["bash", "zsh", "tcsh"])
+    completion.set_defaults(command=lambda arguments: _complete(parser, arguments.shell))
     return parser
+
+
+def _complete(parser: argparse.ArgumentParser, shell: str) -> int:
+    import shtab
+
+    print(shtab.complete(parser, shell))
+    return 0
 
 
 def _add_root(parser: argparse.ArgumentParser, default: str | None) -> None:

@@ -10,6 +10,7 @@ import sys
 
 import pytest
 
+import tam570
 from tam570_grader import cli as grader
 from tam570_grader.results import journal
 
@@ -99,3 +100,15 @@ def test_stubs_are_written_and_compared(tmp_path, capsys, course):
     assert "run tam570-grader stubs" in capsys.readouterr().err
     assert grader.main(["--root", str(tmp_path), "stubs"]) == 0
     assert grader.main(["--root", str(tmp_path), "stubs", "--check"]) == 0
+
+
+def test_the_grader_is_a_module_too_and_tells_its_version():
+    told = subprocess.run([sys.executable, "-m", "tam570_grader", "--version"], capture_output=True, text=True)
+    assert told.stdout == f"tam570-grader {tam570.__version__}\n"
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh", "tcsh"])
+def test_a_shell_completes_every_command(capsys, shell):
+    assert grader.main(["completion", shell]) == 0
+    script = capsys.readouterr().out
+    assert all(name in script for name in ("grade", "gradescope", "--against", "--vary"))

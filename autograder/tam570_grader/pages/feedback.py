@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from tam570_grader.errors import UsageError
-from tam570_grader.pages.sentences import message
+from tam570_grader.pages.sentences import message, typeset
 from tam570_grader.results.journal import Record
 from tam570_grader.results.records import failure
 
@@ -90,6 +90,7 @@ def template(name: str) -> Any:
     pages = jinja2.Environment(
         loader=loader, autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True
     )
+    pages.filters["typeset"] = typeset
     return pages.get_template(name)
 
 

@@ -5,13 +5,18 @@ from math import isfinite
 
 from tam570_grader.results.records import Failure
 
-__all__ = ["known_mistake", "message", "quantity", "whole"]
+__all__ = ["known_mistake", "message", "quantity", "typeset", "whole"]
 
 # words that open a sentence; what else stands there may be code
 OPENING = re.compile(
     r"(an?|all|and|angles?|are|at|both|by|did|do|does|every|for|from|how|if|in|is|it|nearly|no|not|nothing|one|only|over|rows?"
     r"|some|take|the|there|these|this|use|what|where|which|with|without|work|your?)\b"
 )
+
+
+# a number with an exponent, as a terminal has it; in rtol=1e-9 it is code
+EXPONENT = re.compile(r"(?<![\w.=])(\d+(?:\.\d+)?)e([-+]?)0*(\d+)\b")
+RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def message(failure: Failure) -> str:
@@ -41,6 +46,16 @@ def quantity(value: float) -> str:
         if value == 0 or 1e-3 <= abs(value) < 1e4
         else f"{value:.1e}".replace("e-0", "e-").replace("e+0", "e")
     )
+
+
+def typeset(text: str) -> str:
+    """The text with its numbers as a page has them: 1.1·10⁻¹³ for 1.1e-13, and 10⁻⁴ for 1e-4."""
+    return EXPONENT.sub(_typeset, text)
+
+
+def _typeset(found: re.Match[str]) -> str:
+    factor = "" if found[1] == "1" else f"{found[1]}·"
+    return f"{factor}10{f'{found[2]}{found[3]}'.replace('+', '').translate(RAISED)}"
 
 
 def _off(failure: Failure) -> str:

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 
 from tam570_grader.pages import feedback
 from tam570_grader.pages.pictures import BOTTOM, LEFT, RIGHT, TOP, picture
-from tam570_grader.pages.sentences import message
+from tam570_grader.pages.sentences import message, typeset
 from tam570_grader.results.records import WHOLE, numbers
 from tam570_grader.writing import assignments
 from tam570_grader.writing.curves import SLOTS, curve
@@ -53,8 +53,8 @@ def test_a_page_says_every_line_message_and_suspect_and_no_detail(slug, page, gr
         text = texts(page(result))
         for mark in result.checks:
             says = message(mark.failure) if mark.failure else mark.message
-            assert lines[mark.name] in text and (mark.outcome == "passed" or says in text)
-            assert not mark.suspect or mark.suspect in text
+            read = [lines[mark.name], mark.suspect or "", says if mark.outcome != "passed" else ""]
+            assert all(typeset(one) in text for one in read)
             hidden = secrets(mark)
             told = "".join([*lines.values(), *(one.message for one in result.checks)])
             assert not {number for number in hidden if number in text and number not in told}
@@ -272,3 +272,15 @@ def test_what_draws_is_imported_where_something_is_drawn(options, right, needed,
 
 def test_a_result_of_an_assignment_that_is_gone_still_has_a_page(course):
     assert feedback.sheet(course, "hw99_gone").title == "hw99_gone"
+
+
+@pytest.mark.parametrize(
+    ("plain", "pretty"),
+    [
+        ("wrong by 1.1e-13 m (limit 1e-9)", "wrong by 1.1·10⁻¹³ m (limit 10⁻⁹)"),
+        ("2e-04, 3e12, 1e+00", "2·10⁻⁴, 3·10¹², 10⁰"),
+        ("use rtol=1e-9, 0.031, hw1e2, 2.7 rad", "use rtol=1e-9, 0.031, hw1e2, 2.7 rad"),
+    ],
+)
+def test_a_page_has_its_numbers_as_people_write_them(plain, pretty):
+    assert typeset(plain) == pretty
