@@ -26,6 +26,7 @@ from tam570.integrate.trace import Graph
 __all__ = ["READY", "Memory", "Motion", "analytic", "by_moments", "dop853", "fixed", "taylor_run", "taylor_runs"]
 
 MOMENT = 0.05  # s in compiled code, after which Python may look for an interrupt
+EFFORT = 1  # of the code generator, for a series: 2 takes twice as long and makes nothing of it that is faster
 UNSET = (0,) * (taylor_memory.NUMBERS - 10)
 READY: set[Any] = set()  # what was compiled or loaded by this process
 
@@ -41,7 +42,8 @@ def analytic(graph: Graph) -> tuple[Recurrences, tuple[float, ...]] | None:
 
 @lru_cache(maxsize=256)
 def _taylor(found: Recurrences, lanes: int = 1) -> Any:
-    return function(repr((found, lanes)), lambda: taylor.taylor_text(found, lanes), "advance", taylor.KINDS)
+    effort = EFFORT if lanes == 1 else 2
+    return function(repr((found, lanes)), lambda: taylor.taylor_text(found, lanes), "advance", taylor.KINDS, effort)
 
 
 class Memory(NamedTuple):

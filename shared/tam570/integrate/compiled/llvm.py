@@ -42,23 +42,24 @@ def _binding() -> tuple[Any, str]:
     return binding, f"{llvmlite.__version__} {binding.llvm_version_info} {name} {features}"
 
 
-def _machine(binding: Any) -> Any:
+def _machine(binding: Any, effort: int) -> Any:
     """A new one each time: the engine that is given it disposes of it."""
     name, features = binding.get_host_cpu_name(), binding.get_host_cpu_features().flatten()
-    return binding.Target.from_default_triple().create_target_machine(name, features, opt=2, jit=True)
+    return binding.Target.from_default_triple().create_target_machine(name, features, opt=effort, jit=True)
 
 
-def function(key: str, text: Callable[[], str], entry: str, kinds: tuple[Any, ...]) -> Any:
+def function(key: str, text: Callable[[], str], entry: str, kinds: tuple[Any, ...], effort: int = 2) -> Any:
     """`entry` as a function from Python; other threads run while it does.
 
-    key : what the text follows from, together with the source of this package; it is written if it is not kept
+    key    : what the text follows from, together with the source of this package; it is written if it is not kept
+    effort : of the code generator, 0 to 3
     """
     binding, who = _binding()
-    name = hashlib.sha256(f"{_source()}\n{who}\n{key}".encode()).hexdigest()
-    owner = binding.create_mcjit_compiler(binding.parse_assembly(""), _machine(binding))
+    name = hashlib.sha256(f"{_source()}\n{who}\n{effort}\n{key}".encode()).hexdigest()
+    owner = binding.create_mcjit_compiler(binding.parse_assembly(""), _machine(binding, effort))
     code = _kept(name)
     if code is None:
-        code = _compiled(binding, text())
+        code = _compiled(binding, text(), effort)
         _keep(name, code)
     owner.add_object_file(binding.ObjectFileRef.from_data(code))
     owner.finalize_object()
@@ -74,8 +75,8 @@ def _source() -> str:
     return hashlib.sha256(b"".join(file.read_bytes() for file in files)).hexdigest()
 
 
-def _compiled(binding: Any, text: str) -> bytes:
-    module, machine = binding.parse_assembly(text), _machine(binding)
+def _compiled(binding: Any, text: str, effort: int) -> bytes:
+    module, machine = binding.parse_assembly(text), _machine(binding, effort)
     module.verify()
     module.triple, module.data_layout = binding.get_default_triple(), str(machine.target_data)
     builder = binding.create_pass_builder(machine, binding.create_pipeline_tuning_options(speed_level=0))
