@@ -91,3 +91,11 @@ def test_what_is_zero_has_a_scale_in_compiled_code_too(monkeypatch):
     monkeypatch.undo()
     assert states[-1] == pytest.approx(solve(chain, [0, 10.0], [1.0, *[0.0] * 15], method="python")[-1], abs=1e-8)
     assert circle[:3] == pytest.approx([math.cos(10), math.sin(10), 0.0], abs=1e-8)
+
+
+def test_a_force_that_grows_from_zero_shows_its_scale_in_the_series(monkeypatch):
+    """At rest, and at t = 0 no force: further coefficients are not zero."""
+    pytest.importorskip("llvmlite")
+    monkeypatch.delattr("tam570.integrate.adaptive.magnitudes")
+    found = solve(lambda t, y: (y[1], math.sin(2 * t) - y[0]), [0, 10.0], [0.0, 0.0], method="compiled")[-1, 0]
+    assert found == pytest.approx(2 / 3 * math.sin(10) - math.sin(20) / 3, abs=1e-9)

@@ -54,8 +54,16 @@ def sized(z: Any, work: Any, time: Any, c: Any, lane: Any, h: Any) -> Any:
         work[(i * STRIDE + 1) * LANES + lane] = z[at(BASE, i)]
         if z[at(M, i)] <= UNKNOWN and z[at(BASE, i)] == 0.0:
             z[at(M, i)] = z[at(SLOPE, i)]
-            every = every and (z[at(M, i)] > UNKNOWN or not TIMED)
+            every = every and (not TIMED or z[at(M, i)] > UNKNOWN or moves(work, i, lane))
     return every
+
+
+def moves(work: Any, i: Any, lane: Any) -> Any:
+    """Whether one of the further coefficients of component i is not zero."""
+    for n in range(2, ORDER + 1):
+        if abs(work[(i * STRIDE + n) * LANES + lane]) > UNKNOWN:
+            return True
+    return False
 
 
 def spread(z: Any, work: Any, time: Any, c: Any, lane: Any, within: Any) -> Any:
