@@ -60,10 +60,10 @@ def sized(z: Any, work: Any, time: Any, c: Any, lane: Any, h: Any) -> Any:
 
 def moves(work: Any, i: Any, lane: Any) -> Any:
     """Whether one of the further coefficients of component i is not zero."""
+    found = False
     for n in range(2, ORDER + 1):
-        if abs(work[(i * STRIDE + n) * LANES + lane]) > UNKNOWN:
-            return True
-    return False
+        found = found or abs(work[(i * STRIDE + n) * LANES + lane]) > UNKNOWN
+    return found
 
 
 def spread(z: Any, work: Any, time: Any, c: Any, lane: Any, within: Any) -> Any:
