@@ -35,6 +35,8 @@ __all__ = [
 BETWEEN_LOOKS = 500  # steps
 AFTER_A_JUMP = 6  # steps in a row, each as much longer than the one before as it may be
 
+BACKEND = "tam570.integrate.compiled.backend"  # which imports llvmlite, and is imported where it is wanted
+
 TROUBLE = {
     NOT_FINITE: "rhs or solution is not finite at t = {t:.17g}",
     TOO_SHORT: "no step is short enough at t = {t:.17g}: the solution seems to become infinite there",
@@ -91,18 +93,17 @@ def travelled(
 
 def _at_hand(graph: Graph | None) -> bool:
     """Whether this process has compiled it before."""
-    backend = sys.modules.get("tam570.integrate.compiled.backend")
+    backend = sys.modules.get(BACKEND)
     return backend is not None and graph in backend.READY
 
 
 def _at_once(run: "Run", floor: Sequence[float]) -> State:
     """By Taylor's method alone: most short runs need nothing else."""
-    from tam570.integrate.compiled.backend import taylor_run
-
-    graph = run.engine.graph
-    assert graph is not None
+    graph, taylor_run = run.engine.graph, sys.modules[BACKEND].taylor_run
     first = at_start(run.engine, run.origin, float(run.since[-1]), run.rows[0], floor, plainly=True)
-    return taylor_run(graph, run.origin, run.since, run.rows, run.rtol, partial(run.watch, COMPILED), first)
+    watch = partial(run.watch, COMPILED)
+    last: State = taylor_run(graph, run.origin, run.since, run.rows, run.rtol, watch, first)
+    return last
 
 
 def begun(engine: Engine, times: Array, start: Array, rtol: float) -> "Run":

@@ -62,7 +62,7 @@ class Motion(NamedTuple):
     """What a run of one start takes."""
 
     advance: Any
-    found: Recurrences
+    doubles: int  # of work
     constants: tuple[float, ...]
     numbers: struct.Struct  # of the state that is handed over in z
     free: list[Memory]  # of several threads each takes its own
@@ -75,7 +75,7 @@ def _motion(graph: Graph) -> Motion | None:
         return None
     found, constants = known
     numbers = struct.Struct(f"={taylor_memory.NUMBERS + 3 * len(found.rates)}d")
-    return Motion(_taylor(found), found, constants, numbers, [])
+    return Motion(_taylor(found), layout(found, 1).doubles, constants, numbers, [])
 
 
 def taylor_run(
@@ -90,8 +90,9 @@ def taylor_run(
     if motion is None:
         return state
     size = len(state.y)
-    place = layout(motion.found, 1).doubles
-    memory = motion.free.pop() if motion.free else _memory(taylor_memory.memory(size), place, 1, motion.constants)
+    memory = (
+        motion.free.pop() if motion.free else _memory(taylor_memory.memory(size), motion.doubles, 1, motion.constants)
+    )
     head = (state.row, state.t, 0, state.t, 0, 0, 0, 0, state.h, min(state.m) > 0.0, *UNSET)
     motion.numbers.pack_into(memory.state, 0, *head, *state.y, *state.r, *state.m)
     ends = _address(times), len(times), _address(out), 0, 0, origin, rtol, taylor.order_for(rtol)
