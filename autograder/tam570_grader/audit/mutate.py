@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from functools import partial
 from typing import TypeVar
 
-__all__ = ["Mutant", "mutants"]
+__all__ = ["Mutant", "Slip", "mutants", "reached", "slips"]
 
 COUNTERPARTS = {
     "sin": "cos",
@@ -74,6 +74,29 @@ class Mutant:
         return f"{self.slug[:4]}.{self.function}.{hashlib.sha256(self.slip.encode()).hexdigest()[:8]}"
 
 
+@dataclass(frozen=True)
+class Slip:
+    """One slip in a function: what it is, the expressions before and after, and the function's text with it."""
+
+    operator: str
+    was: ast.expr
+    now: ast.expr
+    text: str
+
+
+def slips(source: str) -> dict[str, list[Slip]]:
+    """The slips in each function of a module."""
+    lines, found = source.splitlines(keepends=True), dict[str, list[Slip]]()
+    for function in (node for node in ast.parse(source).body if isinstance(node, ast.FunctionDef)):
+        before = function.lineno - 1
+        own = "\n" * before + "".join(lines[before : function.end_lineno])  # so that the lines keep their numbers
+        found[function.name] = [
+            Slip(operator, node, slip, _replaced(own, node, ast.unparse(slip)))
+            for node, operator, slip in _slips(function)
+        ]
+    return found
+
+
 def mutants(slug: str, source: str) -> list[Mutant]:
     """All mutants of a solution's source, in the order of the source."""
     found: dict[str, Mutant] = {}
@@ -87,6 +110,25 @@ def mutants(slug: str, source: str) -> list[Mutant]:
             lines = (whole.splitlines()[node.lineno - 1] for whole in (source, text))
             found[text] = Mutant(slug, function.name, operator, node.lineno, was, now, count[was, now], text, *lines)
     return list(found.values())
+
+
+def reached(text: str) -> dict[str, set[str]]:
+    """For each function of a module those that it may come to call, itself among them."""
+    body = ast.parse(text).body
+    named = {node.name: _names_in(node) for node in body if isinstance(node, ast.FunctionDef)}
+    always = {
+        name for node in body if not isinstance(node, ast.FunctionDef) for name in _names_in(node) if name in named
+    }  # what runs at import
+    within = {name: {name, *(names & named.keys()), *always} for name, names in named.items()}
+    while True:
+        wider = {name: set().union(*(within[one] for one in reach)) for name, reach in within.items()}
+        if wider == within:
+            return within
+        within = wider
+
+
+def _names_in(node: ast.AST) -> set[str]:
+    return {one.id for one in ast.walk(node) if isinstance(one, ast.Name)}
 
 
 def _replaced(source: str, node: ast.expr, text: str) -> str:
@@ -176,7 +218,7 @@ def _arguments(node: ast.expr) -> Iterator[ast.expr]:
         return
     for field in ("args", "elts"):
         parts = getattr(node, field, [])
-        if any(isinstance(part, ast.Slice) for part in parts):
+        if isinstance(node, ast.Lambda) or any(isinstance(part, ast.Slice) for part in parts):
             continue  # A[:, 1] is no tuple
         if isinstance(node, ast.Call | ast.Tuple | ast.List) and isinstance(getattr(node, "ctx", ast.Load()), ast.Load):
             for i in range(len(parts) - 1):

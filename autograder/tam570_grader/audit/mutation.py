@@ -1,6 +1,5 @@
 """What becomes of the mutants of the solutions: killed, equivalent, or a hole in the checks."""
 
-import ast
 import time
 from collections import Counter
 from collections.abc import Mapping, Sequence
@@ -10,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from tam570_grader.audit.equivalents import Slip, entry, equivalents, idle
-from tam570_grader.audit.mutate import Mutant, mutants
+from tam570_grader.audit.mutate import Mutant, mutants, reached
 from tam570_grader.audit.trials import Trial, done, progress, tried
 from tam570_grader.grading.one import Result, generator
 from tam570_grader.sandbox.student import Source, Student
@@ -158,25 +157,6 @@ def _concerned(calls: Mapping[str, set[str]], within: Mapping[str, set[str]], fu
 def _calling(calls: Mapping[str, set[str]], function: str) -> frozenset[str]:
     """The checks that call a function themselves."""
     return frozenset(check for check, asked in calls.items() if function in asked)
-
-
-def reached(text: str) -> dict[str, set[str]]:
-    """For each function of a module those that it may come to call, itself among them."""
-    body = ast.parse(text).body
-    named = {node.name: _names(node) for node in body if isinstance(node, ast.FunctionDef)}
-    always = {
-        name for node in body if not isinstance(node, ast.FunctionDef) for name in _names(node) if name in named
-    }  # what runs at import
-    within = {name: {name, *(names & named.keys()), *always} for name, names in named.items()}
-    while True:
-        wider = {name: set().union(*(within[one] for one in reach)) for name, reach in within.items()}
-        if wider == within:
-            return within
-        within = wider
-
-
-def _names(node: ast.AST) -> set[str]:
-    return {one.id for one in ast.walk(node) if isinstance(one, ast.Name)}
 
 
 def catches(found: Fates) -> dict[str, tuple[int, int]]:

@@ -17,12 +17,14 @@ from tam570_grader.sandbox.worker import Worker, WorkerLost
 from tam570_grader.writing.assignments import Assignment
 from tam570_grader.writing.check import Check
 from tam570_grader.writing.expect import Failed, trial
-from tam570_grader.writing.mistakes import known
+from tam570_grader.writing.general import general
+from tam570_grader.writing.mistakes import Called, known
 
 __all__ = ["Mark", "Result", "failed_by_us", "generator", "graded", "not_graded"]
 
 OUR_FAULT = "The grader failed here, not you; your teacher has been told."
 LONGEST_ERROR = 400  # characters of an exception of ours
+SEARCH = 0.5  # s of processor time, for a mistake that nobody has written down
 Recorder = Callable[[str, float], None]
 
 
@@ -122,6 +124,7 @@ def _failed(check: Check, failed: Failed, student: Student, assignment: Assignme
     suspect, fault = None, ""
     try:
         suspect = known(assignment.solution, assignment.suspects(check.name), student.calls)
+        suspect = suspect or _unwritten(assignment.solution, student.calls)
     except (BudgetSpent, MemoryError):
         raise
     except Exception as error:  # a mistake without a name is no reason to lose a grade
@@ -129,6 +132,15 @@ def _failed(check: Check, failed: Failed, student: Student, assignment: Assignme
     points = round(failed.share * check.points, 6)
     failure = failed.failure.named(suspect, fault)
     return Mark(check.name, check.part, points, check.points, "failed", whole(failure), suspect, failure)
+
+
+def _unwritten(solution: str, calls: Sequence[Called]) -> str | None:
+    """A mistake that nobody has written down, if it is found in a moment: variants may run on for ever."""
+    try:
+        with budget(SEARCH):
+            return general(solution, calls)
+    except BudgetSpent:
+        return None
 
 
 def _not_run(check: Check, note: str, unwritten: str = "") -> Mark:

@@ -28,7 +28,19 @@ from tam570_grader.sandbox.inside.wire import packed
 from tam570_grader.writing.answers import shared
 from tam570_grader.writing.check import Given, Memory
 
-__all__ = ["Called", "Mistake", "header", "known", "mistake", "mistakes"]
+__all__ = [
+    "Called",
+    "Mistake",
+    "agrees",
+    "header",
+    "is_motion",
+    "known",
+    "mistake",
+    "mistakes",
+    "parts",
+    "right_answer",
+    "solution_module",
+]
 
 CANCELLED = 1e-14  # what rounding leaves where numbers of order one cancel, and a wrong answer is exactly zero
 WITHIN = 1e-6  # random inputs tell mistakes further apart
@@ -112,9 +124,29 @@ def _agrees(solution: str, one: Mistake, groups: dict[str, list[Called]]) -> boo
 
 
 def _within(call: Called) -> float:
-    times, rows = (call.given.args or (None,))[0], _parts(call.result)[0]
-    moves = isinstance(times, np.ndarray) and np.ndim(rows) > 1 and len(times) == len(rows)
-    return OF_MOTIONS if moves else WITHIN
+    return OF_MOTIONS if is_motion(call) else WITHIN
+
+
+def is_motion(call: Called) -> bool:
+    """Whether the result has a row for each of the times."""
+    times, rows = (call.given.args or (None,))[0], parts(call.result)[0]
+    return isinstance(times, np.ndarray) and np.ndim(rows) > 1 and len(times) == len(rows)
+
+
+def agrees(found: Any, wrong: Any) -> bool:
+    """Whether a result has a variant's numbers; None has none."""
+    return found is not None and wrong is not None and _same(found, wrong, WITHIN)
+
+
+def right_answer(solution: str, call: Called) -> Any:
+    """The solution's answer to a call; None where it has none."""
+    found = _answer(solution, "", call)
+    return None if found is _NoValue else found
+
+
+def solution_module(solution: str) -> ModuleType:
+    """The solution as a module that belongs to the caller."""
+    return _module(solution, f"# of {__name__}")
 
 
 class _NoValue:
@@ -169,16 +201,17 @@ def _module(solution: str, slip: str) -> ModuleType:
 def _same(found: Any, wrong: Any, within: float) -> bool:
     if found is None or found is _NoValue or wrong is _NoValue:
         return (found is None or found is _NoValue) and (wrong is _NoValue or not _finite(wrong))
-    pairs = list(zip(_parts(found), _parts(wrong), strict=False))
-    return len(_parts(found)) == len(_parts(wrong)) and all(_close(one, other, within) for one, other in pairs)
+    pairs = list(zip(parts(found), parts(wrong), strict=False))
+    return len(parts(found)) == len(parts(wrong)) and all(_close(one, other, within) for one, other in pairs)
 
 
-def _parts(result: Any) -> list[Any]:
+def parts(result: Any) -> list[Any]:
+    """The results of a call."""
     return list(result) if isinstance(result, tuple) else [result]
 
 
 def _finite(result: Any) -> bool:
-    return all(bool(np.all(np.isfinite(np.asarray(part, float)))) for part in _parts(result))
+    return all(bool(np.all(np.isfinite(np.asarray(part, float)))) for part in parts(result))
 
 
 def _close(found: Any, expected: Any, within: float) -> bool:

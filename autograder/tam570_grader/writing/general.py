@@ -1,0 +1,286 @@
+"""Mistakes that nobody has written down: a sign, a factor, a swapped pair, degrees, a missing term, found by trying.
+
+Where no known mistake has a student's numbers, two families are tried on the very inputs. One changes what the right
+function is given or returns, and its words need no knowledge of the solution. The other has the solution's own terms
+slip. A name is said if it alone explains every call of the check, two of them at least being wrong.
+"""
+
+import ast
+import functools
+import inspect
+import math
+import re
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from functools import partial
+from itertools import combinations
+from types import CodeType, ModuleType
+from typing import Any
+
+import numpy as np
+
+from tam570_grader.audit.mutate import Slip, reached, slips
+from tam570_grader.writing.check import Given
+from tam570_grader.writing.mistakes import Called, agrees, is_motion, parts, right_answer, solution_module
+
+__all__ = ["general", "is_general"]
+
+FEWEST = 2  # wrong calls: one may agree by chance
+TELLING = 1e-3  # of the right answer: what is smaller may be what cancels
+MOST = 6  # components of a vector of which one, or two, may be wrong
+Variant = tuple[str, Callable[[Given], Any]]  # what to say, and the wrong answer
+FACTORS = {
+    "has the opposite sign": -1.0,
+    "is twice as large as the right one": 2.0,
+    "is half as large as the right one": 0.5,
+    "is in degrees": 180 / math.pi,
+}
+
+
+def general(solution: str, calls: Sequence[Called]) -> str | None:
+    """What to say of the one variant of the right answers that has the student's numbers in every call, or None.
+
+    Motions and formulas are left out: two integrations of one wrong equation differ, and a formula takes long.
+    """
+    if any(call.result is None or is_motion(call) or _symbolic(call) for call in calls):
+        return None
+    expected = [right_answer(solution, call) for call in calls]
+    wrong = [(call, right) for call, right in zip(calls, expected, strict=True) if not agrees(call.result, right)]
+    names = {call.name for call, _ in wrong}
+    if len(names) != 1 or any(right is None for right in expected) or _telling(wrong) < FEWEST:
+        return None
+    (name,) = names
+    own = [call for call in calls if call.name == name]
+    module = solution_module(solution)
+    right = getattr(module, name)
+    results, arguments = _other_results(name, right, own[0]), _other_arguments(name, right, own[0])
+    if said := next((says for says, variant in results if _explains(variant, own)), ""):
+        return said
+    if told := [says for says, variant in arguments if _explains(variant, own)]:
+        return told[0] if len(told) == 1 else None
+    return _slip(solution, module, name, calls)
+
+
+def is_general(says: str) -> bool:
+    """Whether these are words of this module."""
+    return bool(re.match(r"in \w+, |(the )?result (\d+ )?of \w+ ", says))
+
+
+def _telling(wrong: Sequence[tuple[Called, Any]]) -> int:
+    """How many different results they have that are more than rounding beside the right ones: zeros tell nothing."""
+    results = set()
+    for call, right in wrong:
+        found, expected = (np.concatenate([np.ravel(one) for one in parts(result)]) for result in (call.result, right))
+        if np.abs(found).max(initial=0.0) > TELLING * np.abs(expected).max(initial=0.0):
+            results.add(found.tobytes())
+    return len(results)
+
+
+def _symbolic(call: Called) -> bool:
+    args = call.given.args
+    return bool(args) and isinstance(args[0], list) and isinstance(args[0][0], dict)
+
+
+def _explains(variant: Callable[[Given], Any], calls: Sequence[Called]) -> bool:
+    return all(agrees(call.result, _quietly(variant, call.given)) for call in calls)
+
+
+def _quietly(variant: Callable[[Given], Any], given: Given) -> Any:
+    """The answer of a variant; None where it has none, whatever is in its way."""
+    try:
+        with np.errstate(all="ignore"):
+            return variant(given)
+    except (ArithmeticError, LookupError, TypeError, ValueError, AttributeError, NameError, np.linalg.LinAlgError):
+        return None
+
+
+# What is given, and what comes out
+
+
+def _other_results(name: str, right: Callable[..., Any], example: Called) -> Iterator[Variant]:
+    results = parts(example.result)
+    numbers = [key for key, value in example.given.kwargs.items() if np.ndim(value) == 0]
+    for which, found in enumerate(results):
+        label = f"the result of {name}" if len(results) == 1 else f"result {which + 1} of {name}"
+        for says, change in _changes(np.asarray(found), numbers):
+            yield f"{label} {says}", partial(_with_result, right, which, change)
+
+
+def _other_arguments(name: str, right: Callable[..., Any], example: Called) -> Iterator[Variant]:
+    taken = list(inspect.signature(right).parameters)
+    values = _named(taken, example.given)
+    for key, value in values.items():
+        for says, change in _other_values(np.asarray(value)):
+            yield f"in {name}, {says.format(key)}", partial(_with_argument, right, taken, key, change)
+    for one, other in combinations(values, 2):
+        if np.shape(values[one]) == np.shape(values[other]):
+            yield f"in {name}, {one} and {other} are exchanged", partial(_exchanged, right, taken, one, other)
+
+
+def _changes(found: Any, numbers: Sequence[str]) -> Iterator[tuple[str, Callable[[Any, Given], Any]]]:
+    """What may be wrong with a result."""
+    for says, factor in FACTORS.items():
+        yield says, partial(_scaled, factor)
+    for key in numbers:
+        for says, power in ((f"multiplied by {key}", -1), (f"divided by {key}", 1), (f"divided by {key} squared", 2)):
+            yield f"should be {says}", partial(_times, key, power)
+    if found.ndim == 2 and found.shape[0] == found.shape[1]:
+        yield "is transposed", lambda value, given: np.transpose(value)
+    for says, change in _components(found):
+        yield says, partial(_changed, change)
+
+
+def _scaled(factor: float, value: Any, given: Given) -> Any:
+    return value * factor
+
+
+def _times(key: str, power: int, value: Any, given: Given) -> Any:
+    return value * given.kwargs[key] ** power
+
+
+def _changed(change: Callable[[Any], Any], value: Any, given: Given) -> Any:
+    return change(value)
+
+
+def _components(found: Any) -> Iterator[tuple[str, Callable[[Any], Any]]]:
+    """One component of a vector of the wrong sign, two exchanged."""
+    if found.ndim != 1 or len(found) > MOST:
+        return
+    for k in range(len(found)):
+        signs = np.where(np.arange(len(found)) == k, -1.0, 1.0)
+        yield f"has the opposite sign in component {k + 1}", partial(np.multiply, signs)
+    for j, k in combinations(range(len(found)), 2):
+        order = np.arange(len(found))
+        order[[j, k]] = k, j
+        yield f"has components {j + 1} and {k + 1} exchanged", partial(_ordered, order)
+
+
+def _ordered(order: Any, value: Any) -> Any:
+    return np.asarray(value)[order]
+
+
+VALUES: dict[str, Callable[[Any], Any]] = {
+    "{} has the opposite sign": np.negative,
+    "{} is converted to degrees": np.degrees,
+    "{} is taken in degrees": np.radians,
+    "{} counts twice": partial(np.multiply, 2.0),
+    "half of {} counts": partial(np.multiply, 0.5),
+    "{} does not count, as if it were zero": partial(np.multiply, 0.0),
+}
+
+
+def _other_values(value: Any) -> Iterator[tuple[str, Callable[[Any], Any]]]:
+    """What an argument may be taken for."""
+    if value.dtype.kind not in "fiu":
+        return
+    yield from VALUES.items()
+    if value.ndim == 0:
+        yield "{} counts as 1, whatever is given", lambda one: 1.0
+    if value.ndim == 2 and value.shape[0] == value.shape[1]:
+        yield "{} is transposed", np.transpose
+    for says, change in _components(value):
+        yield f"{{}} {says}", change
+
+
+def _with_result(right: Callable[..., Any], which: int, change: Any, given: Given) -> Any:
+    results = parts(right(*given.args, **given.kwargs))
+    results[which] = change(np.asarray(results[which]), given)
+    return tuple(results) if len(results) > 1 else results[0]
+
+
+def _with_argument(right: Callable[..., Any], taken: Sequence[str], key: str, change: Any, given: Given) -> Any:
+    values = _named(taken, given)
+    return right(**{**values, key: change(values[key])})
+
+
+def _exchanged(right: Callable[..., Any], taken: Sequence[str], one: str, other: str, given: Given) -> Any:
+    values = _named(taken, given)
+    return right(**{**values, one: values[other], other: values[one]})
+
+
+def _named(taken: Sequence[str], given: Given) -> dict[str, Any]:
+    return {**dict(zip(taken, given.args, strict=False)), **given.kwargs}
+
+
+# The solution's own terms
+
+
+def _slip(solution: str, module: ModuleType, name: str, calls: Sequence[Called]) -> str | None:
+    """What to say of the slips that explain all calls, if they are of one kind."""
+    public = set(inspect.signature(getattr(module, name)).parameters)
+    found: dict[str, set[str]] = {}
+    for helper, kind, terms, code in _slips(solution):
+        term = ", ".join(sorted(terms & public))
+        if helper in _reached(solution)[name] and term not in found.get(kind, ()):
+            with _slipped(module, helper, code):
+                if all(agrees(one.result, _quietly(partial(_called, module, one.name), one.given)) for one in calls):
+                    found.setdefault(kind, set()).add(term)
+    if len(found) != 1:
+        return None
+    ((kind, told),) = found.items()
+    (term,) = told if len(told) == 1 else ("",)
+    return f"in {name}, {kind.format(f' with {term}' if term else '')}"
+
+
+def _called(module: ModuleType, name: str, given: Given) -> Any:
+    return getattr(module, name)(*given.args, **given.kwargs)
+
+
+@contextmanager
+def _slipped(module: ModuleType, helper: str, code: CodeType) -> Iterator[None]:
+    right = getattr(module, helper)
+    exec(code, vars(module))
+    try:
+        yield
+    finally:
+        setattr(module, helper, right)
+
+
+@functools.cache
+def _reached(solution: str) -> dict[str, set[str]]:
+    return reached(solution)
+
+
+@functools.cache
+def _slips(solution: str) -> list[tuple[str, str, set[str], CodeType]]:
+    """Of each slip that has words: the function, the words, the names in the term, and the function's code with it."""
+    return [
+        (function, words, {node.id for node in ast.walk(term) if isinstance(node, ast.Name)}, _code(slip))
+        for function, known in slips(solution).items()
+        for slip in known
+        for words, term in _words(slip)
+    ]
+
+
+def _code(slip: Slip) -> CodeType:
+    return compile(slip.text, "<slip>", "exec")
+
+
+def _words(slip: Slip) -> Iterator[tuple[str, ast.expr]]:
+    """What a student reads of a slip, and the term that it is about."""
+    was, now = slip.was, slip.now
+    if isinstance(was, ast.BinOp) and isinstance(was.op, ast.Add | ast.Sub):
+        if now in (was.left, was.right):
+            yield "a term{} is missing", was.left if now is was.right else was.right
+        elif isinstance(now, ast.BinOp) and now.right is was.right:
+            yield "the sign of a term{} is reversed", was.right
+        else:
+            yield "a term{} counts twice", was.right
+    elif isinstance(was, ast.BinOp) and isinstance(was.op, ast.Mult | ast.Div) and slip.operator != "an exponent":
+        multiplied = isinstance(was.op, ast.Mult)
+        yield f"a factor{{}} {'divides' if multiplied else 'multiplies'} where it should not", was.right
+    elif isinstance(was, ast.BinOp) and isinstance(was.op, ast.MatMult):
+        yield "matrices{} are multiplied in another order, or one is transposed", was
+    elif slip.operator in KINDS:
+        yield KINDS[slip.operator], was
+
+
+KINDS = {
+    "a sign": "the sign of a term{} is reversed",
+    "an exponent": "an exponent{} is one too large or too small",
+    "a factor": "a number{} is twice or half the right one",
+    "another function": "another function{}, such as sine for cosine, is taken",
+    "swapped arguments": "two quantities{} have changed places",
+    "an index": "another component{} is taken",
+    "a transpose": "matrices{} are multiplied in another order, or one is transposed",
+}

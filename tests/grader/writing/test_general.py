@@ -1,0 +1,120 @@
+"""Mistakes that nobody has written down are found by trying; what could be two things is not named."""
+
+import math
+
+import numpy as np
+import pytest
+
+from tam570_grader.grading.budget import budget
+from tam570_grader.sandbox.student import BudgetSpent, Call
+from tam570_grader.writing.check import given
+from tam570_grader.writing.general import general
+
+SOLUTION = """
+import numpy as np
+
+def weight(mass, height, *, gravity, length):
+    return mass * gravity * height + mass * length ** 2 / 2
+
+def turned(v, *, angle):
+    x, y = v
+    return np.array([x * np.cos(angle) - y * np.sin(angle), x * np.sin(angle) + y * np.cos(angle)])
+
+def cross(a, b):
+    return np.array([_part(a, b, 1, 2), _part(a, b, 2, 0), _part(a, b, 0, 1)])
+
+def _part(a, b, i, j):
+    return a[i] * b[j] - a[j] * b[i]
+
+def forever(n):
+    total = 0.0
+    while n > 0:
+        total, n = total + n, n - 1
+    return total
+"""
+DRAW = np.random.default_rng(2)
+
+
+def weights(wrong):
+    known = [dict(zip(("mass", "height", "gravity", "length"), DRAW.uniform(0.5, 3, 4), strict=True)) for _ in range(4)]
+    return [
+        Call("weight", given(one["mass"], one["height"], gravity=one["gravity"], length=one["length"]), wrong(**one))
+        for one in known
+    ]
+
+
+def vectors(wrong):
+    cases = [(DRAW.normal(size=2), DRAW.uniform(0.2, 1.4)) for _ in range(4)]
+    return [Call("turned", given(v, angle=angle), wrong(v, angle)) for v, angle in cases]
+
+
+def products(wrong):
+    return [Call("cross", given(*pair), wrong(*pair)) for pair in DRAW.normal(size=(4, 2, 3))]
+
+
+def turned(v, angle):
+    c, s = math.cos(angle), math.sin(angle)
+    return np.array([[c, -s], [s, c]]) @ v
+
+
+@pytest.mark.parametrize(
+    ("calls", "says"),
+    [
+        (lambda: weights(lambda mass, height, gravity, length: mass * gravity * height), "length does not count"),
+        (
+            lambda: weights(lambda mass, height, gravity, length: gravity * height + length**2 / 2),
+            "in weight, mass counts as 1, whatever is given",
+        ),
+        (
+            lambda: weights(lambda mass, height, gravity, length: mass * (gravity * height - length**2 / 2)),
+            "in weight, the sign of a term with length, mass is reversed",
+        ),
+        (
+            lambda: weights(lambda mass, height, gravity, length: mass * gravity * height + mass * length / 2),
+            "in weight, an exponent with length is one too large or too small",
+        ),
+        (lambda: vectors(lambda v, angle: turned(v, -angle)), "in turned, angle has the opposite sign"),
+        (lambda: vectors(lambda v, angle: turned(v, math.radians(angle))), "in turned, angle is taken in degrees"),
+        (lambda: vectors(lambda v, angle: turned(v, angle)[::-1]), "has components 1 and 2 exchanged"),
+        (lambda: products(lambda a, b: np.cross(b, a)), "the result of cross has the opposite sign"),
+        (lambda: products(lambda a, b: np.cross(a, b) * [1, -1, 1]), "has the opposite sign in component 2"),
+    ],
+)
+def test_it_is_named_by_what_it_does(calls, says):
+    assert says in general(SOLUTION, calls())
+
+
+@pytest.mark.parametrize(
+    "calls",
+    [
+        lambda: weights(lambda **known: 0.0),  # as if mass, or all else, were nothing
+        lambda: weights(lambda mass, height, gravity, length: mass * gravity * height + mass * length**2 / 2),  # right
+        lambda: weights(lambda mass, height, gravity, length: mass * (gravity * height - length**2 / 2))[:1],
+        lambda: weights(lambda mass, height, gravity, length: mass + gravity),
+        lambda: [*vectors(lambda v, angle: -turned(v, angle)), *products(lambda a, b: np.cross(b, a))],  # two are wrong
+        lambda: [*vectors(turned), Call("turned", given(np.ones(2), angle=0.1), None)],
+        # a vector turned twice over: v counts twice, or both terms of each component
+        lambda: products(lambda a, b: 4 * np.cross(a, b)),
+    ],
+)
+def test_what_is_no_one_thing_is_not_named(calls):
+    assert general(SOLUTION, calls()) is None
+
+
+def test_a_variant_that_runs_on_ends_the_search():
+    """`forever` with another sign in its step never comes to its end."""
+    with pytest.raises(BudgetSpent), budget(0.5):
+        general(SOLUTION, [Call("forever", given(n), float(n)) for n in (2, 3, 4)])
+
+
+QUARTER = """
+
+def energy(state, *, mass, gravity):
+    return mass * (state[2] ** 2 + state[3] ** 2) / 4 + mass * gravity * state[1]
+"""
+
+
+def test_it_is_said_in_the_feedback(grade, solution_text):
+    slug = "hw05_constrained_pendulum"
+    (mark,) = [mark for mark in grade(slug, solution_text(slug) + QUARTER).checks if mark.outcome == "failed"]
+    assert "Your numbers match this mistake: In energy, a number is twice or half the right one." in mark.message
