@@ -70,7 +70,7 @@ def test_the_audit_of_an_assignment_finds_no_survivor(capsys):
     assert " 1 equivalent, 0 survive" in capsys.readouterr().out
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(1)
 @pytest.mark.parametrize("sample", [["--quick"], pytest.param([], marks=pytest.mark.full)])
 def test_no_slip_in_a_solution_keeps_full_marks(slug, sample, capsys):
     assert cli.main(["audit", slug, "--jobs", "1", *sample]) == 0, capsys.readouterr().out
@@ -202,7 +202,8 @@ def test_a_diagnosis_of_nothing_is_refused(capsys, monkeypatch):
 
 def test_a_quick_diagnosis_takes_a_sample(capsys):
     assert cli.main(["audit", "hw08", "--diagnosis", "--quick", "--jobs", "1", "--json"]) == 0
-    assert 10 <= json.loads(capsys.readouterr().out)["wrong"] < 20
+    found = json.loads(capsys.readouterr().out)["wrong"]
+    assert 20 <= found < 40, "ten mistakes or a few more, in the solution and in another style"
 
 
 def test_a_false_fail_is_told_with_check_seed_and_message(capsys, monkeypatch):

@@ -170,6 +170,7 @@ def assert_the_feedback_says_what_was_lost(term):
     assert pictures and secrets
 
 
+@pytest.mark.every
 def test_three_assignments_by_nbgraders_commands(a_whole_term, nbgrader_grades, tmp_path):
     term = a_whole_term(IN_CI)
     assert_the_same_scores(term, nbgrader_grades, tmp_path / "out")

@@ -8,6 +8,7 @@ import pytest
 
 from tam570_grader.writing import assignments
 
+pytestmark = pytest.mark.every  # a minute of nbgrader
 ONE = "hw08_axis_angle"
 
 
