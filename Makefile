@@ -37,7 +37,7 @@ verify: $(VENV)/ready bubblewrap
 	$(BIN)/python benchmarks/run_time_for_pages.py
 
 # The site, into build/site: warnings are errors, and every link is followed.
-docs: $(VENV)/ready
+docs: $(VENV)/docs
 	$(BIN)/sphinx-build -q -W --keep-going -j auto -b html docs build/site
 	$(BIN)/python docs/links.py build/site
 	@echo "Open build/site/index.html"
@@ -46,11 +46,18 @@ docs: $(VENV)/ready
 release: $(VENV)/ready
 	$(BIN)/python .ci/release.py
 
-$(VENV)/ready: pyproject.toml
-	@echo "Making $(VENV) and installing the course with all that its tests need (a few minutes, once)"
+$(BIN)/pip:
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { echo "Python 3.11 or newer is needed: make PYTHON=python3.12 ..."; exit 1; }
 	@$(PYTHON) -m venv $(VENV) || { echo "venv is missing: on Debian, apt-get install python3-venv"; exit 1; }
+
+$(VENV)/ready: pyproject.toml | $(BIN)/pip
+	@echo "Installing the course with all that its tests need into $(VENV) (a few minutes, once)"
 	$(BIN)/pip install --quiet --disable-pip-version-check -e '.[dev,fast]'
+	@touch $@
+
+$(VENV)/docs: pyproject.toml | $(BIN)/pip
+	@echo "Installing the course with what its site needs into $(VENV) (a minute, once)"
+	$(BIN)/pip install --quiet --disable-pip-version-check -e '.[docs]'
 	@touch $@
 
 bubblewrap:
