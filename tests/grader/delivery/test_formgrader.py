@@ -10,6 +10,7 @@ import urllib.request
 
 import pytest
 
+pytestmark = pytest.mark.every  # half a minute of nbgrader
 SLUG, MANUAL = "hw07_double_pendulum", "manual-c"
 START = 60  # s, at most, until the server answers
 TYPED, POSSIBLE = 1.5, 2.0  # points of the manual part
@@ -76,7 +77,6 @@ def page(browser):
     page.close()
 
 
-@pytest.mark.every
 def test_a_part_is_graded_by_hand_and_the_total_adds_up(formgrader, page, graded_course, nbgrader, nbgrader_grades):
     automatic = sum(auto for (*_, cell), (auto, _) in nbgrader_grades(graded_course).items() if auto)
     assert 0 < automatic < 10 and automatic % 1  # a fraction, so that it must come through
