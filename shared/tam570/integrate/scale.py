@@ -19,7 +19,7 @@ import math
 from collections.abc import Callable, Sequence
 from typing import Any
 
-__all__ = ["EPS", "PART", "UNKNOWN", "magnitudes"]
+__all__ = ["CALM", "PART", "UNKNOWN", "magnitudes"]
 
 UNKNOWN = 1e-300  # the magnitude of what is zero and has no scale; never 0, as errors are divided by it
 EPS = 2.0**-52

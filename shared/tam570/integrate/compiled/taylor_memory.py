@@ -8,7 +8,38 @@ from typing import Any
 
 from tam570.integrate.compiled.coefficients import HIGHEST
 
-__all__ = ["BASE", "LANES", "NUMBERS", "ORDER", "POLYNOMIAL", "SIZE", "STRIDE", "at", "memory"]
+__all__ = [
+    "BASE",
+    "DOUBLES",
+    "GIVEN",
+    "LANES",
+    "LONGEST",
+    "MEMORY",
+    "NEW",
+    "NEXT",
+    "NOISE",
+    "NUMBERS",
+    "ORDER",
+    "POLYNOMIAL",
+    "REFUSALS",
+    "REST",
+    "ROW",
+    "SIZE",
+    "SLOPE",
+    "STATUS",
+    "STEPS",
+    "STRIDE",
+    "TIMED",
+    "TRIES",
+    "WHO",
+    "H",
+    "M",
+    "T",
+    "Y",
+    "at",
+    "memory",
+    "rates",
+]
 
 NUMBERS = 16
 ROW, T, H, NEW, STATUS, STEPS, REFUSALS, TRIES, LONGEST, GIVEN, WHO = range(11)  # where in z
