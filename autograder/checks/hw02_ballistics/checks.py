@@ -36,7 +36,7 @@ RESULTS = {
     "limit_shape": array(3, 2),
     "plot_comparison": drawing,
 }
-NEEDS = ("numpy", "matplotlib.backends.backend_agg")
+NEEDS = ("numpy", "matplotlib.figure", "matplotlib.backends.backend_agg")
 OFF_LIMITS = {"trajectory": ("scipy.integrate", "tam570.integrate")}  # a closed form is asked for
 MANUAL = {"b": (2, "the guess before the work; why the limit has the shape it has")}
 

@@ -32,7 +32,7 @@ RESULTS = {
     "project": array("n", 2),
     "plot_projection": drawing,
 }
-NEEDS = ("numpy", "matplotlib.backends.backend_agg")
+NEEDS = ("numpy", "matplotlib.figure", "matplotlib.backends.backend_agg")
 OFF_LIMITS = {"*": ("tam570.lectures",)}
 MANUAL = {"b": (2, "the wildest motion found, with its plot"), "c": (2, "why nothing wild can happen")}
 

@@ -37,7 +37,7 @@ RESULTS = {
     "wireframe": array(2, 2, 2),
     "plot_tip_path": drawing,
 }
-NEEDS = ("numpy", "matplotlib.backends.backend_agg")
+NEEDS = ("numpy", "matplotlib.figure", "matplotlib.backends.backend_agg")
 MANUAL = {"c": (2, "the special cases checked, and what they showed")}
 
 FORMULA = 1e-8  # a few roundings make 1e-15, derivatives of energies by central differences 1e-9

@@ -45,7 +45,7 @@ RESULTS = {
     "wireframe": array(12, 2, 3),
     "plot_rim_paths": drawing,
 }
-NEEDS = ("numpy", "matplotlib.backends.backend_agg")
+NEEDS = ("numpy", "matplotlib.figure", "matplotlib.backends.backend_agg")
 OFF_LIMITS = {"*": ("tam570.lectures",), "euler_rates_313": ("tam570.rotations", "scipy.spatial.transform")}
 MANUAL = {
     "a": (2, "a simple explanation of the two tilted circles"),

@@ -118,7 +118,7 @@ def _values(expression: Any, request: Any, strangers: list[str], stand_in: float
 
 
 def _drawing(function: Callable[..., Any], args: list[Any], kwargs: dict[str, Any], request: Any) -> Any:
-    return picture(function, args, kwargs)
+    return picture(function, args, kwargs, looked_at=not request.get("moved"))
 
 
 MODES = {"value": _value, "formula": _formula, "drawing": _drawing}

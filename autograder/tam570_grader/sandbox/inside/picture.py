@@ -29,8 +29,10 @@ SMALLEST = 2  # points, of a letter's lower side
 BLOCK = 12  # pixels; dots and dashes leave smaller gaps
 
 
-def picture(function: Callable[..., Any], args: list[Any], kwargs: dict[str, Any]) -> dict[str, Any]:
-    """What the function draws on the Axes it is given.
+def picture(
+    function: Callable[..., Any], args: list[Any], kwargs: dict[str, Any], *, looked_at: bool = True
+) -> dict[str, Any]:
+    """What the function draws on the Axes it is given; nothing of it shows where nobody looks.
 
     lines          : of each its points (n, 2), label, whether it is a scatter; the shares of its points that show and
                      that lie within the limits, its extent as a share of the figure's
@@ -47,14 +49,15 @@ def picture(function: Callable[..., Any], args: list[Any], kwargs: dict[str, Any
         return {"stranger": True}
     labels = {"xlabel": _text(axes.get_xlabel()), "ylabel": _text(axes.get_ylabel())}
     names = [_text(artist.get_label()) for artist, _, _ in drawn]
-    prints = _prints(axes, [artist for artist, pieces, _ in drawn if _is_curve(pieces)])
-    empty = prints[None]
+    curves = [artist for artist, pieces, _ in drawn if _is_curve(pieces)]
+    prints = _prints(axes, curves) if looked_at else {}
+    empty = prints.get(None)
     lines = [
         {"points": points, "label": name, "scatter": scatter, **_shown(axes, points, prints.get(artist), empty)}
         for name, (artist, pieces, scatter) in zip(names, drawn, strict=True)
         for points in pieces
     ]
-    return {"lines": lines, **labels, "labels_show": _labels_show(axes, _ink(prints[axes], empty)), **_scales(axes)}
+    return {"lines": lines, **labels, "labels_show": _labels_show(axes, prints), **_scales(axes)}
 
 
 def _drawn(axes: Any) -> Iterator[tuple[Any, list[Any], bool]]:
@@ -176,9 +179,11 @@ def _near(ink: Any, places: Any) -> Any:
     return near[row + 1, column + 1]
 
 
-def _labels_show(axes: Any, ink: Any) -> list[bool]:
+def _labels_show(axes: Any, prints: dict[Any, Any]) -> list[bool]:
     """Of the labels of x and of y."""
-    shown = []
+    if not prints:
+        return [False, False]
+    shown, ink = [], _ink(prints[axes], prints[None])
     for label in (axes.xaxis.label, axes.yaxis.label):
         label.set_visible(True)
         box = label.get_window_extent().get_points()
