@@ -46,8 +46,8 @@ def sized(z: Any, work: Any, time: Any, c: Any, lane: Any, h: Any) -> Any:
         found = spread(z, work, time, c, lane, within)
         if found and within == LONG * h:  # nothing turns over
             found = False
-            within = 4.0 * STILL * h
-        within /= 4.0
+            within = 2.0 * STILL * h
+        within /= 2.0
     every = found
     for i in range(SIZE):
         work[i * STRIDE * LANES + lane] = z[at(Y, i)]
