@@ -7,7 +7,7 @@ student's function then, and nothing that it depends on has changed since.
 from collections.abc import Callable, Hashable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any
+from typing import Any, NamedTuple
 
 from tam570.integrate.adaptive_loop import first_step_with, loop_with
 from tam570.integrate.arguments import Array
@@ -53,16 +53,16 @@ def engine(
     sampled : states inside of steps will be asked for, not only where there are more than two times
     """
     sampled = sampled or len(times) > 2
-    given = rhs, parameters, times, start, sampled, sign
+    asked = _Asked(rhs, parameters, times, start, sampled, sign)
     try:
         held = fingerprint(rhs), fingerprint(dict(parameters)) if parameters else None
         place = _place((*held, len(start), sampled, sign))
         if not place:
-            place.append(_made(*given))
+            place.append(_made(asked))
         found = place[0]
     except Changeable:
-        found = _made(*given)
-    return found if isinstance(found, Engine) else _called(*given, found)
+        found = _made(asked)
+    return found if isinstance(found, Engine) else _called(asked, found)
 
 
 @lru_cache(maxsize=256)
@@ -71,47 +71,44 @@ def _place(key: Hashable) -> list[Any]:
     return []
 
 
-def _rates(rhs: Callable[..., Any], parameters: Mapping[str, Any] | None, sign: float) -> Rates:
-    rates = bound(rhs, parameters)
-    return rates if sign > 0 else reversed_rates(rates)
+class _Asked(NamedTuple):
+    """What an engine is made of."""
+
+    rhs: Callable[..., Any]
+    parameters: Mapping[str, Any] | None
+    times: Array
+    start: Array
+    sampled: bool
+    sign: float
+
+    def rates(self) -> Rates:
+        """The right-hand side, tried at the start."""
+        rates = bound(self.rhs, self.parameters)
+        rates = rates if self.sign > 0 else reversed_rates(rates)
+        check_start(rates, float(self.times[0]), self.start, self.sign)
+        return rates
 
 
-def _made(
-    rhs: Callable[..., Any],
-    parameters: Mapping[str, Any] | None,
-    times: Array,
-    start: Array,
-    sampled: bool,
-    sign: float,
-) -> Engine | str:
+def _made(asked: _Asked) -> Engine | str:
     """The engine of a traced right-hand side; or why it is not traced."""
-    rates = _rates(rhs, parameters, sign)
-    check_start(rates, float(times[0]), start, sign)
+    rates = asked.rates()
     try:
-        graph = traced(rates, len(start))
+        graph = traced(rates, len(asked.start))
     except Untraceable as reason:
         return str(reason)
     formulas, constants = written(graph)
-    found = Engine(rates, _functions(formulas, sampled), constants, formulas, graph, sign=sign)
-    if agrees(rates, found.functions["rhs"], constants, times, start):
+    found = Engine(rates, _functions(formulas, asked.sampled), constants, formulas, graph, sign=asked.sign)
+    if agrees(rates, found.functions["rhs"], constants, asked.times, asked.start):
         return found
     return "its formulas as traced give other numbers than it does"
 
 
-def _called(
-    rhs: Callable[..., Any],
-    parameters: Mapping[str, Any] | None,
-    times: Array,
-    start: Array,
-    sampled: bool,
-    sign: float,
-    why: str,
-) -> Engine:
-    rates = _rates(rhs, parameters, sign)
-    check_start(rates, float(times[0]), start, sign)
-    given = floats_function(rates, float(times[0]), start)
-    formulas = call_of(len(start))
-    return Engine(rates, _with_loop(compiled(formulas, sampled, given)), (), formulas, None, why, sign)
+def _called(asked: _Asked, why: str) -> Engine:
+    rates = asked.rates()
+    given = floats_function(rates, float(asked.times[0]), asked.start)
+    formulas = call_of(len(asked.start))
+    functions = _with_loop(compiled(formulas, asked.sampled, given))
+    return Engine(rates, functions, (), formulas, None, why, asked.sign)
 
 
 @lru_cache(maxsize=256)

@@ -52,7 +52,7 @@ def sized(z: Any, work: Any, time: Any, c: Any, lane: Any, h: Any) -> Any:
     for i in range(SIZE):
         work[i * STRIDE * LANES + lane] = z[at(Y, i)]
         work[(i * STRIDE + 1) * LANES + lane] = z[at(BASE, i)]
-        if z[at(M, i)] <= UNKNOWN and z[at(BASE, i)] == 0.0:
+        if found and z[at(M, i)] <= UNKNOWN and z[at(BASE, i)] == 0.0:
             z[at(M, i)] = z[at(SLOPE, i)]
             every = every and (not TIMED or z[at(M, i)] > UNKNOWN or moves(work, i, lane))
     return every
