@@ -81,13 +81,13 @@ def mistimed(
 
     at_zero = "the given state is treated as the state at t = 0, but it is the state at t[0]"
     wrong = {
-        "the times taken to be evenly spaced": at(lambda t: np.linspace(t[0], t[-1], len(t))),
-        "the times taken to be evenly spaced, the first step for all": at(
+        "the times are treated as evenly spaced": at(lambda t: np.linspace(t[0], t[-1], len(t))),
+        "the times are treated as evenly spaced, with the first step for all": at(
             lambda t: t[0] + (t[1] - t[0]) * np.arange(len(t))
         ),
-        "the rows one time late, the start left out": late,
+        "the rows come one time late, and the start is left out": late,
         at_zero: from_zero,
-        f"{at_zero}, and no times before 0": onwards_from_zero,
+        f"{at_zero}, and times before 0 are left out": onwards_from_zero,
     }
     return [suspect(says, within=within, **{name: function}) for says, function in wrong.items()]
 

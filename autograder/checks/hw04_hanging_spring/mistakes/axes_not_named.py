@@ -1,4 +1,4 @@
-"""The picture without names on its axes, and stretched.
+"""The axes have no names, and the picture is stretched.
 
 fails: the_path_is_drawn
 names: not labelled with their unit

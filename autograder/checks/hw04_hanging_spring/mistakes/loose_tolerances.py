@@ -1,4 +1,4 @@
-"""A simulation to four digits.
+"""The simulation is accurate to four digits only.
 
 fails: simulate_moves_as_it_must
 numerics: a relative tolerance of 1e-4

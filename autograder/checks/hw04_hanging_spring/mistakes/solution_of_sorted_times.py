@@ -1,4 +1,4 @@
-"""The closed form at the times in ascending order.
+"""The closed form is given at the times in ascending order, not in yours.
 
 fails: solution_holds_without_gravity_and_from_any_time
 names: times in descending order

@@ -1,4 +1,4 @@
-"""The weight's potential energy of the wrong sign.
+"""The weight's potential energy has the wrong sign.
 
 fails: energy_is_kinetic_and_potential
 """

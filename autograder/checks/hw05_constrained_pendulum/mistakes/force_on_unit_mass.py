@@ -1,4 +1,4 @@
-"""The force on a mass of 1 kg.
+"""The force holds for a mass of 1 kg.
 
 fails: force_keeps_the_particle_on_the_circle
 """

@@ -1,4 +1,4 @@
-"""Gravity pulling up.
+"""Gravity pulls up.
 
 fails: with_gravity_it_swings_or_goes_round
 """

@@ -1,4 +1,4 @@
-"""The height without its sign.
+"""The height loses its sign.
 
 fails: energy_is_kinetic_and_potential
 """

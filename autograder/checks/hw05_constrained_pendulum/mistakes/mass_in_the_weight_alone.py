@@ -1,4 +1,4 @@
-"""The mass left out of the centripetal term.
+"""The mass is left out of the centripetal term.
 
 fails: force_keeps_the_particle_on_the_circle
 """

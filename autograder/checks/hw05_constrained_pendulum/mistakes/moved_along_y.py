@@ -1,4 +1,4 @@
-"""A position moved along y, not along its radius.
+"""The position is moved along y, not along its radius.
 
 fails: consistent_state_is_the_nearest
 also: a position moved along y, not along its radius, and a velocity tangent there

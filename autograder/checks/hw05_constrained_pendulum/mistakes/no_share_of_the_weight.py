@@ -1,4 +1,4 @@
-"""A radial force without the weight's share.
+"""The radial force lacks the weight's share.
 
 fails: force_keeps_the_particle_on_the_circle
 """

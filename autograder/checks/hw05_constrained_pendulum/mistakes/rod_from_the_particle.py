@@ -1,4 +1,4 @@
-"""A rod from the particle to the hinge.
+"""The rod goes from the particle to the hinge.
 
 fails: wireframe_is_the_rod
 """

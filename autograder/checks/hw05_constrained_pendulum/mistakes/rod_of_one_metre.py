@@ -1,4 +1,4 @@
-"""A rod of one metre.
+"""The rod is 1 m long, whatever the length.
 
 fails: wireframe_is_the_rod
 """

@@ -1,4 +1,4 @@
-"""A velocity turned into the tangent with all of its speed.
+"""The velocity is turned into the tangent with all of its speed.
 
 fails: consistent_state_is_the_nearest
 """

@@ -1,7 +1,7 @@
-"""The times taken to be evenly spaced.
+"""The times are treated as evenly spaced.
 
 fails: without_gravity_it_goes_round_uniformly, with_gravity_it_swings_or_goes_round
-also: the times taken to be evenly spaced, the first step for all
+also: the times are treated as evenly spaced, with the first step for all
 """
 
 _right_simulate = simulate

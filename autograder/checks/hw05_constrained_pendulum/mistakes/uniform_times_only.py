@@ -1,4 +1,4 @@
-"""The times taken to be evenly spaced, the first step for all.
+"""The times are treated as evenly spaced, with the first step for all.
 
 fails: without_gravity_it_goes_round_uniformly, with_gravity_it_swings_or_goes_round
 """

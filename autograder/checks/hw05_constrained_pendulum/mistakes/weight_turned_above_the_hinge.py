@@ -1,4 +1,4 @@
-"""The weight's share of the wrong sign above the hinge.
+"""The weight's share has the wrong sign above the hinge.
 
 fails: force_keeps_the_particle_on_the_circle
 """

@@ -1,4 +1,4 @@
-"""Friction no smaller than 0.05.
+"""Friction is never smaller than 0.05.
 
 fails: simulate_glides_without_friction, simulate_comes_to_rest_and_stays
 """

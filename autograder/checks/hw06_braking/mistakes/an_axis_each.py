@@ -1,4 +1,4 @@
-"""Friction of its full size along each of the car's axes.
+"""Friction has its full size along each of the car's axes.
 
 fails: friction_opposes_the_sliding
 """

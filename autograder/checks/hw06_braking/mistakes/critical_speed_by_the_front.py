@@ -1,4 +1,4 @@
-"""The distance from G to an axle for the wheelbase.
+"""The distance from G to an axle stands for the wheelbase.
 
 fails: critical_speed_is_where_growth_begins, stability_refuses_other_axles
 """

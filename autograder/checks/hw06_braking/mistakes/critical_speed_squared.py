@@ -1,4 +1,4 @@
-"""The square of the speed.
+"""The result is the square of the speed.
 
 fails: critical_speed_is_where_growth_begins, stability_refuses_other_axles
 """

@@ -1,4 +1,4 @@
-"""Friction backward along the car in reverse too.
+"""Friction points backward along the car, in reverse too.
 
 fails: friction_in_any_motion_and_at_rest
 """

@@ -1,4 +1,4 @@
-"""friction's part with the wrong sign.
+"""Friction's part has the wrong sign.
 
 fails: growth_rate_is_the_slope
 """

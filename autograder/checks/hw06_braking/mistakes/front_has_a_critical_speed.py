@@ -1,4 +1,4 @@
-"""The same critical speed for both axles.
+"""Both axles have the same critical speed.
 
 fails: critical_speed_is_where_growth_begins
 """

@@ -1,4 +1,4 @@
-"""The part of the speed positive with either axle locked.
+"""The part of the speed is positive with either axle locked.
 
 fails: small_yaw_rate_is_the_linear_solution
 """

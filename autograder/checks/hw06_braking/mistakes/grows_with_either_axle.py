@@ -1,4 +1,4 @@
-"""The part of the speed positive with either axle locked.
+"""The part of the speed is positive with either axle locked.
 
 fails: growth_rate_is_the_slope
 """

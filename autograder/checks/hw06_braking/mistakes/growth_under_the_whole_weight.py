@@ -1,4 +1,4 @@
-"""Friction under the whole weight.
+"""Friction acts under the whole weight.
 
 fails: growth_rate_is_the_slope
 """

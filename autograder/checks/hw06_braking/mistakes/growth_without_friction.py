@@ -1,4 +1,4 @@
-"""Friction left out.
+"""Friction is left out.
 
 fails: growth_rate_is_the_slope
 """

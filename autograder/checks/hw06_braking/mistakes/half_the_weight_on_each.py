@@ -1,4 +1,4 @@
-"""Half the weight.
+"""Each axle carries half the weight.
 
 fails: axle_load_balances_the_weight, mechanics_refuses_other_axles
 """

@@ -1,7 +1,7 @@
-"""The load of the other axle.
+"""The load belongs to the other axle.
 
 fails: axle_load_balances_the_weight, friction_opposes_the_sliding, equations_of_motion, simulate_brakes, growth_rate_is_the_slope, small_yaw_rate_is_the_linear_solution, mechanics_refuses_other_axles
-also: the locked axle and the free one exchanged
+also: the locked axle and the free one are exchanged
 """
 
 

@@ -1,4 +1,4 @@
-"""The term with mass, speed and yaw rate (m d v omega) missing from the turning.
+"""The term with mass, speed and yaw rate (m d v omega) is missing from the turning.
 
 fails: equations_of_motion, simulate_brakes
 """

@@ -1,4 +1,4 @@
-"""The growth rate of the speed half way at every speed.
+"""The growth rate at the speed half way is used at every speed.
 
 fails: small_yaw_rate_is_the_linear_solution
 """

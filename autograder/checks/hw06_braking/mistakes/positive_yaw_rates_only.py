@@ -1,4 +1,4 @@
-"""The yaw rate without its sign.
+"""The yaw rate loses its sign.
 
 fails: small_yaw_rate_is_the_linear_solution
 """

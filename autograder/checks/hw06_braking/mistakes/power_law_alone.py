@@ -1,4 +1,4 @@
-"""friction's part alone.
+"""Friction's part stands alone.
 
 fails: small_yaw_rate_is_the_linear_solution
 """

@@ -1,4 +1,4 @@
-"""G's velocity to the side with the wrong sign in the rate of y.
+"""G's velocity to the side has the wrong sign in the rate of y.
 
 fails: equations_of_motion, simulate_brakes
 """

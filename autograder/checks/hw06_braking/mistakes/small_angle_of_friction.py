@@ -1,4 +1,4 @@
-"""The direction of friction for small angles, its full size along the car.
+"""Friction has the direction of small angles and its full size along the car.
 
 fails: friction_opposes_the_sliding
 """

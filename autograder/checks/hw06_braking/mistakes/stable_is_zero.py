@@ -1,4 +1,4 @@
-"""A growth rate below zero cut off to zero.
+"""A growth rate below zero is cut off to zero.
 
 fails: growth_rate_is_the_slope
 """

@@ -1,4 +1,4 @@
-"""G moving along the car alone, its velocity to the side left out.
+"""G moves along the car alone: its velocity to the side is left out.
 
 fails: equations_of_motion
 """

@@ -1,4 +1,4 @@
-"""The weight of bar 2 left out of the first one.
+"""The weight of bar 2 is left out of the first one.
 
 fails: gravity_terms_are_moments_of_the_weights
 """

@@ -1,4 +1,4 @@
-"""th2 taken as measured from bar 1: bar 2 drawn at th1 + th2.
+"""th2 is measured from bar 1, so that bar 2 is drawn at th1 + th2.
 
 fails: wireframe_shows_the_bars, tip_path_is_drawn
 """

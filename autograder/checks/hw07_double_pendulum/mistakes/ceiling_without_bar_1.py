@@ -1,4 +1,4 @@
-"""The weight of bar 1 left out of the first row.
+"""The weight of bar 1 is left out of the first row.
 
 fails: hinge_forces_balance
 """

@@ -1,4 +1,4 @@
-"""The centripetal acceleration of bar 1 left out at the ceiling's hinge.
+"""The centripetal acceleration of bar 1 is left out at the ceiling's hinge.
 
 fails: free_bars_accelerate_as_lagranges
 """

@@ -1,4 +1,4 @@
-"""The centripetal acceleration of bar 1's own mass centre left out in the first row.
+"""The centripetal acceleration of bar 1's own mass centre is left out in the first row.
 
 fails: hinge_forces_balance
 """

@@ -1,4 +1,4 @@
-"""The columns th1, om1, th2, om2.
+"""The columns are th1, om1, th2, om2.
 
 fails: simulation_follows_the_equations
 """

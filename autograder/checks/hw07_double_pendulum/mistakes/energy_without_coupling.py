@@ -1,4 +1,4 @@
-"""The kinetic energy without its term with om1 om2.
+"""The kinetic energy lacks its term with om1 om2.
 
 fails: energy_is_kinetic_and_potential
 """

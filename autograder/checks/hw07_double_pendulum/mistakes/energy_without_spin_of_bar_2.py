@@ -1,4 +1,4 @@
-"""The kinetic energy without the turning of bar 2, I om2^2/2.
+"""The kinetic energy lacks the turning of bar 2, I om2^2/2.
 
 fails: energy_is_kinetic_and_potential
 """

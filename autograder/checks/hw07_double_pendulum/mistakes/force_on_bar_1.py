@@ -1,4 +1,4 @@
-"""The force of bar 2 on bar 1 in the second row.
+"""The second row is the force of bar 2 on bar 1.
 
 fails: hinge_forces_balance
 """

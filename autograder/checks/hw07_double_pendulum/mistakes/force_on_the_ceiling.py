@@ -1,4 +1,4 @@
-"""The force of bar 1 on the ceiling in the first row.
+"""The first row is the force of bar 1 on the ceiling.
 
 fails: hinge_forces_balance
 """

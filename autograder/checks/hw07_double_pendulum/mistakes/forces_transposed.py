@@ -1,4 +1,4 @@
-"""Rows and columns swapped.
+"""Rows and columns are exchanged.
 
 fails: hinge_forces_balance
 """

@@ -1,4 +1,4 @@
-"""Frequencies in Hz.
+"""The frequencies are in Hz.
 
 fails: small_oscillations_have_two_frequencies
 """

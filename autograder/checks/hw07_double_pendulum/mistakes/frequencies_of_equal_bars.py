@@ -1,4 +1,4 @@
-"""The frequencies of equal bars, of the first one's length.
+"""The frequencies belong to equal bars of the first one's length.
 
 fails: small_oscillations_have_two_frequencies
 """

@@ -1,4 +1,4 @@
-"""The coupling of [M] left out.
+"""The coupling of [M] is left out.
 
 fails: small_oscillations_have_two_frequencies
 """

@@ -1,4 +1,4 @@
-"""Bars without inertia about their mass centres.
+"""The bars lack inertia about their mass centres.
 
 fails: angular_momentum_is_about_the_ceiling
 """

@@ -1,4 +1,4 @@
-"""The momentum conjugate to th1 alone.
+"""It is the momentum conjugate to th1 alone.
 
 fails: angular_momentum_is_about_the_ceiling
 """

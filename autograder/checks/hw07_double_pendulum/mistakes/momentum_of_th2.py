@@ -1,4 +1,4 @@
-"""The momentum conjugate to th2 alone.
+"""It is the momentum conjugate to th2 alone.
 
 fails: angular_momentum_is_about_the_ceiling
 """

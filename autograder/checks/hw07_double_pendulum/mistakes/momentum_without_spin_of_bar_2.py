@@ -1,4 +1,4 @@
-"""I om2 of bar 2 left out.
+"""I om2 of bar 2 is left out.
 
 fails: angular_momentum_is_about_the_ceiling
 """

@@ -1,4 +1,4 @@
-"""The force of bar 2 left out of bar 1's linear momentum balance.
+"""The force of bar 2 is left out of bar 1's linear momentum balance.
 
 fails: free_bars_accelerate_as_lagranges
 """

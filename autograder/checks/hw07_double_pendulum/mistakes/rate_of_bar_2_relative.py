@@ -1,4 +1,4 @@
-"""om2 - om1 for the angular velocity of bar 2.
+"""The angular velocity of bar 2 is om2 - om1.
 
 fails: free_bars_accelerate_as_lagranges
 """

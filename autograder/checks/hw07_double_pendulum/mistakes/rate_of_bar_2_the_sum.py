@@ -1,4 +1,4 @@
-"""om1 + om2 for the angular velocity of bar 2.
+"""The angular velocity of bar 2 is om1 + om2.
 
 fails: free_bars_accelerate_as_lagranges
 """

@@ -1,4 +1,4 @@
-"""The mass of bar 2 for both.
+"""Both bars have the mass of bar 2.
 
 fails: accelerations_obey_the_equations
 """

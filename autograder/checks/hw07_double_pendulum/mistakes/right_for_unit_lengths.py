@@ -1,4 +1,4 @@
-"""Lengths of 1 m.
+"""The lengths are 1 m.
 
 fails: velocity_terms_are_centripetal
 """

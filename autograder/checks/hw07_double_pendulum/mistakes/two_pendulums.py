@@ -1,4 +1,4 @@
-"""The frequencies of two bars that each hang from a ceiling.
+"""The frequencies belong to two bars that each hang from a ceiling.
 
 fails: small_oscillations_have_two_frequencies
 """

@@ -1,7 +1,7 @@
-"""The times taken to be evenly spaced.
+"""The times are treated as evenly spaced.
 
 fails: simulation_follows_the_equations
-also: the times taken to be evenly spaced, the first step for all
+also: the times are treated as evenly spaced, with the first step for all
 """
 
 at_the_times = simulate

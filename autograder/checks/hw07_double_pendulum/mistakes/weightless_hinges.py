@@ -1,4 +1,4 @@
-"""Forces without the weights.
+"""The forces lack the weights.
 
 fails: hinge_forces_balance
 """

@@ -1,4 +1,4 @@
-"""Angles wrapped to -pi and pi.
+"""The angles are wrapped to -pi and pi.
 
 fails: simulation_follows_the_equations
 """

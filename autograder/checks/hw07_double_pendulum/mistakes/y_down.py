@@ -1,4 +1,4 @@
-"""y pointing down.
+"""y points down.
 
 fails: wireframe_shows_the_bars, tip_path_is_drawn
 """

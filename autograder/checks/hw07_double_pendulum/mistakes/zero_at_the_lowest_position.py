@@ -1,4 +1,4 @@
-"""The potential energy zero at the lowest position.
+"""The potential energy is zero at the lowest position.
 
 fails: energy_is_kinetic_and_potential
 """

@@ -1,4 +1,4 @@
-"""A sign changed in the second of Euler's equations.
+"""A sign is wrong in the second of Euler's equations.
 
 fails: euler_equations_keep_the_angular_momentum
 """

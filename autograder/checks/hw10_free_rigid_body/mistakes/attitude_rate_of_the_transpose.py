@@ -1,4 +1,4 @@
-"""The transpose of R in R omega-hat.
+"""R omega-hat has the transpose of R.
 
 fails: attitude_follows_omega
 """

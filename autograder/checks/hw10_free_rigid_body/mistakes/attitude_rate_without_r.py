@@ -1,4 +1,4 @@
-"""omega-hat alone, without R.
+"""The rate is omega-hat alone, without R.
 
 fails: attitude_follows_omega
 """

@@ -1,4 +1,4 @@
-"""Every sign in Euler's equations changed.
+"""Every sign in Euler's equations is reversed.
 
 fails: euler_equations_keep_the_angular_momentum, omega_follows_elliptic_functions, attitude_follows_the_motion, rim_paths_are_drawn
 """

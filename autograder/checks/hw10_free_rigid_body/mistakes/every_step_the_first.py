@@ -1,4 +1,4 @@
-"""The times taken to be evenly spaced, the first step for all.
+"""The times are treated as evenly spaced, with the first step for all.
 
 fails: omega_follows_elliptic_functions, attitude_follows_the_motion
 """

@@ -1,4 +1,4 @@
-"""Rotations that go on from the identity, not from the given R.
+"""The rotations go on from the identity, not from the given R.
 
 fails: attitude_follows_the_motion, rim_paths_are_drawn
 """

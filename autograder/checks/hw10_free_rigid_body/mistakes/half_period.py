@@ -1,4 +1,4 @@
-"""Half of the period.
+"""The result is half of the period.
 
 fails: period_round_the_last_axis, period_round_the_first_axis
 """

@@ -1,4 +1,4 @@
-"""k where ellipk wants k^2.
+"""ellipk gets k where it wants k^2.
 
 fails: period_round_the_last_axis, period_round_the_first_axis
 """

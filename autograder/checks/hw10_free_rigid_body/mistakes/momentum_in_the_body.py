@@ -1,4 +1,4 @@
-"""Body components.
+"""The components are along the body's axes.
 
 fails: angular_momentum_is_in_space_axes
 """

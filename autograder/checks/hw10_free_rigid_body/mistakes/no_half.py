@@ -1,4 +1,4 @@
-"""An energy without the half.
+"""The energy lacks the half.
 
 fails: energy_is_half_omega_h
 """

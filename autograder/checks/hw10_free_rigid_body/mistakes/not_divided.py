@@ -1,4 +1,4 @@
-"""The moments H x omega not divided by A, B, C.
+"""The moments H x omega are not divided by A, B, C.
 
 fails: euler_equations_keep_the_angular_momentum, omega_follows_elliptic_functions, attitude_follows_the_motion, rim_paths_are_drawn
 """

@@ -1,4 +1,4 @@
-"""Omega in space components.
+"""omega is given in space components.
 
 fails: omega_follows_elliptic_functions
 """

@@ -1,4 +1,4 @@
-"""The sign of psi' cos(theta) in phi' changed.
+"""The sign of psi' cos(theta) in phi' is wrong.
 
 fails: euler_rates_make_omega
 """

@@ -1,4 +1,4 @@
-"""Phi of the other sign.
+"""phi has the other sign.
 
 fails: euler_rates_make_omega
 """

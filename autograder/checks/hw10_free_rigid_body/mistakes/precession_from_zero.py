@@ -1,4 +1,4 @@
-"""The given omega taken at t = 0, not at t[0].
+"""The given omega is treated as omega at t = 0, not at t[0].
 
 fails: symmetric_bodies_precess
 """

@@ -1,4 +1,4 @@
-"""The precession reversed.
+"""The precession is reversed.
 
 fails: symmetric_bodies_precess
 """

@@ -1,4 +1,4 @@
-"""Omega taken in space components.
+"""omega is treated as given in space components.
 
 fails: euler_rates_make_omega
 """

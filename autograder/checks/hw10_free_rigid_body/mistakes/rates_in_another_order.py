@@ -1,4 +1,4 @@
-"""The rates in the order phi, theta, psi.
+"""The rates come in the order phi, theta, psi.
 
 fails: euler_rates_make_omega
 """

@@ -1,4 +1,4 @@
-"""The times rounded to a millisecond.
+"""The times are rounded to a millisecond.
 
 fails: omega_follows_elliptic_functions, attitude_follows_the_motion
 """

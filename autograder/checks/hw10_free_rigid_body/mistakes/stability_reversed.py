@@ -1,4 +1,4 @@
-"""The sign changed.
+"""The sign is wrong.
 
 fails: small_deviations_grow_at_this_rate
 """

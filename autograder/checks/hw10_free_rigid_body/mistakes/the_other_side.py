@@ -1,4 +1,4 @@
-"""The formula for the other side of the separatrix.
+"""The formula belongs to the other side of the separatrix.
 
 fails: period_round_the_last_axis
 """

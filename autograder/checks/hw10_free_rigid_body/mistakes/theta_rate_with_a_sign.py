@@ -1,4 +1,4 @@
-"""The sign of omega_2 sin(phi) in theta' changed.
+"""The sign of omega_2 sin(phi) in theta' is wrong.
 
 fails: euler_rates_make_omega
 """

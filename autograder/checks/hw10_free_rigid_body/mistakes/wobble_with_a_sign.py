@@ -1,4 +1,4 @@
-"""The sign of omega_3 left in the rate.
+"""The rate keeps the sign of omega_3.
 
 fails: wobble_goes_round_the_angular_momentum
 """

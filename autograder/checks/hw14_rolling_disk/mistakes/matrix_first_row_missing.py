@@ -1,4 +1,4 @@
-"""The rows one time late, the start left out.
+"""The rows come one time late, and the start is left out.
 
 fails: matrix_simulation_follows_the_motion
 """
