@@ -114,8 +114,7 @@ def advance(made: Any, origin: Any, times: Any, out: Any, state: Any, c: Any, rt
     while row < len(times) and budget > 0 and halt == RUNNING:
         budget -= 1
         left, shortest = end - t, max(2.0**-50 * t, 1e-17 * end)  # t + h would hardly differ from t
-        h = max(h, shortest)
-        at_last = h == shortest
+        at_last, h = h <= shortest, max(h, shortest)
         if h >= left:
             h, new = left, end
         else:

@@ -110,10 +110,10 @@ class _Members:
             fine |= self._passed(h, np.array(_rows(n, h)), error)
         self._sample(fine, new, h, np.array(n), _rows(g, h), stages)
         self.refused = np.where(fine, 0.0, self.refused + 1.0)
-        self._forgive(h)
         factor = np.clip(SAFETY * np.where(error > 0, error, 1e-30) ** EXPONENT, SMALLEST, self.growth)
         self.h = h * np.where(np.isfinite(error), factor, 0.1)
         self.growth = np.where(fine, LARGEST, 1.0)
+        self._forgive((self.refused > 1) | (self.refused > 0) & (fifth > 0.01 * third))
         self.t = np.where(fine, new, self.t)
         for name, value in (("y", n), ("r", r), ("f", g), ("m", m)):
             setattr(self, name, np.where(fine, _rows(value, h), getattr(self, name)))
@@ -155,14 +155,14 @@ class _Members:
             more[more] = self.since[self.row[due[more]]] <= new[due[more]]
             due, q = due[more], [c[more] if np.ndim(c) else c for c in q]
 
-    def _forgive(self, h: Array) -> None:
-        """Raise the magnitudes of members whose error is but rounding, as in `adaptive_loop`."""
-        i = np.flatnonzero(self.refused)
+    def _forgive(self, doubtful: Any) -> None:
+        """Raise the magnitudes of members whose error may be but rounding, as in `adaptive_loop`."""
+        i = np.flatnonzero(doubtful)
         if len(i):
-            start, y, f, m = self.origin + self.t[i], self.y[:, i], self.f[:, i], self.m[:, i]
+            start, y, f, m, h = self.origin + self.t[i], self.y[:, i], self.f[:, i], self.m[:, i], self.h[i]
             weight, wider = let_pass(self.rtol), 2.0 * self.refused[i] - 1.0
-            raised = self.functions["raised"](start, h[i], y, f, m, self.c, weight, wider)
-            self.m[:, i] = _rows(raised, h[i])
+            raised = self.functions["raised"](start, h, y, f, m, self.c, weight, wider)
+            self.m[:, i] = _rows(raised, h)
 
     def _keep(self, going: Any) -> None:
         if going.all():
