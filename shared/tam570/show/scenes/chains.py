@@ -25,15 +25,10 @@ def chains(
     side = DISTANCE * length
     unit = 0.25 * length / max(float(pull.max()), float(scale.max()))  # m/N
     still, up = np.zeros(len(times)), np.array([0.0, 1.0])
-    lifting = [
-        Part("lines", moving(np.zeros(2), np.outer(risen, up)), 0, "chain", width=4),
-        Part("arrow", moving(np.outer(risen, up), np.outer(risen + unit * pull, up)), 3, "force that lifts", width=3),
-    ]
-    lying = np.column_stack([still, -unit * scale])
-    pouring = [
-        Part("lines", moving(np.zeros(2), np.outer(length - free, up)), 0, width=4),
-        Part("arrow", moving(lying, np.zeros(2)), 3, "force of the scale", width=3),
-    ]
+    lifted, pulled = np.outer(risen, up), np.outer(risen + unit * pull, up)
+    lifting = _upright(lifted, "chain", moving(lifted, pulled), "force that lifts")
+    pressed = moving(np.column_stack([still, -unit * scale]), np.zeros(2))
+    pouring = _upright(np.outer(length - free, up), "", pressed, "force of the scale")
     heap = Part("dot", np.zeros((1, 2)), 0, width=14)
     ground = Part("lines", np.array([[-2 * side, 0.0], [2 * side, 0.0]]), GREY, width=3)
     shown = strip_samples(times)
@@ -55,6 +50,11 @@ def chains(
         ],
         poster=0.72,
     )
+
+
+def _upright(end: Array, chain: str, force: Array, label: str) -> list[Part]:
+    """A chain from the ground to its end (n, 2), and a force as an arrow."""
+    return [Part("lines", moving(np.zeros(2), end), 0, chain, width=4), Part("arrow", force, 3, label, width=3)]
 
 
 def _fold(fallen: Array, color: int, left: float, length: float) -> list[Part]:
