@@ -1,6 +1,8 @@
 """Laws of the lecture on Hamilton's principle."""
 
 import math
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -76,3 +78,16 @@ def test_bad_input_is_refused_by_name():
     with pytest.raises(ValueError, match="path"):
         action([[0.1, 0.2]], 1.0, **SCENE)
     assert path(0.1, 0.2, 1.0, points=2, **SCENE).tolist() == [0.1, 0.2]
+
+
+def test_its_film_needs_no_scipy():
+    """Three hundred small systems are solved sooner than SciPy is imported."""
+    code = "import sys; from tam570.lectures import load; from tam570.show import show; show(load('least_action'))"
+    command = [sys.executable, "-c", f"{code}; print(*sys.modules)"]
+    modules = subprocess.run(command, capture_output=True, text=True, check=True).stdout.split()
+    assert "tam570.show.scenes.least_action" in modules and "scipy" not in modules
+
+
+def test_an_end_that_is_the_start_needs_no_system():
+    assert path(0.1, 0.1, 1.0, points=2, **SCENE).tolist() == [0.1, 0.1]
+    assert path(0.1, 0.3, 1.0, points=3, **SCENE).shape == (3,)

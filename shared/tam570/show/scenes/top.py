@@ -38,10 +38,7 @@ def tops(
         both, title = [], "too slow for steady precession"
     precessing = [part for color, states in enumerate(both) for part in _top(states, color, ("slow", "fast")[color])]
     shown = strip_samples(times)
-    changes = {}
-    for name, law in laws.items():
-        values = np.array([law(state) for state in free[shown]])
-        changes[name.replace("_", " ")] = values / (abs(values[0]) or 1.0)
+    changes = {name.replace("_", " "): _shares(law, free[shown]) for name, law in laws.items()}
     return Film(
         "Heavy top",
         "One top three times. Let go at rest it nods, and the end of its axis draws cusps. Started as it should be it "
@@ -56,6 +53,12 @@ def tops(
         view=(0.5, 0.3),
         poster=0.5,
     )
+
+
+def _shares(law: Callable[[Array], float], states: Array) -> Array:
+    """(n,) what stays, over its size at the start."""
+    values = np.array([law(state) for state in states])
+    return np.asarray(values / (abs(values[0]) or 1.0))
 
 
 def _ground() -> list[Part]:
