@@ -76,7 +76,7 @@ def curves_seen(picture: Drawing, count: int) -> tuple[Line, ...]:
     seen = tuple(line for line in picture.lines if not _unseen(line))
     hidden = [line for line in picture.lines if _unseen(line)]
     if len(seen) < count and hidden:
-        fail(f"a curve cannot be seen: {_unseen(hidden[0])}", hint="Save the figure, and look at it.")
+        fail("a curve cannot be seen", hint=_unseen(hidden[0]))
     says = f"the number of curves on the axes is {len(seen)}, not {count}"
     expect_that(len(seen) == count, says, hint="A curve needs ten points or more.")
     return seen
@@ -85,10 +85,10 @@ def curves_seen(picture: Drawing, count: int) -> tuple[Line, ...]:
 def _unseen(line: Line) -> str:
     """Why a curve cannot be seen; empty if it can."""
     if not line.within >= WITHIN:
-        return "it leaves the limits of the axes"
+        return "It leaves the limits of the axes."
     if not line.extent >= EXTENT:
-        return "it is as small as a point"
-    return "" if line.shows >= SEEN else "it is hidden, covered, too thin or too pale"
+        return "It is as small as a point."
+    return "" if line.shows >= SEEN else "It is hidden, covered, too thin or too pale."
 
 
 def judge_axes_of_lengths(
