@@ -9,7 +9,15 @@ from collections.abc import Callable
 
 from tam570 import __version__
 from tam570_grader.audit.command import add_audit
-from tam570_grader.delivery.command import add_course, add_gradescope, add_kit, add_lms, add_report, add_stubs
+from tam570_grader.delivery.command import (
+    add_collect,
+    add_course,
+    add_gradescope,
+    add_kit,
+    add_lms,
+    add_report,
+    add_stubs,
+)
 from tam570_grader.errors import UsageError
 from tam570_grader.grading.command import add_grade
 from tam570_grader.grading.replay import add_replay
@@ -17,7 +25,18 @@ from tam570_grader.grading.replay import add_replay
 __all__ = ["main"]
 
 INTERRUPTED = 130
-COMMANDS = add_grade, add_replay, add_stubs, add_kit, add_course, add_gradescope, add_lms, add_report, add_audit
+COMMANDS = (
+    add_collect,
+    add_grade,
+    add_replay,
+    add_stubs,
+    add_kit,
+    add_course,
+    add_gradescope,
+    add_lms,
+    add_report,
+    add_audit,
+)
 
 
 def main(argv: list[str] | None = None) -> int:

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from tam570_grader.options import Commands
 
-__all__ = ["add_course", "add_gradescope", "add_kit", "add_lms", "add_report", "add_stubs"]
+__all__ = ["add_collect", "add_course", "add_gradescope", "add_kit", "add_lms", "add_report", "add_stubs"]
 
 
 def add_stubs(commands: Commands) -> argparse.ArgumentParser:
@@ -40,13 +40,31 @@ def add_gradescope(commands: Commands) -> argparse.ArgumentParser:
     return gradescope
 
 
+def add_collect(commands: Commands) -> argparse.ArgumentParser:
+    collect: argparse.ArgumentParser = commands.add_parser(
+        "collect",
+        help="collect what was downloaded from Canvas, Moodle or Gradescope",
+        description="Put a download into folders <student>/<assignment>/ that `grade` reads. The newest file counts.",
+        epilog="collected.csv, beside that folder, lists who handed in what and when. The exit code is 1 if a file, "
+        "or its student, could not be placed: each is named.",
+    )
+    collect.set_defaults(command=_collect)
+    add = collect.add_argument
+    add("source", type=Path, metavar="ZIP", help="the zip file that you downloaded, or its folder")
+    add("--from", dest="system", choices=["canvas", "moodle", "gradescope"], required=True, help="the system")
+    add("--roster", type=Path, metavar="CSV", help="the gradebook or participants: folders are named by login")
+    add("--assignment", metavar="SLUG", help="which one it is, where the names of files do not tell")
+    add("--to", type=Path, metavar="DIR", default=Path("submitted"), help="default: %(default)s")
+    return collect
+
+
 def add_lms(commands: Commands) -> argparse.ArgumentParser:
     lms: argparse.ArgumentParser = commands.add_parser("lms", help="make a table that Canvas or Moodle imports")
     lms.set_defaults(command=_lms)
     add = lms.add_argument
     add("grades", type=Path, metavar="GRADES", help="grades.csv of `grade --out`, or of `nbgrader export`")
     add("--to", choices=["canvas", "moodle"], required=True, help="the system")
-    add("--roster", type=Path, metavar="FILE", help="a gradebook exported from Canvas, for its names and numbers")
+    add("--roster", type=Path, metavar="FILE", help="the gradebook of Canvas or Moodle's participants, to join by")
     add("--identity", choices=["username", "idnumber", "email"], default="username", help="in Moodle")
     add("--out", type=Path, metavar="FILE", help="default: print it")
     return lms
@@ -88,6 +106,15 @@ def _gradescope(arguments: argparse.Namespace) -> int:
     from tam570_grader.delivery import gradescope
 
     return gradescope.run(*_course_and_slugs(arguments))
+
+
+def _collect(arguments: argparse.Namespace) -> int:
+    from tam570_grader.delivery import collect
+    from tam570_grader.writing import assignments
+
+    known = assignments.slugs(assignments.find(arguments.root))
+    given = assignments.named([arguments.assignment], known)[0] if arguments.assignment else None
+    return collect.run(arguments.source, arguments.system, arguments.roster, arguments.to, known, given)
 
 
 def _lms(arguments: argparse.Namespace) -> int:

@@ -1,4 +1,7 @@
-"""Scores for a learning management system: tables that Canvas and Moodle import."""
+"""Scores for a learning management system: tables that Canvas and Moodle import.
+
+Canvas: "How do I import grades in the Gradebook?" (Canvas Instructor Guide). Moodle: "Grade import" (docs.moodle.org).
+"""
 
 import csv
 import io
@@ -6,10 +9,11 @@ import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
+from tam570_grader.delivery import roster as rosters
 from tam570_grader.errors import UsageError, writing
 from tam570_grader.results.journal import FORMULA, cell, name_in, written
 
-__all__ = ["canvas", "moodle", "run"]
+__all__ = ["canvas", "moodle", "moodle_of", "run"]
 
 # (student, assignment): score and largest score, as in the file
 Scores = Mapping[tuple[str, str], tuple[str, str]]
@@ -25,11 +29,17 @@ def run(grades: Path, system: str, roster: Path | None, identity: str, out: Path
     """Write the table for Canvas or Moodle; the exit code.
 
     grades   : grades.csv, of `tam570-grader grade --out` or of `nbgrader export`
-    roster   : a gradebook exported from Canvas, whose students and columns are used
-    identity : what our students' names are in Moodle: username, idnumber or email
+    roster   : a gradebook exported from Canvas, or a table of Moodle's participants: students are joined by their ids
+    identity : what Moodle shall know students by: username, idnumber or email
+
+    With a roster the exit code is 1 if a score belongs to nobody on it, or somebody on it has no score.
     """
     found = _scores(grades)
-    table = moodle(found, identity) if system == "moodle" else canvas(found, _rows(roster) if roster else None)
+    people = rosters.people(roster) if roster else []
+    if system == "moodle":
+        table = moodle_of(found, people, identity) if roster else moodle(found, identity)
+    else:
+        table = canvas(found, rosters.table(roster) if roster else None)
     _warn_of_formulas(table)
     text = io.StringIO()
     csv.writer(text).writerows(table)
@@ -38,7 +48,27 @@ def run(grades: Path, system: str, roster: Path | None, identity: str, out: Path
             written(out, text.getvalue())
     else:
         print(text.getvalue(), end="")
-    return 0
+    left = _left(found, people) if roster else []
+    for line in left:
+        print(f"tam570-grader: warning: {line}", file=sys.stderr)
+    return 1 if left else 0
+
+
+def _left(scores: Scores, people: Sequence[rosters.Person]) -> list[str]:
+    """Scores without a student and students without a score: a sentence for each."""
+    ids = {key for one in people for key in one.ids}
+    strangers = sorted({student for student, _ in scores} - ids)
+    scored = {key for key, (score, _) in scores.items() if score}
+    slugs = sorted({slug for _, slug in scores})
+    lacking = [
+        f"{one.name or one.ids[0]} ({one.ids[0]}) has no score in {slug}"
+        for one in people
+        for slug in slugs
+        if not any((key, slug) in scored for key in one.ids)
+    ]
+    return [
+        f"{name} has scores and is on no row of the roster: add a row, or rename the folder" for name in strangers
+    ] + lacking
 
 
 def _warn_of_formulas(table: Sequence[Sequence[str]]) -> None:
@@ -67,9 +97,23 @@ def moodle(scores: Scores, identity: str = "username") -> list[list[str]]:
     return [[MOODLE[identity], *slugs], *rows]
 
 
+def moodle_of(scores: Scores, people: Sequence[rosters.Person], identity: str) -> list[list[str]]:
+    """The table for Moodle with a row for each participant, by the field that the import is mapped to.
+
+    Moodle: "Grade import" (docs.moodle.org): one column identifies the user, the others are grade items.
+    """
+    slugs, heading = sorted({slug for _, slug in scores}), MOODLE[identity]
+    if any(heading not in one.row for one in people):
+        raise UsageError(
+            f"the roster has no column {heading}: export it with that column, or choose another --identity"
+        )
+    rows = [[one.row[heading].strip(), *(_first(scores, one.ids, slug) for slug in slugs)] for one in people]
+    return [[heading, *slugs], *rows]
+
+
 def _scores(grades: Path) -> Scores:
     """The scores in our table or nbgrader's; empty where the grader itself failed."""
-    heading, *rows = _rows(grades)
+    heading, *rows = rosters.table(grades)
     name = "student" if "student" in heading else "student_id"
     if not {name, "assignment", "score", "max_score"} <= set(heading):
         raise UsageError(f"{grades} is not a grades.csv of tam570-grader or nbgrader")
@@ -82,23 +126,16 @@ def _scores(grades: Path) -> Scores:
     return {(true_name(row[name]), row["assignment"]): (row["score"], row["max_score"]) for row in found}
 
 
-def _rows(path: Path) -> list[list[str]]:
-    try:
-        with open(path, newline="", encoding="utf-8-sig") as file:
-            rows = [row for row in csv.reader(file) if row]
-    except (OSError, UnicodeDecodeError, csv.Error) as error:
-        raise UsageError(f"{path} cannot be read: {error}") from None
-    if not rows:
-        raise UsageError(f"{path} is empty")
-    return rows
-
-
 def _people(roster: Sequence[Sequence[str]]) -> tuple[list[str], list[Sequence[str]]]:
     """The heading of Canvas's export and the rows of students in it, without its notes."""
     heading = list(roster[0])
     if tuple(heading[:5]) != CANVAS:
         raise UsageError(f"the roster is not a gradebook of Canvas: its columns must begin with {', '.join(CANVAS)}")
-    return heading, [row for row in roster[1:] if len(row) >= 5 and any(cell.strip() for cell in row[1:4])]
+    return heading, [row for row in roster[1:] if len(row) >= 5 and _is_student(row)]
+
+
+def _is_student(row: Sequence[str]) -> bool:
+    return any(cell.strip() for cell in row[1:4]) and row[0].strip().lower() not in rosters.NOT_PEOPLE
 
 
 def _unknown(scores: Scores) -> list[Sequence[str]]:
@@ -108,7 +145,11 @@ def _unknown(scores: Scores) -> list[Sequence[str]]:
 
 def _score(scores: Scores, person: Sequence[str], slug: str) -> str:
     """A person's score, by login or numbers; "" leaves what Canvas has."""
-    names = [name for name in (person[3], person[2], person[1]) if name]
+    return _first(scores, [name.strip() for name in (person[3], person[2], person[1]) if name.strip()], slug)
+
+
+def _first(scores: Scores, names: Sequence[str], slug: str) -> str:
+    """The score of whoever goes by one of these names."""
     return next((scores[name, slug][0] for name in names if (name, slug) in scores), "")
 
 

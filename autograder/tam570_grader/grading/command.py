@@ -48,6 +48,7 @@ def add_grade(commands: Commands) -> argparse.ArgumentParser:
     )
     add("--speed", action="store_true", help="also measure the run time of simulations, for the pages")
     add("--assignment", metavar="SLUG", help="which one it is, where the names do not tell")
+    add("--roster", type=Path, metavar="CSV", help="all students: who handed in nothing gets a row, too")
     add("--only", nargs="+", metavar="SLUG", help="grade these assignments alone")
     for name, unit, default, what in (
         ("--jobs", "N", cores(), "workers"),
@@ -193,15 +194,19 @@ def _print_gradescope(course: Path, done: list[Record]) -> int:
 
 
 def _submissions(arguments: argparse.Namespace, known: list[str]) -> list[Any]:
+    from tam570_grader.grading.overlooked import not_handed_in, overlooked
     from tam570_grader.grading.submissions import submissions
     from tam570_grader.writing import assignments
 
     given = assignments.named([arguments.assignment], known)[0] if arguments.assignment else None
     only = assignments.named(arguments.only or (), known)
-    found = [one for one in submissions(arguments.paths, known, given) if one.slug in only]
+    everything = submissions(arguments.paths, known, given)
+    for sentence in overlooked(arguments.paths, everything, known):
+        print(f"tam570-grader: warning: {sentence}", file=sys.stderr)
+    found = [one for one in everything if one.slug in only]
     if not found:
         raise UsageError(f"there is no submission of {', '.join(only)} at these paths")
-    return found
+    return found + (not_handed_in(arguments.roster, found) if arguments.roster else [])
 
 
 def _exit_code(done: list[Record]) -> int:

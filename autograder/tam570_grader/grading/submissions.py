@@ -15,11 +15,26 @@ from tam570_grader.sandbox.replies import printable
 from tam570_grader.sandbox.student import Source
 from tam570_grader.writing.assignments import slug_of
 
-__all__ = ["LARGEST", "MOST_FILES", "BadPath", "CannotRead", "Submission", "of_folder", "read", "submissions"]
+__all__ = [
+    "GIVEN",
+    "LARGEST",
+    "MOST_FILES",
+    "WORK",
+    "BadPath",
+    "CannotRead",
+    "Submission",
+    "entries",
+    "of_folder",
+    "of_name",
+    "read",
+    "submissions",
+]
 
 LARGEST = 10 * 2**20  # bytes; a notebook with pictures in it may have a few MiB
 LONGEST_NAME = 255  # bytes, of a file
 MOST_FILES = 1000  # in the folder of a student, or of an assignment
+WORK = (".py", ".ipynb")
+GIVEN = re.compile(r"test_.*|lab|conftest")  # modules beside the students' own
 MOST_NAMES = 10  # of files, in a note on what was found
 
 
@@ -63,6 +78,8 @@ def read(submission: Submission) -> Source:
     """The submission's text, or CannotRead: no links to elsewhere, no devices, nothing huge."""
     assert submission.path is not None
     name = printable(submission.path.name)
+    if submission.path.suffix not in WORK:
+        raise CannotRead(f"{name} is neither a module (.py) nor a notebook (.ipynb): unpack it, or rename it")
     if not _own(submission.path, submission.tree):
         raise CannotRead(f"{name} is a link to a place outside of the submission")
     path = submission.path.resolve()
@@ -92,14 +109,14 @@ def _of_file(path: Path, known: Sequence[str], given: str | None) -> Submission:
     slug = given or slug_of(path.stem, known) or slug_of(path.absolute().parent.name, known)
     if slug is None:
         raise BadPath(f"cannot tell which assignment {path} is: name it with --assignment, one of {', '.join(known)}")
-    if path.suffix not in (".py", ".ipynb"):
+    if path.suffix not in WORK:
         raise BadPath(f"{path} is neither a Python module (.py) nor a notebook (.ipynb)")
     return Submission(_name(path.stem), slug, path, path.resolve())
 
 
 def _in_folder(folder: Path, known: Sequence[str], given: str | None) -> list[Submission]:
     slug = given or slug_of(folder.name, known)
-    holds_work = any(entry.suffix in (".py", ".ipynb") for entry in _entries(folder))
+    holds_work = any(entry.suffix in WORK for entry in entries(folder))
     found = [] if slug and holds_work else _trees(folder, known, given)
     return found or ([of_folder(folder, folder.parent.name, slug, folder.resolve())] if slug else [])
 
@@ -107,7 +124,7 @@ def _in_folder(folder: Path, known: Sequence[str], given: str | None) -> list[Su
 def _trees(folder: Path, known: Sequence[str], given: str | None) -> list[Submission]:
     """Submissions in `<student>/<assignment>/`, `<student>/<assignment>.py`, `<assignment>/` and `<assignment>.py`."""
     found, closed = [], {}
-    for entry in _entries(folder):
+    for entry in entries(folder):
         if (slug := _chosen(entry, known, given)) and os.path.isdir(entry):
             found.append(of_folder(entry, folder.name, slug, entry))
         elif slug:
@@ -127,23 +144,30 @@ def _trees(folder: Path, known: Sequence[str], given: str | None) -> list[Submis
 def _of_student(own: Path, known: Sequence[str], given: str | None) -> Iterator[Submission]:
     """What is in a student's own folder: for each assignment a folder, or files."""
     work = collections.defaultdict(list)
-    for entry in _entries(own, MOST_FILES):
+    held = entries(own, MOST_FILES)
+    for entry in held:
         if slug := _chosen(entry, known, given):
             work[slug].append(entry)
-    for slug, entries in work.items():
-        folders = [entry for entry in entries if os.path.isdir(entry)]
-        if len(folders) == len(entries) == 1:
+    told = {entry: slug for entry in held if not os.path.isdir(entry) and (slug := of_name(entry.name, known))}
+    for entry, slug in told.items():  # packed or misnamed: its reading says so
+        if slug not in work and given in (None, slug):
+            yield Submission(_name(own.name), slug, entry, own)
+    if given and not work and not told and not any(slug_of(entry.name, known) for entry in held):
+        yield of_folder(own, own.name, given, own)
+    for slug, own_work in work.items():
+        folders = [entry for entry in own_work if os.path.isdir(entry)]
+        if len(folders) == len(own_work) == 1:
             yield of_folder(folders[0], own.name, slug, own)
         else:
-            yield _of_files(entries, own.name, slug, own)
+            yield _of_files(own_work, own.name, slug, own)
 
 
-def _entries(folder: Path, most: int | None = None) -> list[Path]:
+def entries(folder: Path, most: int | None = None) -> list[Path]:
     """What is in a folder, hidden files aside; of a student's folder no more than `most` is looked at."""
     try:
         os.stat(os.path.join(folder, "."))  # one that may be listed may be closed all the same
-        with os.scandir(folder) as entries:
-            names = [entry.name for entry in itertools.islice(entries, most and most + 1)]
+        with os.scandir(folder) as listed:
+            names = [entry.name for entry in itertools.islice(listed, most and most + 1)]
     except OSError as error:
         raise BadPath(f"{printable(str(folder))} cannot be read: {error.strerror}; who owns it?") from None
     if most and len(names) > most:
@@ -166,25 +190,34 @@ def _shortened(name: str) -> str:
 
 def _chosen(entry: Path, known: Sequence[str], given: str | None) -> str | None:
     """The assignment that a folder, module or notebook in a tree is work on."""
-    is_work = os.path.isdir(entry) or entry.suffix in (".py", ".ipynb")
-    slug = slug_of(entry.name if os.path.isdir(entry) else entry.stem, known) if is_work else None
+    if os.path.isdir(entry):
+        slug = slug_of(entry.name, known)
+    else:
+        slug = of_name(entry.name, known) if entry.suffix in WORK else None
     return slug if given in (None, slug) else None
+
+
+def of_name(name: str, known: Sequence[str]) -> str | None:
+    """The assignment that a file's name tells: hw08.py, hw08.py.txt, or axis_angle-2.py, by its title."""
+    stem = name.split(".")[0]
+    titles = (slug for slug in known if re.fullmatch(rf"{slug[5:]}(?:[ _-]?\(?\d+\)?)?", stem, re.IGNORECASE))
+    return slug_of(name, known) or next(titles, None)
 
 
 def of_folder(folder: Path, student: str, slug: str, tree: Path) -> Submission:
     """What is in a student's folder of one assignment."""
     try:
         if _own(folder, tree):
-            return _of_files(_entries(folder, MOST_FILES), student, slug, tree)
+            return _of_files(entries(folder, MOST_FILES), student, slug, tree)
         note = f"{printable(folder.name)} is a link to a place outside of the submission"
     except BadPath as unreadable:
         note = str(unreadable)
     return Submission(_name(student), slug, None, tree, note)
 
 
-def _of_files(entries: Sequence[Path], student: str, slug: str, tree: Path) -> Submission:
+def _of_files(held: Sequence[Path], student: str, slug: str, tree: Path) -> Submission:
     """The module among them, or the notebook where no module is written; a note where it is not clear which."""
-    files = [entry for entry in entries if entry.suffix in (".py", ".ipynb")]
+    files = [entry for entry in held if entry.suffix in WORK]
     if f"{slug}.ipynb" in {entry.name for entry in files}:
         files = [entry for entry in files if entry.name != f"{slug}.py" or not _untouched(entry, tree)]
     alike = [entry for entry in files if slug_of(entry.stem, [slug])]
@@ -194,14 +227,14 @@ def _of_files(entries: Sequence[Path], student: str, slug: str, tree: Path) -> S
         [entry for entry in alike if entry.suffix == ".py"],
         [entry for entry in alike if entry.suffix == ".ipynb"],
         [entry for entry in files if entry.suffix == ".ipynb"],
+        [entry for entry in files if entry.suffix == ".py" and not GIVEN.fullmatch(entry.stem)],
     )
     chosen = next(filter(None, choices), [])
     if len(chosen) == 1:
         return Submission(_name(student), slug, chosen[0], tree)
-    among = set(files)
-    seen = [printable(entry.name[:80]) for entry in entries if entry in among or os.path.isdir(entry)]
+    seen = [printable(entry.name[:80]) for entry in held]
     seen[MOST_NAMES:] = [f"{len(seen) - MOST_NAMES} more"] if len(seen) > MOST_NAMES else []
-    names = ", ".join(seen) or "neither a module nor a notebook"
+    names = ", ".join(seen) or "no file"
     note = f"there is no {slug}.py in the folder; it holds {names}"
     return Submission(_name(student), slug, None, tree, note)
 

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from tam570_grader.delivery.roster import students
 from tam570_grader.errors import UsageError, writing
 from tam570_grader.pages.feedback import Sheet, sheet, template
 from tam570_grader.results.journal import Record, read, written
@@ -41,7 +42,7 @@ def run(folder: Path, course: Path, roster: Path | None, out: Path | None) -> in
     """Write the report on the results in the folder; the exit code."""
     records = results(folder)
     place = out or folder / "report.html"
-    names = _names(roster) if roster else ()
+    names = students(roster, {record["student"] for record in records}) if roster else ()
     text = report(records, {slug: sheet(course, slug) for slug in _slugs(records)}, names)
     with writing(place):
         written(place, text)
@@ -81,18 +82,6 @@ def report(records: Sequence[Record], sheets: Mapping[str, Sheet], roster: Itera
         script_hash=base64.b64encode(hashlib.sha256(script.encode()).digest()).decode(),
     )
     return text
-
-
-def _names(roster: Path) -> list[str]:
-    """One student a line; of a table, the first column, without its heading."""
-    try:
-        lines = roster.read_text(encoding="utf-8-sig").splitlines()
-    except OSError as error:
-        raise UsageError(f"cannot read {roster}: {error.strerror}") from None
-    except UnicodeDecodeError:
-        raise UsageError(f"{roster} is not text in UTF-8; save the roster as CSV (UTF-8)") from None
-    names = [line.split(",")[0].strip().strip('"') for line in lines if line.strip()]
-    return names[1:] if names and names[0].lower() in ("student", "name", "id") else names
 
 
 def _slugs(records: Iterable[Record]) -> list[str]:

@@ -85,11 +85,11 @@ def checks_folder(root: Path, slug: str) -> Path:
 
 
 def slug_of(name: str, known: Sequence[str]) -> str | None:
-    """The assignment that a file's or folder's name stands for: hw07, hw07_double_pendulum, hw07-final, ..."""
+    """The assignment that a file's or folder's name stands for: hw07, HW7, homework 7, hw07-final, ..."""
     if name in known:
         return name
-    number = re.match(r"hw\d\d(?!\d)", name, re.IGNORECASE)
-    return next((slug for slug in known if number and slug.startswith(number[0].lower() + "_")), None)
+    number = re.match(r"(?:hw|homework)[ _-]*(\d{1,2})(?!\d)", name, re.IGNORECASE)
+    return next((slug for slug in known if number and slug.startswith(f"hw{int(number[1]):02}_")), None)
 
 
 def named(names: Iterable[str], known: Sequence[str]) -> list[str]:

@@ -185,14 +185,14 @@ def test_a_link_with_too_long_a_target_is_no_folder(run, tree, scores):
 
 
 def test_a_students_folder_that_is_closed_is_a_note(run, tree, monkeypatch, scores):
-    entries = submissions._entries
+    entries = submissions.entries
 
     def closed(folder, most=None):
         if folder.name == "dan":
             raise submissions.BadPath("dan cannot be read")
         return entries(folder, most)
 
-    monkeypatch.setattr(submissions, "_entries", closed)
+    monkeypatch.setattr(submissions, "entries", closed)
     (tree / "dan").mkdir()
     code, lines, _ = run(tree)
     assert (code, scores(lines)) == (0, {"ada": 10.0, "ben": 0.0, "cora": 0.0, "dan": 0.0})

@@ -9,6 +9,7 @@ from html.parser import HTMLParser
 import pytest
 
 from tam570_grader import cli
+from tam570_grader.delivery.roster import students
 from tam570_grader.errors import UsageError
 from tam570_grader.pages import report
 from tam570_grader.pages.feedback import Sheet
@@ -185,7 +186,7 @@ def test_a_roster_that_is_no_text_is_refused(tmp_path, capsys):
 @pytest.mark.parametrize("text", ["ada\neve\n", 'student,mail\nada,a@b\n"eve",e@b\n', "\ufeffName\nada\neve"])
 def test_a_roster_is_names_or_the_first_column_of_a_table(tmp_path, text):
     (tmp_path / "roster").write_text(text, encoding="utf-8")
-    assert report._names(tmp_path / "roster") == ["ada", "eve"]
+    assert students(tmp_path / "roster") == ["ada", "eve"]
 
 
 def test_the_command_writes_the_page_beside_the_feedback(tmp_path, capsys, solution_text):

@@ -1,0 +1,141 @@
+"""Puts what was downloaded from Canvas, Moodle or Gradescope into `submitted/<student>/<assignment>/`."""
+
+import csv
+import io
+import re
+import sys
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from tam570_grader.delivery import roster
+from tam570_grader.delivery.archives import File, inside, members
+from tam570_grader.delivery.downloads import READERS, Handed
+from tam570_grader.errors import UsageError, writing
+from tam570_grader.grading.submissions import GIVEN, WORK, of_name
+from tam570_grader.results.journal import cell, written
+
+__all__ = ["run"]
+
+COLUMNS = ("student", "name", "assignment", "file", "when", "late", "from", "note")
+TABLE = "collected.csv"
+NAMELESS = "cannot tell the assignment: give it with --assignment"
+NOT_WORK = "neither a module (.py) nor a notebook (.ipynb): ask the student for one"
+OLDER, RELEASED = "older", "came with the assignment"  # why a file is left, where all is well
+STRANGER = "is on no row of the roster"
+UNSAFE = re.compile(r"[^\w.@+ -]|^[.-]")  # in the name of a student's folder
+
+
+@dataclass(frozen=True)
+class Taken:
+    """One file with its student, its assignment and the name that it gets; without one `note` says why."""
+
+    student: str
+    handed: Handed
+    slug: str
+    target: str
+    note: str = ""
+
+
+def run(
+    source: Path, system: str, table: Path | None, out: Path, known: Sequence[str], given: str | None = None
+) -> int:
+    """Collect a download; the exit code is 1 if anything is left that needs the instructor."""
+    if not source.exists():
+        raise UsageError(f"{source} does not exist: name the zip file that {system} gave you, or its folder")
+    people = roster.by_id(roster.people(table)) if table else {}
+    found = list(READERS[system](members(source)))
+    strays = [one for one in found if isinstance(one, File)]
+    unpacked = [each for one in found if isinstance(one, Handed) for each in _unpacked(one)]
+    if not unpacked:
+        raise UsageError(f"{source} holds nothing that is named as {system} names submissions: is --from right?")
+    rows = _newest([_taken(one, people, known, given) for one in unpacked])
+    _write(rows, out)
+    troubles = [_told(row) for row in rows if row.note and row.note not in (OLDER, RELEASED)]
+    troubles += [f"{stray.path} {stray.refused or f'is not named as {system} names submissions'}" for stray in strays]
+    troubles += [f"{row} {STRANGER}" for row in _strangers(rows, people)] if table else []
+    for line in troubles:
+        print(f"tam570-grader: warning: {line}", file=sys.stderr)
+    _say(rows, out, people)
+    return 1 if troubles else 0
+
+
+def _unpacked(handed: Handed) -> list[Handed]:
+    """The file itself, or the work that a zip file holds."""
+    if handed.file.refused or not handed.title.lower().endswith(".zip"):
+        return [handed]
+    held = inside(handed.file)
+    work = [one for one in held if one.refused or one.path.endswith(WORK)]
+    named = [replace(handed, file=one, title=one.path.rsplit("/", 1)[-1]) for one in work]
+    return named or [handed]
+
+
+def _taken(handed: Handed, people: Mapping[str, roster.Person], known: Sequence[str], given: str | None) -> Taken:
+    person = next((people[key] for key in handed.ids if key in people), None)
+    student = _folder(person.ids[0] if person else handed.ids[0])
+    title = handed.title.removesuffix(".txt") if handed.title.endswith(".py.txt") else handed.title
+    slug = given or of_name(title, known) or ""
+    suffix = Path(title).suffix.lower()
+    if handed.file.refused:
+        return Taken(student, handed, slug, "", handed.file.refused)
+    if suffix not in WORK:
+        return Taken(student, handed, slug, "", NOT_WORK)
+    if GIVEN.fullmatch(Path(title).stem):
+        return Taken(student, handed, slug, "", RELEASED)
+    return Taken(student, handed, slug, f"{slug}{suffix}", "") if slug else Taken(student, handed, "", "", NAMELESS)
+
+
+def _folder(name: str) -> str:
+    """A student's id as the name of a folder, from which no path leads anywhere."""
+    return UNSAFE.sub("_", name)[:200] or "_"
+
+
+def _newest(rows: Sequence[Taken]) -> list[Taken]:
+    """All rows, of which the newest of each student, assignment and form alone keeps its place."""
+    last: dict[tuple[str, str], Taken] = {}
+    for row in rows:
+        key = row.student, row.target
+        if row.target and (key not in last or row.handed.order >= last[key].handed.order):
+            last[key] = row
+    kept = set(map(id, last.values()))
+    found = [row if not row.target or id(row) in kept else replace(row, target="", note=OLDER) for row in rows]
+    return sorted(found, key=lambda row: (row.student, row.slug, row.handed.order))
+
+
+def _write(rows: Iterable[Taken], out: Path) -> None:
+    """The files in their folders, and the table of who, what and when."""
+    text = io.StringIO()
+    writer = csv.writer(text)
+    writer.writerow(COLUMNS)
+    with writing(out):
+        for row in rows:
+            one = row.handed
+            if row.target:
+                place = out / row.student / row.slug
+                place.mkdir(parents=True, exist_ok=True)
+                (place / row.target).write_bytes(one.file.data)
+            late = "LATE" if one.late else ""
+            cells = (row.student, one.name, row.slug, row.target, one.when, late, one.file.path, row.note)
+            writer.writerow(map(cell, cells))
+        out.mkdir(parents=True, exist_ok=True)
+        written(out.parent / TABLE, text.getvalue())
+
+
+def _told(row: Taken) -> str:
+    return f"{row.handed.file.path} of {row.student} is not collected: {row.note}"
+
+
+def _strangers(rows: Iterable[Taken], people: Mapping[str, roster.Person]) -> list[str]:
+    known = {key for one in rows for key in one.handed.ids if key in people}
+    return sorted({f"{one.student} ({one.handed.name})" for one in rows if not known & {*one.handed.ids}})
+
+
+def _say(rows: Sequence[Taken], out: Path, people: Mapping[str, roster.Person]) -> None:
+    """How many were collected, how many late, and who on the roster handed in nothing."""
+    kept = [row for row in rows if row.target]
+    here = {row.student for row in kept}
+    late = sum(row.handed.late for row in kept)
+    print(f"{out}: {len(kept)} files of {len(here)} students, {late} late; {out.parent / TABLE} lists them")
+    absent = sorted({one.ids[0] for one in people.values()} - here)
+    if absent:
+        print(f"{len(absent)} on the roster handed in nothing: {', '.join(absent)}")

@@ -1,0 +1,96 @@
+"""Who takes the course: the tables of students that Canvas, Moodle and Gradescope export, or a plain list.
+
+Canvas: "How do I export grades in the Gradebook?" and "How do I import grades in the Gradebook?" (Canvas Instructor
+Guide). Moodle: "Grade export" and "Assignment settings", offline grading worksheet (docs.moodle.org). Gradescope:
+"Adding and editing your roster" (Gradescope Help Center).
+"""
+
+import csv
+from collections.abc import Collection, Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from tam570_grader.errors import UsageError
+
+__all__ = ["NOT_PEOPLE", "Person", "by_id", "people", "students", "table"]
+
+# columns that tell people apart, the login first: what their folders are named after
+IDS = (
+    "sis login id",
+    "username",
+    "login",
+    "student_id",
+    "id number",
+    "sis user id",
+    "sid",
+    "identifier",
+    "id",
+    "email address",
+    "email",
+)
+NAMES = ("student", "full name", "name")
+PARTS = (("first name", "last name"), ("first name", "surname"), ("first_name", "last_name"))
+NOT_PEOPLE = ("points possible", "student, test", "manual posting")  # rows of Canvas's gradebook
+DELIMITERS = ",;\t"
+
+
+@dataclass(frozen=True)
+class Person:
+    """One student: all that the system knows them by, the login first, and their row in the table."""
+
+    ids: tuple[str, ...]
+    name: str
+    row: Mapping[str, str]  # by the table's own headings
+
+
+def people(path: Path) -> list[Person]:
+    """The students in a table with a heading that Canvas, Moodle or Gradescope writes, or in a list, one a line."""
+    rows = table(path)
+    lower = [heading.strip().lower() for heading in rows[0]]
+    known = {*IDS, *NAMES, *(part for pair in PARTS for part in pair)}
+    if not known & set(lower):
+        return [Person((row[0].strip(),), row[0].strip(), {}) for row in rows if row[0].strip()]
+    padded = ([*row, *[""] * (len(lower) - len(row))] for row in rows[1:])
+    found = [_person(dict(zip(rows[0], row, strict=False)), dict(zip(lower, row, strict=False))) for row in padded]
+    return [one for one in found if one.ids and one.name.lower() not in NOT_PEOPLE]
+
+
+def _person(row: Mapping[str, str], cells: Mapping[str, str]) -> Person:
+    """What a row tells, by its headings in small letters; a Canvas row without a number is not a student's."""
+    name = next((cells[key].strip() for key in NAMES if cells.get(key, "").strip()), "")
+    joined = (" ".join(cells[part].strip() for part in pair) for pair in PARTS if set(pair) <= cells.keys())
+    name = name or next(joined, "").strip()
+    own = ["student"] if "student" in cells and "section" not in cells else []  # in Canvas's table it is a name
+    columns = own + [key for key in IDS if key in cells]
+    ids = [cells[key].strip().removeprefix("Participant ") for key in columns] if columns else [name]
+    return Person(tuple(dict.fromkeys(filter(None, ids))), name, row)
+
+
+def by_id(found: Iterable[Person]) -> dict[str, Person]:
+    """Each student by each of their ids; an id that two share tells nobody, and full names that one has do."""
+    count: dict[str, list[Person]] = {}
+    for one in found:
+        for key in {*one.ids, one.name} - {""}:
+            count.setdefault(key, []).append(one)
+    return {key: owners[0] for key, owners in count.items() if len(owners) == 1}
+
+
+def students(path: Path, known: Collection[str] = ()) -> list[str]:
+    """The students on a roster: by the id that is known already, else by their login."""
+    return [next((key for key in one.ids if key in known), one.ids[0]) for one in people(path)]
+
+
+def table(path: Path) -> list[list[str]]:
+    """The rows of a CSV file that are not empty, whatever separates its cells."""
+    try:
+        with open(path, newline="", encoding="utf-8-sig") as file:
+            first = file.readline()
+            file.seek(0)
+            rows = [row for row in csv.reader(file, delimiter=max(DELIMITERS, key=first.count)) if any(row)]
+    except UnicodeDecodeError:
+        raise UsageError(f"{path} is not text in UTF-8; save it as CSV (UTF-8)") from None
+    except (OSError, csv.Error) as error:
+        raise UsageError(f"cannot read {path}: {getattr(error, 'strerror', None) or error}") from None
+    if not rows:
+        raise UsageError(f"{path} is empty; export it again")
+    return rows

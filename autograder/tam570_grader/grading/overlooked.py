@@ -1,0 +1,65 @@
+"""Nobody vanishes: what lies in a class's folder and is not graded is named, and who handed in nothing gets a row."""
+
+import os
+from collections.abc import Iterable, Iterator, Sequence
+from pathlib import Path
+
+from tam570_grader.delivery import roster
+from tam570_grader.grading.submissions import GIVEN, WORK, BadPath, Submission, entries, of_name
+from tam570_grader.sandbox.replies import printable
+from tam570_grader.writing.assignments import slug_of
+
+__all__ = ["not_handed_in", "overlooked"]
+
+PACKED = (".zip", ".txt", ".gz", ".7z", ".rar", ".tar")  # forms in which work is handed in by mistake
+REMEDY = "name it after its assignment, as hw08.py, or name the assignment with --assignment"
+
+
+def overlooked(paths: Iterable[Path], found: Sequence[Submission], known: Sequence[str]) -> Iterator[str]:
+    """A sentence for everything at these paths that no submission accounts for; it names the remedy."""
+    trees, graded = {one.tree for one in found}, {one.path for one in found}
+    for folder in paths:
+        if not folder.is_dir() or folder.resolve() in trees:
+            continue
+        for entry in entries(folder.absolute()):
+            if entry not in trees and entry not in graded and not _names_another(entry, known):
+                yield f"{_shown(entry)} is not graded: nothing in its name tells the assignment; {REMEDY}"
+            elif entry in trees and os.path.isdir(entry) and not slug_of(entry.name, known):
+                yield from _beside(entry, graded, known)
+
+
+def _beside(own: Path, graded: set[Path | None], known: Sequence[str]) -> Iterator[str]:
+    """What else a student's own folder holds that could be work."""
+    try:
+        held = entries(own)
+    except BadPath:  # it has a row that says so
+        return
+    for entry in held:
+        could_be = os.path.isdir(entry) or entry.suffix in (*WORK, *PACKED)
+        if could_be and entry not in graded and not GIVEN.fullmatch(entry.stem) and not _names_another(entry, known):
+            yield f"{_shown(entry)} is not graded; {REMEDY}"
+
+
+def _names_another(entry: Path, known: Sequence[str]) -> bool:
+    """Whether it is work on an assignment that was not asked for, or that has a row."""
+    return bool(
+        slug_of(entry.name, known) or (not os.path.isdir(entry) and entry.suffix in WORK and of_name(entry.name, known))
+    )
+
+
+def _shown(entry: Path) -> str:
+    return printable("/".join(entry.parts[-2:]))
+
+
+def not_handed_in(path: Path, found: Sequence[Submission]) -> list[Submission]:
+    """A row without a file for everyone on the roster, for each assignment that others have handed in."""
+    here = {(one.student, one.slug) for one in found}
+    students = roster.students(path, {one.student for one in found})
+    slugs = sorted({one.slug for one in found})
+    note = "nothing was handed in"
+    return [
+        Submission(student, slug, None, Path(), note)
+        for student in students
+        for slug in slugs
+        if (student, slug) not in here
+    ]

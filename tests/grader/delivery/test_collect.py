@@ -1,0 +1,140 @@
+"""Downloads as they are: how Canvas, Moodle and Gradescope name submissions, and hostile zip files."""
+
+import csv
+import io
+import stat
+import zipfile
+
+import pytest
+
+from tam570_grader import cli
+from tam570_grader.grading.submissions import LARGEST
+
+SLUG = "hw08_axis_angle"
+ROSTER = """Student,ID,SIS User ID,SIS Login ID,Section
+"Adams, Ann",17,A1,aadams,570
+"Brown, Bo",18,A2,bbrown,570
+"Chen, Cy",19,A3,cchen,570
+"""
+PARTICIPANTS = """"First name",Surname,Username,Identifier
+Ann,Adams,aadams,"Participant 17"
+Bo,Brown,bbrown,"Participant 18"
+Cy,Chen,cchen,"Participant 19"
+"""
+METADATA = """submission_1:
+  :submitters:
+  - :name: Ann Adams
+    :sid: 'A1'
+    :email: ann@x.edu
+  - :name: Bo Brown
+    :sid: A2
+  :created_at: 2026-02-03 10:00:00 -0600
+submission_2:
+  :submitters:
+  - :name: Cy Chen
+    :sid: A3
+  :created_at: 2026-02-03 11:00:00 -0600
+"""
+
+
+def packed(files):
+    """The bytes of a zip file."""
+    data = io.BytesIO()
+    with zipfile.ZipFile(data, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, text in files.items():
+            archive.writestr(name, text)
+    return data.getvalue()
+
+
+@pytest.fixture
+def collect(course, tmp_path, capsys):
+    """`collect(system, files, roster)` -> exit code, texts of the files collected, rows of the table, what was said."""
+
+    def collect(system, files, roster=ROSTER, *options):
+        (tmp_path / "roster.csv").write_text(roster)
+        (tmp_path / "download.zip").write_bytes(packed(files))
+        where = ["--roster", str(tmp_path / "roster.csv"), "--to", str(tmp_path / "course" / "submitted")]
+        command = ["collect", str(tmp_path / "download.zip"), "--from", system, *where, *options]
+        code = cli.main(["--root", str(course), *command])
+        out, err = capsys.readouterr()
+        folder = tmp_path / "course" / "submitted"
+        found = {p.relative_to(folder).as_posix(): p.read_text() for p in sorted(folder.rglob("*")) if p.is_file()}
+        with open(tmp_path / "course" / "collected.csv", newline="") as file:
+            return code, found, list(csv.DictReader(file)), out + err
+
+    return collect
+
+
+def module(student):
+    return f"{student}/{SLUG}/{SLUG}.py"
+
+
+def test_canvas_the_newest_late_and_by_login(collect):
+    files = {
+        "adamsann_17_500_hw08_axis_angle.py": "old",
+        "adamsann_17_600_hw08_axis_angle-2.py": "new",
+        "brownbo_LATE_18_550_axis_angle.py": "late",
+        "chency_19_560_hw08.zip": packed({"mine/hw08.py": "packed", "__MACOSX/._hw08.py": "no"}),
+    }
+    code, found, rows, said = collect("canvas", files)
+    assert code == 0 and found == {module("aadams"): "new", module("bbrown"): "late", module("cchen"): "packed"}
+    told = {(row["student"], row["late"], row["note"]) for row in rows}
+    assert told == {("aadams", "", "older"), ("aadams", "", ""), ("bbrown", "LATE", ""), ("cchen", "", "")}
+    assert "3 students, 1 late" in said
+
+
+@pytest.mark.parametrize("form", ["{0}_{1}_assignsubmission_file_/hw08.py", "{0}_{1}_assignsubmission_file_hw08.py"])
+def test_moodle_in_folders_and_flat(collect, form):
+    files = {form.format("Ann Adams", 17): "a", form.format("Bo Brown", 18): "b"}
+    code, found, _, said = collect("moodle", files, PARTICIPANTS)
+    assert code == 0 and found == {module("aadams"): "a", module("bbrown"): "b"}
+    assert "1 on the roster handed in nothing: cchen" in said
+
+
+def test_gradescope_by_its_metadata_groups_too(collect):
+    files = {
+        "export/submission_metadata.yml": METADATA,
+        "export/submission_1/work.py": "ab",
+        "export/submission_2/hw08.py": "c",
+    }
+    code, found, rows, _ = collect("gradescope", files, ROSTER, "--assignment", "hw08")
+    assert code == 0 and found == {module("aadams"): "ab", module("bbrown"): "ab", module("cchen"): "c"}
+    assert rows[0]["when"].startswith("2026-02-03")
+
+
+@pytest.mark.parametrize(
+    ("name", "data", "says"),
+    [
+        ("chency_19_9_work.py", "x", "--assignment"),
+        ("chency_19_9_hw08.docx", "x", "neither a module"),
+        ("what is this.py", "x", "is not named as canvas names submissions"),
+        ("drop_77_9_hw08.py", "x", "77 (drop) is on no row of the roster"),
+        ("chency_19_9_hw08.py", "x" * (LARGEST + 1), "larger than 10 MiB"),
+        ("chency_19_9_hw08.zip", b"no zip", "cannot be unpacked"),
+        ("chency_19_9_hw08.zip", packed({"../../hw08.py": "x"}), "leads out"),
+    ],
+)
+def test_what_cannot_be_placed_is_named_and_the_code_is_1(collect, name, data, says):
+    code, found, _, said = collect("canvas", {"adamsann_17_5_hw08.py": "a", name: data})
+    assert code == 1 and says in said and found[module("aadams")] == "a"
+    assert not any("cchen" in path for path in found)
+
+
+def test_a_link_in_a_zip_file_is_refused(collect):
+    link = zipfile.ZipInfo("chency_19_9_hw08.py")
+    link.create_system, link.external_attr = 3, (stat.S_IFLNK | 0o777) << 16
+    code, found, _, said = collect("canvas", {"adamsann_17_5_hw08.py": "a", link: "/etc/passwd"})
+    assert code == 1 and "it is a link" in said and list(found) == [module("aadams")]
+
+
+def test_no_id_leads_out_of_the_folder(collect, tmp_path):
+    roster = 'Student,ID,SIS Login ID,Section\n"Adams, Ann",17,../../up,570\n'
+    _, found, _, _ = collect("canvas", {"adamsann_17_5_hw08.py": "a"}, roster)
+    assert len(found) == 1 and not (tmp_path / "up").exists()
+
+
+def test_a_download_of_another_system_is_said(course, tmp_path, capsys):
+    (tmp_path / "a.zip").write_bytes(packed({"hw08.py": "x"}))
+    for system, says in (("canvas", "is --from right?"), ("gradescope", "submission_metadata.yml")):
+        assert cli.main(["--root", str(course), "collect", str(tmp_path / "a.zip"), "--from", system]) == 2
+        assert says in capsys.readouterr().err

@@ -1,0 +1,49 @@
+"""Rosters as Canvas, Moodle and Gradescope export them, and plain lists."""
+
+import pytest
+
+from tam570_grader.delivery.roster import by_id, people, students
+
+CANVAS = """Student,ID,SIS User ID,SIS Login ID,Section,hw07_double_pendulum (4711),Final Score
+,,,,,Manual Posting,
+    Points Possible,,,,,10,(read only)
+"Adams, Ann",17,A1,aadams,570,,
+"Brown, Bo",18,A2,bbrown,"570, evening",,
+"Student, Test",99,,f00,570,,
+"""
+MOODLE = """"First name",Surname,Username,"ID number","Email address"
+Ann,Adams,aadams,A1,ann@x.edu
+Bo,Brown,bbrown,A2,bo@x.edu
+"""
+WORKSHEET = """Identifier;"Full name";"Email address";Status;Grade
+"Participant 17";"Ann Adams";aadams;Submitted;
+"Participant 18";"Bo Brown";bbrown;Submitted;
+"""
+GRADESCOPE = (
+    "First Name,Last Name,SID,Email,Role\nAnn,Adams,aadams,ann@x.edu,Student\nBo,Brown,bbrown,bo@x.edu,Student\n"
+)
+NBGRADER = "id,first_name,last_name,email\naadams,Ann,Adams,a@x\nbbrown,Bo,Brown,b@x\n"
+
+
+@pytest.mark.parametrize(
+    "text", [CANVAS, MOODLE, GRADESCOPE, NBGRADER, "aadams\nbbrown\n", "student\naadams\nbbrown\n"]
+)
+def test_students_are_rows_and_nobody_else_is(tmp_path, text):
+    (tmp_path / "roster.csv").write_text("\ufeff" + text, encoding="utf-8")
+    assert students(tmp_path / "roster.csv") == ["aadams", "bbrown"]
+
+
+def test_a_worksheet_is_joined_by_participant(tmp_path):
+    (tmp_path / "roster.csv").write_text(WORKSHEET)
+    assert by_id(people(tmp_path / "roster.csv"))["18"].name == "Bo Brown"
+
+
+def test_a_student_goes_by_the_id_that_is_known(tmp_path):
+    (tmp_path / "roster.csv").write_text(CANVAS)
+    assert students(tmp_path / "roster.csv", {"17", "A2"}) == ["17", "A2"]
+
+
+def test_what_two_share_tells_neither(tmp_path):
+    (tmp_path / "roster.csv").write_text("Username,First name,Surname\nli1,Li,Wu\nli2,Li,Wu\n")
+    found = by_id(people(tmp_path / "roster.csv"))
+    assert set(found) == {"li1", "li2"}
