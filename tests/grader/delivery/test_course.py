@@ -21,11 +21,8 @@ MISSING = ("is not written", "comes from a cell above that shows nothing yet")
 def made_notebook(course, slug):
     released = course / "assignments" / slug
     texts = [(released / name).read_text() for name in ("README.md", f"test_{slug}.py")]
-    return notebook(
-        assignments.assignment(course, slug),
-        *texts,
-        (assignments.checks_folder(course, slug) / "notebook.md").read_text(),
-    )
+    pictures = assignments.checks_folder(course, slug) / "notebook.md"
+    return notebook(assignments.assignment(course, slug), *texts, pictures.read_text() if pictures.exists() else "")
 
 
 def test_every_part_has_its_text_and_its_points(course, slug):
