@@ -35,6 +35,7 @@ html_static_path = ["_static"]
 html_css_files = ["site.css"]
 html_js_files = [("scenes.js", {"defer": "defer"})]
 html_copy_source = False
+html_use_index = html_domain_indices = False
 html_show_sourcelink = False
 html_show_search_summary = False  # it fetches pages, which a browser refuses without a server
 html_theme_options = {
