@@ -109,7 +109,7 @@ def advance(made: Any, origin: Any, times: Any, out: Any, state: Any, c: Any, rt
 
     made : the generated functions; times : since `origin`; state : a `State`, as returned
     """
-    (raised, step, dense, at), end = made, times[len(times) - 1]
+    (raised, step, dense, at), end, plausible = made, times[len(times) - 1], PLAUSIBLE / rtol
     row, t, h, y, r, f, m, growth, refused, steps, refusals, halt, before = state
     while row < len(times) and budget > 0 and halt == RUNNING:
         budget -= 1
@@ -123,7 +123,7 @@ def advance(made: Any, origin: Any, times: Any, out: Any, state: Any, c: Any, rt
         n, rest, g, size, fifth, third, stages = step(origin + t, h, y, r, f, m, c)
         error = fifth / (rtol * sqrt(fifth + 0.01 * third)) if fifth > 0 else fifth
         if error < 1:  # the fifth may pass through zero
-            error = max(error, PLAUSIBLE / rtol * third**1.125)
+            error = max(error, plausible * third**1.125)
         if refused > 0 and fifth > 0.01 * third:
             error *= AT_A_JUMP
         if error <= 1 or _passed(at_last, error * rtol, n, m):
