@@ -19,11 +19,12 @@ import math
 from collections.abc import Callable, Sequence
 from typing import Any
 
-__all__ = ["CALM", "PART", "UNKNOWN", "magnitudes"]
+__all__ = ["CALM", "COARSE", "PART", "UNKNOWN", "magnitudes"]
 
 UNKNOWN = 1e-300  # the magnitude of what is zero and has no scale; never 0, as errors are divided by it
 EPS = 2.0**-52
 PART = 2.0**-20  # of its own size, by which each component is changed
+COARSE = 0.125  # the same, to see that sizes are not so large that the rates are others
 LONG, SHORT = 4096.0, 1e-9  # times h: how long the others are given at most and at least
 CALM = 4.0  # times its size: what the others may do to a component with a size
 
@@ -77,15 +78,26 @@ def _spread(
         if not any(size <= UNKNOWN < new for size, new in zip(sizes, given, strict=True)):
             break
         sizes = [size if size > UNKNOWN else new for size, new in zip(sizes, given, strict=True)]
+    coarse = _given(rhs, t, within, y, f, sizes, c, COARSE)
+    if any(size > UNKNOWN and not new <= CALM * size for size, new in zip(sizes, coarse, strict=True)):
+        return None
     return [size if size > UNKNOWN else new for size, new in zip(known, sizes, strict=True)]
 
 
 def _given(
-    rhs: Rates, t: float, within: float, y: Sequence[float], f: Sequence[float], sizes: Sequence[float], c: Any
+    rhs: Rates,
+    t: float,
+    within: float,
+    y: Sequence[float],
+    f: Sequence[float],
+    sizes: Sequence[float],
+    c: Any,
+    part: float = PART,
 ) -> list[float]:
-    """To what each is moved within so many s when all change by their sizes, in proportion to a small part of these."""
-    changed = [v + PART * size * _sign(i) for i, (v, size) in enumerate(zip(y, sizes, strict=True))]
-    return [_finite(within * (b - a) / PART) for a, b in zip(f, rhs(t, tuple(changed), c), strict=True)]
+    """To what each is moved within so many s when all change by their sizes, in proportion to a part of these."""
+    changed = [v + part * size * _sign(i) for i, (v, size) in enumerate(zip(y, sizes, strict=True))]
+    moved = [abs(within * (b - a) / part) for a, b in zip(f, rhs(t, tuple(changed), c), strict=True)]
+    return [_finite(new) for new in moved] if part == PART else moved
 
 
 def _sign(i: int) -> float:

@@ -99,3 +99,9 @@ def test_a_force_that_grows_from_zero_shows_its_scale_in_the_series(monkeypatch)
     monkeypatch.delattr("tam570.integrate.adaptive.magnitudes")
     found = solve(lambda t, y: (y[1], math.sin(2 * t) - y[0]), [0, 10.0], [0.0, 0.0], method="compiled")[-1, 0]
     assert found == pytest.approx(2 / 3 * math.sin(10) - math.sin(20) / 3, abs=1e-9)
+
+
+def test_sizes_are_not_so_large_that_the_rates_are_others():
+    """A pendulum let go level, by its direction and its rate: to first order nothing known is ever turned over."""
+    found = sizes(lambda t, y: (-y[1] * y[2], y[0] * y[2], -9.81 * y[0]), (1.0, 0.0, 0.0), 0.0625)
+    assert 0.1 < found[1] < 1.0  # the largest that it can be; 1758 to first order

@@ -20,7 +20,7 @@ from tam570.integrate.compiled.taylor_memory import (
     at,
     rates,
 )
-from tam570.integrate.scale import CALM, PART, UNKNOWN
+from tam570.integrate.scale import CALM, COARSE, PART, UNKNOWN
 
 __all__ = ["LONG", "lacking", "scaled", "shaken", "sized"]
 
@@ -73,11 +73,7 @@ def spread(z: Any, work: Any, time: Any, c: Any, lane: Any, within: Any) -> Any:
     more = SIZE + 1
     while more > 0:
         more -= 1
-        sign = 1.0
-        for i in range(SIZE):
-            work[i * STRIDE * LANES + lane] = z[at(Y, i)] + PART * z[at(SLOPE, i)] * sign
-            sign = -0.85 * sign if abs(sign) > 0.45 else (1.0 if sign < 0.0 else -1.0)  # no two cancel
-        rates(work, c, time, ORDER)
+        changed(z, work, time, c, lane, PART)
         news = False
         for i in range(SIZE):
             size = within / PART * abs(work[(i * STRIDE + 1) * LANES + lane] - z[at(BASE, i)])
@@ -89,7 +85,22 @@ def spread(z: Any, work: Any, time: Any, c: Any, lane: Any, within: Any) -> Any:
                 news = True
         if not news:
             more = 0
+    changed(z, work, time, c, lane, COARSE)
+    for i in range(SIZE):
+        size = within / COARSE * abs(work[(i * STRIDE + 1) * LANES + lane] - z[at(BASE, i)])
+        if z[at(SLOPE, i)] > UNKNOWN and not size <= CALM * z[at(SLOPE, i)]:
+            return False
     return True
+
+
+def changed(z: Any, work: Any, time: Any, c: Any, lane: Any, part: Any) -> Any:
+    """The rates where each component is changed by a part of its size."""
+    sign = 1.0
+    for i in range(SIZE):
+        work[i * STRIDE * LANES + lane] = z[at(Y, i)] + part * z[at(SLOPE, i)] * sign
+        sign = -0.85 * sign if abs(sign) > 0.45 else (1.0 if sign < 0.0 else -1.0)  # no two cancel
+    rates(work, c, time, ORDER)
+    return 0
 
 
 def scaled(z: Any, work: Any, lane: Any, h: Any) -> Any:
