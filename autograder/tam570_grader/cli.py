@@ -12,6 +12,7 @@ from tam570_grader.audit.command import add_audit
 from tam570_grader.delivery.command import (
     add_collect,
     add_course,
+    add_export,
     add_gradescope,
     add_kit,
     add_lms,
@@ -33,6 +34,7 @@ COMMANDS = (
     add_kit,
     add_course,
     add_gradescope,
+    add_export,
     add_lms,
     add_report,
     add_audit,

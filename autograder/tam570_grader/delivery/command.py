@@ -5,7 +5,7 @@ from pathlib import Path
 
 from tam570_grader.options import Commands
 
-__all__ = ["add_collect", "add_course", "add_gradescope", "add_kit", "add_lms", "add_report", "add_stubs"]
+__all__ = ["add_collect", "add_course", "add_export", "add_gradescope", "add_kit", "add_lms", "add_report", "add_stubs"]
 
 
 def add_stubs(commands: Commands) -> argparse.ArgumentParser:
@@ -56,6 +56,23 @@ def add_collect(commands: Commands) -> argparse.ArgumentParser:
     add("--assignment", metavar="SLUG", help="which one it is, where the names of files do not tell")
     add("--to", type=Path, metavar="DIR", default=Path("submitted"), help="default: %(default)s")
     return collect
+
+
+def add_export(commands: Commands) -> argparse.ArgumentParser:
+    export: argparse.ArgumentParser = commands.add_parser(
+        "export",
+        help="lay submissions out for Dolos, JPlag or Moss, with names hidden",
+        description="Lay submissions out for a tool that finds shared code. Numbers stand for students; notebooks "
+        "become modules; what you released is the base that does not count.",
+        epilog="names.csv tells whose number it is: keep it. Names in a student's own text stay as they are.",
+    )
+    export.set_defaults(command=_export)
+    add = export.add_argument
+    add("paths", nargs="+", type=Path, metavar="PATH", help="what `grade` is given")
+    add("--for", dest="tool", choices=["dolos", "jplag", "moss"], required=True, help="the tool")
+    add("--to", type=Path, metavar="DIR", required=True, help="a folder that is new or empty")
+    add("--assignment", metavar="SLUG", help="which one it is, where the names do not tell")
+    return export
 
 
 def add_lms(commands: Commands) -> argparse.ArgumentParser:
@@ -115,6 +132,16 @@ def _collect(arguments: argparse.Namespace) -> int:
     known = assignments.slugs(assignments.find(arguments.root))
     given = assignments.named([arguments.assignment], known)[0] if arguments.assignment else None
     return collect.run(arguments.source, arguments.system, arguments.roster, arguments.to, known, given)
+
+
+def _export(arguments: argparse.Namespace) -> int:
+    from tam570_grader.delivery import export
+    from tam570_grader.writing import assignments
+
+    course = assignments.find(arguments.root)
+    known = assignments.slugs(course)
+    given = assignments.named([arguments.assignment], known)[0] if arguments.assignment else None
+    return export.run(course, arguments.paths, arguments.tool, arguments.to, known, given)
 
 
 def _lms(arguments: argparse.Namespace) -> int:

@@ -30,7 +30,8 @@ IDS = (
 )
 NAMES = ("student", "full name", "name")
 PARTS = (("first name", "last name"), ("first name", "surname"), ("first_name", "last_name"))
-NOT_PEOPLE = ("points possible", "student, test", "manual posting")  # rows of Canvas's gradebook
+NOT_PEOPLE = ("student, test",)  # whom Canvas makes for trying things out; its other rows have no number
+PARTICIPANT = "Participant "  # before the number, in the column Identifier of Moodle's worksheet
 DELIMITERS = ",;\t"
 
 
@@ -62,7 +63,7 @@ def _person(row: Mapping[str, str], cells: Mapping[str, str]) -> Person:
     name = name or next(joined, "").strip()
     own = ["student"] if "student" in cells and "section" not in cells else []  # in Canvas's table it is a name
     columns = own + [key for key in IDS if key in cells]
-    ids = [cells[key].strip().removeprefix("Participant ") for key in columns] if columns else [name]
+    ids = [cells[key].strip().removeprefix(PARTICIPANT) for key in columns] if columns else [name]
     return Person(tuple(dict.fromkeys(filter(None, ids))), name, row)
 
 

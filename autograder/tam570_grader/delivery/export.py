@@ -1,0 +1,96 @@
+"""Lays submissions out for tools that find shared code: numbers for names, modules for notebooks, the stub as base.
+
+Dolos: "Adding metadata" (its documentation): `info.csv` lists the files, `--ignore` names the base. JPlag: its README:
+a folder for each submission, `-bc` for the base code. Moss: its script: `-d` for folders, `-b` for the base file.
+"""
+
+import csv
+import io
+import os
+import random
+import shutil
+import sys
+from collections import defaultdict
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+from tam570_grader.errors import UsageError, writing
+from tam570_grader.grading.submissions import CannotRead, Submission, read, submissions
+from tam570_grader.results.journal import cell, written
+from tam570_grader.sandbox.notebooks import Unshown, cells_of
+
+__all__ = ["run"]
+
+NAMES = "names.csv"
+COMMANDS = {
+    "dolos": "dolos run -l python --ignore base/{slug}.py info.csv",
+    "jplag": "java -jar jplag.jar -l python3 -bc base submissions",
+    "moss": "moss -l python -d -b base/{slug}.py submissions/*/{slug}.py",
+}
+
+
+def run(
+    course: Path, paths: Sequence[Path], tool: str, out: Path, known: Sequence[str], given: str | None = None
+) -> int:
+    """Write a folder for each assignment, and the names; the exit code is 1 if a submission could not be read."""
+    found = submissions(paths, known, given)
+    if out.exists() and (not out.is_dir() or any(out.iterdir())):
+        raise UsageError(f"cannot write to {out}: it is not an empty folder; name a new one, for its numbers are new")
+    numbers = _numbers(sorted({one.student for one in found}))
+    texts: dict[str, dict[str, str]] = defaultdict(dict)
+    unread = 0
+    for one in found:
+        try:
+            texts[one.slug][numbers[one.student]] = _code(one)
+        except (CannotRead, Unshown) as error:
+            unread += 1
+            print(f"tam570-grader: warning: {one.student} {one.slug} is left out: {error}", file=sys.stderr)
+    with writing(out):
+        out.mkdir(parents=True, exist_ok=True)
+        _write_names(numbers, out / NAMES)
+        for slug, modules in sorted(texts.items()):
+            _write(course, slug, modules, out / slug, tool)
+            print(f"cd {out / slug} && {COMMANDS[tool].format(slug=slug)}")
+    return 1 if unread else 0
+
+
+def _numbers(students: Sequence[str]) -> dict[str, str]:
+    """A number for each student, in an order that tells nobody."""
+    order = random.SystemRandom().sample(range(1, len(students) + 1), len(students))
+    return {student: f"s{number:04}" for student, number in zip(students, order, strict=True)}
+
+
+def _code(one: Submission) -> str:
+    """The text of a module; of a notebook, its code cells one after another."""
+    if one.path is None:
+        raise CannotRead(one.note)
+    source = read(one)
+    if not source.notebook:
+        return source.text.decode("utf-8", "replace")
+    return "\n\n".join(cell["source"] for cell in cells_of(source.text) if cell["kind"] == "code") + "\n"
+
+
+def _write(course: Path, slug: str, modules: Mapping[str, str], folder: Path, tool: str) -> None:
+    """One assignment: `submissions/<number>/<slug>.py`, and what was released in `base/`."""
+    (folder / "base").mkdir(parents=True)
+    shutil.copyfile(course / "assignments" / slug / f"{slug}.py", folder / "base" / f"{slug}.py")
+    for number, text in sorted(modules.items()):
+        place = folder / "submissions" / number
+        place.mkdir(parents=True)
+        (place / f"{slug}.py").write_text(text, encoding="utf-8")
+    if tool == "dolos":
+        rows = [(f"submissions/{number}/{slug}.py", number) for number in sorted(modules)]
+        written(folder / "info.csv", _table([("filename", "full_name"), *rows]))
+
+
+def _write_names(numbers: Mapping[str, str], path: Path) -> None:
+    """Whose number it is, for the instructor alone to read."""
+    rows = sorted((number, cell(student)) for student, number in numbers.items())
+    with open(os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600), "w", encoding="utf-8", newline="") as file:
+        file.write(_table([("number", "student"), *rows]))
+
+
+def _table(rows: Sequence[Sequence[str]]) -> str:
+    text = io.StringIO()
+    csv.writer(text).writerows(rows)
+    return text.getvalue()
