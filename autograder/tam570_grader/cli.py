@@ -20,6 +20,7 @@ from tam570_grader.delivery.command import (
     add_stubs,
 )
 from tam570_grader.errors import UsageError
+from tam570_grader.grading.certificates import add_certificates
 from tam570_grader.grading.command import add_grade
 from tam570_grader.grading.replay import add_replay
 
@@ -38,6 +39,7 @@ COMMANDS = (
     add_lms,
     add_report,
     add_audit,
+    add_certificates,
 )
 
 

@@ -2,9 +2,11 @@
 
 import argparse
 import os
+from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
-__all__ = ["Commands", "cores", "natural", "positive"]
+__all__ = ["Commands", "add_cluster", "cores", "natural", "positive"]
 
 Commands = Any  # argparse keeps the name of its subparsers' type to itself
 
@@ -26,3 +28,18 @@ def positive(text: str) -> int:
     if not text.isdecimal() or int(text) == 0:
         raise argparse.ArgumentTypeError(f"{text!r} is not a whole number from 1 on")
     return int(text)
+
+
+def add_cluster(add: Callable[..., Any]) -> None:
+    """The options of what may run on other machines."""
+    add(
+        "--cluster",
+        metavar="ADDRESS",
+        help="hand the work to Dask: the address tls://HOST:PORT of a scheduler, or `local` for --jobs workers here",
+    )
+    add("--certificates", type=Path, metavar="DIR", help="of the cluster, as `tam570-grader certificates` made them")
+    add(
+        "--unconfined",
+        action="store_true",
+        help="let workers of the cluster without bubblewrap grade too; each result says how it was kept apart",
+    )

@@ -7,13 +7,13 @@ from pathlib import Path
 from typing import Any
 
 from tam570_grader.errors import UsageError
-from tam570_grader.options import Commands, cores, positive
+from tam570_grader.options import Commands, add_cluster, cores, positive
 
 __all__ = ["add_audit"]
 
 QUICK_SEEDS = 2
 Answer = tuple[Any, list[str], int]  # plain data, lines to print, faults
-Question = Callable[[Path, str, argparse.Namespace], Answer]
+Question = Callable[[Path, str, Any, argparse.Namespace], Answer]
 
 
 def add_audit(commands: Commands) -> argparse.ArgumentParser:
@@ -34,6 +34,7 @@ def add_audit(commands: Commands) -> argparse.ArgumentParser:
     add("--keep", type=Path, metavar="FILE", help="add the lines of --fairness there; what is there is not run again")
     add("--function", nargs="+", metavar="NAME", default=[], help="mutants of these functions alone")
     add("--jobs", type=positive, metavar="N", default=cores(), help="processes (default: %(default)s)")
+    add_cluster(add)
     return audit
 
 
@@ -58,18 +59,21 @@ def _add_questions(add: Callable[..., Any]) -> None:
 
 def _audit(arguments: argparse.Namespace) -> int:
     """Print what is asked for, an assignment at a time; 1 if there is a fault."""
-    from tam570_grader.grading.command import warn_of_isolation
+    from tam570_grader.grading.command import crew_of, warn_of_isolation
     from tam570_grader.writing import assignments
 
     course = assignments.find(arguments.root)
     question = _question(arguments)
-    warn_of_isolation()
+    if not arguments.cluster:
+        warn_of_isolation()
     faults = 0
     slugs = assignments.named(arguments.assignments, assignments.slugs(course))
-    for slug in _with_functions(course, slugs, arguments.function) if arguments.function else slugs:
-        data, lines, found = question(course, slug, arguments)
-        print(*([json.dumps(data)] if arguments.json else lines), sep="\n", flush=True)
-        faults += found
+    slugs = _with_functions(course, slugs, arguments.function) if arguments.function else slugs
+    with crew_of(arguments, course, slugs) as crew:
+        for slug in slugs:
+            data, lines, found = question(course, slug, crew, arguments)
+            print(*([json.dumps(data)] if arguments.json else lines), sep="\n", flush=True)
+            faults += found
     return 1 if faults else 0
 
 
@@ -94,33 +98,33 @@ def _with_functions(course: Path, slugs: Sequence[str], names: Sequence[str]) ->
     return [slug for slug in slugs if there[slug] & set(names)]
 
 
-def _mutation(course: Path, slug: str, arguments: argparse.Namespace) -> Answer:
+def _mutation(course: Path, slug: str, crew: Any, arguments: argparse.Namespace) -> Answer:
     from tam570_grader.audit import mutation
 
-    found = mutation.fates(course, slug, arguments.jobs, arguments.quick, arguments.function)
+    found = mutation.fates(course, slug, crew, arguments.quick, arguments.function)
     return mutation.as_json(found), mutation.report(found), found.faults
 
 
-def _fairness(course: Path, slug: str, arguments: argparse.Namespace) -> Answer:
+def _fairness(course: Path, slug: str, crew: Any, arguments: argparse.Namespace) -> Answer:
     from tam570_grader.audit import fairness
 
     seeds = QUICK_SEEDS if arguments.quick else arguments.fairness
-    lines = fairness.fair(course, slug, seeds, arguments.jobs, arguments.keep)
+    lines = fairness.fair(course, slug, seeds, crew, arguments.keep)
     found = fairness.as_json(slug, lines)
     return found, fairness.report(lines), found["false_fails"]
 
 
-def _diagnosis(course: Path, slug: str, arguments: argparse.Namespace) -> Answer:
+def _diagnosis(course: Path, slug: str, crew: Any, arguments: argparse.Namespace) -> Answer:
     from tam570_grader.audit import diagnosis
 
-    found = diagnosis.diagnoses(course, slug, arguments.jobs, arguments.quick)
+    found = diagnosis.diagnoses(course, slug, crew, arguments.quick)
     return diagnosis.as_json(slug, found), diagnosis.report(slug, found), diagnosis.faults(found)
 
 
-def _margins(course: Path, slug: str, arguments: argparse.Namespace) -> Answer:
+def _margins(course: Path, slug: str, crew: Any, arguments: argparse.Namespace) -> Answer:
     from tam570_grader.audit import margins
 
-    found = margins.margins(course, slug, QUICK_SEEDS if arguments.quick else margins.SEEDS, arguments.jobs)
+    found = margins.margins(course, slug, QUICK_SEEDS if arguments.quick else margins.SEEDS, crew)
     return margins.as_json(slug, found), margins.report(slug, found), margins.faults(found)
 
 

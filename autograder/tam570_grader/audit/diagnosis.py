@@ -13,10 +13,11 @@ from pathlib import Path
 from typing import Any
 
 from tam570_grader.audit.mutate import reached
-from tam570_grader.audit.trials import Trial, done, progress, submissions, tried
+from tam570_grader.audit.trials import Trial, progress, submissions, tried
 from tam570_grader.delivery.stubs import exported
 from tam570_grader.errors import UsageError
 from tam570_grader.grading.one import Result
+from tam570_grader.grading.processes import Crew, in_order
 from tam570_grader.writing import assignments
 from tam570_grader.writing.general import is_general
 from tam570_grader.writing.mistakes import header
@@ -55,7 +56,7 @@ class Diagnosis:
         return any(not _in(says, self.expected) for says in self.suspects if not is_general(says))
 
 
-def diagnoses(course: Path, slug: str, jobs: int, quick: bool) -> list[Diagnosis]:
+def diagnoses(course: Path, slug: str, crew: Crew, quick: bool) -> list[Diagnosis]:
     """The diagnosis of each wrong submission of an assignment, or of a fixed sample."""
     solution = (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8")
     wrong = submissions(course, slug, "mistakes")
@@ -68,7 +69,7 @@ def diagnoses(course: Path, slug: str, jobs: int, quick: bool) -> list[Diagnosis
     tasks = [Trial(course, slug, name, f"{solution}\n\n{text}", SEED) for name, text in wrong.items()]
     for (name, text), (style, other) in zip(wrong.items(), cycle(styles.items())):
         tasks.append(Trial(course, slug, f"{name}{ON}{style}", other + _taken(solution, text), SEED))
-    results = progress(done(tried, tasks, jobs), len(tasks), "submission")
+    results = progress(in_order(crew, tried, tasks), len(tasks), "submission")
     found = [diagnosis(result, wrong[result.student.partition(ON)[0]]) for result in results]
     return [one for one in found if one.messages or ON not in one.name]  # another style may not call what is wrong
 

@@ -8,8 +8,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from tam570_grader.audit.trials import Trial, done, progress, submissions, tried
+from tam570_grader.audit.trials import Trial, progress, submissions, tried
 from tam570_grader.errors import UsageError, writing
+from tam570_grader.grading.processes import Crew, in_order
 from tam570_grader.writing import assignments
 
 __all__ = ["fair", "report", "upper_bound"]
@@ -31,7 +32,7 @@ class Class:
     digests: Mapping[str, str]
 
 
-def fair(course: Path, slug: str, seeds: int, jobs: int, keep: Path | None = None) -> list[Line]:
+def fair(course: Path, slug: str, seeds: int, crew: Crew, keep: Path | None = None) -> list[Line]:
     """A line for each right submission and seed; what the file `keep` has is not graded again, the rest is added."""
     texts = {
         "solution": (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8"),
@@ -50,7 +51,7 @@ def fair(course: Path, slug: str, seeds: int, jobs: int, keep: Path | None = Non
         if fresh:
             tasks.append(Class(course, slug, seed, fresh, digests))
     lines = [*known.values()]
-    for graded in progress(done(_graded, tasks, jobs), len(tasks), "seed"):
+    for graded in progress(in_order(crew, _graded, tasks), len(tasks), "seed"):
         _add(keep, graded)
         lines += graded
     return lines

@@ -12,7 +12,8 @@ from typing import Any
 import numpy as np
 
 from tam570_grader.audit.mutation import calls_of_checks, reached
-from tam570_grader.audit.trials import Trial, done, progress, submissions, tried
+from tam570_grader.audit.trials import Trial, progress, submissions, tried
+from tam570_grader.grading.processes import Crew, in_order
 from tam570_grader.writing import assignments
 from tam570_grader.writing.mistakes import header
 
@@ -68,7 +69,7 @@ def _largest(trial: Trial) -> float | None:
     return largest if passed or largest > 1 else np.inf
 
 
-def margins(course: Path, slug: str, seeds: int, jobs: int) -> list[Margin]:
+def margins(course: Path, slug: str, seeds: int, crew: Crew) -> list[Margin]:
     """The margins of the checks that compare what an integration gave."""
     text = (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8")
     checks = _simulating(course, slug, text)
@@ -83,7 +84,7 @@ def margins(course: Path, slug: str, seeds: int, jobs: int) -> list[Margin]:
         if asked
         for seed in range(FIRST_SEED, FIRST_SEED + seeds)
     ]
-    errors = progress(done(_errors, tasks, jobs), len(tasks), "grading")
+    errors = progress(in_order(crew, _errors, tasks), len(tasks), "grading")
     found = [(trial.name, one) for trial, one in zip(tasks, errors, strict=True)]
     order = [check.name for check in assignments.assignment(course, slug).checks]
     return [one for check in order if (one := margin(check, found, wrong))]

@@ -10,8 +10,9 @@ from typing import Any
 
 from tam570_grader.audit.equivalents import Slip, entry, equivalents, idle
 from tam570_grader.audit.mutate import Mutant, mutants, reached
-from tam570_grader.audit.trials import Trial, done, progress, tried
+from tam570_grader.audit.trials import Trial, progress, tried
 from tam570_grader.grading.one import Result, generator
+from tam570_grader.grading.processes import Crew, in_order
 from tam570_grader.sandbox.student import Source, Student
 from tam570_grader.sandbox.worker import Allowance, Worker
 from tam570_grader.writing import assignments
@@ -52,7 +53,7 @@ class Fates:
         return len(self.survivors) + len(self.crashing) + len(self.in_vain)
 
 
-def fates(course: Path, slug: str, jobs: int, quick: bool, functions: Sequence[str]) -> Fates:
+def fates(course: Path, slug: str, crew: Crew, quick: bool, functions: Sequence[str]) -> Fates:
     """Grade the mutants of an assignment: all, or a fixed sample; of all functions, or of some."""
     text = (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8")
     made, listed = mutants(slug, text), equivalents(course, slug)
@@ -69,7 +70,7 @@ def fates(course: Path, slug: str, jobs: int, quick: bool, functions: Sequence[s
         for mutant in chosen
         if _is_shared(mutant.function, calls, within)
     ]
-    results = {result.student: result for result in progress(done(tried, tasks, jobs), len(tasks), "mutant")}
+    results = {result.student: result for result in progress(in_order(crew, tried, tasks), len(tasks), "mutant")}
     slips = {mutant.name: (mutant.function, mutant.slip) for mutant in chosen}
     fate = {
         name: _fate([results[one] for one in (name, f"{name} alone") if one in results], slip in listed)

@@ -1,21 +1,19 @@
 """Gradings by the thousand, to judge the grader: on several processes, each with warm workers of its own."""
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TypeVar
 
 from tam570_grader.grading.one import Recorder, Result, graded
-from tam570_grader.grading.processes import AHEAD, in_order, processes
 from tam570_grader.sandbox import warm
 from tam570_grader.sandbox.preload import imported
 from tam570_grader.sandbox.student import Source
 from tam570_grader.sandbox.worker import Allowance
 from tam570_grader.writing import assignments
 
-__all__ = ["Trial", "done", "progress", "submissions", "tried"]
+__all__ = ["Trial", "progress", "submissions", "tried"]
 
-Task = TypeVar("Task")
 Outcome = TypeVar("Outcome")
 
 
@@ -50,12 +48,6 @@ def tried(trial: Trial, recorder: Recorder | None = None) -> Result:
         trial.allowance,
         [trial.course],
     )
-
-
-def done(work: Callable[[Task], Outcome], tasks: Iterable[Task], jobs: int) -> Iterator[Outcome]:
-    """What the work makes of each task, in the tasks' order; an interrupt ends all processes."""
-    with processes(jobs) as pool:
-        yield from in_order(pool, work, tasks, lambda: AHEAD * jobs if jobs > 1 else 1)
 
 
 def progress(outcomes: Iterable[Outcome], total: int, unit: str) -> Iterator[Outcome]:

@@ -6,14 +6,16 @@ import json
 import os
 import secrets
 import sys
-from collections.abc import Iterable, Iterator
+import zlib
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
 
 from tam570_grader.errors import UsageError, writing
-from tam570_grader.options import Commands, cores, natural, positive
+from tam570_grader.options import Commands, add_cluster, cores, natural, positive
 
-__all__ = ["add_grade", "warn_of_isolation"]
+__all__ = ["add_grade", "crew_of", "warn_of_isolation"]
 
 SHORTEST_KEY = 16  # bytes
 OTHERS = 0o077  # of a file's mode: what others may do with it
@@ -46,24 +48,45 @@ def add_grade(commands: Commands) -> argparse.ArgumentParser:
         metavar="OLD",
         help="say which scores of these results change, and why; what is as it was is not run",
     )
+    add(
+        "--join",
+        type=Path,
+        nargs="+",
+        metavar="DIR",
+        default=[],
+        help="take over results of other runs, of parts of the class say; what they hold is not graded again",
+    )
+    add("--shard", type=_shard, metavar="K/N", help="grade the K-th of N parts of the class alone, for N machines")
     add("--speed", action="store_true", help="also measure the run time of simulations, for the pages")
     add("--assignment", metavar="SLUG", help="which one it is, where the names do not tell")
     add("--roster", type=Path, metavar="CSV", help="all students: who handed in nothing gets a row, too")
     add("--only", nargs="+", metavar="SLUG", help="grade these assignments alone")
     for name, unit, default, what in (
-        ("--jobs", "N", cores(), "workers"),
+        ("--jobs", "N", cores(), "supervisors, a process each"),
         ("--memory", "MIB", 1024, "memory of a submission"),
         ("--cpu", "S", 60, "processor time of a submission"),
         ("--call", "S", 10, "processor time of one call"),
         ("--processes", "N", 1, "processes of a submission"),
     ):
         add(name, type=positive, metavar=unit, default=default, help=f"{what} (default: %(default)s)")
+    add_cluster(add)
     return grade
+
+
+@dataclass
+class Seen:
+    """What is kept of the results of a run until its end: not the results."""
+
+    rows: list[tuple[str, ...]] = field(default_factory=list)  # of the table
+    faults: list[str] = field(default_factory=list)
+    changes: list[Any] = field(default_factory=list)
+    compared: int = 0
+    last: Record = field(default_factory=dict)
 
 
 def _grade(arguments: argparse.Namespace) -> int:
     from tam570_grader.pages import feedback
-    from tam570_grader.results.journal import Book, read
+    from tam570_grader.results.journal import Book, results
     from tam570_grader.writing import assignments
 
     course = assignments.find(arguments.root)
@@ -72,62 +95,111 @@ def _grade(arguments: argparse.Namespace) -> int:
         raise UsageError("--seed and --vary: a seed is for the whole class, a key varies it; give one of them")
     if arguments.out:
         feedback.must_write_pages()
-    old = read(arguments.against) if arguments.against else []
-    done: list[Record] = []
+    seen = Seen()
     try:
-        with contextlib.closing(Book(arguments.out)) if arguments.out else contextlib.nullcontext() as book:
-            plan = _plan(arguments, course, found, [*old, *(book.records() if book else [])])
-            warn_of_isolation()
-            _run(plan, book, old, done, arguments)
-        if book:
-            feedback.write_pages(arguments.out / "feedback", book.records(), course)
+        with contextlib.ExitStack() as stack:
+            earlier = [*arguments.join, *filter(None, [arguments.against])]
+            old = [stack.enter_context(contextlib.closing(results(place))) for place in earlier]
+            book = stack.enter_context(contextlib.closing(Book(arguments.out))) if arguments.out else None
+            plan = _plan(arguments, course, found, [*old, *filter(None, [book])])
+            if not plan.cluster:
+                warn_of_isolation()
+            _run(plan, book, old, seen, arguments)
+            if arguments.against and not arguments.json:
+                gone = _gone(old[-1], plan, arguments)
+                seen.changes += gone
+                seen.compared += len(gone)
+        if arguments.out:
+            _write_pages(arguments.out, course)
     except BrokenPipeError:
         raise
     except OSError as error:
-        print(f"tam570-grader: error: {error}; {len(done)} results are kept", file=sys.stderr)
+        print(f"tam570-grader: error: {error}; {len(seen.rows)} results are kept", file=sys.stderr)
         return 1
+    return _told(arguments, course, plan, seen)
+
+
+def _told(arguments: argparse.Namespace, course: Path, plan: Any, seen: Seen) -> int:
+    """Print what was asked for; the exit code."""
+    from tam570_grader.results import regrade
+
     if arguments.format == "gradescope":
-        return _print_gradescope(course, done)
+        return _print_gradescope(course, seen)
     if not arguments.json:
-        _print_tables(done, plan)
+        _print_tables(seen, plan)
         if arguments.against:
-            _print_changes(old, done, plan, arguments)
-    return _exit_code(done)
+            print("\n" + regrade.table(seen.changes, seen.compared))
+    return _exit_code(seen)
 
 
-def _plan(arguments: argparse.Namespace, course: Path, found: list[Any], earlier: list[Record]) -> Any:
+def _write_pages(out: Path, course: Path) -> None:
+    """The pages of all results that are there; of a finished run, of those that changed."""
+    from tam570_grader.pages import feedback
+    from tam570_grader.results.journal import results
+
+    with contextlib.closing(results(out)) as found:
+        feedback.write_pages(out / "feedback", found, course, _with_progress)
+
+
+def _plan(arguments: argparse.Namespace, course: Path, found: list[Any], earlier: list[Any]) -> Any:
     """What is graded and how; of the results that are there it takes the seed."""
     from tam570_grader.grading.many import Plan
     from tam570_grader.sandbox.worker import Allowance
 
-    key = _key(arguments.vary, bool(earlier)) if arguments.vary else None
+    key = _key(arguments.vary, any(earlier)) if arguments.vary else None
     seed = _seed(arguments.seed, earlier, key)
     allowance = Allowance(arguments.memory * 2**20, arguments.cpu, arguments.call, arguments.processes)
-    ours = [*arguments.paths, *filter(None, (arguments.out, arguments.against, arguments.vary))]
+    ours = [*arguments.paths, *arguments.join, *filter(None, (arguments.out, arguments.against, arguments.vary))]
     hidden = [course, *(path.resolve() for path in ours)]
-    return Plan(course, found, seed, arguments.jobs, allowance, hidden, arguments.speed, key=key)
+    cluster = _cluster(arguments)
+    return Plan(course, found, seed, arguments.jobs, allowance, hidden, arguments.speed, key=key, cluster=cluster)
 
 
-def _run(plan: Any, book: Any, old: list[Record], done: list[Record], arguments: argparse.Namespace) -> None:
-    """Grade, and put each result into `done` as soon as it is there."""
+def _cluster(arguments: argparse.Namespace) -> Any:
+    """The cluster that was named; None for this machine alone."""
+    from tam570_grader.grading.cluster import Cluster
+
+    if not arguments.cluster:
+        if arguments.certificates or arguments.unconfined:
+            raise UsageError("--certificates and --unconfined go with --cluster")
+        return None
+    return Cluster(arguments.cluster, arguments.certificates, arguments.unconfined)
+
+
+def crew_of(arguments: argparse.Namespace, course: Path, slugs: Sequence[str]) -> Any:
+    """Who does the work, by the options --jobs and --cluster."""
+    from tam570_grader.grading.processes import crew
+
+    cluster = _cluster(arguments)
+    return cluster.crew(course, slugs, arguments.jobs) if cluster else crew(arguments.jobs)
+
+
+def _run(plan: Any, book: Any, old: list[Any], seen: Seen, arguments: argparse.Namespace) -> None:
+    """Grade, and note of each result what the end of the run will need."""
     from tam570_grader.grading.many import records
+    from tam570_grader.pages.feedback import row
     from tam570_grader.results import regrade
+    from tam570_grader.results.journal import key_of
 
-    before = regrade.newest(old)
     for record in _with_progress(records(plan, book, old), len(plan.submissions)):
-        done.append(record)
+        change = regrade.change(old[-1].get(key_of(record)), record) if arguments.against else None
+        seen.rows.append(row(record))
+        seen.changes += [change] if change else []
+        seen.compared += 1
+        seen.faults += _faults(record)
+        seen.last = record
         if arguments.json:
-            compared = {"change": regrade.told(before, record)} if arguments.against else {}
+            compared = {"change": change and asdict(change)} if arguments.against else {}
             print(json.dumps({**record, **compared}), flush=True)
 
 
-def _seed(given: int | None, earlier: list[Record], key: bytes | None) -> int:
+def _seed(given: int | None, earlier: list[Any], key: bytes | None) -> int:
     """The seed asked for, else that of the results that are there, else any."""
-    from tam570_grader.results.journal import seed_of
+    from tam570_grader.results.journal import common_seed
 
     if key is not None or given is not None:
         return given or 0
-    found = seed_of(earlier)
+    found = common_seed(one.seed for one in earlier if one)
     return secrets.randbelow(2**31) if found is None else found
 
 
@@ -161,36 +233,49 @@ def _make_key(path: Path) -> None:
     print(f"tam570-grader: a new key: {path}; keep it, the scores hang on it", file=sys.stderr)
 
 
-def _print_tables(done: list[Record], plan: Any) -> None:
+def _print_tables(seen: Seen, plan: Any) -> None:
     from tam570_grader.pages import feedback
 
-    print(feedback.table(sorted(done, key=lambda record: (record["assignment"], record["student"]))))
+    print(feedback.table(sorted(seen.rows, key=lambda row: (row[1], row[0]))))
     inputs = "the same key" if plan.key else f"seed {plan.seed}; the same seed"
     print(f"\n{inputs} gives the same hidden inputs and the same scores")
 
 
-def _print_changes(old: list[Record], done: list[Record], plan: Any, arguments: argparse.Namespace) -> None:
+def _gone(old: Any, plan: Any, arguments: argparse.Namespace) -> list[Any]:
+    """The changes of those who are no longer there; they count among what is compared."""
     from tam570_grader.results import regrade
     from tam570_grader.writing import assignments
 
     names = arguments.only or filter(None, [arguments.assignment])
     asked = assignments.named(names, assignments.slugs(plan.course))
-    gone = regrade.gone(old, plan.submissions, arguments.paths, asked)
-    print("\n" + regrade.table([*regrade.changes(old, done), *gone], len(done) + len(gone)))
+    return regrade.gone(old, plan.submissions, arguments.paths, asked)
 
 
-def _print_gradescope(course: Path, done: list[Record]) -> int:
+def _print_gradescope(course: Path, seen: Seen) -> int:
     """results.json of the one submission, or nothing if the grader failed on it; the exit code."""
     from tam570_grader.delivery import gradescope
     from tam570_grader.writing import assignments
 
-    if len(done) != 1:
-        raise UsageError(f"--format gradescope is for one submission; there are {len(done)} at these paths")
-    if code := _exit_code(done):
+    if len(seen.rows) != 1:
+        raise UsageError(f"--format gradescope is for one submission; there are {len(seen.rows)} at these paths")
+    if code := _exit_code(seen):
         return code
-    lines = {check.name: check.line for check in assignments.assignment(course, done[0]["assignment"]).checks}
-    print(json.dumps(gradescope.results(done[0], lines), indent=1))
+    checks = assignments.assignment(course, seen.last["assignment"]).checks
+    print(json.dumps(gradescope.results(seen.last, {check.name: check.line for check in checks}), indent=1))
     return 0
+
+
+def _part(student: str, parts: int) -> int:
+    """The part of the class, from 1 on, that a student is in on every machine."""
+    return zlib.crc32(student.encode()) % parts + 1
+
+
+def _shard(text: str) -> tuple[int, int]:
+    """Of "2/5" the numbers 2 and 5."""
+    k, _, n = text.partition("/")
+    if not (k.isdecimal() and n.isdecimal() and 1 <= int(k) <= int(n)):
+        raise argparse.ArgumentTypeError(f"{text!r} is not K/N with K from 1 to N")
+    return int(k), int(n)
 
 
 def _submissions(arguments: argparse.Namespace, known: list[str]) -> list[Any]:
@@ -206,18 +291,22 @@ def _submissions(arguments: argparse.Namespace, known: list[str]) -> list[Any]:
     found = [one for one in everything if one.slug in only]
     if not found:
         raise UsageError(f"there is no submission of {', '.join(only)} at these paths")
-    return found + (not_handed_in(arguments.roster, found) if arguments.roster else [])
+    everyone = found + (not_handed_in(arguments.roster, found) if arguments.roster else [])
+    k, n = arguments.shard or (1, 1)
+    return [one for one in everyone if _part(one.student, n) == k]
 
 
-def _exit_code(done: list[Record]) -> int:
-    failed = [r for r in done if r["score"] is None]
-    for record in failed:
-        errors = {mark["error"] for mark in record["checks"] if mark["outcome"] == "grader_error"}
-        print(
-            f"tam570-grader: the grader failed on {record['student']} {record['assignment']}: {'; '.join(errors)}",
-            file=sys.stderr,
-        )
-    return 1 if failed else 0
+def _faults(record: Record) -> list[str]:
+    if record["score"] is not None:
+        return []
+    errors = {mark["error"] for mark in record["checks"] if mark["outcome"] == "grader_error"}
+    return [f"the grader failed on {record['student']} {record['assignment']}: {'; '.join(errors)}"]
+
+
+def _exit_code(seen: Seen) -> int:
+    for fault in seen.faults:
+        print(f"tam570-grader: {fault}", file=sys.stderr)
+    return 1 if seen.faults else 0
 
 
 def _with_progress(records: Iterable[Any], total: int) -> Iterator[Any]:

@@ -17,10 +17,12 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from tam570_grader.grading import supervisor
-from tam570_grader.grading.processes import AHEAD, Lost, finished, processes
+from tam570_grader.grading.cluster import Cluster
+from tam570_grader.grading.processes import Lost, finished
+from tam570_grader.grading.processes import crew as crew_here
 from tam570_grader.grading.submissions import CannotRead, Submission, read
 from tam570_grader.grading.supervisor import Conditions, Task
-from tam570_grader.results.journal import Book, Record
+from tam570_grader.results.journal import Book, Key, Record, Results
 from tam570_grader.sandbox.launch import isolation
 from tam570_grader.sandbox.preload import imported
 from tam570_grader.sandbox.student import Source
@@ -46,6 +48,7 @@ class Plan:
     hidden: Sequence[Path] = ()
     speed: bool = False  # measure run time against error too
     key: bytes | None = None  # varies the hidden inputs from student to student; `seed` is then not used
+    cluster: Cluster | None = None  # None: this machine
 
     def seed_of(self, submission: Submission) -> int:
         """The seed of a submission's hidden inputs: the class's, else one that only the key tells."""
@@ -55,19 +58,19 @@ class Plan:
         return int.from_bytes(hmac.digest(self.key, name, "sha256")[:4]) >> 1
 
 
-def records(plan: Plan, book: Book | None = None, old: Iterable[Record] = ()) -> Iterator[Record]:
+def records(plan: Plan, book: Book | None = None, old: Sequence[Results] = ()) -> Iterator[Record]:
     """The result lines, each as soon as it is there and written into the book; what `old` knows is not run again.
 
     Where the grader itself failed, it tries again.
     """
-    before = (*old, *(book.records() if book else ()))
-    known = {record.get("digest"): record for record in before if record["score"] is not None}
+    places = (*old, *([book] if book is not None else ()))
+    known = {line.digest: (place, key) for place in places for key, line in place.lines.items() if line.scored}
     engine = _engine_digest(plan)
     fresh, held, users = list[tuple[Submission, Task | None]](), 0, Counter[str]()
     for submission in plan.submissions:
         task = _task(plan, engine, submission)
         if task.digest in known:
-            yield _kept(known[task.digest], book)
+            yield _kept(*known[task.digest], book)
             continue
         text = task.source.text if isinstance(task.source, Source) else b""
         users.update(imported(text))
@@ -75,11 +78,16 @@ def records(plan: Plan, book: Book | None = None, old: Iterable[Record] = ()) ->
         fresh.append((submission, task if held < HELD else None))
     tasks = (task or _task(plan, engine, submission) for submission, task in fresh)
     for line in lines(plan, tasks, len(fresh), _preload(plan, {one.slug for one, _ in fresh}, users)):
-        yield _kept(json.loads(line), book)
+        record = json.loads(line)
+        if book is not None:
+            book.add(record, line)
+        yield record
 
 
-def _kept(record: Record, book: Book | None) -> Record:
-    if book:
+def _kept(place: Results, key: Key, book: Book | None) -> Record:
+    """A result that is known already."""
+    record = place[key]
+    if book is not None and place is not book:
         book.add(record)
     return record
 
@@ -88,14 +96,29 @@ def lines(plan: Plan, tasks: Iterable[Task], count: int, preload: Sequence[str] 
     """The result lines of these tasks, as soon as each is there; an interrupt ends all supervisors."""
     jobs = max(1, min(plan.jobs, count // FEW))
     with ExitStack() as stack:
-        shared = None
-        if jobs > 1 and plan.key is None:
-            shared = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="tam570-")))
-        conditions = Conditions(plan.allowance, tuple(plan.hidden), tuple(preload), plan.speed, shared)
-        pool = stack.enter_context(processes(jobs))
+        if not count:
+            return
+        if plan.cluster:
+            slugs = sorted({one.slug for one in plan.submissions})
+            crew = stack.enter_context(plan.cluster.crew(plan.course, slugs, plan.jobs))
+        else:
+            crew = stack.enter_context(crew_here(jobs))
+        conditions = Conditions(plan.allowance, _hidden(plan), tuple(preload), plan.speed, _shared(plan, jobs, stack))
         asked = (replace(task, conditions=conditions) for task in tasks)
-        for _, task, line in finished(pool, supervisor.line, asked, lambda: AHEAD * jobs if jobs > 1 else 1):
+        for _, task, line in finished(crew, supervisor.line, asked):
             yield supervisor.lost(task, str(line)) if isinstance(line, Lost) else line
+
+
+def _hidden(plan: Plan) -> tuple[Path, ...]:
+    """What must not be seen here; on a cluster nothing of ours is there but the course."""
+    return () if plan.cluster else tuple(plan.hidden)
+
+
+def _shared(plan: Plan, jobs: int, stack: ExitStack) -> Path | None:
+    """A folder for dear answers, where several processes of this machine need the same."""
+    if plan.key is not None or jobs == 1 or (plan.cluster and not plan.cluster.is_local):
+        return None
+    return Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="tam570-")))
 
 
 def _task(plan: Plan, engine: bytes, submission: Submission) -> Task:
@@ -144,7 +167,7 @@ def _engine_digest(plan: Plan) -> bytes:
     """Of the limits, of what keeps submissions apart, and of all code but the assignment's."""
     asked = (
         plan.allowance,
-        isolation(),
+        plan.cluster.isolation if plan.cluster else isolation(),
         sys.version,
         platform.machine(),
         _installed(),

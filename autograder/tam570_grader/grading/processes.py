@@ -15,12 +15,13 @@ import sys
 import threading
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, ThreadPoolExecutor, wait
+from dataclasses import dataclass
 from itertools import islice
 from typing import Any, TypeVar
 
 from tam570_grader.sandbox.warm import TRIES, sandboxes
 
-__all__ = ["AHEAD", "Lost", "finished", "in_order", "processes", "serve"]
+__all__ = ["AHEAD", "Crew", "Lost", "crew", "finished", "in_order", "serve"]
 
 AHEAD = 2  # tasks a job that are handed out: one is graded, one waits
 SERVE = "from tam570_grader.grading.processes import serve; serve()"
@@ -33,41 +34,52 @@ class Lost(Exception):
     """The process that worked on a task has died."""
 
 
-def processes(jobs: int) -> Executor:
-    """An executor for so many jobs; a single one is done in this process."""
-    return _Processes(jobs) if jobs > 1 else _Here()
+@dataclass(frozen=True)
+class Crew:
+    """Who does the work: an executor, and how to treat it."""
+
+    pool: Executor
+    ahead: Callable[[], int]  # how many tasks may be handed out at a time
+    lost: tuple[type[Exception], ...] = (Lost,)  # raised for a task whose process has died
+    sent: Callable[[Any], Any] = lambda work: work  # what is submitted to have a work done
+
+
+@contextlib.contextmanager
+def crew(jobs: int) -> Iterator[Crew]:
+    """So many processes of this machine; for a single job, this process."""
+    with _Processes(jobs) if jobs > 1 else _Here() as pool:
+        yield Crew(pool, lambda: AHEAD * jobs if jobs > 1 else 1)
 
 
 def finished(
-    pool: Executor, work: Callable[[Task], Outcome], tasks: Iterable[Task], ahead: Callable[[], int]
+    crew: Crew, work: Callable[[Task], Outcome], tasks: Iterable[Task]
 ) -> Iterator[tuple[int, Task, Outcome | Lost]]:
     """Each task with its number and what the work makes of it, as soon as it is there; again where a process is lost.
 
-    ahead : how many tasks may be handed out at a time; of the rest nothing is held
+    Of the tasks that may not be handed out yet nothing is held.
     """
     left, waiting = enumerate(tasks), dict[Future[Outcome], tuple[int, Task, int]]()
+    sent = crew.sent(work)
     while True:
-        for number, task in islice(left, max(0, ahead() - len(waiting))):
-            waiting[pool.submit(work, task)] = number, task, 1
+        for number, task in islice(left, max(0, crew.ahead() - len(waiting))):
+            waiting[crew.pool.submit(sent, task)] = number, task, 1
         if not waiting:
             return
         for future in wait(waiting, return_when=FIRST_COMPLETED).done:
             number, task, tries = waiting.pop(future)
             try:
                 yield number, task, future.result()
-            except Lost as lost:
+            except crew.lost as lost:
                 if tries == TRIES:
-                    yield number, task, lost
+                    yield number, task, Lost(str(lost))
                 else:
-                    waiting[pool.submit(work, task)] = number, task, tries + 1
+                    waiting[crew.pool.submit(sent, task)] = number, task, tries + 1
 
 
-def in_order(
-    pool: Executor, work: Callable[[Task], Outcome], tasks: Iterable[Task], ahead: Callable[[], int]
-) -> Iterator[Outcome]:
+def in_order(crew: Crew, work: Callable[[Task], Outcome], tasks: Iterable[Task]) -> Iterator[Outcome]:
     """What the work makes of each task, in the tasks' order; Lost where processes died."""
     early, due = dict[int, Outcome](), 0
-    for number, _, outcome in finished(pool, work, tasks, ahead):
+    for number, _, outcome in finished(crew, work, tasks):
         if isinstance(outcome, Lost):
             raise outcome
         early[number] = outcome

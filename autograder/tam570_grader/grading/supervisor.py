@@ -65,9 +65,10 @@ def result(task: Task) -> Result:
         status = "missing" if task.missing else "unreadable"
         return not_graded(task.student, assignment, status, str(task.source), task.seed)
     asked = task.conditions
-    answers.share_in(asked.shared)
+    hidden = [*dict.fromkeys([task.course, *asked.hidden])]
     try:
-        return tried(functools.partial(_graded, task), asked.preload, asked.allowance, asked.hidden)
+        with answers.sharing(asked.shared):
+            return tried(functools.partial(_graded, task), asked.preload, asked.allowance, hidden)
     except NotConfined as why:
         raise UsageError(NO_JAIL.format(why=why)) from None
     except UsageError:

@@ -2,18 +2,21 @@
 
 import functools
 import importlib.util
+import json
 import re
-from collections.abc import Iterable, Mapping, Sequence
+import zlib
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from tam570_grader.errors import UsageError
 from tam570_grader.pages.sentences import message, typeset
-from tam570_grader.results.journal import Record
+from tam570_grader.results.journal import Key, Record, Results, written
 from tam570_grader.results.records import failure
+from tam570_grader.writing.assignments import engine_digest
 
-__all__ = ["Sheet", "must_write_pages", "page", "pictures", "sheet", "table", "template", "write_pages"]
+__all__ = ["Sheet", "must_write_pages", "page", "pictures", "row", "sheet", "table", "template", "write_pages"]
 
 SIGNS = {"passed": "+", "failed": "-", "not_run": "o", "grader_error": "!"}
 HEADINGS: tuple[str, ...] = ("student", "assignment", "score", "status", "time", "what to look at first")
@@ -23,6 +26,9 @@ NOTES = {
     "timeout": "Your file took too long.",
     "crashed": "Your file ended the process.",
 }
+
+
+Progress = Callable[[Iterable[Any], int], Iterable[Any]]
 
 
 @dataclass(frozen=True)
@@ -143,28 +149,58 @@ def _among(record: Record) -> Any:
     return among(record["assignment"], record["speed"])
 
 
-def write_pages(folder: Path, records: Iterable[Record], course: Path) -> None:
-    """A page for each student and assignment, `<student>/<assignment>.html`; one that is there already is left."""
-    sheets: dict[str, Sheet] = {}
-    for record in records:
-        slug = record["assignment"]
-        if slug not in sheets:
-            sheets[slug] = sheet(course, slug)
-        path = folder / record["student"] / f"{slug}.html"
-        text = page(record, sheets[slug])
+def write_pages(folder: Path, results: Results, course: Path, told: Progress = lambda keys, total: keys) -> None:
+    """A page for each student and assignment, `<student>/<assignment>.html`, where it is not what it was made from.
+
+    A file beside the folder says what each was made from: pages are for students, and it is not.
+    """
+    sheets = {slug: sheet(course, slug) for slug in sorted({slug for _, slug in results})}
+    version = _version()
+    made = {
+        key: f"{line.mark} {zlib.crc32(repr(sheets[key[1]]).encode(), version)}" for key, line in results.lines.items()
+    }
+    notes = folder.with_name(f".{folder.name}-made.json")
+    known = _known(notes)
+    stale = [key for key in results if known.get("/".join(key)) != made[key] or not _path(folder, key).exists()]
+    if stale:
+        notes.unlink(missing_ok=True)  # what it says is no longer so
+    for key in told(stale, len(stale)):
+        path, text = _path(folder, key), page(results[key], sheets[key[1]])
         if not path.exists() or path.read_text(encoding="utf-8") != text:
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text, encoding="utf-8")  # no fsync: it is made again from the results
+    if stale:
+        written(notes, json.dumps({"/".join(key): mark for key, mark in made.items()}))
 
 
-def table(records: Sequence[Record]) -> str:
+def _path(folder: Path, key: Key) -> Path:
+    return folder / key[0] / f"{key[1]}.html"
+
+
+def _known(notes: Path) -> dict[str, str]:
+    """What the pages were made from; nothing where that cannot be read."""
+    try:
+        known = json.loads(notes.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return {}
+    return known if isinstance(known, dict) else {}
+
+
+def _version() -> int:
+    """Of all that makes a page of a result."""
+    templates = sorted((Path(__file__).parent / "templates").iterdir())
+    return zlib.crc32(engine_digest() + b"".join(one.read_bytes() for one in templates if one.is_file()))
+
+
+def table(rows: Sequence[tuple[str, ...]]) -> str:
     """The class at a glance: a line for each submission with what to say about it first."""
-    rows = [HEADINGS, *(_row(record) for record in records)]
+    rows = [HEADINGS, *rows]
     widths = [max(len(row[column]) for row in rows) for column in range(5)]
     return "\n".join("  ".join([*map(str.ljust, row[:5], widths), row[5]]).rstrip() for row in rows)
 
 
-def _row(record: Record) -> tuple[str, ...]:
+def row(record: Record) -> tuple[str, ...]:
+    """A result in the table."""
     score = f"{_points(record['score']):>5} / {record['max_score']:g}"
     seconds = f"{record['seconds']:.2f} s"
     return record["student"], record["assignment"], score, record["status"], seconds, _remark(record)

@@ -1,18 +1,37 @@
 """The results of a run on disk: one line each, safe from a kill at any moment, found again by the next run."""
 
+import contextlib
 import csv
 import fcntl
+import hashlib
 import io
 import json
 import os
-from collections.abc import Iterable
+import sys
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, BinaryIO
 
 from tam570_grader.errors import UsageError
 
-__all__ = ["FORMULA", "Book", "Record", "cell", "name_in", "read", "seed_of", "written"]
+__all__ = [
+    "FORMULA",
+    "Book",
+    "Key",
+    "Line",
+    "Record",
+    "Results",
+    "cell",
+    "common_seed",
+    "key_of",
+    "name_in",
+    "read",
+    "results",
+    "written",
+]
 
+Key = tuple[str, str]  # student, assignment
 Record = dict[str, Any]  # a result line, with "digest": of all that the result depends on
 # what every result has, and every mark in its "checks"
 RESULT = {"student", "assignment", "status", "score", "max_score", "seed", "seconds", "isolation", "checks"}
@@ -21,55 +40,103 @@ MARK = {"name", "part", "points", "max_points", "outcome", "message", "suspect"}
 FORMULA = "=", "+", "-", "@", "\t", "\r", "\n", "\uff1d", "\uff0b", "\uff0d", "\uff20"
 
 
-class Book:
-    """`results.jsonl` and `grades.csv` in a folder."""
+@dataclass(frozen=True, slots=True)
+class Line:
+    """Where a result is in its file, and what is asked of it most."""
 
-    def __init__(self, folder: Path) -> None:
-        self._folder = folder
-        self._file = _locked(folder)
+    start: int
+    length: int
+    digest: str  # of all that the result depends on
+    mark: str  # of the line itself
+    scored: bool
+    seed: int
+
+
+class Results(Mapping[Key, Record]):
+    """The newest result of every student and assignment in a file, in order; each is read when it is asked for."""
+
+    def __init__(self, file: BinaryIO, path: Path) -> None:
+        self._file, self._path = file, path
+        self.lines = dict[Key, Line]()
+        self._end, self._count = 0, 0  # of the whole lines that were read
         try:
-            self._records = self._read()
+            self._look()
         except UsageError:
-            self._file.close()
+            file.close()
             raise
+
+    def __getitem__(self, key: Key) -> Record:
+        line = self.lines[key]
+        record: Record = json.loads(os.pread(self._file.fileno(), line.length, line.start))
+        return record
+
+    def __iter__(self) -> Iterator[Key]:
+        return iter(sorted(self.lines))
+
+    def __len__(self) -> int:
+        return len(self.lines)
 
     @property
     def seed(self) -> int | None:
-        """The seed of the results that are there."""
-        return seed_of(self._records.values())
-
-    def add(self, record: Record) -> None:
-        """Write a result down, if it is new; when this returns, it is on the disk."""
-        if self._records.get(_key(record)) == record:
-            return
-        self._file.write(json.dumps(record).encode() + b"\n")
-        self._file.flush()
-        os.fsync(self._file.fileno())
-        self._records[_key(record)] = record
-
-    def records(self) -> list[Record]:
-        """The newest result of every student and assignment, in order."""
-        return [self._records[key] for key in sorted(self._records)]
+        """The seed of the results; None if there are none."""
+        return common_seed(line.seed for line in self.lines.values())
 
     def close(self) -> None:
-        """Write the table of grades, and drop the lines that newer ones have replaced."""
-        self._file.seek(0)
-        replaced = self._file.read().count(b"\n") > len(self._records)
-        if replaced:
-            self._records = self._read()  # an interrupt may have come between a line and its record
-        written(self._folder / "grades.csv", grades(self.records()))
-        if replaced:  # last: the lock is on the file that goes
-            lines = "".join(json.dumps(record) + "\n" for record in self._records.values())
-            written(self._folder / "results.jsonl", lines)
         self._file.close()
 
-    def _read(self) -> dict[tuple[str, str], Record]:
-        """The results by student and assignment; a last line that a kill cut short is taken away."""
-        self._file.seek(0)
-        data = self._file.read()
-        whole = data[: data.rfind(b"\n") + 1]
-        self._file.truncate(len(whole))
-        return _parsed(whole, self._folder / "results.jsonl")
+    def _look(self) -> None:
+        """Read the lines that are new; a last one that is being written is left out."""
+        self._file.seek(self._end)
+        for text in self._file:
+            if text.endswith(b"\n"):
+                if (record := _result(text)) is None:
+                    raise UsageError(
+                        f"{self._path} holds a line that is not a result (line {self._count + 1}); move the file away"
+                    )
+                self._put(record, text)
+
+    def _put(self, record: Record, text: bytes) -> None:
+        mark = hashlib.blake2b(text, digest_size=12).hexdigest()
+        digest, scored = str(record.get("digest")), record["score"] is not None
+        line = Line(self._end, len(text), digest, mark, scored, record["seed"])
+        self.lines[str(record["student"]), sys.intern(str(record["assignment"]))] = line
+        self._end += len(text)
+        self._count += 1
+
+
+class Book(Results):
+    """`results.jsonl` and `grades.csv` in a folder, open for one run alone."""
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
+        super().__init__(_locked(folder), folder / "results.jsonl")
+        self._file.truncate(self._end)  # what a kill cut short
+
+    def add(self, record: Record, text: bytes | None = None) -> None:
+        """Write a result down, if it is new; when this returns, it is on the disk.
+
+        text : the line, where it is there already
+        """
+        if self.get(key_of(record)) == record:
+            return
+        text = text or json.dumps(record).encode() + b"\n"
+        self._file.write(text)
+        self._file.flush()
+        os.fsync(self._file.fileno())
+        self._put(record, text)
+
+    def records(self) -> Iterator[Record]:
+        """The newest result of every student and assignment, in order."""
+        return iter(self.values())
+
+    def close(self) -> None:
+        """Write the table of grades; put the lines in order, and drop those that newer ones have replaced."""
+        self._look()  # an interrupt may have come between a line and its record
+        written(self._folder / "grades.csv", grades(self.records()))
+        starts = [self.lines[key].start for key in self]
+        if self._count > len(self) or starts != sorted(starts):  # last: the lock is on the file that goes
+            written(self._folder / "results.jsonl", (json.dumps(record) + "\n" for record in self.records()))
+        self._file.close()
 
 
 def _locked(folder: Path) -> BinaryIO:
@@ -102,34 +169,29 @@ def _opened(folder: Path) -> BinaryIO:
         raise UsageError(f"cannot write results to {folder}: {error.strerror}; name another folder") from None
 
 
-def read(path: Path) -> list[Record]:
-    """The newest result of every student and assignment, in a folder of results or its `results.jsonl`."""
+def results(path: Path) -> Results:
+    """The results in a folder, or in its `results.jsonl`."""
     path = path / "results.jsonl" if path.is_dir() else path
     try:
-        data = path.read_bytes()
+        return Results(open(path, "rb"), path)  # noqa: SIM115  closed with the results
     except OSError as error:
         raise UsageError(f"cannot read results from {path}: {error.strerror}") from None
-    return list(_parsed(data[: data.rfind(b"\n") + 1], path).values())
 
 
-def seed_of(records: Iterable[Record]) -> int | None:
-    """The seed that these results have in common; None if there are none."""
-    seeds = {int(record["seed"]) for record in records}
-    if len(seeds) > 1:
+def read(path: Path) -> list[Record]:
+    """The newest result of every student and assignment, in a folder of results or its `results.jsonl`."""
+    with contextlib.closing(results(path)) as found:
+        return list(found.values())
+
+
+def common_seed(seeds: Iterable[int]) -> int | None:
+    """The seed that results have in common; None if there are none."""
+    known = set(seeds)
+    if len(known) > 1:
         raise UsageError(
             "these results have more than one seed: give the key that they were varied by (--vary), or a --seed"
         )
-    return next(iter(seeds), None)
-
-
-def _parsed(lines: bytes, path: Path) -> dict[tuple[str, str], Record]:
-    """The results by student and assignment."""
-    records = {}
-    for number, line in enumerate(lines.splitlines(), start=1):
-        if (record := _result(line)) is None:
-            raise UsageError(f"{path} holds a line that is not a result (line {number}); move the file away")
-        records[_key(record)] = record
-    return records
+    return next(iter(known), None)
 
 
 def _result(line: bytes) -> Record | None:
@@ -142,11 +204,11 @@ def _result(line: bytes) -> Record | None:
     return record if whole else None
 
 
-def written(path: Path, text: str) -> None:
-    """Put the text in place of the file, whole or not at all."""
+def written(path: Path, text: str | Iterable[str]) -> None:
+    """Put the text, or its parts, in place of the file, whole or not at all."""
     draft = path.with_name(path.name + ".new")
     with open(draft, "w", encoding="utf-8", newline="") as file:
-        file.write(text)
+        file.writelines([text] if isinstance(text, str) else text)
         file.flush()
         os.fsync(file.fileno())
     os.replace(draft, path)
@@ -178,5 +240,6 @@ def _could_be_formula(text: str) -> bool:
     return text.lstrip("'").startswith(FORMULA)
 
 
-def _key(record: Record) -> tuple[str, str]:
+def key_of(record: Record) -> Key:
+    """Whose result it is, on what."""
     return str(record["student"]), str(record["assignment"])

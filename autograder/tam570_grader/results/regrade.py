@@ -1,14 +1,14 @@
 """What a new run changes of an old one's scores, and because of which checks."""
 
 from collections.abc import Container, Iterable, Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from pathlib import Path
 
 from tam570_grader.grading.submissions import Submission
-from tam570_grader.results.journal import Record
+from tam570_grader.results.journal import Key, Record, key_of
 from tam570_grader.writing.assignments import slug_of
 
-__all__ = ["Change", "change", "changes", "gone", "newest", "table", "told"]
+__all__ = ["Change", "change", "gone", "table"]
 
 
 @dataclass(frozen=True)
@@ -22,11 +22,6 @@ class Change:
     because: tuple[str, ...]  # a line for each check whose points differ
 
 
-def newest(old: Iterable[Record]) -> dict[tuple[str, str], Record]:
-    """Results by student and assignment."""
-    return {_who(record): record for record in old}
-
-
 def change(old: Record | None, new: Record) -> Change | None:
     """What became of a score; None if it is the same."""
     before = old["score"] if old else None
@@ -38,15 +33,8 @@ def change(old: Record | None, new: Record) -> Change | None:
     return Change(new["student"], new["assignment"], before, new["score"], because)
 
 
-def changes(old: Iterable[Record], new: Iterable[Record]) -> list[Change]:
-    """All scores that are another now."""
-    before = newest(old)
-    found = (change(before.get(_who(record)), record) for record in new)
-    return [one for one in found if one]
-
-
 def gone(
-    old: Iterable[Record], found: Sequence[Submission], paths: Iterable[Path], asked: Container[str]
+    old: Mapping[Key, Record], found: Sequence[Submission], paths: Iterable[Path], asked: Container[str]
 ) -> list[Change]:
     """What was handed in and is no longer: by anybody if a path is a tree, else by those whose folders are graded.
 
@@ -60,19 +48,9 @@ def gone(
     here = {(one.student, one.slug) for one in found}
     return [
         Change(record["student"], record["assignment"], record["score"], None, ("no longer handed in",))
-        for record in newest(old).values()
-        if _who(record) not in here and record["assignment"] in asked and (is_tree or record["student"] in students)
+        for record in old.values()
+        if key_of(record) not in here and record["assignment"] in asked and (is_tree or record["student"] in students)
     ]
-
-
-def told(before: Mapping[tuple[str, str], Record], record: Record) -> Record | None:
-    """The change of one result as plain data."""
-    changed = change(before.get(_who(record)), record)
-    return asdict(changed) if changed else None
-
-
-def _who(record: Record) -> tuple[str, str]:
-    return record["student"], record["assignment"]
 
 
 def _marks(record: Record) -> dict[str, Record]:

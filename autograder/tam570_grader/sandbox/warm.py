@@ -11,6 +11,7 @@ from tam570_grader.sandbox.worker import Allowance, Worker, WorkerLost
 __all__ = ["TRIES", "sandboxes", "tried"]
 
 TRIES = 3  # workers, or supervisors, that a submission may see die under it before we give up
+MOST = 12  # workers of a thread that are kept
 T = TypeVar("T")
 _warm: dict[tuple[Any, ...], Worker] = {}
 
@@ -22,6 +23,7 @@ def tried(
     key = (threading.get_ident(), *preload, allowance, *hidden)
     for left in reversed(range(TRIES)):
         if key not in _warm:
+            _make_room(key[0])
             _warm[key] = Worker(preload, allowance, hidden)
         try:
             return work(_warm[key], left)
@@ -30,6 +32,12 @@ def tried(
             if not left:
                 raise
     raise AssertionError("the last try returns or raises")
+
+
+def _make_room(thread: Any) -> None:
+    mine = [key for key in _warm if key[0] == thread]
+    for key in mine[: len(mine) + 1 - MOST]:
+        _warm.pop(key).close()
 
 
 @contextmanager

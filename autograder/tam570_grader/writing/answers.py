@@ -18,7 +18,7 @@ import numpy as np
 from tam570_grader.sandbox.inside.wire import packed, unpacked
 from tam570_grader.writing.check import Given, Memory
 
-__all__ = ["answer", "share_in", "shared"]
+__all__ = ["answer", "shared", "sharing"]
 
 MOST_KNOWN = 3000  # answers; with inputs of its own for each student a run makes thousands
 DEAR = 0.05  # s of processor time, from which an answer is shared
@@ -35,11 +35,15 @@ def answer(right: Callable[..., Any], case: Given) -> Any:
     return _known.value((right, inputs), lambda: shared(_name(right), inputs, lambda: right(*case.args, **case.kwargs)))
 
 
-def share_in(folder: Path | None) -> None:
+@contextlib.contextmanager
+def sharing(folder: Path | None) -> Iterator[None]:
     """Share what is dear with the processes that name the same folder, which must be ours alone."""
-    _place.clear()
     if folder:
         _place["folder"] = folder
+    try:
+        yield
+    finally:
+        _place.clear()
 
 
 def shared(name: str, inputs: bytes, compute: Callable[[], Any]) -> Any:
@@ -47,11 +51,12 @@ def shared(name: str, inputs: bytes, compute: Callable[[], Any]) -> Any:
 
     name : tells the computation from all others; "" where that cannot be
     """
-    if not name or not _place:
+    folder = _place.get("folder")
+    if not name or not folder:
         return compute()
     digest = hashlib.sha256(name.encode() + b"\0" + inputs).hexdigest()
-    path = _place["folder"] / digest
-    with _only_one(_place["folder"] / digest[:3]):
+    path = folder / digest
+    with _only_one(folder / digest[:3]):
         if path.exists():
             return _restored(unpacked(path.read_bytes()))
         began = time.thread_time()

@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 
 from tam570_grader.grading import many
-from tam570_grader.grading.processes import AHEAD, Lost, finished, in_order, processes
+from tam570_grader.grading.processes import Lost, crew, finished, in_order
 from tam570_grader.grading.submissions import submissions
 from tam570_grader.sandbox.warm import TRIES
 from tam570_grader.sandbox.worker import Allowance
@@ -52,8 +52,8 @@ def tries(folder, task):
 
 
 def run(work, count, jobs=2):
-    with processes(jobs) as pool:
-        return list(in_order(pool, work, range(count), lambda: AHEAD * jobs))
+    with crew(jobs) as us:
+        return list(in_order(us, work, range(count)))
 
 
 def test_a_task_whose_process_dies_is_done_by_another_and_no_other_task_twice(tmp_path):
@@ -62,8 +62,8 @@ def test_a_task_whose_process_dies_is_done_by_another_and_no_other_task_twice(tm
 
 
 def test_a_task_that_no_process_survives_is_given_up_alone(tmp_path):
-    with processes(2) as pool:
-        outcomes = {task: it for _, task, it in finished(pool, functools.partial(die, tmp_path), range(6), lambda: 4)}
+    with crew(2) as us:
+        outcomes = {task: it for _, task, it in finished(us, functools.partial(die, tmp_path), range(6))}
     assert isinstance(outcomes.pop(3), Lost) and outcomes == {task: task for task in (0, 1, 2, 4, 5)}
     assert tries(tmp_path, 3) == TRIES
 
@@ -71,8 +71,8 @@ def test_a_task_that_no_process_survives_is_given_up_alone(tmp_path):
 def test_no_more_tasks_are_taken_than_may_be_handed_out():
     taken, most = [], []
     tasks = (taken.append(number) or number for number in range(20))
-    with processes(2) as pool:
-        for done, _ in enumerate(finished(pool, abs, tasks, lambda: 4)):
+    with crew(2) as us:
+        for done, _ in enumerate(finished(us, abs, tasks)):
             most.append(len(taken) - done)
     assert max(most) <= 4
 
@@ -83,8 +83,8 @@ def refuse(number):
 
 @pytest.mark.parametrize("jobs", [1, 2])
 def test_what_a_task_raises_is_raised_here(jobs):
-    with pytest.raises(ValueError, match="7"), processes(jobs) as pool:
-        list(in_order(pool, refuse, [7], lambda: 1))
+    with pytest.raises(ValueError, match="7"), crew(jobs) as us:
+        list(in_order(us, refuse, [7]))
 
 
 @linux
@@ -92,8 +92,8 @@ def test_what_a_task_raises_is_raised_here(jobs):
 def test_no_process_outlives_a_run_that_is_ended(tmp_path, end):
     program = (
         "import time; from tam570_grader.grading.processes import *\n"
-        "with processes(2) as pool:\n"
-        "    tasks = [pool.submit(time.sleep, 60) for _ in range(2)]\n"
+        "with crew(2) as us:\n"
+        "    tasks = [us.pool.submit(time.sleep, 60) for _ in range(2)]\n"
         "    print('on', flush=True); tasks[0].result()\n"
     )
     command = [sys.executable, "-c", program]
@@ -130,9 +130,8 @@ def motion(folder, seconds):
 @pytest.fixture
 def place(tmp_path):
     (tmp_path / "shared").mkdir()
-    answers.share_in(tmp_path / "shared")
-    yield tmp_path
-    answers.share_in(None)
+    with answers.sharing(tmp_path / "shared"):
+        yield tmp_path
 
 
 @pytest.mark.parametrize(("seconds", "computed"), [(0.1, 1), (0.0, 2)])

@@ -1,5 +1,6 @@
 """The students' pages: they say what is wrong, and nothing of what is hidden."""
 
+import contextlib
 import html
 import json
 import math
@@ -16,6 +17,7 @@ from hypothesis import strategies as st
 from tam570_grader.pages import feedback
 from tam570_grader.pages.pictures import BOTTOM, LEFT, RIGHT, TOP, picture
 from tam570_grader.pages.sentences import message, typeset
+from tam570_grader.results.journal import Book, key_of
 from tam570_grader.results.records import WHOLE, numbers
 from tam570_grader.writing import assignments
 from tam570_grader.writing.curves import SLOTS, curve
@@ -239,14 +241,45 @@ def test_every_picture_has_a_text_alternative(page, grade, solution_text):
     assert all(svg.get("aria-hidden") == "true" for svg in drawn if svg not in pictures)
 
 
-def test_pages_are_written_beside_the_results_and_left_when_nothing_changed(tmp_path, grade, course, solution_text):
-    record = grade("hw08_axis_angle", solution_text("hw08_axis_angle")).record()
-    feedback.write_pages(tmp_path, [record], course)
-    (path,) = tmp_path.rglob("*.html")
-    assert path.relative_to(tmp_path).parts == ("someone", "hw08_axis_angle.html")
-    before = path.stat().st_mtime_ns
-    feedback.write_pages(tmp_path, [record], course)
-    assert path.stat().st_mtime_ns == before
+@pytest.fixture
+def written(tmp_path, course, monkeypatch):
+    """`written(*records)` -> the pages that were made of these results; the others were left as they are."""
+    made, page = [], feedback.page
+    monkeypatch.setattr(feedback, "page", lambda record, sheet: made.append(key_of(record)) or page(record, sheet))
+
+    def written(*records):
+        made.clear()
+        with contextlib.closing(Book(tmp_path)) as book:
+            for record in records:
+                book.add(record)
+            feedback.write_pages(tmp_path / "feedback", book, course)
+        return [*made]
+
+    return written
+
+
+def test_only_pages_of_results_that_changed_are_made_again(tmp_path, grade, course, solution_text, written):
+    slug = "hw08_axis_angle"
+    one = grade(slug, solution_text(slug)).record()
+    both = [{**one, "student": student} for student in ("ada", "ben")]
+    assert written(*both) == [("ada", slug), ("ben", slug)]
+    paths = sorted((tmp_path / "feedback").rglob("*"))
+    assert [path.name for path in paths] == ["ada", f"{slug}.html", "ben", f"{slug}.html"]
+    assert written(*both) == []
+    assert written({**both[1], "score": 3.0}) == [("ben", slug)] and "3 of 10" in paths[3].read_text()
+    paths[1].unlink()
+    assert written() == [("ada", slug)] and paths[1].exists()
+
+
+def test_a_page_that_was_begun_when_the_run_was_killed_is_made_again(tmp_path, grade, solution_text, written):
+    slug = "hw08_axis_angle"
+    record = {**grade(slug, solution_text(slug)).record(), "student": "ada"}
+    written(record)
+    with pytest.MonkeyPatch.context() as patch, pytest.raises(KeyboardInterrupt):
+        patch.setattr(feedback, "written", lambda *_: (_ for _ in ()).throw(KeyboardInterrupt))
+        written({**record, "score": 3.0})
+    (tmp_path / "feedback" / "ada" / f"{slug}.html").write_text("half a page")
+    assert written(record) == [("ada", slug)]
 
 
 @pytest.mark.parametrize(

@@ -1,5 +1,6 @@
 """The pages in headless Chromium: wide and narrow, light and dark, by mouse and by keyboard."""
 
+import contextlib
 import json
 
 import pytest
@@ -18,7 +19,8 @@ def folder(tmp_path_factory, course, workers):
     """The results of a small class with its pages and its report."""
     from tam570_grader.grading.one import graded, not_graded
     from tam570_grader.grading.speed import Yardstick
-    from tam570_grader.sandbox.student import Source
+    from tam570_grader.results import journal
+from tam570_grader.sandbox.student import Source
     from tam570_grader.sandbox.worker import Allowance
     from tam570_grader.writing import assignments
 
@@ -34,7 +36,8 @@ def folder(tmp_path_factory, course, workers):
     for slug in ("hw03_angular_momentum_rate", assignment.slug):  # one with a long title
         records.append(not_graded("dan", assignments.assignment(course, slug), "missing", "no file", 1).record())
     (folder / "results.jsonl").write_text("".join(json.dumps(one) + "\n" for one in records))
-    feedback.write_pages(folder / "feedback", records, course)
+    with contextlib.closing(journal.results(folder)) as results:
+        feedback.write_pages(folder / "feedback", results, course)
     assert report.run(folder, course, None, None) == 0
     return folder
 

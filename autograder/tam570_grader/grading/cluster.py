@@ -1,0 +1,135 @@
+"""Submissions graded on other machines, by dask.distributed: the head hands out, Dask does all the rest.
+
+Workers need the installed package alone. The checks come to each when it joins, however late, and every submission
+comes as bytes with its task.
+"""
+
+import contextlib
+import functools
+import importlib
+import importlib.util
+import logging
+import sys
+import time
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import CancelledError
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from tam570_grader.errors import UsageError
+from tam570_grader.grading.processes import AHEAD, Crew
+from tam570_grader.sandbox.launch import isolation
+
+__all__ = ["Cluster"]
+
+ASKED = 2.0  # s between looks at how many workers there are
+LEAST = 4  # tasks that are handed out, however few workers there are
+PATIENCE = 20  # s, for a scheduler to answer
+MISSING = "--cluster needs dask.distributed: pip install 'tam570[cluster]'"
+UNSAFE = (
+    "{address}: whoever reaches a scheduler without certificates can run code on it; run "
+    "`tam570-grader certificates DIR`, start scheduler and workers as it says, and name "
+    "--cluster tls://HOST:PORT --certificates DIR"
+)
+
+
+@dataclass(frozen=True)
+class Cluster:
+    """Where the workers are."""
+
+    address: str  # tls://HOST:PORT of a scheduler, or "local"
+    certificates: Path | None = None
+    unconfined: bool = False  # workers without bubblewrap may grade
+
+    def __post_init__(self) -> None:
+        if importlib.util.find_spec("distributed") is None:
+            raise UsageError(MISSING)
+        if not self.is_local and not (self.address.startswith("tls://") and self.certificates):
+            raise UsageError(UNSAFE.format(address=self.address))
+
+    @property
+    def is_local(self) -> bool:
+        return self.address == "local"
+
+    @property
+    def isolation(self) -> str:
+        """How submissions are kept apart there, as far as it is known beforehand."""
+        return isolation() if self.unconfined else "bubblewrap"
+
+    @contextlib.contextmanager
+    def crew(self, course: Path, slugs: Sequence[str], jobs: int) -> Iterator[Crew]:
+        """The cluster's workers, each with these assignments."""
+        from distributed.scheduler import KilledWorker
+
+        from tam570_grader.grading.cluster_worker import Course, course_for, there
+
+        logging.getLogger("distributed").setLevel(logging.CRITICAL)  # what matters comes as an exception
+        with contextlib.ExitStack() as stack:
+            client = stack.enter_context(self._client(stack, jobs))
+            sent: Course = course_for(course, slugs, self.unconfined)
+            client.register_plugin(sent, name=sent.name)
+            _must_fit(client, sent.name, self.address)
+            try:
+                yield Crew(
+                    client.get_executor(pure=False),
+                    _ahead(client),
+                    (KilledWorker,),
+                    lambda work: functools.partial(there, sent.name, work),
+                )
+            except CancelledError:
+                raise ConnectionError(f"the scheduler at {self.address} was lost; run the same command again") from None
+
+    def _client(self, stack: contextlib.ExitStack, jobs: int) -> Any:
+        dask = importlib.import_module("distributed")
+        if self.is_local:
+            security = dask.Security.temporary()
+            cluster = dask.LocalCluster(
+                n_workers=jobs,
+                threads_per_worker=1,
+                security=security,
+                protocol="tls://",
+                dashboard_address=None,
+                silence_logs=logging.CRITICAL,
+            )
+            return dask.Client(stack.enter_context(cluster), security=security, set_as_default=False)
+        try:
+            return dask.Client(
+                self.address, security=_security(self.certificates), timeout=PATIENCE, set_as_default=False
+            )
+        except (OSError, TimeoutError) as error:
+            raise UsageError(f"no scheduler lets us in at {self.address}: {error}") from None
+
+
+def _security(folder: Path | None) -> Any:
+    from tam570_grader.grading.certificates import files
+
+    assert folder is not None
+    certificate, key = files(folder)
+    told = {"tls_ca_file": certificate, "tls_client_cert": certificate, "tls_client_key": key}
+    return importlib.import_module("distributed").Security(require_encryption=True, **told)
+
+
+def _must_fit(client: Any, name: str, address: str) -> None:
+    """Raise UsageError if a worker refuses; those that join later say so themselves."""
+    from tam570_grader.grading.cluster_worker import refusal
+
+    refusals = client.run(refusal, name)
+    if not refusals:
+        print(f"tam570-grader: no worker has joined {address} yet; waiting for one", file=sys.stderr)
+    for worker, why in refusals.items():
+        if why:
+            raise UsageError(f"the worker {worker} cannot grade: {why}")
+
+
+def _ahead(client: Any) -> Callable[[], int]:
+    """Tasks to hand out, by the number of workers now."""
+    seen = {"at": float("-inf"), "most": 0}
+
+    def ahead() -> int:
+        if time.monotonic() - seen["at"] > ASKED:
+            threads = sum(client.nthreads().values())
+            seen.update(at=time.monotonic(), most=max(LEAST, AHEAD * threads))
+        return int(seen["most"])
+
+    return ahead

@@ -1,0 +1,88 @@
+"""What runs in a worker of a cluster: it unpacks the head's checks, and refuses what it would grade otherwise."""
+
+import functools
+import hashlib
+import importlib.metadata
+import platform
+import shutil
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from distributed import Worker, WorkerPlugin
+
+from tam570_grader.errors import UsageError
+from tam570_grader.sandbox.launch import isolation
+from tam570_grader.sandbox.warm import sandboxes
+from tam570_grader.writing import assignments
+
+__all__ = ["Course", "course_for", "refusal", "there"]
+
+LIBRARIES = ("numpy", "scipy", "sympy", "matplotlib")  # scores may depend on them
+_courses = dict[str, "Course"]()  # that this worker has, by name
+
+
+class Course(WorkerPlugin):
+    """The part of a course that is graded, as every worker gets it when it joins."""
+
+    def __init__(self, files: Mapping[str, bytes], unconfined: bool) -> None:
+        self.name = f"tam570-{hashlib.sha256(repr((sorted(files.items()), unconfined)).encode()).hexdigest()[:16]}"
+        self.files, self.unconfined, self.head = files, unconfined, _kind()
+        self.place, self.refuses = Path(), ""
+
+    def setup(self, worker: Worker) -> None:
+        self.refuses = self._refusal()
+        self.place = Path(worker.local_directory) / self.name
+        self.place.mkdir(mode=0o700, exist_ok=True)
+        for name, content in self.files.items():
+            path = self.place / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(content)
+        _courses[self.name] = self
+
+    def teardown(self, worker: Worker) -> None:
+        _courses.pop(self.name, None)
+        shutil.rmtree(self.place, ignore_errors=True)
+        with sandboxes():
+            pass
+
+    def _refusal(self) -> str:
+        """Why this worker would not grade as the head asks, and the remedy; "" if it would."""
+        mine = _kind()
+        other = [f"{what} {mine[what]}, not {head}" for what, head in self.head.items() if mine[what] != head]
+        if other:
+            return f"it has {'; '.join(other)}: install there what the machine has that hands out"
+        if isolation() != "bubblewrap" and not self.unconfined:
+            return "it has no bubblewrap, or no namespaces for it: install it there, or let it be, with --unconfined"
+        return ""
+
+
+def course_for(root: Path, slugs: Sequence[str], unconfined: bool) -> Course:
+    """The course of the head, with these assignments alone."""
+    paths = [root / "solutions" / f"{slug}.py" for slug in slugs]
+    for slug in slugs:
+        paths += [path for path in assignments.checks_folder(root, slug).rglob("*") if path.is_file()]
+    kept = [path for path in paths if "__pycache__" not in path.parts]
+    return Course({path.relative_to(root).as_posix(): path.read_bytes() for path in sorted(kept)}, unconfined)
+
+
+def refusal(name: str) -> str:
+    """Why this worker will not grade for the head that sent this course."""
+    return _courses[name].refuses
+
+
+def there(name: str, work: Callable[[Any], Any], task: Any) -> Any:
+    """Do the work on a task of the head, by the course as it is on this worker."""
+    course = _courses[name]
+    if course.refuses:
+        raise UsageError(f"the worker on {platform.node()} cannot grade: {course.refuses}")
+    return work(replace(task, course=course.place))
+
+
+@functools.cache
+def _kind() -> dict[str, str]:
+    """What two machines must have in common to give the same scores."""
+    libraries = {name: importlib.metadata.version(name) for name in LIBRARIES}
+    engine = assignments.engine_digest().hex()[:12]
+    return {"grader": engine, "Python": platform.python_version(), "machine": platform.machine(), **libraries}

@@ -1,0 +1,193 @@
+"""A cluster of real processes on this machine: whatever dies in it, the results are those of one machine."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from contextlib import contextmanager
+
+import pytest
+
+from tam570_grader import cli
+from tam570_grader.sandbox.launch import isolation
+
+pytest.importorskip("distributed", reason="no dask.distributed: pip install 'tam570[cluster]'")
+pytestmark = [
+    pytest.mark.every,
+    pytest.mark.skipif(isolation() != "bubblewrap", reason="workers refuse without bubblewrap"),
+]
+SLUG = "hw08_axis_angle"
+STUDENTS = 24
+ENDS = ("", "def skew(v): return v\n", "def (", "import time\ntime.sleep(0.3)\n")
+
+
+@pytest.fixture(scope="module")
+def certificates(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("keys") / "keys"
+    assert cli.main(["certificates", str(folder)]) == 0
+    assert {path.stat().st_mode & 0o077 for path in folder.iterdir()} == {0}
+    return folder
+
+
+@pytest.fixture(scope="module")
+def tree(tmp_path_factory, solution_text):
+    folder = tmp_path_factory.mktemp("class") / "submitted"
+    for number in range(STUDENTS):
+        place = folder / f"s{number:02}" / SLUG
+        place.mkdir(parents=True)
+        (place / f"{SLUG}.py").write_text(f"{solution_text(SLUG)}\n# {number}\n{ENDS[number % len(ENDS)]}")
+    return folder
+
+
+@pytest.fixture(scope="module")
+def alone(tree, tmp_path_factory):
+    """The results of one machine."""
+    out = tmp_path_factory.mktemp("alone")
+    with grading(tree, out) as head:
+        assert head.wait() == 0
+    return outcome(out)
+
+
+@contextmanager
+def started(module, *arguments, **more):
+    """A process that is killed at the end, if it is still there."""
+    command = [sys.executable, "-m", module, *map(str, arguments)]
+    with subprocess.Popen(command, text=True, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, **more) as process:
+        try:
+            yield process
+        finally:
+            process.kill()
+
+
+def grading(tree, out, *arguments):
+    return started("tam570_grader.cli", "grade", tree, "--out", out, "--seed", 570, "--jobs", 1, *arguments)
+
+
+class Net:
+    """A scheduler and its workers, with certificates."""
+
+    def __init__(self, keys, folder):
+        self._tls = ["--tls-ca-file", keys / "certificate.pem", "--tls-cert", keys / "certificate.pem"]
+        self._tls += ["--tls-key", keys / "key.pem"]
+        self.folder, self._file = folder, folder / "scheduler.json"
+        self.asked = ["--certificates", keys]
+
+    def scheduler(self, port=0):
+        self._file.unlink(missing_ok=True)
+        place = ["--host", "127.0.0.1", "--port", port, "--protocol", "tls", "--no-dashboard"]
+        return started("dask", "scheduler", *place, "--scheduler-file", self._file, *self._tls)
+
+    @property
+    def address(self):
+        wait_for(self._file.exists)
+        return json.loads(self._file.read_text())["address"]
+
+    def worker(self, **more):
+        options = ["--no-nanny", "--no-dashboard", "--nthreads", 1, "--local-directory", self.folder]
+        return started("dask", "worker", self.address, *options, *self._tls, **more)
+
+    def grading(self, tree, out, *more):
+        return grading(tree, out, "--cluster", self.address, *self.asked, *more)
+
+
+@pytest.fixture
+def net(certificates, tmp_path):
+    return Net(certificates, tmp_path)
+
+
+def wait_for(happens, seconds=60):
+    deadline = time.monotonic() + seconds
+    while not happens():
+        assert time.monotonic() < deadline, "waited in vain"
+        time.sleep(0.05)
+
+
+def graded(out):
+    return (out / "results.jsonl").read_text().count("\n") if (out / "results.jsonl").exists() else 0
+
+
+def outcome(out):
+    """The results but for their seconds, bit for bit; and the grades."""
+    lines = (out / "results.jsonl").read_text().splitlines()
+    return [json.dumps({**json.loads(line), "seconds": 0}) for line in lines], (out / "grades.csv").read_text()
+
+
+def test_a_worker_that_is_killed_and_one_that_joins_late_change_nothing(net, tree, tmp_path, alone):
+    out = tmp_path / "out"
+    with net.scheduler(), net.worker() as first, net.grading(tree, out) as head:
+        wait_for(lambda: graded(out) >= 3)
+        first.kill()
+        with net.worker():
+            assert head.wait() == 0, head.stderr.read()
+    assert outcome(out) == alone
+
+
+def test_a_head_that_is_killed_and_a_scheduler_that_is_lost_change_nothing(net, tree, tmp_path, alone):
+    out = tmp_path / "out"
+    with net.scheduler() as scheduler, net.worker():
+        with net.grading(tree, out) as head:
+            wait_for(lambda: graded(out) >= 3)
+            head.kill()
+        before = graded(out)
+        with net.grading(tree, out) as head:
+            wait_for(lambda: graded(out) >= before + 3)
+            scheduler.kill()
+            assert head.wait() == 1
+            said = head.stderr.read()
+            assert "the scheduler at tls://" in said and "results are kept" in said and "Traceback" not in said
+    assert 6 <= graded(out) < STUDENTS
+    with net.scheduler(), net.worker(), net.grading(tree, out) as head:
+        assert head.wait() == 0, head.stderr.read()
+    assert outcome(out) == alone
+
+
+def test_who_has_no_certificate_is_kept_out(net, tree, tmp_path, capsys):
+    others = tmp_path / "others"
+    assert cli.main(["certificates", str(others)]) == 0
+    with net.scheduler():
+        plain = net.address.replace("tls://", "tcp://")
+        asked = ["grade", str(tree), "--out", str(tmp_path / "out")]
+        assert cli.main([*asked, "--cluster", plain]) == 2
+        assert "certificates DIR" in capsys.readouterr().err
+        with net.grading(tree, tmp_path / "out", "--certificates", others) as head:
+            assert head.wait() == 2
+            assert "no scheduler lets us in" in head.stderr.read()
+        with started("tam570_grader.cli", "certificates", others) as again:
+            assert again.wait() == 2  # nobody's keys are overwritten
+
+
+def test_a_worker_without_bubblewrap_refuses_unless_told_otherwise(net, tree, tmp_path):
+    one = tree / "s00"
+    bare = tmp_path / "bin"
+    bare.mkdir()
+    with net.scheduler(), net.worker(env={**os.environ, "PATH": str(bare)}):
+        with net.grading(one, tmp_path / "out") as head:
+            assert head.wait() == 2
+            assert "no bubblewrap" in head.stderr.read()
+        with net.grading(one, tmp_path / "out", "--unconfined") as head:
+            code, said = head.wait(), head.stderr.read()
+    if os.geteuid() == 0 and "may not enter" in said:
+        pytest.skip("root without bubblewrap cannot grade from a closed folder, on a cluster or off it")
+    assert code == 0, said
+    assert json.loads((tmp_path / "out" / "results.jsonl").read_text())["isolation"] == "processes"
+
+
+def test_a_cluster_on_this_machine_gives_the_same(tree, tmp_path, alone):
+    out = tmp_path / "out"
+    with grading(tree, out, "--cluster", "local") as head:
+        assert head.wait() == 0, head.stderr.read()
+    assert outcome(out) == alone
+    with grading(tree, tmp_path / "ended", "--cluster", "local") as head:
+        wait_for(lambda: graded(tmp_path / "ended") >= 3)
+        head.send_signal(signal.SIGINT)
+        assert head.wait() == 130, head.stderr.read()
+
+
+def test_the_audit_runs_on_a_cluster(capsys):
+    asked = ["audit", "hw08", "--quick", "--json", "--jobs", "2"]
+    assert cli.main(asked) == 0
+    here = json.loads(capsys.readouterr().out)
+    assert cli.main([*asked, "--cluster", "local"]) == 0
+    assert json.loads(capsys.readouterr().out) == here
