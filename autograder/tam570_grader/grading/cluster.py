@@ -64,7 +64,8 @@ class Cluster:
 
         from tam570_grader.grading.cluster_worker import Course, course_for, there
 
-        logging.getLogger("distributed").setLevel(logging.CRITICAL)  # what matters comes as an exception
+        for name in ("distributed", "distributed.client"):
+            logging.getLogger(name).setLevel(logging.CRITICAL)  # what matters comes as an exception
         with contextlib.ExitStack() as stack:
             client = stack.enter_context(self._client(stack, jobs))
             sent: Course = course_for(course, slugs, self.unconfined)
