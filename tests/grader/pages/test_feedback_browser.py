@@ -20,7 +20,7 @@ def folder(tmp_path_factory, course, workers):
     from tam570_grader.grading.one import graded, not_graded
     from tam570_grader.grading.speed import Yardstick
     from tam570_grader.results import journal
-from tam570_grader.sandbox.student import Source
+    from tam570_grader.sandbox.student import Source
     from tam570_grader.sandbox.worker import Allowance
     from tam570_grader.writing import assignments
 
