@@ -1,0 +1,170 @@
+"""Hidden inputs of hw14: disks, hoops and wheels in any motion, and plain motions that tell what random ones do not."""
+
+import math
+
+import numpy as np
+
+from tam570_grader import given, in_turn, once, uneven
+
+from . import right
+
+SHAPES = {"a thin uniform disk": (0.25, 0.5), "a hoop": (0.5, 1.0), "a wheel": None}
+AGAIN = "the same motion of another disk"
+PLAIN = {  # of the rates of yaw, tilt, roll
+    "a disk at rest": (0, 0, 0),
+    "a disk that only rolls": (0, 0, 1),
+    "a disk that only yaws": (1, 0, 0),
+    "a disk that only tilts": (0, 1, 0),
+    "a steady tilt": (1, 0, 1),
+    "no roll": (1, 1, 0),
+}
+
+
+def a_disk(draw, shape="a wheel"):
+    mass, radius = 10 ** draw.uniform(-1, 1), 10 ** draw.uniform(-1, 0)
+    C = draw.uniform(0.2, 1.1)
+    A, C = SHAPES[shape] or (C * draw.uniform(0.6, 1.3), C)
+    size = mass * radius**2
+    return {"mass": mass, "radius": radius, "inertia": (A * size, C * size), "gravity": draw.uniform(1.6, 25.0)}
+
+
+def a_state(draw, disk, tilt):
+    place, angles = draw.uniform(-2, 2, 2), draw.uniform(-4, 4, 2)
+    return np.array([*place, angles[0], tilt, angles[1], *(right.usual(disk) * draw.uniform(-2, 2, 3))])
+
+
+def instants(draw):
+    """Euler states of any motion, and plain ones: at rest, upright, without yaw or roll, whole numbers, far away."""
+    cases = []
+    for shape in [*SHAPES] * 4:
+        disk = a_disk(draw, shape)
+        cases.append(given(a_state(draw, disk, draw.uniform(0.3, 2.8)), **disk).on(shape))
+    cases.append(cases[-1].but(gravity=0.0).on("no gravity"))
+    disk = a_disk(draw)
+    rates = right.usual(disk) * draw.uniform(0.5, 2, 3) * draw.choice([-1, 1], 3)
+    for kind, some in PLAIN.items():
+        for tilt, how in ((right.RIGHT, "upright"), (draw.uniform(0.4, 1.4), "tilted"), (2.0, "tilted")):
+            state = np.array([*draw.uniform(-2, 2, 2), draw.uniform(-4, 4), tilt, draw.uniform(-4, 4), *rates * some])
+            cases.append(given(state + 0.0, **disk).on(f"{kind}, {how}"))
+    far = a_state(draw, disk, 1.0) + [300, -200, 0, 0, 0, 0, 0, 0]
+    whole = np.array([0, 0, 0, math.pi / 4, 0, 1, 1, 1])
+    ones = given(whole, mass=1.0, radius=1.0, inertia=(0.25, 0.5), gravity=1.0)
+    return [*cases, ones.on("whole numbers, at the origin"), given(far, **disk).on("a disk far from the origin")]
+
+
+def nearly_flat(draw):
+    disk = a_disk(draw)
+    return [given(a_state(draw, disk, tilt), **disk).on("a nearly flat disk") for tilt in (1e-3, math.pi - 1e-3)]
+
+
+def on_a_point(draw):
+    disk = a_disk(draw)
+    upright = a_state(draw, disk, right.RIGHT) * [1, 1, 1, 1, 1, 1, 0, 0]
+    return given(upright, **disk).on("an upright disk that spins on a point")
+
+
+def timed(cases):
+    """For the functions that are given a time, too."""
+    return [given(0.0, *case.args, **case.kwargs).on(case.kind) for case in cases]
+
+
+def by_matrix(cases):
+    """The same with matrix states in the place of Euler states, the last argument."""
+    return [case.but(*case.args[:-1], right.matrix_state(case.args[-1], case.kwargs["radius"])) for case in cases]
+
+
+def of_radius(cases):
+    return [given(*case.args, radius=case.kwargs["radius"]).on(case.kind) for case in cases]
+
+
+# Motions
+
+
+@once
+def motions(draw, count, span, samples):
+    """Motions that stay away from the flat, a wheel's and, of two, a hoop's without gravity; span of sqrt(a/g)."""
+    found = []
+    while len(found) < count:
+        disk = a_disk(draw, ["a wheel", "a hoop"][len(found)])
+        disk["gravity"] *= not found
+        state = a_state(draw, disk, draw.uniform(0.8, 2.3))
+        state[7] += 2 * right.usual(disk) * np.sign(state[7])
+        # what needs t[0] > 0 gives one result
+        start = draw.uniform(-3, -0.5) if found else draw.uniform(0.5, 3)
+        t = uneven(draw, span / right.usual(disk), samples, start)
+        if stays_up(t, state, disk):
+            kind = "a motion without gravity" if found else "a general motion"
+            found.append(given(t, state, **disk).on(kind))
+    return found
+
+
+def stays_up(t, state, disk):
+    try:
+        states = right.motion(np.linspace(t[0], t[-1], 100), state, rtol=1e-5, **disk)
+    except ArithmeticError:
+        return False
+    return np.sin(states[:, 3]).min() > 0.4
+
+
+def two_times(draw):
+    """Let go at rest, rolling straight upright, spinning upright on a point, at rest; and one argument changed."""
+    disk = a_disk(draw)
+    found, usual = [], right.usual(disk)
+    for tilt, rates, kind in (
+        (1.1, (0, 0, 0), "let go at rest"),
+        (right.RIGHT, (0, 0, 3), "rolling straight, upright"),
+        (right.RIGHT, (3, 0, 0), "spinning upright on a point"),
+    ):
+        start = np.array([*draw.uniform(-2, 2, 3), tilt, draw.uniform(-2, 2), *np.multiply(rates, usual)])
+        t = draw.uniform(0.5, 3) + np.array([0.0, 0.6]) / usual
+        found.append(given(t, start, **disk).on(f"two times, a disk {kind}"))
+    still = found[0].but(gravity=0.0).on("two times, a disk at rest without gravity, where it stays")
+    return [*found, still, *in_turn(draw, found[0])]
+
+
+# Steady and nearly upright
+
+
+def steady(draw):
+    """Leans, precessions and spins, steady or not, and some with a zero."""
+    cases = []
+    for shape in [*SHAPES] * 4:
+        disk = a_disk(draw, shape)
+        cases.append(given(draw.uniform(-1.4, 1.4), *(right.usual(disk) * draw.uniform(-2, 2, 2)), **disk).on(shape))
+    first = cases[0]
+    lean, precession, spin = abs(first.args[0]) + 0.1, *first.args[1:]
+    plain = {
+        "exactly upright": (0.0, precession, spin),
+        "no precession": (lean, 0.0, spin),
+        "no spin": (-lean, precession, 0.0),
+        "a disk let go at rest": (lean, 0.0, 0.0),
+        "straight rolling upright": (0.0, 0.0, spin),
+        "spinning upright on a point": (0.0, precession, 0.0),
+    }
+    cases += [first.but(*motion).on(kind) for kind, motion in plain.items()]
+    return [*cases, cases[0].but(gravity=0.0).on("no gravity"), first.but(**cases[1].kwargs).on(AGAIN)]
+
+
+def wheels(draw):
+    """Disks alone."""
+    cases = [given(**a_disk(draw, shape)).on(shape) for shape in [*SHAPES] * 2]
+    return [*cases, cases[-1].but(gravity=0.0).on("a wheel without gravity")]
+
+
+def speeds(draw):
+    """From rest to four times the critical speed; one without gravity."""
+    cases = []
+    for shape, ratio in zip([*SHAPES] * 2, (0.0, 0.5, 0.95, 1.05, 2.0, 4.0), strict=True):
+        disk = a_disk(draw, shape)
+        pace = f"{'slower' if ratio < 1 else 'faster'} than the critical speed" if ratio else "at rest"
+        cases.append(given(ratio * right.critical_speed(**disk), **disk).on(f"{shape}, {pace}"))
+    cases.append(cases[4].but(gravity=0.0).on("a hoop without gravity"))
+    return [*cases, cases[5].but(**cases[1].kwargs).on(AGAIN)]
+
+
+def pictures(draw):
+    """Cases of the same disk and number of sides; five always, for a star of five sides is as regular."""
+    for sides in (int(draw.integers(7, 30)), 3, 4, 5, 6):
+        disk, kind = a_disk(draw), f"{sides} sides" if sides < 7 else "many sides"
+        states = [a_state(draw, disk, tilt) for tilt in (0.7, 1.3, 2.5, right.RIGHT)]
+        yield [given(state, radius=disk["radius"], sides=sides).on(kind) for state in states]
