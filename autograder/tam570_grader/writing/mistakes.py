@@ -201,6 +201,8 @@ def _module(solution: str, slip: str) -> ModuleType:
 def _same(found: Any, wrong: Any, within: float) -> bool:
     if found is None or found is _NoValue or wrong is _NoValue:
         return (found is None or found is _NoValue) and (wrong is _NoValue or not _finite(wrong))
+    if isinstance(wrong, tuple) and not isinstance(found, tuple):
+        wrong = np.asarray(wrong, float)  # the numbers of an array may be returned one by one
     pairs = list(zip(parts(found), parts(wrong), strict=False))
     return len(parts(found)) == len(parts(wrong)) and all(_close(one, other, within) for one, other in pairs)
 

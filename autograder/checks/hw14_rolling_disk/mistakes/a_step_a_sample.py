@@ -2,7 +2,7 @@
 
 fails: euler_simulation_follows_the_motion
 numerics: steps that grow with the distance of the times
-names: how t is sampled must not change it
+names: do your steps depend on t
 """
 
 

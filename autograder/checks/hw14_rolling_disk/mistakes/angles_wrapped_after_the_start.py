@@ -1,7 +1,7 @@
 """simulate_euler wraps yaw and roll, but for those of the start.
 
 fails: euler_simulation_follows_the_motion
-names: angles are never wrapped
+names: never wrap angles
 """
 
 

@@ -2,7 +2,7 @@
 
 fails: energy_is_conserved
 numerics: the loss of a method that damps
-names: is the tolerance tight
+names: Use a tighter tolerance
 """
 
 

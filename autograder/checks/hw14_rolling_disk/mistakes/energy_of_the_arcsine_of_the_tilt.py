@@ -1,7 +1,6 @@
 """The spin has the cosine by a root, never negative.
 
 fails: energy_is_kinetic_and_potential
-names: where tilt > pi/2, and only there
 """
 
 _energy = energy

@@ -1,7 +1,6 @@
 """The potential is twice what it is.
 
 fails: energy_is_kinetic_and_potential
-names: at rest it is wrong too
 """
 
 _energy = energy

@@ -1,7 +1,6 @@
 """The disk does not turn about its axle.
 
 fails: energy_is_kinetic_and_potential
-names: at rest it is right
 """
 
 _energy = energy

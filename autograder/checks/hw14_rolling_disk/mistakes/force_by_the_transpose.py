@@ -1,7 +1,6 @@
 """The acceleration's components along e1, e2, e3 are brought to space by the transpose of what does it.
 
 fails: contact_force_moves_the_centre
-names: m a of G has the right size and a wrong direction
 """
 
 _force = contact_force

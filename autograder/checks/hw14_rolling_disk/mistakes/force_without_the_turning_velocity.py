@@ -1,7 +1,6 @@
 """The velocity along e1 is not turned by yaw' cos(tilt): the force along e2 is off.
 
 fails: contact_force_moves_the_centre
-names: it is wrong along e2 only
 """
 
 _force = contact_force

@@ -2,7 +2,7 @@
 
 fails: matrix_simulation_follows_the_motion
 numerics: solve_ivp's own rtol of 1e-3
-names: is the tolerance tight
+names: tighten rtol and atol
 """
 
 

@@ -2,7 +2,7 @@
 
 fails: matrix_simulation_follows_the_motion
 numerics: tolerances of 1e-5
-names: is the tolerance tight
+names: tighten rtol and atol
 """
 
 

@@ -2,7 +2,7 @@
 
 fails: matrix_simulation_follows_the_motion
 numerics: interpolation of the first order
-names: joined by straight lines
+names: do you interpolate linearly
 """
 
 

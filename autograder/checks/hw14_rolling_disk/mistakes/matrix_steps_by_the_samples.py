@@ -2,7 +2,7 @@
 
 fails: both_simulations_agree
 numerics: steps that grow with the distance of the times
-names: the steps must not depend on the sampling
+names: do your steps depend on t
 """
 
 

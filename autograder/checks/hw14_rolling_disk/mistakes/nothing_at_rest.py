@@ -2,7 +2,6 @@
 
 fails: euler_equations_hold, matrix_equations_hold, multiplier_equations_hold, euler_simulation_follows_the_motion, matrix_simulation_follows_the_motion, energy_is_kinetic_and_potential, contact_force_moves_the_centre, steady_residual_is_the_tilt_acceleration
 also: a disk without tilt rate and roll rate is said to be at rest
-names: for a disk at rest
 """
 
 _rates = euler_state_derivative, matrix_state_derivative, multiplier_state_derivative

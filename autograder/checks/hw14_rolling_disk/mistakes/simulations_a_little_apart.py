@@ -2,7 +2,7 @@
 
 fails: both_simulations_agree
 numerics: an inaccuracy that keeps R and the height
-names: nearly right: is the tolerance tight
+names: tighten rtol and atol
 """
 
 _motion = simulate_matrix

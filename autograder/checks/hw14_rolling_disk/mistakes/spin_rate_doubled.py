@@ -1,7 +1,6 @@
 """The rate of the spin is twice what it is: roll'' alone is off.
 
 fails: euler_equations_hold, contact_force_moves_the_centre, euler_simulation_follows_the_motion
-names: roll'' is off | omega' is wrong along e3 only
 """
 
 _rates = euler_state_derivative

@@ -1,7 +1,7 @@
 """Where the times are few and far apart both simulations give the start in every row.
 
 fails: euler_simulation_keeps_two_integrals, both_simulations_agree, energy_is_conserved
-names: the disk does not move
+names: Every row is the start
 """
 
 _euler, _matrix = simulate_euler, simulate_matrix

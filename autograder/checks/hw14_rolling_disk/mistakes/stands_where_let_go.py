@@ -2,7 +2,7 @@
 
 fails: euler_simulation_follows_the_motion, matrix_simulation_follows_the_motion
 also: a disk without tilt rate and roll rate is said to be at rest
-names: two times, a disk let go at rest
+names: Every row is the start
 """
 
 _euler, _matrix = simulate_euler, simulate_matrix

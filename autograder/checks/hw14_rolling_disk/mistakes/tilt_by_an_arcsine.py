@@ -1,7 +1,6 @@
 """The tilt in the multipliers' equations is found by an arcsine, which is never more than a quarter turn.
 
 fails: multiplier_equations_hold
-names: where tilt > pi/2, and only there
 """
 
 

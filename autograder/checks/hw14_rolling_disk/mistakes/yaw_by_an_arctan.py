@@ -1,7 +1,6 @@
 """The yaw in the multipliers' equations is found by an arctan of a ratio: where cos(yaw) < 0, half a turn is lost.
 
 fails: multiplier_equations_hold
-names: where cos(yaw) < 0, and only there
 """
 
 
