@@ -8,7 +8,7 @@ if os.name != "posix":
     raise SystemExit("tam570-grader: error: the grader needs Linux or macOS; on Windows, use WSL")
 
 from tam570_grader.writing.agree import Column, agree, agree_by_columns, refuse, same_for_all
-from tam570_grader.writing.check import check, given, once, suspect
+from tam570_grader.writing.check import check, given, once
 from tam570_grader.writing.curves import kept
 from tam570_grader.writing.drawings import (
     curves_seen,
@@ -22,7 +22,7 @@ from tam570_grader.writing.expect import Failed, current, expect, expect_that, f
 from tam570_grader.writing.follow import Invariant, follow, stays
 from tam570_grader.writing.formulas import from_own_lagrangian
 from tam570_grader.writing.returns import array, drawing, formula, group, number, rows
-from tam570_grader.writing.times import SOME_TIMES, in_turn, mistimed, uneven
+from tam570_grader.writing.times import SOME_TIMES, in_turn, uneven
 
 __all__ = [
     "agree_by_columns",
@@ -54,10 +54,8 @@ __all__ = [
     "judge_axes_of_lengths",
     "judge_boxes",
     "kept",
-    "mistimed",
     "number",
     "once",
     "rows",
-    "suspect",
     "uneven",
 ]

@@ -13,17 +13,16 @@ random generator that belongs to the check and is the same for every student of 
 
 import functools
 import threading
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, TypeVar
 
 import numpy as np
 
-__all__ = ["Check", "Given", "Memory", "Suspect", "check", "given", "once", "suspect"]
+__all__ = ["Check", "Given", "Memory", "check", "given", "once"]
 
 T = TypeVar("T")
-# values that `once` keeps, and answers of a suspect; with inputs of its own for each student a run makes thousands
-MOST_KNOWN, MOST_ANSWERS = 64, 16
+MOST_KNOWN = 64  # values that `once` keeps; with inputs of its own for each student a run makes thousands
 
 
 class Memory:
@@ -43,16 +42,6 @@ class Memory:
 
 
 @dataclass(frozen=True)
-class Suspect:
-    """A known wrong answer: what to say of it, and the wrong functions by the name of the right ones."""
-
-    says: str
-    variants: Mapping[str, Callable[..., Any]]
-    within: float  # largest difference, relative to the largest number of the wrong answer
-    answers: Memory = field(default_factory=lambda: Memory(MOST_ANSWERS), compare=False, repr=False)
-
-
-@dataclass(frozen=True)
 class Check:
     """One hidden check, as `@check` makes it."""
 
@@ -60,7 +49,6 @@ class Check:
     points: float
     part: str
     after: tuple[str, ...]
-    suspects: tuple[Suspect, ...] = ()
 
     @property
     def name(self) -> str:
@@ -73,20 +61,15 @@ class Check:
 
 
 def check(
-    *, points: float, part: str, after: Check | Sequence[Check] = (), suspects: Iterable[Suspect] = ()
+    *, points: float, part: str, after: Check | Sequence[Check] = ()
 ) -> Callable[[Callable[[Any, np.random.Generator], None]], Check]:
     """Make a function a check worth `points` in a lettered part, run only when all of `after` have (nearly) passed."""
     needed = (after,) if isinstance(after, Check) else tuple(after)
 
     def made(judge: Callable[[Any, np.random.Generator], None]) -> Check:
-        return Check(judge, float(points), part, tuple(other.name for other in needed), tuple(suspects))
+        return Check(judge, float(points), part, tuple(other.name for other in needed))
 
     return made
-
-
-def suspect(says: str, *, within: float = 1e-6, **variants: Callable[..., Any]) -> Suspect:
-    """A wrong answer to name: `says` completes "matches the result with ..."."""
-    return Suspect(says, variants, within)
 
 
 @dataclass(frozen=True)

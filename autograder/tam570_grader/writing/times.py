@@ -1,19 +1,17 @@
-"""The times of simulations: uneven ones for every check, and the suspects that misunderstand them."""
+"""The times of simulations: uneven ones for every check, and cases that follow one another."""
 
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tam570_grader.writing.check import Given, Suspect, suspect
+from tam570_grader.writing.check import Given
 
-__all__ = ["SOME_TIMES", "in_turn", "mistimed", "uneven"]
+__all__ = ["SOME_TIMES", "in_turn", "uneven"]
 
 Array = NDArray[np.float64]
 # kind: of an array of times, what a closed form must take, too
 SOME_TIMES = {"a single time": slice(-1, None), "times in descending order": slice(None, None, -1)}
-Simulation = Callable[..., Any]  # simulation(t, *start, **parameters) -> rows, or several arrays of them
 
 
 def uneven(draw: np.random.Generator, span: float, count: int, start: float | None = None) -> Array:
@@ -56,41 +54,3 @@ def _other(draw: np.random.Generator, value: Any) -> Any:
     other = np.array(value, float)
     other.flat[0] = other.flat[0] * factor if other.flat[0] else factor
     return other
-
-
-def mistimed(
-    right: Simulation, from_zero: Simulation, *, name: str = "simulate", within: float = 1e-4
-) -> list[Suspect]:
-    """Suspects of the function `name`: even times, late rows, a start at t = 0.
-
-    right     : the right simulation, the start at t[0]; it need not be the fastest, it runs where a check has failed
-    from_zero : the same with the start at t = 0, before t[0] or after it
-    """
-
-    def at(times: Callable[[Any], Any]) -> Simulation:
-        return lambda t, *start, **parameters: right(times(t), *start, **parameters)
-
-    def late(t: Any, *start: Any, **parameters: Any) -> Any:
-        found = right(t, *start, **parameters)
-        return tuple(map(_late, found)) if isinstance(found, tuple) else _late(found)
-
-    def onwards_from_zero(t: Any, *start: Any, **parameters: Any) -> Any:
-        if t[0] < 0:
-            raise ValueError("solve_ivp refuses times that its span, from 0 to the last, leaves out")
-        return from_zero(t, *start, **parameters)
-
-    at_zero = "the given state is treated as the state at t = 0, but it is the state at t[0]"
-    wrong = {
-        "the times are treated as evenly spaced": at(lambda t: np.linspace(t[0], t[-1], len(t))),
-        "the times are treated as evenly spaced, with the first step for all": at(
-            lambda t: t[0] + (t[1] - t[0]) * np.arange(len(t))
-        ),
-        "the rows come one time late, and the start is left out": late,
-        at_zero: from_zero,
-        f"{at_zero}, and times before 0 are left out": onwards_from_zero,
-    }
-    return [suspect(says, within=within, **{name: function}) for says, function in wrong.items()]
-
-
-def _late(rows: Any) -> Any:
-    return np.concatenate([rows[1:], rows[-1:]])
