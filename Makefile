@@ -38,6 +38,7 @@ verify: $(VENV)/ready bubblewrap
 
 # The site, into build/site: warnings are errors, and every link is followed.
 docs: $(VENV)/docs
+	rm -rf build/site
 	$(BIN)/sphinx-build -q -W --keep-going -j auto -b html docs build/site
 	$(BIN)/python docs/links.py build/site
 	@echo "Open build/site/index.html"

@@ -48,10 +48,7 @@ def _made(app):
 
 
 def _write(folder, name):
-    """Write the page of a scene and its still; a scene that is as it was keeps its still."""
-    file, document = folder / f"{name}.html", page(film(name))
-    if file.exists() and file.read_text(encoding="utf-8") == document:
-        return
+    """Write the page of a scene and its still."""
     picture = folder / f"{name}.png"
     save(film(name), picture)
     with Image.open(picture) as whole:
@@ -60,7 +57,7 @@ def _write(folder, name):
         )
         small.save(folder / f"{name}.webp", quality=QUALITY)
     picture.unlink()
-    file.write_text(document, encoding="utf-8")
+    (folder / f"{name}.html").write_text(page(film(name)), encoding="utf-8")
 
 
 class Scene(SphinxDirective):
