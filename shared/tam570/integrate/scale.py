@@ -3,9 +3,10 @@
 A component's errors are relative to the largest magnitude that it had so far. What is zero yet takes the size to which
 it moves within the first step, on its own or driven by time; else the size that the others give it: the rates change
 when these change, each by a part of its own size. What is driven by that in turn takes its size from it, and so on
-along a chain. The time that this is given is the shortest in which the known turn each other over, no longer: so a
-scale is rather too small than too large, and too small costs steps, too large digits. Where nothing turns over, it is
-the first step.
+along a chain.
+The time that this is given is that in which the known turn each other over, no longer, when all change by their sizes
+(tried at a small part and at an eighth of them): so a scale is rather too small than too large. Too small costs steps,
+too large digits. Where nothing turns over, the time is the first step.
 
 What is smaller than the rounding of what drives it is zero here. And no scale is below the rounding that a step of h
 cannot avoid: the rate of component i is known to N, what changes of the state by a few eps of each component do to it,
