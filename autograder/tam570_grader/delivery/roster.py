@@ -14,7 +14,8 @@ from tam570_grader.errors import UsageError
 
 __all__ = ["NOT_PEOPLE", "Person", "by_id", "people", "students", "table"]
 
-# columns that tell people apart, the login first: what their folders are named after
+# columns that tell people apart, the login first: what their folders are named after;
+# the number of a participant is last, for it is another in every course
 IDS = (
     "sis login id",
     "username",
@@ -23,10 +24,10 @@ IDS = (
     "id number",
     "sis user id",
     "sid",
-    "identifier",
     "id",
     "email address",
     "email",
+    "identifier",
 )
 NAMES = ("student", "full name", "name")
 PARTS = (("first name", "last name"), ("first name", "surname"), ("first_name", "last_name"))

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
 from tam570_grader.delivery import roster
-from tam570_grader.grading.submissions import GIVEN, WORK, BadPath, Submission, entries, of_name
+from tam570_grader.grading.submissions import GIVEN, MOST_NAMES, WORK, BadPath, Submission, entries, of_name
 from tam570_grader.sandbox.replies import printable
 from tam570_grader.writing.assignments import slug_of
 
@@ -23,7 +23,7 @@ def overlooked(paths: Iterable[Path], found: Sequence[Submission], known: Sequen
             continue
         for entry in entries(folder.absolute()):
             if entry not in trees and entry not in graded and not _names_another(entry, known):
-                yield f"{_shown(entry)} is not graded: nothing in its name tells the assignment; {REMEDY}"
+                yield f"{_shown(entry)}{_holding(entry)} is not graded: no name in it tells the assignment; {REMEDY}"
             elif entry in trees and os.path.isdir(entry) and not slug_of(entry.name, known):
                 yield from _beside(entry, graded, known)
 
@@ -45,6 +45,16 @@ def _names_another(entry: Path, known: Sequence[str]) -> bool:
     return bool(
         slug_of(entry.name, known) or (not os.path.isdir(entry) and entry.suffix in WORK and of_name(entry.name, known))
     )
+
+
+def _holding(entry: Path) -> str:
+    """The first files of a folder, in brackets."""
+    try:
+        names = [printable(one.name[:80]) for one in entries(entry)] if os.path.isdir(entry) else []
+    except BadPath as closed:
+        return f" ({closed})"
+    more = ", ..." if len(names) > MOST_NAMES else ""
+    return f" (it holds {', '.join(names[:MOST_NAMES])}{more})" if names else ""
 
 
 def _shown(entry: Path) -> str:

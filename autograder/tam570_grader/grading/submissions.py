@@ -19,6 +19,7 @@ __all__ = [
     "GIVEN",
     "LARGEST",
     "MOST_FILES",
+    "MOST_NAMES",
     "WORK",
     "BadPath",
     "CannotRead",

@@ -26,7 +26,7 @@ NBGRADER = "id,first_name,last_name,email\naadams,Ann,Adams,a@x\nbbrown,Bo,Brown
 
 
 @pytest.mark.parametrize(
-    "text", [CANVAS, MOODLE, GRADESCOPE, NBGRADER, "aadams\nbbrown\n", "student\naadams\nbbrown\n"]
+    "text", [CANVAS, MOODLE, WORKSHEET, GRADESCOPE, NBGRADER, "aadams\nbbrown\n", "student\naadams\nbbrown\n"]
 )
 def test_students_are_rows_and_nobody_else_is(tmp_path, text):
     (tmp_path / "roster.csv").write_text("\ufeff" + text, encoding="utf-8")
