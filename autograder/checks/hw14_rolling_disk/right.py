@@ -12,7 +12,7 @@ from scipy.integrate import solve_ivp
 Z = np.array([0.0, 0.0, 1.0])
 RIGHT = math.pi / 2
 CENTRE, MATRIX, OMEGA = slice(0, 3), slice(3, 12), slice(12, 15)
-MOST_CALLS = 10_000  # of the rates; a motion that stays off the flat takes 3000
+MOST_CALLS = 50_000  # of the rates, of a motion that stays off the flat for long
 
 
 def hat(v):
