@@ -83,7 +83,7 @@ def _of_folder(path: Path, source: Path) -> File:
 
 
 def _regular(source: Path) -> list[Path]:
-    """The files below a folder; links and devices are none."""
+    """The regular files below a folder; links and devices are left out."""
     found = [Path(folder) / name for folder, _, names in os.walk(source) for name in names if name not in SYSTEMS]
     return sorted(path for path in found if stat.S_ISREG(path.lstat().st_mode))
 

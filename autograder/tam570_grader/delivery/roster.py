@@ -31,7 +31,7 @@ IDS = (
 )
 NAMES = ("student", "full name", "name")
 PARTS = (("first name", "last name"), ("first name", "surname"), ("first_name", "last_name"))
-NOT_PEOPLE = ("student, test",)  # whom Canvas makes for trying things out; its other rows have no number
+NOT_PEOPLE = ("student, test",)  # Canvas makes this one to try things out; rows that are not students have no number
 PARTICIPANT = "Participant "  # before the number, in the column Identifier of Moodle's worksheet
 DELIMITERS = ",;\t"
 
