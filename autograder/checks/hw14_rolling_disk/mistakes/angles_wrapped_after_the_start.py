@@ -1,4 +1,4 @@
-"""simulate_euler wraps yaw and roll, but for those of the start.
+"""simulate_euler wraps yaw and roll, except in the first row.
 
 fails: euler_simulation_follows_the_motion
 names: never wrap angles

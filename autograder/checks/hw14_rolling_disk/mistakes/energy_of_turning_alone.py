@@ -1,4 +1,4 @@
-"""The energy of turning alone: that of the moving centre left out.
+"""The energy lacks the motion of the centre.
 
 fails: energy_is_kinetic_and_potential
 """

@@ -1,4 +1,4 @@
-"""The rate of the frame e1, e2, e3 taken for that of the body.
+"""The frame e1, e2, e3 is treated as turning with the body.
 
 fails: euler_equations_hold, contact_force_moves_the_centre, euler_simulation_follows_the_motion
 """

@@ -1,4 +1,4 @@
-"""The inertias of body axes taken along those of space: I is R diag(A, A, C) R^T.
+"""The inertias of body axes are used along the axes of space: I is R diag(A, A, C) R^T.
 
 fails: multiplier_equations_hold
 """

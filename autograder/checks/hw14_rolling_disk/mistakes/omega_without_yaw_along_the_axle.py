@@ -1,4 +1,4 @@
-"""roll' taken for the total spin (yaw' has a part along the axle).
+"""roll' stands for the total spin, but yaw' has a part along the axle too.
 
 fails: matrix_state_places_the_disk
 """

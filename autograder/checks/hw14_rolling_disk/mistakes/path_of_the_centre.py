@@ -1,4 +1,4 @@
-"""x and y of the centre, where they are those of the contact.
+"""x and y belong to the centre, where they should belong to the contact.
 
 fails: euler_simulation_follows_the_motion
 """

@@ -1,4 +1,4 @@
-"""roll' taken for the total spin (yaw' has a part along the axle).
+"""roll' stands for the total spin, but yaw' has a part along the axle too.
 
 fails: euler_equations_hold, contact_force_moves_the_centre, euler_simulation_follows_the_motion
 """

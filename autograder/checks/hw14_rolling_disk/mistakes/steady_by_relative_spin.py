@@ -1,4 +1,4 @@
-"""The spin relative to the turning frame taken for the total spin.
+"""The spin relative to the turning frame stands for the total spin.
 
 fails: steady_residual_is_the_tilt_acceleration
 """
