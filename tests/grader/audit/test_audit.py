@@ -222,6 +222,7 @@ def test_a_diagnosis_tells_named_from_unnamed_and_misled():
     assert diagnosis.faults([said] * 10 + [wrong]) == 1
 
 
+@pytest.mark.every
 def test_the_margins_of_a_check_are_measured_from_both_sides(capsys):
     assert cli.main(["audit", "hw12", "--margins", "--quick", "--jobs", "1", "--json"]) == 0
     found = json.loads(capsys.readouterr().out)["checks"]

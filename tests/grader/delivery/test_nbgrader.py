@@ -194,6 +194,7 @@ def in_order(readme):
     return [line for line in lines if line[:1] == ["nbgrader"] or line == ["jupyter", "lab"]]
 
 
+@pytest.mark.every
 def test_the_commands_of_the_courses_readme_in_their_order(course, tmp_path, nbgrader, made_course):
     made, config = made_course(tmp_path, [ONE])
     term = course / "docs" / "instructors" / "term.md"

@@ -77,6 +77,7 @@ def zombie(pid):
     return True
 
 
+@pytest.mark.every
 @linux
 @pytest.mark.parametrize(("students", "kills"), [(60, 6), pytest.param(500, 50, marks=pytest.mark.full)])
 def test_a_run_killed_at_random_moments_ends_as_an_undisturbed_one(tmp_path, solution_text, students, kills):

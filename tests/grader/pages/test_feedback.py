@@ -47,7 +47,7 @@ def texts(page):
     return html.unescape(re.sub(r"<style>.*?</style>", "", page, flags=re.DOTALL))
 
 
-@pytest.mark.sample(4)
+@pytest.mark.sample(2)
 def test_a_page_says_every_line_message_and_suspect_and_no_detail(slug, page, grade, solution_text, course):
     lines = feedback.sheet(course, slug).lines
     shown = 0
@@ -113,6 +113,7 @@ def test_a_page_of_an_older_run_has_no_picture_and_is_whole(page, grade, solutio
     assert "<figure" not in old and "9.5 of 10 points" in old
 
 
+@pytest.mark.sample(1)
 @pytest.mark.parametrize(
     ("slug", "mistake", "stays"),
     [
@@ -282,6 +283,7 @@ def test_a_page_that_was_begun_when_the_run_was_killed_is_made_again(tmp_path, g
     assert written(record) == [("ada", slug)]
 
 
+@pytest.mark.sample(1)
 @pytest.mark.parametrize(
     ("options", "right", "needed"),
     [

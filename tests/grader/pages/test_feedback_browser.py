@@ -8,6 +8,7 @@ import pytest
 from tam570_grader.pages import feedback, report
 from tam570_grader.writing import assignments
 
+pytestmark = pytest.mark.every  # half a minute of Chromium
 CHECKS = assignments.find() / "autograder" / "checks"
 SHOWN = {"hw07_double_pendulum": "too_few_steps", "hw05_constrained_pendulum": "differentiated_once"}
 WIDTHS = {"desktop": 1280, "phone": 390}

@@ -42,6 +42,7 @@ CALLS = {
 HW08 = "hw08_axis_angle"
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("above", TOP)
 def test_what_stops_the_import_where_work_is_graded_stops_it_here(hw08, desk, tam570, above):
     file = hw08(above=above + "\n")
@@ -59,6 +60,7 @@ def test_the_grader_gives_what_is_said(grade, solution_text, above):
     assert result.status != "graded" and result.score == 0
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("body", [one for one in CALLS if "pandas" not in one])
 def test_the_grader_refuses_the_function(grade, solution_text, body):
     """And the others have their points."""
@@ -82,6 +84,7 @@ def test_a_file_in_another_encoding_names_the_line(hw08, tam570):
     assert tam570("check")[0] == 0
 
 
+@pytest.mark.sample(4)
 @pytest.mark.parametrize("body", CALLS)
 def test_what_a_call_does_wrong_is_said_at_once(hw08, tam570, body):
     hw08(f"def rotate(r, axis, angle):\n    {body}")
@@ -112,6 +115,7 @@ def test_a_number_of_results_is_compared_and_not_unpacked(desk, tam570, solution
     assert "on_the_fly gives 3 results; 2 results are asked for" in " ".join(said.split())
 
 
+@pytest.mark.sample(1)
 @pytest.mark.parametrize(
     ("above", "body"),
     [

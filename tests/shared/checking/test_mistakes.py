@@ -67,6 +67,7 @@ CALLS = {
 }
 
 
+@pytest.mark.sample(1)
 @pytest.mark.parametrize("above", CALLS)
 def test_loose_tolerances_are_named(desk, tam570, solution_text, above):
     text = f"{solution_text('hw01_simple_pendulum')}\n\n{above}\n{LOOSE.format(call=CALLS[above])}"

@@ -152,6 +152,7 @@ def test_a_state_of_another_shape_is_refused_by_name(name):
 # What they keep
 
 
+@pytest.mark.sample(8)
 @pytest.mark.parametrize("name", MOVING)
 def test_invariants_stay_for_a_thousand_characteristic_times(name):
     rates, laws, start = parts(name)

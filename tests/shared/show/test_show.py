@@ -285,6 +285,7 @@ def test_without_ffmpeg_a_video_is_refused_and_another_way_is_named(short, tmp_p
     assert not list(tmp_path.iterdir())
 
 
+@pytest.mark.sample(4)
 def test_every_scene_has_a_picture(films, slug, tmp_path):
     save(films(slug), tmp_path / "a.png")
     with Image.open(tmp_path / "a.png") as picture:
