@@ -38,7 +38,7 @@ def kind_of(theta, omega, gravity):
 
 
 def named(calls):
-    return [call.on(kind_of(*call.args, call.kwargs["gravity"])) for call in calls]
+    return [call.on(kind_of(call.args[0], call.args[1], call.kwargs["gravity"])) for call in calls]
 
 
 def states(draw):

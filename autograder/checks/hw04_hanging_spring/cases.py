@@ -58,7 +58,9 @@ def plain(draw):
     for kind, place in PLAIN.items():
         for gravity, without in ((None, ""), (0.0, ", without gravity")):
             case = random(draw, gravity)
-            found.append(case.but(*place(*case.args, centre(**case.kwargs))).on(f"a mass {kind}{without}"))
+            found.append(
+                case.but(*place(case.args[0], case.args[1], centre(**case.kwargs))).on(f"a mass {kind}{without}")
+            )
     whole = given(np.array([1.0, -1.0, 2.0]), np.array([-1.0, 1.0, 1.0]), **WHOLE).on("whole numbers")
     return [*found, whole, whole.but(whole.args[0], np.zeros(3)).on("whole numbers, at rest")]
 

@@ -81,7 +81,7 @@ def origin(draw):
 
 # Motions: kind, angle, its rate in sqrt(g/l) or 1/s, what is not random
 
-STARTS = (
+STARTS: tuple[tuple[str, float, float, dict[str, float]], ...] = (
     ("at rest, no gravity", 1.0, 0.0, {"gravity": 0.0}),
     ("moving at the bottom, no gravity", 0.0, 1.0, {"gravity": 0.0}),
     ("let go at rest", 1.3, 0.0, {}),

@@ -55,7 +55,8 @@ def motion(t, state, mass, length, gravity):
     """(n, 4) states at the times t, by Jacobi's functions; above modulus one it goes round."""
     if not np.any(state[2:]) and state[0] == 0:
         return np.tile(state, (len(t), 1))
-    states = swung(t - t[0], *angles(state, length), length, gravity)
+    angle, rate = angles(state, length)
+    states = swung(t - t[0], angle, rate, length, gravity)
     states[0] = state
     return states
 

@@ -221,7 +221,7 @@ KEPT = (
         "H in space",
         "of itself",
         momenta,
-        lambda case, states: np.linalg.norm(momenta(states[:1], **case.kwargs)),
+        lambda case, states: float(np.linalg.norm(momenta(states[:1], **case.kwargs))),
         INVARIANT,
     ),
     Invariant(

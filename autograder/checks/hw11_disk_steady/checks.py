@@ -29,7 +29,8 @@ UPRIGHT = 1e-7  # the limit is taken at a lean of 1e-5, which enters by its squa
 
 
 def spin_size(force, case, _=None):
-    return right.spin_size(*case.args, force, **case.kwargs)
+    lean, precession = case.args
+    return right.spin_size(lean, precession, force, **case.kwargs)
 
 
 def track_size(case, _):
