@@ -83,7 +83,7 @@ def of_radius(cases):
 @once
 def motions(draw, count, span, samples):
     """Motions that stay away from the flat, a wheel's and, of two, a hoop's without gravity; span of sqrt(a/g)."""
-    found: list[tuple[object, ...]] = []
+    found: list[object] = []
     while len(found) < count:
         disk = a_disk(draw, ["a wheel", "a hoop"][len(found)])
         disk["gravity"] *= not found
