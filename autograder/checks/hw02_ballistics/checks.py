@@ -311,8 +311,12 @@ def judge_twins(student, case, curves):
 
 def moves(student, case, curves, name):
     """How many of the curves move by a metre where the results of this function do."""
-    after = student.plot_comparison.drawn(case, moved=name).lines
-    return sum(not any(near(line.points, other.points) for other in after) for line in curves)
+    after, moved = [line.points for line in student.plot_comparison.drawn(case, moved=name).lines], 0
+    for line in curves:
+        stays = [k for k, points in enumerate(after) if near(line.points, points)]
+        moved += not stays
+        after = [points for k, points in enumerate(after) if k not in stays[:1]]  # each stays for one
+    return moved
 
 
 def near(one, other):
