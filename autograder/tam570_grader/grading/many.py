@@ -118,7 +118,7 @@ def _shared(plan: Plan, jobs: int, stack: ExitStack) -> Path | None:
     """A folder for dear answers, where several processes of this machine need the same."""
     if plan.key is not None or jobs == 1 or (plan.cluster and not plan.cluster.is_local):
         return None
-    return Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="tam570-")))
+    return Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="tam570-", ignore_cleanup_errors=True)))
 
 
 def _task(plan: Plan, engine: bytes, submission: Submission) -> Task:

@@ -17,14 +17,14 @@ from tam570_grader.sandbox.worker import Worker, WorkerLost
 from tam570_grader.writing.assignments import Assignment
 from tam570_grader.writing.check import Check
 from tam570_grader.writing.expect import Failed, trial
-from tam570_grader.writing.general import general
+from tam570_grader.writing.general import general, ready
 from tam570_grader.writing.mistakes import Called, known
 
 __all__ = ["Mark", "Result", "failed_by_us", "generator", "graded", "not_graded"]
 
 OUR_FAULT = "The grader failed here, not you; your teacher has been told."
 LONGEST_ERROR = 400  # characters of an exception of ours
-SEARCH = 0.5  # s of processor time, for a mistake that nobody has written down
+SEARCH = 10.0  # s of processor time, for a mistake that nobody has written down; only what does not end takes so long
 Recorder = Callable[[str, float], None]
 
 
@@ -136,6 +136,7 @@ def _failed(check: Check, failed: Failed, student: Student, assignment: Assignme
 
 def _unwritten(solution: str, calls: Sequence[Called]) -> str | None:
     """A mistake that nobody has written down, if it is found in a moment: variants may run on for ever."""
+    ready(solution)
     try:
         with budget(SEARCH):
             return general(solution, calls)

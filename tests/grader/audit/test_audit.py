@@ -13,6 +13,7 @@ from tam570_grader.audit.equivalents import equivalents
 from tam570_grader.audit.margins import Margin
 from tam570_grader.audit.mutate import mutants
 from tam570_grader.errors import UsageError
+from tam570_grader.grading.processes import crew
 from tam570_grader.writing import assignments
 
 SLUG = "hw08_axis_angle"
@@ -179,9 +180,10 @@ def test_what_is_kept_of_a_submission_is_not_that_of_another_name(tmp_path, monk
     keep = tmp_path / "fair.jsonl"
     texts = {"a": "def skew(v): return None", "b": "def skew(v): return v"}
     monkeypatch.setattr(fairness, "submissions", lambda course, kind, slug: texts)
-    before = fairness.fair(assignments.find(), SLUG, 1, 1, keep)
-    texts.update(a=texts["b"], b=texts["a"])
-    after = fairness.fair(assignments.find(), SLUG, 1, 1, keep)
+    with crew(1) as here:
+        before = fairness.fair(assignments.find(), SLUG, 1, here, keep)
+        texts.update(a=texts["b"], b=texts["a"])
+        after = fairness.fair(assignments.find(), SLUG, 1, here, keep)
     found = [{line["submission"]: line["fails"] for line in lines} for lines in (before, after)]
     assert found[0]["a"] != found[0]["b"] and found[0]["a"] == found[1]["b"] and found[0]["b"] == found[1]["a"]
 
