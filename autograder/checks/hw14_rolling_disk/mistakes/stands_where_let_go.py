@@ -1,7 +1,7 @@
 """A disk let go at rest stays at rest.
 
 fails: euler_simulation_follows_the_motion, matrix_simulation_follows_the_motion
-also: a disk without tilt rate and roll rate is said to be at rest
+also: a disk without tilt rate and roll rate is said to be at rest | What is at rest has no rates
 names: Every row is the start
 """
 

@@ -2,8 +2,8 @@
 
 import builtins
 import random
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping
+from functools import partial
 from types import ModuleType
 from typing import Any
 
@@ -28,8 +28,8 @@ def answer(module: ModuleType, request: Mapping[str, Any], args: list[Any], kwar
     try:
         function = getattr(module, request["function"])
         before = _contents(args, kwargs)
-        with _moved(module, request.get("moved")):
-            value = MODES[request["mode"]](function, args, kwargs, request)
+        asked = partial(MODES[request["mode"]], function, args, kwargs, request)
+        value = _where_moved(module, request["moved"], asked) if request.get("moved") else asked()
         return {"value": value, "changed": _contents(args, kwargs) != before}
     except BaseException as error:
         return {"error": error_report(error)}
@@ -47,16 +47,12 @@ def error_report(error: BaseException) -> dict[str, Any]:
     return {"kinds": [kind.__name__[:50] for kind in type(error).__mro__[:20]], "text": _text(error), "line": line}
 
 
-@contextmanager
-def _moved(module: ModuleType, name: str | None) -> Iterator[None]:
-    """The function of this name gives results that are larger by one: what is made of them shows it."""
-    if name is None:
-        yield
-        return
+def _where_moved(module: ModuleType, name: str, asked: Callable[[], Any]) -> Any:
+    """What is asked, while the function of this name gives results that are larger by one."""
     function = getattr(module, name)
     setattr(module, name, lambda *args, **kwargs: np.asarray(function(*args, **kwargs), float) + 1.0)
     try:
-        yield
+        return asked()
     finally:
         setattr(module, name, function)
 
