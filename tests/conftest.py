@@ -142,12 +142,12 @@ def workers():
 
 @pytest.fixture
 def grade(workers):
-    """`grade(slug, text, seed=0)` -> the Result of a submission with this text."""
+    """`grade(slug, text, seed=0)` -> the Result of a submission with this text; the names of mistakes if asked for."""
 
-    def grade(slug, text, seed=0, *, allowance=None, notebook=False):
+    def grade(slug, text, seed=0, *, allowance=None, notebook=False, naming=True):
         source = Source(text.encode() if isinstance(text, str) else text, notebook)
         worker = workers(slug, allowance or Allowance(), source.text)
-        return graded("someone", source, assignments.assignment(COURSE, slug), worker, seed)
+        return graded("someone", source, assignments.assignment(COURSE, slug), worker, seed, naming=naming)
 
     return grade
 

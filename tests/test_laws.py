@@ -178,7 +178,7 @@ def test_what_says_nothing_scores_nothing(slug, what, grade, course):
         EMPTY[what].format(f=name, zeros=filled(promise, "0."), nan=filled(promise, "float('nan')"))
         for name, promise in results.items()
     )
-    result = grade(slug, text)
+    result = grade(slug, text, naming=False)
     assert result.score == 0, failures(result)
 
 
@@ -192,7 +192,7 @@ def test_the_untouched_stub_scores_nothing(slug, grade, course):
 def test_an_endless_loop_scores_nothing(slug, grade, course):
     names = assignments.assignment(course, slug).results
     text = "\n".join(f"def {name}(*args, **kwargs):\n    while True: pass" for name in names)
-    result = grade(slug, text, allowance=Allowance(cpu=1, call=0.5))
+    result = grade(slug, text, allowance=Allowance(cpu=1, call=0.5), naming=False)
     assert (result.status, result.score) == ("timeout", 0)
 
 
@@ -236,7 +236,7 @@ WRAPPERS = {
 def test_right_numbers_in_a_wrong_form_score_nothing(slug, what, grade, course, solution_text, called):
     results = assignments.assignment(course, slug).results
     numeric = {name for name, promise in results.items() if isinstance(promise, Array | Group)}
-    result = grade(slug, solution_text(slug) + wrapped(results, WRAPPERS[what]))
+    result = grade(slug, solution_text(slug) + wrapped(results, WRAPPERS[what]), naming=False)
     kept = {mark.name for mark in result.checks if mark.points}
     assert not {name for name in kept if called(slug)[name] & numeric}, failures(result)
 

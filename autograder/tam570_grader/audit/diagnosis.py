@@ -66,9 +66,9 @@ def diagnoses(course: Path, slug: str, crew: Crew, quick: bool) -> list[Diagnosi
         )
     wrong = dict(list(wrong.items())[:: max(1, len(wrong) // QUICK)]) if quick else wrong
     styles = submissions(course, slug, "alternatives")
-    tasks = [Trial(course, slug, name, f"{solution}\n\n{text}", SEED) for name, text in wrong.items()]
+    tasks = [Trial(course, slug, name, f"{solution}\n\n{text}", SEED, naming=True) for name, text in wrong.items()]
     for (name, text), (style, other) in zip(wrong.items(), cycle(styles.items())):
-        tasks.append(Trial(course, slug, f"{name}{ON}{style}", other + _taken(solution, text), SEED))
+        tasks.append(Trial(course, slug, f"{name}{ON}{style}", other + _taken(solution, text), SEED, naming=True))
     results = progress(in_order(crew, tried, tasks), len(tasks), "submission")
     found = [diagnosis(result, wrong[result.student.partition(ON)[0]]) for result in results]
     return [one for one in found if one.messages or ON not in one.name]  # another style may not call what is wrong

@@ -29,6 +29,7 @@ class Trial:
     allowance: Allowance = Allowance()
     checks: frozenset[str] | None = None  # None: all
     enough: int | None = None  # failed checks after which the rest is not run
+    naming: bool = False  # look for the mistakes behind failed checks
 
 
 def tried(trial: Trial, recorder: Recorder | None = None) -> Result:
@@ -42,7 +43,14 @@ def tried(trial: Trial, recorder: Recorder | None = None) -> Result:
     needs = sorted({*assignment.needs, *imported(source.text)})
     return warm.tried(
         lambda worker, _: graded(
-            trial.name, source, assignment, worker, trial.seed, enough=trial.enough, recorder=recorder
+            trial.name,
+            source,
+            assignment,
+            worker,
+            trial.seed,
+            enough=trial.enough,
+            recorder=recorder,
+            naming=trial.naming,
         ),
         needs,
         trial.allowance,

@@ -39,6 +39,7 @@ def graded(
     forgiving: bool = False,
     again: bool = False,
     recorder: Recorder | None = None,
+    naming: bool = True,
 ) -> Result:
     """Grade one submission of the student `name`; the same submission and seed give the same score.
 
@@ -47,6 +48,7 @@ def graded(
     forgiving : raise WorkerLost where the submission was killed by a stranger, instead of failing it
     again     : an earlier try may have told it hidden inputs
     recorder  : told the check and every error over its limit; no comparison fails then
+    naming    : look for the mistake behind each failed check; what judges the grader asks for scores alone
     """
     started = time.perf_counter()
     student = Student(source, assignment, worker, forgiving, again)
@@ -56,7 +58,7 @@ def graded(
         with budget():
             student.load()
             for check in assignment.checks:
-                marks[check.name] = _mark(check, student, assignment, seed, marks, recorder)
+                marks[check.name] = _mark(check, student, assignment, seed, marks, recorder, naming)
                 if enough and sum(mark.outcome == "failed" for mark in marks.values()) >= enough:
                     break
             note = _skipped(student.skipped)
@@ -98,7 +100,13 @@ def _result(
 
 
 def _mark(
-    check: Check, student: Student, assignment: Assignment, seed: int, marks: dict[str, Mark], recorder: Recorder | None
+    check: Check,
+    student: Student,
+    assignment: Assignment,
+    seed: int,
+    marks: dict[str, Mark],
+    recorder: Recorder | None,
+    naming: bool,
 ) -> Mark:
     """Run one check, unless one that it builds on is wrong or missing."""
     missing = [name for name in check.after if not marks[name].opens]
@@ -112,7 +120,8 @@ def _mark(
     except NotWritten as unwritten:
         return _not_run(check, f"{unwritten} is not written yet.", unwritten=str(unwritten))
     except Failed as failed:
-        return _failed(check, failed, student, assignment)
+        suspect, fault = _suspect(check, student, assignment) if naming else (None, "")
+        return _failed(check, failed, suspect, fault)
     except (NotLoaded, BudgetSpent, WorkerLost, MemoryError):
         raise
     except Exception as error:
@@ -120,15 +129,18 @@ def _mark(
     return Mark(check.name, check.part, check.points, check.points, "passed", check.line)
 
 
-def _failed(check: Check, failed: Failed, student: Student, assignment: Assignment) -> Mark:
-    suspect, fault = None, ""
+def _suspect(check: Check, student: Student, assignment: Assignment) -> tuple[str | None, str]:
+    """The mistake that explains the calls of a failed check, and what went wrong on our side in the search."""
     try:
         suspect = known(assignment.solution, assignment.suspects(check.name), student.calls)
-        suspect = suspect or _unwritten(assignment.solution, student.calls)
+        return suspect or _unwritten(assignment.solution, student.calls), ""
     except (BudgetSpent, MemoryError):
         raise
     except Exception as error:  # a mistake without a name is no reason to lose a grade
-        fault = repr(error)[:LONGEST_ERROR]
+        return None, repr(error)[:LONGEST_ERROR]
+
+
+def _failed(check: Check, failed: Failed, suspect: str | None, fault: str) -> Mark:
     points = round(failed.share * check.points, 6)
     failure = failed.failure.named(suspect, fault)
     return Mark(check.name, check.part, points, check.points, "failed", whole(failure), suspect, failure)
