@@ -24,7 +24,7 @@ __all__ = ["Mark", "Result", "failed_by_us", "generator", "graded", "not_graded"
 
 OUR_FAULT = "The grader failed here, not you; your teacher has been told."
 LONGEST_ERROR = 400  # characters of an exception of ours
-SEARCH = 10.0  # s of processor time, for a mistake that nobody has written down; only what does not end takes so long
+SEARCH = 2.0  # s of processor time, for a mistake that nobody has written down; .2 is the most that ends
 Recorder = Callable[[str, float], None]
 
 
