@@ -178,18 +178,22 @@ def _left(motion: Motion, rows: Array, row: int) -> float:
     return float(np.max(np.abs(rows - motion.expected[row]) / motion.scales))
 
 
-def obeys(motion: Motion) -> bool:
-    """Whether each row nearly follows from the one before by the right equations: then only the steps are coarse."""
+def obeys(motion: Motion, *, everywhere: bool = False) -> bool:
+    """Whether each row nearly follows from the one before by the right equations: then only the steps are coarse.
+
+    everywhere : ask at every row, and allow no exception; else at some
+    """
     if not np.isfinite(motion.found).all() or motion.errors[0].max() > ALIKE:
         return False
-    rows = np.unique(np.linspace(0, len(motion.t) - 2, TRIED).astype(int))
+    last = len(motion.t) - 1
+    rows = np.arange(last) if everywhere else np.unique(np.linspace(0, last - 1, TRIED).astype(int))
     try:
         led = [motion.truly(motion.t[row : row + 2], *_restart(motion, motion.found[row]))[-1] for row in rows]
     except (ValueError, ArithmeticError):
         return False
     off = np.abs(np.array(led) - motion.found[rows + 1]) / motion.scales
     moved = np.abs(motion.found[rows + 1] - motion.found[rows]) / motion.scales
-    return bool(np.quantile(off.max(axis=1), 0.9) <= OBEYED * np.median(moved.max(axis=1)))
+    return bool(np.quantile(off.max(axis=1), 1.0 if everywhere else 0.9) <= OBEYED * np.median(moved.max(axis=1)))
 
 
 def _restart(motion: Motion, row: Array) -> tuple[Any, ...]:
