@@ -184,6 +184,19 @@ def report(results):
             print("  " + ", ".join(f"{m} {s:.2f}" for m, s in sorted(scene["cold"].items(), key=lambda item: item[1])))
 
 
+def draw_scene(ax, scene, colours):
+    """The curves of the methods, and where the rounding of the start sets an end to them."""
+    for method, curve in scene["curves"].items():
+        if curve:
+            _, seconds, errors, _ = np.transpose(curve)
+            ours = method.startswith("tam570")
+            line, width = ("o-", 1.8) if ours else (".--", 0.9)
+            errors = np.maximum(errors, 1e-18)
+            ax.loglog(errors, seconds, line, ms=3.5, lw=width, color=colours[method], label=method)
+    ax.axvline(scene["condition"] * EPS, color="0.7", lw=1)
+    ax.grid(alpha=0.3)
+
+
 def picture(results, path):
     """One panel a scene: seconds over error, both in decades."""
     import matplotlib
@@ -197,23 +210,8 @@ def picture(results, path):
     figure, axes = plt.subplots(rows, columns, figsize=(4 * columns, 3.6 * rows), sharex=True, squeeze=False)
     colours = dict(zip(methods.METHODS, plt.colormaps["tab20"].colors, strict=False))
     for ax, name in zip(axes.flat, names, strict=False):
-        scene = results["scenes"][name]
-        for method, curve in scene["curves"].items():
-            if curve:
-                _, seconds, errors, _ = np.transpose(curve)
-                ours = method.startswith("tam570")
-                ax.loglog(
-                    np.maximum(errors, 1e-18),
-                    seconds,
-                    "o-" if ours else ".--",
-                    ms=3.5,
-                    lw=1.8 if ours else 0.9,
-                    color=colours[method],
-                    label=method,
-                )
-        ax.axvline(scene["condition"] * EPS, color="0.7", lw=1)
+        draw_scene(ax, results["scenes"][name], colours)
         ax.set_title(name, fontsize=10)
-        ax.grid(alpha=0.3)
     for ax in axes.flat[len(names) :]:
         ax.set_visible(False)
     for ax in axes[-1]:

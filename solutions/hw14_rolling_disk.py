@@ -77,15 +77,12 @@ def matrix_state_derivative(t, state, *, mass, radius, inertia, gravity):
     e1x, e1y = -ny / s, nx / s
     e2x, e2y = -nz * e1y, nz * e1x  # and s is its z component
     vx, vy, vz = wy * s - wz * e2y, wz * e2x - wx * s, wx * e2y - wy * e2x  # omega x e2, velocity / a
-    spin = wx * nx + wy * ny + wz * nz
-    w1 = wx * e1x + wy * e1y
+    spin, w1 = wx * nx + wy * ny + wz * nz, wx * e1x + wy * e1y  # of omega, along the axle and along e1
     yaw_rate = (wx * e2x + wy * e2y + wz * s) / s
     # e2 turns with the frame, at yaw' z + w1 e1: u is its rate
     ux, uy, uz = w1 * e1y * s - yaw_rate * e2y, yaw_rate * e2x - w1 * e1x * s, w1 * (e1x * e2y - e1y * e2x)
     # contact force at omega' = 0, over the mass: a omega x u + g z
-    fx = radius * (wy * uz - wz * uy)
-    fy = radius * (wz * ux - wx * uz)
-    fz = radius * (wx * uy - wy * ux) + gravity
+    fx, fy, fz = radius * (wy * uz - wz * uy), radius * (wz * ux - wx * uz), radius * (wx * uy - wy * ux) + gravity
     k, b = (C - A) * spin, -mass * radius
     # moment at omega' = 0: -a e2 x force - omega x H, H = A omega + (C - A) spin n
     mx = b * (e2y * fz - s * fy) - k * (wy * nz - wz * ny)
@@ -100,15 +97,9 @@ def matrix_state_derivative(t, state, *, mass, radius, inertia, gravity):
         radius * vx,
         radius * vy,
         radius * vz,
-        wy * zx - wz * yx,
-        wy * zy - wz * yy,
-        wy * nz - wz * ny,
-        wz * xx - wx * zx,
-        wz * xy - wx * zy,
-        wz * nx - wx * nz,
-        wx * yx - wy * xx,
-        wx * yy - wy * xy,
-        wx * ny - wy * nx,
+        *(wy * z - wz * y for y, z in ((yx, zx), (yy, zy), (ny, nz))),  # R' = omega x R, row by row
+        *(wz * x - wx * z for x, z in ((xx, zx), (xy, zy), (nx, nz))),
+        *(wx * y - wy * x for x, y in ((xx, yx), (xy, yy), (nx, ny))),
         p * e1x + q * e2x + r * nx,
         p * e1y + q * e2y + r * ny,
         q * s + r * nz,

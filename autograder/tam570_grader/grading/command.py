@@ -36,26 +36,12 @@ def add_grade(commands: Commands) -> argparse.ArgumentParser:
     add("--json", action="store_true", help="print a JSON object for each submission, one a line")
     add("--format", choices=["table", "gradescope"], default="table", help="of what is printed")
     add("--seed", type=natural, metavar="S", help="of the hidden inputs (default: the one in --out, else random)")
-    add(
-        "--vary",
-        type=Path,
-        metavar="KEYFILE",
-        help="give each student other inputs, by the key in this file; made if new",
-    )
-    add(
-        "--against",
-        type=Path,
-        metavar="OLD",
-        help="say which scores of these results change, and why; what is as it was is not run",
-    )
-    add(
-        "--join",
-        type=Path,
-        nargs="+",
-        metavar="DIR",
-        default=[],
-        help="take over results of other runs, of parts of the class say; what they hold is not graded again",
-    )
+    vary = "give each student other inputs, by the key in this file; made if new"
+    add("--vary", type=Path, metavar="KEYFILE", help=vary)
+    against = "say which scores of these results change, and why; what is as it was is not run"
+    add("--against", type=Path, metavar="OLD", help=against)
+    join = "take over results of other runs, of parts of the class say; what they hold is not graded again"
+    add("--join", type=Path, nargs="+", metavar="DIR", default=[], help=join)
     add("--shard", type=_shard, metavar="K/N", help="grade the K-th of N parts of the class alone, for N machines")
     add("--speed", action="store_true", help="also measure the run time of simulations, for the pages")
     add("--assignment", metavar="SLUG", help="which one it is, where the names do not tell")

@@ -58,15 +58,12 @@ def graded(
         with budget():
             student.load()
             for check in assignment.checks:
-                marks[check.name] = _mark(check, student, assignment, seed, marks, recorder, naming)
-                if enough and sum(mark.outcome == "failed" for mark in marks.values()) >= enough:
-                    break
+                if not enough or sum(mark.outcome == "failed" for mark in marks.values()) < enough:
+                    marks[check.name] = _mark(check, student, assignment, seed, marks, recorder, naming)
             note = _skipped(student.skipped)
             speed = yardstick.speed(student, assignment, worker) if yardstick else None
-    except NotLoaded as failure:
-        status, note = failure.status, str(failure)
-    except BudgetSpent as spent:
-        status, note = "timeout", str(spent)
+    except (NotLoaded, BudgetSpent) as ended:
+        status, note = ended.status, str(ended)
     finally:
         student.leave()
     rest = tuple(marks.get(check.name) or _not_run(check, note) for check in assignment.checks)

@@ -49,6 +49,8 @@ class NotWritten(Exception):
 class BudgetSpent(Exception):
     """The submission has had all of its time; the message says which."""
 
+    status = "timeout"
+
 
 class Student:
     """One submission in the sandbox. `student.f` is the function f of the contract.

@@ -105,33 +105,17 @@ def expect(
     """
     actual, expected = np.asarray(actual, float), np.asarray(expected, float)
     errors = np.where(actual == expected, 0.0, np.abs(actual - expected)) / scale  # infinity may be right
-    largest = float(errors.max()) if errors.size else np.nan  # with a NaN among them the maximum is NaN
-    running = current()
-    if running.recorder:
-        running.recorder(np.inf if np.isnan(largest) else largest / within)
-        return
-    if largest <= within:
-        return
-    worst = _worst(errors)
+    worst = int(np.argmax(errors)) if errors.size else 0  # the first NaN, if there is one
     error = float(errors.flat[worst]) if errors.size else np.nan
-    share = _share(error, within if gradual else 0.0, partial)
-    failed = Failed(
-        of=of,
-        unit=unit,
-        error=error,
-        limit=within,
-        time=None if t is None else _time(t, errors, worst),
-        kind=kind or (running.case.kind if running.case else ""),
-        hint=hint() if callable(hint) else hint,
-        nearly=gradual and error <= NEARLY * within,
-        curve=_curve(t, actual, expected, scale, within, of, unit, keeps),
-        expected=expected,
-        actual=actual,
-        at=running.case if at is None else at,
-        function=running.function,
-        share=share,
-    )
-    running.fail(failed)
+    if recorder := current().recorder:
+        recorder(np.inf if np.isnan(error) else error / within)
+    elif not error <= within:
+        numbers = {"error": error, "limit": within, "expected": expected, "actual": actual}
+        numbers["nearly"] = gradual and error <= NEARLY * within
+        numbers["time"] = _time(t, errors, worst)
+        numbers["curve"] = _curve(t, actual, expected, scale, within, of, unit, keeps)
+        share = _share(error, within if gradual else 0.0, partial)
+        fail("", of=of, unit=unit, hint=hint, kind=kind, at=at, share=share, **numbers)
 
 
 def expect_that(holds: Any, says: str, *, hint: Hint = "", kind: str = "", at: Any = None, share: float = 0.0) -> None:
@@ -173,11 +157,8 @@ def _curve(t: Any, actual: Any, expected: Any, scale: Any, within: float, of: st
     return found
 
 
-def _worst(errors: Any) -> int:
-    """Flat index of the largest error, a NaN being larger than any."""
-    return int(np.argmax(np.where(np.isnan(errors), np.inf, errors))) if errors.size else 0
-
-
-def _time(t: Any, errors: Any, worst: int) -> float:
+def _time(t: Any, errors: Any, worst: int) -> float | None:
+    if t is None:
+        return None
     row = int(np.unravel_index(worst, errors.shape)[0])
     return float(f"{t[row]:.2g}")

@@ -1,4 +1,29 @@
-"""The one function everybody calls: `solve`."""
+"""The one function everybody calls: `solve`.
+
+rtol
+    What starts at zero takes the size to which it, time, or the other components first move it. An error that the
+    rounding of these makes in any case is allowed; 1e-14 gets all the digits that rounding leaves.
+method
+    "auto" runs in Python and goes on compiled by llvmlite where that is installed and repays; "python" and "compiled"
+    insist. Two run at a fixed step, for long runs of conservative systems: "gauss" (Gauss-Legendre, order 12) and
+    "composition" (order 8, y0 = (q, v), q' of v, v' of q). They also reach the last digits of a hundred periods, where
+    the others' energy drifts.
+events
+    event.direction > 0 asks for zeros from below, < 0 from above. event.terminal = True ends the run at the first,
+    n at the n-th. A zero at the start is none. A `Motion` has t and states up to a terminal event, events, at, report.
+errors
+    ValueError names the argument, ArithmeticError the time at which rhs or solution cease to be finite, or from which
+    on the equations are stiff, with the remedy.
+
+>>> def falling(t, y, *, gravity):
+...     return y[1], -gravity
+>>> def ground(t, y, *, gravity):
+...     return y[0]
+>>> ground.terminal = True
+>>> motion = solve(falling, [0, 10], [5.0, 0.0], parameters={"gravity": 10.0}, events=ground, dense=True)
+>>> motion.events[0].t.round(12).tolist(), motion.at(0.5).round(9).tolist()
+([1.0], [3.75, -5.0])
+"""
 
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Literal, overload
@@ -8,7 +33,7 @@ from numpy.typing import ArrayLike
 
 from tam570.integrate import adaptive
 from tam570.integrate.arguments import Array, allowed_error, initial_state, of_one_step, sample_times, tolerance
-from tam570.integrate.engine import engine
+from tam570.integrate.engine import Engine, engine
 from tam570.integrate.motion import Motion
 
 __all__ = ["solve"]
@@ -64,62 +89,52 @@ def solve(
     dense: bool = False,
     report: bool = False,
 ) -> Array | Motion:
-    """States at the times `t` of y' = rhs(t, y, **parameters), y(t[0]) = y0.
+    """States at the times `t` of y' = rhs(t, y, **parameters), y(t[0]) = y0; the module's docstring says more.
 
-    rhs        : rhs(t, y, **parameters) -> k numbers; NumPy or plain floats inside
+    rhs        : rhs(t, y, **parameters) -> k numbers; NumPy or plain floats inside; parameters are bound at the start
     t          : (n,) strictly increasing or decreasing, n >= 2; the choice of times does not change the steps taken
     y0         : (k,), or (m, k) for m starts at once
-    parameters : keyword arguments of rhs, bound before the first step
-    rtol       : largest error of a step, relative to the largest magnitude so far of each component; what starts at
-                 zero takes the size to which it, time, or the other components first move it; an error that the
-                 rounding of these makes in any case is allowed; 1e-14 gets all the digits that rounding leaves
-    atol       : an error of a step that is allowed in any case, one number or k; left out, none but that of rtol
-    method     : "auto" runs in Python and goes on compiled by llvmlite where that is installed and repays;
-                 "python" and "compiled" insist; at a fixed step, for long runs of conservative systems:
-                 "gauss" (Gauss-Legendre, order 12), "composition" (order 8, y0 = (q, v), q' of v, v' of q)
-                 these two also reach the last digits of a hundred periods, where the others' energy drifts
-    step       : s, of "gauss" and "composition" alone, no longer than this; left out it follows from rtol
+    rtol, atol : largest error of a step, relative to the largest magnitude so far; error allowed in any case, 1 or k
+    method     : "auto", "python", "compiled"; at a fixed step, for long conservative runs, "gauss", "composition"
+    step       : s, of the last two alone: no longer than this; left out it follows from rtol
     project    : project(y) -> the nearest allowed state, applied after every step: for holonomic constraints
-    events     : event(t, y, **parameters) -> a number, or a list of such functions: their zeros are found. As in
-                 solve_ivp, event.direction > 0 asks for zeros from below, < 0 from above; event.terminal = True
-                 ends the run at the first, n at the n-th. A zero at the start is none.
-    dense      : also give the motion as a function of time
-    report     : also tell how the run went
-    Returns (n, k), row 0 is y0; or (m, n, k). With events, dense or report a `Motion`: t and states up to a terminal
-    event, events, at, report.
-    ValueError names the argument, ArithmeticError the time at which rhs or solution cease to be finite, or from which
-    on the equations are stiff, with the remedy.
-
-    >>> def falling(t, y, *, gravity):
-    ...     return y[1], -gravity
-    >>> def ground(t, y, *, gravity):
-    ...     return y[0]
-    >>> ground.terminal = True
-    >>> motion = solve(falling, [0, 10], [5.0, 0.0], parameters={"gravity": 10.0}, events=ground, dense=True)
-    >>> motion.events[0].t.round(12).tolist(), motion.at(0.5).round(9).tolist()
-    ([1.0], [3.75, -5.0])
+    events     : event(t, y, **parameters) -> a number whose zeros are found, as in solve_ivp; or a list of such
+    dense, report : also give the motion as a function of time; also tell how the run went
+    Returns (n, k), row 0 is y0; or (m, n, k). With events, dense or report a `Motion`.
+    ValueError names the argument; ArithmeticError says when rhs or solution cease to be finite, or become stiff.
     """
     (times, sign), start, asked = sample_times(t), initial_state(y0), tolerance(rtol)
-    rtol = of_one_step(asked)
-    floor = [allowed / rtol for allowed in allowed_error(atol, start.shape[-1])]
+    floor = [allowed / of_one_step(asked) for allowed in allowed_error(atol, start.shape[-1])]
     more = events is not None or dense or report
     _check_method(method, several=start.ndim == 2, projected=project is not None, stepped=step is not None, more=more)
     with np.errstate(all="ignore"):  # a step that proves too long may overflow: it is taken again
-        if start.ndim == 2:
-            from tam570.integrate import ensemble
-
-            first = engine(rhs, parameters, times, start[0], sign=sign)
-            return ensemble.states(first, times, start, rtol, method, floor)
-        made = engine(rhs, parameters, times, start, sign=sign, sampled=events is not None or dense)
-        if method in FIXED_STEP:
-            from tam570.integrate import fixed_step
-
-            return fixed_step.states(method, made, times, start, asked, floor, step)
+        made = engine(rhs, parameters, times, np.atleast_2d(start)[0], sign=sign, sampled=events is not None or dense)
         if more:
-            from tam570.integrate import watched
+            from tam570.integrate.watched import motion
 
-            return watched.motion(made, times, start, rtol, floor, events, parameters, dense, method)
-        return adaptive.states(made, times, start, rtol, method, floor, project)
+            return motion(made, times, start, of_one_step(asked), floor, events, parameters, dense, method)
+        return _states(made, times, start, asked, floor, method, step, project)
+
+
+def _states(
+    made: Engine,
+    times: Array,
+    start: Array,
+    asked: float,
+    floor: Sequence[float],
+    method: str,
+    step: float | None,
+    project: Callable[[Array], Any] | None,
+) -> Array:
+    if method in FIXED_STEP:
+        from tam570.integrate import fixed_step
+
+        return fixed_step.states(method, made, times, start, asked, floor, step)
+    if start.ndim == 2:
+        from tam570.integrate import ensemble
+
+        return ensemble.states(made, times, start, of_one_step(asked), method, floor)
+    return adaptive.states(made, times, start, of_one_step(asked), method, floor, project)
 
 
 def _check_method(method: str, *, several: bool, projected: bool, stepped: bool, more: bool) -> None:

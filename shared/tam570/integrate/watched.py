@@ -15,6 +15,8 @@ from tam570.integrate.when_to_compile import Loop
 
 __all__ = ["motion"]
 
+Seen = tuple[float, int, Array]  # time, which event, state
+
 
 def motion(
     engine: Engine,
@@ -45,7 +47,7 @@ def _watched(
 ) -> Motion:
     run = adaptive.begun(engine, times, start, rtol)
     pieces: list[Piece] = []
-    seen: list[tuple[float, int, Array]] = []  # time, which event, state
+    seen: list[Seen] = []
     signs = [event.value(run.origin, start) for event in events]
     counts = [0] * len(events)
 
@@ -60,21 +62,23 @@ def _watched(
                 return False
         return True
 
-    def crossing(which: int) -> Crossing:
-        found = [(engine.sign * t, state) for t, one, state in seen if one == which]
-        times, states = [t for t, _ in found], [state for _, state in found]
-        return Crossing(np.array(times, dtype=float), np.array(states, dtype=float).reshape(len(found), len(start)))
-
     last = adaptive.finished(run, Loop(_step_by_step(run, kept), run.share), floor, "python")
     reached = seen[-1][0] if last.halt == STOPPED else times[-1]
     rows = times <= reached
     return Motion(
         _signed(engine.sign, times[rows]),
         run.rows[rows],
-        tuple(crossing(which) for which in range(len(events))),
+        tuple(_crossing(engine.sign, which, seen, len(start)) for which in range(len(events))),
         function_of_time(_up_to(pieces, float(reached)), engine.sign) if dense else None,
         _report(engine, last, "Python"),
     )
+
+
+def _crossing(sign: float, which: int, seen: Sequence[Seen], size: int) -> Crossing:
+    """The times at which one of the events was seen, and the states there."""
+    found = [(sign * t, state) for t, one, state in seen if one == which]
+    times, states = [t for t, _ in found], [state for _, state in found]
+    return Crossing(np.array(times, dtype=float), np.array(states, dtype=float).reshape(len(found), size))
 
 
 def _report(engine: Engine, last: State, name: str) -> Report:

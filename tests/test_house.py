@@ -1,0 +1,65 @@
+"""The laws of the house: short functions, small modules, and few words in a module of checks."""
+
+import ast
+import io
+import tokenize
+from pathlib import Path
+
+import pytest
+
+COURSE = Path(__file__).resolve().parent.parent
+ROOMS = ("autograder", "shared", "solutions", "tests", "benchmarks", "docs")
+MODULES = sorted(path for room in ROOMS for path in (COURSE / room).rglob("*.py"))
+CHECKS = sorted((COURSE / "autograder" / "checks").glob("*/checks.py"))
+
+LONGEST_FUNCTION = 40  # lines, with its docstring
+LONGEST_MODULE = 300  # lines of code
+MOST_NAMES = 30  # functions and classes of a module of checks
+MANY = {"hw06_braking", "hw10_free_rigid_body", "hw14_rolling_disk"}  # still have more
+
+BLANK = {tokenize.COMMENT, tokenize.NL, tokenize.NEWLINE, tokenize.INDENT, tokenize.DEDENT, tokenize.ENDMARKER}
+FUNCTIONS = ast.FunctionDef | ast.AsyncFunctionDef
+DOCUMENTED = (ast.Module, ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)
+
+
+def shown(path):
+    return str(path.relative_to(COURSE))
+
+
+def lines_of(node):
+    return set(range(node.lineno, node.end_lineno + 1))
+
+
+def long_functions(text):
+    """name: lines, of the functions that are too long."""
+    functions = [node for node in ast.walk(ast.parse(text)) if isinstance(node, FUNCTIONS)]
+    return {node.name: len(lines_of(node)) for node in functions if len(lines_of(node)) > LONGEST_FUNCTION}
+
+
+def lines_of_code(text):
+    """How many lines hold code: neither blank, nor a comment, nor of a docstring."""
+    tokens = [one for one in tokenize.generate_tokens(io.StringIO(text).readline) if one.type not in BLANK]
+    code = {line for one in tokens for line in range(one.start[0], one.end[0] + 1)}
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, DOCUMENTED) and ast.get_docstring(node) is not None:
+            code -= lines_of(node.body[0])
+    return len(code)
+
+
+def test_functions_are_short():
+    found = {shown(path): long_functions(path.read_text()) for path in MODULES}
+    assert not {path: long for path, long in found.items() if long}
+
+
+def test_modules_are_small():
+    long = [path for path in MODULES if len(path.read_text().splitlines()) > LONGEST_MODULE]
+    found = {shown(path): lines_of_code(path.read_text()) for path in long}
+    assert not {path: lines for path, lines in found.items() if lines > LONGEST_MODULE}
+
+
+@pytest.mark.parametrize(
+    "path", [one for one in CHECKS if one.parent.name not in MANY], ids=lambda one: one.parent.name
+)
+def test_a_module_of_checks_has_few_names(path):
+    names = [node for node in ast.parse(path.read_text()).body if isinstance(node, FUNCTIONS | ast.ClassDef)]
+    assert len(names) <= MOST_NAMES
