@@ -13,7 +13,7 @@ from typing import Any
 from tam570_grader.errors import UsageError
 from tam570_grader.pages.sentences import message, typeset
 from tam570_grader.results.journal import Key, Record, Results, written
-from tam570_grader.results.records import failure
+from tam570_grader.results.records import Mark, Result, read
 from tam570_grader.writing.assignments import engine_digest
 
 __all__ = ["Sheet", "must_write_pages", "page", "pictures", "row", "sheet", "table", "template", "write_pages"]
@@ -60,23 +60,23 @@ def _title(folder: Path, slug: str) -> str:
         return slug
 
 
-def page(record: Record, sheet: Sheet) -> str:
+def page(result: Result, sheet: Sheet) -> str:
     """A student's feedback on one assignment: one HTML file that needs nothing else."""
-    parts = [_part(letter, record, sheet) for letter in sorted({mark["part"] for mark in record["checks"]})]
+    parts = [_part(letter, result, sheet) for letter in sorted({mark.part for mark in result.checks})]
     marks = [mark for part in parts for mark in part["marks"]]
     wrong = [mark for mark in marks if mark["outcome"] == "failed"]
     told = [mark for mark in wrong if mark["suspect"]]
     text: str = template("feedback.html").render(
-        slug=record["assignment"],
-        student=record["student"],
+        slug=result.assignment,
+        student=result.student,
         title=sheet.title,
-        score=_points(record["score"]),
-        max_score=_points(record["max_score"]),
-        note=" ".join(filter(None, (NOTES.get(record["status"]), record.get("message")))),
+        score=_points(result.score),
+        max_score=_points(result.max_score),
+        note=" ".join(filter(None, (NOTES.get(result.status), result.message))),
         parts=parts,
         manual=[(letter, _points(points), what) for letter, (points, what) in sheet.manual.items()],
         first=next(iter([*told, *wrong]), None),
-        among=_among(record),
+        among=_among(result),
     )
     return text
 
@@ -100,10 +100,11 @@ def template(name: str) -> Any:
     return pages.get_template(name)
 
 
-def _part(letter: str, record: Record, sheet: Sheet) -> dict[str, Any]:
-    marks = [mark for mark in record["checks"] if mark["part"] == letter]
-    points = [mark["points"] for mark in marks]
-    earned, most = None if None in points else sum(points), sum(mark["max_points"] for mark in marks)
+def _part(letter: str, result: Result, sheet: Sheet) -> dict[str, Any]:
+    marks = [mark for mark in result.checks if mark.part == letter]
+    points = [mark.points for mark in marks]
+    earned = None if None in points else sum(filter(None, points))
+    most = sum(mark.max_points for mark in marks)
     return {
         "letter": letter,
         "points": _points(earned),
@@ -113,20 +114,19 @@ def _part(letter: str, record: Record, sheet: Sheet) -> dict[str, Any]:
     }
 
 
-def _shown(mark: Record, sheet: Sheet) -> dict[str, Any]:
+def _shown(mark: Mark, sheet: Sheet) -> dict[str, Any]:
     """A mark as the page shows it; never its detail, which is the instructor's."""
-    line = sheet.lines.get(mark["name"], mark["name"])
-    why = failure(mark.get("failure"))
-    stuck = mark["outcome"] == "failed" or mark.get("unwritten")
+    line = sheet.lines.get(mark.name, mark.name)
+    stuck = mark.outcome == "failed" or mark.unwritten
     return {
-        "name": mark["name"],
-        "outcome": mark["outcome"],
+        "name": mark.name,
+        "outcome": mark.outcome,
         "line": line,
-        "points": _points(mark["points"]),
-        "max_points": _points(mark["max_points"]),
-        "says": message(why) if why else mark["message"],
-        "suspect": mark["suspect"],
-        "pictures": pictures(why.curve if why else None),
+        "points": _points(mark.points),
+        "max_points": _points(mark.max_points),
+        "says": message(mark.failure) if mark.failure else mark.message,
+        "suspect": mark.suspect,
+        "pictures": pictures(mark.failure.curve if mark.failure else None),
         "hint": next((word for word in re.findall(r"\w+", line) if stuck and word in sheet.functions), None),
     }
 
@@ -140,13 +140,13 @@ def pictures(curve: Any) -> list[Any]:
     return [picture(one) for one in (curve, curve.get("keeps")) if one]
 
 
-def _among(record: Record) -> Any:
+def _among(result: Result) -> Any:
     """The student's run time among the methods, if it was measured."""
-    if not record.get("speed"):
+    if not result.speed:
         return None
     from tam570_grader.pages.pictures import among
 
-    return among(record["assignment"], record["speed"])
+    return among(result.assignment, result.speed)
 
 
 def write_pages(folder: Path, results: Results, course: Path, told: Progress = lambda keys, total: keys) -> None:
@@ -165,7 +165,7 @@ def write_pages(folder: Path, results: Results, course: Path, told: Progress = l
     if stale:
         notes.unlink(missing_ok=True)  # what it says is no longer so
     for key in told(stale, len(stale)):
-        path, text = _path(folder, key), page(results[key], sheets[key[1]])
+        path, text = _path(folder, key), page(read(results[key]), sheets[key[1]])
         if not path.exists() or path.read_text(encoding="utf-8") != text:
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text, encoding="utf-8")  # no fsync: it is made again from the results

@@ -7,6 +7,7 @@ import math
 import re
 import subprocess
 import sys
+from dataclasses import replace
 from xml.etree import ElementTree
 
 import numpy as np
@@ -18,7 +19,7 @@ from tam570_grader.pages import feedback
 from tam570_grader.pages.pictures import BOTTOM, LEFT, RIGHT, TOP, picture
 from tam570_grader.pages.sentences import message, typeset
 from tam570_grader.results.journal import Book, key_of
-from tam570_grader.results.records import WHOLE, numbers
+from tam570_grader.results.records import WHOLE, numbers, read
 from tam570_grader.writing import assignments
 from tam570_grader.writing.curves import SLOTS, curve
 from tam570_grader.writing.expect import Failed, expect
@@ -30,7 +31,7 @@ NUMBER = re.compile(r"-?\d+\.\d{3,}(?:e[-+]?\d+)?")  # more digits than a messag
 @pytest.fixture(scope="module")
 def page(course):
     """`page(result)` -> its page, as a student opens it."""
-    return lambda result: feedback.page(result.record(), feedback.sheet(course, result.assignment))
+    return lambda result: feedback.page(read(result.record()), feedback.sheet(course, result.assignment))
 
 
 def failing(slug, grade, solution_text, count=None):
@@ -76,14 +77,13 @@ def test_the_detail_would_be_found_if_it_were_there(page, grade, solution_text):
     record = result.record()
     number = next(number for mark in result.checks for number in secrets(mark))
     leaking = json.loads(json.dumps(record).replace('"of": "', f'"of": "{number} ', 1))
-    assert number in texts(feedback.page(leaking, feedback.Sheet(slug, {}, (), {})))
+    assert number in texts(feedback.page(read(leaking), feedback.Sheet(slug, {}, (), {})))
 
 
 def test_what_a_student_calls_things_is_text_and_no_markup(page, grade):
     evil = "<script>alert(1)</script><img src=x onerror=alert(2)>\"'&</style>{{ 7 * 7 }}{% include '/etc/passwd' %}"
     result = grade("hw08_axis_angle", f"raise ValueError({evil!r})")
-    record = {**result.record(), "student": evil}
-    made = feedback.page(record, feedback.Sheet(evil, {}, (), {"a": (1, evil)}))
+    made = feedback.page(replace(result, student=evil), feedback.Sheet(evil, {}, (), {"a": (1, evil)}))
     assert "<script" not in made and "<img" not in made
     assert texts(made).count("<script>alert(1)</script>") >= 3 and texts(made).count("{{ 7 * 7 }}{% include") >= 3
     assert "default-src 'none'" in made
@@ -106,10 +106,10 @@ def test_a_page_needs_no_other_file(page, grade, solution_text):
 def test_a_page_of_an_older_run_has_no_picture_and_is_whole(page, grade, solution_text, course):
     result = wrong("hw07_double_pendulum", "too_few_steps", grade, solution_text)
     record = json.loads(json.dumps(result.record()))
-    assert "<figure" in feedback.page(record, feedback.sheet(course, result.assignment))
+    assert "<figure" in feedback.page(read(record), feedback.sheet(course, result.assignment))
     for mark in record["checks"]:
         mark.get("failure", {}).pop("curve", None)
-    old = feedback.page(record, feedback.sheet(course, result.assignment))
+    old = feedback.page(read(record), feedback.sheet(course, result.assignment))
     assert "<figure" not in old and "9.5 of 10 points" in old
 
 
@@ -246,7 +246,12 @@ def test_every_picture_has_a_text_alternative(page, grade, solution_text):
 def written(tmp_path, course, monkeypatch):
     """`written(*records)` -> the pages that were made of these results; the others were left as they are."""
     made, page = [], feedback.page
-    monkeypatch.setattr(feedback, "page", lambda record, sheet: made.append(key_of(record)) or page(record, sheet))
+
+    def noted(result, sheet):
+        made.append(key_of(result.record()))
+        return page(result, sheet)
+
+    monkeypatch.setattr(feedback, "page", noted)
 
     def written(*records):
         made.clear()

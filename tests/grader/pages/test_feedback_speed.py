@@ -133,6 +133,6 @@ def test_the_reference_is_timed_only_where_the_call_itself_is_short_beside_it(me
 
 
 def test_a_page_of_a_run_without_speeds_has_no_such_picture(grade, solution_text, course):
-    record = grade(SLUG, solution_text(SLUG)).record()
-    assert "speed" not in record
-    assert 'id="run-time"' not in feedback.page(record, feedback.sheet(course, SLUG))
+    result = grade(SLUG, solution_text(SLUG))
+    assert "speed" not in result.record()
+    assert 'id="run-time"' not in feedback.page(result, feedback.sheet(course, SLUG))
