@@ -8,7 +8,7 @@ import os
 import re
 import secrets
 import stat
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -62,11 +62,23 @@ class ForgivingExporter(NotebookExporter):
     optimistic_validation = Bool(True, help="look at the notebook once, after the last preprocessor").tag(config=True)
     results = Dict(help="(assignment, student) -> submission and result")
     sheets = Dict(help="assignment -> what its page says, whoever handed it in")
+    books = Dict(help="assignment -> its results, which no other command writes before this one ends")
 
     def __init__(self, **kwargs: Any) -> None:
         super().__init__(**kwargs)  # type: ignore[no-untyped-call]
         keep_gradebooks_open()
         base.find_all_files = functools.partial(_own_files, self._submitted())  # it copies what is found
+        self.parent.convert_notebooks = functools.partial(self._alone, self.parent.convert_notebooks)  # type: ignore[union-attr]
+
+    def _alone(self, convert: Callable[[], None]) -> None:
+        """Convert while no other command writes these results: nbgrader deletes the folder of whom it fails on."""
+        place, grades = self.parent.coursedir, SandboxGrades(parent=self)  # type: ignore[union-attr]
+        slugs = fnmatch.filter(assignments.slugs(grades.found_checkout()), place.assignment_id)
+        with contextlib.ExitStack() as still:
+            for slug in slugs:
+                book = Book(Path(place.root) / grades.results / slug, self.log.warning)
+                self.books[slug] = still.enter_context(contextlib.closing(book))
+            convert()
 
     def _submitted(self) -> str:
         """A pattern of the submissions' folders."""
@@ -184,7 +196,7 @@ class SandboxGrades(NbGraderPreprocessor):  # type: ignore[misc]
         submission, record = self._graded(slug, student)
         if record["score"] is None:
             raise NbGraderException(f"the grader failed on {student} {slug}: see {self.results}/{slug}/results.jsonl")
-        says, graded = self._sheet(slug), part_points(assignments.assignment(self._checkout(), slug))
+        says, graded = self._sheet(slug), part_points(assignments.assignment(self.found_checkout(), slug))
         for cell in nb.cells:
             part = part_of(grade_id(cell))
             if part in graded:
@@ -192,13 +204,13 @@ class SandboxGrades(NbGraderPreprocessor):  # type: ignore[misc]
                 cell.outputs = marked(marks, says, note(submission, record))
         return nb, resources
 
-    def _checkout(self) -> Path:
+    def found_checkout(self) -> Path:
         return assignments.find(self.checkout or None)
 
     def _sheet(self, slug: str) -> Sheet:
         sheets: dict[str, Sheet] = self.parent.sheets
         if slug not in sheets:
-            sheets[slug] = sheet(self._checkout(), slug)
+            sheets[slug] = sheet(self.found_checkout(), slug)
         return sheets[slug]
 
     def _graded(self, slug: str, student: str) -> tuple[Submission, Record]:
@@ -207,8 +219,8 @@ class SandboxGrades(NbGraderPreprocessor):  # type: ignore[misc]
         if (slug, student) not in known:
             place = self.parent.parent.coursedir
             everyone = _class(place, slug)
-            with contextlib.closing(Book(Path(place.root) / self.results / slug)) as book:
-                found = {one["student"]: one for one in records(self._plan(place, book, everyone), book)}
+            book: Book = self.parent.books[slug]
+            found = {one["student"]: one for one in records(self._plan(place, book, everyone), book)}
             known.update({(slug, one.student): (one, found[one.student]) for one in everyone})
         return known[slug, student]
 
@@ -216,8 +228,8 @@ class SandboxGrades(NbGraderPreprocessor):  # type: ignore[misc]
         seed = secrets.randbelow(2**31) if book.seed is None else book.seed
         allowance = Allowance(self.memory * 2**20, self.cpu, self.call)
         jobs = self.jobs or cores()
-        hidden = [self._checkout(), Path(place.root).resolve()]
-        return Plan(self._checkout(), everyone, seed, jobs, allowance, hidden)
+        hidden = [self.found_checkout(), Path(place.root).resolve()]
+        return Plan(self.found_checkout(), everyone, seed, jobs, allowance, hidden)
 
 
 def _class(place: Any, slug: str) -> list[Submission]:

@@ -8,7 +8,7 @@ import io
 import json
 import os
 import sys
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, BinaryIO
@@ -105,11 +105,14 @@ class Results(Mapping[Key, Record]):
 
 
 class Book(Results):
-    """`results.jsonl` and `grades.csv` in a folder, open for one run alone."""
+    """`results.jsonl` and `grades.csv` in a folder, open for one run alone.
 
-    def __init__(self, folder: Path) -> None:
+    waits : told in a sentence that another run is at work there, whose end is then waited for; default: UsageError
+    """
+
+    def __init__(self, folder: Path, waits: Callable[[str], None] | None = None) -> None:
         self._folder = folder
-        super().__init__(_locked(folder), folder / "results.jsonl")
+        super().__init__(_locked(folder, waits), folder / "results.jsonl")
         self._file.truncate(self._end)  # what a kill cut short
 
     def add(self, record: Record, text: bytes | None = None) -> None:
@@ -139,15 +142,18 @@ class Book(Results):
         self._file.close()
 
 
-def _locked(folder: Path) -> BinaryIO:
+def _locked(folder: Path, waits: Callable[[str], None] | None) -> BinaryIO:
     """The `results.jsonl` of a folder, open and ours alone."""
     while True:
         file = _opened(folder)
         try:
             fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except OSError:
-            file.close()
-            raise UsageError(f"another run is writing to {folder}") from None
+            if not waits:
+                file.close()
+                raise UsageError(f"another run is writing to {folder}") from None
+            waits(f"Another run is writing to {folder}: this one waits for its end.")
+            fcntl.flock(file, fcntl.LOCK_EX)
         if _is_at(file, folder / "results.jsonl"):
             return file
         file.close()
