@@ -85,8 +85,10 @@ def _grade(arguments: argparse.Namespace) -> int:
     try:
         with contextlib.ExitStack() as stack:
             earlier = [*arguments.join, *filter(None, [arguments.against])]
-            old = [stack.enter_context(contextlib.closing(results(place))) for place in earlier]
-            book = stack.enter_context(contextlib.closing(Book(arguments.out))) if arguments.out else None
+            old = [stack.enter_context(contextlib.closing(results(place, feedback.row))) for place in earlier]
+            book = None
+            if arguments.out:
+                book = stack.enter_context(contextlib.closing(Book(arguments.out, note=feedback.row)))
             plan = _plan(arguments, course, found, [*old, *filter(None, [book])])
             if not plan.cluster:
                 warn_of_isolation()
@@ -95,8 +97,8 @@ def _grade(arguments: argparse.Namespace) -> int:
                 gone = _gone(old[-1], plan, arguments)
                 seen.changes += gone
                 seen.compared += len(gone)
-        if arguments.out:
-            _write_pages(arguments.out, course)
+            if book is not None:  # the pages of all results that are there; of a finished run, of those that changed
+                feedback.write_pages(arguments.out / "feedback", book, course, _with_progress)
     except BrokenPipeError:
         raise
     except OSError as error:
@@ -116,15 +118,6 @@ def _told(arguments: argparse.Namespace, course: Path, plan: Any, seen: Seen) ->
         if arguments.against:
             print("\n" + regrade.table(seen.changes, seen.compared))
     return _exit_code(seen)
-
-
-def _write_pages(out: Path, course: Path) -> None:
-    """The pages of all results that are there; of a finished run, of those that changed."""
-    from tam570_grader.pages import feedback
-    from tam570_grader.results.journal import results
-
-    with contextlib.closing(results(out)) as found:
-        feedback.write_pages(out / "feedback", found, course, _with_progress)
 
 
 def _plan(arguments: argparse.Namespace, course: Path, found: list[Any], earlier: list[Any]) -> Any:
@@ -162,21 +155,32 @@ def crew_of(arguments: argparse.Namespace, course: Path, slugs: Sequence[str]) -
 
 def _run(plan: Any, book: Any, old: list[Any], seen: Seen, arguments: argparse.Namespace) -> None:
     """Grade, and note of each result what the end of the run will need."""
-    from tam570_grader.grading.many import records
+    from tam570_grader.grading.many import Known, outcomes
     from tam570_grader.pages.feedback import row
+
+    is_read = arguments.json or arguments.against or arguments.format == "gradescope"
+    for outcome in _with_progress(outcomes(plan, book, old), len(plan.submissions)):
+        if isinstance(outcome, Known) and not is_read:
+            seen.rows.append(outcome.note)
+            continue
+        record = outcome.record if isinstance(outcome, Known) else outcome
+        seen.rows.append(row(record))
+        seen.faults += _faults(record)
+        seen.last = record
+        change = _change(old[-1], record, seen) if arguments.against else {}
+        if arguments.json:
+            print(json.dumps({**record, **change}), flush=True)
+
+
+def _change(old: Any, record: Record, seen: Seen) -> dict[str, Any]:
+    """What became of the old score, as `--json` has it."""
     from tam570_grader.results import regrade
     from tam570_grader.results.journal import key_of
 
-    for record in _with_progress(records(plan, book, old), len(plan.submissions)):
-        change = regrade.change(old[-1].get(key_of(record)), record) if arguments.against else None
-        seen.rows.append(row(record))
-        seen.changes += [change] if change else []
-        seen.compared += 1
-        seen.faults += _faults(record)
-        seen.last = record
-        if arguments.json:
-            compared = {"change": change and asdict(change)} if arguments.against else {}
-            print(json.dumps({**record, **compared}), flush=True)
+    change = regrade.change(old.get(key_of(record)), record)
+    seen.changes += [change] if change else []
+    seen.compared += 1
+    return {"change": change and asdict(change)}
 
 
 def _seed(given: int | None, earlier: list[Any], key: bytes | None) -> int:

@@ -15,6 +15,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 from tam570_grader.grading import supervisor
 from tam570_grader.grading.cluster import Cluster
@@ -30,7 +31,7 @@ from tam570_grader.sandbox.worker import Allowance
 from tam570_grader.writing import assignments
 from tam570_grader.writing.assignments import Assignment
 
-__all__ = ["Plan", "lines", "records"]
+__all__ = ["Known", "Plan", "digests", "lines", "outcomes", "records"]
 
 FEW = 4  # submissions a process, for which to start one repays
 HELD = 2**26  # bytes of submissions that are held until they are handed out; others are read twice
@@ -58,19 +59,42 @@ class Plan:
         return int.from_bytes(hmac.digest(self.key, name, "sha256")[:4]) >> 1
 
 
+@dataclass(frozen=True)
+class Known:
+    """A result that is there already; it is read if it is asked for."""
+
+    place: Results
+    key: Key
+
+    @property
+    def note(self) -> Any:
+        """What was noted of it when its file was read."""
+        return self.place.lines[self.key].note
+
+    @property
+    def record(self) -> Record:
+        return self.place[self.key]
+
+
 def records(plan: Plan, book: Book | None = None, old: Sequence[Results] = ()) -> Iterator[Record]:
     """The result lines, each as soon as it is there and written into the book; what `old` knows is not run again.
 
     Where the grader itself failed, it tries again.
     """
+    for outcome in outcomes(plan, book, old):
+        yield outcome.record if isinstance(outcome, Known) else outcome
+
+
+def outcomes(plan: Plan, book: Book | None = None, old: Sequence[Results] = ()) -> Iterator[Known | Record]:
+    """The same as `records`, but what is known is not read."""
     places = (*old, *([book] if book is not None else ()))
-    known = {line.digest: (place, key) for place in places for key, line in place.lines.items() if line.scored}
+    known = {line.digest: Known(place, key) for place in places for key, line in place.lines.items() if line.scored}
     engine = _engine_digest(plan)
     fresh, held, users = list[tuple[Submission, Task | None]](), 0, Counter[str]()
     for submission in plan.submissions:
         task = _task(plan, engine, submission)
         if task.digest in known:
-            yield _kept(*known[task.digest], book)
+            yield _kept(known[task.digest], book)
             continue
         text = task.source.text if isinstance(task.source, Source) else b""
         users.update(imported(text))
@@ -84,12 +108,18 @@ def records(plan: Plan, book: Book | None = None, old: Sequence[Results] = ()) -
         yield record
 
 
-def _kept(place: Results, key: Key, book: Book | None) -> Record:
-    """A result that is known already."""
-    record = place[key]
-    if book is not None and place is not book:
-        book.add(record)
-    return record
+def digests(plan: Plan) -> Iterator[tuple[str, str, str]]:
+    """Student, assignment and digest of each submission: of all that its result depends on."""
+    engine = _engine_digest(plan)
+    for submission in plan.submissions:
+        yield submission.student, submission.slug, _task(plan, engine, submission).digest
+
+
+def _kept(known: Known, book: Book | None) -> Known:
+    """A result that is known already, in the book too."""
+    if book is not None and known.place is not book:
+        book.add(known.record)
+    return known
 
 
 def lines(plan: Plan, tasks: Iterable[Task], count: int, preload: Sequence[str] = ()) -> Iterator[bytes]:

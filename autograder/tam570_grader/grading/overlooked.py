@@ -35,8 +35,9 @@ def _beside(own: Path, graded: set[Path | None], known: Sequence[str]) -> Iterat
     except BadPath:  # it has a row that says so
         return
     for entry in held:
-        could_be = os.path.isdir(entry) or entry.suffix in (*WORK, *PACKED)
-        if could_be and entry not in graded and not GIVEN.fullmatch(entry.stem) and not _names_another(entry, known):
+        if entry in graded or GIVEN.fullmatch(entry.stem) or _names_another(entry, known):
+            continue
+        if os.path.isdir(entry) or entry.suffix in (*WORK, *PACKED):
             yield f"{_shown(entry)} is not graded; {REMEDY}"
 
 

@@ -83,15 +83,15 @@ def read(submission: Submission) -> Source:
         raise CannotRead(f"{name} is neither a module (.py) nor a notebook (.ipynb): unpack it, or rename it")
     if not _own(submission.path, submission.tree):
         raise CannotRead(f"{name} is a link to a place outside of the submission")
-    path = submission.path.resolve()
     try:
-        with open(os.open(path, os.O_RDONLY | os.O_NONBLOCK), "rb") as file:
-            if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
+        with open(os.open(submission.path, os.O_RDONLY | os.O_NONBLOCK), "rb", buffering=0) as file:
+            about = os.fstat(file.fileno())
+            if not stat.S_ISREG(about.st_mode):
                 raise CannotRead(f"{name} is not a regular file")
-            text = file.read(LARGEST + 1)
+            text = file.readall() if about.st_size <= LARGEST else b""
     except OSError as error:
         raise CannotRead(f"{name} cannot be read: {error.strerror}") from None
-    if len(text) > LARGEST:
+    if about.st_size > LARGEST:
         raise CannotRead(
             f"{name} is larger than {LARGEST // 2**20} MiB: is it the right file? clear the outputs of a notebook"
         )
@@ -100,10 +100,21 @@ def read(submission: Submission) -> Source:
 
 def _own(path: Path, tree: Path) -> bool:
     """Whether a path, links followed, lies in the student's folder, which may be a link itself, to a neighbour's."""
+    if _is_plainly_in(str(path), str(tree)):
+        return True
     try:
         return path.resolve().is_relative_to(tree.parent.resolve() / tree.name)
     except (OSError, RuntimeError):  # a link to itself
         return False
+
+
+def _is_plainly_in(path: str, tree: str) -> bool:
+    """Whether a path leads into a folder by its names alone, without a link: so it is with most, and soon seen."""
+    below = path.removeprefix(tree)
+    first, *names = below.split("/")
+    if below == path or first or ".." in names:
+        return False
+    return not any(map(os.path.islink, itertools.accumulate(names, "{}/{}".format, initial=tree)))
 
 
 def _of_file(path: Path, known: Sequence[str], given: str | None) -> Submission:
@@ -126,11 +137,13 @@ def _trees(folder: Path, known: Sequence[str], given: str | None) -> list[Submis
     """Submissions in `<student>/<assignment>/`, `<student>/<assignment>.py`, `<assignment>/` and `<assignment>.py`."""
     found, closed = [], {}
     for entry in entries(folder):
-        if (slug := _chosen(entry, known, given)) and os.path.isdir(entry):
+        is_folder = os.path.isdir(entry)
+        slug = _chosen(entry, is_folder, known, given)
+        if slug and is_folder:
             found.append(of_folder(entry, folder.name, slug, entry))
         elif slug:
             found.append(Submission(_name(entry.stem), slug, entry, entry))
-        elif os.path.isdir(entry):
+        elif is_folder:
             try:
                 found += _of_student(entry, known, given)
             except BadPath as unreadable:
@@ -144,21 +157,21 @@ def _trees(folder: Path, known: Sequence[str], given: str | None) -> list[Submis
 
 def _of_student(own: Path, known: Sequence[str], given: str | None) -> Iterator[Submission]:
     """What is in a student's own folder: for each assignment a folder, or files."""
-    work = collections.defaultdict(list)
-    held = entries(own, MOST_FILES)
-    for entry in held:
-        if slug := _chosen(entry, known, given):
+    work, told = collections.defaultdict(list), {}
+    held = {entry: os.path.isdir(entry) for entry in entries(own, MOST_FILES)}
+    for entry, is_folder in held.items():
+        if slug := _chosen(entry, is_folder, known, given):
             work[slug].append(entry)
-    told = {entry: slug for entry in held if not os.path.isdir(entry) and (slug := of_name(entry.name, known))}
+        elif not is_folder and (slug := of_name(entry.name, known)):
+            told[entry] = slug
     for entry, slug in told.items():  # packed or misnamed: its reading says so
         if slug not in work and given in (None, slug):
             yield Submission(_name(own.name), slug, entry, own)
     if given and not work and not told and not any(slug_of(entry.name, known) for entry in held):
         yield of_folder(own, own.name, given, own)
     for slug, own_work in work.items():
-        folders = [entry for entry in own_work if os.path.isdir(entry)]
-        if len(folders) == len(own_work) == 1:
-            yield of_folder(folders[0], own.name, slug, own)
+        if len(own_work) == 1 and held[own_work[0]]:
+            yield of_folder(own_work[0], own.name, slug, own)
         else:
             yield _of_files(own_work, own.name, slug, own)
 
@@ -173,7 +186,7 @@ def entries(folder: Path, most: int | None = None) -> list[Path]:
         raise BadPath(f"{printable(str(folder))} cannot be read: {error.strerror}; who owns it?") from None
     if most and len(names) > most:
         raise BadPath(f"{printable(folder.name)} holds more than {most} files: hand in the module or notebook alone")
-    return sorted(folder / name for name in names if not name.startswith((".", "__")))
+    return [folder / name for name in sorted(names) if not name.startswith((".", "__"))]
 
 
 def _name(text: str) -> str:
@@ -189,12 +202,10 @@ def _shortened(name: str) -> str:
     return f"{name.encode()[: LONGEST_NAME - 1 - len(mark)].decode(errors='ignore')}-{mark}"
 
 
-def _chosen(entry: Path, known: Sequence[str], given: str | None) -> str | None:
+def _chosen(entry: Path, is_folder: bool, known: Sequence[str], given: str | None) -> str | None:
     """The assignment that a folder, module or notebook in a tree is work on."""
-    if os.path.isdir(entry):
-        slug = slug_of(entry.name, known)
-    else:
-        slug = of_name(entry.name, known) if entry.suffix in WORK else None
+    name_of = slug_of if is_folder else of_name
+    slug = name_of(entry.name, known) if is_folder or entry.suffix in WORK else None
     return slug if given in (None, slug) else None
 
 

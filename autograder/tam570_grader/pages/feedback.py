@@ -3,6 +3,7 @@
 import functools
 import importlib.util
 import json
+import os
 import re
 import zlib
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -156,16 +157,15 @@ def write_pages(folder: Path, results: Results, course: Path, told: Progress = l
     """
     sheets = {slug: sheet(course, slug) for slug in sorted({slug for _, slug in results})}
     version = _version()
-    made = {
-        key: f"{line.mark} {zlib.crc32(repr(sheets[key[1]]).encode(), version)}" for key, line in results.lines.items()
-    }
+    marks = {slug: zlib.crc32(repr(one).encode(), version) for slug, one in sheets.items()}
+    made = {key: f"{line.mark} {marks[key[1]]}" for key, line in results.lines.items()}
     notes = folder.with_name(f".{folder.name}-made.json")
     known = _known(notes)
-    stale = [key for key in results if known.get("/".join(key)) != made[key] or not _path(folder, key).exists()]
+    stale = [key for key in results if known.get("/".join(key)) != made[key] or not os.path.exists(_path(folder, key))]
     if stale:
         notes.unlink(missing_ok=True)  # what it says is no longer so
     for key in told(stale, len(stale)):
-        path, text = _path(folder, key), page(read(results[key]), sheets[key[1]])
+        path, text = Path(_path(folder, key)), page(read(results[key]), sheets[key[1]])
         if not path.exists() or path.read_text(encoding="utf-8") != text:
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text, encoding="utf-8")  # no fsync: it is made again from the results
@@ -173,8 +173,8 @@ def write_pages(folder: Path, results: Results, course: Path, told: Progress = l
         written(notes, json.dumps({"/".join(key): mark for key, mark in made.items()}))
 
 
-def _path(folder: Path, key: Key) -> Path:
-    return folder / key[0] / f"{key[1]}.html"
+def _path(folder: Path, key: Key) -> str:
+    return f"{folder}/{key[0]}/{key[1]}.html"
 
 
 def _known(notes: Path) -> dict[str, str]:

@@ -14,6 +14,8 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 from tam570_grader.errors import UsageError
+from tam570_grader.results import records
+from tam570_grader.results.records import Result
 
 __all__ = [
     "FORMULA",
@@ -28,14 +30,17 @@ __all__ = [
     "name_in",
     "read",
     "results",
+    "stream",
     "written",
 ]
 
 Key = tuple[str, str]  # student, assignment
 Record = dict[str, Any]  # a result line, with "digest": of all that the result depends on
+Note = Callable[[Record], Any]
 # what every result has, and every mark in its "checks"
 RESULT = {"student", "assignment", "status", "score", "max_score", "seed", "seconds", "isolation", "checks"}
 MARK = {"name", "part", "points", "max_points", "outcome", "message", "suspect"}
+COLUMNS = ("student", "assignment", "status", "score", "max_score")  # of the table of grades
 # how formulas begin; spreadsheets take the wide forms for the narrow ones
 FORMULA = "=", "+", "-", "@", "\t", "\r", "\n", "\uff1d", "\uff0b", "\uff0d", "\uff20"
 
@@ -48,15 +53,20 @@ class Line:
     length: int
     digest: str  # of all that the result depends on
     mark: str  # of the line itself
-    scored: bool
     seed: int
+    graded: tuple[Any, ...]  # its row in the table of grades
+    note: Any = None  # what a run asks of each result, so that none is read twice
+
+    @property
+    def scored(self) -> bool:
+        return self.graded[COLUMNS.index("score")] is not None
 
 
 class Results(Mapping[Key, Record]):
     """The newest result of every student and assignment in a file, in order; each is read when it is asked for."""
 
-    def __init__(self, file: BinaryIO, path: Path) -> None:
-        self._file, self._path = file, path
+    def __init__(self, file: BinaryIO, path: Path, note: Note = lambda record: None) -> None:
+        self._file, self._path, self._note = file, path, note
         self.lines = dict[Key, Line]()
         self._end, self._count = 0, 0  # of the whole lines that were read
         try:
@@ -66,8 +76,7 @@ class Results(Mapping[Key, Record]):
             raise
 
     def __getitem__(self, key: Key) -> Record:
-        line = self.lines[key]
-        record: Record = json.loads(os.pread(self._file.fileno(), line.length, line.start))
+        record: Record = json.loads(self.text(key))
         return record
 
     def __iter__(self) -> Iterator[Key]:
@@ -75,6 +84,11 @@ class Results(Mapping[Key, Record]):
 
     def __len__(self) -> int:
         return len(self.lines)
+
+    def text(self, key: Key) -> bytes:
+        """The line of a result."""
+        line = self.lines[key]
+        return os.pread(self._file.fileno(), line.length, line.start)
 
     @property
     def seed(self) -> int | None:
@@ -90,16 +104,15 @@ class Results(Mapping[Key, Record]):
         for text in self._file:
             if text.endswith(b"\n"):
                 if (record := _result(text)) is None:
-                    raise UsageError(
-                        f"{self._path} holds a line that is not a result (line {self._count + 1}); move the file away"
-                    )
+                    raise _not_a_result(self._path, self._count + 1)
                 self._put(record, text)
 
     def _put(self, record: Record, text: bytes) -> None:
         mark = hashlib.blake2b(text, digest_size=12).hexdigest()
-        digest, scored = str(record.get("digest")), record["score"] is not None
-        line = Line(self._end, len(text), digest, mark, scored, record["seed"])
-        self.lines[str(record["student"]), sys.intern(str(record["assignment"]))] = line
+        graded = tuple(map(_kept_once, map(record.get, COLUMNS)))
+        digest = str(record.get("digest"))
+        line = Line(self._end, len(text), digest, mark, record["seed"], graded, self._note(record))
+        self.lines[_kept_once(str(record["student"])), _kept_once(str(record["assignment"]))] = line
         self._end += len(text)
         self._count += 1
 
@@ -110,9 +123,11 @@ class Book(Results):
     waits : told in a sentence that another run is at work there, whose end is then waited for; default: UsageError
     """
 
-    def __init__(self, folder: Path, waits: Callable[[str], None] | None = None) -> None:
+    def __init__(
+        self, folder: Path, waits: Callable[[str], None] | None = None, note: Note = lambda record: None
+    ) -> None:
         self._folder = folder
-        super().__init__(_locked(folder, waits), folder / "results.jsonl")
+        super().__init__(_locked(folder, waits), folder / "results.jsonl", note)
         self._file.truncate(self._end)  # what a kill cut short
 
     def add(self, record: Record, text: bytes | None = None) -> None:
@@ -128,17 +143,13 @@ class Book(Results):
         os.fsync(self._file.fileno())
         self._put(record, text)
 
-    def records(self) -> Iterator[Record]:
-        """The newest result of every student and assignment, in order."""
-        return iter(self.values())
-
     def close(self) -> None:
         """Write the table of grades; put the lines in order, and drop those that newer ones have replaced."""
         self._look()  # an interrupt may have come between a line and its record
-        written(self._folder / "grades.csv", grades(self.records()))
+        written(self._folder / "grades.csv", grades(self.lines[key].graded for key in self))
         starts = [self.lines[key].start for key in self]
         if self._count > len(self) or starts != sorted(starts):  # last: the lock is on the file that goes
-            written(self._folder / "results.jsonl", (json.dumps(record) + "\n" for record in self.records()))
+            written(self._folder / "results.jsonl", (self.text(key).decode() for key in self))
         self._file.close()
 
 
@@ -175,11 +186,11 @@ def _opened(folder: Path) -> BinaryIO:
         raise UsageError(f"cannot write results to {folder}: {error.strerror}; name another folder") from None
 
 
-def results(path: Path) -> Results:
+def results(path: Path, note: Note = lambda record: None) -> Results:
     """The results in a folder, or in its `results.jsonl`."""
     path = path / "results.jsonl" if path.is_dir() else path
     try:
-        return Results(open(path, "rb"), path)  # noqa: SIM115  closed with the results
+        return Results(open(path, "rb"), path, note)  # noqa: SIM115  closed with the results
     except OSError as error:
         raise UsageError(f"cannot read results from {path}: {error.strerror}") from None
 
@@ -188,6 +199,17 @@ def read(path: Path) -> list[Record]:
     """The newest result of every student and assignment, in a folder of results or its `results.jsonl`."""
     with contextlib.closing(results(path)) as found:
         return list(found.values())
+
+
+def stream(path: Path) -> Iterator[Result]:
+    """The results in a `results.jsonl` as they stand there, in one pass: of two for the same work the later counts."""
+    with open(path, "rb") as file:
+        for number, text in enumerate(file, 1):
+            if text.endswith(b"\n"):
+                try:
+                    yield records.read(json.loads(text))
+                except (ValueError, TypeError, KeyError, AttributeError):
+                    raise _not_a_result(path, number) from None
 
 
 def common_seed(seeds: Iterable[int]) -> int | None:
@@ -210,6 +232,15 @@ def _result(line: bytes) -> Record | None:
     return record if whole else None
 
 
+def _not_a_result(path: Path, number: int) -> UsageError:
+    return UsageError(f"{path} holds a line that is not a result (line {number}); move the file away")
+
+
+def _kept_once(value: Any) -> Any:
+    """The same, but of equal texts one alone is kept: a class has few names, and many results."""
+    return sys.intern(value) if type(value) is str else value
+
+
 def written(path: Path, text: str | Iterable[str]) -> None:
     """Put the text, or its parts, in place of the file, whole or not at all."""
     draft = path.with_name(path.name + ".new")
@@ -220,14 +251,13 @@ def written(path: Path, text: str | Iterable[str]) -> None:
     os.replace(draft, path)
 
 
-def grades(records: Iterable[Record]) -> str:
+def grades(rows: Iterable[tuple[Any, ...]]) -> str:
     """A table for a spreadsheet: a row for each student and assignment."""
     table = io.StringIO()
-    columns = ("student", "assignment", "status", "score", "max_score")
     writer = csv.writer(table)
-    writer.writerow(columns)
-    for record in records:
-        writer.writerow([cell(record[column]) for column in columns])
+    writer.writerow(COLUMNS)
+    for row in rows:
+        writer.writerow(map(cell, row))
     return table.getvalue()
 
 

@@ -66,7 +66,11 @@ def error_of(reply: Any) -> Reply:
 
 def printable(text: str) -> str:
     """A student's words with what is no text escaped: what moves a terminal's cursor, and bytes that are not UTF-8."""
-    return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text)
+    return (
+        text
+        if text.isprintable()
+        else "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text)
+    )
 
 
 def strings(value: Any) -> bool:

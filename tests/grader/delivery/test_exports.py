@@ -120,7 +120,7 @@ def test_two_submissions_are_not_one(course, tmp_path, submission, capsys):
 
 def test_a_failure_of_ours_leaves_no_results(course, submission, capsys, monkeypatch):
     broken = failed_by_us("s", assignments.assignment(course, ONE), "a bug", 3).record()
-    monkeypatch.setattr("tam570_grader.grading.many.records", lambda plan, book, old: iter([broken]))
+    monkeypatch.setattr("tam570_grader.grading.many.outcomes", lambda plan, book, old: iter([broken]))
     grade = ["grade", str(submission()), "--assignment", ONE, "--format", "gradescope"]
     assert cli.main(["--root", str(course), *grade]) == 1
     assert capsys.readouterr().out == ""
@@ -225,11 +225,8 @@ def test_a_cell_is_no_formula_and_tells_the_name(name):
 @pytest.fixture
 def grades(tmp_path):
     """A table of grades of students with odd names."""
-    records = [
-        {"student": name, "assignment": "hw07_x", "status": "graded", "score": 9.5, "max_score": 10.0}
-        for name in ("+1", "ann")
-    ]
-    (tmp_path / "grades.csv").write_text(journal.grades(records))
+    rows = [(name, "hw07_x", "graded", 9.5, 10.0) for name in ("+1", "ann")]
+    (tmp_path / "grades.csv").write_text(journal.grades(rows))
     return tmp_path / "grades.csv"
 
 

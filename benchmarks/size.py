@@ -1,0 +1,151 @@
+"""What a large class costs: memory and seconds of a run that resumes, of one late file and of the report.
+
+    python benchmarks/size.py                      1,000, 10,000 and 70,000 submissions: 5,000 students times 14
+    python benchmarks/size.py --sizes 1000 5000
+
+Four works on each assignment are graded for real: right, wrong twice, and the stub. The results of all others are
+written as the grader would write them, from the result of the same work; their pages are made by the grader. Then the
+commands run, each as a process. Prints a table and writes results/size.json: seconds on the clock, seconds of the
+processor, and the most memory of the process that hands out and writes. `growth` is the exponent e of
+seconds ~ submissions^e from the smallest class to the largest: 1 is linear.
+"""
+
+import argparse
+import json
+import math
+import subprocess
+import sys
+import tempfile
+from dataclasses import replace
+from pathlib import Path
+
+from tqdm import tqdm
+
+from tam570_grader.delivery.stubs import stub
+from tam570_grader.grading import many
+from tam570_grader.grading.submissions import submissions
+from tam570_grader.results.records import read
+from tam570_grader.sandbox.worker import Allowance
+from tam570_grader.writing import assignments
+
+RESULTS = Path(__file__).parent / "results" / "size.json"
+COURSE = assignments.find(Path(__file__).parents[1])
+SLUGS = assignments.slugs(COURSE)
+WORKS = 4  # on each assignment
+SEED = 570
+# runs a command, and says last what it took
+RUN = """
+import json, resource, sys, time
+from tam570_grader.cli import main
+started = time.perf_counter()
+code = main(sys.argv[1:])
+used = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
+most = [int(line.split()[1]) for line in open("/proc/self/status") if line.startswith("VmHWM")]
+print(json.dumps({"seconds": time.perf_counter() - started, "mib": most[0] / 1024,
+                  "cpu_seconds": sum(one.ru_utime + one.ru_stime for one in used)}), file=sys.stderr)
+sys.exit(code)
+"""
+
+
+def works(slug):
+    """The texts of the works on an assignment."""
+    solution = (COURSE / "solutions" / f"{slug}.py").read_text()
+    wrong = sorted((assignments.checks_folder(COURSE, slug) / "mistakes").glob("*.py"))
+    return [solution, *(f"{solution}\n\n{path.read_text()}" for path in (wrong[0], wrong[-1])), stub(solution)]
+
+
+def class_of(size, folder):
+    """So many submissions, all assignments of a student after each other; the plan to grade them."""
+    texts = {slug: works(slug) for slug in SLUGS}
+    for number in range(size):
+        student, slug = number // len(SLUGS), SLUGS[number % len(SLUGS)]
+        path = folder / f"student{student:04}" / slug / f"{slug}.py"
+        path.parent.mkdir(parents=True)
+        path.write_text(texts[slug][student % WORKS])
+    return many.Plan(
+        COURSE, submissions([folder], SLUGS), SEED, 1, Allowance(cpu=60, call=10)
+    )  # integers, as on the command line
+
+
+def graded():
+    """The results of the works, by their assignment and number."""
+    with tempfile.TemporaryDirectory() as folder:
+        plan = class_of(WORKS * len(SLUGS), Path(folder))
+        lines = tqdm(many.records(plan), total=len(plan.submissions), desc="grading", leave=False, disable=None)
+        return {work_of(one.student, one.assignment): one for one in map(read, lines)}
+
+
+def work_of(student, slug):
+    return slug, int(student.removeprefix("student")) % WORKS
+
+
+def write_journal(plan, known, folder):
+    """`results.jsonl` as a run leaves it."""
+    folder.mkdir()
+    with open(folder / "results.jsonl", "w") as file:
+        for student, slug, digest in many.digests(plan):
+            result = replace(known[work_of(student, slug)], student=student, digest=digest)
+            file.write(json.dumps(result.record()) + "\n")
+
+
+def measured(*arguments):
+    """Seconds and memory of a command."""
+    command = [sys.executable, "-c", RUN, *map(str, arguments)]
+    done = subprocess.run(command, cwd=COURSE, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    if done.returncode:
+        raise SystemExit(f"{arguments[0]} failed: {done.stderr}")
+    return json.loads(done.stderr.splitlines()[-1])
+
+
+def costs(size, known):
+    """What each command takes on a class of this size, in the order in which an instructor runs them."""
+    with tempfile.TemporaryDirectory() as place:
+        handed_in, out = Path(place) / "submitted", Path(place) / "out"
+        write_journal(class_of(size, handed_in), known, out)
+        journal = (out / "results.jsonl").read_bytes()
+        grade = "grade", handed_in, "--out", out, "--jobs", "1"
+        found = {"all pages": measured(*grade), "resume": measured(*grade)}
+        assert (out / "results.jsonl").read_bytes() == journal, "something was graded again"
+        late = handed_in / "late" / SLUGS[0] / f"{SLUGS[0]}.py"
+        late.parent.mkdir(parents=True)
+        late.write_text(works(SLUGS[0])[0])
+        found |= {"late file": measured(*grade), "report": measured("report", out)}
+        megabytes = (out / "report.html").stat().st_size / 1e6
+    return {"submissions": size, "journal_mb": len(journal) / 1e6, "page_mb": megabytes, **found}
+
+
+def growth(rows, command):
+    """The exponent of seconds over submissions, from the first row to the last."""
+    first, last = rows[0], rows[-1]
+    seconds = last[command]["cpu_seconds"] / first[command]["cpu_seconds"]
+    return math.log(seconds) / math.log(last["submissions"] / first["submissions"])
+
+
+def told(rows):
+    for row in rows:
+        print(f"{row['submissions']} submissions, {row['journal_mb']:.1f} MB of results, page {row['page_mb']:.2f} MB")
+        for command, cost in row.items():
+            if isinstance(cost, dict):
+                print(
+                    f"  {command:10} {cost['seconds']:8.1f} s  {cost['cpu_seconds']:8.1f} s of the processor"
+                    f"  {cost['mib']:6.0f} MiB"
+                )
+    for command in rows[0]:
+        if len(rows) > 1 and isinstance(rows[0][command], dict):
+            print(f"growth of {command:10} {growth(rows, command):.2f}")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--sizes", type=int, nargs="+", default=[1000, 10000, 70000], metavar="N")
+    parser.add_argument("--out", type=Path, default=RESULTS)
+    options = parser.parse_args()
+    known, rows = graded(), []
+    for size in tqdm(sorted(options.sizes), desc="classes", leave=False, disable=None):
+        rows.append(costs(size, known))
+        options.out.write_text(json.dumps(rows, indent=1) + "\n")
+    told(rows)
+
+
+if __name__ == "__main__":
+    main()
