@@ -328,4 +328,4 @@ def simulate_keeps_the_energy(student, draw):
     calls = [cases.motion(draw, cases.swing, 180, 300, "many periods")]
     share = {1e-4: 0.6, 1e-2: 0.3}
     hint = "A step of fixed length, or a fixed number of them, does not do for every duration."
-    stays(student.simulate, right.motion, calls, MOTION, KEPT, coarsely=COARSELY, partial=share, hint=hint)
+    stays(student.simulate, right.motion, calls, KEPT, MOTION, coarsely=COARSELY, partial=share, hint=hint)

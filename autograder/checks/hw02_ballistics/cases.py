@@ -11,7 +11,11 @@ from . import right
 ANY = "a random launch"
 LIGHT = "a light particle, whose drag is small in kg/s alone"
 WHOLE = {"mass": 1.0, "drag": 1.0, "gravity": 1.0}
-ZEROS = (("drag",), ("gravity",), ("drag", "gravity"))
+ZEROS = {
+    "zero drag": {"drag": 0.0},
+    "zero gravity": {"gravity": 0.0},
+    "zero drag and gravity": {"drag": 0.0, "gravity": 0.0},
+}
 VELOCITIES = {
     "a particle at rest": (0.0, 0.0),
     "a particle at the top of its path": (1.0, 0.0),
@@ -43,12 +47,12 @@ def light(draw):
     return parameters(draw, mass=mass, drag=mass * draw.uniform(0.3, 1.5))
 
 
+def weak(draw):
+    return parameters(draw, gravity=10 ** draw.uniform(-3, -2))
+
+
 def launch(draw):
     return 10 ** draw.uniform(0.5, 2), draw.uniform(0.15, 1.4)
-
-
-def without(draw, zero):
-    return parameters(draw, **dict.fromkeys(zero, 0.0)), f"zero {' and '.join(zero)}"
 
 
 # States
@@ -68,12 +72,10 @@ def states(draw):
 
 
 def states_without(draw):
-    calls = []
-    for zero in ZEROS:
-        for moving in (1, 1, 1, [1, 1, 0, 0], [1, 1, 0, 1], [1, 1, 1, 0]):
-            known, kind = without(draw, zero)
-            calls.append(given(0.0, draw.normal(size=4) * moving * 10, **known).on(kind))
-    return calls
+    """At rest, too, and along each axis."""
+    moving = (1, 1, 1, [1, 1, 0, 0], [1, 1, 0, 1], [1, 1, 1, 0])
+    known = ((some, kind, parameters(draw, **zero)) for kind, zero in ZEROS.items() for some in moving)
+    return [given(0.0, draw.normal(size=4) * some * 10, **one).on(kind) for some, kind, one in known]
 
 
 def light_state(draw):
@@ -90,10 +92,8 @@ def flight(draw, start, known, kind):
 
 
 def flights(draw):
-    return [
-        flight(draw, start, parameters(draw), f"{ANY}{', t[0] not 0' if start else ''}")
-        for start in (0.0, 3.7, -2.0, 0.0)
-    ]
+    late = f"{ANY}, t[0] not 0"
+    return [flight(draw, start, parameters(draw), late if start else ANY) for start in (0.0, 3.7, -2.0, 0.0)]
 
 
 def flights_from_zero(draw):
@@ -114,7 +114,7 @@ def plain_flights(draw, shifted):
 
 
 def flights_without(draw):
-    known = [without(draw, zero) for zero in ZEROS]
+    known = [(parameters(draw, **zero), kind) for kind, zero in ZEROS.items()]
     return [*(flight(draw, 0.0, *one) for one in known), flight(draw, 0.0, light(draw), LIGHT)]
 
 
@@ -135,11 +135,9 @@ def late_flights(draw):
 
 
 def flights_of_little_drag(draw):
-    calls = []
-    for drag in (0.0, *10.0 ** draw.uniform(-14, -11, 3), *10.0 ** draw.uniform(-10, -2, 8)):
-        t, known = uneven(draw, draw.uniform(1, 9), 20, 0.0), parameters(draw, drag=drag)
-        calls.append(given(t, *launch(draw), **known).on("very little drag" if drag else "no drag"))
-    return calls
+    drags = (0.0, *10.0 ** draw.uniform(-14, -11, 3), *10.0 ** draw.uniform(-10, -2, 8))
+    known = ((uneven(draw, draw.uniform(1, 9), 20, 0.0), parameters(draw, drag=drag)) for drag in drags)
+    return [given(t, *launch(draw), **one).on("very little drag" if one["drag"] else "no drag") for t, one in known]
 
 
 def flights_of_great_drag(draw):
@@ -160,10 +158,11 @@ def landings(draw, count):
 def plain_landings(draw):
     """Straight up, at 45 degrees, nearly flat, each with drag and without; and whole numbers."""
     angles = {"a launch straight up": math.pi / 2, "a launch at 45 degrees": math.pi / 4, "a nearly flat launch": 0.01}
-    calls = []
-    for kind, angle in angles.items():
-        calls.append(given(launch(draw)[0], angle, **parameters(draw)).on(kind))
-        calls.append(given(launch(draw)[0], angle, **parameters(draw, drag=0.0)).on(f"{kind}, no drag"))
+    calls = [
+        given(launch(draw)[0], angle, **parameters(draw, **fixed)).on(f"{kind}{also}")
+        for kind, angle in angles.items()
+        for also, fixed in (("", {}), (", no drag", {"drag": 0.0}))
+    ]
     whole = [given(1.0, 1.0, **WHOLE), given(2.0, 1.0, **{**WHOLE, "drag": 0.0}), given(1.0, math.pi / 2, **WHOLE)]
     return calls + [call.on("whole numbers") for call in whole]
 
@@ -189,11 +188,9 @@ def landings_of_great_drag(draw):
 
 def flat_landings(draw):
     """The last takes 3e-6 s; a root good to 2e-12 s, as brentq's are, is off by less than the limit. Its b is 1."""
-    calls = [given(launch(draw)[0], angle, **parameters(draw)) for angle in (math.pi / 2, 1e-3)]
-    calls.append(given(2.0, 1e-6, mass=1.0, drag=5e5, gravity=1.0))
-    return [
-        call.on(kind) for call, kind in zip(calls, ["a launch straight up", *["a nearly flat launch"] * 2], strict=True)
-    ]
+    up, flat = (given(launch(draw)[0], angle, **parameters(draw)) for angle in (math.pi / 2, 1e-3))
+    flattest = given(2.0, 1e-6, mass=1.0, drag=5e5, gravity=1.0)
+    return [up.on("a launch straight up"), *(call.on("a nearly flat launch") for call in (flat, flattest))]
 
 
 def light_landings(draw):
@@ -212,12 +209,8 @@ def alike_landings(draw):
 
 def speeds(draw, swiftnesses, kind, special=parameters):
     """Speeds in units of the terminal speed m g/c."""
-    calls = []
-    for swiftness in swiftnesses:
-        known = special(draw)
-        speed = swiftness * known["mass"] * known["gravity"] / known["drag"]
-        calls.append(given(speed, **known).on(kind))
-    return calls
+    known = [(swiftness, special(draw)) for swiftness in swiftnesses]
+    return [given(v * one["mass"] * one["gravity"] / one["drag"], **one).on(kind) for v, one in known]
 
 
 def usual_speeds(draw):
@@ -238,10 +231,6 @@ def speeds_without_drag(draw):
 
 def small_speeds(draw):
     """About the terminal speed of light particles, and where gravity is weak."""
-
-    def weak(draw):
-        return parameters(draw, gravity=10 ** draw.uniform(-3, -2))
-
     about = [10.0 ** draw.uniform(-0.3, 0.3, 2) for _ in range(2)]
     slow = speeds(draw, about[1], "a slow launch where gravity is weak", weak)
     return speeds(draw, about[0], LIGHT, light) + slow

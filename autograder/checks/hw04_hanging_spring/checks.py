@@ -152,7 +152,7 @@ def simulate_does_not_depend_on_the_sampling(student, draw):
 def energy_stays(student, draw):
     """simulate: after ten periods the energy has its first value."""
     share = {1e-3: 0.6, 1e-2: 0.3}
-    stays(student.simulate, right.motion, cases.ten_periods(draw), MOTION, KEPT, coarsely=COARSELY, partial=share)
+    stays(student.simulate, right.motion, cases.ten_periods(draw), KEPT, MOTION, coarsely=COARSELY, partial=share)
 
 
 # The ellipse

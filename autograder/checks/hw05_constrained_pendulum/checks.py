@@ -164,7 +164,7 @@ def energy_stays(student, draw):
     """simulate: after 100 s the energy has its first value."""
     hint = "Tighten rtol and atol: does it leave the circle between the samples?"
     share = {1e-3: 0.6, 1e-2: 0.3}
-    stays(student.simulate, right.motion, cases.long(draw), MOTION, KEPT, coarsely=COARSELY, partial=share, hint=hint)
+    stays(student.simulate, right.motion, cases.long(draw), KEPT, MOTION, coarsely=COARSELY, partial=share, hint=hint)
 
 
 @check(points=0.5, part="a", after=with_gravity_it_swings_or_goes_round)

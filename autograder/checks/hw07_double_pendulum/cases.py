@@ -1,5 +1,6 @@
 """Hidden inputs of hw07: random pendulums, and plain ones that tell what random ones do not."""
 
+import itertools
 import math
 
 import numpy as np
@@ -35,13 +36,25 @@ def angles(draw):
     return draw.uniform(-5, 5, 2)
 
 
-def moving(draw, n, *names, **fixed):
+def thrown(draw, n, *names, **fixed):
     rates = [draw.uniform(0.5, 5, 2) * draw.choice([-1, 1], 2) for _ in range(n)]
     return [given(angles(draw), rate, **pendulum(draw, *names, **fixed)).on(ANY) for rate in rates]
 
 
+def moving(draw, n, *names):
+    return with_plain(thrown(draw, n, *names))
+
+
+def with_weightless(draw, n):
+    return with_plain(thrown(draw, n) + thrown(draw, 3, gravity=0.0))
+
+
 def resting(draw, n, *names):
-    return [given(angles(draw), **pendulum(draw, *names)).on(ANY) for _ in range(n)]
+    return with_plain([given(angles(draw), **pendulum(draw, *names)).on(ANY) for _ in range(n)])
+
+
+def pendulums(draw):
+    return [given(**pendulum(draw)).on("random masses and lengths") for _ in range(10)]
 
 
 def with_plain(cases):
@@ -85,16 +98,16 @@ def _rates(first, places):
 def nearly_massless(draw):
     """One bar of a mass 1e-9 of the other's."""
     cases = []
-    for light, name in ((1, "lower"), (0, "upper")):
+    for name, ratio in (("lower", [1.0, 1e-9]), ("upper", [1e-9, 1.0])):
         for _ in range(3):
-            masses = draw.uniform(0.5, 4) * np.where(np.arange(2) == light, 1e-9, 1.0)
-            cases += [case.on(f"a nearly massless {name} bar") for case in moving(draw, 1, masses=masses)]
+            (case,) = thrown(draw, 1, masses=draw.uniform(0.5, 4) * np.array(ratio))
+            cases.append(case.on(f"a nearly massless {name} bar"))
     return cases
 
 
 def straight_down(draw):
     """Both bars straight down, at rest and moving: nothing accelerates."""
-    (case,) = moving(draw, 1)
+    (case,) = thrown(draw, 1)
     still, moves = case.but(np.zeros(2), np.zeros(2)), case.but(np.zeros(2))
     return [still.on("hanging at rest"), moves.on("hanging straight down, moving")]
 
@@ -109,10 +122,7 @@ def special(draw):
         "equal lengths": {"lengths": equal["lengths"]},
         "masses, lengths and gravity 1": UNIT,
         "equal bars, no gravity": {**equal, "gravity": 0.0},
-        "a nearly massless lower bar": {
-            "masses": heavy * np.array([1.0, 1e-9]),
-            "lengths": length * np.array([1, 1.6]),
-        },
+        "a nearly massless lower bar": {"masses": heavy * np.array([1, 1e-9]), "lengths": length * np.array([1, 1.6])},
         "a nearly massless upper bar": {"masses": heavy * np.array([1e-9, 1.0])},
         "no gravity": {"gravity": 0.0},
     }
@@ -151,12 +161,11 @@ def motions(draw):
 
 def plain_motions(draw):
     cases = []
-    for kind, (theta, omega, fixed) in STARTS.items():
-        for count in (2, 3):
-            known = pendulum(draw, **fixed)
-            t = uneven(draw, draw.uniform(1.5, 2.5) * pace(known), count, draw.uniform(-3, 3))
-            call = given(t, np.array(theta), np.array(omega) / pace(known), **known)
-            cases.append(call.on(f"{kind}, {count} times"))
+    for (kind, (theta, omega, fixed)), count in itertools.product(STARTS.items(), (2, 3)):
+        known = pendulum(draw, **fixed)
+        t = uneven(draw, draw.uniform(1.5, 2.5) * pace(known), count, draw.uniform(-3, 3))
+        start = np.array(theta), np.array(omega) / pace(known)
+        cases.append(given(t, *start, **known).on(f"{kind}, {count} times"))
     return cases
 
 
@@ -168,12 +177,10 @@ def from_horizontal(draw):
 
 def weightless(draw):
     """Moving, and at rest, without gravity."""
-    (call,) = moving(draw, 1, gravity=0.0)
-    t = uneven(draw, 3.0, 40, 0.0)
-    return [
-        given(t, *call.args, **call.kwargs).on("a pendulum without gravity"),
-        given(t[[0, -1]], call.args[0], np.zeros(2), **call.kwargs).on("a pendulum at rest without gravity, two times"),
-    ]
+    (call,) = thrown(draw, 1, gravity=0.0)
+    moves = given(uneven(draw, 3.0, 40, 0.0), *call.args, **call.kwargs).on("a pendulum without gravity")
+    still = moves.but(moves.args[0][[0, -1]], call.args[0], np.zeros(2))
+    return [moves, still.on("a pendulum at rest without gravity, two times")]
 
 
 @once

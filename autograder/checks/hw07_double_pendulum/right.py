@@ -37,7 +37,7 @@ def terms(theta, omega, masses, lengths, gravity):
     return M, f, g
 
 
-def accelerations(theta, omega, masses, lengths, gravity):
+def angular_acceleration(theta, omega, masses, lengths, gravity):
     M, f, g = terms(theta, omega, masses, lengths, gravity)
     pull1, pull2 = -f[0] - g[0], -f[1] - g[1]
     determinant = M[0][0] * M[1][1] - M[0][1] * M[1][0]
@@ -56,13 +56,9 @@ def gravity_terms(theta, masses, lengths, gravity):
     return np.array(terms(theta, (0.0, 0.0), masses, lengths, gravity)[2])
 
 
-def angular_acceleration(theta, omega, masses, lengths, gravity):
-    return np.array(accelerations(theta, omega, masses, lengths, gravity))
-
-
 def on_the_fly(theta, omega, masses, lengths, gravity):
     """The hinge forces by Newton's law for bar 2, and for both bars together."""
-    al1, al2 = accelerations(theta, omega, masses, lengths, gravity)
+    al1, al2 = angular_acceleration(theta, omega, masses, lengths, gravity)
     _, levers, rest = kinematics(theta, omega, lengths)
     moved = [
         m * (lever[0] * al1 + lever[1] * al2 + a + 1j * gravity)
@@ -84,18 +80,18 @@ def angular_momentum(theta, omega, masses, lengths):
     return sum(orbital) + np.sum(masses * lengths**2 * omega) / 12
 
 
-def motion(t, theta, omega, masses, lengths, gravity):
+def simulate(t, theta, omega, masses, lengths, gravity):
     """(n, 4) states at the times t."""
 
     def rates(_, state):
         th1, th2, om1, om2 = state.tolist()
-        return om1, om2, *accelerations((th1, th2), (om1, om2), masses, lengths, gravity)
+        return om1, om2, *angular_acceleration((th1, th2), (om1, om2), masses, lengths, gravity)
 
     start = np.concatenate([theta, omega])
     return solve_ivp(rates, t[[0, -1]], start, method="DOP853", t_eval=t, rtol=1e-11, atol=1e-11).y.T
 
 
-def frequencies(masses, lengths, gravity):
+def small_oscillation_frequencies(masses, lengths, gravity):
     """By a symmetric eigenvalue problem: M^(-1/2) K M^(-1/2)."""
     stiffness = gravity_terms((math.pi / 2, math.pi / 2), masses, lengths, gravity)  # sin = 1
     inverse = np.linalg.inv(np.linalg.cholesky(mass_matrix((0.0, 0.0), masses, lengths)))
@@ -107,6 +103,9 @@ def wireframe(theta, lengths):
     return np.array([[[0, 0], [elbow.real, elbow.imag]], [[elbow.real, elbow.imag], [tip.real, tip.imag]]])
 
 
-def along(value):
-    """value(theta, omega, ...) as a function of the rows of a motion."""
-    return lambda rows, **known: np.array([value(row[:2], row[2:], **known) for row in rows])
+def energies(rows, **known):
+    return np.array([energy(row[:2], row[2:], **known) for row in rows])
+
+
+def momenta(rows, gravity, **bars):
+    return np.array([angular_momentum(row[:2], row[2:], **bars) for row in rows])

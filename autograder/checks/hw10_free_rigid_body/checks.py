@@ -236,7 +236,7 @@ def invariants_stay_over_many_turns(student, draw):
     calls, hint = cases.many_turns(draw), "The steps must be short for a fast turn."
     for kept, partial_credit in zip(KEPT, (None, None, {1e-4: 0.5, 1e-2: 0.25}), strict=True):
         known = {"coarsely": COARSELY, "partial": partial_credit, "hint": hint}
-        stays(student.simulate, right.motion, calls, BOTH, kept, **known)
+        stays(student.simulate, right.motion, calls, kept, BOTH, **known)
 
 
 def wrong_special(motion):

@@ -185,7 +185,7 @@ def simulate_keeps_the_energy(student, draw):
     calls = [cases.ride(draw, 0.4, 1.0, 300, 180.0, "many periods")]
     share = {1e-3: 0.6, 1e-2: 0.3}
     hint = "Do your steps grow with the duration?"
-    stays(student.simulate, right.motion, calls, MOTION, KEPT, coarsely=COARSELY, partial=share, hint=hint)
+    stays(student.simulate, right.motion, calls, KEPT, MOTION, coarsely=COARSELY, partial=share, hint=hint)
 
 
 @check(points=1, part="b")

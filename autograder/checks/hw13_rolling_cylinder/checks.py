@@ -204,4 +204,4 @@ def simulate_keeps_the_energy(student, draw):
     """simulate: the energy stays what it was over many turns, with and without gravity."""
     share = {1e-4: 0.6, 1e-2: 0.3}
     hint = "A step of fixed length, or a fixed number of them, does not do for every duration."
-    stays(student.simulate, right.motion, cases.many_turns(draw), MOTION, KEPT, partial=share, hint=hint)
+    stays(student.simulate, right.motion, cases.many_turns(draw), KEPT, MOTION, partial=share, hint=hint)

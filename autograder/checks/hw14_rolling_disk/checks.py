@@ -221,7 +221,7 @@ def euler_simulation_follows_the_motion(student, draw):
 def euler_simulation_keeps_two_integrals(student, draw):
     """simulate_euler keeps omega's parts along e2 and e3 functions of the tilt alone, however far apart the times."""
     calls = cases.motions(draw, 2, 6.0, 4)
-    stays(student.simulate_euler, right.motion, calls, EULER, INTEGRALS, partial={1e-4: 0.5})
+    stays(student.simulate_euler, right.motion, calls, INTEGRALS, EULER, partial={1e-4: 0.5})
 
 
 @check(points=0.75, part="b")
@@ -237,7 +237,7 @@ def both_simulations_agree(student, draw):
     calls = cases.motions(draw, 1, 6.0, 4)
     matrices = cases.by_matrix(calls)
     for kept in (ROTATES, HEIGHT):
-        stays(student.simulate_matrix, right.matrix_motion, matrices, STATES, kept)
+        stays(student.simulate_matrix, right.matrix_motion, matrices, kept, STATES)
     follow(student.simulate_matrix, right.matrix_motion, matrices, STATES, within=AGREED)
     follow(student.simulate_euler, right.motion, calls, EULER, within=AGREED)
 
@@ -318,7 +318,7 @@ def energy_is_kinetic_and_potential(student, draw):
 def energy_is_conserved(student, draw):
     """The energy of simulate_euler's motion stays what it was, over a long time."""
     share = {1e-4: 0.6, 1e-3: 0.3}
-    stays(student.simulate_euler, right.motion, cases.motions(draw, 1, 20.0, 6), EULER, ENERGY_KEPT, partial=share)
+    stays(student.simulate_euler, right.motion, cases.motions(draw, 1, 20.0, 6), ENERGY_KEPT, EULER, partial=share)
 
 
 def wrong_force(case, found, expected):

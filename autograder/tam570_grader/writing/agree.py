@@ -3,6 +3,7 @@
 import functools
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -10,8 +11,9 @@ import numpy as np
 from tam570_grader.writing.answers import answer
 from tam570_grader.writing.check import Given
 from tam570_grader.writing.expect import expect, expect_that, fail
+from tam570_grader.writing.returns import Scale, Words
 
-__all__ = ["Column", "agree", "agree_by_columns", "refuse", "same_for_all"]
+__all__ = ["Column", "agree", "agree_by_columns", "named_in", "refuse", "same_for_all"]
 
 
 @dataclass(frozen=True)
@@ -28,18 +30,20 @@ class Column:
 PLACES = range(2, 13)  # after the point, to which people round; what has two or fewer may be exact
 SINGLE = 1e-6  # of the largest number; single precision loses 6e-8
 
+WORDS = ("of", "unit", "scale")  # of a result, in RESULTS
+
 Only = int | Sequence[int] | None
-Scale = Callable[[Given, Any], Any]  # scale(case, right result) -> what a relative error is relative to
+Right = Callable[..., Any] | ModuleType
 
 
 def agree(
     function: Any,
-    right: Callable[..., Any],
+    right: Right,
     cases: Iterable[Given],
     *,
     within: float,
-    of: str | Sequence[str] = "the result",
-    unit: str | Sequence[str] = "",
+    of: str | Sequence[str] | None = None,
+    unit: str | Sequence[str] | None = None,
     scale: Scale | Sequence[Scale] | None = None,
     hint: str | Callable[[Given, Any, Any], str] = "",
     partial: Mapping[float, float] | None = None,
@@ -47,22 +51,35 @@ def agree(
 ) -> None:
     """Fail unless the student's `function` gives what `right` gives, in every case.
 
+    right  : the right function, or the module in which it has the name of the student's
     within : of the scale, by default the largest number of the right result
-    of, unit, scale : one for each member where the result is a tuple
+    of, unit, scale : one for each member where the result is a tuple; left out, as RESULTS has them
     hint   : where to look; a function of the case, the result and the right one is asked on failure alone
     only   : the member of a tuple that is judged, or several
     """
+    true, said = named_in(right, function), (of, unit, scale)
+    words = [promised(function, name) if one is None else one for name, one in zip(WORDS, said, strict=True)]
     for case, found in function.each(cases):
-        for one, expected, what, its_unit, its_scale in _members(
-            found, answer(right, case), (of, unit, scale), case, only
-        ):
-            told = functools.partial(_told, hint, case, found, answer(right, case), one, expected)
+        for one, expected, what, its_unit, its_scale in _members(found, answer(true, case), words, case, only):
+            told = functools.partial(_told, hint, case, found, answer(true, case), one, expected)
             size = float(its_scale) if np.ndim(its_scale) == 0 else its_scale
             limits = {limit * size: share for limit, share in (partial or {}).items()}
             if np.ndim(size):
                 expect(one, expected, within=within, of=what, unit=its_unit, hint=told, scale=size, partial=partial)
             else:
                 expect(one, expected, within=within * size, of=what, unit=its_unit, hint=told, partial=limits)
+
+
+def named_in(right: Right, function: Any) -> Callable[..., Any]:
+    """The right function; of a module, the one that has the name of the student's."""
+    found: Callable[..., Any] = right if callable(right) else getattr(right, function.name)
+    return found
+
+
+def promised(function: Any, name: str) -> Any:
+    """One of the words in which RESULTS speaks of a result, or of each member of a tuple."""
+    words = getattr(getattr(function, "promise", None), "words", Words())
+    return [getattr(one, name) for one in words] if isinstance(words, list) else getattr(words, name)
 
 
 def _told(hint: Any, case: Given, found: Any, right: Any, one: Any, expected: Any) -> str:
@@ -84,21 +101,25 @@ def digits_lost(found: Any, expected: Any) -> str:
 
 def agree_by_columns(
     function: Any,
-    right: Callable[..., Any],
+    right: Right,
     cases: Iterable[Given],
-    columns: Sequence[Column],
+    columns: Sequence[Column] = (),
     *,
     within: float,
     hint: str | Callable[[Given, Any, Any], str] = "",
 ) -> None:
-    """As `agree`, for a flat result whose numbers have different units: each column is judged in its own."""
+    """As `agree`, for a state or rows of them, whose numbers have different units: each column is judged in its own.
+
+    columns : left out, as RESULTS has them
+    """
+    true = named_in(right, function)
     for case, found in function.each(cases):
-        expected = np.asarray(answer(right, case), float)
-        for column in columns:
-            one, other = found[column.where], expected[column.where]
+        expected, t = np.asarray(answer(true, case), float), case.args[0] if found.ndim == 2 else None
+        for column in columns or function.promise.columns:
+            one, other = found[..., column.where], expected[..., column.where]
             size = (column.scale(case, expected) if column.scale else np.max(np.abs(other))) or 1.0
             told = functools.partial(_told, hint, case, found, expected, one, other)
-            expect(one, other, within=within * size, of=column.of, unit=column.unit, hint=told)
+            expect(one, other, within=within * size, of=column.of, unit=column.unit, t=t, hint=told)
 
 
 def _members(found: Any, expected: Any, words: Any, case: Given, only: Only) -> Iterable[tuple[Any, ...]]:

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tam570_grader.writing.agree import Column
+from tam570_grader.writing.agree import Column, Right, named_in
 from tam570_grader.writing.answers import answer
 from tam570_grader.writing.check import Given
 from tam570_grader.writing.curves import kept
@@ -18,7 +18,6 @@ from tam570_grader.writing.motions import Motion, diagnosed, obeys
 __all__ = ["Invariant", "follow", "stays"]
 
 Array = NDArray[np.float64]
-Right = Callable[..., Any]  # right(t, *start, **parameters) -> rows, or several arrays of them
 LOOSE = ((1e-3, 0.5), (1e-1, 0.25))  # (error of the scale, share of the points) of right physics at a loose tolerance
 
 
@@ -37,7 +36,7 @@ def follow(
     function: Any,
     right: Right,
     cases: Iterable[Given],
-    columns: Sequence[Column],
+    columns: Sequence[Column] = (),
     *,
     within: float,
     hint: str | Callable[[Motion], str] = "",
@@ -48,16 +47,18 @@ def follow(
 ) -> list[Motion]:
     """Fail unless the student's simulation follows the right motion in every case; the motions, for further checks.
 
+    right   : right(t, *start, **parameters) -> rows, or several arrays of them; or the module, as for `agree`
+    columns : left out, as RESULTS has them
     within  : of the scale of each column
     hint    : where to look, or a function of the motion that says it, if the rows themselves tell nothing
     keeps   : an invariant whose course the student's page draws beside the error
     restart : restart(row) -> the arguments behind t that begin the motion there; default: the row, cut as these are
     chaotic : a motion in which each row leads to the next has followed, too, however far its errors have grown
     """
-    motions = []
+    motions, columns, true = [], columns or function.promise.columns, named_in(right, function)
     for case, found in function.each(cases):
-        expected = flat(answer(right, case))
-        motions.append(Motion(case, flat(found), expected, _scales(columns, case, expected), function, right, restart))
+        expected = flat(answer(true, case))
+        motions.append(Motion(case, flat(found), expected, _scales(columns, case, expected), function, true, restart))
     turns = [index for column in columns if column.turns for index in np.arange(expected.shape[1])[column.where]]
     # the worst first; of those beyond hope the longest, of which there is most to draw
     nearly = NEARLY * within if gradual else 0.0
@@ -74,8 +75,8 @@ def stays(
     function: Any,
     right: Right,
     cases: Iterable[Given],
-    columns: Sequence[Column],
     invariant: Invariant,
+    columns: Sequence[Column] = (),
     *,
     coarsely: float = 1e-2,
     partial: dict[float, float] | None = None,

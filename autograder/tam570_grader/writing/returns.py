@@ -3,11 +3,15 @@
     RESULTS = {"rotation_matrix": array(3, 3), "simulate": rows(4), "energy_balance": group(number, number, number),
                "lagrangian": formula("theta", "omega", "m", "l", "g"), "plot_tip_path": drawing}
 
+`number.called("the energy", "J", size)` says once what messages call it, its unit, and what its error is relative to;
+`rows(4, columns=MOTION)` says that of columns.
+
 A result that is not of this form ends the check with a message that says what came instead. What is
 accepted is what `numpy.asarray` turns into that shape: lists, tuples and NumPy scalars too.
 """
 
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -16,7 +20,32 @@ from tam570_grader.sandbox.inside.wire import Foreign
 from tam570_grader.writing.check import Given
 from tam570_grader.writing.expect import Failed
 
-__all__ = ["Array", "Drawing", "Formula", "Group", "Line", "array", "drawing", "formula", "group", "number", "rows"]
+__all__ = [
+    "Array",
+    "Drawing",
+    "Formula",
+    "Group",
+    "Line",
+    "Words",
+    "array",
+    "drawing",
+    "formula",
+    "group",
+    "number",
+    "rows",
+]
+
+
+Scale = Callable[[Given, Any], Any]  # scale(case, right result) -> what an error is relative to
+
+
+@dataclass(frozen=True)
+class Words:
+    """What messages call a result."""
+
+    of: str = "the result"
+    unit: str = ""
+    scale: Scale | None = None  # default: the largest number
 
 
 @dataclass(frozen=True)
@@ -25,6 +54,12 @@ class Array:
 
     shape: tuple[int | str | None, ...]
     infinite: bool = False  # may be math.inf
+    columns: Sequence[Any] = field(default=(), compare=False)  # each a `Column`
+    words: Words = field(default=Words(), compare=False)
+
+    def called(self, of: str, unit: str = "", scale: Scale | None = None) -> "Array":
+        """The same promise, with what messages call its result."""
+        return replace(self, words=Words(of, unit, scale))
 
 
 @dataclass(frozen=True)
@@ -33,12 +68,21 @@ class Group:
 
     members: tuple["Array | Group", ...]
 
+    @property
+    def words(self) -> list[Any]:
+        return [member.words for member in self.members]
+
 
 @dataclass(frozen=True)
 class Formula:
     """A SymPy expression in these symbols; `student.f.at([{"theta": .3, ...}, ...])` gives its values."""
 
     symbols: tuple[str, ...]
+    words: Words = field(default=Words(), compare=False)
+
+    def called(self, of: str, unit: str = "", scale: Scale | None = None) -> "Formula":
+        """The same promise, with what messages call its value."""
+        return replace(self, words=Words(of, unit, scale))
 
 
 @dataclass(frozen=True)
@@ -74,13 +118,13 @@ drawing = Drawing()
 Promise = Array | Group | Formula | Drawing
 
 
-def array(*shape: int | str | None, infinite: bool = False) -> Array:
-    return Array(shape, infinite)
+def array(*shape: int | str | None, infinite: bool = False, columns: Sequence[Any] = ()) -> Array:
+    return Array(shape, infinite, columns)
 
 
-def rows(*shape: int) -> Array:
+def rows(*shape: int, columns: Sequence[Any] = ()) -> Array:
     """One row for each element of the first argument: `(n, *shape)`."""
-    return Array(("n", *shape))
+    return Array(("n", *shape), columns=columns)
 
 
 def group(*members: Array | Group) -> Group:
