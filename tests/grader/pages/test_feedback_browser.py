@@ -199,3 +199,52 @@ def test_a_score_leads_to_the_page_of_the_student(opened):
 def test_without_scripts_the_report_is_whole_and_offers_no_filter(opened):
     page = opened("report.html", java_script_enabled=False)
     assert page.locator("#scores tbody tr").count() == 4 and not page.locator("#filter").is_visible()
+
+
+def test_known_mistakes_lead_to_those_who_made_them(opened):
+    page = opened("report.html")
+    row = page.locator("#lecture tbody tr", has_text="hw05").first
+    row.locator("summary").click()
+    row.get_by_role("link", name="ben").click()
+    assert "ben" in page.title()
+
+
+@pytest.fixture
+def crowd(opened, folder):
+    """The report on 250 students who handed in hw05, with another point each."""
+    from tam570_grader.results.records import Mark, Result
+
+    slug = "hw05_constrained_pendulum"
+    marks = (Mark("one", "a", 0.0, 250.0, "failed", "", "degrees"),)
+    found = [Result(f"s{k:03}, x", slug, "graded", float(k), 250.0, 1, 0.1, "bubblewrap", marks) for k in range(250)]
+    text = report.report(report.newest(found), {slug: feedback.Sheet("", {}, (), {})})
+    (folder / "crowd.html").write_text(text, encoding="utf-8")
+    return opened("crowd.html")
+
+
+def test_a_long_table_turns_its_pages(crowd):
+    scores = crowd.locator("#scores")
+    assert len(names(crowd, "scores")) == 100 and "rows 1 to 100 of 250" in scores.inner_text()
+    for _ in range(2):
+        scores.get_by_role("button", name="Next").click()
+    assert names(crowd, "scores")[-1] == "s249, x" and "rows 201 to 250 of 250" in scores.inner_text()
+    assert scores.get_by_role("button", name="Next").is_disabled()
+    crowd.get_by_role("searchbox").fill("s123")
+    assert names(crowd, "scores") == ["s123, x"] and "Next" not in scores.inner_text()
+    assert scores.get_by_role("link").get_attribute("href") == "feedback/s123%2C%20x/hw05_constrained_pendulum.html"
+    crowd.get_by_role("button", name="Show all").click()
+    scores.get_by_role("button", name="sum").click()
+    assert names(crowd, "scores")[0] == "s249, x"
+
+
+def test_a_name_with_a_comma_in_it_is_one_name(crowd):
+    crowd.locator("#lecture summary").click()
+    links = crowd.locator("#lecture").get_by_role("link")
+    assert links.count() == 250 and links.first.inner_text() == "s000, x"
+
+
+def test_all_rows_are_printed(crowd):
+    crowd.evaluate("window.dispatchEvent(new Event('beforeprint'))")
+    assert len(names(crowd, "scores")) == 250
+    crowd.evaluate("window.dispatchEvent(new Event('afterprint'))")
+    assert len(names(crowd, "scores")) == 100
