@@ -19,6 +19,7 @@ from tam570_grader.delivery.command import (
     add_report,
     add_stubs,
 )
+from tam570_grader.delivery.points import add_points
 from tam570_grader.errors import UsageError
 from tam570_grader.grading.certificates import add_certificates
 from tam570_grader.grading.command import add_grade
@@ -30,6 +31,7 @@ INTERRUPTED = 130
 COMMANDS = (
     add_collect,
     add_grade,
+    add_points,
     add_replay,
     add_stubs,
     add_kit,

@@ -13,7 +13,7 @@ from tam570_grader.delivery.archives import File, inside, members
 from tam570_grader.delivery.downloads import READERS, Handed
 from tam570_grader.errors import UsageError, writing
 from tam570_grader.grading.submissions import GIVEN, WORK, of_name
-from tam570_grader.results.journal import cell, written
+from tam570_grader.results.tables import cell, written
 
 __all__ = ["run"]
 

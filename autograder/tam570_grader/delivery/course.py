@@ -9,7 +9,7 @@ from string import Template
 
 from tam570_grader.delivery.notebook import notebook
 from tam570_grader.errors import UsageError, writing
-from tam570_grader.results.journal import written
+from tam570_grader.results.tables import written
 from tam570_grader.writing import assignments
 
 __all__ = ["run", "write_notebook"]

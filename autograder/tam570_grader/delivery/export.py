@@ -16,7 +16,7 @@ from pathlib import Path
 
 from tam570_grader.errors import UsageError, writing
 from tam570_grader.grading.submissions import CannotRead, Submission, read, submissions
-from tam570_grader.results.journal import cell, written
+from tam570_grader.results.tables import cell, written
 from tam570_grader.sandbox.notebooks import Unshown, cells_of
 
 __all__ = ["run"]

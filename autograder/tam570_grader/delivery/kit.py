@@ -14,7 +14,7 @@ from typing import Any
 
 from tam570_grader.delivery.course import write_notebook
 from tam570_grader.errors import UsageError, writing
-from tam570_grader.results.journal import written
+from tam570_grader.results.tables import written
 from tam570_grader.writing import assignments
 
 __all__ = ["run"]

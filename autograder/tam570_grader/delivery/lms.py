@@ -11,7 +11,7 @@ from pathlib import Path
 
 from tam570_grader.delivery import roster as rosters
 from tam570_grader.errors import UsageError, writing
-from tam570_grader.results.journal import FORMULA, cell, name_in, written
+from tam570_grader.results.tables import FORMULA, cell, name_in, written
 
 __all__ = ["canvas", "moodle", "moodle_of", "run"]
 

@@ -5,12 +5,11 @@ Guide). Moodle: "Grade export" and "Assignment settings", offline grading worksh
 "Adding and editing your roster" (Gradescope Help Center).
 """
 
-import csv
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from tam570_grader.errors import UsageError
+from tam570_grader.results.tables import table
 
 __all__ = ["NOT_PEOPLE", "Person", "by_id", "people", "students", "table"]
 
@@ -33,7 +32,6 @@ NAMES = ("student", "full name", "name")
 PARTS = (("first name", "last name"), ("first name", "surname"), ("first_name", "last_name"))
 NOT_PEOPLE = ("student, test",)  # Canvas makes this one to try things out; rows that are not students have no number
 PARTICIPANT = "Participant "  # before the number, in the column Identifier of Moodle's worksheet
-DELIMITERS = ",;\t"
 
 
 @dataclass(frozen=True)
@@ -80,19 +78,3 @@ def by_id(found: Iterable[Person]) -> dict[str, Person]:
 def students(path: Path, known: Collection[str] = ()) -> list[str]:
     """The students on a roster: by the id that is known already, else by their login."""
     return [next((key for key in one.ids if key in known), one.ids[0]) for one in people(path)]
-
-
-def table(path: Path) -> list[list[str]]:
-    """The rows of a CSV file that are not empty, whatever separates its cells."""
-    try:
-        with open(path, newline="", encoding="utf-8-sig") as file:
-            first = file.readline()
-            file.seek(0)
-            rows = [row for row in csv.reader(file, delimiter=max(DELIMITERS, key=first.count)) if any(row)]
-    except UnicodeDecodeError:
-        raise UsageError(f"{path} is not text in UTF-8; save it as CSV (UTF-8)") from None
-    except (OSError, csv.Error) as error:
-        raise UsageError(f"cannot read {path}: {getattr(error, 'strerror', None) or error}") from None
-    if not rows:
-        raise UsageError(f"{path} is empty; export it again")
-    return rows

@@ -13,8 +13,11 @@ from typing import Any
 
 from tam570_grader.errors import UsageError
 from tam570_grader.pages.sentences import message, typeset
-from tam570_grader.results.journal import Key, Record, Results, written
+from tam570_grader.results import by_hand
+from tam570_grader.results.by_hand import Settled
+from tam570_grader.results.journal import Key, Record, Results
 from tam570_grader.results.records import Mark, Result, read
+from tam570_grader.results.tables import written
 from tam570_grader.writing.assignments import engine_digest
 
 __all__ = ["Sheet", "must_write_pages", "page", "pictures", "row", "sheet", "table", "template", "write_pages"]
@@ -61,8 +64,12 @@ def _title(folder: Path, slug: str) -> str:
         return slug
 
 
-def page(result: Result, sheet: Sheet) -> str:
-    """A student's feedback on one assignment: one HTML file that needs nothing else."""
+def page(result: Result, sheet: Sheet, settled: Settled | None = None) -> str:
+    """A student's feedback on one assignment: one HTML file that needs nothing else.
+
+    settled : the score with what was added by hand
+    """
+    settled = settled or Settled(result.score, result.max_score)
     parts = [_part(letter, result, sheet) for letter in sorted({mark.part for mark in result.checks})]
     marks = [mark for part in parts for mark in part["marks"]]
     wrong = [mark for mark in marks if mark["outcome"] == "failed"]
@@ -71,11 +78,16 @@ def page(result: Result, sheet: Sheet) -> str:
         slug=result.assignment,
         student=result.student,
         title=sheet.title,
-        score=_points(result.score),
-        max_score=_points(result.max_score),
+        score=_points(settled.score),
+        max_score=_points(settled.most),
         note=" ".join(filter(None, (NOTES.get(result.status), result.message))),
         parts=parts,
-        manual=[(letter, _points(points), what) for letter, (points, what) in sheet.manual.items()],
+        manual=[
+            (letter, _points(points), what)
+            for letter, (points, what) in sheet.manual.items()
+            if letter not in settled.parts
+        ],
+        by_hand=settled.says,
         first=next(iter([*told, *wrong]), None),
         among=_among(result),
     )
@@ -158,14 +170,19 @@ def write_pages(folder: Path, results: Results, course: Path, told: Progress = l
     sheets = {slug: sheet(course, slug) for slug in sorted({slug for _, slug in results})}
     version = _version()
     marks = {slug: zlib.crc32(repr(one).encode(), version) for slug, one in sheets.items()}
-    made = {key: f"{line.mark} {marks[key[1]]}" for key, line in results.lines.items()}
+    hand = by_hand.read(folder.parent)
+    settled = {key: hand.settled(key, *line.graded[-2:]) for key, line in results.lines.items()}
+    made = {
+        key: f"{line.mark} {zlib.crc32(repr(settled[key]).encode(), marks[key[1]])}"
+        for key, line in results.lines.items()
+    }
     notes = folder.with_name(f".{folder.name}-made.json")
     known = _known(notes)
     stale = [key for key in results if known.get("/".join(key)) != made[key] or not os.path.exists(_path(folder, key))]
     if stale:
         notes.unlink(missing_ok=True)  # what it says is no longer so
     for key in told(stale, len(stale)):
-        path, text = Path(_path(folder, key)), page(read(results[key]), sheets[key[1]])
+        path, text = Path(_path(folder, key)), page(read(results[key]), sheets[key[1]], settled[key])
         if not path.exists() or path.read_text(encoding="utf-8") != text:
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text, encoding="utf-8")  # no fsync: it is made again from the results

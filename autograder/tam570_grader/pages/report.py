@@ -13,8 +13,10 @@ from typing import Any
 from tam570_grader.delivery.roster import students
 from tam570_grader.errors import UsageError, writing
 from tam570_grader.pages.feedback import Sheet, sheet, template
-from tam570_grader.results.journal import Key, stream, written
+from tam570_grader.results import by_hand
+from tam570_grader.results.journal import Key, stream
 from tam570_grader.results.records import Mark, Result
+from tam570_grader.results.tables import written
 
 __all__ = ["newest", "report", "results", "run"]
 
@@ -60,7 +62,8 @@ def results(folder: Path) -> Class:
     found = newest(stream(folder / "results.jsonl"))
     if not found:
         raise UsageError(f"{folder / 'results.jsonl'} is empty; nothing has been graded yet")
-    return found
+    hand = by_hand.read(folder)
+    return {key: hand.applied(result) for key, result in found.items()}
 
 
 def newest(found: Iterable[Result]) -> Class:

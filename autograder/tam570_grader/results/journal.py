@@ -14,25 +14,11 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 from tam570_grader.errors import UsageError
-from tam570_grader.results import records
+from tam570_grader.results import by_hand, records
 from tam570_grader.results.records import Result
+from tam570_grader.results.tables import cell, written
 
-__all__ = [
-    "FORMULA",
-    "Book",
-    "Key",
-    "Line",
-    "Record",
-    "Results",
-    "cell",
-    "common_seed",
-    "key_of",
-    "name_in",
-    "read",
-    "results",
-    "stream",
-    "written",
-]
+__all__ = ["Book", "Key", "Line", "Record", "Results", "common_seed", "key_of", "read", "results", "stream"]
 
 Key = tuple[str, str]  # student, assignment
 Record = dict[str, Any]  # a result line, with "digest": of all that the result depends on
@@ -41,8 +27,6 @@ Note = Callable[[Record], Any]
 RESULT = {"student", "assignment", "status", "score", "max_score", "seed", "seconds", "isolation", "checks"}
 MARK = {"name", "part", "points", "max_points", "outcome", "message", "suspect"}
 COLUMNS = ("student", "assignment", "status", "score", "max_score")  # of the table of grades
-# how formulas begin; spreadsheets take the wide forms for the narrow ones
-FORMULA = "=", "+", "-", "@", "\t", "\r", "\n", "\uff1d", "\uff0b", "\uff0d", "\uff20"
 
 
 @dataclass(frozen=True, slots=True)
@@ -146,7 +130,8 @@ class Book(Results):
     def close(self) -> None:
         """Write the table of grades; put the lines in order, and drop those that newer ones have replaced."""
         self._look()  # an interrupt may have come between a line and its record
-        written(self._folder / "grades.csv", grades(self.lines[key].graded for key in self))
+        hand = by_hand.read(self._folder)
+        written(self._folder / "grades.csv", grades(hand.row(self.lines[key].graded) for key in self))
         starts = [self.lines[key].start for key in self]
         if self._count > len(self) or starts != sorted(starts):  # last: the lock is on the file that goes
             written(self._folder / "results.jsonl", (self.text(key).decode() for key in self))
@@ -241,16 +226,6 @@ def _kept_once(value: Any) -> Any:
     return sys.intern(value) if type(value) is str else value
 
 
-def written(path: Path, text: str | Iterable[str]) -> None:
-    """Put the text, or its parts, in place of the file, whole or not at all."""
-    draft = path.with_name(path.name + ".new")
-    with open(draft, "w", encoding="utf-8", newline="") as file:
-        file.writelines([text] if isinstance(text, str) else text)
-        file.flush()
-        os.fsync(file.fileno())
-    os.replace(draft, path)
-
-
 def grades(rows: Iterable[tuple[Any, ...]]) -> str:
     """A table for a spreadsheet: a row for each student and assignment."""
     table = io.StringIO()
@@ -259,21 +234,6 @@ def grades(rows: Iterable[tuple[Any, ...]]) -> str:
     for row in rows:
         writer.writerow(map(cell, row))
     return table.getvalue()
-
-
-def cell(value: Any) -> Any:
-    """A value that no spreadsheet takes for a formula: a quote stands before what could be one."""
-    return f"'{value}" if isinstance(value, str) and _could_be_formula(value) else value
-
-
-def name_in(cell: str) -> str:
-    """The text that was made into a cell."""
-    return cell[1:] if cell.startswith("'") and _could_be_formula(cell) else cell
-
-
-def _could_be_formula(text: str) -> bool:
-    """By how it begins, quotes aside, so that a quote of its own is told from ours."""
-    return text.lstrip("'").startswith(FORMULA)
 
 
 def key_of(record: Record) -> Key:

@@ -15,7 +15,7 @@ from tam570_grader import cli
 from tam570_grader.delivery import gradescope, lms
 from tam570_grader.delivery.stubs import stub
 from tam570_grader.grading.one import failed_by_us
-from tam570_grader.results import journal, records
+from tam570_grader.results import journal, records, tables
 from tam570_grader.writing import assignments
 
 ONE = "hw08_axis_angle"
@@ -217,9 +217,9 @@ NAMES = ["ann", "'ann", "+1", "'+1", "''=1", "-rf", "@x", "\tx", "\rx", "\uff1d1
 
 @pytest.mark.parametrize("name", NAMES)
 def test_a_cell_is_no_formula_and_tells_the_name(name):
-    assert unicodedata.normalize("NFKC", journal.cell(name))[0] not in "=+-@\t\r"
-    assert journal.name_in(journal.cell(name)) == name
-    assert (journal.cell(name) == name) == (name in NAMES[:2])
+    assert unicodedata.normalize("NFKC", tables.cell(name))[0] not in "=+-@\t\r"
+    assert tables.name_in(tables.cell(name)) == name
+    assert (tables.cell(name) == name) == (name in NAMES[:2])
 
 
 @pytest.fixture

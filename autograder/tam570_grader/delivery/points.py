@@ -1,0 +1,118 @@
+"""The command that takes points by hand, `tam570-grader points`: checks rows, brings tables and pages up to date."""
+
+import argparse
+import contextlib
+import csv
+import io
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+
+from tam570_grader.errors import UsageError, writing
+from tam570_grader.options import Commands
+from tam570_grader.results import by_hand
+from tam570_grader.results.by_hand import ADJUST, COLUMNS, EVERYONE, EXTENSION, LATE, OFF, TOTAL, Entry, Hand
+from tam570_grader.results.journal import Book, Results, results
+from tam570_grader.results.tables import cell, written
+
+__all__ = ["add_points"]
+
+WORDS = (ADJUST, TOTAL, LATE, EXTENSION, OFF)
+NEED_A_REASON = (ADJUST, TOTAL)
+Manual = Mapping[str, tuple[float, str]]  # part: points given by hand, and for what
+
+
+def add_points(commands: Commands) -> argparse.ArgumentParser:
+    points: argparse.ArgumentParser = commands.add_parser(
+        "points",
+        help="add points by hand, late days and changes to results",
+        description="Add what a table says to the results: grades.csv, the pages, the report and lms have it then. "
+        "An item is the letter of a part that is graded by hand, or one of: adjust (points to add; with a comment), "
+        "total (the score instead; with a comment), late and extension (days), 'off a day' (the share of the score "
+        "that a late day costs). The student * is everybody.",
+        epilog="The newest row of a student, an assignment and an item counts; one without points takes it back. "
+        "Nothing is written unless every row is right. DIR/by_hand.csv holds all of it.",
+    )
+    points.set_defaults(command=_points)
+    add = points.add_argument
+    add("folder", type=Path, metavar="DIR", help="what `grade --out` wrote")
+    add("table", type=Path, metavar="CSV", help=f"the columns are {', '.join(COLUMNS)}; `of` may be left out")
+    add("--template", action="store_true", help="write the table to fill in, with what is known, to CSV instead")
+    return points
+
+
+def _points(arguments: argparse.Namespace) -> int:
+    from tam570_grader.pages import feedback
+    from tam570_grader.writing import assignments
+
+    course, folder = assignments.find(arguments.root), arguments.folder
+    if not (folder / "results.jsonl").is_file():
+        raise UsageError(f"there are no results in {folder}; make them with: tam570-grader grade ... --out {folder}")
+    with contextlib.closing(results(folder)) as found:
+        slugs = sorted({slug for _, slug in found})
+        known = assignments.slugs(course)
+        manual = {slug: assignments.assignment(course, slug).manual if slug in known else {} for slug in slugs}
+        if arguments.template:
+            return _template(arguments.table, found, manual, by_hand.read(folder))
+        new = list(_checked(arguments.table, found, manual))
+    feedback.must_write_pages()
+    with contextlib.closing(Book(folder)) as book:
+        by_hand.write(folder, by_hand.read(folder).with_(new))
+        feedback.write_pages(folder / "feedback", book, course)
+    print(f"{folder}: {len({one.key for one in new if one.student != EVERYONE})} rows added by hand")
+    return 0
+
+
+def _checked(path: Path, found: Results, manual: Mapping[str, Manual]) -> Iterator[Entry]:
+    """The entries of a table, each part with its most; UsageError for the first row that is wrong."""
+    students = {student for student, _ in found} | {EVERYONE}
+    touched = set()
+    for line, one in by_hand.rows_of(path):
+        slugs = [slug for slug in manual if one.slug and slug.startswith(one.slug)]
+        if len(slugs) != 1:
+            raise UsageError(f"{path}, line {line}: there are no results of an assignment {one.slug!r}")
+        parts = manual[slugs[0]]
+        if wrong := _wrong(one, students, parts):
+            raise UsageError(f"{path}, line {line}: {wrong}")
+        of = parts[one.item][0] if one.item in parts else None
+        touched |= {slugs[0]} if of is not None else set()
+        yield Entry(one.student, slugs[0], one.item, one.points, of, one.comment)
+    for slug in sorted(touched):  # everybody is graded out of the same
+        yield from (Entry(EVERYONE, slug, part, None, of) for part, (of, _) in manual[slug].items())
+
+
+def _wrong(one: Entry, students: set[str], parts: Manual) -> str:
+    """What is wrong with a row, and the remedy; empty if nothing is."""
+    letters = ", ".join(parts) or "none"
+    if one.student not in students:
+        return f"there are no results of a student {one.student!r}; write the name of the folder that was graded"
+    if one.item not in (*parts, *WORDS):
+        return f"{one.item!r} is no item; the parts graded by hand are {letters}, the others: {', '.join(WORDS)}"
+    if one.points is None:
+        return ""
+    if one.item in parts and not 0 <= one.points <= parts[one.item][0]:
+        return f"part ({one.item}) has from 0 to {parts[one.item][0]:g} points, not {one.points:g}; use adjust for more"
+    if one.item in parts and one.student == EVERYONE:
+        return "the points of a part are one student's; write a name, or adjust everybody's"
+    if one.item in (TOTAL, LATE, EXTENSION) and one.points < 0 or one.item == OFF and not 0 <= one.points <= 1:
+        return (
+            f"{one.item} is {one.points:g}; write {'a share from 0 to 1' if one.item == OFF else 'no negative number'}"
+        )
+    if one.item in NEED_A_REASON and not one.comment:
+        return f"{one.item} needs a reason, in the column comment: the student reads it"
+    return ""
+
+
+def _template(path: Path, found: Results, manual: Mapping[str, Manual], hand: Hand) -> int:
+    """Write a table with a row for each student and part; what is known is filled in."""
+    text = io.StringIO()
+    writer = csv.writer(text)
+    writer.writerow(COLUMNS)
+    for student, slug in found:
+        for part, (of, _) in manual[slug].items():
+            known = hand.entries.get((student, slug, part))
+            points = "" if known is None or known.points is None else known.points
+            writer.writerow(map(cell, (student, slug, part, points, of, known.comment if known else "")))
+    with writing(path):
+        written(path, text.getvalue())
+    print(f"{path}: fill in the points, then: tam570-grader points DIR {path}")
+    return 0

@@ -1,0 +1,171 @@
+"""What an instructor adds to results: points for parts in words, changes with a reason, late days, extensions.
+
+`by_hand.csv` beside `results.jsonl` holds a row for each student, assignment and item. An item is the letter of a part
+that is graded by hand, or a word: `adjust` adds points, `total` replaces the score, `late` counts days, `extension`
+grants days, and `off a day` is the share of the score that a day costs. A row of the student `*` is everybody's.
+"""
+
+import csv
+import io
+import math
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import astuple, dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from tam570_grader.errors import UsageError
+from tam570_grader.results.records import Result
+from tam570_grader.results.tables import cell, name_in, table, written
+
+__all__ = [
+    "ADJUST",
+    "COLUMNS",
+    "EVERYONE",
+    "EXTENSION",
+    "LATE",
+    "OFF",
+    "TOTAL",
+    "Entry",
+    "Hand",
+    "Settled",
+    "read",
+    "rows_of",
+    "write",
+]
+
+Key = tuple[str, str]  # student, assignment
+
+FILE = "by_hand.csv"
+COLUMNS = ("student", "assignment", "item", "points", "of", "comment")
+EVERYONE = "*"
+ADJUST, TOTAL, LATE, EXTENSION, OFF = "adjust", "total", "late", "extension", "off a day"
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One row: points, days or a share, and why."""
+
+    student: str
+    slug: str
+    item: str
+    points: float | None  # None: not given yet
+    of: float | None = None  # the most that a part by hand may earn
+    comment: str = ""
+
+    @property
+    def key(self) -> tuple[str, str, str]:
+        return self.student, self.slug, self.item
+
+
+@dataclass(frozen=True)
+class Settled:
+    """A score with all that was added by hand, and the sentences that tell it."""
+
+    score: float | None
+    most: float
+    says: tuple[str, ...] = ()
+    parts: tuple[str, ...] = ()  # letters of the parts that are counted
+
+
+class Hand:
+    """All that was added by hand to some results."""
+
+    def __init__(self, entries: Iterable[Entry] = ()) -> None:
+        self.entries = {one.key: one for one in entries}
+        self._of: dict[Key, dict[str, Entry]] = {}
+        for one in self.entries.values():
+            self._of.setdefault((one.student, one.slug), {})[one.item] = one
+
+    def with_(self, entries: Iterable[Entry]) -> "Hand":
+        """The same, but for newer entries; one without points or a most takes back what there was."""
+        newest = {**self.entries, **{one.key: one for one in entries}}
+        return Hand(one for one in newest.values() if one.points is not None or one.of is not None)
+
+    def settled(self, key: Key, score: float | None, most: float) -> Settled:
+        """What a score of `most` becomes."""
+        mine = {**self._of.get((EVERYONE, key[1]), {}), **self._of.get(key, {})}
+        if not mine:
+            return Settled(score, most)
+        parts = [one for one in mine.values() if one.of is not None]
+        added = [one.points for one in parts if one.points is not None]
+        most += sum(one.of or 0.0 for one in parts)
+        says = [_part(one) for one in sorted(parts, key=lambda one: one.item)]
+        if adjusted := mine.get(ADJUST):
+            added.append(adjusted.points or 0.0)
+            says.append(f"{adjusted.points:+g} points by hand: {adjusted.comment}")
+        earned = None if score is None else max(0.0, score + sum(added))
+        earned, late = _late(earned, {item: one.points or 0.0 for item, one in mine.items()})
+        if total := mine.get(TOTAL):
+            earned = total.points
+            says.append(f"{earned:g} points in all, by hand: {total.comment}")
+        letters = tuple(one.item for one in parts)
+        return Settled(None if earned is None else round(earned, 6), most, (*says, *late), letters)
+
+    def applied(self, result: Result) -> Result:
+        """A result with its score settled."""
+        found = self.settled((result.student, result.assignment), result.score, result.max_score)
+        return replace(result, score=found.score, max_score=found.most)
+
+    def row(self, graded: tuple[Any, ...]) -> tuple[Any, ...]:
+        """A row of the table of grades with its score settled."""
+        student, slug, status, score, most = graded
+        found = self.settled((student, slug), score, most)
+        return student, slug, status, found.score, found.most
+
+
+def _part(one: Entry) -> str:
+    if one.points is None:
+        return f"Part ({one.item}): up to {one.of:g} points are given by hand, not yet."
+    return f"Part ({one.item}): {one.points:g} of {one.of:g} points, by hand. {one.comment}".strip()
+
+
+def _late(earned: float | None, items: Mapping[str, float]) -> tuple[float | None, list[str]]:
+    """What days beyond the extension leave of a score, and the sentence that tells it."""
+    days = math.ceil(max(0.0, items.get(LATE, 0.0) - items.get(EXTENSION, 0.0)))
+    off = min(1.0, days * items.get(OFF, 0.0))
+    if not items.get(LATE):
+        return earned, []
+    allowed = f", {items[EXTENSION]:g} of them allowed" if items.get(EXTENSION) else ""
+    says = f"{items[LATE]:g} days late{allowed}: {100 * off:g} % of the points are taken off."
+    return None if earned is None else earned * (1 - off), [says]
+
+
+def read(folder: Path) -> Hand:
+    """What was added by hand to the results in a folder; nothing where nothing was."""
+    path = folder / FILE
+    return Hand(entry for _, entry in rows_of(path)) if path.exists() else Hand()
+
+
+def rows_of(path: Path) -> Iterator[tuple[int, Entry]]:
+    """The rows of a table with the columns `COLUMNS`, in any order, and their line numbers."""
+    heading, *rows = table(path)
+    names = [name.strip().lower() for name in heading]
+    if lacking := {"student", "assignment", "item", "points"} - set(names):
+        raise UsageError(f"{path} has no column {', '.join(sorted(lacking))}; its heading is: {','.join(COLUMNS)}")
+    for line, row in enumerate(rows, 2):
+        cells = {name: text.strip() for name, text in zip(names, row, strict=False)}
+        where = f"{path}, line {line}"
+        points, of = (_number(cells.get(name, ""), f"{where}: {name}") for name in ("points", "of"))
+        student = name_in(cells["student"])
+        yield line, Entry(student, cells["assignment"], cells["item"], points, of, name_in(cells.get("comment", "")))
+
+
+def _number(text: str, where: str) -> float | None:
+    try:
+        number = float(text) if text else None
+    except ValueError:
+        number = math.nan
+    if number is not None and not math.isfinite(number):
+        raise UsageError(f"{where} is {text!r}, not a number; write 1.5, say, or leave it empty")
+    return number
+
+
+def write(folder: Path, hand: Hand) -> None:
+    """Put the table in place of the one that is there, whole or not at all."""
+    text = io.StringIO()
+    writer = csv.writer(text)
+    writer.writerow(COLUMNS)
+    for one in sorted(hand.entries.values(), key=lambda one: one.key):
+        plain = replace(one, points="" if one.points is None else one.points, of="" if one.of is None else one.of)  # type: ignore[arg-type]
+        writer.writerow(map(cell, astuple(plain)))
+    written(folder / FILE, text.getvalue())
