@@ -26,9 +26,9 @@ def add_points(commands: Commands) -> argparse.ArgumentParser:
         "points",
         help="add points by hand, late days and changes to results",
         description="Add what a table says to the results: grades.csv, the pages, the report and lms have it then. "
-        "An item is the letter of a part that is graded by hand, or one of: adjust (points to add; with a comment), "
-        "total (the score instead; with a comment), late and extension (days), 'off a day' (the share of the score "
-        "that a late day costs). The student * is everybody.",
+        "An item is the letter of a part that is graded by hand, or a word. With adjust points are added, and total "
+        "stands in the place of the score; both need a comment. late and extension count days. 'off a day' is the "
+        "share of the score that a late day costs. The student * is everybody.",
         epilog="The newest row of a student, an assignment and an item counts; one without points takes it back. "
         "Nothing is written unless every row is right. DIR/by_hand.csv holds all of it.",
     )

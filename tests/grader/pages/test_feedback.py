@@ -247,9 +247,9 @@ def written(tmp_path, course, monkeypatch):
     """`written(*records)` -> the pages that were made of these results; the others were left as they are."""
     made, page = [], feedback.page
 
-    def noted(result, sheet):
+    def noted(result, sheet, settled):
         made.append(key_of(result.record()))
-        return page(result, sheet)
+        return page(result, sheet, settled)
 
     monkeypatch.setattr(feedback, "page", noted)
 

@@ -1,0 +1,121 @@
+"""Points by hand: every table and page has them, grading again keeps them, and a wrong row changes nothing."""
+
+import csv
+import re
+
+import pytest
+
+from tam570_grader import cli
+from tam570_grader.results.by_hand import Entry, Hand
+
+SLUG = "hw07_double_pendulum"
+HEADING = "student,assignment,item,points,comment\n"
+
+
+@pytest.fixture
+def results(tmp_path, course, capsys):
+    """Results of ann and ben, who handed in stubs, and `points(*rows)`, the command."""
+    stub = (course / "assignments" / SLUG / f"{SLUG}.py").read_text()
+    for student in ("ann", "ben"):
+        folder = tmp_path / "submitted" / student / SLUG
+        folder.mkdir(parents=True)
+        (folder / f"{SLUG}.py").write_text(stub)
+    graded(tmp_path)
+    capsys.readouterr()
+    return tmp_path / "results"
+
+
+def graded(folder):
+    assert cli.main(["grade", str(folder / "submitted"), "--out", str(folder / "results"), "--seed", "1"]) == 0
+
+
+def points(results, *rows):
+    table = results.parent / "points.csv"
+    table.write_text(HEADING + "".join(f"{row}\n" for row in rows))
+    return cli.main(["points", str(results), str(table)])
+
+
+def scores(results):
+    rows = csv.DictReader((results / "grades.csv").read_text().splitlines())
+    return {row["student"]: (row["score"], row["max_score"]) for row in rows}
+
+
+def test_everything_has_the_points(results, capsys):
+    assert points(results, 'ann,hw07,c,1.5,"Nice, but short."', "ben,hw07,adjust,3,The file came by mail.") == 0
+    assert scores(results) == {"ann": ("1.5", "12.0"), "ben": ("3.0", "12.0")}
+    page = (results / "feedback" / "ann" / f"{SLUG}.html").read_text()
+    assert "1.5 of 12 points" in page and "Part (c): 1.5 of 2 points, by hand. Nice, but short." in page
+    page = (results / "feedback" / "ben" / f"{SLUG}.html").read_text()
+    assert "3 of 12 points" in page and "not yet" in page and "The file came by mail." in page
+    assert cli.main(["report", str(results)]) == 0
+    assert re.search(r"1\.5\b", (results / "report.html").read_text())
+    capsys.readouterr()
+    assert cli.main(["lms", str(results / "grades.csv"), "--to", "canvas"]) == 0
+    assert "12.0" in capsys.readouterr().out
+
+
+def test_grading_again_keeps_them_and_an_empty_cell_takes_them_back(results):
+    points(results, "ann,hw07,c,2,")
+    graded(results.parent)
+    assert scores(results)["ann"] == ("2.0", "12.0")
+    points(results, "ann,hw07,c,,")
+    assert scores(results)["ann"] == ("0.0", "12.0")
+
+
+@pytest.mark.parametrize(
+    ("row", "says"),
+    [
+        ("ann,hw07,c,3,", "from 0 to 2 points, not 3"),
+        ("ann,hw07,c,many,", "'many', not a number"),
+        ("ann,hw07,c,nan,", "'nan', not a number"),
+        ("ann,hw07,q,1,", "'q' is no item; the parts graded by hand are c"),
+        ("ann,hw08,c,1,", "no results of an assignment 'hw08'"),
+        ("zoe,hw07,c,1,", "no results of a student 'zoe'"),
+        ("*,hw07,c,1,", "one student's"),
+        ("ann,hw07,total,1,", "needs a reason"),
+        ("ann,hw07,late,-1,", "no negative number"),
+        ("*,hw07,off a day,10,", "from 0 to 1"),
+    ],
+)
+def test_a_wrong_row_is_named_and_nothing_is_written(results, capsys, row, says):
+    assert points(results, "ben,hw07,c,1,", row) == 2
+    assert says in (err := capsys.readouterr().err) and "line 3" in err
+    assert not (results / "by_hand.csv").exists() and scores(results)["ben"] == ("0.0", "10.0")
+
+
+def test_the_template_has_a_row_for_each_part_with_what_is_known(results):
+    points(results, "ann,hw07,c,1.5,so so")
+    assert cli.main(["points", str(results), str(results / "fill.csv"), "--template"]) == 0
+    rows = list(csv.DictReader((results / "fill.csv").read_text().splitlines()))
+    assert [(row["student"], row["item"], row["points"], row["of"]) for row in rows] == [
+        ("ann", "c", "1.5", "2"),
+        ("ben", "c", "", "2"),
+    ]
+    assert cli.main(["points", str(results), str(results / "fill.csv")]) == 0  # as it is, it changes nothing
+    assert scores(results)["ann"] == ("1.5", "12.0")
+
+
+def settled(score, **items):
+    entries = [Entry("ann", SLUG, item.replace("_", " "), points, None, "why") for item, points in items.items()]
+    return Hand(entries).settled(("ann", SLUG), score, 10.0).score
+
+
+def test_days_beyond_an_extension_cost_their_share_of_the_score():
+    assert settled(8.0, late=3, extension=1, off_a_day=0.1) == pytest.approx(6.4)
+    assert settled(8.0, late=0.5, off_a_day=0.1) == pytest.approx(7.2)  # a day that has begun counts
+    assert settled(8.0, late=20, off_a_day=0.1) == 0.0
+    assert settled(8.0, late=1, extension=2, off_a_day=0.1) == 8.0
+    assert settled(None, late=1, off_a_day=0.1) is None
+
+
+def test_a_total_stands_in_the_place_of_all_else():
+    assert settled(8.0, late=3, off_a_day=0.5, adjust=1, total=9) == 9.0
+    assert settled(None, total=9) == 9.0
+    assert settled(0.5, adjust=-2) == 0.0
+
+
+def test_everybodys_rows_are_for_those_without_their_own():
+    rows = [Entry("*", SLUG, "extension", 2.0), Entry("ann", SLUG, "extension", 5.0)]
+    late = [Entry(who, SLUG, "late", 4.0) for who in ("ann", "ben")]
+    hand = Hand([*rows, *late, Entry("*", SLUG, "off a day", 0.1)])
+    assert [hand.settled((who, SLUG), 10.0, 10.0).score for who in ("ann", "ben")] == [10.0, 8.0]
