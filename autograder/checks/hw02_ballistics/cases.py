@@ -118,13 +118,14 @@ def flights_without(draw):
     return [*(flight(draw, 0.0, *one) for one in known), flight(draw, 0.0, light(draw), LIGHT)]
 
 
-def alike_flights(draw):
-    """Launches that are like the first of them but for one argument."""
+def alike_flights(draw, from_zero=False):
+    """Launches that are like the first of them but for one argument; all at t = 0, or not."""
     first = flight(draw, 0.0, parameters(draw), ANY)
     first = first.but(first.args[0][[0, -1]])
     speed, angle = first.args[1:]
     other = first.but(0.6 * first.args[0]).on("a launch like the one before but for its times")
-    return [first, other, first, *in_turn(draw, first, start=(1.3 * speed, 0.7 * angle))]
+    calls = [first, other, first, *in_turn(draw, first, start=(1.3 * speed, 0.7 * angle))]
+    return [call for call in calls if call.args[0][0] == 0 or not from_zero]
 
 
 def late_flights(draw):

@@ -5,37 +5,13 @@ from functools import partial
 
 import numpy as np
 
-from tam570_grader import (
-    Column,
-    Failed,
-    agree,
-    array,
-    check,
-    curves_seen,
-    distances,
-    drawing,
-    expect,
-    expect_that,
-    follow,
-    given,
-    judge_axes_of_lengths,
-    number,
-    rows,
-)
+from tam570_grader import Column, Failed, agree, agree_by_columns, check, expect, expect_that, follow, given
 from tam570_grader.writing.curves import along
+from tam570_grader.writing.drawings import curves_seen, distances, judge_axes_of_lengths
+from tam570_grader.writing.returns import array, drawing, number, rows
 
 from . import cases, right
 
-RESULTS = {
-    "state_derivative": array(4),
-    "simulate": rows(4),
-    "trajectory": rows(4),
-    "flight_time": number,
-    "horizontal_range": number,
-    "best_angle": number,
-    "limit_shape": array(3, 2),
-    "plot_comparison": drawing,
-}
 NEEDS = ("numpy", "matplotlib.figure", "matplotlib.backends.backend_agg")
 OFF_LIMITS = {"trajectory": ("scipy.integrate", "tam570.integrate")}  # a closed form is asked for
 MANUAL = {"b": (2, "the guess before the work; why the limit has the shape it has")}
@@ -56,30 +32,13 @@ PASSED = 2e-2  # of the path's size; chords of a line of ten points leave a para
 SMALL_BESIDE = "Whether drag counts is told by c t/m or c v/(m g), not by c alone."
 KEPT = "Is anything kept between calls?"
 NO_DIVISION = "Do you divide by drag or gravity?"
+GREAT = "e^-s goes to nothing, e^s beyond all numbers."
 
 
 def of_rates(case, _):
     """v, c v/m and g."""
     speed, known = np.linalg.norm(case.args[1][2:]), case.kwargs
     return speed * (1 + known["drag"] / known["mass"]) + known["gravity"]
-
-
-RATES = {"within": FORMULA, "of": "the state's derivative", "unit": "m/s or m/s^2", "scale": of_rates}
-
-
-@check(points=0.75, part="a")
-def rates_are_newtons(student, draw):
-    """state_derivative is the velocity and (weight + drag)/mass, for velocities in any direction."""
-    hint = "Draw the two forces on the particle: which way does each point when it falls?"
-    agree(student.state_derivative, right.state_derivative, cases.states(draw), **RATES, hint=hint)
-    calls = [cases.light_state(draw)]
-    agree(student.state_derivative, right.state_derivative, calls, **RATES, hint=SMALL_BESIDE)
-
-
-@check(points=0.25, part="a", after=rates_are_newtons)
-def rates_without_drag_or_gravity(student, draw):
-    """state_derivative holds where drag or gravity, or both, are zero."""
-    agree(student.state_derivative, right.state_derivative, cases.states_without(draw), **RATES, hint=NO_DIVISION)
 
 
 def largest(columns, case, states):
@@ -89,15 +48,50 @@ def largest(columns, case, states):
     return np.abs(np.vstack([states, way]))[:, columns].max()
 
 
-PLACE, VELOCITY = slice(0, 2), slice(2, 4)
-MOTION = (
-    Column("a place", "m", PLACE, scale=partial(largest, PLACE)),
-    Column("a velocity", "m/s", VELOCITY, scale=partial(largest, VELOCITY)),
+def of_range(case, distance):
+    """The range; straight up it is zero, but for rounding."""
+    speed, angle = case.args
+    return speed * right.flight_time(speed, angle, **case.kwargs) if angle == math.pi / 2 else distance
+
+
+def one(*_):
+    return 1.0
+
+
+of_place, of_velocity = partial(largest, [0, 1]), partial(largest, [2, 3])
+MOTION = Column("a place", "m", [0, 1], scale=of_place), Column("a velocity", "m/s", [2, 3], scale=of_velocity)
+EACH = (
+    *(Column(of, "m", [column], scale=of_place) for column, of in enumerate(("x", "y"))),
+    *(Column(of, "m/s", [column], scale=of_velocity) for column, of in enumerate(("vx", "vy"), start=2)),
 )
+RESULTS = {
+    "state_derivative": array(4).called("the state's derivative", "m/s or m/s^2", of_rates),
+    "simulate": rows(4, columns=MOTION),
+    "trajectory": rows(4, columns=EACH),
+    "flight_time": number.called("the flight time", "s"),
+    "horizontal_range": number.called("the range", "m", of_range),
+    "best_angle": number.called("the best angle", "rad", one),
+    "limit_shape": array(3, 2).called("a corner", "m v/c", one),
+    "plot_comparison": drawing,
+}
+
+
+@check(points=0.75, part="a")
+def rates_are_newtons(student, draw):
+    """state_derivative is the velocity and (weight + drag)/mass, for velocities in any direction."""
+    hint = "Draw the two forces on the particle: which way does each point when it falls?"
+    agree(student.state_derivative, right, cases.states(draw), within=FORMULA, hint=hint)
+    agree(student.state_derivative, right, [cases.light_state(draw)], within=FORMULA, hint=SMALL_BESIDE)
+
+
+@check(points=0.25, part="a", after=rates_are_newtons)
+def rates_without_drag_or_gravity(student, draw):
+    """state_derivative holds where drag or gravity, or both, are zero."""
+    agree(student.state_derivative, right, cases.states_without(draw), within=FORMULA, hint=NO_DIVISION)
 
 
 def judge_motions(function, calls, hint):
-    follow(function, right.simulate, calls, MOTION, within=SIMULATED, hint=hint, restart=lambda row: (row, None))
+    follow(function, right, calls, within=SIMULATED, hint=hint, restart=lambda row: (row, None))
 
 
 @check(points=1, part="d")
@@ -114,53 +108,40 @@ def simulation_without_drag_or_gravity(student, draw):
     judge_motions(student.simulate, cases.alike_flights(draw), KEPT)
 
 
-def judge_closed_form(function, calls, hint):
-    """Each column for itself: the message names what is off."""
-    for case, found in function.each(calls):
-        expected = right.trajectory(*case.args, **case.kwargs)
-        for column, (of, unit) in enumerate((("x", "m"), ("y", "m"), ("vx", "m/s"), ("vy", "m/s"))):
-            size = largest(PLACE if column < 2 else VELOCITY, case, expected) or 1.0
-            known = {"within": CLOSED * size, "of": of, "unit": unit, "t": case.args[0], "hint": hint}
-            expect(found[:, column], expected[:, column], **known)
-
-
 @check(points=1, part="c")
 def trajectory_is_the_motion(student, draw):
     """trajectory gives the states in closed form."""
     hint = "The equations of vx and vy are linear, of first order and apart; then x and y."
-    judge_closed_form(student.trajectory, cases.flights_from_zero(draw), hint)
-    hint = "Which way does it fly, and is it launched at the origin?"
-    judge_closed_form(student.trajectory, cases.plain_flights(draw, shifted=False), hint)
+    agree_by_columns(student.trajectory, right, cases.flights_from_zero(draw), within=CLOSED, hint=hint)
+    plain, hint = cases.plain_flights(draw, shifted=False), "Which way does it fly, and is it launched at the origin?"
+    agree_by_columns(student.trajectory, right, plain, within=CLOSED, hint=hint)
 
 
 @check(points=0.25, part="c", after=trajectory_is_the_motion)
 def trajectory_counts_time_from_the_launch(student, draw):
     """trajectory takes the launch to be at t = 0, whatever times are asked for: later ones, a single one, backwards."""
     hint = "The launch is at t = 0, and row i is the state at t[i]."
-    judge_closed_form(student.trajectory, cases.late_flights(draw), hint)
+    agree_by_columns(student.trajectory, right, cases.late_flights(draw), within=CLOSED, hint=hint)
 
 
 @check(points=0.75, part="c", after=trajectory_is_the_motion)
 def trajectory_with_any_drag(student, draw):
     """trajectory keeps its digits at drag 1e-12, at no drag at all, and long after e^(-c t/m) is nothing."""
     digits = "1 - e^-s is a difference of nearly equal numbers (see numpy.expm1); so is y."
-    judge_closed_form(student.trajectory, cases.flights_of_little_drag(draw), digits)
-    great = "e^-s goes to nothing, e^s beyond all numbers."
-    judge_closed_form(student.trajectory, cases.flights_of_great_drag(draw), great)
-    judge_closed_form(student.trajectory, [cases.flight(draw, 0.0, cases.light(draw), cases.LIGHT)], SMALL_BESIDE)
-    from_zero = [case for case in cases.alike_flights(draw) if case.args[0][0] == 0]
-    judge_closed_form(student.trajectory, from_zero, KEPT)
-
-
-def judge_times(function, calls, hint):
-    agree(function, right.flight_time, calls, within=ROOT, of="the flight time", unit="s", hint=hint)
+    for calls, hint in (
+        (cases.flights_of_little_drag(draw), digits),
+        (cases.flights_of_great_drag(draw), GREAT),
+        ([cases.flight(draw, 0.0, cases.light(draw), cases.LIGHT)], SMALL_BESIDE),
+        (cases.alike_flights(draw, from_zero=True), KEPT),
+    ):
+        agree_by_columns(student.trajectory, right, calls, within=CLOSED, hint=hint)
 
 
 @check(points=0.75, part="c")
 def flight_ends_at_launch_height(student, draw):
     """flight_time is when y is zero again."""
     hint = "Put the time into the y of your closed form: is it zero?"
-    judge_times(student.flight_time, cases.landings(draw, 12) + cases.plain_landings(draw), hint)
+    agree(student.flight_time, right, cases.landings(draw, 12) + cases.plain_landings(draw), within=ROOT, hint=hint)
 
 
 @check(points=0.5, part="c", after=flight_ends_at_launch_height)
@@ -170,90 +151,77 @@ def flight_time_with_hardly_any_drag(student, draw):
         "Very little drag is not none. Near its branch point Lambert's W has half of its digits only; "
         "a step of Newton's method brings them back."
     )
-    judge_times(student.flight_time, cases.landings_of_little_drag(draw), hint)
+    agree(student.flight_time, right, cases.landings_of_little_drag(draw), within=ROOT, hint=hint)
 
 
 @check(points=0.25, part="c", after=flight_ends_at_launch_height)
 def flight_time_with_great_drag_and_straight_up(student, draw):
     """flight_time holds straight up and nearly flat, with drag a thousand times the weight, for light particles."""
-    flat = "Does a search for the root step over a flight that is short, or end at t = 0?"
-    judge_times(student.flight_time, cases.flat_landings(draw), flat)
-    great = "What is left of the equation when e^-s is nothing?"
-    judge_times(student.flight_time, cases.landings_of_great_drag(draw), great)
-    judge_times(student.flight_time, cases.light_landings(draw), SMALL_BESIDE)
-    judge_times(student.flight_time, cases.alike_landings(draw), KEPT)
-
-
-def of_range(case, distance):
-    """The range; straight up it is zero, but for rounding."""
-    speed, angle = case.args
-    return speed * right.flight_time(speed, angle, **case.kwargs) if angle == math.pi / 2 else distance
-
-
-def judge_ranges(function, calls, hint):
-    known = {"of": "the range", "unit": "m", "scale": of_range, "hint": hint}
-    agree(function, right.horizontal_range, calls, within=ROOT, **known)
+    for calls, hint in (
+        (cases.flat_landings(draw), "Does a search for the root step over a flight that is short, or end at t = 0?"),
+        (cases.landings_of_great_drag(draw), "What is left of the equation when e^-s is nothing?"),
+        (cases.light_landings(draw), SMALL_BESIDE),
+        (cases.alike_landings(draw), KEPT),
+    ):
+        agree(student.flight_time, right, calls, within=ROOT, hint=hint)
 
 
 @check(points=0.5, part="c")
 def range_is_where_it_lands(student, draw):
     """horizontal_range is x at the flight time."""
+    calls = cases.landings(draw, 12) + cases.plain_landings(draw)
     hint = "Put the flight time into the x of your closed form."
-    judge_ranges(student.horizontal_range, cases.landings(draw, 12) + cases.plain_landings(draw), hint)
+    agree(student.horizontal_range, right, calls, within=ROOT, hint=hint)
 
 
 @check(points=0.5, part="c", after=range_is_where_it_lands)
 def range_with_hardly_any_drag(student, draw):
     """horizontal_range goes over into v^2 sin(2 angle)/g without losing its digits; it holds with great drag, too."""
     digits = "Very little drag is not none: is it the time or x that has lost its digits?"
-    judge_ranges(student.horizontal_range, cases.landings_of_little_drag(draw), digits)
-    judge_ranges(student.horizontal_range, cases.light_landings(draw), SMALL_BESIDE)
-    great = "e^-s goes to nothing, e^s beyond all numbers."
-    judge_ranges(student.horizontal_range, cases.landings_of_great_drag(draw), great)
-    judge_ranges(student.horizontal_range, cases.alike_landings(draw), KEPT)
-
-
-def judge_angles(function, calls, hint):
-    """In rad, not of the angle."""
-    known = {"of": "the best angle", "unit": "rad", "scale": lambda *_: 1.0, "hint": hint, "partial": SEARCHED}
-    agree(function, right.best_angle, calls, within=ANGLE, **known)
+    for calls, hint in (
+        (cases.landings_of_little_drag(draw), digits),
+        (cases.light_landings(draw), SMALL_BESIDE),
+        (cases.landings_of_great_drag(draw), GREAT),
+        (cases.alike_landings(draw), KEPT),
+    ):
+        agree(student.horizontal_range, right, calls, within=ROOT, hint=hint)
 
 
 @check(points=0.75, part="a")
 def best_angle_has_the_largest_range(student, draw):
     """best_angle maximises the range, for speeds below and above the terminal speed."""
     hint = "Near its largest the range is flat, and a search stops early: solve for where its derivative vanishes."
-    judge_angles(student.best_angle, cases.usual_speeds(draw), hint)
+    agree(student.best_angle, right, cases.usual_speeds(draw), within=ANGLE, partial=SEARCHED, hint=hint)
 
 
 @check(points=0.25, part="a", after=best_angle_has_the_largest_range)
 def best_angle_is_45_degrees_without_drag(student, draw):
     """best_angle is 45 degrees at no drag, and leaves them as the drag grows beside the weight."""
-    zero = "Does your equation for the angle still hold when drag is zero?"
-    judge_angles(student.best_angle, cases.speeds_without_drag(draw), zero)
     slow = "45 degrees are for no drag: the angle falls in proportion to the drag, and then by its next term."
-    judge_angles(student.best_angle, cases.slow_speeds(draw), slow)
-    judge_angles(student.best_angle, cases.small_speeds(draw), SMALL_BESIDE)
-    judge_angles(student.best_angle, cases.alike_speeds(draw), KEPT)
+    for calls, hint in (
+        (cases.speeds_without_drag(draw), "Does your equation for the angle still hold when drag is zero?"),
+        (cases.slow_speeds(draw), slow),
+        (cases.small_speeds(draw), SMALL_BESIDE),
+        (cases.alike_speeds(draw), KEPT),
+    ):
+        agree(student.best_angle, right, calls, within=ANGLE, partial=SEARCHED, hint=hint)
 
 
 @check(points=0.5, part="a", after=best_angle_has_the_largest_range)
 def best_angle_at_a_huge_speed(student, draw):
     """best_angle goes to zero as the speed grows, and stays good to 1 % of itself."""
+    hint = "The largest range is very flat there: solve for where its derivative vanishes, on a logarithmic scale."
     # minimising the range on a logarithmic scale is good to 1e-4 of the angle up to 1e6 terminal speeds, not at 1e7
     calls = cases.speeds(draw, 10.0 ** draw.uniform(4, 6, 5), "a huge speed")
-    hint = "The largest range is very flat there: solve for where its derivative vanishes, on a logarithmic scale."
-    agree(student.best_angle, right.best_angle, calls, within=SWIFT, of="the best angle", unit="rad", hint=hint)
+    agree(student.best_angle, right, calls, within=SWIFT, scale=lambda _, angle: angle, hint=hint)
 
 
 @check(points=1, part="b")
 def path_at_a_huge_speed_has_the_limit_shape(student, draw):
     """limit_shape has the corners that a path has at a speed of 1e12 terminal speeds."""
     angles = [*draw.uniform(0.1, 1.5, 6), math.pi / 2, math.pi / 4, math.pi / 3, 1.0, 0.01]
-    calls = [given(angle).on("a random angle") for angle in angles]
     hint = "Plot your closed form at 10, 100 and 1000 times the terminal speed; launch and landing are corners, too."
-    known = {"of": "a corner", "unit": "m v/c", "scale": lambda *_: 1.0, "hint": hint}
-    agree(student.limit_shape, right.limit_shape, calls, within=CORNER, **known)
+    agree(student.limit_shape, right, [given(one).on("a random angle") for one in angles], within=CORNER, hint=hint)
 
 
 @check(points=0.5, part="e")

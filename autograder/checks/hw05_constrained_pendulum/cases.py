@@ -20,25 +20,24 @@ def parameters(draw, **fixed):
 
 
 def states(draw, *names):
-    """Consistent states, moving and at rest, with gravity and without, at plain places; parameters of these names."""
+    """Consistent states, moving and at rest, with gravity and without, at plain places; parameters of these names,
+    or all of them.
+    """
     cases = []
     for kind in ["a random state"] * 10 + ["a particle at rest"] * 3 + ["no gravity"] * 4:
         known = parameters(draw, **({"gravity": 0.0} if kind == "no gravity" else {}))
         omega = draw.uniform(1, 5) * draw.choice([-1, 1]) * (kind != "a particle at rest")
         cases.append(given(on_circle(draw.uniform(-3, 3), omega, known["length"]), **known).on(kind))
     cases += [case for place in PLACES for case in _plain(draw, place)]
-    return [given(case.args[0], **{name: case.kwargs[name] for name in names}).on(case.kind) for case in cases]
+    return [given(case.args[0], **{name: case.kwargs[name] for name in names or UNIT}).on(case.kind) for case in cases]
 
 
 def _plain(draw, place):
     """Exact zeros, moving either way and at rest; with gravity, without, and of unit size."""
     x, y = PLACES[place]
     cases = []
-    for known, rest in (
-        (parameters(draw), ""),
-        (parameters(draw, gravity=0.0), ", no gravity"),
-        (UNIT, ", all parameters 1"),
-    ):
+    random, weightless = parameters(draw), parameters(draw, gravity=0.0)
+    for known, rest in ((random, ""), (weightless, ", no gravity"), (UNIT, ", all parameters 1")):
         speed = 1.0 if known is UNIT else draw.uniform(1, 5)
         for v, how in ((speed, "moving"), (-speed, "moving"), (0.0, "at rest")):
             state = np.array([x * known["length"], y * known["length"], -y * v, x * v])
@@ -74,9 +73,8 @@ def _where(case):
 
 
 def origin(draw):
-    return [
-        given(np.append([0.0, 0.0], draw.normal(size=2)), length=draw.uniform(0.5, 2)).on("a particle at the origin")
-    ]
+    state = np.append([0.0, 0.0], draw.normal(size=2))
+    return [given(state, length=draw.uniform(0.5, 2)).on("a particle at the origin")]
 
 
 # Motions: kind, angle, its rate in sqrt(g/l) or 1/s, what is not random
@@ -111,13 +109,11 @@ def moved(draw, kind, turns, count, theta, omega, known, signs=(-1, 1)):
 def plain(draw, weight):
     """Two or three times, from exact places, at rest or moving either way; with gravity or without."""
     cases = []
-    for kind, theta, omega, fixed in STARTS:
-        if (fixed.get("gravity") != 0.0) == weight:
-            side = draw.choice([-1, 1])
-            for count, sign in ((2, side), (3, -side)):
-                known = parameters(draw, **fixed)
-                turns = draw.uniform(0.3, 0.8)
-                cases.append(moved(draw, f"{kind}, {count} times", turns, count, theta * sign, omega * sign, known))
+    for kind, theta, omega, fixed in [start for start in STARTS if (start[3].get("gravity") != 0.0) == weight]:
+        side = draw.choice([-1, 1])
+        for count, sign in ((2, side), (3, -side)):
+            known, turns = parameters(draw, **fixed), draw.uniform(0.3, 0.8)
+            cases.append(moved(draw, f"{kind}, {count} times", turns, count, theta * sign, omega * sign, known))
     return cases
 
 

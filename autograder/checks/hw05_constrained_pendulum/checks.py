@@ -4,32 +4,11 @@ import math
 
 import numpy as np
 
-from tam570_grader import (
-    Column,
-    Invariant,
-    agree,
-    array,
-    check,
-    current,
-    expect,
-    follow,
-    given,
-    number,
-    refuse,
-    rows,
-    stays,
-)
+from tam570_grader import Column, Invariant, agree, check, expect, follow, given, refuse, stays
+from tam570_grader.writing.returns import array, number, rows
 
 from . import cases, right
 
-RESULTS = {
-    "constraint_force": array(2),
-    "acceleration": array(2),
-    "consistent_state": array(4),
-    "energy": number,
-    "simulate": rows(4),
-    "wireframe": array(1, 2, 2),
-}
 NEEDS = ("numpy",)
 
 FORMULA = 1e-9  # a few roundings make 1e-15, a linear system 1e-14
@@ -79,29 +58,34 @@ MOTION = (
 KEPT = Invariant("the energy", "of m g l", right.energies, one, ENERGY)
 
 
+RESULTS = {
+    "constraint_force": array(2).called("the constraint force", "N", force),
+    "acceleration": array(2).called("the acceleration", "m/s^2", pull),
+    "consistent_state": array(4).called("the state", "of its size", state_size),
+    "energy": number.called("the energy", "J", heat),
+    "simulate": rows(4, columns=MOTION),
+    "wireframe": array(1, 2, 2).called("an end of the rod", "m"),
+}
+
+
 @check(points=2, part="a")
 def force_keeps_the_particle_on_the_circle(student, draw):
     """constraint_force: radial, and such that F = m a keeps x^2 + y^2 as it is."""
-    known = {"of": "the constraint force", "unit": "N", "scale": force}
     hint = "Differentiate x^2 + y^2 = l^2 twice: which unknown does F = m a leave?"
-    calls = cases.states(draw, "mass", "length", "gravity")
-    agree(student.constraint_force, right.constraint_force, calls, within=FORMULA, hint=hint, **known)
+    agree(student.constraint_force, right, cases.states(draw), within=FORMULA, hint=hint)
 
 
 @check(points=1.5, part="a")
 def acceleration_is_that_of_both_forces(student, draw):
     """acceleration: by the weight and the constraint force."""
-    known = {"of": "the acceleration", "unit": "m/s^2", "scale": pull, "hint": "What is r . a on the circle?"}
-    calls = cases.states(draw, "mass", "length", "gravity")
-    agree(student.acceleration, right.acceleration, calls, within=FORMULA, **known)
+    agree(student.acceleration, right, cases.states(draw), within=FORMULA, hint="What is r . a on the circle?")
 
 
 @check(points=1.25, part="a")
 def consistent_state_is_the_nearest(student, draw):
     """consistent_state: the position goes along its radius onto the circle, the velocity loses its radial part."""
     hint = "Which part of v is along the radius?"
-    known = {"of": "the state", "unit": "of its size", "scale": state_size, "hint": hint}
-    agree(student.consistent_state, right.consistent_state, cases.off_circle(draw), within=FORMULA, **known)
+    agree(student.consistent_state, right, cases.off_circle(draw), within=FORMULA, hint=hint)
 
 
 @check(points=0.25, part="a", after=consistent_state_is_the_nearest)
@@ -116,35 +100,34 @@ def consistent_state_refuses_the_origin(student, draw):
 @check(points=1, part="a")
 def energy_is_kinetic_and_potential(student, draw):
     """energy: m v^2/2 and the potential energy of the weight, zero at y = 0."""
-    known = {"of": "the energy", "unit": "J", "scale": heat, "hint": "How high is it above y = 0, and how fast?"}
-    agree(student.energy, right.energy, cases.states(draw, "mass", "gravity"), within=FORMULA, **known)
+    hint = "How high is it above y = 0, and how fast?"
+    agree(student.energy, right, cases.states(draw, "mass", "gravity"), within=FORMULA, hint=hint)
 
 
 @check(points=0.75, part="a")
 def without_gravity_it_goes_round_uniformly(student, draw):
     """simulate: uniform motion around the circle where there is no gravity."""
     hint = "What changes the velocity when there is no weight?"
-    follow(student.simulate, right.motion, cases.without_gravity(draw), MOTION, within=FOLLOWED, hint=hint, keeps=KEPT)
+    follow(student.simulate, right, cases.without_gravity(draw), within=FOLLOWED, hint=hint, keeps=KEPT)
 
 
 @check(points=1, part="a")
 def with_gravity_it_swings_or_goes_round(student, draw):
     """simulate: the state at few and uneven times, the first of which is not 0."""
     hint = "Do both forces turn the velocity?"
-    follow(student.simulate, right.motion, cases.with_gravity(draw), MOTION, within=FOLLOWED, hint=hint, keeps=KEPT)
+    follow(student.simulate, right, cases.with_gravity(draw), within=FOLLOWED, hint=hint, keeps=KEPT)
 
 
 @check(points=1, part="a", after=with_gravity_it_swings_or_goes_round)
 def it_stays_on_the_circle(student, draw):
     """simulate: after 100 s the particle is still on the circle, and its velocity tangent to it."""
-    (motion,) = follow(student.simulate, right.motion, cases.long(draw), MOTION, within=COARSELY, gradual=False)
+    (motion,) = follow(student.simulate, right, cases.long(draw), within=COARSELY, gradual=False)
     (x, y, vx, vy), length = motion.found.T, motion.case.kwargs["length"]
     off = (x**2 + y**2) / length**2 - 1
     out = (x * vx + y * vy) / (length * speed(motion.case, motion.expected))
-    current().judge("simulate", motion.case)
-    of, hint = drift(off, out)
-    drifts, share = np.column_stack([off, out]), {1e-7: 0.5, 1e-5: 0.25}
-    expect(drifts, 0.0, within=CONSTRAINT, of=of, unit="of its size", t=motion.t, partial=share, hint=hint)
+    (of, hint), share = drift(off, out), {1e-7: 0.5, 1e-5: 0.25}
+    known = {"of": of, "unit": "of its size", "t": motion.t, "hint": hint}
+    expect(np.column_stack([off, out]), 0.0, within=CONSTRAINT, partial=share, **known)
 
 
 def drift(off, out):
@@ -153,10 +136,8 @@ def drift(off, out):
         return "r . v = 0", "The place is put back onto the circle: is the velocity made tangent?"
     if np.abs(out).max() <= ROUNDED:
         return "x^2 + y^2 = l^2", "The velocity is made tangent: is the place put back onto the circle?"
-    return (
-        "x^2 + y^2 = l^2 or r . v = 0",
-        "Neither place nor velocity is put back: what corrects the errors of the steps?",
-    )
+    hint = "Neither place nor velocity is put back: what corrects the errors of the steps?"
+    return "x^2 + y^2 = l^2 or r . v = 0", hint
 
 
 @check(points=0.25, part="a", after=with_gravity_it_swings_or_goes_round)
@@ -164,19 +145,18 @@ def energy_stays(student, draw):
     """simulate: after 100 s the energy has its first value."""
     hint = "Tighten rtol and atol: does it leave the circle between the samples?"
     share = {1e-3: 0.6, 1e-2: 0.3}
-    stays(student.simulate, right.motion, cases.long(draw), KEPT, MOTION, coarsely=COARSELY, partial=share, hint=hint)
+    stays(student.simulate, right, cases.long(draw), KEPT, coarsely=COARSELY, partial=share, hint=hint)
 
 
 @check(points=0.5, part="a", after=with_gravity_it_swings_or_goes_round)
 def at_the_very_top_it_stays(student, draw):
     """simulate: at rest straight above the hinge it is in equilibrium."""
     hint = "What do the two forces add up to there?"
-    follow(student.simulate, right.motion, cases.at_the_top(draw), MOTION, within=TOP, hint=hint)
+    follow(student.simulate, right, cases.at_the_top(draw), within=TOP, hint=hint)
 
 
 @check(points=0.5, part="a")
 def wireframe_is_the_rod(student, draw):
     """wireframe: one segment, from the hinge to the particle."""
     hint = "Its first end is the hinge, its second the particle."
-    known = {"of": "an end of the rod", "unit": "m", "hint": hint}
-    agree(student.wireframe, right.wireframe, cases.states(draw, "length"), within=FORMULA, **known)
+    agree(student.wireframe, right, cases.states(draw, "length"), within=FORMULA, hint=hint)

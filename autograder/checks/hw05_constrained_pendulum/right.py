@@ -51,7 +51,7 @@ def angles(state, length):
     return math.atan2(x, -y), (x * vy - y * vx) / length**2
 
 
-def motion(t, state, mass, length, gravity):
+def simulate(t, state, mass, length, gravity):
     """(n, 4) states at the times t, by Jacobi's functions; above modulus one it goes round."""
     if not np.any(state[2:]) and state[0] == 0:
         return np.tile(state, (len(t), 1))
