@@ -1,5 +1,6 @@
 """Hidden inputs of hw04: random springs and starts, plain ones, and ellipses of every kind."""
 
+import itertools
 import math
 
 import numpy as np
@@ -19,6 +20,7 @@ PLAIN = {
     "level with the origin": lambda r, v, centre: (r * (1 - Z), v * (1 - Z)),
     "in the plane y = 0": lambda r, v, centre: (r * [1, 0, 1], v * [1, 0, 1]),
 }  # kind: the position and velocity, of random ones and the place of rest
+WEIGHTS = {None: "", 0.0: ", without gravity"}
 PLAIN_VIEWS = {
     "along x": (0.0, 0.0),
     "along y": (math.pi / 2, 0.0),
@@ -55,12 +57,9 @@ def random(draw, gravity=None, kind="a random start"):
 def plain(draw):
     """Positions and velocities with zeros, with gravity and without; whole numbers."""
     found = []
-    for kind, place in PLAIN.items():
-        for gravity, without in ((None, ""), (0.0, ", without gravity")):
-            case = random(draw, gravity)
-            found.append(
-                case.but(*place(case.args[0], case.args[1], centre(**case.kwargs))).on(f"a mass {kind}{without}")
-            )
+    for (kind, place), (gravity, without) in itertools.product(PLAIN.items(), WEIGHTS.items()):
+        case = random(draw, gravity)
+        found.append(case.but(*place(*case.args, centre(**case.kwargs))).on(f"a mass {kind}{without}"))
     whole = given(np.array([1.0, -1.0, 2.0]), np.array([-1.0, 1.0, 1.0]), **WHOLE).on("whole numbers")
     return [*found, whole, whole.but(whole.args[0], np.zeros(3)).on("whole numbers, at rest")]
 
@@ -112,9 +111,8 @@ def alike(draw):
 
 
 def with_gravity(draw):
-    return at_times(draw, 4, 1.7, False, 0, "a random start") + [
-        case for case in at_two_times(draw, False) if case.kwargs["gravity"]
-    ]
+    random = at_times(draw, 4, 1.7, False, 0, "a random start")
+    return random + [case for case in at_two_times(draw, False) if case.kwargs["gravity"]]
 
 
 def from_any_time(draw):
@@ -152,9 +150,7 @@ def ten_periods(draw):
 
 
 def ellipses(draw):
-    return [random(draw, kind="a general ellipse") for _ in range(4)] + [
-        random(draw, 0.0, "a general ellipse") for _ in range(2)
-    ]
+    return [random(draw, gravity, "a general ellipse") for gravity in (None, None, None, None, 0.0, 0.0)]
 
 
 def circles(draw):
@@ -217,10 +213,9 @@ def orbits(draw):
 
 
 def views(draw):
+    kind = "random points and directions"
     random = [
-        given(draw.normal(size=(count, 3)), draw.uniform(-6, 6), draw.uniform(-1.5, 1.5)).on(
-            "random points and directions"
-        )
+        given(draw.normal(size=(count, 3)), draw.uniform(-6, 6), draw.uniform(-1.5, 1.5)).on(kind)
         for count in (1, 5, 30)
     ]
     plain = [

@@ -2,36 +2,12 @@
 
 import numpy as np
 
-from tam570_grader import (
-    Column,
-    Invariant,
-    agree,
-    array,
-    check,
-    curves_seen,
-    drawing,
-    expect,
-    expect_that,
-    follow,
-    group,
-    judge_axes_of_lengths,
-    number,
-    path_drawn,
-    rows,
-    stays,
-)
+from tam570_grader import Column, Invariant, agree, check, expect, expect_that, follow, stays
+from tam570_grader.writing.drawings import curves_seen, judge_axes_of_lengths, path_drawn
+from tam570_grader.writing.returns import array, drawing, group, number, rows
 
 from . import cases, right
 
-RESULTS = {
-    "state_derivative": array(6),
-    "simulate": rows(6),
-    "solution": rows(6),
-    "energy": number,
-    "orbit": group(array(3), array(2, 3)),
-    "project": array("n", 2),
-    "plot_projection": drawing,
-}
 NEEDS = ("numpy", "matplotlib.figure", "matplotlib.backends.backend_agg")
 OFF_LIMITS = {"*": ("tam570.lectures",)}
 MANUAL = {"b": (2, "the wildest motion found, with its plot"), "c": (2, "why nothing wild can happen")}
@@ -39,9 +15,8 @@ MANUAL = {"b": (2, "the wildest motion found, with its plot"), "c": (2, "why not
 POINTWISE = 1e-9  # a few roundings make 1e-14
 TRAJECTORY = 1e-5  # solve_ivp at rtol 1e-9, atol 1e-9 is off by less than 1e-6 after three periods
 ENERGY = 1e-5  # of itself; the same solvers lose less than 1e-6 of it in ten periods
-COARSELY = (
-    0.05  # of the scale: loose tolerances shift the phase in ten periods; a mass that stands is off by 0.7 or more
-)
+# of the scale: loose tolerances shift the phase in ten periods; a mass that stands is off by 0.7 or more
+COARSELY = 0.05
 # Of the square of the larger axis. Axes that are sought along a simulated orbit are off by up to 8e-9 (LSODA at rtol
 # 1e-9, atol 1e-9). A circle's by their sum and difference, sqrt(r^2 + v^2/k^2 +- 2 abs(r x v)/k), are good to half of
 # the digits, where the difference is the root of a rounding: 1.5e-8; of ten roundings it is 5e-8.
@@ -51,6 +26,10 @@ TENSOR = 1e-7
 NOUGHT = 1e-3
 RIGHT_ANGLE = 1e-7  # of the larger axis, along the smaller; eigenvectors are good to rounding over the gap
 DRAWN = 1e-3  # of the picture; chords of the 401 points that it is compared with leave the path by 1e-5
+
+
+def one(*_):
+    return 1.0
 
 
 def length(case, _=None):
@@ -77,28 +56,31 @@ def energy_size(case, _):
 
 
 MOTION = Column("the position", "m", [0, 1, 2], scale=length), Column("the velocity", "m/s", [3, 4, 5], scale=speed)
-KEPT = Invariant(
-    "the energy",
-    "of its start",
-    right.energies,
-    lambda case, expected: right.energies(expected[:1], **case.kwargs)[0],
-    ENERGY,
-)
+KEPT = Invariant("the energy", "of its start", right.energies, right.energy_at_the_start, ENERGY)
+
+
+RESULTS = {
+    "state_derivative": array(6).called("a rate", "of its size", rate_size),
+    "simulate": rows(6, columns=MOTION),
+    "solution": rows(6).called("the motion", "of its size", state_size),
+    "energy": number.called("the energy", "J", energy_size),
+    "orbit": group(array(3).called("the centre", "m", length), array(2, 3)),
+    "project": array("n", 2).called("a point of the picture", "m", one),
+    "plot_projection": drawing,
+}
 
 
 @check(points=1.5, part="a")
 def derivative_is_velocity_and_force_over_mass(student, draw):
     """state_derivative: the velocity, and the acceleration by the spring and the weight."""
     hint = "Which two forces act on the mass, and which way, when it is below the origin?"
-    known = {"of": "a rate", "unit": "of its size", "scale": rate_size, "hint": hint}
-    agree(student.state_derivative, right.state_derivative, cases.states_at_times(draw), within=POINTWISE, **known)
+    agree(student.state_derivative, right, cases.states_at_times(draw), within=POINTWISE, hint=hint)
 
 
 @check(points=1, part="a")
 def energy_is_that_of_motion_spring_and_weight(student, draw):
     """energy: kinetic, of the spring, of the weight; zero at rest at the origin."""
-    known = {"of": "the energy", "unit": "J", "scale": energy_size, "hint": "Three terms: speed, stretch, height."}
-    agree(student.energy, right.energy, cases.states(draw), within=POINTWISE, **known)
+    agree(student.energy, right, cases.states(draw), within=POINTWISE, hint="Three terms: speed, stretch, height.")
 
 
 def in_columns(hint):
@@ -113,46 +95,43 @@ def in_columns(hint):
     return told
 
 
-CLOSED_FORM = {"of": "the motion", "unit": "of its size", "scale": state_size}
-
-
 @check(points=1.5, part="a")
 def solution_is_the_motion(student, draw):
     """solution: position and velocity in closed form, given those at t = 0."""
     hint = in_columns("About which point does it oscillate, and how fast?")
-    agree(student.solution, right.solution, cases.with_gravity(draw), within=POINTWISE, hint=hint, **CLOSED_FORM)
+    agree(student.solution, right, cases.with_gravity(draw), within=POINTWISE, hint=hint)
 
 
 @check(points=0.5, part="a", after=solution_is_the_motion)
 def solution_holds_without_gravity_and_from_any_time(student, draw):
     """solution: without gravity too, and at times of which none is zero."""
     hint = in_columns("Row i is the state at t[i], and the given state belongs to t = 0.")
-    agree(student.solution, right.solution, cases.from_any_time(draw), within=POINTWISE, hint=hint, **CLOSED_FORM)
+    agree(student.solution, right, cases.from_any_time(draw), within=POINTWISE, hint=hint)
 
 
 @check(points=1, part="a")
 def simulate_moves_as_it_must(student, draw):
     """simulate: the state at few and uneven times, the first of which is not 0."""
     hint = "Row i is the state at t[i], and the given state is that at t[0]."
-    follow(student.simulate, right.motion, cases.moving(draw), MOTION, within=TRAJECTORY, hint=hint, keeps=KEPT)
+    follow(student.simulate, right, cases.moving(draw), within=TRAJECTORY, hint=hint, keeps=KEPT)
 
 
 @check(points=0.5, part="a", after=simulate_moves_as_it_must)
 def simulate_does_not_depend_on_the_sampling(student, draw):
     """simulate: only two times, many periods apart, and the same state as by many, whatever was asked before."""
     steps = "Steps between the times must be as short as the motion asks for."
-    follow(student.simulate, right.motion, cases.far_apart(draw), MOTION, within=3 * TRAJECTORY, hint=steps)
+    follow(student.simulate, right, cases.far_apart(draw), within=3 * TRAJECTORY, hint=steps)
     plain, hint = cases.at_two_times(draw, True) + cases.alike(draw), "Row 0 is the given state, the state at t[0]."
-    follow(student.simulate, right.motion, plain, MOTION, within=TRAJECTORY, hint=hint)
+    follow(student.simulate, right, plain, within=TRAJECTORY, hint=hint)
     hint = "A step of fixed length does not do for every spring."
-    follow(student.simulate, right.motion, cases.stiff(draw), MOTION, within=TRAJECTORY, hint=hint)
+    follow(student.simulate, right, cases.stiff(draw), within=TRAJECTORY, hint=hint)
 
 
 @check(points=0.5, part="a", after=simulate_moves_as_it_must)
 def energy_stays(student, draw):
     """simulate: after ten periods the energy has its first value."""
     share = {1e-3: 0.6, 1e-2: 0.3}
-    stays(student.simulate, right.motion, cases.ten_periods(draw), KEPT, MOTION, coarsely=COARSELY, partial=share)
+    stays(student.simulate, right, cases.ten_periods(draw), KEPT, coarsely=COARSELY, partial=share)
 
 
 # The ellipse
@@ -166,56 +145,44 @@ def where_it_rests(case, found, expected):
 @check(points=0.5, part="c")
 def orbit_has_its_centre_at_the_equilibrium(student, draw):
     """orbit: the centre is where the mass can rest."""
-    known = {"of": "the centre", "unit": "m", "scale": length, "hint": where_it_rests}
-    agree(student.orbit, ellipse, cases.orbits(draw), within=POINTWISE, only=0, **known)
+    agree(student.orbit, right, cases.orbits(draw), within=POINTWISE, only=0, hint=where_it_rests)
 
 
-def ellipse(position, velocity, **known):
-    """Centre and tensor, which is that of any right axes."""
-    return right.centre(**known), right.tensor(position, velocity, **known)
-
-
-def judge_axes(case, a, b):
+def judge_axes(student, calls):
     """Semi-axes a, b are perpendicular, a the larger, and a a^T + b b^T is Fradkin's tensor."""
-    whole, found = right.tensor(*case.args, **case.kwargs), np.outer(a, a) + np.outer(b, b)
-    square = np.trace(whole) + (NOUGHT * length(case)) ** 2
-    twice = np.allclose(found, 4 * whole, rtol=0, atol=4 * TENSOR * square)
-    hint = "Do r and v/sqrt(k/m) lie on your ellipse, as seen from its centre?"
-    hint = "It is twice as large: these are its axes, not semi-axes." if twice else hint
-    unit = "of the square of its size"
-    expect(found, whole, within=TENSOR, scale=square, of="the ellipse", unit=unit, hint=hint)
-    hint = "Two radii that give the ellipse need not be its axes."
-    expect(a @ b, 0.0, within=RIGHT_ANGLE, scale=square, of="the product of the axes", unit=unit, hint=hint)
-    expect_that(a @ a >= b @ b - RIGHT_ANGLE * square, "the larger axis is not the first")
+    for case, (_, (a, b)) in student.orbit.each(calls):
+        (_, whole), found = right.orbit(*case.args, **case.kwargs), np.outer(a, a) + np.outer(b, b)
+        square = np.trace(whole) + (NOUGHT * length(case)) ** 2
+        known = {"scale": square, "unit": "of the square of its size"}
+        twice = np.allclose(found, 4 * whole, rtol=0, atol=4 * TENSOR * square)
+        hint = "Do r and v/sqrt(k/m) lie on your ellipse, as seen from its centre?"
+        hint = "It is twice as large: these are its axes, not semi-axes." if twice else hint
+        expect(found, whole, within=TENSOR, of="the ellipse", hint=hint, **known)
+        hint = "Two radii that give the ellipse need not be its axes."
+        expect(a @ b, 0.0, within=RIGHT_ANGLE, of="the product of the axes", hint=hint, **known)
+        expect_that(a @ a >= b @ b - RIGHT_ANGLE * square, "the larger axis is not the first")
 
 
 @check(points=1, part="c")
 def orbit_is_the_ellipse_of_the_motion(student, draw):
     """orbit: the semi-axes, perpendicular, the larger first."""
-    for case, (_, axes) in student.orbit.each(cases.orbits(draw)):
-        judge_axes(case, *axes)
+    judge_axes(student, cases.orbits(draw))
 
 
 @check(points=0.5, part="c", after=orbit_is_the_ellipse_of_the_motion)
 def orbit_may_be_a_line_or_a_point(student, draw):
     """orbit: an ellipse with one axis or both zero."""
-    for case, (_, axes) in student.orbit.each(cases.flat(draw)):
-        judge_axes(case, *axes)
+    judge_axes(student, cases.flat(draw))
 
 
 # The picture
 
 
-def one(*_):
-    return 1.0
-
-
 @check(points=1, part="a")
 def projection_is_orthographic(student, draw):
     """project: what an eye far away sees, right and up."""
-    known = {"of": "a point of the picture", "unit": "m", "scale": one}
     hint = "Try one axis at a time: where does (0, 0, 1) go?"
-    agree(student.project, right.project, cases.views(draw), within=POINTWISE, hint=hint, **known)
+    agree(student.project, right, cases.views(draw), within=POINTWISE, hint=hint)
 
 
 @check(points=0.5, part="a", after=projection_is_orthographic)
@@ -223,10 +190,9 @@ def the_path_is_drawn(student, draw):
     """plot_projection draws the projected path from t[0] to t[-1], with labels and equal scales."""
     case = cases.drawn(draw)
     t, r, v, *view = case.args
-    places = right.motion(t, r, v, **case.kwargs)[:, :3]
+    places = right.simulate(t, r, v, **case.kwargs)[:, :3]
     picture = student.plot_projection.drawn(case)
     (line,) = curves_seen(picture, 1)
     others = {"These are x and y, not right and up.": places[:, :2]}
-    path = right.project(places, *view)
-    path_drawn(line, path, within=DRAWN, of="the curve", others=others)
+    path_drawn(line, right.project(places, *view), within=DRAWN, of="the curve", others=others)
     judge_axes_of_lengths(picture, "right horizontal", "up vertical")

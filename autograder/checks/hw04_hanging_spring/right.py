@@ -36,7 +36,7 @@ def solution(t, position, velocity, **known):
     return np.array([expm(generator(**known) * time) @ start for time in t])[:, :6]
 
 
-def motion(t, position, velocity, **known):
+def simulate(t, position, velocity, **known):
     """(n, 6) states, position and velocity being those at t[0]."""
     return solution(t - t[0], position, velocity, **known)
 
@@ -51,10 +51,14 @@ def energies(states, mass, stiffness, gravity):
     return (stiffness * np.sum(places**2, axis=1) + mass * np.sum(states[:, 3:] ** 2, axis=1)) / 2
 
 
-def tensor(position, velocity, **known):
-    """Fradkin's, over stiffness/2: constant; the ellipse's squared axes are its eigenvalues."""
+def energy_at_the_start(case, rows):
+    return energies(rows[:1], **case.kwargs)[0]
+
+
+def orbit(position, velocity, **known):
+    """The centre, and Fradkin's tensor over stiffness/2: its eigenvalues are the squares of the axes, which give it."""
     place = position - centre(**known)
-    return np.outer(place, place) + np.outer(velocity, velocity) / rate_of(**known) ** 2
+    return centre(**known), np.outer(place, place) + np.outer(velocity, velocity) / rate_of(**known) ** 2
 
 
 def project(points, azimuth, elevation):
