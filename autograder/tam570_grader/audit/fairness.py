@@ -76,7 +76,7 @@ def _graded(group: Class) -> list[Line]:
 
 def _digest(course: Path, slug: str, text: str) -> str:
     """Of all that the outcome depends on: the submission, the checks, the grader, the utilities."""
-    parts = (text.encode(), assignments.assignment(course, slug).digest, assignments.engine_digest())
+    parts = (text.encode(), assignments.checks_digest(course, slug), assignments.engine_digest())
     return hashlib.sha256(b"\0".join(parts)).hexdigest()
 
 

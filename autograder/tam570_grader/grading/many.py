@@ -29,7 +29,6 @@ from tam570_grader.sandbox.preload import imported
 from tam570_grader.sandbox.student import Source
 from tam570_grader.sandbox.worker import Allowance
 from tam570_grader.writing import assignments
-from tam570_grader.writing.assignments import Assignment
 
 __all__ = ["Known", "Plan", "digests", "lines", "outcomes", "records"]
 
@@ -100,8 +99,11 @@ def outcomes(plan: Plan, book: Book | None = None, old: Sequence[Results] = ()) 
         users.update(imported(text))
         held += len(text)
         fresh.append((submission, task if held < HELD else None))
+    preload = [
+        name for name, count in users.items() if count >= 2 * plan.jobs
+    ]  # by two submissions a worker: it repays
     tasks = (task or _task(plan, engine, submission) for submission, task in fresh)
-    for line in lines(plan, tasks, len(fresh), _preload(plan, {one.slug for one, _ in fresh}, users)):
+    for line in lines(plan, tasks, len(fresh), preload):
         record = json.loads(line)
         if book is not None:
             book.add(record, line)
@@ -158,16 +160,6 @@ def _task(plan: Plan, engine: bytes, submission: Submission) -> Task:
     return Task(plan.course, submission.student, submission.slug, seed, source, digest, submission.path is None)
 
 
-def _preload(plan: Plan, slugs: Iterable[str], users: Counter[str]) -> list[str]:
-    """What the assignments need, and the common libraries that repay it: imported by two submissions a worker."""
-    needs = {name for slug in slugs for name in assignments.assignment(plan.course, slug).needs}
-    return sorted(needs | {name for name, count in users.items() if count >= 2 * plan.jobs})
-
-
-def _assignment(plan: Plan, submission: Submission) -> Assignment:
-    return assignments.assignment(plan.course, submission.slug)
-
-
 def _source(submission: Submission) -> Source | CannotRead:
     if submission.path is None:
         return CannotRead(submission.note)
@@ -186,7 +178,7 @@ def _digest(engine: bytes, plan: Plan, submission: Submission, source: Source | 
         submission.student.encode(),
         submission.slug.encode(),
         text,
-        _assignment(plan, submission).digest,
+        assignments.checks_digest(plan.course, submission.slug),
         str(plan.seed_of(submission)).encode(),
         engine,
     )

@@ -6,7 +6,7 @@ import itertools
 import os
 import re
 import stat
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -232,16 +232,15 @@ def _of_files(held: Sequence[Path], student: str, slug: str, tree: Path) -> Subm
     files = [entry for entry in held if entry.suffix in WORK]
     if f"{slug}.ipynb" in {entry.name for entry in files}:
         files = [entry for entry in files if entry.name != f"{slug}.py" or not _untouched(entry, tree)]
-    alike = [entry for entry in files if slug_of(entry.stem, [slug])]
-    choices = (
-        [entry for entry in files if entry.name == f"{slug}.py"],
-        [entry for entry in files if entry.name == f"{slug}.ipynb"],
-        [entry for entry in alike if entry.suffix == ".py"],
-        [entry for entry in alike if entry.suffix == ".ipynb"],
-        [entry for entry in files if entry.suffix == ".ipynb"],
-        [entry for entry in files if entry.suffix == ".py" and not GIVEN.fullmatch(entry.stem)],
+    fits: tuple[Callable[[Path], bool], ...] = (
+        lambda entry: entry.name == f"{slug}.py",
+        lambda entry: entry.name == f"{slug}.ipynb",
+        lambda entry: entry.suffix == ".py" and bool(slug_of(entry.stem, [slug])),
+        lambda entry: entry.suffix == ".ipynb" and bool(slug_of(entry.stem, [slug])),
+        lambda entry: entry.suffix == ".ipynb",
+        lambda entry: entry.suffix == ".py" and not GIVEN.fullmatch(entry.stem),
     )
-    chosen = next(filter(None, choices), [])
+    chosen = next(filter(None, ([*filter(one, files)] for one in fits)), [])
     if len(chosen) == 1:
         return Submission(_name(student), slug, chosen[0], tree)
     seen = [printable(entry.name[:80]) for entry in held]

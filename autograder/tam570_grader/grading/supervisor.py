@@ -25,7 +25,7 @@ class Conditions:
 
     allowance: Allowance
     hidden: tuple[Path, ...] = ()
-    preload: tuple[str, ...] = ()
+    preload: tuple[str, ...] = ()  # besides what the assignment needs
     speed: bool = False
     shared: Path | None = None  # a folder for answers that are dear, of all supervisors of this machine
 
@@ -66,9 +66,10 @@ def result(task: Task) -> Result:
         return not_graded(task.student, assignment, status, str(task.source), task.seed)
     asked = task.conditions
     hidden = [*dict.fromkeys([task.course, *asked.hidden])]
+    preload = sorted({*assignment.needs, *asked.preload})
     try:
         with answers.sharing(asked.shared):
-            return tried(functools.partial(_graded, task), asked.preload, asked.allowance, hidden)
+            return tried(functools.partial(_graded, task), preload, asked.allowance, hidden)
     except NotConfined as why:
         raise UsageError(NO_JAIL.format(why=why)) from None
     except UsageError:

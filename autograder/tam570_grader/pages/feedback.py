@@ -18,7 +18,7 @@ from tam570_grader.results.by_hand import Settled
 from tam570_grader.results.journal import Key, Record, Results
 from tam570_grader.results.records import Mark, Result, read
 from tam570_grader.results.tables import written
-from tam570_grader.writing.assignments import engine_digest
+from tam570_grader.writing.assignments import checks_digest, engine_digest
 
 __all__ = ["Sheet", "must_write_pages", "page", "pictures", "row", "sheet", "table", "template", "write_pages"]
 
@@ -167,22 +167,21 @@ def write_pages(folder: Path, results: Results, course: Path, told: Progress = l
 
     A file beside the folder says what each was made from: pages are for students, and it is not.
     """
-    sheets = {slug: sheet(course, slug) for slug in sorted({slug for _, slug in results})}
     version = _version()
-    marks = {slug: zlib.crc32(repr(one).encode(), version) for slug, one in sheets.items()}
+    marks = {slug: _mark_of_sheet(course, slug, version) for slug in {slug for _, slug in results.lines}}
     hand = by_hand.read(folder.parent)
-    settled = {key: hand.settled(key, *line.graded[-2:]) for key, line in results.lines.items()}
-    made = {
-        key: f"{line.mark} {zlib.crc32(repr(settled[key]).encode(), marks[key[1]])}"
-        for key, line in results.lines.items()
-    }
+    settled = {key: hand.settled(key, *results.lines[key].graded[-2:]) for key in results.lines if hand.touches(key)}
+    made = {key: f"{line.mark} {marks[key[1]]}" for key, line in results.lines.items()}
+    for key, one in settled.items():
+        made[key] += f" {zlib.crc32(repr(one).encode())}"
     notes = folder.with_name(f".{folder.name}-made.json")
     known = _known(notes)
     stale = [key for key in results if known.get("/".join(key)) != made[key] or not os.path.exists(_path(folder, key))]
     if stale:
         notes.unlink(missing_ok=True)  # what it says is no longer so
+    sheets = {slug: sheet(course, slug) for slug in {slug for _, slug in stale}}
     for key in told(stale, len(stale)):
-        path, text = Path(_path(folder, key)), page(read(results[key]), sheets[key[1]], settled[key])
+        path, text = Path(_path(folder, key)), page(read(results[key]), sheets[key[1]], settled.get(key))
         if not path.exists() or path.read_text(encoding="utf-8") != text:
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text, encoding="utf-8")  # no fsync: it is made again from the results
@@ -201,6 +200,12 @@ def _known(notes: Path) -> dict[str, str]:
     except (OSError, ValueError):
         return {}
     return known if isinstance(known, dict) else {}
+
+
+def _mark_of_sheet(course: Path, slug: str, version: int) -> int:
+    """Of all that a sheet is made of, which is not loaded for that."""
+    title = _title(course / "assignments" / slug, slug)
+    return zlib.crc32(title.encode() + checks_digest(course, slug), version)
 
 
 def _version() -> int:

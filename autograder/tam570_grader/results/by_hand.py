@@ -81,6 +81,10 @@ class Hand:
         newest = {**self.entries, **{one.key: one for one in entries}}
         return Hand(one for one in newest.values() if one.points is not None or one.of is not None)
 
+    def touches(self, key: Key) -> bool:
+        """Whether anything was added to a result."""
+        return key in self._of or (EVERYONE, key[1]) in self._of
+
     def settled(self, key: Key, score: float | None, most: float) -> Settled:
         """What a score of `most` becomes."""
         mine = {**self._of.get((EVERYONE, key[1]), {}), **self._of.get(key, {})}
@@ -103,12 +107,16 @@ class Hand:
 
     def applied(self, result: Result) -> Result:
         """A result with its score settled."""
+        if not self.touches((result.student, result.assignment)):
+            return result
         found = self.settled((result.student, result.assignment), result.score, result.max_score)
         return replace(result, score=found.score, max_score=found.most)
 
     def row(self, graded: tuple[Any, ...]) -> tuple[Any, ...]:
         """A row of the table of grades with its score settled."""
         student, slug, status, score, most = graded
+        if not self.touches((student, slug)):
+            return graded
         found = self.settled((student, slug), score, most)
         return student, slug, status, found.score, found.most
 

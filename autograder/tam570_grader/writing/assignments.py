@@ -22,6 +22,7 @@ from tam570_grader.writing.returns import Promise
 __all__ = [
     "Assignment",
     "assignment",
+    "checks_digest",
     "checks_folder",
     "engine_digest",
     "find",
@@ -42,7 +43,6 @@ class Assignment:
     needs: Sequence[str]
     off_limits: Mapping[str, Sequence[str]]
     source: bytes  # of the checks
-    digest: bytes  # of all that their folder holds
     manual: Mapping[str, tuple[float, str]]  # part: points given by hand, and for what
     root: Path = Path()
 
@@ -110,12 +110,18 @@ def assignment(root: Path, slug: str) -> Assignment:
     checks = tuple(value for value in vars(module).values() if isinstance(value, Check))
     off_limits: dict[str, Sequence[str]] = getattr(module, "OFF_LIMITS", {})
     manual: dict[str, tuple[float, str]] = getattr(module, "MANUAL", {})
-    return Assignment(slug, checks, module.RESULTS, module.NEEDS, off_limits, source, _digest(folder), manual, root)
+    return Assignment(slug, checks, module.RESULTS, module.NEEDS, off_limits, source, manual, root)
 
 
 def solution(slug: str, root: Path | None = None) -> Any:
     """The reference solution as a module of its own."""
     return _loaded((root or find()) / "solutions" / f"{slug}.py", f"_solution_{slug}")
+
+
+@functools.cache
+def checks_digest(root: Path, slug: str) -> bytes:
+    """Of all that is hidden about one assignment; nothing of it is loaded."""
+    return _digest(checks_folder(root, slug))
 
 
 @functools.cache
