@@ -59,6 +59,10 @@ def at_rest(draw):
     return named([given(th, 0.0, **parameters(draw, pull)) for th in angles for pull in (None, 0.0)])
 
 
+def all_states(draw):
+    return states(draw) + at_rest(draw)
+
+
 def symbols(calls, *names):
     """The same values for symbols of these names."""
     known = [dict(zip(NAMES, (*call.args, *call.kwargs.values()), strict=True)) for call in calls]
@@ -178,14 +182,11 @@ def varied_paths(draw, amount):
     cases = []
     s = np.linspace(0, 1, 2001)
     changes = [np.sin(np.pi * s), np.sin(2 * np.pi * s) * np.exp(-s), s * (1 - s) * (2 + np.cos(5 * s))]
-    for start, kind in (
-        (swing, "a true motion, swinging"),
-        (turning, "a true motion, turning"),
-        (swing, "another path"),
-    ):
+    starts = (swing, "a true motion, swinging"), (turning, "a true motion, turning"), (swing, "another path")
+    for start, kind in starts:
         state, known, k = start(draw)
         t = s * 2 * np.pi * draw.uniform(1.2, 1.5) / k
-        path = right.motion(t, *state, **known)[:, 0]
+        path = right.simulate(t, *state, **known)[:, 0]
         if kind == "another path":
             path = wave(s, state[0], state[0] + draw.uniform(1, 2), draw.uniform(0.3, 0.6))
         call = given(path, t[1], mass=10 ** draw.uniform(-1, 1), **known).on(kind)
@@ -229,7 +230,9 @@ SMALLER, LARGER = (0.1, 0.2, 0.3, 0.45, 0.5), (2.0, 2.2, 2.4, 2.6, 2.8, 3.04)
 def periods(draw, amplitudes, kind):
     rods = [{"length": 10 ** draw.uniform(-1, 1), "gravity": draw.uniform(1, 25)} for _ in amplitudes]
     rods[-1] = {"length": 1.0, "gravity": 1.0}
-    return [given(amplitude, **known).on(kind) for amplitude, known in zip(amplitudes, rods, strict=True)]
+    return [
+        given(amplitude, **known).on(f"an amplitude {kind}") for amplitude, known in zip(amplitudes, rods, strict=True)
+    ]
 
 
 def one_in_each(draw, edges):

@@ -4,37 +4,11 @@ import math
 
 import numpy as np
 
-from tam570_grader import (
-    Column,
-    Invariant,
-    agree,
-    array,
-    check,
-    expect,
-    follow,
-    formula,
-    from_own_lagrangian,
-    group,
-    number,
-    rows,
-    stays,
-)
+from tam570_grader import Column, Invariant, agree, agree_by_columns, check, expect, follow, from_own_lagrangian, stays
+from tam570_grader.writing.returns import formula, group, number, rows
 
 from . import cases, right
 
-RESULTS = {
-    "linear_momentum_balance": group(number, number),
-    "angular_momentum_balance": group(number, number, number),
-    "energy_balance": group(number, number, number),
-    "power_balance": group(number, number),
-    "virtual_work": group(number, number),
-    "lagrangian": formula("theta", "omega", "m", "l", "g"),
-    "lagrange_equation": formula("theta", "l", "g"),
-    "action": array(),
-    "small_angle_solution": rows(2),
-    "period": number,
-    "simulate": rows(2),
-}
 NEEDS = ("numpy", "sympy")
 OFF_LIMITS = {"*": ("tam570.lagrange", "tam570.lectures")}
 
@@ -66,61 +40,104 @@ def power_of_rate(n, mass, length):
 
 RATE2, FORCE = power_of_rate(2, 0, 0), power_of_rate(2, 1, 1)
 MOMENTUM, MOMENT, POWER = power_of_rate(1, 1, 2), power_of_rate(2, 1, 2), power_of_rate(3, 1, 2)
-ALPHA = ("alpha", "rad/s^2", RATE2)
-BALANCES = {
-    "linear_momentum_balance": (ALPHA, ("the tension", "N", FORCE)),
-    "angular_momentum_balance": (ALPHA, ("the angular momentum", "kg m^2/s", MOMENTUM), ("the moment", "N m", MOMENT)),
-    "energy_balance": (ALPHA, ("the kinetic energy", "J", MOMENT), ("the potential energy", "J", MOMENT)),
-    "power_balance": (ALPHA, ("the power", "W", POWER)),
-    "virtual_work": (ALPHA, ("the generalized force", "N m", MOMENT)),
-}  # function: the quantities of its result, their units and scales
 
 
-def judge(function, calls, only, hint):
-    """Compare some of the quantities that a balance gives with the right ones."""
-    of, unit, scale = zip(*BALANCES[function.name], strict=True)
-    known = {"of": of, "unit": unit, "scale": scale, "hint": hint}
-    agree(function, getattr(right, function.name), calls, within=FORMULA, only=only, **known)
+def action_of_weight(case):
+    """m g l times the duration."""
+    path, step = case.args
+    return math.prod(case.kwargs.values()) * step * (len(path) - 1)
+
+
+def size_of_action(case, _):
+    """The integral of T + V, whose sign of V is that of an inverted gravity."""
+    return abs(right.action(*case.args, **{**case.kwargs, "gravity": -case.kwargs["gravity"]}))
+
+
+def of_small_motions(case, _):
+    return math.sqrt(case.kwargs["gravity"] / case.kwargs["length"]) or 1.0
+
+
+def fastest(case, _):
+    """The angular velocity at the start, or that of small motions."""
+    return max(abs(case.args[2]), math.sqrt(case.kwargs["gravity"] / case.kwargs["length"]))
+
+
+THETA = Column("theta", "rad", [0], turns=True, scale=lambda *_: 1.0)
+SMALL_MOTION = THETA, Column("omega", "rad/s", [1], scale=of_small_motions)
+MOTION = THETA, Column("omega", "rad/s", [1], scale=fastest)
+KEPT = Invariant("the energy", "of itself", right.energy_of_rows, right.energy_at_the_start, ENERGY)
+ALPHA = number.called("alpha", "rad/s^2", RATE2)
+RESULTS = {
+    "linear_momentum_balance": group(ALPHA, number.called("the tension", "N", FORCE)),
+    "angular_momentum_balance": group(
+        ALPHA, number.called("the angular momentum", "kg m^2/s", MOMENTUM), number.called("the moment", "N m", MOMENT)
+    ),
+    "energy_balance": group(
+        ALPHA, number.called("the kinetic energy", "J", MOMENT), number.called("the potential energy", "J", MOMENT)
+    ),
+    "power_balance": group(ALPHA, number.called("the power", "W", POWER)),
+    "virtual_work": group(ALPHA, number.called("the generalized force", "N m", MOMENT)),
+    "lagrangian": formula("theta", "omega", "m", "l", "g").called("the Lagrangian", "J", MOMENT),
+    "lagrange_equation": formula("theta", "l", "g").called("alpha", "rad/s^2", RATE2),
+    "action": number.called("the action", "J s", size_of_action),
+    "small_angle_solution": rows(2, columns=SMALL_MOTION),
+    "period": number.called("the period", "s"),
+    "simulate": rows(2, columns=MOTION),
+}
 
 
 @check(points=0.5, part="a")
 def newton_gives_the_acceleration(student, draw):
     """linear_momentum_balance: alpha, by F = m a along the circle."""
     hint = "Draw the forces, and the component of each along the circle."
-    judge(student.linear_momentum_balance, cases.states(draw) + cases.at_rest(draw), 0, hint)
+    agree(student.linear_momentum_balance, right, cases.all_states(draw), within=FORMULA, only=0, hint=hint)
 
 
 @check(points=0.5, part="a")
 def newton_gives_the_tension(student, draw):
     """linear_momentum_balance: the tension, by F = m a along the rod."""
     hint = "Which way along the rod does the acceleration point when omega is not zero?"
-    judge(student.linear_momentum_balance, cases.states(draw) + cases.at_rest(draw), 1, hint)
+    agree(student.linear_momentum_balance, right, cases.all_states(draw), within=FORMULA, only=1, hint=hint)
 
 
 @check(points=0.5, part="a")
 def moments_give_the_acceleration(student, draw):
     """angular_momentum_balance: alpha, by M = dH/dt about the hinge."""
     hint = "Which way does the weight turn a pendulum that is out to the right?"
-    judge(student.angular_momentum_balance, cases.states(draw) + cases.at_rest(draw), 0, hint)
+    agree(student.angular_momentum_balance, right, cases.all_states(draw), within=FORMULA, only=0, hint=hint)
 
 
 @check(points=0.5, part="a")
 def momentum_and_moment_are_about_the_hinge(student, draw):
     """angular_momentum_balance: r x m v and the moment of the weight, about the hinge."""
     hint = "How far from the hinge do momentum and weight act?"
-    judge(student.angular_momentum_balance, cases.states(draw) + cases.at_rest(draw), (1, 2), hint)
+    agree(student.angular_momentum_balance, right, cases.all_states(draw), within=FORMULA, only=(1, 2), hint=hint)
 
 
 @check(points=0.5, part="a")
 def energies_are_right(student, draw):
     """energy_balance: kinetic energy, and potential energy that is zero at the lowest point."""
-    judge(student.energy_balance, cases.states(draw), (1, 2), "How high is the mass above its lowest point?")
+    agree(
+        student.energy_balance,
+        right,
+        cases.states(draw),
+        within=FORMULA,
+        only=(1, 2),
+        hint="How high is the mass above its lowest point?",
+    )
 
 
 @check(points=0.25, part="a")
 def energy_gives_the_acceleration(student, draw):
     """energy_balance: alpha, from the constancy of the energy."""
-    judge(student.energy_balance, cases.states(draw), 0, "The terms of dE/dt have a factor in common.")
+    agree(
+        student.energy_balance,
+        right,
+        cases.states(draw),
+        within=FORMULA,
+        only=0,
+        hint="The terms of dE/dt have a factor in common.",
+    )
 
 
 CANCELLED = "Cancel the factor omega; do not divide by it."
@@ -129,35 +146,40 @@ CANCELLED = "Cancel the factor omega; do not divide by it."
 @check(points=0.25, part="a", after=energy_gives_the_acceleration)
 def energy_gives_the_acceleration_at_rest(student, draw):
     """energy_balance: alpha where omega is zero, too."""
-    judge(student.energy_balance, cases.at_rest(draw), (0, 1), CANCELLED)
+    agree(student.energy_balance, right, cases.at_rest(draw), within=FORMULA, only=(0, 1), hint=CANCELLED)
 
 
 @check(points=0.25, part="a")
 def power_gives_the_acceleration(student, draw):
     """power_balance: the power of gravity, and alpha from it."""
-    judge(student.power_balance, cases.states(draw), None, "Power is F . v: when does gravity speed the mass up?")
+    agree(
+        student.power_balance,
+        right,
+        cases.states(draw),
+        within=FORMULA,
+        hint="Power is F . v: when does gravity speed the mass up?",
+    )
 
 
 @check(points=0.25, part="a", after=power_gives_the_acceleration)
 def power_gives_the_acceleration_at_rest(student, draw):
     """power_balance: alpha where omega is zero, too."""
-    judge(student.power_balance, cases.at_rest(draw), None, CANCELLED)
+    agree(student.power_balance, right, cases.at_rest(draw), within=FORMULA, hint=CANCELLED)
 
 
 @check(points=0.5, part="a")
 def virtual_work_gives_the_acceleration(student, draw):
     """virtual_work: the generalized force of gravity, and alpha from it."""
-    calls = cases.states(draw) + cases.at_rest(draw)
-    judge(student.virtual_work, calls, None, "dr is l dtheta, across the rod.")
+    hint = "dr is l dtheta, across the rod."
+    agree(student.virtual_work, right, cases.all_states(draw), within=FORMULA, hint=hint)
 
 
 @check(points=0.75, part="a")
 def lagrangian_is_kinetic_less_potential(student, draw):
     """lagrangian: T - V in theta, omega, m, l, g, with V zero at the lowest point."""
-    calls = cases.symbols(cases.states(draw) + cases.at_rest(draw), *cases.NAMES)
+    calls = cases.symbols(cases.all_states(draw), *cases.NAMES)
     hint = "Put numbers in: at rest at the lowest point it is zero, at rest elsewhere negative."
-    known = {"of": "the Lagrangian", "unit": "J", "scale": MOMENT, "hint": hint}
-    agree(student.lagrangian, right.lagrangian, calls, within=FORMULA, **known)
+    agree(student.lagrangian, right, calls, within=FORMULA, hint=hint)
 
 
 @check(points=0.75, part="a")
@@ -171,8 +193,7 @@ def lagrange_gives_the_acceleration(student, draw):
         return own or "It is the alpha of the other balances."
 
     calls = cases.symbols(states + cases.at_rest(draw), "theta", "l", "g")
-    known = {"of": "alpha", "unit": "rad/s^2", "scale": RATE2, "hint": hint}
-    agree(equation, right.lagrange_equation, calls, within=FORMULA, **known)
+    agree(equation, right, calls, within=FORMULA, hint=hint)
 
 
 @check(points=0.5, part="a")
@@ -187,52 +208,29 @@ def action_is_stationary_on_motions(student, draw):
         expect((high - low) / (2 * SMALL), expected, within=VARIATION * action_of_weight(case), **known)
 
 
-def action_of_weight(case):
-    """m g l times the duration."""
-    path, step = case.args
-    return math.prod(case.kwargs.values()) * step * (len(path) - 1)
-
-
-def size_of_action(case, _):
-    """The integral of T + V, whose sign of V is that of an inverted gravity."""
-    return abs(right.action(*case.args, **{**case.kwargs, "gravity": -case.kwargs["gravity"]}))
-
-
 @check(points=0.5, part="a", after=action_is_stationary_on_motions)
 def action_is_the_integral(student, draw):
     """action: the integral of T - V itself, to second order in the step."""
     hint = "Halve the step: the error must fall to a quarter."
-    known = {"of": "the action", "unit": "J s", "scale": size_of_action, "hint": hint}
-    agree(student.action, right.action, cases.paths(draw), within=ACTION, **known)
+    agree(student.action, right, cases.paths(draw), within=ACTION, hint=hint)
 
 
-def judge_small_angles(function, calls, hint):
-    for case, found in function.each(calls):
-        k = math.sqrt(case.kwargs["gravity"] / case.kwargs["length"]) or 1.0
-        expected, t = right.small_angle_solution(*case.args, **case.kwargs), case.args[0]
-        look = "Is anything kept between calls?" if "one before" in case.kind else hint
-        for column, of, unit, scale in ((0, "theta", "rad", 1.0), (1, "omega", "rad/s", k)):
-            known = {"within": TRAJECTORY * scale, "of": of, "unit": unit, "t": t, "hint": look}
-            expect(found[:, column], expected[:, column], **known)
+def of_small_angles(otherwise):
+    return lambda case, *_: "Is anything kept between calls?" if "one before" in case.kind else otherwise
 
 
 @check(points=0.5, part="a")
 def small_angle_solution_is_harmonic(student, draw):
     """small_angle_solution: theta and omega of theta'' + (g/l) theta = 0, from the given state at t = 0."""
-    hint = "Put t = 0 in: is the state the given one? Differentiate theta: is it omega?"
-    judge_small_angles(student.small_angle_solution, cases.small_angles(draw), hint)
+    hint = of_small_angles("Put t = 0 in: is the state the given one? Differentiate theta: is it omega?")
+    agree_by_columns(student.small_angle_solution, right, cases.small_angles(draw), within=TRAJECTORY, hint=hint)
 
 
 @check(points=0.25, part="a", after=small_angle_solution_is_harmonic)
 def small_angle_solution_without_gravity(student, draw):
     """small_angle_solution: without gravity the pendulum turns uniformly."""
-    hint = "What becomes of sin(k t)/k as k goes to zero?"
-    judge_small_angles(student.small_angle_solution, cases.small_angles_without_gravity(draw), hint)
-
-
-def judge_periods(function, draw, amplitudes, within, kind, hint):
-    calls = cases.periods(draw, amplitudes, f"an amplitude {kind}")
-    agree(function, right.period, calls, within=within, of="the period", unit="s", hint=hint)
+    calls, hint = cases.small_angles_without_gravity(draw), "What becomes of sin(k t)/k as k goes to zero?"
+    agree_by_columns(student.small_angle_solution, right, calls, within=TRAJECTORY, hint=hint)
 
 
 @check(points=0.75, part="a")
@@ -240,52 +238,29 @@ def period_is_exact(student, draw):
     """period: exact at large amplitudes."""
     amplitudes = [*draw.uniform(0.5, 2, 8), math.pi / 2, math.pi / 2, 1.0]
     hint = "The energy gives omega at every theta, and dt = dtheta/omega."
-    judge_periods(student.period, draw, amplitudes, PERIOD, "between 0.5 and 2 rad", hint)
+    agree(student.period, right, cases.periods(draw, amplitudes, "between 0.5 and 2 rad"), within=PERIOD, hint=hint)
 
 
 COSINES = "Do you subtract nearly equal cosines? cos a - cos b is a product of sines."
 LONGER = "A series in the amplitude, or a quadrature of fixed order, does not reach this far."
 TOO_SMALL = "No amplitude is small enough for the period of small angles."
+EQUAL = "Do you subtract nearly equal numbers?"
 
 
 @check(points=0.25, part="a", after=period_is_exact)
 def period_grows_towards_the_top(student, draw):
     """period: exact for small and tiny amplitudes, and on to pi, where it grows without bound."""
     # below .0099 the period of small angles, 1 - A^2/16 of the right one, is still off by 3e-6
-    smallest = draw.uniform(0.007, 0.0099, 1)
     for amplitudes, within, kind, hint in (
-        (smallest, PERIOD, "between 0.007 and 0.01 rad", TOO_SMALL),
+        (draw.uniform(0.007, 0.0099, 1), PERIOD, "between 0.007 and 0.01 rad", TOO_SMALL),
         (10 ** draw.uniform(-2, -1, 2), PERIOD, "between 0.01 and 0.1 rad", COSINES),
         (np.pi - 10 ** draw.uniform(-3, -1, 4), NEXT_TO_TOP, "next to pi", LONGER),
         (cases.one_in_each(draw, cases.SMALLER), PERIOD, "between 0.1 and 0.5 rad", LONGER),
         (cases.one_in_each(draw, cases.LARGER), PERIOD, "between 2 and 3 rad", LONGER),
         (10 ** draw.uniform(-5, -4, 3), AT_THE_ENDS, "of less than 1e-4 rad", COSINES),
-        (
-            np.pi - 10 ** draw.uniform(-5, -4, 2),
-            AT_THE_ENDS,
-            "very close to pi",
-            "Do you subtract nearly equal numbers?",
-        ),
+        (np.pi - 10 ** draw.uniform(-5, -4, 2), AT_THE_ENDS, "very close to pi", EQUAL),
     ):
-        judge_periods(student.period, draw, amplitudes, within, kind, hint)
-
-
-def fastest(case, _):
-    """The angular velocity at the start, or that of small motions."""
-    return max(abs(case.args[2]), math.sqrt(case.kwargs["gravity"] / case.kwargs["length"]))
-
-
-MOTION = (
-    Column("theta", "rad", [0], turns=True, scale=lambda case, _: 1.0),
-    Column("omega", "rad/s", [1], scale=fastest),
-)
-KEPT = Invariant(
-    "the energy",
-    "of itself",
-    right.energy_of_rows,
-    lambda case, states: right.energy_of_rows(states[:1], **case.kwargs)[0],
-    ENERGY,
-)
+        agree(student.period, right, cases.periods(draw, amplitudes, kind), within=within, hint=hint)
 
 
 @check(points=0.75, part="a")
@@ -293,7 +268,7 @@ def simulate_swings(student, draw):
     """simulate: large swings, row i at t[i], row 0 the given state."""
     calls = [cases.motion(draw, cases.swing, 15, 1000, "a large swing, t[0] not 0")]
     hint = "Is omega the rate of theta, and alpha that of the balances?"
-    follow(student.simulate, right.motion, calls, MOTION, within=TRAJECTORY, hint=hint, keeps=KEPT)
+    follow(student.simulate, right, calls, within=TRAJECTORY, hint=hint, keeps=KEPT)
 
 
 @check(points=0.25, part="a", after=simulate_swings)
@@ -302,24 +277,24 @@ def simulate_needs_no_dense_times(student, draw):
     far = [cases.motion(draw, cases.swing, 100, 2, "two times, many periods apart")]
     steps = "A fixed number of steps, or a fixed step, does not do for every pendulum."
     linear = "No swing is so small that sin theta is theta: the difference adds up."
-    follow(student.simulate, right.motion, cases.few_times(draw), MOTION, within=TRAJECTORY, hint=steps)
-    follow(student.simulate, right.motion, far, MOTION, within=FAR, hint=steps)
+    follow(student.simulate, right, cases.few_times(draw), within=TRAJECTORY, hint=steps)
+    follow(student.simulate, right, far, within=FAR, hint=steps)
     small = [cases.small_swing(draw)]
-    follow(student.simulate, right.motion, small, MOTION, within=TRAJECTORY, hint=linear, gradual=False)
+    follow(student.simulate, right, small, within=TRAJECTORY, hint=linear, gradual=False)
 
 
 @check(points=0.25, part="a", after=simulate_swings)
 def simulate_turns_over_the_top(student, draw):
     """simulate: a pendulum that turns round and round; theta goes on growing."""
     hint = "Is alpha right at every angle?"
-    follow(student.simulate, right.motion, cases.over_the_top(draw), MOTION, within=TRAJECTORY, hint=hint)
+    follow(student.simulate, right, cases.over_the_top(draw), within=TRAJECTORY, hint=hint)
 
 
 @check(points=0.25, part="a", after=simulate_swings)
 def simulate_without_gravity(student, draw):
     """simulate: without gravity it turns uniformly."""
     hint = "Is anything divided by gravity?"
-    follow(student.simulate, right.motion, cases.weightless(draw), MOTION, within=TRAJECTORY, hint=hint)
+    follow(student.simulate, right, cases.weightless(draw), within=TRAJECTORY, hint=hint)
 
 
 @check(points=0.25, part="a", after=simulate_swings)
@@ -328,4 +303,4 @@ def simulate_keeps_the_energy(student, draw):
     calls = [cases.motion(draw, cases.swing, 180, 300, "many periods")]
     share = {1e-4: 0.6, 1e-2: 0.3}
     hint = "A step of fixed length, or a fixed number of them, does not do for every duration."
-    stays(student.simulate, right.motion, calls, KEPT, MOTION, coarsely=COARSELY, partial=share, hint=hint)
+    stays(student.simulate, right, calls, KEPT, coarsely=COARSELY, partial=share, hint=hint)

@@ -84,7 +84,7 @@ def period(amplitude, length, gravity):
     return 4 * ellipkm1(math.cos(amplitude / 2) ** 2) * math.sqrt(length / gravity)
 
 
-def motion(t, theta0, omega0, length, gravity):
+def simulate(t, theta0, omega0, length, gravity):
     """(n, 2) states in Jacobi's elliptic functions. A pendulum that turns over the top has a modulus above one."""
     t, k = t - t[0], math.sqrt(gravity / length)
     if k == 0 or (omega0 == 0 and abs(math.sin(theta0)) < 1e-15):
@@ -105,3 +105,7 @@ def energy_of_rows(rows, length, gravity):
     """Of 1 kg m^2, zero at the lowest point, along a motion."""
     theta, omega = rows.T
     return omega**2 / 2 + 2 * gravity / length * np.sin(theta / 2) ** 2
+
+
+def energy_at_the_start(case, rows):
+    return energy_of_rows(rows[:1], **case.kwargs)[0]
