@@ -1,5 +1,6 @@
 """Hidden inputs of hw06: cars, their states and motions."""
 
+import itertools
 import math
 
 import numpy as np
@@ -8,11 +9,13 @@ from tam570_grader import given, in_turn, uneven
 
 from .right import stopped, wheelbase
 
-LOAD = ("mass", "front", "rear", "gravity")
-FORCE = ("mass", "front", "rear", "friction", "gravity")
-BODY = ("mass", "yaw_inertia", "front", "rear")
-ALL = (*BODY, "friction", "gravity")
-CRITICAL = ("front", "rear", "friction", "gravity")
+ALL = ("mass", "yaw_inertia", "front", "rear", "friction", "gravity")
+TAKES = {
+    "axle_load": ("mass", "front", "rear", "gravity"),
+    "friction_force": ("mass", "front", "rear", "friction", "gravity"),
+    "kinetic_energy": ("mass", "yaw_inertia", "front", "rear"),
+    "critical_speed": ("front", "rear", "friction", "gravity"),
+}  # function: its parameters, if it takes not all of them
 AXLES = ("front", "rear")
 ODD_CARS = {
     "G half way between the axles": {"front": 1.2, "rear": 1.2},
@@ -33,8 +36,6 @@ WAYS = {
     "straight motion in reverse": (REVERSE, NONE),
     "a car at rest": (NONE, NONE),
 }
-
-
 ONWARDS = [kind for kind in WAYS if "reverse" not in kind]
 
 
@@ -57,6 +58,11 @@ def usual(car):
     return math.sqrt(max(car["friction"] * car["gravity"], 0.2) * wheelbase(car))
 
 
+def speed_of(state, car):
+    """Of its speed and its turning, m/s."""
+    return abs(state[3]) + abs(state[4]) * wheelbase(car)
+
+
 def state(draw, car, speed, yaw):
     """Anywhere, a heading not within a turn of zero; speed and yaw, either way, in the car's usual ones."""
     heading = draw.choice([draw.uniform(-10, -3.3), draw.uniform(6.5, 10)])  # wrapped, it is another
@@ -64,27 +70,36 @@ def state(draw, car, speed, yaw):
     return np.array([*draw.uniform(-5, 5, 2), heading, *rates])
 
 
-def _cased(kind, s, locked, known, names):
-    return given(s, locked, **{name: known[name] for name in names}).on(f"{kind}, a locked {locked} axle")
+def call(name, known, locked, *first, kind=""):
+    """A call of the function of this name; `locked` is its last argument in order."""
+    taken = {one: known[one] for one in TAKES.get(name, ALL)}
+    return given(*first, locked, **taken).on(f"{kind}, a locked {locked} axle")
 
 
-def ways(draw, names, kinds=WAYS, count=3, **fixed):
+def ways(draw, name, kinds=WAYS, count=3, **fixed):
     """States that move in these ways, of cars with either axle locked."""
     cases = []
-    for kind in kinds:
-        for locked in AXLES * count:
-            known = car(draw, **fixed)
-            cases.append(_cased(kind, state(draw, known, *WAYS[kind]), locked, known, names))
+    for kind, locked in itertools.product(kinds, AXLES * count):
+        known = car(draw, **fixed)
+        cases.append(call(name, known, locked, state(draw, known, *WAYS[kind]), kind=kind))
     return cases
 
 
-def odd(draw, names):
+def turning(draw, name, count):
+    return ways(draw, name, ("a car that goes forwards and turns",), count)
+
+
+def timed(calls):
+    return [given(float(t), *case.args, **case.kwargs).on(case.kind) for t, case in enumerate(calls)]
+
+
+def odd(draw, name):
     """Odd cars, and headings along the axes and beyond a turn, with G at the origin."""
     cases = []
     for kind, fixed in ODD_CARS.items():
-        cases += [case.on(f"{kind}, {case.kind}") for case in ways(draw, names, ONWARDS, 1, **fixed)]
+        cases += [case.on(f"{kind}, {case.kind}") for case in ways(draw, name, ONWARDS, 1, **fixed)]
     for heading in (0.0, math.pi / 2, math.pi, -math.pi / 2, 9.0, -20.0):
-        for case in ways(draw, names, ("a car that goes forwards and turns", "straight motion in reverse"), 1):
+        for case in ways(draw, name, ("a car that goes forwards and turns", "straight motion in reverse"), 1):
             case.args[0][:3] = 0.0, 0.0, heading
             cases.append(case.on(f"G at the origin, heading {heading:.3g}, {case.kind}"))
     return cases
@@ -96,69 +111,74 @@ def odd_cars(draw):
     return random + [(locked, car(draw, **fixed), kind) for kind, fixed in ODD_CARS.items() for locked in AXLES]
 
 
-def creeping(draw, names):
+def creeping(draw, name):
     """The locked axle moves at a micrometre to a millimetre a second, any way."""
     cases = []
-    for locked in AXLES:
-        for size in (1e-6, 3e-5, 1e-3):
-            known = car(draw)
-            s, v, way = state(draw, known, *WAYS["a car at rest"]), size * draw.uniform(0.6, 1), draw.uniform(-3, 3)
-            s[3:] = v * math.cos(way), v * math.sin(way) / wheelbase(known)
-            cases.append(_cased("a locked axle at 1 mm/s or less", s, locked, known, names))
+    for locked, size in itertools.product(AXLES, (1e-6, 3e-5, 1e-3)):
+        known = car(draw)
+        s, v, way = state(draw, known, NONE, NONE), size * draw.uniform(0.6, 1), draw.uniform(-3, 3)
+        s[3:] = v * math.cos(way), v * math.sin(way) / wheelbase(known)
+        cases.append(call(name, known, locked, s, kind="a locked axle at 1 mm/s or less"))
     return cases
 
 
-def hardly_moving(draw, names):
+def hardly_moving(draw, name):
     """Speed and yaw rate below 1e-8, which np.allclose takes for zero."""
     cases = []
     for locked in AXLES:
         known = car(draw)
-        s = state(draw, known, *WAYS["a car at rest"])
+        s = state(draw, known, NONE, NONE)
         s[3:] = 8e-9 * draw.choice([-1, 1], 2)
-        cases.append(_cased("speed and yaw rate 8e-9, which are not zero", s, locked, known, names))
+        cases.append(call(name, known, locked, s, kind="speed and yaw rate 8e-9, which are not zero"))
     return cases
 
 
 def loads(draw):
-    return [
-        given(locked, **{name: known[name] for name in LOAD}).on(f"{kind}, a locked {locked} axle")
-        for locked, known, kind in odd_cars(draw)
-    ]
+    return [call("axle_load", known, locked, kind=kind) for locked, known, kind in odd_cars(draw)]
 
 
 def at_speeds(draw):
     """For yaw_growth_rate: low and high speeds."""
-    cases = [
-        given(draw.uniform(0.3, 3) * usual(known), locked, **known).on(f"{kind}, a locked {locked} axle")
-        for locked, known, kind in odd_cars(draw)
-    ]
-    ones = ODD_CARS["all parameters 1"]
-    return cases + [given(1.0, locked, **ones).on(f"all 1, a locked {locked} axle") for locked in AXLES]
+    name, ones = "yaw_growth_rate", ODD_CARS["all parameters 1"]
+    speeds = ((draw.uniform(0.3, 3) * usual(known), known, locked, kind) for locked, known, kind in odd_cars(draw))
+    cases = [call(name, known, locked, speed, kind=kind) for speed, known, locked, kind in speeds]
+    return cases + [call(name, ones, locked, 1.0, kind="all 1") for locked in AXLES]
 
 
 def criticals(draw, locked):
-    known = [(one, kind) for axle, one, kind in odd_cars(draw) if axle == locked]
-    kind_of = "{}, a locked " + locked + " axle"
-    return [given(locked, **{name: one[name] for name in CRITICAL}).on(kind_of.format(kind)) for one, kind in known]
+    return [call("critical_speed", known, locked, kind=kind) for one, known, kind in odd_cars(draw) if one == locked]
 
 
 def slowing(draw):
     """For small_yaw_rate: any speeds, and speeds that have not fallen yet, no yaw rate."""
-    cases = []
+    name, cases = "small_yaw_rate", []
     for locked in AXLES * 4:
         known = car(draw)
-        speed0 = draw.uniform(0.7, 1.8) * usual(known)
-        yaw = draw.choice([-1, 1]) * draw.uniform(0.01, 2)
-        cases.append(given(draw.uniform(0.1, 0.7) * speed0, speed0, yaw, locked, **known).on("a random car"))
+        speed0, yaw = draw.uniform(0.7, 1.8) * usual(known), draw.choice([-1, 1]) * draw.uniform(0.01, 2)
+        cases.append(call(name, known, locked, draw.uniform(0.1, 0.7) * speed0, speed0, yaw, kind="a random car"))
     plain = [(locked, one, kind) for locked, one, kind in odd_cars(draw)[12:] if one["friction"] * one["gravity"]]
     for locked, known, kind in plain:
         v = usual(known)
         for fast, slow, yaw in ((1.0, 1.0, 0.3), (1.0, 0.4, 0.0), (1.0, 1.0, 0.0), (0.8, 0.5, 1.0)):
-            cases.append(
-                given(slow * v, fast * v, yaw, locked, **known).on(f"{kind}, speed/speed0 = {slow / fast:.2g}")
-            )
-        cases.append(given(1.0, 2.0, -1.0, locked, **known).on(f"{kind}, a negative yaw rate"))
-    return [case.on(f"{case.kind}, a locked {case.args[3]} axle") for case in cases]
+            fallen = f"{kind}, speed/speed0 = {slow / fast:.2g}"
+            cases.append(call(name, known, locked, slow * v, fast * v, yaw, kind=fallen))
+        cases.append(call(name, known, locked, 1.0, 2.0, -1.0, kind=f"{kind}, a negative yaw rate"))
+    return cases
+
+
+# For refusals: call(name, locked) of each function
+
+
+def of_mechanics(draw, moving):
+    known, t = car(draw), np.array([0.0, 1e-3])
+    s = state(draw, known, (1, 1), (0.5, 0.5)) if moving else state(draw, known, NONE, NONE)
+    first = {"axle_load": (), "state_derivative": (0.0, s), "simulate": (t, s)}
+    return lambda name, locked: call(name, known, locked, *first.get(name, (s,)))
+
+
+def of_stability(draw):
+    known, first = car(draw), {"yaw_growth_rate": (2.0,), "critical_speed": (), "small_yaw_rate": (1.0, 2.0, 0.1)}
+    return lambda name, locked: call(name, known, locked, *first[name])
 
 
 # Motions
@@ -207,15 +227,14 @@ GLIDING = {
 def _plain(draw, kinds):
     """Two times: straight on, or turning on the spot, slowed by friction or without it."""
     cases = []
-    for kind, (speed, yaw, fixed) in kinds.items():
-        for locked in AXLES:
-            known = car(draw, **fixed)
-            start = state(draw, known, speed, yaw)
-            start[:3] *= draw.integers(0, 2)  # from the origin along x, or from anywhere
-            v = abs(start[3]) + abs(start[4]) * wheelbase(known)
-            brakes = known["friction"] * known["gravity"]
-            t = uneven(draw, 0.3 * stopped(start, locked, known)[0] if brakes else wheelbase(known) / v, 2)
-            cases.append(given(t, start, locked, **known).on(f"{kind}, a locked {locked} axle"))
+    for (kind, (speed, yaw, fixed)), locked in itertools.product(kinds.items(), AXLES):
+        known = car(draw, **fixed)
+        start = state(draw, known, speed, yaw)
+        start[:3] *= draw.integers(0, 2)  # from the origin along x, or from anywhere
+        v = speed_of(start, known)
+        brakes = known["friction"] * known["gravity"]
+        t = uneven(draw, 0.3 * stopped(start, locked, known)[0] if brakes else wheelbase(known) / v, 2)
+        cases.append(call("simulate", known, locked, t, start, kind=kind))
     return cases
 
 
@@ -285,6 +304,5 @@ def stops(draw):
 def at_rest(draw):
     known, t = car(draw), uneven(draw, 3.0, 10)
     start = state(draw, known, NONE, NONE)
-    return [
-        given(t, start, locked, **known).on(f"a car at rest from the start, a locked {locked} axle") for locked in AXLES
-    ]
+    kind = "a car at rest from the start"
+    return [call("simulate", known, locked, t, start, kind=kind) for locked in AXLES]

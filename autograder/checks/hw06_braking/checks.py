@@ -4,33 +4,12 @@ import math
 
 import numpy as np
 
-from tam570_grader import (
-    Column,
-    agree,
-    agree_by_columns,
-    array,
-    check,
-    expect_that,
-    follow,
-    given,
-    number,
-    refuse,
-    rows,
-)
+from tam570_grader import Column, agree, agree_by_columns, check, expect_that, follow, refuse
+from tam570_grader.writing.returns import array, number, rows
 
 from . import cases, right
 from .right import wheelbase
 
-RESULTS = {
-    "axle_load": number,
-    "friction_force": array(2),
-    "state_derivative": array(5),
-    "simulate": rows(5),
-    "kinetic_energy": number,
-    "yaw_growth_rate": number,
-    "critical_speed": array(infinite=True),
-    "small_yaw_rate": number,
-}
 NEEDS = ("numpy",)
 MANUAL = {"c": (2, "the definition of steering stability, with plots that answer the question by it")}
 
@@ -43,25 +22,25 @@ STOPPED = 5e-5  # of the way that friction needs: from AT_REST to the stop it is
 AT_REST = 100 * STOPPED  # of the first speed: a student may call it rest below 1e-3 m/s, and cars start from 0.4 m/s
 
 
-def heavy(case, _=None):
-    return case.kwargs["mass"] * (case.kwargs["gravity"] or 1.0)
-
-
-def braking(case, _=None):
+def braking(case, _):
     return case.kwargs["mass"] * max(case.kwargs["friction"] * case.kwargs["gravity"], 0.1)
 
 
 def pace(case, _=None):
     """The size of the velocities, m/s."""
-    known, s = case.kwargs, case.args[1]
-    return cases.usual(known) + abs(s[3]) + abs(s[4]) * wheelbase(known)
+    return cases.usual(case.kwargs) + cases.speed_of(case.args[1], case.kwargs)
 
 
-def turning(case, _=None):
-    """The size of yaw accelerations: the inertia about the free axle may be less than m wheelbase^2."""
-    known, locked = case.kwargs, case.args[2]
-    quick = known["mass"] * wheelbase(known) ** 2 / right.inertia_about_free(locked, **known)
-    return quick * (pace(case) / wheelbase(known)) ** 2
+def turning(case, _):
+    """The size of yaw accelerations."""
+    known = case.kwargs
+    return right.ease_of_turning(case.args[-1], **known) * (pace(case) / wheelbase(known)) ** 2
+
+
+def of_growth(case, _):
+    known, (speed, locked) = case.kwargs, case.args
+    rates = speed / wheelbase(known) + known["friction"] * known["gravity"] / speed
+    return right.ease_of_turning(locked, **known) * rates
 
 
 RATES = (
@@ -72,55 +51,60 @@ RATES = (
 )
 
 
-def first_speed(case, _=None):
-    start, known = case.args[1], case.kwargs
-    return abs(start[3]) + abs(start[4]) * wheelbase(known)
-
-
 def way(case, _=None):
     """The way that friction needs."""
-    return first_speed(case) ** 2 / max(case.kwargs["friction"] * case.kwargs["gravity"], 0.1)
+    return cases.speed_of(case.args[1], case.kwargs) ** 2 / max(case.kwargs["friction"] * case.kwargs["gravity"], 0.1)
 
 
 def gone(case, _=None):
     """The way that a slow car goes."""
     t, drag = case.args[0], case.kwargs["friction"] * case.kwargs["gravity"]
-    return way(case) if drag else (t[-1] - t[0]) * first_speed(case)
+    return way(case) if drag else (t[-1] - t[0]) * cases.speed_of(case.args[1], case.kwargs)
 
 
 def columns(far, fast=1.0):
     """The columns of a motion: how far it goes, and how much more a speed may be off."""
+
+    def turned(case, _):
+        return min(far(case) / wheelbase(case.kwargs), 1.0)
+
+    def speed(case, _):
+        return fast * cases.speed_of(case.args[1], case.kwargs)
+
     return (
         Column("the place", "m", [0, 1], scale=far),
-        Column(
-            "the heading", "rad", [2], turns=True, scale=lambda case, _: min(far(case) / wheelbase(case.kwargs), 1.0)
-        ),
-        Column("the speed", "m/s", [3], scale=lambda case, _: fast * first_speed(case)),
-        Column("the yaw rate", "rad/s", [4], scale=lambda case, _: fast * first_speed(case) / wheelbase(case.kwargs)),
+        Column("the heading", "rad", [2], turns=True, scale=turned),
+        Column("the speed", "m/s", [3], scale=speed),
+        Column("the yaw rate", "rad/s", [4], scale=lambda case, _: speed(case, _) / wheelbase(case.kwargs)),
     )
 
 
 MOTION, SLOWLY = columns(lambda case, _=None: max(way(case), wheelbase(case.kwargs))), columns(gone)
-TO_REST = columns(lambda case, _=None: max(way(case), wheelbase(case.kwargs)), AT_REST / STOPPED)
+TO_REST = columns(MOTION[0].scale, AT_REST / STOPPED)
+RESULTS = {
+    "axle_load": number.called("the load", "N", lambda case, _: case.kwargs["mass"] * (case.kwargs["gravity"] or 1.0)),
+    "friction_force": array(2).called("the friction force", "N", braking),
+    "state_derivative": array(5, columns=RATES),
+    "simulate": rows(5, columns=MOTION),
+    "kinetic_energy": number.called("the kinetic energy", "J"),
+    "yaw_growth_rate": number.called("the growth rate", "1/s", of_growth),
+    "critical_speed": array(infinite=True).called("the critical speed", "m/s"),
+    "small_yaw_rate": number.called("the yaw rate", "rad/s"),
+}
 
 
 @check(points=0.75, part="a")
 def axle_load_balances_the_weight(student, draw):
     """axle_load: what the locked axle carries of the weight of a car at rest."""
     hint = "Which axle carries more, the one near G or the one far from it?"
-    known = {"of": "the load", "unit": "N", "scale": heavy, "hint": hint}
-    agree(student.axle_load, right.axle_load, cases.loads(draw), within=FORMULA, **known)
-
-
-DRAG = {"of": "the friction force", "unit": "N", "scale": braking}
+    agree(student.axle_load, right, cases.loads(draw), within=FORMULA, hint=hint)
 
 
 @check(points=1, part="a")
 def friction_opposes_the_sliding(student, draw):
     """friction_force: forward and left, against the velocity of the axle that drags, in proportion to its load."""
-    calls = cases.ways(draw, cases.FORCE, ("a car that goes forwards and turns",), 8)
     hint = "Which way does the locked axle move, seen from the car?"
-    agree(student.friction_force, right.friction_force, calls, within=FORMULA, hint=hint, **DRAG)
+    agree(student.friction_force, right, cases.turning(draw, "friction_force", 8), within=FORMULA, hint=hint)
 
 
 AS_AT_REST = "friction is zero there, as at rest; at rest speed and yaw rate are both exactly zero"
@@ -135,11 +119,10 @@ def of_friction(case, found, expected):
 @check(points=0.5, part="a", after=friction_opposes_the_sliding)
 def friction_in_any_motion_and_at_rest(student, draw):
     """friction_force: in reverse, on the spot, straight, slow, without friction; zero at rest."""
-    calls = cases.ways(draw, cases.FORCE) + cases.odd(draw, cases.FORCE)
-    agree(student.friction_force, right.friction_force, calls, within=FORMULA, hint=of_friction, **DRAG)
-    slow = cases.creeping(draw, cases.FORCE)
-    agree(student.friction_force, right.friction_force, slow, within=SLOW, hint=of_friction, **DRAG)
-    brakes(student.friction_force, right.friction_force, cases.hardly_moving(draw, cases.FORCE))
+    name, force = "friction_force", student.friction_force
+    agree(force, right, cases.ways(draw, name) + cases.odd(draw, name), within=FORMULA, hint=of_friction)
+    agree(force, right, cases.creeping(draw, name), within=SLOW, hint=of_friction)
+    brakes(force, right.friction_force, cases.hardly_moving(draw, name))
 
 
 def brakes(function, force, calls):
@@ -147,10 +130,6 @@ def brakes(function, force, calls):
     for case, found in function.each(calls):
         along = np.asarray(found[-2:]) @ np.asarray(force(*case.args, **case.kwargs)[-2:])
         expect_that(along > 0, "there is no friction", hint=AS_AT_REST)
-
-
-def timed(calls):
-    return [given(float(t), *case.args, **case.kwargs).on(case.kind) for t, case in enumerate(calls)]
 
 
 def of_rates(case, found, expected):
@@ -165,39 +144,37 @@ def of_rates(case, found, expected):
 
 
 def judge_rates(student, calls, within=FORMULA):
-    agree_by_columns(
-        student.state_derivative, right.state_derivative, timed(calls), RATES, within=within, hint=of_rates
-    )
+    agree_by_columns(student.state_derivative, right, cases.timed(calls), within=within, hint=of_rates)
 
 
 @check(points=1.25, part="a")
 def equations_of_motion(student, draw):
     """state_derivative: the balances of momentum, and a free axle that does not slip sideways."""
-    judge_rates(student, cases.ways(draw, cases.ALL, ("a car that goes forwards and turns",), 10))
+    judge_rates(student, cases.turning(draw, "state_derivative", 10))
 
 
 @check(points=0.5, part="a", after=equations_of_motion)
 def equations_in_any_motion(student, draw):
     """state_derivative: in reverse, turning on the spot, straight, slow."""
-    judge_rates(student, cases.ways(draw, cases.ALL, [kind for kind in cases.WAYS if "rest" not in kind]))
-    judge_rates(student, [case for case in cases.odd(draw, cases.ALL) if "heading" in case.kind])
-    judge_rates(student, cases.creeping(draw, cases.ALL), SLOW)
-    brakes(student.state_derivative, right.state_derivative, timed(cases.hardly_moving(draw, cases.ALL)))
+    name = "state_derivative"
+    judge_rates(student, cases.ways(draw, name, [kind for kind in cases.WAYS if "rest" not in kind]))
+    judge_rates(student, [case for case in cases.odd(draw, name) if "heading" in case.kind])
+    judge_rates(student, cases.creeping(draw, name), SLOW)
+    brakes(student.state_derivative, right.state_derivative, cases.timed(cases.hardly_moving(draw, name)))
 
 
 @check(points=0.5, part="a", after=equations_of_motion)
 def equations_without_friction_and_at_rest(student, draw):
     """state_derivative: without friction, without gravity; all zero at rest."""
-    judge_rates(student, cases.ways(draw, cases.ALL, ("a car at rest",)))
-    judge_rates(student, [case for case in cases.odd(draw, cases.ALL) if "heading" not in case.kind])
+    judge_rates(student, cases.ways(draw, "state_derivative", ("a car at rest",)))
+    judge_rates(student, [case for case in cases.odd(draw, "state_derivative") if "heading" not in case.kind])
 
 
 @check(points=0.5, part="a")
 def kinetic_energy_of_G_and_of_turning(student, draw):
     """kinetic_energy: of G, which moves to the side too, and of the turning about it."""
-    calls = cases.ways(draw, cases.BODY) + cases.odd(draw, cases.BODY)
-    known = {"of": "the kinetic energy", "unit": "J", "hint": "What is the velocity of G?"}
-    agree(student.kinetic_energy, right.kinetic_energy, calls, within=FORMULA, **known)
+    calls = cases.ways(draw, "kinetic_energy") + cases.odd(draw, "kinetic_energy")
+    agree(student.kinetic_energy, right, calls, within=FORMULA, hint="What is the velocity of G?")
 
 
 def of_run(motion):
@@ -211,41 +188,30 @@ def of_run(motion):
     return "Is your integrator's tolerance tight?"
 
 
-def judge_runs(student, calls, shape=MOTION, within=FOLLOWED):
-    follow(student.simulate, right.motion, calls, shape, within=within, hint=of_run)
-
-
 @check(points=1, part="a")
 def simulate_brakes(student, draw):
     """simulate: braking with either axle locked, row i at t[i], row 0 the given state."""
-    judge_runs(student, cases.runs(draw, 100))
+    follow(student.simulate, right, cases.runs(draw, 100), within=FOLLOWED, hint=of_run)
 
 
 @check(points=0.25, part="a", after=simulate_brakes)
 def simulate_needs_no_dense_times(student, draw):
     """simulate: the same motion when only a few times are asked for."""
-    judge_runs(student, cases.few_times(draw))
+    follow(student.simulate, right, cases.few_times(draw), within=FOLLOWED, hint=of_run)
 
 
 @check(points=0.5, part="a", after=simulate_brakes)
 def simulate_glides_without_friction(student, draw):
     """simulate: without friction or gravity it keeps its energy, however slow, ends with G ahead of the free axle."""
-    judge_runs(student, cases.gliding(draw))
-    judge_runs(student, cases.gliding_slowly(draw), SLOWLY, SLOW)
+    follow(student.simulate, right, cases.gliding(draw), within=FOLLOWED, hint=of_run)
+    follow(student.simulate, right, cases.gliding_slowly(draw), SLOWLY, within=SLOW, hint=of_run)
 
 
 @check(points=0.75, part="a")
 def growth_rate_is_the_slope(student, draw):
     """yaw_growth_rate: how fast the yaw acceleration rises with a small yaw rate, at low and high speed."""
     hint = "Linearise at yaw rate 0: is friction's sideways part in it?"
-    known = {"of": "the growth rate", "unit": "1/s", "scale": of_growth, "hint": hint}
-    agree(student.yaw_growth_rate, right.yaw_growth_rate, cases.at_speeds(draw), within=GROWTH, **known)
-
-
-def of_growth(case, _):
-    known, (speed, locked) = case.kwargs, case.args
-    quick = known["mass"] * wheelbase(known) ** 2 / right.inertia_about_free(locked, **known)
-    return quick * (speed / wheelbase(known) + known["friction"] * known["gravity"] / speed)
+    agree(student.yaw_growth_rate, right, cases.at_speeds(draw), within=GROWTH, hint=hint)
 
 
 @check(points=0.5, part="a")
@@ -253,8 +219,8 @@ def critical_speed_is_where_growth_begins(student, draw):
     """critical_speed: with the rear locked, that at which the growth rate is zero; with the front locked, math.inf."""
     for _, found in student.critical_speed.each(cases.criticals(draw, "rear")):
         expect_that(math.isfinite(found), "critical_speed is infinite", hint="Is it unstable at any speed at all?")
-    known = {"of": "the critical speed", "unit": "m/s", "hint": "Where is your growth rate zero?"}
-    agree(student.critical_speed, right.critical_speed, cases.criticals(draw, "rear"), within=FORMULA, **known)
+    hint = "Where is your growth rate zero?"
+    agree(student.critical_speed, right, cases.criticals(draw, "rear"), within=FORMULA, hint=hint)
     for _, found in student.critical_speed.each(cases.criticals(draw, "front")):
         expect_that(found == math.inf, "critical_speed is not math.inf", hint="Can your growth rate be positive there?")
 
@@ -263,58 +229,36 @@ def critical_speed_is_where_growth_begins(student, draw):
 def small_yaw_rate_is_the_linear_solution(student, draw):
     """small_yaw_rate: the linear equation, solved exactly over the falling speed."""
     hint = "Divide the yaw acceleration by the rate of speed: can you integrate over the speed?"
-    known = {"of": "the yaw rate", "unit": "rad/s", "hint": hint}
-    agree(student.small_yaw_rate, right.small_yaw_rate, cases.slowing(draw), within=SMALL_YAW, **known)
+    agree(student.small_yaw_rate, right, cases.slowing(draw), within=SMALL_YAW, hint=hint)
 
 
-def judge_refusals(student, names, build, others=cases.OTHERS, after=""):
-    """ValueError for another `locked`, from functions that take "front" and "rear"."""
+def judge_refusals(student, names, call, others=cases.OTHERS, after=""):
+    """ValueError for another `locked`, from functions that take "front" and "rear"; call(name, locked) is one."""
     for name in names:
         function = getattr(student, name)
         for locked in cases.AXLES:
-            case = build(name, locked)
-            expect_that(
-                not function.refuses(*case.args, **case.kwargs), f"{name} raises ValueError for a {locked} axle"
-            )
-        bad = [build(name, locked).on(f"locked={locked!r}{after}") for locked in others]
+            case = call(name, locked)
+            says = f"{name} raises ValueError for a {locked} axle"
+            expect_that(not function.refuses(*case.args, **case.kwargs), says)
+        bad = [call(name, locked).on(f"locked={locked!r}{after}") for locked in others]
         refuse(function, bad, accepts=(), within=FORMULA, hint='Only "front" and "rear" are axles.')
-
-
-def with_axle(draw, moving):
-    """build(name, locked): a call of each function of the mechanics."""
-    known, t = cases.car(draw), np.array([0.0, 1e-3])
-    s = cases.state(draw, known, (1, 1) if moving else (0, 0), (0.5, 0.5) if moving else (0, 0))
-    takes = {"axle_load": (cases.LOAD, ()), "friction_force": (cases.FORCE, (s,)), "kinetic_energy": (cases.BODY, (s,))}
-    takes |= {"state_derivative": (cases.ALL, (0.0, s)), "simulate": (cases.ALL, (t, s))}
-
-    def build(name, locked):
-        names, first = takes[name]
-        return given(*first, locked, **{one: known[one] for one in names})
-
-    return build
 
 
 @check(points=0.25, part="a")
 def mechanics_refuses_other_axles(student, draw):
     """axle_load, friction_force, state_derivative, kinetic_energy, simulate: ValueError for another `locked`."""
-    agree(student.axle_load, right.axle_load, cases.loads(draw)[:2], within=FORMULA, of="the load", unit="N")
+    agree(student.axle_load, right, cases.loads(draw)[:2], within=FORMULA)
     moves = ("friction_force", "state_derivative", "kinetic_energy", "simulate")
-    judge_refusals(student, ("axle_load", *moves), with_axle(draw, True))
-    judge_refusals(student, moves, with_axle(draw, False), ("both",), ", a car at rest")
+    judge_refusals(student, ("axle_load", *moves), cases.of_mechanics(draw, moving=True))
+    judge_refusals(student, moves, cases.of_mechanics(draw, moving=False), ("both",), ", a car at rest")
 
 
 @check(points=0.25, part="a")
 def stability_refuses_other_axles(student, draw):
     """yaw_growth_rate, critical_speed, small_yaw_rate: ValueError for another `locked`."""
-    known, criticals = cases.car(draw), cases.criticals(draw, "rear")[:1]
-    agree(student.critical_speed, right.critical_speed, criticals, within=FORMULA, of="the critical speed", unit="m/s")
-    first = {"yaw_growth_rate": (2.0,), "critical_speed": (), "small_yaw_rate": (1.0, 2.0, 0.1)}
-
-    def build(name, locked):
-        names = cases.CRITICAL if name == "critical_speed" else cases.ALL
-        return given(*first[name], locked, **{one: known[one] for one in names})
-
-    judge_refusals(student, first, build)
+    call = cases.of_stability(draw)
+    agree(student.critical_speed, right, cases.criticals(draw, "rear")[:1], within=FORMULA)
+    judge_refusals(student, ("yaw_growth_rate", "critical_speed", "small_yaw_rate"), call)
 
 
 # Last: a student whose integrator never gets past the stop shall lose nothing else by it.
@@ -339,6 +283,6 @@ def simulate_comes_to_rest_and_stays(student, draw):
 
     A slow one is not at rest.
     """
-    judge_runs(student, cases.braking_slowly(draw), SLOWLY, SLOW)
-    follow(student.simulate, right.motion, cases.stops(draw), TO_REST, within=STOPPED, hint=of_stop)
-    judge_runs(student, cases.at_rest(draw), MOTION, FORMULA)
+    follow(student.simulate, right, cases.braking_slowly(draw), SLOWLY, within=SLOW, hint=of_run)
+    follow(student.simulate, right, cases.stops(draw), TO_REST, within=STOPPED, hint=of_stop)
+    follow(student.simulate, right, cases.at_rest(draw), within=FORMULA, hint=of_run)

@@ -64,8 +64,9 @@ def kinetic_energy(state, locked, *, mass, yaw_inertia, front, rear):
     return (mass * (forward**2 + left**2) + yaw_inertia * state[4] ** 2) / 2
 
 
-def inertia_about_free(locked, *, mass, yaw_inertia, front, rear, **_):
-    return yaw_inertia + mass * axles(locked, front, rear)[0] ** 2
+def ease_of_turning(locked, *, mass, yaw_inertia, front, rear, **_):
+    """m wheelbase^2 over the inertia about the free axle, which may be less."""
+    return mass * (front + rear) ** 2 / (yaw_inertia + mass * axles(locked, front, rear)[0] ** 2)
 
 
 def sliding(state, locked, car):
@@ -92,7 +93,7 @@ def stopped(start, locked, car):
     return time, np.array([*state[:3], 0.0, 0.0])
 
 
-def motion(t, start, locked, **car):
+def simulate(t, start, locked, **car):
     """(n, 5) states at the times t; from the stop on it rests."""
     if not start[3:].any():
         return np.tile(start, (len(t), 1))
