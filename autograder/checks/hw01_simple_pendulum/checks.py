@@ -280,7 +280,7 @@ def simulate_needs_no_dense_times(student, draw):
     follow(student.simulate, right, cases.few_times(draw), within=TRAJECTORY, hint=steps)
     follow(student.simulate, right, far, within=FAR, hint=steps)
     small = [cases.small_swing(draw)]
-    follow(student.simulate, right, small, within=TRAJECTORY, hint=linear, gradual=False)
+    follow(student.simulate, right, small, within=TRAJECTORY, hint=linear, loose=False)
 
 
 @check(points=0.25, part="a", after=simulate_swings)

@@ -161,7 +161,7 @@ def simulate_needs_no_dense_times(student, draw):
     hint = "Your own steps are not those of t: is the tolerance tight?"
     follow(student.simulate, right.motion, cases.few_times(draw), MOTION, within=TRAJECTORY, hint=hint)
     small = "However small the amplitude, the other terms are there."
-    follow(student.simulate, right.motion, [cases.close(draw)], MOTION, within=TRAJECTORY, hint=small, gradual=False)
+    follow(student.simulate, right.motion, [cases.close(draw)], MOTION, within=TRAJECTORY, hint=small, loose=False)
 
 
 @check(points=0.25, part="b", after=simulate_slides)

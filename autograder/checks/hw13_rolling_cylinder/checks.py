@@ -188,7 +188,7 @@ def simulate_needs_no_dense_times(student, draw):
     small = "However small the rocking, the other terms are there."
     follow(student.simulate, right.motion, cases.few_times(draw), MOTION, within=TRAJECTORY, hint=hint)
     near = cases.near_lowest(draw)
-    follow(student.simulate, right.motion, near, MOTION, within=TRAJECTORY, hint=small, gradual=False)
+    follow(student.simulate, right.motion, near, MOTION, within=TRAJECTORY, hint=small, loose=False)
 
 
 @check(points=0.25, part="b", after=simulate_rolls_and_rocks)

@@ -33,7 +33,7 @@ class Failure:
     kind: str = ""  # of input, in words that give no input away
     hint: str = ""
     suspect: str | None = None  # the known mistake
-    nearly: bool = False  # wrong by less than ten limits: what builds on it is judged all the same
+    nearly: bool = False  # off by a loose tolerance, at most: what builds on it is judged all the same
     curve: dict[str, Any] | None = None  # the error along a motion
     expected: Any = None
     actual: Any = None

@@ -20,6 +20,7 @@ __all__ = ["NEARLY", "NEARLY_SHARE", "Failed", "Trial", "current", "expect", "ex
 
 NEARLY = 10  # limits: wrong physics lies further off, a loose tolerance is often nearer
 NEARLY_SHARE = 0.9  # of the points, for what is right but for a loose tolerance
+OPENS = 0.5  # the share from which on a function has told that the physics is right: what builds on it is judged
 Hint = str | Callable[[], str]
 
 
@@ -111,10 +112,10 @@ def expect(
         recorder(np.inf if np.isnan(error) else error / within)
     elif not error <= within:
         numbers = {"error": error, "limit": within, "expected": expected, "actual": actual}
-        numbers["nearly"] = gradual and error <= NEARLY * within
         numbers["time"] = _time(t, errors, worst)
         numbers["curve"] = _curve(t, actual, expected, scale, within, of, unit, keeps)
         share = _share(error, within if gradual else 0.0, partial)
+        numbers["nearly"] = gradual and (error <= NEARLY * within or (callable(partial) and share >= OPENS))
         fail("", of=of, unit=unit, hint=hint, kind=kind, at=at, share=share, **numbers)
 
 

@@ -43,6 +43,7 @@ def follow(
     keeps: Invariant | None = None,
     restart: Callable[[Array], tuple[Any, ...]] | None = None,
     gradual: bool = True,
+    loose: bool = True,
     chaotic: bool = False,
 ) -> list[Motion]:
     """Fail unless the student's simulation follows the right motion in every case; the motions, for further checks.
@@ -53,6 +54,8 @@ def follow(
     hint    : where to look, or a function of the motion that says it, if the rows themselves tell nothing
     keeps   : an invariant whose course the student's page draws beside the error
     restart : restart(row) -> the arguments behind t that begin the motion there; default: the row, cut as these are
+    gradual : False where an error of a few limits is no sign that the physics is right
+    loose   : False where wrong physics, too, nearly obeys the equations: a tenth of an error is then no sign
     chaotic : a motion in which each row leads to the next has followed, too, however far its errors have grown
     """
     motions, columns, true = [], columns or function.promise.columns, named_in(right, function)
@@ -62,12 +65,12 @@ def follow(
     turns = [index for column in columns if column.turns for index in np.arange(expected.shape[1])[column.where]]
     # the worst first; of those beyond hope the longest, of which there is most to draw
     nearly = NEARLY * within if gradual else 0.0
-    order = partial(_telling, within)
+    order, told = partial(_telling, within), (nearly, gradual and loose)
     for motion in sorted(motions, key=order, reverse=True):
         if chaotic and motion.error > within and obeys(motion, everywhere=True):
             continue
         current().judge(function.name, motion.case)
-        _compare(motion, columns, within, partial(_hint, motion, motions, turns, nearly, hint), keeps, gradual)
+        _compare(motion, columns, within, partial(_hint, motion, motions, turns, told, hint), keeps, gradual, loose)
     return motions
 
 
@@ -125,7 +128,13 @@ def _scales(columns: Sequence[Column], case: Given, expected: Array) -> Array:
 
 
 def _compare(
-    motion: Motion, columns: Sequence[Column], within: float, hint: Any, keeps: Invariant | None, gradual: bool
+    motion: Motion,
+    columns: Sequence[Column],
+    within: float,
+    hint: Any,
+    keeps: Invariant | None,
+    gradual: bool,
+    loose: bool,
 ) -> None:
     """Judge the column that is off most, in its own unit."""
     where = [column.where for column in columns]
@@ -138,7 +147,7 @@ def _compare(
         of=column.of,
         unit=column.unit,
         t=motion.case.args[0],
-        partial=partial(_share, motion, size) if gradual else None,
+        partial=partial(_share, motion, size) if gradual and loose else None,
         gradual=gradual,
         hint=hint,
         keeps=partial(_kept, keeps, motion) if keeps else None,
@@ -151,8 +160,8 @@ def _share(motion: Motion, size: float, error: float) -> float:
     return share if share and obeys(motion) else 0.0
 
 
-def _hint(motion: Motion, motions: Sequence[Motion], turns: Sequence[int], nearly: float, hint: Any) -> str:
-    return diagnosed(motion, motions, turns, nearly) or (hint(motion) if callable(hint) else hint)
+def _hint(motion: Motion, motions: Sequence[Motion], turns: Sequence[int], told: tuple[float, bool], hint: Any) -> str:
+    return diagnosed(motion, motions, turns, *told) or (hint(motion) if callable(hint) else hint)
 
 
 def _kept(invariant: Invariant, motion: Motion) -> Any:

@@ -17,6 +17,7 @@ __all__ = ["Motion", "diagnosed", "obeys"]
 Array = NDArray[np.float64]
 
 ALIKE = 1e-3  # of the scale: two integrations of one motion differ by their tolerances
+DENSE = 1e-4  # of the scale: the interpolation of a solver at a loose tolerance is off by less, straight lines by more
 BETTER = 0.1  # of the error is left where other times are what matters
 DENSER = 400  # times that are asked for in the place of few
 TRIED = 12  # rows at which the right equations are asked where they lead
@@ -71,16 +72,19 @@ class Motion:
         return flat(answer(self.right, case))
 
 
-def diagnosed(motion: Motion, motions: Sequence[Motion], turns: Sequence[int], nearly: float) -> str:
+def diagnosed(
+    motion: Motion, motions: Sequence[Motion], turns: Sequence[int], nearly: float, loose: bool = True
+) -> str:
     """What a wrong motion is instead, in a sentence; empty if the rows do not tell.
 
-    nearly : the error, of the scale, up to which the physics is right; 0 where wrong physics nearly obeys the equations
+    nearly : the error, of the scale, up to which the physics is right
+    loose  : whether the physics is right, too, where the rows nearly obey the equations
     """
     with np.errstate(all="ignore"):
         if motion.error <= nearly:
             return TIGHT
         told = next((says for tells, says in _tells(motion, motions, turns) if tells()), "")
-        return told or (TIGHT if nearly and obeys(motion) else "")
+        return told or (TIGHT if loose and obeys(motion) else "")
 
 
 TIGHT = "the physics is right: tighten rtol and atol"
@@ -157,7 +161,7 @@ def _another(motion: Motion, motions: Sequence[Motion]) -> bool:
 def _joined(motion: Motion) -> bool:
     """Whether the worst row is right where its time is the last, at which every integrator ends a step."""
     row = int(np.argmax(motion.errors.max(axis=1)))
-    if row == 0 or len(motion.t) < 3 or not motion.error < 1:
+    if row == 0 or len(motion.t) < 3 or not DENSE < motion.error < 1:
         return False
     again = motion.again(motion.t[[0, row]])
     return again is not None and _left(motion, again[-1:], row) <= BETTER * motion.error

@@ -1,6 +1,6 @@
 """The tolerances are solve_ivp's defaults.
 
-fails: simulate_brakes
+fails: simulate_brakes, simulate_needs_no_dense_times, simulate_glides_without_friction, simulate_comes_to_rest_and_stays
 numerics: solve_ivp's own rtol of 1e-3
 names: tighten rtol and atol
 """

@@ -13,5 +13,5 @@ def simulate(t, phi, phi_dot, **cylinder):
     def rates(_, state):
         return state[1], acceleration(*state, **cylinder)
 
-    found = solve_ivp(rates, (t[0], t[-1]), [phi, phi_dot], rtol=1e-9, atol=1e-9)
+    found = solve_ivp(rates, (t[0], t[-1]), [phi, phi_dot], rtol=1e-7, atol=1e-7)
     return np.column_stack([np.interp(t, found.t, row) for row in found.y])

@@ -1,6 +1,6 @@
 """simulate_matrix with tolerances of 1e-5.
 
-fails: matrix_simulation_follows_the_motion
+fails: matrix_simulation_follows_the_motion, both_simulations_agree
 numerics: tolerances of 1e-5
 names: tighten rtol and atol
 """

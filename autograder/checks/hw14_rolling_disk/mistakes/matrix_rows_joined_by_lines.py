@@ -1,6 +1,6 @@
 """simulate_matrix joins the steps of an integrator with a tight tolerance by straight lines.
 
-fails: matrix_simulation_follows_the_motion
+fails: matrix_simulation_follows_the_motion, both_simulations_agree
 numerics: interpolation of the first order
 names: do you interpolate linearly
 """
