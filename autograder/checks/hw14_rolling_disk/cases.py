@@ -35,10 +35,8 @@ def a_state(draw, disk, tilt):
 
 def instants(draw):
     """Euler states of any motion, and plain ones: at rest, upright, without yaw or roll, whole numbers, far away."""
-    cases = []
-    for shape in [*SHAPES] * 4:
-        disk = a_disk(draw, shape)
-        cases.append(given(a_state(draw, disk, draw.uniform(0.3, 2.8)), **disk).on(shape))
+    disks = ((shape, a_disk(draw, shape)) for shape in [*SHAPES] * 4)
+    cases = [given(a_state(draw, disk, draw.uniform(0.3, 2.8)), **disk).on(shape) for shape, disk in disks]
     cases.append(cases[-1].but(gravity=0.0).on("no gravity"))
     disk = a_disk(draw)
     rates = right.usual(disk) * draw.uniform(0.5, 2, 3) * draw.choice([-1, 1], 3)
@@ -100,7 +98,7 @@ def motions(draw, count, span, samples):
 
 def stays_up(t, state, disk):
     try:
-        states = right.motion(np.linspace(t[0], t[-1], 100), state, rtol=1e-5, **disk)
+        states = right.simulate_euler(np.linspace(t[0], t[-1], 100), state, rtol=1e-5, **disk)
     except ArithmeticError:
         return False
     return np.sin(states[:, 3]).min() > 0.4
@@ -127,10 +125,11 @@ def two_times(draw):
 
 def steady(draw):
     """Leans, precessions and spins, steady or not, and some with a zero."""
-    cases = []
-    for shape in [*SHAPES] * 4:
-        disk = a_disk(draw, shape)
-        cases.append(given(draw.uniform(-1.4, 1.4), *(right.usual(disk) * draw.uniform(-2, 2, 2)), **disk).on(shape))
+    disks = ((shape, a_disk(draw, shape)) for shape in [*SHAPES] * 4)
+    cases = [
+        given(draw.uniform(-1.4, 1.4), *(right.usual(disk) * draw.uniform(-2, 2, 2)), **disk).on(shape)
+        for shape, disk in disks
+    ]
     first = cases[0]
     lean, precession, spin = abs(first.args[0]) + 0.1, *first.args[1:]
     plain = {

@@ -4,38 +4,11 @@ from functools import partial
 
 import numpy as np
 
-from tam570_grader import (
-    Column,
-    Failed,
-    Invariant,
-    agree,
-    agree_by_columns,
-    array,
-    check,
-    expect,
-    expect_that,
-    follow,
-    number,
-    rows,
-    stays,
-)
+from tam570_grader import Column, Failed, Invariant, agree, agree_by_columns, check, expect, expect_that, follow, stays
+from tam570_grader.writing.returns import array, number, rows
 
 from . import cases, right
 
-RESULTS = {
-    "euler_state_derivative": array(8),
-    "matrix_state_derivative": array(15),
-    "multiplier_state_derivative": array(15),
-    "matrix_state": array(15),
-    "simulate_euler": rows(8),
-    "simulate_matrix": rows(15),
-    "energy": number,
-    "contact_force": array(3),
-    "steady_residual": number,
-    "critical_speed": number,
-    "growth_rate_squared": number,
-    "wireframe": array(None, 2, 3),
-}
 NEEDS = ("numpy",)
 WAYS = "euler_state_derivative", "matrix_state_derivative", "multiplier_state_derivative"
 OFF_LIMITS = {way: tuple(other for other in WAYS if other != way) for way in WAYS}  # three derivations, not one
@@ -68,10 +41,6 @@ def euler_of(case):
     return right.euler_state(state, case.kwargs["radius"]) if len(state) == 15 else state
 
 
-def velocity(case, _=None):
-    return case.kwargs["radius"] * rate(case)
-
-
 def force(case, _=None):
     return case.kwargs["mass"] * case.kwargs["radius"] * second(case)
 
@@ -81,33 +50,80 @@ def moment(case, _=None):
     return (disk["mass"] * disk["radius"] ** 2 + sum(disk["inertia"])) * second(case)
 
 
-def place(case, _=None):
-    return case.kwargs["radius"] + np.abs(case.args[-1][:2]).max()
+def radius(case, _=None):
+    return case.kwargs["radius"]
 
 
 def one(*_):
     return 1.0
 
 
-# (a) Three derivations
+def size(case, growth):
+    return right.growth_rate_squared(0.0, **case.kwargs) + abs(growth)
 
-PLACE = (
-    Column("the centre", "m", right.CENTRE, scale=place),
+
+def largest(where, least):
+    """The scale of a column of a motion: its largest number, and no less than this."""
+    return lambda case, states: max(np.abs(states[:, where]).max(), least(case))
+
+
+STATE = (
+    Column("the centre", "m", right.CENTRE, scale=lambda case, _: radius(case) + np.abs(case.args[-1][:2]).max()),
     Column("R, row by row,", "", right.MATRIX, scale=one),
     Column("omega in space axes", "rad/s", right.OMEGA, scale=rate),
 )
 EULER_RATES = (
-    Column("the contact's velocity", "m/s", slice(0, 2), scale=velocity),
+    Column("the contact's velocity", "m/s", slice(0, 2), scale=lambda case, _: radius(case) * rate(case)),
     Column("an angle's rate", "rad/s", slice(2, 5), scale=rate),
     Column("yaw''", "rad/s^2", [5], scale=second),
     Column("tilt''", "rad/s^2", [6], scale=second),
     Column("roll''", "rad/s^2", [7], scale=second),
 )
 MATRIX_RATES = (
-    Column("the centre's velocity", "m/s", right.CENTRE, scale=velocity),
+    Column("the centre's velocity", "m/s", right.CENTRE, scale=lambda case, _: radius(case) * rate(case)),
     Column("dR/dt", "1/s", right.MATRIX, scale=rate),
     Column("omega'", "rad/s^2", right.OMEGA, scale=second),
 )
+EULER = (
+    Column("the contact", "m", [0, 1], scale=largest([0, 1], radius)),
+    Column("yaw", "rad", [2], turns=True, scale=largest([2], one)),
+    Column("tilt", "rad", [3], scale=largest([3], one)),
+    Column("roll", "rad", [4], turns=True, scale=largest([4], one)),
+    Column("an angle's rate", "rad/s", [5, 6, 7], scale=largest([5, 6, 7], one)),
+)
+MATRIX_STATES = (
+    Column("the centre", "m", right.CENTRE, scale=largest(right.CENTRE, radius)),
+    Column("R, row by row,", "", right.MATRIX, scale=one),
+    Column("omega in space axes", "rad/s", right.OMEGA, scale=largest(right.OMEGA, one)),
+)
+RESULTS = {
+    "euler_state_derivative": array(8, columns=EULER_RATES),
+    "matrix_state_derivative": array(15, columns=MATRIX_RATES),
+    "multiplier_state_derivative": array(15, columns=MATRIX_RATES),
+    "matrix_state": array(15, columns=STATE),
+    "simulate_euler": rows(8, columns=EULER),
+    "simulate_matrix": rows(15, columns=MATRIX_STATES),
+    "energy": number.called("the energy", "J", moment),
+    "contact_force": array(3).called("the force", "N", force),
+    "steady_residual": number.called("tilt''", "rad/s^2", lambda case, _: right.usual(case.kwargs) ** 2),
+    "critical_speed": number.called("the critical speed", "m/s"),
+    "growth_rate_squared": number.called("the square of the rate", "1/s^2", size),
+    "wireframe": array(None, 2, 3),
+}
+ROTATES = Invariant("R^T R", "", right.not_a_rotation, one, ROTATION)
+HEIGHT = Invariant("the centre's height", "m", right.above_the_ground, radius, KEPT)
+ENERGY_KEPT = Invariant("the energy", "J", right.energies, right.energy_at_the_start, ENERGY)
+INTEGRALS = Invariant(
+    "omega along e2 or e3, carried to the upright disk by the tilt,",
+    "rad/s",
+    right.two_integrals,
+    lambda case, _: np.abs(case.args[-1][5:]).sum(),
+    KEPT,
+)
+
+
+# (a) Three derivations
+
 NO_SINGULAR_TILT = "No tilt but 0 and pi is singular."
 
 
@@ -115,7 +131,7 @@ NO_SINGULAR_TILT = "No tilt but 0 and pi is singular."
 def matrix_state_places_the_disk(student, draw):
     """matrix_state has the centre, R row by row, and the total omega in space axes."""
     calls = cases.of_radius(cases.instants(draw))
-    agree_by_columns(student.matrix_state, right.matrix_state, calls, PLACE, within=POINTWISE)
+    agree_by_columns(student.matrix_state, right, calls, within=POINTWISE)
 
 
 def along(of, off, state, limit):
@@ -138,23 +154,22 @@ def euler_equations_hold(student, draw):
     """euler_state_derivative balances momentum and angular momentum of a rolling disk, hoop and wheel."""
     hint = partial(wrong_turning, otherwise="Test it on straight rolling, then on hw11's circles.")
     calls = cases.timed(cases.instants(draw))
-    agree_by_columns(student.euler_state_derivative, right.euler_rates, calls, EULER_RATES, within=POINTWISE, hint=hint)
+    agree_by_columns(student.euler_state_derivative, right, calls, within=POINTWISE, hint=hint)
 
 
 @check(points=0.25, part="a", after=euler_equations_hold)
 def euler_equations_hold_next_to_flat_and_upright(student, draw):
     """euler_state_derivative holds at a tilt of 1e-3, and for a disk spinning upright on a point."""
     calls = cases.timed([*cases.nearly_flat(draw), cases.on_a_point(draw)])
-    known = {"within": FLAT, "hint": NO_SINGULAR_TILT}
-    agree_by_columns(student.euler_state_derivative, right.euler_rates, calls, EULER_RATES, **known)
+    agree_by_columns(student.euler_state_derivative, right, calls, within=FLAT, hint=NO_SINGULAR_TILT)
 
 
 def judge_balances(function, draw, hint):
     """The rates of a matrix state, those of a nearly flat disk last."""
     calls, flat = (cases.timed(cases.by_matrix(some)) for some in (cases.instants(draw), cases.nearly_flat(draw)))
     wrong = partial(wrong_turning, otherwise=hint)
-    agree_by_columns(function, right.matrix_rates, calls, MATRIX_RATES, within=POINTWISE, hint=wrong)
-    agree_by_columns(function, right.matrix_rates, flat, MATRIX_RATES, within=FLAT, hint=NO_SINGULAR_TILT)
+    agree_by_columns(function, right, calls, within=POINTWISE, hint=wrong)
+    agree_by_columns(function, right, flat, within=FLAT, hint=NO_SINGULAR_TILT)
 
 
 @check(points=0.75, part="a")
@@ -174,61 +189,28 @@ def multiplier_equations_hold(student, draw):
 # (b) Simulation, (c) both ways
 
 
-def largest(where, least):
-    """The scale of a column of a motion: its largest number, and no less than this."""
-    return lambda case, states: max(np.abs(states[:, where]).max(), least(case))
-
-
-def radius(case):
-    return case.kwargs["radius"]
-
-
-EULER = (
-    Column("the contact", "m", [0, 1], scale=largest([0, 1], radius)),
-    Column("yaw", "rad", [2], turns=True, scale=largest([2], one)),
-    Column("tilt", "rad", [3], scale=largest([3], one)),
-    Column("roll", "rad", [4], turns=True, scale=largest([4], one)),
-    Column("an angle's rate", "rad/s", [5, 6, 7], scale=largest([5, 6, 7], one)),
-)
-STATES = (
-    Column("the centre", "m", right.CENTRE, scale=largest(right.CENTRE, radius)),
-    Column("R, row by row,", "", right.MATRIX, scale=one),
-    Column("omega in space axes", "rad/s", right.OMEGA, scale=largest(right.OMEGA, one)),
-)
 DERIVATIVES = "Are the derivatives right?"
-INTEGRALS = Invariant(
-    "omega along e2 or e3, carried to the upright disk by the tilt,",
-    "rad/s",
-    right.two_integrals,
-    lambda case, _: np.abs(case.args[-1][5:]).sum(),
-    KEPT,
-)
-ROTATES = Invariant("R^T R", "", right.not_a_rotation, one, ROTATION)
-HEIGHT = Invariant("the centre's height", "m", right.above_the_ground, lambda case, _: radius(case), KEPT)
-ENERGY_KEPT = Invariant(
-    "the energy", "J", right.energies, lambda case, rows: right.energy(rows[0], **case.kwargs), ENERGY
-)
 
 
 @check(points=0.75, part="b")
 def euler_simulation_follows_the_motion(student, draw):
     """simulate_euler follows the motion from any start, row i at t[i], row 0 the given state."""
     calls = cases.motions(draw, 2, 3.0, 60) + cases.two_times(draw)
-    follow(student.simulate_euler, right.motion, calls, EULER, within=TRAJECTORY, hint=DERIVATIVES, keeps=ENERGY_KEPT)
+    follow(student.simulate_euler, right, calls, within=TRAJECTORY, hint=DERIVATIVES, keeps=ENERGY_KEPT)
 
 
 @check(points=0.5, part="b", after=euler_simulation_follows_the_motion)
 def euler_simulation_keeps_two_integrals(student, draw):
     """simulate_euler keeps omega's parts along e2 and e3 functions of the tilt alone, however far apart the times."""
     calls = cases.motions(draw, 2, 6.0, 4)
-    stays(student.simulate_euler, right.motion, calls, INTEGRALS, EULER, partial={1e-4: 0.5})
+    stays(student.simulate_euler, right, calls, INTEGRALS, partial={1e-4: 0.5})
 
 
 @check(points=0.75, part="b")
 def matrix_simulation_follows_the_motion(student, draw):
     """simulate_matrix follows the motion from any start, row i at t[i], row 0 the given state."""
     calls = cases.by_matrix(cases.motions(draw, 2, 3.0, 60) + cases.two_times(draw))
-    follow(student.simulate_matrix, right.matrix_motion, calls, STATES, within=TRAJECTORY, hint=DERIVATIVES)
+    follow(student.simulate_matrix, right, calls, within=TRAJECTORY, hint=DERIVATIVES)
 
 
 @check(points=0.5, part="c", after=(euler_simulation_follows_the_motion, matrix_simulation_follows_the_motion))
@@ -237,9 +219,9 @@ def both_simulations_agree(student, draw):
     calls = cases.motions(draw, 1, 6.0, 4)
     matrices = cases.by_matrix(calls)
     for kept in (ROTATES, HEIGHT):
-        stays(student.simulate_matrix, right.matrix_motion, matrices, kept, STATES)
-    follow(student.simulate_matrix, right.matrix_motion, matrices, STATES, within=AGREED)
-    follow(student.simulate_euler, right.motion, calls, EULER, within=AGREED)
+        stays(student.simulate_matrix, right, matrices, kept)
+    follow(student.simulate_matrix, right, matrices, within=AGREED)
+    follow(student.simulate_euler, right, calls, within=AGREED)
 
 
 # (d) Steady circles
@@ -248,17 +230,11 @@ def both_simulations_agree(student, draw):
 @check(points=0.75, part="d")
 def steady_residual_is_the_tilt_acceleration(student, draw):
     """steady_residual is tilt'' of the motion with this lean, precession and total spin, steady or not."""
-    known = {"of": "tilt''", "unit": "rad/s^2", "scale": lambda case, _: right.usual(case.kwargs) ** 2}
     hint = "Put tilt = lean + pi/2 and tilt' = 0 into your equations."
-    agree(student.steady_residual, right.tilt_second, cases.steady(draw), within=POINTWISE, hint=hint, **known)
+    agree(student.steady_residual, right, cases.steady(draw), within=POINTWISE, hint=hint)
 
 
 # (e) The picture
-
-
-def turned(angles, by):
-    """Angles less a whole number of `by`, between -by/2 and by/2."""
-    return (angles + by / 2) % by - by / 2
 
 
 @check(points=0.5, part="e")
@@ -266,7 +242,7 @@ def wireframe_is_a_rolling_disk(student, draw):
     """wireframe is a closed regular polygon on the rim, and two perpendicular diameters that roll with the disk."""
     for calls in cases.pictures(draw):
         places = [judge_wireframe(case, lines) for case, lines in student.wireframe.each(calls)]
-        apart, hint = turned(np.diff(places, axis=0), np.pi), "Do they roll with the disk?"
+        apart, hint = right.turned(np.diff(places, axis=0), np.pi), "Do they roll with the disk?"
         expect(apart, 0.0, within=POINTWISE * 10, of="the diameters' place in the disk", unit="rad", hint=hint)
 
 
@@ -282,14 +258,14 @@ def judge_wireframe(case, lines):
     ):
         expect(ends, 0.0, within=POINTWISE * size, of=f"the distance from the rim of {of}", unit="m", hint=hint)
     angle = partial(expect, within=10 * POINTWISE, unit="rad")  # of points that are off by POINTWISE
-    across = turned(angles[:, 1] - angles[:, 0], 2 * np.pi)
+    across = right.turned(angles[:, 1] - angles[:, 0], 2 * np.pi)
     step = 2 * np.pi / sides
     spans = [step] * sides + [np.pi] * 2
     angle(np.abs(across), spans, of="the angle that a segment spans", hint="The polygon comes first.")
     middles = np.diff(np.sort((angles[:sides, 0] + across[:sides] / 2) % (2 * np.pi)))
     expect_that(middles.min() > step / 2, "two sides are drawn in one place, and one is missing")
     angle(middles, step, of="the angle from side to side", hint="The polygon is closed.")
-    angle(abs(turned(angles[-1, 0] - angles[-2, 0], np.pi)), np.pi / 2, of="the angle between the diameters")
+    angle(abs(right.turned(angles[-1, 0] - angles[-2, 0], np.pi)), np.pi / 2, of="the angle between the diameters")
     return angles[sides:, 0]
 
 
@@ -310,15 +286,14 @@ def energy_is_kinetic_and_potential(student, draw):
             return "At rest it is wrong, too: what is the height of the centre?"
         return "At rest it is right: look at the speed of the centre and the turning about it."
 
-    known = {"of": "the energy", "unit": "J", "scale": moment, "hint": hint}
-    agree(student.energy, right.energy, cases.instants(draw), within=POINTWISE, **known)
+    agree(student.energy, right, cases.instants(draw), within=POINTWISE, hint=hint)
 
 
 @check(points=0.25, part="f", after=(euler_simulation_follows_the_motion, energy_is_kinetic_and_potential))
 def energy_is_conserved(student, draw):
     """The energy of simulate_euler's motion stays what it was, over a long time."""
     share = {1e-4: 0.6, 1e-3: 0.3}
-    stays(student.simulate_euler, right.motion, cases.motions(draw, 1, 20.0, 6), ENERGY_KEPT, EULER, partial=share)
+    stays(student.simulate_euler, right, cases.motions(draw, 1, 20.0, 6), ENERGY_KEPT, partial=share)
 
 
 def wrong_force(case, found, expected):
@@ -334,8 +309,7 @@ def wrong_force(case, found, expected):
 @check(points=0.75, part="f")
 def contact_force_moves_the_centre(student, draw):
     """contact_force is what the centre's acceleration and the weight ask for, in space axes."""
-    known = {"of": "the force", "unit": "N", "scale": force, "hint": wrong_force}
-    agree(student.contact_force, right.contact_force, cases.instants(draw), within=POINTWISE, **known)
+    agree(student.contact_force, right, cases.instants(draw), within=POINTWISE, hint=wrong_force)
 
 
 # (g) and (h) Stability
@@ -344,16 +318,11 @@ def contact_force_moves_the_centre(student, draw):
 @check(points=0.5, part="g")
 def critical_speed_parts_stable_from_unstable(student, draw):
     """critical_speed is the centre's speed at which a small lean neither grows nor swings."""
-    known = {"of": "the critical speed", "unit": "m/s", "hint": "Linearise: what is yaw' to first order?"}
-    agree(student.critical_speed, right.critical_speed, cases.wheels(draw), within=LINEAR, **known)
+    hint = "Linearise: what is yaw' to first order?"
+    agree(student.critical_speed, right, cases.wheels(draw), within=LINEAR, hint=hint)
 
 
 @check(points=0.75, part="h")
 def growth_rate_is_that_of_a_small_lean(student, draw):
     """growth_rate_squared is the lean's, on both sides of the critical speed, at rest and without gravity."""
-
-    def size(case, expected):
-        return right.growth(0.0, **case.kwargs) + abs(expected)
-
-    known = {"of": "the square of the rate", "unit": "1/s^2", "scale": size, "hint": "Linearise about upright."}
-    agree(student.growth_rate_squared, right.growth, cases.speeds(draw), within=LINEAR, **known)
+    agree(student.growth_rate_squared, right, cases.speeds(draw), within=LINEAR, hint="Linearise about upright.")

@@ -76,7 +76,7 @@ def jourdain(state, *, mass, radius, inertia, gravity):
     return second, second @ about + rates @ about_rate, second @ moves + rates @ moves_rate
 
 
-def euler_rates(_, state, **disk):
+def euler_state_derivative(_, state, **disk):
     return np.concatenate([contact_velocity(state, disk["radius"]), state[5:], jourdain(state, **disk)[0]])
 
 
@@ -84,11 +84,14 @@ def contact_velocity(state, radius):
     return -radius * state[7] * math.cos(state[2]), -radius * state[7] * math.sin(state[2])
 
 
-def matrix_rates(_, state, **disk):
+def matrix_state_derivative(_, state, **disk):
     radius, w = disk["radius"], hat(state[OMEGA])
     euler = euler_state(state, radius)
     velocity = radius * w @ frame(euler)[1]
     return np.concatenate([velocity, (w @ attitude(euler)).ravel(), jourdain(euler, **disk)[1]])
+
+
+multiplier_state_derivative = matrix_state_derivative
 
 
 def energy(state, *, mass, radius, inertia, gravity):
@@ -116,7 +119,7 @@ def rates_along_the_frame(state, *, mass, radius, inertia, gravity):
     return [*contact_velocity(state, radius), *state[5:], yaw_second, tilt_second, roll_second]
 
 
-def motion(t, state, rtol=1e-11, **disk):
+def simulate_euler(t, state, rtol=1e-11, **disk):
     """(n, 8) Euler states; ArithmeticError where the disk falls flat, and the steps never end."""
     calls = itertools.count()
 
@@ -131,14 +134,18 @@ def motion(t, state, rtol=1e-11, **disk):
     return found.y.T
 
 
-def matrix_motion(t, state, **disk):
+def simulate_matrix(t, state, **disk):
     """(n, 15) matrix states."""
     radius = disk["radius"]
-    return np.array([matrix_state(row, radius) for row in motion(t, euler_state(state, radius), **disk)])
+    return np.array([matrix_state(row, radius) for row in simulate_euler(t, euler_state(state, radius), **disk)])
 
 
 def energies(rows, **disk):
     return np.array([energy(row, **disk) for row in rows])
+
+
+def energy_at_the_start(case, rows):
+    return energy(rows[0], **case.kwargs)
 
 
 def two_integrals(rows, *, mass, radius, inertia, gravity):
@@ -177,17 +184,17 @@ def steady_state(lean, precession, spin):
     return np.array([0, 0, 0, tilt, 0, precession, 0, spin - precession * math.cos(tilt)])
 
 
-def tilt_second(lean, precession, spin, **disk):
+def steady_residual(lean, precession, spin, **disk):
     return jourdain(steady_state(lean, precession, spin), **disk)[0][1]
 
 
-def growth(speed, **disk):
+def growth_rate_squared(speed, **disk):
     """d(tilt'')/d(tilt) at w2 = C/A spin d(tilt), the balance about e2; by a five-point difference."""
     spin, h = speed / disk["radius"], 1e-3
 
     def second(lean):
         yaw_rate = disk["inertia"][1] / disk["inertia"][0] * spin * lean / math.cos(lean)
-        return tilt_second(lean, yaw_rate, spin, **disk)
+        return steady_residual(lean, yaw_rate, spin, **disk)
 
     return (8 * (second(h) - second(-h)) - second(2 * h) + second(-2 * h)) / (12 * h)
 
@@ -195,7 +202,7 @@ def growth(speed, **disk):
 def critical_speed(**disk):
     """Where growth, linear in the square of the speed, is zero."""
     unit = usual(disk) * disk["radius"]
-    still, moving = growth(0.0, **disk), growth(unit, **disk)
+    still, moving = growth_rate_squared(0.0, **disk), growth_rate_squared(unit, **disk)
     return unit * math.sqrt(still / (still - moving))
 
 
@@ -205,6 +212,11 @@ def usual(disk):
 
 
 # The picture
+
+
+def turned(angles, by):
+    """Angles less a whole number of `by`, between -by/2 and by/2."""
+    return (angles + by / 2) % by - by / 2
 
 
 def in_the_disk(points, state, radius):
