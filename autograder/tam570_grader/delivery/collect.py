@@ -66,8 +66,9 @@ def _unpacked(handed: Handed) -> list[Handed]:
         return [handed]
     held = inside(handed.file)
     work = [one for one in held if one.refused or one.path.endswith(WORK)]
-    named = [replace(handed, file=one, title=one.path.rsplit("/", 1)[-1]) for one in work]
-    return named or [handed]
+    outer = handed.file.path  # by its name a page is handed back
+    named = [(replace(one, path=f"{outer}/{one.path}"), one.path.rsplit("/", 1)[-1]) for one in work]
+    return [replace(handed, file=file, title=title) for file, title in named] or [handed]
 
 
 def _taken(handed: Handed, people: Mapping[str, roster.Person], known: Sequence[str], given: str | None) -> Taken:

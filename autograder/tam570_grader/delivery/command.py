@@ -1,8 +1,10 @@
 """The commands that hand on the course, to students and nbgrader, or its scores, to other systems and instructors."""
 
 import argparse
+import sys
 from pathlib import Path
 
+from tam570_grader.errors import UsageError
 from tam570_grader.options import Commands
 
 __all__ = ["add_collect", "add_course", "add_export", "add_gradescope", "add_kit", "add_lms", "add_report", "add_stubs"]
@@ -83,6 +85,9 @@ def add_lms(commands: Commands) -> argparse.ArgumentParser:
     add("--to", choices=["canvas", "moodle"], required=True, help="the system")
     add("--roster", type=Path, metavar="FILE", help="the gradebook of Canvas or Moodle's participants, to join by")
     add("--identity", choices=["username", "idnumber", "email"], default="username", help="in Moodle")
+    add("--only", nargs="+", metavar="SLUG", help="these assignments alone")
+    add("--pages", type=Path, metavar="ZIP", help="also a zip file of the pages of feedback, to hand back there")
+    add("--collected", type=Path, metavar="CSV", help="for --pages: collected.csv, which `collect` wrote")
     add("--out", type=Path, metavar="FILE", help="default: print it")
     return lms
 
@@ -145,9 +150,18 @@ def _export(arguments: argparse.Namespace) -> int:
 
 
 def _lms(arguments: argparse.Namespace) -> int:
-    from tam570_grader.delivery import lms
+    from tam570_grader.delivery import handback, lms
 
-    return lms.run(arguments.grades, arguments.to, arguments.roster, arguments.identity, arguments.out)
+    if bool(arguments.pages) != bool(arguments.collected):
+        raise UsageError("--pages and --collected go together: the names of the download tell whose a page is")
+    lacking = []
+    if arguments.pages:
+        pages = arguments.grades.parent / "feedback"
+        lacking = handback.run(pages, arguments.collected, arguments.to, arguments.pages)
+    for line in lacking:
+        print(f"tam570-grader: warning: {line}", file=sys.stderr)
+    code = lms.run(arguments.grades, arguments.to, arguments.roster, arguments.identity, arguments.out, arguments.only)
+    return code or bool(lacking)
 
 
 def _report(arguments: argparse.Namespace) -> int:

@@ -25,16 +25,19 @@ POSSIBLE = "    Points Possible"  # the name, with its blanks, of the row below 
 MOODLE = {"username": "Username", "idnumber": "ID number", "email": "Email address"}
 
 
-def run(grades: Path, system: str, roster: Path | None, identity: str, out: Path | None) -> int:
+def run(
+    grades: Path, system: str, roster: Path | None, identity: str, out: Path | None, only: Sequence[str] | None = None
+) -> int:
     """Write the table for Canvas or Moodle; the exit code.
 
     grades   : grades.csv, of `tam570-grader grade --out` or of `nbgrader export`
     roster   : a gradebook exported from Canvas, or a table of Moodle's participants: students are joined by their ids
     identity : what Moodle shall know students by: username, idnumber or email
+    only     : beginnings of the names of assignments; default: all
 
     With a roster the exit code is 1 if a score belongs to nobody on it, or somebody on it has no score.
     """
-    found = _scores(grades)
+    found = _only(_scores(grades), only, grades) if only else _scores(grades)
     people = rosters.people(roster) if roster else []
     if system == "moodle":
         table = moodle_of(found, people, identity) if roster else moodle(found, identity)
@@ -52,6 +55,14 @@ def run(grades: Path, system: str, roster: Path | None, identity: str, out: Path
     for line in left:
         print(f"tam570-grader: warning: {line}", file=sys.stderr)
     return 1 if left else 0
+
+
+def _only(scores: Scores, names: Sequence[str], grades: Path) -> Scores:
+    """The scores of the assignments that are named."""
+    for name in names:
+        if not any(slug.startswith(name) for _, slug in scores):
+            raise UsageError(f"{grades} holds no assignment {name!r}")
+    return {key: score for key, score in scores.items() if key[1].startswith(tuple(names))}
 
 
 def _left(scores: Scores, people: Sequence[rosters.Person]) -> list[str]:
@@ -112,7 +123,10 @@ def moodle_of(scores: Scores, people: Sequence[rosters.Person], identity: str) -
 
 
 def _scores(grades: Path) -> Scores:
-    """The scores in our table or nbgrader's; empty where the grader itself failed."""
+    """The scores in our table or nbgrader's; empty where the grader itself failed.
+
+    nbgrader has zeros for everybody on what was released and not collected: nobody handed that in, and none is scored.
+    """
     heading, *rows = rosters.table(grades)
     name = "student" if "student" in heading else "student_id"
     if not {name, "assignment", "score", "max_score"} <= set(heading):
@@ -123,6 +137,9 @@ def _scores(grades: Path) -> Scores:
         )
     found = [dict(zip(heading, row, strict=True)) for row in rows]
     true_name = name_in if name == "student" else str  # nbgrader quotes none
+    if "timestamp" in heading:
+        here = {row["assignment"] for row in found if row["timestamp"] or float(row["score"] or 0)}
+        found = [row if row["assignment"] in here else {**row, "score": ""} for row in found]
     return {(true_name(row[name]), row["assignment"]): (row["score"], row["max_score"]) for row in found}
 
 

@@ -1,0 +1,59 @@
+"""Pages of feedback in a zip file that Canvas or Moodle hands out, each to the student who handed the work in.
+
+Both know a file by the beginning of the name that they gave it in the download. Canvas: "How do I upload student
+submission comments in bulk?" (Canvas Instructor Guide), whose names hold the user and the attachment. Moodle: "Upload
+multiple feedback files in a zip" (docs.moodle.org, Using Assignment), whose names hold the participant.
+"""
+
+import zipfile
+from collections.abc import Iterator
+from pathlib import Path
+
+from tam570_grader.delivery.downloads import CANVAS, MOODLE
+from tam570_grader.errors import UsageError, writing
+from tam570_grader.results.tables import name_in, table
+
+__all__ = ["run"]
+
+NEEDED = {"student", "assignment", "file", "from"}  # columns of collected.csv
+
+
+def run(pages: Path, collected: Path, system: str, out: Path) -> list[str]:
+    """Write the zip file; a sentence for each of whom there is no page.
+
+    pages     : the folder of feedback, which `grade --out` wrote
+    collected : the table that `collect` wrote
+    """
+    found = dict(_named(collected, system))
+    if not found:
+        raise UsageError(f"{collected} names no file as {system} does: is --to right?")
+    lacking = []
+    with writing(out), zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as archive:
+        for (student, slug), name in sorted(found.items()):
+            page = pages / student / f"{slug}.html"
+            if page.is_file():
+                archive.write(page, name)
+            else:
+                lacking.append(f"{student} has no page of {slug}: grade it first")
+    return lacking
+
+
+def _named(collected: Path, system: str) -> Iterator[tuple[tuple[str, str], str]]:
+    """Student and assignment, and the name of their page in the zip file."""
+    heading, *rows = table(collected)
+    if lacking := NEEDED - set(heading):
+        raise UsageError(f"{collected} has no column {', '.join(sorted(lacking))}: name the table that `collect` wrote")
+    for row in rows:
+        cells = dict(zip(heading, map(name_in, row), strict=False))
+        start = _beginning(cells["from"], system) if cells["file"] else ""
+        if start:
+            yield (cells["student"], cells["assignment"]), f"{start}{cells['assignment']}.html"
+
+
+def _beginning(path: str, system: str) -> str:
+    """What the system put before the student's own name of the file."""
+    if system == "canvas":
+        found = next(filter(None, map(CANVAS.fullmatch, path.split("/"))), None)  # a zip file of work is a folder there
+        return found.string[: found.start("file")] if found else ""
+    placed = MOODLE.search(path)
+    return f"{placed['name']}_{placed['user']}_assignsubmission_file_" if placed else ""
