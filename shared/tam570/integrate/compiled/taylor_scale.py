@@ -38,7 +38,7 @@ def lacking(z: Any, work: Any, lane: Any) -> Any:
 
 
 def sized(z: Any, work: Any, time: Any, c: Any, lane: Any, h: Any) -> Any:
-    """Whether all that lacks a size has one now, or nothing can ever move it; in steps of about h."""
+    """Whether all that lacks a size has one now, or no later time can give it one; in steps of about h."""
     for i in range(SIZE):
         z[at(BASE, i)] = work[(i * STRIDE + 1) * LANES + lane]
     within, found = LONG * h, False
@@ -48,7 +48,7 @@ def sized(z: Any, work: Any, time: Any, c: Any, lane: Any, h: Any) -> Any:
             found = False
             within = 2.0 * STILL * h
         within /= 2.0
-    every = found
+    every = found or not TIMED
     for i in range(SIZE):
         work[i * STRIDE * LANES + lane] = z[at(Y, i)]
         work[(i * STRIDE + 1) * LANES + lane] = z[at(BASE, i)]
