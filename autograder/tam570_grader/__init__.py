@@ -21,6 +21,7 @@ from tam570_grader.writing.drawings import (
 from tam570_grader.writing.expect import Failed, current, expect, expect_that, fail
 from tam570_grader.writing.follow import Invariant, follow, stays
 from tam570_grader.writing.formulas import from_own_lagrangian
+from tam570_grader.writing.laws import law
 from tam570_grader.writing.returns import array, drawing, formula, group, number, rows
 from tam570_grader.writing.times import SOME_TIMES, in_turn, uneven
 
@@ -54,6 +55,7 @@ __all__ = [
     "judge_axes_of_lengths",
     "judge_boxes",
     "kept",
+    "law",
     "number",
     "once",
     "rows",

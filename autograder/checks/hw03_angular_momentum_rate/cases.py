@@ -37,18 +37,25 @@ def moments(draw):
     return [given(s[0], s[2], s[3], mass=mass).on(kind(s, "random vectors")) for s, mass in motions(draw)]
 
 
-def momenta(draw, definitions):
-    return [
+def momenta(definitions):
+    """Arguments of angular_momentum by each of these definitions."""
+    return lambda draw: [
         given(definition, s[0], s[1], s[3], s[4], mass=mass).on(kind(s, f"definition {definition}"))
         for definition in definitions
         for s, mass in motions(draw)
     ]
 
 
-def rates(draw, definition):
-    return [given(definition, *s, mass=mass).on(kind(s, f"definition {definition}")) for s, mass in motions(draw)]
+def rates(definition):
+    what = f"definition {definition}"
+    return lambda draw: [given(definition, *s, mass=mass).on(kind(s, what)) for s, mass in motions(draw)]
 
 
-def others(case):
-    """The same call with strings that name no definition."""
-    return [case.but(name).on(f'the definition "{name}"') for name in ("d", "ab", "", *LETTERS_ALIKE)]
+def letters(drawn):
+    """The first of these cases, then the same call with strings that name no definition."""
+
+    def calls(draw):
+        case = drawn(draw)[0]
+        return [case, *(case.but(name).on(f'the definition "{name}"') for name in ("d", "ab", "", *LETTERS_ALIKE))]
+
+    return calls

@@ -2,17 +2,10 @@
 
 import numpy as np
 
-from tam570_grader import agree, array, check, fail, given, group, refuse
+from tam570_grader import array, check, fail, given, group, law, refuse
 
 from . import cases, right, special
 
-RESULTS = {
-    "moment": array(3),
-    "angular_momentum": array(3),
-    "rate": array(3),
-    "discrepancy": array(3),
-    "special_motion": group(array(None, 3), array(None, 3)),
-}
 NEEDS = ("numpy",)
 MANUAL = {"a": (2, "in words: which definitions have rate = moment in general, which in special cases, and why")}
 
@@ -40,45 +33,13 @@ def momentum_size(case, _):
     return case.kwargs["mass"] * np.prod(sizes(case.args[1:]))
 
 
-MOMENTUM = {"of": "the angular momentum", "unit": "kg m^2/s", "scale": momentum_size}
-RATE = {"of": "the rate", "unit": "N m", "scale": moment_size}
-DISCREPANCY = {"of": "the discrepancy", "unit": "N m", "scale": moment_size}
-
-
-@check(points=1, part="a")
-def moment_is_about_C(student, draw):
-    """moment: of the total force on P, about C."""
-    hint = "The lever arm runs from C to P, and the force on P is all of its m a."
-    known = {"of": "the moment", "unit": "N m", "scale": moment_size, "hint": hint}
-    agree(student.moment, right.moment, cases.moments(draw), within=POINTWISE, **known)
-
-
-@check(points=1, part="a")
-def momentum_with_the_velocity_in_F(student, draw):
-    """angular_momentum by definitions a and b: the lever arm from C, the velocity as F sees it."""
-    calls, hint = cases.momenta(draw, "ab"), "At one instant, can definitions a and b differ?"
-    agree(student.angular_momentum, right.angular_momentum, calls, within=POINTWISE, hint=hint, **MOMENTUM)
-
-
-@check(points=0.75, part="a")
-def momentum_with_the_velocity_relative_to_C(student, draw):
-    """angular_momentum by definition c: the velocity as one sees it who moves along with C."""
-    calls, hint = cases.momenta(draw, "c"), "Whose velocity, seen from where?"
-    agree(student.angular_momentum, right.angular_momentum, calls, within=POINTWISE, hint=hint, **MOMENTUM)
-
-
-def refuse_others(function, expected, case):
-    """Letters that name no definition are refused, and definition b is not."""
-    accepts = [(case, expected(*case.args, **case.kwargs))]
-    within = POINTWISE * moment_size(case) if len(case.args) == 7 else POINTWISE * momentum_size(case, None)
-    hint = "Raise ValueError for anything but the three letters."
-    refuse(function, cases.others(case), accepts=accepts, within=within, hint=hint)
-
-
-@check(points=0.25, part="a", after=(momentum_with_the_velocity_in_F, momentum_with_the_velocity_relative_to_C))
-def momentum_refuses_other_definitions(student, draw):
-    """angular_momentum raises ValueError for another definition."""
-    refuse_others(student.angular_momentum, right.angular_momentum, cases.momenta(draw, "b")[0])
+RESULTS = {
+    "moment": array(3).called("the moment", "N m", moment_size),
+    "angular_momentum": array(3).called("the angular momentum", "kg m^2/s", momentum_size),
+    "rate": array(3).called("the rate", "N m", moment_size),
+    "discrepancy": array(3).called("the discrepancy", "N m", moment_size),
+    "special_motion": group(array(None, 3), array(None, 3)),
+}
 
 
 def by_difference(hint):
@@ -93,32 +54,9 @@ def by_difference(hint):
     return told
 
 
+LETTERS = "Raise ValueError for anything but the three letters."
 FIXED = "C' stays where C is at this instant: what is its velocity?"
 PRODUCT = by_difference("Differentiate the product: which vectors change with time?")
-
-
-@check(points=0.5, part="a")
-def rate_about_a_fixed_point(student, draw):
-    """rate by definition a: the derivative while C' stays where it is."""
-    agree(student.rate, right.rate, cases.rates(draw, "a"), within=POINTWISE, hint=by_difference(FIXED), **RATE)
-
-
-@check(points=1, part="a")
-def rate_with_the_velocity_in_F(student, draw):
-    """rate by definition b: the derivative of its angular momentum along any motion of P and C."""
-    agree(student.rate, right.rate, cases.rates(draw, "b"), within=POINTWISE, hint=PRODUCT, **RATE)
-
-
-@check(points=0.75, part="a")
-def rate_with_the_velocity_relative_to_C(student, draw):
-    """rate by definition c: the derivative of its angular momentum along any motion of P and C."""
-    agree(student.rate, right.rate, cases.rates(draw, "c"), within=POINTWISE, hint=PRODUCT, **RATE)
-
-
-@check(points=0.25, part="a", after=(rate_about_a_fixed_point, rate_with_the_velocity_in_F))
-def rate_refuses_other_definitions(student, draw):
-    """rate raises ValueError for another definition."""
-    refuse_others(student.rate, right.rate, cases.rates(draw, "b")[0])
 
 
 def left_over(case, found, expected):
@@ -130,30 +68,58 @@ def left_over(case, found, expected):
     return "It is your rate less your moment: what is left of it on paper?"
 
 
-@check(points=0.5, part="a")
-def discrepancy_with_the_velocity_in_F(student, draw):
-    """discrepancy by definition b: its rate less the moment."""
-    calls = cases.rates(draw, "b")
-    agree(student.discrepancy, right.discrepancy, calls, within=POINTWISE, hint=left_over, **DISCREPANCY)
+moment_is_about_C = law("moment: of the total force on P, about C.", points=1, part="a").agrees(
+    right.moment,
+    cases.moments,
+    within=POINTWISE,
+    hint="The lever arm runs from C to P, and the force on P is all of its m a.",
+)
+momentum_with_the_velocity_in_F = law(
+    "angular_momentum by definitions a and b: the lever arm from C, the velocity as F sees it.", points=1, part="a"
+).agrees(
+    right.angular_momentum,
+    cases.momenta("ab"),
+    within=POINTWISE,
+    hint="At one instant, can definitions a and b differ?",
+)
+momentum_with_the_velocity_relative_to_C = law(
+    "angular_momentum by definition c: the velocity as one sees it who moves along with C.", points=0.75, part="a"
+).agrees(right.angular_momentum, cases.momenta("c"), within=POINTWISE, hint="Whose velocity, seen from where?")
+momentum_refuses_other_definitions = law(
+    "angular_momentum raises ValueError for another definition.",
+    points=0.25,
+    part="a",
+    after=(momentum_with_the_velocity_in_F, momentum_with_the_velocity_relative_to_C),
+).refuses(right.angular_momentum, cases.letters(cases.momenta("b")), within=POINTWISE, hint=LETTERS)
 
+rate_about_a_fixed_point = law(
+    "rate by definition a: the derivative while C' stays where it is.", points=0.5, part="a"
+).agrees(right.rate, cases.rates("a"), within=POINTWISE, hint=by_difference(FIXED))
+rate_with_the_velocity_in_F = law(
+    "rate by definition b: the derivative of its angular momentum along any motion of P and C.", points=1, part="a"
+).agrees(right.rate, cases.rates("b"), within=POINTWISE, hint=PRODUCT)
+rate_with_the_velocity_relative_to_C = law(
+    "rate by definition c: the derivative of its angular momentum along any motion of P and C.", points=0.75, part="a"
+).agrees(right.rate, cases.rates("c"), within=POINTWISE, hint=PRODUCT)
+rate_refuses_other_definitions = law(
+    "rate raises ValueError for another definition.",
+    points=0.25,
+    part="a",
+    after=(rate_about_a_fixed_point, rate_with_the_velocity_in_F),
+).refuses(right.rate, cases.letters(cases.rates("b")), within=POINTWISE, hint=LETTERS)
 
-@check(points=0.5, part="a")
-def discrepancy_with_the_velocity_relative_to_C(student, draw):
-    """discrepancy by definition c: its rate less the moment."""
-    calls = cases.rates(draw, "c")
-    agree(student.discrepancy, right.discrepancy, calls, within=POINTWISE, hint=left_over, **DISCREPANCY)
-
-
-@check(points=0.25, part="a", after=discrepancy_with_the_velocity_in_F)
-def no_discrepancy_about_a_fixed_point(student, draw):
-    """discrepancy by definition a."""
-    agree(student.discrepancy, right.discrepancy, cases.rates(draw, "a"), within=POINTWISE, hint=FIXED, **DISCREPANCY)
-
-
-@check(points=0.25, part="a", after=discrepancy_with_the_velocity_in_F)
-def discrepancy_refuses_other_definitions(student, draw):
-    """discrepancy raises ValueError for another definition."""
-    refuse_others(student.discrepancy, right.discrepancy, cases.rates(draw, "b")[0])
+discrepancy_with_the_velocity_in_F = law(
+    "discrepancy by definition b: its rate less the moment.", points=0.5, part="a"
+).agrees(right.discrepancy, cases.rates("b"), within=POINTWISE, hint=left_over)
+discrepancy_with_the_velocity_relative_to_C = law(
+    "discrepancy by definition c: its rate less the moment.", points=0.5, part="a"
+).agrees(right.discrepancy, cases.rates("c"), within=POINTWISE, hint=left_over)
+no_discrepancy_about_a_fixed_point = discrepancy_with_the_velocity_in_F.then(
+    "discrepancy by definition a.", points=0.25, part="a"
+).agrees(right.discrepancy, cases.rates("a"), within=POINTWISE, hint=FIXED)
+discrepancy_refuses_other_definitions = discrepancy_with_the_velocity_in_F.then(
+    "discrepancy raises ValueError for another definition.", points=0.25, part="a"
+).refuses(right.discrepancy, cases.letters(cases.rates("b")), within=POINTWISE, hint=LETTERS)
 
 
 def judge_motion(definition, p, c):

@@ -6,7 +6,7 @@ import numpy as np
 
 from tam570_grader import given
 
-Z = np.array([0.0, 0.0, 1.0])
+Z_AXIS = given(np.array([0.0, 0.0, 1.0]), 0.0).on("the z axis, no turn")
 TURNS = {
     "no turn": 0.0,
     "a quarter turn": math.pi / 2,
@@ -107,20 +107,23 @@ def of_vectors(draw, turns):
     return [given(draw.normal(size=3) * 10 ** draw.uniform(-2, 2), *turn.args).on(turn.kind) for turn in turns]
 
 
-def special_vectors(draw):
-    """Vectors along the axis, and none."""
-    plain = plain_turns(draw)
+def turned_vectors(draw):
+    """Random vectors, vectors along the axis, and none."""
+    random, plain = of_vectors(draw, turns(draw) + plain_turns(draw)), plain_turns(draw)
     along = [given(-2.0 * turn.args[0], *turn.args).on("a vector along the axis") for turn in plain]
-    return [*along, given(np.zeros(3), *plain[1].args).on("the zero vector")]
+    return [*random, *along, given(np.zeros(3), *plain[1].args).on("the zero vector")]
 
 
-def without_direction(draw):
-    """(axis, angle) of what is no axis; without a turn it is none either."""
+def no_axes(draw):
+    """(axis, angle): first of an axis, then of what is none, without a turn either."""
     angle = draw.uniform(0.5, 3)
-    cases = [given(np.array(axis), angle).on(kind) for kind, axis in NO_AXES.items()]
-    return cases + [case.but(case.args[0], 0.0).on(f"{case.kind}, no turn") for case in cases[:2]]
+    refused = [given(np.array(axis), angle).on(kind) for kind, axis in NO_AXES.items()]
+    still = [case.but(case.args[0], 0.0).on(f"{case.kind}, no turn") for case in refused[:2]]
+    return [Z_AXIS, *refused, *still]
 
 
-def of_vectors_without_direction(draw):
-    cases = of_vectors(draw, without_direction(draw))
-    return cases + [case.but(np.zeros(3)).on(f"{case.kind}, the zero vector") for case in cases[:2]]
+def vectors_about_no_axes(draw):
+    allowed = given(draw.normal(size=3), *Z_AXIS.args).on(Z_AXIS.kind)
+    refused = of_vectors(draw, no_axes(draw)[1:])
+    zero = [case.but(np.zeros(3)).on(f"{case.kind}, the zero vector") for case in refused[:2]]
+    return [allowed, *refused, *zero]

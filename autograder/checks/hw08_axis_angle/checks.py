@@ -2,11 +2,10 @@
 
 import numpy as np
 
-from tam570_grader import agree, array, check, expect, given, refuse
+from tam570_grader import agree, array, check, expect, law
 
 from . import cases, right
 
-RESULTS = {"skew": array(3, 3), "rotation_matrix": array(3, 3), "rotate": array(3)}
 NEEDS = ("numpy",)
 OFF_LIMITS = {"*": ("scipy.spatial.transform", "tam570.rotations", "tam570.lectures"), "rotate": ("rotation_matrix",)}
 
@@ -27,8 +26,11 @@ def length(case, _):
     return np.linalg.norm(case.args[0])
 
 
-MATRIX = {"of": "the matrix", "scale": one}
-VECTOR = {"of": "the turned vector", "unit": "m", "scale": length}
+RESULTS = {
+    "skew": array(3, 3).called("skew(v)", scale=length),
+    "rotation_matrix": array(3, 3).called("the matrix", scale=one),
+    "rotate": array(3).called("the turned vector", "m", scale=length),
+}
 
 
 def of_few_digits(case, found, expected):
@@ -46,64 +48,45 @@ def of_which_term(case, found, expected):
     return "The cosine is right in it, the sine is not." if sine > 100 * cosine else "What does each term become there?"
 
 
-@check(points=1, part="a")
-def skew_is_the_cross_product(student, draw):
-    """skew(v) r = v x r, for any v and r."""
-    known = {"of": "skew(v)", "scale": length, "hint": "Which columns are v x e, for the three unit vectors e?"}
-    agree(student.skew, right.skew, cases.vectors(draw), within=POINTWISE, **known)
-
-
-@check(points=2, part="a")
-def matrix_turns_by_the_right_hand_rule(student, draw):
-    """rotation_matrix turns by the angle about the axis, right-handed, whatever the axis's length."""
-    calls = cases.turns(draw) + cases.plain_turns(draw)
-    agree(student.rotation_matrix, right.rotation_matrix, calls, within=POINTWISE, hint=of_few_digits, **MATRIX)
+skew_is_the_cross_product = law("skew(v) r = v x r, for any v and r.", points=1, part="a").agrees(
+    right.skew, cases.vectors, within=POINTWISE, hint="Which columns are v x e, for the three unit vectors e?"
+)
+matrix_turns_by_the_right_hand_rule = law(
+    "rotation_matrix turns by the angle about the axis, right-handed, whatever the axis's length.", points=2, part="a"
+).agrees(right.rotation_matrix, cases.turns, cases.plain_turns, within=POINTWISE, hint=of_few_digits)
 
 
 @check(points=1, part="a", after=matrix_turns_by_the_right_hand_rule)
 def matrix_holds_for_every_angle(student, draw):
     """An angle of 1e-12 turns by 1e-12, one of 1e6 by 1e6; R^T R = I and det R = 1 for all of them."""
     for within, calls in zip(BY_SIZE, cases.turns_by_size(draw), strict=True):
-        agree(student.rotation_matrix, right.rotation_matrix, calls, within=within, hint=of_which_term, **MATRIX)
+        agree(student.rotation_matrix, right, calls, within=within, hint=of_which_term)
         # an exponential of the matrix by scaling and squaring is off in its lengths, too, at 1e6 rad
         for _, R in student.rotation_matrix.each(calls):
             expect(R.T @ R, np.eye(3), within=max(within, POINTWISE), of="R^T R")
             expect(np.linalg.det(R), 1.0, within=max(within, POINTWISE), of="det R")
 
 
-@check(points=1, part="a", after=matrix_turns_by_the_right_hand_rule)
-def matrix_depends_on_the_direction_alone(student, draw):
-    """Axes of length 1e-100 or 1e100 give the same matrix as the unit axis."""
-    hint = "What becomes of the square of its length?"
-    agree(
-        student.rotation_matrix, right.rotation_matrix, cases.of_any_length(draw), within=POINTWISE, hint=hint, **MATRIX
-    )
-
-
-@check(points=1, part="a", after=matrix_turns_by_the_right_hand_rule)
-def matrix_refuses_what_is_no_axis(student, draw):
-    """rotation_matrix raises ValueError for an axis that is zero or not finite, whatever the angle."""
-    accepts = [(given(cases.Z, 0.0).on("the z axis, no turn"), np.eye(3))]
-    refuse(student.rotation_matrix, cases.without_direction(draw), accepts=accepts, within=POINTWISE)
-
-
-@check(points=2, part="a")
-def vector_turns_by_the_right_hand_rule(student, draw):
-    """rotate turns r as the matrix would, whatever the axis's length."""
-    calls = cases.of_vectors(draw, cases.turns(draw) + cases.plain_turns(draw)) + cases.special_vectors(draw)
-    agree(student.rotate, right.rotate, calls, within=POINTWISE, hint=of_few_digits, **VECTOR)
+matrix_depends_on_the_direction_alone = matrix_turns_by_the_right_hand_rule.then(
+    "Axes of length 1e-100 or 1e100 give the same matrix as the unit axis.", points=1, part="a"
+).agrees(right.rotation_matrix, cases.of_any_length, within=POINTWISE, hint="What becomes of the square of its length?")
+matrix_refuses_what_is_no_axis = matrix_turns_by_the_right_hand_rule.then(
+    "rotation_matrix raises ValueError for an axis that is zero or not finite, whatever the angle.", points=1, part="a"
+).refuses(right.rotation_matrix, cases.no_axes, within=POINTWISE)
+vector_turns_by_the_right_hand_rule = law(
+    "rotate turns r as the matrix would, whatever the axis's length.", points=2, part="a"
+).agrees(right.rotate, cases.turned_vectors, within=POINTWISE, hint=of_few_digits)
 
 
 @check(points=1, part="a", after=vector_turns_by_the_right_hand_rule)
 def vector_turns_by_every_angle(student, draw):
     """rotate holds for angles from 1e-12 to 1e6 and axes from 1e-100 to 1e100 long."""
     for within, turns in zip(BY_SIZE, cases.of_any_size_and_length(draw), strict=True):
-        agree(student.rotate, right.rotate, cases.of_vectors(draw, turns), within=within, **VECTOR)
+        agree(student.rotate, right, cases.of_vectors(draw, turns), within=within)
 
 
-@check(points=1, part="a", after=vector_turns_by_the_right_hand_rule)
-def rotate_refuses_what_is_no_axis(student, draw):
-    """rotate raises ValueError for an axis that is zero or not finite, whatever the angle and the vector."""
-    r = draw.normal(size=3)
-    accepts = [(given(r, cases.Z, 0.0).on("the z axis, no turn"), r)]
-    refuse(student.rotate, cases.of_vectors_without_direction(draw), accepts=accepts, within=POINTWISE)
+rotate_refuses_what_is_no_axis = vector_turns_by_the_right_hand_rule.then(
+    "rotate raises ValueError for an axis that is zero or not finite, whatever angle and vector are.",
+    points=1,
+    part="a",
+).refuses(right.rotate, cases.vectors_about_no_axes, within=POINTWISE)

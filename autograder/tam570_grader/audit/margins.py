@@ -94,7 +94,7 @@ def _not_passed(course: Path, slug: str, slip: str) -> frozenset[str]:
     """The checks that a wrong submission fails, and those that are not run for it because they come after."""
     names = _failed(slip)
     for check in assignments.assignment(course, slug).checks:
-        if names & set(check.after):
+        if names & {other.name for other in check.after}:
             names.add(check.name)
     return frozenset(names)
 

@@ -36,8 +36,8 @@ def tried(trial: Trial, recorder: Recorder | None = None) -> Result:
     """The result of a trial, on a worker of this process."""
     assignment = assignments.assignment(trial.course, trial.slug)
     if trial.checks is not None:
-        kept = [check for check in assignment.checks if check.name in trial.checks]
-        free = (replace(check, after=tuple(set(check.after) & trial.checks)) for check in kept)
+        kept = tuple(check for check in assignment.checks if check.name in trial.checks)
+        free = (replace(check, after=tuple(set(check.after) & set(kept))) for check in kept)
         assignment = replace(assignment, checks=tuple(free))
     source = Source(trial.text.encode())
     needs = sorted({*assignment.needs, *imported(source.text)})

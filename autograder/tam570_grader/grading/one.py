@@ -106,7 +106,7 @@ def _mark(
     naming: bool,
 ) -> Mark:
     """Run one check, unless one that it builds on is wrong or missing."""
-    missing = [name for name in check.after if not marks[name].opens]
+    missing = [other.name for other in check.after if not marks[other.name].opens]
     if missing:
         return _not_run(check, f"Not run before this passes: {_line(assignment.checks, missing[0])}")
     student.calls.clear()

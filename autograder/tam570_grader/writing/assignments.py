@@ -107,7 +107,7 @@ def assignment(root: Path, slug: str) -> Assignment:
     folder = checks_folder(root, slug)
     module = _checks(folder)
     source = (folder / "checks.py").read_bytes()
-    checks = tuple(value for value in vars(module).values() if isinstance(value, Check))
+    checks = _named_checks(module)
     off_limits: dict[str, Sequence[str]] = getattr(module, "OFF_LIMITS", {})
     manual: dict[str, tuple[float, str]] = getattr(module, "MANUAL", {})
     return Assignment(slug, checks, module.RESULTS, module.NEEDS, off_limits, source, manual, root)
@@ -148,6 +148,14 @@ def _checks(folder: Path) -> ModuleType:
         del sys.modules[loaded]
     sys.modules[name] = package
     return importlib.import_module(f"{name}.checks")
+
+
+def _named_checks(module: ModuleType) -> tuple[Check, ...]:
+    """The checks of a module, in order; a law has the name that it is bound to."""
+    found = {name: value for name, value in vars(module).items() if isinstance(value, Check)}
+    for name, one in found.items():
+        one.judge.__name__ = name
+    return tuple(found.values())
 
 
 def _loaded(path: Path, name: str) -> ModuleType:

@@ -15,9 +15,12 @@ import functools
 import threading
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
+
+if TYPE_CHECKING:
+    from tam570_grader.writing.laws import Law
 
 __all__ = ["Check", "Given", "Memory", "check", "given", "once"]
 
@@ -43,12 +46,12 @@ class Memory:
 
 @dataclass(frozen=True)
 class Check:
-    """One hidden check, as `@check` makes it."""
+    """One hidden check, as `@check` or a `law` makes it."""
 
     judge: Callable[[Any, np.random.Generator], None]
     points: float
     part: str
-    after: tuple[str, ...]
+    after: tuple["Check", ...]
 
     @property
     def name(self) -> str:
@@ -59,6 +62,12 @@ class Check:
         """What the check tests, for the student: the first paragraph of its docstring on one line."""
         return " ".join((self.judge.__doc__ or self.name).strip().split("\n\n")[0].split())
 
+    def then(self, line: str, *, points: float, part: str) -> "Law":
+        """A law that is judged only when this check has (nearly) passed."""
+        from tam570_grader.writing.laws import law  # which compares by what needs this module
+
+        return law(line, points=points, part=part, after=self)
+
 
 def check(
     *, points: float, part: str, after: Check | Sequence[Check] = ()
@@ -67,7 +76,7 @@ def check(
     needed = (after,) if isinstance(after, Check) else tuple(after)
 
     def made(judge: Callable[[Any, np.random.Generator], None]) -> Check:
-        return Check(judge, float(points), part, tuple(other.name for other in needed))
+        return Check(judge, float(points), part, needed)
 
     return made
 

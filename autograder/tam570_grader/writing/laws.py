@@ -1,0 +1,78 @@
+"""A check that is one comparison, said in one expression.
+
+    energy_is_half_omega_h = law("energy: half of omega . H.", points=0.5, part="a").agrees(
+        right.energy, cases.spinning, within=POINTWISE
+    )
+
+`one.then("...", points=1, part="a")` is a law that builds on another check. A check's name is the one that it is
+bound to; the student's function has the name of the right one. Cases are functions of `draw`; those of several are
+drawn in turn, and judged together. All else is handed on: see `agree`, `follow`, `stays`.
+"""
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from itertools import chain
+from typing import Any
+
+import numpy as np
+
+from tam570_grader.writing.agree import agree, agree_by_columns, refuse
+from tam570_grader.writing.check import Check, Given, check
+from tam570_grader.writing.follow import Invariant, follow, stays
+
+__all__ = ["Law", "law"]
+
+Cases = Callable[[np.random.Generator], Iterable[Given]]
+Right = Callable[..., Any]
+
+
+@dataclass(frozen=True)
+class Law:
+    """What a check is worth, and the line that the student reads."""
+
+    line: str
+    points: float
+    part: str
+    after: Check | Sequence[Check]
+
+    def agrees(self, right: Right, *cases: Cases, **known: Any) -> Check:
+        """The student's function gives what the right one gives."""
+        return self._judged(right, cases, lambda function, calls: agree(function, right, calls, **known))
+
+    def agrees_by_columns(self, right: Right, *cases: Cases, **known: Any) -> Check:
+        """The same for states, whose numbers have different units."""
+        return self._judged(right, cases, lambda function, calls: agree_by_columns(function, right, calls, **known))
+
+    def follows(self, right: Right, *cases: Cases, **known: Any) -> Check:
+        """The student's simulation follows the right motion."""
+        return self._judged(right, cases, lambda function, calls: follow(function, right, calls, **known))
+
+    def keeps(self, *invariants: Invariant, right: Right, cases: Cases, **known: Any) -> Check:
+        """The invariants stay along the student's motions."""
+
+        def judge(function: Any, calls: list[Given]) -> None:
+            for invariant in invariants:
+                stays(function, right, calls, invariant, **known)
+
+        return self._judged(right, (cases,), judge)
+
+    def refuses(self, right: Right, *cases: Cases, within: float, allowed: int = 1, hint: str = "") -> Check:
+        """The student's function raises ValueError, but for the first cases: so many are allowed, and judged."""
+
+        def judge(function: Any, calls: list[Given]) -> None:
+            agree(function, right, calls[:allowed], within=within, hint="this input is allowed")
+            refuse(function, calls[allowed:], accepts=(), within=within, hint=hint)
+
+        return self._judged(right, cases, judge)
+
+    def _judged(self, right: Right, cases: Sequence[Cases], judge: Callable[[Any, list[Given]], object]) -> Check:
+        def judged(student: Any, draw: np.random.Generator) -> None:
+            judge(getattr(student, right.__name__), list(chain.from_iterable(drawn(draw) for drawn in cases)))
+
+        judged.__doc__ = self.line
+        return check(points=self.points, part=self.part, after=self.after)(judged)
+
+
+def law(line: str, *, points: float, part: str, after: Check | Sequence[Check] = ()) -> Law:
+    """A check worth `points` in a lettered part, run only when all of `after` have (nearly) passed."""
+    return Law(line, points, part, after)

@@ -1,0 +1,85 @@
+"""A law is a check: it judges the student's function of the right one's name over cases that are drawn in turn."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from tam570_grader.writing.check import check, given
+from tam570_grader.writing.expect import Failed, trial
+from tam570_grader.writing.laws import law
+from tam570_grader.writing.returns import number
+
+WORTH = {"points": 2, "part": "b"}
+
+
+def root(x):
+    return x**0.5
+
+
+def student(function, seen=None):
+    """A student whose `root` is this function; what it is called with is noted in `seen`."""
+
+    def each(cases):
+        for case in cases:
+            if seen is not None:
+                seen.append(case)
+            yield case, function(*case.args)
+
+    def refuses(x):
+        try:
+            function(x)
+        except ValueError:
+            return True
+        return False
+
+    return SimpleNamespace(root=SimpleNamespace(name="root", promise=number, each=each, refuses=refuses))
+
+
+def drawn(draw):
+    return [given(draw.uniform(1, 2)).on("a random x")]
+
+
+def judged(one, function, seen=None):
+    with trial():
+        one.judge(student(function, seen), np.random.default_rng(1))
+
+
+def test_a_law_is_a_check_with_the_line_that_a_student_reads():
+    one = law("root: the positive root.", **WORTH).agrees(root, drawn, within=1e-9)
+    assert (one.line, one.points, one.part, one.after) == ("root: the positive root.", 2.0, "b", ())
+
+
+def test_it_passes_what_is_right_and_fails_what_is_not():
+    one = law("root: the positive root.", **WORTH).agrees(root, drawn, within=1e-9)
+    judged(one, root)
+    with pytest.raises(Failed):
+        judged(one, lambda x: -root(x))
+
+
+def test_cases_are_drawn_in_turn_and_all_judged():
+    seen, draw = [], np.random.default_rng(1)
+    judged(law("root", **WORTH).agrees(root, drawn, drawn, within=1e-9), root, seen)
+    assert [case.args for case in seen] == [case.args for _ in range(2) for case in drawn(draw)]
+
+
+def test_refusals_stand_behind_a_right_answer():
+    one = law("root", **WORTH).refuses(root, drawn, lambda draw: [given(-1.0).on("x = -1")], within=1e-9)
+
+    def positive(x):
+        if x < 0:
+            raise ValueError
+        return root(x)
+
+    judged(one, positive)
+    for wrong in (lambda x: root(abs(x)), lambda x: 2 * positive(x)):  # refuses nothing; is wrong where it answers
+        with pytest.raises(Failed):
+            judged(one, wrong)
+
+
+def test_what_builds_on_a_check_names_it():
+    @check(points=1, part="a")
+    def first(student, draw):
+        """The first."""
+
+    assert first.then("root", **WORTH).agrees(root, drawn, within=1e-9).after == (first,)
