@@ -55,9 +55,9 @@ class Stopwatch:
         self._receive = Cell.receive
 
     def __enter__(self):
-        def receive(cell):
+        def receive(cell, *how):
             started = time.perf_counter()
-            reply = self._receive(cell)
+            reply = self._receive(cell, *how)
             if isinstance(reply, dict) and "defined" not in reply:  # that is the import, which we count as ours
                 self.waited += time.perf_counter() - started
             return reply
@@ -77,15 +77,19 @@ class Stopwatch:
 
 def graded(slug, count, jobs):
     """Seconds, students' share and peak memory of grading a class."""
-    with tempfile.TemporaryDirectory() as folder, Stopwatch() as watch:
+    watch = Stopwatch() if jobs == 1 else contextlib.nullcontext()  # its looks would be the head's own time
+    with tempfile.TemporaryDirectory() as folder, watch:
         found = submissions([class_of(slug, count, Path(folder))], [slug])
         plan = Plan(COURSE, found, 570, jobs, Allowance(), [COURSE])
         started, cpu, head = time.perf_counter(), cpu_seconds(), head_seconds()
         done = list(tqdm(records(plan), total=count, desc=slug, leave=False, disable=None))
         seconds, head = time.perf_counter() - started, head_seconds() - head
     assert all(record["score"] == record["max_score"] for record in done)
-    spent = sum(record["seconds"] for record in done)
-    alone = {"ours": 1 - watch.waited / spent, "mib_a_job": watch.memory} if jobs == 1 else {}  # all in this process
+    if jobs == 1:  # all in this process
+        spent = sum(record["seconds"] for record in done)
+        more = {"ours": 1 - watch.waited / spent, "mib_a_job": watch.memory}
+    else:
+        more = {"head_seconds_each": head / count}
     return {
         "grader": f"tam570-grader, {isolation()}, {jobs} jobs",
         "assignment": slug,
@@ -93,8 +97,7 @@ def graded(slug, count, jobs):
         "seconds": seconds,
         "seconds_each": seconds / count,
         "cpu_seconds": cpu_seconds() - cpu,
-        "head_seconds_each": head / count,
-        **alone,
+        **more,
     }
 
 
@@ -109,7 +112,7 @@ def memory():
 
 
 def head_seconds():
-    """Processor time of this process, which hands out and writes; with one job it grades as well."""
+    """Processor time of this process, which hands out and writes; with one job it grades as well, and is not told."""
     usage = resource.getrusage(resource.RUSAGE_SELF)
     return usage.ru_utime + usage.ru_stime
 
@@ -118,6 +121,16 @@ def cpu_seconds():
     """Of this process and of the children that have ended."""
     usages = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
     return sum(usage.ru_utime + usage.ru_stime for usage in usages)
+
+
+def told_of_jobs(slug, runs):
+    """How many times as fast several jobs are as one, and the most that any number can be: the head is one process."""
+    seconds = {jobs: row["seconds"] for jobs, row in runs.items()}
+    for jobs, row in runs.items():
+        if jobs > 1:
+            bound = row["cpu_seconds"] / row["submissions"] / row["head_seconds_each"]
+            faster = f"{seconds[1] / row['seconds']:.2f} times as fast as 1 job, and " if 1 in seconds else ""
+            print(f"{slug:22} {jobs} jobs: {faster}no number of jobs is more than {bound:.0f} times as fast")
 
 
 def one_file(slug):
@@ -197,9 +210,10 @@ def main():
     parser.add_argument("--peers", nargs="*", choices=["nbgrader"], default=[])
     options = parser.parse_args()
     count = 20 if options.quick else options.submissions
-    rows = []
+    rows, runs = [], {}
     for slug in options.assignments:
-        rows += [one_file(slug), *(graded(slug, count, jobs) for jobs in options.jobs)]
+        runs[slug] = {jobs: graded(slug, count, jobs) for jobs in options.jobs}
+        rows += [one_file(slug), *runs[slug].values()]
         rows += [nbgrader(slug, 10) for _ in options.peers]
     for row in rows:
         head = f"{row['head_seconds_each'] * 1000:.2f} ms of the head each" if "head_seconds_each" in row else ""
@@ -208,6 +222,8 @@ def main():
             f"{row['assignment']:22} {row['grader']:46} {row['submissions']:4} in {row['seconds']:7.2f} s"
             f" {row['seconds_each'] * 1000:8.1f} ms each {head} {ours}"
         )
+    for slug, its_runs in runs.items():
+        told_of_jobs(slug, its_runs)
     RESULTS.parent.mkdir(exist_ok=True)
     RESULTS.write_text(json.dumps(rows, indent=1) + "\n")
 
