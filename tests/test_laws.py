@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from tam570_grader.audit.diagnosis import ENOUGH, diagnosis
+from tam570_grader.delivery.notebook import functions_of
 from tam570_grader.delivery.stubs import stub
 from tam570_grader.sandbox.student import Source, Student
 from tam570_grader.sandbox.worker import Allowance
@@ -147,6 +148,7 @@ def test_the_inputs_of_a_check_tell_its_mistakes_from_the_truth(slug, check, wor
         check.judge(student, np.random.default_rng(5))
     student.leave()
     assert known(solution_text(slug), assignment.suspects(check.name), student.calls) is None
+    assert {call.name for call in student.calls} <= functions_of(check), "the notebook would not know its part"
 
 
 # Nothing scores nothing

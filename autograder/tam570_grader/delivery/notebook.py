@@ -1,18 +1,23 @@
 """The notebook of an assignment: the problem part by part, what the student's module does, and cells for the points."""
 
 import ast
+import dis
+import itertools
 import json
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from types import CodeType, FunctionType
 from typing import Any
 
 from tam570_grader.writing.assignments import Assignment
+from tam570_grader.writing.check import Check
 
 __all__ = [
     "FORMAT",
     "Problem",
     "functions_by_part",
+    "functions_of",
     "notebook",
     "part_of",
     "part_points",
@@ -99,44 +104,62 @@ def part_of(grade_id: str) -> str | None:
 
 def functions_by_part(assignment: Assignment) -> dict[str, str]:
     """The part of each function: that of the first check that calls it, else the first part."""
-    definitions = _definitions(assignment.source.decode())
     found: dict[str, str] = {}
     for check in assignment.checks:
-        for name in _mentioned("student", definitions[check.name], definitions):
+        for name in functions_of(check) & {*assignment.results}:
             found.setdefault(name, check.part)
     first = assignment.checks[0].part
     return {name: found.get(name, first) for name in assignment.results}
 
 
+def functions_of(check: Check) -> set[str]:
+    """The names that a loaded check uses, itself or by the functions of its module, some of them functions to write.
+
+    A law holds the right function, which has the name of the student's.
+    """
+    names, pending, seen = set[str](), [check.judge], {check.judge}
+    while pending:
+        function = pending.pop()
+        mentioned = set(_names(function.__code__))
+        held = [cell.cell_contents for cell in function.__closure__ or ()]
+        names |= mentioned | {one.__name__ for one in held if isinstance(one, FunctionType)}
+        beside = [*map(function.__globals__.get, mentioned), *held]
+        more = {one for one in beside if isinstance(one, FunctionType) and one.__module__ == check.judge.__module__}
+        pending += more - seen
+        seen |= more
+    return names
+
+
+def _names(code: CodeType) -> Iterator[str]:
+    """Of the globals in a function and in those inside of it, and of attributes, but not of modules: `right.energy`."""
+    for before, one in itertools.pairwise(dis.get_instructions(code)):
+        if before.opname == "LOAD_GLOBAL":
+            yield before.argval
+        elif one.opname in ("LOAD_ATTR", "LOAD_METHOD"):
+            yield one.argval
+    for inner in code.co_consts:
+        if isinstance(inner, CodeType):
+            yield from _names(inner)
+
+
 def visible_by_part(assignment: Assignment, tests: str) -> dict[str, list[str]]:
     """The visible tests of each part: a test belongs to the last part of which it uses a function."""
     parts, graded = functions_by_part(assignment), sorted(part_points(assignment))
-    definitions = _definitions(tests)
+    definitions = {node.name: node for node in ast.parse(tests).body if isinstance(node, ast.FunctionDef)}
     found: dict[str, list[str]] = {part: [] for part in graded}
     for name, node in definitions.items():
         if name.startswith("test_"):
-            used = [parts[f] for f in _mentioned("hw", node, definitions) if f in parts]
+            used = [parts[f] for f in _mentioned(node, definitions) if f in parts]
             found[max(used, default=graded[0])].append(name)
     return found
 
 
-def _definitions(source: str) -> dict[str, ast.FunctionDef]:
-    return {node.name: node for node in ast.parse(source).body if isinstance(node, ast.FunctionDef)}
-
-
-def _is(owner: str, value: ast.expr) -> bool:
-    """Whether an expression is `owner`, or `owner.on(kind)`."""
-    if isinstance(value, ast.Call) and isinstance(value.func, ast.Attribute) and value.func.attr == "on":
-        value = value.func.value
-    return isinstance(value, ast.Name) and value.id == owner
-
-
-def _mentioned(owner: str, node: ast.FunctionDef, definitions: Definitions) -> set[str]:
-    """The attributes of `owner` that a function uses, itself or by the functions beside it."""
+def _mentioned(node: ast.FunctionDef, definitions: Definitions) -> set[str]:
+    """The attributes of `hw` that a visible test uses, itself or by the functions beside it."""
     names, pending, seen = set(), [node], {node.name}
     while pending:
         for inner in ast.walk(pending.pop()):
-            if isinstance(inner, ast.Attribute) and _is(owner, inner.value):
+            if isinstance(inner, ast.Attribute) and isinstance(inner.value, ast.Name) and inner.value.id == "hw":
                 names.add(inner.attr)
             elif isinstance(inner, ast.Name) and inner.id in definitions and inner.id not in seen:
                 seen.add(inner.id)
@@ -158,9 +181,8 @@ def _part(assignment: Assignment, part: str, text: str, shown: str | None, tests
 
 def _used_in(assignment: Assignment, part: str) -> list[str]:
     """The functions that the checks of a part call."""
-    definitions = _definitions(assignment.source.decode())
-    checks = [definitions[check.name] for check in assignment.checks if check.part == part]
-    return sorted({name for check in checks for name in _mentioned("student", check, definitions)})
+    used = set().union(*(functions_of(check) for check in assignment.checks if check.part == part))
+    return sorted(used & {*assignment.results})
 
 
 def _by_hand(part: str, points: float, what: str) -> list[Cell]:
