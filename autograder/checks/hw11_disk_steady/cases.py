@@ -212,6 +212,10 @@ def steep(draw):
     return [given(sign * lean, **disk).on(STEEP) for lean in STEEP_LEANS for sign in (1, -1)]
 
 
+def settling(draw):
+    return settled(draw) + next_to_upright(draw)[:1] + steep(draw)
+
+
 def whirls(draw):
     """Leans, precessions, spins and disks without any relation, steady or not; and some with a zero."""
     cases = []
@@ -235,6 +239,11 @@ def without(case, *names):
     """The same call without these parameters."""
     rest = {name: value for name, value in case.kwargs.items() if name not in names}
     return given(*case.args, **rest).on(case.kind)
+
+
+def free_whirls(draw):
+    """For a function that is given no inertia."""
+    return [without(case, "inertia") for case in whirls(draw)]
 
 
 def under_forces(draw):
