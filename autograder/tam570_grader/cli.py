@@ -10,6 +10,7 @@ from collections.abc import Callable
 from tam570 import __version__
 from tam570_grader.audit.command import add_audit
 from tam570_grader.delivery.command import (
+    add_alike,
     add_collect,
     add_course,
     add_export,
@@ -38,6 +39,7 @@ COMMANDS = (
     add_course,
     add_gradescope,
     add_export,
+    add_alike,
     add_lms,
     add_report,
     add_audit,

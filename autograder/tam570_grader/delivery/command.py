@@ -7,7 +7,17 @@ from pathlib import Path
 from tam570_grader.errors import UsageError
 from tam570_grader.options import Commands
 
-__all__ = ["add_collect", "add_course", "add_export", "add_gradescope", "add_kit", "add_lms", "add_report", "add_stubs"]
+__all__ = [
+    "add_alike",
+    "add_collect",
+    "add_course",
+    "add_export",
+    "add_gradescope",
+    "add_kit",
+    "add_lms",
+    "add_report",
+    "add_stubs",
+]
 
 
 def add_stubs(commands: Commands) -> argparse.ArgumentParser:
@@ -75,6 +85,23 @@ def add_export(commands: Commands) -> argparse.ArgumentParser:
     add("--to", type=Path, metavar="DIR", required=True, help="a folder that is new or empty")
     add("--assignment", metavar="SLUG", help="which one it is, where the names do not tell")
     return export
+
+
+def add_alike(commands: Commands) -> argparse.ArgumentParser:
+    alike: argparse.ArgumentParser = commands.add_parser(
+        "alike",
+        help="list pairs of submissions that share code",
+        description="List pairs of submissions that share code, most alike first. Names, comments and what you "
+        "released do not count. Beside each student stands the share of their code that the other one has, too.",
+        epilog="Short assignments have few right ways: look at both before you ask anybody. `report` lists who share "
+        "a wrong result.",
+    )
+    alike.set_defaults(command=_alike)
+    add = alike.add_argument
+    add("paths", nargs="+", type=Path, metavar="PATH", help="what `grade` is given")
+    add("--least", type=_share, metavar="SHARE", default=0.6, help="of the code of one of two (default: %(default)s)")
+    add("--assignment", metavar="SLUG", help="which one it is, where the names do not tell")
+    return alike
 
 
 def add_lms(commands: Commands) -> argparse.ArgumentParser:
@@ -147,6 +174,27 @@ def _export(arguments: argparse.Namespace) -> int:
     known = assignments.slugs(course)
     given = assignments.named([arguments.assignment], known)[0] if arguments.assignment else None
     return export.run(course, arguments.paths, arguments.tool, arguments.to, known, given)
+
+
+def _share(text: str) -> float:
+    """A share from 0 to 1."""
+    try:
+        share = float(text)
+    except ValueError:
+        share = -1.0
+    if not 0 <= share <= 1:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a share from 0 to 1")
+    return share
+
+
+def _alike(arguments: argparse.Namespace) -> int:
+    from tam570_grader.delivery import alike
+    from tam570_grader.writing import assignments
+
+    course = assignments.find(arguments.root)
+    known = assignments.slugs(course)
+    given = assignments.named([arguments.assignment], known)[0] if arguments.assignment else None
+    return alike.run(course, arguments.paths, known, given, arguments.least)
 
 
 def _lms(arguments: argparse.Namespace) -> int:

@@ -19,7 +19,7 @@ from tam570_grader.grading.submissions import CannotRead, Submission, read, subm
 from tam570_grader.results.tables import cell, written
 from tam570_grader.sandbox.notebooks import Unshown, cells_of
 
-__all__ = ["run"]
+__all__ = ["code", "run"]
 
 NAMES = "names.csv"
 COMMANDS = {
@@ -41,7 +41,7 @@ def run(
     unread = 0
     for one in found:
         try:
-            texts[one.slug][numbers[one.student]] = _code(one)
+            texts[one.slug][numbers[one.student]] = code(one)
         except (CannotRead, Unshown) as error:
             unread += 1
             print(f"tam570-grader: warning: {one.student} {one.slug} is left out: {error}", file=sys.stderr)
@@ -60,7 +60,7 @@ def _numbers(students: Sequence[str]) -> dict[str, str]:
     return {student: f"s{number:04}" for student, number in zip(students, order, strict=True)}
 
 
-def _code(one: Submission) -> str:
+def code(one: Submission) -> str:
     """The text of a module; of a notebook, its code cells one after another."""
     if one.path is None:
         raise CannotRead(one.note)

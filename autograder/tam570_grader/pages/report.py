@@ -16,6 +16,7 @@ from tam570_grader.pages.feedback import Sheet, sheet, template
 from tam570_grader.results import by_hand
 from tam570_grader.results.journal import Key, stream
 from tam570_grader.results.records import Mark, Result
+from tam570_grader.results.shared import Notes, Shared
 from tam570_grader.results.tables import written
 
 __all__ = ["newest", "report", "results", "run"]
@@ -45,21 +46,22 @@ class Tally:
 
 def run(folder: Path, course: Path, roster: Path | None, out: Path | None) -> int:
     """Write the report on the results in the folder; the exit code."""
-    found = results(folder)
+    notes = Notes()
+    found = results(folder, notes)
     place = out or folder / "report.html"
     names = students(roster, {student for student, _ in found}) if roster else ()
-    text = report(found, {slug: sheet(course, slug) for slug in _slugs(found)}, names)
+    text = report(found, {slug: sheet(course, slug) for slug in _slugs(found)}, names, notes.groups())
     with writing(place):
         written(place, text)
     print(place)
     return 0
 
 
-def results(folder: Path) -> Class:
-    """The newest results in a folder; a last line that is being written is left out."""
+def results(folder: Path, notes: Notes | None = None) -> Class:
+    """The newest results in a folder; a last line that is being written is left out. The notes see each pass by."""
     if not (folder / "results.jsonl").is_file():
         raise UsageError(f"there are no results in {folder}; make them with: tam570-grader grade ... --out {folder}")
-    found = newest(stream(folder / "results.jsonl"))
+    found = newest((notes or Notes()).passing(stream(folder / "results.jsonl")))
     if not found:
         raise UsageError(f"{folder / 'results.jsonl'} is empty; nothing has been graded yet")
     hand = by_hand.read(folder)
@@ -77,7 +79,7 @@ def newest(found: Iterable[Result]) -> Class:
     return dict(sorted(kept.items()))
 
 
-def report(found: Class, sheets: Mapping[str, Sheet], roster: Iterable[str] = ()) -> str:
+def report(found: Class, sheets: Mapping[str, Sheet], roster: Iterable[str] = (), shared: Sequence[Shared] = ()) -> str:
     """The page, one HTML file that needs nothing else but, for its links, the feedback beside it."""
     script = SCRIPT.read_text(encoding="utf-8")
     students = sorted({student for student, _ in found} | set(roster))
@@ -93,6 +95,7 @@ def report(found: Class, sheets: Mapping[str, Sheet], roster: Iterable[str] = ()
         scores=_scores(found, students),
         tallies=_tallies(everything, sheets),
         suspects=_suspects(everything),
+        shared=shared,
         slowest=heapq.nlargest(SLOWEST, everything, key=lambda result: result.seconds),
         faults=[(result, mark) for result in everything for mark in result.checks if mark.outcome == "grader_error"],
         absent=_absent(found, students),

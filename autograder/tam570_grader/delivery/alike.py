@@ -1,0 +1,87 @@
+"""Pairs of submissions that share code, by winnowing: names, comments and what was handed out do not count.
+
+The method: S. Schleimer, D. S. Wilkerson, A. Aiken, "Winnowing: local algorithms for document fingerprinting", 2003.
+"""
+
+import io
+import sys
+from collections import defaultdict
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+from pathlib import Path
+from typing import Any
+
+from tam570_grader.delivery.export import code
+from tam570_grader.errors import UsageError
+from tam570_grader.grading.submissions import CannotRead, submissions
+from tam570_grader.sandbox.notebooks import Unshown
+
+__all__ = ["Pair", "pairs", "run"]
+
+SHORTEST = 25  # characters of code without names that must agree to count: two statements
+WINDOW = 5  # of the fingerprints that lie so close one is kept
+
+
+@dataclass(frozen=True)
+class Pair:
+    """Two students, and the share of each one's code that the other has."""
+
+    slug: str
+    one: str
+    other: str
+    shares: tuple[float, float]
+
+    @property
+    def share(self) -> float:
+        """The larger: who adds lines to what was copied makes the other share small."""
+        return max(self.shares)
+
+
+def run(course: Path, paths: Sequence[Path], known: Sequence[str], given: str | None, least: float) -> int:
+    """Print the pairs that share so much, most alike first; the exit code is 1 if a submission could not be read."""
+    texts: dict[str, dict[str, str]] = defaultdict(dict)
+    unread = 0
+    for one in submissions(paths, known, given):
+        try:
+            texts[one.slug][one.student] = code(one)
+        except (CannotRead, Unshown) as error:
+            unread += 1
+            print(f"tam570-grader: warning: {one.student} {one.slug} is left out: {error}", file=sys.stderr)
+    found = [pair for slug in sorted(texts) for pair in pairs(course, slug, texts[slug]) if pair.share >= least]
+    for pair in sorted(found, key=lambda pair: (-pair.share, pair.slug, pair.one)):
+        first, second = (f"{100 * share:3.0f} %" for share in pair.shares)
+        print(f"{pair.slug}  {pair.one} {first}  {pair.other} {second}")
+    count = sum(map(len, texts.values()))
+    print(f"{len(found)} pairs of {count} submissions share {100 * least:g} % or more of the code of one of them")
+    return 1 if unread else 0
+
+
+def pairs(course: Path, slug: str, texts: Mapping[str, str]) -> Iterator[Pair]:
+    """Every pair of one assignment that shares anything."""
+    given = (course / "assignments" / slug / f"{slug}.py").read_text(encoding="utf-8")
+    ours = list(_fingerprint(given, []).hashes)
+    prints = {student: _fingerprint(text, ours) for student, text in sorted(texts.items())}
+    from tqdm import tqdm
+
+    found = tqdm(list(combinations(prints, 2)), unit="pair", leave=False, delay=1.0, disable=None)
+    for one, other in found:
+        shares = _shares(prints[one], prints[other])
+        if any(shares):
+            yield Pair(slug, one, other, shares)
+
+
+def _fingerprint(text: str, ours: Sequence[int]) -> Any:
+    """The fingerprints of a module, without those of what was handed out."""
+    try:
+        from copydetect import CodeFingerprint  # type: ignore[import-untyped]
+    except ImportError:
+        raise UsageError("alike needs copydetect: pip install 'tam570[grader]'") from None
+    return CodeFingerprint("module.py", SHORTEST, WINDOW, boilerplate=ours, language="python", fp=io.StringIO(text))
+
+
+def _shares(one: Any, other: Any) -> tuple[float, float]:
+    from copydetect import compare_files
+
+    _, (first, second), _ = compare_files(one, other)
+    return min(1.0, float(first)), min(1.0, float(second))

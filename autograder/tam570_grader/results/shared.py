@@ -1,0 +1,76 @@
+"""Who shares a wrong result that no known mistake explains: the same numbers to twelve digits.
+
+Known mistakes are made by many, and so are the errors of one solver at one loose tolerance: neither counts. Nor do
+numbers that anybody may come by: zeros, NaN, and numbers of few digits.
+"""
+
+import hashlib
+from collections import defaultdict
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from tam570_grader.results.records import Failure, Result
+
+__all__ = ["Notes", "Shared"]
+
+DIGITS = 12
+FEW = 5  # digits that a number may have by chance
+Sign = tuple[str, str, int, bytes]  # assignment, check, seed, digest of the numbers
+
+
+@dataclass(frozen=True)
+class Shared:
+    """Students with the same wrong numbers in some checks."""
+
+    slug: str
+    students: tuple[str, ...]
+    checks: tuple[str, ...]
+
+
+class Notes:
+    """What is noted of results as they pass by."""
+
+    def __init__(self) -> None:
+        self._signs = dict[tuple[str, str], list[Sign]]()
+
+    def passing(self, results: Iterable[Result]) -> Iterator[Result]:
+        """The same results; the newest of a student and assignment counts."""
+        for result in results:
+            self._signs[result.student, result.assignment] = list(_signs(result))
+            yield result
+
+    def groups(self) -> list[Shared]:
+        """Those who share, with the checks in which they do."""
+        who = defaultdict[Sign, list[str]](list)
+        for (student, _), signs in sorted(self._signs.items()):
+            for sign in signs:
+                who[sign].append(student)
+        checks = defaultdict[tuple[str, tuple[str, ...]], list[str]](list)
+        for (slug, check, *_), names in who.items():
+            if len(names) > 1:
+                checks[slug, tuple(names)].append(check)
+        return [Shared(slug, names, tuple(failed)) for (slug, names), failed in sorted(checks.items())]
+
+
+def _signs(result: Result) -> Iterator[Sign]:
+    for mark in result.checks:
+        unknown = mark.failure and not mark.suspect and not mark.failure.nearly
+        if unknown and (digest := _digest(mark.failure)):
+            yield result.assignment, mark.name, result.seed, digest
+
+
+def _digest(failure: Failure | None) -> bytes:
+    """Of the numbers to twelve digits; empty where they tell nothing."""
+    if failure is None or failure.actual is None:
+        return b""
+    try:
+        numbers = np.ravel(np.asarray(failure.actual, float))
+    except (TypeError, ValueError):
+        return b""
+    finite = numbers[np.isfinite(numbers)]
+    if not any(float(f"{number:.{FEW}g}") != number for number in finite):
+        return b""
+    text = " ".join(f"{number:.{DIGITS - 1}e}" for number in numbers)
+    return hashlib.blake2b(text.encode(), digest_size=16).digest()

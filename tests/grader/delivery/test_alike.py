@@ -1,0 +1,58 @@
+"""Shared code is found behind other names and comments, in notebooks too; right work of one's own is not accused."""
+
+import json
+import re
+
+import pytest
+
+from tam570_grader import cli
+from tam570_grader.writing import assignments
+
+SLUG = "hw07_double_pendulum"
+
+
+@pytest.fixture
+def alike(tmp_path, capsys):
+    """`alike(texts, *options)` -> exit code and what is printed, of these texts by student."""
+
+    def alike(texts, *options):
+        for student, (name, text) in texts.items():
+            folder = tmp_path / "submitted" / student / SLUG
+            folder.mkdir(parents=True)
+            (folder / f"{SLUG}.{name}").write_text(text)
+        code = cli.main(["alike", str(tmp_path / "submitted"), *options])
+        return code, capsys.readouterr()
+
+    return alike
+
+
+def renamed(text):
+    return re.sub(r"#.*", "", text).replace("theta", "th").replace("omega", "w")
+
+
+def notebook(text):
+    cells = [{"cell_type": "code", "source": text, "metadata": {}, "outputs": [], "execution_count": None}]
+    return json.dumps({"cells": cells, "metadata": {}, "nbformat": 4, "nbformat_minor": 5})
+
+
+def test_renamed_code_is_found_and_right_work_of_ones_own_is_not(alike, course, solution_text):
+    own = sorted((assignments.checks_folder(course, SLUG) / "alternatives").glob("*.py"))
+    texts = {f"own{number}": ("py", path.read_text()) for number, path in enumerate(own)}
+    copies = {"ann": ("py", solution_text(SLUG)), "ben": ("ipynb", notebook(renamed(solution_text(SLUG))))}
+    code, said = alike({**texts, **copies}, "--least", "0.9")
+    first, *_, last = said.out.splitlines()
+    assert code == 0 and re.match(rf"{SLUG}  ann \s*\d+ %  ben \s*\d+ %", first)
+    assert last.startswith("1 pairs of") and not re.search("own", said.out)
+
+
+def test_what_was_handed_out_is_nobodys(alike, course):
+    stub = (course / "assignments" / SLUG / f"{SLUG}.py").read_text()
+    _, said = alike({"ann": ("py", stub), "ben": ("py", stub)}, "--least", "0.1")
+    assert said.out.startswith("0 pairs of 2")
+
+
+def test_what_cannot_be_read_is_named_and_a_share_is_from_0_to_1(alike, solution_text):
+    code, said = alike({"ann": ("ipynb", "{"), "ben": ("py", solution_text(SLUG))})
+    assert code == 1 and "ann" in said.err
+    with pytest.raises(SystemExit):
+        cli.main(["alike", ".", "--least", "60"])
