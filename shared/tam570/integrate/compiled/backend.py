@@ -23,7 +23,22 @@ from tam570.integrate.formulas import Formulas
 from tam570.integrate.stiffness import Look
 from tam570.integrate.trace import Graph
 
-__all__ = ["READY", "Memory", "Motion", "analytic", "by_moments", "dop853", "fixed", "taylor_run", "taylor_runs"]
+__all__ = [
+    "READY",
+    "Memory",
+    "Motion",
+    "address_of",
+    "analytic",
+    "until_done",
+    "dop853",
+    "fixed",
+    "memory_for",
+    "motion_of",
+    "seen",
+    "by_moments",
+    "taylor_run",
+    "taylor_runs",
+]
 
 MOMENT = 0.05  # s in compiled code, after which Python may look for an interrupt
 EFFORT = 1  # of the code generator, for a series: 2 takes twice as long and makes nothing of it that is faster
@@ -69,7 +84,8 @@ class Motion(NamedTuple):
 
 
 @lru_cache(maxsize=256)
-def _motion(graph: Graph) -> Motion | None:
+def motion_of(graph: Graph) -> Motion | None:
+    """Its compiled code; None without a series."""
     known = analytic(graph)
     if known is None:
         return None
@@ -86,16 +102,14 @@ def taylor_run(
     A state whose m is not positive has no scale: it is found, or the state comes back as it was.
     watch : gives the look that is then taken now and then
     """
-    motion = _motion(graph)
+    motion = motion_of(graph)
     if motion is None:
         return state
     size = len(state.y)
-    memory = (
-        motion.free.pop() if motion.free else _memory(taylor_memory.memory(size), motion.doubles, 1, motion.constants)
-    )
+    memory = motion.free.pop() if motion.free else memory_for(motion, size)
     head = (state.row, state.t, 0, state.t, 0, 0, 0, 0, state.h, min(state.m) > 0.0, *UNSET)
     motion.numbers.pack_into(memory.state, 0, *head, *state.y, *state.r, *state.m)
-    ends = _address(times), len(times), _address(out), 0, 0, origin, rtol, taylor.order_for(rtol)
+    ends = address_of(times), len(times), address_of(out), 0, 0, origin, rtol, taylor.order_for(rtol)
     looks: list[Look] = []
 
     def some(budget: int) -> bool:
@@ -104,10 +118,10 @@ def taylor_run(
         running = bool(memory.z[taylor_memory.STATUS] == taylor_loop.RUNNING)
         if running:
             looks.extend([] if looks else [watch()])
-            looks[0](*_seen(memory, size))
+            looks[0](*seen(memory, size))
         return running
 
-    _by_moments(some)
+    until_done(some)
     numbers = motion.numbers.unpack_from(memory.state)
     row, t, _, _, status, steps, refusals, _, h = numbers[: taylor_memory.LONGEST + 1]
     if status == taylor_loop.DONE:  # after all others there may be numbers that are not finite in it
@@ -117,13 +131,13 @@ def taylor_run(
     return State(int(row), t, h, y, r, state.f, m, state.growth, state.refused, *total, state.halt)
 
 
-def _address(array: Array) -> int:
+def address_of(array: Array) -> int:
     """Sooner than by `array.ctypes`."""
     address: int = array.__array_interface__["data"][0]
     return address
 
 
-def _seen(memory: Memory, size: int) -> tuple[float, list[float], list[float], int]:
+def seen(memory: Memory, size: int) -> tuple[float, list[float], list[float], int]:
     """Time, state, its scale, and steps so far."""
     y, _, m = memory.z[taylor_memory.NUMBERS : taylor_memory.NUMBERS + 3 * size].reshape(3, size).tolist()
     return float(memory.z[taylor_memory.T]), y, m, int(memory.z[taylor_memory.STEPS])
@@ -144,7 +158,7 @@ def taylor_runs(graph: Graph, origin: float, times: Array, out: Array, rtol: flo
     members = np.hstack(
         [np.full((len(starts), 1), times[-1] / 100), starts, np.maximum(np.abs(starts), floor if len(floor) else 0.0)]
     )
-    ends = _address(times), len(times), _address(out), _address(members), len(starts)
+    ends = address_of(times), len(times), address_of(out), address_of(members), len(starts)
     order = taylor.order_for(rtol)
 
     def some(budget: int) -> bool:
@@ -152,8 +166,13 @@ def taylor_runs(graph: Graph, origin: float, times: Array, out: Array, rtol: flo
         advance(memory.address)
         return bool(z[-1] > 0.0)
 
-    _by_moments(some)
+    until_done(some)
     return np.asarray(members[:, 0] == taylor_loop.DONE)
+
+
+def memory_for(motion: Motion, size: int) -> Memory:
+    """For one run of k = size components."""
+    return _memory(taylor_memory.memory(size), motion.doubles, 1, motion.constants)
 
 
 def _memory(one: int, work: int, lanes: int, constants: tuple[float, ...]) -> Memory:
@@ -161,13 +180,13 @@ def _memory(one: int, work: int, lanes: int, constants: tuple[float, ...]) -> Me
     places = [first, first + one, first + one + work, first + one + work + lanes]
     whole = np.zeros(places[3] + len(constants))
     whole[places[3] :] = constants
-    z, time, start = whole[first : places[1]], whole[places[2] : places[3]], _address(whole)
+    z, time, start = whole[first : places[1]], whole[places[2] : places[3]], address_of(whole)
     whole_bytes = whole.data.cast("B")
     given, state = whole_bytes[: 8 * first], whole_bytes[8 * first : 8 * places[1]]
     return Memory(whole, z, time, given, state, tuple(start + 8 * place for place in places), start)
 
 
-def _by_moments(some: Callable[[int], bool]) -> None:
+def until_done(some: Callable[[int], bool]) -> None:
     """Call until it says no, with so many steps at a time that an interrupt is heard."""
     budget = 1000
     while True:
@@ -186,7 +205,7 @@ def by_moments(run: Callable[[Any, int], Any], share: Callable[[Any], float], st
         state = run(state, budget)
         return share(state) < 1
 
-    _by_moments(some)
+    until_done(some)
     return state
 
 

@@ -15,7 +15,7 @@ from tam570.integrate.compiled.recurrences import Recurrences
 from tam570.integrate.compiled.series import layout, series_text
 from tam570.integrate.compiled.translate import Translator, functions_of
 
-__all__ = ["CALL", "KINDS", "order_for", "taylor_text"]
+__all__ = ["BUDGET", "CALL", "KINDS", "order_for", "taylor_text"]
 
 MODULES = (taylor_memory, taylor_scale, taylor_loop)  # that are translated
 KINDS = (ctypes.c_void_p,)  # one address: converting thirteen arguments takes longer than many a run
@@ -25,6 +25,7 @@ GIVEN = {
     **{"origin": "double", "rtol": "double", "order": "i64", "budget": "i64"},
 }  # what stands at that address, eight bytes each
 CALL = struct.Struct("=5Qq2Qq2d2q")  # the same
+BUDGET = struct.Struct("=q")  # its last
 
 
 @lru_cache(maxsize=64)

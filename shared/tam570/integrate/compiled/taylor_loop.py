@@ -40,9 +40,9 @@ from tam570.integrate.compiled.taylor_memory import (
 from tam570.integrate.compiled.taylor_scale import lacking, scaled, shaken, sized
 from tam570.integrate.scale import UNKNOWN
 
-__all__ = ["DONE", "IDLE", "RUNNING", "advance", "advance_all"]
+__all__ = ["DONE", "FRESH", "IDLE", "RUNNING", "advance", "advance_all"]
 
-RUNNING, DONE, VANISHED, SINGULAR, LACKING, IDLE = 0.0, 1.0, 2.0, 3.0, 4.0, 5.0
+RUNNING, DONE, VANISHED, SINGULAR, LACKING, IDLE, FRESH = 0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0
 TOLERATED = 2.0  # the derivative may be off by so many times (ORDER + 1) rtol of the state in a step
 ROUNDINGS = 8.0  # and by so many times what a rounding of the state does to it
 GROWTH = 6.0  # of the step where all coefficients in the window are zero
@@ -55,6 +55,8 @@ behind: Any = None  # behind(array, k): from its k-th number on
 def advance(z: Any, work: Any, time: Any, c: Any, times: Any, out: Any, origin: Any, rtol: Any, budget: Any) -> Any:
     """Step until the last sample, `budget` steps are tried, or no step is possible: z[STATUS] tells."""
     reach = log2(rtol) / ORDER
+    if z[STATUS] == FRESH:
+        begun(z, out)
     for i in range(SIZE):
         work[i * STRIDE] = z[at(Y, i)]
     while z[STATUS] == RUNNING and budget > 0:
@@ -65,6 +67,17 @@ def advance(z: Any, work: Any, time: Any, c: Any, times: Any, out: Any, origin: 
         else:
             coefficients(work, c, time, ORDER)
         settle(z, work, time, c, times, out, 0, rtol, reach)
+
+
+def begun(z: Any, out: Any) -> Any:
+    """The first row, and the magnitudes of a start that nobody has looked at."""
+    z[STATUS] = RUNNING
+    for i in range(SIZE):
+        out[0, i] = z[at(Y, i)]
+        z[at(M, i)] = max(z[at(M, i)], abs(z[at(Y, i)]))
+        if not abs(z[at(Y, i)]) < inf:
+            z[STATUS] = SINGULAR
+    return 0
 
 
 def advance_all(

@@ -1,0 +1,84 @@
+"""Runs by Taylor's method of which only the start differs: memory and arguments are in place before they begin."""
+
+import struct
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from tam570.integrate.arguments import Array
+from tam570.integrate.compiled import taylor, taylor_loop, taylor_memory
+from tam570.integrate.compiled.backend import READY, Memory, address_of, memory_for, motion_of, seen, until_done
+from tam570.integrate.stiffness import Look
+from tam570.integrate.trace import Graph
+
+__all__ = ["taylor_repeated"]
+
+STEPS = 1000  # in compiled code, after which Python looks for the first time whether the run is stiff
+
+
+class Place(NamedTuple):
+    """What one run at a time works in."""
+
+    memory: Memory
+    rows: Array  # to be filled
+    numbers: "memoryview[float]"  # of the state
+
+
+def taylor_repeated(
+    graph: Graph, run: Any, floor: list[float], watch: Callable[[], Look]
+) -> Callable[[Any], Array | None] | None:
+    """states(y0) -> (n, k), or None where the method does not get there or y0 is not k numbers; None without a series.
+
+    run : an `adaptive.Run`; floor : (k,) sizes by which components are judged at least, or none
+    """
+    motion, size = motion_of(graph), len(run.rows[0])
+    if motion is None:
+        return None
+    READY.add(graph)
+    head = [0.0] * taylor_memory.NUMBERS
+    head[taylor_memory.ROW], head[taylor_memory.STATUS] = 1.0, taylor_loop.FRESH
+    head[taylor_memory.LONGEST] = run.since[-1] / 100
+    fresh = motion.numbers.pack(*head, *[0.0] * (2 * size), *(floor or [0.0] * size))
+    start, first, used = struct.Struct(f"={size}d"), 8 * taylor_memory.NUMBERS, len(fresh)
+    advance, status, free = motion.advance, taylor_memory.STATUS, list[Place]()
+
+    def place() -> Place:
+        memory, rows = memory_for(motion, size), np.empty_like(run.rows)
+        ends = address_of(run.since), len(run.since), address_of(rows), 0, 0
+        rest = run.origin, run.rtol, taylor.order_for(run.rtol), STEPS
+        taylor.CALL.pack_into(memory.given, 0, *memory.places, *ends, *rest)
+        return Place(memory, rows, memory.state.cast("d"))
+
+    def states(y0: Any) -> Array | None:
+        mine = free.pop() if free else place()
+        state = mine.memory.state
+        state[:used] = fresh
+        try:
+            start.pack_into(state, first, *y0)
+        except (struct.error, TypeError):  # `solve` says what is wrong
+            return None
+        advance(mine.memory.address)
+        if mine.numbers[status] == taylor_loop.RUNNING:
+            _carried_on(mine, advance, size, watch)
+        if mine.numbers[status] != taylor_loop.DONE:
+            return None  # what is not finite stays in the memory: it is left
+        rows = mine.rows.copy()
+        free.append(mine)
+        return rows
+
+    return states
+
+
+def _carried_on(mine: Place, advance: Any, size: int, watch: Callable[[], Look]) -> None:
+    """To the end, with a look now and then; ArithmeticError where it is stiff."""
+    look = watch()
+
+    def some(budget: int) -> bool:
+        look(*seen(mine.memory, size))
+        taylor.BUDGET.pack_into(mine.memory.given, taylor.CALL.size - taylor.BUDGET.size, budget)
+        advance(mine.memory.address)
+        return mine.numbers[taylor_memory.STATUS] == taylor_loop.RUNNING
+
+    until_done(some)
+    taylor.BUDGET.pack_into(mine.memory.given, taylor.CALL.size - taylor.BUDGET.size, STEPS)

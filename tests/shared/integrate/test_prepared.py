@@ -1,0 +1,123 @@
+"""A prepared run is solve's, from any start, and keeps nothing of the one before."""
+
+import math
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+import pytest
+
+from tam570.integrate import prepared, solve, solver
+
+
+def pendulum(t, y, *, length, gravity=9.81):
+    return y[1], -gravity / length * math.sin(y[0])
+
+
+def driven(t, y):
+    return y[1], math.cos(t + 0.3) - y[0] ** 3
+
+
+def bouncing(t, y):
+    return y[1], -1.0 if y[0] > 0 else 1.0
+
+
+STARTS = [[1.0, 0.0], (0.1, 2.0), np.array([-2.0, 0.5]), [0.0, 0.0], [3, -1]]
+GIVEN = {"length": 0.7}
+
+
+@pytest.fixture
+def alone(monkeypatch):
+    """Whatever `solve` is asked for fails: the prepared code must do it."""
+
+    def nothing(*_, **__):
+        raise AssertionError("asks solve")
+
+    monkeypatch.setattr("tam570.integrate.preparing.solve", nothing)
+
+
+@pytest.mark.parametrize("times", [[0, 3], np.linspace(-1, 20, 57), [5.0, 2.0, 1.5]])
+@pytest.mark.parametrize(("rhs", "parameters"), [(pendulum, GIVEN), (driven, {})])
+def test_the_states_are_those_of_solve(alone, times, rhs, parameters):
+    for atol in (None, 1e-3, [1e-3, 0.0]):
+        run = prepared(rhs, times, STARTS[0], parameters=parameters, rtol=1e-9, atol=atol)
+        for start in STARTS[:3]:
+            expected = solver.solve(rhs, times, start, parameters=parameters, rtol=1e-9, atol=atol, method="compiled")
+            np.testing.assert_array_equal(run(start), expected)
+
+
+def test_a_run_of_thousands_of_steps_is_carried_on_and_the_next_one_starts_anew(alone):
+    run = prepared(pendulum, [0.0, 2000.0], STARTS[0], parameters=GIVEN, rtol=1e-9)
+    first, other = run(STARTS[0]), run(STARTS[1])
+    np.testing.assert_array_equal(run(STARTS[0]), first)
+    np.testing.assert_array_equal(
+        other, solver.solve(pendulum, [0.0, 2000.0], STARTS[1], parameters=GIVEN, rtol=1e-9, method="compiled")
+    )
+
+
+def test_what_was_given_back_is_not_written_over():
+    run = prepared(pendulum, [0, 1, 2], STARTS[0], parameters=GIVEN)
+    first = run(STARTS[0])
+    kept = first.copy()
+    run(STARTS[1])
+    np.testing.assert_array_equal(first, kept)
+
+
+def test_threads_do_not_share_their_memory():
+    times = np.linspace(0, 300, 1001)
+    run = prepared(pendulum, times, STARTS[0], parameters=GIVEN, rtol=1e-12)
+    starts = [[0.01 * k, 0.3] for k in range(1, 41)]
+    with ThreadPoolExecutor(4) as pool:
+        together = list(pool.map(run, starts))
+    for start, states in zip(starts, together, strict=True):
+        np.testing.assert_array_equal(states, run(start))
+
+
+@pytest.mark.parametrize(
+    "start", [[1.0], [1.0, 2.0, 3.0], [math.nan, 0.0], [math.inf, 0.0], 1.0, "no", [1.0, None], []]
+)
+def test_a_wrong_start_is_refused_and_the_next_one_runs(start):
+    run = prepared(pendulum, [0, 1], STARTS[0], parameters=GIVEN)
+    right = run(STARTS[0])
+    with pytest.raises(ValueError, match="y0|rhs"):
+        run(start)
+    np.testing.assert_array_equal(run(STARTS[0]), right)
+
+
+def test_several_starts_at_once_are_those_of_solve():
+    run = prepared(pendulum, [0, 1], STARTS[:2], parameters=GIVEN)
+    np.testing.assert_array_equal(run(STARTS[:2]), solve(pendulum, [0, 1], STARTS[:2], parameters=GIVEN))
+
+
+def test_what_cannot_be_compiled_runs_as_it_stands(monkeypatch):
+    run = prepared(bouncing, [0, 5], [1.0, 0.0])
+    np.testing.assert_array_equal(run([1.0, 0.0]), solve(bouncing, [0, 5], [1.0, 0.0]))
+    monkeypatch.setenv("TAM570_COMPILED", "0")
+    plain = prepared(pendulum, [0, 5], STARTS[0], parameters=GIVEN)
+    np.testing.assert_array_equal(plain(STARTS[1]), solve(pendulum, [0, 5], STARTS[1], parameters=GIVEN))
+
+
+def thrown(t, y, *, length):
+    return y[1], -length if y[0] > 0 else length
+
+
+@pytest.mark.parametrize("rhs", [pendulum, thrown])
+def test_parameters_are_those_of_the_preparation(rhs):
+    given = {"length": 1.0}
+    run = prepared(rhs, [0, 1], STARTS[0], parameters=given)
+    before = run(STARTS[0])
+    given["length"] = 5.0
+    np.testing.assert_array_equal(run(STARTS[0]), before)
+
+
+def test_a_solution_that_becomes_infinite_is_told():
+    run = prepared(lambda t, y: (y[0] * y[0],), [0.0, 2.0], [0.1])
+    assert run([0.1])[-1, 0] == pytest.approx(0.125, rel=1e-9)  # 1 / (1 / 0.1 - 2)
+    with pytest.raises(ArithmeticError, match="infinite|finite"):
+        run([1.0])
+    assert run([0.1])[-1, 0] == pytest.approx(0.125, rel=1e-9)
+
+
+def test_stiffness_is_told():
+    run = prepared(lambda t, y: (-1e8 * (y[0] - math.cos(t)),), [0.0, 2000.0], [1.0])
+    with pytest.raises(ArithmeticError, match="stiff"):
+        run([0.0])
