@@ -1,6 +1,7 @@
 """Hidden inputs of hw13: random cylinders and ramps, and plain ones that tell what random ones do not."""
 
 import math
+from functools import partial
 
 import numpy as np
 
@@ -35,10 +36,14 @@ def usual(cylinder):
     return math.sqrt((cylinder.get("gravity") or 5.0) / cylinder["radius"])
 
 
-def rolling(draw, count, **fixed):
+def rolling(count, **fixed):
     """Angles of several turns, both signs of the rate."""
-    bodies = [cylinder(draw, **fixed) for _ in range(count)]
-    return named([(draw.uniform(-9, 9), draw.choice([-1, 1]) * draw.uniform(0.5, 2) * usual(c), c) for c in bodies])
+
+    def drawn(draw):
+        bodies = [cylinder(draw, **fixed) for _ in range(count)]
+        return named([(draw.uniform(-9, 9), draw.choice([-1, 1]) * draw.uniform(0.5, 2) * usual(c), c) for c in bodies])
+
+    return drawn
 
 
 def plain(draw):
@@ -78,18 +83,17 @@ def kind_of(call):
     )
 
 
-def of(calls, *names):
-    """The same motions of a function that is given these parameters alone."""
-    return _again([given(*call.args, **{name: call.kwargs[name] for name in names}) for call in calls])
+def of(*names, rates=True):
+    """The arguments of a function that is given these parameters alone, with or without a rate."""
+
+    def those(call):
+        few = given(*call.args[: 1 + rates], **{name: call.kwargs[name] for name in names})
+        return few.on(kind_of(few))
+
+    return lambda *drawn: lambda draw: [those(call) for one in drawn for call in one(draw)]
 
 
-def at_rest(calls, *names):
-    """The same angles for a function that is given no rate."""
-    return of([given(call.args[0], **call.kwargs) for call in calls], *(names or calls[0].kwargs))
-
-
-def _again(calls):
-    return [call.on(kind_of(call)) for call in calls]
+at_rest = of(*BODY, "slope", "gravity", rates=False)
 
 
 def pressed(calls, on=True):
@@ -97,11 +101,22 @@ def pressed(calls, on=True):
     return [call for call in calls if (right.contact_force(*call.args, **call.kwargs)[1] > 0) == on]
 
 
+def slow(draw):
+    """So slow that the weight presses the cylinder on the ramp."""
+    calls = rolling(8)(draw) + rolling(8, offset=0.0)(draw)
+    return pressed([call.but(call.args[0], call.args[1] / 5) for call in calls] + plain(draw))
+
+
 def pulled(draw):
     """G is high and fast; the plain cases, too."""
-    fast = [call.but(call.args[0] / 9 + math.pi, 4 * call.args[1]) for call in rolling(draw, 8)]
+    fast = [call.but(call.args[0] / 9 + math.pi, 4 * call.args[1]) for call in rolling(8)(draw)]
     return [call.on("a normal force below zero") for call in fast + pressed(plain(draw), on=False)]
 
+
+flat, weightless = partial(rolling, slope=0.0), partial(rolling, gravity=0.0)
+bodies = of(*BODY, rates=False)(rolling(12), rolling(3, offset=0.0), plain, level)
+resting = at_rest(rolling(10), flat(3), weightless(2), plain, level)
+unweighed = of("mass", "radius", "offset")(rolling(20), plain, level)
 
 # Motions
 
@@ -118,6 +133,10 @@ def runs(draw, count):
         given(uneven(draw, 8 / usual(down), count), *start, **down).on("a cylinder that rolls down"),
         given(uneven(draw, 8 / usual(hollow), count), *rocking, **hollow).on("a cylinder that rocks"),
     ]
+
+
+def dense_runs(draw):
+    return runs(draw, 200)
 
 
 def few_times(draw):

@@ -2,19 +2,10 @@
 
 import numpy as np
 
-from tam570_grader import Column, Failed, Invariant, agree, check, follow, group, number, rows, stays
+from tam570_grader import Column, Failed, Invariant, agree, check, follow, group, law, number, rows
 
 from . import cases, right
 
-RESULTS = {
-    "acceleration": number,
-    "contact_inertia": number,
-    "naive_contact_acceleration": number,
-    "missing_moment": number,
-    "contact_force": group(number, number),
-    "energy": number,
-    "simulate": rows(2),
-}
 NEEDS = ("numpy",)
 MANUAL = {"b": (2, "why the two methods agree for the centred cylinder and not for the other")}
 
@@ -40,7 +31,34 @@ def force(case, _=None):
     return moment(case) / case.kwargs["radius"]
 
 
-TURNING = {"within": FORMULA, "of": "phi''", "unit": "rad/s^2", "scale": turning}
+def rolled(case, states):
+    """The angle that it turns, a radian at least."""
+    return max(1.0, np.ptp(states[:, 0]))
+
+
+MOTION = (
+    Column("phi", "rad", [0], turns=True, scale=rolled),
+    Column("phi_dot", "rad/s", [1], scale=lambda case, states: cases.usual(case.kwargs) * rolled(case, states)),
+)
+SMALL_MOTION = (Column("phi", "rad", [0]), Column("phi_dot", "rad/s", [1]))
+KEPT = Invariant(
+    "the energy",
+    "of m r^2 (g/r + phi_dot^2)",
+    right.energy_of_rows,
+    lambda case, states: moment(case.but(*states[0], *case.args[2:])),
+    ENERGY,
+)
+RESULTS = {
+    "acceleration": number.called("phi''", "rad/s^2", turning),
+    "contact_inertia": number.called("I^C", "kg m^2"),
+    "naive_contact_acceleration": number.called("phi'' from M_C = I^C phi''", "rad/s^2", turning),
+    "missing_moment": number.called("the missing moment", "N m", moment),
+    "contact_force": group(
+        number.called("the force along the ramp", "N", force), number.called("the normal force", "N", force)
+    ),
+    "energy": number.called("the energy", "J", lambda case, _: 9 * moment(case)),
+    "simulate": rows(2, columns=MOTION),
+}
 
 
 def hint_of_rates(function):
@@ -59,62 +77,6 @@ def hint_of_rates(function):
     return hint
 
 
-@check(points=0.5, part="a")
-def centred_cylinder_rolls_by_both_methods(student, draw):
-    """With G at the centre, acceleration and naive_contact_acceleration are both right."""
-    calls = cases.rolling(draw, 8, offset=0.0)
-    hint = "Balance momentum about G: friction alone turns it."
-    agree(student.acceleration, right.acceleration, calls, **TURNING, hint=hint)
-    known = {"of": "phi'' from M_C = I^C phi''", "unit": "rad/s^2"}
-    both = student.naive_contact_acceleration, right.naive_contact_acceleration
-    agree(*both, cases.at_rest(calls), within=FORMULA, **known)
-
-
-@check(points=1.5, part="a")
-def acceleration_balances_momentum_about_G(student, draw):
-    """acceleration: the force of the ramp that G's acceleration needs gives, about G, the moment I^G phi''."""
-    calls = cases.rolling(draw, 20) + cases.plain(draw)
-    agree(student.acceleration, right.acceleration, calls, **TURNING, hint=hint_of_rates(student.acceleration))
-
-
-@check(points=0.5, part="a", after=acceleration_balances_momentum_about_G)
-def acceleration_level_and_without_gravity(student, draw):
-    """acceleration: on level ground, and without gravity."""
-    flat, weightless = cases.rolling(draw, 5, slope=0.0), cases.rolling(draw, 5, gravity=0.0)
-    hint = "Without weight it still does not turn uniformly; is anything divided by the slope?"
-    agree(student.acceleration, right.acceleration, flat + weightless + cases.level(draw), **TURNING, hint=hint)
-
-
-@check(points=1, part="a")
-def contact_inertia_by_the_parallel_axis_theorem(student, draw):
-    """contact_inertia: I^G plus the mass times the distance from C to G squared."""
-    drawn = cases.rolling(draw, 12) + cases.rolling(draw, 3, offset=0.0)
-    calls = cases.at_rest(drawn + cases.plain(draw) + cases.level(draw), *cases.BODY)
-    hint = "How far is G from the contact, at this phi?"
-    known = {"of": "I^C", "unit": "kg m^2", "hint": hint}
-    agree(student.contact_inertia, right.contact_inertia, calls, within=FORMULA, **known)
-
-
-@check(points=0.75, part="a")
-def naive_acceleration_is_the_moment_over_the_inertia(student, draw):
-    """naive_contact_acceleration: the moment of the weight about C over I^C, at any angle."""
-    flat, weightless = cases.rolling(draw, 3, slope=0.0), cases.rolling(draw, 2, gravity=0.0)
-    drawn = cases.rolling(draw, 10) + flat + weightless + cases.plain(draw) + cases.level(draw)
-    hint = "M_C is the moment of the weight, which acts at G; I^C is that of this phi."
-    known = {**TURNING, "of": "phi'' from M_C = I^C phi''", "hint": hint}
-    agree(student.naive_contact_acceleration, right.naive_contact_acceleration, cases.at_rest(drawn), **known)
-
-
-@check(points=1.25, part="b")
-def missing_moment_makes_it_right(student, draw):
-    """missing_moment: with it, I^C phi'' + missing_moment = M_C has the phi'' of the balances."""
-    drawn = cases.rolling(draw, 20) + cases.plain(draw) + cases.level(draw)
-    calls = cases.of(drawn, "mass", "radius", "offset")
-    hint = "What is the acceleration of the point of the cylinder that touches the ramp?"
-    known = {"of": "the missing moment", "unit": "N m", "scale": moment, "hint": hint}
-    agree(student.missing_moment, right.missing_moment, calls, within=FORMULA, **known)
-
-
 def part_of_force(case, found, expected):
     """Which of along and normal is off."""
     along, normal = np.abs(np.subtract(found, expected)) > FORMULA * force(case)
@@ -125,60 +87,60 @@ def part_of_force(case, found, expected):
     return "Along is right, normal is not: G is accelerated off the ramp too, by phi'' and by phi_dot squared."
 
 
-FORCE = {"within": FORMULA, "of": ("the force along the ramp", "the normal force"), "unit": ("N", "N"), "scale": force}
+# Where to look
+BOTH = "Balance momentum about G: friction alone turns it."
+UNWEIGHTED = "Without weight it still does not turn uniformly; is anything divided by the slope?"
+WEIGHT_ACTS_AT_G = "M_C is the moment of the weight, which acts at G; I^C is that of this phi."
+CONTACT_POINT = "What is the acceleration of the point of the cylinder that touches the ramp?"
+CONTACT_IS_KEPT = "Contact is kept: the force is what keeping it needs."
+HEIGHT_OF_G = "Where is G, and how high above the centre's place at phi = 0?"
+GOES_ON = "Do you integrate `acceleration`? Contact is kept, and the motion goes on, even where the ramp must pull."
+ANY_DURATION = "A step of fixed length, or a fixed number of them, does not do for every duration."
 
 
-@check(points=1.25, part="b")
-def contact_force_accelerates_G(student, draw):
-    """contact_force: with the weight it is the mass times the acceleration of G; (along, normal)."""
-    drawn = cases.rolling(draw, 8) + cases.rolling(draw, 8, offset=0.0)
-    slow = [call.but(call.args[0], call.args[1] / 5) for call in drawn]
-    calls = cases.pressed(slow + cases.plain(draw))
-    agree(student.contact_force, right.contact_force, calls, **FORCE, hint=part_of_force)
+@check(points=0.5, part="a")
+def centred_cylinder_rolls_by_both_methods(student, draw):
+    """With G at the centre, acceleration and naive_contact_acceleration are both right."""
+    calls = cases.rolling(8, offset=0.0)(draw)
+    agree(student.acceleration, right, calls, within=FORMULA, hint=BOTH)
+    agree(student.naive_contact_acceleration, right, cases.at_rest(lambda _: calls)(draw), within=FORMULA)
 
 
-@check(points=0.25, part="b", after=contact_force_accelerates_G)
-def contact_force_may_pull(student, draw):
-    """contact_force: contact is kept in fast rolling too, where the ramp must pull, and without gravity."""
-    hint = "Contact is kept: the force is what keeping it needs."
-    calls = cases.pulled(draw) + cases.rolling(draw, 5, gravity=0.0) + cases.level(draw)
-    agree(student.contact_force, right.contact_force, calls, **FORCE, hint=hint)
+@check(points=1.5, part="a")
+def acceleration_balances_momentum_about_G(student, draw):
+    """acceleration: the force of the ramp that G's acceleration needs gives, about G, the moment I^G phi''."""
+    calls = cases.rolling(20)(draw) + cases.plain(draw)
+    agree(student.acceleration, right, calls, within=FORMULA, hint=hint_of_rates(student.acceleration))
 
 
-@check(points=1, part="b")
-def energy_of_G_and_of_turning(student, draw):
-    """energy: of the motion of G, of the turning, and of the height of G."""
-    weightless = cases.rolling(draw, 3, gravity=0.0)
-    calls = cases.rolling(draw, 12) + weightless + cases.plain(draw) + cases.level(draw)
-    hint = "Where is G, and how high above the centre's place at phi = 0?"
-    known = {"of": "the energy", "unit": "J", "scale": lambda case, _: 9 * moment(case), "hint": hint}
-    agree(student.energy, right.energy, calls, within=FORMULA, **known)
-
-
-def rolled(case, states):
-    """The angle that it turns, a radian at least."""
-    return max(1.0, np.ptp(states[:, 0]))
-
-
-MOTION = (
-    Column("phi", "rad", [0], turns=True, scale=rolled),
-    Column("phi_dot", "rad/s", [1], scale=lambda case, states: cases.usual(case.kwargs) * rolled(case, states)),
+acceleration_level_and_without_gravity = acceleration_balances_momentum_about_G.then(
+    "acceleration: on level ground, and without gravity.", points=0.5, part="a"
+).agrees(right.acceleration, cases.flat(5), cases.weightless(5), cases.level, within=FORMULA, hint=UNWEIGHTED)
+contact_inertia_by_the_parallel_axis_theorem = law(
+    "contact_inertia: I^G plus the mass times the distance from C to G squared.", points=1, part="a"
+).agrees(right.contact_inertia, cases.bodies, within=FORMULA, hint="How far is G from the contact, at this phi?")
+naive_acceleration_is_the_moment_over_the_inertia = law(
+    "naive_contact_acceleration: the moment of the weight about C over I^C, at any angle.", points=0.75, part="a"
+).agrees(right.naive_contact_acceleration, cases.resting, within=FORMULA, hint=WEIGHT_ACTS_AT_G)
+missing_moment_makes_it_right = law(
+    "missing_moment: with it, I^C phi'' + missing_moment = M_C has the phi'' of the balances.", points=1.25, part="b"
+).agrees(right.missing_moment, cases.unweighed, within=FORMULA, hint=CONTACT_POINT)
+contact_force_accelerates_G = law(
+    "contact_force: with the weight it is the mass times the acceleration of G; (along, normal).", points=1.25, part="b"
+).agrees(right.contact_force, cases.slow, within=FORMULA, hint=part_of_force)
+contact_force_may_pull = contact_force_accelerates_G.then(
+    "contact_force: contact is kept in fast rolling, where the ramp must pull, and without gravity.",
+    points=0.25,
+    part="b",
+).agrees(right.contact_force, cases.pulled, cases.weightless(5), cases.level, within=FORMULA, hint=CONTACT_IS_KEPT)
+energy_of_G_and_of_turning = law(
+    "energy: of the motion of G, of the turning, and of the height of G.", points=1, part="b"
+).agrees(
+    right.energy, cases.rolling(12), cases.weightless(3), cases.plain, cases.level, within=FORMULA, hint=HEIGHT_OF_G
 )
-SMALL_MOTION = (Column("phi", "rad", [0]), Column("phi_dot", "rad/s", [1]))
-KEPT = Invariant(
-    "the energy",
-    "of m r^2 (g/r + phi_dot^2)",
-    right.energy_of_rows,
-    lambda case, states: moment(case.but(*states[0], *case.args[2:])),
-    ENERGY,
-)
-
-
-@check(points=1, part="b")
-def simulate_rolls_and_rocks(student, draw):
-    """simulate: rolling down and rocking, row i at t[i], row 0 the given state."""
-    hint = "Do you integrate `acceleration`? Contact is kept, and the motion goes on, even where the ramp must pull."
-    follow(student.simulate, right.motion, cases.runs(draw, 200), MOTION, within=TRAJECTORY, hint=hint, keeps=KEPT)
+simulate_rolls_and_rocks = law(
+    "simulate: rolling down and rocking, row i at t[i], row 0 the given state.", points=1, part="b"
+).follows(right.simulate, cases.dense_runs, within=TRAJECTORY, hint=GOES_ON, keeps=KEPT)
 
 
 @check(points=0.25, part="b", after=simulate_rolls_and_rocks)
@@ -186,9 +148,8 @@ def simulate_needs_no_dense_times(student, draw):
     """simulate: the same motion when only a few times are asked for, whatever was asked before."""
     hint = "Your own steps are not those of t: is the tolerance tight?"
     small = "However small the rocking, the other terms are there."
-    follow(student.simulate, right.motion, cases.few_times(draw), MOTION, within=TRAJECTORY, hint=hint)
-    near = cases.near_lowest(draw)
-    follow(student.simulate, right.motion, near, MOTION, within=TRAJECTORY, hint=small, loose=False)
+    follow(student.simulate, right, cases.few_times(draw), within=TRAJECTORY, hint=hint)
+    follow(student.simulate, right, cases.near_lowest(draw), within=TRAJECTORY, hint=small, gradual=False)
 
 
 @check(points=0.25, part="b", after=simulate_rolls_and_rocks)
@@ -199,9 +160,7 @@ def simulate_rocks_at_the_linear_frequency(student, draw):
     follow(student.simulate, right.small_rocking, calls, SMALL_MOTION, within=ROCKING, hint=hint)
 
 
-@check(points=0.5, part="b", after=simulate_rolls_and_rocks)
-def simulate_keeps_the_energy(student, draw):
-    """simulate: the energy stays what it was over many turns, with and without gravity."""
-    share = {1e-4: 0.6, 1e-2: 0.3}
-    hint = "A step of fixed length, or a fixed number of them, does not do for every duration."
-    stays(student.simulate, right.motion, cases.many_turns(draw), KEPT, MOTION, partial=share, hint=hint)
+SHARES = {1e-4: 0.6, 1e-2: 0.3}  # of the drift of the energy
+simulate_keeps_the_energy = simulate_rolls_and_rocks.then(
+    "simulate: the energy stays what it was over many turns, with and without gravity.", points=0.5, part="b"
+).keeps(KEPT, right=right.simulate, cases=cases.many_turns, partial=SHARES, hint=ANY_DURATION)

@@ -67,7 +67,7 @@ def energy(phi, phi_dot, mass, radius, offset, inertia, slope, gravity):
     return (mass * speed_squared + inertia * phi_dot**2) / 2 - weight(mass, gravity, slope) @ position
 
 
-def motion(t, *start, **cylinder):
+def simulate(t, *start, **cylinder):
     """(n, 2) states at t, within 1e-9."""
 
     def rates(_, state):
