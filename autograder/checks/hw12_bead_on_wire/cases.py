@@ -63,6 +63,16 @@ def _weighed(kind, gravity):
     return kind if gravity else f"{kind}, without gravity"
 
 
+def forces(draw):
+    calls = beads(draw)
+    return calls + next_to_bottom(calls[0])
+
+
+def energies(draw):
+    calls = forces(draw)
+    return [*calls, nearly_at_rest(calls[0])]
+
+
 def massless(calls):
     return [given(*call.args, **_wire(call)).on(call.kind) for call in calls]
 
@@ -88,6 +98,18 @@ def ride(draw, low, high, count, turns, kind):
     x = size * math.sin(angle)
     v = speed / math.hypot(1, 2 * wire["curvature"] * x)
     return given(uneven(draw, turns / rate, count), x, v, **wire).on(kind)
+
+
+def wide(draw):
+    return [ride(draw, 0.4, 1.0, 1000, 15.0, "an amplitude near 1/c")]
+
+
+def steep(draw):
+    return [ride(draw, 5.0, 8.0, 60, 60.0, "an amplitude of several 1/c")]
+
+
+def many_periods(draw):
+    return [ride(draw, 0.4, 1.0, 300, 180.0, "many periods")]
 
 
 def _wired(draw, low, high, decade=0.7):
@@ -135,3 +157,7 @@ def periods(draw, steepness, kind, decades=(-1, 1)):
         given(size / curvature, curvature=curvature, gravity=gravity).on(kind)
         for size, curvature, gravity in zip(steepness, curvatures, gravities, strict=True)
     ]
+
+
+def usual_periods(draw):
+    return periods(draw, draw.uniform(0.2, 0.6, 8), "an amplitude near 1/c")

@@ -4,32 +4,11 @@ import math
 
 import numpy as np
 
-from tam570_grader import (
-    Column,
-    Invariant,
-    agree,
-    array,
-    check,
-    expect,
-    follow,
-    formula,
-    from_own_lagrangian,
-    number,
-    rows,
-    stays,
-)
+from tam570_grader import Column, Invariant, agree, check, expect, follow, from_own_lagrangian, law
+from tam570_grader.writing.returns import array, formula, number, rows
 
 from . import cases, right
 
-RESULTS = {
-    "lagrangian": formula("x", "v", "m", "c", "g"),
-    "lagrange_equation": formula("x", "v", "c", "g"),
-    "acceleration_newton": number,
-    "constraint_force": array(2),
-    "energy": number,
-    "simulate": rows(2),
-    "period": number,
-}
 NEEDS = ("numpy", "sympy")
 OFF_LIMITS = {"*": ("tam570.lagrange", "tam570.lectures")}
 
@@ -53,7 +32,32 @@ def kinetic_and_potential(x, v, m, c, g):
     return right.energy(x, v, m, c, g) or 1.0
 
 
-ACCELERATION = {"of": "x''", "unit": "m/s^2", "scale": largest_term}
+def size(case, states):
+    """The amplitude; without gravity the farthest place."""
+    _, x, v = case.args
+    return right.amplitude(x, v, **case.kwargs) if case.kwargs["gravity"] else np.max(np.abs(states[:, 0]))
+
+
+def pace(case, states):
+    rate = math.sqrt(2 * case.kwargs["gravity"] * case.kwargs["curvature"])
+    return size(case, states) * rate or np.max(np.abs(states[:, 1]))
+
+
+def energy_at_the_start(case, states):
+    return right.energy_of_rows(states[:1], **case.kwargs)[0]
+
+
+MOTION = (Column("x", "m", [0], scale=size), Column("v", "m/s", [1], scale=pace))
+KEPT = Invariant("the energy", "of itself", right.energy_of_rows, energy_at_the_start, ENERGY)
+RESULTS = {
+    "lagrangian": formula("x", "v", "m", "c", "g"),
+    "lagrange_equation": formula("x", "v", "c", "g").called("x''", "m/s^2", largest_term),
+    "acceleration_newton": number.called("x''", "m/s^2", largest_term),
+    "constraint_force": array(2).called("the force", "N", lambda _, force: math.hypot(*force)),
+    "energy": number.called("the energy", "J"),
+    "simulate": rows(2, columns=MOTION),
+    "period": number.called("the period", "s"),
+}
 
 
 @check(points=1, part="a")
@@ -78,122 +82,77 @@ def lagrange_gives_the_acceleration(student, draw):
         wrong = "dT/dv depends on x, so its rate has a term with v; and dT/dx is not zero."
         return from_own_lagrangian(equation, student.lagrangian, random, "x", "v") or wrong
 
-    known = {**ACCELERATION, "hint": hint}
-    agree(equation, right.lagrange_equation, cases.symbols(calls, "m"), within=FORMULA, **known)
-    close = cases.symbols(cases.next_to_bottom(calls[0]), "m")
-    agree(equation, right.lagrange_equation, close, within=FEW_DIGITS, **known)
+    close = cases.next_to_bottom(calls[0])
+    agree(equation, right, cases.symbols(calls, "m"), within=FORMULA, hint=hint)
+    agree(equation, right, cases.symbols(close, "m"), within=FEW_DIGITS, hint=hint)
 
 
 @check(points=1.5, part="b")
 def newton_gives_the_acceleration(student, draw):
     """acceleration_newton: x'' by F = m a along the tangent, as Lagrange has it."""
-    calls = cases.massless(cases.beads(draw))
-    known = {**ACCELERATION, "hint": "Differentiate y = c x^2 twice: y'' has two terms."}
-    agree(student.acceleration_newton, right.acceleration, calls, within=FORMULA, **known)
-    close = cases.next_to_bottom(calls[0])
-    agree(student.acceleration_newton, right.acceleration, close, within=FEW_DIGITS, **known)
-
-
-def forces(draw):
-    calls = cases.beads(draw)
-    return calls + cases.next_to_bottom(calls[0])
+    calls, hint = cases.massless(cases.beads(draw)), "Differentiate y = c x^2 twice: y'' has two terms."
+    agree(student.acceleration_newton, right, calls, within=FORMULA, hint=hint)
+    agree(student.acceleration_newton, right, cases.next_to_bottom(calls[0]), within=FEW_DIGITS, hint=hint)
 
 
 @check(points=0.75, part="b")
 def force_has_the_right_size(student, draw):
     """constraint_force: as large as carrying and turning the bead takes."""
-    for case, force in student.constraint_force.each(forces(draw)):
-        size = math.hypot(*right.force(*case.args, **case.kwargs))
+    for case, force in student.constraint_force.each(cases.forces(draw)):
+        size = math.hypot(*right.constraint_force(*case.args, **case.kwargs))
         hint = "What force does a bead need at the bottom, at rest and passing by?"
         within = FORMULA * (size or 1.0)
         expect(math.hypot(*force), size, within=within, of="the size of the force", unit="N", hint=hint)
 
 
-@check(points=0.5, part="b", after=force_has_the_right_size)
-def force_and_weight_make_the_acceleration(student, draw):
-    """constraint_force: normal to the wire, and with the weight it is m a."""
-    hint = "Dot it with the tangent (1, 2 c x): is that zero? Does the force act on the bead?"
-    known = {"of": "the force", "unit": "N", "scale": lambda _, force: math.hypot(*force), "hint": hint}
-    agree(student.constraint_force, right.force, forces(draw), within=FORMULA, **known)
-
-
-@check(points=1, part="b")
-def energy_is_kinetic_and_potential(student, draw):
-    """energy: of the speed along the wire and of the height above the bottom."""
-    calls = forces(draw)
-    calls.append(cases.nearly_at_rest(calls[0]))
-    hint = "v is not the speed along the wire."
-    agree(student.energy, right.energy, calls, within=FORMULA, of="the energy", unit="J", hint=hint)
-
-
-def size(case, states):
-    """The amplitude; without gravity the farthest place."""
-    _, x, v = case.args
-    return right.amplitude(x, v, **case.kwargs) if case.kwargs["gravity"] else np.max(np.abs(states[:, 0]))
-
-
-def pace(case, states):
-    rate = math.sqrt(2 * case.kwargs["gravity"] * case.kwargs["curvature"])
-    return size(case, states) * rate or np.max(np.abs(states[:, 1]))
-
-
-MOTION = (Column("x", "m", [0], scale=size), Column("v", "m/s", [1], scale=pace))
-KEPT = Invariant(
-    "the energy",
-    "of itself",
-    right.energy_of_rows,
-    lambda case, states: right.energy_of_rows(states[:1], **case.kwargs)[0],
-    ENERGY,
+SHARP = "Are the steps short enough for the sharp turn at the bottom?"
+SHARES = {1e-3: 0.6, 1e-2: 0.3}  # of the drift of the energy
+force_and_weight_make_the_acceleration = force_has_the_right_size.then(
+    "constraint_force: normal to the wire, and with the weight it is m a.", points=0.5, part="b"
+).agrees(
+    right.constraint_force,
+    cases.forces,
+    within=FORMULA,
+    hint="Dot it with the tangent (1, 2 c x): is that zero? Does the force act on the bead?",
 )
-
-
-@check(points=1, part="b")
-def simulate_slides(student, draw):
-    """simulate: large motions, row i at t[i], row 0 the given state."""
-    calls = [cases.ride(draw, 0.4, 1.0, 1000, 15.0, "an amplitude near 1/c")]
-    hint = "Is v the rate of x, and x'' that of part (a)?"
-    follow(student.simulate, right.motion, calls, MOTION, within=TRAJECTORY, hint=hint, keeps=KEPT)
+energy_is_kinetic_and_potential = law(
+    "energy: of the speed along the wire and of the height above the bottom.", points=1, part="b"
+).agrees(right.energy, cases.energies, within=FORMULA, hint="v is not the speed along the wire.")
+simulate_slides = law("simulate: large motions, row i at t[i], row 0 the given state.", points=1, part="b").follows(
+    right.simulate, cases.wide, within=TRAJECTORY, hint="Is v the rate of x, and x'' that of part (a)?", keeps=KEPT
+)
 
 
 @check(points=0.5, part="b", after=simulate_slides)
 def simulate_needs_no_dense_times(student, draw):
     """simulate: the same motion when only a few times are asked for."""
     hint = "Your own steps are not those of t: is the tolerance tight?"
-    follow(student.simulate, right.motion, cases.few_times(draw), MOTION, within=TRAJECTORY, hint=hint)
+    follow(student.simulate, right, cases.few_times(draw), within=TRAJECTORY, hint=hint)
     small = "However small the amplitude, the other terms are there."
-    follow(student.simulate, right.motion, [cases.close(draw)], MOTION, within=TRAJECTORY, hint=small, loose=False)
+    follow(student.simulate, right, [cases.close(draw)], within=TRAJECTORY, hint=small, gradual=False)
 
 
-@check(points=0.25, part="b", after=simulate_slides)
-def simulate_without_gravity(student, draw):
-    """simulate: without gravity the bead goes along the wire at its speed, whatever was asked for before."""
-    hint = "Is anything divided by gravity?"
-    follow(student.simulate, right.motion, cases.weightless(draw), MOTION, within=TRAJECTORY, hint=hint)
-
-
-@check(points=0.25, part="b", after=simulate_slides)
-def simulate_slides_down_steep_wires(student, draw):
-    """simulate: an amplitude of many 1/c, where the bead turns sharply at the bottom."""
-    calls = [cases.ride(draw, 5.0, 8.0, 60, 60.0, "an amplitude of several 1/c")]
-    hint = "Are the steps short enough for the sharp turn at the bottom?"
-    follow(student.simulate, right.motion, calls, MOTION, within=SHARP_TURN, hint=hint)
-
-
-@check(points=0.25, part="b", after=simulate_slides)
-def simulate_keeps_the_energy(student, draw):
-    """simulate: the energy stays what it was over many periods."""
-    calls = [cases.ride(draw, 0.4, 1.0, 300, 180.0, "many periods")]
-    share = {1e-3: 0.6, 1e-2: 0.3}
-    hint = "Do your steps grow with the duration?"
-    stays(student.simulate, right.motion, calls, KEPT, MOTION, coarsely=COARSELY, partial=share, hint=hint)
-
-
-@check(points=1, part="b")
-def period_is_exact(student, draw):
-    """period: exact for amplitudes near 1/c."""
-    calls = cases.periods(draw, draw.uniform(0.2, 0.6, 8), "an amplitude near 1/c")
-    hint = "The energy gives v at every x, and dt = dx/v."
-    agree(student.period, right.period, calls, within=PERIOD, of="the period", unit="s", hint=hint)
+simulate_without_gravity = simulate_slides.then(
+    "simulate: without gravity the bead goes along the wire at its speed, whatever was asked before.",
+    points=0.25,
+    part="b",
+).follows(right.simulate, cases.weightless, within=TRAJECTORY, hint="Is anything divided by gravity?")
+simulate_slides_down_steep_wires = simulate_slides.then(
+    "simulate: an amplitude of many 1/c, where the bead turns sharply at the bottom.", points=0.25, part="b"
+).follows(right.simulate, cases.steep, within=SHARP_TURN, hint=SHARP)
+simulate_keeps_the_energy = simulate_slides.then(
+    "simulate: the energy stays what it was over many periods.", points=0.25, part="b"
+).keeps(
+    KEPT,
+    right=right.simulate,
+    cases=cases.many_periods,
+    coarsely=COARSELY,
+    partial=SHARES,
+    hint="Do your steps grow with the duration?",
+)
+period_is_exact = law("period: exact for amplitudes near 1/c.", points=1, part="b").agrees(
+    right.period, cases.usual_periods, within=PERIOD, hint="The energy gives v at every x, and dt = dx/v."
+)
 
 
 TINY_AMPLITUDES = "Do you add a small number under a root, or use an absolute tolerance? 1e-15 m^2 is not small here."
@@ -210,4 +169,4 @@ def period_of_small_and_of_huge_amplitudes(student, draw):
         (small, PERIOD, "Do you subtract nearly equal heights?"),
         (huge, PERIOD, "Does your series or quadrature reach amplitudes of a hundred times 1/c?"),
     ):
-        agree(student.period, right.period, calls, within=within, of="the period", unit="s", hint=hint)
+        agree(student.period, right, calls, within=within, hint=hint)

@@ -6,7 +6,7 @@ import numpy as np
 from scipy.special import ellipe, ellipeinc
 
 
-def acceleration(x, v, curvature, gravity):
+def acceleration_newton(x, v, curvature, gravity):
     """x'' from the acceleration along the wire, which is that of gravity, and the turning of the tangent."""
     angle = math.atan(2 * curvature * x)  # of the wire
     speed = v / math.cos(angle)
@@ -14,7 +14,7 @@ def acceleration(x, v, curvature, gravity):
     return -gravity * math.sin(angle) * math.cos(angle) - speed * math.sin(angle) * turning
 
 
-def force(x, v, mass, curvature, gravity):
+def constraint_force(x, v, mass, curvature, gravity):
     """Along the normal: mass times speed^2 over the radius of curvature, and the weight's share."""
     angle = math.atan(2 * curvature * x)
     bend = 2 * curvature * math.cos(angle) ** 3
@@ -36,7 +36,7 @@ def lagrangian(x, v, m, c, g):
 
 
 def lagrange_equation(x, v, c, g):
-    return acceleration(x, v, c, g)
+    return acceleration_newton(x, v, c, g)
 
 
 def amplitude(x, v, curvature, gravity):
@@ -48,7 +48,7 @@ def period(amplitude, curvature, gravity):
     return 4 * ellipe(-((2 * curvature * amplitude) ** 2)) / math.sqrt(2 * gravity * curvature)
 
 
-def motion(t, x, v, curvature, gravity):
+def simulate(t, x, v, curvature, gravity):
     """(n, 2) states: x = A sin phi, where Legendre's E(phi, -(2 c A)^2) grows evenly."""
     if gravity == 0:
         return _weightless(t - t[0], x, v, curvature)
