@@ -68,6 +68,9 @@ def lines_of_checks(source):
     for node in ast.parse(source).body:
         if isinstance(node, ast.FunctionDef) and any("check" in ast.unparse(one) for one in node.decorator_list):
             yield ast.get_docstring(node) or ""
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, ast.Call) and ast.unparse(node.func).split(".")[-1] in ("law", "then"):
+            yield spoken(node.args[0])
 
 
 def texts_of_assignment(slug):

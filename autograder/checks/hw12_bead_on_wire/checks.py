@@ -119,7 +119,7 @@ energy_is_kinetic_and_potential = law(
     "energy: of the speed along the wire and of the height above the bottom.", points=1, part="b"
 ).agrees(right.energy, cases.energies, within=FORMULA, hint="v is not the speed along the wire.")
 simulate_slides = law("simulate: large motions, row i at t[i], row 0 the given state.", points=1, part="b").follows(
-    right.simulate, cases.wide, within=TRAJECTORY, hint="Is v the rate of x, and x'' that of part (a)?", keeps=KEPT
+    right.simulate, cases.wide, within=TRAJECTORY, hint="Is v the rate of x? Is x'' as in part (a)?", keeps=KEPT
 )
 
 
