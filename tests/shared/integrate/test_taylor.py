@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 
 from tam570.integrate import solve
+from tam570.integrate.compiled.recurrences import recurrences
+from tam570.integrate.trace import traced
 from tam570.invariants import drift
 
 pytest.importorskip("llvmlite")
@@ -124,3 +126,8 @@ def test_motions_that_end_in_infinity_are_told_by_their_time():
     starts = np.linspace(0.1, 1.0, 20)[:, None]
     with pytest.raises(ArithmeticError, match=r"t = (0\.99|1\.00)"):
         solve(lambda t, y: (y[0] * y[0],), [0, 1.01], starts, method="compiled")
+
+
+def test_a_factor_is_taken_out_of_a_quotient_and_two_share_it():
+    found, _ = recurrences(traced(lambda t, y: (3.0 * y[0] / y[1], 5.0 * y[0] / y[1]), 2))
+    assert [one.kind for one in found.series].count("/") == 1

@@ -56,7 +56,7 @@ def recurrences(graph: Graph) -> tuple[Recurrences, tuple[float, ...]]:
         if symbol.number in needed or symbol.name[0] == "s" and not symbol.arguments:
             places[symbol.number] = making.function(symbol.name, tuple(map(place, symbol.arguments)))
     rates = tuple(map(place, graph.rates))
-    return Recurrences(tuple(making.series), rates, len(making.constants)), tuple(making.constants)
+    return Recurrences(tuple(making.made), rates, len(making.constants)), tuple(making.constants)
 
 
 def _needed(graph: Graph) -> set[int]:
@@ -72,6 +72,7 @@ class _Making:
 
     def __init__(self) -> None:
         self.series: dict[Recurrence, int] = {}
+        self.made: list[Recurrence] = []  # the same, by place
         self.constants: dict[float, int] = {}
 
     def constant(self, value: float) -> int:
@@ -81,7 +82,11 @@ class _Making:
         return list(self.constants)[-1 - place]
 
     def add(self, kind: str, *of: int, value: str = "", arguments: tuple[int, ...] = ()) -> int:
-        return self.series.setdefault(Recurrence(kind, of, value, arguments), len(self.series))
+        made = Recurrence(kind, of, value, arguments)
+        place = self.series.setdefault(made, len(self.series))
+        if place == len(self.made):
+            self.made.append(made)
+        return place
 
     def function(self, name: str, of: tuple[int, ...]) -> int:
         if not of:
@@ -114,7 +119,11 @@ class _Making:
         return self.add("square", a) if a == b else self.add("*", a, b)
 
     def quotient(self, a: int, b: int) -> int:
+        """A factor is taken out: two bodies that pull at each other share the quotient."""
         if b >= 0:
+            made = self.made[a] if a >= 0 else None
+            if made and made.kind == "scale":
+                return self.product(self.quotient(made.of[0], b), made.of[1])
             return self.add("/", a, b)
         if not self.known(b):
             raise NotAnalytic("a division by zero")

@@ -9,19 +9,16 @@ from tam570.integrate.compiled.coefficients import BACK, FAST, HIGHEST, LANES, C
 
 __all__ = ["InMemory", "OfEight"]
 
-MANY = 40  # sums; with more the code is written once, not once for sums of eight terms and once for those of sixteen
 TOGETHER = 14  # sums of eight motions in one loop: each takes a register
 VECTOR = f"<{LANES} x double>"
-VECTORS = 2  # for the longest sums
+VECTORS = 2  # for the longest sums: the code is written once for up to eight terms and once for more
 
 
 class InMemory(Coefficients):
     """One motion."""
 
     def all_orders(self, slots: list[str]) -> None:
-        listed = [sums_of(i, r) for i, r in enumerate(self.found.series)]
-        stretches = [(1, LANES + 2, 1), (LANES + 2, HIGHEST, VECTORS)]
-        for first, end, vectors in [(1, HIGHEST, VECTORS)] if sum(map(len, listed)) > MANY else stretches:
+        for first, end, vectors in [(1, LANES + 2, 1), (LANES + 2, HIGHEST, VECTORS)]:
             limit = self.emit("i64", f"call i64 @llvm.smin.i64(i64 %order, i64 {end})").text
             self.loop(first, limit, partial(self._order, slots, vectors))
 
