@@ -4,7 +4,8 @@ import math
 
 import numpy as np
 
-from tam570_grader import Column, Invariant, agree, agree_by_columns, check, expect, follow, from_own_lagrangian, stays
+from tam570_grader import Column, Invariant, agree, agree_by_columns, check, expect, follow, law, stays
+from tam570_grader.writing.formulas import from_own_lagrangian
 from tam570_grader.writing.returns import formula, group, number, rows
 
 from . import cases, right
@@ -114,64 +115,27 @@ def momentum_and_moment_are_about_the_hinge(student, draw):
     agree(student.angular_momentum_balance, right, cases.all_states(draw), within=FORMULA, only=(1, 2), hint=hint)
 
 
-@check(points=0.5, part="a")
-def energies_are_right(student, draw):
-    """energy_balance: kinetic energy, and potential energy that is zero at the lowest point."""
-    agree(
-        student.energy_balance,
-        right,
-        cases.states(draw),
-        within=FORMULA,
-        only=(1, 2),
-        hint="How high is the mass above its lowest point?",
-    )
-
-
-@check(points=0.25, part="a")
-def energy_gives_the_acceleration(student, draw):
-    """energy_balance: alpha, from the constancy of the energy."""
-    agree(
-        student.energy_balance,
-        right,
-        cases.states(draw),
-        within=FORMULA,
-        only=0,
-        hint="The terms of dE/dt have a factor in common.",
-    )
-
-
+energies_are_right = law(
+    "energy_balance: kinetic energy, and potential energy that is zero at the lowest point.", points=0.5, part="a"
+).agrees(
+    right.energy_balance, cases.states, within=FORMULA, only=(1, 2), hint="How high is the mass above its lowest point?"
+)
+energy_gives_the_acceleration = law(
+    "energy_balance: alpha, from the constancy of the energy.", points=0.25, part="a"
+).agrees(right.energy_balance, cases.states, within=FORMULA, only=0, hint="The terms of dE/dt have a factor in common.")
 CANCELLED = "Cancel the factor omega; do not divide by it."
-
-
-@check(points=0.25, part="a", after=energy_gives_the_acceleration)
-def energy_gives_the_acceleration_at_rest(student, draw):
-    """energy_balance: alpha where omega is zero, too."""
-    agree(student.energy_balance, right, cases.at_rest(draw), within=FORMULA, only=(0, 1), hint=CANCELLED)
-
-
-@check(points=0.25, part="a")
-def power_gives_the_acceleration(student, draw):
-    """power_balance: the power of gravity, and alpha from it."""
-    agree(
-        student.power_balance,
-        right,
-        cases.states(draw),
-        within=FORMULA,
-        hint="Power is F . v: when does gravity speed the mass up?",
-    )
-
-
-@check(points=0.25, part="a", after=power_gives_the_acceleration)
-def power_gives_the_acceleration_at_rest(student, draw):
-    """power_balance: alpha where omega is zero, too."""
-    agree(student.power_balance, right, cases.at_rest(draw), within=FORMULA, hint=CANCELLED)
-
-
-@check(points=0.5, part="a")
-def virtual_work_gives_the_acceleration(student, draw):
-    """virtual_work: the generalized force of gravity, and alpha from it."""
-    hint = "dr is l dtheta, across the rod."
-    agree(student.virtual_work, right, cases.all_states(draw), within=FORMULA, hint=hint)
+energy_gives_the_acceleration_at_rest = law(
+    "energy_balance: alpha where omega is zero, too.", points=0.25, part="a", after=energy_gives_the_acceleration
+).agrees(right.energy_balance, cases.at_rest, within=FORMULA, only=(0, 1), hint=CANCELLED)
+power_gives_the_acceleration = law(
+    "power_balance: the power of gravity, and alpha from it.", points=0.25, part="a"
+).agrees(right.power_balance, cases.states, within=FORMULA, hint="Power is F . v: when does gravity speed the mass up?")
+power_gives_the_acceleration_at_rest = law(
+    "power_balance: alpha where omega is zero, too.", points=0.25, part="a", after=power_gives_the_acceleration
+).agrees(right.power_balance, cases.at_rest, within=FORMULA, hint=CANCELLED)
+virtual_work_gives_the_acceleration = law(
+    "virtual_work: the generalized force of gravity, and alpha from it.", points=0.5, part="a"
+).agrees(right.virtual_work, cases.all_states, within=FORMULA, hint="dr is l dtheta, across the rod.")
 
 
 @check(points=0.75, part="a")
@@ -290,11 +254,9 @@ def simulate_turns_over_the_top(student, draw):
     follow(student.simulate, right, cases.over_the_top(draw), within=TRAJECTORY, hint=hint)
 
 
-@check(points=0.25, part="a", after=simulate_swings)
-def simulate_without_gravity(student, draw):
-    """simulate: without gravity it turns uniformly."""
-    hint = "Is anything divided by gravity?"
-    follow(student.simulate, right, cases.weightless(draw), within=TRAJECTORY, hint=hint)
+simulate_without_gravity = law(
+    "simulate: without gravity it turns uniformly.", points=0.25, part="a", after=simulate_swings
+).follows(right.simulate, cases.weightless, within=TRAJECTORY, hint="Is anything divided by gravity?")
 
 
 @check(points=0.25, part="a", after=simulate_swings)

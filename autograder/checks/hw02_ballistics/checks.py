@@ -5,7 +5,7 @@ from functools import partial
 
 import numpy as np
 
-from tam570_grader import Column, Failed, agree, agree_by_columns, check, expect, expect_that, follow, given
+from tam570_grader import Column, Failed, agree, agree_by_columns, check, expect, expect_that, follow, given, law
 from tam570_grader.writing.curves import along
 from tam570_grader.writing.drawings import curves_seen, distances, judge_axes_of_lengths
 from tam570_grader.writing.returns import array, drawing, number, rows
@@ -84,10 +84,9 @@ def rates_are_newtons(student, draw):
     agree(student.state_derivative, right, [cases.light_state(draw)], within=FORMULA, hint=SMALL_BESIDE)
 
 
-@check(points=0.25, part="a", after=rates_are_newtons)
-def rates_without_drag_or_gravity(student, draw):
-    """state_derivative holds where drag or gravity, or both, are zero."""
-    agree(student.state_derivative, right, cases.states_without(draw), within=FORMULA, hint=NO_DIVISION)
+rates_without_drag_or_gravity = law(
+    "state_derivative holds where drag or gravity, or both, are zero.", points=0.25, part="a", after=rates_are_newtons
+).agrees(right.state_derivative, cases.states_without, within=FORMULA, hint=NO_DIVISION)
 
 
 def judge_motions(function, calls, hint):

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from tam570_grader import Column, Invariant, agree, check, expect, expect_that, follow, stays
+from tam570_grader import Column, Invariant, agree, check, expect, expect_that, follow, law
 from tam570_grader.writing.drawings import curves_seen, judge_axes_of_lengths, path_drawn
 from tam570_grader.writing.returns import array, drawing, group, number, rows
 
@@ -77,10 +77,9 @@ def derivative_is_velocity_and_force_over_mass(student, draw):
     agree(student.state_derivative, right, cases.states_at_times(draw), within=POINTWISE, hint=hint)
 
 
-@check(points=1, part="a")
-def energy_is_that_of_motion_spring_and_weight(student, draw):
-    """energy: kinetic, of the spring, of the weight; zero at rest at the origin."""
-    agree(student.energy, right, cases.states(draw), within=POINTWISE, hint="Three terms: speed, stretch, height.")
+energy_is_that_of_motion_spring_and_weight = law(
+    "energy: kinetic, of the spring, of the weight; zero at rest at the origin.", points=1, part="a"
+).agrees(right.energy, cases.states, within=POINTWISE, hint="Three terms: speed, stretch, height.")
 
 
 def in_columns(hint):
@@ -127,11 +126,9 @@ def simulate_does_not_depend_on_the_sampling(student, draw):
     follow(student.simulate, right, cases.stiff(draw), within=TRAJECTORY, hint=hint)
 
 
-@check(points=0.5, part="a", after=simulate_moves_as_it_must)
-def energy_stays(student, draw):
-    """simulate: after ten periods the energy has its first value."""
-    share = {1e-3: 0.6, 1e-2: 0.3}
-    stays(student.simulate, right, cases.ten_periods(draw), KEPT, coarsely=COARSELY, partial=share)
+energy_stays = law(
+    "simulate: after ten periods the energy has its first value.", points=0.5, part="a", after=simulate_moves_as_it_must
+).keeps(KEPT, right=right.simulate, cases=cases.ten_periods, coarsely=COARSELY, partial={1e-3: 0.6, 1e-2: 0.3})
 
 
 # The ellipse
@@ -142,10 +139,9 @@ def where_it_rests(case, found, expected):
     return "It is above the origin." if above else "Where do spring and weight balance?"
 
 
-@check(points=0.5, part="c")
-def orbit_has_its_centre_at_the_equilibrium(student, draw):
-    """orbit: the centre is where the mass can rest."""
-    agree(student.orbit, right, cases.orbits(draw), within=POINTWISE, only=0, hint=where_it_rests)
+orbit_has_its_centre_at_the_equilibrium = law(
+    "orbit: the centre is where the mass can rest.", points=0.5, part="c"
+).agrees(right.orbit, cases.orbits, within=POINTWISE, only=0, hint=where_it_rests)
 
 
 def judge_axes(student, calls):
@@ -178,11 +174,9 @@ def orbit_may_be_a_line_or_a_point(student, draw):
 # The picture
 
 
-@check(points=1, part="a")
-def projection_is_orthographic(student, draw):
-    """project: what an eye far away sees, right and up."""
-    hint = "Try one axis at a time: where does (0, 0, 1) go?"
-    agree(student.project, right, cases.views(draw), within=POINTWISE, hint=hint)
+projection_is_orthographic = law("project: what an eye far away sees, right and up.", points=1, part="a").agrees(
+    right.project, cases.views, within=POINTWISE, hint="Try one axis at a time: where does (0, 0, 1) go?"
+)
 
 
 @check(points=0.5, part="a", after=projection_is_orthographic)

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from tam570_grader import Column, Invariant, agree, check, expect, follow, given, refuse, stays
+from tam570_grader import Column, Invariant, agree, check, expect, follow, given, law, refuse, stays
 from tam570_grader.writing.returns import array, number, rows
 
 from . import cases, right
@@ -75,17 +75,14 @@ def force_keeps_the_particle_on_the_circle(student, draw):
     agree(student.constraint_force, right, cases.states(draw), within=FORMULA, hint=hint)
 
 
-@check(points=1.5, part="a")
-def acceleration_is_that_of_both_forces(student, draw):
-    """acceleration: by the weight and the constraint force."""
-    agree(student.acceleration, right, cases.states(draw), within=FORMULA, hint="What is r . a on the circle?")
-
-
-@check(points=1.25, part="a")
-def consistent_state_is_the_nearest(student, draw):
-    """consistent_state: the position goes along its radius onto the circle, the velocity loses its radial part."""
-    hint = "Which part of v is along the radius?"
-    agree(student.consistent_state, right, cases.off_circle(draw), within=FORMULA, hint=hint)
+acceleration_is_that_of_both_forces = law(
+    "acceleration: by the weight and the constraint force.", points=1.5, part="a"
+).agrees(right.acceleration, cases.states, within=FORMULA, hint="What is r . a on the circle?")
+consistent_state_is_the_nearest = law(
+    "consistent_state: the position goes along its radius onto the circle, the velocity loses its radial part.",
+    points=1.25,
+    part="a",
+).agrees(right.consistent_state, cases.off_circle, within=FORMULA, hint="Which part of v is along the radius?")
 
 
 @check(points=0.25, part="a", after=consistent_state_is_the_nearest)
@@ -111,11 +108,9 @@ def without_gravity_it_goes_round_uniformly(student, draw):
     follow(student.simulate, right, cases.without_gravity(draw), within=FOLLOWED, hint=hint, keeps=KEPT)
 
 
-@check(points=1, part="a")
-def with_gravity_it_swings_or_goes_round(student, draw):
-    """simulate: the state at few and uneven times, the first of which is not 0."""
-    hint = "Do both forces turn the velocity?"
-    follow(student.simulate, right, cases.with_gravity(draw), within=FOLLOWED, hint=hint, keeps=KEPT)
+with_gravity_it_swings_or_goes_round = law(
+    "simulate: the state at few and uneven times, the first of which is not 0.", points=1, part="a"
+).follows(right.simulate, cases.with_gravity, within=FOLLOWED, hint="Do both forces turn the velocity?", keeps=KEPT)
 
 
 @check(points=1, part="a", after=with_gravity_it_swings_or_goes_round)

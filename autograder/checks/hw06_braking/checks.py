@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from tam570_grader import Column, agree, agree_by_columns, check, expect_that, follow, refuse
+from tam570_grader import Column, agree, agree_by_columns, check, expect_that, follow, law, refuse
 from tam570_grader.writing.returns import array, number, rows
 
 from . import cases, right
@@ -93,11 +93,11 @@ RESULTS = {
 }
 
 
-@check(points=0.75, part="a")
-def axle_load_balances_the_weight(student, draw):
-    """axle_load: what the locked axle carries of the weight of a car at rest."""
-    hint = "Which axle carries more, the one near G or the one far from it?"
-    agree(student.axle_load, right, cases.loads(draw), within=FORMULA, hint=hint)
+axle_load_balances_the_weight = law(
+    "axle_load: what the locked axle carries of the weight of a car at rest.", points=0.75, part="a"
+).agrees(
+    right.axle_load, cases.loads, within=FORMULA, hint="Which axle carries more, the one near G or the one far from it?"
+)
 
 
 @check(points=1, part="a")
@@ -188,16 +188,12 @@ def of_run(motion):
     return "Is your integrator's tolerance tight?"
 
 
-@check(points=1, part="a")
-def simulate_brakes(student, draw):
-    """simulate: braking with either axle locked, row i at t[i], row 0 the given state."""
-    follow(student.simulate, right, cases.runs(draw, 100), within=FOLLOWED, hint=of_run)
-
-
-@check(points=0.25, part="a", after=simulate_brakes)
-def simulate_needs_no_dense_times(student, draw):
-    """simulate: the same motion when only a few times are asked for."""
-    follow(student.simulate, right, cases.few_times(draw), within=FOLLOWED, hint=of_run)
+simulate_brakes = law(
+    "simulate: braking with either axle locked, row i at t[i], row 0 the given state.", points=1, part="a"
+).follows(right.simulate, lambda draw: cases.runs(draw, 100), within=FOLLOWED, hint=of_run)
+simulate_needs_no_dense_times = law(
+    "simulate: the same motion when only a few times are asked for.", points=0.25, part="a", after=simulate_brakes
+).follows(right.simulate, cases.few_times, within=FOLLOWED, hint=of_run)
 
 
 @check(points=0.5, part="a", after=simulate_brakes)

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from tam570_grader import Column, Invariant, agree, check, curves_seen, follow, judge_axes_of_lengths, path_drawn, stays
+from tam570_grader import Column, Invariant, agree, check, curves_seen, judge_axes_of_lengths, law, path_drawn, stays
 from tam570_grader.writing.returns import array, drawing, group, number, rows
 
 from . import cases, right
@@ -89,10 +89,9 @@ def in_equations(case, found, _):
     return "put alpha back into [M]{alpha} + {f} + {g}: is it zero?"
 
 
-@check(points=0.75, part="a")
-def accelerations_obey_the_equations(student, draw):
-    """angular_acceleration: [M]{alpha} + {f} + {g} = 0, without gravity too."""
-    agree(student.angular_acceleration, right, cases.with_weightless(draw, 8), within=FORMULA, hint=in_equations)
+accelerations_obey_the_equations = law(
+    "angular_acceleration: [M]{alpha} + {f} + {g} = 0, without gravity too.", points=0.75, part="a"
+).agrees(right.angular_acceleration, lambda draw: cases.with_weightless(draw, 8), within=FORMULA, hint=in_equations)
 
 
 SCALED = "do rows of your linear system differ in size by 1e-9?"
@@ -139,10 +138,9 @@ def angular_momentum_is_about_the_ceiling(student, draw):
     agree(student.angular_momentum, right, cases.moving(draw, 10, "masses", "lengths"), within=FORMULA, hint=hint)
 
 
-@check(points=0.75, part="a")
-def simulation_follows_the_equations(student, draw):
-    """simulate: angles and angular velocities at uneven times, whatever t[0] is."""
-    follow(student.simulate, right, cases.motions(draw), within=FOLLOWED, keeps=KEPT_ENERGY)
+simulation_follows_the_equations = law(
+    "simulate: angles and angular velocities at uneven times, whatever t[0] is.", points=0.75, part="a"
+).follows(right.simulate, cases.motions, within=FOLLOWED, keeps=KEPT_ENERGY)
 
 
 @check(points=0.5, part="a", after=simulation_follows_the_equations)
@@ -165,10 +163,9 @@ def in_order(case, found, expected):
     return "they are right, but not in ascending order" if swapped else "for small angles sin th is th"
 
 
-@check(points=0.5, part="a")
-def small_oscillations_have_two_frequencies(student, draw):
-    """small_oscillation_frequencies: of [M]{th}'' + [K]{th} = 0 about hanging straight down."""
-    agree(student.small_oscillation_frequencies, right, cases.pendulums(draw), within=FREQUENCY, hint=in_order)
+small_oscillations_have_two_frequencies = law(
+    "small_oscillation_frequencies: of [M]{th}'' + [K]{th} = 0 about hanging straight down.", points=0.5, part="a"
+).agrees(right.small_oscillation_frequencies, cases.pendulums, within=FREQUENCY, hint=in_order)
 
 
 @check(points=0.25, part="a", after=small_oscillations_have_two_frequencies)

@@ -4,7 +4,8 @@ from functools import partial
 
 import numpy as np
 
-from tam570_grader import Column, Failed, Invariant, agree, agree_by_columns, check, expect, expect_that, follow, stays
+from tam570_grader import Column, Invariant, agree, agree_by_columns, check, expect, expect_that, follow, law, stays
+from tam570_grader.writing.expect import Failed
 from tam570_grader.writing.returns import array, number, rows
 
 from . import cases, right
@@ -127,11 +128,9 @@ INTEGRALS = Invariant(
 NO_SINGULAR_TILT = "No tilt but 0 and pi is singular."
 
 
-@check(points=0.5, part="a")
-def matrix_state_places_the_disk(student, draw):
-    """matrix_state has the centre, R row by row, and the total omega in space axes."""
-    calls = cases.of_radius(cases.instants(draw))
-    agree_by_columns(student.matrix_state, right, calls, within=POINTWISE)
+matrix_state_places_the_disk = law(
+    "matrix_state has the centre, R row by row, and the total omega in space axes.", points=0.5, part="a"
+).agrees_by_columns(right.matrix_state, lambda draw: cases.of_radius(cases.instants(draw)), within=POINTWISE)
 
 
 def along(of, off, state, limit):
@@ -306,23 +305,19 @@ def wrong_force(case, found, expected):
     return along("The force", found - expected, case.args[0], limit) or otherwise
 
 
-@check(points=0.75, part="f")
-def contact_force_moves_the_centre(student, draw):
-    """contact_force is what the centre's acceleration and the weight ask for, in space axes."""
-    agree(student.contact_force, right, cases.instants(draw), within=POINTWISE, hint=wrong_force)
+contact_force_moves_the_centre = law(
+    "contact_force is what the centre's acceleration and the weight ask for, in space axes.", points=0.75, part="f"
+).agrees(right.contact_force, cases.instants, within=POINTWISE, hint=wrong_force)
 
 
 # (g) and (h) Stability
 
 
-@check(points=0.5, part="g")
-def critical_speed_parts_stable_from_unstable(student, draw):
-    """critical_speed is the centre's speed at which a small lean neither grows nor swings."""
-    hint = "Linearise: what is yaw' to first order?"
-    agree(student.critical_speed, right, cases.wheels(draw), within=LINEAR, hint=hint)
-
-
-@check(points=0.75, part="h")
-def growth_rate_is_that_of_a_small_lean(student, draw):
-    """growth_rate_squared is the lean's, on both sides of the critical speed, at rest and without gravity."""
-    agree(student.growth_rate_squared, right, cases.speeds(draw), within=LINEAR, hint="Linearise about upright.")
+critical_speed_parts_stable_from_unstable = law(
+    "critical_speed is the centre's speed at which a small lean neither grows nor swings.", points=0.5, part="g"
+).agrees(right.critical_speed, cases.wheels, within=LINEAR, hint="Linearise: what is yaw' to first order?")
+growth_rate_is_that_of_a_small_lean = law(
+    "growth_rate_squared is the lean's, on both sides of the critical speed, at rest and without gravity.",
+    points=0.75,
+    part="h",
+).agrees(right.growth_rate_squared, cases.speeds, within=LINEAR, hint="Linearise about upright.")
