@@ -1,50 +1,17 @@
 """Hidden checks of hw10."""
 
 import math
-from dataclasses import replace
 from functools import partial
 
 import numpy as np
 
-from tam570_grader import (
-    Column,
-    Invariant,
-    agree,
-    array,
-    check,
-    curves_seen,
-    distances,
-    drawing,
-    exchanged,
-    expect,
-    expect_that,
-    follow,
-    group,
-    judge_axes_of_lengths,
-    judge_boxes,
-    number,
-    refuse,
-    rows,
-    stays,
-)
-from tam570_grader.writing.curves import along
+from tam570_grader import Column, Invariant, agree, check, expect, expect_that, follow, law, refuse, stays
+from tam570_grader.writing.drawings import curves_seen, exchanged, judge_axes_of_lengths, judge_boxes
+from tam570_grader.writing.returns import array, drawing, group, number, rows
 
 from . import cases, right
+from .paths import farthest, turned_over, wrong_paths
 
-RESULTS = {
-    "euler_equations": array(3),
-    "attitude_rate": array(3, 3),
-    "euler_rates_313": array(3),
-    "energy": number,
-    "angular_momentum": array(3),
-    "simulate": group(rows(3), rows(3, 3)),
-    "symmetric_solution": rows(3),
-    "wobble_rate": number,
-    "growth_rate_squared": number,
-    "tumble_period": array(infinite=True),
-    "wireframe": array(12, 2, 3),
-    "plot_rim_paths": drawing,
-}
 NEEDS = ("numpy", "matplotlib.figure", "matplotlib.backends.backend_agg")
 OFF_LIMITS = {"*": ("tam570.lectures",), "euler_rates_313": ("tam570.rotations", "scipy.spatial.transform")}
 MANUAL = {
@@ -83,38 +50,37 @@ def spin_squared(case, _):
     return case.args[1] ** 2 or 1.0
 
 
+RESULTS = {
+    "euler_equations": array(3).called("omega'", "rad/s^2", omega_squared),
+    "attitude_rate": array(3, 3).called("dR/dt", "rad/s", last_length),
+    "euler_rates_313": array(3).called("a rate", "rad/s"),
+    "energy": number.called("the energy", "J"),
+    "angular_momentum": array(3).called("H", "kg m^2/s", length),
+    "simulate": group(rows(3), rows(3, 3)),
+    "symmetric_solution": rows(3).called("omega", "rad/s", last_length),
+    "wobble_rate": number.called("the rate", "rad/s"),
+    "growth_rate_squared": number.called("the square of the rate", "1/s^2", spin_squared),
+    "tumble_period": array(infinite=True).called("the period", "s"),
+    "wireframe": array(12, 2, 3),
+    "plot_rim_paths": drawing,
+}
+
 # Pointwise
 
-
-@check(points=0.75, part="a")
-def euler_equations_keep_the_angular_momentum(student, draw):
-    """euler_equations: omega' of a body without moments, for any three inertias, equal ones too."""
-    known = {"of": "omega'", "unit": "rad/s^2", "scale": omega_squared}
-    hint = "The rate of H in body components plus omega x H is zero."
-    calls = cases.bodies_turning(draw)
-    agree(student.euler_equations, right.euler_equations, calls, within=POINTWISE, hint=hint, **known)
-
-
-@check(points=0.5, part="a")
-def attitude_follows_omega(student, draw):
-    """attitude_rate: dR/dt for omega in body components."""
-    known = {"of": "dR/dt", "unit": "rad/s", "scale": last_length}
-    hint = "The columns of R are the body's axes in space; each moves at omega x itself."
-    agree(student.attitude_rate, right.attitude_rate, cases.turning(draw), within=POINTWISE, hint=hint, **known)
-
-
-@check(points=0.5, part="a")
-def energy_is_half_omega_h(student, draw):
-    """energy: half of omega . H."""
-    agree(student.energy, right.energy, cases.spinning(draw), within=POINTWISE, of="the energy", unit="J")
-
-
-@check(points=0.5, part="a")
-def angular_momentum_is_in_space_axes(student, draw):
-    """angular_momentum: the vector H in space components."""
-    known = {"of": "H", "unit": "kg m^2/s", "scale": length}
-    calls = cases.spinning_in_space(draw)
-    agree(student.angular_momentum, right.angular_momentum, calls, within=POINTWISE, **known)
+KEEPS_H = "The rate of H in body components plus omega x H is zero."
+AXES_MOVE = "The columns of R are the body's axes in space; each moves at omega x itself."
+euler_equations_keep_the_angular_momentum = law(
+    "euler_equations: omega' of a body without moments, for any three inertias, equal ones too.", points=0.75, part="a"
+).agrees(right.euler_equations, cases.bodies_turning, within=POINTWISE, hint=KEEPS_H)
+attitude_follows_omega = law("attitude_rate: dR/dt for omega in body components.", points=0.5, part="a").agrees(
+    right.attitude_rate, cases.turning, within=POINTWISE, hint=AXES_MOVE
+)
+energy_is_half_omega_h = law("energy: half of omega . H.", points=0.5, part="a").agrees(
+    right.energy, cases.spinning, within=POINTWISE
+)
+angular_momentum_is_in_space_axes = law(
+    "angular_momentum: the vector H in space components.", points=0.5, part="a"
+).agrees(right.angular_momentum, cases.spinning_in_space, within=POINTWISE)
 
 
 @check(points=0.75, part="a")
@@ -148,8 +114,7 @@ def euler_rates_are_refused_where_undetermined(student, draw):
     refused, near = cases.undetermined(draw)
     refuse(student.euler_rates_313, refused, accepts=(), within=SINGULAR)
     hint = "Which angles are refused? theta may be negative."
-    known = {"of": "a rate", "unit": "rad/s", "hint": hint}
-    agree(student.euler_rates_313, right.euler_rates_313, near, within=SINGULAR, **known)
+    agree(student.euler_rates_313, right, near, within=SINGULAR, hint=hint)
 
 
 # Motions
@@ -215,18 +180,18 @@ def energies(states, inertia):
     return 0.5 * states[:, :3] ** 2 @ inertia
 
 
+def momentum(case, states):
+    return float(np.linalg.norm(momenta(states[:1], **case.kwargs)))
+
+
+def energy(case, states):
+    return energies(states[:1], **case.kwargs)[0]
+
+
 KEPT = (
     Invariant("R^T R", "", squares, lambda *_: 1.0, INVARIANT),
-    Invariant(
-        "H in space",
-        "of itself",
-        momenta,
-        lambda case, states: float(np.linalg.norm(momenta(states[:1], **case.kwargs))),
-        INVARIANT,
-    ),
-    Invariant(
-        "the energy", "of its start", energies, lambda case, states: energies(states[:1], **case.kwargs)[0], INVARIANT
-    ),
+    Invariant("H in space", "of itself", momenta, momentum, INVARIANT),
+    Invariant("the energy", "of its start", energies, energy, INVARIANT),
 )
 
 
@@ -254,35 +219,24 @@ def special_bodies_move_too(student, draw):
 
 # (a) A = B
 
-
-@check(points=0.75, part="a")
-def symmetric_bodies_precess(student, draw):
-    """symmetric_solution: omega in body components at all times, from omega at t[0]."""
-    known = {"of": "omega", "unit": "rad/s", "scale": last_length}
-    hint = "Compare with euler_equations at the first time."
-    calls = cases.precessing(draw)
-    agree(student.symmetric_solution, right.symmetric_solution, calls, within=POINTWISE, hint=hint, **known)
-
-
-@check(points=0.5, part="a")
-def wobble_goes_round_the_angular_momentum(student, draw):
-    """wobble_rate: the rate at which the symmetry axis goes round H, at any angle between them."""
-    known = {"of": "the rate", "unit": "rad/s"}
-    hint = "Split omega into a part along H and one along the symmetry axis."
-    agree(student.wobble_rate, right.wobble_rate, cases.wobbling(draw), within=POINTWISE, hint=hint, **known)
-
+symmetric_bodies_precess = law(
+    "symmetric_solution: omega in body components at all times, from omega at t[0].", points=0.75, part="a"
+).agrees(
+    right.symmetric_solution, cases.precessing, within=POINTWISE, hint="Compare with euler_equations at the first time."
+)
+ALONG_BOTH = "Split omega into a part along H and one along the symmetry axis."
+wobble_goes_round_the_angular_momentum = law(
+    "wobble_rate: the rate at which the symmetry axis goes round H, at any angle between them.", points=0.5, part="a"
+).agrees(right.wobble_rate, cases.wobbling, within=POINTWISE, hint=ALONG_BOTH)
 
 # (b) Stability and tumbling
 
-
-@check(points=0.75, part="b")
-def small_deviations_grow_at_this_rate(student, draw):
-    """growth_rate_squared: positive where spin about the axis is unstable, minus the frequency's square where not."""
-    known = {"of": "the square of the rate", "unit": "1/s^2", "scale": spin_squared}
-    hint = "Keep what is linear in the two small components of omega."
-    agree(
-        student.growth_rate_squared, right.growth_rate_squared, cases.spins(draw), within=POINTWISE, hint=hint, **known
-    )
+LINEAR = "Keep what is linear in the two small components of omega."
+small_deviations_grow_at_this_rate = law(
+    "growth_rate_squared: positive where spin about the axis is unstable, minus the frequency's square where not.",
+    points=0.75,
+    part="b",
+).agrees(right.growth_rate_squared, cases.spins, within=POINTWISE, hint=LINEAR)
 
 
 def judge_periods(function, calls, within, hint):
@@ -331,54 +285,6 @@ def period_grows_to_infinity_at_the_separatrix(student, draw):
 def the_box_has_its_twelve_edges(student, draw):
     """wireframe: the edges of the turned box, in any order and direction."""
     judge_boxes(student.wireframe, cases.boxes(draw), within=POINTWISE)
-
-
-def strays(line, fine):
-    """How far a drawn path is from the right one, both taken as polygons that begin and end alike.
-
-    The right one may be ten times as far from the drawn one, which may have fewer points.
-    """
-    path = along(line, fine)
-    ends = np.linalg.norm(path[[0, -1]] - fine[[0, -1]], axis=1)
-    return max(*ends, distances(path, fine).max(), distances(fine, path).max() / 10)
-
-
-MISTAKEN_PATHS = {
-    "they are seen along x": lambda fine, radius: fine[:, 1:, 0],
-    "they are seen along y": lambda fine, radius: fine[:, ::2, 0],
-    "they are those of the points (0, radius, 0) and (0, -radius, 0)": lambda fine, radius: fine[:, :2, 1],
-    "they are those of the transposes of R": lambda fine, radius: fine[:, 0, :2],
-    "they start with the identity, not with the given R": lambda fine, radius: (fine[0].T @ fine)[:, :2, 0] / radius,
-    "they are those of a radius of 1 m": lambda fine, radius: fine[:, :2, 0] / radius,
-}
-
-
-def farthest(found, path):
-    """How far two drawn paths are from this one and the one opposite; either may be drawn first."""
-    return min(max(map(strays, found, paths)) for paths in ((path, -path), (-path, path)))
-
-
-def ends_early(line, fine, near):
-    """Whether a line goes along the right path, from its start, but not to its end."""
-    path = along(line, fine)
-    first, last = np.linalg.norm(path[[0, -1]] - fine[[0, -1]], axis=1)
-    return first < near < last and distances(path, fine).max() < near
-
-
-def wrong_paths(found, picture, fine, radius):
-    """Which other paths are drawn, if they are known, else what to draw."""
-    path, near = fine[:, :2, 0], 1e-3 * radius
-    if all(exchanged(picture)) and farthest(turned_over(found), path) < near:
-        return "the label of x stands at the axis of y"
-    if any(all(map(ends_early, found, paths, (near, near))) for paths in ((path, -path), (-path, path))):
-        return "they end before t[-1]"
-    known = [says for says, path in MISTAKEN_PATHS.items() if farthest(found, path(fine, radius)) < near]
-    return known[0] if known else "x and y, in space, of the body's points (radius, 0, 0) and (-radius, 0, 0)"
-
-
-def turned_over(lines):
-    """The lines with x for y: by its labels a picture may be one from below, with y to the right and x up."""
-    return [replace(line, points=line.points[:, ::-1]) for line in lines]
 
 
 @check(points=0.5, part="a")
