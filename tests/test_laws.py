@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from tam570_grader.audit.diagnosis import ENOUGH, diagnosis
+from tam570_grader.delivery import own
 from tam570_grader.delivery.notebook import functions_of
 from tam570_grader.delivery.stubs import stub
 from tam570_grader.sandbox.student import Source, Student
@@ -96,6 +97,15 @@ def test_the_checks_promise_every_function_and_ten_points(slug, course, solution
     assert set(assignment.results) == set(exported(solution_text(slug)))
     assert assignment.max_score == 10.0
     assert all(check.judge.__doc__ and check.points > 0 for check in assignment.checks)
+
+
+def test_a_row_of_the_readme_has_the_points_of_the_checks_whose_line_names_its_function_first(slug, course):
+    assignment = assignments.assignment(course, slug)
+    readme = (course / "assignments" / slug / "README.md").read_text()
+    worth = dict.fromkeys(assignment.results, 0.0)
+    for check in assignment.checks:
+        worth[next(word for word in re.findall(r"\w+", check.line) if word in worth)] += check.points
+    assert {name: float(points) for _, name, points, _ in own.ROW.findall(readme)} == worth
 
 
 # Right answers pass

@@ -251,7 +251,7 @@ def mechanics_refuses_other_axles(student, draw):
 
 @check(points=0.25, part="a")
 def stability_refuses_other_axles(student, draw):
-    """yaw_growth_rate, critical_speed, small_yaw_rate: ValueError for another `locked`."""
+    """critical_speed, yaw_growth_rate, small_yaw_rate: ValueError for another `locked`."""
     call = cases.of_stability(draw)
     agree(student.critical_speed, right, cases.criticals(draw, "rear")[:1], within=FORMULA)
     judge_refusals(student, ("yaw_growth_rate", "critical_speed", "small_yaw_rate"), call)

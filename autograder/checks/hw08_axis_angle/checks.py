@@ -58,7 +58,7 @@ matrix_turns_by_the_right_hand_rule = law(
 
 @check(points=1, part="a", after=matrix_turns_by_the_right_hand_rule)
 def matrix_holds_for_every_angle(student, draw):
-    """An angle of 1e-12 turns by 1e-12, one of 1e6 by 1e6; R^T R = I and det R = 1 for all of them."""
+    """rotation_matrix: an angle of 1e-12 turns by 1e-12, one of 1e6 by 1e6; R^T R = I and det R = 1 for all of them."""
     for within, calls in zip(BY_SIZE, cases.turns_by_size(draw), strict=True):
         agree(student.rotation_matrix, right, calls, within=within, hint=of_which_term)
         # an exponential of the matrix by scaling and squaring is off in its lengths, too, at 1e6 rad
@@ -68,7 +68,7 @@ def matrix_holds_for_every_angle(student, draw):
 
 
 matrix_depends_on_the_direction_alone = matrix_turns_by_the_right_hand_rule.then(
-    "Axes of length 1e-100 or 1e100 give the same matrix as the unit axis.", points=1, part="a"
+    "rotation_matrix: axes of length 1e-100 or 1e100 give the same matrix as the unit axis.", points=1, part="a"
 ).agrees(right.rotation_matrix, cases.of_any_length, within=POINTWISE, hint="What becomes of the square of its length?")
 matrix_refuses_what_is_no_axis = matrix_turns_by_the_right_hand_rule.then(
     "rotation_matrix raises ValueError for an axis that is zero or not finite, whatever the angle.", points=1, part="a"

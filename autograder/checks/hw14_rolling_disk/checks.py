@@ -214,7 +214,7 @@ def matrix_simulation_follows_the_motion(student, draw):
 
 @check(points=0.5, part="c", after=(euler_simulation_follows_the_motion, matrix_simulation_follows_the_motion))
 def both_simulations_agree(student, draw):
-    """Both simulations give one motion over a long time, and R stays a rotation with the disk on the ground."""
+    """simulate_matrix, simulate_euler: one motion over a long time; R stays a rotation, the disk on the ground."""
     calls = cases.motions(draw, 1, 6.0, 4)
     matrices = cases.by_matrix(calls)
     for kept in (ROTATES, HEIGHT):

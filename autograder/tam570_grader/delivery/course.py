@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from string import Template
 
+from tam570_grader.delivery import own
 from tam570_grader.delivery.notebook import notebook
 from tam570_grader.errors import UsageError, writing
 from tam570_grader.results.tables import written
@@ -21,7 +22,10 @@ def run(course: Path, folder: Path, slugs: Sequence[str]) -> int:
     """Write the course into the folder; what a teacher may have changed there stays. The exit code."""
     for slug in slugs:
         _write_assignment(course, slug, folder / "source" / slug)
-    fields = {"checkout": repr(str(course)), "modules": _modules(assignments.slugs(course)), "first": slugs[0]}
+    checkout = (
+        course.parents[1] if course.parent.name == own.PLACE else course
+    )  # where course.toml is, it is looked at anew
+    fields = {"checkout": repr(str(checkout)), "modules": _modules(assignments.slugs(course)), "first": slugs[0]}
     for name, template in (("nbgrader_config.py", "nbgrader_config.txt"), ("README.md", "course.txt")):
         if (folder / name).exists():
             print(f"{folder / name} left as you have it", file=sys.stderr)

@@ -21,6 +21,7 @@ __all__ = ["run"]
 
 OF_THE_GRADER = ("msgpack", "tqdm")  # what the students' side does without
 NOT_FOR_STUDENTS = shutil.ignore_patterns("__pycache__", ".*", "*.pyc")
+EXAMPLE = "hw08_axis_angle"  # in the page; in a course without it, the first assignment
 TEMPLATES = Path(__file__).parent / "templates"
 
 
@@ -30,10 +31,21 @@ def run(course: Path, folder: Path) -> int:
         folder.mkdir(parents=True, exist_ok=True)
     wheel = _wheel(course, folder.resolve())
     text = (TEMPLATES / "kit.md").read_text(encoding="utf-8")
-    written(folder / "README.md", text.replace("{wheel}", wheel.name))
+    first = assignments.slugs(course)[0]
+    if EXAMPLE not in assignments.slugs(course):
+        function = next(iter(assignments.assignment(course, first).results))
+        text = text.replace(EXAMPLE, first).replace(EXAMPLE[:4], first[:4]).replace("rotation_matrix", function)
+    held = "\n".join(f"- {_title(course, slug)}" for slug in assignments.slugs(course))
+    written(folder / "README.md", text.replace("{wheel}", wheel.name).replace("{assignments}", held))
     shutil.copyfile(course / "NOTATION.md", folder / "NOTATION.md")
     print(f"{folder}: {wheel.name}, README.md and NOTATION.md, for your students", file=sys.stderr)
     return 0
+
+
+def _title(course: Path, slug: str) -> str:
+    """The first line of an assignment's README."""
+    with open(course / "assignments" / slug / "README.md", encoding="utf-8") as file:
+        return file.readline().lstrip("# ").strip()
 
 
 def _wheel(course: Path, folder: Path) -> Path:

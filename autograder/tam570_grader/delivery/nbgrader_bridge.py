@@ -23,6 +23,7 @@ from nbgrader.preprocessors import NbGraderPreprocessor  # type: ignore[import-u
 from nbgrader.utils import find_all_files  # type: ignore[import-untyped]
 from traitlets import Bool, Dict, Integer, Unicode
 
+from tam570_grader.delivery import own
 from tam570_grader.delivery.nbgrader_cells import Notebook, grade_id, marked, node, note, pictures_only, rebuilt, safe
 from tam570_grader.delivery.nbgrader_gradebook import OpenGradebook, keep_gradebooks_open
 from tam570_grader.delivery.notebook import FORMAT, part_of, part_points, text_cell
@@ -187,9 +188,9 @@ class SandboxGrades(NbGraderPreprocessor):  # type: ignore[misc]
     checkout = Unicode("", help="the checkout of tam570 with checks and solutions").tag(config=True)
     results = Unicode("tam570_results", help="the folder of the results, in the course").tag(config=True)
     jobs = Integer(0, help="workers; 0: one for each core").tag(config=True)
-    memory = Integer(1024, help="MiB of a submission").tag(config=True)
-    cpu = Integer(60, help="s of processor time of a submission").tag(config=True)
-    call = Integer(10, help="s of processor time of one call").tag(config=True)
+    memory = Integer(0, help="MiB of a submission; 0: as in course.toml, else 1024").tag(config=True)
+    cpu = Integer(0, help="s of processor time of a submission; 0: as in course.toml, else 60").tag(config=True)
+    call = Integer(0, help="s of processor time of one call; 0: as in course.toml, else 10").tag(config=True)
 
     def preprocess(self, nb: Notebook, resources: Resources) -> Outcome:
         slug, student = resources["nbgrader"]["assignment"], resources["nbgrader"]["student"]
@@ -226,7 +227,9 @@ class SandboxGrades(NbGraderPreprocessor):  # type: ignore[misc]
 
     def _plan(self, place: Any, book: Book, everyone: Sequence[Submission]) -> Plan:
         seed = secrets.randbelow(2**31) if book.seed is None else book.seed
-        allowance = Allowance(self.memory * 2**20, self.cpu, self.call)
+        mine = {"memory": self.memory, "cpu": self.cpu, "call": self.call}
+        limits = {name: mine[name] or usual for name, usual in own.limits(self.found_checkout()).items()}
+        allowance = Allowance(limits["memory"] * 2**20, limits["cpu"], limits["call"])
         jobs = self.jobs or cores()
         hidden = [self.found_checkout(), Path(place.root).resolve()]
         return Plan(self.found_checkout(), everyone, seed, jobs, allowance, hidden)

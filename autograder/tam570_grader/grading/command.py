@@ -49,12 +49,15 @@ def add_grade(commands: Commands) -> argparse.ArgumentParser:
     add("--only", nargs="+", metavar="SLUG", help="grade these assignments alone")
     for name, unit, default, what in (
         ("--jobs", "N", cores(), "supervisors, a process each"),
-        ("--memory", "MIB", 1024, "memory of a submission"),
-        ("--cpu", "S", 60, "processor time of a submission"),
-        ("--call", "S", 10, "processor time of one call"),
         ("--processes", "N", 1, "processes of a submission"),
     ):
         add(name, type=positive, metavar=unit, default=default, help=f"{what} (default: %(default)s)")
+    for name, unit, default, what in (
+        ("--memory", "MIB", 1024, "memory of a submission"),
+        ("--cpu", "S", 60, "processor time of a submission"),
+        ("--call", "S", 10, "processor time of one call"),
+    ):
+        add(name, type=positive, metavar=unit, help=f"{what} (default: that of course.toml, else {default})")
     add_cluster(add)
     return grade
 
@@ -122,14 +125,17 @@ def _told(arguments: argparse.Namespace, course: Path, plan: Any, seen: Seen) ->
 
 def _plan(arguments: argparse.Namespace, course: Path, found: list[Any], earlier: list[Any]) -> Any:
     """What is graded and how; of the results that are there it takes the seed."""
+    from tam570_grader.delivery import own
     from tam570_grader.grading.many import Plan
     from tam570_grader.sandbox.worker import Allowance
 
     key = _key(arguments.vary, any(earlier)) if arguments.vary else None
     seed = _seed(arguments.seed, earlier, key)
-    allowance = Allowance(arguments.memory * 2**20, arguments.cpu, arguments.call, arguments.processes)
+    limits = {name: vars(arguments)[name] or usual for name, usual in own.limits(course).items()}
+    allowance = Allowance(limits["memory"] * 2**20, limits["cpu"], limits["call"], arguments.processes)
     ours = [*arguments.paths, *arguments.join, *filter(None, (arguments.out, arguments.against, arguments.vary))]
-    hidden = [course, *(path.resolve() for path in ours)]
+    checkout = (course / "shared").resolve().parent  # of a course of one's own
+    hidden = [course, checkout, *(path.resolve() for path in ours)]
     cluster = _cluster(arguments)
     return Plan(course, found, seed, arguments.jobs, allowance, hidden, arguments.speed, key=key, cluster=cluster)
 

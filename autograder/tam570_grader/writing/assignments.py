@@ -7,7 +7,7 @@ import importlib.util
 import re
 import sys
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -20,6 +20,8 @@ from tam570_grader.writing.mistakes import Mistake, mistakes
 from tam570_grader.writing.returns import Promise
 
 __all__ = [
+    "ADAPTED",
+    "OWN",
     "Assignment",
     "assignment",
     "checks_digest",
@@ -31,6 +33,8 @@ __all__ = [
     "slugs",
     "solution",
 ]
+
+ADAPTED, OWN = "adapted", "own"  # modules beside `checks` in a course of one's own: what it changes, what it adds
 
 
 @dataclass(frozen=True)
@@ -62,16 +66,28 @@ class Assignment:
 
 
 def find(given: str | Path | None = None) -> Path:
-    """The course's root: as given, else a checkout above the working directory, else that of an editable install."""
+    """The course's root: as given, else one above the working directory, else that of an editable install.
+
+    Where there is a course.toml, it is the course that this file makes of the checkout.
+    """
+    from tam570_grader.delivery import own
+
     if given is not None:
         places = [Path(given).resolve()]
     else:
         places = [Path.cwd(), *Path.cwd().parents, *Path(tam570.__file__).resolve().parents[1:3]]
+    base = next(filter(_is_checkout, [*places, *Path(tam570.__file__).resolve().parents[1:3]]), None)
     for place in places:
-        if (place / "autograder" / "checks").is_dir() and (place / "solutions").is_dir():
+        if _is_checkout(place):
             return place
+        if base and (place / own.FILE).is_file():
+            return own.root_of(place / own.FILE, base)
     where = f"{given} is no course" if given is not None else "there is no course here"
     raise UsageError(f"{where}: no autograder/checks and solutions; name a checkout of the course with --root")
+
+
+def _is_checkout(place: Path) -> bool:
+    return (place / "autograder" / "checks").is_dir() and (place / "solutions").is_dir()
 
 
 def slugs(root: Path) -> list[str]:
@@ -110,7 +126,27 @@ def assignment(root: Path, slug: str) -> Assignment:
     checks = _named_checks(module)
     off_limits: dict[str, Sequence[str]] = getattr(module, "OFF_LIMITS", {})
     manual: dict[str, tuple[float, str]] = getattr(module, "MANUAL", {})
-    return Assignment(slug, checks, module.RESULTS, module.NEEDS, off_limits, source, manual, root)
+    found = Assignment(slug, checks, module.RESULTS, module.NEEDS, off_limits, source, manual, root)
+    return _adapted(found, folder) if (folder / f"{ADAPTED}.py").exists() else found
+
+
+def _adapted(given: Assignment, folder: Path) -> Assignment:
+    """An assignment with the points, parts and checks of a course of one's own."""
+    change = importlib.import_module(f"_checks_{folder.name}.{ADAPTED}")
+    own = importlib.import_module(f"_checks_{folder.name}.{OWN}") if (folder / f"{OWN}.py").exists() else None
+    checks = {check.name: replace(check, points=change.POINTS.get(check.name, check.points)) for check in given.checks}
+    kept = {name: check for name, check in checks.items() if check.part not in change.LEAVE_OUT and check.points}
+    kept |= {check.name: check for check in (_named_checks(own) if own else ())}
+    off_limits = {
+        where: [name for name in names if name not in change.ALLOW] for where, names in given.off_limits.items()
+    }
+    return replace(
+        given,
+        checks=tuple(replace(check, after=tuple(set(check.after) & kept.keys())) for check in kept.values()),
+        results={**given.results, **getattr(own, "RESULTS", {})},
+        off_limits={where: names for where, names in off_limits.items() if names},
+        manual={part: what for part, what in given.manual.items() if part not in change.LEAVE_OUT},
+    )
 
 
 def solution(slug: str, root: Path | None = None) -> Any:

@@ -1,0 +1,178 @@
+"""A course of one's own, by `course.toml`: which assignments it has, their points, parts, limits, and own checks.
+
+A folder `.course` beside it is made of it and the checkout. All commands take that in the place of the checkout: what
+an assignment is stands in one place still, and nothing else needs to know of `course.toml`.
+"""
+
+import difflib
+import hashlib
+import os
+import re
+import shutil
+import tomllib
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, fields
+from pathlib import Path
+from typing import Any
+
+from tam570_grader.delivery.stubs import contract
+from tam570_grader.errors import UsageError, writing
+from tam570_grader.results.tables import written
+from tam570_grader.writing import assignments
+from tam570_grader.writing.assignments import ADAPTED, OWN, Assignment
+
+__all__ = ["FILE", "PLACE", "limits", "root_of"]
+
+FILE, PLACE = "course.toml", ".course"
+SHARED = ("shared", "autograder/tam570_grader", "pyproject.toml", "README.md", "LICENSE", "NOTATION.md")
+ROW = re.compile(r"^(\| `(\w+)\(.*?` *\| *)([\d.]+)( *\|)", re.MULTILINE)
+TIMES = "One call may take {call} s of processor time, the whole submission {cpu} s."
+STANDARD = {"call": 10, "cpu": 60, "memory": 1024}  # as the options of `grade`: s, s, MiB
+SUM = re.compile(r"^The autograder gives (?:all )?ten points", re.MULTILINE)
+
+
+@dataclass(frozen=True)
+class Part:
+    """What a course changes of one assignment."""
+
+    points: Mapping[str, float]  # by check
+    leave_out: Sequence[str] = ()  # letters of parts
+    allow: Sequence[str] = ()  # what is off limits else
+    checks: str = ""  # a file with checks of one's own, beside course.toml
+
+
+def root_of(path: Path, base: Path) -> Path:
+    """The course that `path`, a course.toml, makes of the checkout `base`; another folder whenever either changes."""
+    folder = path.parent / PLACE
+    place = folder / _stamp(path, base)
+    if not place.is_dir():
+        new = path.parent / f"{PLACE}.new"
+        with writing(place):
+            shutil.rmtree(new, ignore_errors=True)
+            _make(path, base, new / place.name)
+            shutil.rmtree(folder, ignore_errors=True)
+            os.replace(new, folder)
+    return place
+
+
+def limits(root: Path) -> dict[str, int]:
+    """The limits of a submission, as the options of `grade` have them: of the course, else the standard ones."""
+    path = root / FILE
+    return {**STANDARD, **(_read(path).get("limits", {}) if path.is_file() else {})}
+
+
+def _stamp(path: Path, base: Path) -> str:
+    """Of course.toml, the files beside it, and the times of all that is copied."""
+    found = hashlib.sha256(path.read_bytes() + str(base).encode())
+    for own in sorted(path.parent.glob("*.py")):
+        found.update(own.read_bytes())
+    for folder in ("assignments", "solutions", "autograder/checks"):
+        for file in sorted((base / folder).rglob("*")):
+            if file.is_file() and "__pycache__" not in file.parts:
+                found.update(f"{file} {file.stat().st_mtime_ns}".encode())
+    return found.hexdigest()[:12]
+
+
+def _read(path: Path) -> dict[str, Any]:
+    try:
+        return tomllib.loads(path.read_text(encoding="utf-8"))
+    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
+        raise UsageError(f"cannot read {path}: {error}") from None
+
+
+def _make(path: Path, base: Path, new: Path) -> None:
+    known = assignments.slugs(base)
+    parts = _parts(path, _read(path), known)
+    for name in SHARED:
+        (new / name).parent.mkdir(parents=True, exist_ok=True)
+        os.symlink(base / name, new / name)
+    shutil.copyfile(path, new / FILE)
+    for slug, part in parts.items():
+        _check(path, assignments.assignment(base, slug), part)
+        for name in (f"assignments/{slug}", f"autograder/checks/{slug}"):
+            shutil.copytree(base / name, new / name, ignore=shutil.ignore_patterns("__pycache__"))
+        (new / "solutions").mkdir(exist_ok=True)
+        shutil.copyfile(base / "solutions" / f"{slug}.py", new / "solutions" / f"{slug}.py")
+        folder = assignments.checks_folder(new, slug)
+        if part != Part({}) or limits(new) != STANDARD:
+            said = "".join(f"{name.upper()} = {value!r}\n" for name, value in vars(part).items() if name != "checks")
+            written(folder / f"{ADAPTED}.py", f'"""What {FILE} changes."""\n\n{said}')
+            if part.checks:
+                shutil.copyfile(path.parent / part.checks, folder / f"{OWN}.py")
+            _tell(path, assignments.assignment(new, slug), part, new / "assignments" / slug)
+
+
+def _parts(path: Path, given: Mapping[str, Any], known: Sequence[str]) -> dict[str, Part]:
+    """What changes of each assignment that the course has."""
+    tables = {key: value for key, value in given.items() if re.match(r"hw\d", key)}
+    _no_other(path, "", given.keys() - tables, ("assignments", "limits"))
+    _no_other(path, "[limits] ", given.get("limits", {}), [*STANDARD])
+    for name, value in given.get("limits", {}).items():
+        whole = isinstance(value, int) and value > 0
+        _must(path, whole, f"[limits] {name} is {value!r}; write a whole number from 1 on")
+    names = given.get("assignments", [])
+    _must(path, _are_texts(names), 'assignments is a list of names, as in ["hw01", "hw07"]')
+    for name in (*names, *tables):
+        _must(path, assignments.slug_of(name, known) is not None, f"there is no assignment {name!r}")
+    chosen = assignments.named(names, known)
+    changed = {assignments.named([key], known)[0]: (key, table) for key, table in tables.items()}
+    for slug, (key, _) in changed.items():
+        _must(path, slug in chosen, f"[{key}] is not among the assignments: add it there, or leave it out")
+    return {slug: _part(path, *changed[slug]) if slug in changed else Part({}) for slug in chosen}
+
+
+def _part(path: Path, key: str, table: Any) -> Part:
+    _must(path, isinstance(table, dict), f"{key} is no table: write [{key}] above its lines")
+    _no_other(path, f"[{key}] ", table, [one.name for one in fields(Part)])
+    for name in ("leave_out", "allow"):
+        _must(path, _are_texts(table.get(name, [])), f"[{key}] {name} is no list of texts")
+    points, own = table.get("points", {}), table.get("checks", "")
+    _must(path, isinstance(points, dict), f"[{key}] points is a table of checks: write [{key}.points]")
+    for check, value in points.items():
+        good = isinstance(value, int | float) and not isinstance(value, bool) and 0 <= value < 1e6
+        _must(path, good, f"[{key}.points] {check} is {value!r}; write a number from 0 on")
+    found = isinstance(own, str) and (not own or (path.parent / own).is_file())
+    _must(path, found, f"[{key}] checks names {own!r}, and there is no such file beside it")
+    points = {name: float(value) for name, value in points.items()}
+    return Part(points, table.get("leave_out", []), table.get("allow", []), own)
+
+
+def _check(path: Path, assignment: Assignment, part: Part) -> None:
+    """Whether the assignment has what is changed."""
+    key, parts = assignment.slug[:4], sorted({check.part for check in assignment.checks} | {*assignment.manual})
+    off_limits = sorted({name for names in assignment.off_limits.values() for name in names})
+    _no_other(path, f"[{key}.points] ", part.points, [check.name for check in assignment.checks])
+    _no_other(path, f"[{key}] leave_out: ", part.leave_out, parts)
+    _no_other(path, f"[{key}] allow: ", part.allow, off_limits)
+
+
+def _no_other(path: Path, where: str, names: Any, known: Sequence[str]) -> None:
+    for name in sorted(set(names) - {*known}):
+        near = difflib.get_close_matches(name, known, 1) or [", ".join(known) or "none"]
+        raise UsageError(f"{path}: {where}{name} is not known; do you mean {near[0]}?")
+
+
+def _are_texts(value: Any) -> bool:
+    return isinstance(value, list) and all(isinstance(one, str) for one in value)
+
+
+def _must(path: Path, holds: bool, says: str) -> None:
+    if not holds:
+        raise UsageError(f"{path}: {says}")
+
+
+def _tell(path: Path, assignment: Assignment, part: Part, folder: Path) -> None:
+    """Put the points, and what is left out or allowed, into what students get."""
+    _must(path, bool(assignment.checks), f"[{assignment.slug[:4]}] leaves no check: leave the assignment out instead")
+    worth = dict.fromkeys(assignment.results, 0.0)
+    for check in assignment.checks:
+        name = next((word for word in re.findall(r"\w+", check.line) if word in worth), "")
+        worth[name] = worth.get(name, 0.0) + check.points
+    readme = (folder / "README.md").read_text(encoding="utf-8")
+    readme = ROW.sub(lambda row: f"{row[1]}{worth.get(row[2], 0.0):g}{row[4]}", readme)
+    more = [f"Part ({letter}) is left out in this course." for letter in part.leave_out]
+    more += [f"In this course you may use `{name}`." for name in part.allow]
+    says = " ".join([*more, f"The autograder gives {assignment.max_score:g} points"])
+    readme = readme.replace(TIMES.format(**STANDARD), TIMES.format(**limits(assignment.root)))
+    written(folder / "README.md", SUM.sub(lambda _: says, readme, count=1))
+    written(folder / "contract.json", contract(assignment))

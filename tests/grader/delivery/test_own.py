@@ -1,0 +1,138 @@
+"""A course of one's own: every command obeys course.toml, and what disagrees with the checkout is named."""
+
+import csv
+import json
+import re
+import zipfile
+
+import pytest
+
+from tam570_grader import cli
+
+SLUG = "hw08_axis_angle"
+COURSE = """
+assignments = ["hw07", "hw08"]
+
+[limits]
+call = 5
+
+[hw08]
+leave_out = []
+allow = ["tam570.rotations"]
+checks = "mine.py"
+
+[hw08.points]
+skew_is_the_cross_product = 3
+matrix_depends_on_the_direction_alone = 0
+
+[hw07]
+leave_out = ["c"]
+"""
+MINE = '''
+"""A check of my own."""
+from tam570_grader import check, expect, given
+
+
+@check(points=2, part="b")
+def turning_back_undoes(student, draw):
+    """rotate: turning back undoes it."""
+    r, axis = draw.normal(size=3), draw.normal(size=3)
+    ((_, there),) = student.rotate.each([given(r, axis, 0.7)])
+    ((_, back),) = student.rotate.each([given(there, axis, -0.7)])
+    expect(back, r, within=1e-12, of="the vector", unit="m")
+'''
+HALF = "\n\ndef rotate(r, axis, angle):\n    return np.asarray(r, float)\n"
+
+
+@pytest.fixture
+def desk(tmp_path, monkeypatch, solution_text):
+    """A folder with course.toml and the work of ann, who is right, and ben, whose vectors stay where they are."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "course.toml").write_text(COURSE)
+    (tmp_path / "mine.py").write_text(MINE)
+    for student, more in (("ann", ""), ("ben", HALF)):
+        folder = tmp_path / "submitted" / student / SLUG
+        folder.mkdir(parents=True)
+        (folder / f"{SLUG}.py").write_text(solution_text(SLUG) + more)
+    return tmp_path
+
+
+def run(*arguments):
+    return cli.main([*map(str, arguments)])
+
+
+def test_grading_obeys_and_a_check_of_ones_own_is_one(desk):
+    assert run("grade", "submitted", "--out", "results", "--seed", "1") == 0
+    lines = [json.loads(line) for line in (desk / "results" / "results.jsonl").read_text().splitlines()]
+    ann, ben = ({mark["name"]: mark for mark in line["checks"]} for line in lines)
+    assert lines[0]["score"] == lines[0]["max_score"] == 10 + 2 - 1 + 2
+    assert ann["skew_is_the_cross_product"]["points"] == 3 and "matrix_depends_on_the_direction_alone" not in ann
+    assert (ann["turning_back_undoes"]["outcome"], ben["turning_back_undoes"]["outcome"]) == ("passed", "passed")
+    assert ben["vector_turns_by_the_right_hand_rule"]["points"] == 0
+    (desk / "submitted" / "ben" / SLUG / f"{SLUG}.py").write_text("def rotate(r, axis, angle):\n    return r * 1.5\n")
+    assert run("grade", "submitted", "--out", "results") == 0
+    rows = list(csv.DictReader((desk / "results" / "grades.csv").read_text().splitlines()))
+    assert [row["score"] for row in rows] == ["13.0", "0.0"]
+
+
+def test_a_change_of_points_grades_anew(desk):
+    run("grade", "submitted", "--out", "results", "--seed", "1")
+    (desk / "course.toml").write_text(COURSE.replace("= 3", "= 5"))
+    run("grade", "submitted", "--out", "results")
+    rows = list(csv.DictReader((desk / "results" / "grades.csv").read_text().splitlines()))
+    assert rows[0]["max_score"] == "15.0"
+
+
+def test_students_get_the_points_and_these_assignments_alone(desk):
+    assert run("kit", "kit") == run("course", "nb") == run("gradescope", "archives") == 0
+    page = (desk / "kit" / "README.md").read_text()
+    assert "- hw07: " in page and "- hw08: " in page and "hw09" not in page
+    (wheel,) = (desk / "kit").glob("*.whl")
+    with zipfile.ZipFile(wheel) as archive:
+        names = archive.namelist()
+        readme = archive.read(f"tam570/assignments/{SLUG}/README.md").decode()
+        contract = json.loads(archive.read(f"tam570/assignments/{SLUG}/contract.json"))
+    held = {name.split("/")[2] for name in names if name.startswith("tam570/assignments/hw")}
+    assert held == {"hw07_double_pendulum", SLUG} and not any("/checks/" in name for name in names)
+    assert re.search(r"^\| `skew\(v\)` \| 3 \|", readme, re.M) and re.search(
+        r"^\| `rotation_matrix\(.* \| 4 \|", readme, re.M
+    )
+    assert "The autograder gives 13 points" in readme and "One call may take 5 s" in readme
+    assert "you may use `tam570.rotations`" in readme and "tam570.rotations" not in contract["off_limits"]["*"]
+    assert sorted(path.name for path in (desk / "nb" / "source").iterdir()) == ["hw07_double_pendulum", SLUG]
+    with zipfile.ZipFile(desk / "archives" / f"{SLUG}.zip") as archive:
+        assert {f"course/autograder/checks/{SLUG}/own.py", "course/course.toml"} <= {*archive.namelist()}
+    notebook = (desk / "nb" / "source" / "hw07_double_pendulum" / "hw07_double_pendulum.ipynb").read_text()
+    assert "manual-" not in notebook
+
+
+WRONG = [
+    ('"hw08"', '"hw99"', "'hw99'"),
+    ("skew_is_the_cross", "skew_is_a_cross", "do you mean skew_is_the_cross_product?"),
+    ("call = 5", "calls = 5", "calls is not known; do you mean call?"),
+    ("call = 5", "call = 0", "call is 0"),
+    ('["c"]', '["q"]', "q is not known"),
+    ('["c"]', '"c"', "no list of texts"),
+    ("= 3", "= -3", "is -3"),
+    ("mine.py", "yours.py", "no such file"),
+    ("[limits]", "[limit]", "limit is not known; do you mean limits?"),
+    ('"hw07", ', "", "[hw07] is not among the assignments"),
+    ("assignments = [", "assignments = ", "cannot read"),
+    ('allow = ["tam570.rotations"]', 'allow = ["os"]', "os is not known"),
+]
+
+
+@pytest.mark.parametrize(("old", "new", "says"), WRONG)
+def test_what_disagrees_is_named_and_nothing_is_done(desk, capsys, old, new, says):
+    assert old in COURSE
+    (desk / "course.toml").write_text(COURSE.replace(old, new, 1))
+    assert run("grade", "submitted", "--out", "results") == 2
+    assert says in (err := capsys.readouterr().err) and "course.toml" in err
+    assert not (desk / "results").exists() and not (desk / ".course").exists()
+
+
+def test_without_the_file_nothing_is_another(desk, course):
+    (desk / "course.toml").unlink()
+    assert run("grade", "submitted", "--out", "results", "--seed", "1") == 0
+    assert not (desk / ".course").exists()
+    assert '"max_score": 10.0' in (desk / "results" / "results.jsonl").read_text()
