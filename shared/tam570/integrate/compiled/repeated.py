@@ -36,10 +36,7 @@ def taylor_repeated(
     if motion is None:
         return None
     READY.add(graph)
-    head = [0.0] * taylor_memory.NUMBERS
-    head[taylor_memory.ROW], head[taylor_memory.STATUS] = 1.0, taylor_loop.FRESH
-    head[taylor_memory.LONGEST] = run.since[-1] / 100
-    fresh = motion.numbers.pack(*head, *[0.0] * (2 * size), *(floor or [0.0] * size))
+    fresh = motion.numbers.pack(*_head(run), *[0.0] * (2 * size), *(floor or [0.0] * size))
     start, first, used = struct.Struct(f"={size}d"), 8 * taylor_memory.NUMBERS, len(fresh)
     advance, status, free = motion.advance, taylor_memory.STATUS, list[Place]()
 
@@ -68,6 +65,14 @@ def taylor_repeated(
         return rows
 
     return states
+
+
+def _head(run: Any) -> list[float]:
+    """The first numbers of the memory of a run that has not begun."""
+    head = [0.0] * taylor_memory.NUMBERS
+    head[taylor_memory.ROW], head[taylor_memory.STATUS] = 1.0, taylor_loop.FRESH
+    head[taylor_memory.LONGEST] = run.since[-1] / 100
+    return head
 
 
 def _carried_on(mine: Place, advance: Any, size: int, watch: Callable[[], Look]) -> None:
