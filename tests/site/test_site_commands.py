@@ -23,7 +23,15 @@ PARTS = re.compile(
     r"^% (prepared|exits|not run):? ?([^\n]*)$|^```(sh|python|pycon)\n(.*?)^```$", re.MULTILINE | re.DOTALL
 )
 MODULES = [
-    *("integrate.solver", "integrate.rotation", "integrate.motion", "rotations", "lagrange", "invariants"),
+    *(
+        "integrate.solver",
+        "integrate.preparing",
+        "integrate.rotation",
+        "integrate.motion",
+        "rotations",
+        "lagrange",
+        "invariants",
+    ),
     *("lectures", "show", "show.film"),
 ]
 

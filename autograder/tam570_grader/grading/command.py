@@ -57,7 +57,7 @@ def add_grade(commands: Commands) -> argparse.ArgumentParser:
         ("--cpu", "S", 60, "processor time of a submission"),
         ("--call", "S", 10, "processor time of one call"),
     ):
-        add(name, type=positive, metavar=unit, help=f"{what} (default: that of course.toml, else {default})")
+        add(name, type=positive, metavar=unit, help=f"{what} (default: as course.toml says, else {default})")
     add_cluster(add)
     return grade
 
