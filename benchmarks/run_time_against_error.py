@@ -7,7 +7,7 @@ at the first tolerance that reaches an error of 1e-9.
 
     python benchmarks/run_time_against_error.py            all; writes results/run_time_against_error.json and .png
     python benchmarks/run_time_against_error.py --quick    three scenes, four tolerances, no cold processes
-    python benchmarks/run_time_against_error.py --methods "tam570, compiled" heyoka CyRK --sets public
+    python benchmarks/run_time_against_error.py --methods "tam570, prepared" heyoka CyRK --sets public
 """
 
 import argparse
@@ -170,9 +170,11 @@ def report(results):
     for method, (median, largest) in results["compiling"].items():
         print(f"  {method:22} {median:8.3f} {largest:8.3f}")
     for group, rows in results["against"].items():
-        print(f"\ntam570, compiled, over a peer at the same error: {group}")
-        for peer, target, row in rows:
-            print(f"  {peer:14} {target:g}  median {row[0]:7.2f}   worst {row[1]:7.2f} ({row[2]})   of {row[3]}")
+        print(f"\nover a peer at the same error: {group}")
+        for ours, peer, target, row in rows:
+            print(
+                f"  {ours:18} {peer:14} {target:g}  median {row[0]:7.2f}  worst {row[1]:7.2f} ({row[2]})  of {row[3]}"
+            )
     print("\nsmallest error over condition number times eps")
     for name, scene in results["scenes"].items():
         floor = scene["condition"] * EPS

@@ -165,11 +165,16 @@ def _ratios(found):
 
 
 def _against(found):
-    by = {}
-    for peer, target, (middle, worst, scene, _) in found["against"]["public"]:
-        by.setdefault(target, {})[peer] = f"{middle:.2g} ({worst:.2g}, {scene})"
-    made = [[_power(f"{target:g}"), row["CyRK"], row["heyoka"]] for target, row in by.items()]
-    return _table(["error", "over CyRK", "over heyoka"], made)
+    made, columns = [], [(ours, peer) for ours in ("prepared", "compiled") for peer in ("CyRK", "heyoka")]
+    for problems, rows in found["against"].items():
+        cells = {
+            (target, ours.removeprefix("tam570, "), peer): f"{middle:.2f} ({worst:.2f}, {scene})"
+            for ours, peer, target, (middle, worst, scene, _) in rows
+        }
+        for target in sorted({target for target, _, _ in cells}, reverse=True):
+            made.append([problems, _power(f"{target:g}"), *(cells[target, *column] for column in columns)])
+    heads = [f"{'a prepared run' if ours == 'prepared' else '`solve`'} over {peer}" for ours, peer in columns]
+    return _table(["problems", "error", *heads], made)
 
 
 def _power(number):
