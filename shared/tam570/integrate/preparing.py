@@ -43,8 +43,8 @@ def prepared(
     ([0.0, -10.0], [0.0, -5.0])
     """
     (times, sign), start, held = sample_times(t), initial_state(y0), dict(parameters or {})
-    step_rtol, plainly = of_one_step(tolerance(rtol)), partial(solve, rhs, sign * times)
-    in_full = partial(plainly, parameters=held, rtol=rtol, atol=atol)
+    in_full = partial(solve, rhs, sign * times, parameters=held, rtol=rtol, atol=atol)
+    step_rtol = of_one_step(tolerance(rtol))
     floor = [allowed / step_rtol for allowed in allowed_error(atol, start.shape[-1])]
     with np.errstate(all="ignore"):
         made = engine(rhs, held, times, start.reshape(-1, start.shape[-1])[0], sign=sign)
@@ -65,8 +65,11 @@ def _compiled(made: Engine, times: Array, rtol: float, floor: list[float]) -> At
     """States at `times` by Taylor's method alone; None where it does not get there."""
     if made.graph is None or not available():
         return lambda y0: None
-    from tam570.integrate.compiled import repeated
-
     whole = Run(made, float(times[0]), times - times[0], np.empty((len(times), made.formulas.size)), rtol)
-    runs = repeated.taylor_repeated(made.graph, whole, floor, partial(whole.watch, COMPILED))
+    try:
+        from tam570.integrate.compiled import repeated
+
+        runs = repeated.taylor_repeated(made.graph, whole, floor, partial(whole.watch, COMPILED))
+    except (ImportError, OSError, RuntimeError):  # a broken llvmlite: nobody asked for it
+        runs = None
     return runs or (lambda y0: None)

@@ -121,3 +121,12 @@ def test_stiffness_is_told():
     run = prepared(lambda t, y: (-1e8 * (y[0] - math.cos(t)),), [0.0, 2000.0], [1.0])
     with pytest.raises(ArithmeticError, match="stiff"):
         run([0.0])
+
+
+def test_a_broken_compiler_is_done_without(monkeypatch):
+    def broken(*_):
+        raise RuntimeError("no target")
+
+    monkeypatch.setattr("tam570.integrate.compiled.repeated.taylor_repeated", broken)
+    run = prepared(pendulum, [0, 5], STARTS[0], parameters=GIVEN)
+    np.testing.assert_array_equal(run(STARTS[1]), solve(pendulum, [0, 5], STARTS[1], parameters=GIVEN))
