@@ -30,6 +30,7 @@ verify: $(VENV)/ready bubblewrap
 	$(BIN)/tam570-grader audit --margins
 	mkdir -p build && $(BIN)/tam570-grader audit --fairness 100 --keep build/fairness.jsonl
 	$(BIN)/python benchmarks/grading.py --peers nbgrader
+	$(BIN)/python benchmarks/size.py
 	$(BIN)/python benchmarks/autograde.py
 	$(BIN)/python benchmarks/rotations.py
 	$(BIN)/python benchmarks/show.py --peers

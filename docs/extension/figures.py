@@ -117,6 +117,15 @@ def _grading(rows):
     return _table(["one submission", "tam570-grader, 2 jobs", "nbgrader", "ratio"], made)
 
 
+def _size(rows):
+    made = []
+    for row in rows:
+        seconds = [f"{row[step]['cpu_seconds']:.1f} s" for step in ("resume", "late file", "report")]
+        most = max(row[step]["mib"] for step in ("resume", "late file", "report"))
+        made.append([f"{row['submissions']:,}", *seconds, f"{most:.0f} MiB", f"{row['page_mb']:.1f} MB"])
+    return _table(["submissions", "resume", "one late file", "report", "most memory", "page"], made)
+
+
 def _autograde(rows):
     by = {(row["assignment"], row["way"], row["endless_loop"]): row["one_more"] for row in rows}
     own = "nbgrader's own, the same notebooks"
@@ -185,6 +194,7 @@ def _power(number):
 
 TABLES = {
     "grading": _grading,
+    "size": _size,
     "autograde": _autograde,
     "show": _show,
     "rotations": _rotations,

@@ -90,7 +90,7 @@ class Cluster:
                 threads_per_worker=1,
                 security=security,
                 protocol="tls://",
-                dashboard_address=None,
+                dashboard_address="127.0.0.1:0",  # any port: the usual one may be taken
                 silence_logs=logging.CRITICAL,
             )
             return dask.Client(stack.enter_context(cluster), security=security, set_as_default=False)

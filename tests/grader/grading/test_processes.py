@@ -10,17 +10,20 @@ import subprocess
 import sys
 import threading
 import time
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from tam570_grader.grading import many
+from tam570_grader.grading.cluster import Cluster
 from tam570_grader.grading.processes import Lost, crew, finished, in_order
 from tam570_grader.grading.submissions import submissions
+from tam570_grader.results.journal import Book
 from tam570_grader.sandbox.warm import TRIES
 from tam570_grader.sandbox.worker import Allowance
-from tam570_grader.writing import answers
+from tam570_grader.writing import answers, assignments
 from tam570_grader.writing.check import given
 
 SLUGS = ("hw08_axis_angle", "hw03_angular_momentum_rate")
@@ -177,6 +180,17 @@ def same(records):
     return sorted(json.dumps({**record, "seconds": 0}) for record in records)
 
 
+def differences(records, others):
+    """The students whose results differ in two runs, seconds apart, with the marks that do."""
+    for one, other in zip(same(records), same(others), strict=True):
+        first, second = json.loads(one), json.loads(other)
+        if one != other:
+            yield (
+                first["student"],
+                [pair for pair in zip(first["checks"], second["checks"], strict=True) if pair[0] != pair[1]],
+            )
+
+
 def kill_at_random(over, kills, killed):
     """Kill supervisors of ours, one at a time."""
     moments = random.Random(570)
@@ -190,16 +204,79 @@ def kill_at_random(over, kills, killed):
 
 
 @linux
-@pytest.mark.parametrize(("students", "kills"), [(10, 3), pytest.param(150, 50, marks=pytest.mark.full)])
-def test_scores_are_the_same_for_one_job_for_two_and_where_supervisors_are_killed(
-    tmp_path, course, solution_text, students, kills
-):
-    found = class_of(tmp_path, students, solution_text)
+def test_scores_are_the_same_for_one_job_for_two_and_where_supervisors_are_killed(tmp_path, course, solution_text):
+    found = class_of(tmp_path, 10, solution_text)
     alone = same(many.records(plan_of(course, found, 1)))
     over, killed = threading.Event(), []
-    hand = threading.Thread(target=kill_at_random, args=(over, kills, killed))
+    hand = threading.Thread(target=kill_at_random, args=(over, 3, killed))
     hand.start()
     records = list(many.records(plan_of(course, found, 2)))
     over.set()
     hand.join()
     assert killed and same(records) == alone
+
+
+KILLS = 50
+
+
+@pytest.fixture(scope="module")
+def everything(tmp_path_factory, course, solution_text):
+    """All that the tree holds of right and wrong work on three assignments."""
+    folder = tmp_path_factory.mktemp("everything")
+    for slug in (*SLUGS, "hw13_rolling_cylinder"):
+        for path in sorted(assignments.checks_folder(course, slug).glob("*s/*.py")):
+            is_mistake = path.parent.name == "mistakes"
+            place = folder / f"{path.parent.name}-{path.stem}" / slug
+            place.mkdir(parents=True)
+            (place / f"{slug}.py").write_text(f"{solution_text(slug) if is_mistake else ''}\n\n{path.read_text()}")
+    return submissions([folder], assignments.slugs(course))
+
+
+@pytest.fixture(scope="module")
+def by_one_job(course, everything):
+    return list(many.records(plan_of(course, everything, 1)))
+
+
+@pytest.mark.full
+@pytest.mark.parametrize("cluster", [False, True])
+def test_two_jobs_and_a_cluster_give_what_one_job_gives_and_nothing_twice(course, everything, by_one_job, cluster):
+    plan = replace(plan_of(course, everything, 2), cluster=Cluster("local") if cluster else None)
+    assert not list(differences(many.records(plan), by_one_job)) and len(by_one_job) == len(everything)
+
+
+@linux
+@pytest.mark.full
+def test_fifty_kills_change_nothing(tmp_path, course, everything, by_one_job):
+    """After results that a seed chooses a supervisor is killed, or the sandbox below it: each time another's.
+
+    A submission that sees three of them die has no score, and gets it from the same command run again.
+    """
+    chance, plan, hit = random.Random(570), plan_of(course, everything, 2), [0]
+    moments = set(chance.sample(range(len(everything) - 2), KILLS))
+    with contextlib.closing(Book(tmp_path)) as book:
+        for number, _ in enumerate(many.records(plan, book)):
+            if number in moments:
+                time.sleep(chance.uniform(0, 0.1))
+                hit.append(kill_another(hit[-1], is_sandbox=chance.random() < 0.5))
+        scored = [record for record in book.values() if record["score"] is not None]
+    assert len(hit) == 1 + KILLS and set(same(scored)) <= set(same(by_one_job)) and number + 1 == len(everything)
+    with contextlib.closing(Book(tmp_path)) as book:
+        assert not list(differences(many.records(plan, book), by_one_job))
+
+
+def kill_another(last, is_sandbox):
+    """Kill a supervisor that was not hit last, or its sandbox, as soon as there is one; the supervisor's number."""
+    while True:
+        supervisors = sorted(child for child in below(os.getpid()) if b"import serve" in command_of(child))
+        for supervisor in supervisors:
+            victim = next(iter(below(supervisor) if is_sandbox else [supervisor]), None)
+            if victim and supervisor != last:
+                os.kill(victim, signal.SIGKILL)
+                return supervisor
+        time.sleep(0.02)
+
+
+def command_of(process):
+    with contextlib.suppress(OSError):
+        return Path(f"/proc/{process}/cmdline").read_bytes()
+    return b""
