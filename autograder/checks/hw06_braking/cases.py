@@ -291,6 +291,7 @@ def stops(draw):
         ("rear", (0.7, 1.5), (0.2, 0.6), 2, 1.0, ", only two times"),
         ("rear", (0.05, 0.2), (0.8, 1.2), 30, 0.03, ", spinning on ice"),
         ("front", (0.05, 0.2), (0.8, 1.2), 2, 1.0, ", spinning, only two times"),
+        ("rear", (0.7, 1.5), NONE, 20, 1.0, ", straight ahead"),
     ):
         known = car(draw)
         start = state(draw, known, speed, yaw)

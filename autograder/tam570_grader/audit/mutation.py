@@ -130,7 +130,7 @@ class _Watched(Student):
             return super().replies(name, calls, mode, **more)
         finally:
             self.asked.add(name)
-            self.longest = max(self.longest, (time.perf_counter() - started) / len(calls))
+            self.longest = max(self.longest, (time.perf_counter() - started) / max(1, len(calls)))
 
 
 def calls_of_checks(course: Path, slug: str, text: str) -> tuple[dict[str, set[str]], float]:

@@ -20,6 +20,7 @@ from tam570_grader.sandbox.notebooks import Unshown
 __all__ = ["Pair", "pairs", "run"]
 
 SHORTEST = 25  # characters of code without names that must agree to count: two statements
+LONGEST = 100_000  # characters of code; the longest solution has 13,000
 WINDOW = 5  # of the fingerprints that lie so close one is kept
 
 
@@ -44,7 +45,7 @@ def run(course: Path, paths: Sequence[Path], known: Sequence[str], given: str | 
     unread = 0
     for one in submissions(paths, known, given):
         try:
-            texts[one.slug][one.student] = code(one)
+            texts[one.slug][one.student] = _short(code(one))
         except (CannotRead, Unshown) as error:
             unread += 1
             print(f"tam570-grader: warning: {one.student} {one.slug} is left out: {error}", file=sys.stderr)
@@ -55,6 +56,13 @@ def run(course: Path, paths: Sequence[Path], known: Sequence[str], given: str | 
     count = sum(map(len, texts.values()))
     print(f"{len(found)} pairs of {count} submissions share {100 * least:g} % or more of the code of one of them")
     return 1 if unread else 0
+
+
+def _short(text: str) -> str:
+    """The text, if no parser can take long over it."""
+    if len(text) > LONGEST:
+        raise CannotRead(f"it has {len(text)} characters; more than {LONGEST} are not compared")
+    return text
 
 
 def pairs(course: Path, slug: str, texts: Mapping[str, str]) -> Iterator[Pair]:
