@@ -15,7 +15,7 @@ from typing import Any
 from tam570_grader.delivery.export import code
 from tam570_grader.errors import UsageError
 from tam570_grader.grading.submissions import CannotRead, submissions
-from tam570_grader.sandbox.notebooks import Unshown
+from tam570_grader.sandbox.notebooks import Unshown, statements_of
 
 __all__ = ["Pair", "pairs", "run"]
 
@@ -45,7 +45,7 @@ def run(course: Path, paths: Sequence[Path], known: Sequence[str], given: str | 
     unread = 0
     for one in submissions(paths, known, given):
         try:
-            texts[one.slug][one.student] = _short(code(one))
+            texts[one.slug][one.student] = _statements(code(one))
         except (CannotRead, Unshown) as error:
             unread += 1
             print(f"tam570-grader: warning: {one.student} {one.slug} is left out: {error}", file=sys.stderr)
@@ -58,17 +58,18 @@ def run(course: Path, paths: Sequence[Path], known: Sequence[str], given: str | 
     return 1 if unread else 0
 
 
-def _short(text: str) -> str:
-    """The text, if no parser can take long over it."""
-    if len(text) > LONGEST:
-        raise CannotRead(f"it has {len(text)} characters; more than {LONGEST} are not compared")
-    return text
+def _statements(text: str) -> str:
+    """The statements of a module in one form, which no library takes long over; they are read in the sandbox."""
+    plain = statements_of(text.encode())
+    if len(plain) > LONGEST:
+        raise CannotRead(f"it has {len(plain)} characters of code; more than {LONGEST} are not compared")
+    return plain
 
 
 def pairs(course: Path, slug: str, texts: Mapping[str, str]) -> Iterator[Pair]:
     """Every pair of one assignment that shares anything."""
     given = (course / "assignments" / slug / f"{slug}.py").read_text(encoding="utf-8")
-    ours = list(_fingerprint(given, []).hashes)
+    ours = list(_fingerprint(_statements(given), []).hashes)
     prints = {student: _fingerprint(text, ours) for student, text in sorted(texts.items())}
     from tqdm import tqdm
 

@@ -1,4 +1,4 @@
-"""Reads students' notebooks in a process of their own: a parser may need memory and time without end."""
+"""Reads students' notebooks and modules in a process of their own: a parser may need memory and time without end."""
 
 import atexit
 import functools
@@ -9,25 +9,35 @@ from tam570_grader.sandbox.imports import python_class
 from tam570_grader.sandbox.replies import error_of
 from tam570_grader.sandbox.worker import Allowance, Worker, WorkerLost
 
-__all__ = ["Unshown", "cells_of"]
+__all__ = ["Unshown", "cells_of", "statements_of"]
 
 READING = Allowance(memory=2**30, cpu=10, call=10)
 
 
 class Unshown(Exception):
-    """A notebook of which nothing can be shown; the message says why."""
+    """What cannot be read; the message says why."""
 
 
 def cells_of(text: bytes) -> list[dict[str, Any]]:
     """The cells of a notebook, as `inside.cells` describes them, or Unshown; nothing of it has run."""
+    cells: list[dict[str, Any]] = _read({"book": text})["cells"]
+    return cells
+
+
+def statements_of(text: bytes) -> str:
+    """The statements of a module in one form, or Unshown; nothing of it has run."""
+    return str(_read({"module": text})["code"])
+
+
+def _read(request: dict[str, Any]) -> dict[str, Any]:
     try:
         cell = _reader().cell(READING.cpu)
     except WorkerLost:
         _reader.cache_clear()  # the next one has a new reader
         raise
     try:
-        cell.send({"book": text})
-        reply = cell.receive(lambda reply: reply)
+        cell.send(request)
+        reply: dict[str, Any] = cell.receive(lambda reply: reply)
     except CellTimeout:
         raise Unshown("it takes too long to read") from None
     except CellLost:
@@ -36,8 +46,7 @@ def cells_of(text: bytes) -> list[dict[str, Any]]:
         cell.end()
     if "error" in reply:
         raise Unshown(python_class(error_of(reply)))
-    cells: list[dict[str, Any]] = reply["cells"]
-    return cells
+    return reply
 
 
 @functools.cache

@@ -2,6 +2,7 @@
 
 import json
 import re
+import time
 
 import pytest
 
@@ -56,3 +57,13 @@ def test_what_cannot_be_read_is_named_and_a_share_is_from_0_to_1(alike, solution
     assert code == 1 and "ann" in said.err
     with pytest.raises(SystemExit):
         cli.main(["alike", ".", "--least", "60"])
+
+
+@pytest.mark.parametrize(
+    "text", ["\t\n" * 50_000, "f'{{" * 25_000, "x = 1\n" * 40_000, "(" * 99_999, "x = '" + "\\\\" * 40_000 + "'"]
+)
+def test_no_text_keeps_the_others_waiting(alike, solution_text, text):
+    copies = {"ann": ("py", solution_text(SLUG)), "ben": ("py", solution_text(SLUG)), "eve": ("py", text)}
+    before = time.process_time()
+    _, said = alike(copies, "--least", "0.9")
+    assert "1 pairs of" in said.out and time.process_time() - before < 60

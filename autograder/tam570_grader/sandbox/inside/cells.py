@@ -1,10 +1,11 @@
-"""Reads a notebook's cells as short plain text: what a page shows of one, where nothing of it is run."""
+"""Reads what students hand in without running it: a notebook's cells as short plain text, a module's statements."""
 
+import ast
 import json
 from collections.abc import Iterator
 from typing import Any
 
-__all__ = ["plain_cells"]
+__all__ = ["plain_cells", "statements"]
 
 MOST_CELLS, MOST_OUTPUTS = 500, 50
 LONGEST_TEXT = 10_000  # characters of a text: the time to make a page of it may go with the square
@@ -29,6 +30,11 @@ def plain_cells(source: bytes) -> list[Cell]:
             cell["source"] = _cut(cell["source"], min(left, LONGEST_TEXT))
             left = max(0, left - len(cell["source"]))
     return plain
+
+
+def statements(source: bytes) -> str:
+    """A module's statements in one form, without comments and blanks. SyntaxError where it is no Python."""
+    return ast.unparse(ast.parse(source))
 
 
 def _plain(cell: Any) -> Cell:

@@ -17,11 +17,12 @@ import sys
 import tempfile
 import time
 import traceback
+from collections.abc import Callable
 from typing import Any
 
 from . import jail
 from .answer import answer, error_report, seed_generators
-from .cells import plain_cells
+from .cells import plain_cells, statements
 from .load import compiled, load
 from .wire import packed, unpacked
 
@@ -93,7 +94,9 @@ def _serve(channel: socket.socket, limits: jail.Limits, folder: str) -> None:
         while True:
             request = _received()
             if "book" in request:
-                _send(_cells(request["book"]))
+                _send(_read("cells", plain_cells, request["book"]))
+            elif "module" in request:
+                _send(_read("code", statements, request["module"]))
             elif "source" in request:
                 module = _loaded(request)
             else:
@@ -114,10 +117,10 @@ def _confined(limits: jail.Limits, channel: socket.socket, folder: str) -> None:
     _send({"confined": True})
 
 
-def _cells(book: bytes) -> dict[str, Any]:
-    """The cells of a notebook, nothing of which is run."""
+def _read(name: str, reading: Callable[[bytes], Any], text: bytes) -> dict[str, Any]:
+    """What is read of a notebook or a module, nothing of which is run."""
     try:
-        return {"cells": plain_cells(book)}
+        return {name: reading(text)}
     except Exception as error:
         return {"error": error_report(error)}
 
