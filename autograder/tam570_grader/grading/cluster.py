@@ -64,7 +64,7 @@ class Cluster:
 
         from tam570_grader.grading.cluster_worker import Course, course_for, there
 
-        for name in ("distributed", "distributed.client"):
+        for name in ("distributed", "distributed.client", "tornado.application"):
             logging.getLogger(name).setLevel(logging.CRITICAL)  # what matters comes as an exception
         with contextlib.ExitStack() as stack:
             client = stack.enter_context(self._client(stack, jobs))

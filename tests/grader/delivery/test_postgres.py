@@ -6,6 +6,7 @@ import pwd
 import shutil
 import socket
 import subprocess
+import tempfile
 from pathlib import Path
 
 import pytest
@@ -44,20 +45,20 @@ class Server:
 
 
 @pytest.fixture
-def server(tmp_path_factory):
+def server():
     pytest.importorskip("psycopg", reason="no psycopg: pip install 'tam570[postgres]'")
-    found = [*sorted(Path("/usr/lib/postgresql").glob("*/bin/initdb")), *filter(None, [shutil.which("initdb")])]
+    found = [*Path("/usr/lib/postgresql").glob("*/bin/initdb"), *filter(None, [shutil.which("initdb")])]
     if not found:
         pytest.skip("there is no PostgreSQL here: apt-get install postgresql")
-    folder = tmp_path_factory.mktemp("postgres")
-    if os.geteuid() == 0:
-        for place in (folder, folder.parent, folder.parent.parent):
-            place.chmod(0o755)
-        os.chown(folder, pwd.getpwnam(SERVER).pw_uid, -1)
-    made = Server(Path(found[-1]).parent, folder / "data" if os.geteuid() else folder)
-    made.start()
-    yield made
-    made.stop()
+    with tempfile.TemporaryDirectory() as name:  # pytest's own are for root alone
+        folder = Path(name)
+        if os.geteuid() == 0:
+            folder.chmod(0o755)
+            os.chown(folder, pwd.getpwnam(SERVER).pw_uid, -1)
+        made = Server(Path(found[0]).parent, folder / "data")
+        made.start()
+        yield made
+        made.stop()
 
 
 def test_a_server_that_is_lost_costs_nobody_a_grade(tmp_path, server, made_course, nbgrader, solution_text):
