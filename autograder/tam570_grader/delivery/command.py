@@ -113,6 +113,8 @@ def add_lms(commands: Commands) -> argparse.ArgumentParser:
     add("--roster", type=Path, metavar="FILE", help="the gradebook of Canvas or Moodle's participants, to join by")
     add("--identity", choices=["username", "idnumber", "email"], default="username", help="in Moodle")
     add("--only", nargs="+", metavar="SLUG", help="these assignments alone")
+    absent = "for who did not hand in what others did (default: %(default)s)"
+    add("--absent", choices=["zero", "blank"], default="zero", help=absent)
     add("--pages", type=Path, metavar="ZIP", help="also a zip file of the pages of feedback, to hand back there")
     add("--collected", type=Path, metavar="CSV", help="for --pages: collected.csv, which `collect` wrote")
     add("--out", type=Path, metavar="FILE", help="default: print it")
@@ -208,7 +210,8 @@ def _lms(arguments: argparse.Namespace) -> int:
         lacking = handback.run(pages, arguments.collected, arguments.to, arguments.pages)
     for line in lacking:
         print(f"tam570-grader: warning: {line}", file=sys.stderr)
-    code = lms.run(arguments.grades, arguments.to, arguments.roster, arguments.identity, arguments.out, arguments.only)
+    given = arguments
+    code = lms.run(given.grades, given.to, given.roster, given.identity, given.out, given.only, given.absent)
     return code or bool(lacking)
 
 

@@ -26,7 +26,13 @@ MOODLE = {"username": "Username", "idnumber": "ID number", "email": "Email addre
 
 
 def run(
-    grades: Path, system: str, roster: Path | None, identity: str, out: Path | None, only: Sequence[str] | None = None
+    grades: Path,
+    system: str,
+    roster: Path | None,
+    identity: str,
+    out: Path | None,
+    only: Sequence[str] | None = None,
+    absent: str = "zero",
 ) -> int:
     """Write the table for Canvas or Moodle; the exit code.
 
@@ -34,10 +40,11 @@ def run(
     roster   : a gradebook exported from Canvas, or a table of Moodle's participants: students are joined by their ids
     identity : what Moodle shall know students by: username, idnumber or email
     only     : beginnings of the names of assignments; default: all
+    absent   : zero, or blank, for who did not hand in what others did
 
     With a roster the exit code is 1 if a score belongs to nobody on it, or somebody on it has no score.
     """
-    found = _only(_scores(grades), only, grades) if only else _scores(grades)
+    found = _only(_scores(grades, absent), only, grades) if only else _scores(grades, absent)
     people = rosters.people(roster) if roster else []
     if system == "moodle":
         table = moodle_of(found, people, identity) if roster else moodle(found, identity)
@@ -122,8 +129,8 @@ def moodle_of(scores: Scores, people: Sequence[rosters.Person], identity: str) -
     return [[heading, *slugs], *rows]
 
 
-def _scores(grades: Path) -> Scores:
-    """The scores in our table or nbgrader's; empty where the grader itself failed.
+def _scores(grades: Path, absent: str) -> Scores:
+    """The scores in our table or nbgrader's; empty where the grader itself failed, or, if asked for, of the absent.
 
     nbgrader has zeros for everybody on what was released and not collected: nobody handed that in, and none is scored.
     """
@@ -140,7 +147,15 @@ def _scores(grades: Path) -> Scores:
     if "timestamp" in heading:
         here = {row["assignment"] for row in found if row["timestamp"] or float(row["score"] or 0)}
         found = [row if row["assignment"] in here else {**row, "score": ""} for row in found]
+    if absent == "blank":
+        found = [{**row, "score": ""} if _is_absent(row) else row for row in found]
     return {(true_name(row[name]), row["assignment"]): (row["score"], row["max_score"]) for row in found}
+
+
+def _is_absent(row: Mapping[str, str]) -> bool:
+    """Whether nothing was handed in, and nothing given by hand."""
+    nothing = row["status"] == "missing" if "status" in row else not row.get("timestamp", "unknown")
+    return nothing and not float(row["score"] or 0)
 
 
 def _people(roster: Sequence[Sequence[str]]) -> tuple[list[str], list[Sequence[str]]]:

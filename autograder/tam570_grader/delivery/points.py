@@ -36,7 +36,11 @@ def add_points(commands: Commands) -> argparse.ArgumentParser:
     add = points.add_argument
     add("folder", type=Path, metavar="DIR", help="what `grade --out` wrote")
     add("table", type=Path, metavar="CSV", help=f"the columns are {', '.join(COLUMNS)}; `of` may be left out")
-    add("--template", action="store_true", help="write the table to fill in, with what is known, to CSV instead")
+    add(
+        "--template",
+        action="store_true",
+        help="write the table to fill in, with what is known, to CSV instead, a new file",
+    )
     return points
 
 
@@ -104,6 +108,8 @@ def _wrong(one: Entry, students: set[str], parts: Manual) -> str:
 
 def _template(path: Path, found: Results, manual: Mapping[str, Manual], hand: Hand) -> int:
     """Write a table with a row for each student and part; what is known is filled in."""
+    if path.exists():
+        raise UsageError(f"{path} is there already, and may hold points that you typed; name a new file")
     text = io.StringIO()
     writer = csv.writer(text)
     writer.writerow(COLUMNS)

@@ -75,6 +75,7 @@ class Seen:
 
 def _grade(arguments: argparse.Namespace) -> int:
     from tam570_grader.pages import feedback
+    from tam570_grader.results import by_hand
     from tam570_grader.results.journal import Book, results
     from tam570_grader.writing import assignments
 
@@ -93,6 +94,8 @@ def _grade(arguments: argparse.Namespace) -> int:
             if arguments.out:
                 book = stack.enter_context(contextlib.closing(Book(arguments.out, note=feedback.row)))
             plan = _plan(arguments, course, found, [*old, *filter(None, [book])])
+            if book is not None:
+                by_hand.join(arguments.out, arguments.join)
             if not plan.cluster:
                 warn_of_isolation()
             _run(plan, book, old, seen, arguments)

@@ -149,7 +149,7 @@ def _scores(found: Class, students: Sequence[str]) -> Iterable[dict[str, Any]]:
 
 
 def _cell(result: Result | None) -> str:
-    if result is None or not _here(result):
+    if result is None or not (_here(result) or result.score):  # by hand, a score may be theirs who sent no file
         return ""
     return "error" if result.score is None else f"{result.score:.4g}"
 

@@ -10,12 +10,13 @@ import io
 import math
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import astuple, dataclass, replace
+from itertools import zip_longest
 from pathlib import Path
 from typing import Any
 
 from tam570_grader.errors import UsageError
 from tam570_grader.results.records import Result
-from tam570_grader.results.tables import cell, name_in, table, written
+from tam570_grader.results.tables import cell, lines, name_in, written
 
 __all__ = [
     "ADJUST",
@@ -28,6 +29,7 @@ __all__ = [
     "Entry",
     "Hand",
     "Settled",
+    "join",
     "read",
     "rows_of",
     "write",
@@ -101,7 +103,7 @@ class Hand:
         earned, late = _late(earned, {item: one.points or 0.0 for item, one in mine.items()})
         if total := mine.get(TOTAL):
             earned = total.points
-            says.append(f"{earned:g} points in all, by hand: {total.comment}")
+            late.append(f"{earned:g} points in all, by hand: {total.comment}")
         letters = tuple(one.item for one in parts)
         return Settled(None if earned is None else round(earned, 6), most, (*says, *late), letters)
 
@@ -134,24 +136,25 @@ def _late(earned: float | None, items: Mapping[str, float]) -> tuple[float | Non
     if not items.get(LATE):
         return earned, []
     allowed = f", {items[EXTENSION]:g} of them allowed" if items.get(EXTENSION) else ""
-    says = f"{items[LATE]:g} days late{allowed}: {100 * off:g} % of the points are taken off."
+    word = "day" if items[LATE] == 1 else "days"
+    says = f"{items[LATE]:g} {word} late{allowed}: {100 * off:g} % of the points are taken off."
     return None if earned is None else earned * (1 - off), [says]
 
 
 def read(folder: Path) -> Hand:
-    """What was added by hand to the results in a folder; nothing where nothing was."""
-    path = folder / FILE
+    """What was added by hand to the results in a folder, or in its `results.jsonl`; nothing where nothing was."""
+    path = (folder.parent if folder.is_file() else folder) / FILE
     return Hand(entry for _, entry in rows_of(path)) if path.exists() else Hand()
 
 
 def rows_of(path: Path) -> Iterator[tuple[int, Entry]]:
     """The rows of a table with the columns `COLUMNS`, in any order, and their line numbers."""
-    heading, *rows = table(path)
+    (_, heading), *rows = lines(path)
     names = [name.strip().lower() for name in heading]
     if lacking := {"student", "assignment", "item", "points"} - set(names):
         raise UsageError(f"{path} has no column {', '.join(sorted(lacking))}; its heading is: {','.join(COLUMNS)}")
-    for line, row in enumerate(rows, 2):
-        cells = {name: text.strip() for name, text in zip(names, row, strict=False)}
+    for line, row in rows:
+        cells = {name: text.strip() for name, text in zip_longest(names, row[: len(names)], fillvalue="")}
         where = f"{path}, line {line}"
         points, of = (_number(cells.get(name, ""), f"{where}: {name}") for name in ("points", "of"))
         student = name_in(cells["student"])
@@ -166,6 +169,13 @@ def _number(text: str, where: str) -> float | None:
     if number is not None and not math.isfinite(number):
         raise UsageError(f"{where} is {text!r}, not a number; write 1.5, say, or leave it empty")
     return number
+
+
+def join(folder: Path, others: Iterable[Path]) -> None:
+    """Take over what was added to other results; what was added to these goes first."""
+    theirs = [entry for other in others for entry in read(other).entries.values()]
+    if theirs:
+        write(folder, Hand(theirs).with_(read(folder).entries.values()))
 
 
 def write(folder: Path, hand: Hand) -> None:

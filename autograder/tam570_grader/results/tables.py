@@ -8,7 +8,7 @@ from typing import Any
 
 from tam570_grader.errors import UsageError
 
-__all__ = ["FORMULA", "cell", "name_in", "table", "written"]
+__all__ = ["FORMULA", "cell", "lines", "name_in", "table", "written"]
 
 DELIMITERS = ",;\t"
 # how formulas begin; spreadsheets take the wide forms for the narrow ones
@@ -42,11 +42,17 @@ def _could_be_formula(text: str) -> bool:
 
 def table(path: Path) -> list[list[str]]:
     """The rows of a CSV file that are not empty, whatever separates its cells."""
+    return [row for _, row in lines(path)]
+
+
+def lines(path: Path) -> list[tuple[int, list[str]]]:
+    """The rows of a CSV file that are not empty, each with the line on which it ends."""
     try:
         with open(path, newline="", encoding="utf-8-sig") as file:
             first = file.readline()
             file.seek(0)
-            rows = [row for row in csv.reader(file, delimiter=max(DELIMITERS, key=first.count)) if any(row)]
+            reader = csv.reader(file, delimiter=max(DELIMITERS, key=first.count))
+            rows = [(reader.line_num, row) for row in reader if any(row)]
     except UnicodeDecodeError:
         raise UsageError(f"{path} is not text in UTF-8; save it as CSV (UTF-8)") from None
     except (OSError, csv.Error) as error:

@@ -90,3 +90,21 @@ def test_what_nobody_handed_in_is_blank_and_only_takes_some(tmp_path, capsys):
     assert cli.main([*command, "--only", "hw07"]) == 0
     assert capsys.readouterr().out.splitlines() == ["Username,hw07_x", "ann,9.0", "bo,0.0"]
     assert cli.main([*command, "--only", "hw09"]) == 2
+
+
+OURS = """student,assignment,status,score,max_score
+ann,hw07_x,graded,0.0,12.0
+bo,hw07_x,missing,0.0,12.0
+cy,hw07_x,missing,8.0,12.0
+"""
+
+
+@pytest.mark.parametrize(("table", "absent"), [(OURS, "bo"), (NBGRADER, "bo")])
+def test_who_is_absent_has_zero_or_a_blank(tmp_path, capsys, table, absent):
+    (tmp_path / "grades.csv").write_text(table)
+    command = ["lms", str(tmp_path / "grades.csv"), "--to", "moodle", "--only", "hw07"]
+    assert cli.main(command) == 0
+    zero = capsys.readouterr().out.splitlines()
+    assert cli.main([*command, "--absent", "blank"]) == 0
+    assert f"{absent},0.0" in zero  # unless it is asked for, a row of who handed in nothing is a zero
+    assert capsys.readouterr().out.splitlines() == [f"{absent}," if row == f"{absent},0.0" else row for row in zero]

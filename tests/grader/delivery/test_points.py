@@ -83,6 +83,42 @@ def test_a_wrong_row_is_named_and_nothing_is_written(results, capsys, row, says)
     assert not (results / "by_hand.csv").exists() and scores(results)["ben"] == ("0.0", "10.0")
 
 
+@pytest.mark.parametrize("row", ["ann", "ann,hw07", "ann,hw07,q"])
+def test_a_row_that_ends_early_is_named(results, capsys, row):
+    assert points(results, row) == 2
+    assert "line 2" in capsys.readouterr().err
+
+
+def test_lines_are_counted_as_an_editor_counts_them(results, capsys):
+    assert points(results, "", 'ann,hw07,c,1,"Nice,\nbut short."', "", "ben,hw07,c,9,") == 2
+    assert "line 6" in capsys.readouterr().err
+
+
+def test_a_table_that_is_being_filled_in_stays(results, capsys):
+    table = results.parent / "fill.csv"
+    table.write_text("ann has 1.5")
+    assert cli.main(["points", str(results), str(table), "--template"]) == 2
+    assert "name a new file" in capsys.readouterr().err and table.read_text() == "ann has 1.5"
+
+
+def test_joined_results_bring_their_points(results, tmp_path):
+    points(results, "ann,hw07,c,1,", "ben,hw07,c,1,")
+    command = ["grade", str(tmp_path / "submitted"), "--out", str(tmp_path / "all"), "--join"]
+    assert cli.main([*command, str(results / "results.jsonl")]) == 0
+    points(tmp_path / "all", "ann,hw07,c,2,")
+    assert cli.main([*command, str(results)]) == 0
+    assert scores(tmp_path / "all") == {"ann": ("2.0", "12.0"), "ben": ("1.0", "12.0")}
+
+
+def test_the_report_shows_points_of_whom_no_file_came(results, tmp_path):
+    (tmp_path / "roster.txt").write_text("ann\nben\ncat\n")
+    command = ["grade", str(tmp_path / "submitted"), "--out", str(results), "--roster", str(tmp_path / "roster.txt")]
+    assert cli.main(command) == 0
+    points(results, "cat,hw07,total,8,It came on paper.")
+    assert cli.main(["report", str(results)]) == 0
+    assert re.search(r"<th scope=row>cat</th><td>8<td>8\b", (results / "report.html").read_text())
+
+
 def test_the_template_has_a_row_for_each_part_with_what_is_known(results):
     points(results, "ann,hw07,c,1.5,so so")
     assert cli.main(["points", str(results), str(results / "fill.csv"), "--template"]) == 0
@@ -95,9 +131,13 @@ def test_the_template_has_a_row_for_each_part_with_what_is_known(results):
     assert scores(results)["ann"] == ("1.5", "12.0")
 
 
-def settled(score, **items):
+def settlement(score, **items):
     entries = [Entry("ann", SLUG, item.replace("_", " "), points, None, "why") for item, points in items.items()]
-    return Hand(entries).settled(("ann", SLUG), score, 10.0).score
+    return Hand(entries).settled(("ann", SLUG), score, 10.0)
+
+
+def settled(score, **items):
+    return settlement(score, **items).score
 
 
 def test_days_beyond_an_extension_cost_their_share_of_the_score():
@@ -112,6 +152,8 @@ def test_a_total_stands_in_the_place_of_all_else():
     assert settled(8.0, late=3, off_a_day=0.5, adjust=1, total=9) == 9.0
     assert settled(None, total=9) == 9.0
     assert settled(0.5, adjust=-2) == 0.0
+    says = settlement(8.0, late=1, off_a_day=0.5, total=9).says
+    assert [one[:10] for one in says] == ["1 day late", "9 points i"]  # what counts is said last
 
 
 def test_everybodys_rows_are_for_those_without_their_own():
