@@ -12,13 +12,15 @@ from tam570_grader.writing.agree import Column, Right, named_in
 from tam570_grader.writing.answers import answer
 from tam570_grader.writing.check import Given
 from tam570_grader.writing.curves import kept
-from tam570_grader.writing.expect import NEARLY, current, expect
+from tam570_grader.writing.expect import NEARLY, NEARLY_SHARE, OPENS, current, expect
 from tam570_grader.writing.motions import Motion, diagnosed, obeys
 
 __all__ = ["Invariant", "follow", "stays"]
 
 Array = NDArray[np.float64]
-LOOSE = ((1e-3, 0.5), (1e-1, 0.25))  # (error of the scale, share of the points) of right physics at a loose tolerance
+# Right physics at a loose tolerance keeps these shares of the points at these errors (of the scale), and in proportion
+# to the logarithm of the error between them and ten limits, so that no grade leaps with the seed.
+LOOSE = {1e-3: OPENS, 1e-1: 0.25}
 
 
 @dataclass(frozen=True)
@@ -147,17 +149,21 @@ def _compare(
         of=column.of,
         unit=column.unit,
         t=motion.case.args[0],
-        partial=partial(_share, motion, size) if gradual and loose else None,
+        partial=partial(loosely, motion, within, size) if gradual and loose else None,
         gradual=gradual,
         hint=hint,
         keeps=partial(_kept, keeps, motion) if keeps else None,
     )
 
 
-def _share(motion: Motion, size: float, error: float) -> float:
-    """Right physics at a loose tolerance keeps a share that depends on the error."""
-    share = max((share for limit, share in LOOSE if error <= limit * size), default=0.0)
-    return share if share and obeys(motion) else 0.0
+def loosely(motion: Motion, within: float, size: float, error: float) -> float:
+    """Right physics at a loose tolerance keeps a share that falls with the error; a NaN keeps nothing."""
+    if not (error <= max(LOOSE) * size and obeys(motion)):
+        return 0.0
+    known = {NEARLY * within: NEARLY_SHARE} | {
+        limit: share for limit, share in LOOSE.items() if limit > NEARLY * within
+    }
+    return round(float(np.interp(np.log(error / size), np.log(list(known)), list(known.values()))), 2)
 
 
 def _hint(motion: Motion, motions: Sequence[Motion], turns: Sequence[int], told: tuple[float, bool], hint: Any) -> str:

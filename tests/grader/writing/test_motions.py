@@ -5,6 +5,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from tam570_grader.writing.check import given
+from tam570_grader.writing.follow import loosely
 from tam570_grader.writing.motions import Motion, obeys
 
 LOOSE = """
@@ -26,10 +27,12 @@ def lorenz(t, start, tolerance=1e-11):
     return solve_ivp(rate, (t[0], t[-1]), start, "DOP853", t, rtol=tolerance, atol=tolerance).y.T
 
 
+def motion(rows):
+    return Motion(given(TIMES, START), rows, lorenz(TIMES, START), np.full(3, 20.0), None, lorenz)
+
+
 def leads(rows):
-    return obeys(
-        Motion(given(TIMES, START), rows, lorenz(TIMES, START), np.full(3, 20.0), None, lorenz), everywhere=True
-    )
+    return obeys(motion(rows), everywhere=True)
 
 
 @pytest.fixture(scope="module")
@@ -53,6 +56,16 @@ def test_rows_in_another_order_or_at_rest_break_them(loose):
     assert not leads(loose[::-1])
     assert not leads(np.vstack([loose[:1], loose[:0:-1]]))
     assert not leads(np.tile(loose[0], (601, 1)))
+
+
+def test_no_grade_leaps_between_ten_limits_and_a_tenth(loose):
+    errors = np.geomspace(10, 1e5, 101)[1:] * 1e-6 * 20.0
+    shares = np.array([loosely(motion(loose), 1e-6, 20.0, error) for error in errors])
+    assert shares[0] == pytest.approx(0.9, abs=0.03)
+    assert shares[-1] == 0.25
+    assert np.all((np.diff(shares) >= -0.03) & (np.diff(shares) <= 0))
+    assert [loosely(motion(loose), 1e-6, 20.0, error) for error in (2.1, np.nan, np.inf)] == [0.0, 0.0, 0.0]
+    assert loosely(motion(loose[::-1]), 1e-6, 20.0, 1e-3) == 0.0
 
 
 @pytest.mark.parametrize("number", [0, 2])
