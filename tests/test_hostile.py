@@ -2,8 +2,11 @@
 
 import ast
 import contextlib
+import json
 import os
 import re
+import subprocess
+import sys
 import time
 from pathlib import Path
 
@@ -99,6 +102,41 @@ def test_a_class_of_attackers_costs_their_allowances_and_no_more(grade, solution
     assert honest.score == honest.max_score and workers(SLUG, SHORT) is worker
     assert max(cpu for cpu, _ in spent) <= allowance.cpu + 1  # the kernel counts in seconds
     assert max(lasted for _, lasted in spent) <= PATIENCE * (allowance.cpu + allowance.call)
+
+
+@pytest.mark.full
+def test_a_class_of_two_hundred_waits_for_its_attackers_allowances_alone(tmp_path, solution_text):
+    honest, attackers = tmp_path / "honest", tmp_path / "attackers"
+    for k in range(200 - len(FILES)):
+        _hand_in(honest / f"honest{k:03}", f"{solution_text(SLUG)}\n# {k}\n")
+    for path in FILES:
+        _hand_in(attackers / path.stem, f"{HONEST.read_text()}\n\n{path.read_text()}")
+    alone, _ = _graded([honest], tmp_path / "alone")
+    lasted, results = _graded([honest, attackers], tmp_path / "all")
+    assert len(results) == 200 and all(result["score"] is not None for result in results)
+    assert all(result["score"] == 10 for result in results if result["student"].startswith("honest"))
+    print(f"honest members alone {alone:.1f} s, with {len(FILES)} attackers {lasted:.1f} s")
+    assert lasted <= alone + len(FILES) * (SHORT.cpu + A_CHECK)
+
+
+def _hand_in(folder, text):
+    place = folder / SLUG
+    place.mkdir(parents=True)
+    (place / f"{SLUG}.py").write_text(text)
+
+
+def _graded(trees, out):
+    """Grade with one job: the seconds on the wall, and the results."""
+    limits = ["--jobs", "1", "--cpu", str(SHORT.cpu), "--call", str(SHORT.call)]
+    began = time.monotonic()
+    done = subprocess.run(
+        [sys.executable, "-m", "tam570_grader", "grade", *trees, "--out", out, "--seed", "2", *limits],
+        capture_output=True,
+        text=True,
+    )
+    assert done.returncode == 0, done.stderr
+    lasted = time.monotonic() - began
+    return lasted, [json.loads(line) for line in (out / "results.jsonl").read_text().splitlines()]
 
 
 def test_no_hidden_input_comes_back(attacked):
