@@ -1,7 +1,8 @@
 """A student's function against the right one, over cases."""
 
 import functools
-from collections.abc import Callable, Iterable, Mapping, Sequence
+import inspect
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from types import ModuleType
 from typing import Any
@@ -13,7 +14,7 @@ from tam570_grader.writing.check import Given
 from tam570_grader.writing.expect import expect, expect_that, fail
 from tam570_grader.writing.returns import Scale, Words
 
-__all__ = ["Column", "agree", "agree_by_columns", "named_in", "refuse", "same_for_all"]
+__all__ = ["Column", "agree", "agree_by_columns", "asked", "named_in", "refuse", "same_for_all", "taken"]
 
 
 @dataclass(frozen=True)
@@ -28,6 +29,11 @@ class Column:
 
 
 PLACES = range(2, 13)  # after the point, to which people round; what has two or fewer may be exact
+PLACED, ARGUMENTS, KEYWORDS = (  # f(name, *args, **known)
+    inspect.Parameter.POSITIONAL_OR_KEYWORD,
+    inspect.Parameter.VAR_POSITIONAL,
+    inspect.Parameter.VAR_KEYWORD,
+)
 SINGLE = 1e-6  # of the largest number; single precision loses 6e-8
 
 WORDS = ("of", "unit", "scale")  # of a result, in RESULTS
@@ -57,11 +63,11 @@ def agree(
     hint   : where to look; a function of the case, the result and the right one is asked on failure alone
     only   : the member of a tuple that is judged, or several
     """
-    true, said = named_in(right, function), (of, unit, scale)
+    said = (of, unit, scale)
     words = [promised(function, name) if one is None else one for name, one in zip(WORDS, said, strict=True)]
-    for case, found in function.each(cases):
-        for one, expected, what, its_unit, its_scale in _members(found, answer(true, case), words, case, only):
-            told = functools.partial(_told, hint, case, found, answer(true, case), one, expected)
+    for case, found, whole in asked(function, right, cases):
+        for one, expected, what, its_unit, its_scale in _members(found, whole, words, case, only):
+            told = functools.partial(_told, hint, case, found, whole, one, expected)
             size = float(its_scale) if np.ndim(its_scale) == 0 else its_scale
             limits = {limit * size: share for limit, share in (partial or {}).items()}
             if np.ndim(size):
@@ -70,10 +76,33 @@ def agree(
                 expect(one, expected, within=within * size, of=what, unit=its_unit, hint=told, partial=limits)
 
 
+def asked(function: Any, right: Right, cases: Iterable[Given]) -> Iterator[tuple[Given, Any, Any]]:
+    """Each case, cut to what the right function takes, with the student's result and the right one."""
+    true = named_in(right, function)
+    for case, found in function.each(taken(true, cases)):
+        yield case, found, answer(true, case)
+
+
 def named_in(right: Right, function: Any) -> Callable[..., Any]:
     """The right function; of a module, the one that has the name of the student's."""
     found: Callable[..., Any] = right if callable(right) else getattr(right, function.name)
     return found
+
+
+def taken(right: Callable[..., Any], cases: Iterable[Given]) -> list[Given]:
+    """The cases without the parameters that the right function has not, and without the last arguments beyond its own.
+
+    So the same cases serve functions that are given more or less of the same thing.
+    """
+    known = inspect.signature(right).parameters
+    kinds = [one.kind for one in known.values()]
+
+    def cut(case: Given) -> Given:
+        named = {name: case.kwargs[name] for name in case.kwargs if name in known or KEYWORDS in kinds}
+        places = sum(name not in named and kind is PLACED for name, kind in zip(known, kinds, strict=True))
+        return Given(case.args if ARGUMENTS in kinds else case.args[:places], named, case.kind)
+
+    return [cut(case) for case in cases]
 
 
 def promised(function: Any, name: str) -> Any:
@@ -112,9 +141,8 @@ def agree_by_columns(
 
     columns : left out, as RESULTS has them
     """
-    true = named_in(right, function)
-    for case, found in function.each(cases):
-        expected, t = np.asarray(answer(true, case), float), case.args[0] if found.ndim == 2 else None
+    for case, found, true in asked(function, right, cases):
+        expected, t = np.asarray(true, float), case.args[0] if found.ndim == 2 else None
         for column in columns or function.promise.columns:
             one, other = found[..., column.where], expected[..., column.where]
             size = (column.scale(case, expected) if column.scale else np.max(np.abs(other))) or 1.0

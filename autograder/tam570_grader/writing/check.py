@@ -68,6 +68,13 @@ class Check:
 
         return law(line, points=points, part=part, after=self)
 
+    @property
+    def also(self) -> "Law":
+        """The same law, of which more is to be judged, behind what is: `law(...).agrees(...).also.follows(...)`."""
+        from tam570_grader.writing.laws import Law
+
+        return Law(self.line, self.points, self.part, self.after, self.judge)
+
 
 def check(
     *, points: float, part: str, after: Check | Sequence[Check] = ()

@@ -8,8 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tam570_grader.writing.agree import Column, Right, named_in
-from tam570_grader.writing.answers import answer
+from tam570_grader.writing.agree import Column, Right, asked, named_in
 from tam570_grader.writing.check import Given
 from tam570_grader.writing.curves import kept
 from tam570_grader.writing.expect import NEARLY, NEARLY_SHARE, OPENS, current, expect
@@ -61,8 +60,8 @@ def follow(
     chaotic : a motion in which each row leads to the next has followed, too, however far its errors have grown
     """
     motions, columns, true = [], columns or function.promise.columns, named_in(right, function)
-    for case, found in function.each(cases):
-        expected = flat(answer(true, case))
+    for case, found, rows in asked(function, right, cases):
+        expected = flat(rows)
         motions.append(Motion(case, flat(found), expected, _scales(columns, case, expected), function, true, restart))
     turns = [index for column in columns if column.turns for index in np.arange(expected.shape[1])[column.where]]
     # the worst first; of those beyond hope the longest, of which there is most to draw

@@ -4,7 +4,8 @@
         right.energy, cases.spinning, within=POINTWISE
     )
 
-`one.then("...", points=1, part="a")` is a law that builds on another check. A check's name is the one that it is
+`one.then("...", points=1, part="a")` is a law that builds on another check; `.also` goes on with the same one, where
+cases have limits of their own: `law(...).agrees(...).also.agrees(...)`. A check's name is the one that it is
 bound to; the student's function has the name of the right one. Cases are functions of `draw`; those of several are
 drawn in turn, and judged together. All else is handed on: see `agree`, `follow`, `stays`.
 """
@@ -16,7 +17,7 @@ from typing import Any
 
 import numpy as np
 
-from tam570_grader.writing.agree import agree, agree_by_columns, refuse
+from tam570_grader.writing.agree import agree, agree_by_columns, refuse, taken
 from tam570_grader.writing.check import Check, Given, check
 from tam570_grader.writing.follow import Invariant, follow, stays
 
@@ -34,6 +35,7 @@ class Law:
     points: float
     part: str
     after: Check | Sequence[Check]
+    first: Callable[[Any, np.random.Generator], None] | None = None  # what is judged before
 
     def agrees(self, right: Right, *cases: Cases, **known: Any) -> Check:
         """The student's function gives what the right one gives."""
@@ -61,12 +63,14 @@ class Law:
 
         def judge(function: Any, calls: list[Given]) -> None:
             agree(function, right, calls[:allowed], within=within, hint="this input is allowed")
-            refuse(function, calls[allowed:], accepts=(), within=within, hint=hint)
+            refuse(function, taken(right, calls[allowed:]), accepts=(), within=within, hint=hint)
 
         return self._judged(right, cases, judge)
 
     def _judged(self, right: Right, cases: Sequence[Cases], judge: Callable[[Any, list[Given]], object]) -> Check:
         def judged(student: Any, draw: np.random.Generator) -> None:
+            if self.first:
+                self.first(student, draw)
             judge(getattr(student, right.__name__), list(chain.from_iterable(drawn(draw) for drawn in cases)))
 
         judged.__doc__ = self.line

@@ -77,6 +77,22 @@ def test_refusals_stand_behind_a_right_answer():
             judged(one, wrong)
 
 
+def test_also_judges_more_behind_what_was_judged():
+    seen, beyond = [], lambda draw: [given(-4.0)]
+    one = law("root", **WORTH).agrees(root, drawn, within=1e-9).also.refuses(root, beyond, within=1e-9, allowed=0)
+    assert (one.line, one.points, one.part) == ("root", 2.0, "b")
+    for wrong in (root, lambda x: -root(x)):  # refuses nothing; is wrong from the start
+        with pytest.raises(Failed):
+            judged(one, wrong, seen)
+    assert len(seen) == 2  # both were asked for the first case
+
+
+def test_a_call_is_cut_to_what_the_right_function_takes():
+    seen, more = [], lambda draw: [given(4.0, 7.0, mass=2.0).on("more than it takes")]
+    judged(law("root", **WORTH).agrees(root, more, within=1e-9), root, seen)
+    assert seen == [given(4.0).on("more than it takes")]
+
+
 def test_what_builds_on_a_check_names_it():
     @check(points=1, part="a")
     def first(student, draw):
