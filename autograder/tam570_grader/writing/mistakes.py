@@ -128,9 +128,9 @@ def _within(call: Called) -> float:
 
 
 def is_motion(call: Called) -> bool:
-    """Whether the result has a row for each of the times."""
-    times, rows = (call.given.args or (None,))[0], parts(call.result)[0]
-    return isinstance(times, np.ndarray) and np.ndim(rows) > 1 and len(times) == len(rows)
+    """Whether the result has a row for each of the times; what is square is the matrix of a vector."""
+    times, shape = (call.given.args or (None,))[0], np.shape(parts(call.result)[0])
+    return isinstance(times, np.ndarray) and len(shape) > 1 and shape[0] == len(times) != shape[-1]
 
 
 def agrees(found: Any, wrong: Any) -> bool:

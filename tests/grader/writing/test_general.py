@@ -73,6 +73,7 @@ def turned(v, angle):
             lambda: weights(lambda mass, height, gravity, length: mass * gravity * height + mass * length / 2),
             "in weight, an exponent with length is one too large or too small",
         ),
+        (lambda: weights(lambda **known: 0.0), "the result of weight is zero"),
         (lambda: vectors(lambda v, angle: turned(v, -angle)), "in turned, angle has the opposite sign"),
         (lambda: vectors(lambda v, angle: turned(v, math.radians(angle))), "in turned, angle is taken in degrees"),
         (lambda: vectors(lambda v, angle: turned(v, angle)[::-1]), "has components 1 and 2 exchanged"),
@@ -87,7 +88,6 @@ def test_it_is_named_by_what_it_does(calls, says):
 @pytest.mark.parametrize(
     "calls",
     [
-        lambda: weights(lambda **known: 0.0),  # as if mass, or all else, were nothing
         lambda: weights(lambda mass, height, gravity, length: mass * gravity * height + mass * length**2 / 2),  # right
         lambda: weights(lambda mass, height, gravity, length: mass * (gravity * height - length**2 / 2))[:1],
         lambda: weights(lambda mass, height, gravity, length: mass + gravity),

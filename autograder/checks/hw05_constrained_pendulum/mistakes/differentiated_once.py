@@ -2,7 +2,6 @@
 missing.
 
 fails: force_keeps_the_particle_on_the_circle, acceleration_is_that_of_both_forces, without_gravity_it_goes_round_uniformly, with_gravity_it_swings_or_goes_round
-also: the centripetal term missing from the acceleration: the constraint differentiated once, r . a = 0
 """
 
 def constraint_force(state, *, mass, length, gravity):

@@ -1,7 +1,6 @@
 """The given state is treated as the state at t = 0, but it is the state at t[0].
 
 fails: without_gravity_it_goes_round_uniformly, with_gravity_it_swings_or_goes_round
-also: the given state is treated as the state at t = 0, but it is the state at t[0], and times before 0 are left out
 """
 
 _right_simulate = simulate

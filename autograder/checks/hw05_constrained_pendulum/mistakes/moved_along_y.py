@@ -1,7 +1,6 @@
 """The position is moved along y, not along its radius.
 
 fails: consistent_state_is_the_nearest
-also: a position moved along y, not along its radius, and a velocity tangent there
 """
 
 def consistent_state(state, *, length):

@@ -1,7 +1,6 @@
 """The times are treated as evenly spaced.
 
 fails: simulate_brakes
-also: the times are treated as evenly spaced, with the first step for all
 """
 
 _right = simulate

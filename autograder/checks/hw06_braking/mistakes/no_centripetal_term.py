@@ -1,7 +1,7 @@
 """The term with the square of the yaw rate is missing from the speed's rate.
 
 fails: equations_of_motion, simulate_brakes
-also: the term with the square of the yaw rate in the speed's rate reversed | the square of the yaw rate in the speed's rate with one sign, whichever axle is locked
+also: the square of the yaw rate in the speed's rate with one sign, whichever axle is locked
 """
 
 

@@ -1,7 +1,6 @@
 """The given state is treated as the state at t = 0, but it is the state at t[0].
 
 fails: simulate_brakes
-also: the given state is treated as the state at t = 0, but it is the state at t[0], and times before 0 are left out
 """
 
 _right = simulate

@@ -1,7 +1,6 @@
 """The given state is treated as the state at t = 0, but it is the state at t[0].
 
 fails: simulation_follows_the_equations, tip_path_is_drawn
-also: the given state is treated as the state at t = 0, but it is the state at t[0], and times before 0 are left out
 """
 
 from_the_first = simulate

@@ -1,7 +1,6 @@
 """The times are treated as evenly spaced.
 
 fails: simulation_follows_the_equations
-also: the times are treated as evenly spaced, with the first step for all
 """
 
 at_the_times = simulate

@@ -1,7 +1,6 @@
 """The times are treated as evenly spaced.
 
 fails: euler_simulation_follows_the_motion, matrix_simulation_follows_the_motion
-also: the times are treated as evenly spaced, with the first step for all
 """
 
 
