@@ -7,7 +7,7 @@ import os
 if os.name != "posix":
     raise SystemExit("tam570-grader: error: the grader needs Linux or macOS; on Windows, use WSL")
 
-from tam570_grader.writing.agree import Column, agree, agree_by_columns, refuse, same_for_all
+from tam570_grader.writing.agree import Column, absolute, agree, agree_by_columns, by_kind, refuse, same_for_all
 from tam570_grader.writing.check import check, given, once
 from tam570_grader.writing.curves import kept
 from tam570_grader.writing.drawings import (
@@ -26,6 +26,8 @@ from tam570_grader.writing.returns import array, drawing, formula, group, number
 from tam570_grader.writing.times import SOME_TIMES, in_turn, uneven
 
 __all__ = [
+    "absolute",
+    "by_kind",
     "agree_by_columns",
     "current",
     "path_drawn",

@@ -14,7 +14,18 @@ from tam570_grader.writing.check import Given
 from tam570_grader.writing.expect import expect, expect_that, fail
 from tam570_grader.writing.returns import Scale, Words
 
-__all__ = ["Column", "agree", "agree_by_columns", "asked", "named_in", "refuse", "same_for_all", "taken"]
+__all__ = [
+    "Column",
+    "absolute",
+    "agree",
+    "agree_by_columns",
+    "asked",
+    "by_kind",
+    "named_in",
+    "refuse",
+    "same_for_all",
+    "taken",
+]
 
 
 @dataclass(frozen=True)
@@ -74,6 +85,21 @@ def agree(
                 expect(one, expected, within=within, of=what, unit=its_unit, hint=told, scale=size, partial=partial)
             else:
                 expect(one, expected, within=within * size, of=what, unit=its_unit, hint=told, partial=limits)
+
+
+def absolute(*_: Any) -> float:
+    """The scale of what is judged in its own unit."""
+    return 1.0
+
+
+def by_kind(hints: Mapping[str, str], otherwise: str) -> Callable[..., str]:
+    """A hint, of a case or of a motion, that is the first whose words are in the kind of input."""
+
+    def hint(one: Any, *_: Any) -> str:
+        kind = getattr(one, "case", one).kind
+        return next((says for words, says in hints.items() if words in kind), otherwise)
+
+    return hint
 
 
 def asked(function: Any, right: Right, cases: Iterable[Given]) -> Iterator[tuple[Given, Any, Any]]:

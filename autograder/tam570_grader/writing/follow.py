@@ -29,8 +29,13 @@ class Invariant:
     of: str  # "the energy"
     unit: str
     value: Callable[..., Array]
-    scale: Callable[[Given, Array], float]  # scale(case, right rows)
+    scale: Callable[[Given, Array], float] | None  # scale(case, right rows); None: its value at the start
     within: float
+
+    def size(self, case: Given, rows: Array) -> float:
+        """What a drift along these right rows is relative to."""
+        scale = self.scale or (lambda case, rows: float(self.value(rows[:1], **case.kwargs)[0]))
+        return scale(case, rows) or 1.0
 
 
 def follow(
@@ -92,7 +97,7 @@ def stays(
     """
     for motion in follow(function, right, cases, columns, within=coarsely, hint=hint, gradual=False, chaotic=True):
         case = motion.case
-        size = invariant.scale(case, motion.expected) or 1.0
+        size = invariant.size(case, motion.expected)
         start = invariant.value(motion.expected[:1], **case.kwargs)
         current().judge(function.name, case)
         expect(
@@ -170,6 +175,5 @@ def _hint(motion: Motion, motions: Sequence[Motion], turns: Sequence[int], told:
 
 
 def _kept(invariant: Invariant, motion: Motion) -> Any:
-    size = invariant.scale(motion.case, motion.expected) or 1.0
-    values = invariant.value(motion.found, **motion.case.kwargs) / size
+    values = invariant.value(motion.found, **motion.case.kwargs) / invariant.size(motion.case, motion.expected)
     return kept(motion.case.args[0], values, within=invariant.within, of=invariant.of, unit=invariant.unit)

@@ -5,6 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from tam570_grader.writing.agree import by_kind
 from tam570_grader.writing.check import check, given
 from tam570_grader.writing.expect import Failed, trial
 from tam570_grader.writing.laws import law
@@ -91,6 +92,16 @@ def test_a_call_is_cut_to_what_the_right_function_takes():
     seen, more = [], lambda draw: [given(4.0, 7.0, mass=2.0).on("more than it takes")]
     judged(law("root", **WORTH).agrees(root, more, within=1e-9), root, seen)
     assert seen == [given(4.0).on("more than it takes")]
+
+
+def test_a_hint_may_depend_on_the_kind_of_input():
+    hint = by_kind({"a root": "Is it positive?"}, "Look at y^2.")
+    one = law("root", **WORTH).agrees(root, drawn, within=1e-9, hint=hint)
+    other = law("root", **WORTH).agrees(root, lambda draw: [given(4.0).on("a root of 4")], within=1e-9, hint=hint)
+    for check_, says in ((one, "Look at y^2."), (other, "Is it positive?")):
+        with pytest.raises(Failed) as failed:
+            judged(check_, lambda x: -root(x))
+        assert failed.value.failure.hint == says
 
 
 def test_what_builds_on_a_check_names_it():
