@@ -12,7 +12,7 @@ from tam570.integrate import solve
 
 def arms(phi, radius, offset):
     """G from the contact C, and its first and second derivatives over phi (G from the ramp's origin moves along)."""
-    c, s = offset * math.cos(phi), offset * math.sin(phi)
+    c, s = offset * np.cos(phi), offset * np.sin(phi)
     return np.array([-s, radius - c]), np.array([radius - c, s]), np.array([s, c])
 
 
@@ -61,10 +61,11 @@ def missing_moment(phi, phi_dot, mass, radius, offset):
 
 
 def energy(phi, phi_dot, mass, radius, offset, inertia, slope, gravity):
-    arm, first, _ = arms(phi, radius, offset)
-    position = arm + np.array([radius * phi, -radius])  # of G from where the centre is at phi = 0
-    speed_squared = first @ first * phi_dot**2
-    return (mass * speed_squared + inertia * phi_dot**2) / 2 - weight(mass, gravity, slope) @ position
+    """Of rows, too."""
+    (x, y), first, _ = arms(phi, radius, offset)
+    position = np.array([x + radius * phi, y - radius])  # of G from where the centre is at phi = 0
+    inertia_about_C = mass * np.sum(first**2, axis=0) + inertia
+    return inertia_about_C * phi_dot**2 / 2 - weight(mass, gravity, slope) @ position
 
 
 def simulate(t, *start, **cylinder):
@@ -76,12 +77,12 @@ def simulate(t, *start, **cylinder):
     return solve(rates, t, start, rtol=1e-12, method="python")
 
 
-def small_rocking(t, phi, phi_dot, mass, radius, offset, inertia, slope, gravity):
+def rocking_rate(mass, radius, offset, inertia, slope, gravity):
     """On level ground: the inertia is that about C at phi = 0."""
-    k = math.sqrt(mass * gravity * offset / contact_inertia(0.0, mass, radius, offset, inertia))
+    return math.sqrt(mass * gravity * offset / contact_inertia(0.0, mass, radius, offset, inertia))
+
+
+def small_rocking(t, phi, phi_dot, **cylinder):
+    k = rocking_rate(**cylinder)
     z = (phi - 1j * phi_dot / k) * np.exp(1j * k * (t - t[0]))
     return np.column_stack([z.real, -k * z.imag])
-
-
-def energy_of_rows(rows, **cylinder):
-    return np.array([energy(*row, **cylinder) for row in rows])

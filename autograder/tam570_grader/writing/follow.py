@@ -24,18 +24,18 @@ LOOSE = {1e-3: OPENS, 1e-1: 0.25}
 
 @dataclass(frozen=True)
 class Invariant:
-    """What every right motion keeps: value(rows, **parameters) -> (n,), and the scale of its drift."""
+    """What every right motion keeps: value(rows, **parameters) -> (n, ...), and the scale of its drift."""
 
     of: str  # "the energy"
     unit: str
     value: Callable[..., Array]
-    scale: Callable[[Given, Array], float] | None  # scale(case, right rows); None: its value at the start
+    scale: Callable[[Given, Array], float] | None  # scale(case, right rows); None: its value at the start, in size
     within: float
 
     def size(self, case: Given, rows: Array) -> float:
-        """What a drift along these right rows is relative to."""
-        scale = self.scale or (lambda case, rows: float(self.value(rows[:1], **case.kwargs)[0]))
-        return scale(case, rows) or 1.0
+        """What its drift is relative to; 1 where that is zero."""
+        start = self.scale(case, rows) if self.scale else np.linalg.norm(self.value(rows[:1], **case.kwargs))
+        return float(start) or 1.0
 
 
 def follow(
@@ -97,14 +97,13 @@ def stays(
     """
     for motion in follow(function, right, cases, columns, within=coarsely, hint=hint, gradual=False, chaotic=True):
         case = motion.case
-        size = invariant.size(case, motion.expected)
         start = invariant.value(motion.expected[:1], **case.kwargs)
         current().judge(function.name, case)
         expect(
             invariant.value(motion.found, **case.kwargs),
             np.broadcast_to(start, (len(motion.found), *np.shape(start)[1:])),
             within=invariant.within,
-            scale=size,
+            scale=invariant.size(case, motion.expected),
             of=invariant.of,
             unit=invariant.unit,
             t=case.args[0],

@@ -45,18 +45,18 @@ class Law:
         """The same for states, whose numbers have different units."""
         return self._judged(right, cases, lambda function, calls: agree_by_columns(function, right, calls, **known))
 
-    def follows(self, right: Right, *cases: Cases, **known: Any) -> Check:
-        """The student's simulation follows the right motion."""
-        return self._judged(right, cases, lambda function, calls: follow(function, right, calls, **known))
+    def follows(self, right: Right, *cases: Cases, name: str = "", **known: Any) -> Check:
+        """The student's simulation follows the right motion; `name` is its own, if the right one's is another."""
+        return self._judged(right, cases, lambda function, calls: follow(function, right, calls, **known), name)
 
-    def keeps(self, *invariants: Invariant, right: Right, cases: Cases, **known: Any) -> Check:
-        """The invariants stay along the student's motions."""
+    def keeps(self, *invariants: Invariant, right: Right, cases: Cases, name: str = "", **known: Any) -> Check:
+        """The invariants stay along the student's motions, as the right ones show them."""
 
         def judge(function: Any, calls: list[Given]) -> None:
             for invariant in invariants:
                 stays(function, right, calls, invariant, **known)
 
-        return self._judged(right, (cases,), judge)
+        return self._judged(right, (cases,), judge, name)
 
     def refuses(self, right: Right, *cases: Cases, within: float, allowed: int = 1, hint: str = "") -> Check:
         """The student's function raises ValueError, but for the first cases: so many are allowed, and judged."""
@@ -67,11 +67,13 @@ class Law:
 
         return self._judged(right, cases, judge)
 
-    def _judged(self, right: Right, cases: Sequence[Cases], judge: Callable[[Any, list[Given]], object]) -> Check:
+    def _judged(
+        self, right: Right, cases: Sequence[Cases], judge: Callable[[Any, list[Given]], object], name: str = ""
+    ) -> Check:
         def judged(student: Any, draw: np.random.Generator) -> None:
             if self.first:
                 self.first(student, draw)
-            judge(getattr(student, right.__name__), list(chain.from_iterable(drawn(draw) for drawn in cases)))
+            judge(getattr(student, name or right.__name__), list(chain.from_iterable(drawn(draw) for drawn in cases)))
 
         judged.__doc__ = self.line
         return check(points=self.points, part=self.part, after=self.after)(judged)
