@@ -36,28 +36,40 @@ def distances(points: ArrayLike, polygon: ArrayLike) -> Array:
     return np.asarray(np.abs(from_corners - share * sides).min(axis=1))
 
 
-def path_drawn(line: Line, path: Array, *, within: float, of: str, others: Mapping[str, Array] | None = None) -> None:
-    """Whether a line is the path, from its first point to its last and in its order; of what else it is, in a hint.
+def path_drawn(
+    line: Line,
+    path: Array,
+    *,
+    within: float,
+    of: str,
+    others: Mapping[str, Array] | None = None,
+    fewer: float = 10,
+    hint: str = "does it run from t[0] to t[-1]?",
+    gradual: bool = True,
+) -> None:
+    """Whether a line is the path, from its first point to its last and in its order.
 
-    within : of the path's extent, for the line's points; ten times as much for the path between fewer points
+    within : of the path's extent, for the line's points
+    fewer  : how many times as much for the path between fewer points
+    others : {hint: path} of what else a line is that has its ends
     """
     size, drawn = float(np.ptp(path, axis=0).max()), along(line, path)
-    hint = partial(_other_path, drawn, others or {}, within * size)
+    told = partial(_other_path, drawn, others or {}, within * size, hint)
     for found, expected, what, room in (
         (drawn[[0, -1]], path[[0, -1]], f"an end of {of}", 1),
         (distances(drawn, path), 0.0, f"a point of {of}", 1),
-        (distances(path, drawn), 0.0, f"a point that {of} passes", 10),  # the curve may have fewer points
+        (distances(path, drawn), 0.0, f"a point that {of} passes", fewer),  # the curve may have fewer points
     ):
-        expect(found, expected, within=room * within * size, of=what, unit="m", hint=hint)
+        expect(found, expected, within=room * within * size, of=what, unit="m", hint=told, gradual=gradual)
     # a curve through the same points in another order is longer; one of fewer points is shorter
     in_order = line.scatter or _arc_length(drawn) < 1.05 * _arc_length(path)
     expect_that(in_order, f"{of} goes to and fro between its points", hint="draw the points in the order of time")
 
 
-def _other_path(drawn: Array, others: Mapping[str, Array], near: float) -> str:
+def _other_path(drawn: Array, others: Mapping[str, Array], near: float, hint: str) -> str:
     ends = drawn[[0, -1]]
     known = [says for says, path in others.items() if np.allclose(ends, path[[0, -1]], rtol=0, atol=near)]
-    return known[0] if known else "does it run from t[0] to t[-1]?"
+    return known[0] if known else hint
 
 
 def _arc_length(path: Array) -> float:
