@@ -3,6 +3,7 @@
 import argparse
 import contextlib
 import csv
+import difflib
 import io
 from collections.abc import Iterator, Mapping
 from pathlib import Path
@@ -10,15 +11,15 @@ from pathlib import Path
 from tam570_grader.errors import UsageError, writing
 from tam570_grader.options import Commands
 from tam570_grader.results import by_hand
-from tam570_grader.results.by_hand import ADJUST, COLUMNS, EVERYONE, EXTENSION, LATE, OFF, TOTAL, Entry, Hand
+from tam570_grader.results.by_hand import ADJUST, COLUMNS, EVERYONE, EXTENSION, LATE, OFF, TOTAL, WORDS, Entry, Hand
 from tam570_grader.results.journal import Book, Results, results
 from tam570_grader.results.tables import cell, written
 
 __all__ = ["add_points"]
 
-WORDS = (ADJUST, TOTAL, LATE, EXTENSION, OFF)
-NEED_A_REASON = (ADJUST, TOTAL)
+NEED_A_REASON = (ADJUST, TOTAL)  # and a check
 Manual = Mapping[str, tuple[float, str]]  # part: points given by hand, and for what
+Checks = Mapping[str, float]  # check: its points
 
 
 def add_points(commands: Commands) -> argparse.ArgumentParser:
@@ -26,8 +27,9 @@ def add_points(commands: Commands) -> argparse.ArgumentParser:
         "points",
         help="add points by hand, late days and changes to results",
         description="Add what a table says to the results: grades.csv, the pages, the report and lms have it then. "
-        "An item is the letter of a part that is graded by hand, or a word. With adjust points are added, and total "
-        "stands in the place of the score; both need a comment. late and extension count days. 'off a day' is the "
+        "An item is the letter of a part that is graded by hand, the name of a check, or a word. A check gets these "
+        "points in the place of its own. With adjust points are added, and total stands in the place of the score. "
+        "All three need a comment. late and extension count days. 'off a day' is the "
         "share of the score that a late day costs. The student * is everybody.",
         epilog="The newest row of a student, an assignment and an item counts; one without points takes it back. "
         "Nothing is written unless every row is right. DIR/by_hand.csv holds all of it.",
@@ -54,10 +56,12 @@ def _points(arguments: argparse.Namespace) -> int:
     with contextlib.closing(results(folder)) as found:
         slugs = sorted({slug for _, slug in found})
         known = assignments.slugs(course)
-        manual = {slug: assignments.assignment(course, slug).manual if slug in known else {} for slug in slugs}
+        here = {slug: assignments.assignment(course, slug) for slug in slugs if slug in known}
+        manual = {slug: here[slug].manual if slug in here else {} for slug in slugs}
+        checks = {slug: {check.name: check.points for check in one.checks} for slug, one in here.items()}
         if arguments.template:
             return _template(arguments.table, found, manual, by_hand.read(folder))
-        new = list(_checked(arguments.table, found, manual))
+        new = list(_checked(arguments.table, found, manual, checks))
     feedback.must_write_pages()
     with contextlib.closing(Book(folder)) as book:
         by_hand.write(folder, by_hand.read(folder).with_(new))
@@ -66,7 +70,7 @@ def _points(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def _checked(path: Path, found: Results, manual: Mapping[str, Manual]) -> Iterator[Entry]:
+def _checked(path: Path, found: Results, manual: Mapping[str, Manual], checks: Mapping[str, Checks]) -> Iterator[Entry]:
     """The entries of a table, each part with its most; UsageError for the first row that is wrong."""
     students = {student for student, _ in found} | {EVERYONE}
     touched = set()
@@ -75,7 +79,7 @@ def _checked(path: Path, found: Results, manual: Mapping[str, Manual]) -> Iterat
         if len(slugs) != 1:
             raise UsageError(f"{path}, line {line}: there are no results of an assignment {one.slug!r}")
         parts = manual[slugs[0]]
-        if wrong := _wrong(one, students, parts):
+        if wrong := _wrong(one, students, parts, checks.get(slugs[0], {})):
             raise UsageError(f"{path}, line {line}: {wrong}")
         of = parts[one.item][0] if one.item in parts else None
         touched |= {slugs[0]} if of is not None else set()
@@ -84,15 +88,19 @@ def _checked(path: Path, found: Results, manual: Mapping[str, Manual]) -> Iterat
         yield from (Entry(EVERYONE, slug, part, None, of) for part, (of, _) in manual[slug].items())
 
 
-def _wrong(one: Entry, students: set[str], parts: Manual) -> str:
+def _wrong(one: Entry, students: set[str], parts: Manual, checks: Checks) -> str:
     """What is wrong with a row, and the remedy; empty if nothing is."""
     letters = ", ".join(parts) or "none"
     if one.student not in students:
         return f"there are no results of a student {one.student!r}; write the name of the folder that was graded"
-    if one.item not in (*parts, *WORDS):
-        return f"{one.item!r} is no item; the parts graded by hand are {letters}, the others: {', '.join(WORDS)}"
+    if one.item not in (*parts, *checks, *WORDS):
+        near = difflib.get_close_matches(one.item, checks, 1)
+        rest = f"do you mean the check {near[0]}?" if near else f"the others: {', '.join(WORDS)}, names of checks"
+        return f"{one.item!r} is no item; the parts graded by hand are {letters}, {rest}"
     if one.points is None:
         return ""
+    if one.item in checks and not 0 <= one.points <= checks[one.item]:
+        return f"{one.item} has from 0 to {checks[one.item]:g} points, not {one.points:g}; use adjust for more"
     if one.item in parts and not 0 <= one.points <= parts[one.item][0]:
         return f"part ({one.item}) has from 0 to {parts[one.item][0]:g} points, not {one.points:g}; use adjust for more"
     if one.item in parts and one.student == EVERYONE:
@@ -101,7 +109,7 @@ def _wrong(one: Entry, students: set[str], parts: Manual) -> str:
         return (
             f"{one.item} is {one.points:g}; write {'a share from 0 to 1' if one.item == OFF else 'no negative number'}"
         )
-    if one.item in NEED_A_REASON and not one.comment:
+    if one.item in (*NEED_A_REASON, *checks) and not one.comment:
         return f"{one.item} needs a reason, in the column comment: the student reads it"
     return ""
 

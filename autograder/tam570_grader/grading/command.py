@@ -67,6 +67,7 @@ class Seen:
     """What is kept of the results of a run until its end: not the results."""
 
     rows: list[tuple[str, ...]] = field(default_factory=list)  # of the table
+    hand: Any = None  # what was added by hand
     faults: list[str] = field(default_factory=list)
     changes: list[Any] = field(default_factory=list)
     compared: int = 0
@@ -105,6 +106,8 @@ def _grade(arguments: argparse.Namespace) -> int:
                 seen.compared += len(gone)
             if book is not None:  # the pages of all results that are there; of a finished run, of those that changed
                 feedback.write_pages(arguments.out / "feedback", book, course, _with_progress)
+                seen.hand = by_hand.read(arguments.out)
+                seen.rows = feedback.with_hand(seen.rows, book, seen.hand)
     except BrokenPipeError:
         raise
     except OSError as error:
@@ -239,6 +242,18 @@ def _print_tables(seen: Seen, plan: Any) -> None:
     print(feedback.table(sorted(seen.rows, key=lambda row: (row[1], row[0]))))
     inputs = "the same key" if plan.key else f"seed {plan.seed}; the same seed"
     print(f"\n{inputs} gives the same hidden inputs and the same scores")
+    if lacking := _by_hand(seen, plan):
+        print(f"the points that you give by hand are not in it yet: {lacking}")
+
+
+def _by_hand(seen: Seen, plan: Any) -> str:
+    """How many points of which assignments were not given by hand yet."""
+    from tam570_grader.writing import assignments
+
+    manual = {slug: assignments.assignment(plan.course, slug).manual for slug in sorted({row[1] for row in seen.rows})}
+    lacking = {slug: sum(of for of, _ in parts.values()) for slug, parts in manual.items() if parts}
+    given = {slug for slug in lacking if seen.hand and seen.hand.counts_parts(slug)}
+    return ", ".join(f"{most:g} of {slug}" for slug, most in lacking.items() if slug not in given)
 
 
 def _gone(old: Any, plan: Any, arguments: argparse.Namespace) -> list[Any]:

@@ -14,13 +14,24 @@ from typing import Any
 from tam570_grader.errors import UsageError
 from tam570_grader.pages.sentences import message, typeset
 from tam570_grader.results import by_hand
-from tam570_grader.results.by_hand import Settled
+from tam570_grader.results.by_hand import Hand, Settled
 from tam570_grader.results.journal import Key, Record, Results
 from tam570_grader.results.records import Mark, Result, read
 from tam570_grader.results.tables import written
 from tam570_grader.writing.assignments import checks_digest, engine_digest
 
-__all__ = ["Sheet", "must_write_pages", "page", "pictures", "row", "sheet", "table", "template", "write_pages"]
+__all__ = [
+    "Sheet",
+    "must_write_pages",
+    "page",
+    "pictures",
+    "row",
+    "sheet",
+    "table",
+    "template",
+    "with_hand",
+    "write_pages",
+]
 
 SIGNS = {"passed": "+", "failed": "-", "not_run": "o", "grader_error": "!"}
 HEADINGS: tuple[str, ...] = ("student", "assignment", "score", "status", "time", "what to look at first")
@@ -170,7 +181,7 @@ def write_pages(folder: Path, results: Results, course: Path, told: Progress = l
     version = _version()
     marks = {slug: _mark_of_sheet(course, slug, version) for slug in {slug for _, slug in results.lines}}
     hand = by_hand.read(folder.parent)
-    settled = {key: hand.settled(key, *results.lines[key].graded[-2:]) for key in results.lines if hand.touches(key)}
+    settled = _settled(hand, results)
     made = {key: f"{line.mark} {marks[key[1]]}" for key, line in results.lines.items()}
     for key, one in settled.items():
         made[key] += f" {zlib.crc32(repr(one).encode())}"
@@ -187,6 +198,12 @@ def write_pages(folder: Path, results: Results, course: Path, told: Progress = l
             path.write_text(text, encoding="utf-8")  # no fsync: it is made again from the results
     if stale:
         written(notes, json.dumps({"/".join(key): mark for key, mark in made.items()}))
+
+
+def _settled(hand: Hand, results: Results) -> dict[Key, Settled]:
+    """The scores to which something was added by hand."""
+    scores = {key: line.graded[-2:] for key, line in results.lines.items() if hand.touches(key)}
+    return {key: hand.settled(key, score, most, results.earned(key)) for key, (score, most) in scores.items()}
 
 
 def _path(folder: Path, key: Key) -> str:
@@ -221,9 +238,19 @@ def table(rows: Sequence[tuple[str, ...]]) -> str:
     return "\n".join("  ".join([*map(str.ljust, row[:5], widths), row[5]]).rstrip() for row in rows)
 
 
+def with_hand(rows: Iterable[tuple[str, ...]], results: Results, hand: Hand) -> list[tuple[str, ...]]:
+    """The rows with the scores that points by hand made of theirs."""
+    made = {key: _score(one.score, one.most) for key, one in _settled(hand, results).items()}
+    return [(*one[:2], made.get((one[0], one[1]), one[2]), *one[3:]) for one in rows]
+
+
+def _score(score: float | None, most: float) -> str:
+    return f"{_points(score):>5} / {most:g}"
+
+
 def row(record: Record) -> tuple[str, ...]:
     """A result in the table."""
-    score = f"{_points(record['score']):>5} / {record['max_score']:g}"
+    score = _score(record["score"], record["max_score"])
     seconds = f"{record['seconds']:.2f} s"
     return record["student"], record["assignment"], score, record["status"], seconds, _remark(record)
 

@@ -1,14 +1,15 @@
 """What an instructor adds to results: points for parts in words, changes with a reason, late days, extensions.
 
 `by_hand.csv` beside `results.jsonl` holds a row for each student, assignment and item. An item is the letter of a part
-that is graded by hand, or a word: `adjust` adds points, `total` replaces the score, `late` counts days, `extension`
-grants days, and `off a day` is the share of the score that a day costs. A row of the student `*` is everybody's.
+that is graded by hand, the name of a check, whose points it replaces, or a word: `adjust` adds points, `total` replaces
+the score, `late` counts days, `extension` grants days, and `off a day` is the share of the score that a day costs. A
+row of the student `*` is everybody's.
 """
 
 import csv
 import io
 import math
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import astuple, dataclass, replace
 from itertools import zip_longest
 from pathlib import Path
@@ -26,6 +27,7 @@ __all__ = [
     "LATE",
     "OFF",
     "TOTAL",
+    "WORDS",
     "Entry",
     "Hand",
     "Settled",
@@ -36,11 +38,13 @@ __all__ = [
 ]
 
 Key = tuple[str, str]  # student, assignment
+Earned = Callable[[], Mapping[str, float | None]]  # the points of each check, asked for where a row names one
 
 FILE = "by_hand.csv"
 COLUMNS = ("student", "assignment", "item", "points", "of", "comment")
 EVERYONE = "*"
 ADJUST, TOTAL, LATE, EXTENSION, OFF = "adjust", "total", "late", "extension", "off a day"
+WORDS = (ADJUST, TOTAL, LATE, EXTENSION, OFF)
 
 
 @dataclass(frozen=True)
@@ -87,7 +91,11 @@ class Hand:
         """Whether anything was added to a result."""
         return key in self._of or (EVERYONE, key[1]) in self._of
 
-    def settled(self, key: Key, score: float | None, most: float) -> Settled:
+    def counts_parts(self, slug: str) -> bool:
+        """Whether everybody's score is of a most that has the parts by hand."""
+        return any(one.of is not None for one in self._of.get((EVERYONE, slug), {}).values())
+
+    def settled(self, key: Key, score: float | None, most: float, earned_of: Earned) -> Settled:
         """What a score of `most` becomes."""
         mine = {**self._of.get((EVERYONE, key[1]), {}), **self._of.get(key, {})}
         if not mine:
@@ -96,6 +104,9 @@ class Hand:
         added = [one.points for one in parts if one.points is not None]
         most += sum(one.of or 0.0 for one in parts)
         says = [_part(one) for one in sorted(parts, key=lambda one: one.item)]
+        if checks := {item: one for item, one in mine.items() if one.of is None and item not in WORDS}:
+            score, replaced = _checks(score, checks, earned_of())
+            says += replaced
         if adjusted := mine.get(ADJUST):
             added.append(adjusted.points or 0.0)
             says.append(f"{adjusted.points:+g} points by hand: {adjusted.comment}")
@@ -111,15 +122,16 @@ class Hand:
         """A result with its score settled."""
         if not self.touches((result.student, result.assignment)):
             return result
-        found = self.settled((result.student, result.assignment), result.score, result.max_score)
+        key, earned = (result.student, result.assignment), {mark.name: mark.points for mark in result.checks}
+        found = self.settled(key, result.score, result.max_score, lambda: earned)
         return replace(result, score=found.score, max_score=found.most)
 
-    def row(self, graded: tuple[Any, ...]) -> tuple[Any, ...]:
+    def row(self, graded: tuple[Any, ...], earned_of: Earned) -> tuple[Any, ...]:
         """A row of the table of grades with its score settled."""
         student, slug, status, score, most = graded
         if not self.touches((student, slug)):
             return graded
-        found = self.settled((student, slug), score, most)
+        found = self.settled((student, slug), score, most, earned_of)
         return student, slug, status, found.score, found.most
 
 
@@ -127,6 +139,18 @@ def _part(one: Entry) -> str:
     if one.points is None:
         return f"Part ({one.item}): up to {one.of:g} points are given by hand, not yet."
     return f"Part ({one.item}): {one.points:g} of {one.of:g} points, by hand. {one.comment}".strip()
+
+
+def _checks(
+    score: float | None, rows: Mapping[str, Entry], earned: Mapping[str, float | None]
+) -> tuple[float | None, list[str]]:
+    """The score with these points for checks in the place of what they earned; a check that is gone changes nothing."""
+    here = {item: one for item, one in rows.items() if item in earned}
+    if not here:
+        return score, []
+    points = [*{**earned, **{item: one.points for item, one in here.items()}}.values()]
+    says = [f"{item.replace('_', ' ')}: {one.points:g} points, by hand: {one.comment}" for item, one in here.items()]
+    return None if None in points else sum(one for one in points if one is not None), says
 
 
 def _late(earned: float | None, items: Mapping[str, float]) -> tuple[float | None, list[str]]:

@@ -74,6 +74,10 @@ class Results(Mapping[Key, Record]):
         line = self.lines[key]
         return os.pread(self._file.fileno(), line.length, line.start)
 
+    def earned(self, key: Key) -> by_hand.Earned:
+        """The points of each check of a result, read when they are asked for."""
+        return lambda: {mark["name"]: mark["points"] for mark in self[key]["checks"]}
+
     @property
     def seed(self) -> int | None:
         """The seed of the results; None if there are none."""
@@ -131,7 +135,7 @@ class Book(Results):
         """Write the table of grades; put the lines in order, and drop those that newer ones have replaced."""
         self._look()  # an interrupt may have come between a line and its record
         hand = by_hand.read(self._folder)
-        written(self._folder / "grades.csv", grades(hand.row(self.lines[key].graded) for key in self))
+        written(self._folder / "grades.csv", grades(hand.row(self.lines[key].graded, self.earned(key)) for key in self))
         starts = [self.lines[key].start for key in self]
         if self._count > len(self) or starts != sorted(starts):  # last: the lock is on the file that goes
             written(self._folder / "results.jsonl", (self.text(key).decode() for key in self))

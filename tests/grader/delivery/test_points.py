@@ -54,6 +54,27 @@ def test_everything_has_the_points(results, capsys):
     assert "12.0" in capsys.readouterr().out
 
 
+def test_a_check_has_the_points_given_by_hand_whatever_it_earned(results, solution_text, capsys):
+    points(results, "ann,hw07,wireframe_shows_the_bars,.25,It was right on paper.", "ben,hw07,c,1,")
+    assert scores(results) == {"ann": ("0.25", "12.0"), "ben": ("1.0", "12.0")}
+    page = (results / "feedback" / "ann" / f"{SLUG}.html").read_text()
+    assert "0.25 of 12 points" in page
+    assert "wireframe shows the bars: 0.25 points, by hand: It was right on paper." in page
+    assert cli.main(["report", str(results)]) == 0
+    assert re.search(r"<td>0\.25<td>0\.25\b", (results / "report.html").read_text())
+    (results.parent / "submitted" / "ann" / SLUG / f"{SLUG}.py").write_text(solution_text(SLUG))
+    capsys.readouterr()
+    graded(results.parent)
+    assert scores(results)["ann"] == ("9.75", "12.0")
+    table = capsys.readouterr().out
+    assert "9.75 / 12" in table and "    1 / 12" in table and "by hand" not in table
+
+
+def test_the_table_says_which_points_are_not_in_it(results, capsys):
+    graded(results.parent)
+    assert "not in it yet: 2 of hw07_double_pendulum" in capsys.readouterr().out
+
+
 def test_grading_again_keeps_them_and_an_empty_cell_takes_them_back(results):
     points(results, "ann,hw07,c,2,")
     graded(results.parent)
@@ -75,6 +96,9 @@ def test_grading_again_keeps_them_and_an_empty_cell_takes_them_back(results):
         ("ann,hw07,total,1,", "needs a reason"),
         ("ann,hw07,late,-1,", "no negative number"),
         ("*,hw07,off a day,10,", "from 0 to 1"),
+        ("ann,hw07,wireframe_shows_the_bars,.5,", "needs a reason"),
+        ("ann,hw07,wireframe_shows_the_bars,.6,why", "from 0 to 0.5 points, not 0.6"),
+        ("ann,hw07,wireframe_shows_bars,.5,why", "do you mean the check wireframe_shows_the_bars?"),
     ],
 )
 def test_a_wrong_row_is_named_and_nothing_is_written(results, capsys, row, says):
@@ -133,7 +157,7 @@ def test_the_template_has_a_row_for_each_part_with_what_is_known(results):
 
 def settlement(score, **items):
     entries = [Entry("ann", SLUG, item.replace("_", " "), points, None, "why") for item, points in items.items()]
-    return Hand(entries).settled(("ann", SLUG), score, 10.0)
+    return Hand(entries).settled(("ann", SLUG), score, 10.0, dict)
 
 
 def settled(score, **items):
@@ -160,4 +184,4 @@ def test_everybodys_rows_are_for_those_without_their_own():
     rows = [Entry("*", SLUG, "extension", 2.0), Entry("ann", SLUG, "extension", 5.0)]
     late = [Entry(who, SLUG, "late", 4.0) for who in ("ann", "ben")]
     hand = Hand([*rows, *late, Entry("*", SLUG, "off a day", 0.1)])
-    assert [hand.settled((who, SLUG), 10.0, 10.0).score for who in ("ann", "ben")] == [10.0, 8.0]
+    assert [hand.settled((who, SLUG), 10.0, 10.0, dict).score for who in ("ann", "ben")] == [10.0, 8.0]
