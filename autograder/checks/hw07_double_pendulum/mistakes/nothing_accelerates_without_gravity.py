@@ -2,6 +2,7 @@
 
 fails: accelerations_obey_the_equations
 names: the bars still act on each other
+also: the angular velocities stay as they are
 """
 
 _right_alpha = angular_acceleration
