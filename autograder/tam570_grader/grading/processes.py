@@ -149,12 +149,7 @@ class _Process:
         self._file = self._socket.makefile("rwb")
         with inside:
             self._process = subprocess.Popen(
-                [
-                    sys.executable,
-                    "-c",
-                    "from tam570_grader.grading.processes import serve; serve()",
-                    str(inside.fileno()),
-                ],
+                [sys.executable, "-c", SERVE, str(inside.fileno())],
                 pass_fds=[inside.fileno()],
                 env={**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))},
                 stdin=subprocess.DEVNULL,

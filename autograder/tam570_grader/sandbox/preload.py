@@ -9,7 +9,8 @@ COMMON = ("matplotlib.pyplot", "scipy.integrate", "scipy.linalg", "scipy.optimiz
 
 def imported(text: bytes) -> frozenset[str]:
     """Those of the common libraries that a submission's import statements name, wherever they stand in it."""
-    return frozenset(name for name, pattern in PATTERNS.items() if pattern.search(text))
+    statements = b"\n".join(STATEMENT.findall(text))
+    return frozenset(name for name, pattern in PATTERNS.items() if pattern.search(statements))
 
 
 def _pattern(name: str) -> re.Pattern[bytes]:
@@ -19,4 +20,5 @@ def _pattern(name: str) -> re.Pattern[bytes]:
     return re.compile(rf"^[ \t]*(?:{ways})".encode(), re.MULTILINE)  # within a line: a search in linear time
 
 
+STATEMENT = re.compile(rb"^[ \t]*(?:import|from) .*", re.MULTILINE)
 PATTERNS = {name: _pattern(name) for name in COMMON}
