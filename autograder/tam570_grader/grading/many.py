@@ -137,7 +137,7 @@ def lines(plan: Plan, tasks: Iterable[Task], count: int, preload: Sequence[str] 
             crew = stack.enter_context(crew_here(jobs))
         conditions = Conditions(plan.allowance, _hidden(plan), tuple(preload), plan.speed, _shared(plan, jobs, stack))
         asked = (replace(task, conditions=conditions) for task in tasks)
-        for _, task, line in finished(crew, supervisor.line, asked):
+        for _, task, line in finished(crew, supervisor.line, asked, count):
             yield supervisor.lost(task, str(line)) if isinstance(line, Lost) else line
 
 

@@ -13,17 +13,20 @@ import socket
 import subprocess
 import sys
 import threading
-from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import FIRST_COMPLETED, Executor, Future, ThreadPoolExecutor, wait
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from dataclasses import dataclass
+from functools import partial
 from itertools import islice
+from queue import SimpleQueue
 from typing import Any, TypeVar
 
 from tam570_grader.sandbox.warm import TRIES, sandboxes
 
 __all__ = ["AHEAD", "Crew", "Lost", "crew", "finished", "in_order", "serve"]
 
-AHEAD = 2  # tasks a job that are handed out: one is graded, one waits
+AHEAD = 2  # bunches of tasks a job that are handed out: one is worked on, one waits
+BUNCH = 8  # tasks at most: to hand one out costs the head more than to read it
 SERVE = "from tam570_grader.grading.processes import serve; serve()"
 PATIENCE = 5  # s, for a process to end by itself
 Task = TypeVar("Task")
@@ -52,28 +55,52 @@ def crew(jobs: int) -> Iterator[Crew]:
 
 
 def finished(
-    crew: Crew, work: Callable[[Task], Outcome], tasks: Iterable[Task]
+    crew: Crew, work: Callable[[Task], Outcome], tasks: Iterable[Task], count: int = 0
 ) -> Iterator[tuple[int, Task, Outcome | Lost]]:
     """Each task with its number and what the work makes of it, as soon as it is there; again where a process is lost.
 
+    count : of the tasks, if it is known. Many travel in bunches, which become smaller towards the end.
+
     Of the tasks that may not be handed out yet nothing is held.
     """
-    left, waiting = enumerate(tasks), dict[Future[Outcome], tuple[int, Task, int]]()
-    sent = crew.sent(work)
+    left, waiting = enumerate(tasks), dict[Future[list[Outcome]], tuple[list[tuple[int, Task]], int]]()
+    sent, ended = partial(_each, crew.sent(work)), SimpleQueue[Future[list[Outcome]]]()
+
+    def hand_out(bunch: list[tuple[int, Task]], tries: int = 1) -> int:
+        future = crew.pool.submit(sent, [task for _, task in bunch])
+        waiting[future] = bunch, tries
+        future.add_done_callback(ended.put)
+        return len(bunch)
+
     while True:
-        for number, task in islice(left, max(0, crew.ahead() - len(waiting))):
-            waiting[crew.pool.submit(sent, task)] = number, task, 1
+        while len(waiting) < (ahead := crew.ahead()) and (bunch := [*islice(left, _together(count, ahead))]):
+            count -= hand_out(bunch)
         if not waiting:
             return
-        for future in wait(waiting, return_when=FIRST_COMPLETED).done:
-            number, task, tries = waiting.pop(future)
-            try:
-                yield number, task, future.result()
-            except crew.lost as lost:
-                if tries == TRIES:
-                    yield number, task, Lost(str(lost))
-                else:
-                    waiting[crew.pool.submit(sent, task)] = number, task, tries + 1
+        future = ended.get()
+        bunch, tries = waiting.pop(future)
+        try:
+            outcomes: list[Outcome | Lost] = [*future.result()]
+        except crew.lost as lost:
+            if len(bunch) > 1:  # it shows which of them it was
+                for one in bunch:
+                    hand_out([one])
+                continue
+            if tries < TRIES:
+                hand_out(bunch, tries + 1)
+                continue
+            outcomes = [Lost(str(lost))]
+        for (number, task), outcome in zip(bunch, outcomes, strict=True):
+            yield number, task, outcome
+
+
+def _each(work: Callable[[Task], Outcome], tasks: Sequence[Task]) -> list[Outcome]:
+    return [work(task) for task in tasks]
+
+
+def _together(left: int, ahead: int) -> int:
+    """How many of the tasks that are left to hand out now: the processes shall end at the same time."""
+    return max(1, min(BUNCH, left // (2 * ahead))) if ahead > 1 else 1
 
 
 def in_order(crew: Crew, work: Callable[[Task], Outcome], tasks: Iterable[Task]) -> Iterator[Outcome]:

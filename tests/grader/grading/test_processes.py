@@ -10,6 +10,7 @@ import subprocess
 import sys
 import threading
 import time
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from pathlib import Path
 
@@ -18,7 +19,7 @@ import pytest
 
 from tam570_grader.grading import many
 from tam570_grader.grading.cluster import Cluster
-from tam570_grader.grading.processes import Lost, crew, finished, in_order
+from tam570_grader.grading.processes import Crew, Lost, crew, finished, in_order
 from tam570_grader.grading.submissions import submissions
 from tam570_grader.results.journal import Book
 from tam570_grader.sandbox.warm import TRIES
@@ -69,6 +70,26 @@ def test_a_task_that_no_process_survives_is_given_up_alone(tmp_path):
         outcomes = {task: it for _, task, it in finished(us, functools.partial(die, tmp_path), range(6))}
     assert isinstance(outcomes.pop(3), Lost) and outcomes == {task: task for task in (0, 1, 2, 4, 5)}
     assert tries(tmp_path, 3) == TRIES
+
+
+def test_of_a_bunch_the_task_that_no_process_survives_is_given_up_alone(tmp_path):
+    with crew(2) as us:
+        outcomes = {task: it for _, task, it in finished(us, functools.partial(die, tmp_path), range(60), 60)}
+    assert isinstance(outcomes.pop(3), Lost) and outcomes == {task: task for task in range(60) if task != 3}
+    assert tries(tmp_path, 3) == TRIES + 1
+
+
+def test_many_tasks_travel_in_bunches_and_the_last_alone():
+    sizes = []
+
+    class Counted(ThreadPoolExecutor):
+        def submit(self, work, tasks):
+            sizes.append(len(tasks))
+            return super().submit(work, tasks)
+
+    with Counted(2) as pool:
+        assert {task for _, task, _ in finished(Crew(pool, lambda: 4), abs, range(100), 100)} == {*range(100)}
+    assert sum(sizes) == 100 and sizes[0] == 8 and sizes[-4:] == [1] * 4 and sizes == sorted(sizes, reverse=True)
 
 
 def test_no_more_tasks_are_taken_than_may_be_handed_out():
