@@ -1,6 +1,7 @@
 """The commands that hand on the course, to students and nbgrader, or its scores, to other systems and instructors."""
 
 import argparse
+import contextlib
 import sys
 from pathlib import Path
 
@@ -208,11 +209,24 @@ def _lms(arguments: argparse.Namespace) -> int:
     if arguments.pages:
         pages = arguments.grades.parent / "feedback"
         lacking = handback.run(pages, arguments.collected, arguments.to, arguments.pages)
-    for line in lacking:
+    for line in filter(None, [*lacking, _terms(arguments.grades.parent, arguments.root)]):
         print(f"tam570-grader: warning: {line}", file=sys.stderr)
     given = arguments
     code = lms.run(given.grades, given.to, given.roster, given.identity, given.out, given.only, given.absent)
     return code or bool(lacking)
+
+
+def _terms(folder: Path, root: Path | None) -> str:
+    """What to say if course.toml has other terms for late work than the results in a folder."""
+    from tam570_grader.delivery import late
+    from tam570_grader.results import by_hand
+    from tam570_grader.results.journal import results
+    from tam570_grader.writing import assignments
+
+    if not (folder / "results.jsonl").is_file():  # nbgrader's table, say
+        return ""
+    with contextlib.closing(results(folder)) as found:
+        return late.stale(folder, by_hand.read(folder), assignments.find(root), {slug for _, slug in found})
 
 
 def _report(arguments: argparse.Namespace) -> int:
@@ -220,6 +234,8 @@ def _report(arguments: argparse.Namespace) -> int:
     from tam570_grader.writing import assignments
 
     feedback.must_write_pages()
+    if line := _terms(arguments.folder, arguments.root):
+        print(f"tam570-grader: warning: {line}", file=sys.stderr)
     return report.run(arguments.folder, assignments.find(arguments.root), arguments.roster, arguments.out)
 
 

@@ -1,29 +1,29 @@
-"""A course of one's own, by `course.toml`: which assignments it has, their points, parts, limits, and own checks.
+"""A course of one's own, by `course.toml`: assignments, points, parts, limits, own checks, dates.
 
 A folder `.course` beside it is made of it and the checkout. All commands take that in the place of the checkout: what
 an assignment is stands in one place still, and nothing else needs to know of `course.toml`.
 """
 
-import difflib
 import hashlib
 import os
 import re
 import shutil
-import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Any
 
+from tam570_grader.delivery import late
+from tam570_grader.delivery.course_toml import FILE, must, no_other, toml
 from tam570_grader.delivery.stubs import contract
-from tam570_grader.errors import UsageError, writing
+from tam570_grader.errors import writing
 from tam570_grader.results.tables import written
 from tam570_grader.writing import assignments
 from tam570_grader.writing.assignments import ADAPTED, OWN, Assignment
 
 __all__ = ["FILE", "PLACE", "limits", "root_of"]
 
-FILE, PLACE = "course.toml", ".course"
+PLACE = ".course"
 SHARED = ("shared", "autograder/tam570_grader", "pyproject.toml", "README.md", "LICENSE", "NOTATION.md")
 ROW = re.compile(r"^(\| `(\w+)\(.*?` *\| *)([\d.]+)( *\|)", re.MULTILINE)
 TIMES = "One call may take {call} s of processor time, the whole submission {cpu} s."
@@ -58,7 +58,7 @@ def root_of(path: Path, base: Path) -> Path:
 def limits(root: Path) -> dict[str, int]:
     """The limits of a submission, as the options of `grade` have them: of the course, else the standard ones."""
     path = root / FILE
-    return {**STANDARD, **(_read(path).get("limits", {}) if path.is_file() else {})}
+    return {**STANDARD, **(toml(path).get("limits", {}) if path.is_file() else {})}
 
 
 def _stamp(path: Path, base: Path) -> str:
@@ -73,16 +73,9 @@ def _stamp(path: Path, base: Path) -> str:
     return found.hexdigest()[:12]
 
 
-def _read(path: Path) -> dict[str, Any]:
-    try:
-        return tomllib.loads(path.read_text(encoding="utf-8"))
-    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
-        raise UsageError(f"cannot read {path}: {error}") from None
-
-
 def _make(path: Path, base: Path, new: Path) -> None:
     known = assignments.slugs(base)
-    parts = _parts(path, _read(path), known)
+    parts = _parts(path, toml(path), known)
     for name in SHARED:
         (new / name).parent.mkdir(parents=True, exist_ok=True)
         os.symlink(base / name, new / name)
@@ -105,34 +98,36 @@ def _make(path: Path, base: Path, new: Path) -> None:
 def _parts(path: Path, given: Mapping[str, Any], known: Sequence[str]) -> dict[str, Part]:
     """What changes of each assignment that the course has."""
     tables = {key: value for key, value in given.items() if re.match(r"hw\d", key)}
-    _no_other(path, "", given.keys() - tables, ("assignments", "limits"))
-    _no_other(path, "[limits] ", given.get("limits", {}), [*STANDARD])
+    no_other(path, "", given.keys() - tables, ("assignments", "limits", "late"))
+    no_other(path, "[limits] ", given.get("limits", {}), [*STANDARD])
     for name, value in given.get("limits", {}).items():
         whole = isinstance(value, int) and value > 0
-        _must(path, whole, f"[limits] {name} is {value!r}; write a whole number from 1 on")
+        must(path, whole, f"[limits] {name} is {value!r}; write a whole number from 1 on")
     names = given.get("assignments", [])
-    _must(path, _are_texts(names), 'assignments is a list of names, as in ["hw01", "hw07"]')
+    must(path, _are_texts(names), 'assignments is a list of names, as in ["hw01", "hw07"]')
     for name in (*names, *tables):
-        _must(path, assignments.slug_of(name, known) is not None, f"there is no assignment {name!r}")
+        must(path, assignments.slug_of(name, known) is not None, f"there is no assignment {name!r}")
     chosen = assignments.named(names, known)
     changed = {assignments.named([key], known)[0]: (key, table) for key, table in tables.items()}
     for slug, (key, _) in changed.items():
-        _must(path, slug in chosen, f"[{key}] is not among the assignments: add it there, or leave it out")
-    return {slug: _part(path, *changed[slug]) if slug in changed else Part({}) for slug in chosen}
+        must(path, slug in chosen, f"[{key}] is not among the assignments: add it there, or leave it out")
+    parts = {slug: _part(path, *changed[slug]) if slug in changed else Part({}) for slug in chosen}
+    late.terms(path, given, chosen)
+    return parts
 
 
 def _part(path: Path, key: str, table: Any) -> Part:
-    _must(path, isinstance(table, dict), f"{key} is no table: write [{key}] above its lines")
-    _no_other(path, f"[{key}] ", table, [one.name for one in fields(Part)])
+    must(path, isinstance(table, dict), f"{key} is no table: write [{key}] above its lines")
+    no_other(path, f"[{key}] ", table, [*(one.name for one in fields(Part)), *late.KEYS])
     for name in ("leave_out", "allow"):
-        _must(path, _are_texts(table.get(name, [])), f"[{key}] {name} is no list of texts")
+        must(path, _are_texts(table.get(name, [])), f"[{key}] {name} is no list of texts")
     points, own = table.get("points", {}), table.get("checks", "")
-    _must(path, isinstance(points, dict), f"[{key}] points is a table of checks: write [{key}.points]")
+    must(path, isinstance(points, dict), f"[{key}] points is a table of checks: write [{key}.points]")
     for check, value in points.items():
         good = isinstance(value, int | float) and not isinstance(value, bool) and 0 <= value < 1e6
-        _must(path, good, f"[{key}.points] {check} is {value!r}; write a number from 0 on")
+        must(path, good, f"[{key}.points] {check} is {value!r}; write a number from 0 on")
     found = isinstance(own, str) and (not own or (path.parent / own).is_file())
-    _must(path, found, f"[{key}] checks names {own!r}, and there is no such file beside it")
+    must(path, found, f"[{key}] checks names {own!r}, and there is no such file beside it")
     points = {name: float(value) for name, value in points.items()}
     return Part(points, table.get("leave_out", []), table.get("allow", []), own)
 
@@ -141,29 +136,18 @@ def _check(path: Path, assignment: Assignment, part: Part) -> None:
     """Whether the assignment has what is changed."""
     key, parts = assignment.slug[:4], sorted({check.part for check in assignment.checks} | {*assignment.manual})
     off_limits = sorted({name for names in assignment.off_limits.values() for name in names})
-    _no_other(path, f"[{key}.points] ", part.points, [check.name for check in assignment.checks])
-    _no_other(path, f"[{key}] leave_out: ", part.leave_out, parts)
-    _no_other(path, f"[{key}] allow: ", part.allow, off_limits)
-
-
-def _no_other(path: Path, where: str, names: Any, known: Sequence[str]) -> None:
-    for name in sorted(set(names) - {*known}):
-        near = difflib.get_close_matches(name, known, 1) or [", ".join(known) or "none"]
-        raise UsageError(f"{path}: {where}{name} is not known; do you mean {near[0]}?")
+    no_other(path, f"[{key}.points] ", part.points, [check.name for check in assignment.checks])
+    no_other(path, f"[{key}] leave_out: ", part.leave_out, parts)
+    no_other(path, f"[{key}] allow: ", part.allow, off_limits)
 
 
 def _are_texts(value: Any) -> bool:
     return isinstance(value, list) and all(isinstance(one, str) for one in value)
 
 
-def _must(path: Path, holds: bool, says: str) -> None:
-    if not holds:
-        raise UsageError(f"{path}: {says}")
-
-
 def _tell(path: Path, assignment: Assignment, part: Part, folder: Path) -> None:
     """Put the points, and what is left out or allowed, into what students get."""
-    _must(path, bool(assignment.checks), f"[{assignment.slug[:4]}] leaves no check: leave the assignment out instead")
+    must(path, bool(assignment.checks), f"[{assignment.slug[:4]}] leaves no check: leave the assignment out instead")
     worth = dict.fromkeys(assignment.results, 0.0)
     for check in assignment.checks:
         name = next((word for word in re.findall(r"\w+", check.line) if word in worth), "")

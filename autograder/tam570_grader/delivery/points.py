@@ -5,13 +5,27 @@ import contextlib
 import csv
 import difflib
 import io
+import sys
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
+from tam570_grader.delivery import late
 from tam570_grader.errors import UsageError, writing
 from tam570_grader.options import Commands
 from tam570_grader.results import by_hand
-from tam570_grader.results.by_hand import ADJUST, COLUMNS, EVERYONE, EXTENSION, LATE, OFF, TOTAL, WORDS, Entry, Hand
+from tam570_grader.results.by_hand import (
+    ADJUST,
+    COLUMNS,
+    EVERYONE,
+    EXTENSION,
+    LATE,
+    MOST,
+    OFF,
+    TOTAL,
+    WORDS,
+    Entry,
+    Hand,
+)
 from tam570_grader.results.journal import Book, Results, results
 from tam570_grader.results.tables import cell, written
 
@@ -30,19 +44,24 @@ def add_points(commands: Commands) -> argparse.ArgumentParser:
         "An item is the letter of a part that is graded by hand, the name of a check, or a word. A check gets these "
         "points in the place of its own. With adjust points are added, and total stands in the place of the score. "
         "All three need a comment. late and extension count days. 'off a day' is the "
-        "share of the score that a late day costs. The student * is everybody.",
+        "share of the score that a late day costs, 'most off' the largest share. The student * is everybody.",
         epilog="The newest row of a student, an assignment and an item counts; one without points takes it back. "
-        "Nothing is written unless every row is right. DIR/by_hand.csv holds all of it.",
+        "Nothing is written unless every row is right. DIR/by_hand.csv holds all of it. course.toml may say what late "
+        "days cost, when assignments are due, and who has more time: give the command again when it changes.",
     )
     points.set_defaults(command=_points)
     add = points.add_argument
     add("folder", type=Path, metavar="DIR", help="what `grade --out` wrote")
-    add("table", type=Path, metavar="CSV", help=f"the columns are {', '.join(COLUMNS)}; `of` may be left out")
+    add(
+        "table", type=Path, nargs="?", metavar="CSV", help=f"the columns are {', '.join(COLUMNS)}; `of` may be left out"
+    )
     add(
         "--template",
         action="store_true",
         help="write the table to fill in, with what is known, to CSV instead, a new file",
     )
+    times = "collected.csv, which `collect` wrote: who is late by the dates in course.toml"
+    add("--collected", type=Path, metavar="CSV", help=times)
     return points
 
 
@@ -59,15 +78,21 @@ def _points(arguments: argparse.Namespace) -> int:
         here = {slug: assignments.assignment(course, slug) for slug in slugs if slug in known}
         manual = {slug: here[slug].manual if slug in here else {} for slug in slugs}
         checks = {slug: {check.name: check.points for check in one.checks} for slug, one in here.items()}
+        terms = late.terms_of(course)
+        if not arguments.table and (arguments.template or not (terms or arguments.collected)):
+            raise UsageError("name the table, too: tam570-grader points DIR CSV")
         if arguments.template:
             return _template(arguments.table, found, manual, by_hand.read(folder))
-        new = list(_checked(arguments.table, found, manual, checks))
+        new = list(_checked(arguments.table, found, manual, checks)) if arguments.table else []
+        hand, open_ = late.obeyed(by_hand.read(folder).with_(new), terms, [*found], arguments.collected)
     feedback.must_write_pages()
     with contextlib.closing(Book(folder)) as book:
-        by_hand.write(folder, by_hand.read(folder).with_(new))
+        by_hand.write(folder, hand)
         feedback.write_pages(folder / "feedback", book, course)
+    for line in open_:
+        print(f"tam570-grader: warning: {line}", file=sys.stderr)
     print(f"{folder}: {len({one.key for one in new if one.student != EVERYONE})} rows added by hand")
-    return 0
+    return 1 if open_ else 0
 
 
 def _checked(path: Path, found: Results, manual: Mapping[str, Manual], checks: Mapping[str, Checks]) -> Iterator[Entry]:
@@ -105,10 +130,9 @@ def _wrong(one: Entry, students: set[str], parts: Manual, checks: Checks) -> str
         return f"part ({one.item}) has from 0 to {parts[one.item][0]:g} points, not {one.points:g}; use adjust for more"
     if one.item in parts and one.student == EVERYONE:
         return "the points of a part are one student's; write a name, or adjust everybody's"
-    if one.item in (TOTAL, LATE, EXTENSION) and one.points < 0 or one.item == OFF and not 0 <= one.points <= 1:
-        return (
-            f"{one.item} is {one.points:g}; write {'a share from 0 to 1' if one.item == OFF else 'no negative number'}"
-        )
+    if one.item in (TOTAL, LATE, EXTENSION) and one.points < 0 or one.item in (OFF, MOST) and not 0 <= one.points <= 1:
+        remedy = "a share from 0 to 1" if one.item in (OFF, MOST) else "no negative number"
+        return f"{one.item} is {one.points:g}; write {remedy}"
     if one.item in (*NEED_A_REASON, *checks) and not one.comment:
         return f"{one.item} needs a reason, in the column comment: the student reads it"
     return ""

@@ -25,6 +25,7 @@ __all__ = [
     "EVERYONE",
     "EXTENSION",
     "LATE",
+    "MOST",
     "OFF",
     "TOTAL",
     "WORDS",
@@ -43,8 +44,8 @@ Earned = Callable[[], Mapping[str, float | None]]  # the points of each check, a
 FILE = "by_hand.csv"
 COLUMNS = ("student", "assignment", "item", "points", "of", "comment")
 EVERYONE = "*"
-ADJUST, TOTAL, LATE, EXTENSION, OFF = "adjust", "total", "late", "extension", "off a day"
-WORDS = (ADJUST, TOTAL, LATE, EXTENSION, OFF)
+ADJUST, TOTAL, LATE, EXTENSION, OFF, MOST = "adjust", "total", "late", "extension", "off a day", "most off"
+WORDS = (ADJUST, TOTAL, LATE, EXTENSION, OFF, MOST)
 
 
 @dataclass(frozen=True)
@@ -156,7 +157,7 @@ def _checks(
 def _late(earned: float | None, items: Mapping[str, float]) -> tuple[float | None, list[str]]:
     """What days beyond the extension leave of a score, and the sentence that tells it."""
     days = math.ceil(max(0.0, items.get(LATE, 0.0) - items.get(EXTENSION, 0.0)))
-    off = min(1.0, days * items.get(OFF, 0.0))
+    off = min(items.get(MOST, 1.0), days * items.get(OFF, 0.0))
     if not items.get(LATE):
         return earned, []
     allowed = f", {items[EXTENSION]:g} of them allowed" if items.get(EXTENSION) else ""

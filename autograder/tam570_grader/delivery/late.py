@@ -1,0 +1,171 @@
+"""Late work by course.toml: when each assignment is due, what a day costs, and who has more time.
+
+`terms` alone reads these keys. `tam570-grader points` makes rows of by_hand.csv of them, which all tables and pages
+obey. The comments of such rows say where they come from: they are replaced when course.toml changes, others never.
+"""
+
+import math
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from datetime import date, datetime, time, timedelta
+from pathlib import Path
+from typing import Any
+
+from tam570_grader.delivery.course_toml import FILE, must, no_other, toml
+from tam570_grader.errors import UsageError
+from tam570_grader.results.by_hand import EVERYONE, EXTENSION, LATE, MOST, OFF, Entry, Hand
+from tam570_grader.results.tables import name_in, table
+
+__all__ = ["KEYS", "Terms", "obeyed", "stale", "terms", "terms_of"]
+
+KEYS = ("due", "extension")  # of an assignment's table
+RULES = ("off_a_day", "most_off", "grace")  # of [late]
+BY_COURSE, BY_TABLE = f"by {FILE}", "by collected.csv"
+DAY = timedelta(days=1)
+
+
+@dataclass(frozen=True)
+class Terms:
+    """The terms of an assignment."""
+
+    due: datetime | None = None
+    extension: Mapping[str, float] = field(default_factory=dict)  # student: days
+    off: float = 0.0  # the share of the score that a day costs
+    most: float = 1.0  # the largest share that is taken off
+    grace: timedelta = timedelta()  # how late is not late yet
+
+
+def terms_of(course: Path) -> dict[str, Terms]:
+    """The terms of a course, by the names of its assignments; those without a course.toml have none."""
+    from tam570_grader.writing import assignments
+
+    path = course / FILE
+    return terms(path, toml(path), assignments.slugs(course)) if path.is_file() else {}
+
+
+def terms(path: Path, given: Mapping[str, Any], slugs: Iterable[str]) -> dict[str, Terms]:
+    """The terms of these assignments; UsageError, with its key, for what does not fit."""
+    rules = given.get("late", {})
+    must(path, isinstance(rules, dict), "late is no table: write [late] above its lines")
+    no_other(path, "[late] ", rules, RULES)
+    for name, largest in zip(RULES, (1, 1, 24 * 60), strict=True):
+        good = _is_number(rules.get(name, 0)) and 0 <= rules.get(name, 0) <= largest
+        must(path, good, f"[late] {name} is {rules.get(name)!r}; write a number from 0 to {largest}")
+    off, most, grace = rules.get("off_a_day", 0.0), rules.get("most_off", 1.0), timedelta(minutes=rules.get("grace", 0))
+    tables = {slug: (key, given[key]) for slug in slugs for key in given if slug.startswith(key)}
+    own = {slug: _own(path, *tables[slug]) if slug in tables else (None, {}) for slug in slugs}
+    return {slug: Terms(*one, off, most, grace) for slug, one in own.items()}
+
+
+def _own(path: Path, key: str, given: Mapping[str, Any]) -> tuple[datetime | None, dict[str, float]]:
+    """When an assignment is due, and the days that students have beyond."""
+    due, days = given.get("due"), given.get("extension", {})
+    good = due is None or isinstance(due, date)
+    must(path, good, f"[{key}] due is {due!r}; write a date and a time, 2026-09-14T23:59:00 say")
+    must(path, isinstance(days, dict), f"[{key}] extension is a table of students: write [{key}.extension]")
+    for who, number in days.items():
+        good = _is_number(number) and number >= 0
+        must(path, good, f"[{key}.extension] {who} is {number!r}; write days, from 0 on")
+    if due is not None and not isinstance(due, datetime):
+        due = datetime.combine(due, time(23, 59, 59))
+    return due, days
+
+
+def _is_number(value: Any) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
+
+
+def obeyed(
+    hand: Hand, known: Mapping[str, Terms], found: Collection[tuple[str, str]], collected: Path | None
+) -> tuple[Hand, list[str]]:
+    """What was added by hand with the rows that the terms make, and sentences on what they leave open.
+
+    found     : students and assignments with results
+    collected : the table that `collect` wrote, whose times tell who is late
+    """
+    slugs = {slug for _, slug in found}
+    days, open_ = _days(known, collected) if collected else ([], [])
+    open_ += _strangers(known, found)
+    old = {BY_COURSE} | ({BY_TABLE} if collected else set())
+    own = {key: one for key, one in hand.entries.items() if _source(one) not in old}
+    rows = [one for one in _rows(known) if one.slug in slugs]
+    for one in rows:
+        other = own.get(one.key)
+        if other and other.points != one.points:
+            raise UsageError(
+                f"{one.item} of {one.student} in {one.slug} is {one.points:g} in {FILE}, {other.points:g} by hand: "
+                "change one, or take the row back by one without points"
+            )
+    late = [one for one in days if one.slug in slugs and one.key not in own]  # a row by hand knows better than a clock
+    return Hand(own.values()).with_([*rows, *late]), open_
+
+
+def stale(folder: Path, hand: Hand, course: Path, slugs: Collection[str]) -> str:
+    """A sentence if the results do not have what course.toml says of late work; else empty."""
+    known = {slug: one for slug, one in terms_of(course).items() if slug in slugs}
+    made = [one for one in hand.entries.values() if one.slug in slugs]
+    same = {one.key: one.points for one in _rows(known)}.items() <= {one.key: one.points for one in made}.items()
+    gone = {one.key for one in made if one.comment == BY_COURSE} - {one.key for one in _rows(known)}
+    moved = [one for one in made if _source(one) == BY_TABLE and one.comment != _by(known.get(one.slug, Terms()))]
+    if same and not gone and not moved:
+        return ""
+    times = " --collected collected.csv" if moved else ""
+    return f"{FILE} has other terms for late work than {folder}: tam570-grader points {folder}{times}"
+
+
+def _rows(known: Mapping[str, Terms]) -> Iterator[Entry]:
+    """The rows of by_hand.csv that say the terms."""
+    for slug, one in known.items():
+        if one.off:
+            yield Entry(EVERYONE, slug, OFF, float(one.off), None, BY_COURSE)
+        if one.off and one.most < 1:
+            yield Entry(EVERYONE, slug, MOST, float(one.most), None, BY_COURSE)
+        yield from (Entry(who, slug, EXTENSION, float(days), None, BY_COURSE) for who, days in one.extension.items())
+
+
+def _days(known: Mapping[str, Terms], collected: Path) -> tuple[list[Entry], list[str]]:
+    """Rows with the days of whom collected.csv shows late, and a sentence for each whose time it does not tell."""
+    heading, *rows = table(collected)
+    if lacking := {"student", "assignment", "file", "when", "late"} - set(heading):
+        raise UsageError(f"{collected} has no column {', '.join(sorted(lacking))}: name the table that `collect` wrote")
+    late, open_ = dict[tuple[str, str], float](), []
+    for row in rows:
+        cells = dict(zip(heading, map(name_in, row), strict=False))
+        student, slug, when = cells["student"], cells["assignment"], cells["when"]
+        due = known.get(slug, Terms()).due
+        if not cells["file"] or due is None:
+            continue
+        if when:
+            days = (_moment(when, collected).astimezone() - due.astimezone() - known[slug].grace) / DAY
+            late[student, slug] = max(late.get((student, slug), 0.0), days)
+        elif cells["late"]:
+            open_.append(f"{student} is late in {slug}, and {collected} does not say when: add a row {LATE} by hand")
+    found = [(*key, LATE, math.ceil(100 * days) / 100, None, _by(known[key[1]])) for key, days in late.items()]
+    return [Entry(*one) for one in found if one[3] > 0], open_
+
+
+def _moment(text: str, collected: Path) -> datetime:
+    """The time in a cell; one without a zone is of this computer's."""
+    try:
+        return datetime.fromisoformat(text.replace(" UTC", "Z").replace(" Z", "Z"))
+    except ValueError:
+        raise UsageError(f"{collected} has the time {text!r}; write it as 2026-09-14 23:59:00") from None
+
+
+def _by(one: Terms) -> str:
+    return f"{BY_TABLE}, due {one.due:%Y-%m-%d %H:%M}" if one.due else BY_TABLE
+
+
+def _source(one: Entry) -> str:
+    return one.comment.partition(",")[0]
+
+
+def _strangers(known: Mapping[str, Terms], found: Collection[tuple[str, str]]) -> list[str]:
+    """Students with more time who have no results, a slip in a name perhaps."""
+    students, slugs = {student for student, _ in found}, {slug for _, slug in found}
+    named = {(who, slug) for slug, one in known.items() if slug in slugs for who in one.extension}
+    return [
+        f"{FILE} gives {who} more time in {slug}; no results are theirs"
+        for who, slug in sorted(named)
+        if who not in students
+    ]
