@@ -38,7 +38,7 @@ def friction_force(state, locked, *, mass, front, rear, friction, gravity):
     return tuple(-size * v / fast for v in velocity) if fast else (0.0, 0.0)
 
 
-def derivative(state, locked, *, yaw_inertia, **car):
+def state_derivative(t, state, locked, *, yaw_inertia, **car):
     """F = m a, moments about G, and the free axle's sideways velocity stays zero, by a Lagrange multiplier."""
     mass, (free, dragging) = car["mass"], axles(locked, car["front"], car["rear"])
     heading, yaw_rate = float(state[2]), float(state[4])
@@ -55,10 +55,6 @@ def derivative(state, locked, *, yaw_inertia, **car):
     return np.array([forward * c - left * s, forward * s + left * c, yaw_rate, slowing, turning])
 
 
-def state_derivative(t, state, locked, **car):
-    return derivative(state, locked, **car)
-
-
 def kinetic_energy(state, locked, *, mass, yaw_inertia, front, rear):
     forward, left = velocity_of(0.0, state, locked, front, rear)
     return (mass * (forward**2 + left**2) + yaw_inertia * state[4] ** 2) / 2
@@ -69,12 +65,6 @@ def ease_of_turning(locked, *, mass, yaw_inertia, front, rear, **_):
     return mass * (front + rear) ** 2 / (yaw_inertia + mass * axles(locked, front, rear)[0] ** 2)
 
 
-def sliding(state, locked, car):
-    """Speed of the middle of the locked axle."""
-    dragging = axles(locked, car["front"], car["rear"])[1]
-    return math.hypot(*velocity_of(dragging, state, locked, car["front"], car["rear"]))
-
-
 def stopped(start, locked, car):
     """Time of the stop since the start, and the state there, both to 1e-7.
 
@@ -83,9 +73,11 @@ def stopped(start, locked, car):
     so below mass sliding^2/2, and friction takes at least 2 friction load/mass of it for each unit of tau.
     """
 
+    dragging = axles(locked, car["front"], car["rear"])[1]
+
     def slowed(_, s):
-        speed = sliding(s[:5], locked, car)
-        return *(speed * rate for rate in derivative(s[:5], locked, **car)), speed
+        speed = math.hypot(*velocity_of(dragging, s[:5], locked, car["front"], car["rear"]))
+        return *(speed * rate for rate in state_derivative(0.0, s[:5], locked, **car)), speed
 
     load = axle_load(locked, **{name: car[name] for name in ("mass", "front", "rear", "gravity")})
     decays = 16 * car["mass"] / (car["friction"] * load)  # to exp(-16) of the speed
@@ -103,7 +95,9 @@ def simulate(t, start, locked, **car):
     moves[0] = True
     states = np.tile(end, (len(t), 1))
     if moves.sum() > 1:
-        states[moves] = solve(lambda _, s: derivative(s, locked, **car), t[moves], start, rtol=1e-11, method="python")
+        states[moves] = solve(
+            lambda t, s: state_derivative(t, s, locked, **car), t[moves], start, rtol=1e-11, method="python"
+        )
     states[0] = start
     return states
 
@@ -111,7 +105,7 @@ def simulate(t, start, locked, **car):
 def yaw_growth_rate(speed, locked, **car):
     """The yaw acceleration, odd in the yaw rate, differenced to fourth order."""
     step = 1e-3 * speed / wheelbase(car)
-    single, twice = (derivative([0, 0, 0, speed, k * step], locked, **car)[4] for k in (1, 2))
+    single, twice = (state_derivative(0, [0, 0, 0, speed, k * step], locked, **car)[4] for k in (1, 2))
     return (8 * single - twice) / (6 * step)
 
 
@@ -125,5 +119,5 @@ def small_yaw_rate(speed, speed0, yaw_rate0, locked, **car):
     low, high = math.log(speed), math.log(speed0)
     speeds = np.exp((high + low) / 2 + (high - low) / 2 * nodes)
     rates = np.array([yaw_growth_rate(u, locked, **car) for u in speeds])
-    slowing = derivative([0, 0, 0, speed0, 0], locked, **car)[3]
+    slowing = state_derivative(0, [0, 0, 0, speed0, 0], locked, **car)[3]
     return yaw_rate0 * math.exp(-(high - low) / 2 * np.sum(weights * speeds * rates / slowing))

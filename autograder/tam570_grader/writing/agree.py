@@ -65,6 +65,7 @@ def agree(
     hint: str | Callable[[Given, Any, Any], str] = "",
     partial: Mapping[float, float] | None = None,
     only: Only = None,
+    gradual: bool = True,
 ) -> None:
     """Fail unless the student's `function` gives what `right` gives, in every case.
 
@@ -73,6 +74,7 @@ def agree(
     of, unit, scale : one for each member where the result is a tuple; left out, as RESULTS has them
     hint   : where to look; a function of the case, the result and the right one is asked on failure alone
     only   : the member of a tuple that is judged, or several
+    gradual : False where an error of a few limits is no sign that the physics is right
     """
     said = (of, unit, scale)
     words = [promised(function, name) if one is None else one for name, one in zip(WORDS, said, strict=True)]
@@ -80,11 +82,19 @@ def agree(
         for one, expected, what, its_unit, its_scale in _members(found, whole, words, case, only):
             told = functools.partial(_told, hint, case, found, whole, one, expected)
             size = float(its_scale) if np.ndim(its_scale) == 0 else its_scale
-            limits = {limit * size: share for limit, share in (partial or {}).items()}
+            known: dict[str, Any] = {"of": what, "unit": its_unit, "hint": told, "gradual": gradual}
+            _infinite_alike(one, expected, what, told)
             if np.ndim(size):
-                expect(one, expected, within=within, of=what, unit=its_unit, hint=told, scale=size, partial=partial)
+                expect(one, expected, within=within, scale=size, partial=partial, **known)
             else:
-                expect(one, expected, within=within * size, of=what, unit=its_unit, hint=told, partial=limits)
+                limits = {limit * size: share for limit, share in (partial or {}).items()}
+                expect(one, expected, within=within * size, partial=limits, **known)
+
+
+def _infinite_alike(found: Any, expected: Any, what: str, hint: Callable[[], str]) -> None:
+    """Of infinity nothing is wrong by some limit."""
+    says = f"{what} is not infinite" if np.isinf(expected).any() else f"{what} is infinite"
+    expect_that(np.array_equal(np.isinf(found), np.isinf(expected)), says, hint=hint)
 
 
 def absolute(*_: Any) -> float:
@@ -162,6 +172,7 @@ def agree_by_columns(
     *,
     within: float,
     hint: str | Callable[[Given, Any, Any], str] = "",
+    gradual: bool = True,
 ) -> None:
     """As `agree`, for a state or rows of them, whose numbers have different units: each column is judged in its own.
 
@@ -173,7 +184,8 @@ def agree_by_columns(
             one, other = found[..., column.where], expected[..., column.where]
             size = (column.scale(case, expected) if column.scale else np.max(np.abs(other))) or 1.0
             told = functools.partial(_told, hint, case, found, expected, one, other)
-            expect(one, other, within=within * size, of=column.of, unit=column.unit, t=t, hint=told)
+            known: dict[str, Any] = {"of": column.of, "unit": column.unit, "t": t, "hint": told, "gradual": gradual}
+            expect(one, other, within=within * size, **known)
 
 
 def _members(found: Any, expected: Any, words: Any, case: Given, only: Only) -> Iterable[tuple[Any, ...]]:

@@ -105,7 +105,8 @@ def expect(
     keeps    : `kept(...)`, asked for on failure: what becomes of an invariant along the student's motion
     """
     actual, expected = np.asarray(actual, float), np.asarray(expected, float)
-    errors = np.where(actual == expected, 0.0, np.abs(actual - expected)) / scale  # infinity may be right
+    with np.errstate(invalid="ignore"):  # infinity may be right
+        errors = np.where(actual == expected, 0.0, np.abs(actual - expected)) / scale
     worst = int(np.argmax(errors)) if errors.size else 0  # the first NaN, if there is one
     error = float(errors.flat[worst]) if errors.size else np.nan
     if recorder := current().recorder:
