@@ -79,16 +79,19 @@ def agree(
     said = (of, unit, scale)
     words = [promised(function, name) if one is None else one for name, one in zip(WORDS, said, strict=True)]
     for case, found, whole in asked(function, right, cases):
-        for one, expected, what, its_unit, its_scale in _members(found, whole, words, case, only):
+        for one, expected, what, its_unit, size in _members(found, whole, words, case, only):
             told = functools.partial(_told, hint, case, found, whole, one, expected)
-            size = float(its_scale) if np.ndim(its_scale) == 0 else its_scale
-            known: dict[str, Any] = {"of": what, "unit": its_unit, "hint": told, "gradual": gradual}
+            limits = _limits(size, within, partial or {})
             _infinite_alike(one, expected, what, told)
-            if np.ndim(size):
-                expect(one, expected, within=within, scale=size, partial=partial, **known)
-            else:
-                limits = {limit * size: share for limit, share in (partial or {}).items()}
-                expect(one, expected, within=within * size, partial=limits, **known)
+            expect(one, expected, of=what, unit=its_unit, hint=told, gradual=gradual, **limits)
+
+
+def _limits(size: Any, within: float, partial: Mapping[float, float]) -> dict[str, Any]:
+    """In the unit of the result; where its numbers have scales of their own, relative to these."""
+    if np.ndim(size):
+        return {"within": within, "scale": size, "partial": partial}
+    size = float(size)
+    return {"within": within * size, "partial": {limit * size: share for limit, share in partial.items()}}
 
 
 def _infinite_alike(found: Any, expected: Any, what: str, hint: Callable[[], str]) -> None:
