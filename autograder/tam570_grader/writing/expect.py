@@ -105,8 +105,7 @@ def expect(
     keeps    : `kept(...)`, asked for on failure: what becomes of an invariant along the student's motion
     """
     actual, expected = np.asarray(actual, float), np.asarray(expected, float)
-    with np.errstate(invalid="ignore"):  # infinity may be right
-        errors = np.where(actual == expected, 0.0, np.abs(actual - expected)) / scale
+    errors = _off(actual, expected) / scale
     worst = int(np.argmax(errors)) if errors.size else 0  # the first NaN, if there is one
     error = float(errors.flat[worst]) if errors.size else np.nan
     if recorder := current().recorder:
@@ -140,6 +139,12 @@ def fail(says: str, *, hint: Hint = "", kind: str = "", at: Any = None, share: f
         **fields,
     )
     running.fail(failed)
+
+
+def _off(actual: Any, expected: Any) -> Any:
+    """Zero where both are infinite: infinity may be right."""
+    with np.errstate(invalid="ignore"):
+        return np.where(actual == expected, 0.0, np.abs(actual - expected))
 
 
 def _share(error: float, within: float, partial: Mapping[float, float] | Callable[[float], float] | None) -> float:
