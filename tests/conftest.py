@@ -210,7 +210,7 @@ def nbgrader(tmp_path_factory, jupyter_environment):
         server.stdin.write(json.dumps([str(folder), str(log), *command]) + "\n")
         server.stdin.flush()
         code = int(server.stdout.readline())
-        assert (code != 0) == fails, log.read_text()
+        assert code == int(fails), log.read_text()
         return log.read_text()
 
     yield nbgrader
