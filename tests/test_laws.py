@@ -29,12 +29,15 @@ def overlays(kind):
 
 
 def sampled(cases):
-    """The cases of mistakes, those that no check needs as its first marked for the long form."""
-    missing, marked = {(slug, check.name) for slug, check in CHECKS}, []
-    for slug, path in cases:
-        caught = {(slug, name) for name in mistake(path.stem, path.read_text()).fails} & missing
-        missing -= caught
-        marked.append(pytest.param(slug, path, marks=[] if caught else [pytest.mark.every]))
+    """The cases of mistakes; the long form has those that are not needed for every check to catch one."""
+    fails = {path: {(slug, name) for name in mistake(path.stem, path.read_text()).fails} for slug, path in cases}
+    missing, needed = {(slug, check.name) for slug, check in CHECKS}, set()
+    while best := max(fails, key=lambda path: len(fails[path] & missing)) if missing else None:
+        if not fails[best] & missing:
+            break  # a check without a mistake: another test says so
+        needed.add(best)
+        missing -= fails[best]
+    marked = [pytest.param(*case, marks=[] if case[1] in needed else [pytest.mark.every]) for case in cases]
     return {**named(cases), "argvalues": marked}
 
 
