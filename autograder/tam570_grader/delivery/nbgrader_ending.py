@@ -1,4 +1,4 @@
-"""nbgrader's commands when the server of the gradebook is lost: one line says so, and nothing half-written stays."""
+"""How nbgrader's commands end when the gradebook's server is lost, or by Ctrl-C: in one line, nothing half-written."""
 
 import functools
 import os
@@ -36,6 +36,9 @@ def _ending(start: Any) -> Any:
         except Lost as lost:
             print(lost, file=sys.stderr)
             sys.exit(1)
+        except KeyboardInterrupt:
+            print("nbgrader: interrupted; what is done is kept: give the same command again", file=sys.stderr)
+            sys.exit(130)
 
     return started
 
