@@ -19,16 +19,17 @@ PLAIN = {
 }  # angle: what to call it
 
 
-def parameters(draw, gravity=None):
-    gravity = draw.uniform(1.0, 25.0) if gravity is None else gravity
-    return {"mass": 10 ** draw.uniform(-1, 1), "length": 10 ** draw.uniform(-0.6, 0.8), "gravity": gravity}
-
-
 def rod(draw, gravity=None):
-    """A pendulum without its mass, and the rate of its small motions."""
-    known = parameters(draw, gravity)
-    known.pop("mass")
-    return known, math.sqrt(known["gravity"] / known["length"])
+    return {"length": 10 ** draw.uniform(-0.6, 0.8), "gravity": draw.uniform(1.0, 25.0) if gravity is None else gravity}
+
+
+def parameters(draw, gravity=None):
+    return {"mass": 10 ** draw.uniform(-1, 1), **rod(draw, gravity)}
+
+
+def rate_of(known):
+    """Of small motions."""
+    return math.sqrt(known["gravity"] / known["length"])
 
 
 def kind_of(theta, omega, gravity):
@@ -59,43 +60,47 @@ def at_rest(draw):
     return named([given(th, 0.0, **parameters(draw, pull)) for th in angles for pull in (None, 0.0)])
 
 
-def all_states(draw):
-    return states(draw) + at_rest(draw)
-
-
-def symbols(calls, *names):
-    """The same values for symbols of these names."""
-    known = [dict(zip(NAMES, (*call.args, *call.kwargs.values()), strict=True)) for call in calls]
-    return [given(**{name: one[name] for name in names}).on(call.kind) for one, call in zip(known, calls, strict=True)]
+def symbols(draw):
+    """The same values for symbols."""
+    calls = states(draw) + at_rest(draw)
+    return [given(**dict(zip(NAMES, (*call.args, *call.kwargs.values()), strict=True))).on(call.kind) for call in calls]
 
 
 # Motions
 
 
 def swing(draw):
-    """A start that swings back and forth far from small angles, its pendulum and the rate of small motions."""
-    known, k = rod(draw)
-    return (draw.uniform(1.2, 2.2) * draw.choice([-1, 1]), draw.uniform(0.2, 0.6) * k * draw.choice([-1, 1])), known, k
+    """A start that swings back and forth far from small angles, and its pendulum."""
+    known, sign = rod(draw), draw.choice([-1, 1], 2)
+    return (draw.uniform(1.2, 2.2) * sign[0], draw.uniform(0.2, 0.6) * rate_of(known) * sign[1]), known
+
+
+def small(draw):
+    """After six periods the linear motion is 40 A^3/16 behind, 3e-4 rad and more."""
+    return draw.uniform((0.05, 0.02), 0.09) * draw.choice([-1, 1], 2), rod(draw)
 
 
 def turning(draw):
-    """As `swing`, a start that goes over the top, from an angle of more than a turn."""
-    known, k = rod(draw)
-    sign = draw.choice([-1, 1])
-    return (-sign * draw.uniform(6, 9), sign * draw.uniform(2.3, 3) * k), known, k
+    """A short rod that goes over the top, from an angle a little beyond a full turn: g/l is not near g l there."""
+    known, sign = {**rod(draw), "length": draw.uniform(0.25, 0.6)}, draw.choice([-1, 1])
+    return (-sign * draw.uniform(6.5, 7.3), sign * draw.uniform(2.3, 3) * rate_of(known)), known
 
 
 def quick(draw):
-    """As `swing`, at 20 to 30 rad/s: steps of a millisecond follow it, those of ten do not."""
-    (angle, rate), _, k = swing(draw)
+    """At 20 to 30 rad/s: steps of a millisecond follow it, those of ten do not."""
+    (angle, rate), known = swing(draw)
     faster, length = draw.uniform(20, 30), draw.uniform(0.01, 0.03)
-    return (angle, rate * faster / k), {"length": length, "gravity": faster**2 * length}, faster
+    return (angle, rate * faster / rate_of(known)), {"length": length, "gravity": faster**2 * length}
 
 
 def motion(draw, start, turns, count, kind):
     """A motion for `turns` over the rate of small motions."""
-    state, known, k = start(draw)
-    return given(uneven(draw, turns / k, count), *state, **known).on(kind)
+    state, known = start(draw)
+    return given(uneven(draw, turns / rate_of(known), count), *state, **known).on(kind)
+
+
+def motions(*settings):
+    return lambda draw: [motion(draw, *settings)]
 
 
 def few_times(draw):
@@ -119,25 +124,17 @@ def few_times(draw):
     return [far, *plain, short, again, *in_turn(draw, again, start=(0.8 * angle, -rate))]
 
 
-def small_swing(draw):
-    """After six periods the linear motion is 40 A^3/16 behind, 3e-4 rad and more."""
-    state = draw.uniform(0.05, 0.09) * draw.choice([-1, 1]), draw.uniform(0.02, 0.09) * draw.choice([-1, 1])
-    known, k = rod(draw)
-    kind = "a small swing, two times many periods apart"
-    return given(uneven(draw, 40 / k, 2), *state, **known).on(kind)
-
-
 def over_the_top(draw):
-    """Turning round and round, and at rest at the top."""
+    """Turning round and round either way, from next to the bottom and far from it; at rest at the top."""
     turns = motion(draw, turning, 15, 100, "a pendulum that goes over the top")
-    t = turns.args[0]
-    still = [turns.but(t[:4], angle, 0.0).on("a pendulum at rest at the top") for angle in (math.pi, -math.pi)]
-    return [turns, *still]
+    t, angle, rate = turns.args
+    still = [turns.but(t[:4], top, 0.0).on("a pendulum at rest at the top") for top in (math.pi, -math.pi)]
+    return [turns, turns.but(t, -1.2 * angle, -rate), *still]
 
 
 def weightless(draw):
     """Turning evenly, and at rest anywhere, without gravity."""
-    known, _ = rod(draw, gravity=0.0)
+    known = rod(draw, gravity=0.0)
     t = uneven(draw, 8.0, 30)
     turns = given(t, draw.uniform(0.5, 1), draw.uniform(-0.4, -0.3), **known).on("gravity 0")
     return [turns, *(turns.but(t[:2], angle, 0.0).on("gravity 0, at rest") for angle in (0.0, 1.0, -1.0))]
@@ -145,8 +142,8 @@ def weightless(draw):
 
 def small_angles(draw):
     """The closed form for any times and starts, and for another rod."""
-    (angle, rate), known, k = swing(draw)
-    t = uneven(draw, 20 / k, 50)
+    (angle, rate), known = swing(draw)
+    t = uneven(draw, 20 / rate_of(known), 50)
     starts = {
         "times that do not start at zero": (t, angle, rate),
         "two times, the first of them zero": (t[:2] - t[0], angle, rate),
@@ -184,8 +181,8 @@ def varied_paths(draw, amount):
     changes = [np.sin(np.pi * s), np.sin(2 * np.pi * s) * np.exp(-s), s * (1 - s) * (2 + np.cos(5 * s))]
     starts = (swing, "a true motion, swinging"), (turning, "a true motion, turning"), (swing, "another path")
     for start, kind in starts:
-        state, known, k = start(draw)
-        t = s * 2 * np.pi * draw.uniform(1.2, 1.5) / k
+        state, known = start(draw)
+        t = s * 2 * np.pi * draw.uniform(1.2, 1.5) / rate_of(known)
         path = right.simulate(t, *state, **known)[:, 0]
         if kind == "another path":
             path = wave(s, state[0], state[0] + draw.uniform(1, 2), draw.uniform(0.3, 0.6))
@@ -202,7 +199,7 @@ def paths(draw):
     s, calls = np.linspace(0, 1, 4001), []
     for share, kind in ((1, "a smooth path"), (1, "a smooth path"), (0, "a smooth path without gravity")):
         known = parameters(draw)
-        span = draw.uniform(3, 4) * math.sqrt(known["length"] / known["gravity"])
+        span = draw.uniform(3, 4) / rate_of(known)
         path = wave(s, draw.uniform(-0.3, 0.3), draw.uniform(2.6, 3.4) * draw.choice([-1, 1]), draw.uniform(0.3, 0.6))
         calls.append(given(path, span * s[1], **known).but(gravity=share * known["gravity"]).on(kind))
     return calls + _plain_paths(draw)
@@ -222,19 +219,15 @@ def _plain_paths(draw):
     return calls
 
 
-# Amplitudes. Between these edges there is no gap: a formula for some range is tried in it. The series' second term is
-# off by 6e-6 from 0.2 rad on, its third by 1e-6 from 0.41.
-SMALLER, LARGER = (0.1, 0.2, 0.3, 0.45, 0.5), (2.0, 2.2, 2.4, 2.6, 2.8, 3.04)
-
-
 def periods(draw, amplitudes, kind):
-    rods = [{"length": 10 ** draw.uniform(-1, 1), "gravity": draw.uniform(1, 25)} for _ in amplitudes]
-    rods[-1] = {"length": 1.0, "gravity": 1.0}
-    return [
-        given(amplitude, **known).on(f"an amplitude {kind}") for amplitude, known in zip(amplitudes, rods, strict=True)
-    ]
+    rods = [rod(draw) for _ in amplitudes[1:]] + [{"length": 1.0, "gravity": 1.0}]
+    return [given(one, **known).on(f"an amplitude {kind}") for one, known in zip(amplitudes, rods, strict=True)]
 
 
-def one_in_each(draw, edges):
+def usual_periods(draw):
+    return periods(draw, [*draw.uniform(0.5, 2, 8), math.pi / 2, math.pi / 2, 1.0], "between 0.5 and 2 rad")
+
+
+def one_in_each(draw, *edges):
     """A random number between each of the edges and the next."""
     return draw.uniform(edges[:-1], edges[1:])

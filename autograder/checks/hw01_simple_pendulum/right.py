@@ -105,7 +105,3 @@ def energy_of_rows(rows, length, gravity):
     """Of 1 kg m^2, zero at the lowest point, along a motion."""
     theta, omega = rows.T
     return omega**2 / 2 + 2 * gravity / length * np.sin(theta / 2) ** 2
-
-
-def energy_at_the_start(case, rows):
-    return energy_of_rows(rows[:1], **case.kwargs)[0]
