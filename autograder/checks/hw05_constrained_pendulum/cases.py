@@ -8,7 +8,6 @@ from tam570_grader import given, in_turn, uneven
 
 from .right import on_circle
 
-LONG = 100.0  # s
 PLACES = {"the bottom": (0.0, -1.0), "the top": (0.0, 1.0), "the right": (1.0, 0.0), "the left": (-1.0, 0.0)}
 UNIT = {"mass": 1.0, "length": 1.0, "gravity": 1.0}
 
@@ -19,25 +18,22 @@ def parameters(draw, **fixed):
     return {**known, **fixed}
 
 
-def states(draw, *names):
-    """Consistent states, moving and at rest, with gravity and without, at plain places; parameters of these names,
-    or all of them.
-    """
+def states(draw):
+    """Consistent states, moving and at rest, with gravity and without, at plain places."""
     cases = []
     for kind in ["a random state"] * 10 + ["a particle at rest"] * 3 + ["no gravity"] * 4:
         known = parameters(draw, **({"gravity": 0.0} if kind == "no gravity" else {}))
         omega = draw.uniform(1, 5) * draw.choice([-1, 1]) * (kind != "a particle at rest")
         cases.append(given(on_circle(draw.uniform(-3, 3), omega, known["length"]), **known).on(kind))
-    cases += [case for place in PLACES for case in _plain(draw, place)]
-    return [given(case.args[0], **{name: case.kwargs[name] for name in names or UNIT}).on(case.kind) for case in cases]
+    return cases + [case for place in PLACES for case in _plain(draw, place)]
 
 
 def _plain(draw, place):
     """Exact zeros, moving either way and at rest; with gravity, without, and of unit size."""
     x, y = PLACES[place]
     cases = []
-    random, weightless = parameters(draw), parameters(draw, gravity=0.0)
-    for known, rest in ((random, ""), (weightless, ", no gravity"), (UNIT, ", all parameters 1")):
+    pendulums = {"": parameters(draw), ", no gravity": parameters(draw, gravity=0.0), ", all parameters 1": UNIT}
+    for rest, known in pendulums.items():
         speed = 1.0 if known is UNIT else draw.uniform(1, 5)
         for v, how in ((speed, "moving"), (-speed, "moving"), (0.0, "at rest")):
             state = np.array([x * known["length"], y * known["length"], -y * v, x * v])
@@ -47,24 +43,23 @@ def _plain(draw, place):
 
 def off_circle(draw):
     """States that are not consistent, random and on an axis, on the circle and just off it; at 1e-6 of the origin."""
-    cases = [given(draw.normal(size=4) * draw.uniform(0.5, 4), length=10 ** draw.uniform(-0.5, 0.8)) for _ in range(12)]
-    (state,), length = cases[0].args, cases[0].kwargs["length"]
+    some = [(draw.normal(size=4) * draw.uniform(0.5, 4), 10 ** draw.uniform(-0.5, 0.8)) for _ in range(12)]
+    state, length = some[0]
     speed = math.hypot(*state[2:])
-    cases += [
-        given(np.array([x * far, y * far, vx * speed, vy * speed]), length=length)
+    some += [
+        ((x * far, y * far, vx * speed, vy * speed), length)
         for x, y in (*PLACES.values(), (0.6, -0.8))
         for far in (length, length * (1 + 1e-7), length / 2, length * 20)
         for vx, vy in (*PLACES.values(), (0.0, 0.0), (0.6, 0.8))
     ]
-    close = [(3e-7, -4e-7), (0.0, 5e-7)]
-    cases += [given(np.array([*place, *state[2:]]), length=0.5) for place in close]
+    some += [((*place, *state[2:]), 0.5) for place in ((3e-7, -4e-7), (0.0, 5e-7))]
     whole = (1.0, 0.0, 0.0, 1.0), (0.0, -2.0, 1.0, 1.0), (3.0, 4.0, 0.0, 0.0), (-3.0, 4.0, -3.0, 4.0)
-    cases += [given(np.array(numbers), length=1.0) for numbers in whole]
-    return [case.on(_where(case)) for case in cases]
+    some += [(numbers, 1.0) for numbers in whole]
+    return [given(np.array(state), length=length).on(_where(state, length)) for state, length in some]
 
 
-def _where(case):
-    far = math.hypot(*case.args[0][:2]) / case.kwargs["length"]
+def _where(state, length):
+    far = math.hypot(*state[:2]) / length
     if far < 1e-5:
         return "a particle close to the origin"
     off = abs(far - 1)
@@ -73,8 +68,10 @@ def _where(case):
 
 
 def origin(draw):
+    """What is allowed first."""
     state = np.append([0.0, 0.0], draw.normal(size=2))
-    return [given(state, length=draw.uniform(0.5, 2)).on("a particle at the origin")]
+    allowed = given(np.array([0.0, -2.0, 1.0, 1.0]), length=1.0)
+    return [allowed, given(state, length=draw.uniform(0.5, 2)).on("a particle at the origin")]
 
 
 # Motions: kind, angle, its rate in sqrt(g/l) or 1/s, what is not random
@@ -97,10 +94,10 @@ def pace(known):
     return math.sqrt(known["gravity"] / known["length"]) or 1.0  # 1/s
 
 
-def moved(draw, kind, turns, count, theta, omega, known, signs=(-1, 1)):
-    """A motion of so many turns at uneven times that begin before t = 0 or after."""
+def moved(draw, kind, turns, count, theta, omega, known, signs=(1,)):
+    """A motion of so many turns at uneven times, which begin after t = 0, or before as well."""
     span = turns * 2 * math.pi / pace(known)
-    t = uneven(draw, span, count, 0.0) + span * draw.uniform(0.2, 0.8) * draw.choice(signs)
+    t = uneven(draw, span, count, span * draw.uniform(0.2, 0.8) * draw.choice(signs))
     state = on_circle(theta, omega * pace(known), known["length"])
     state[np.abs(state) < 1e-15 * np.abs(state).max()] = 0.0  # sin pi and cos pi/2
     return given(t, state, **known).on(f"{kind}, times from {'below' if t[0] < 0 else 'above'} zero on")
@@ -113,25 +110,22 @@ def plain(draw, weight):
         side = draw.choice([-1, 1])
         for count, sign in ((2, side), (3, -side)):
             known, turns = parameters(draw, **fixed), draw.uniform(0.3, 0.8)
-            cases.append(moved(draw, f"{kind}, {count} times", turns, count, theta * sign, omega * sign, known))
+            start = theta * sign, omega * sign
+            cases.append(moved(draw, f"{kind}, {count} times", turns, count, *start, known, (-1, 1)))
     return cases
 
 
-def swinging(draw, turns, count):
-    sign = draw.choice([-1, 1], 2)
-    start = draw.uniform(0.8, 2.2) * sign[0], draw.uniform(0.2, 0.6) * sign[1]
-    return moved(draw, "swinging", turns, count, *start, parameters(draw))
+def swinging(draw, turns, count, **fixed):
+    start = draw.uniform((0.8, 0.2), (2.2, 0.6)) * draw.choice([-1, 1], 2)
+    return moved(draw, "swinging", turns, count, *start, parameters(draw, **fixed))
 
 
 def with_gravity(draw):
-    sign = draw.choice([-1, 1], 2)
-    round_the_top = draw.uniform(0, 3) * sign[0], draw.uniform(2.3, 3) * sign[1]
-    known = parameters(draw)
-    again = swinging(draw, 1.8, 5)
-    far = swinging(draw, 3.1, 9)
+    round_the_top = draw.uniform((0, 2.3), 3) * draw.choice([-1, 1], 2)
+    again, far = swinging(draw, 1.8, 5), swinging(draw, 3.1, 9)
     return [
         swinging(draw, 1.8, 9),
-        moved(draw, "going round over the top", 1.8, 9, *round_the_top, known),
+        moved(draw, "going round over the top", 1.8, 9, *round_the_top, parameters(draw), (-1, 1)),
         *in_turn(draw, again, start=(again.args[1] * [-1, 1, -1, 1],), length=None),
         far.but(far.args[0][[0, -1]]).on("two times far apart"),
         *plain(draw, True),
@@ -140,16 +134,13 @@ def with_gravity(draw):
 
 def without_gravity(draw):
     known, omega = parameters(draw, gravity=0.0), draw.uniform(1, 4) * draw.choice([-1, 1])
-    first = moved(draw, "no gravity", 2.3 / abs(omega), 12, draw.uniform(-3, 3), omega, known, (1,))
-    return [first, *plain(draw, False)]
+    return [moved(draw, "no gravity", 2.3 / abs(omega), 12, draw.uniform(-3, 3), omega, known), *plain(draw, False)]
 
 
 def long(draw):
     """About ten to twenty swings in 100 s."""
-    known = parameters(draw, gravity=draw.uniform(3, 6), length=draw.uniform(3, 6))
-    theta, omega = draw.uniform(0.8, 2.2) * draw.choice([-1, 1]), draw.uniform(0.2, 0.6) * draw.choice([-1, 1])
-    state = on_circle(theta, omega * pace(known), known["length"])
-    return [given(np.linspace(0.0, LONG, 60), state, **known).on("100 s")]
+    case = swinging(draw, 1, 2, gravity=draw.uniform(3, 6), length=draw.uniform(3, 6))
+    return [case.but(np.linspace(0.0, 100.0, 60)).on("100 s")]
 
 
 def at_the_top(draw):

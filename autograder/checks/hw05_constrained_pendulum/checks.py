@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from tam570_grader import Column, Invariant, agree, check, expect, follow, given, law, refuse, stays
+from tam570_grader import Column, Invariant, absolute, check, expect, follow, law
 from tam570_grader.writing.returns import array, number, rows
 
 from . import cases, right
@@ -47,17 +47,11 @@ def speed(case, expected):
     return max(np.abs(expected[:, 2:]).max(), math.sqrt(known["gravity"] * known["length"]))
 
 
-def one(*_):
-    return 1.0
-
-
 MOTION = (
     Column("the place", "m", [0, 1], scale=lambda case, _: case.kwargs["length"]),
     Column("the velocity", "m/s", [2, 3], scale=speed),
 )
-KEPT = Invariant("the energy", "of m g l", right.energies, one, ENERGY)
-
-
+KEPT = Invariant("the energy", "of m g l", right.energies, absolute, ENERGY)
 RESULTS = {
     "constraint_force": array(2).called("the constraint force", "N", force),
     "acceleration": array(2).called("the acceleration", "m/s^2", pull),
@@ -68,46 +62,27 @@ RESULTS = {
 }
 
 
-@check(points=2, part="a")
-def force_keeps_the_particle_on_the_circle(student, draw):
-    """constraint_force: radial, and such that F = m a keeps x^2 + y^2 as it is."""
-    hint = "Differentiate x^2 + y^2 = l^2 twice: which unknown does F = m a leave?"
-    agree(student.constraint_force, right, cases.states(draw), within=FORMULA, hint=hint)
-
-
+TWICE = "Differentiate x^2 + y^2 = l^2 twice: which unknown does F = m a leave?"
+force_keeps_the_particle_on_the_circle = law(
+    "constraint_force: radial, and such that F = m a keeps x^2 + y^2 as it is.", points=2, part="a"
+).agrees(right.constraint_force, cases.states, within=FORMULA, hint=TWICE)
 acceleration_is_that_of_both_forces = law(
     "acceleration: by the weight and the constraint force.", points=1.5, part="a"
 ).agrees(right.acceleration, cases.states, within=FORMULA, hint="What is r . a on the circle?")
 consistent_state_is_the_nearest = law(
-    "consistent_state: the position goes along its radius onto the circle, the velocity loses its radial part.",
-    points=1.25,
-    part="a",
+    "consistent_state: the place goes along its radius onto the circle, v loses its radial part.", points=1.25, part="a"
 ).agrees(right.consistent_state, cases.off_circle, within=FORMULA, hint="Which part of v is along the radius?")
-
-
-@check(points=0.25, part="a", after=consistent_state_is_the_nearest)
-def consistent_state_refuses_the_origin(student, draw):
-    """consistent_state raises ValueError where no point of the circle is the nearest."""
-    allowed = given(np.array([0.0, -2.0, 1.0, 1.0]), length=1.0)
-    accepts = [(allowed, right.consistent_state(*allowed.args, **allowed.kwargs))]
-    hint = "Which point of the circle is nearest to its centre?"
-    refuse(student.consistent_state, cases.origin(draw), accepts=accepts, within=FORMULA, hint=hint)
-
-
-@check(points=1, part="a")
-def energy_is_kinetic_and_potential(student, draw):
-    """energy: m v^2/2 and the potential energy of the weight, zero at y = 0."""
-    hint = "How high is it above y = 0, and how fast?"
-    agree(student.energy, right, cases.states(draw, "mass", "gravity"), within=FORMULA, hint=hint)
-
-
-@check(points=0.75, part="a")
-def without_gravity_it_goes_round_uniformly(student, draw):
-    """simulate: uniform motion around the circle where there is no gravity."""
-    hint = "What changes the velocity when there is no weight?"
-    follow(student.simulate, right, cases.without_gravity(draw), within=FOLLOWED, hint=hint, keeps=KEPT)
-
-
+NEAREST = "Which point of the circle is nearest to its centre?"
+consistent_state_refuses_the_origin = consistent_state_is_the_nearest.then(
+    "consistent_state raises ValueError where no point of the circle is the nearest.", points=0.25, part="a"
+).refuses(right.consistent_state, cases.origin, within=FORMULA, hint=NEAREST)
+energy_is_kinetic_and_potential = law(
+    "energy: m v^2/2 and the potential energy of the weight, zero at y = 0.", points=1, part="a"
+).agrees(right.energy, cases.states, within=FORMULA, hint="How high is it above y = 0, and how fast?")
+WEIGHTLESS = "What changes the velocity when there is no weight?"
+without_gravity_it_goes_round_uniformly = law(
+    "simulate: uniform motion around the circle where there is no gravity.", points=0.75, part="a"
+).follows(right.simulate, cases.without_gravity, within=FOLLOWED, hint=WEIGHTLESS, keeps=KEPT)
 with_gravity_it_swings_or_goes_round = law(
     "simulate: the state at few and uneven times, the first of which is not 0.", points=1, part="a"
 ).follows(right.simulate, cases.with_gravity, within=FOLLOWED, hint="Do both forces turn the velocity?", keeps=KEPT)
@@ -135,23 +110,14 @@ def drift(off, out):
     return "x^2 + y^2 = l^2 or r . v = 0", hint
 
 
-@check(points=0.25, part="a", after=with_gravity_it_swings_or_goes_round)
-def energy_stays(student, draw):
-    """simulate: after 100 s the energy has its first value."""
-    hint = "Tighten rtol and atol: does it leave the circle between the samples?"
-    share = {1e-3: 0.6, 1e-2: 0.3}
-    stays(student.simulate, right, cases.long(draw), KEPT, coarsely=COARSELY, partial=share, hint=hint)
-
-
-@check(points=0.5, part="a", after=with_gravity_it_swings_or_goes_round)
-def at_the_very_top_it_stays(student, draw):
-    """simulate: at rest straight above the hinge it is in equilibrium."""
-    hint = "What do the two forces add up to there?"
-    follow(student.simulate, right, cases.at_the_top(draw), within=TOP, hint=hint)
-
-
-@check(points=0.5, part="a")
-def wireframe_is_the_rod(student, draw):
-    """wireframe: one segment, from the hinge to the particle."""
-    hint = "Its first end is the hinge, its second the particle."
-    agree(student.wireframe, right, cases.states(draw, "length"), within=FORMULA, hint=hint)
+TIGHTEN, LOSSES = "Tighten rtol and atol: does it leave the circle between the samples?", {1e-3: 0.6, 1e-2: 0.3}
+energy_stays = with_gravity_it_swings_or_goes_round.then(
+    "simulate: after 100 s the energy has its first value.", points=0.25, part="a"
+).keeps(KEPT, right=right.simulate, cases=cases.long, coarsely=COARSELY, partial=LOSSES, hint=TIGHTEN)
+EQUILIBRIUM = "What do the two forces add up to there?"
+at_the_very_top_it_stays = with_gravity_it_swings_or_goes_round.then(
+    "simulate: at rest straight above the hinge it is in equilibrium.", points=0.5, part="a"
+).follows(right.simulate, cases.at_the_top, within=TOP, hint=EQUILIBRIUM, loose=False)
+wireframe_is_the_rod = law("wireframe: one segment, from the hinge to the particle.", points=0.5, part="a").agrees(
+    right.wireframe, cases.states, within=FORMULA, hint="Its first end is the hinge, its second the particle."
+)

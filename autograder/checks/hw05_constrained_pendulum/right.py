@@ -1,9 +1,9 @@
-"""What is right in hw05: acceleration and constraint force from one linear system, motions from elliptic functions."""
+"""What is right in hw05: acceleration and constraint force from one linear system, motions from the angle."""
 
 import math
 
 import numpy as np
-from scipy.special import ellipj, ellipkinc
+from scipy.integrate import solve_ivp
 
 
 def on_circle(theta, omega, length):
@@ -45,34 +45,18 @@ def wireframe(state, length):
     return np.array([[[0.0, 0.0], state[:2]]])
 
 
-def angles(state, length):
-    """Angle from straight down, and its rate."""
-    x, y, vx, vy = state
-    return math.atan2(x, -y), (x * vy - y * vx) / length**2
-
-
 def simulate(t, state, mass, length, gravity):
-    """(n, 4) states at the times t, by Jacobi's functions; above modulus one it goes round."""
-    if not np.any(state[2:]) and state[0] == 0:
-        return np.tile(state, (len(t), 1))
-    angle, rate = angles(state, length)
-    states = swung(t - t[0], angle, rate, length, gravity)
+    """(n, 4) states at the times t, by the angle from straight down."""
+    x, y, vx, vy = state
+    start = math.atan2(x, -y), (x * vy - y * vx) / length**2
+
+    def rates(_, angle):
+        return angle[1], -gravity / length * math.sin(angle[0])
+
+    angles = solve_ivp(rates, t[[0, -1]], start, method="DOP853", t_eval=t, rtol=1e-12, atol=1e-12).y
+    states = on_circle(*angles, length)
     states[0] = state
     return states
-
-
-def swung(t, theta, omega, length, gravity):
-    if gravity == 0:
-        return on_circle(theta + omega * t, np.full(len(t), omega), length)
-    k, half = math.sqrt(gravity / length), theta / 2
-    m = math.sin(half) ** 2 + (omega / (2 * k)) ** 2
-    if m < 1:
-        since = ellipkinc(math.atan2(math.sin(half), omega / (2 * k)), m)
-        sn, cn, _, _ = ellipj(since + k * t, m)
-        return on_circle(2 * np.arcsin(math.sqrt(m) * sn), 2 * k * math.sqrt(m) * cn, length)
-    spin = math.copysign(k * math.sqrt(m), omega)
-    _, _, dn, phase = ellipj(ellipkinc(half, 1 / m) + spin * t, 1 / m)
-    return on_circle(2 * phase, 2 * spin * dn, length)
 
 
 def energies(rows, mass, length, gravity):
