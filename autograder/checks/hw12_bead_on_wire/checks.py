@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from tam570_grader import Column, Invariant, agree, check, expect, follow, from_own_lagrangian, law
+from tam570_grader import Column, Invariant, agree, by_kind, check, expect, from_own_lagrangian, law
 from tam570_grader.writing.returns import array, formula, number, rows
 
 from . import cases, right
@@ -28,10 +28,6 @@ def largest_term(case, found):
     return abs(found) or values["g"] + values["c"] * values["v"] ** 2
 
 
-def kinetic_and_potential(x, v, m, c, g):
-    return right.energy(x, v, m, c, g) or 1.0
-
-
 def size(case, states):
     """The amplitude; without gravity the farthest place."""
     _, x, v = case.args
@@ -43,12 +39,8 @@ def pace(case, states):
     return size(case, states) * rate or np.max(np.abs(states[:, 1]))
 
 
-def energy_at_the_start(case, states):
-    return right.energy_of_rows(states[:1], **case.kwargs)[0]
-
-
 MOTION = (Column("x", "m", [0], scale=size), Column("v", "m/s", [1], scale=pace))
-KEPT = Invariant("the energy", "of itself", right.energy_of_rows, energy_at_the_start, ENERGY)
+KEPT = Invariant("the energy", "of itself", right.energy_of_rows, None, ENERGY)
 RESULTS = {
     "lagrangian": formula("x", "v", "m", "c", "g"),
     "lagrange_equation": formula("x", "v", "c", "g").called("x''", "m/s^2", largest_term),
@@ -65,108 +57,83 @@ def lagrangian_is_kinetic_less_potential(student, draw):
     """lagrangian: T - V in x, v, m, c, g, V up to a constant."""
     calls = cases.symbols(cases.beads(draw))
     levels = student.lagrangian.at([{**case.kwargs, "x": 0.0, "v": 0.0} for case in calls])
+    known = {"of": "the Lagrangian", "unit": "J", "hint": "How fast is the bead along the wire when x changes at v?"}
     for level, (case, value) in zip(levels, student.lagrangian.each(calls), strict=True):
-        within = FORMULA * kinetic_and_potential(**case.kwargs)
-        hint = "How fast is the bead along the wire when x changes at the rate v?"
-        expected = right.lagrangian(**case.kwargs)
-        expect(value - level, expected, within=within, of="the Lagrangian", unit="J", hint=hint)
+        within = FORMULA * (right.energy(*case.kwargs.values()) or 1.0)
+        expect(value - level, right.lagrangian(**case.kwargs), within=within, **known)
 
 
 @check(points=1.5, part="a")
 def lagrange_gives_the_acceleration(student, draw):
     """lagrange_equation: x'' in x, v, c, g alone."""
-    calls = cases.beads(draw)
-    equation, random = student.lagrange_equation, cases.symbols(calls[:5])
+    equation, calls = student.lagrange_equation, cases.symbols(cases.beads(draw))
 
     def hint(*_):
         wrong = "dT/dv depends on x, so its rate has a term with v; and dT/dx is not zero."
-        return from_own_lagrangian(equation, student.lagrangian, random, "x", "v") or wrong
+        return from_own_lagrangian(equation, student.lagrangian, calls[:5], "x", "v") or wrong
 
-    close = cases.next_to_bottom(calls[0])
-    agree(equation, right, cases.symbols(calls, "m"), within=FORMULA, hint=hint)
-    agree(equation, right, cases.symbols(close, "m"), within=FEW_DIGITS, hint=hint)
+    agree(equation, right, calls, within=FORMULA, hint=hint)
+    agree(equation, right, cases.symbols(cases.next_to_bottom(draw)), within=FEW_DIGITS, hint=hint)
 
 
-@check(points=1.5, part="b")
-def newton_gives_the_acceleration(student, draw):
-    """acceleration_newton: x'' by F = m a along the tangent, as Lagrange has it."""
-    calls, hint = cases.massless(cases.beads(draw)), "Differentiate y = c x^2 twice: y'' has two terms."
-    agree(student.acceleration_newton, right, calls, within=FORMULA, hint=hint)
-    agree(student.acceleration_newton, right, cases.next_to_bottom(calls[0]), within=FEW_DIGITS, hint=hint)
+TWICE = "Differentiate y = c x^2 twice: y'' has two terms."
+newton_gives_the_acceleration = (
+    law("acceleration_newton: x'' by F = m a along the tangent, as Lagrange has it.", points=1.5, part="b")
+    .agrees(right.acceleration_newton, cases.beads, within=FORMULA, hint=TWICE)
+    .also.agrees(right.acceleration_newton, cases.next_to_bottom, within=FEW_DIGITS, hint=TWICE)
+)
 
 
 @check(points=0.75, part="b")
 def force_has_the_right_size(student, draw):
     """constraint_force: as large as carrying and turning the bead takes."""
-    for case, force in student.constraint_force.each(cases.forces(draw)):
+    for case, force in student.constraint_force.each(cases.beads(draw) + cases.next_to_bottom(draw)):
         size = math.hypot(*right.constraint_force(*case.args, **case.kwargs))
         hint = "What force does a bead need at the bottom, at rest and passing by?"
         within = FORMULA * (size or 1.0)
         expect(math.hypot(*force), size, within=within, of="the size of the force", unit="N", hint=hint)
 
 
-SHARP = "Are the steps short enough for the sharp turn at the bottom?"
-SHARES = {1e-3: 0.6, 1e-2: 0.3}  # of the drift of the energy
+TANGENT = "Dot it with the tangent (1, 2 c x): is that zero? Does the force act on the bead?"
 force_and_weight_make_the_acceleration = force_has_the_right_size.then(
     "constraint_force: normal to the wire, and with the weight it is m a.", points=0.5, part="b"
-).agrees(
-    right.constraint_force,
-    cases.forces,
-    within=FORMULA,
-    hint="Dot it with the tangent (1, 2 c x): is that zero? Does the force act on the bead?",
-)
+).agrees(right.constraint_force, cases.beads, cases.next_to_bottom, within=FORMULA, hint=TANGENT)
+BEADS, ALONG = (cases.beads, cases.next_to_bottom, cases.nearly_at_rest), "v is not the speed along the wire."
 energy_is_kinetic_and_potential = law(
     "energy: of the speed along the wire and of the height above the bottom.", points=1, part="b"
-).agrees(right.energy, cases.energies, within=FORMULA, hint="v is not the speed along the wire.")
+).agrees(right.energy, *BEADS, within=FORMULA, hint=ALONG)
+WIDE = cases.rides(0.4, 1.0, 1000, 15.0, "an amplitude near 1/c")
 simulate_slides = law("simulate: large motions, row i at t[i], row 0 the given state.", points=1, part="b").follows(
-    right.simulate, cases.wide, within=TRAJECTORY, hint="Is v the rate of x? Is x'' as in part (a)?", keeps=KEPT
+    right.simulate, WIDE, within=TRAJECTORY, hint="Is v the rate of x? Is x'' as in part (a)?", keeps=KEPT
 )
-
-
-@check(points=0.5, part="b", after=simulate_slides)
-def simulate_needs_no_dense_times(student, draw):
-    """simulate: the same motion when only a few times are asked for."""
-    hint = "Your own steps are not those of t: is the tolerance tight?"
-    follow(student.simulate, right, cases.few_times(draw), within=TRAJECTORY, hint=hint)
-    small = "However small the amplitude, the other terms are there."
-    follow(student.simulate, right, [cases.close(draw)], within=TRAJECTORY, hint=small, gradual=False)
-
-
+OWN_STEPS = "Your own steps are not those of t: is the tolerance tight?"
+SMALL = "However small the amplitude, the other terms are there."
+simulate_needs_no_dense_times = (
+    simulate_slides.then("simulate: the same motion when only a few times are asked for.", points=0.5, part="b")
+    .follows(right.simulate, cases.few_times, within=TRAJECTORY, hint=OWN_STEPS)
+    .also.follows(right.simulate, cases.close, within=TRAJECTORY, hint=SMALL, gradual=False)
+)
 simulate_without_gravity = simulate_slides.then(
-    "simulate: without gravity the bead goes along the wire at its speed, whatever was asked before.",
-    points=0.25,
-    part="b",
+    "simulate: without gravity the bead keeps its speed, whatever was asked before.", points=0.25, part="b"
 ).follows(right.simulate, cases.weightless, within=TRAJECTORY, hint="Is anything divided by gravity?")
+STEEP = cases.rides(5.0, 8.0, 60, 60.0, "an amplitude of several 1/c")
+SHARP = "Are the steps short enough for the sharp turn at the bottom?"
 simulate_slides_down_steep_wires = simulate_slides.then(
     "simulate: an amplitude of many 1/c, where the bead turns sharply at the bottom.", points=0.25, part="b"
-).follows(right.simulate, cases.steep, within=SHARP_TURN, hint=SHARP)
+).follows(right.simulate, STEEP, within=SHARP_TURN, hint=SHARP)
+MANY_PERIODS = cases.rides(0.4, 1.0, 300, 180.0, "many periods")
+LOSSES, DURATION = {1e-3: 0.6, 1e-2: 0.3}, "Do your steps grow with the duration?"
 simulate_keeps_the_energy = simulate_slides.then(
     "simulate: the energy stays what it was over many periods.", points=0.25, part="b"
-).keeps(
-    KEPT,
-    right=right.simulate,
-    cases=cases.many_periods,
-    coarsely=COARSELY,
-    partial=SHARES,
-    hint="Do your steps grow with the duration?",
-)
+).keeps(KEPT, right=right.simulate, cases=MANY_PERIODS, coarsely=COARSELY, partial=LOSSES, hint=DURATION)
 period_is_exact = law("period: exact for amplitudes near 1/c.", points=1, part="b").agrees(
     right.period, cases.usual_periods, within=PERIOD, hint="The energy gives v at every x, and dt = dx/v."
 )
-
-
 TINY_AMPLITUDES = "Do you add a small number under a root, or use an absolute tolerance? 1e-15 m^2 is not small here."
-
-
-@check(points=0.5, part="b", after=period_is_exact)
-def period_of_small_and_of_huge_amplitudes(student, draw):
-    """period: exact where the wire is almost flat and where it is almost upright."""
-    tiny = cases.periods(draw, np.full(2, 1e-5), "an amplitude of a hundred-thousandth of 1/c", decades=(0.5, 1))
-    small = cases.periods(draw, 10 ** draw.uniform(-3, -2, 3), "an amplitude of some thousandths of 1/c")
-    huge = cases.periods(draw, np.append(10 ** draw.uniform(1, 2, 3), 100.0), "an amplitude of many 1/c")
-    for calls, within, hint in (
-        (tiny, TINY, TINY_AMPLITUDES),
-        (small, PERIOD, "Do you subtract nearly equal heights?"),
-        (huge, PERIOD, "Does your series or quadrature reach amplitudes of a hundred times 1/c?"),
-    ):
-        agree(student.period, right, calls, within=within, hint=hint)
+REACH = {"many": "Does your series or quadrature reach amplitudes of a hundred times 1/c?"}
+UNUSUAL = by_kind(REACH, "Do you subtract nearly equal heights?")
+period_of_small_and_of_huge_amplitudes = (
+    period_is_exact.then("period: exact on almost flat and on almost upright wires.", points=0.5, part="b")
+    .agrees(right.period, cases.tiny_periods, within=TINY, hint=TINY_AMPLITUDES)
+    .also.agrees(right.period, cases.unusual_periods, within=PERIOD, hint=UNUSUAL)
+)
