@@ -9,6 +9,7 @@ from tam570_grader import SOME_TIMES, given, in_turn, uneven
 
 from .right import Z, centre, rate_of
 
+X, Y = np.eye(3)[:2]
 WHOLE = {"mass": 1.0, "stiffness": 1.0, "gravity": 1.0}
 PLAIN = {
     "at rest": lambda r, v, centre: (r, 0 * v),
@@ -20,7 +21,16 @@ PLAIN = {
     "level with the origin": lambda r, v, centre: (r * (1 - Z), v * (1 - Z)),
     "in the plane y = 0": lambda r, v, centre: (r * [1, 0, 1], v * [1, 0, 1]),
 }  # kind: the position and velocity, of random ones and the place of rest
-WEIGHTS = {None: "", 0.0: ", without gravity"}
+C, S = math.cos(1.0), math.sin(1.0)  # radii a X and b Y, and those where the mass is at 1 rad
+# kind: positions from the place of rest, and velocities, of WHOLE; the last kinds are far enough off to be told
+ABOUT_REST = {
+    "a circle": [(X, Y), (X, Z), (Z, X)],
+    "a general ellipse": [(2 * X, Y), (X, 2 * Y)],
+    "a thin ellipse": [(C * X + 1e-2 * S * Y, 1e-2 * C * Y - S * X)],
+    "an ellipse that is nearly a circle": [(1.003 * C * X + 0.997 * S * Y, 0.997 * C * Y - 1.003 * S * X)],
+    "radii of equal length, which are no axes": [(2 * X, math.sqrt(2) * (X + Y))],
+    "radii that are nearly axes": [(2 * X, 5e-4 * X + Y)],
+}
 PLAIN_VIEWS = {
     "along x": (0.0, 0.0),
     "along y": (math.pi / 2, 0.0),
@@ -57,23 +67,21 @@ def random(draw, gravity=None, kind="a random start"):
 def plain(draw):
     """Positions and velocities with zeros, with gravity and without; whole numbers."""
     found = []
-    for (kind, place), (gravity, without) in itertools.product(PLAIN.items(), WEIGHTS.items()):
+    for (kind, place), gravity in itertools.product(PLAIN.items(), (None, 0.0)):
         case = random(draw, gravity)
-        found.append(case.but(*place(*case.args, centre(**case.kwargs))).on(f"a mass {kind}{without}"))
+        weight = "" if gravity is None else ", without gravity"
+        found.append(case.but(*place(*case.args, centre(**case.kwargs))).on(f"a mass {kind}{weight}"))
     whole = given(np.array([1.0, -1.0, 2.0]), np.array([-1.0, 1.0, 1.0]), **WHOLE).on("whole numbers")
     return [*found, whole, whole.but(whole.args[0], np.zeros(3)).on("whole numbers, at rest")]
 
 
-def randoms(draw, number, without=2):
-    return [random(draw) for _ in range(number - without)] + [random(draw, 0.0) for _ in range(without)]
-
-
 def states(draw):
-    return [given(np.hstack(case.args), **case.kwargs).on(case.kind) for case in randoms(draw, 12) + plain(draw)]
+    cases = [random(draw) for _ in range(10)] + [random(draw, 0.0) for _ in range(2)] + plain(draw)
+    return [given(np.hstack(case.args), **case.kwargs).on(case.kind) for case in cases]
 
 
 def states_at_times(draw):
-    return [given(draw.uniform(-5, 5), *case.args, **case.kwargs).on(case.kind) for case in states(draw)]
+    return [timed(case, draw.uniform(-5, 5)) for case in states(draw)]
 
 
 def period(case):
@@ -81,56 +89,50 @@ def period(case):
 
 
 def timed(case, t, kind=""):
-    return given(np.asarray(t), *case.args, **case.kwargs).on(kind or case.kind)
+    return given(t, *case.args, **case.kwargs).on(kind or case.kind)
 
 
-def at_times(draw, number, periods, shifted, without, kind):
-    """Random starts at uneven times; shifted times do not start at zero."""
-    found = []
-    for case in randoms(draw, number, without):
-        first = draw.uniform(0.2, 0.9) * period(case) * draw.choice([-1, 1]) if shifted else 0.0
-        found.append(timed(case, uneven(draw, periods * period(case), 12, first), kind))
-    return found
+def motion(draw, periods, kind, first=None, gravity=None, count=12):
+    """A random start at uneven times, the first of which is not zero unless that is said."""
+    case = random(draw, gravity)
+    return timed(case, uneven(draw, periods * period(case), count, first), kind)
 
 
-def at_two_times(draw, shifted):
-    """Of the plain cases; shifted times need not start at zero."""
-    found = []
-    for case in plain(draw):
-        later = shifted * draw.integers(2) * draw.uniform(-1, 1) * period(case)
-        t = later + np.array([0.0, draw.uniform(0.3, 1.3) * period(case)])
-        found.append(timed(case, t, f"two times, {case.kind}"))
-    return found
+def at_two_times(draw):
+    """Of the plain cases."""
+    return [
+        timed(case, np.array([0.0, draw.uniform(0.3, 1.3) * period(case)]), f"two times, {case.kind}")
+        for case in plain(draw)
+    ]
 
 
 def alike(draw):
     """The same motion again, and with one argument changed at a time."""
-    case = random(draw)
-    first = timed(case, uneven(draw, period(case), 3, 0.0), "three times")
+    first = motion(draw, 1, "three times", 0.0, count=3)
     return [first, *in_turn(draw, first)]
 
 
 def with_gravity(draw):
-    random = at_times(draw, 4, 1.7, False, 0, "a random start")
-    return random + [case for case in at_two_times(draw, False) if case.kwargs["gravity"]]
+    random = [motion(draw, 1.7, "a random start", 0.0) for _ in range(4)]
+    return random + [case for case in at_two_times(draw) if case.kwargs["gravity"]]
 
 
 def from_any_time(draw):
     """Of the closed form: without gravity, shifted times, a single one, descending ones, and nothing kept."""
-    found = at_times(draw, 2, 1.3, False, 2, "no gravity")
-    found += at_times(draw, 2, 1.3, True, 0, "times that do not start at 0")
-    found += [case for case in at_two_times(draw, False) if not case.kwargs["gravity"]]
-    (case,) = at_times(draw, 1, 1.3, False, 0, "")
-    found += [case.but(case.args[0][some]).on(kind) for kind, some in SOME_TIMES.items()]
-    return found + alike(draw)
+    without = [motion(draw, 1.3, "no gravity", 0.0, gravity=0.0) for _ in range(2)]
+    shifted = [motion(draw, 1.3, "times that do not start at 0") for _ in range(2)]
+    plain = [case for case in at_two_times(draw) if not case.kwargs["gravity"]]
+    case = motion(draw, 1.3, "", 0.0)
+    some = [case.but(case.args[0][some]).on(kind) for kind, some in SOME_TIMES.items()]
+    return without + shifted + plain + some + alike(draw)
 
 
 def moving(draw):
-    return at_times(draw, 4, 2.3, True, 1, "uneven times, t[0] not 0")
+    return [motion(draw, 2.3, "uneven times, t[0] not 0", gravity=gravity) for gravity in (None, None, None, 0.0)]
 
 
 def far_apart(draw):
-    return [case.but(case.args[0][[0, -1]]) for case in at_times(draw, 2, 6.4, True, 0, "two times far apart")]
+    return [motion(draw, 6.4, "two times far apart", count=2) for _ in range(2)]
 
 
 def stiff(draw):
@@ -142,8 +144,7 @@ def stiff(draw):
 
 
 def ten_periods(draw):
-    case = random(draw)
-    return [timed(case, uneven(draw, 10 * period(case), 60, 1.0), "ten periods, t[0] not 0")]
+    return [motion(draw, 10, "ten periods, t[0] not 0", 1.0, count=60)]
 
 
 # Ellipses
@@ -173,36 +174,15 @@ def flat(draw):
             along = rate_of(**case.kwargs) * draw.uniform(-2, 2) * (case.args[0] - centre(**case.kwargs))
             found.append(case.but(case.args[0], moves * along))
         found.append(case.but(centre(**case.kwargs), np.zeros(3)).on("a point"))
-    x, y, rest = np.array([1.0, 0.0, 0.0]), np.array([0.0, 1.0, 0.0]), -Z
-    lines = [(0 * x, 0 * x), (rest + x, 0 * x), (rest, y)]
-    found += [given(*line, **WHOLE).on("a line") for line in lines]
-    return [*found, given(rest, 0 * x, **WHOLE).on("a point")]
-
-
-def radii(a, b):
-    """Two radii of the ellipse with these semi-axes along x and y, one where the mass is at 1 rad and the velocity."""
-    c, s = math.cos(1.0), math.sin(1.0)
-    return np.array([a * c, b * s, 0.0]), np.array([-a * s, b * c, 0.0])
-
-
-# kind: position from the place of rest, and velocity, of WHOLE; each is far enough beyond the limits to be told
-NEARLY_PLAIN = {
-    "a thin ellipse": radii(1.0, 1e-2),
-    "an ellipse that is nearly a circle": radii(1.003, 0.997),
-    "radii of equal length, which are no axes": math.sqrt(2) * np.array([[math.sqrt(2), 0, 0], [1, 1, 0]]),
-    "radii that are nearly axes": np.array([[2, 0, 0], [5e-4, 1, 0]]),
-}
+    lines = (0 * X, 0 * X, "a line"), (X - Z, 0 * X, "a line"), (-Z, Y, "a line"), (-Z, 0 * X, "a point")
+    return found + [given(r, v, **WHOLE).on(kind) for r, v, kind in lines]
 
 
 def plain_ellipses():
-    """Of whole numbers, about (0, 0, -1): level or upright circle and ellipse."""
-    x, y, rest = np.array([1.0, 0.0, 0.0]), np.array([0.0, 1.0, 0.0]), -Z
-    circle, ellipse = "a circle", "a general ellipse"
-    starts = [(x, y, circle), (x, Z, circle), (2 * x, y, ellipse), (x, 2 * y, ellipse), (Z, x, circle)]
-    starts += [(p, v, kind) for kind, (p, v) in NEARLY_PLAIN.items()]
-    found = [given(rest + p, v, **WHOLE).on(kind) for p, v, kind in starts]
+    """Of whole numbers, about (0, 0, -1): level or upright circle and ellipse; others of each parameter alone."""
+    found = [given(p - Z, v, **WHOLE).on(kind) for kind, starts in ABOUT_REST.items() for p, v in starts]
     again = "an ellipse of a start as before, with another"
-    return found + [found[2].but(**{name: 2.0}).on(f"{again} {name}") for name in WHOLE]
+    return found + [given(2 * X - Z, Y, **{**WHOLE, name: 2.0}).on(f"{again} {name}") for name in WHOLE]
 
 
 def orbits(draw):

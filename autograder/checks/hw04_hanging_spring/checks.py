@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from tam570_grader import Column, Invariant, agree, check, expect, expect_that, follow, law
+from tam570_grader import Column, Invariant, absolute, check, expect, expect_that, law
 from tam570_grader.writing.drawings import curves_seen, judge_axes_of_lengths, path_drawn
 from tam570_grader.writing.returns import array, drawing, group, number, rows
 
@@ -26,10 +26,6 @@ TENSOR = 1e-7
 NOUGHT = 1e-3
 RIGHT_ANGLE = 1e-7  # of the larger axis, along the smaller; eigenvectors are good to rounding over the gap
 DRAWN = 1e-3  # of the picture; chords of the 401 points that it is compared with leave the path by 1e-5
-
-
-def one(*_):
-    return 1.0
 
 
 def length(case, _=None):
@@ -56,27 +52,22 @@ def energy_size(case, _):
 
 
 MOTION = Column("the position", "m", [0, 1, 2], scale=length), Column("the velocity", "m/s", [3, 4, 5], scale=speed)
-KEPT = Invariant("the energy", "of its start", right.energies, right.energy_at_the_start, ENERGY)
-
-
+KEPT = Invariant("the energy", "of its start", right.energies, None, ENERGY)
 RESULTS = {
     "state_derivative": array(6).called("a rate", "of its size", rate_size),
     "simulate": rows(6, columns=MOTION),
     "solution": rows(6).called("the motion", "of its size", state_size),
     "energy": number.called("the energy", "J", energy_size),
     "orbit": group(array(3).called("the centre", "m", length), array(2, 3)),
-    "project": array("n", 2).called("a point of the picture", "m", one),
+    "project": array("n", 2).called("a point of the picture", "m", absolute),
     "plot_projection": drawing,
 }
 
 
-@check(points=1.5, part="a")
-def derivative_is_velocity_and_force_over_mass(student, draw):
-    """state_derivative: the velocity, and the acceleration by the spring and the weight."""
-    hint = "Which two forces act on the mass, and which way, when it is below the origin?"
-    agree(student.state_derivative, right, cases.states_at_times(draw), within=POINTWISE, hint=hint)
-
-
+BELOW = "Which two forces act on the mass, and which way, when it is below the origin?"
+derivative_is_velocity_and_force_over_mass = law(
+    "state_derivative: the velocity, and the acceleration by the spring and the weight.", points=1.5, part="a"
+).agrees(right.state_derivative, cases.states_at_times, within=POINTWISE, hint=BELOW)
 energy_is_that_of_motion_spring_and_weight = law(
     "energy: kinetic, of the spring, of the weight; zero at rest at the origin.", points=1, part="a"
 ).agrees(right.energy, cases.states, within=POINTWISE, hint="Three terms: speed, stretch, height.")
@@ -94,40 +85,30 @@ def in_columns(hint):
     return told
 
 
-@check(points=1.5, part="a")
-def solution_is_the_motion(student, draw):
-    """solution: position and velocity in closed form, given those at t = 0."""
-    hint = in_columns("About which point does it oscillate, and how fast?")
-    agree(student.solution, right, cases.with_gravity(draw), within=POINTWISE, hint=hint)
-
-
-@check(points=0.5, part="a", after=solution_is_the_motion)
-def solution_holds_without_gravity_and_from_any_time(student, draw):
-    """solution: without gravity too, and at times of which none is zero."""
-    hint = in_columns("Row i is the state at t[i], and the given state belongs to t = 0.")
-    agree(student.solution, right, cases.from_any_time(draw), within=POINTWISE, hint=hint)
-
-
-@check(points=1, part="a")
-def simulate_moves_as_it_must(student, draw):
-    """simulate: the state at few and uneven times, the first of which is not 0."""
-    hint = "Row i is the state at t[i], and the given state is that at t[0]."
-    follow(student.simulate, right, cases.moving(draw), within=TRAJECTORY, hint=hint, keeps=KEPT)
-
-
-@check(points=0.5, part="a", after=simulate_moves_as_it_must)
-def simulate_does_not_depend_on_the_sampling(student, draw):
-    """simulate: only two times, many periods apart, and the same state as by many, whatever was asked before."""
-    steps = "Steps between the times must be as short as the motion asks for."
-    follow(student.simulate, right, cases.far_apart(draw), within=3 * TRAJECTORY, hint=steps)
-    plain, hint = cases.at_two_times(draw, True) + cases.alike(draw), "Row 0 is the given state, the state at t[0]."
-    follow(student.simulate, right, plain, within=TRAJECTORY, hint=hint)
-    hint = "A step of fixed length does not do for every spring."
-    follow(student.simulate, right, cases.stiff(draw), within=TRAJECTORY, hint=hint)
-
-
-energy_stays = law(
-    "simulate: after ten periods the energy has its first value.", points=0.5, part="a", after=simulate_moves_as_it_must
+WHERE = in_columns("About which point does it oscillate, and how fast?")
+solution_is_the_motion = law(
+    "solution: position and velocity in closed form, given those at t = 0.", points=1.5, part="a"
+).agrees(right.solution, cases.with_gravity, within=POINTWISE, hint=WHERE)
+AT_ZERO = in_columns("Row i is the state at t[i], and the given state belongs to t = 0.")
+solution_holds_without_gravity_and_from_any_time = solution_is_the_motion.then(
+    "solution: without gravity too, and at times of which none is zero.", points=0.5, part="a"
+).agrees(right.solution, cases.from_any_time, within=POINTWISE, hint=AT_ZERO)
+AT_THE_FIRST = "Row i is the state at t[i], and the given state is that at t[0]."
+simulate_moves_as_it_must = law(
+    "simulate: the state at few and uneven times, the first of which is not 0.", points=1, part="a"
+).follows(right.simulate, cases.moving, within=TRAJECTORY, hint=AT_THE_FIRST, keeps=KEPT)
+STEPS = "Steps between the times must be as short as the motion asks for."
+FIXED = "A step of fixed length does not do for every spring."
+simulate_does_not_depend_on_the_sampling = (
+    simulate_moves_as_it_must.then(
+        "simulate: the same by two times alone, many periods apart, whatever was asked before.", points=0.5, part="a"
+    )
+    .follows(right.simulate, cases.far_apart, within=3 * TRAJECTORY, hint=STEPS)
+    .also.follows(right.simulate, cases.at_two_times, cases.alike, within=TRAJECTORY, hint=AT_THE_FIRST)
+    .also.follows(right.simulate, cases.stiff, within=TRAJECTORY, hint=FIXED)
+)
+energy_stays = simulate_moves_as_it_must.then(
+    "simulate: after ten periods the energy has its first value.", points=0.5, part="a"
 ).keeps(KEPT, right=right.simulate, cases=cases.ten_periods, coarsely=COARSELY, partial={1e-3: 0.6, 1e-2: 0.3})
 
 

@@ -51,10 +51,6 @@ def energies(states, mass, stiffness, gravity):
     return (stiffness * np.sum(places**2, axis=1) + mass * np.sum(states[:, 3:] ** 2, axis=1)) / 2
 
 
-def energy_at_the_start(case, rows):
-    return energies(rows[:1], **case.kwargs)[0]
-
-
 def orbit(position, velocity, **known):
     """The centre, and Fradkin's tensor over stiffness/2: its eigenvalues are the squares of the axes, which give it."""
     place = position - centre(**known)

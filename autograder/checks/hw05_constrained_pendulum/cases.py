@@ -94,10 +94,11 @@ def pace(known):
     return math.sqrt(known["gravity"] / known["length"]) or 1.0  # 1/s
 
 
-def moved(draw, kind, turns, count, theta, omega, known, signs=(1,)):
+def moved(draw, kind, turns, count, start, known, signs=(1,)):
     """A motion of so many turns at uneven times, which begin after t = 0, or before as well."""
     span = turns * 2 * math.pi / pace(known)
     t = uneven(draw, span, count, span * draw.uniform(0.2, 0.8) * draw.choice(signs))
+    theta, omega = start
     state = on_circle(theta, omega * pace(known), known["length"])
     state[np.abs(state) < 1e-15 * np.abs(state).max()] = 0.0  # sin pi and cos pi/2
     return given(t, state, **known).on(f"{kind}, times from {'below' if t[0] < 0 else 'above'} zero on")
@@ -111,13 +112,13 @@ def plain(draw, weight):
         for count, sign in ((2, side), (3, -side)):
             known, turns = parameters(draw, **fixed), draw.uniform(0.3, 0.8)
             start = theta * sign, omega * sign
-            cases.append(moved(draw, f"{kind}, {count} times", turns, count, *start, known, (-1, 1)))
+            cases.append(moved(draw, f"{kind}, {count} times", turns, count, start, known, (-1, 1)))
     return cases
 
 
 def swinging(draw, turns, count, **fixed):
     start = draw.uniform((0.8, 0.2), (2.2, 0.6)) * draw.choice([-1, 1], 2)
-    return moved(draw, "swinging", turns, count, *start, parameters(draw, **fixed))
+    return moved(draw, "swinging", turns, count, start, parameters(draw, **fixed))
 
 
 def with_gravity(draw):
@@ -125,7 +126,7 @@ def with_gravity(draw):
     again, far = swinging(draw, 1.8, 5), swinging(draw, 3.1, 9)
     return [
         swinging(draw, 1.8, 9),
-        moved(draw, "going round over the top", 1.8, 9, *round_the_top, parameters(draw), (-1, 1)),
+        moved(draw, "going round over the top", 1.8, 9, round_the_top, parameters(draw), (-1, 1)),
         *in_turn(draw, again, start=(again.args[1] * [-1, 1, -1, 1],), length=None),
         far.but(far.args[0][[0, -1]]).on("two times far apart"),
         *plain(draw, True),
@@ -134,7 +135,7 @@ def with_gravity(draw):
 
 def without_gravity(draw):
     known, omega = parameters(draw, gravity=0.0), draw.uniform(1, 4) * draw.choice([-1, 1])
-    return [moved(draw, "no gravity", 2.3 / abs(omega), 12, draw.uniform(-3, 3), omega, known), *plain(draw, False)]
+    return [moved(draw, "no gravity", 2.3 / abs(omega), 12, (draw.uniform(-3, 3), omega), known), *plain(draw, False)]
 
 
 def long(draw):
