@@ -5,10 +5,10 @@ import math
 
 import numpy as np
 
-from tam570_grader import given, in_turn, once, uneven
+from tam570_grader import given, in_turn, uneven
 
 RIGHT_ANGLE = math.pi / 2
-ANY = "random angles, masses and lengths"
+ANY = "a random pendulum"
 UNIT = {"masses": np.ones(2), "lengths": np.ones(2), "gravity": 1.0}
 PLACES = {
     "hanging straight down": (0.0, 0.0),
@@ -21,46 +21,42 @@ PLACES = {
 }
 
 
-def pendulum(draw, *names, **fixed):
-    """Random masses, lengths and gravity, those of these names; unequal, and not of size one."""
-    known = {
+def pendulum(draw, **fixed):
+    """Random masses, lengths and gravity; unequal, and not of size one."""
+    drawn = {
         "masses": 10 ** draw.uniform(-0.5, 0.7, 2),
         "lengths": 10 ** draw.uniform(-0.4, 0.4, 2),
         "gravity": draw.uniform(1.5, 25.0),
-        **fixed,
     }
-    return {name: known[name] for name in names or known}
+    return {**drawn, **fixed}
 
 
-def angles(draw):
-    return draw.uniform(-5, 5, 2)
+def thrown(count, kind=ANY, **fixed):
+    """Any angles and rates."""
+
+    def drawn(draw):
+        rates = [draw.uniform(0.5, 5, 2) * draw.choice([-1, 1], 2) for _ in range(count)]
+        return [given(draw.uniform(-5, 5, 2), rate, **pendulum(draw, **fixed)).on(kind) for rate in rates]
+
+    return drawn
 
 
-def thrown(draw, n, *names, **fixed):
-    rates = [draw.uniform(0.5, 5, 2) * draw.choice([-1, 1], 2) for _ in range(n)]
-    return [given(angles(draw), rate, **pendulum(draw, *names, **fixed)).on(ANY) for rate in rates]
+def moving(draw):
+    """And others like the first: exact angles and rates, equal bars, unit bars, no gravity."""
+    random = thrown(8)(draw)
+    plain = _places(random[0]) + _alike(random[0])
+    weightless = [case.but(gravity=0.0).on(f"{case.kind}, no gravity") for case in plain[:7]]
+    return [*random, *plain, *_rates(random[0]), *weightless, *thrown(3, "no gravity", gravity=0.0)(draw)]
 
 
-def moving(draw, n, *names):
-    return with_plain(thrown(draw, n, *names))
+def resting(draw):
+    """The same for functions of the angles alone."""
+    random = thrown(8)(draw)
+    return random + _places(random[0]) + _alike(random[0])
 
 
-def with_weightless(draw, n):
-    return with_plain(thrown(draw, n) + thrown(draw, 3, gravity=0.0))
-
-
-def resting(draw, n, *names):
-    return with_plain([given(angles(draw), **pendulum(draw, *names)).on(ANY) for _ in range(n)])
-
-
-def pendulums(draw):
-    return [given(**pendulum(draw)).on("random masses and lengths") for _ in range(10)]
-
-
-def with_plain(cases):
-    """The cases, and others like the first: exact angles and rates, equal bars, unit bars, no gravity."""
-    first = cases[0]
-    (th1, th2), omega, known = first.args[0], first.args[1:], first.kwargs
+def _places(case):
+    th1, th2 = case.args[0]
     places = {
         **PLACES,
         "bar 1 straight down": (0.0, th2),
@@ -71,62 +67,47 @@ def with_plain(cases):
         "bar 1 horizontal to the left": (-RIGHT_ANGLE, th2),
         "bars in line": (th1, th1 + math.pi),
     }
-    plain = [first.but(np.array(place)).on(kind) for kind, place in places.items()]
-    plain += [first.but(**bars).on(kind) for kind, bars in _alike(known).items()]
-    if omega:
-        plain += _rates(first, {kind: np.array(place) for kind, place in places.items()})
-        plain += [case.but(gravity=0.0).on(f"{case.kind}, no gravity") for case in plain[:7] if "gravity" in known]
-    return [*cases, *plain]
+    return [case.but(np.array(place)).on(kind) for kind, place in places.items()]
 
 
-def _alike(known):
-    alike = {"equal masses": {"masses"}, "equal lengths": {"lengths"}, "equal bars": {"masses", "lengths"}}
-    equal = {kind: {name: np.full(2, known[name][0]) for name in names & known.keys()} for kind, names in alike.items()}
-    return {**equal, "masses, lengths and gravity 1": {name: UNIT[name] for name in known}}
+def _alike(case):
+    equal = {name: np.full(2, case.kwargs[name][0]) for name in ("masses", "lengths")}
+    bars = {f"equal {name}": {name: one} for name, one in equal.items()} | {"equal bars": equal, "all 1": UNIT}
+    return [case.but(**fixed).on(kind) for kind, fixed in bars.items()]
 
 
-def _rates(first, places):
-    theta, (om1, om2) = first.args
+def _rates(case):
+    (th1, th2), (om1, om2) = case.args
     paces = {"at rest": (0.0, 0.0), "om1 = 0": (0.0, om2), "om2 = 0": (om1, 0.0), "om1 = om2": (om1, om1)}
     paces["om1, om2 < 0"] = (-abs(om1), -abs(om2))
-    in_line = np.full(2, theta[0])
-    moved = [(place, pace, how) for how, pace in paces.items() for place in (theta, in_line)]
-    still = [(places[kind], (0.0, 0.0), f"{kind}, at rest") for kind in ("bar 1 straight down", "both bars horizontal")]
-    return [first.but(place, np.array(pace)).on(how) for place, pace, how in moved + still]
+    moved = [((th1, other), pace, how) for how, pace in paces.items() for other in (th2, th1)]
+    still = (((0.0, th2), "bar 1 straight down"), ((RIGHT_ANGLE, RIGHT_ANGLE), "both bars horizontal"))
+    moved += [(place, (0.0, 0.0), f"{kind}, at rest") for place, kind in still]
+    return [case.but(np.array(place), np.array(pace)).on(how) for place, pace, how in moved]
 
 
 def nearly_massless(draw):
     """One bar of a mass 1e-9 of the other's."""
     cases = []
     for name, ratio in (("lower", [1.0, 1e-9]), ("upper", [1e-9, 1.0])):
-        for _ in range(3):
-            (case,) = thrown(draw, 1, masses=draw.uniform(0.5, 4) * np.array(ratio))
-            cases.append(case.on(f"a nearly massless {name} bar"))
+        for heavy in draw.uniform(0.5, 4, 3):
+            cases += thrown(1, f"a nearly massless {name} bar", masses=heavy * np.array(ratio))(draw)
     return cases
 
 
 def straight_down(draw):
     """Both bars straight down, at rest and moving: nothing accelerates."""
-    (case,) = thrown(draw, 1)
+    (case,) = thrown(1)(draw)
     still, moves = case.but(np.zeros(2), np.zeros(2)), case.but(np.zeros(2))
     return [still.on("hanging at rest"), moves.on("hanging straight down, moving")]
 
 
 def special(draw):
-    """Equal bars, a nearly massless bar, no gravity, by name."""
-    length, heavy = draw.uniform(0.5, 2), draw.uniform(0.5, 2)
-    equal = {"masses": np.full(2, heavy), "lengths": np.full(2, length)}
-    kinds = {
-        "equal bars": equal,
-        "equal masses": {"masses": equal["masses"]},
-        "equal lengths": {"lengths": equal["lengths"]},
-        "masses, lengths and gravity 1": UNIT,
-        "equal bars, no gravity": {**equal, "gravity": 0.0},
-        "a nearly massless lower bar": {"masses": heavy * np.array([1, 1e-9]), "lengths": length * np.array([1, 1.6])},
-        "a nearly massless upper bar": {"masses": heavy * np.array([1e-9, 1.0])},
-        "no gravity": {"gravity": 0.0},
-    }
-    return [given(**pendulum(draw, **fixed)).on(kind) for kind, fixed in kinds.items()]
+    """Equal bars, no gravity, a nearly massless bar, by name."""
+    (case,) = thrown(1)(draw)
+    alike = _alike(case)
+    weightless = [one.but(gravity=0.0).on(f"{one.kind}, no gravity") for one in (case, alike[2])]
+    return [*alike, *weightless, *nearly_massless(draw)]
 
 
 # Motions: theta and omega over the usual rate of a motion from there
@@ -137,7 +118,7 @@ STARTS = {
     # more than half a turn from one time to another: angles unwrapped from row to row are off by whole turns
     "a fast start with th1 = th2, om1 = om2": ((0.3, 0.3), (4.5, 4.5), {}),
     "a start with negative angles": ((-0.5, -1.0), (0.3, 0.6), {}),
-    "masses, lengths and gravity 1": ((1.0, 0.0), (0.0, 1.0), UNIT),
+    "all 1": ((1.0, 0.0), (0.0, 1.0), UNIT),
     "equal bars": ((0.7, -1.2), (0.4, 0.6), {"masses": np.full(2, 1.7), "lengths": np.full(2, 0.6)}),
 }
 
@@ -154,9 +135,8 @@ def motions(draw):
         turns = 2 * math.pi * np.sign(origin) * np.array([1, -1])  # an angle beyond pi stays there
         t = uneven(draw, draw.uniform(4, 6) * pace(known), 40, origin)
         start = draw.uniform(-2, 2, 2) + turns, draw.uniform(-1, 1, 2) / pace(known)
-        cases.append(given(t, *start, **known).on("t[0] = 0" if origin == 0 else "t[0] not 0"))
-    first = cases[-1]
-    return cases + plain_motions(draw) + in_turn(draw, first.but(first.args[0][:4]))
+        cases.append(given(t, *start, **known).on("t[0] not 0" if origin else "t[0] = 0"))
+    return cases + plain_motions(draw) + in_turn(draw, cases[-1].but(t[:4]))
 
 
 def plain_motions(draw):
@@ -177,13 +157,12 @@ def from_horizontal(draw):
 
 def weightless(draw):
     """Moving, and at rest, without gravity."""
-    (call,) = thrown(draw, 1, gravity=0.0)
-    moves = given(uneven(draw, 3.0, 40, 0.0), *call.args, **call.kwargs).on("a pendulum without gravity")
-    still = moves.but(moves.args[0][[0, -1]], call.args[0], np.zeros(2))
+    (case,) = thrown(1, gravity=0.0)(draw)
+    moves = given(uneven(draw, 3.0, 40, 0.0), *case.args, **case.kwargs).on("a pendulum without gravity")
+    still = moves.but(moves.args[0][[0, -1]], case.args[0], np.zeros(2))
     return [moves, still.on("a pendulum at rest without gravity, two times")]
 
 
-@once
 def tip_path(draw):
     """A call whose path goes to and fro, not from t = 0: a path from there has another end."""
     known = pendulum(draw)

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from tam570_grader import Column, Invariant, agree, check, curves_seen, judge_axes_of_lengths, law, path_drawn, stays
+from tam570_grader import Column, Invariant, check, curves_seen, judge_axes_of_lengths, law, path_drawn
 from tam570_grader.writing.returns import array, drawing, group, number, rows
 
 from . import cases, right
@@ -62,100 +62,10 @@ RESULTS = {
 }
 
 
-@check(points=1, part="a")
-def mass_matrix_makes_the_kinetic_energy(student, draw):
-    """mass_matrix: half of omega . M omega is the kinetic energy of the two bars."""
-    hint = "write the velocities of both mass centres by the absolute angular velocities"
-    agree(student.mass_matrix, right, cases.resting(draw, 8, "masses", "lengths"), within=FORMULA, hint=hint)
-
-
-@check(points=1, part="a")
-def velocity_terms_are_centripetal(student, draw):
-    """velocity_terms: {f} of Lagrange's equations."""
-    hint = "which way does each mass centre accelerate when alpha is zero?"
-    agree(student.velocity_terms, right, cases.moving(draw, 8, "masses", "lengths"), within=FORMULA, hint=hint)
-
-
-@check(points=0.75, part="a")
-def gravity_terms_are_moments_of_the_weights(student, draw):
-    """gravity_terms: {g}, the derivatives of the potential energy by th1 and th2."""
-    hint = "how does the height of each mass centre change with each angle?"
-    agree(student.gravity_terms, right, cases.resting(draw, 8), within=FORMULA, hint=hint)
-
-
 def in_equations(case, found, _):
     if not np.any(found) and case.kwargs["gravity"] == 0:
         return "without gravity the bars still act on each other: why does neither accelerate?"
     return "put alpha back into [M]{alpha} + {f} + {g}: is it zero?"
-
-
-accelerations_obey_the_equations = law(
-    "angular_acceleration: [M]{alpha} + {f} + {g} = 0, without gravity too.", points=0.75, part="a"
-).agrees(right.angular_acceleration, lambda draw: cases.with_weightless(draw, 8), within=FORMULA, hint=in_equations)
-
-
-SCALED = "do rows of your linear system differ in size by 1e-9?"
-
-
-@check(points=0.25, part="a", after=accelerations_obey_the_equations)
-def accelerations_with_a_nearly_massless_bar(student, draw):
-    """angular_acceleration keeps its digits when one bar has 1e-9 of the other's mass."""
-    agree(student.angular_acceleration, right, cases.nearly_massless(draw), within=MASSLESS, hint=SCALED)
-
-
-@check(points=0.5, part="a")
-def free_bars_accelerate_as_lagranges(student, draw):
-    """on_the_fly: alpha from two free bars and two hinge constraints."""
-    hint = "two bars have three equations each, two hinges two constraints each: do you solve all ten?"
-    agree(student.on_the_fly, right, cases.with_weightless(draw, 7), within=FORMULA, only=0, hint=hint)
-
-
-@check(points=0.75, part="a", after=free_bars_accelerate_as_lagranges)
-def hinge_forces_balance(student, draw):
-    """on_the_fly: with the hinge forces and the weights each bar obeys Newton's law."""
-    hint = "at rest the ceiling carries both weights, and bar 1 carries bar 2: which rows, which signs?"
-    agree(student.on_the_fly, right, cases.with_weightless(draw, 7), within=FORMULA, only=1, hint=hint)
-
-
-@check(points=0.25, part="a", after=free_bars_accelerate_as_lagranges)
-def free_bars_with_a_nearly_massless_one(student, draw):
-    """on_the_fly keeps its digits when one bar has 1e-9 of the other's mass, and when both hang straight down."""
-    agree(student.on_the_fly, right, cases.nearly_massless(draw), within=MASSLESS, only=0, hint=SCALED)
-    agree(student.on_the_fly, right, cases.straight_down(draw), within=FORMULA, only=0)
-
-
-@check(points=0.75, part="a")
-def energy_is_kinetic_and_potential(student, draw):
-    """energy: kinetic energy of turning bars, potential energy of their mass centres, zero at the ceiling."""
-    hint = "hanging at rest, below the ceiling, it is negative"
-    agree(student.energy, right, cases.moving(draw, 10), within=FORMULA, hint=hint)
-
-
-@check(points=0.75, part="a")
-def angular_momentum_is_about_the_ceiling(student, draw):
-    """angular_momentum: r x m v and I omega of both bars, about the ceiling hinge."""
-    hint = "each bar has the angular momentum of its mass centre and that about its mass centre"
-    agree(student.angular_momentum, right, cases.moving(draw, 10, "masses", "lengths"), within=FORMULA, hint=hint)
-
-
-simulation_follows_the_equations = law(
-    "simulate: angles and angular velocities at uneven times, whatever t[0] is.", points=0.75, part="a"
-).follows(right.simulate, cases.motions, within=FOLLOWED, keeps=KEPT_ENERGY)
-
-
-@check(points=0.5, part="a", after=simulation_follows_the_equations)
-def energy_is_conserved_from_horizontal(student, draw):
-    """simulate: from (pi/2, pi/2) at rest the energy stays for ten seconds."""
-    share = {1e-4: 0.75, 1e-3: 0.5, 1e-2: 0.25}
-    stays(student.simulate, right, cases.from_horizontal(draw), KEPT_ENERGY, coarsely=0.5, partial=share)
-
-
-@check(points=0.25, part="a", after=simulation_follows_the_equations)
-def momentum_is_conserved_without_gravity(student, draw):
-    """simulate: without gravity energy and angular momentum stay."""
-    calls, hint = cases.weightless(draw), "without gravity the same equations hold: do you divide by it?"
-    for kept in (KEPT_MOMENTUM, KEPT_ENERGY):
-        stays(student.simulate, right, calls, kept, coarsely=FOLLOWED, hint=hint)
 
 
 def in_order(case, found, expected):
@@ -163,22 +73,71 @@ def in_order(case, found, expected):
     return "they are right, but not in ascending order" if swapped else "for small angles sin th is th"
 
 
+# Where to look
+VELOCITIES = "write the velocities of both mass centres by the absolute angular velocities"
+CENTRIPETAL = "which way does each mass centre accelerate when alpha is zero?"
+HEIGHTS = "how does the height of each mass centre change with each angle?"
+SCALED = "do rows of your linear system differ in size by 1e-9?"
+TEN = "two bars have three equations each, two hinges two constraints each: do you solve all ten?"
+HANGING = "at rest the ceiling carries both weights, and bar 1 carries bar 2: which rows, which signs?"
+BELOW = "hanging at rest, below the ceiling, it is negative"
+BOTH_PARTS = "each bar has the angular momentum of its mass centre and that about its mass centre"
+DIVIDED = "without gravity the same equations hold: do you divide by it?"
+DOWN = "theta zero is down, a positive angle to the right"
+
+mass_matrix_makes_the_kinetic_energy = law(
+    "mass_matrix: half of omega . M omega is the kinetic energy of the two bars.", points=1, part="a"
+).agrees(right.mass_matrix, cases.resting, within=FORMULA, hint=VELOCITIES)
+velocity_terms_are_centripetal = law("velocity_terms: {f} of Lagrange's equations.", points=1, part="a").agrees(
+    right.velocity_terms, cases.moving, within=FORMULA, hint=CENTRIPETAL
+)
+gravity_terms_are_moments_of_the_weights = law(
+    "gravity_terms: {g}, the derivatives of the potential energy by th1 and th2.", points=0.75, part="a"
+).agrees(right.gravity_terms, cases.resting, within=FORMULA, hint=HEIGHTS)
+accelerations_obey_the_equations = law(
+    "angular_acceleration: [M]{alpha} + {f} + {g} = 0, without gravity too.", points=0.75, part="a"
+).agrees(right.angular_acceleration, cases.moving, within=FORMULA, hint=in_equations)
+accelerations_with_a_nearly_massless_bar = accelerations_obey_the_equations.then(
+    "angular_acceleration keeps its digits when one bar has 1e-9 of the other's mass.", points=0.25, part="a"
+).agrees(right.angular_acceleration, cases.nearly_massless, within=MASSLESS, hint=SCALED)
+free_bars_accelerate_as_lagranges = law(
+    "on_the_fly: alpha from two free bars and two hinge constraints.", points=0.5, part="a"
+).agrees(right.on_the_fly, cases.moving, within=FORMULA, only=0, hint=TEN)
+hinge_forces_balance = free_bars_accelerate_as_lagranges.then(
+    "on_the_fly: with the hinge forces and the weights each bar obeys Newton's law.", points=0.75, part="a"
+).agrees(right.on_the_fly, cases.moving, within=FORMULA, only=1, hint=HANGING)
+free_bars_with_a_nearly_massless_one = (
+    free_bars_accelerate_as_lagranges.then(
+        "on_the_fly keeps its digits with a bar of 1e-9 of the other's mass, and straight down.", points=0.25, part="a"
+    )
+    .agrees(right.on_the_fly, cases.nearly_massless, within=MASSLESS, only=0, hint=SCALED)
+    .also.agrees(right.on_the_fly, cases.straight_down, within=FORMULA, only=0)
+)
+energy_is_kinetic_and_potential = law(
+    "energy: kinetic of turning bars, potential of their mass centres, zero at the ceiling.", points=0.75, part="a"
+).agrees(right.energy, cases.moving, within=FORMULA, hint=BELOW)
+angular_momentum_is_about_the_ceiling = law(
+    "angular_momentum: r x m v and I omega of both bars, about the ceiling hinge.", points=0.75, part="a"
+).agrees(right.angular_momentum, cases.moving, within=FORMULA, hint=BOTH_PARTS)
+simulation_follows_the_equations = law(
+    "simulate: angles and angular velocities at uneven times, whatever t[0] is.", points=0.75, part="a"
+).follows(right.simulate, cases.motions, within=FOLLOWED, keeps=KEPT_ENERGY)
+SHARES = {1e-4: 0.75, 1e-3: 0.5, 1e-2: 0.25}
+energy_is_conserved_from_horizontal = simulation_follows_the_equations.then(
+    "simulate: from (pi/2, pi/2) at rest the energy stays for ten seconds.", points=0.5, part="a"
+).keeps(KEPT_ENERGY, right=right.simulate, cases=cases.from_horizontal, coarsely=0.5, partial=SHARES)
+momentum_is_conserved_without_gravity = simulation_follows_the_equations.then(
+    "simulate: without gravity energy and angular momentum stay.", points=0.25, part="a"
+).keeps(KEPT_MOMENTUM, KEPT_ENERGY, right=right.simulate, cases=cases.weightless, coarsely=FOLLOWED, hint=DIVIDED)
 small_oscillations_have_two_frequencies = law(
     "small_oscillation_frequencies: of [M]{th}'' + [K]{th} = 0 about hanging straight down.", points=0.5, part="a"
-).agrees(right.small_oscillation_frequencies, cases.pendulums, within=FREQUENCY, hint=in_order)
-
-
-@check(points=0.25, part="a", after=small_oscillations_have_two_frequencies)
-def frequencies_in_special_cases(student, draw):
-    """small_oscillation_frequencies: equal bars, a nearly massless bar, no gravity."""
-    agree(student.small_oscillation_frequencies, right, cases.special(draw), within=FREQUENCY, hint=in_order)
-
-
-@check(points=0.5, part="a")
-def wireframe_shows_the_bars(student, draw):
-    """wireframe: ceiling hinge to elbow, elbow to tip."""
-    hint = "theta zero is down, a positive angle to the right"
-    agree(student.wireframe, right, cases.resting(draw, 8, "lengths"), within=FORMULA, hint=hint)
+).agrees(right.small_oscillation_frequencies, cases.thrown(10), within=FREQUENCY, hint=in_order)
+frequencies_in_special_cases = small_oscillations_have_two_frequencies.then(
+    "small_oscillation_frequencies: equal bars, a nearly massless bar, no gravity.", points=0.25, part="a"
+).agrees(right.small_oscillation_frequencies, cases.special, within=FREQUENCY, hint=in_order)
+wireframe_shows_the_bars = law("wireframe: ceiling hinge to elbow, elbow to tip.", points=0.5, part="a").agrees(
+    right.wireframe, cases.resting, within=FORMULA, hint=DOWN
+)
 
 
 @check(points=0.5, part="d")

@@ -42,74 +42,53 @@ def a_fast_omega(draw):
 OMEGAS = ("omega zero", "omega along a principal axis", "omega in a principal plane", "omega of one sign")
 
 
-def omega_kind(omega):
-    """What an omega of `plain_omegas` is called."""
-    return OMEGAS[np.count_nonzero(omega)]
-
-
 def plain_omegas(draw):
-    """Spins about each axis both ways, omegas with one zero, without one but of one sign, and none."""
+    """(omega, kind): spins about each axis both ways, with one zero, without one but of one sign, and none."""
     size = np.abs(an_omega(draw))
-    return [sign * size * some + 0.0 for some in np.ndindex(2, 2, 2) for sign in (1, -1)]  # no zero has a sign
+    ways = [sign * size * some + 0.0 for some in np.ndindex(2, 2, 2) for sign in (1, -1)]  # no zero has a sign
+    return [(omega, OMEGAS[np.count_nonzero(omega)]) for omega in ways]
 
 
-ATTITUDES = ("R = I", "R of a quarter turn", "R of a half turn")
+ATTITUDES = {"R = I": 0.0, "R of a quarter turn": math.pi / 2, "R of a half turn": math.pi}
 
 
 def named_attitudes(draw):
-    """The body's axes along those of space: as they are, and after a quarter turn and a half turn; their names."""
+    """(R, kind): the body's axes along those of space, as they are, and after a quarter turn and a half turn."""
     axis = draw.permutation(np.eye(3))[0]
-    turns = [np.round(right.turned(angle * axis)) + 0.0 for angle in (0.0, math.pi / 2, math.pi)]
-    return list(zip(turns, ATTITUDES, strict=True))
+    return [(np.round(right.turned(angle * axis)) + 0.0, kind) for kind, angle in ATTITUDES.items()]
 
 
 def an_attitude(draw):
     return right.turned(draw.uniform(0.4, 1.2, 3) * draw.choice([-1, 1], 3))
 
 
-def times(draw, omega, radians, count=25, start=None):
-    """Uneven times, from this start or any that is not 0, for so many radians."""
-    return uneven(draw, radians / np.linalg.norm(omega), count, start)
+def moving(draw, kind, body, omega, radians, count=25, side=0):
+    """A motion over so many radians at uneven times, which begin on this side of t = 0."""
+    start = (side or draw.choice([-1, 1])) * draw.uniform(0.5, 3)
+    t = uneven(draw, radians / np.linalg.norm(omega), count, start)
+    return given(t, an_attitude(draw), omega, inertia=body).on(kind)
 
 
-def bodies_turning(draw):
-    """For euler_equations."""
+def turning(draw):
+    """(omega, inertia=...)"""
     A, k = 2.0 ** draw.integers(-1, 2), draw.uniform(0.5, 2)  # H is along omega to the last digit where all are A
     bodies = [(a_body(draw), "a random body and omega") for _ in range(12)]
     bodies += [(a_wheel(draw), "a body with A = B") for _ in range(4)]
     bodies += [(np.array([A, A, A]), "three equal inertias"), (np.array([k * A, A, A]), "a body with B = C")]
     bodies += [(body, "two inertias that are equal to five digits, no more") for body in near_wheels(draw)]
-    plain = [(body, omega) for body in (a_body(draw), np.array([2.0, 1.0, 2.0])) for omega in plain_omegas(draw)]
-    return [given(an_omega(draw), inertia=body).on(kind) for body, kind in bodies] + [
-        given(omega, inertia=body).on(omega_kind(omega)) for body, omega in plain
-    ]
+    calls = [(body, an_omega(draw), kind) for body, kind in bodies]
+    calls += [(body, *omega) for body in (a_body(draw), np.array([2.0, 1.0, 2.0])) for omega in plain_omegas(draw)]
+    return [given(omega, inertia=body).on(kind) for body, omega, kind in calls]
 
 
-def turning(draw):
-    """For attitude_rate."""
-    calls = [given(an_attitude(draw), an_omega(draw)).on("a random attitude and omega") for _ in range(15)]
+def turning_in_space(draw):
+    """(R, omega, inertia=...)"""
+    bodies = [a_body] * 14 + [a_wheel]
+    calls = [given(an_attitude(draw), an_omega(draw), inertia=body(draw)).on("a random R and omega") for body in bodies]
     return calls + [
-        given(R, omega).on(f"{omega_kind(omega)}, {kind}")
+        given(R, omega, inertia=a_body(draw)).on(f"{way}, {kind}")
         for R, kind in [*named_attitudes(draw), (an_attitude(draw), "a random R")]
-        for omega in plain_omegas(draw)
-    ]
-
-
-def spinning(draw):
-    """For energy."""
-    calls = [given(an_omega(draw), inertia=a_body(draw)).on("a random body and omega") for _ in range(10)]
-    calls.append(given(an_omega(draw), inertia=a_wheel(draw)).on("a body with A = B"))
-    return calls + [given(omega, inertia=a_body(draw)).on(omega_kind(omega)) for omega in plain_omegas(draw)]
-
-
-def spinning_in_space(draw):
-    """For angular_momentum."""
-    kinds = [("a random body, attitude and omega", a_body)] * 10 + [("a body with A = B", a_wheel)]
-    calls = [given(an_attitude(draw), an_omega(draw), inertia=body(draw)).on(kind) for kind, body in kinds]
-    return calls + [
-        given(R, omega, inertia=a_body(draw)).on(f"{omega_kind(omega)}, {kind}")
-        for R, kind in named_attitudes(draw)
-        for omega in plain_omegas(draw)
+        for omega, way in plain_omegas(draw)
     ]
 
 
@@ -123,9 +102,9 @@ def euler_angles(draw):
     ]
     quarters = np.array([(0, 1, 0), (0, -1, 0), (1, 1, 0), (0, 1, 1), (2, -1, 1), (-1, 3, 2)]) * math.pi / 2
     return calls + [
-        given(angles, omega).on(f"theta a right angle, {omega_kind(omega)}")
+        given(angles, omega).on(f"theta a right angle, {kind}")
         for angles in quarters
-        for omega in plain_omegas(draw)
+        for omega, kind in plain_omegas(draw)
     ]
 
 
@@ -134,12 +113,12 @@ NEARLY_UNDETERMINED = 1.4e-12, -1.4e-12, 1e-8, math.pi - 1e-8
 
 
 def undetermined(draw):
-    """Angles without rates, and angles next to them with rates: psi' is large there."""
+    """First angles with rates, where psi' is large, then angles next to them without rates."""
     omega, psi = an_omega(draw), draw.uniform(-3, 3)
     phi = math.atan2(omega[0], omega[1]) + draw.uniform(-1, 1)  # half and more of p and q is psi' sin(theta)
-    refused = [given(np.array([psi, theta, phi]), omega).on(kind) for kind, theta in UNDETERMINED.items()]
-    near = [given(np.array([psi, theta, phi]), omega) for theta in NEARLY_UNDETERMINED]
-    return refused, [case.on("sin theta small, but not below 1e-12") for case in near]
+    kinds = [(theta, "sin theta small, but not below 1e-12") for theta in NEARLY_UNDETERMINED]
+    kinds += [(theta, kind) for kind, theta in UNDETERMINED.items()]
+    return [given(np.array([psi, theta, phi]), omega).on(kind) for theta, kind in kinds]
 
 
 def on_side(draw, sign):
@@ -152,36 +131,23 @@ def on_side(draw, sign):
 
 
 def tumbles(draw):
-    """Motions on both sides of the separatrix and near it, some from before t = 0 and some from after it."""
+    """Motions on both sides of the separatrix and near it."""
     near = draw.uniform(1, 3) * np.array([draw.uniform(0, 0.003), 1.0, draw.uniform(0.01, 0.02)])
-    places = {
-        "omega round the last axis": (*on_side(draw, 1), 14),
-        "omega round the first axis": (*on_side(draw, -1), 14),
-        "omega near the middle axis": (np.sort(a_body(draw)), near, 25),
-    }
-    starts = draw.uniform(0.5, 3, 3) * [1, -1, 1]
+    (last, round_last), (first, round_first) = on_side(draw, 1), on_side(draw, -1)
     return [
-        given(times(draw, omega, radians, start=start), an_attitude(draw), omega, inertia=body).on(
-            f"{kind}, t[0] not 0"
-        )
-        for (kind, (body, omega, radians)), start in zip(places.items(), starts, strict=True)
+        moving(draw, "omega round the last axis, t[0] > 0", last, round_last, 14, side=1),
+        moving(draw, "omega round the first axis, t[0] < 0", first, round_first, 14, side=-1),
+        moving(draw, "omega near the middle axis, t[0] > 0", np.sort(a_body(draw)), near, 25, side=1),
     ]
 
 
 def general_motions(draw):
-    omegas, starts = [an_omega(draw) for _ in range(2)], draw.uniform(0.5, 3, 2) * [1, -1]
-    return [
-        given(times(draw, omega, 12, start=start), an_attitude(draw), omega, inertia=a_body(draw)).on(
-            "a general motion, t[0] not 0"
-        )
-        for omega, start in zip(omegas, starts, strict=True)
-    ]
+    kinds = {"a general motion, t[0] > 0": 1, "a general motion, t[0] < 0": -1}
+    return [moving(draw, kind, a_body(draw), an_omega(draw), 12, side=side) for kind, side in kinds.items()]
 
 
 def many_turns(draw):
-    omega = a_fast_omega(draw)
-    case = given(times(draw, omega, 45, count=12), an_attitude(draw), omega, inertia=a_body(draw))
-    return [case.on("many fast turns")]
+    return [moving(draw, "many fast turns", a_body(draw), a_fast_omega(draw), 45, 12)]
 
 
 # Their trace is -1: a quaternion that is made by a division by its scalar part has none there.
@@ -197,50 +163,40 @@ def special_motions(draw):
     """Equal inertias or nothing to turn, spins about axes, two times alone, starts at half turns."""
     flat, ball = np.array([1.0, 1.0, 2.0]) * 10 ** draw.uniform(-2, 2), np.full(3, 10 ** draw.uniform(-2, 2))
     wheels = {"a body with A = B": a_wheel(draw), "a flat disk": flat, "three equal inertias": ball}
-    calls = [moving(draw, body, an_omega(draw), 10).on(kind) for kind, body in wheels.items()]
-    rest = moving(draw, a_wheel(draw), np.ones(3), 10)
-    calls.append(rest.but(rest.args[0], rest.args[1], np.zeros(3)).on("a wheel at rest"))
-    two = moving(draw, a_wheel(draw), an_omega(draw), 5, 2)
-    calls.append(two.but(two.args[0], np.eye(3)).on("two times, and axes along those of space at the start"))
+    calls = [moving(draw, kind, body, an_omega(draw), 10) for kind, body in wheels.items()]
+    rest = moving(draw, "a wheel at rest", a_wheel(draw), np.ones(3), 10)
+    two = moving(draw, "two times, R = I at the start", a_wheel(draw), an_omega(draw), 5, 2)
+    calls += [rest.but(*rest.args[:2], np.zeros(3)), two.but(two.args[0], np.eye(3))]
     for about, start in HALF_TURNS.items():
-        case = moving(draw, a_wheel(draw), an_omega(draw), 4, 4)
-        calls.append(case.but(case.args[0], start).on(f"a start half a turn {about} from the axes of space"))
+        case = moving(draw, f"a start half a turn {about} from the axes of space", a_wheel(draw), an_omega(draw), 4, 4)
+        calls.append(case.but(case.args[0], start))
     for axis in (0, 1, 2):
         omega = draw.choice([-1, 1]) * draw.uniform(1, 4) * np.eye(3)[axis] + 0.0
-        calls.append(moving(draw, a_body(draw), omega, 4).on(f"spin about the principal axis {axis}"))
-    calls.append(moving(draw, a_wheel(draw), a_fast_omega(draw), 40, 2).on(FAST_AND_FAR))
-    again = moving(draw, a_wheel(draw), an_omega(draw), 5, 4)
+        calls.append(moving(draw, f"spin about the principal axis {axis}", a_body(draw), omega, 4))
+    calls.append(moving(draw, FAST_AND_FAR, a_wheel(draw), a_fast_omega(draw), 40, 2))
+    again = moving(draw, "", a_wheel(draw), an_omega(draw), 5, 4)
     return calls + in_turn(draw, again, start=(an_attitude(draw), an_omega(draw)), inertia=a_wheel(draw))
 
 
-def moving(draw, body, omega, radians, count=25):
-    return given(times(draw, omega, radians, count), an_attitude(draw), omega, inertia=body)
-
-
 def precessing(draw):
-    """For symmetric_solution."""
-    wheels = [(a_wheel(draw), "a random body with A = B") for _ in range(6)]
-    wheels.append((np.full(3, draw.uniform(0.1, 10)), "three equal inertias"))
-    omegas = [an_omega(draw) for _ in wheels]
-    calls = [
-        given(times(draw, omega, 40), omega, inertia=body).on(kind)
-        for (body, kind), omega in zip(wheels, omegas, strict=True)
-    ]
-    return calls + [
-        given(times(draw, np.ones(3), 10, 2), omega, inertia=a_wheel(draw)).on(f"two times, {omega_kind(omega)}")
-        for omega in plain_omegas(draw)
+    """For symmetric_solution: (t, omega, inertia=...)"""
+    wheels = [(a_wheel(draw), "a random body with A = B", 40, 25, an_omega(draw)) for _ in range(6)]
+    wheels.append((np.full(3, draw.uniform(0.1, 10)), "three equal inertias", 40, 25, an_omega(draw)))
+    wheels += [(a_wheel(draw), f"two times, {kind}", 10, 2, omega) for omega, kind in plain_omegas(draw)]
+    return [
+        given(uneven(draw, radians / (np.linalg.norm(omega) or 1.0), count), omega, inertia=body).on(kind)
+        for body, kind, radians, count, omega in wheels
     ]
 
 
 def wobbling(draw):
     """For wobble_rate; about the symmetry axis alone nothing wobbles."""
-    omegas = [an_omega(draw) for _ in range(8)] + [an_omega(draw) * [0.01, 0.01, 1] for _ in range(4)]
-    calls = [given(omega, inertia=a_wheel(draw)).on("a random body with A = B") for omega in omegas]
-    return calls + [
-        given(omega, inertia=a_wheel(draw)).on(omega_kind(omega) if omega[2] else "omega across the symmetry axis")
-        for omega in plain_omegas(draw)
-        if omega[:2].any()
-    ]
+    kind = "a random body with A = B"
+    omegas = [(an_omega(draw), kind) for _ in range(8)] + [(an_omega(draw) * [0.01, 0.01, 1], kind) for _ in range(4)]
+    for omega, kind in plain_omegas(draw):
+        if omega[:2].any():
+            omegas.append((omega, kind if omega[2] else "omega across the symmetry axis"))
+    return [given(omega, inertia=a_wheel(draw)).on(kind) for omega, kind in omegas]
 
 
 def spins(draw):
@@ -256,26 +212,31 @@ def spins(draw):
     return calls
 
 
-def tumbling(draw, sign, kind):
+def tumbling(sign, kind):
     """For tumble_period, on one side of the separatrix, in principal planes too."""
-    drawn = [on_side(draw, sign) for _ in range(6)]
-    calls = [given(omega[np.argsort(body)], inertia=np.sort(body)).on(kind) for body, omega in drawn]
-    tiny = calls[0].but(inertia=1e-6 * calls[0].kwargs["inertia"])  # the period is the same
-    calls[0] = tiny.on(f"{kind}, a tiny body")
-    A, B, C = body = np.sort(a_body(draw))
-    first, middle, last = np.diag([1 / math.sqrt(A * (B - A)), 1 / B, 1 / math.sqrt(C * (C - B))])
-    about, other = (last, first) if sign > 0 else (first, last)
-    omegas = about + other / 2, about - other / 2, middle - about, -about - middle
-    return calls + [given(omega, inertia=body).on(f"{kind}, in a principal plane") for omega in omegas]
+
+    def drawn(draw):
+        bodies = [on_side(draw, sign) for _ in range(6)]
+        calls = [given(omega[np.argsort(body)], inertia=np.sort(body)).on(kind) for body, omega in bodies]
+        tiny = calls[0].but(inertia=1e-6 * calls[0].kwargs["inertia"])  # the period is the same
+        A, B, C = body = np.sort(a_body(draw))
+        first, middle, last = np.diag([1 / math.sqrt(A * (B - A)), 1 / B, 1 / math.sqrt(C * (C - B))])
+        about, other = (last, first) if sign > 0 else (first, last)
+        omegas = about + other / 2, about - other / 2, middle - about, -about - middle
+        plane = [given(omega, inertia=body).on(f"{kind}, in a principal plane") for omega in omegas]
+        return [tiny.on(f"{kind}, a tiny body"), *calls[1:], *plane]
+
+    return drawn
 
 
 def pure_spins(draw):
+    ways = {"at a negative rate": -1, "at a positive rate": 1}
     return [
         given(sign * draw.uniform(1, 4) * np.eye(3)[axis] + 0.0, inertia=np.sort(a_body(draw))).on(
-            f"pure spin about axis {axis}{', at a negative rate' if sign < 0 else ''}"
+            f"pure spin about axis {axis}, {way}"
         )
         for axis in (0, 2)
-        for sign in (1, -1)
+        for way, sign in ways.items()
     ]
 
 

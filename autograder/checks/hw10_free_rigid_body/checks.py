@@ -5,7 +5,7 @@ from functools import partial
 
 import numpy as np
 
-from tam570_grader import Column, Invariant, agree, check, expect, expect_that, follow, law, refuse, stays
+from tam570_grader import Column, Invariant, absolute, check, expect, law
 from tam570_grader.writing.drawings import curves_seen, exchanged, judge_axes_of_lengths, judge_boxes
 from tam570_grader.writing.returns import array, drawing, group, number, rows
 
@@ -33,33 +33,21 @@ NEAR_PERIOD = 1e-4
 COARSELY = 3e-2  # of |omega|, and of R
 
 
-def omega_squared(case, _):
-    return np.sum(case.args[0] ** 2) or 1.0
-
-
-def length(case, expected):
-    return np.linalg.norm(expected) or 1.0
-
-
 def last_length(case, _):
     """|omega|, the last of the arguments."""
-    return np.linalg.norm(case.args[-1]) or 1.0
-
-
-def spin_squared(case, _):
-    return case.args[1] ** 2 or 1.0
+    return np.linalg.norm(case.args[-1])
 
 
 RESULTS = {
-    "euler_equations": array(3).called("omega'", "rad/s^2", omega_squared),
+    "euler_equations": array(3).called("omega'", "rad/s^2", lambda case, _: np.sum(case.args[0] ** 2)),
     "attitude_rate": array(3, 3).called("dR/dt", "rad/s", last_length),
     "euler_rates_313": array(3).called("a rate", "rad/s"),
     "energy": number.called("the energy", "J"),
-    "angular_momentum": array(3).called("H", "kg m^2/s", length),
+    "angular_momentum": array(3).called("H", "kg m^2/s"),
     "simulate": group(rows(3), rows(3, 3)),
     "symmetric_solution": rows(3).called("omega", "rad/s", last_length),
     "wobble_rate": number.called("the rate", "rad/s"),
-    "growth_rate_squared": number.called("the square of the rate", "1/s^2", spin_squared),
+    "growth_rate_squared": number.called("the square of the rate", "1/s^2", lambda case, _: case.args[1] ** 2),
     "tumble_period": array(infinite=True).called("the period", "s"),
     "wireframe": array(12, 2, 3),
     "plot_rim_paths": drawing,
@@ -71,62 +59,45 @@ KEEPS_H = "The rate of H in body components plus omega x H is zero."
 AXES_MOVE = "The columns of R are the body's axes in space; each moves at omega x itself."
 euler_equations_keep_the_angular_momentum = law(
     "euler_equations: omega' of a body without moments, for any three inertias, equal ones too.", points=0.75, part="a"
-).agrees(right.euler_equations, cases.bodies_turning, within=POINTWISE, hint=KEEPS_H)
+).agrees(right.euler_equations, cases.turning, within=POINTWISE, hint=KEEPS_H)
 attitude_follows_omega = law("attitude_rate: dR/dt for omega in body components.", points=0.5, part="a").agrees(
-    right.attitude_rate, cases.turning, within=POINTWISE, hint=AXES_MOVE
+    right.attitude_rate, cases.turning_in_space, within=POINTWISE, hint=AXES_MOVE
 )
 energy_is_half_omega_h = law("energy: half of omega . H.", points=0.5, part="a").agrees(
-    right.energy, cases.spinning, within=POINTWISE
+    right.energy, cases.turning, within=POINTWISE
 )
 angular_momentum_is_in_space_axes = law(
     "angular_momentum: the vector H in space components.", points=0.5, part="a"
-).agrees(right.angular_momentum, cases.spinning_in_space, within=POINTWISE)
+).agrees(right.angular_momentum, cases.turning_in_space, within=POINTWISE)
 
 
-@check(points=0.75, part="a")
-def euler_rates_make_omega(student, draw):
-    """euler_rates_313: the rates of psi, theta, phi that make this omega, for theta of any sign."""
-    for case, found in student.euler_rates_313.each(cases.euler_angles(draw)):
-        angles, omega = case.args
-        expect(
-            right.omega_of_rates(angles) @ found,
-            omega,
-            within=POINTWISE * last_length(case, None),
-            of="omega of the rates",
-            unit="rad/s",
-            hint=partial(wrong_rates, found, angles, omega),
-        )
-
-
-def wrong_rates(found, angles, omega):
+def wrong_rates(case, found, expected):
     """What is wrong with the rates, if it can be told."""
-    psi_rate, theta_rate, phi_rate = right.euler_rates_313(angles, omega)
-    if math.sin(angles[1]) < 0:
-        rooted = [-psi_rate, theta_rate, phi_rate + 2 * psi_rate * math.cos(angles[1])]
+    (_, theta, _), (psi_rate, theta_rate, phi_rate) = case.args[0], expected
+    if math.sin(theta) < 0:
+        rooted = [-psi_rate, theta_rate, phi_rate + 2 * psi_rate * math.cos(theta)]
         if np.allclose(found, rooted, rtol=POINTWISE, atol=POINTWISE):
             return "The sine of theta is negative there: do you compute it as a square root?"
     return "omega is psi' along space z, theta' along the line of nodes, and phi' along body z."
 
 
-@check(points=0.25, part="a", after=euler_rates_make_omega)
-def euler_rates_are_refused_where_undetermined(student, draw):
-    """euler_rates_313 raises ValueError where abs(sin theta) < 1e-12, and nowhere else."""
-    refused, near = cases.undetermined(draw)
-    refuse(student.euler_rates_313, refused, accepts=(), within=SINGULAR)
-    hint = "Which angles are refused? theta may be negative."
-    agree(student.euler_rates_313, right, near, within=SINGULAR, hint=hint)
-
+euler_rates_make_omega = law(
+    "euler_rates_313: the rates of psi, theta, phi that make this omega, for theta of any sign.", points=0.75, part="a"
+).agrees(right.euler_rates_313, cases.euler_angles, within=POINTWISE, hint=wrong_rates)
+NEARLY = len(cases.NEARLY_UNDETERMINED)
+euler_rates_are_refused_where_undetermined = euler_rates_make_omega.then(
+    "euler_rates_313 raises ValueError where abs(sin theta) < 1e-12, and nowhere else.", points=0.25, part="a"
+).refuses(right.euler_rates_313, cases.undetermined, within=SINGULAR, allowed=NEARLY, hint="sin theta may be negative.")
 
 # Motions
 
 
-def size(case, _):
-    return np.linalg.norm(case.args[2]) or 1.0
-
-
-OMEGA = Column("omega", "rad/s", range(3), scale=size)
-ATTITUDE = Column("R", "", range(3, 12), scale=lambda *_: 1.0)
+OMEGA = Column("omega", "rad/s", range(3), scale=last_length)
+ATTITUDE = Column("R", "", range(3, 12), scale=absolute)
 BOTH = OMEGA, ATTITUDE
+
+
+SHORT = "The steps must be short for a fast turn, and must not depend on the sampling."
 
 
 def restart(row):
@@ -140,6 +111,8 @@ def rotations_of(states):
 
 def wrong_attitude(motion):
     """What is wrong with the rotations, if they tell."""
+    if motion.case.kind == cases.FAST_AND_FAR:
+        return SHORT
     rotations, expected = rotations_of(motion.found), rotations_of(motion.expected)
     if np.linalg.det(rotations).min() < 0:
         return "The three axes are left-handed: the determinant is -1."
@@ -148,23 +121,6 @@ def wrong_attitude(motion):
     if np.abs(rotations.transpose(0, 2, 1) @ rotations - np.eye(3)).max() > 1e-4:  # each step is R + dt R'
         return "R is not kept orthogonal: R^T R is no longer I."
     return "Does attitude_rate pass? Which components has omega?"
-
-
-FOLLOWED = {"within": TRAJECTORY, "restart": restart}
-
-
-@check(points=0.75, part="a")
-def omega_follows_elliptic_functions(student, draw):
-    """simulate: omega against Jacobi's elliptic functions, on both sides of the separatrix and near it."""
-    hint = "Does euler_equations pass?"
-    follow(student.simulate, right.tumble, cases.tumbles(draw), [OMEGA], hint=hint, **FOLLOWED)
-
-
-@check(points=0.75, part="a")
-def attitude_follows_the_motion(student, draw):
-    """simulate: the rotations along a general motion, from any attitude at the start."""
-    calls = cases.general_motions(draw)
-    follow(student.simulate, right.motion, calls, [ATTITUDE], hint=wrong_attitude, **FOLLOWED)
 
 
 def squares(states, inertia):
@@ -180,42 +136,31 @@ def energies(states, inertia):
     return 0.5 * states[:, :3] ** 2 @ inertia
 
 
-def momentum(case, states):
-    return float(np.linalg.norm(momenta(states[:1], **case.kwargs)))
+ROTATES = Invariant("R^T R", "", squares, absolute, INVARIANT)
+KEEPS_MOMENTUM = Invariant("H in space", "of itself", momenta, None, INVARIANT)
+KEEPS_ENERGY = Invariant("the energy", "of its start", energies, None, INVARIANT)
+SHARES = {1e-4: 0.5, 1e-2: 0.25}  # of the drift of the energy
+FOLLOWED = {"within": TRAJECTORY, "restart": restart, "name": "simulate"}
+TURNS = {"cases": cases.many_turns, "columns": BOTH, "name": "simulate", "coarsely": COARSELY, "hint": SHORT}
 
-
-def energy(case, states):
-    return energies(states[:1], **case.kwargs)[0]
-
-
-KEPT = (
-    Invariant("R^T R", "", squares, lambda *_: 1.0, INVARIANT),
-    Invariant("H in space", "of itself", momenta, momentum, INVARIANT),
-    Invariant("the energy", "of its start", energies, energy, INVARIANT),
+omega_follows_elliptic_functions = law(
+    "simulate: omega against Jacobi's elliptic functions, on both sides of the separatrix.", points=0.75, part="a"
+).follows(right.tumble, cases.tumbles, columns=[OMEGA], hint="Does euler_equations pass?", **FOLLOWED)
+attitude_follows_the_motion = law(
+    "simulate: the rotations along a general motion, from any attitude at the start.", points=0.75, part="a"
+).follows(right.motion, cases.general_motions, columns=[ATTITUDE], hint=wrong_attitude, **FOLLOWED)
+FOLLOWS = omega_follows_elliptic_functions, attitude_follows_the_motion
+invariants_stay_over_many_turns = (
+    law("simulate: R^T R = I, H in space and the energy over many fast turns.", points=0.5, part="a", after=FOLLOWS)
+    .keeps(ROTATES, KEEPS_MOMENTUM, right=right.motion, **TURNS)
+    .also.keeps(KEEPS_ENERGY, right=right.motion, partial=SHARES, **TURNS)
 )
-
-
-@check(points=0.5, part="a", after=(omega_follows_elliptic_functions, attitude_follows_the_motion))
-def invariants_stay_over_many_turns(student, draw):
-    """simulate: R^T R = I, the vector H in space and the energy over many turns, fast ones."""
-    calls, hint = cases.many_turns(draw), "The steps must be short for a fast turn."
-    for kept, partial_credit in zip(KEPT, (None, None, {1e-4: 0.5, 1e-2: 0.25}), strict=True):
-        known = {"coarsely": COARSELY, "partial": partial_credit, "hint": hint}
-        stays(student.simulate, right.motion, calls, kept, BOTH, **known)
-
-
-def wrong_special(motion):
-    """What is wrong with a special motion."""
-    if motion.case.kind == cases.FAST_AND_FAR:
-        return "The steps must be short for a fast turn, and must not depend on the sampling."
-    return wrong_attitude(motion)
-
-
-@check(points=0.5, part="a", after=(omega_follows_elliptic_functions, attitude_follows_the_motion))
-def special_bodies_move_too(student, draw):
-    """simulate: equal inertias, a body at rest, spin about a principal axis, two times alone, starts at half turns."""
-    follow(student.simulate, right.special, cases.special_motions(draw), BOTH, hint=wrong_special, **FOLLOWED)
-
+special_bodies_move_too = law(
+    "simulate: equal inertias, rest, spin about a principal axis, two times alone, starts at half turns.",
+    points=0.5,
+    part="a",
+    after=FOLLOWS,
+).follows(right.special, cases.special_motions, columns=BOTH, hint=wrong_attitude, **FOLLOWED)
 
 # (a) A = B
 
@@ -239,44 +184,25 @@ small_deviations_grow_at_this_rate = law(
 ).agrees(right.growth_rate_squared, cases.spins, within=POINTWISE, hint=LINEAR)
 
 
-def judge_periods(function, calls, within, hint):
-    for case, found in function.each(calls):
-        expect_that(math.isfinite(found), "the period is infinite", hint=hint)
-        expected = right.tumble_period(*case.args, **case.kwargs)
-        expect(found, expected, within=within * expected, of="the period", unit="s", hint=hint)
-
-
 BACK = "After what time is omega back, sign and all?"
-
-
-@check(points=0.375, part="b")
-def period_round_the_last_axis(student, draw):
-    """tumble_period where omega goes round the axis of the largest inertia."""
-    calls = cases.tumbling(draw, 1, "omega round the axis of the largest inertia")
-    judge_periods(student.tumble_period, calls, PERIOD, BACK)
-
-
-@check(points=0.375, part="b")
-def period_round_the_first_axis(student, draw):
-    """tumble_period where omega goes round the axis of the smallest inertia."""
-    calls = cases.tumbling(draw, -1, "omega round the axis of the smallest inertia")
-    judge_periods(student.tumble_period, calls, PERIOD, BACK)
-
-
-@check(points=0.25, part="b", after=(period_round_the_last_axis, period_round_the_first_axis))
-def period_of_pure_spin_is_that_of_small_oscillations(student, draw):
-    """tumble_period for pure spin about axis 0 or 2: the period of small oscillations about it."""
-    judge_periods(student.tumble_period, cases.pure_spins(draw), PERIOD, "There k = 0.")
-
-
-@check(points=0.25, part="b", after=(period_round_the_last_axis, period_round_the_first_axis))
-def period_grows_to_infinity_at_the_separatrix(student, draw):
-    """tumble_period near the separatrix, on both sides of it, and math.inf on it."""
-    hint = "How near 1 is a k that is not 1?"
-    judge_periods(student.tumble_period, cases.near_separatrix(draw), NEAR_PERIOD, hint)
-    for _, found in student.tumble_period.each(cases.on_separatrix(draw)):
-        expect_that(found == math.inf, "the period is finite", hint="What is K(k) for k = 1?")
-
+ROUND_LAST = cases.tumbling(1, "omega round the axis of the largest inertia")
+ROUND_FIRST = cases.tumbling(-1, "omega round the axis of the smallest inertia")
+NEAR_ONE = "How near 1 is a k that is not 1?"
+period_round_the_last_axis = law(
+    "tumble_period where omega goes round the axis of the largest inertia.", points=0.375, part="b"
+).agrees(right.tumble_period, ROUND_LAST, within=PERIOD, hint=BACK)
+period_round_the_first_axis = law(
+    "tumble_period where omega goes round the axis of the smallest inertia.", points=0.375, part="b"
+).agrees(right.tumble_period, ROUND_FIRST, within=PERIOD, hint=BACK)
+PERIODS = period_round_the_last_axis, period_round_the_first_axis
+period_of_pure_spin_is_that_of_small_oscillations = law(
+    "tumble_period for pure spin about axis 0 or 2: that of small oscillations.", points=0.25, part="b", after=PERIODS
+).agrees(right.tumble_period, cases.pure_spins, within=PERIOD, hint="There k = 0.")
+period_grows_to_infinity_at_the_separatrix = (
+    law("tumble_period near the separatrix, and math.inf on it.", points=0.25, part="b", after=PERIODS)
+    .agrees(right.tumble_period, cases.near_separatrix, within=NEAR_PERIOD, hint=NEAR_ONE)
+    .also.agrees(right.tumble_period, cases.on_separatrix, within=PERIOD, hint="What is K(k) for k = 1?")
+)
 
 # Drawing
 

@@ -4,21 +4,15 @@ import math
 
 import numpy as np
 from scipy.integrate import solve_ivp
+from scipy.spatial.transform import Rotation
 from scipy.special import ellipj, ellipkinc, elliprf
 
 PRECISE = {"method": "DOP853", "rtol": 1e-11, "atol": 1e-11}
 
 
-def hat(omega):
-    """The matrix of omega x."""
-    return np.cross(omega, np.eye(3)).T
-
-
 def turned(v):
     """The rotation by |v| about v."""
-    angle = np.linalg.norm(v)
-    n = v / angle if angle else v
-    return np.cos(angle) * np.eye(3) + 2 * math.sin(angle / 2) ** 2 * np.outer(n, n) + math.sin(angle) * hat(n)
+    return Rotation.from_rotvec(v).as_matrix()
 
 
 def euler_equations(omega, *, inertia):
