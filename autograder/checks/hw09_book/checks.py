@@ -4,18 +4,10 @@ import math
 
 import numpy as np
 
-from tam570_grader import agree, array, check, expect, expect_that, given, group, judge_boxes, number, refuse
+from tam570_grader import agree, array, check, expect, expect_that, given, group, judge_boxes, law, number, refuse
 
 from . import cases, right
 
-RESULTS = {
-    "axis_rotation": array(3, 3),
-    "space_sequence": array(3, 3),
-    "body_sequence": array(3, 3),
-    "book_rotations": group(array(3, 3), array(3, 3)),
-    "axis_angle": group(array(3), number),
-    "book_edges": array(12, 2, 3),
-}
 NEEDS = ("numpy",)
 OFF_LIMITS = {"*": ("scipy.spatial.transform", "tam570.rotations", "tam570.lectures")}
 MANUAL = {
@@ -44,8 +36,23 @@ def one(*_):
     return 1.0
 
 
-MATRIX = {"of": "the matrix", "scale": one}
-PAIR = {"of": ("the axis", "the angle"), "unit": ("", "rad")}
+def in_limits(case, _):
+    """Many turns are allowed a larger error."""
+    return 1.0 if len(case.args[0]) < 5 else MANY_TURNS / WITHIN
+
+
+def largest(case, expected):
+    return np.max(np.abs(expected))
+
+
+RESULTS = {
+    "axis_rotation": array(3, 3).called("the matrix", scale=one),
+    "space_sequence": array(3, 3).called("the matrix", scale=in_limits),
+    "body_sequence": array(3, 3).called("the matrix", scale=in_limits),
+    "book_rotations": group(*(array(3, 3).called(f"the matrix of ({part})", scale=one) for part in "ab")),
+    "axis_angle": group(array(3).called("the axis", scale=one), number.called("the angle", "rad", one)),
+    "book_edges": array(12, 2, 3),
+}
 
 
 def near(found, expected, within=SAME):
@@ -57,154 +64,108 @@ def in_matrices(otherwise):
     return lambda case, found, expected: few if near(found, expected, NEARLY) else otherwise
 
 
-WHERE_TO = in_matrices("Where does a quarter turn take each of the other two axes?")
 WHICH_FIRST = in_matrices("Which matrix acts on a vector first, the leftmost or the rightmost?")
 
-
-@check(points=1, part="a")
-def turns_about_the_coordinate_axes(student, draw):
-    """axis_rotation turns by the angle about x, y or z, by the right-hand rule."""
-    agree(student.axis_rotation, right.axis_rotation, cases.turns(draw), within=WITHIN, hint=WHERE_TO, **MATRIX)
-
-
-@check(points=0.5, part="a", after=turns_about_the_coordinate_axes)
-def other_axes_are_refused(student, draw):
-    """axis_rotation raises ValueError for any other string."""
-    allowed = given("x", draw.uniform(0.5, 3)).on("a turn about x")
-    refuse(
-        student.axis_rotation,
-        cases.no_axes(draw),
-        accepts=[(allowed, right.axis_rotation(*allowed.args))],
-        within=WITHIN,
-    )
-
-
-def in_limits(case, _):
-    """Many turns are allowed a larger error."""
-    return 1.0 if len(case.args[0]) < 5 else MANY_TURNS / WITHIN
-
-
-SEQUENCE = {"of": "the matrix", "scale": in_limits, "hint": WHICH_FIRST}
-
-
-@check(points=1, part="a")
-def space_sequence_takes_the_first_step_first(student, draw):
-    """space_sequence turns about axes fixed in space, first step first."""
-    agree(student.space_sequence, right.space_sequence, cases.sequences(draw), within=WITHIN, **SEQUENCE)
-
-
-@check(points=0.25, part="a", after=space_sequence_takes_the_first_step_first)
-def space_sequence_takes_few_steps(student, draw):
-    """space_sequence of one step, and of none: the identity."""
-    agree(student.space_sequence, right.space_sequence, cases.few_steps(draw), within=WITHIN, **MATRIX)
-
-
-@check(points=1, part="a")
-def body_sequence_takes_the_axes_along(student, draw):
-    """body_sequence turns about the axes that the steps before have turned."""
-    agree(student.body_sequence, right.body_sequence, cases.sequences(draw), within=WITHIN, **SEQUENCE)
-
-
-@check(points=0.25, part="a", after=body_sequence_takes_the_axes_along)
-def body_sequence_takes_few_steps(student, draw):
-    """body_sequence of one step, and of none: the identity."""
-    agree(student.body_sequence, right.body_sequence, cases.few_steps(draw), within=WITHIN, **MATRIX)
-
-
-def in_book(case, found, expected):
-    return WHERE_EDGES_END(case, np.array(found), np.array(expected))
-
-
-WHERE_EDGES_END = in_matrices("Turn a real book: where do its three edges end?")
-
-
-@check(points=1, part="a")
-def the_book_is_turned_in_both_orders(student, draw):
-    """book_rotations: 90 degrees about z then x, and about x then z, axes fixed in space."""
-    known = {"of": ("the matrix of (a)", "the matrix of (b)"), "hint": in_book, "scale": one}
-    agree(student.book_rotations, right.book_rotations, [given()], within=WITHIN, **known)
+turns_about_the_coordinate_axes = law(
+    "axis_rotation turns by the angle about x, y or z, by the right-hand rule.", points=1, part="a"
+).agrees(
+    right.axis_rotation,
+    cases.turns,
+    within=WITHIN,
+    hint=in_matrices("Where does a quarter turn take each of the other two axes?"),
+)
+other_axes_are_refused = turns_about_the_coordinate_axes.then(
+    "axis_rotation raises ValueError for any other string.", points=0.5, part="a"
+).refuses(right.axis_rotation, cases.no_axes, within=WITHIN)
+space_sequence_takes_the_first_step_first = law(
+    "space_sequence turns about axes fixed in space, first step first.", points=1, part="a"
+).agrees(right.space_sequence, cases.sequences, within=WITHIN, hint=WHICH_FIRST)
+space_sequence_takes_few_steps = space_sequence_takes_the_first_step_first.then(
+    "space_sequence of one step, and of none: the identity.", points=0.25, part="a"
+).agrees(right.space_sequence, cases.few_steps, within=WITHIN)
+body_sequence_takes_the_axes_along = law(
+    "body_sequence turns about the axes that the steps before have turned.", points=1, part="a"
+).agrees(right.body_sequence, cases.sequences, within=WITHIN, hint=WHICH_FIRST)
+body_sequence_takes_few_steps = body_sequence_takes_the_axes_along.then(
+    "body_sequence of one step, and of none: the identity.", points=0.25, part="a"
+).agrees(right.body_sequence, cases.few_steps, within=WITHIN)
+the_book_is_turned_in_both_orders = law(
+    "book_rotations: 90 degrees about z then x, and about x then z, axes fixed in space.", points=1, part="a"
+).agrees(
+    right.book_rotations,
+    lambda draw: [given()],
+    within=WITHIN,
+    hint=in_matrices("Turn a real book: where do its three edges end?"),
+)
 
 
 # (d, e) Axis and angle
 
+NEGATIVE = "The angle is negative: the same turn is one by its size about the opposite axis."
+TOO_LARGE = "The angle is larger than pi: the same turn is one by 2 pi - angle about the opposite axis."
+LONG = "The axis points the right way, but its length is not 1."
+LEFT_ALONE = "R leaves this axis alone to the last digit: near no turn R nearly does so with every vector."
+SMALL_ONES = "Only its small components are off: is that a square root of a small difference?"
+SIGNS = "The sizes of its components are right, their signs are not: R + R^T has the products n_x n_y."
 
-def in_pairs(otherwise, nearly="It is nearly right: where are digits lost?"):
+
+def in_pairs(otherwise, nearly=""):
     """What is wrong with an axis and its angle, if the numbers tell, else where to look."""
 
     def told(case, found, expected):
         (axis, angle), (n, right_angle) = found, expected
-        small = np.abs(n) < 1e-4
+        small, same_axis = np.abs(n) < 1e-4, near(axis, n)
+        only_small = small.any() and near(axis[~small], n[~small], WITHIN) and not near(axis, n, WITHIN)
+        small_angle = right_angle < 0.1 and near(angle, right_angle, RELATIVE * right_angle)
         tells = {
-            "The angle is negative: the same turn is one by its size about the opposite axis.": angle < 0
-            and near(-angle, right_angle)
-            and near(-axis, n),
-            "The angle is larger than pi: the same turn is one by 2 pi - angle about the opposite axis.": angle
-            > math.pi + SAME
-            and near(angle, 2 * math.pi - right_angle),
+            NEGATIVE: angle < 0 and near(-angle, right_angle) and near(-axis, n),
+            TOO_LARGE: angle > math.pi + SAME and near(angle, 2 * math.pi - right_angle),
             "Small angles are given as 0.": angle == 0,
             "Angles near pi are given as pi.": angle == math.pi,
-            "The axis points the right way, but its length is not 1.": not near(axis @ axis, 1)
-            and near(axis, np.linalg.norm(axis) * n),
-            LEFT_ALONE: right_angle < 0.1
-            and near(angle, right_angle, RELATIVE * right_angle)
-            and is_left_alone(axis, case.args[0]),
-            "Only its small components are off: is that a square root of a small difference?": near(axis, n)
-            and small.any()
-            and near(axis[~small], n[~small], WITHIN)
-            and not near(axis, n, WITHIN),
-            SIGNS: near(np.abs(axis), np.abs(n)) and not near(axis, n),
-            nearly: near(axis, n, NEARLY) and near(angle, right_angle, NEARLY),
+            LONG: not near(axis @ axis, 1) and near(axis, np.linalg.norm(axis) * n),
+            # an eigenvector to the rounding of R: no axis that is off by chance is that
+            LEFT_ALONE: small_angle and near(case.args[0] @ axis, axis, 2e-15),
+            SMALL_ONES: same_axis and only_small,
+            SIGNS: near(np.abs(axis), np.abs(n)) and not same_axis,
+            nearly or otherwise: near(axis, n, NEARLY) and near(angle, right_angle, NEARLY),
         }
         return next((says for says, holds in tells.items() if holds), otherwise)
 
     return told
 
 
-LEFT_ALONE = "R leaves this axis alone to the last digit: near no turn R nearly does so with every vector."
-SIGNS = "The sizes of its components are right, their signs are not: R + R^T has the products n_x n_y."
-
-
-def is_left_alone(axis, R):
-    """An eigenvector of R for the eigenvalue 1, to the rounding of R: no axis that is off by chance is that."""
-    return near(R @ axis, axis, 2e-15)
-
-
-WHAT_STAYS = in_pairs("Which vector does R leave alone, and what is the trace of R?")
-FLAT = in_pairs("How flat is the cosine there, and the sine?", "How flat is the cosine there, and the sine?")
+WHAT_STAYS = in_pairs(
+    "Which vector does R leave alone, and what is the trace of R?", "It is nearly right: where are digits lost?"
+)
+FLAT = in_pairs("How flat is the cosine there, and the sine?")
 FLAT_AT_PI = "An arccos of the trace loses half of the digits there, and so does the arcsine of half of the angle."
 WHICH_PART = "Which part of R is large there: R - R^T or R + R^T?"
 
 
 def near_half_turns(case, found, expected):
-    where = FLAT_AT_PI if near(found[0], expected[0], WITHIN) else WHICH_PART
-    return in_pairs(where, where)(case, found, expected)
+    return in_pairs(FLAT_AT_PI if near(found[0], expected[0], WITHIN) else WHICH_PART)(case, found, expected)
 
 
-@check(points=1, part="a")
-def axis_and_angle_are_those_of_the_matrix(student, draw):
-    """axis_angle gives the unit axis and the angle of a rotation, of the book's two and of a quarter turn too."""
-    agree(student.axis_angle, right.axis_angle, cases.generic(draw), within=WITHIN, hint=WHAT_STAYS, scale=one, **PAIR)
-
-
-@check(points=0.75, part="a", after=axis_and_angle_are_those_of_the_matrix)
-def small_angles_keep_their_digits(student, draw):
-    """axis_angle keeps all digits of axis and angle for angles from 1e-12 to 1e-2."""
-    agree(student.axis_angle, right.axis_angle, cases.small(draw), within=RELATIVE, hint=FLAT, **PAIR)
+axis_and_angle_are_those_of_the_matrix = law(
+    "axis_angle gives the unit axis and the angle of a rotation, of the book's two and of a quarter turn too.",
+    points=1,
+    part="a",
+).agrees(right.axis_angle, cases.generic, within=WITHIN, hint=WHAT_STAYS)
+small_angles_keep_their_digits = axis_and_angle_are_those_of_the_matrix.then(
+    "axis_angle keeps all digits of axis and angle for angles from 1e-12 to 1e-2.", points=0.75, part="a"
+).agrees(right.axis_angle, cases.small, within=RELATIVE, scale=largest, hint=FLAT)
 
 
 @check(points=0.75, part="a", after=axis_and_angle_are_those_of_the_matrix)
 def angles_near_pi_keep_their_digits(student, draw):
     """axis_angle keeps all digits of axis and angle 1e-12 to 1e-2 from a half turn, and at a quarter turn."""
-    known = {"within": WITHIN, "scale": one, **PAIR}
-    agree(student.axis_angle, right.axis_angle, cases.near_pi(draw), hint=near_half_turns, **known)
-    agree(student.axis_angle, right.axis_angle, cases.near_quarters(draw), hint=FLAT, **known)
+    agree(student.axis_angle, right, cases.near_pi(draw), within=WITHIN, hint=near_half_turns)
+    agree(student.axis_angle, right, cases.near_quarters(draw), within=WITHIN, hint=FLAT)
 
 
-@check(points=0.25, part="a", after=angles_near_pi_keep_their_digits)
-def axes_with_small_components_keep_their_digits(student, draw):
-    """axis_angle keeps all digits near pi where a component of the axis is very small."""
-    calls = cases.small_components(draw)
-    agree(student.axis_angle, right.axis_angle, calls, within=WITHIN, hint=near_half_turns, scale=one, **PAIR)
+axes_with_small_components_keep_their_digits = angles_near_pi_keep_their_digits.then(
+    "axis_angle keeps all digits near pi where a component of the axis is very small.", points=0.25, part="a"
+).agrees(right.axis_angle, cases.small_components, within=WITHIN, hint=near_half_turns)
 
 
 @check(points=0.25, part="a", after=axis_and_angle_are_those_of_the_matrix)
@@ -226,19 +187,17 @@ def no_turn_has_a_unit_axis(student, draw):
         expect(np.linalg.norm(axis), 1.0, within=WITHIN, of="the length of the axis")
 
 
-RELATIVE_TOO = "Do you use np.allclose? Its rtol allows 1e-5 beside a one."
-
-
 @check(points=0.25, part="a", after=axis_and_angle_are_those_of_the_matrix)
 def what_is_no_rotation_is_refused(student, draw):
     """axis_angle refuses matrices that are not rotations, and accepts one with R^T R wrong by 9e-7."""
-    agree(student.axis_angle, right.axis_angle, cases.nearly_rotations(draw), within=SHEARED, scale=one, **PAIR)
+    agree(student.axis_angle, right, cases.nearly_rotations(draw), within=SHEARED)
     stretched = given((1 + 4.5e-7) * np.eye(3)).on("the identity times 1 + 4.5e-7")
     for _, (axis, angle) in student.axis_angle.each([stretched]):
         expect(np.linalg.norm(axis), 1.0, within=SHEARED, of="the length of the axis")
         expect(angle, 0.0, within=STRETCHED, of="the angle", unit="rad")
     refuse(student.axis_angle, cases.no_rotations(draw), accepts=(), within=SHEARED)
-    refuse(student.axis_angle, cases.stretched_along_z(draw), accepts=(), within=SHEARED, hint=RELATIVE_TOO)
+    hint = "Do you use np.allclose? Its rtol allows 1e-5 beside a one."
+    refuse(student.axis_angle, cases.stretched_along_z(draw), accepts=(), within=SHEARED, hint=hint)
 
 
 # (c) The book

@@ -8,12 +8,9 @@ AXES = dict(zip("xyz", np.eye(3), strict=True))
 
 
 def turned(n, angle):
-    """The matrix of a unit axis and an angle, one column after another; 1 - cos without cancellation."""
-    columns = [
-        math.cos(angle) * e + 2 * math.sin(angle / 2) ** 2 * (n @ e) * n + math.sin(angle) * np.cross(n, e)
-        for e in np.eye(3)
-    ]
-    return np.column_stack(columns)
+    """The matrix of a unit axis and an angle; 1 - cos without cancellation."""
+    along = np.outer(n, 2 * math.sin(angle / 2) ** 2 * n)
+    return math.cos(angle) * np.eye(3) + along + math.sin(angle) * np.cross(n, np.eye(3)).T
 
 
 def axis_rotation(axis, angle):
