@@ -6,6 +6,8 @@ What a library does once for a system (compiling it) is done outside the functio
 import functools
 import importlib.util
 
+import numpy as np
+
 from tam570.integrate import prepared, solve
 
 LIBRARIES = {
@@ -134,16 +136,23 @@ def _by_numba(rhs, parameters, size, arguments, assigned, compiler):
     return _WRITTEN[source, arguments]
 
 
+def _by_heyoka(scene):
+    """The variables and their rates, as heyoka's integrators take them."""
+    import heyoka as hy
+
+    rhs, start, parameters, _ = scene
+    state = [hy.make_vars(f"s{i}") for i in range(len(start))]
+    rates = _rates_in(rhs, parameters, len(start), hy, hy.time)(state)
+    rates = [rate if isinstance(rate, hy.expression) else hy.expression(rate) for rate in rates]
+    return list(zip(state, rates, strict=True))
+
+
 def heyoka(scene, tolerance):
     import heyoka as hy
 
-    rhs, start, parameters, end = scene
-    names = [f"s{i}" for i in range(len(start))]
-    state = [hy.make_vars(name) for name in names]
-    rates = _rates_in(rhs, parameters, len(start), hy, hy.time)(state)
-    rates = [rate if isinstance(rate, hy.expression) else hy.expression(rate) for rate in rates]
+    _, start, _, end = scene
     compact = len(start) > 20  # as its manual advises for large systems
-    run = hy.taylor_adaptive(list(zip(state, rates, strict=True)), list(start), tol=tolerance, compact_mode=compact)
+    run = hy.taylor_adaptive(_by_heyoka(scene), list(start), tol=tolerance, compact_mode=compact)
 
     def states():
         run.time, run.state[:] = 0.0, start
@@ -152,6 +161,31 @@ def heyoka(scene, tolerance):
         return run.state.copy()
 
     return states
+
+
+def ours_from(scene, starts, tolerance):
+    """The ends of all motions from these (m, n) starts."""
+    rhs, _, parameters, end = scene
+    return lambda: solve(rhs, (0.0, end), starts, parameters=parameters, rtol=tolerance, method="compiled")[:, -1]
+
+
+def heyoka_from(scene, starts, tolerance, lanes=8):
+    """The same by heyoka's batches; there must be a multiple of `lanes` motions."""
+    import heyoka as hy
+
+    end, size = scene[-1], starts.shape[1]
+    run = hy.taylor_adaptive_batch(_by_heyoka(scene), np.zeros((size, lanes)), tol=tolerance)
+
+    def ends():
+        found = np.empty_like(starts)
+        for first in range(0, len(starts), lanes):
+            run.set_time(0.0)
+            run.state[:] = starts[first : first + lanes].T
+            run.propagate_until(end)
+            found[first : first + lanes] = run.state.T
+        return found
+
+    return ends
 
 
 @functools.cache

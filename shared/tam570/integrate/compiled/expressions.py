@@ -82,7 +82,8 @@ class Expressions(Writer):
     def of_BinOp(self, names: Names, node: ast.BinOp) -> Any:
         left, right = self.value(names, node.left), self.value(names, node.right)
         if isinstance(node.op, ast.Pow):
-            return self.called("pow", [left, right])
+            known = not isinstance(left, Value) and not isinstance(right, Value)
+            return left**right if known else self.called("pow", [left, right])
         return self.arithmetic(node.op, left, right)
 
     def arithmetic(self, sign: ast.operator, left: Any, right: Any) -> Any:
