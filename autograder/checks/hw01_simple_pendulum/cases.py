@@ -134,10 +134,10 @@ def over_the_top(draw):
 
 def weightless(draw):
     """Turning evenly, and at rest anywhere, without gravity."""
-    known = rod(draw, gravity=0.0)
-    t = uneven(draw, 8.0, 30)
-    turns = given(t, draw.uniform(0.5, 1), draw.uniform(-0.4, -0.3), **known).on("gravity 0")
-    return [turns, *(turns.but(t[:2], angle, 0.0).on("gravity 0, at rest") for angle in (0.0, 1.0, -1.0))]
+    known, t, rate = rod(draw, gravity=0.0), uneven(draw, 8.0, 30), draw.uniform(-0.4, -0.3)
+    turns = given(t, draw.uniform(0.5, 1), rate, **known).on("gravity 0")
+    still = [turns.but(t[:2], angle, 0.0).on("gravity 0, at rest") for angle in (0.0, 1.0, -1.0)]
+    return [turns, turns.but(t, 0.0).on("gravity 0, from the bottom"), *still]
 
 
 def small_angles(draw):
@@ -156,13 +156,6 @@ def small_angles(draw):
     calls = [given(*start, **known).on(kind) for kind, start in starts.items()]
     others = [calls[0].but(**{name: 1.4 * value}) for name, value in known.items()]
     return calls + [other.on("a pendulum like one before but for its rod or gravity") for other in others]
-
-
-def small_angles_without_gravity(draw):
-    angle, rate, length = draw.uniform(0.5, 1), draw.uniform(-2, -1), draw.uniform(1, 3)
-    t = uneven(draw, 5.0, 20)
-    starts = {"": (angle, rate), ", let go at rest": (angle, 0.0), ", from the bottom": (0.0, rate)}
-    return [given(t, *start, length=length, gravity=0.0).on(f"gravity 0{kind}") for kind, start in starts.items()]
 
 
 # Paths
@@ -202,10 +195,10 @@ def paths(draw):
         span = draw.uniform(3, 4) / rate_of(known)
         path = wave(s, draw.uniform(-0.3, 0.3), draw.uniform(2.6, 3.4) * draw.choice([-1, 1]), draw.uniform(0.3, 0.6))
         calls.append(given(path, span * s[1], **known).but(gravity=share * known["gravity"]).on(kind))
-    return calls + _plain_paths(draw)
+    return calls
 
 
-def _plain_paths(draw):
+def plain_paths(draw):
     """At rest anywhere and at the named angles; turning evenly without gravity; two samples and more."""
     calls = []
     for theta in (draw.uniform(0.3, 2.8), *PLAIN):

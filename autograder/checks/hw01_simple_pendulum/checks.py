@@ -79,8 +79,6 @@ RESULTS = {
     "period": number.called("the period", "s"),
     "simulate": rows(2, columns=MOTION),
 }
-
-
 STATES = cases.states, cases.at_rest
 ALONG = "Draw the forces, and the component of each along the circle."
 newton_gives_the_acceleration = law(
@@ -151,7 +149,7 @@ def action_is_stationary_on_motions(student, draw):
 HALVED = "Halve the step: the error must fall to a quarter."
 action_is_the_integral = action_is_stationary_on_motions.then(
     "action: the integral of T - V itself, to second order in the step.", points=0.5, part="a"
-).agrees(right.action, cases.paths, within=ACTION, hint=HALVED)
+).agrees(right.action, cases.paths, cases.plain_paths, within=ACTION, hint=HALVED)
 AT_ZERO = "Put t = 0 in: is the state the given one? Differentiate theta: is it omega?"
 small_angle_solution_is_harmonic = law(
     "small_angle_solution: theta and omega of theta'' + (g/l) theta = 0, from the state at t = 0.", points=0.5, part="a"
@@ -164,7 +162,7 @@ small_angle_solution_is_harmonic = law(
 TO_ZERO = "What becomes of sin(k t)/k as k goes to zero?"
 small_angle_solution_without_gravity = small_angle_solution_is_harmonic.then(
     "small_angle_solution: without gravity the pendulum turns uniformly.", points=0.25, part="a"
-).agrees_by_columns(right.small_angle_solution, cases.small_angles_without_gravity, within=TRAJECTORY, hint=TO_ZERO)
+).agrees_by_columns(right.small_angle_solution, cases.weightless, within=TRAJECTORY, hint=TO_ZERO)
 period_is_exact = law("period: exact at large amplitudes.", points=0.75, part="a").agrees(
     right.period,
     cases.usual_periods,

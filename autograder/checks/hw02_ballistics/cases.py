@@ -116,10 +116,9 @@ def flights_without(draw):
 def alike_flights(draw):
     """Launches that are like the first of them but for one argument."""
     first = flight(draw, ANY, parameters(draw))
-    first = first.but(first.args[0][[0, -1]])
-    _, speed, angle = first.args
-    other = first.but(0.6 * first.args[0]).on("a launch like the one before but for its times")
-    return [first, other, first, *in_turn(draw, first, start=(1.3 * speed, 0.7 * angle))]
+    t, speed, angle = first.args
+    first = first.but(t[:3])
+    return [first, *in_turn(draw, first, start=(1.3 * speed, 0.7 * angle))]
 
 
 def late_flights(draw):

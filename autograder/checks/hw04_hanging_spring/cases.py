@@ -53,15 +53,11 @@ def spring(draw, gravity=None):
     return {"mass": mass, "stiffness": stiffness, "gravity": strength}
 
 
-def start(draw, known):
-    """A random position and velocity of similar importance."""
-    return draw.normal(size=3) * draw.uniform(1, 3), rate_of(**known) * draw.normal(size=3) * draw.uniform(1, 3)
-
-
 def random(draw, gravity=None, kind="a random start"):
-    """given(position, velocity, **spring)."""
+    """given(position, velocity, **spring), both of similar importance."""
     known = spring(draw, gravity)
-    return given(*start(draw, known), **known).on(kind)
+    position, velocity = draw.normal(size=(2, 3)) * draw.uniform(1, 3, (2, 1))
+    return given(position, rate_of(**known) * velocity, **known).on(kind)
 
 
 def plain(draw):
@@ -137,10 +133,9 @@ def far_apart(draw):
 
 def stiff(draw):
     """60 to 80 rad/s, which steps of a millisecond follow, and steps of ten milliseconds do not."""
-    mass = 10 ** draw.uniform(-0.5, 0.5)
-    known = {"mass": mass, "stiffness": mass * draw.uniform(60, 80) ** 2, "gravity": draw.uniform(2, 25)}
-    case = given(*start(draw, known), **known)
-    return [timed(case, 1 + np.array([0.0, draw.uniform(1.2, 1.4) * period(case)]), "two times, a stiff spring")]
+    case = random(draw, kind="two times, a stiff spring")
+    case = case.but(stiffness=case.kwargs["mass"] * draw.uniform(60, 80) ** 2)
+    return [timed(case, 1 + np.array([0.0, draw.uniform(1.2, 1.4) * period(case)]))]
 
 
 def ten_periods(draw):
@@ -193,17 +188,15 @@ def orbits(draw):
 
 
 def views(draw):
-    kind = "random points and directions"
-    random = [
-        given(draw.normal(size=(count, 3)), draw.uniform(-6, 6), draw.uniform(-1.5, 1.5)).on(kind)
-        for count in (1, 5, 30)
-    ]
-    plain = [
+    calls = [
         given(points, *view).on(f"a view from {kind}")
         for kind, view in PLAIN_VIEWS.items()
         for points in (np.eye(3), draw.normal(size=(2, 3)))
     ]
-    return random + plain
+    for count in (1, 5, 30):
+        points, view = draw.normal(size=(count, 3)), draw.uniform(-1, 1, 2) * (6, 1.5)
+        calls.append(given(points, *view).on("random points and directions"))
+    return calls
 
 
 def drawn(draw):

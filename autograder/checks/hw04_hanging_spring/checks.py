@@ -39,12 +39,8 @@ def speed(case, _=None):
     return right.rate_of(**case.kwargs) * length(case)
 
 
-def state_size(case, _=None):
-    return np.repeat([length(case), speed(case)], 3)
-
-
 def rate_size(case, _):
-    return right.rate_of(**case.kwargs) * state_size(case)
+    return right.rate_of(**case.kwargs) * np.repeat([length(case), speed(case)], 3)
 
 
 def energy_size(case, _):
@@ -56,14 +52,12 @@ KEPT = Invariant("the energy", "of its start", right.energies, None, ENERGY)
 RESULTS = {
     "state_derivative": array(6).called("a rate", "of its size", rate_size),
     "simulate": rows(6, columns=MOTION),
-    "solution": rows(6).called("the motion", "of its size", state_size),
+    "solution": rows(6, columns=MOTION),
     "energy": number.called("the energy", "J", energy_size),
     "orbit": group(array(3).called("the centre", "m", length), array(2, 3)),
     "project": array("n", 2).called("a point of the picture", "m", absolute),
     "plot_projection": drawing,
 }
-
-
 BELOW = "Which two forces act on the mass, and which way, when it is below the origin?"
 derivative_is_velocity_and_force_over_mass = law(
     "state_derivative: the velocity, and the acceleration by the spring and the weight.", points=1.5, part="a"
@@ -73,26 +67,14 @@ energy_is_that_of_motion_spring_and_weight = law(
 ).agrees(right.energy, cases.states, within=POINTWISE, hint="Three terms: speed, stretch, height.")
 
 
-def in_columns(hint):
-    """Whether the positions or the velocities are right."""
-
-    def told(case, found, expected):
-        off = np.abs(found - expected) / state_size(case) > POINTWISE
-        if not off[:, :3].any():
-            return "The positions are right: are the velocities their derivatives?"
-        return "The velocities are right, the positions are not." if not off[:, 3:].any() else hint
-
-    return told
-
-
-WHERE = in_columns("About which point does it oscillate, and how fast?")
+WHERE = "About which point does it oscillate, and how fast? Are the velocities the rates of the positions?"
 solution_is_the_motion = law(
     "solution: position and velocity in closed form, given those at t = 0.", points=1.5, part="a"
-).agrees(right.solution, cases.with_gravity, within=POINTWISE, hint=WHERE)
-AT_ZERO = in_columns("Row i is the state at t[i], and the given state belongs to t = 0.")
+).agrees_by_columns(right.solution, cases.with_gravity, within=POINTWISE, hint=WHERE)
+AT_ZERO = "Row i is the state at t[i], and the given state belongs to t = 0."
 solution_holds_without_gravity_and_from_any_time = solution_is_the_motion.then(
     "solution: without gravity too, and at times of which none is zero.", points=0.5, part="a"
-).agrees(right.solution, cases.from_any_time, within=POINTWISE, hint=AT_ZERO)
+).agrees_by_columns(right.solution, cases.from_any_time, within=POINTWISE, hint=AT_ZERO)
 AT_THE_FIRST = "Row i is the state at t[i], and the given state is that at t[0]."
 simulate_moves_as_it_must = law(
     "simulate: the state at few and uneven times, the first of which is not 0.", points=1, part="a"

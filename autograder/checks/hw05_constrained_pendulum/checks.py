@@ -60,8 +60,6 @@ RESULTS = {
     "simulate": rows(4, columns=MOTION),
     "wireframe": array(1, 2, 2).called("an end of the rod", "m"),
 }
-
-
 TWICE = "Differentiate x^2 + y^2 = l^2 twice: which unknown does F = m a leave?"
 force_keeps_the_particle_on_the_circle = law(
     "constraint_force: radial, and such that F = m a keeps x^2 + y^2 as it is.", points=2, part="a"

@@ -54,7 +54,7 @@ def simulate(t, state, mass, length, gravity):
         return angle[1], -gravity / length * math.sin(angle[0])
 
     angles = odeint(rates, start, t, tfirst=True, rtol=1e-12, atol=1e-12, mxstep=100_000)  # good to 4e-9 after 100 s
-    states = on_circle(*angles.T, length=length)
+    states = on_circle(angles[:, 0], angles[:, 1], length)
     states[0] = state
     return states
 

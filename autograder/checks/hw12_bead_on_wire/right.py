@@ -53,7 +53,7 @@ def simulate(t, x, v, curvature, gravity):
     """(n, 2) states, good to 2e-8 of their size after thirty periods."""
 
     def rates(_, state):
-        return state[1], acceleration_newton(*state, curvature=curvature, gravity=gravity)
+        return state[1], acceleration_newton(state[0], state[1], curvature, gravity)
 
     return odeint(rates, (x, v), t, tfirst=True, rtol=1e-12, atol=1e-12, mxstep=100_000)
 
