@@ -249,7 +249,7 @@ def stops(draw):
         run(draw, kind, "front", (forwards, some), 2.1, 40),
         run(draw, f"{kind} in reverse", "rear", ((-1.5, -0.7), some), 2.1, 40),
         run(draw, f"{kind}, only two times", "rear", (forwards, some), 1.12, 2),
-        run(draw, f"{kind}, spinning on ice", "rear", ((0.3, 1), (5, 6.5)), 2.1, 30, **ice),
+        run(draw, f"{kind}, spinning on ice", "rear", ((0.3, 1), (5, 6.5)), 2.1, 50, **ice),
         run(draw, f"{kind}, spinning, only two times", "front", ((0.05, 0.2), (0.8, 1.2)), 1.12, 2),
         run(draw, f"{kind}, straight ahead", "rear", (forwards, NONE), 2.1, 20),
     ]

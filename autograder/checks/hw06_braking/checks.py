@@ -133,7 +133,7 @@ def of_stop(motion):
         return "Slow is not at rest: it has a way to go before it stops."
     if not found.any():
         return "Place and heading are zero there; do they stay where it stops?"
-    if len(found) > 1 and (found[:, 3] * motion.case.args[1][3] < 0).all():
+    if len(found) > 1 and (found[:, 3] * motion.case.args[1][3] < 0).any():
         return "It goes back after the stop."
     return "Find the time at which it stops: does anything change from then on?"
 

@@ -1,6 +1,7 @@
 """Hidden inputs of hw10: bodies of any size, wheels, spins about axes, motions on both sides of the separatrix."""
 
 import math
+from itertools import product
 
 import numpy as np
 
@@ -94,11 +95,11 @@ def turning_in_space(draw):
 
 def euler_angles(draw):
     """For euler_rates_313: theta of any sign, and a right angle."""
-    thetas = [*draw.uniform(0.3, 2.8, 6), *-draw.uniform(0.3, 2.8, 4), *draw.uniform(3.5, 5.9, 4)]
-    kinds = ["theta from 0 to pi"] * 6 + ["a negative theta"] * 4 + ["theta from pi to 2 pi"] * 4
+    ranges = {"theta from 0 to pi": (0.3, 2.8), "a negative theta": (-2.8, -0.3), "theta from pi to 2 pi": (3.5, 5.9)}
     calls = [
-        given(np.array([psi, theta, phi]), an_omega(draw)).on(kind)
-        for theta, psi, phi, kind in zip(thetas, *draw.uniform(-4, 4, (2, 14)), kinds, strict=True)
+        given(draw.uniform((-4, low, -4), (4, high, 4)), an_omega(draw)).on(kind)
+        for kind, (low, high) in ranges.items()
+        for _ in range(5)
     ]
     quarters = np.array([(0, 1, 0), (0, -1, 0), (1, 1, 0), (0, 1, 1), (2, -1, 1), (-1, 3, 2)]) * math.pi / 2
     return calls + [
@@ -151,11 +152,7 @@ def many_turns(draw):
 
 
 # Their trace is -1: a quaternion that is made by a division by its scalar part has none there.
-HALF_TURNS = {
-    "about x": np.diag([1.0, -1.0, -1.0]),
-    "about y": np.diag([-1.0, 1.0, -1.0]),
-    "about (1, 2, 2)": 2 * np.outer([1, 2, 2], [1, 2, 2]) / 9 - np.eye(3),
-}
+HALF_TURNS = {"x": [1.0, 0.0, 0.0], "y": [0.0, 1.0, 0.0], "(1, 2, 2)": [1.0, 2.0, 2.0]}
 FAST_AND_FAR = "a fast body with A = B, and two times many turns apart"
 
 
@@ -167,9 +164,9 @@ def special_motions(draw):
     rest = moving(draw, "a wheel at rest", a_wheel(draw), np.ones(3), 10)
     two = moving(draw, "two times, R = I at the start", a_wheel(draw), an_omega(draw), 5, 2)
     calls += [rest.but(*rest.args[:2], np.zeros(3)), two.but(two.args[0], np.eye(3))]
-    for about, start in HALF_TURNS.items():
-        case = moving(draw, f"a start half a turn {about} from the axes of space", a_wheel(draw), an_omega(draw), 4, 4)
-        calls.append(case.but(case.args[0], start))
+    for about, n in HALF_TURNS.items():
+        case = moving(draw, f"a start turned by half a turn about {about}", a_wheel(draw), an_omega(draw), 4, 4)
+        calls.append(case.but(case.args[0], 2 * np.outer(n, n) / np.dot(n, n) - np.eye(3)))
     for axis in (0, 1, 2):
         omega = draw.choice([-1, 1]) * draw.uniform(1, 4) * np.eye(3)[axis] + 0.0
         calls.append(moving(draw, f"spin about the principal axis {axis}", a_body(draw), omega, 4))
@@ -199,15 +196,18 @@ def wobbling(draw):
     return [given(omega, inertia=a_wheel(draw)).on(kind) for omega, kind in omegas]
 
 
+WAYS = {1: "positive", -1: "negative"}
+
+
 def spins(draw):
     """For growth_rate_squared: each axis, both ways."""
     calls = []
-    for axis in (0, 1, 2):
-        bodies = [*(a_body(draw) for _ in range(6)), a_wheel(draw)]
-        for body, spin in zip(bodies, draw.uniform(1.5, 6, 7) * draw.choice([-1, 1], 7), strict=True):
-            way = "positive" if spin > 0 else "negative"
-            calls.append(given(axis, spin, inertia=body).on(f"a {way} spin about axis {axis}"))
-        ball = given(axis, draw.uniform(1.5, 6), inertia=np.full(3, draw.uniform(0.5, 2)))
+    for axis, sign in product((0, 1, 2), (1, -1)):
+        for body in (a_body(draw), a_body(draw), a_body(draw), a_wheel(draw)):
+            calls.append(
+                given(axis, sign * draw.uniform(1.5, 6), inertia=body).on(f"a {WAYS[sign]} spin about axis {axis}")
+            )
+        ball = given(axis, sign * draw.uniform(1.5, 6), inertia=np.full(3, draw.uniform(0.5, 2)))
         calls += [ball.on("three equal inertias"), given(axis, 0.0, inertia=a_body(draw)).on("no spin")]
     return calls
 
@@ -230,14 +230,11 @@ def tumbling(sign, kind):
 
 
 def pure_spins(draw):
-    ways = {"at a negative rate": -1, "at a positive rate": 1}
-    return [
-        given(sign * draw.uniform(1, 4) * np.eye(3)[axis] + 0.0, inertia=np.sort(a_body(draw))).on(
-            f"pure spin about axis {axis}, {way}"
-        )
-        for axis in (0, 2)
-        for way, sign in ways.items()
-    ]
+    calls = []
+    for axis, sign in product((0, 2), (1, -1)):
+        omega = sign * draw.uniform(1, 4) * np.eye(3)[axis] + 0.0
+        calls.append(given(omega, inertia=np.sort(a_body(draw))).on(f"pure {WAYS[sign]} spin about axis {axis}"))
+    return calls
 
 
 def beside_separatrix(draw, distance):

@@ -91,12 +91,9 @@ euler_rates_are_refused_where_undetermined = euler_rates_make_omega.then(
 
 # Motions
 
-
 OMEGA = Column("omega", "rad/s", range(3), scale=last_length)
 ATTITUDE = Column("R", "", range(3, 12), scale=absolute)
 BOTH = OMEGA, ATTITUDE
-
-
 SHORT = "The steps must be short for a fast turn, and must not depend on the sampling."
 
 
@@ -156,20 +153,16 @@ invariants_stay_over_many_turns = (
     .also.keeps(KEEPS_ENERGY, right=right.motion, partial=SHARES, **TURNS)
 )
 special_bodies_move_too = law(
-    "simulate: equal inertias, rest, spin about a principal axis, two times alone, starts at half turns.",
-    points=0.5,
-    part="a",
-    after=FOLLOWS,
+    "simulate: equal inertias, rest, pure spin, two times, starts at half turns.", points=0.5, part="a", after=FOLLOWS
 ).follows(right.special, cases.special_motions, columns=BOTH, hint=wrong_attitude, **FOLLOWED)
 
 # (a) A = B
 
+AT_FIRST = "Compare with euler_equations at the first time."
+ALONG_BOTH = "Split omega into a part along H and one along the symmetry axis."
 symmetric_bodies_precess = law(
     "symmetric_solution: omega in body components at all times, from omega at t[0].", points=0.75, part="a"
-).agrees(
-    right.symmetric_solution, cases.precessing, within=POINTWISE, hint="Compare with euler_equations at the first time."
-)
-ALONG_BOTH = "Split omega into a part along H and one along the symmetry axis."
+).agrees(right.symmetric_solution, cases.precessing, within=POINTWISE, hint=AT_FIRST)
 wobble_goes_round_the_angular_momentum = law(
     "wobble_rate: the rate at which the symmetry axis goes round H, at any angle between them.", points=0.5, part="a"
 ).agrees(right.wobble_rate, cases.wobbling, within=POINTWISE, hint=ALONG_BOTH)
@@ -178,12 +171,8 @@ wobble_goes_round_the_angular_momentum = law(
 
 LINEAR = "Keep what is linear in the two small components of omega."
 small_deviations_grow_at_this_rate = law(
-    "growth_rate_squared: positive where spin about the axis is unstable, minus the frequency's square where not.",
-    points=0.75,
-    part="b",
+    "growth_rate_squared: positive where the spin is unstable, else minus the frequency squared.", points=0.75, part="b"
 ).agrees(right.growth_rate_squared, cases.spins, within=POINTWISE, hint=LINEAR)
-
-
 BACK = "After what time is omega back, sign and all?"
 ROUND_LAST = cases.tumbling(1, "omega round the axis of the largest inertia")
 ROUND_FIRST = cases.tumbling(-1, "omega round the axis of the smallest inertia")
