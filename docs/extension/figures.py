@@ -186,6 +186,15 @@ def _against(found):
     return _table(["problems", "error", *heads], made)
 
 
+def _ensembles(rows):
+    made = []
+    for tolerance in sorted({row["tolerance"] for row in rows}, reverse=True):
+        ratios = {row["problem"]: row["ratio"] for row in rows if row["tolerance"] == tolerance}
+        worst = max(ratios, key=ratios.get)
+        made.append([_power(f"{tolerance:g}"), f"{median(ratios.values()):.2f}", f"{ratios[worst]:.2f}, {worst}"])
+    return _table(["tolerance", "median", "worst"], made)
+
+
 def _power(number):
     """10⁻⁶ for 1e-06."""
     digits = re.sub(r".*e-0*", "", number)
@@ -200,6 +209,7 @@ TABLES = {
     "rotations": _rotations,
     "run_time_against_error": _ratios,
     "run_time_against_peers": _against,
+    "ensembles": _ensembles,
 }
 
 if __name__ == "__main__":
