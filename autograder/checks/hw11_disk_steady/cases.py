@@ -8,39 +8,9 @@ from tam570_grader import given
 
 from . import right
 
-
-def uniform_disk(draw, size):
-    return 0.25 * size, 0.5 * size
-
-
-def hoop(draw, size):
-    return 0.5 * size, size
-
-
-def wheel(draw, size):
-    C = draw.uniform(0.2, 1.1) * size
-    return C * draw.uniform(0.6, 1.3), C
-
-
-def roller(draw, size):
-    """Long: A larger than C + m a^2."""
-    C = draw.uniform(0.3, 0.9) * size
-    return (C + size) * draw.uniform(1.5, 3.0), C
-
-
-def coin(draw, size):
-    """Its moments are so small, 1e-6 N m, that many a threshold sees zero."""
-    return uniform_disk(draw, size)
-
-
-KINDS = {
-    uniform_disk: "a thin uniform disk",
-    hoop: "a hoop",
-    wheel: "a wheel",
-    roller: "a long roller",
-    coin: "a thin disk as small as a coin",
-}
-WHEELS = uniform_disk, hoop, wheel
+UNIFORM, HOOP, WHEEL, ROLLER = "a thin uniform disk", "a hoop", "a wheel", "a long roller"
+COIN = "a thin disk as small as a coin"  # its moments are so small, 1e-6 N m, that many a threshold sees zero
+WHEELS = UNIFORM, HOOP, WHEEL
 UNIT = {"mass": 1.0, "radius": 1.0, "inertia": (0.25, 0.5), "gravity": 1.0}  # a thin uniform disk
 SMALL_LEAN = 5e-5  # rad; what it changes is far above any tolerance
 STEEP_LEANS = 1.55, math.pi / 2 - 1e-4  # rad; at the second, rounding costs four digits of sixteen
@@ -51,11 +21,28 @@ AGAIN = "the same arguments as before, but for those of the disk"
 ROUNDED_NOWHERE = 2.0**-30  # rad; it is its own sine and tangent, and its cosine is one
 
 
-def a_disk(draw, make):
+def a_disk(draw, kind):
     mass, radius = 10 ** draw.uniform(-1, 1), 10 ** draw.uniform(-1.5, 0)
-    if make is coin:
+    if kind == COIN:
         mass, radius = draw.uniform(2e-3, 6e-3), draw.uniform(8e-3, 12e-3)
-    return {"mass": mass, "radius": radius, "inertia": make(draw, mass * radius**2), "gravity": draw.uniform(1.6, 25.0)}
+    A, C = (size * mass * radius**2 for size in sizes(draw, kind))
+    return {"mass": mass, "radius": radius, "inertia": (A, C), "gravity": draw.uniform(1.6, 25.0)}
+
+
+def sizes(draw, kind):
+    """A and C over m a^2; a long roller has A larger than C + m a^2."""
+    if kind == WHEEL:
+        C = draw.uniform(0.2, 1.1)
+        return C * draw.uniform(0.6, 1.3), C
+    if kind == ROLLER:
+        C = draw.uniform(0.3, 0.9)
+        return (C + 1) * draw.uniform(1.5, 3.0), C
+    return (0.5, 1.0) if kind == HOOP else (0.25, 0.5)
+
+
+def disks(draw, *kinds):
+    """Each is drawn when it is asked for."""
+    return ((kind, a_disk(draw, kind)) for kind in kinds)
 
 
 def a_sign(draw):
@@ -84,19 +71,18 @@ def telling_first(cases):
 
 def members(draw):
     """Leans and precessions of both signs."""
-    cases = []
-    for make in (*WHEELS * 4, coin):
-        disk, lean = a_disk(draw, make), a_lean(draw)
-        cases.append(given(lean, a_sign(draw) * usual(disk) * draw.uniform(0.3, 3), **disk).on(KINDS[make]))
+    cases = [
+        given(a_lean(draw), a_sign(draw) * usual(disk) * draw.uniform(0.3, 3), **disk).on(kind)
+        for kind, disk in disks(draw, *WHEELS * 4, COIN)
+    ]
     return telling_first([*cases, cases[0].but(**cases[1].kwargs).on(AGAIN)])
 
 
 def plain_members(draw):
     """Upright disks, without gravity, almost flat, and whole numbers."""
     cases = []
-    for make in WHEELS:
-        disk, precession = a_disk(draw, make), a_sign(draw) * draw.uniform(0.5, 5)
-        upright = given(0.0, precession, **disk).on("an upright disk")
+    for _, disk in disks(draw, *WHEELS):
+        upright = given(0.0, a_sign(draw) * draw.uniform(0.5, 5), **disk).on("an upright disk")
         cases += [upright, upright.but(a_lean(draw), gravity=0.0).on("no gravity")]
         cases.append(upright.but(gravity=0.0).on("an upright disk without gravity"))
     cases.append(upright.but(a_sign(draw) * SMALL_LEAN).on("an almost upright disk"))
@@ -110,26 +96,24 @@ def plain_members(draw):
 def tracks(draw):
     """Leans and track radii, both positive."""
     cases = []
-    for make in WHEELS * 4:
-        disk, lean = a_disk(draw, make), draw.uniform(0.1, 1.35)
+    for kind, disk in disks(draw, *WHEELS * 4):
+        lean = draw.uniform(0.1, 1.35)
         track = right.smallest_track(lean, **disk) + disk["radius"] * draw.uniform(0.3, 6)
-        cases.append(given(lean, track, **disk).on(KINDS[make]))
-    again = cases[0].but(gravity=2 * cases[0].kwargs["gravity"]).on(AGAIN)
-    return telling_first([*cases, again])
+        cases.append(given(lean, track, **disk).on(kind))
+    return telling_first([*cases, cases[0].but(gravity=2 * cases[0].kwargs["gravity"]).on(AGAIN)])
 
 
 def tracks_of_any_sign(draw):
-    mirrored = [
-        case.but(*(-x for x in case.args)).on("lean and track radius both negative") for case in tracks(draw)[:4]
-    ]
-    disk, lean = a_disk(draw, roller), draw.uniform(0.2, 1.2)
+    kind = "lean and track radius both negative"
+    mirrored = [case.but(*(-x for x in case.args)).on(kind) for case in tracks(draw)[:4]]
+    disk, lean = a_disk(draw, ROLLER), draw.uniform(0.2, 1.2)
     still = given(lean, 0.0, **disk).on("a long roller whose contact rests")
     track = right.smallest_track(lean, **disk) * draw.uniform(0.2, 0.8)
     kind = "a long roller whose contact lies beyond the centre of the circle"
     beyond = [still.but(sign * lean, sign * track).on(kind) for sign in (1, -1)]
-    disk, lean = a_disk(draw, coin), draw.uniform(0.2, 1.2)
+    disk, lean = a_disk(draw, COIN), draw.uniform(0.2, 1.2)
     track = right.smallest_track(lean, **disk) + disk["radius"] * draw.uniform(0.3, 0.6)
-    small, flat = given(lean, track, **disk).on(KINDS[coin]), a_disk(draw, uniform_disk)
+    small, flat = given(lean, track, **disk).on(COIN), a_disk(draw, UNIFORM)
     steep = [given(lean, right.smallest_track(lean, **flat) + flat["radius"], **flat).on(STEEP) for lean in STEEP_LEANS]
     return [*mirrored, still, *beyond, small, *steep]
 
@@ -137,29 +121,24 @@ def tracks_of_any_sign(draw):
 def straight_tracks(draw):
     """Where nothing turns the disk; and where very little does."""
     plain, signed = [], []
-    for make in WHEELS:
-        disk, R = a_disk(draw, make), draw.uniform(2, 5)  # m, wider than any smallest track
+    for _, disk in disks(draw, *WHEELS):
+        R = draw.uniform(2, 5)  # m, wider than any smallest track
         case = given(draw.uniform(0.2, 1.2), R, **disk)
         plain += [case.but(gravity=0.0).on("no gravity"), case.but(gravity=LITTLE_GRAVITY).on(LITTLE)]
         for sign, word in ((1, "positive"), (-1, "negative")):
             upright = f"an upright disk and a {word} track radius"
-            small = 0.05 * disk["radius"]
-            plain += [
-                case.but(0.0, sign * R).on(upright),
-                case.but(0.0, sign * small).on(f"{upright}, far below the radius of the disk"),
-            ]
+            small = case.but(0.0, sign * 0.05 * disk["radius"])
+            plain += [case.but(0.0, sign * R).on(upright), small.on(f"{upright}, far below the radius of the disk")]
             outwards = case.but(-sign * case.args[0], sign * R, gravity=0.0)
-            signed += [
-                outwards.on("no gravity, and a lean away from the centre"),
-                case.but(sign * SMALL_LEAN, sign * R).on("an almost upright disk"),
-            ]
+            signed.append(outwards.on("no gravity, and a lean away from the centre"))
+            signed.append(case.but(sign * SMALL_LEAN, sign * R).on("an almost upright disk"))
     return plain + signed
 
 
 def impossible_tracks(draw):
     cases = []
-    for make in WHEELS:
-        disk, lean = a_disk(draw, make), draw.uniform(0.2, 1.2)
+    for _, disk in disks(draw, *WHEELS):
+        lean = draw.uniform(0.2, 1.2)
         wide, tight = disk["radius"] * draw.uniform(0.5, 5), right.smallest_track(lean, **disk) * draw.uniform(0.1, 0.9)
         outwards = "a disk that leans away from the centre"
         places = [
@@ -192,10 +171,7 @@ def sliding_tracks(draw):
 
 def settled(draw):
     """A lean alone."""
-    cases = []
-    for make in (*WHEELS * 3, coin):
-        disk = a_disk(draw, make)
-        cases.append(given(a_lean(draw), **disk).on(KINDS[make]))
+    cases = [given(a_lean(draw), **disk).on(kind) for kind, disk in disks(draw, *WHEELS * 3, COIN)]
     first = cases[0]
     cases += [given(sign * math.pi / 4, **UNIT).on("whole numbers") for sign in (1, -1)]
     again = first.but(gravity=2 * first.kwargs["gravity"]).on(AGAIN)
@@ -204,11 +180,11 @@ def settled(draw):
 
 def next_to_upright(draw):
     kinds = {0.0: "an upright disk", 1e-9: "an almost upright disk", -1e-9: "an almost upright disk"}
-    return [given(lean, **a_disk(draw, wheel)).on(kind) for lean, kind in kinds.items()]
+    return [given(lean, **a_disk(draw, WHEEL)).on(kind) for lean, kind in kinds.items()]
 
 
 def steep(draw):
-    disk = a_disk(draw, wheel)
+    disk = a_disk(draw, WHEEL)
     return [given(sign * lean, **disk).on(STEEP) for lean in STEEP_LEANS for sign in (1, -1)]
 
 
@@ -218,19 +194,16 @@ def settling(draw):
 
 def whirls(draw):
     """Leans, precessions, spins and disks without any relation, steady or not; and some with a zero."""
-    cases = []
-    for make in (*WHEELS * 4, coin):
-        disk = a_disk(draw, make)
-        cases.append(given(draw.uniform(-1.4, 1.4), *(usual(disk) * draw.uniform(-3, 3, 2)), **disk).on(KINDS[make]))
-    first, other = cases[0], cases[1].kwargs
-    cases += [first.but(sign * STEEP_LEANS[0]).on(STEEP) for sign in (1, -1)]
-    cases.append(first.but(**other).on(AGAIN))
-    for make in WHEELS:
-        disk = a_disk(draw, make)
+    cases = [
+        given(draw.uniform(-1.4, 1.4), *(usual(disk) * draw.uniform(-3, 3, 2)), **disk).on(kind)
+        for kind, disk in disks(draw, *WHEELS * 4, COIN)
+    ]
+    cases += [cases[0].but(sign * STEEP_LEANS[0]).on(STEEP) for sign in (1, -1)]
+    cases.append(cases[0].but(**cases[1].kwargs).on(AGAIN))
+    for _, disk in disks(draw, *WHEELS):
         case = given(a_lean(draw), *(usual(disk) * draw.uniform(0.3, 3, 2) * draw.choice([-1, 1], 2)), **disk)
-        plain = {"an upright disk": case.but(0.0), "no gravity": case.but(gravity=0.0)}
-        plain["no spin"] = case.but(*case.args[:2], 0.0)
-        cases += [one.on(kind) for kind, one in plain.items()]
+        cases += [case.but(0.0).on("an upright disk"), case.but(gravity=0.0).on("no gravity")]
+        cases.append(case.but(*case.args[:2], 0.0).on("no spin"))
     whole = [given(sign * math.pi / 4, sign * 1.0, 1.0, **UNIT).on("whole numbers") for sign in (1, -1)]
     return cases + whole
 
@@ -262,6 +235,6 @@ def under_forces(draw):
 
 
 def straight_rolling(draw):
-    disk = a_disk(draw, wheel)
+    disk = a_disk(draw, WHEEL)
     kinds = {"straight rolling, upright": usual(disk), "an upright disk at rest": 0.0}
     return [without(given(0.0, 0.0, spin, **disk), "inertia").on(kind) for kind, spin in kinds.items()]

@@ -4,7 +4,7 @@ from functools import partial
 
 import numpy as np
 
-from tam570_grader import agree, check, group, law, number
+from tam570_grader import absolute, agree, check, group, law, number
 
 from . import cases, right
 
@@ -46,10 +46,6 @@ def radius(case, _):
     return case.kwargs["radius"]
 
 
-def one(*_):
-    return 1.0
-
-
 RESULTS = {
     "rolling_precession": number.called("the precession", "rad/s"),
     "rolling_spin": number.called("the spin", "rad/s", partial(spin_size, right.contact_force)),
@@ -78,49 +74,36 @@ def wrong_force(case, found, expected):
     return "The results are (inward, normal): F = m a of G, which moves on a circle."
 
 
+MOMENTS = "The moment of the contact force about G is Omega z x H."
+WHICH_SIGN = "Which sign must the moment of the weight have?"
+AT_REST = "The point of the disk on the ground has no velocity."
+ABOUT_WHICH = "G is at rest; about which axis does the disk turn?"
+
+
 # (a) Rolling
 
 rolling_spin_balances_the_moments = law(
-    "rolling_spin is the total spin that keeps lean and precession steady, leaning in- or outwards.",
-    points=1.25,
-    part="a",
-).agrees(
-    right.rolling_spin, cases.members, within=WITHIN, hint="The moment of the contact force about G is Omega z x H."
-)
+    "rolling_spin is the total spin that keeps lean and precession steady, in- or outwards.", points=1.25, part="a"
+).agrees(right.rolling_spin, cases.members, within=WITHIN, hint=MOMENTS)
 rolling_spin_holds_upright_and_without_gravity = rolling_spin_balances_the_moments.then(
     "rolling_spin holds for an upright disk and for no gravity.", points=0.25, part="a"
 ).agrees(right.rolling_spin, cases.plain_members, within=WITHIN, hint=WHICH_ARE_ZERO)
 rolling_track_has_the_contact_at_rest = law(
     "rolling_track_radius is the radius, with its sign, of the contact point's track.", points=1, part="a"
-).agrees(
-    right.rolling_track_radius,
-    cases.members,
-    cases.plain_members,
-    within=WITHIN,
-    hint="The point of the disk on the ground has no velocity.",
-)
+).agrees(right.rolling_track_radius, cases.members, cases.plain_members, within=WITHIN, hint=AT_REST)
 rolling_precession_balances_the_moments = law(
     "rolling_precession keeps the lean steady on the given track.", points=1.25, part="a"
 ).agrees(right.rolling_precession, cases.tracks, within=WITHIN, hint=BOTH_CONDITIONS)
 rolling_precession_holds_on_tracks_of_any_sign = rolling_precession_balances_the_moments.then(
-    "rolling_precession holds with the contact beyond the centre, for a roller, a coin, and almost flat.",
-    points=0.5,
-    part="a",
-).agrees(
-    right.rolling_precession,
-    cases.tracks_of_any_sign,
-    within=WITHIN,
-    hint="Which sign must the moment of the weight have?",
-)
+    "rolling_precession: the contact beyond the centre, a roller, a coin, an almost flat disk.", points=0.5, part="a"
+).agrees(right.rolling_precession, cases.tracks_of_any_sign, within=WITHIN, hint=WHICH_SIGN)
 rolling_precession_is_zero_where_nothing_turns_it = rolling_precession_balances_the_moments.then(
     "rolling_precession is 0 without gravity, or for an upright disk unless its track is a point, and only then.",
     points=0.5,
     part="a",
-).agrees(right.rolling_precession, cases.straight_tracks, within=WITHIN, scale=one)
+).agrees(right.rolling_precession, cases.straight_tracks, within=WITHIN, scale=absolute)
 rolling_precession_refuses_what_does_not_exist = rolling_precession_balances_the_moments.then(
-    "rolling_precession raises ValueError where no steady rolling exists, or every Omega would do.",
-    points=0.75,
-    part="a",
+    "rolling_precession raises ValueError where no steady rolling exists, or any Omega does.", points=0.75, part="a"
 ).refuses(right.rolling_precession, cases.impossible_tracks, within=WITHIN, allowed=0, hint="What would Omega^2 be?")
 
 # (b) Sliding
@@ -156,22 +139,14 @@ contact_force_moves_the_centre = law(
     "contact_force gives the mass its centripetal acceleration and carries its weight.", points=0.5, part="c"
 ).agrees(right.contact_force, cases.free_whirls, within=WITHIN, hint=wrong_force)
 contact_force_of_straight_rolling = contact_force_moves_the_centre.then(
-    "contact_force: an upright disk without precession rolls straight on, and the ground carries its weight.",
-    points=0.25,
-    part="c",
+    "contact_force: an upright disk without precession rolls straight on, its weight carried.", points=0.25, part="c"
 ).agrees(right.contact_force, cases.straight_rolling, within=WITHIN, hint="Nothing there goes round.")
 moment_residual_is_moment_minus_rate = law(
-    "moment_residual is the moment about G less the rate of angular momentum, for any motion and force.",
-    points=0.75,
-    part="c",
+    "moment_residual: moment less rate of angular momentum about G, for any motion and force.", points=0.75, part="c"
 ).agrees(right.moment_residual, cases.under_forces, within=WITHIN, hint="Omega z x H: which parts of H go round?")
 
 # (d) The shuddering coin
 
 settling_energy_adds_up = law(
-    "settling_energy is the kinetic and potential energy of the motion that rolls and slides at once.",
-    points=0.75,
-    part="d",
-).agrees(
-    right.settling_energy, cases.settling, within=WITHIN, hint="G is at rest; about which axis does the disk turn?"
-)
+    "settling_energy: kinetic and potential energy of the motion that rolls and slides at once.", points=0.75, part="d"
+).agrees(right.settling_energy, cases.settling, within=WITHIN, hint=ABOUT_WHICH)
