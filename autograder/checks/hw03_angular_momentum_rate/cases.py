@@ -21,15 +21,10 @@ def motions(draw):
 
 
 def kind(state, what):
-    """What to call a state: which of its vectors are zero."""
-    vectors = {
-        **dict(zip(NAMES, state, strict=True)),
-        "r_p - r_c": state[0] - state[3],
-        "v_p - v_c": state[1] - state[4],
-    }
-    zero = [name for name, vector in vectors.items() if not np.any(vector)]
-    alike = {"r_p - r_c": {"r_p", "r_c"}, "v_p - v_c": {"v_p", "v_c"}}
-    zero = [name for name in zero if not alike.get(name, {""}) <= set(zero)]
+    """What to call a state: which of its vectors are zero, or which two are the same."""
+    zero = [name for name, vector in zip(NAMES, state, strict=True) if not np.any(vector)]
+    same = [k for k in (0, 1) if np.array_equal(state[k], state[k + 3]) and np.any(state[k])]
+    zero += [f"{NAMES[k]} - {NAMES[k + 3]}" for k in same]
     return what + (f", {' and '.join(zero)} zero" if zero else "")
 
 

@@ -42,16 +42,16 @@ RESULTS = {
 }
 
 
+QUOTIENT = "It is nearly right: is it a difference quotient? Differentiate the product on paper."
+ARM = "The lever arm runs from C to P, and the force on P is all of its m a."
+SAME = "At one instant, can definitions a and b differ?"
+
+
 def by_difference(hint):
     """The hint, but for a rate that is nearly right, as a difference quotient is."""
-
-    def told(case, found, expected):
-        nearly = np.abs(found - expected).max() <= NEARLY * moment_size(case)
-        return (
-            "It is nearly right: is it a difference quotient? Differentiate the product on paper." if nearly else hint
-        )
-
-    return told
+    return lambda case, found, expected: (
+        QUOTIENT if np.abs(found - expected).max() <= NEARLY * moment_size(case) else hint
+    )
 
 
 LETTERS = "Raise ValueError for anything but the three letters."
@@ -69,27 +69,17 @@ def left_over(case, found, expected):
 
 
 moment_is_about_C = law("moment: of the total force on P, about C.", points=1, part="a").agrees(
-    right.moment,
-    cases.moments,
-    within=POINTWISE,
-    hint="The lever arm runs from C to P, and the force on P is all of its m a.",
+    right.moment, cases.moments, within=POINTWISE, hint=ARM
 )
 momentum_with_the_velocity_in_F = law(
     "angular_momentum by definitions a and b: the lever arm from C, the velocity as F sees it.", points=1, part="a"
-).agrees(
-    right.angular_momentum,
-    cases.momenta("ab"),
-    within=POINTWISE,
-    hint="At one instant, can definitions a and b differ?",
-)
+).agrees(right.angular_momentum, cases.momenta("ab"), within=POINTWISE, hint=SAME)
 momentum_with_the_velocity_relative_to_C = law(
     "angular_momentum by definition c: the velocity as one sees it who moves along with C.", points=0.75, part="a"
 ).agrees(right.angular_momentum, cases.momenta("c"), within=POINTWISE, hint="Whose velocity, seen from where?")
+BOTH_MOMENTA = momentum_with_the_velocity_in_F, momentum_with_the_velocity_relative_to_C
 momentum_refuses_other_definitions = law(
-    "angular_momentum raises ValueError for another definition.",
-    points=0.25,
-    part="a",
-    after=(momentum_with_the_velocity_in_F, momentum_with_the_velocity_relative_to_C),
+    "angular_momentum raises ValueError for another definition.", points=0.25, part="a", after=BOTH_MOMENTA
 ).refuses(right.angular_momentum, cases.letters(cases.momenta("b")), within=POINTWISE, hint=LETTERS)
 
 rate_about_a_fixed_point = law(
@@ -101,11 +91,9 @@ rate_with_the_velocity_in_F = law(
 rate_with_the_velocity_relative_to_C = law(
     "rate by definition c: the derivative of its angular momentum along any motion of P and C.", points=0.75, part="a"
 ).agrees(right.rate, cases.rates("c"), within=POINTWISE, hint=PRODUCT)
+BOTH_RATES = rate_about_a_fixed_point, rate_with_the_velocity_in_F
 rate_refuses_other_definitions = law(
-    "rate raises ValueError for another definition.",
-    points=0.25,
-    part="a",
-    after=(rate_about_a_fixed_point, rate_with_the_velocity_in_F),
+    "rate raises ValueError for another definition.", points=0.25, part="a", after=BOTH_RATES
 ).refuses(right.rate, cases.letters(cases.rates("b")), within=POINTWISE, hint=LETTERS)
 
 discrepancy_with_the_velocity_in_F = law(
