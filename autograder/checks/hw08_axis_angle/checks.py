@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from tam570_grader import agree, array, check, expect, law
+from tam570_grader import absolute, agree, array, check, expect, law
 
 from . import cases, right
 
@@ -18,17 +18,13 @@ BY_SIZE = TINY, POINTWISE, POINTWISE, HUGE_ANGLE  # of cases.angles_by_size
 NEARLY = 1e-5  # of the result; a pi of few digits loses less, wrong physics more
 
 
-def one(*_):
-    return 1.0
-
-
 def length(case, _):
     return np.linalg.norm(case.args[0])
 
 
 RESULTS = {
     "skew": array(3, 3).called("skew(v)", scale=length),
-    "rotation_matrix": array(3, 3).called("the matrix", scale=one),
+    "rotation_matrix": array(3, 3).called("the matrix", scale=absolute),
     "rotate": array(3).called("the turned vector", "m", scale=length),
 }
 

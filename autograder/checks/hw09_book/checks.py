@@ -5,6 +5,7 @@ import math
 import numpy as np
 
 from tam570_grader import agree, array, check, expect, expect_that, given, group, judge_boxes, law, number, refuse
+from tam570_grader.writing.agree import absolute
 
 from . import cases, right
 
@@ -32,10 +33,6 @@ NEARLY = 1e-5  # of a result, or rad; a pi of few digits loses less
 SAME = 1e-6
 
 
-def one(*_):
-    return 1.0
-
-
 def in_limits(case, _):
     """Many turns are allowed a larger error."""
     return 1.0 if len(case.args[0]) < 5 else MANY_TURNS / WITHIN
@@ -46,11 +43,11 @@ def largest(case, expected):
 
 
 RESULTS = {
-    "axis_rotation": array(3, 3).called("the matrix", scale=one),
+    "axis_rotation": array(3, 3).called("the matrix", scale=absolute),
     "space_sequence": array(3, 3).called("the matrix", scale=in_limits),
     "body_sequence": array(3, 3).called("the matrix", scale=in_limits),
-    "book_rotations": group(*(array(3, 3).called(f"the matrix of ({part})", scale=one) for part in "ab")),
-    "axis_angle": group(array(3).called("the axis", scale=one), number.called("the angle", "rad", one)),
+    "book_rotations": group(*(array(3, 3).called(f"the matrix of ({part})", scale=absolute) for part in "ab")),
+    "axis_angle": group(array(3).called("the axis", scale=absolute), number.called("the angle", "rad", absolute)),
     "book_edges": array(12, 2, 3),
 }
 
