@@ -58,12 +58,12 @@ def nearly_flat(draw):
 def on_a_point(draw):
     disk = a_disk(draw)
     upright = a_state(draw, disk, right.RIGHT) * [1, 1, 1, 1, 1, 1, 0, 0]
-    return given(upright, **disk).on("an upright disk that spins on a point")
+    return [given(upright, **disk).on("an upright disk that spins on a point")]
 
 
-def timed(cases):
+def timed(*kinds):
     """For the functions that are given a time, too."""
-    return [given(0.0, *case.args, **case.kwargs).on(case.kind) for case in cases]
+    return lambda draw: [given(0.0, *one.args, **one.kwargs).on(one.kind) for kind in kinds for one in kind(draw)]
 
 
 def by_matrix(cases):
@@ -71,8 +71,8 @@ def by_matrix(cases):
     return [case.but(*case.args[:-1], right.matrix_state(case.args[-1], case.kwargs["radius"])) for case in cases]
 
 
-def of_radius(cases):
-    return [given(*case.args, radius=case.kwargs["radius"]).on(case.kind) for case in cases]
+def of_radius(draw):
+    return [given(*case.args, radius=case.kwargs["radius"]).on(case.kind) for case in instants(draw)]
 
 
 # Motions
@@ -104,9 +104,9 @@ def stays_up(t, state, disk):
     return np.sin(states[:, 3]).min() > 0.4
 
 
-def two_times(draw):
-    """Let go at rest, rolling straight upright, spinning upright on a point, at rest; and one argument changed."""
-    disk = a_disk(draw)
+def simulated(draw):
+    """Motions; two times, let go at rest, rolling upright, spinning upright, at rest; and one argument changed."""
+    general, disk = motions(draw, 2, 3.0, 60), a_disk(draw)
     found, usual = [], right.usual(disk)
     for tilt, rates, kind in (
         (1.1, (0, 0, 0), "let go at rest"),
@@ -117,7 +117,7 @@ def two_times(draw):
         t = draw.uniform(0.5, 3) + np.array([0.0, 0.6]) / usual
         found.append(given(t, start, **disk).on(f"two times, a disk {kind}"))
     still = found[0].but(gravity=0.0).on("two times, a disk at rest without gravity, where it stays")
-    return [*found, still, *in_turn(draw, found[0])]
+    return [*general, *found, still, *in_turn(draw, found[0])]
 
 
 # Steady and nearly upright

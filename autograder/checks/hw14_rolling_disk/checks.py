@@ -5,6 +5,7 @@ from functools import partial
 import numpy as np
 
 from tam570_grader import Column, Invariant, agree, agree_by_columns, check, expect, expect_that, follow, law, stays
+from tam570_grader.writing.agree import absolute
 from tam570_grader.writing.expect import Failed
 from tam570_grader.writing.returns import array, number, rows
 
@@ -27,6 +28,11 @@ ROTATION = 2e-5  # 1.2e-6, of R^T R over that time
 ENERGY = 5e-6  # 4.3e-7, over 20 sqrt(a/g)
 
 
+def euler_of(case):
+    state = case.args[-1]
+    return right.euler_state(state, case.kwargs["radius"]) if len(state) == 15 else state
+
+
 def rate(case, _=None):
     return 1e-3 + np.abs(euler_of(case)[5:]).sum()
 
@@ -37,73 +43,60 @@ def second(case, _=None):
     return (np.abs(state[5:]).sum() ** 2 + disk["gravity"] / disk["radius"]) / np.sin(state[3])
 
 
-def euler_of(case):
-    state = case.args[-1]
-    return right.euler_state(state, case.kwargs["radius"]) if len(state) == 15 else state
-
-
 def force(case, _=None):
     return case.kwargs["mass"] * case.kwargs["radius"] * second(case)
 
 
 def moment(case, _=None):
-    disk = case.kwargs
-    return (disk["mass"] * disk["radius"] ** 2 + sum(disk["inertia"])) * second(case)
+    return case.kwargs["radius"] * force(case) + sum(case.kwargs["inertia"]) * second(case)
 
 
 def radius(case, _=None):
     return case.kwargs["radius"]
 
 
-def one(*_):
-    return 1.0
+def speed(case, _):
+    return radius(case) * rate(case)
 
 
 def size(case, growth):
     return right.growth_rate_squared(0.0, **case.kwargs) + abs(growth)
 
 
-def largest(where, least):
-    """The scale of a column of a motion: its largest number, and no less than this."""
-    return lambda case, states: max(np.abs(states[:, where]).max(), least(case))
+def largest(of, unit, where, least=absolute, turns=False):
+    """A column of a state or a motion, its scale the largest number there, and no less than this."""
+    return Column(of, unit, where, turns, lambda case, states: max(np.abs(states[..., where]).max(), least(case)))
 
 
-STATE = (
-    Column("the centre", "m", right.CENTRE, scale=lambda case, _: radius(case) + np.abs(case.args[-1][:2]).max()),
-    Column("R, row by row,", "", right.MATRIX, scale=one),
-    Column("omega in space axes", "rad/s", right.OMEGA, scale=rate),
+MATRIX_STATE = (
+    largest("the centre", "m", right.CENTRE, radius),
+    Column("R, row by row,", "", right.MATRIX, scale=absolute),
+    largest("omega in space axes", "rad/s", right.OMEGA),
 )
 EULER_RATES = (
-    Column("the contact's velocity", "m/s", slice(0, 2), scale=lambda case, _: radius(case) * rate(case)),
+    Column("the contact's velocity", "m/s", slice(0, 2), scale=speed),
     Column("an angle's rate", "rad/s", slice(2, 5), scale=rate),
-    Column("yaw''", "rad/s^2", [5], scale=second),
-    Column("tilt''", "rad/s^2", [6], scale=second),
-    Column("roll''", "rad/s^2", [7], scale=second),
+    *(Column(f"{angle}''", "rad/s^2", [k], scale=second) for k, angle in enumerate(("yaw", "tilt", "roll"), 5)),
 )
 MATRIX_RATES = (
-    Column("the centre's velocity", "m/s", right.CENTRE, scale=lambda case, _: radius(case) * rate(case)),
+    Column("the centre's velocity", "m/s", right.CENTRE, scale=speed),
     Column("dR/dt", "1/s", right.MATRIX, scale=rate),
     Column("omega'", "rad/s^2", right.OMEGA, scale=second),
 )
 EULER = (
-    Column("the contact", "m", [0, 1], scale=largest([0, 1], radius)),
-    Column("yaw", "rad", [2], turns=True, scale=largest([2], one)),
-    Column("tilt", "rad", [3], scale=largest([3], one)),
-    Column("roll", "rad", [4], turns=True, scale=largest([4], one)),
-    Column("an angle's rate", "rad/s", [5, 6, 7], scale=largest([5, 6, 7], one)),
-)
-MATRIX_STATES = (
-    Column("the centre", "m", right.CENTRE, scale=largest(right.CENTRE, radius)),
-    Column("R, row by row,", "", right.MATRIX, scale=one),
-    Column("omega in space axes", "rad/s", right.OMEGA, scale=largest(right.OMEGA, one)),
+    largest("the contact", "m", [0, 1], radius),
+    largest("yaw", "rad", [2], turns=True),
+    largest("tilt", "rad", [3]),
+    largest("roll", "rad", [4], turns=True),
+    largest("an angle's rate", "rad/s", [5, 6, 7]),
 )
 RESULTS = {
     "euler_state_derivative": array(8, columns=EULER_RATES),
     "matrix_state_derivative": array(15, columns=MATRIX_RATES),
     "multiplier_state_derivative": array(15, columns=MATRIX_RATES),
-    "matrix_state": array(15, columns=STATE),
+    "matrix_state": array(15, columns=MATRIX_STATE),
     "simulate_euler": rows(8, columns=EULER),
-    "simulate_matrix": rows(15, columns=MATRIX_STATES),
+    "simulate_matrix": rows(15, columns=MATRIX_STATE),
     "energy": number.called("the energy", "J", moment),
     "contact_force": array(3).called("the force", "N", force),
     "steady_residual": number.called("tilt''", "rad/s^2", lambda case, _: right.usual(case.kwargs) ** 2),
@@ -111,26 +104,18 @@ RESULTS = {
     "growth_rate_squared": number.called("the square of the rate", "1/s^2", size),
     "wireframe": array(None, 2, 3),
 }
-ROTATES = Invariant("R^T R", "", right.not_a_rotation, one, ROTATION)
+ROTATES = Invariant("R^T R", "", right.not_a_rotation, absolute, ROTATION)
 HEIGHT = Invariant("the centre's height", "m", right.above_the_ground, radius, KEPT)
 ENERGY_KEPT = Invariant("the energy", "J", right.energies, right.energy_at_the_start, ENERGY)
-INTEGRALS = Invariant(
-    "omega along e2 or e3, carried to the upright disk by the tilt,",
-    "rad/s",
-    right.two_integrals,
-    lambda case, _: np.abs(case.args[-1][5:]).sum(),
-    KEPT,
-)
+CARRIED = "omega along e2 or e3, carried to the upright disk by the tilt,"
+INTEGRALS = Invariant(CARRIED, "rad/s", right.two_integrals, rate, KEPT)
 
 
 # (a) Three derivations
 
-NO_SINGULAR_TILT = "No tilt but 0 and pi is singular."
-
-
 matrix_state_places_the_disk = law(
     "matrix_state has the centre, R row by row, and the total omega in space axes.", points=0.5, part="a"
-).agrees_by_columns(right.matrix_state, lambda draw: cases.of_radius(cases.instants(draw)), within=POINTWISE)
+).agrees_by_columns(right.matrix_state, cases.of_radius, within=POINTWISE)
 
 
 def along(of, off, state, limit):
@@ -148,27 +133,25 @@ def wrong_turning(case, found, expected, otherwise):
     return along("omega'", turning, state, POINTWISE * second(case)) or otherwise
 
 
-@check(points=1.25, part="a")
-def euler_equations_hold(student, draw):
-    """euler_state_derivative balances momentum and angular momentum of a rolling disk, hoop and wheel."""
-    hint = partial(wrong_turning, otherwise="Test it on straight rolling, then on hw11's circles.")
-    calls = cases.timed(cases.instants(draw))
-    agree_by_columns(student.euler_state_derivative, right, calls, within=POINTWISE, hint=hint)
+TEST_IT = partial(wrong_turning, otherwise="Test it on straight rolling, then on hw11's circles.")
+NO_SINGULAR_TILT = "No tilt but 0 and pi is singular."
 
-
-@check(points=0.25, part="a", after=euler_equations_hold)
-def euler_equations_hold_next_to_flat_and_upright(student, draw):
-    """euler_state_derivative holds at a tilt of 1e-3, and for a disk spinning upright on a point."""
-    calls = cases.timed([*cases.nearly_flat(draw), cases.on_a_point(draw)])
-    agree_by_columns(student.euler_state_derivative, right, calls, within=FLAT, hint=NO_SINGULAR_TILT)
+euler_equations_hold = law(
+    "euler_state_derivative balances momentum and angular momentum of disk, hoop and wheel.", points=1.25, part="a"
+).agrees_by_columns(right.euler_state_derivative, cases.timed(cases.instants), within=POINTWISE, hint=TEST_IT)
+euler_equations_hold_next_to_flat_and_upright = euler_equations_hold.then(
+    "euler_state_derivative holds at a tilt of 1e-3, and for a disk spinning upright on a point.", points=0.25, part="a"
+).agrees_by_columns(
+    right.euler_state_derivative, cases.timed(cases.nearly_flat, cases.on_a_point), within=FLAT, hint=NO_SINGULAR_TILT
+)
 
 
 def judge_balances(function, draw, hint):
     """The rates of a matrix state, those of a nearly flat disk last."""
-    calls, flat = (cases.timed(cases.by_matrix(some)) for some in (cases.instants(draw), cases.nearly_flat(draw)))
     wrong = partial(wrong_turning, otherwise=hint)
-    agree_by_columns(function, right, calls, within=POINTWISE, hint=wrong)
-    agree_by_columns(function, right, flat, within=FLAT, hint=NO_SINGULAR_TILT)
+    for kind, within, told in ((cases.instants, POINTWISE, wrong), (cases.nearly_flat, FLAT, NO_SINGULAR_TILT)):
+        calls = cases.by_matrix(cases.timed(kind)(draw))
+        agree_by_columns(function, right, calls, within=within, hint=told)
 
 
 @check(points=0.75, part="a")
@@ -188,28 +171,17 @@ def multiplier_equations_hold(student, draw):
 # (b) Simulation, (c) both ways
 
 
-DERIVATIVES = "Are the derivatives right?"
+FOLLOWED = {"within": TRAJECTORY, "hint": "Are the derivatives right?"}
 
-
-@check(points=0.75, part="b")
-def euler_simulation_follows_the_motion(student, draw):
-    """simulate_euler follows the motion from any start, row i at t[i], row 0 the given state."""
-    calls = cases.motions(draw, 2, 3.0, 60) + cases.two_times(draw)
-    follow(student.simulate_euler, right, calls, within=TRAJECTORY, hint=DERIVATIVES, keeps=ENERGY_KEPT)
-
-
-@check(points=0.5, part="b", after=euler_simulation_follows_the_motion)
-def euler_simulation_keeps_two_integrals(student, draw):
-    """simulate_euler keeps omega's parts along e2 and e3 functions of the tilt alone, however far apart the times."""
-    calls = cases.motions(draw, 2, 6.0, 4)
-    stays(student.simulate_euler, right, calls, INTEGRALS, partial={1e-4: 0.5})
-
-
-@check(points=0.75, part="b")
-def matrix_simulation_follows_the_motion(student, draw):
-    """simulate_matrix follows the motion from any start, row i at t[i], row 0 the given state."""
-    calls = cases.by_matrix(cases.motions(draw, 2, 3.0, 60) + cases.two_times(draw))
-    follow(student.simulate_matrix, right, calls, within=TRAJECTORY, hint=DERIVATIVES)
+euler_simulation_follows_the_motion = law(
+    "simulate_euler follows the motion from any start, row i at t[i], row 0 the given state.", points=0.75, part="b"
+).follows(right.simulate_euler, cases.simulated, keeps=ENERGY_KEPT, **FOLLOWED)
+euler_simulation_keeps_two_integrals = euler_simulation_follows_the_motion.then(
+    "simulate_euler: omega along e2 and e3 depends on the tilt alone, at any times.", points=0.5, part="b"
+).keeps(INTEGRALS, right=right.simulate_euler, cases=lambda draw: cases.motions(draw, 2, 6.0, 4), partial={1e-4: 0.5})
+matrix_simulation_follows_the_motion = law(
+    "simulate_matrix follows the motion from any start, row i at t[i], row 0 the given state.", points=0.75, part="b"
+).follows(right.simulate_matrix, lambda draw: cases.by_matrix(cases.simulated(draw)), **FOLLOWED)
 
 
 @check(points=0.5, part="c", after=(euler_simulation_follows_the_motion, matrix_simulation_follows_the_motion))
@@ -226,11 +198,10 @@ def both_simulations_agree(student, draw):
 # (d) Steady circles
 
 
-@check(points=0.75, part="d")
-def steady_residual_is_the_tilt_acceleration(student, draw):
-    """steady_residual is tilt'' of the motion with this lean, precession and total spin, steady or not."""
-    hint = "Put tilt = lean + pi/2 and tilt' = 0 into your equations."
-    agree(student.steady_residual, right, cases.steady(draw), within=POINTWISE, hint=hint)
+EQUATIONS = "Put tilt = lean + pi/2 and tilt' = 0 into your equations."
+steady_residual_is_the_tilt_acceleration = law(
+    "steady_residual is tilt'' at this lean, precession and total spin, steady or not.", points=0.75, part="d"
+).agrees(right.steady_residual, cases.steady, within=POINTWISE, hint=EQUATIONS)
 
 
 # (e) The picture
@@ -252,10 +223,10 @@ def judge_wireframe(case, lines):
     angles, off = right.in_the_disk(lines, state, size)
     from_centre = off[sides:].min() <= POINTWISE * size
     hints = "The centre is contact + a e2.", "A diameter goes from rim to rim." if from_centre else ""
-    for ends, of, hint in zip(
-        (off[:sides], off[sides:]), ("an end of a side", "an end of a diameter"), hints, strict=True
-    ):
-        expect(ends, 0.0, within=POINTWISE * size, of=f"the distance from the rim of {of}", unit="m", hint=hint)
+    for ends, of, hint in zip((off[:sides], off[sides:]), ("a side", "a diameter"), hints, strict=True):
+        expect(
+            ends, 0.0, within=POINTWISE * size, of=f"the distance from the rim of an end of {of}", unit="m", hint=hint
+        )
     angle = partial(expect, within=10 * POINTWISE, unit="rad")  # of points that are off by POINTWISE
     across = right.turned(angles[:, 1] - angles[:, 0], 2 * np.pi)
     step = 2 * np.pi / sides
@@ -317,7 +288,5 @@ critical_speed_parts_stable_from_unstable = law(
     "critical_speed is the centre's speed at which a small lean neither grows nor swings.", points=0.5, part="g"
 ).agrees(right.critical_speed, cases.wheels, within=LINEAR, hint="Linearise: what is yaw' to first order?")
 growth_rate_is_that_of_a_small_lean = law(
-    "growth_rate_squared is the lean's, on both sides of the critical speed, at rest and without gravity.",
-    points=0.75,
-    part="h",
+    "growth_rate_squared is the lean's, below and above the critical speed, and at rest.", points=0.75, part="h"
 ).agrees(right.growth_rate_squared, cases.speeds, within=LINEAR, hint="Linearise about upright.")
