@@ -213,6 +213,7 @@ def test_the_commands_of_the_courses_readme_in_their_order(course, tmp_path, nbg
     assert "skew(v) r = v x r" in next((tmp_path / ONE / "feedback").rglob("*.html")).read_text()
 
 
+@pytest.mark.every
 @pytest.mark.filterwarnings("ignore")  # nbgrader's own, of SQLAlchemy
 def test_a_gradebook_is_set_up_once_a_command(tmp_path, monkeypatch, jupyter_environment):
     from nbgrader import api

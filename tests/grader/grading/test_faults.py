@@ -98,6 +98,7 @@ def test_a_run_killed_at_random_moments_ends_as_an_undisturbed_one(tmp_path, sol
     assert outcome(tmp_path / "killed") == outcome(tmp_path / "calm")
 
 
+@pytest.mark.every
 @linux
 @pytest.mark.skipif(isolation() != "bubblewrap", reason="processes of another depth")
 def test_no_process_that_dies_changes_a_result(tmp_path, solution_text):

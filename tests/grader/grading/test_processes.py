@@ -224,6 +224,7 @@ def kill_at_random(over, kills, killed):
                     break
 
 
+@pytest.mark.every
 @linux
 def test_scores_are_the_same_for_one_job_for_two_and_where_supervisors_are_killed(tmp_path, course, solution_text):
     found = class_of(tmp_path, 10, solution_text)
