@@ -84,8 +84,8 @@ def turning(draw):
 
 def turning_in_space(draw):
     """(R, omega, inertia=...)"""
-    bodies = [a_body] * 14 + [a_wheel]
-    calls = [given(an_attitude(draw), an_omega(draw), inertia=body(draw)).on("a random R and omega") for body in bodies]
+    bodies = [(a_body, "a random R and omega")] * 14 + [(a_wheel, "a body with A = B")]
+    calls = [given(an_attitude(draw), an_omega(draw), inertia=body(draw)).on(kind) for body, kind in bodies]
     return calls + [
         given(R, omega, inertia=a_body(draw)).on(f"{way}, {kind}")
         for R, kind in [*named_attitudes(draw), (an_attitude(draw), "a random R")]
@@ -165,7 +165,9 @@ def special_motions(draw):
     two = moving(draw, "two times, R = I at the start", a_wheel(draw), an_omega(draw), 5, 2)
     calls += [rest.but(*rest.args[:2], np.zeros(3)), two.but(two.args[0], np.eye(3))]
     for about, n in HALF_TURNS.items():
-        case = moving(draw, f"a start turned by half a turn about {about}", a_wheel(draw), an_omega(draw), 4, 4)
+        case = moving(
+            draw, f"a start half a turn about {about} from the axes of space", a_wheel(draw), an_omega(draw), 4, 4
+        )
         calls.append(case.but(case.args[0], 2 * np.outer(n, n) / np.dot(n, n) - np.eye(3)))
     for axis in (0, 1, 2):
         omega = draw.choice([-1, 1]) * draw.uniform(1, 4) * np.eye(3)[axis] + 0.0
@@ -196,7 +198,7 @@ def wobbling(draw):
     return [given(omega, inertia=a_wheel(draw)).on(kind) for omega, kind in omegas]
 
 
-WAYS = {1: "positive", -1: "negative"}
+WAYS = {1: "", -1: ", at a negative rate"}
 
 
 def spins(draw):
@@ -205,7 +207,7 @@ def spins(draw):
     for axis, sign in product((0, 1, 2), (1, -1)):
         for body in (a_body(draw), a_body(draw), a_body(draw), a_wheel(draw)):
             calls.append(
-                given(axis, sign * draw.uniform(1.5, 6), inertia=body).on(f"a {WAYS[sign]} spin about axis {axis}")
+                given(axis, sign * draw.uniform(1.5, 6), inertia=body).on(f"a spin about axis {axis}{WAYS[sign]}")
             )
         ball = given(axis, sign * draw.uniform(1.5, 6), inertia=np.full(3, draw.uniform(0.5, 2)))
         calls += [ball.on("three equal inertias"), given(axis, 0.0, inertia=a_body(draw)).on("no spin")]
@@ -233,7 +235,7 @@ def pure_spins(draw):
     calls = []
     for axis, sign in product((0, 2), (1, -1)):
         omega = sign * draw.uniform(1, 4) * np.eye(3)[axis] + 0.0
-        calls.append(given(omega, inertia=np.sort(a_body(draw))).on(f"pure {WAYS[sign]} spin about axis {axis}"))
+        calls.append(given(omega, inertia=np.sort(a_body(draw))).on(f"pure spin about axis {axis}{WAYS[sign]}"))
     return calls
 
 

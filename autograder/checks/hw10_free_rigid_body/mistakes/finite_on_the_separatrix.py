@@ -1,7 +1,7 @@
 """The modulus is kept below one.
 
 fails: period_grows_to_infinity_at_the_separatrix
-names: the period is finite for pure spin about the middle axis
+names: the period is not infinite for pure spin about the middle axis
 """
 
 _right_period = tumble_period
