@@ -185,7 +185,7 @@ period_round_the_first_axis = law(
 ).agrees(right.tumble_period, ROUND_FIRST, within=PERIOD, hint=BACK)
 PERIODS = period_round_the_last_axis, period_round_the_first_axis
 period_of_pure_spin_is_that_of_small_oscillations = law(
-    "tumble_period for pure spin about axis 0 or 2: that of small oscillations.", points=0.25, part="b", after=PERIODS
+    "tumble_period for pure spin about axis 0 or 2, by small oscillations.", points=0.25, part="b", after=PERIODS
 ).agrees(right.tumble_period, cases.pure_spins, within=PERIOD, hint="There k = 0.")
 period_grows_to_infinity_at_the_separatrix = (
     law("tumble_period near the separatrix, and math.inf on it.", points=0.25, part="b", after=PERIODS)

@@ -1,7 +1,7 @@
 """The frequencies come from K^-1 M, which there is not without gravity.
 
 fails: frequencies_in_special_cases
-names: for equal bars, no gravity
+names: raised ValueError for a random pendulum, no gravity
 """
 
 
