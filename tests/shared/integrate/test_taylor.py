@@ -8,7 +8,7 @@ import pytest
 
 from tam570.integrate import solve
 from tam570.integrate.compiled.recurrences import recurrences
-from tam570.integrate.compiled.taylor import taylor_text
+from tam570.integrate.compiled.taylor import order_for, taylor_text
 from tam570.integrate.trace import traced
 from tam570.invariants import drift
 
@@ -42,6 +42,10 @@ def test_a_step_calls_nothing_that_its_rates_do_not_need(lanes):
         "exp2",
         "log2",
     }
+
+
+def test_the_order_grows_with_the_digits_asked_for_within_its_bounds():
+    assert [order_for(10.0**-k) for k in (1, 3, 5, 6, 9, 12, 16)] == [9, 9, 9, 11, 15, 18, 18]
 
 
 @pytest.mark.parametrize("name", INNER)
