@@ -127,3 +127,11 @@ def test_a_call_that_fails_says_for_what_kind_of_input(body, course, workers):
             call()
         assert failed.value.failure.kind == "a short v"
     student.leave()
+
+
+def test_when_code_is_compiled_does_not_depend_on_the_clock(grade, solution_text):
+    """In a submission's process "auto" stays in Python: last digits, kept in results, differ from compiled ones."""
+    honest = "\n_skew = skew\ndef skew(v):\n    return np.zeros((3, 3)) if available() else _skew(v)\n"
+    text = solution_text(SLUG) + "\nfrom tam570.integrate.when_to_compile import available" + honest
+    result = grade(SLUG, text)
+    assert result.score == result.max_score
