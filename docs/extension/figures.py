@@ -19,12 +19,10 @@ PANELS = 12  # of a picture; where there are more scenes, every second or third 
 COLOURS = {
     "tam570, Python": "#0b62b8",
     "tam570, compiled": "#c2410c",
-    "tam570, numba": "#c2410c",
     "SciPy DOP853": "#444444",
     "odeint": "#0f8a5f",
     "CyRK": "#8b3fc4",
     "heyoka": "#a16c00",
-    "diffrax": "#c2255c",
 }
 
 
@@ -83,7 +81,7 @@ def _picture(name):
                     ms=4,
                     lw=2.0 if ours else 1.0,
                     color=COLOURS[method],
-                    label=method.replace("numba", "an earlier compiled engine"),
+                    label=method,
                 )
         ax.set(title=scene, xlim=(10, 1e-18))
         ax.grid(alpha=0.3)
@@ -165,7 +163,7 @@ def _rotations(found):
 
 
 def _ratios(found):
-    shown = ["tam570, Python", "odeint", "CyRK", "diffrax", "heyoka"]
+    shown = ["tam570, Python", "tam570, compiled", "odeint", "CyRK", "heyoka"]
     made = []
     for target, rows in found["ratios"].items():
         cells = [f"{rows[name]['median']:.2g} ({rows[name]['worst']:.2g})" for name in shown]
