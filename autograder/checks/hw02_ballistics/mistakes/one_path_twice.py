@@ -1,7 +1,7 @@
 """The numerical path is drawn twice.
 
 fails: both_paths_are_drawn
-names: both curves are of one function
+names: both curves are of one function | both curves are the same numbers
 numerics: the curve drawn is right
 """
 
