@@ -115,14 +115,14 @@ def functions_by_part(assignment: Assignment) -> dict[str, str]:
 def functions_of(check: Check) -> set[str]:
     """The names that a loaded check uses, itself or by the functions of its module, some of them functions to write.
 
-    A law holds the right function, which has the name of the student's.
+    A law holds the name of the student's.
     """
     names, pending, seen = set[str](), [check.judge], {check.judge}
     while pending:
         function = pending.pop()
         mentioned = set(_names(function.__code__))
         held = [cell.cell_contents for cell in function.__closure__ or ()]
-        names |= mentioned | {one.__name__ for one in held if isinstance(one, FunctionType)}
+        names |= mentioned | {one for one in held if isinstance(one, str)}
         beside = [*map(function.__globals__.get, mentioned), *held]
         more = {one for one in beside if isinstance(one, FunctionType) and one.__module__ == check.judge.__module__}
         pending += more - seen

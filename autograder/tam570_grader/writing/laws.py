@@ -70,10 +70,12 @@ class Law:
     def _judged(
         self, right: Right, cases: Sequence[Cases], judge: Callable[[Any, list[Given]], object], name: str = ""
     ) -> Check:
+        called, first = name or right.__name__, self.first
+
         def judged(student: Any, draw: np.random.Generator) -> None:
-            if self.first:
-                self.first(student, draw)
-            judge(getattr(student, name or right.__name__), list(chain.from_iterable(drawn(draw) for drawn in cases)))
+            if first:
+                first(student, draw)
+            judge(getattr(student, called), list(chain.from_iterable(drawn(draw) for drawn in cases)))
 
         judged.__doc__ = self.line
         return check(points=self.points, part=self.part, after=self.after)(judged)
