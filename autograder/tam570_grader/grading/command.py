@@ -250,8 +250,8 @@ def _by_hand(seen: Seen, plan: Any) -> str:
     """How many points of which assignments were not given by hand yet."""
     from tam570_grader.writing import assignments
 
-    manual = {slug: assignments.assignment(plan.course, slug).manual for slug in sorted({row[1] for row in seen.rows})}
-    lacking = {slug: sum(of for of, _ in parts.values()) for slug, parts in manual.items() if parts}
+    parts = {slug: assignments.by_hand(plan.course, slug) for slug in sorted({row[1] for row in seen.rows})}
+    lacking = {slug: sum(of for of, _ in manual.values()) for slug, manual in parts.items() if manual}
     given = {slug for slug in lacking if seen.hand and seen.hand.counts_parts(slug)}
     return ", ".join(f"{most:g} of {slug}" for slug, most in lacking.items() if slug not in given)
 

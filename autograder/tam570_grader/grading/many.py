@@ -173,7 +173,7 @@ def _digest(engine: bytes, plan: Plan, submission: Submission, source: Source | 
     """A name for all that the result depends on."""
     text = source.text if isinstance(source, Source) else str(source).encode()
     kind = type(source).__name__ + (".ipynb" if isinstance(source, Source) and source.notebook else "")
-    parts = (
+    parts = (  # each with its length: no two lists of them are the same text
         kind.encode(),
         submission.student.encode(),
         submission.slug.encode(),
@@ -182,7 +182,7 @@ def _digest(engine: bytes, plan: Plan, submission: Submission, source: Source | 
         str(plan.seed_of(submission)).encode(),
         engine,
     )
-    return hashlib.sha256(b"".join(hashlib.sha256(part).digest() for part in parts)).hexdigest()
+    return hashlib.sha256(b"".join(len(part).to_bytes(8) + part for part in parts)).hexdigest()
 
 
 def _engine_digest(plan: Plan) -> bytes:
@@ -195,7 +195,7 @@ def _engine_digest(plan: Plan) -> bytes:
         _installed(),
         *(("speed",) if plan.speed else ()),
     )
-    return repr(asked).encode() + assignments.engine_digest()
+    return hashlib.sha256(repr(asked).encode() + assignments.engine_digest()).digest()
 
 
 def _installed() -> list[str]:

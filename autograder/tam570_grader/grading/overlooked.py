@@ -21,10 +21,10 @@ def overlooked(paths: Iterable[Path], found: Sequence[Submission], known: Sequen
     for folder in paths:
         if not folder.is_dir() or folder.resolve() in trees:
             continue
-        for entry in entries(folder.absolute()):
+        for entry, is_folder in entries(folder.absolute()).items():
             if entry not in trees and entry not in graded and not _names_another(entry, known):
                 yield f"{_shown(entry)}{_holding(entry)} is not graded: no name in it tells the assignment; {REMEDY}"
-            elif entry in trees and os.path.isdir(entry) and not slug_of(entry.name, known):
+            elif entry in trees and is_folder and not slug_of(entry.name, known):
                 yield from _beside(entry, graded, known)
 
 
@@ -34,10 +34,10 @@ def _beside(own: Path, graded: set[Path | None], known: Sequence[str]) -> Iterat
         held = entries(own)
     except BadPath:  # it has a row that says so
         return
-    for entry in held:
+    for entry, is_folder in held.items():
         if entry in graded or GIVEN.fullmatch(entry.stem) or _names_another(entry, known):
             continue
-        if os.path.isdir(entry) or entry.suffix in (*WORK, *PACKED):
+        if is_folder or entry.suffix in (*WORK, *PACKED):
             yield f"{_shown(entry)} is not graded; {REMEDY}"
 
 

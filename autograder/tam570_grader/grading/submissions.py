@@ -136,8 +136,7 @@ def _in_folder(folder: Path, known: Sequence[str], given: str | None) -> list[Su
 def _trees(folder: Path, known: Sequence[str], given: str | None) -> list[Submission]:
     """Submissions in `<student>/<assignment>/`, `<student>/<assignment>.py`, `<assignment>/` and `<assignment>.py`."""
     found, closed = [], {}
-    for entry in entries(folder):
-        is_folder = os.path.isdir(entry)
+    for entry, is_folder in entries(folder).items():
         slug = _chosen(entry, is_folder, known, given)
         if slug and is_folder:
             found.append(of_folder(entry, folder.name, slug, entry))
@@ -158,7 +157,7 @@ def _trees(folder: Path, known: Sequence[str], given: str | None) -> list[Submis
 def _of_student(own: Path, known: Sequence[str], given: str | None) -> Iterator[Submission]:
     """What is in a student's own folder: for each assignment a folder, or files."""
     work, told = collections.defaultdict(list), {}
-    held = {entry: os.path.isdir(entry) for entry in entries(own, MOST_FILES)}
+    held = entries(own, MOST_FILES)
     for entry, is_folder in held.items():
         if slug := _chosen(entry, is_folder, known, given):
             work[slug].append(entry)
@@ -176,17 +175,22 @@ def _of_student(own: Path, known: Sequence[str], given: str | None) -> Iterator[
             yield _of_files(own_work, own.name, slug, own)
 
 
-def entries(folder: Path, most: int | None = None) -> list[Path]:
-    """What is in a folder, hidden files aside; of a student's folder no more than `most` is looked at."""
+def entries(folder: Path, most: int | None = None) -> dict[Path, bool]:
+    """What is in a folder, hidden files aside, and whether it is a folder; of a student's no more than `most`."""
     try:
         os.stat(os.path.join(folder, "."))  # one that may be listed may be closed all the same
         with os.scandir(folder) as listed:
-            names = [entry.name for entry in itertools.islice(listed, most and most + 1)]
+            held = {entry.name: _is_folder(entry) for entry in itertools.islice(listed, most and most + 1)}
     except OSError as error:
         raise BadPath(f"{printable(str(folder))} cannot be read: {error.strerror}; who owns it?") from None
-    if most and len(names) > most:
+    if most and len(held) > most:
         raise BadPath(f"{printable(folder.name)} holds more than {most} files: hand in the module or notebook alone")
-    return [folder / name for name in sorted(names) if not name.startswith((".", "__"))]
+    return {folder / name: held[name] for name in sorted(held) if not name.startswith((".", "__"))}
+
+
+def _is_folder(entry: os.DirEntry[str]) -> bool:
+    """Whether it is one, or a link to one; a link to itself is none."""
+    return os.path.isdir(entry) if entry.is_symlink() else entry.is_dir()
 
 
 def _name(text: str) -> str:
@@ -227,7 +231,7 @@ def of_folder(folder: Path, student: str, slug: str, tree: Path) -> Submission:
     return Submission(_name(student), slug, None, tree, note)
 
 
-def _of_files(held: Sequence[Path], student: str, slug: str, tree: Path) -> Submission:
+def _of_files(held: Iterable[Path], student: str, slug: str, tree: Path) -> Submission:
     """The module among them, or the notebook where no module is written; a note where it is not clear which."""
     files = [entry for entry in held if entry.suffix in WORK]
     if f"{slug}.ipynb" in {entry.name for entry in files}:
