@@ -2,6 +2,7 @@
 
 import argparse
 import contextlib
+import gc
 import json
 import os
 import secrets
@@ -80,6 +81,7 @@ def _grade(arguments: argparse.Namespace) -> int:
     from tam570_grader.results.journal import Book, results
     from tam570_grader.writing import assignments
 
+    gc.set_threshold(100_000)  # a large class is many records without circles, which would be sought again and again
     course = assignments.find(arguments.root)
     found = _submissions(arguments, assignments.slugs(course))
     if arguments.vary and arguments.seed is not None:

@@ -21,7 +21,7 @@ def overlooked(paths: Iterable[Path], found: Sequence[Submission], known: Sequen
     for folder in paths:
         if not folder.is_dir() or folder.resolve() in trees:
             continue
-        for entry, is_folder in entries(folder.absolute()).items():
+        for entry, is_folder in entries(folder.absolute()):
             if entry not in trees and entry not in graded and not _names_another(entry, known):
                 yield f"{_shown(entry)}{_holding(entry)} is not graded: no name in it tells the assignment; {REMEDY}"
             elif entry in trees and is_folder and not slug_of(entry.name, known):
@@ -34,7 +34,7 @@ def _beside(own: Path, graded: set[Path | None], known: Sequence[str]) -> Iterat
         held = entries(own)
     except BadPath:  # it has a row that says so
         return
-    for entry, is_folder in held.items():
+    for entry, is_folder in held:
         if entry in graded or GIVEN.fullmatch(entry.stem) or _names_another(entry, known):
             continue
         if is_folder or entry.suffix in (*WORK, *PACKED):
@@ -51,7 +51,7 @@ def _names_another(entry: Path, known: Sequence[str]) -> bool:
 def _holding(entry: Path) -> str:
     """The first files of a folder, in brackets."""
     try:
-        names = [printable(one.name[:80]) for one in entries(entry)] if os.path.isdir(entry) else []
+        names = [printable(one.name[:80]) for one, _ in entries(entry)] if os.path.isdir(entry) else []
     except BadPath as closed:
         return f" ({closed})"
     more = ", ..." if len(names) > MOST_NAMES else ""

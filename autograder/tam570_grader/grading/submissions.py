@@ -128,7 +128,7 @@ def _of_file(path: Path, known: Sequence[str], given: str | None) -> Submission:
 
 def _in_folder(folder: Path, known: Sequence[str], given: str | None) -> list[Submission]:
     slug = given or slug_of(folder.name, known)
-    holds_work = any(entry.suffix in WORK for entry in entries(folder))
+    holds_work = any(entry.suffix in WORK for entry, _ in entries(folder))
     found = [] if slug and holds_work else _trees(folder, known, given)
     return found or ([of_folder(folder, folder.parent.name, slug, folder.resolve())] if slug else [])
 
@@ -136,7 +136,7 @@ def _in_folder(folder: Path, known: Sequence[str], given: str | None) -> list[Su
 def _trees(folder: Path, known: Sequence[str], given: str | None) -> list[Submission]:
     """Submissions in `<student>/<assignment>/`, `<student>/<assignment>.py`, `<assignment>/` and `<assignment>.py`."""
     found, closed = [], {}
-    for entry, is_folder in entries(folder).items():
+    for entry, is_folder in entries(folder):
         slug = _chosen(entry, is_folder, known, given)
         if slug and is_folder:
             found.append(of_folder(entry, folder.name, slug, entry))
@@ -158,24 +158,25 @@ def _of_student(own: Path, known: Sequence[str], given: str | None) -> Iterator[
     """What is in a student's own folder: for each assignment a folder, or files."""
     work, told = collections.defaultdict(list), {}
     held = entries(own, MOST_FILES)
-    for entry, is_folder in held.items():
+    for entry, is_folder in held:
         if slug := _chosen(entry, is_folder, known, given):
-            work[slug].append(entry)
+            work[slug].append((entry, is_folder))
         elif not is_folder and (slug := of_name(entry.name, known)):
             told[entry] = slug
     for entry, slug in told.items():  # packed or misnamed: its reading says so
         if slug not in work and given in (None, slug):
             yield Submission(_name(own.name), slug, entry, own)
-    if given and not work and not told and not any(slug_of(entry.name, known) for entry in held):
+    if given and not work and not told and not any(slug_of(entry.name, known) for entry, _ in held):
         yield of_folder(own, own.name, given, own)
     for slug, own_work in work.items():
-        if len(own_work) == 1 and held[own_work[0]]:
-            yield of_folder(own_work[0], own.name, slug, own)
+        (first, is_folder), *others = own_work
+        if is_folder and not others:
+            yield of_folder(first, own.name, slug, own)
         else:
-            yield _of_files(own_work, own.name, slug, own)
+            yield _of_files([entry for entry, _ in own_work], own.name, slug, own)
 
 
-def entries(folder: Path, most: int | None = None) -> dict[Path, bool]:
+def entries(folder: Path, most: int | None = None) -> list[tuple[Path, bool]]:
     """What is in a folder, hidden files aside, and whether it is a folder; of a student's no more than `most`."""
     try:
         os.stat(os.path.join(folder, "."))  # one that may be listed may be closed all the same
@@ -185,7 +186,7 @@ def entries(folder: Path, most: int | None = None) -> dict[Path, bool]:
         raise BadPath(f"{printable(str(folder))} cannot be read: {error.strerror}; who owns it?") from None
     if most and len(held) > most:
         raise BadPath(f"{printable(folder.name)} holds more than {most} files: hand in the module or notebook alone")
-    return {folder / name: held[name] for name in sorted(held) if not name.startswith((".", "__"))}
+    return [(folder / name, held[name]) for name in sorted(held) if not name.startswith((".", "__"))]
 
 
 def _is_folder(entry: os.DirEntry[str]) -> bool:
@@ -224,7 +225,7 @@ def of_folder(folder: Path, student: str, slug: str, tree: Path) -> Submission:
     """What is in a student's folder of one assignment."""
     try:
         if _own(folder, tree):
-            return _of_files(entries(folder, MOST_FILES), student, slug, tree)
+            return _of_files([entry for entry, _ in entries(folder, MOST_FILES)], student, slug, tree)
         note = f"{printable(folder.name)} is a link to a place outside of the submission"
     except BadPath as unreadable:
         note = str(unreadable)

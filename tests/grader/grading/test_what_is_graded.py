@@ -140,11 +140,11 @@ def test_a_notebook_wins_over_a_module_that_nobody_has_written(run, tree, course
 
 def test_what_a_later_import_says_reaches_no_page(run, tmp_path, solution_text, notebook):
     """A file is imported again where a function has bans of its own, and may know hidden inputs by then."""
-    again = "import scipy.integrate\nif type(scipy.integrate).__name__ != 'module': raise ValueError('1.25')"
+    again = "import scipy.integrate\nif type(scipy.integrate).__name__ != 'module': raise ValueError('8.41470984')"
     (tmp_path / "hw02.ipynb").write_text(notebook(solution_text("hw02_ballistics"), again, "1 / 0"))
     _, (line,), _ = run(tmp_path / "hw02.ipynb")
     assert line["score"] == 10.0 and line["message"].endswith("cell 4: ZeroDivisionError: division by zero")
-    assert "1.25" not in json.dumps(line)
+    assert "8.41470984" not in json.dumps(line)
 
 
 @pytest.mark.parametrize(
