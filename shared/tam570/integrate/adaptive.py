@@ -23,6 +23,7 @@ __all__ = [
     "TROUBLE",
     "Run",
     "advanced",
+    "at_hand",
     "at_start",
     "begun",
     "finished",
@@ -75,7 +76,7 @@ def travelled(
     longest : longest(y) -> s, no step from y is longer; only together with project
     """
     run, names = begun(engine, times, start, rtol), ["Python"]
-    if project is None and how != "python" and _at_hand(engine.graph):
+    if project is None and how != "python" and at_hand(engine.graph):
         state = _at_once(run, floor)
         if state.row == len(times):
             return run.rows, state, "compiled"
@@ -91,7 +92,7 @@ def travelled(
     return run.rows, last, names[-1]
 
 
-def _at_hand(graph: Graph | None) -> bool:
+def at_hand(graph: Graph | None) -> bool:
     """Whether this process has compiled it before."""
     backend = sys.modules.get(BACKEND)
     return backend is not None and graph in backend.READY
@@ -186,7 +187,7 @@ def _compiled(run: Run, in_python: Callable[[State, int], State], names: list[st
 
 def _wait(graph: Graph) -> float:
     """Seconds until the compiled loop could start; none where this process has run it before."""
-    return 0.0 if _at_hand(graph) else seconds_until_compiled(len(graph.operations))
+    return 0.0 if at_hand(graph) else seconds_until_compiled(len(graph.operations))
 
 
 def _stepwise(run: Run, step: Any, project: Callable[[Array], Any], longest: Any) -> Callable[..., Any]:

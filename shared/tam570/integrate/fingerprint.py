@@ -67,7 +67,7 @@ def _module(value: types.ModuleType, _: Any) -> Hashable:
 
 
 def _builtin(value: types.BuiltinFunctionType, _: Any) -> Hashable:
-    if not isinstance(value.__self__, types.ModuleType | None):
+    if not (value.__self__ is None or isinstance(value.__self__, types.ModuleType)):
         raise Changeable(f"{value.__name__} of an object")
     return value
 
@@ -113,7 +113,8 @@ def _parts(code: types.CodeType) -> Iterable[types.CodeType]:
 
 
 READERS: dict[type, Callable[[Any, dict[int, int]], Hashable]] = {
-    **dict.fromkeys((float, int, bool, complex, str, bytes, type(None)), _number),
+    **dict.fromkeys((float, int, bool, complex, str, bytes), _number),
+    type(None): _itself,
     **dict.fromkeys((tuple, list), _sequence),
     dict: _mapping,
     np.ndarray: _array,

@@ -7,16 +7,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.integrate.adaptive import Run
+from tam570.integrate.again import at_once
 from tam570.integrate.arguments import Array, allowed_error, initial_state, of_one_step, sample_times, tolerance
-from tam570.integrate.engine import Engine, engine
+from tam570.integrate.engine import engine
 from tam570.integrate.solver import solve
-from tam570.integrate.stiffness import COMPILED
-from tam570.integrate.when_to_compile import available
 
 __all__ = ["prepared"]
-
-At_once = Callable[[Any], Array | None]
 
 
 def prepared(
@@ -48,10 +44,10 @@ def prepared(
     floor = [allowed / step_rtol for allowed in allowed_error(atol, start.shape[-1])]
     with np.errstate(all="ignore"):
         made = engine(rhs, held, times, start.reshape(-1, start.shape[-1])[0], sign=sign)
-    at_once = _compiled(made, times, step_rtol, floor)
+    known = at_once(made, times, step_rtol, floor)
 
     def run(y0: ArrayLike) -> Array:
-        rows = at_once(y0)
+        rows = known(y0)
         if rows is None:
             if np.shape(y0)[-1:] != start.shape[-1:]:
                 raise ValueError(f"y0: need {start.shape[-1]} numbers, as when it was prepared, got {y0!r}")
@@ -59,17 +55,3 @@ def prepared(
         return rows
 
     return run
-
-
-def _compiled(made: Engine, times: Array, rtol: float, floor: list[float]) -> At_once:
-    """States at `times` by Taylor's method alone; None where it does not get there."""
-    if made.graph is None or not available():
-        return lambda y0: None
-    whole = Run(made, float(times[0]), times - times[0], np.empty((len(times), made.formulas.size)), rtol)
-    try:
-        from tam570.integrate.compiled import repeated
-
-        runs = repeated.taylor_repeated(made.graph, whole, floor, partial(whole.watch, COMPILED))
-    except (ImportError, OSError, RuntimeError):  # a broken llvmlite: nobody asked for it
-        runs = None
-    return runs or (lambda y0: None)

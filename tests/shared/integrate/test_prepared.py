@@ -1,7 +1,8 @@
-"""A prepared run is solve's, from any start, and keeps nothing of the one before."""
+"""A prepared run, and one that `solve` keeps, is that of `solve` from any start; it keeps nothing of the one before."""
 
 import math
 from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 
 import numpy as np
 import pytest
@@ -130,3 +131,56 @@ def test_a_broken_compiler_is_done_without(monkeypatch):
     monkeypatch.setattr("tam570.integrate.compiled.repeated.taylor_repeated", broken)
     run = prepared(pendulum, [0, 5], STARTS[0], parameters=GIVEN)
     np.testing.assert_array_equal(run(STARTS[1]), solve(pendulum, [0, 5], STARTS[1], parameters=GIVEN))
+
+
+# `solve` itself keeps a run that is asked for again and again
+
+
+@pytest.fixture
+def again(monkeypatch):
+    """again(rhs, times, **given) -> start -> states: a call of solve that has the run at hand."""
+
+    def repeated(rhs, times, **given):
+        call = partial(solver.solve, rhs, times, method="compiled", **given)
+        for start in STARTS[:3]:
+            call(start)
+
+        def alone(start):
+            with monkeypatch.context() as patch:
+                patch.setattr(solver, "engine", None)
+                return call(start)
+
+        return alone
+
+    return repeated
+
+
+@pytest.mark.parametrize("times", [[0, 3], np.linspace(-1, 20, 57), (5.0, 2.0, 1.5)])
+@pytest.mark.parametrize(("rhs", "parameters"), [(pendulum, GIVEN), (driven, {})])
+def test_a_call_like_ones_before_gives_what_they_gave(again, monkeypatch, times, rhs, parameters):
+    given = {"parameters": parameters, "rtol": 1e-9, "atol": 1e-12}
+    run = again(rhs, times, **given)
+    found = [run(start) for start in STARTS]
+    monkeypatch.setattr("tam570.integrate.again.place_of", lambda *_: None)
+    for start, states in zip(STARTS, found, strict=True):
+        np.testing.assert_array_equal(states, solve(rhs, times, start, method="compiled", **given))
+
+
+def test_a_call_of_which_anything_differs_is_another(again):
+    times, given = np.array([0.0, 1.0, 3.0]), {"length": 0.7}
+    run = again(pendulum, times, parameters=given)
+    first = run(STARTS[0])
+    first[:] = 0.0  # a result is the caller's own
+    assert run(STARTS[0])[0].tolist() == STARTS[0]
+    for change in (partial(times.__setitem__, 2, 2.0), partial(given.update, length=1.7)):
+        change()
+        with pytest.raises(TypeError):  # an engine is asked for
+            run(STARTS[0])
+
+
+@pytest.mark.parametrize("start", [[1.0], [math.nan, 0.0], "no", [[1.0], [2.0]], np.ones((2, 1))])
+def test_a_wrong_start_of_a_call_like_ones_before_is_refused(start):
+    for right in STARTS[:3]:
+        solve(pendulum, [0, 1], right, parameters=GIVEN, method="compiled")
+    with pytest.raises((ValueError, IndexError)):  # or what rhs itself raises
+        solve(pendulum, [0, 1], start, parameters=GIVEN, method="compiled")

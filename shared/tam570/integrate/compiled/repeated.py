@@ -48,6 +48,8 @@ def taylor_repeated(
         return Place(memory, rows, memory.state.cast("d"))
 
     def states(y0: Any) -> Array | None:
+        if type(y0) is np.ndarray and y0.ndim != 1:  # its rows may be numbers, too
+            return None
         mine = free.pop() if free else place()
         state = mine.memory.state
         state[:used] = fresh
