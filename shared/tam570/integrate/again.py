@@ -36,11 +36,13 @@ def at_once(made: Engine, times: Array, rtol: float, floor: list[float]) -> At_o
     return runs or _nothing
 
 
-def place_of(rhs: Any, t: ArrayLike, parameters: Mapping[str, Any] | None, rtol: float, atol: Any) -> Place | None:
-    """Where a run with these arguments is kept; None where they may change unseen, or are not what they should be."""
+def place_of(
+    rhs: Any, t: ArrayLike, y0: Any, parameters: Mapping[str, Any] | None, rtol: float, atol: Any
+) -> Place | None:
+    """Where a run with such arguments is kept; None where they may change unseen, or are not what they should be."""
     try:
         times, held = np.asarray(t, dtype=float), fingerprint(dict(parameters)) if parameters else None
-        return _place((fingerprint(rhs), held, times.shape, times.tobytes(), rtol, atol))
+        return _place((fingerprint(rhs), held, len(y0), times.shape, times.tobytes(), rtol, atol))
     except (Changeable, TypeError, ValueError):
         return None
 

@@ -105,7 +105,7 @@ def solve(
     """
     more = events is not None or dense or report
     plain = not more and step is None and project is None and method in ("auto", "compiled")
-    place = again.place_of(rhs, t, parameters, rtol, atol) if plain else None
+    place = again.place_of(rhs, t, y0, parameters, rtol, atol) if plain else None
     if place and (rows := place[-1](y0)) is not None:
         return rows
     (times, sign), start, asked = sample_times(t), initial_state(y0), tolerance(rtol)

@@ -178,6 +178,19 @@ def test_a_call_of_which_anything_differs_is_another(again):
             run(STARTS[0])
 
 
+def chain(t, y):
+    return [-1.0 * here for here in y]
+
+
+def test_calls_with_more_numbers_are_kept_beside_those_with_fewer(monkeypatch):
+    long, short = ([0.5] * size for size in (3, 2))
+    for start in (long, short) * 3:
+        solve(chain, [0, 1], start, method="compiled")
+    monkeypatch.setattr(solver, "engine", None)
+    for start in (long, short):
+        assert solve(chain, [0, 1], start, method="compiled")[-1] == pytest.approx(0.5 / math.e, rel=1e-9)
+
+
 @pytest.mark.parametrize("start", [[1.0], [math.nan, 0.0], "no", [[1.0], [2.0]], np.ones((2, 1))])
 def test_a_wrong_start_of_a_call_like_ones_before_is_refused(start):
     for right in STARTS[:3]:
