@@ -24,6 +24,13 @@ class Changeable(Exception):
     """The function depends on something that may change unseen."""
 
 
+class Absent:
+    """What a name that is looked up stands for, where nothing has it."""
+
+
+ABSENT = Absent()
+
+
 def fingerprint(value: Any, functions: dict[int, int] | None = None) -> Hashable:
     """Equal for what computes the same. functions : those seen on the way, a function may call itself."""
     read = READERS.get(type(value))
@@ -80,16 +87,19 @@ def _partial(value: Any, functions: dict[int, int]) -> Hashable:
 def _function(value: types.FunctionType, functions: dict[int, int]) -> Hashable:
     if id(value) in functions:
         return "again", functions[id(value)]
-    functions[id(value)] = len(functions)
-    if (value.__module__ or "").partition(".")[0] == "numpy":
+    functions[id(value)], module = len(functions), value.__module__ or ""
+    if module == "numpy" or module.startswith("numpy."):
         return value
     names, hidden = _looked_up(value.__code__)
     if hidden:
         raise Changeable(f"{value.__name__} uses {hidden}")
-    held = [cell.cell_contents for cell in value.__closure__ or ()]
-    known = value.__globals__
-    held += [value.__defaults__, value.__kwdefaults__, *[known[name] for name in names if name in known]]
-    return value.__code__, tuple(name in known for name in names), *[fingerprint(item, functions) for item in held]
+    held = [value.__defaults__, value.__kwdefaults__]
+    if value.__closure__:
+        held += [cell.cell_contents for cell in value.__closure__]
+    if names:
+        known = value.__globals__
+        held += [known.get(name, ABSENT) for name in names]
+    return value.__code__, *[fingerprint(item, functions) for item in held]
 
 
 @lru_cache(maxsize=1024)
@@ -115,6 +125,7 @@ def _parts(code: types.CodeType) -> Iterable[types.CodeType]:
 READERS: dict[type, Callable[[Any, dict[int, int]], Hashable]] = {
     **dict.fromkeys((float, int, bool, complex, str, bytes), _number),
     type(None): _itself,
+    Absent: _itself,
     **dict.fromkeys((tuple, list), _sequence),
     dict: _mapping,
     np.ndarray: _array,
