@@ -64,8 +64,8 @@ def left_over(case, found, expected):
     if np.abs(found).max() <= near:
         return "It vanishes: is your rate the moment itself, and the motion of C forgotten?"
     if np.abs(found + expected).max() <= near:
-        return "It is moment less rate: the sign is reversed."
-    return "It is your rate less your moment: what is left of it on paper?"
+        return "It has the right size and the wrong sign: is it rate less moment, and does rate pass?"
+    return "It is rate less moment: do both pass, and what is left of it on paper?"
 
 
 moment_is_about_C = law("moment: of the total force on P, about C.", points=1, part="a").agrees(

@@ -201,5 +201,5 @@ def views(draw):
 
 def drawn(draw):
     case = random(draw)
-    t = np.linspace(0.0, 0.6 * period(case), 401)
+    t = draw.choice([-1, 1]) * draw.uniform(0.3, 1) * period(case) + np.linspace(0.0, 0.6 * period(case), 401)
     return given(t, *case.args, draw.uniform(-3, 3), draw.uniform(0.3, 1.2), **case.kwargs)

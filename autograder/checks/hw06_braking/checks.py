@@ -90,7 +90,7 @@ RESULTS = {
 # Where to look
 WHICH_AXLE = "Which axle carries more, the one near G or the one far from it?"
 WHICH_WAY = "Which way does the locked axle move, seen from the car?"
-AS_AT_REST = "friction is zero there, as at rest; at rest speed and yaw rate are both exactly zero"
+AS_AT_REST = "Friction is zero there, as at rest; at rest speed and yaw rate are both exactly zero"
 VELOCITY = "What is the velocity of G?"
 SIDEWAYS = "Linearise at yaw rate 0: is friction's sideways part in it?"
 WHERE_ZERO = by_kind({"front": "Can your growth rate be positive there?"}, "Where is your growth rate zero?")
@@ -122,7 +122,7 @@ def of_run(motion):
     stands = expected[:, 3:].any(axis=1) & ~found[:, 3:].any(axis=1)
     if stands.any():
         return "Speed and yaw rate are zero there before it stops: does your event count time from t[0]?"
-    return "Is your integrator's tolerance tight?"
+    return "Does state_derivative pass, and is your integrator's tolerance tight?"
 
 
 def of_stop(motion):

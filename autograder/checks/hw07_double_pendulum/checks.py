@@ -64,8 +64,8 @@ RESULTS = {
 
 def in_equations(case, found, _):
     if not np.any(found) and case.kwargs["gravity"] == 0:
-        return "without gravity the bars still act on each other: why does neither accelerate?"
-    return "put alpha back into [M]{alpha} + {f} + {g}: is it zero?"
+        return "Without gravity the bars still act on each other: why does neither accelerate?"
+    return "Put alpha back into [M]{alpha} + {f} + {g}: is it zero?"
 
 
 def in_order(case, found, expected):
@@ -74,16 +74,16 @@ def in_order(case, found, expected):
 
 
 # Where to look
-VELOCITIES = "write the velocities of both mass centres by the absolute angular velocities"
-CENTRIPETAL = "which way does each mass centre accelerate when alpha is zero?"
-HEIGHTS = "how does the height of each mass centre change with each angle?"
-SCALED = "do rows of your linear system differ in size by 1e-9?"
-TEN = "two bars have three equations each, two hinges two constraints each: do you solve all ten?"
-HANGING = "at rest the ceiling carries both weights, and bar 1 carries bar 2: which rows, which signs?"
-BELOW = "hanging at rest, below the ceiling, it is negative"
-BOTH_PARTS = "each bar has the angular momentum of its mass centre and that about its mass centre"
-DIVIDED = "without gravity the same equations hold: do you divide by it?"
-DOWN = "theta zero is down, a positive angle to the right"
+VELOCITIES = "Write the velocities of both mass centres by the absolute angular velocities"
+CENTRIPETAL = "Which way does each mass centre accelerate when alpha is zero?"
+HEIGHTS = "How does the height of each mass centre change with each angle?"
+SCALED = "Do rows of your linear system differ in size by 1e-9?"
+TEN = "Two bars have three equations each, two hinges two constraints each: do you solve all ten?"
+HANGING = "At rest the ceiling carries both weights, and bar 1 carries bar 2: which rows, which signs?"
+BELOW = "Hanging at rest, below the ceiling, it is negative"
+BOTH_PARTS = "Each bar has the angular momentum of its mass centre and that about its mass centre"
+DIVIDED = "Without gravity the same equations hold: do you divide by it?"
+DOWN = "An angle of zero is down, a positive one to the right"
 
 mass_matrix_makes_the_kinetic_energy = law(
     "mass_matrix: half of omega . M omega is the kinetic energy of the two bars.", points=1, part="a"

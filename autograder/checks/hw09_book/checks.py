@@ -100,6 +100,7 @@ the_book_is_turned_in_both_orders = law(
 
 NEGATIVE = "The angle is negative: the same turn is one by its size about the opposite axis."
 TOO_LARGE = "The angle is larger than pi: the same turn is one by 2 pi - angle about the opposite axis."
+OPPOSITE = "The axis points the opposite way: R - R^T tells which."
 LONG = "The axis points the right way, but its length is not 1."
 LEFT_ALONE = "R leaves this axis alone to the last digit: near no turn R nearly does so with every vector."
 SMALL_ONES = "Only its small components are off: is that a square root of a small difference?"
@@ -123,6 +124,7 @@ def in_pairs(otherwise, nearly=""):
             # an eigenvector to the rounding of R: no axis that is off by chance is that
             LEFT_ALONE: small_angle and near(case.args[0] @ axis, axis, 2e-15),
             SMALL_ONES: same_axis and only_small,
+            OPPOSITE: near(-axis, n) and near(angle, right_angle),
             SIGNS: near(np.abs(axis), np.abs(n)) and not same_axis,
             nearly or otherwise: near(axis, n, NEARLY) and near(angle, right_angle, NEARLY),
         }

@@ -70,7 +70,7 @@ def part_of_force(case, found, expected):
     """Which of along and normal is off."""
     along, normal = np.abs(np.subtract(found, expected)) > FORMULA * force(case)
     if along and normal:
-        return "Along is positive down the ramp: on which part does friction act?"
+        return "Both parts are wrong: is phi'' right? With the weight the force is m times the acceleration of G."
     if along:
         return "Normal is right, along is not: m times the acceleration of G down the ramp, less m g sin(slope)."
     return "Along is right, normal is not: G is accelerated off the ramp too, by phi'' and by phi_dot squared."

@@ -9,8 +9,8 @@ __all__ = ["known_mistake", "message", "quantity", "typeset", "whole"]
 
 # words that open a sentence; what else stands there may be code
 OPENING = re.compile(
-    r"(an?|all|and|angles?|are|at|both|by|did|do|does|every|for|from|how|if|in|is|it|nearly|no|not|nothing|one|only|over|rows?"
-    r"|some|take|the|there|these|this|use|what|where|which|with|without|work|your?)\b"
+    r"(an?|all|and|angles?|are|at|both|by|did|do|does|each|every|for|from|how|if|in|is|it|nearly|no|not|nothing|one|only|over|rows?"
+    r"|results?|some|take|the|there|these|they|this|use|what|where|which|with|without|work|your?)\b"
 )
 
 

@@ -44,7 +44,7 @@ def path_drawn(
     of: str,
     others: Mapping[str, Array] | None = None,
     fewer: float = 10,
-    hint: str = "does it run from t[0] to t[-1]?",
+    hint: str = "does simulate pass, and does it run from t[0] to t[-1]?",
     gradual: bool = True,
 ) -> None:
     """Whether a line is the path, from its first point to its last and in its order.
@@ -63,7 +63,7 @@ def path_drawn(
         expect(found, expected, within=room * within * size, of=what, unit="m", hint=told, gradual=gradual)
     # a curve through the same points in another order is longer; one of fewer points is shorter
     in_order = line.scatter or _arc_length(drawn) < 1.05 * _arc_length(path)
-    expect_that(in_order, f"{of} goes to and fro between its points", hint="draw the points in the order of time")
+    expect_that(in_order, f"{of} goes to and fro between its points", hint="Draw the points in the order of time.")
 
 
 def _other_path(drawn: Array, others: Mapping[str, Array], near: float, hint: str) -> str:

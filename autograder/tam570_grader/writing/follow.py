@@ -12,14 +12,14 @@ from tam570_grader.writing.agree import Column, Right, asked, named_in
 from tam570_grader.writing.check import Given
 from tam570_grader.writing.curves import kept
 from tam570_grader.writing.expect import NEARLY, NEARLY_SHARE, OPENS, current, expect
-from tam570_grader.writing.motions import Motion, diagnosed, obeys
+from tam570_grader.writing.motions import ROUGHLY, Motion, diagnosed, obeys
 
 __all__ = ["Invariant", "follow", "stays"]
 
 Array = NDArray[np.float64]
 # Right physics at a loose tolerance keeps these shares of the points at these errors (of the scale), and in proportion
 # to the logarithm of the error between them and ten limits, so that no grade leaps with the seed.
-LOOSE = {1e-3: OPENS, 1e-1: 0.25}
+LOOSE = {1e-3: OPENS, ROUGHLY: 0.25}
 
 
 @dataclass(frozen=True)
@@ -161,7 +161,7 @@ def _compare(
 
 def loosely(motion: Motion, within: float, size: float, error: float) -> float:
     """Right physics at a loose tolerance keeps a share that falls with the error; a NaN keeps nothing."""
-    if not (error <= max(LOOSE) * size and obeys(motion)):
+    if not (error <= ROUGHLY * size and obeys(motion)):
         return 0.0
     known = {NEARLY * within: NEARLY_SHARE} | {
         limit: share for limit, share in LOOSE.items() if limit > NEARLY * within

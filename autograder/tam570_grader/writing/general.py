@@ -73,7 +73,7 @@ def ready(solution: str) -> None:
 
 def is_general(says: str) -> bool:
     """Whether these are words of this module."""
-    return bool(re.match(r"in \w+, |(the )?result (\d+ )?of \w+ ", says))
+    return bool(re.match(r"in \w+, |(the )?results? (\d+ )?of \w+ ", says))
 
 
 def _telling(wrong: Sequence[tuple[Called, Any]]) -> int:
@@ -113,7 +113,9 @@ def _other_results(name: str, right: Callable[..., Any], example: Called) -> Ite
     for which, found in enumerate(results):
         label = f"the result of {name}" if len(results) == 1 else f"result {which + 1} of {name}"
         for says, change in _changes(np.asarray(found), numbers):
-            yield f"{label} {says}", partial(_with_result, right, which, change)
+            yield f"{label} {says}", partial(_with_result, right, which, len(results), change)
+    if len(results) > 1:
+        yield f"the results of {name} have the opposite sign", partial(_reversed, right)
 
 
 def _other_arguments(name: str, right: Callable[..., Any], example: Called) -> Iterator[Variant]:
@@ -192,10 +194,15 @@ def _other_values(value: Any) -> Iterator[tuple[str, Callable[[Any], Any]]]:
         yield f"{{}} {says}", change
 
 
-def _with_result(right: Callable[..., Any], which: int, change: Any, given: Given) -> Any:
-    results = parts(right(*given.args, **given.kwargs))
+def _with_result(right: Callable[..., Any], which: int, count: int, change: Any, given: Given) -> Any:
+    whole = right(*given.args, **given.kwargs)
+    results = parts(whole) if count > 1 else [whole]  # a vector may be a tuple of numbers
     results[which] = change(np.asarray(results[which]), given)
-    return tuple(results) if len(results) > 1 else results[0]
+    return tuple(results) if count > 1 else results[0]
+
+
+def _reversed(right: Callable[..., Any], given: Given) -> Any:
+    return tuple(np.negative(one) for one in parts(right(*given.args, **given.kwargs)))
 
 
 def _with_argument(right: Callable[..., Any], taken: Sequence[str], key: str, change: Any, given: Given) -> Any:

@@ -12,7 +12,7 @@ from tam570_grader.writing.answers import answer
 from tam570_grader.writing.check import Given
 from tam570_grader.writing.expect import Failed
 
-__all__ = ["Motion", "diagnosed", "obeys"]
+__all__ = ["ROUGHLY", "Motion", "diagnosed", "obeys"]
 
 Array = NDArray[np.float64]
 
@@ -20,6 +20,7 @@ ALIKE = 1e-3  # of the scale: two integrations of one motion differ by their tol
 DENSE = 1e-4  # of the scale: the interpolation of a solver at a loose tolerance is off by less, straight lines by more
 BETTER = 0.1  # of the error is left where other times are what matters
 DENSER = 400  # times that are asked for in the place of few
+ROUGHLY = 0.1  # of the scale: beyond it a small wrong term is as likely as a loose tolerance
 TRIED = 12  # rows at which the right equations are asked where they lead
 OBEYED = 0.03  # of the change between rows: a wrong term makes more, a loose tolerance less
 
@@ -84,10 +85,13 @@ def diagnosed(
         if motion.error <= nearly:
             return TIGHT
         told = next((says for tells, says in _tells(motion, motions, turns) if tells()), "")
-        return told or (TIGHT if loose and obeys(motion) else "")
+        if told or not (loose and obeys(motion)):
+            return told
+        return TIGHT if motion.error <= ROUGHLY else NEARLY_FOLLOWS
 
 
 TIGHT = "the physics is right: tighten rtol and atol"
+NEARLY_FOLLOWS = "each row nearly follows from the row before: is a term wrong, or are rtol and atol loose?"
 Tell = tuple[Callable[[], bool], str]
 
 
@@ -107,7 +111,9 @@ def _tells(motion: Motion, motions: Sequence[Motion], turns: Sequence[int]) -> l
     ]
 
 
-JOINED = "this row is accurate when requested alone: do you interpolate linearly between steps?"
+JOINED = (
+    "this row is accurate when requested alone: do you interpolate linearly between steps, or at a loose tolerance?"
+)
 SAMPLED = "with more times in between the same rows are accurate: do your steps depend on t?"
 
 

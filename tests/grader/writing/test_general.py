@@ -18,7 +18,10 @@ def weight(mass, height, *, gravity, length):
 
 def turned(v, *, angle):
     x, y = v
-    return np.array([x * np.cos(angle) - y * np.sin(angle), x * np.sin(angle) + y * np.cos(angle)])
+    return x * np.cos(angle) - y * np.sin(angle), x * np.sin(angle) + y * np.cos(angle)
+
+def polar(x, y):
+    return np.hypot(x, y), np.arctan2(y, x)
 
 def cross(a, b):
     return np.array([_part(a, b, 1, 2), _part(a, b, 2, 0), _part(a, b, 0, 1)])
@@ -46,6 +49,11 @@ def weights(wrong):
 def vectors(wrong):
     cases = [(DRAW.normal(size=2), DRAW.uniform(0.2, 1.4)) for _ in range(4)]
     return [Call("turned", given(v, angle=angle), wrong(v, angle)) for v, angle in cases]
+
+
+def pairs(wrong):
+    places = [(float(x), float(y)) for x, y in DRAW.normal(size=(4, 2))]
+    return [Call("polar", given(*place), wrong(math.hypot(*place), math.atan2(*place[::-1]))) for place in places]
 
 
 def products(wrong):
@@ -77,6 +85,9 @@ def turned(v, angle):
         (lambda: vectors(lambda v, angle: turned(v, -angle)), "in turned, angle has the opposite sign"),
         (lambda: vectors(lambda v, angle: turned(v, math.radians(angle))), "in turned, angle is taken in degrees"),
         (lambda: vectors(lambda v, angle: turned(v, angle)[::-1]), "has components 1 and 2 exchanged"),
+        (lambda: vectors(lambda v, angle: turned(v, angle) * [-1, 1]), "has the opposite sign in component 1"),
+        (lambda: pairs(lambda r, angle: (-r, -angle)), "the results of polar have the opposite sign"),
+        (lambda: pairs(lambda r, angle: (r, -angle)), "result 2 of polar has the opposite sign"),
         (lambda: products(lambda a, b: np.cross(b, a)), "the result of cross has the opposite sign"),
         (lambda: products(lambda a, b: np.cross(a, b) * [1, -1, 1]), "has the opposite sign in component 2"),
     ],

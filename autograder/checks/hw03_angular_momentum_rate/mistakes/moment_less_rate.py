@@ -1,7 +1,7 @@
 """The discrepancy is moment less rate.
 
 fails: discrepancy_with_the_velocity_in_F, discrepancy_with_the_velocity_relative_to_C
-names: it is moment less rate
+names: is it rate less moment
 also: The discrepancy has the opposite sign
 """
 
