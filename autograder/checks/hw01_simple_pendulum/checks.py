@@ -96,7 +96,7 @@ ARM = "How far from the hinge do momentum and weight act?"
 momentum_and_moment_are_about_the_hinge = law(
     "angular_momentum_balance: r x m v and the moment of the weight, about the hinge.", points=0.5, part="a"
 ).agrees(right.angular_momentum_balance, *STATES, within=FORMULA, only=(1, 2), hint=ARM)
-HEIGHT = "How high is the mass above its lowest point?"
+HEIGHT = "How fast is the mass, and how high above its lowest point?"
 energies_are_right = law(
     "energy_balance: kinetic energy, and potential energy that is zero at the lowest point.", points=0.5, part="a"
 ).agrees(right.energy_balance, cases.states, within=FORMULA, only=(1, 2), hint=HEIGHT)

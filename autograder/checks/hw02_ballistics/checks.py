@@ -125,7 +125,10 @@ DIGITS = by_kind(HINTS, "Very little drag is not none: is it the time or x that 
 range_with_hardly_any_drag = range_is_where_it_lands.then(
     "horizontal_range becomes v^2 sin(2 angle)/g, no digits lost; it holds with great drag, too.", points=0.5, part="c"
 ).agrees(right.horizontal_range, cases.landings_of_little_drag, cases.landings_of_great_drag, within=ROOT, hint=DIGITS)
-FLAT = "Near its largest the range is flat, and a search stops early: solve for where its derivative vanishes."
+FLAT = (
+    "Does horizontal_range pass? Near its largest it is flat, and a search stops early: "
+    "solve for where its derivative vanishes."
+)
 best_angle_has_the_largest_range = law(
     "best_angle maximises the range, for speeds below and above the terminal speed.", points=0.75, part="a"
 ).agrees(right.best_angle, cases.usual_speeds, within=ANGLE, partial=SEARCHED, hint=FLAT)

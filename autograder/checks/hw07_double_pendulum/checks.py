@@ -70,7 +70,7 @@ def in_equations(case, found, _):
 
 def in_order(case, found, expected):
     swapped = np.allclose(np.sort(found), expected, rtol=FREQUENCY, atol=0)
-    return "they are right, but not in ascending order" if swapped else "for small angles sin th is th"
+    return "They are right, but not in ascending order." if swapped else "For small angles sin th is th."
 
 
 # Where to look
@@ -83,6 +83,7 @@ HANGING = "At rest the ceiling carries both weights, and bar 1 carries bar 2: wh
 BELOW = "Hanging at rest, below the ceiling, it is negative"
 BOTH_PARTS = "Each bar has the angular momentum of its mass centre and that about its mass centre"
 DIVIDED = "Without gravity the same equations hold: do you divide by it?"
+TIGHT = "Does angular_acceleration pass, and are rtol and atol tight?"
 DOWN = "An angle of zero is down, a positive one to the right"
 
 mass_matrix_makes_the_kinetic_energy = law(
@@ -121,7 +122,7 @@ angular_momentum_is_about_the_ceiling = law(
 ).agrees(right.angular_momentum, cases.moving, within=FORMULA, hint=BOTH_PARTS)
 simulation_follows_the_equations = law(
     "simulate: angles and angular velocities at uneven times, whatever t[0] is.", points=0.75, part="a"
-).follows(right.simulate, cases.motions, within=FOLLOWED, keeps=KEPT_ENERGY)
+).follows(right.simulate, cases.motions, within=FOLLOWED, keeps=KEPT_ENERGY, hint=TIGHT)
 SHARES = {1e-4: 0.75, 1e-3: 0.5, 1e-2: 0.25}
 energy_is_conserved_from_horizontal = simulation_follows_the_equations.then(
     "simulate: from (pi/2, pi/2) at rest the energy stays for ten seconds.", points=0.5, part="a"

@@ -77,7 +77,7 @@ def wrong_force(case, found, expected):
 MOMENTS = "The moment of the contact force about G is Omega z x H."
 WHICH_SIGN = "Which sign must the moment of the weight have?"
 AT_REST = "The point of the disk on the ground has no velocity."
-ABOUT_WHICH = "G is at rest; about which axis does the disk turn?"
+ABOUT_WHICH = "G is at rest: about which axis does the disk turn, and how high is G?"
 
 
 # (a) Rolling
@@ -143,7 +143,7 @@ contact_force_of_straight_rolling = contact_force_moves_the_centre.then(
 ).agrees(right.contact_force, cases.straight_rolling, within=WITHIN, hint="Nothing there goes round.")
 moment_residual_is_moment_minus_rate = law(
     "moment_residual: moment less rate of angular momentum about G, for any motion and force.", points=0.75, part="c"
-).agrees(right.moment_residual, cases.under_forces, within=WITHIN, hint="Omega z x H: which parts of H go round?")
+).agrees(right.moment_residual, cases.under_forces, within=WITHIN, hint="Which arm has the force, and what of H turns?")
 
 # (d) The shuddering coin
 

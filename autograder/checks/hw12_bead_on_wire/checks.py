@@ -57,7 +57,7 @@ def lagrangian_is_kinetic_less_potential(student, draw):
     """lagrangian: T - V in x, v, m, c, g, V up to a constant."""
     calls = cases.symbols(cases.beads(draw))
     levels = student.lagrangian.at([{**case.kwargs, "x": 0.0, "v": 0.0} for case in calls])
-    known = {"of": "the Lagrangian", "unit": "J", "hint": "How fast is the bead along the wire when x changes at v?"}
+    known = {"of": "the Lagrangian", "unit": "J", "hint": "How fast is the bead along the wire, and how high?"}
     for level, (case, value) in zip(levels, student.lagrangian.each(calls), strict=True):
         within = FORMULA * (right.energy(*case.kwargs.values()) or 1.0)
         expect(value - level, right.lagrangian(**case.kwargs), within=within, **known)
@@ -89,7 +89,7 @@ def force_has_the_right_size(student, draw):
     """constraint_force: as large as carrying and turning the bead takes."""
     for case, force in student.constraint_force.each(cases.beads(draw) + cases.next_to_bottom(draw)):
         size = math.hypot(*right.constraint_force(*case.args, **case.kwargs))
-        hint = "What force does a bead need at the bottom, at rest and passing by?"
+        hint = "What force does a bead need at rest on a slope, and passing the bottom?"
         within = FORMULA * (size or 1.0)
         expect(math.hypot(*force), size, within=within, of="the size of the force", unit="N", hint=hint)
 
@@ -122,7 +122,7 @@ simulate_slides_down_steep_wires = simulate_slides.then(
     "simulate: an amplitude of many 1/c, where the bead turns sharply at the bottom.", points=0.25, part="b"
 ).follows(right.simulate, STEEP, within=SHARP_TURN, hint=SHARP)
 MANY_PERIODS = cases.rides(0.4, 1.0, 300, 180.0, "many periods")
-LOSSES, DURATION = {1e-3: 0.6, 1e-2: 0.3}, "Do your steps grow with the duration?"
+LOSSES, DURATION = {1e-3: 0.6, 1e-2: 0.3}, "Do your steps grow with the duration, or is the tolerance loose?"
 simulate_keeps_the_energy = simulate_slides.then(
     "simulate: the energy stays what it was over many periods.", points=0.25, part="b"
 ).keeps(KEPT, right=right.simulate, cases=MANY_PERIODS, coarsely=COARSELY, partial=LOSSES, hint=DURATION)

@@ -115,7 +115,9 @@ INTEGRALS = Invariant(CARRIED, "rad/s", right.two_integrals, rate, KEPT)
 
 matrix_state_places_the_disk = law(
     "matrix_state has the centre, R row by row, and the total omega in space axes.", points=0.5, part="a"
-).agrees_by_columns(right.matrix_state, cases.of_radius, within=POINTWISE)
+).agrees_by_columns(
+    right.matrix_state, cases.of_radius, within=POINTWISE, hint="omega is yaw' z + tilt' e1 + roll' e3."
+)
 
 
 def along(of, off, state, limit):
@@ -231,7 +233,7 @@ def judge_wireframe(case, lines):
     across = right.turned(angles[:, 1] - angles[:, 0], 2 * np.pi)
     step = 2 * np.pi / sides
     spans = [step] * sides + [np.pi] * 2
-    angle(np.abs(across), spans, of="the angle that a segment spans", hint="The polygon comes first.")
+    angle(np.abs(across), spans, of="the angle that a segment spans", hint="Is the polygon closed and regular?")
     middles = np.diff(np.sort((angles[:sides, 0] + across[:sides] / 2) % (2 * np.pi)))
     expect_that(middles.min() > step / 2, "two sides are drawn in one place, and one is missing")
     angle(middles, step, of="the angle from side to side", hint="The polygon is closed.")

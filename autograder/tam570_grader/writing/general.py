@@ -27,6 +27,7 @@ __all__ = ["general", "is_general", "ready"]
 
 FEWEST = 2  # wrong calls: one may agree by chance
 TELLING = 1e-3  # of the right answer: what is smaller may be what cancels
+SPACE = 3  # components of a vector
 MOST = 6  # components of a vector of which one, or two, may be wrong
 Variant = tuple[str, Callable[[Given], Any]]  # what to say, and the wrong answer
 FACTORS = {
@@ -185,7 +186,8 @@ def _other_values(value: Any) -> Iterator[tuple[str, Callable[[Any], Any]]]:
     """What an argument may be taken for."""
     if value.dtype.kind not in "fiu":
         return
-    yield from VALUES.items()
+    if value.ndim != 1 or len(value) <= SPACE:  # a state is many things, and not one that has a sign
+        yield from VALUES.items()
     if value.ndim == 0:
         yield "{} counts as 1, whatever is given", lambda one: 1.0
     if value.ndim == 2 and value.shape[0] == value.shape[1]:
