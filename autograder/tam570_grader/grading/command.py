@@ -81,7 +81,6 @@ def _grade(arguments: argparse.Namespace) -> int:
     from tam570_grader.results.journal import Book, results
     from tam570_grader.writing import assignments
 
-    gc.set_threshold(100_000)  # a large class is many records without circles, which would be sought again and again
     course = assignments.find(arguments.root)
     found = _submissions(arguments, assignments.slugs(course))
     if arguments.vary and arguments.seed is not None:
@@ -300,6 +299,7 @@ def _submissions(arguments: argparse.Namespace, known: list[str]) -> list[Any]:
     from tam570_grader.grading.submissions import submissions
     from tam570_grader.writing import assignments
 
+    gc.set_threshold(100_000)  # a large class is many records without circles, which would be sought again and again
     given = assignments.named([arguments.assignment], known)[0] if arguments.assignment else None
     only = assignments.named(arguments.only or (), known)
     everything = submissions(arguments.paths, known, given)

@@ -19,6 +19,7 @@ __all__ = ["At_once", "Place", "at_once", "keep", "place_of"]
 At_once = Callable[[Any], Array | None]
 Place = list[At_once]  # empty, or with what to try last in it
 
+METHODS = ("auto", "compiled")  # whose runs are kept
 LARGEST = 20_000  # numbers in the result of a run that is kept
 
 
@@ -37,9 +38,11 @@ def at_once(made: Engine, times: Array, rtol: float, floor: list[float]) -> At_o
 
 
 def place_of(
-    rhs: Any, t: ArrayLike, y0: Any, parameters: Mapping[str, Any] | None, rtol: float, atol: Any
+    method: str, rhs: Any, t: ArrayLike, y0: Any, parameters: Mapping[str, Any] | None, rtol: float, atol: Any
 ) -> Place | None:
     """Where a run with such arguments is kept; None where they may change unseen, or are not what they should be."""
+    if method not in METHODS:
+        return None
     try:
         times, held = np.asarray(t, dtype=float), fingerprint(dict(parameters)) if parameters else None
         return _place((fingerprint(rhs), held, len(y0), times.shape, times.tobytes(), rtol, atol))

@@ -1,15 +1,22 @@
 """What a caller gives, checked: each error names the argument."""
 
 import math
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["Array", "allowed_error", "initial_state", "of_one_step", "sample_times", "tolerance"]
+__all__ = ["Array", "checked", "of_one_step", "sample_times", "tolerance"]
 
 Array = NDArray[np.float64]
 
 SMALLEST_RTOL = 1e-16  # below that nothing but rounding is left to control
+
+
+def checked(t: ArrayLike, y0: ArrayLike, rtol: float, atol: ArrayLike | None) -> tuple[Any, ...]:
+    """Times and their sign, start, tolerance, and the sizes by which components are judged at least, k or none."""
+    (times, sign), start, asked = sample_times(t), initial_state(y0), tolerance(rtol)
+    return times, sign, start, asked, [one / of_one_step(asked) for one in allowed_error(atol, start.shape[-1])]
 
 
 def sample_times(t: ArrayLike) -> tuple[Array, float]:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from tam570.integrate.again import at_once
-from tam570.integrate.arguments import Array, allowed_error, initial_state, of_one_step, sample_times, tolerance
+from tam570.integrate.arguments import Array, checked, of_one_step
 from tam570.integrate.engine import engine
 from tam570.integrate.solver import solve
 
@@ -38,13 +38,12 @@ def prepared(
     >>> run([5.0, 0.0])[-1].tolist(), run([0.0, 5.0])[-1].tolist()
     ([0.0, -10.0], [0.0, -5.0])
     """
-    (times, sign), start, held = sample_times(t), initial_state(y0), dict(parameters or {})
+    times, sign, start, asked, floor = checked(t, y0, rtol, atol)
+    held = dict(parameters or {})
     in_full = partial(solve, rhs, sign * times, parameters=held, rtol=rtol, atol=atol)
-    step_rtol = of_one_step(tolerance(rtol))
-    floor = [allowed / step_rtol for allowed in allowed_error(atol, start.shape[-1])]
     with np.errstate(all="ignore"):
         made = engine(rhs, held, times, start.reshape(-1, start.shape[-1])[0], sign=sign)
-    known = at_once(made, times, step_rtol, floor)
+    known = at_once(made, times, of_one_step(asked), floor)
 
     def run(y0: ArrayLike) -> Array:
         rows = known(y0)

@@ -32,7 +32,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from tam570.integrate import adaptive, again
-from tam570.integrate.arguments import Array, allowed_error, initial_state, of_one_step, sample_times, tolerance
+from tam570.integrate.arguments import Array, checked, of_one_step
 from tam570.integrate.engine import Engine, engine
 from tam570.integrate.motion import Motion
 
@@ -103,24 +103,23 @@ def solve(
     Returns (n, k), row 0 is y0; or (m, n, k). With events, dense or report a `Motion`.
     ValueError names the argument; ArithmeticError says when rhs or solution cease to be finite, or become stiff.
     """
-    more = events is not None or dense or report
-    plain = not more and step is None and project is None and method in ("auto", "compiled")
-    place = again.place_of(rhs, t, y0, parameters, rtol, atol) if plain else None
+    plain = not (more := events is not None or dense or report) and step is None and project is None
+    place = again.place_of(method, rhs, t, y0, parameters, rtol, atol) if plain else None
     if place and (rows := place[-1](y0)) is not None:
         return rows
-    (times, sign), start, asked = sample_times(t), initial_state(y0), tolerance(rtol)
-    floor = [allowed / of_one_step(asked) for allowed in allowed_error(atol, start.shape[-1])]
+    times, sign, start, asked, floor = checked(t, y0, rtol, atol)
     _check_method(method, several=start.ndim == 2, projected=project is not None, stepped=step is not None, more=more)
     with np.errstate(all="ignore"):  # a step that proves too long may overflow: it is taken again
         made = engine(rhs, parameters, times, np.atleast_2d(start)[0], sign=sign, sampled=events is not None or dense)
         if more:
-            from tam570.integrate.watched import motion
+            return _motion(made, times, start, of_one_step(asked), floor, events, parameters, dense, method)
+        return _states(made, times, start, asked, floor, method, step, project, place)
 
-            return motion(made, times, start, of_one_step(asked), floor, events, parameters, dense, method)
-        rows = _states(made, times, start, asked, floor, method, step, project)
-        if place is not None and start.ndim == 1:
-            again.keep(place, made, times, of_one_step(asked), floor)
-        return rows
+
+def _motion(*known: Any) -> Motion:
+    from tam570.integrate.watched import motion
+
+    return motion(*known)
 
 
 def _states(
@@ -128,10 +127,11 @@ def _states(
     times: Array,
     start: Array,
     asked: float,
-    floor: Sequence[float],
+    floor: list[float],
     method: str,
     step: float | None,
     project: Callable[[Array], Any] | None,
+    place: again.Place | None,
 ) -> Array:
     if method in FIXED_STEP:
         from tam570.integrate import fixed_step
@@ -141,7 +141,10 @@ def _states(
         from tam570.integrate import ensemble
 
         return ensemble.states(made, times, start, of_one_step(asked), method, floor)
-    return adaptive.states(made, times, start, of_one_step(asked), method, floor, project)
+    rows = adaptive.states(made, times, start, of_one_step(asked), method, floor, project)
+    if place is not None:
+        again.keep(place, made, times, of_one_step(asked), floor)
+    return rows
 
 
 def _check_method(method: str, *, several: bool, projected: bool, stepped: bool, more: bool) -> None:

@@ -8,7 +8,7 @@ import numpy as np
 
 from tam570.integrate.arguments import Array
 from tam570.integrate.compiled import taylor, taylor_loop, taylor_memory
-from tam570.integrate.compiled.backend import READY, Memory, address_of, memory_for, motion_of, seen, until_done
+from tam570.integrate.compiled.backend import READY, Memory, Motion, address_of, memory_for, motion_of, seen, until_done
 from tam570.integrate.stiffness import Look
 from tam570.integrate.trace import Graph
 
@@ -40,17 +40,10 @@ def taylor_repeated(
     start, first, used = struct.Struct(f"={size}d"), 8 * taylor_memory.NUMBERS, len(fresh)
     advance, status, free = motion.advance, taylor_memory.STATUS, list[Place]()
 
-    def place() -> Place:
-        memory, rows = memory_for(motion, size), np.empty_like(run.rows)
-        ends = address_of(run.since), len(run.since), address_of(rows), 0, 0
-        rest = run.origin, run.rtol, taylor.order_for(run.rtol), STEPS
-        taylor.CALL.pack_into(memory.given, 0, *memory.places, *ends, *rest)
-        return Place(memory, rows, memory.state.cast("d"))
-
     def states(y0: Any) -> Array | None:
         if type(y0) is np.ndarray and y0.ndim != 1:  # its rows may be numbers, too
             return None
-        mine = free.pop() if free else place()
+        mine = free.pop() if free else _place(motion, run)
         state = mine.memory.state
         state[:used] = fresh
         try:
@@ -67,6 +60,14 @@ def taylor_repeated(
         return rows
 
     return states
+
+
+def _place(motion: Motion, run: Any) -> Place:
+    memory, rows = memory_for(motion, len(run.rows[0])), np.empty_like(run.rows)
+    ends = address_of(run.since), len(run.since), address_of(rows), 0, 0
+    rest = run.origin, run.rtol, taylor.order_for(run.rtol), STEPS
+    taylor.CALL.pack_into(memory.given, 0, *memory.places, *ends, *rest)
+    return Place(memory, rows, memory.state.cast("d"))
 
 
 def _head(run: Any) -> list[float]:
