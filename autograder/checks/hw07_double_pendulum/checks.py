@@ -124,9 +124,10 @@ simulation_follows_the_equations = law(
     "simulate: angles and angular velocities at uneven times, whatever t[0] is.", points=0.75, part="a"
 ).follows(right.simulate, cases.motions, within=FOLLOWED, keeps=KEPT_ENERGY, hint=TIGHT)
 SHARES = {1e-4: 0.75, 1e-3: 0.5, 1e-2: 0.25}
+ROUGHLY = 0.08  # of the scale: in ten seconds errors grow a thousandfold, careful ones to 2e-3; rest is off by 1
 energy_is_conserved_from_horizontal = simulation_follows_the_equations.then(
     "simulate: from (pi/2, pi/2) at rest the energy stays for ten seconds.", points=0.5, part="a"
-).keeps(KEPT_ENERGY, right=right.simulate, cases=cases.from_horizontal, coarsely=0.5, partial=SHARES)
+).keeps(KEPT_ENERGY, right=right.simulate, cases=cases.from_horizontal, coarsely=ROUGHLY, partial=SHARES)
 momentum_is_conserved_without_gravity = simulation_follows_the_equations.then(
     "simulate: without gravity energy and angular momentum stay.", points=0.25, part="a"
 ).keeps(KEPT_MOMENTUM, KEPT_ENERGY, right=right.simulate, cases=cases.weightless, coarsely=FOLLOWED, hint=DIVIDED)
