@@ -2,7 +2,7 @@
 
 fails: simulate_keeps_the_energy
 numerics: steps that grow with the duration
-names: does not do for every duration
+names: too few steps for this duration
 """
 
 

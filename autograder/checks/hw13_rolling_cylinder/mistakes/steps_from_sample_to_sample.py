@@ -2,7 +2,7 @@
 
 fails: simulate_needs_no_dense_times, simulate_keeps_the_energy
 numerics: steps that grow with the distance of the times
-names: does not do for every duration
+names: too few steps for this duration
 """
 
 
