@@ -18,7 +18,7 @@ from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import partial
 from itertools import islice
-from queue import SimpleQueue
+from queue import Empty, SimpleQueue
 from typing import Any, TypeVar
 
 from tam570_grader.sandbox.warm import TRIES, sandboxes
@@ -28,6 +28,7 @@ __all__ = ["AHEAD", "Crew", "Lost", "crew", "finished", "in_order", "serve"]
 AHEAD = 2  # bunches of tasks a job that are handed out: one is worked on, one waits
 BUNCH = 8  # tasks at most: to hand one out costs the head more than to read it
 SERVE = "from tam570_grader.grading.processes import serve; serve()"
+HEARD = 0.5  # s, in which an interrupt is heard
 PATIENCE = 5  # s, for a process to end by itself
 Task = TypeVar("Task")
 Outcome = TypeVar("Outcome")
@@ -77,7 +78,7 @@ def finished(
             count -= hand_out(bunch)
         if not waiting:
             return
-        future = ended.get()
+        future = _next(ended)
         bunch, tries = waiting.pop(future)
         try:
             outcomes: list[Outcome | Lost] = [*future.result()]
@@ -92,6 +93,13 @@ def finished(
             outcomes = [Lost(str(lost))]
         for (number, task), outcome in zip(bunch, outcomes, strict=True):
             yield number, task, outcome
+
+
+def _next(ended: SimpleQueue[Outcome]) -> Outcome:
+    """The next that ends. An interrupt that comes just before a wait is heard after it: no wait is long."""
+    while True:
+        with contextlib.suppress(Empty):
+            return ended.get(timeout=HEARD)
 
 
 def _each(work: Callable[[Task], Outcome], tasks: Sequence[Task]) -> list[Outcome]:
