@@ -15,7 +15,7 @@ __all__ = ["PATIENCE", "Cell", "CellLost", "CellTimeout"]
 LENGTH = struct.Struct(">I")
 LARGEST_REPLY = 2**26  # bytes, of all replies to one request
 GLANCE = 0.5  # s of a wait in one piece
-RECONSIDER = 0.25  # s between looks at a call that is late on the wall's clock
+RECONSIDER = 0.25  # s at most between looks at a call that is late on the wall's clock
 # a call that for so long as its limit uses less than this share of a core is asleep, not slow
 IDLE_SHARE = 0.02
 PATIENCE = 6  # a call, and a submission, may take this many times its limit in wall time on a busy machine
@@ -95,7 +95,7 @@ class Cell:
             elif self._overdue(started):
                 raise CellTimeout
             else:
-                patience += RECONSIDER
+                patience += min(RECONSIDER, self.limit)
         self._waited += time.monotonic() - asked
         return data
 

@@ -29,7 +29,7 @@ def endless():
     while True:
         pass
 """
-STOPPED_AFTER = 0.1  # s that the endless call gets
+STOPPED_AFTER = 0.02  # s that the endless call gets
 
 _serial = itertools.count(os.getpid() * 16)  # a user id for each worker
 
