@@ -206,9 +206,8 @@ def test_the_motion_is_an_elliptic_function():
 
 
 def test_the_sampling_changes_nothing_and_the_start_is_kept(monkeypatch):
-    monkeypatch.setenv(
-        "TAM570_COMPILED", "0"
-    )  # from the top it falls by rounding, which the other engine has its own of
+    # From the top it falls by rounding, and each engine rounds in its own way.
+    monkeypatch.setenv("TAM570_COMPILED", "0")
     t = np.cumsum(DRAW.uniform(0.01, 1, 200)) - 5
     for start in STARTS.values():
         many = hw.simulate(t, *start, **PENDULUM)

@@ -99,9 +99,8 @@ def outcomes(plan: Plan, book: Book | None = None, old: Sequence[Results] = ()) 
         users.update(imported(text))
         held += len(text)
         fresh.append((submission, task if held < HELD else None))
-    preload = [
-        name for name, count in users.items() if count >= 2 * plan.jobs
-    ]  # by two submissions a worker: it repays
+    # What two submissions a worker import repays.
+    preload = [name for name, count in users.items() if count >= 2 * plan.jobs]
     tasks = (task or _task(plan, engine, submission) for submission, task in fresh)
     for line in lines(plan, tasks, len(fresh), preload):
         record = json.loads(line)

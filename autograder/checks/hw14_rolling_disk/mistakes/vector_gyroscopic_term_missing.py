@@ -1,10 +1,10 @@
 """Omega x H left out of the balance of angular momentum.
 
-fails: matrix_equations_hold, matrix_simulation_follows_the_motion
+fails: multiplier_equations_hold, matrix_equations_hold, matrix_simulation_follows_the_motion
 """
 
 
-def matrix_state_derivative(t, state, *, mass, radius, inertia, gravity):
+def _rates(t, state, *, mass, radius, inertia, gravity):
     R, omega = np.reshape(state[3:12], (3, 3)), np.asarray(state[12:])
     A, C = inertia
     n, z = R[:, 2], np.array([0.0, 0.0, 1.0])
@@ -15,3 +15,6 @@ def matrix_state_derivative(t, state, *, mass, radius, inertia, gravity):
     moment = - np.cross(radius * up, mass * (radius * np.cross(omega, np.cross(turning, up)) + gravity * z))
     omega_rate = np.linalg.solve(about_contact, moment)
     return np.concatenate([radius * np.cross(omega, up), (_cross_matrix(omega) @ R).ravel(), omega_rate])
+
+
+multiplier_state_derivative = matrix_state_derivative = _rates

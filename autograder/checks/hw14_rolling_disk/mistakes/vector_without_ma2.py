@@ -1,17 +1,20 @@
-"""Omega x H left out of the balance of angular momentum.
+"""m a^2 missing: the force that moves the centre has a moment about it too.
 
-fails: multiplier_equations_hold
+fails: multiplier_equations_hold, matrix_equations_hold, matrix_simulation_follows_the_motion
 """
 
 
-def multiplier_state_derivative(t, state, *, mass, radius, inertia, gravity):
+def _rates(t, state, *, mass, radius, inertia, gravity):
     R, omega = np.reshape(state[3:12], (3, 3)), np.asarray(state[12:])
     A, C = inertia
     n, z = R[:, 2], np.array([0.0, 0.0, 1.0])
     up = (z - n[2] * n) / math.hypot(n[0], n[1])
     tensor = A * np.eye(3) + (C - A) * np.outer(n, n)
-    about_contact = tensor + mass * radius**2 * (np.eye(3) - np.outer(up, up))
+    about_contact = tensor
     turning = omega - n * (omega @ n - n[2] * (omega @ up) / up[2])
-    moment = - np.cross(radius * up, mass * (radius * np.cross(omega, np.cross(turning, up)) + gravity * z))
+    moment = -np.cross(omega, tensor @ omega) - np.cross(radius * up, mass * gravity * z)
     omega_rate = np.linalg.solve(about_contact, moment)
     return np.concatenate([radius * np.cross(omega, up), (_cross_matrix(omega) @ R).ravel(), omega_rate])
+
+
+multiplier_state_derivative = matrix_state_derivative = _rates
