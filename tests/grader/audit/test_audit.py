@@ -71,7 +71,7 @@ def test_the_audit_of_an_assignment_finds_no_survivor(capsys):
     assert " 1 equivalent, 0 survive" in capsys.readouterr().out
 
 
-@pytest.mark.sample(1)
+@pytest.mark.every
 @pytest.mark.parametrize("sample", [["--quick"], pytest.param([], marks=pytest.mark.full)])
 def test_no_slip_in_a_solution_keeps_full_marks(slug, sample, capsys):
     assert cli.main(["audit", slug, "--jobs", "1", *sample]) == 0, capsys.readouterr().out
@@ -91,6 +91,7 @@ def test_the_audit_fails_when_a_mutant_crashes_a_check(capsys, monkeypatch):
     assert " 0 killed, 0 equivalent, 0 survive, " in out and "CRASHES A CHECK skew: " in out
 
 
+@pytest.mark.sample(1)
 @pytest.mark.parametrize(
     ("slip", "proof", "fault"),
     [

@@ -2,6 +2,7 @@
 
 import csv
 import re
+import shutil
 
 import pytest
 
@@ -12,16 +13,22 @@ SLUG = "hw07_double_pendulum"
 HEADING = "student,assignment,item,points,comment\n"
 
 
-@pytest.fixture
-def results(tmp_path, course, capsys):
-    """Results of ann and ben, who handed in stubs, and `points(*rows)`, the command."""
-    stub = (course / "assignments" / SLUG / f"{SLUG}.py").read_text()
+@pytest.fixture(scope="module")
+def graded_stubs(tmp_path_factory, course):
+    """What ann and ben handed in, stubs, and the results."""
+    place, stub = tmp_path_factory.mktemp("points"), course / "assignments" / SLUG / f"{SLUG}.py"
     for student in ("ann", "ben"):
-        folder = tmp_path / "submitted" / student / SLUG
+        folder = place / "submitted" / student / SLUG
         folder.mkdir(parents=True)
-        (folder / f"{SLUG}.py").write_text(stub)
-    graded(tmp_path)
-    capsys.readouterr()
+        shutil.copy(stub, folder)
+    graded(place)
+    return place
+
+
+@pytest.fixture
+def results(tmp_path, graded_stubs):
+    """The results of ann and ben, of the test's own."""
+    shutil.copytree(graded_stubs, tmp_path, dirs_exist_ok=True)
     return tmp_path / "results"
 
 

@@ -81,6 +81,7 @@ def test_a_wrong_name_is_told_with_the_right_ones(capsys):
         assert re.search("hw01.*list --lectures.*oscillator, planet", " ".join(capsys.readouterr().err.split()))
 
 
+@pytest.mark.sample(8)
 @pytest.mark.parametrize("name", names())
 def test_one_is_loaded_without_the_others(name):
     code = f"import sys; from tam570.lectures import load; load({name!r}); print(*sys.modules)"
