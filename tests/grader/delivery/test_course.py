@@ -5,7 +5,6 @@ import shutil
 import subprocess
 import sys
 
-import nbformat
 import pytest
 
 from tam570_grader import cli
@@ -143,6 +142,7 @@ def test_every_notebook_runs_with_the_stub_and_with_the_solution(assert_the_note
 
 
 def test_a_module_that_is_saved_is_read_again(course, work):
+    import nbformat
     from nbclient import NotebookClient
 
     solution = (course / "solutions" / f"{ONE}.py").read_text()
