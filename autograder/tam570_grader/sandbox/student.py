@@ -328,5 +328,5 @@ def _saying(kind: str) -> Iterator[None]:
 def _raised(name: str, error: dict[str, Any], assignment: Assignment) -> str:
     if "Forbidden" in error["kinds"]:
         banned = [*assignment.off_limits.get(name, ()), *assignment.off_limits.get("*", ())]
-        return f"{name} uses what is off limits in it: {', '.join(banned)}"
+        return f"{name} uses what is off limits in it: {' or '.join(banned)}"
     return f"{name} raised {python_class(error)}"

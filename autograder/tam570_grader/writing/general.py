@@ -28,6 +28,7 @@ __all__ = ["general", "is_general", "ready"]
 FEWEST = 2  # wrong calls: one may agree by chance
 TELLING = 1e-3  # of the right answer: what is smaller may be what cancels
 SPACE = 3  # components of a vector
+ORDINALS = ("first ", "second ", "third ", "fourth ", "fifth ", "sixth ")  # results of a function
 MOST = 6  # components of a vector of which one, or two, may be wrong
 Variant = tuple[str, Callable[[Given], Any]]  # what to say, and the wrong answer
 FACTORS = {
@@ -74,7 +75,7 @@ def ready(solution: str) -> None:
 
 def is_general(says: str) -> bool:
     """Whether these are words of this module."""
-    return bool(re.match(r"in \w+, |(the )?results? (\d+ )?of \w+ ", says))
+    return bool(re.match(r"in \w+, |the (\w+ )?results? of \w+ ", says))
 
 
 def _telling(wrong: Sequence[tuple[Called, Any]]) -> int:
@@ -111,8 +112,8 @@ def _quietly(variant: Callable[[Given], Any], given: Given) -> Any:
 def _other_results(name: str, right: Callable[..., Any], example: Called) -> Iterator[Variant]:
     results = parts(example.result)
     numbers = [key for key, value in example.given.kwargs.items() if np.ndim(value) == 0]
-    for which, found in enumerate(results):
-        label = f"the result of {name}" if len(results) == 1 else f"result {which + 1} of {name}"
+    for which, (place, found) in enumerate(zip(ORDINALS, results, strict=False)):
+        label = f"the {place}result of {name}" if len(results) > 1 else f"the result of {name}"
         for says, change in _changes(np.asarray(found), numbers):
             yield f"{label} {says}", partial(_with_result, right, which, len(results), change)
     if len(results) > 1:

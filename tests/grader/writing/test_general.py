@@ -87,7 +87,7 @@ def turned(v, angle):
         (lambda: vectors(lambda v, angle: turned(v, angle)[::-1]), "has components 1 and 2 exchanged"),
         (lambda: vectors(lambda v, angle: turned(v, angle) * [-1, 1]), "has the opposite sign in component 1"),
         (lambda: pairs(lambda r, angle: (-r, -angle)), "the results of polar have the opposite sign"),
-        (lambda: pairs(lambda r, angle: (r, -angle)), "result 2 of polar has the opposite sign"),
+        (lambda: pairs(lambda r, angle: (r, -angle)), "the second result of polar has the opposite sign"),
         (lambda: products(lambda a, b: np.cross(b, a)), "the result of cross has the opposite sign"),
         (lambda: products(lambda a, b: np.cross(a, b) * [1, -1, 1]), "has the opposite sign in component 2"),
     ],
