@@ -19,25 +19,19 @@ def parameters(draw, **fixed):
 
 
 def states(draw):
-    """Consistent states, moving and at rest, with gravity and without, at plain places."""
+    """Consistent states, moving and at rest, with gravity and without; of exact zeros at plain places."""
     cases = []
     for kind in ["a random state"] * 10 + ["a particle at rest"] * 3 + ["no gravity"] * 4:
         known = parameters(draw, **({"gravity": 0.0} if kind == "no gravity" else {}))
         omega = draw.uniform(1, 5) * draw.choice([-1, 1]) * (kind != "a particle at rest")
         cases.append(given(on_circle(draw.uniform(-3, 3), omega, known["length"]), **known).on(kind))
-    return cases + [case for place in PLACES for case in _plain(draw, place)]
-
-
-def _plain(draw, place):
-    """Exact zeros, moving either way and at rest; with gravity, without, and of unit size."""
-    x, y = PLACES[place]
-    cases = []
-    pendulums = {"": parameters(draw), ", no gravity": parameters(draw, gravity=0.0), ", all parameters 1": UNIT}
-    for rest, known in pendulums.items():
-        speed = 1.0 if known is UNIT else draw.uniform(1, 5)
-        for v, how in ((speed, "moving"), (-speed, "moving"), (0.0, "at rest")):
-            state = np.array([x * known["length"], y * known["length"], -y * v, x * v])
-            cases.append(given(state, **known).on(f"a particle at {place}, {how}{rest}"))
+    for place, (x, y) in PLACES.items():
+        pendulums = {"": parameters(draw), ", no gravity": parameters(draw, gravity=0.0), ", all parameters 1": UNIT}
+        for rest, known in pendulums.items():
+            speed = 1.0 if known is UNIT else draw.uniform(1, 5)
+            for v, how in ((speed, "moving"), (-speed, "moving"), (0.0, "at rest")):
+                state = np.array([x * known["length"], y * known["length"], -y * v, x * v])
+                cases.append(given(state, **known).on(f"a particle at {place}, {how}{rest}"))
     return cases
 
 
@@ -60,22 +54,17 @@ def off_circle(draw):
 
 def _where(state, length):
     far = math.hypot(*state[:2]) / length
-    if far < 1e-5:
-        return "a particle close to the origin"
-    off = abs(far - 1)
-    beside = "on the circle already" if off < 1e-12 else "just off the circle" if off < 1e-6 else "off the circle"
-    return f"a particle {beside}"
+    near = (0, 1e-5, "close to the origin"), (1, 1e-12, "on the circle already"), (1, 1e-6, "just off the circle")
+    return "a particle " + next((where for place, limit, where in near if abs(far - place) < limit), "off the circle")
 
 
 def origin(draw):
     """What is allowed first."""
-    state = np.append([0.0, 0.0], draw.normal(size=2))
-    allowed = given(np.array([0.0, -2.0, 1.0, 1.0]), length=1.0)
+    allowed, state = given(np.array([0.0, -2.0, 1.0, 1.0]), length=1.0), np.append([0.0, 0.0], draw.normal(size=2))
     return [allowed, given(state, length=draw.uniform(0.5, 2)).on("a particle at the origin")]
 
 
 # Motions: kind, angle, its rate in sqrt(g/l) or 1/s, what is not random
-
 STARTS: tuple[tuple[str, float, float, dict[str, float]], ...] = (
     ("at rest, no gravity", 1.0, 0.0, {"gravity": 0.0}),
     ("moving at the bottom, no gravity", 0.0, 1.0, {"gravity": 0.0}),
@@ -116,9 +105,9 @@ def plain(draw, weight):
     return cases
 
 
-def swinging(draw, turns, count, **fixed):
+def swinging(draw, turns, count):
     start = draw.uniform((0.8, 0.2), (2.2, 0.6)) * draw.choice([-1, 1], 2)
-    return moved(draw, "swinging", turns, count, start, parameters(draw, **fixed))
+    return moved(draw, "swinging", turns, count, start, parameters(draw))
 
 
 def with_gravity(draw):

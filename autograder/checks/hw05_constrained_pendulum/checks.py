@@ -1,11 +1,8 @@
 """Hidden checks of hw05."""
 
-import math
-
 import numpy as np
 
-from tam570_grader import Column, Invariant, absolute, check, expect, follow, law
-from tam570_grader.writing.returns import array, number, rows
+from tam570_grader import Column, Invariant, absolute, array, check, expect, follow, law, number, rows
 
 from . import cases, right
 
@@ -28,23 +25,19 @@ def pull(case, _=None):
     return v @ v / known["length"] + known["gravity"] or 1.0
 
 
-def force(case, _=None):
-    return case.kwargs["mass"] * pull(case)
-
-
-def heat(case, _=None):
+def heat(case, _):
     """The size of an energy, J."""
     (x, y, vx, vy), known = case.args[0], case.kwargs
-    return known["mass"] * ((vx**2 + vy**2) + known["gravity"] * math.hypot(x, y)) or 1.0
+    return known["mass"] * ((vx**2 + vy**2) + known["gravity"] * np.hypot(x, y)) or 1.0
 
 
 def state_size(case, _):
-    return np.repeat([case.kwargs["length"], math.hypot(*case.args[0][2:]) or 1.0], 2)
+    return np.repeat([case.kwargs["length"], np.hypot(*case.args[0][2:]) or 1.0], 2)
 
 
 def speed(case, expected):
     known = case.kwargs
-    return max(np.abs(expected[:, 2:]).max(), math.sqrt(known["gravity"] * known["length"]))
+    return max(np.abs(expected[:, 2:]).max(), np.sqrt(known["gravity"] * known["length"]))
 
 
 MOTION = (
@@ -53,7 +46,7 @@ MOTION = (
 )
 KEPT = Invariant("the energy", "of m g l", right.energies, absolute, ENERGY)
 RESULTS = {
-    "constraint_force": array(2).called("the constraint force", "N", force),
+    "constraint_force": array(2).called("the constraint force", "N", lambda case, _: case.kwargs["mass"] * pull(case)),
     "acceleration": array(2).called("the acceleration", "m/s^2", pull),
     "consistent_state": array(4).called("the state", "of its size", state_size),
     "energy": number.called("the energy", "J", heat),
@@ -93,29 +86,27 @@ def it_stays_on_the_circle(student, draw):
     (x, y, vx, vy), length = motion.found.T, motion.case.kwargs["length"]
     off = (x**2 + y**2) / length**2 - 1
     out = (x * vx + y * vy) / (length * speed(motion.case, motion.expected))
-    (of, hint), share = drift(off, out), {1e-7: 0.5, 1e-5: 0.25}
-    known = {"of": of, "unit": "of its size", "t": motion.t, "hint": hint}
-    expect(np.column_stack([off, out]), 0.0, within=CONSTRAINT, partial=share, **known)
+    known = {**drift(off, out), "unit": "of its size", "t": motion.t, "partial": {1e-7: 0.5, 1e-5: 0.25}}
+    expect(np.column_stack([off, out]), 0.0, within=CONSTRAINT, **known)
 
 
 def drift(off, out):
     """What leaves the circle, and what nothing takes back."""
     if np.abs(off).max() <= ROUNDED:
-        return "r . v = 0", "The place is put back onto the circle: is the velocity made tangent?"
+        return {"of": "r . v = 0", "hint": "The place is put back onto the circle: is the velocity made tangent?"}
     if np.abs(out).max() <= ROUNDED:
-        return "x^2 + y^2 = l^2", "The velocity is made tangent: is the place put back onto the circle?"
+        return {"of": "x^2 + y^2 = l^2", "hint": "The velocity is made tangent: is the place put back onto the circle?"}
     hint = "Neither place nor velocity is put back: what corrects the errors of the steps?"
-    return "x^2 + y^2 = l^2 or r . v = 0", hint
+    return {"of": "x^2 + y^2 = l^2 or r . v = 0", "hint": hint}
 
 
 TIGHTEN, LOSSES = "Tighten rtol and atol: does it leave the circle between the samples?", {1e-3: 0.6, 1e-2: 0.3}
 energy_stays = with_gravity_it_swings_or_goes_round.then(
     "simulate: after 100 s the energy has its first value.", points=0.25, part="a"
 ).keeps(KEPT, right=right.simulate, cases=cases.long, coarsely=COARSELY, partial=LOSSES, hint=TIGHTEN)
-EQUILIBRIUM = "What do the two forces add up to there?"
 at_the_very_top_it_stays = with_gravity_it_swings_or_goes_round.then(
     "simulate: at rest straight above the hinge it is in equilibrium.", points=0.5, part="a"
-).follows(right.simulate, cases.at_the_top, within=TOP, hint=EQUILIBRIUM, loose=False)
+).follows(right.simulate, cases.at_the_top, within=TOP, hint="What do the two forces add up to there?", loose=False)
 wireframe_is_the_rod = law("wireframe: one segment, from the hinge to the particle.", points=0.5, part="a").agrees(
     right.wireframe, cases.states, within=FORMULA, hint="Its first end is the hinge, its second the particle."
 )

@@ -28,17 +28,19 @@ def constraint_force(state, **known):
     return together(state, **known)[1]
 
 
+def angle_and_rate(state, length):
+    """The angle from straight down, and its rate on the circle, of what of the velocity is across the radius."""
+    x, y, vx, vy = state
+    return math.atan2(x, -y), (x * vy - y * vx) / (math.hypot(x, y) * length)
+
+
 def consistent_state(state, length):
-    """By complex numbers: the place's direction, and the velocity's part across it."""
-    place, velocity = complex(*state[:2]), complex(*state[2:])
-    outward = place / abs(place)
-    across = 1j * outward * (velocity / outward).imag
-    return np.array([length * outward.real, length * outward.imag, across.real, across.imag])
+    return on_circle(*angle_and_rate(state, length), length)
 
 
 def energy(state, mass, gravity):
-    weight = np.array([0.0, -mass * gravity])
-    return mass * abs(complex(*state[2:])) ** 2 / 2 - weight @ state[:2]
+    _, y, vx, vy = state
+    return mass * ((vx**2 + vy**2) / 2 + gravity * y)
 
 
 def wireframe(state, length):
@@ -47,18 +49,14 @@ def wireframe(state, length):
 
 def simulate(t, state, mass, length, gravity):
     """(n, 4) states at the times t, by the angle from straight down."""
-    x, y, vx, vy = state
-    start = math.atan2(x, -y), (x * vy - y * vx) / length**2
 
     def rates(_, angle):
         return angle[1], -gravity / length * math.sin(angle[0])
 
-    angles = odeint(rates, start, t, tfirst=True, rtol=1e-12, atol=1e-12, mxstep=100_000)  # good to 4e-9 after 100 s
-    states = on_circle(angles[:, 0], angles[:, 1], length)
-    states[0] = state
-    return states
+    angles = odeint(rates, angle_and_rate(state, length), t, tfirst=True, rtol=1e-12, atol=1e-12, mxstep=100_000)
+    return np.vstack([state, on_circle(*angles[1:].T, length)])  # good to 4e-9 after 100 s
 
 
 def energies(rows, mass, length, gravity):
     """Energy along a motion, over m g l, or m l^2/s^2 without gravity."""
-    return (np.sum(rows[:, 2:] ** 2, axis=1) / 2 + gravity * rows[:, 1]) / ((gravity or 1.0) * length)
+    return energy(rows.T, 1.0, gravity) / ((gravity or 1.0) * length)
