@@ -32,18 +32,17 @@ def moments(draw):
     return [given(s[0], s[2], s[3], mass=mass).on(kind(s, "random vectors")) for s, mass in motions(draw)]
 
 
-def momenta(definitions):
-    """Arguments of angular_momentum by each of these definitions."""
+def rates(definitions, vectors=slice(None)):
+    """Arguments of rate by each of these definitions; with fewer of the vectors, of another function."""
     return lambda draw: [
-        given(definition, s[0], s[1], s[3], s[4], mass=mass).on(kind(s, f"definition {definition}"))
+        given(definition, *s[vectors], mass=mass).on(kind(s, f"definition {definition}"))
         for definition in definitions
         for s, mass in motions(draw)
     ]
 
 
-def rates(definition):
-    what = f"definition {definition}"
-    return lambda draw: [given(definition, *s, mass=mass).on(kind(s, what)) for s, mass in motions(draw)]
+def momenta(definitions):
+    return rates(definitions, [0, 1, 3, 4])
 
 
 def letters(drawn):

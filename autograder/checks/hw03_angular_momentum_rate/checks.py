@@ -28,20 +28,15 @@ def moment_size(case, _=None):
     return case.kwargs["mass"] * (r * a + v**2)
 
 
-def momentum_size(case, _):
-    """kg m^2/s."""
-    return case.kwargs["mass"] * np.prod(sizes(case.args[1:]))
-
-
 RESULTS = {
     "moment": array(3).called("the moment", "N m", moment_size),
-    "angular_momentum": array(3).called("the angular momentum", "kg m^2/s", momentum_size),
+    "angular_momentum": array(3).called(
+        "the angular momentum", "kg m^2/s", lambda case, _: case.kwargs["mass"] * np.prod(sizes(case.args[1:]))
+    ),
     "rate": array(3).called("the rate", "N m", moment_size),
     "discrepancy": array(3).called("the discrepancy", "N m", moment_size),
     "special_motion": group(array(None, 3), array(None, 3)),
 }
-
-
 QUOTIENT = "It is nearly right: is it a difference quotient? Differentiate the product on paper."
 ARM = "The lever arm runs from C to P, and the force on P is all of its m a."
 SAME = "At one instant, can definitions a and b differ?"
@@ -81,7 +76,6 @@ BOTH_MOMENTA = momentum_with_the_velocity_in_F, momentum_with_the_velocity_relat
 momentum_refuses_other_definitions = law(
     "angular_momentum raises ValueError for another definition.", points=0.25, part="a", after=BOTH_MOMENTA
 ).refuses(right.angular_momentum, cases.letters(cases.momenta("b")), within=POINTWISE, hint=LETTERS)
-
 rate_about_a_fixed_point = law(
     "rate by definition a: the derivative while C' stays where it is.", points=0.5, part="a"
 ).agrees(right.rate, cases.rates("a"), within=POINTWISE, hint=by_difference(FIXED))
@@ -95,7 +89,6 @@ BOTH_RATES = rate_about_a_fixed_point, rate_with_the_velocity_in_F
 rate_refuses_other_definitions = law(
     "rate raises ValueError for another definition.", points=0.25, part="a", after=BOTH_RATES
 ).refuses(right.rate, cases.letters(cases.rates("b")), within=POINTWISE, hint=LETTERS)
-
 discrepancy_with_the_velocity_in_F = law(
     "discrepancy by definition b: its rate less the moment.", points=0.5, part="a"
 ).agrees(right.discrepancy, cases.rates("b"), within=POINTWISE, hint=left_over)
@@ -110,22 +103,20 @@ discrepancy_refuses_other_definitions = discrepancy_with_the_velocity_in_F.then(
 ).refuses(right.discrepancy, cases.letters(cases.rates("b")), within=POINTWISE, hint=LETTERS)
 
 
-def judge_motion(definition, p, c):
-    """The motion must have no flaw; if it has none in another order, the student is told."""
-    for says, hint in special.flaws(definition, p, c):
-        fail(says, hint=special.order_hint(definition, p, c) or hint)
+def motion_of(definition, other, points):
+    """The check of one special motion: it must have no flaw; if it has none in another order, the student is told."""
+
+    def judge(student, draw):
+        p, c = student.special_motion(definition)
+        for says, hint in special.flaws(definition, p, c):
+            fail(says, hint=special.order_hint(definition, p, c) or hint)
+
+    holds = f"for which definition {definition} holds at every t, and {other} does not."
+    judge.__doc__ = f"special_motion of {definition}: a motion with C speeding, {holds}"
+    return check(points=points, part="a")(judge)
 
 
-@check(points=1.5, part="a")
-def special_motion_of_b(student, draw):
-    """special_motion of b: a motion with C speeding, for which definition b holds at every t, and c does not."""
-    judge_motion("b", *student.special_motion("b"))
-
-
-@check(points=1.25, part="a")
-def special_motion_of_c(student, draw):
-    """special_motion of c: a motion with C speeding, for which definition c holds at every t, and b does not."""
-    judge_motion("c", *student.special_motion("c"))
+special_motion_of_b, special_motion_of_c = motion_of("b", "c", 1.5), motion_of("c", "b", 1.25)
 
 
 @check(points=0.25, part="a", after=(special_motion_of_b, special_motion_of_c))

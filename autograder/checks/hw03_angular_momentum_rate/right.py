@@ -2,7 +2,8 @@
 
 import numpy as np
 
-# coefficients (k, 3) of a vector of polynomials, the constant first
+# of coefficients (k, 3) of a vector of polynomials, the constant first
+derivative = np.polynomial.polynomial.polyder
 
 
 def cross(p, q):
@@ -13,26 +14,16 @@ def cross(p, q):
     return product
 
 
-def derivative(p):
-    return p[1:] * np.arange(1, len(p))[:, None] if len(p) > 1 else np.zeros((1, 3))
-
-
 def difference(p, q):
     longer = max(len(p), len(q))
     p, q = (np.vstack([f, np.zeros((longer - len(f), 3))]) for f in (p, q))
     return p - q
 
 
-def value(p, t):
-    """Of a vector of polynomials, at numbers t: (..., 3)."""
-    return np.moveaxis(np.polynomial.polynomial.polyval(t, p), 0, -1)
-
-
-def momentum(definition, p, c, mass, now):
-    """The angular momentum as polynomials in time; C' is where C is at the time `now`."""
-    held = value(c, now)[None] if definition == "a" else c
-    velocity = derivative(difference(p, c)) if definition == "c" else derivative(p)
-    return mass * cross(difference(p, held), velocity)
+def momentum(definition, p, c, mass):
+    """The angular momentum as polynomials in time; C' is where C is at the time 0."""
+    velocity = derivative(difference(p, c) if definition == "c" else p)
+    return mass * cross(difference(p, c[:1] if definition == "a" else c), velocity)
 
 
 def path(r, v, a=(0.0, 0.0, 0.0)):
@@ -41,16 +32,15 @@ def path(r, v, a=(0.0, 0.0, 0.0)):
 
 
 def moment(r_p, a_p, r_c, mass):
-    arm, force = np.array([r_p - r_c]), np.array([mass * a_p])
-    return cross(arm, force)[0]
+    return cross(np.array([r_p - r_c]), np.array([mass * a_p]))[0]
 
 
 def angular_momentum(definition, r_p, v_p, r_c, v_c, mass):
-    return momentum(definition, path(r_p, v_p), path(r_c, v_c), mass, 0.0)[0]
+    return momentum(definition, path(r_p, v_p), path(r_c, v_c), mass)[0]
 
 
 def rate(definition, r_p, v_p, a_p, r_c, v_c, a_c, mass):
-    return derivative(momentum(definition, path(r_p, v_p, a_p), path(r_c, v_c, a_c), mass, 0.0))[0]
+    return derivative(momentum(definition, path(r_p, v_p, a_p), path(r_c, v_c, a_c), mass))[0]
 
 
 def discrepancy(definition, r_p, v_p, a_p, r_c, v_c, a_c, mass):

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from .right import cross, derivative, difference, value
+from .right import cross, derivative, difference
 
 IDENTITY = 1e-12  # relative, of a coefficient: those of a motion, and so their products, are rounded to 1e-16 each
 FAR_OFF = 1e-6  # the same of a motion far from O: 1e7 m away from it one metre is rounded to 1e-9
@@ -16,7 +16,7 @@ def smallest(p):
     """Smallest magnitude of a vector of polynomials for 0 <= t <= 1, and where: by thirds about each dip of a grid."""
 
     def magnitude(t):
-        return np.linalg.norm(value(p, t), axis=-1)
+        return np.linalg.norm(np.polynomial.polynomial.polyval(t, p), axis=0)
 
     known = np.pad(magnitude(GRID), 1, constant_values=np.inf)
     dips = np.flatnonzero((known[1:-1] < known[2:]) & (known[1:-1] <= known[:-2]))
@@ -36,26 +36,16 @@ def extent(p):
 
 
 def violation(definition, p, c):
-    """The product that vanishes at every t if the definition holds, its size, and that of what it is rounded from."""
+    """Of the product that vanishes if rate = moment: its size, whether it is zero but for rounding, or surely not."""
     if definition == "b":  # -v_C x m v_P
         one, other = derivative(c), derivative(p)
         rounded = extent(one) * extent(other)
     else:  # -r_{P/C} x m a_C
         one, other = difference(p, c), derivative(derivative(c))
         rounded = (extent(p) + extent(c)) * extent(other)
-    return np.abs(cross(one, other)).max(), extent(one) * extent(other), rounded
-
-
-def holds(definition, p, c):
-    """Whether rate = moment at every t: all coefficients of the violation are zero, but for rounding."""
-    worst, whole, rounded = violation(definition, p, c)
-    return worst <= min(IDENTITY * rounded, FAR_OFF * whole)
-
-
-def fails(definition, p, c):
-    """Whether rate and moment differ at some t for certain."""
-    worst, whole, rounded = violation(definition, p, c)
-    return worst > max(CERTAIN * whole, IDENTITY * rounded)
+    worst, whole = np.abs(cross(one, other)).max(), extent(one) * extent(other)
+    holds, fails = worst <= min(IDENTITY * rounded, FAR_OFF * whole), worst > max(CERTAIN * whole, IDENTITY * rounded)
+    return worst / (whole or 1.0), holds, fails
 
 
 def flaws(definition, p, c):
@@ -75,12 +65,12 @@ def flaws(definition, p, c):
     if not extent(apart[1:]) > max(CERTAIN * extent(speed), rounded):
         yield "P moves along with C: the vector between them does not change", ""
     other = {"b": "c", "c": "b"}[definition]
-    if not holds(definition, p, c):
-        worst, whole, _ = violation(definition, p, c)
-        swapped = f"They do not by definition {other}" if holds(other, p, c) else ""
+    (size, holds, _), (_, other_holds, other_fails) = (violation(one, p, c) for one in (definition, other))
+    if not holds:
+        swapped = f"They do not by definition {other}" if other_holds else ""
         hint = swapped or "Which product must vanish, and at every t? Multiply the polynomials out"
-        yield f"rate and moment differ by {worst / (whole or 1.0):.1e} of their size", hint
-    if not fails(other, p, c):
+        yield f"rate and moment differ by {size:.1e} of their size", hint
+    if not other_fails:
         yield f"definition {other} has rate = moment, too, along the motion", ""
 
 
