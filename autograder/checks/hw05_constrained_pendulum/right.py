@@ -35,7 +35,8 @@ def angle_and_rate(state, length):
 
 
 def consistent_state(state, length):
-    return on_circle(*angle_and_rate(state, length), length)
+    theta, omega = angle_and_rate(state, length)
+    return on_circle(theta, omega, length)
 
 
 def energy(state, mass, gravity):
@@ -54,7 +55,7 @@ def simulate(t, state, mass, length, gravity):
         return angle[1], -gravity / length * math.sin(angle[0])
 
     angles = odeint(rates, angle_and_rate(state, length), t, tfirst=True, rtol=1e-12, atol=1e-12, mxstep=100_000)
-    return np.vstack([state, on_circle(*angles[1:].T, length)])  # good to 4e-9 after 100 s
+    return np.vstack([state, on_circle(angles[1:, 0], angles[1:, 1], length)])  # good to 4e-9 after 100 s
 
 
 def energies(rows, mass, length, gravity):
