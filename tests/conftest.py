@@ -64,8 +64,8 @@ def pytest_collection_modifyitems(config, items):
     """What shares dear fixtures, or an assignment's workers, runs in one process; what is not asked for is left out."""
     full = config.getoption("--full")
     asked = {"full": full, "every": full or config.getoption("--every")}
-    for item in _beyond_samples(items):
-        item.add_marker(pytest.mark.every)
+    for item, rest in _beyond_samples(items):
+        item.add_marker(rest)
     kept, left_out = [], []
     for item in items:
         (kept if all(wanted or name not in item.keywords for name, wanted in asked.items()) else left_out).append(item)
@@ -80,15 +80,15 @@ def pytest_collection_modifyitems(config, items):
 
 
 def _beyond_samples(items):
-    """Of a test marked `sample(n)` all cases but n, which lie evenly among them and not at the same place in each."""
+    """Of a test marked `sample(n)` all cases but n, which lie evenly, and not at the same place in each; and `rest`."""
     cases = defaultdict(list)
     for item in items:
         mark = item.get_closest_marker("sample")
         if mark and not {"every", "full"} & set(item.keywords):
-            cases[item.nodeid.partition("[")[0], mark.args[0]].append(item)
-    for (name, n), found in cases.items():
+            cases[item.nodeid.partition("[")[0], *mark.args, mark.kwargs.get("rest", "every")].append(item)
+    for (name, n, rest), found in cases.items():
         kept = {(zlib.crc32(name.encode()) + k * len(found) // n) % len(found) for k in range(n)}
-        yield from (item for k, item in enumerate(found) if k not in kept)
+        yield from ((item, rest) for k, item in enumerate(found) if k not in kept)
 
 
 def pytest_generate_tests(metafunc):

@@ -52,7 +52,7 @@ def texts(page):
 def test_a_page_says_every_line_message_and_suspect_and_no_detail(slug, page, grade, solution_text, course):
     lines = feedback.sheet(course, slug).lines
     shown = 0
-    for result in failing(slug, grade, solution_text, 6):
+    for result in failing(slug, grade, solution_text, 3):
         text = texts(page(result))
         for mark in result.checks:
             says = message(mark.failure) if mark.failure else mark.message
