@@ -16,7 +16,7 @@ from tam570_grader.writing import assignments
 IN_CI = {  # assignment: the slip in what the second student hands in
     "hw07_double_pendulum": "too_few_steps",
     "hw08_axis_angle": "transposed_skew",
-    "hw12_bead_on_wire": "steps_for_short_runs",
+    "hw12_bead_on_wire": "motion_kept_for_other_wires",
 }
 ONE = "hw08_axis_angle"
 TELLS = 8  # characters: a detail as short as "0.0" may be on a page by chance
