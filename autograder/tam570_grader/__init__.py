@@ -7,7 +7,16 @@ import os
 if os.name != "posix":
     raise SystemExit("tam570-grader: error: the grader needs Linux or macOS; on Windows, use WSL")
 
-from tam570_grader.writing.agree import Column, absolute, agree, agree_by_columns, by_kind, refuse, same_for_all
+from tam570_grader.writing.agree import (
+    Column,
+    absolute,
+    agree,
+    agree_by_columns,
+    by_kind,
+    largest,
+    refuse,
+    same_for_all,
+)
 from tam570_grader.writing.check import check, given, once
 from tam570_grader.writing.curves import kept
 from tam570_grader.writing.drawings import (
@@ -20,7 +29,7 @@ from tam570_grader.writing.drawings import (
 )
 from tam570_grader.writing.expect import Failed, current, expect, expect_that, fail
 from tam570_grader.writing.follow import Invariant, follow, stays
-from tam570_grader.writing.formulas import from_own_lagrangian
+from tam570_grader.writing.formulas import from_own_lagrangian, in_symbols
 from tam570_grader.writing.laws import law
 from tam570_grader.writing.returns import array, drawing, formula, group, number, rows
 from tam570_grader.writing.times import SOME_TIMES, in_turn, uneven
@@ -31,6 +40,7 @@ __all__ = [
     "agree_by_columns",
     "current",
     "path_drawn",
+    "in_symbols",
     "in_turn",
     "Column",
     "Invariant",
@@ -57,6 +67,7 @@ __all__ = [
     "judge_axes_of_lengths",
     "judge_boxes",
     "kept",
+    "largest",
     "law",
     "number",
     "once",

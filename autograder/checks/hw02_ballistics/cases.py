@@ -11,11 +11,8 @@ from . import right
 ANY = "a random launch"
 LIGHT = "a light particle, whose drag is small in kg/s alone"
 WHOLE = {"mass": 1.0, "drag": 1.0, "gravity": 1.0}
-ZEROS = {
-    "zero drag": {"drag": 0.0},
-    "zero gravity": {"gravity": 0.0},
-    "zero drag and gravity": {"drag": 0.0, "gravity": 0.0},
-}
+NO_DRAG, NO_GRAVITY = {"drag": 0.0}, {"gravity": 0.0}
+ZEROS = {"zero drag": NO_DRAG, "zero gravity": NO_GRAVITY, "zero drag and gravity": {**NO_DRAG, **NO_GRAVITY}}
 VELOCITIES = {
     "a particle at rest": (0.0, 0.0),
     "a particle at the top of its path": (1.0, 0.0),
@@ -100,11 +97,9 @@ def plain_flights(draw):
     """Two times each: directions that have a name, a drop, whole numbers."""
     starts = [(kind, launch(draw)[0], angle, parameters(draw)) for kind, angle in DIRECTIONS.items()]
     starts += [("a particle dropped", 0.0, 1.0, parameters(draw)), ("whole numbers", 1.0, 1.0, WHOLE)]
-    calls = []
     for kind, *start, known in starts:
         t = np.array([0.0, draw.uniform(1, 3) * known["mass"] / known["drag"]])
-        calls.append(given(t, *start, **known).on(f"two times, {kind}"))
-    return calls
+        yield given(t, *start, **known).on(f"two times, {kind}")
 
 
 def flights_without(draw):
@@ -140,8 +135,7 @@ def flights_with_any_drag(draw):
     for span in (draw.uniform(1000, 2000), 1e9):
         t = uneven(draw, span * much["mass"] / much["drag"], 20, 0.0)
         calls.append(given(t, *launch(draw), **much).on("great drag"))
-    alike = [call for call in alike_flights(draw) if call.args[0][0] == 0]
-    return [*calls, flight(draw, LIGHT, light(draw)), *alike]
+    return calls + [flight(draw, LIGHT, light(draw)), *(case for case in alike_flights(draw) if case.args[0][0] == 0)]
 
 
 # Landings
@@ -152,7 +146,7 @@ def landings(draw):
     calls = [given(*launch(draw), **parameters(draw)).on(ANY) for _ in range(12)]
     angles = {"a launch straight up": math.pi / 2, "a launch at 45 degrees": math.pi / 4, "a nearly flat launch": 0.01}
     for kind, angle in angles.items():
-        for also, fixed in (("", {}), (", no drag", {"drag": 0.0})):
+        for also, fixed in (("", {}), (", no drag", NO_DRAG)):
             calls.append(given(launch(draw)[0], angle, **parameters(draw, **fixed)).on(f"{kind}{also}"))
     whole = given(1.0, 1.0, **WHOLE).on("whole numbers")
     return [*calls, whole, whole.but(2.0, drag=0.0), whole.but(1.0, math.pi / 2)]

@@ -60,11 +60,9 @@ def of_range(case, distance):
     return speed * right.flight_time(speed, angle, **case.kwargs) if angle == math.pi / 2 else distance
 
 
-of_place, of_velocity = partial(largest, [0, 1]), partial(largest, [2, 3])
-MOTION = (
-    *(Column(of, "m", [column], scale=of_place) for column, of in enumerate(("x", "y"))),
-    *(Column(of, "m/s", [column], scale=of_velocity) for column, of in enumerate(("vx", "vy"), start=2)),
-)
+PLACE, VELOCITY = partial(largest, [0, 1]), partial(largest, [2, 3])
+COLUMNS = ("x", "m", PLACE), ("y", "m", PLACE), ("vx", "m/s", VELOCITY), ("vy", "m/s", VELOCITY)
+MOTION = [Column(of, unit, [place], scale=scale) for place, (of, unit, scale) in enumerate(COLUMNS)]
 RESULTS = {
     "state_derivative": array(4).called("the state's derivative", "m/s or m/s^2", of_rates),
     "simulate": rows(4, columns=MOTION),
@@ -108,8 +106,7 @@ flight_ends_at_launch_height = law("flight_time is when y is zero again.", point
     right.flight_time, cases.landings, within=ROOT, hint="Put the time into the y of your closed form: is it zero?"
 )
 BRANCH_POINT = (
-    "Very little drag is not none. Near its branch point Lambert's W has half of its digits only; "
-    "a step of Newton's method brings them back."
+    "Very little drag is not none. Near its branch point Lambert's W loses digits; a Newton step restores them."
 )
 flight_time_with_hardly_any_drag = flight_ends_at_launch_height.then(
     "flight_time goes over into 2 v sin(angle)/g without losing its digits.", points=0.5, part="c"
@@ -125,10 +122,7 @@ DIGITS = by_kind(HINTS, "Very little drag is not none: is it the time or x that 
 range_with_hardly_any_drag = range_is_where_it_lands.then(
     "horizontal_range becomes v^2 sin(2 angle)/g, no digits lost; it holds with great drag, too.", points=0.5, part="c"
 ).agrees(right.horizontal_range, cases.landings_of_little_drag, cases.landings_of_great_drag, within=ROOT, hint=DIGITS)
-FLAT = (
-    "Does horizontal_range pass? Near its largest it is flat, and a search stops early: "
-    "solve for where its derivative vanishes."
-)
+FLAT = "Does horizontal_range pass? Near its largest it is flat, and a search stops early: set its derivative to zero."
 best_angle_has_the_largest_range = law(
     "best_angle maximises the range, for speeds below and above the terminal speed.", points=0.75, part="a"
 ).agrees(right.best_angle, cases.usual_speeds, within=ANGLE, partial=SEARCHED, hint=FLAT)

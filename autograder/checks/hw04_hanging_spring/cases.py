@@ -62,141 +62,115 @@ def random(draw, gravity=None, kind="a random start"):
 
 def plain(draw):
     """Positions and velocities with zeros, with gravity and without; whole numbers."""
-    found = []
     for (kind, place), gravity in itertools.product(PLAIN.items(), (None, 0.0)):
         case = random(draw, gravity)
         weight = "" if gravity is None else ", without gravity"
-        found.append(case.but(*place(*case.args, centre(**case.kwargs))).on(f"a mass {kind}{weight}"))
+        yield case.but(*place(*case.args, centre(**case.kwargs))).on(f"a mass {kind}{weight}")
     whole = given(np.array([1.0, -1.0, 2.0]), np.array([-1.0, 1.0, 1.0]), **WHOLE).on("whole numbers")
-    return [*found, whole, whole.but(whole.args[0], np.zeros(3)).on("whole numbers, at rest")]
+    yield from (whole, whole.but(whole.args[0], np.zeros(3)).on("whole numbers, at rest"))
 
 
 def states(draw):
-    cases = [random(draw) for _ in range(10)] + [random(draw, 0.0) for _ in range(2)] + plain(draw)
+    cases = [*(random(draw, gravity) for gravity in [None] * 10 + [0.0] * 2), *plain(draw)]
     return [given(np.hstack(case.args), **case.kwargs).on(case.kind) for case in cases]
 
 
 def states_at_times(draw):
-    return [timed(case, draw.uniform(-5, 5)) for case in states(draw)]
+    return [case.behind(draw.uniform(-5, 5)) for case in states(draw)]
 
 
 def period(case):
     return 2 * math.pi / rate_of(**case.kwargs)
 
 
-def timed(case, t, kind=""):
-    return given(t, *case.args, **case.kwargs).on(kind or case.kind)
+def motions(periods, kind, first=None, gravities=(None,), count=12):
+    """Random starts at uneven times, the first of which is not zero unless that is said."""
+
+    def drawn(draw):
+        for gravity in gravities:
+            case = random(draw, gravity)
+            yield case.behind(uneven(draw, periods * period(case), count, first)).on(kind)
+
+    return drawn
 
 
-def motion(draw, periods, kind, first=None, gravity=None, count=12):
-    """A random start at uneven times, the first of which is not zero unless that is said."""
-    case = random(draw, gravity)
-    return timed(case, uneven(draw, periods * period(case), count, first), kind)
+moving = motions(2.3, "uneven times, t[0] not 0", gravities=(None, None, None, 0.0))
+far_apart = motions(6.4, "two times far apart", gravities=(None, None), count=2)
+ten_periods = motions(10, "ten periods, t[0] not 0", 1.0, count=60)
 
 
 def at_two_times(draw):
     """Of the plain cases."""
-    return [
-        timed(case, np.array([0.0, draw.uniform(0.3, 1.3) * period(case)]), f"two times, {case.kind}")
-        for case in plain(draw)
-    ]
+    for case in [*plain(draw)]:
+        yield case.behind(np.array([0.0, draw.uniform(0.3, 1.3) * period(case)])).on(f"two times, {case.kind}")
 
 
 def alike(draw):
     """The same motion again, and with one argument changed at a time."""
-    first = motion(draw, 1, "three times", 0.0, count=3)
+    (first,) = motions(1, "three times", 0.0, count=3)(draw)
     return [first, *in_turn(draw, first)]
 
 
 def with_gravity(draw):
-    random = [motion(draw, 1.7, "a random start", 0.0) for _ in range(4)]
-    return random + [case for case in at_two_times(draw) if case.kwargs["gravity"]]
+    yield from motions(1.7, "a random start", 0.0, gravities=(None,) * 4)(draw)
+    yield from (case for case in at_two_times(draw) if case.kwargs["gravity"])
 
 
 def from_any_time(draw):
     """Of the closed form: without gravity, shifted times, a single one, descending ones, and nothing kept."""
-    without = [motion(draw, 1.3, "no gravity", 0.0, gravity=0.0) for _ in range(2)]
-    shifted = [motion(draw, 1.3, "times that do not start at 0") for _ in range(2)]
-    plain = [case for case in at_two_times(draw) if not case.kwargs["gravity"]]
-    case = motion(draw, 1.3, "", 0.0)
-    some = [case.but(case.args[0][some]).on(kind) for kind, some in SOME_TIMES.items()]
-    return without + shifted + plain + some + alike(draw)
-
-
-def moving(draw):
-    return [motion(draw, 2.3, "uneven times, t[0] not 0", gravity=gravity) for gravity in (None, None, None, 0.0)]
-
-
-def far_apart(draw):
-    return [motion(draw, 6.4, "two times far apart", count=2) for _ in range(2)]
+    yield from motions(1.3, "no gravity", 0.0, gravities=(0.0, 0.0))(draw)
+    yield from motions(1.3, "times that do not start at 0", gravities=(None, None))(draw)
+    yield from (case for case in at_two_times(draw) if not case.kwargs["gravity"])
+    (case,) = motions(1.3, "", 0.0)(draw)
+    yield from (case.but(case.args[0][some]).on(kind) for kind, some in SOME_TIMES.items())
+    yield from alike(draw)
 
 
 def stiff(draw):
     """60 to 80 rad/s, which steps of a millisecond follow, and steps of ten milliseconds do not."""
     case = random(draw, kind="two times, a stiff spring")
     case = case.but(stiffness=case.kwargs["mass"] * draw.uniform(60, 80) ** 2)
-    return [timed(case, 1 + np.array([0.0, draw.uniform(1.2, 1.4) * period(case)]))]
-
-
-def ten_periods(draw):
-    return [motion(draw, 10, "ten periods, t[0] not 0", 1.0, count=60)]
+    return [case.behind(1 + np.array([0.0, draw.uniform(1.2, 1.4) * period(case)]))]
 
 
 # Ellipses
 
 
-def ellipses(draw):
-    return [random(draw, gravity, "a general ellipse") for gravity in (None, None, None, None, 0.0, 0.0)]
-
-
-def circles(draw):
-    found = []
+def orbits(draw):
+    """Random ellipses and circles; those of whole numbers, about (0, 0, -1), and with one parameter changed."""
+    yield from [random(draw, gravity, "a general ellipse") for gravity in (None, None, None, None, 0.0, 0.0)]
     for gravity in (None, None, 0.0, 0.0):
         case = random(draw, gravity, "a circle")
         place = case.args[0] - centre(**case.kwargs)
         v = np.cross(place, draw.normal(size=3))
         v *= rate_of(**case.kwargs) * np.linalg.norm(place) / np.linalg.norm(v)
-        found.append(case.but(case.args[0], v))
-    return found
+        yield case.but(case.args[0], v)
+    yield from [given(p - Z, v, **WHOLE).on(kind) for kind, starts in ABOUT_REST.items() for p, v in starts]
+    again = "an ellipse of a start as before, with another"
+    yield from [given(2 * X - Z, Y, **{**WHOLE, name: 2.0}).on(f"{again} {name}") for name in WHOLE]
 
 
 def flat(draw):
     """Lines, points."""
-    found = []
     for gravity in (None, 0.0):
         for moves in (1, 0):
             case = random(draw, gravity, "a line")
             along = rate_of(**case.kwargs) * draw.uniform(-2, 2) * (case.args[0] - centre(**case.kwargs))
-            found.append(case.but(case.args[0], moves * along))
-        found.append(case.but(centre(**case.kwargs), np.zeros(3)).on("a point"))
+            yield case.but(case.args[0], moves * along)
+        yield case.but(centre(**case.kwargs), np.zeros(3)).on("a point")
     lines = (0 * X, 0 * X, "a line"), (X - Z, 0 * X, "a line"), (-Z, Y, "a line"), (-Z, 0 * X, "a point")
-    return found + [given(r, v, **WHOLE).on(kind) for r, v, kind in lines]
-
-
-def plain_ellipses():
-    """Of whole numbers, about (0, 0, -1): level or upright circle and ellipse; others of each parameter alone."""
-    found = [given(p - Z, v, **WHOLE).on(kind) for kind, starts in ABOUT_REST.items() for p, v in starts]
-    again = "an ellipse of a start as before, with another"
-    return found + [given(2 * X - Z, Y, **{**WHOLE, name: 2.0}).on(f"{again} {name}") for name in WHOLE]
-
-
-def orbits(draw):
-    return ellipses(draw) + circles(draw) + plain_ellipses()
+    yield from [given(r, v, **WHOLE).on(kind) for r, v, kind in lines]
 
 
 # The picture
 
 
 def views(draw):
-    calls = [
-        given(points, *view).on(f"a view from {kind}")
-        for kind, view in PLAIN_VIEWS.items()
-        for points in (np.eye(3), draw.normal(size=(2, 3)))
-    ]
+    for kind, view in PLAIN_VIEWS.items():
+        yield from [given(points, *view).on(f"a view from {kind}") for points in (np.eye(3), draw.normal(size=(2, 3)))]
     for count in (1, 5, 30):
         points, view = draw.normal(size=(count, 3)), draw.uniform(-1, 1, 2) * (6, 1.5)
-        calls.append(given(points, *view).on("random points and directions"))
-    return calls
+        yield given(points, *view).on("random points and directions")
 
 
 def drawn(draw):

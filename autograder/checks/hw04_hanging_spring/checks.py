@@ -15,11 +15,9 @@ MANUAL = {"b": (2, "the wildest motion found, with its plot"), "c": (2, "why not
 POINTWISE = 1e-9  # a few roundings make 1e-14
 TRAJECTORY = 1e-5  # solve_ivp at rtol 1e-9, atol 1e-9 is off by less than 1e-6 after three periods
 ENERGY = 1e-5  # of itself; the same solvers lose less than 1e-6 of it in ten periods
-# of the scale: loose tolerances shift the phase in ten periods; a mass that stands is off by 0.7 or more
-COARSELY = 0.05
-# Of the square of the larger axis. Axes that are sought along a simulated orbit are off by up to 8e-9 (LSODA at rtol
-# 1e-9, atol 1e-9). A circle's by their sum and difference, sqrt(r^2 + v^2/k^2 +- 2 abs(r x v)/k), are good to half of
-# the digits, where the difference is the root of a rounding: 1.5e-8; of ten roundings it is 5e-8.
+COARSELY = 0.05  # of the scale: loose tolerances shift the phase in ten periods; a mass that stands is off by 0.7
+# Of the square of the larger axis. Axes sought along a simulated orbit are off by up to 8e-9 (LSODA at rtol 1e-9, atol
+# 1e-9), a circle's by their sum and difference, sqrt(r^2 + v^2/k^2 +- 2 abs(r x v)/k), by 5e-8: the root of roundings.
 TENSOR = 1e-7
 # Of the motion's size; no ellipse counts as smaller. A zero axis comes out as the rounding of |centre|, and its square
 # as that of |centre|^2, 1e-15 of the size's square, if it is a difference of such: TENSOR * NOUGHT^2 lets both pass.
@@ -43,17 +41,13 @@ def rate_size(case, _):
     return right.rate_of(**case.kwargs) * np.repeat([length(case), speed(case)], 3)
 
 
-def energy_size(case, _):
-    return case.kwargs["stiffness"] * length(case) ** 2
-
-
 MOTION = Column("the position", "m", [0, 1, 2], scale=length), Column("the velocity", "m/s", [3, 4, 5], scale=speed)
 KEPT = Invariant("the energy", "of its start", right.energies, None, ENERGY)
 RESULTS = {
     "state_derivative": array(6).called("a rate", "of its size", rate_size),
     "simulate": rows(6, columns=MOTION),
     "solution": rows(6, columns=MOTION),
-    "energy": number.called("the energy", "J", energy_size),
+    "energy": number.called("the energy", "J", lambda case, _: case.kwargs["stiffness"] * length(case) ** 2),
     "orbit": group(array(3).called("the centre", "m", length), array(2, 3)),
     "project": array("n", 2).called("a point of the picture", "m", absolute),
     "plot_projection": drawing,
@@ -107,9 +101,9 @@ orbit_has_its_centre_at_the_equilibrium = law(
 ).agrees(right.orbit, cases.orbits, within=POINTWISE, only=0, hint=where_it_rests)
 
 
-def judge_axes(student, calls):
+def judge_axes(orbit, calls):
     """Semi-axes a, b are perpendicular, a the larger, and a a^T + b b^T is Fradkin's tensor."""
-    for case, (_, (a, b)) in student.orbit.each(calls):
+    for case, (_, (a, b)) in orbit.each(calls):
         (_, whole), found = right.orbit(*case.args, **case.kwargs), np.outer(a, a) + np.outer(b, b)
         square = np.trace(whole) + (NOUGHT * length(case)) ** 2
         known = {"scale": square, "unit": "of the square of its size"}
@@ -122,20 +116,14 @@ def judge_axes(student, calls):
         expect_that(a @ a >= b @ b - RIGHT_ANGLE * square, "the larger axis is not the first")
 
 
-@check(points=1, part="c")
-def orbit_is_the_ellipse_of_the_motion(student, draw):
-    """orbit: the semi-axes, perpendicular, the larger first."""
-    judge_axes(student, cases.orbits(draw))
-
-
-@check(points=0.5, part="c", after=orbit_is_the_ellipse_of_the_motion)
-def orbit_may_be_a_line_or_a_point(student, draw):
-    """orbit: an ellipse with one axis or both zero."""
-    judge_axes(student, cases.flat(draw))
-
+orbit_is_the_ellipse_of_the_motion = law(
+    "orbit: the semi-axes, perpendicular, the larger first.", points=1, part="c"
+).judged(judge_axes, "orbit", cases.orbits)
+orbit_may_be_a_line_or_a_point = orbit_is_the_ellipse_of_the_motion.then(
+    "orbit: an ellipse with one axis or both zero.", points=0.5, part="c"
+).judged(judge_axes, "orbit", cases.flat)
 
 # The picture
-
 
 projection_is_orthographic = law("project: what an eye far away sees, right and up.", points=1, part="a").agrees(
     right.project, cases.views, within=POINTWISE, hint="Try one axis at a time: where does (0, 0, 1) go?"

@@ -20,19 +20,17 @@ def parameters(draw, **fixed):
 
 def states(draw):
     """Consistent states, moving and at rest, with gravity and without; of exact zeros at plain places."""
-    cases = []
     for kind in ["a random state"] * 10 + ["a particle at rest"] * 3 + ["no gravity"] * 4:
         known = parameters(draw, **({"gravity": 0.0} if kind == "no gravity" else {}))
         omega = draw.uniform(1, 5) * draw.choice([-1, 1]) * (kind != "a particle at rest")
-        cases.append(given(on_circle(draw.uniform(-3, 3), omega, known["length"]), **known).on(kind))
+        yield given(on_circle(draw.uniform(-3, 3), omega, known["length"]), **known).on(kind)
     for place, (x, y) in PLACES.items():
         pendulums = {"": parameters(draw), ", no gravity": parameters(draw, gravity=0.0), ", all parameters 1": UNIT}
         for rest, known in pendulums.items():
             speed = 1.0 if known is UNIT else draw.uniform(1, 5)
             for v, how in ((speed, "moving"), (-speed, "moving"), (0.0, "at rest")):
                 state = np.array([x * known["length"], y * known["length"], -y * v, x * v])
-                cases.append(given(state, **known).on(f"a particle at {place}, {how}{rest}"))
-    return cases
+                yield given(state, **known).on(f"a particle at {place}, {how}{rest}")
 
 
 def off_circle(draw):
@@ -95,14 +93,12 @@ def moved(draw, kind, turns, count, start, known, signs=(1,)):
 
 def plain(draw, weight):
     """Two or three times, from exact places, at rest or moving either way; with gravity or without."""
-    cases = []
     for kind, theta, omega, fixed in [start for start in STARTS if (start[3].get("gravity") != 0.0) == weight]:
         side = draw.choice([-1, 1])
         for count, sign in ((2, side), (3, -side)):
             known, turns = parameters(draw, **fixed), draw.uniform(0.3, 0.8)
             start = theta * sign, omega * sign
-            cases.append(moved(draw, f"{kind}, {count} times", turns, count, start, known, (-1, 1)))
-    return cases
+            yield moved(draw, f"{kind}, {count} times", turns, count, start, known, (-1, 1))
 
 
 def swinging(draw, turns, count):

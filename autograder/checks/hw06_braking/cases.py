@@ -11,17 +11,19 @@ from .right import stopped, wheelbase
 
 AXLES = ("front", "rear")
 OTHERS = ("both", "", "Front", "r", "front rear", None)
-ONES = dict.fromkeys(("mass", "yaw_inertia", "front", "rear", "friction", "gravity"), 1.0)
+LIMITS = {"front": (0.3, 2), "rear": (0.3, 2), "yaw_inertia": (0.4, 2), "friction": (0.2, 1), "gravity": (2, 20)}
+ONES, NO_FRICTION, NO_GRAVITY = dict.fromkeys(("mass", *LIMITS), 1.0), {"friction": 0.0}, {"gravity": 0.0}
 ODD_CARS = {
     "G half way between the axles": {"front": 1.2, "rear": 1.2},
     "all parameters 1": ONES,
-    "friction 0": {"friction": 0.0},
-    "gravity 0": {"gravity": 0.0},
-    "friction and gravity 0": {"friction": 0.0, "gravity": 0.0},
+    "friction 0": NO_FRICTION,
+    "gravity 0": NO_GRAVITY,
+    "friction and gravity 0": NO_FRICTION | NO_GRAVITY,
     "friction above 1": {"friction": 1.6},
 }
 # ways to move: (speed, yaw rate) in the car's usual ones
-FORWARDS, REVERSE, QUICK, TURNING, LITTLE, NONE = (0.3, 2), (-2, -0.3), (1, 2), (0.3, 2), (0.2, 0.5), (0, 0)
+FORWARDS, REVERSE, TURNING, LITTLE, NONE = (0.3, 2), (-2, -0.3), (0.3, 2), (0.2, 0.5), (0, 0)
+BRAKING = (1, 2), LITTLE
 TURN, REST = "a car that goes forwards and turns", "a car at rest"
 WAYS = {
     TURN: (FORWARDS, TURNING),
@@ -35,17 +37,11 @@ MOVING = [kind for kind in WAYS if kind != REST]
 
 
 def car(draw, **fixed):
-    mass, (front, rear) = 10 ** draw.uniform(0.5, 3.3), draw.uniform(0.3, 2, 2)
-    front, rear = fixed.get("front", front), fixed.get("rear", rear)
-    drawn = {
-        "mass": mass,
-        "yaw_inertia": mass * front * rear * draw.uniform(0.4, 2),
-        "front": front,
-        "rear": rear,
-        "friction": draw.uniform(0.2, 1),
-        "gravity": draw.uniform(2, 20),
-    }
-    return {**drawn, **fixed}
+    """yaw_inertia is drawn as a share of mass front rear."""
+    mass = 10 ** draw.uniform(0.5, 3.3)
+    known = {name: draw.uniform(*limits) for name, limits in LIMITS.items()} | fixed
+    known["yaw_inertia"] *= mass * known["front"] * known["rear"]
+    return {"mass": mass, **known, **fixed}
 
 
 def drag(car):
@@ -58,9 +54,10 @@ def usual(car):
     return math.sqrt(drag(car) * wheelbase(car))
 
 
-def speed_of(state, car):
+def speed_of(case):
     """Of its speed and its turning, m/s."""
-    return abs(state[3]) + abs(state[4]) * wheelbase(car)
+    *_, state, _ = case.args
+    return abs(state[3]) + abs(state[4]) * wheelbase(case.kwargs)
 
 
 def state(draw, car, speed, yaw):
@@ -70,21 +67,21 @@ def state(draw, car, speed, yaw):
     return np.array([*draw.uniform(-5, 5, 2), heading, *rates])
 
 
+# Cases of functions of a state, for all of them: (state, locked, **car)
+
+
 def call(kind, known, locked, *first):
     return given(*first, locked, **known).on(f"{kind}, a locked {locked} axle")
 
 
-# Cases of functions of a state, for all of them: (state, locked, **car)
-
-
-def moving(draw, kind, locked, **fixed):
+def moving(draw, kind, locked, way, **fixed):
     known = car(draw, **fixed)
-    return call(kind, known, locked, state(draw, known, *WAYS[kind]))
+    return call(kind, known, locked, state(draw, known, *way))
 
 
 def ways(*kinds, count=3, **fixed):
     """States that move in these ways, of cars with either axle locked."""
-    return lambda draw: [moving(draw, kind, locked, **fixed) for kind in kinds for locked in AXLES * count]
+    return lambda draw: [moving(draw, kind, locked, WAYS[kind], **fixed) for kind in kinds for locked in AXLES * count]
 
 
 def odd_cars(draw):
@@ -98,12 +95,13 @@ def odd_cars(draw):
 
 def headings(draw):
     """Along the axes and beyond a turn, with G at the origin."""
-    cases = []
-    for heading in (0.0, math.pi / 2, math.pi, -math.pi / 2, 9.0, -20.0):
-        for case in ways(TURN, "straight motion in reverse", count=1)(draw):
-            case.args[0][:3] = 0.0, 0.0, heading
-            cases.append(case.on(f"G at the origin, heading {heading:.3g}, {case.kind}"))
-    return cases
+    return [
+        case.but(np.array([0, 0, heading, *case.args[0][3:]])).on(
+            f"G at the origin, heading {heading:.3g}, {case.kind}"
+        )
+        for heading in (0.0, math.pi / 2, math.pi, -math.pi / 2, 9.0, -20.0)
+        for case in ways(TURN, "straight motion in reverse", count=1)(draw)
+    ]
 
 
 def creeping(kind, *speeds):
@@ -123,10 +121,7 @@ hardly_moving = creeping("speed and yaw rate below 1e-8, which are not zero", 5e
 
 def timed(*drawn):
     """The same with a time before the state."""
-    return lambda draw: [
-        given(float(t), *case.args, **case.kwargs).on(case.kind)
-        for t, case in enumerate(chain.from_iterable(one(draw) for one in drawn))
-    ]
+    return lambda draw: [case.behind(float(t)) for t, case in enumerate(chain(*(one(draw) for one in drawn)))]
 
 
 # Functions without a state
@@ -134,16 +129,14 @@ def timed(*drawn):
 
 def parked(draw):
     """(locked, **car): random cars, and odd ones."""
-    random = [(car(draw), "a random car") for _ in range(6)]
-    cars = random + [(car(draw, **fixed), kind) for kind, fixed in ODD_CARS.items()]
-    return [call(kind, one, locked) for one, kind in cars for locked in AXLES]
+    cars = [("a random car", car(draw)) for _ in range(6)]
+    cars += [(kind, car(draw, **fixed)) for kind, fixed in ODD_CARS.items()]
+    return [call(kind, known, locked) for kind, known in cars for locked in AXLES]
 
 
 def at_speeds(draw):
     """(speed, locked, **car): low and high speeds."""
-    return [
-        given(draw.uniform(0.3, 3) * usual(one.kwargs), *one.args, **one.kwargs).on(one.kind) for one in parked(draw)
-    ]
+    return [case.behind(draw.uniform(0.3, 3) * usual(case.kwargs)) for case in parked(draw)]
 
 
 def slowing(draw):
@@ -156,17 +149,16 @@ def slowing(draw):
             falls += [(1.0, 1.0, 0.3), (1.0, 0.4, 0.0), (1.0, 1.0, 0.0), (0.8, 0.625, 1.0)]
         for fast, share, yaw in falls if one.kwargs["friction"] * one.kwargs["gravity"] else ():
             says = f"speed/speed0 = {share:.2g}{', a negative yaw rate' if yaw < 0 else ''}"
-            cases.append(given(share * fast * v, fast * v, yaw, *one.args, **one.kwargs).on(f"{one.kind}, {says}"))
+            cases.append(one.behind(share * fast * v, fast * v, yaw).on(f"{one.kind}, {says}"))
     return cases
 
 
 def of_mechanics(draw):
     """(function, call), moving and at rest, for another `locked` in the place of the last argument."""
     for kind in (TURN, REST):
-        one, t = moving(draw, kind, "front"), np.array([0.0, 1e-3])
-        before = {"axle_load": (), "friction_force": one.args[:1], "kinetic_energy": one.args[:1]}
-        before |= {"state_derivative": (0.0, one.args[0]), "simulate": (t, one.args[0])}
-        yield from ((name, given(*first, "front", **one.kwargs).on(kind)) for name, first in before.items())
+        one, t = moving(draw, kind, "front", WAYS[kind]).on(kind), np.array([0.0, 1e-3])
+        yield from (("axle_load", given("front", **one.kwargs).on(kind)), ("friction_force", one))
+        yield from (("kinetic_energy", one), ("state_derivative", one.behind(0.0)), ("simulate", one.behind(t)))
 
 
 def of_stability(draw):
@@ -177,29 +169,32 @@ def of_stability(draw):
 # Motions
 
 
-def run(draw, kind, locked, ways, share, count, **fixed):
+def run(draw, kind, locked, way, share, count, fixed=None):
     """For this share of the time to the stop; without friction until it has gone so many wheelbases."""
-    known = car(draw, **fixed)
-    start = state(draw, known, *ways)
+    case = moving(draw, kind, locked, way, **fixed or {})
+    start, known = case.args[0], case.kwargs
     brakes = known["friction"] * known["gravity"]
-    latest = stopped(start, locked, known)[0] if brakes else wheelbase(known) / speed_of(start, known)
-    t = uneven(draw, share * latest, count)
-    return call(kind, known, locked, t, start)
+    latest = stopped(start, locked, known)[0] if brakes else wheelbase(known) / speed_of(case)
+    return case.behind(uneven(draw, share * latest, count))
+
+
+def runs(*settings):
+    return lambda draw: [run(draw, *one) for one in settings]
 
 
 def braking(count):
     """Until before the speed passes zero; a rear axle that is locked swings round, and so backwards."""
-    return lambda draw: [
-        run(draw, "braking", "front", (QUICK, LITTLE), 0.75, count),
-        run(draw, "braking", "rear", (QUICK, LITTLE), 0.2, count),
-        run(draw, "braking in reverse", "rear", ((-2, -1), LITTLE), 0.75, count),
-    ]
+    return runs(
+        ("braking", "front", BRAKING, 0.75, count),
+        ("braking", "rear", BRAKING, 0.2, count),
+        ("braking in reverse", "rear", ((-2, -1), LITTLE), 0.75, count),
+    )
 
 
 def plain(draw, share, **fixed):
     """Two times: straight on, or turning on the spot, from the origin along x or from anywhere."""
     kinds = [kind for kind, (speed, yaw) in WAYS.items() if (speed == NONE) != (yaw == NONE)]
-    cases = [run(draw, kind, locked, WAYS[kind], share, 2, **fixed) for kind in kinds for locked in AXLES]
+    cases = [run(draw, kind, locked, WAYS[kind], share, 2, fixed) for kind in kinds for locked in AXLES]
     for case in cases:
         case.args[1][:3] *= draw.integers(0, 2)
     return cases
@@ -208,53 +203,37 @@ def plain(draw, share, **fixed):
 def few_times(draw):
     """Few times, plain runs at two times, a small yaw rate above the critical speed, what is kept between calls."""
     growing = (1.5, 1.8), (1e-4, 1.5e-4)  # it turns the car by 1e-4 and more
-    ones = [run(draw, "all parameters 1", locked, (QUICK, LITTLE), 0.3, 2, **ONES) for locked in AXLES]
+    ones = [run(draw, "all parameters 1", locked, BRAKING, 0.3, 2, ONES) for locked in AXLES]
     cases = [*braking(4)(draw), *plain(draw, 0.3), *ones, run(draw, "a small yaw rate", "rear", growing, 0.7, 2)]
-    first = run(draw, "friction above 1", "rear", (QUICK, LITTLE), 0.2, 4, friction=draw.uniform(1.2, 2))
-    other = state(draw, first.kwargs, QUICK, LITTLE)
+    first = run(draw, "friction above 1", "rear", BRAKING, 0.2, 4, {"friction": draw.uniform(1.2, 2)})
+    other = state(draw, first.kwargs, *BRAKING)
     return [*cases, first, *in_turn(draw, first, start=(other, "front"), mass=None, front=None, rear=None)]
 
 
 def gliding(draw):
     """Without friction or gravity, with the free axle behind at first, and plain ones."""
-    little = (0.1, 0.3)
-    return [
-        run(draw, "friction 0", "front", (REVERSE, little), 10, 60, friction=0.0),
-        run(draw, "gravity 0", "rear", (FORWARDS, little), 10, 60, gravity=0.0),
-        *plain(draw, 1.0, friction=0.0),
-        *plain(draw, 1.0, gravity=0.0),
-    ]
-
-
-def gliding_slowly(draw):
-    """At some mm/s, above what may be called rest where there is friction."""
-    yaw = (0.005, 0.006)
-    return [
-        run(draw, "a slow car, friction 0", "front", ((0.01, 0.012), yaw), 0.05, 4, friction=0.0),
-        run(draw, "a slow car, gravity 0", "rear", ((-0.012, -0.01), yaw), 0.05, 4, gravity=0.0),
-    ]
-
-
-def braking_slowly(draw):
-    """A fortieth of the usual speed, well above what may be called rest."""
-    slow = (0.02, 0.03), (0.005, 0.013)
-    return [run(draw, "a slow car", "front", slow, 0.6, 4), run(draw, "a slow car", "rear", slow, 0.2, 4)]
-
-
-def stops(draw):
-    """Motions that go on beyond the stop."""
-    forwards, some, kind = (0.7, 1.5), (0.2, 0.6), "a car that stops"
-    ice = {"friction": 0.02, "gravity": 10.0}
-    return [
-        run(draw, kind, "front", (forwards, some), 2.1, 40),
-        run(draw, f"{kind} in reverse", "rear", ((-1.5, -0.7), some), 2.1, 40),
-        run(draw, f"{kind}, only two times", "rear", (forwards, some), 1.12, 2),
-        run(draw, f"{kind}, spinning on ice", "rear", ((0.3, 1), (5, 6.5)), 2.1, 50, **ice),
-        run(draw, f"{kind}, spinning, only two times", "front", ((0.05, 0.2), (0.8, 1.2)), 1.12, 2),
-        run(draw, f"{kind}, straight ahead", "rear", (forwards, NONE), 2.1, 20),
-    ]
+    behind = run(draw, "friction 0", "front", (REVERSE, (0.1, 0.3)), 10, 60, NO_FRICTION)
+    ahead = run(draw, "gravity 0", "rear", (FORWARDS, (0.1, 0.3)), 10, 60, NO_GRAVITY)
+    return [behind, ahead, *plain(draw, 1.0, **NO_FRICTION), *plain(draw, 1.0, **NO_GRAVITY)]
 
 
 def at_rest(draw):
-    cases = [moving(draw, REST, locked) for locked in AXLES]
-    return [given(uneven(draw, 3.0, 10), *case.args, **case.kwargs).on(case.kind) for case in cases]
+    return [moving(draw, REST, locked, WAYS[REST]).behind(uneven(draw, 3.0, 10)) for locked in AXLES]
+
+
+# at some mm/s, above what may be called rest where there is friction
+gliding_slowly = runs(
+    ("a slow car, friction 0", "front", ((0.01, 0.012), (0.005, 0.006)), 0.05, 4, NO_FRICTION),
+    ("a slow car, gravity 0", "rear", ((-0.012, -0.01), (0.005, 0.006)), 0.05, 4, NO_GRAVITY),
+)
+SLOW = (0.02, 0.03), (0.005, 0.013)  # a fortieth of the usual speed, well above what may be called rest
+braking_slowly = runs(("a slow car", "front", SLOW, 0.6, 4), ("a slow car", "rear", SLOW, 0.2, 4))
+STOPPING, SOME = (0.7, 1.5), (0.2, 0.6)
+stops = runs(  # and go on beyond
+    ("a car that stops", "front", (STOPPING, SOME), 2.1, 40),
+    ("a car that stops in reverse", "rear", ((-1.5, -0.7), SOME), 2.1, 40),
+    ("a car that stops, only two times", "rear", (STOPPING, SOME), 1.12, 2),
+    ("a car that stops, spinning on ice", "rear", ((0.3, 1), (5, 6.5)), 2.1, 50, {"friction": 0.02, "gravity": 10.0}),
+    ("a car that stops, spinning, only two times", "front", ((0.05, 0.2), (0.8, 1.2)), 1.12, 2),
+    ("a car that stops, straight ahead", "rear", (STOPPING, NONE), 2.1, 20),
+)

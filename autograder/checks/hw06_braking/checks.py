@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from tam570_grader import Column, agree, array, by_kind, check, expect_that, law, number, refuse, rows
+from tam570_grader import Column, agree, array, by_kind, check, expect_that, largest, law, number, refuse, rows
 from tam570_grader.writing.agree import taken
 
 from . import cases, right
@@ -12,8 +12,7 @@ NEEDS = ("numpy",)
 MANUAL = {"c": (2, "the definition of steering stability, with plots that answer the question by it")}
 
 FORMULA = 1e-9  # of the largest term: roundings make 1e-15, solving for the side force 1e-13; wrong terms .1
-GROWTH = 1e-6  # a student's central difference is good to 1e-9; wrong terms are off by .1
-SMALL_YAW = 1e-6  # the same, and an integral by rtol 1e-9 in the place of the closed form
+GROWTH = 1e-6  # central differences are good to 1e-9, and an integral of them by rtol 1e-9; wrong terms are off by .1
 FOLLOWED = 1e-6  # solve_ivp at rtol = atol = 1e-9, whatever its method, stays below 8e-8 well before the stop
 SLOW = 1e-3  # at 1e-6 m/s and more a guard against 0/0 (v + 1e-9) is still right, a deadband off by 1
 STOPPED = 5e-5  # of the way that friction needs: from AT_REST to the stop it is the square, up to 1e-5
@@ -23,7 +22,7 @@ AT_REST = 100 * STOPPED  # of the first speed: a student may call it rest below 
 
 def pace(case, _=None):
     """The size of the velocities, m/s."""
-    return cases.usual(case.kwargs) + cases.speed_of(case.args[1], case.kwargs)
+    return cases.usual(case.kwargs) + cases.speed_of(case)
 
 
 def turning(case, _):
@@ -48,36 +47,30 @@ RATES = (
 
 def way(case, _=None):
     """The way that friction needs."""
-    return cases.speed_of(case.args[1], case.kwargs) ** 2 / cases.drag(case.kwargs)
+    return cases.speed_of(case) ** 2 / cases.drag(case.kwargs)
 
 
 def gone(case, _=None):
     """The way that a slow car goes."""
     t, drag = case.args[0], case.kwargs["friction"] * case.kwargs["gravity"]
-    return way(case) if drag else (t[-1] - t[0]) * cases.speed_of(case.args[1], case.kwargs)
+    return way(case) if drag else (t[-1] - t[0]) * cases.speed_of(case)
 
 
-def columns(far, fast=1.0):
+def columns(far, off=1.0):
     """The columns of a motion: how far it goes, and how much more a speed may be off."""
-
-    def speed(case, _):
-        return fast * cases.speed_of(case.args[1], case.kwargs)
-
     return (
         Column("the place", "m", [0, 1], scale=far),
         Column("the heading", "rad", [2], True, lambda case, _: min(far(case) / wheelbase(case.kwargs), 1.0)),
-        Column("the speed", "m/s", [3], scale=speed),
-        Column("the yaw rate", "rad/s", [4], scale=lambda case, _: speed(case, _) / wheelbase(case.kwargs)),
+        Column("the speed", "m/s", [3], scale=lambda case, _: off * cases.speed_of(case)),
+        Column("the yaw rate", "rad/s", [4], scale=lambda case, _: off * cases.speed_of(case) / wheelbase(case.kwargs)),
     )
 
 
 MOTION, SLOWLY = columns(lambda case, _=None: max(way(case), wheelbase(case.kwargs))), columns(gone)
 TO_REST = columns(MOTION[0].scale, AT_REST / STOPPED)
 RESULTS = {
-    "axle_load": number.called("the load", "N", lambda case, _: case.kwargs["mass"] * (case.kwargs["gravity"] or 1.0)),
-    "friction_force": array(2).called(
-        "the friction force", "N", lambda case, _: case.kwargs["mass"] * cases.drag(case.kwargs)
-    ),
+    "axle_load": number.called("the load", "N"),
+    "friction_force": array(2).called("the force", "N", lambda case, _: case.kwargs["mass"] * cases.drag(case.kwargs)),
     "state_derivative": array(5, columns=RATES),
     "simulate": rows(5, columns=MOTION),
     "kinetic_energy": number.called("the kinetic energy", "J"),
@@ -88,13 +81,9 @@ RESULTS = {
 
 
 # Where to look
-WHICH_AXLE = "Which axle carries more, the one near G or the one far from it?"
 WHICH_WAY = "Which way does the locked axle move, seen from the car?"
 AS_AT_REST = "Friction is zero there, as at rest; at rest speed and yaw rate are both exactly zero"
-VELOCITY = "What is the velocity of G?"
-SIDEWAYS = "Linearise at yaw rate 0: is friction's sideways part in it?"
 WHERE_ZERO = by_kind({"front": "Can your growth rate be positive there?"}, "Where is your growth rate zero?")
-OVER_THE_SPEED = "Divide the yaw acceleration by the rate of speed: can you integrate over the speed?"
 
 
 def of_friction(case, found, expected):
@@ -115,67 +104,58 @@ def of_rates(case, found, expected):
 
 
 def of_run(motion):
-    """What to say of a motion that ends early, or goes straight on."""
+    """What to say of a motion that ends early, goes straight on, or does not stay where it stops."""
     found, expected = motion.found, motion.expected
-    if found[1:, 3].any() and not found[1:, 4].any() and expected[1:, 4].any():
-        return "It goes straight on: a small yaw rate is not zero, and may grow."
-    stands = expected[:, 3:].any(axis=1) & ~found[:, 3:].any(axis=1)
-    if stands.any():
+    rests = ~expected[:, 3:].any(axis=1)
+    after = found[rests]
+    if not found[~rests, 3:].any(axis=1).all():
         return "Speed and yaw rate are zero there before it stops: does your event count time from t[0]?"
-    return "Does state_derivative pass, and is your integrator's tolerance tight?"
-
-
-def of_stop(motion):
-    """What to say of the rows at the stop and after it."""
-    rests = ~motion.expected[:, 3:].any(axis=1)
-    found = motion.found[rests]
+    if not found[1:, 4].any() and expected[1:, 4].any():
+        return "It goes straight on: a small yaw rate is not zero, and may grow."
     if not rests.any():
-        return "Slow is not at rest: it has a way to go before it stops."
-    if not found.any():
+        return "Does state_derivative pass, and is your integrator's tolerance tight?"
+    if not after.any():
         return "Place and heading are zero there; do they stay where it stops?"
-    if len(found) > 1 and (found[:, 3] * motion.case.args[1][3] < 0).any():
+    if len(after) > 1 and (after[:, 3] * motion.case.args[1][3] < 0).any():
         return "It goes back after the stop."
     return "Find the time at which it stops: does anything change from then on?"
 
 
-FRICTION = {"within": FORMULA, "hint": of_friction}
+EVERY_WAY = cases.ways(*cases.WAYS), cases.odd_cars, cases.headings
 DERIVATIVE = {"within": FORMULA, "hint": of_rates}
-HARDLY = {"within": SOME, "hint": of_friction, "gradual": False, "scale": lambda _, force: np.abs(force).max()}
+HARDLY = {"within": SOME, "hint": of_friction, "gradual": False, "scale": largest}
 OWN = [Column(one.of, one.unit, one.where) for one in RATES[2:]]  # of the scale of its own number
 HARDLY_RATES = {"columns": OWN, "within": SOME, "hint": of_rates, "gradual": False}
 RUN = {"within": FOLLOWED, "hint": of_run}
 A_SLOW_RUN = {"columns": SLOWLY, "within": SLOW, "hint": of_run}
 
-axle_load_balances_the_weight = law(
-    "axle_load: what the locked axle carries of the weight of a car at rest.", points=0.75, part="a"
-).agrees(right.axle_load, cases.parked, within=FORMULA, hint=WHICH_AXLE)
+axle_load_balances_the_weight = law("axle_load: what the locked axle carries at rest.", points=0.75, part="a").agrees(
+    right.axle_load, cases.parked, within=FORMULA, hint="Which axle carries more, the one near G or the other?"
+)
 friction_opposes_the_sliding = law(
     "friction_force: against the velocity of the axle that drags, in proportion to its load.", points=1, part="a"
 ).agrees(right.friction_force, cases.ways(cases.TURN, count=8), within=FORMULA, hint=WHICH_WAY)
 friction_in_any_motion_and_at_rest = (
-    friction_opposes_the_sliding.then(
-        "friction_force: in reverse, on the spot, straight, slow, without friction; zero at rest.", points=0.5, part="a"
-    )
-    .agrees(right.friction_force, cases.ways(*cases.WAYS), cases.odd_cars, cases.headings, **FRICTION)
+    friction_opposes_the_sliding.then("friction_force: any motion, however slow; zero at rest.", points=0.5, part="a")
+    .agrees(right.friction_force, *EVERY_WAY, within=FORMULA, hint=of_friction)
     .also.agrees(right.friction_force, cases.slow, within=SLOW, hint=of_friction)
     .also.agrees(right.friction_force, cases.hardly_moving, **HARDLY)
 )
 equations_of_motion = law(
     "state_derivative: the balances of momentum; the free axle does not slip sideways.", points=1.25, part="a"
 ).agrees_by_columns(right.state_derivative, cases.timed(cases.ways(cases.TURN, count=10)), **DERIVATIVE)
-ANY_WAY = cases.timed(cases.ways(*cases.MOVING), cases.headings)
 equations_in_any_motion = (
     equations_of_motion.then("state_derivative: in reverse, on the spot, straight, slow.", points=0.5, part="a")
-    .agrees_by_columns(right.state_derivative, ANY_WAY, **DERIVATIVE)
+    .agrees_by_columns(right.state_derivative, cases.timed(cases.ways(*cases.MOVING), cases.headings), **DERIVATIVE)
     .also.agrees_by_columns(right.state_derivative, cases.timed(cases.slow), within=SLOW, hint=of_rates)
     .also.agrees_by_columns(right.state_derivative, cases.timed(cases.hardly_moving), **HARDLY_RATES)
 )
 equations_without_friction_and_at_rest = equations_of_motion.then(
     "state_derivative: without friction, without gravity; all zero at rest.", points=0.5, part="a"
 ).agrees_by_columns(right.state_derivative, cases.timed(cases.ways(cases.REST), cases.odd_cars), **DERIVATIVE)
-kinetic_energy_of_G_and_of_turning = law(
-    "kinetic_energy: of G, which moves to the side too, and of the turning about it.", points=0.5, part="a"
-).agrees(right.kinetic_energy, cases.ways(*cases.WAYS), cases.odd_cars, cases.headings, within=FORMULA, hint=VELOCITY)
+kinetic_energy_of_G_and_of_turning = law("kinetic_energy: of G, and of turning about it.", points=0.5, part="a").agrees(
+    right.kinetic_energy, *EVERY_WAY, within=FORMULA, hint="What is the velocity of G?"
+)
 simulate_brakes = law(
     "simulate: braking with either axle locked, row i at t[i], row 0 the given state.", points=1, part="a"
 ).follows(right.simulate, cases.braking(100), **RUN)
@@ -183,23 +163,19 @@ simulate_needs_no_dense_times = simulate_brakes.then(
     "simulate: the same motion when only a few times are asked for.", points=0.25, part="a"
 ).follows(right.simulate, cases.few_times, **RUN)
 simulate_glides_without_friction = (
-    simulate_brakes.then(
-        "simulate: without friction or gravity it keeps its energy, however slow, ends with G ahead of the free axle.",
-        points=0.5,
-        part="a",
-    )
+    simulate_brakes.then("simulate: without friction or gravity it glides, however slow.", points=0.5, part="a")
     .follows(right.simulate, cases.gliding, **RUN)
     .also.follows(right.simulate, cases.gliding_slowly, **A_SLOW_RUN)
 )
-growth_rate_is_the_slope = law(
-    "yaw_growth_rate: how fast the yaw acceleration rises with a small yaw rate, at any speed.", points=0.75, part="a"
-).agrees(right.yaw_growth_rate, cases.at_speeds, within=GROWTH, hint=SIDEWAYS)
+growth_rate_is_the_slope = law("yaw_growth_rate: d(yaw acceleration)/d(yaw rate).", points=0.75, part="a").agrees(
+    right.yaw_growth_rate, cases.at_speeds, within=GROWTH, hint="At yaw rate 0, is friction's sideways part in it?"
+)
 critical_speed_is_where_growth_begins = law(
     "critical_speed: that at which the growth rate is zero; math.inf where it never is.", points=0.5, part="a"
 ).agrees(right.critical_speed, cases.parked, within=FORMULA, hint=WHERE_ZERO)
-small_yaw_rate_is_the_linear_solution = law(
-    "small_yaw_rate: the linear equation, solved exactly over the falling speed.", points=0.75, part="d"
-).agrees(right.small_yaw_rate, cases.slowing, within=SMALL_YAW, hint=OVER_THE_SPEED)
+small_yaw_rate_is_the_linear_solution = law("small_yaw_rate: exact by linear theory.", points=0.75, part="d").agrees(
+    right.small_yaw_rate, cases.slowing, within=GROWTH, hint="What is d(yaw rate)/d(speed)? Integrate over the speed."
+)
 
 
 def judge_refusals(student, calls):
@@ -230,10 +206,8 @@ def stability_refuses_other_axles(student, draw):
 
 # Last: a student whose integrator never gets past the stop shall lose nothing else by it.
 simulate_comes_to_rest_and_stays = (
-    simulate_brakes.then(
-        "simulate: a car that has come to rest stays where it is; one at rest does not start.", points=0.75, part="a"
-    )
+    simulate_brakes.then("simulate: it stops, and stays; a car at rest does not start.", points=0.75, part="a")
     .follows(right.simulate, cases.braking_slowly, **A_SLOW_RUN)
-    .also.follows(right.simulate, cases.stops, columns=TO_REST, within=STOPPED, hint=of_stop)
+    .also.follows(right.simulate, cases.stops, columns=TO_REST, within=STOPPED, hint=of_run)
     .also.follows(right.simulate, cases.at_rest, within=FORMULA, hint=of_run)
 )

@@ -23,12 +23,8 @@ PLACES = {
 
 def pendulum(draw, **fixed):
     """Random masses, lengths and gravity; unequal, and not of size one."""
-    drawn = {
-        "masses": 10 ** draw.uniform(-0.5, 0.7, 2),
-        "lengths": 10 ** draw.uniform(-0.4, 0.4, 2),
-        "gravity": draw.uniform(1.5, 25.0),
-    }
-    return {**drawn, **fixed}
+    masses, lengths = 10 ** draw.uniform(-0.5, 0.7, 2), 10 ** draw.uniform(-0.4, 0.4, 2)
+    return {"masses": masses, "lengths": lengths, "gravity": draw.uniform(1.5, 25.0), **fixed}
 
 
 def thrown(count, kind=ANY, **fixed):
@@ -41,18 +37,12 @@ def thrown(count, kind=ANY, **fixed):
     return drawn
 
 
-def moving(draw):
+def states(draw):
     """And others like the first: exact angles and rates, equal bars, unit bars, no gravity."""
     random = thrown(8)(draw)
     plain = _places(random[0]) + _alike(random[0])
     weightless = [case.but(gravity=0.0).on(f"{case.kind}, no gravity") for case in plain[:7]]
     return [*random, *plain, *_rates(random[0]), *weightless, *thrown(3, "no gravity", gravity=0.0)(draw)]
-
-
-def resting(draw):
-    """The same for functions of the angles alone."""
-    random = thrown(8)(draw)
-    return random + _places(random[0]) + _alike(random[0])
 
 
 def _places(case):
@@ -88,11 +78,9 @@ def _rates(case):
 
 def nearly_massless(draw):
     """One bar of a mass 1e-9 of the other's."""
-    cases = []
     for name, ratio in (("lower", [1.0, 1e-9]), ("upper", [1e-9, 1.0])):
         for heavy in draw.uniform(0.5, 4, 3):
-            cases += thrown(1, f"a nearly massless {name} bar", masses=heavy * np.array(ratio))(draw)
-    return cases
+            yield from thrown(1, f"a nearly massless {name} bar", masses=heavy * np.array(ratio))(draw)
 
 
 def straight_down(draw):
@@ -129,24 +117,18 @@ def pace(known):
 
 def motions(draw):
     """Random starts at uneven times, t[0] zero and not; plain ones at two or three times; one thing changed in turn."""
-    cases = []
     for origin in (0.0, 2.3, -1.7):
         known = pendulum(draw)
         turns = 2 * math.pi * np.sign(origin) * np.array([1, -1])  # an angle beyond pi stays there
         t = uneven(draw, draw.uniform(4, 6) * pace(known), 40, origin)
         start = draw.uniform(-2, 2, 2) + turns, draw.uniform(-1, 1, 2) / pace(known)
-        cases.append(given(t, *start, **known).on("t[0] not 0" if origin else "t[0] = 0"))
-    return cases + plain_motions(draw) + in_turn(draw, cases[-1].but(t[:4]))
-
-
-def plain_motions(draw):
-    cases = []
+        random = given(t, *start, **known).on("t[0] not 0" if origin else "t[0] = 0")
+        yield random
     for (kind, (theta, omega, fixed)), count in itertools.product(STARTS.items(), (2, 3)):
         known = pendulum(draw, **fixed)
-        t = uneven(draw, draw.uniform(1.5, 2.5) * pace(known), count, draw.uniform(-3, 3))
-        start = np.array(theta), np.array(omega) / pace(known)
-        cases.append(given(t, *start, **known).on(f"{kind}, {count} times"))
-    return cases
+        times = uneven(draw, draw.uniform(1.5, 2.5) * pace(known), count, draw.uniform(-3, 3))
+        yield given(times, np.array(theta), np.array(omega) / pace(known), **known).on(f"{kind}, {count} times")
+    yield from in_turn(draw, random.but(t[:4]))
 
 
 def from_horizontal(draw):
@@ -158,7 +140,7 @@ def from_horizontal(draw):
 def weightless(draw):
     """Moving, and at rest, without gravity."""
     (case,) = thrown(1, gravity=0.0)(draw)
-    moves = given(uneven(draw, 3.0, 40, 0.0), *case.args, **case.kwargs).on("a pendulum without gravity")
+    moves = case.behind(uneven(draw, 3.0, 40, 0.0)).on("a pendulum without gravity")
     still = moves.but(moves.args[0][[0, -1]], case.args[0], np.zeros(2))
     return [moves, still.on("a pendulum at rest without gravity, two times")]
 

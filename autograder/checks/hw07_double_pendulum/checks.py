@@ -1,7 +1,5 @@
 """Hidden checks of hw07."""
 
-import math
-
 import numpy as np
 
 from tam570_grader import Column, Invariant, check, curves_seen, judge_axes_of_lengths, law, path_drawn
@@ -22,39 +20,30 @@ ENERGY = 1e-5  # of m g l; the same solvers lose 5e-8 of it in ten seconds, a sy
 DRAWN = 1e-3  # of the length; the path between 400 points bends by 2e-4 of it
 
 
-def inertia(case, _=None):
-    return np.sum(case.kwargs["masses"]) * np.max(case.kwargs["lengths"]) ** 2
+def power_of_rate(n, mass=1, length=2):
+    """The scale m^mass l^length rate^n, the rate that of the angular velocities and sqrt(g/l)."""
+
+    def scale(case, _=None):
+        omega, lengths = case.args[-1] if len(case.args) > 1 else np.zeros(2), case.kwargs["lengths"]
+        rate2 = np.max(omega**2) + case.kwargs.get("gravity", 0.0) / np.min(lengths)
+        return np.sum(case.kwargs["masses"]) ** mass * np.max(lengths) ** length * rate2 ** (n / 2)
+
+    return scale
 
 
-def rate2(case, _=None):
-    """Square of the angular velocities, or of sqrt(g/l)."""
-    omega = case.args[-1] if len(case.args) > 1 else np.zeros(2)
-    return np.max(omega**2) + case.kwargs.get("gravity", 0.0) / np.min(case.kwargs["lengths"])
-
-
-def moment(case, _=None):
-    return inertia(case) * rate2(case)
-
-
-def force(case, _=None):
-    return moment(case) / np.max(case.kwargs["lengths"])
-
-
-def spin(case, _=None):
-    return inertia(case) * math.sqrt(rate2(case))
-
-
+INERTIA, SPIN, MOMENT = power_of_rate(0), power_of_rate(1), power_of_rate(2)
+FORCE, RATE2 = power_of_rate(2, length=1), power_of_rate(2, mass=0, length=0)
 MOTION = (Column("an angle", "rad", [0, 1], turns=True), Column("an angular velocity", "rad/s", [2, 3]))
-KEPT_ENERGY = Invariant("the energy", "of m g l", right.energies, moment, ENERGY)
-KEPT_MOMENTUM = Invariant("the angular momentum", "of m l^2 omega", right.momenta, spin, ENERGY)
+KEPT_ENERGY = Invariant("the energy", "of m g l", right.energies, MOMENT, ENERGY)
+KEPT_MOMENTUM = Invariant("the angular momentum", "of m l^2 omega", right.momenta, SPIN, ENERGY)
 RESULTS = {
-    "mass_matrix": array(2, 2).called("[M]", "kg m^2", inertia),
-    "velocity_terms": array(2).called("{f}", "N m", moment),
-    "gravity_terms": array(2).called("{g}", "N m", moment),
-    "angular_acceleration": array(2).called("alpha", "rad/s^2", rate2),
-    "on_the_fly": group(array(2).called("alpha", "rad/s^2", rate2), array(2, 2).called("a hinge force", "N", force)),
-    "energy": number.called("the energy", "J", moment),
-    "angular_momentum": number.called("the angular momentum", "kg m^2/s", spin),
+    "mass_matrix": array(2, 2).called("[M]", "kg m^2", INERTIA),
+    "velocity_terms": array(2).called("{f}", "N m", MOMENT),
+    "gravity_terms": array(2).called("{g}", "N m", MOMENT),
+    "angular_acceleration": array(2).called("alpha", "rad/s^2", RATE2),
+    "on_the_fly": group(array(2).called("alpha", "rad/s^2", RATE2), array(2, 2).called("a hinge force", "N", FORCE)),
+    "energy": number.called("the energy", "J", MOMENT),
+    "angular_momentum": number.called("the angular momentum", "kg m^2/s", SPIN),
     "simulate": rows(4, columns=MOTION),
     "small_oscillation_frequencies": array(2).called("a frequency", "rad/s"),
     "wireframe": array(2, 2, 2).called("an end of a bar", "m"),
@@ -88,25 +77,25 @@ DOWN = "An angle of zero is down, a positive one to the right"
 
 mass_matrix_makes_the_kinetic_energy = law(
     "mass_matrix: half of omega . M omega is the kinetic energy of the two bars.", points=1, part="a"
-).agrees(right.mass_matrix, cases.resting, within=FORMULA, hint=VELOCITIES)
+).agrees(right.mass_matrix, cases.states, within=FORMULA, hint=VELOCITIES)
 velocity_terms_are_centripetal = law("velocity_terms: {f} of Lagrange's equations.", points=1, part="a").agrees(
-    right.velocity_terms, cases.moving, within=FORMULA, hint=CENTRIPETAL
+    right.velocity_terms, cases.states, within=FORMULA, hint=CENTRIPETAL
 )
 gravity_terms_are_moments_of_the_weights = law(
     "gravity_terms: {g}, the derivatives of the potential energy by th1 and th2.", points=0.75, part="a"
-).agrees(right.gravity_terms, cases.resting, within=FORMULA, hint=HEIGHTS)
+).agrees(right.gravity_terms, cases.states, within=FORMULA, hint=HEIGHTS)
 accelerations_obey_the_equations = law(
     "angular_acceleration: [M]{alpha} + {f} + {g} = 0, without gravity too.", points=0.75, part="a"
-).agrees(right.angular_acceleration, cases.moving, within=FORMULA, hint=in_equations)
+).agrees(right.angular_acceleration, cases.states, within=FORMULA, hint=in_equations)
 accelerations_with_a_nearly_massless_bar = accelerations_obey_the_equations.then(
     "angular_acceleration keeps its digits when one bar has 1e-9 of the other's mass.", points=0.25, part="a"
 ).agrees(right.angular_acceleration, cases.nearly_massless, within=MASSLESS, hint=SCALED)
 free_bars_accelerate_as_lagranges = law(
     "on_the_fly: alpha from two free bars and two hinge constraints.", points=0.5, part="a"
-).agrees(right.on_the_fly, cases.moving, within=FORMULA, only=0, hint=TEN)
+).agrees(right.on_the_fly, cases.states, within=FORMULA, only=0, hint=TEN)
 hinge_forces_balance = free_bars_accelerate_as_lagranges.then(
     "on_the_fly: with the hinge forces and the weights each bar obeys Newton's law.", points=0.75, part="a"
-).agrees(right.on_the_fly, cases.moving, within=FORMULA, only=1, hint=HANGING)
+).agrees(right.on_the_fly, cases.states, within=FORMULA, only=1, hint=HANGING)
 free_bars_with_a_nearly_massless_one = (
     free_bars_accelerate_as_lagranges.then(
         "on_the_fly keeps its digits with a bar of 1e-9 of the other's mass, and straight down.", points=0.25, part="a"
@@ -116,10 +105,10 @@ free_bars_with_a_nearly_massless_one = (
 )
 energy_is_kinetic_and_potential = law(
     "energy: kinetic of turning bars, potential of their mass centres, zero at the ceiling.", points=0.75, part="a"
-).agrees(right.energy, cases.moving, within=FORMULA, hint=BELOW)
+).agrees(right.energy, cases.states, within=FORMULA, hint=BELOW)
 angular_momentum_is_about_the_ceiling = law(
     "angular_momentum: r x m v and I omega of both bars, about the ceiling hinge.", points=0.75, part="a"
-).agrees(right.angular_momentum, cases.moving, within=FORMULA, hint=BOTH_PARTS)
+).agrees(right.angular_momentum, cases.states, within=FORMULA, hint=BOTH_PARTS)
 simulation_follows_the_equations = law(
     "simulate: angles and angular velocities at uneven times, whatever t[0] is.", points=0.75, part="a"
 ).follows(right.simulate, cases.motions, within=FOLLOWED, keeps=KEPT_ENERGY, hint=TIGHT)
@@ -138,7 +127,7 @@ frequencies_in_special_cases = small_oscillations_have_two_frequencies.then(
     "small_oscillation_frequencies: equal bars, a nearly massless bar, no gravity.", points=0.25, part="a"
 ).agrees(right.small_oscillation_frequencies, cases.special, within=FREQUENCY, hint=in_order)
 wireframe_shows_the_bars = law("wireframe: ceiling hinge to elbow, elbow to tip.", points=0.5, part="a").agrees(
-    right.wireframe, cases.resting, within=FORMULA, hint=DOWN
+    right.wireframe, cases.states, within=FORMULA, hint=DOWN
 )
 
 

@@ -2,83 +2,64 @@
 x + iy, and d'Alembert's principle.
 """
 
-import cmath
 import math
 
 import numpy as np
 
 from tam570.integrate import solve
 
+REACH = np.array([[0.5, 0.0], [1.0, 0.5]])  # how much of each bar there is from the ceiling to each mass centre
+
 
 def kinematics(theta, omega, lengths):
     """Of each mass centre: its place, the velocities per unit of om1 and om2, the acceleration without alpha."""
-    (l1, l2), (om1, om2) = lengths, omega
-    bar1, bar2 = -1j * l1 * cmath.exp(1j * theta[0]), -1j * l2 * cmath.exp(1j * theta[1])
-    places = bar1 / 2, bar1 + bar2 / 2
-    levers = (1j * bar1 / 2, 0j), (1j * bar1, 1j * bar2 / 2)
-    rest = -(om1**2) * bar1 / 2, -(om1**2) * bar1 - om2**2 * bar2 / 2
-    return places, levers, rest
-
-
-def dot(a, b):
-    return (a.conjugate() * b).real
+    bars = -1j * lengths * np.exp(np.multiply(1j, theta))
+    return REACH @ bars, REACH * 1j * bars, -REACH @ (np.square(omega) * bars)
 
 
 def terms(theta, omega, masses, lengths, gravity):
     """M, f, g: inertia forces and weights dotted with the velocities per unit of om1 and om2."""
-    _, (one, two), rest = kinematics(theta, omega, lengths)
-    (m1, m2), (l1, l2) = masses, lengths
-    coupling = m1 * dot(one[0], one[1]) + m2 * dot(two[0], two[1])
-    M = [
-        [m1 * dot(one[0], one[0]) + m2 * dot(two[0], two[0]) + m1 * l1**2 / 12, coupling],
-        [coupling, m1 * dot(one[1], one[1]) + m2 * dot(two[1], two[1]) + m2 * l2**2 / 12],
-    ]
-    f = [m1 * dot(a, rest[0]) + m2 * dot(b, rest[1]) for a, b in zip(one, two, strict=True)]
-    g = [gravity * (m1 * a.imag + m2 * b.imag) for a, b in zip(one, two, strict=True)]
-    return M, f, g
+    _, levers, rest = kinematics(theta, omega, lengths)
+    weighted = masses * levers.conj().T
+    M = (weighted @ levers).real + np.diag(masses * lengths**2 / 12)
+    return M, (weighted @ rest).real, gravity * (weighted @ [1j, 1j]).real
 
 
 def angular_acceleration(theta, omega, masses, lengths, gravity):
     M, f, g = terms(theta, omega, masses, lengths, gravity)
-    pull1, pull2 = -f[0] - g[0], -f[1] - g[1]
-    determinant = M[0][0] * M[1][1] - M[0][1] * M[1][0]
-    return (M[1][1] * pull1 - M[0][1] * pull2) / determinant, (M[0][0] * pull2 - M[1][0] * pull1) / determinant
+    return np.linalg.solve(M, -f - g)
 
 
 def mass_matrix(theta, masses, lengths):
-    return np.array(terms(theta, (0.0, 0.0), masses, lengths, 0.0)[0])
+    return terms(theta, (0.0, 0.0), masses, lengths, 0.0)[0]
 
 
 def velocity_terms(theta, omega, masses, lengths):
-    return np.array(terms(theta, omega, masses, lengths, 0.0)[1])
+    return terms(theta, omega, masses, lengths, 0.0)[1]
 
 
 def gravity_terms(theta, masses, lengths, gravity):
-    return np.array(terms(theta, (0.0, 0.0), masses, lengths, gravity)[2])
+    return terms(theta, (0.0, 0.0), masses, lengths, gravity)[2]
 
 
 def on_the_fly(theta, omega, masses, lengths, gravity):
-    """The hinge forces by Newton's law for bar 2, and for both bars together."""
-    al1, al2 = angular_acceleration(theta, omega, masses, lengths, gravity)
+    """The hinge forces by Newton's law for both bars together, and for bar 2."""
+    alpha = angular_acceleration(theta, omega, masses, lengths, gravity)
     _, levers, rest = kinematics(theta, omega, lengths)
-    moved = [
-        m * (lever[0] * al1 + lever[1] * al2 + a + 1j * gravity)
-        for m, lever, a in zip(masses, levers, rest, strict=True)
-    ]
-    return np.array([al1, al2]), np.array([[sum(moved).real, sum(moved).imag], [moved[1].real, moved[1].imag]])
+    moved = masses * (levers @ alpha + rest + 1j * gravity)
+    return alpha, np.array([[force.real, force.imag] for force in (moved.sum(), moved[1])])
 
 
 def energy(theta, omega, masses, lengths, gravity):
     places, M = kinematics(theta, omega, lengths)[0], mass_matrix(theta, masses, lengths)
-    return omega @ M @ omega / 2 + gravity * (masses[0] * places[0].imag + masses[1] * places[1].imag)
+    return omega @ M @ omega / 2 + gravity * masses @ places.imag
 
 
 def angular_momentum(theta, omega, masses, lengths):
     """Sum of r x m v and I omega."""
     places, levers, _ = kinematics(theta, omega, lengths)
-    velocities = [lever[0] * omega[0] + lever[1] * omega[1] for lever in levers]
-    orbital = [m * (r.conjugate() * v).imag for m, r, v in zip(masses, places, velocities, strict=True)]
-    return sum(orbital) + np.sum(masses * lengths**2 * omega) / 12
+    orbital = (places.conj() * (levers @ omega)).imag
+    return masses @ (orbital + lengths**2 * omega / 12)
 
 
 def rates(_, state, masses, lengths, gravity):

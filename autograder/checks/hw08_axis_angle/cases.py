@@ -46,18 +46,17 @@ def axes(draw, count):
 def turns(draw):
     """Random turns; about axes next to coordinate axes, for which an arccos of what is 1 but for 1e-16 takes them."""
     angles = draw.uniform(-4 * np.pi, 4 * np.pi, 15)
-    random = [given(*pair).on("a random axis and angle") for pair in zip(axes(draw, 13), angles, strict=False)]
-    near = np.array([[1e-8, 0.0, 1.0], [1.0, -1e-8, 0.0]])
-    beside = [given(*pair).on("an axis 1e-8 from a coordinate axis") for pair in zip(near, angles[13:], strict=True)]
-    return random + beside
+    about = [("a random axis and angle", axis) for axis in axes(draw, 13)]
+    about += [("an axis 1e-8 from a coordinate axis", np.array(axis)) for axis in ((1e-8, 0.0, 1.0), (1.0, -1e-8, 0.0))]
+    return [given(axis, angle).on(kind) for (kind, axis), angle in zip(about, angles, strict=True)]
 
 
 def plain_turns(draw):
     """No turn, quarter, half and whole turns about axes of whole numbers."""
-    about = [(way, axis) for way, known in WAYS.items() for axis in known]
     return [
         given(draw.integers(1, 4) * axis, angle).on(f"{turn} about {way}")
-        for way, axis in about
+        for way, known in WAYS.items()
+        for axis in known
         for turn, angle in TURNS.items()
     ]
 
@@ -73,45 +72,35 @@ def angles_by_size(draw):
     }
 
 
-def turns_by_size(draw, lengths=(1.0,) * 4):
+def turns_by_size(draw, lengths=((1.0, ""),) * 4):
     """Turns for each kind of angle, about axes that are so many times as long."""
     return [
-        [given(length * axis, angle).on(kind) for axis, angle in zip(axes(draw, len(angles)), angles, strict=True)]
-        for length, (kind, angles) in zip(lengths, angles_by_size(draw).items(), strict=True)
+        [given(size * axis, angle).on(kind + long) for axis, angle in zip(axes(draw, len(angles)), angles, strict=True)]
+        for (size, long), (kind, angles) in zip(lengths, angles_by_size(draw).items(), strict=True)
     ]
 
 
 def lengths(draw):
-    """Lengths of axes, the long ones first; beyond 1e150 the square of a length overflows."""
-    powers = draw.uniform((50, 10, -50, -100), (100, 50, -20, -50))
-    return {10.0**power: "a very long axis" if power > 0 else "a very short axis" for power in powers}
+    """Lengths of axes, long and short in turn, and their names; beyond 1e150 the square of a length overflows."""
+    powers = draw.uniform((50, -50, 10, -100), (100, -20, 50, -50))
+    return [(10.0**power, f", a very {'long' if power > 0 else 'short'} axis") for power in powers]
 
 
 def of_any_length(draw):
     n, angle = draw.normal(size=3), draw.uniform(0.5, 3)
-    return [given(length * n, angle).on(kind) for length, kind in lengths(draw).items()]
-
-
-def of_any_size_and_length(draw):
-    """As turns_by_size, about very long and very short axes in turn."""
-    long, longer, short, shorter = lengths(draw).items()
-    chosen = (long, short, longer, shorter)
-    groups = turns_by_size(draw, [length for length, _ in chosen])
-    return [
-        [case.on(f"{case.kind}, {kind}") for case in group] for group, (_, kind) in zip(groups, chosen, strict=True)
-    ]
+    return [given(length * n, angle).on(f"any angle{long}") for length, long in lengths(draw)]
 
 
 def of_vectors(draw, turns):
     """The turns, each of a vector of its own."""
-    return [given(draw.normal(size=3) * 10 ** draw.uniform(-2, 2), *turn.args).on(turn.kind) for turn in turns]
+    return [turn.behind(draw.normal(size=3) * 10 ** draw.uniform(-2, 2)) for turn in turns]
 
 
 def turned_vectors(draw):
     """Random vectors, vectors along the axis, and none."""
     random, plain = of_vectors(draw, turns(draw) + plain_turns(draw)), plain_turns(draw)
-    along = [given(-2.0 * turn.args[0], *turn.args).on("a vector along the axis") for turn in plain]
-    return [*random, *along, given(np.zeros(3), *plain[1].args).on("the zero vector")]
+    along = [turn.behind(-2.0 * turn.args[0]).on("a vector along the axis") for turn in plain]
+    return [*random, *along, plain[1].behind(np.zeros(3)).on("the zero vector")]
 
 
 def no_axes(draw):
@@ -123,7 +112,5 @@ def no_axes(draw):
 
 
 def vectors_about_no_axes(draw):
-    allowed = given(draw.normal(size=3), *Z_AXIS.args).on(Z_AXIS.kind)
-    refused = of_vectors(draw, no_axes(draw)[1:])
-    zero = [case.but(np.zeros(3)).on(f"{case.kind}, the zero vector") for case in refused[:2]]
-    return [allowed, *refused, *zero]
+    calls = of_vectors(draw, no_axes(draw))
+    return calls + [case.but(np.zeros(3)).on(f"{case.kind}, the zero vector") for case in calls[1:3]]

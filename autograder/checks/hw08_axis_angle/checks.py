@@ -77,12 +77,10 @@ vector_turns_by_the_right_hand_rule = law(
 @check(points=1, part="a", after=vector_turns_by_the_right_hand_rule)
 def vector_turns_by_every_angle(student, draw):
     """rotate holds for angles from 1e-12 to 1e6 and axes from 1e-100 to 1e100 long."""
-    for within, turns in zip(BY_SIZE, cases.of_any_size_and_length(draw), strict=True):
+    for within, turns in zip(BY_SIZE, cases.turns_by_size(draw, cases.lengths(draw)), strict=True):
         agree(student.rotate, right, cases.of_vectors(draw, turns), within=within)
 
 
 rotate_refuses_what_is_no_axis = vector_turns_by_the_right_hand_rule.then(
-    "rotate raises ValueError for an axis that is zero or not finite, whatever angle and vector are.",
-    points=1,
-    part="a",
+    "rotate raises ValueError for an axis that is zero or not finite, whatever angle and vector.", points=1, part="a"
 ).refuses(right.rotate, cases.vectors_about_no_axes, within=POINTWISE)

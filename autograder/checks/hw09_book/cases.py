@@ -10,8 +10,7 @@ from tam570_grader import given
 from .right import axis_rotation, turned
 
 QUARTERS = {0: "no turn", 1: "a quarter turn", 2: "a half turn", 4: "a whole turn"}
-NAMES = "x", "w", "X", "xy", "yz", "", "-x", "x ", "1"
-# the order counts in all of them; quarter turns and none stand among the last ones
+# the order counts in all of them
 ORDERS = "xyz", "zxz", "yxyz", "zyxzy", "xzyxzy", "yz", "zxyxzzyxyxyz", "xxyyz"
 IN_PLANES = [np.roll([0.0, 0.6, way], k) for k in range(3) for way in (-0.8, 0.8)]
 ALONG = [*np.eye(3), *-np.eye(3)]
@@ -20,23 +19,18 @@ FEW_LOST = 1.2e-3, 2e-3, 3.5e-3, 6e-3  # rad; an arccos is off by 3e-12 to 8e-11
 SHEARS = np.eye(3) + 1e-5 * np.array([np.outer(e, f) + np.outer(f, e) for e, f in itertools.combinations(np.eye(3), 2)])
 
 
-def some_axis(draw):
-    return str(draw.choice(list("xyz")))
-
-
 def turns(draw):
     """About x, y and z: random angles, and quarter turns."""
-    cases = []
     for axis in "xyz":
-        cases += [given(axis, angle).on(f"a turn about {axis}") for angle in draw.uniform(-7, 7, 5)]
-        cases += [given(axis, k * math.pi / 2).on(f"{QUARTERS[abs(k)]} about {axis}") for k in (0, 1, -1, 2, -2, 4)]
-    return cases
+        yield from [given(axis, angle).on(f"a turn about {axis}") for angle in draw.uniform(-7, 7, 5)]
+        for k in (0, 1, -1, 2, -2, 4):
+            yield given(axis, k * math.pi / 2).on(f"{QUARTERS[abs(k)]} about {axis}")
 
 
 def no_axes(draw):
     """First x, which is one."""
-    angle = draw.uniform(0.5, 3)
-    return [given(axis, angle).on(f'the string "{axis}"') for axis in NAMES]
+    angle, names = draw.uniform(0.5, 3), ("x", "w", "X", "xy", "yz", "", "-x", "x ", "1")
+    return [given(axis, angle).on(f'the string "{axis}"') for axis in names]
 
 
 def sequences(draw):
@@ -48,7 +42,8 @@ def sequences(draw):
 
 
 def few_steps(draw):
-    return [given([(some_axis(draw), draw.uniform(0.5, 3))]).on("a single turn"), given([]).on("no turns at all")]
+    step = str(draw.choice(list("xyz"))), draw.uniform(0.5, 3)
+    return [given([step]).on("a single turn"), given([]).on("no turns at all")]
 
 
 def unit_axis(draw):
@@ -73,11 +68,10 @@ def generic(draw):
     """Angles from .3 to 2.8, where arccos of the trace and R - R^T over 2 sin th lose 1e-14 at most."""
     pairs = [(unit_axis(draw), draw.uniform(0.3, 2.8)) for _ in range(20)]
     pairs += [(np.array(v) / math.sqrt(3), 2 * math.pi / 3) for v in ((1, -1, 1), (1, 1, 1))]
-    cases = matrices(pairs, "an axis and angle far from special ones")
-    cases += matrices([(n, math.pi / 2) for n in ALONG], "a quarter turn about a coordinate axis")
+    yield from matrices(pairs, "an axis and angle far from special ones")
+    yield from matrices([(n, math.pi / 2) for n in ALONG], "a quarter turn about a coordinate axis")
     for n in (*ALONG, *IN_PLANES, *(-n for n in IN_PLANES)):
-        cases += matrices([(n, angle) for angle in (0.3, 1.0, 2.0, 2.8)], f"an axis {place(n)}")
-    return cases
+        yield from matrices([(n, angle) for angle in (0.3, 1.0, 2.0, 2.8)], f"an axis {place(n)}")
 
 
 def distances(draw):
@@ -101,16 +95,14 @@ def near_quarters(draw):
 
 
 def small_components(draw):
-    cases = []
     for k in range(3):
         n = unit_axis(draw)
         n[k] = 10 ** draw.uniform(-7, -5) * draw.choice([-1, 1])
         pair = n / np.linalg.norm(n), math.pi - 10 ** draw.uniform(-9, -3)
-        cases += matrices([pair], "an angle near pi, a component of the axis near 0")
+        yield from matrices([pair], "an angle near pi, a component of the axis near 0")
     for n in (*ALONG, *IN_PLANES):
         pairs = [(n, math.pi - distance) for distance in (1e-9, 1e-3)]
-        cases += matrices(pairs, f"an angle near pi, an axis {place(n)}")
-    return cases
+        yield from matrices(pairs, f"an angle near pi, an axis {place(n)}")
 
 
 def half_turns(draw):
@@ -130,8 +122,8 @@ def off_by(R, draw, defect):
 
 def nearly_rotations(draw):
     R = rotation(draw)
-    kinds = {"a matrix with R^T R off by 7e-7": off_by(R, draw, 7e-7), "a rotation times 1 + 4.5e-7": (1 + 4.5e-7) * R}
-    return [given(matrix).on(kind) for kind, matrix in kinds.items()]
+    matrix = given(off_by(R, draw, 7e-7)).on("a matrix with R^T R off by 7e-7")
+    return [matrix, given((1 + 4.5e-7) * R).on("a rotation times 1 + 4.5e-7")]
 
 
 def no_rotations(draw):
@@ -176,10 +168,7 @@ def identities_but_for_infinity(draw):
 def books(draw):
     """(R, size, kind) of boxes."""
     sizes = [draw.permutation(10 ** draw.uniform(-1, 1) * np.array([1, 1.7, 2.9])) for _ in range(6)]
-    random = [(rotation(draw), size, "a random rotation and size") for size in sizes[:4]]
-    return [
-        *random,
-        (np.eye(3), sizes[4], "a book that is not turned"),
-        (axis_rotation(some_axis(draw), math.pi / 2), sizes[5], "a quarter turn"),
-        (rotation(draw), np.full(3, sizes[0][0]), "a cube"),
-    ]
+    yield from [(rotation(draw), size, "a random rotation and size") for size in sizes[:4]]
+    yield np.eye(3), sizes[4], "a book that is not turned"
+    yield axis_rotation(draw.choice(list("xyz")), math.pi / 2), sizes[5], "a quarter turn"
+    yield rotation(draw), np.full(3, sizes[0][0]), "a cube"

@@ -1,11 +1,12 @@
 """Hidden checks of hw09."""
 
 import math
+from functools import partial
 
 import numpy as np
 
-from tam570_grader import agree, array, check, expect, expect_that, given, group, judge_boxes, law, number, refuse
-from tam570_grader.writing.agree import absolute
+from tam570_grader import absolute, agree, check, expect, expect_that, given, judge_boxes, largest, law, refuse
+from tam570_grader.writing.returns import array, group, number
 
 from . import cases, right
 
@@ -16,17 +17,11 @@ MANUAL = {
     "e": (1, "the axes n on these drawings, and what shows that they stay where they are"),
 }
 
-# Products of six matrices and quaternions are off by 1e-15; axis and angle by any way that does not divide by a
-# small number, by 1e-15 too. A matrix in which 1e-12 rad make no turn is off by 1e-12.
-WITHIN = 1e-13
-# Of a small angle and its axis, which keep 15 digits by R - R^T or a quaternion (5e-16 at most). The null vector of
-# R - I is off by 6e-11 and more at 1e-8 rad, an eigenvector and arccos by more.
+WITHIN = 1e-13  # ways that divide by no small number lose 1e-15; where 1e-12 rad make no turn, 1e-12 are lost
+# of small angles and their axes: R - R^T and quaternions lose 5e-16, the null vector of R - I 6e-11 at 1e-8 rad
 RELATIVE = 1e-12
-# Axes that turn as S = R A R^T, R <- S R, are right, and the rounding of R^T R grows threefold a turn: 1e-14 after six
-# turns, 1e-11 after twelve.
-MANY_TURNS = 1e-10
-# The two parts of R tell angles and axes that differ by the size of a shear of 7e-7; an axis by eigh of the symmetric
-# part by up to 3.5e-6 (the largest of 4000 draws).
+MANY_TURNS = 1e-10  # by S = R A R^T, R <- S R, roundings grow threefold a turn: 1e-14 after six, 1e-11 after twelve
+# of a matrix sheared by 7e-7: its parts' axes differ by as much, that by eigh of R + R^T by 3.5e-6 (in 4000 draws)
 SHEARED = 2e-5
 STRETCHED = 2e-3  # rad: the identity times 1 + 4.5e-7 has a cosine of 1 + 6.8e-7: no angle, or 1.2e-3 rad by its size
 NEARLY = 1e-5  # of a result, or rad; a pi of few digits loses less
@@ -36,10 +31,6 @@ SAME = 1e-6
 def in_limits(case, _):
     """Many turns are allowed a larger error."""
     return 1.0 if len(case.args[0]) < 5 else MANY_TURNS / WITHIN
-
-
-def largest(case, expected):
-    return np.max(np.abs(expected))
 
 
 RESULTS = {
@@ -56,21 +47,17 @@ def near(found, expected, within=SAME):
     return np.abs(np.subtract(found, expected)).max() <= within
 
 
-def in_matrices(otherwise):
-    few = "It is nearly right: which number has too few digits?"
-    return lambda case, found, expected: few if near(found, expected, NEARLY) else otherwise
+def of_few_digits(case, found, expected, otherwise):
+    return "It is nearly right: which number has too few digits?" if near(found, expected, NEARLY) else otherwise
 
 
-WHICH_FIRST = in_matrices("Which matrix acts on a vector first, the leftmost or the rightmost?")
+QUARTER_TURN = partial(of_few_digits, otherwise="Where does a quarter turn take each of the other two axes?")
+WHICH_FIRST = partial(of_few_digits, otherwise="Which matrix acts on a vector first, the leftmost or the rightmost?")
+THE_EDGES = partial(of_few_digits, otherwise="Turn a real book: where do its three edges end?")
 
 turns_about_the_coordinate_axes = law(
     "axis_rotation turns by the angle about x, y or z, by the right-hand rule.", points=1, part="a"
-).agrees(
-    right.axis_rotation,
-    cases.turns,
-    within=WITHIN,
-    hint=in_matrices("Where does a quarter turn take each of the other two axes?"),
-)
+).agrees(right.axis_rotation, cases.turns, within=WITHIN, hint=QUARTER_TURN)
 other_axes_are_refused = turns_about_the_coordinate_axes.then(
     "axis_rotation raises ValueError for any other string.", points=0.5, part="a"
 ).refuses(right.axis_rotation, cases.no_axes, within=WITHIN)
@@ -88,12 +75,7 @@ body_sequence_takes_few_steps = body_sequence_takes_the_axes_along.then(
 ).agrees(right.body_sequence, cases.few_steps, within=WITHIN)
 the_book_is_turned_in_both_orders = law(
     "book_rotations: 90 degrees about z then x, and about x then z, axes fixed in space.", points=1, part="a"
-).agrees(
-    right.book_rotations,
-    lambda draw: [given()],
-    within=WITHIN,
-    hint=in_matrices("Turn a real book: where do its three edges end?"),
-)
+).agrees(right.book_rotations, lambda draw: [given()], within=WITHIN, hint=THE_EDGES)
 
 
 # (d, e) Axis and angle
@@ -107,42 +89,37 @@ SMALL_ONES = "Only its small components are off: is that a square root of a smal
 SIGNS = "The sizes of its components are right, their signs are not: R + R^T has the products n_x n_y."
 
 
-def in_pairs(otherwise, nearly=""):
+def of_pairs(case, found, expected, otherwise, nearly=""):
     """What is wrong with an axis and its angle, if the numbers tell, else where to look."""
-
-    def told(case, found, expected):
-        (axis, angle), (n, right_angle) = found, expected
-        small, same_axis = np.abs(n) < 1e-4, near(axis, n)
-        only_small = small.any() and near(axis[~small], n[~small], WITHIN) and not near(axis, n, WITHIN)
-        small_angle = right_angle < 0.1 and near(angle, right_angle, RELATIVE * right_angle)
-        tells = {
-            NEGATIVE: angle < 0 and near(-angle, right_angle) and near(-axis, n),
-            TOO_LARGE: angle > math.pi + SAME and near(angle, 2 * math.pi - right_angle),
-            "Small angles are given as 0.": angle == 0,
-            "Angles near pi are given as pi.": angle == math.pi,
-            LONG: not near(axis @ axis, 1) and near(axis, np.linalg.norm(axis) * n),
-            # an eigenvector to the rounding of R: no axis that is off by chance is that
-            LEFT_ALONE: small_angle and near(case.args[0] @ axis, axis, 2e-15),
-            SMALL_ONES: same_axis and only_small,
-            OPPOSITE: near(-axis, n) and near(angle, right_angle),
-            SIGNS: near(np.abs(axis), np.abs(n)) and not same_axis,
-            nearly or otherwise: near(axis, n, NEARLY) and near(angle, right_angle, NEARLY),
-        }
-        return next((says for says, holds in tells.items() if holds), otherwise)
-
-    return told
+    (axis, angle), (n, right_angle) = found, expected
+    small, same_axis = np.abs(n) < 1e-4, near(axis, n)
+    only_small = small.any() and near(axis[~small], n[~small], WITHIN) and not near(axis, n, WITHIN)
+    small_angle = right_angle < 0.1 and near(angle, right_angle, RELATIVE * right_angle)
+    tells = {
+        NEGATIVE: angle < 0 and near(-angle, right_angle) and near(-axis, n),
+        TOO_LARGE: angle > math.pi + SAME and near(angle, 2 * math.pi - right_angle),
+        "Small angles are given as 0.": angle == 0,
+        "Angles near pi are given as pi.": angle == math.pi,
+        LONG: not near(axis @ axis, 1) and near(axis, np.linalg.norm(axis) * n),
+        # an eigenvector to the rounding of R: no axis that is off by chance is that
+        LEFT_ALONE: small_angle and near(case.args[0] @ axis, axis, 2e-15),
+        SMALL_ONES: same_axis and only_small,
+        OPPOSITE: near(-axis, n) and near(angle, right_angle),
+        SIGNS: near(np.abs(axis), np.abs(n)) and not same_axis,
+        nearly: near(axis, n, NEARLY) and near(angle, right_angle, NEARLY),
+    }
+    return next((says for says, holds in tells.items() if holds and says), otherwise)
 
 
-WHAT_STAYS = in_pairs(
-    "Which vector does R leave alone, and what is the trace of R?", "It is nearly right: where are digits lost?"
-)
-FLAT = in_pairs("How flat is the cosine there, and the sine?")
+LOST = "It is nearly right: where are digits lost?"
+WHAT_STAYS = partial(of_pairs, otherwise="Which vector does R leave alone, and what is the trace of R?", nearly=LOST)
+FLAT = partial(of_pairs, otherwise="How flat is the cosine there, and the sine?")
 FLAT_AT_PI = "An arccos of the trace loses half of the digits there, and so does the arcsine of half of the angle."
 WHICH_PART = "Which part of R is large there: R - R^T or R + R^T?"
 
 
 def near_half_turns(case, found, expected):
-    return in_pairs(FLAT_AT_PI if near(found[0], expected[0], WITHIN) else WHICH_PART)(case, found, expected)
+    return of_pairs(case, found, expected, FLAT_AT_PI if near(found[0], expected[0], WITHIN) else WHICH_PART)
 
 
 axis_and_angle_are_those_of_the_matrix = law(
@@ -153,15 +130,13 @@ axis_and_angle_are_those_of_the_matrix = law(
 small_angles_keep_their_digits = axis_and_angle_are_those_of_the_matrix.then(
     "axis_angle keeps all digits of axis and angle for angles from 1e-12 to 1e-2.", points=0.75, part="a"
 ).agrees(right.axis_angle, cases.small, within=RELATIVE, scale=largest, hint=FLAT)
-
-
-@check(points=0.75, part="a", after=axis_and_angle_are_those_of_the_matrix)
-def angles_near_pi_keep_their_digits(student, draw):
-    """axis_angle keeps all digits of axis and angle 1e-12 to 1e-2 from a half turn, and at a quarter turn."""
-    agree(student.axis_angle, right, cases.near_pi(draw), within=WITHIN, hint=near_half_turns)
-    agree(student.axis_angle, right, cases.near_quarters(draw), within=WITHIN, hint=FLAT)
-
-
+angles_near_pi_keep_their_digits = (
+    axis_and_angle_are_those_of_the_matrix.then(
+        "axis_angle keeps all digits 1e-12 to 1e-2 from a half turn, and at a quarter turn.", points=0.75, part="a"
+    )
+    .agrees(right.axis_angle, cases.near_pi, within=WITHIN, hint=near_half_turns)
+    .also.agrees(right.axis_angle, cases.near_quarters, within=WITHIN, hint=FLAT)
+)
 axes_with_small_components_keep_their_digits = angles_near_pi_keep_their_digits.then(
     "axis_angle keeps all digits near pi where a component of the axis is very small.", points=0.25, part="a"
 ).agrees(right.axis_angle, cases.small_components, within=WITHIN, hint=near_half_turns)
@@ -201,8 +176,6 @@ def what_is_no_rotation_is_refused(student, draw):
 
 # (c) The book
 
-
-@check(points=1.5, part="c")
-def the_book_has_its_twelve_edges(student, draw):
-    """book_edges are the edges of the turned book, in any order and direction."""
-    judge_boxes(student.book_edges, cases.books(draw), within=WITHIN)
+the_book_has_its_twelve_edges = law(
+    "book_edges are the edges of the turned book, in any order and direction.", points=1.5, part="c"
+).judged(judge_boxes, "book_edges", cases.books, within=WITHIN)

@@ -4,8 +4,6 @@ import math
 
 import numpy as np
 
-AXES = dict(zip("xyz", np.eye(3), strict=True))
-
 
 def turned(n, angle):
     """The matrix of a unit axis and an angle; 1 - cos without cancellation."""
@@ -14,7 +12,7 @@ def turned(n, angle):
 
 
 def axis_rotation(axis, angle):
-    return turned(AXES[axis], angle)
+    return turned(np.eye(3)["xyz".index(axis)], angle)
 
 
 def space_sequence(steps):
@@ -36,15 +34,9 @@ def book_rotations():
 
 def axis_angle(R):
     """By the longest column of 4 q q^T, q the unit quaternion: no digit is lost at any angle (Shepperd 1978)."""
-    (a, b, c), (d, e, f), (g, h, i) = np.asarray(R)
-    products = np.array(
-        [
-            [1 + a + e + i, h - f, c - g, d - b],
-            [h - f, 1 + a - e - i, b + d, c + g],
-            [c - g, b + d, 1 - a + e - i, f + h],
-            [d - b, c + g, f + h, 1 - a - e + i],
-        ]
-    )
+    trace, twice_sine_n = np.trace(R), np.cross(np.eye(3), R.T).sum(axis=0)
+    vectors = R + R.T + (1 - trace) * np.eye(3)
+    products = np.block([[1 + trace, twice_sine_n], [twice_sine_n[:, None], vectors]])
     q = products[np.argmax(np.diag(products))]
     q = -q if q[0] < 0 else q
     length = np.linalg.norm(q[1:])

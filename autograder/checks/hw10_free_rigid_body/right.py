@@ -34,16 +34,12 @@ def angular_momentum(R, omega, *, inertia):
     return np.sum([moment * w * axis for moment, w, axis in zip(inertia, omega, R.T, strict=True)], axis=0)
 
 
-def omega_of_rates(angles):
-    """(3, 3): the columns are omega, in body components, of unit rates of psi, theta and phi."""
-    _, theta, phi = angles
-    x, z = np.eye(3)[[0, 2]]
-    after_phi = turned(-phi * z)
-    return np.column_stack([after_phi @ turned(-theta * x) @ z, after_phi @ x, z])
-
-
 def euler_rates_313(angles, omega):
-    return np.linalg.solve(omega_of_rates(angles), omega)
+    """By the columns that are omega, in body components, of unit rates of psi, theta and phi."""
+    _, theta, phi = angles
+    x, _, z = np.eye(3)
+    after_phi = turned(-phi * z)
+    return np.linalg.solve(np.column_stack([after_phi @ turned(-theta * x) @ z, after_phi @ x, z]), omega)
 
 
 def motion(t, R, omega, *, inertia):
@@ -56,37 +52,19 @@ def motion(t, R, omega, *, inertia):
     return states[:, :3], states[:, 3:].reshape(-1, 3, 3)
 
 
-def elliptic(t, omega, *, inertia):
-    """omega at the times t in Jacobi's elliptic functions, for any three different inertias."""
-    order = np.argsort(inertia)
-    (A, B, C), w = inertia[order], omega[order]
-    double, square = 2 * energy(omega, inertia=inertia), np.sum((inertia * omega) ** 2)
-    outward = slice(None, None, 1 if square > double * B else -1)  # ends with the axis that omega goes round
-    (A, B, C), w = inertia[order][outward], w[outward]
-    beside, along = double * C - square, square - double * A
-    amplitudes = np.sqrt([beside / (A * (C - A)), beside / (B * (C - B)), along / (C * (C - A))])
-    m, rate = (B - A) * beside / ((C - B) * along), math.sqrt((C - B) * along / (A * B * C))
-    sign = math.copysign(1.0, w[2])
-    handedness = np.linalg.det(np.eye(3)[order])  # axes in a left-handed order see the motion backwards
-    start = ellipkinc(math.atan2(sign * w[1] / amplitudes[1], w[0] / amplitudes[0]), m)
-    sn, cn, dn, _ = ellipj(start + handedness * rate * (t - t[0]), m)
-    found = np.column_stack([cn, sign * sn, sign * dn]) * amplitudes
-    return found[:, outward][:, np.argsort(order)]
-
-
 def tumble(t, R, omega, *, inertia):
-    """omegas in elliptic functions, rotations by solve_ivp."""
-    return elliptic(t, omega, inertia=inertia), motion(t, R, omega, inertia=inertia)[1]
-
-
-def special(t, R, omega, *, inertia):
-    """omegas and rotations of a spin about a principal axis, or of a body with A = B."""
-    A, B, C = inertia
-    H, slip = R @ (inertia * omega), np.array([0.0, 0.0, (1 - C / A) * omega[2]])
-    if A != B:
-        return np.tile(omega, (len(t), 1)), np.array([R @ turned(omega * tau) for tau in t - t[0]])
-    omegas = [turned(-slip * tau) @ omega for tau in t - t[0]]
-    return np.array(omegas), np.array([turned(H / A * tau) @ R @ turned(slip * tau) for tau in t - t[0]])
+    """omegas of three different inertias in elliptic functions, dn about the axis they go round; motion's rotations."""
+    order = np.argsort(inertia)
+    if np.sum((inertia * omega) ** 2) < 2 * energy(omega, inertia=inertia) * np.median(inertia):
+        order = order[::-1]
+    (A, B, C), (p, q, r) = inertia[order], omega[order]
+    first, last = B * (C - B) / (A * (C - A)), B * (B - A) / (C * (C - A))  # p^2 + first q^2 and r^2 + last q^2 stay
+    a, c = math.sqrt(p**2 + first * q**2), math.copysign(math.sqrt(r**2 + last * q**2), r)
+    b, hand = a / math.sqrt(first), np.linalg.det(np.eye(3)[order])
+    rate, m = hand * (C - A) / B * a * c / b, last * (b / c) ** 2
+    sn, cn, dn, _ = ellipj(ellipkinc(math.atan2(q / b, p / a), m) + rate * (t - t[0]), m)
+    omegas = np.column_stack([a * cn, b * sn, c * dn])[:, np.argsort(order)]
+    return omegas, motion(t, R, omega, inertia=inertia)[1]
 
 
 def symmetric_solution(t, omega, *, inertia):
@@ -105,9 +83,8 @@ def wobble_rate(omega, *, inertia):
 def growth_rate_squared(axis, spin, *, inertia):
     """Deviations of the next axis grow at a rate whose square is this."""
     omega, other = spin * np.eye(3)[axis], (axis + 1) % 3
-    columns = [(np.cross(inertia * d, omega) + np.cross(inertia * omega, d)) / inertia for d in np.eye(3)]
-    M = np.column_stack(columns)
-    return (M @ M)[other, other]
+    rows = [(np.cross(inertia * d, omega) + np.cross(inertia * omega, d)) / inertia for d in np.eye(3)]
+    return np.linalg.matrix_power(rows, 2)[other, other]
 
 
 def tumble_period(omega, *, inertia):

@@ -18,26 +18,22 @@ STEEP = "a disk that lies almost flat"
 LITTLE_GRAVITY = 1e-2  # m/s^2, of an asteroid: little, and not none
 LITTLE = "very little gravity"
 AGAIN = "the same arguments as before, but for those of the disk"
-ROUNDED_NOWHERE = 2.0**-30  # rad; it is its own sine and tangent, and its cosine is one
 
 
 def a_disk(draw, kind):
+    """A long roller has A larger than C + m a^2."""
     mass, radius = 10 ** draw.uniform(-1, 1), 10 ** draw.uniform(-1.5, 0)
     if kind == COIN:
         mass, radius = draw.uniform(2e-3, 6e-3), draw.uniform(8e-3, 12e-3)
-    A, C = (size * mass * radius**2 for size in sizes(draw, kind))
-    return {"mass": mass, "radius": radius, "inertia": (A, C), "gravity": draw.uniform(1.6, 25.0)}
-
-
-def sizes(draw, kind):
-    """A and C over m a^2; a long roller has A larger than C + m a^2."""
+    A, C = (0.5, 1.0) if kind == HOOP else (0.25, 0.5)  # over m a^2
     if kind == WHEEL:
         C = draw.uniform(0.2, 1.1)
-        return C * draw.uniform(0.6, 1.3), C
+        A = C * draw.uniform(0.6, 1.3)
     if kind == ROLLER:
         C = draw.uniform(0.3, 0.9)
-        return (C + 1) * draw.uniform(1.5, 3.0), C
-    return (0.5, 1.0) if kind == HOOP else (0.25, 0.5)
+        A = (C + 1) * draw.uniform(1.5, 3.0)
+    size = mass * radius**2
+    return {"mass": mass, "radius": radius, "inertia": (A * size, C * size), "gravity": draw.uniform(1.6, 25.0)}
 
 
 def disks(draw, *kinds):
@@ -45,12 +41,8 @@ def disks(draw, *kinds):
     return ((kind, a_disk(draw, kind)) for kind in kinds)
 
 
-def a_sign(draw):
-    return draw.choice([-1, 1])
-
-
 def a_lean(draw):
-    return a_sign(draw) * draw.uniform(0.1, 1.35)
+    return draw.choice([-1, 1]) * draw.uniform(0.1, 1.35)
 
 
 def usual(disk):
@@ -72,7 +64,7 @@ def telling_first(cases):
 def members(draw):
     """Leans and precessions of both signs."""
     cases = [
-        given(a_lean(draw), a_sign(draw) * usual(disk) * draw.uniform(0.3, 3), **disk).on(kind)
+        given(a_lean(draw), draw.choice([-1, 1]) * usual(disk) * draw.uniform(0.3, 3), **disk).on(kind)
         for kind, disk in disks(draw, *WHEELS * 4, COIN)
     ]
     return telling_first([*cases, cases[0].but(**cases[1].kwargs).on(AGAIN)])
@@ -82,10 +74,10 @@ def plain_members(draw):
     """Upright disks, without gravity, almost flat, and whole numbers."""
     cases = []
     for _, disk in disks(draw, *WHEELS):
-        upright = given(0.0, a_sign(draw) * draw.uniform(0.5, 5), **disk).on("an upright disk")
+        upright = given(0.0, draw.choice([-1, 1]) * draw.uniform(0.5, 5), **disk).on("an upright disk")
         cases += [upright, upright.but(a_lean(draw), gravity=0.0).on("no gravity")]
         cases.append(upright.but(gravity=0.0).on("an upright disk without gravity"))
-    cases.append(upright.but(a_sign(draw) * SMALL_LEAN).on("an almost upright disk"))
+    cases.append(upright.but(draw.choice([-1, 1]) * SMALL_LEAN).on("an almost upright disk"))
     cases += [upright.but(sign * STEEP_LEANS[0]).on(STEEP) for sign in (1, -1)]
     little = {**disk, "gravity": LITTLE_GRAVITY}
     cases.append(given(a_lean(draw), usual(little), **little).on(LITTLE))
@@ -150,14 +142,12 @@ def impossible_tracks(draw):
         ]
         cases += [given(*place, **disk).on(kind) for *place, kind in places]
     kind = "a roller that turns on a point, its lean tiny but not zero, where Omega drops out"
-    return cases + [given(lean, 0.0, **long_hoop(draw)).on(kind) for lean in (ROUNDED_NOWHERE, -ROUNDED_NOWHERE)]
-
-
-def long_hoop(draw):
-    """A = C + m a^2, with which no Omega bears the weight on a point; powers of two, so that no formula is rounded."""
-    mass, radius, gravity = 2.0 ** draw.integers([-1, -3, 1], [3, 1, 5])
-    size = mass * radius**2
-    return {"mass": mass, "radius": radius, "inertia": (2 * size, size), "gravity": gravity}
+    for lean in (2.0**-30, -(2.0**-30)):  # its own sine and tangent, and its cosine is one
+        # A = C + m a^2, with which no Omega bears the weight on a point; powers of two, so that no formula is rounded
+        mass, radius, gravity = 2.0 ** draw.integers([-1, -3, 1], [3, 1, 5])
+        inertia = 2 * mass * radius**2, mass * radius**2
+        cases.append(given(lean, 0.0, mass=mass, radius=radius, inertia=inertia, gravity=gravity).on(kind))
+    return cases
 
 
 def sliding_tracks(draw):
@@ -188,10 +178,6 @@ def steep(draw):
     return [given(sign * lean, **disk).on(STEEP) for lean in STEEP_LEANS for sign in (1, -1)]
 
 
-def settling(draw):
-    return settled(draw) + next_to_upright(draw)[:1] + steep(draw)
-
-
 def whirls(draw):
     """Leans, precessions, spins and disks without any relation, steady or not; and some with a zero."""
     cases = [
@@ -208,17 +194,6 @@ def whirls(draw):
     return cases + whole
 
 
-def without(case, *names):
-    """The same call without these parameters."""
-    rest = {name: value for name, value in case.kwargs.items() if name not in names}
-    return given(*case.args, **rest).on(case.kind)
-
-
-def free_whirls(draw):
-    """For a function that is given no inertia."""
-    return [without(case, "inertia") for case in whirls(draw)]
-
-
 def under_forces(draw):
     """Motions under forces of any size, without precession too, and without an inward force."""
     whirling = whirls(draw)
@@ -226,10 +201,9 @@ def under_forces(draw):
     cases = []
     for index, case in enumerate(motions):
         inward, normal = case.kwargs["mass"] * (case.kwargs["gravity"] or 10.0) * draw.uniform(-2, 2, 2)
-        forced = without(case, "gravity")
-        kind = f"{case.kind}, no inward force" if index % 5 == 4 else case.kind
-        inward = 0.0 if index % 5 == 4 else inward
-        cases.append(given(*forced.args, inward, normal, **forced.kwargs).on(kind))
+        if index % 5 == 4:
+            case, inward = case.on(f"{case.kind}, no inward force"), 0.0
+        cases.append(case.but(*case.args, inward, normal))
     other = tuple(2 * it for it in cases[0].kwargs["inertia"])
     return telling_first([*cases, cases[0].but(inertia=other).on(AGAIN)])
 
@@ -237,4 +211,4 @@ def under_forces(draw):
 def straight_rolling(draw):
     disk = a_disk(draw, WHEEL)
     kinds = {"straight rolling, upright": usual(disk), "an upright disk at rest": 0.0}
-    return [without(given(0.0, 0.0, spin, **disk), "inertia").on(kind) for kind, spin in kinds.items()]
+    return [given(0.0, 0.0, spin, **disk).on(kind) for kind, spin in kinds.items()]

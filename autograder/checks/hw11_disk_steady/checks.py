@@ -4,7 +4,7 @@ from functools import partial
 
 import numpy as np
 
-from tam570_grader import absolute, agree, check, group, law, number
+from tam570_grader import absolute, group, law, number
 
 from . import cases, right
 
@@ -53,9 +53,7 @@ RESULTS = {
     "sliding_spin": number.called("the spin", "rad/s", partial(spin_size, right.sliding_force)),
     "sliding_track_radius": number.called("the radius of the track", "m", radius),
     "common_precession": number.called("the precession", "rad/s"),
-    "contact_force": group(
-        number.called("the inward force", "N", force_size), number.called("the normal force", "N", force_size)
-    ),
+    "contact_force": group(*(number.called(f"the {way} force", "N", force_size) for way in ("inward", "normal"))),
     "moment_residual": number.called("the residual", "N m", residual_size),
     "settling_energy": number.called("the energy", "J", weight_moment),
 }
@@ -98,9 +96,7 @@ rolling_precession_holds_on_tracks_of_any_sign = rolling_precession_balances_the
     "rolling_precession: the contact beyond the centre, a roller, a coin, an almost flat disk.", points=0.5, part="a"
 ).agrees(right.rolling_precession, cases.tracks_of_any_sign, within=WITHIN, hint=WHICH_SIGN)
 rolling_precession_is_zero_where_nothing_turns_it = rolling_precession_balances_the_moments.then(
-    "rolling_precession is 0 without gravity, or for an upright disk unless its track is a point, and only then.",
-    points=0.5,
-    part="a",
+    "rolling_precession is 0 without gravity, or upright on any track but a point; only then.", points=0.5, part="a"
 ).agrees(right.rolling_precession, cases.straight_tracks, within=WITHIN, scale=absolute)
 rolling_precession_refuses_what_does_not_exist = rolling_precession_balances_the_moments.then(
     "rolling_precession raises ValueError where no steady rolling exists, or any Omega does.", points=0.75, part="a"
@@ -108,15 +104,11 @@ rolling_precession_refuses_what_does_not_exist = rolling_precession_balances_the
 
 # (b) Sliding
 
-
-@check(points=0.75, part="b")
-def sliding_spin_balances_the_moments(student, draw):
-    """sliding_spin is the total spin that keeps lean and precession steady where only the normal force acts."""
-    hints = "Which part of the contact force is gone?", WHICH_ARE_ZERO
-    for calls, hint in zip((cases.members(draw), cases.plain_members(draw)), hints, strict=True):
-        agree(student.sliding_spin, right, calls, within=WITHIN, hint=hint)
-
-
+sliding_spin_balances_the_moments = (
+    law("sliding_spin keeps lean and precession steady where only the normal force acts.", points=0.75, part="b")
+    .agrees(right.sliding_spin, cases.members, within=WITHIN, hint="Which part of the contact force is gone?")
+    .also.agrees(right.sliding_spin, cases.plain_members, within=WITHIN, hint=WHICH_ARE_ZERO)
+)
 sliding_track_is_around_the_resting_centre = law(
     "sliding_track_radius is the contact's distance from the vertical through G, signed as R is.", points=0.5, part="b"
 ).agrees(right.sliding_track_radius, cases.sliding_tracks, within=WITHIN, hint="Where is G?")
@@ -126,18 +118,16 @@ sliding_track_is_around_the_resting_centre = law(
 common_precession_is_in_both_families = law(
     "common_precession belongs to the motions that roll and slide at once.", points=0.75, part="c"
 ).agrees(right.common_precession, cases.settled, within=WITHIN, hint=SAME_CIRCLE)
-
-
-@check(points=0.25, part="c", after=common_precession_is_in_both_families)
-def common_precession_has_a_limit_upright(student, draw):
-    """common_precession at lean 0 is its limit, next to 0 it is near, and almost flat it holds."""
-    agree(student.common_precession, right, cases.next_to_upright(draw), within=UPRIGHT, hint="Cancel the sine first.")
-    agree(student.common_precession, right, cases.steep(draw), within=WITHIN)
-
-
+common_precession_has_a_limit_upright = (
+    common_precession_is_in_both_families.then(
+        "common_precession at lean 0 is its limit, next to 0 near it; almost flat it holds.", points=0.25, part="c"
+    )
+    .agrees(right.common_precession, cases.next_to_upright, within=UPRIGHT, hint="Cancel the sine first.")
+    .also.agrees(right.common_precession, cases.steep, within=WITHIN)
+)
 contact_force_moves_the_centre = law(
     "contact_force gives the mass its centripetal acceleration and carries its weight.", points=0.5, part="c"
-).agrees(right.contact_force, cases.free_whirls, within=WITHIN, hint=wrong_force)
+).agrees(right.contact_force, cases.whirls, within=WITHIN, hint=wrong_force)
 contact_force_of_straight_rolling = contact_force_moves_the_centre.then(
     "contact_force: an upright disk without precession rolls straight on, its weight carried.", points=0.25, part="c"
 ).agrees(right.contact_force, cases.straight_rolling, within=WITHIN, hint="Nothing there goes round.")
@@ -149,4 +139,4 @@ moment_residual_is_moment_minus_rate = law(
 
 settling_energy_adds_up = law(
     "settling_energy: kinetic and potential energy of the motion that rolls and slides at once.", points=0.75, part="d"
-).agrees(right.settling_energy, cases.settling, within=WITHIN, hint=ABOUT_WHICH)
+).agrees(right.settling_energy, cases.settled, cases.next_to_upright, cases.steep, within=WITHIN, hint=ABOUT_WHICH)

@@ -58,23 +58,11 @@ def balanced_spin(lean, precession, force, **disk):
     return at_rest / (at_rest - turning)
 
 
-def spin_size(lean, precession, force, *, mass, radius, inertia, gravity):
+def spin_size(lean, precession, force, **disk):
     """Size of the two terms that add up to the spin."""
-    still = {"mass": mass, "radius": radius, "inertia": inertia, "gravity": 0.0}
-    per_spin = [unbalanced(lean, precession, spin, force, **still) for spin in (0.0, 1.0)]
-    return (mass * gravity * radius + inertia[0] * precession**2) / abs(per_spin[1] - per_spin[0])
-
-
-def track_of(lean, precession, spin, radius):
-    """Rolling: the velocity omega x (contact to G) is that of a point that goes round with Omega."""
-    velocity = np.cross(angular_velocity(lean, precession, spin), rim(lean, radius)) @ Y
-    return rim(lean, radius) @ X - velocity / precession
-
-
-def spin_on_track(lean, track_radius, radius):
-    """At Omega = 1; the track's radius is linear in the spin."""
-    r0, r1 = (track_of(lean, 1.0, spin, radius) for spin in (0.0, 1.0))
-    return (track_radius - r0) / (r1 - r0)
+    at_rest, turning = (unbalanced(lean, precession, spin, force, **disk) for spin in (0.0, 1.0))
+    terms = disk["mass"] * disk["gravity"] * disk["radius"] + disk["inertia"][0] * precession**2
+    return terms / abs(turning - at_rest)
 
 
 def balanced_precession(lean, spin, force, **disk):
@@ -93,11 +81,15 @@ def sliding_spin(lean, precession, **disk):
 
 
 def rolling_track_radius(lean, precession, **disk):
-    return track_of(lean, precession, rolling_spin(lean, precession, **disk), disk["radius"])
+    """The velocity omega x (contact to G) is that of a point that goes round with Omega."""
+    arm, spin = rim(lean, disk["radius"]), rolling_spin(lean, precession, **disk)
+    velocity = np.cross(angular_velocity(lean, precession, spin), arm) @ Y
+    return arm @ X - velocity / precession
 
 
 def rolling_precession(lean, track_radius, **disk):
-    return balanced_precession(lean, spin_on_track(lean, track_radius, disk["radius"]), contact_force, **disk)
+    spin = track_radius / disk["radius"] - math.sin(lean)  # over Omega: the point on the ground has no velocity
+    return balanced_precession(lean, spin, contact_force, **disk)
 
 
 def smallest_track(lean, *, mass, radius, inertia, gravity):

@@ -55,19 +55,18 @@ def _weighed(kind, gravity):
     return kind if gravity else f"{kind}, without gravity"
 
 
-def symbols(calls):
-    """The same values for symbols."""
-    names = ("x", "v", "m", "c", "g")
-    return [given(**dict(zip(names, (*call.args, *call.kwargs.values()), strict=True))).on(call.kind) for call in calls]
+def ride(draw, low, high, count, turns, kind, start=None, decade=0.7):
+    """A motion of an amplitude of low to high, in units of 1/c, for `turns` over the rate of small motions.
 
-
-def ride(draw, low, high, count, turns, kind):
-    """A motion of an amplitude of low to high, in units of 1/c, for `turns` over the rate of small motions."""
-    wire, size, rate = _wired(draw, low, high)
-    angle = draw.uniform(0.5, 1.2) * draw.choice([-1, 1])
-    speed = size * rate * math.cos(angle) * draw.choice([-1, 1])
-    x = size * math.sin(angle)
-    v = speed / math.hypot(1, 2 * wire["curvature"] * x)
+    start : the place, of the amplitude, and the speed, of the largest; random by default
+    """
+    wire = {"curvature": 10 ** draw.uniform(-decade, decade), "gravity": draw.uniform(1, 25)}
+    size, rate = draw.uniform(low, high) / wire["curvature"], math.sqrt(2 * wire["gravity"] * wire["curvature"])
+    if start is None:
+        angle = draw.uniform(0.5, 1.2) * draw.choice([-1, 1])
+        start = math.sin(angle), math.cos(angle) * draw.choice([-1, 1])
+    x = size * start[0]
+    v = size * rate * start[1] / math.hypot(1, 2 * wire["curvature"] * x)
     return given(uneven(draw, turns / rate, count), x, v, **wire).on(kind)
 
 
@@ -75,16 +74,8 @@ def rides(*settings):
     return lambda draw: [ride(draw, *settings)]
 
 
-def _wired(draw, low, high, decade=0.7):
-    """A wire, an amplitude and the rate of small motions."""
-    wire = {"curvature": 10 ** draw.uniform(-decade, decade), "gravity": draw.uniform(1, 25)}
-    return wire, draw.uniform(low, high) / wire["curvature"], math.sqrt(2 * wire["gravity"] * wire["curvature"])
-
-
-def let_go(draw, kind, place, speed, low=0.4, high=1.0, decade=0.7):
-    """Two times, of a bead let go at this place and speed in units of the amplitude and the largest speed."""
-    wire, size, rate = _wired(draw, low, high, decade)
-    return given(uneven(draw, 5.0 / rate, 2), place * size, speed * size * rate, **wire).on(f"two times, {kind}")
+# The oscillation of small amplitudes is off by 2e-3; an absolute tolerance of 1e-9 m is good to 1e-6.
+close = rides(0.02, 0.025, 2, 5.0, "two times, the bead let go at rest, close to the bottom", (1.0, 0.0), 0.3)
 
 
 def few_times(draw):
@@ -92,17 +83,13 @@ def few_times(draw):
     sharp = ride(draw, 4.3, 5.0, 2, 21.0, "a few times, far apart")
     first, last = sharp.args[0]
     between = last - 1.5 / math.sqrt(2 * sharp.kwargs["gravity"] * sharp.kwargs["curvature"])
-    return [
-        sharp.but(np.array([first, between, last])),
-        *(let_go(draw, "the bead let go at rest", sign, 0) for sign in (1.0, -1.0)),
-        *(let_go(draw, "the bead let go at the bottom", 0.0, sign) for sign in (1, -1)),
-        let_go(draw, "a bead at rest at the bottom, where it stays", 0.0, 0.0),
-    ]
-
-
-def close(draw):
-    """The oscillation of small amplitudes is off by 2e-3; an absolute tolerance of 1e-9 m is good to 1e-6."""
-    return [let_go(draw, "the bead let go at rest, close to the bottom", 1.0, 0.0, 0.02, 0.025, decade=0.3)]
+    starts = {
+        "the bead let go at rest": [(1.0, 0.0), (-1.0, 0.0)],
+        "the bead let go at the bottom": [(0.0, 1.0), (0.0, -1.0)],
+        "a bead at rest at the bottom, where it stays": [(0.0, 0.0)],
+    }
+    plain = [(f"two times, {kind}", start) for kind, known in starts.items() for start in known]
+    return [sharp.but(np.array([first, between, last])), *(ride(draw, 0.4, 1.0, 2, 5.0, *one) for one in plain)]
 
 
 def weightless(draw):
@@ -111,23 +98,18 @@ def weightless(draw):
     return [case, case.but(gravity=0.0).on("gravity 0"), *in_turn(draw, case.but(case.args[0][:5]))]
 
 
-def periods(draw, steepness, kind, decades=(-1, 1)):
-    """Amplitudes in units of 1/c; decades of the curvature."""
-    curvatures, gravities = 10 ** draw.uniform(*decades, len(steepness)), draw.uniform(1, 25, len(steepness))
-    return [
-        given(size / curvature, curvature=curvature, gravity=gravity).on(kind)
-        for size, curvature, gravity in zip(steepness, curvatures, gravities, strict=True)
-    ]
+def periods(kind, low, high, count, decades=(-1, 1)):
+    """Amplitudes in units of 1/c, by their powers of ten; decades of the curvature."""
+
+    def one(draw):
+        curvature, size = 10 ** draw.uniform(*decades), 10 ** draw.uniform(low, high)
+        return given(size / curvature, curvature=curvature, gravity=draw.uniform(1, 25)).on(kind)
+
+    return lambda draw: [one(draw) for _ in range(count)]
 
 
-def usual_periods(draw):
-    return periods(draw, draw.uniform(0.2, 0.6, 8), "an amplitude near 1/c")
-
-
-def tiny_periods(draw):
-    return periods(draw, np.full(2, 1e-5), "an amplitude of a hundred-thousandth of 1/c", decades=(0.5, 1))
-
-
-def unusual_periods(draw):
-    small = periods(draw, 10 ** draw.uniform(-3, -2, 3), "an amplitude of some thousandths of 1/c")
-    return small + periods(draw, np.append(10 ** draw.uniform(1, 2, 3), 100.0), "an amplitude of many 1/c")
+usual_periods = periods("an amplitude near 1/c", -0.7, -0.2, 8)
+tiny_periods = periods("an amplitude of a hundred-thousandth of 1/c", -5, -5, 2, (0.5, 1))
+small_periods = periods("an amplitude of some thousandths of 1/c", -3, -2, 3)
+large_periods = periods("an amplitude of many 1/c", 1, 2, 3)
+largest_period = periods("an amplitude of many 1/c", 2, 2, 1)

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from tam570_grader import Column, Invariant, agree, by_kind, check, expect, from_own_lagrangian, law
+from tam570_grader import Column, Invariant, agree, check, expect, from_own_lagrangian, in_symbols, law
 from tam570_grader.writing.returns import array, formula, number, rows
 
 from . import cases, right
@@ -41,8 +41,9 @@ def pace(case, states):
 
 MOTION = (Column("x", "m", [0], scale=size), Column("v", "m/s", [1], scale=pace))
 KEPT = Invariant("the energy", "of itself", right.energy_of_rows, None, ENERGY)
+SYMBOLS = ("x", "v", "m", "c", "g")
 RESULTS = {
-    "lagrangian": formula("x", "v", "m", "c", "g"),
+    "lagrangian": formula(*SYMBOLS),
     "lagrange_equation": formula("x", "v", "c", "g").called("x''", "m/s^2", largest_term),
     "acceleration_newton": number.called("x''", "m/s^2", largest_term),
     "constraint_force": array(2).called("the force", "N", lambda _, force: math.hypot(*force)),
@@ -55,7 +56,7 @@ RESULTS = {
 @check(points=1, part="a")
 def lagrangian_is_kinetic_less_potential(student, draw):
     """lagrangian: T - V in x, v, m, c, g, V up to a constant."""
-    calls = cases.symbols(cases.beads(draw))
+    calls = in_symbols(cases.beads(draw), *SYMBOLS)
     levels = student.lagrangian.at([{**case.kwargs, "x": 0.0, "v": 0.0} for case in calls])
     known = {"of": "the Lagrangian", "unit": "J", "hint": "How fast is the bead along the wire, and how high?"}
     for level, (case, value) in zip(levels, student.lagrangian.each(calls), strict=True):
@@ -66,14 +67,10 @@ def lagrangian_is_kinetic_less_potential(student, draw):
 @check(points=1.5, part="a")
 def lagrange_gives_the_acceleration(student, draw):
     """lagrange_equation: x'' in x, v, c, g alone."""
-    equation, calls = student.lagrange_equation, cases.symbols(cases.beads(draw))
-
-    def hint(*_):
-        wrong = "dT/dv depends on x, so its rate has a term with v; and dT/dx is not zero."
-        return from_own_lagrangian(equation, student.lagrangian, calls[:5], "x", "v") or wrong
-
-    agree(equation, right, calls, within=FORMULA, hint=hint)
-    agree(equation, right, cases.symbols(cases.next_to_bottom(draw)), within=FEW_DIGITS, hint=hint)
+    calls, close = (in_symbols(known(draw), *SYMBOLS) for known in (cases.beads, cases.next_to_bottom))
+    hint = from_own_lagrangian(student, calls[:5], "dT/dv depends on x: its rate has a term with v. dT/dx is not zero.")
+    agree(student.lagrange_equation, right, calls, within=FORMULA, hint=hint)
+    agree(student.lagrange_equation, right, close, within=FEW_DIGITS, hint=hint)
 
 
 TWICE = "Differentiate y = c x^2 twice: y'' has two terms."
@@ -98,10 +95,10 @@ TANGENT = "Dot it with the tangent (1, 2 c x): is that zero? Does the force act 
 force_and_weight_make_the_acceleration = force_has_the_right_size.then(
     "constraint_force: normal to the wire, and with the weight it is m a.", points=0.5, part="b"
 ).agrees(right.constraint_force, cases.beads, cases.next_to_bottom, within=FORMULA, hint=TANGENT)
-BEADS, ALONG = (cases.beads, cases.next_to_bottom, cases.nearly_at_rest), "v is not the speed along the wire."
+BEADS = cases.beads, cases.next_to_bottom, cases.nearly_at_rest
 energy_is_kinetic_and_potential = law(
     "energy: of the speed along the wire and of the height above the bottom.", points=1, part="b"
-).agrees(right.energy, *BEADS, within=FORMULA, hint=ALONG)
+).agrees(right.energy, *BEADS, within=FORMULA, hint="v is not the speed along the wire.")
 WIDE = cases.rides(0.4, 1.0, 1000, 15.0, "an amplitude near 1/c")
 simulate_slides = law("simulate: large motions, row i at t[i], row 0 the given state.", points=1, part="b").follows(
     right.simulate, WIDE, within=TRAJECTORY, hint="Is v the rate of x? Is x'' as in part (a)?", keeps=KEPT
@@ -117,10 +114,9 @@ simulate_without_gravity = simulate_slides.then(
     "simulate: without gravity the bead keeps its speed, whatever was asked before.", points=0.25, part="b"
 ).follows(right.simulate, cases.weightless, within=TRAJECTORY, hint="Is anything divided by gravity?")
 STEEP = cases.rides(5.0, 8.0, 60, 60.0, "an amplitude of several 1/c")
-SHARP = "Are the steps short enough for the sharp turn at the bottom?"
 simulate_slides_down_steep_wires = simulate_slides.then(
     "simulate: an amplitude of many 1/c, where the bead turns sharply at the bottom.", points=0.25, part="b"
-).follows(right.simulate, STEEP, within=SHARP_TURN, hint=SHARP)
+).follows(right.simulate, STEEP, within=SHARP_TURN, hint="Are the steps short enough for the turn at the bottom?")
 MANY_PERIODS = cases.rides(0.4, 1.0, 300, 180.0, "many periods")
 LOSSES, DURATION = {1e-3: 0.6, 1e-2: 0.3}, "Do your steps grow with the duration, or is the tolerance loose?"
 simulate_keeps_the_energy = simulate_slides.then(
@@ -129,11 +125,11 @@ simulate_keeps_the_energy = simulate_slides.then(
 period_is_exact = law("period: exact for amplitudes near 1/c.", points=1, part="b").agrees(
     right.period, cases.usual_periods, within=PERIOD, hint="The energy gives v at every x, and dt = dx/v."
 )
-TINY_AMPLITUDES = "Do you add a small number under a root, or use an absolute tolerance? 1e-15 m^2 is not small here."
-REACH = {"many": "Does your series or quadrature reach amplitudes of a hundred times 1/c?"}
-UNUSUAL = by_kind(REACH, "Do you subtract nearly equal heights?")
+ROOT = "Do you add a small number under a root, or use an absolute tolerance? 1e-15 m^2 is not small here."
+REACH = "Does your series or quadrature reach amplitudes of a hundred times 1/c?"
 period_of_small_and_of_huge_amplitudes = (
     period_is_exact.then("period: exact on almost flat and on almost upright wires.", points=0.5, part="b")
-    .agrees(right.period, cases.tiny_periods, within=TINY, hint=TINY_AMPLITUDES)
-    .also.agrees(right.period, cases.unusual_periods, within=PERIOD, hint=UNUSUAL)
+    .agrees(right.period, cases.tiny_periods, within=TINY, hint=ROOT)
+    .also.agrees(right.period, cases.small_periods, within=PERIOD, hint="Do you subtract nearly equal heights?")
+    .also.agrees(right.period, cases.large_periods, cases.largest_period, within=PERIOD, hint=REACH)
 )

@@ -8,24 +8,20 @@ from scipy.special import ellipe
 
 
 def acceleration_newton(x, v, curvature, gravity):
-    """x'' from the acceleration along the wire, which is that of gravity, and the turning of the tangent."""
-    angle = math.atan(2 * curvature * x)  # of the wire
-    speed = v / math.cos(angle)
-    turning = 2 * curvature * math.cos(angle) ** 3 * speed  # rate of the angle: bend of the wire times speed
-    return -gravity * math.sin(angle) * math.cos(angle) - speed * math.sin(angle) * turning
+    """Nothing but the wire pushes sideways."""
+    return constraint_force(x, v, 1.0, curvature, gravity)[0]
 
 
 def constraint_force(x, v, mass, curvature, gravity):
     """Along the normal: mass times speed^2 over the radius of curvature, and the weight's share."""
-    angle = math.atan(2 * curvature * x)
+    angle = math.atan(2 * curvature * x)  # of the wire
     bend = 2 * curvature * math.cos(angle) ** 3
     size = mass * (bend * (v / math.cos(angle)) ** 2 + gravity * math.cos(angle))
     return size * np.array([-math.sin(angle), math.cos(angle)])
 
 
 def kinetic(x, v, mass, curvature):
-    velocity = np.array([v, 2 * curvature * x * v])
-    return mass * velocity @ velocity / 2
+    return mass * (1 + (2 * curvature * x) ** 2) * v**2 / 2
 
 
 def energy(x, v, mass, curvature, gravity):
@@ -61,4 +57,4 @@ def simulate(t, x, v, curvature, gravity):
 def energy_of_rows(rows, curvature, gravity):
     """Of a bead of 1 kg, along a motion."""
     x, v = rows.T
-    return (1 + (2 * curvature * x) ** 2) * v**2 / 2 + gravity * curvature * x**2
+    return energy(x, v, 1.0, curvature, gravity)

@@ -11,26 +11,21 @@ from tam570_grader import given, in_turn, uneven
 from . import right
 
 ONES = {"mass": 1.0, "radius": 1.0, "offset": 0.5, "inertia": 0.5, "slope": math.pi / 6, "gravity": 1.0}
-QUARTERS = {
-    "phi = 0": 0.0,
-    "phi a quarter turn": math.pi / 2,
-    "phi a quarter turn back": -math.pi / 2,
-    "phi half a turn": math.pi,
-}
+QUARTERS = {"phi = 0": 0, "phi a quarter turn": 1, "phi a quarter turn back": -1, "phi half a turn": 2}
 SIGNS = {"at rest": 0.0, "phi_dot above 0": 1.0, "phi_dot below 0": -1.0}
 
 
 def cylinder(draw, **fixed):
     mass, radius = draw.uniform(0.3, 5), draw.uniform(0.2, 3)
-    drawn = {
+    return {
         "mass": mass,
         "radius": radius,
         "offset": radius * draw.uniform(0.3, 0.6),
         "inertia": mass * radius**2 * draw.uniform(0.2, 0.8),
         "slope": draw.uniform(0.15, 1.2),
         "gravity": draw.uniform(1, 20),
+        **fixed,
     }
-    return {**drawn, **fixed}
 
 
 def usual(cylinder):
@@ -69,8 +64,8 @@ def level(draw):
 
 def _quarters(cylinders):
     return [
-        given(angle, sign * usual(c), **c).on(f"{kind}, {place}, {way}")
-        for (kind, c), (place, angle), (way, sign) in product(cylinders.items(), QUARTERS.items(), SIGNS.items())
+        given(quarters * math.pi / 2, sign * usual(c), **c).on(f"{kind}, {place}, {way}")
+        for (kind, c), (place, quarters), (way, sign) in product(cylinders.items(), QUARTERS.items(), SIGNS.items())
     ]
 
 

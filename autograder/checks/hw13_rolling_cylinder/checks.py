@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from tam570_grader import Column, Invariant, group, law, number, rows
+from tam570_grader import Column, Invariant, by_kind, group, law, number, rows
 
 from . import cases, right
 
@@ -51,19 +51,10 @@ RESULTS = {
     "contact_inertia": number.called("I^C", "kg m^2"),
     "naive_contact_acceleration": number.called("phi'' from M_C = I^C phi''", "rad/s^2", rate2),
     "missing_moment": number.called("the missing moment", "N m", moment),
-    "contact_force": group(
-        number.called("the force along the ramp", "N", force), number.called("the normal force", "N", force)
-    ),
+    "contact_force": group(*(number.called(of, "N", force) for of in ("the force along the ramp", "the normal force"))),
     "energy": number.called("the energy", "J", lambda case, _: 9 * moment(case)),
     "simulate": rows(2, columns=MOTION),
 }
-
-
-def of_rates(case, *_):
-    """Which terms are wrong: those at rest are judged first."""
-    if case.args[1] == 0:
-        return "At rest it is wrong, too: look at the moment of the weight and at the inertia."
-    return "At rest it is right: differentiate the position of G twice, and mind the terms in phi_dot squared."
 
 
 def part_of_force(case, found, expected):
@@ -76,6 +67,10 @@ def part_of_force(case, found, expected):
     return "Along is right, normal is not: G is accelerated off the ramp too, by phi'' and by phi_dot squared."
 
 
+REST_OR_RATES = by_kind(  # those at rest are judged first
+    {"at rest": "At rest it is wrong, too: look at the moment of the weight and at the inertia."},
+    "At rest it is right: differentiate the position of G twice, and mind the terms in phi_dot squared.",
+)
 BOTH = "Balance momentum about G: friction alone turns it."
 NO_WEIGHT = "Without weight it still does not turn uniformly; is anything divided by the slope?"
 DISTANCE = "How far is G from the contact, at this phi?"
@@ -98,7 +93,7 @@ centred_cylinder_rolls_by_both_methods = (
 )
 acceleration_balances_momentum_about_G = law(
     "acceleration: the force that G's acceleration needs has, about G, the moment I^G phi''.", points=1.5, part="a"
-).agrees(right.acceleration, AT_REST[0], cases.rolling(20), cases.plain, within=FORMULA, hint=of_rates)
+).agrees(right.acceleration, AT_REST[0], cases.rolling(20), cases.plain, within=FORMULA, hint=REST_OR_RATES)
 acceleration_level_and_without_gravity = acceleration_balances_momentum_about_G.then(
     "acceleration: on level ground, and without gravity.", points=0.5, part="a"
 ).agrees(right.acceleration, cases.flat(5), cases.weightless(5), cases.level, within=FORMULA, hint=NO_WEIGHT)

@@ -1,5 +1,6 @@
 """Hidden inputs of hw14: disks, hoops and wheels in any motion, and plain motions that tell what random ones do not."""
 
+import copy
 import math
 
 import numpy as np
@@ -28,9 +29,10 @@ def a_disk(draw, shape="a wheel"):
     return {"mass": mass, "radius": radius, "inertia": (A * size, C * size), "gravity": draw.uniform(1.6, 25.0)}
 
 
-def a_state(draw, disk, tilt):
-    place, angles = draw.uniform(-2, 2, 2), draw.uniform(-4, 4, 2)
-    return np.array([*place, angles[0], tilt, angles[1], *(right.usual(disk) * draw.uniform(-2, 2, 3))])
+def a_state(draw, disk, tilt, rates=()):
+    """An Euler state; without rates, which are of the usual size, they are random."""
+    place, (yaw, roll) = draw.uniform(-2, 2, 2), draw.uniform(-4, 4, 2)
+    return np.array([*place, yaw, tilt, roll, *(right.usual(disk) * np.array(rates or draw.uniform(-2, 2, 3)))])
 
 
 def instants(draw):
@@ -38,41 +40,39 @@ def instants(draw):
     disks = ((shape, a_disk(draw, shape)) for shape in [*SHAPES] * 4)
     cases = [given(a_state(draw, disk, draw.uniform(0.3, 2.8)), **disk).on(shape) for shape, disk in disks]
     cases.append(cases[-1].but(gravity=0.0).on("no gravity"))
-    disk = a_disk(draw)
-    rates = right.usual(disk) * draw.uniform(0.5, 2, 3) * draw.choice([-1, 1], 3)
+    disk, rates = a_disk(draw), draw.uniform(0.5, 2, 3) * draw.choice([-1, 1], 3)
     for kind, some in PLAIN.items():
         for tilt, how in ((right.RIGHT, "upright"), (draw.uniform(0.4, 1.4), "tilted"), (2.0, "tilted")):
-            state = np.array([*draw.uniform(-2, 2, 2), draw.uniform(-4, 4), tilt, draw.uniform(-4, 4), *rates * some])
+            state = a_state(draw, disk, tilt, (*rates * some,))
             cases.append(given(state + 0.0, **disk).on(f"{kind}, {how}"))
-    far = a_state(draw, disk, 1.0) + [300, -200, 0, 0, 0, 0, 0, 0]
+    far = given(a_state(draw, disk, 1.0) + [300, -200, 0, 0, 0, 0, 0, 0], **disk).on("a disk far from the origin")
     whole = np.array([0, 0, 0, math.pi / 4, 0, 1, 1, 1])
-    ones = given(whole, mass=1.0, radius=1.0, inertia=(0.25, 0.5), gravity=1.0)
-    return [*cases, ones.on("whole numbers, at the origin"), given(far, **disk).on("a disk far from the origin")]
+    ones = given(whole, mass=1.0, radius=1.0, inertia=(0.25, 0.5), gravity=1.0).on("whole numbers, at the origin")
+    return [*cases, ones, far]
 
 
-def nearly_flat(draw):
+def resting_first(draw):
+    return sorted(instants(draw), key=lambda case: "at rest" not in case.kind)
+
+
+def flat_and_upright(draw):
+    """Nearly flat disks, and one that spins upright on a point."""
     disk = a_disk(draw)
-    return [given(a_state(draw, disk, tilt), **disk).on("a nearly flat disk") for tilt in (1e-3, math.pi - 1e-3)]
+    flat = [given(a_state(draw, disk, tilt), **disk).on("a nearly flat disk") for tilt in (1e-3, math.pi - 1e-3)]
+    upright = given(a_state(draw, disk, right.RIGHT, (draw.uniform(0.5, 2), 0, 0)), **disk)
+    return [*flat, upright.on("an upright disk that spins on a point")]
 
 
-def on_a_point(draw):
-    disk = a_disk(draw)
-    upright = a_state(draw, disk, right.RIGHT) * [1, 1, 1, 1, 1, 1, 0, 0]
-    return [given(upright, **disk).on("an upright disk that spins on a point")]
-
-
-def timed(*kinds):
+def timed(cases):
     """For the functions that are given a time, too."""
-    return lambda draw: [given(0.0, *one.args, **one.kwargs).on(one.kind) for kind in kinds for one in kind(draw)]
+    return lambda draw: [given(0.0, *one.args, **one.kwargs).on(one.kind) for one in cases(draw)]
 
 
 def by_matrix(cases):
     """The same with matrix states in the place of Euler states, the last argument."""
-    return [case.but(*case.args[:-1], right.matrix_state(case.args[-1], case.kwargs["radius"])) for case in cases]
-
-
-def of_radius(draw):
-    return [given(*case.args, radius=case.kwargs["radius"]).on(case.kind) for case in instants(draw)]
+    return lambda draw: [
+        one.but(*one.args[:-1], right.matrix_state(one.args[-1], one.kwargs["radius"])) for one in cases(draw)
+    ]
 
 
 # Motions
@@ -88,12 +88,15 @@ def motions(draw, count, span, samples):
         state = a_state(draw, disk, draw.uniform(0.8, 2.3))
         state[7] += 2 * right.usual(disk) * np.sign(state[7])
         # what needs t[0] > 0 gives one result
-        start = draw.uniform(-3, -0.5) if found else draw.uniform(0.5, 3)
-        t = uneven(draw, span / right.usual(disk), samples, start)
+        t = uneven(draw, span / right.usual(disk), samples, draw.uniform(-3, -0.5) if found else draw.uniform(0.5, 3))
         if stays_up(t, state, disk):
-            kind = "a motion without gravity" if found else "a general motion"
-            found.append(given(t, state, **disk).on(kind))
+            found.append(given(t, state, **disk).on("a motion without gravity" if found else "a general motion"))
     return found
+
+
+def long_motion(draw):
+    """The same each time that a check asks for it."""
+    return motions(copy.deepcopy(draw), 1, 6.0, 4)
 
 
 def stays_up(t, state, disk):
@@ -106,16 +109,14 @@ def stays_up(t, state, disk):
 
 def simulated(draw):
     """Motions; two times, let go at rest, rolling upright, spinning upright, at rest; and one argument changed."""
-    general, disk = motions(draw, 2, 3.0, 60), a_disk(draw)
-    found, usual = [], right.usual(disk)
+    general, disk, found = motions(draw, 2, 3.0, 60), a_disk(draw), []
     for tilt, rates, kind in (
         (1.1, (0, 0, 0), "let go at rest"),
         (right.RIGHT, (0, 0, 3), "rolling straight, upright"),
         (right.RIGHT, (3, 0, 0), "spinning upright on a point"),
     ):
-        start = np.array([*draw.uniform(-2, 2, 3), tilt, draw.uniform(-2, 2), *np.multiply(rates, usual)])
-        t = draw.uniform(0.5, 3) + np.array([0.0, 0.6]) / usual
-        found.append(given(t, start, **disk).on(f"two times, a disk {kind}"))
+        t = draw.uniform(0.5, 3) + np.array([0.0, 0.6]) / right.usual(disk)
+        found.append(given(t, a_state(draw, disk, tilt, rates), **disk).on(f"two times, a disk {kind}"))
     still = found[0].but(gravity=0.0).on("two times, a disk at rest without gravity, where it stays")
     return [*general, *found, still, *in_turn(draw, found[0])]
 
@@ -130,7 +131,7 @@ def steady(draw):
         given(draw.uniform(-1.4, 1.4), *(right.usual(disk) * draw.uniform(-2, 2, 2)), **disk).on(shape)
         for shape, disk in disks
     ]
-    first = cases[0]
+    first, second = cases[:2]
     lean, precession, spin = abs(first.args[0]) + 0.1, *first.args[1:]
     plain = {
         "exactly upright": (0.0, precession, spin),
@@ -141,7 +142,7 @@ def steady(draw):
         "spinning upright on a point": (0.0, precession, 0.0),
     }
     cases += [first.but(*motion).on(kind) for kind, motion in plain.items()]
-    return [*cases, cases[0].but(gravity=0.0).on("no gravity"), first.but(**cases[1].kwargs).on(AGAIN)]
+    return [*cases, first.but(gravity=0.0).on("no gravity"), first.but(**second.kwargs).on(AGAIN)]
 
 
 def wheels(draw):
@@ -153,12 +154,10 @@ def wheels(draw):
 def speeds(draw):
     """From rest to four times the critical speed; one without gravity."""
     cases = []
-    for shape, ratio in zip([*SHAPES] * 2, (0.0, 0.5, 0.95, 1.05, 2.0, 4.0), strict=True):
-        disk = a_disk(draw, shape)
+    for disk, ratio in zip(wheels(draw)[:-1], (0.0, 0.5, 0.95, 1.05, 2.0, 4.0), strict=True):
         pace = f"{'slower' if ratio < 1 else 'faster'} than the critical speed" if ratio else "at rest"
-        cases.append(given(ratio * right.critical_speed(**disk), **disk).on(f"{shape}, {pace}"))
-    cases.append(cases[4].but(gravity=0.0).on("a hoop without gravity"))
-    return [*cases, cases[5].but(**cases[1].kwargs).on(AGAIN)]
+        cases.append(disk.but(ratio * right.critical_speed(**disk.kwargs)).on(f"{disk.kind}, {pace}"))
+    return [*cases, cases[4].but(gravity=0.0).on("a hoop without gravity"), cases[5].but(**cases[1].kwargs).on(AGAIN)]
 
 
 def pictures(draw):

@@ -4,10 +4,7 @@ from functools import partial
 
 import numpy as np
 
-from tam570_grader import Column, Invariant, agree, agree_by_columns, check, expect, expect_that, follow, law, stays
-from tam570_grader.writing.agree import absolute
-from tam570_grader.writing.expect import Failed
-from tam570_grader.writing.returns import array, number, rows
+from tam570_grader import Column, Invariant, absolute, array, by_kind, check, expect, expect_that, law, number, rows
 
 from . import cases, right
 
@@ -106,7 +103,7 @@ RESULTS = {
 }
 ROTATES = Invariant("R^T R", "", right.not_a_rotation, absolute, ROTATION)
 HEIGHT = Invariant("the centre's height", "m", right.above_the_ground, radius, KEPT)
-ENERGY_KEPT = Invariant("the energy", "J", right.energies, right.energy_at_the_start, ENERGY)
+ENERGY_KEPT = Invariant("the energy", "J", lambda rows, **disk: right.energy(rows.T, **disk), None, ENERGY)
 CARRIED = "omega along e2 or e3, carried to the upright disk by the tilt,"
 INTEGRALS = Invariant(CARRIED, "rad/s", right.two_integrals, rate, KEPT)
 
@@ -115,9 +112,7 @@ INTEGRALS = Invariant(CARRIED, "rad/s", right.two_integrals, rate, KEPT)
 
 matrix_state_places_the_disk = law(
     "matrix_state has the centre, R row by row, and the total omega in space axes.", points=0.5, part="a"
-).agrees_by_columns(
-    right.matrix_state, cases.of_radius, within=POINTWISE, hint="omega is yaw' z + tilt' e1 + roll' e3."
-)
+).agrees_by_columns(right.matrix_state, cases.instants, within=POINTWISE, hint="omega is yaw' z + tilt' e1 + roll' e3.")
 
 
 def along(of, off, state, limit):
@@ -127,7 +122,7 @@ def along(of, off, state, limit):
     return f"{of} is wrong along {' and '.join(names)} only." if 0 < len(names) < 3 else ""
 
 
-def wrong_turning(case, found, expected, otherwise):
+def wrong_turning(otherwise, case, found, expected):
     """Where omega' is off, to which the second derivatives of the angles contribute."""
     state, off = euler_of(case), found - expected
     e1, _, e3 = right.frame(state)
@@ -135,70 +130,57 @@ def wrong_turning(case, found, expected, otherwise):
     return along("omega'", turning, state, POINTWISE * second(case)) or otherwise
 
 
-TEST_IT = partial(wrong_turning, otherwise="Test it on straight rolling, then on hw11's circles.")
-NO_SINGULAR_TILT = "No tilt but 0 and pi is singular."
+TEST_IT = partial(wrong_turning, "Test it on straight rolling, then on hw11's circles.")
+IN_SPACE = partial(wrong_turning, "Find dR/dt from omega, then write the balances in space axes.")
+ARM = partial(wrong_turning, "Space axes need I = R diag(A, A, C) R^T; differentiate the constraint with its arm.")
+NEXT_TO_FLAT = {"within": FLAT, "hint": "No tilt but 0 and pi is singular."}
+INSTANTS, FLAT_AND_UPRIGHT = cases.timed(cases.instants), cases.timed(cases.flat_and_upright)
+BY_MATRIX, FLAT_BY_MATRIX = cases.by_matrix(INSTANTS), cases.by_matrix(FLAT_AND_UPRIGHT)
 
 euler_equations_hold = law(
     "euler_state_derivative balances momentum and angular momentum of disk, hoop and wheel.", points=1.25, part="a"
-).agrees_by_columns(right.euler_state_derivative, cases.timed(cases.instants), within=POINTWISE, hint=TEST_IT)
+).agrees_by_columns(right.euler_state_derivative, INSTANTS, within=POINTWISE, hint=TEST_IT)
 euler_equations_hold_next_to_flat_and_upright = euler_equations_hold.then(
     "euler_state_derivative holds at a tilt of 1e-3, and for a disk spinning upright on a point.", points=0.25, part="a"
-).agrees_by_columns(
-    right.euler_state_derivative, cases.timed(cases.nearly_flat, cases.on_a_point), within=FLAT, hint=NO_SINGULAR_TILT
+).agrees_by_columns(right.euler_state_derivative, FLAT_AND_UPRIGHT, **NEXT_TO_FLAT)
+matrix_equations_hold = (
+    law("matrix_state_derivative: the balances hold, and omega in space axes turns R.", points=0.75, part="a")
+    .agrees_by_columns(right.matrix_state_derivative, BY_MATRIX, within=POINTWISE, hint=IN_SPACE)
+    .also.agrees_by_columns(right.matrix_state_derivative, FLAT_BY_MATRIX, **NEXT_TO_FLAT)
 )
-
-
-def judge_balances(function, draw, hint):
-    """The rates of a matrix state, those of a nearly flat disk last."""
-    wrong = partial(wrong_turning, otherwise=hint)
-    for kind, within, told in ((cases.instants, POINTWISE, wrong), (cases.nearly_flat, FLAT, NO_SINGULAR_TILT)):
-        calls = cases.by_matrix(cases.timed(kind)(draw))
-        agree_by_columns(function, right, calls, within=within, hint=told)
-
-
-@check(points=0.75, part="a")
-def matrix_equations_hold(student, draw):
-    """matrix_state_derivative balances momentum and angular momentum, and turns R by omega in space axes."""
-    hint = "Find dR/dt from omega, then write the balances in space axes."
-    judge_balances(student.matrix_state_derivative, draw, hint)
-
-
-@check(points=0.75, part="a")
-def multiplier_equations_hold(student, draw):
-    """multiplier_state_derivative balances momentum and angular momentum, the contact held by multipliers."""
-    hint = "Space axes need I = R diag(A, A, C) R^T; differentiate the constraint with its arm."
-    judge_balances(student.multiplier_state_derivative, draw, hint)
+multiplier_equations_hold = (
+    law("multiplier_state_derivative: the balances hold, with multipliers for the contact.", points=0.75, part="a")
+    .agrees_by_columns(right.multiplier_state_derivative, BY_MATRIX, within=POINTWISE, hint=ARM)
+    .also.agrees_by_columns(right.multiplier_state_derivative, FLAT_BY_MATRIX, **NEXT_TO_FLAT)
+)
 
 
 # (b) Simulation, (c) both ways
 
-
 FOLLOWED = {"within": TRAJECTORY, "hint": "Are the derivatives right?"}
+TWO = partial(cases.motions, count=2, span=6.0, samples=4)
+LONGER = partial(cases.motions, count=1, span=20.0, samples=6)
 
 euler_simulation_follows_the_motion = law(
     "simulate_euler follows the motion from any start, row i at t[i], row 0 the given state.", points=0.75, part="b"
 ).follows(right.simulate_euler, cases.simulated, keeps=ENERGY_KEPT, **FOLLOWED)
 euler_simulation_keeps_two_integrals = euler_simulation_follows_the_motion.then(
     "simulate_euler: omega along e2 and e3 depends on the tilt alone, at any times.", points=0.5, part="b"
-).keeps(INTEGRALS, right=right.simulate_euler, cases=lambda draw: cases.motions(draw, 2, 6.0, 4), partial={1e-4: 0.5})
+).keeps(INTEGRALS, right=right.simulate_euler, cases=TWO, partial={1e-4: 0.5})
 matrix_simulation_follows_the_motion = law(
     "simulate_matrix follows the motion from any start, row i at t[i], row 0 the given state.", points=0.75, part="b"
-).follows(right.simulate_matrix, lambda draw: cases.by_matrix(cases.simulated(draw)), **FOLLOWED)
+).follows(right.simulate_matrix, cases.by_matrix(cases.simulated), **FOLLOWED)
 
-
-@check(points=0.5, part="c", after=(euler_simulation_follows_the_motion, matrix_simulation_follows_the_motion))
-def both_simulations_agree(student, draw):
-    """simulate_matrix, simulate_euler: one motion over a long time; R stays a rotation, the disk on the ground."""
-    calls = cases.motions(draw, 1, 6.0, 4)
-    matrices = cases.by_matrix(calls)
-    for kept in (ROTATES, HEIGHT):
-        stays(student.simulate_matrix, right, matrices, kept)
-    follow(student.simulate_matrix, right, matrices, within=AGREED)
-    follow(student.simulate_euler, right, calls, within=AGREED)
+BOTH = euler_simulation_follows_the_motion, matrix_simulation_follows_the_motion
+both_simulations_agree = (
+    law("simulate_matrix, simulate_euler: a long motion on the ground, R a rotation.", points=0.5, part="c", after=BOTH)
+    .keeps(ROTATES, HEIGHT, right=right.simulate_matrix, cases=cases.by_matrix(cases.long_motion))
+    .also.follows(right.simulate_matrix, cases.by_matrix(cases.long_motion), within=AGREED)
+    .also.follows(right.simulate_euler, cases.long_motion, within=AGREED)
+)
 
 
 # (d) Steady circles
-
 
 EQUATIONS = "Put tilt = lean + pi/2 and tilt' = 0 into your equations."
 steady_residual_is_the_tilt_acceleration = law(
@@ -223,12 +205,10 @@ def judge_wireframe(case, lines):
     (state,), size, sides = case.args, case.kwargs["radius"], case.kwargs["sides"]
     expect(len(lines), sides + 2, within=0, of="the number of segments")
     angles, off = right.in_the_disk(lines, state, size)
-    from_centre = off[sides:].min() <= POINTWISE * size
-    hints = "The centre is contact + a e2.", "A diameter goes from rim to rim." if from_centre else ""
-    for ends, of, hint in zip((off[:sides], off[sides:]), ("a side", "a diameter"), hints, strict=True):
-        expect(
-            ends, 0.0, within=POINTWISE * size, of=f"the distance from the rim of an end of {of}", unit="m", hint=hint
-        )
+    on_the_rim = partial(expect, expected=0.0, within=POINTWISE * size, unit="m")
+    on_the_rim(off[:sides], of="the distance from the rim of an end of a side", hint="The centre is contact + a e2.")
+    radii = "A diameter goes from rim to rim." if off[sides:].min() <= POINTWISE * size else ""
+    on_the_rim(off[sides:], of="the distance from the rim of an end of a diameter", hint=radii)
     angle = partial(expect, within=10 * POINTWISE, unit="rad")  # of points that are off by POINTWISE
     across = right.turned(angles[:, 1] - angles[:, 0], 2 * np.pi)
     step = 2 * np.pi / sides
@@ -243,29 +223,17 @@ def judge_wireframe(case, lines):
 
 # (f) Energy and force
 
-
-@check(points=0.5, part="f")
-def energy_is_kinetic_and_potential(student, draw):
-    """energy adds what moves, what turns and what is high."""
-
-    def hint(case, *_):
-        still = case.but(case.args[0] * [1, 1, 1, 1, 1, 0, 0, 0])
-        try:
-            off = student.energy.aside(still) - right.energy(*still.args, **still.kwargs)
-        except Failed:
-            return "What is it at rest?"
-        if abs(off) > POINTWISE * moment(still):
-            return "At rest it is wrong, too: what is the height of the centre?"
-        return "At rest it is right: look at the speed of the centre and the turning about it."
-
-    agree(student.energy, right, cases.instants(draw), within=POINTWISE, hint=hint)
-
-
-@check(points=0.25, part="f", after=(euler_simulation_follows_the_motion, energy_is_kinetic_and_potential))
-def energy_is_conserved(student, draw):
-    """The energy of simulate_euler's motion stays what it was, over a long time."""
-    share = {1e-4: 0.6, 1e-3: 0.3}
-    stays(student.simulate_euler, right, cases.motions(draw, 1, 20.0, 6), ENERGY_KEPT, partial=share)
+REST_OR_RATES = by_kind(
+    {"at rest": "At rest it is wrong, too: what is the height of the centre?"},
+    "At rest it is right: look at the speed of the centre and the turning about it.",
+)
+energy_is_kinetic_and_potential = law(
+    "energy adds what moves, what turns and what is high.", points=0.5, part="f"
+).agrees(right.energy, cases.resting_first, within=POINTWISE, hint=REST_OR_RATES)
+NEEDED = euler_simulation_follows_the_motion, energy_is_kinetic_and_potential
+energy_is_conserved = law(
+    "The energy of simulate_euler's motion stays what it was, over a long time.", points=0.25, part="f", after=NEEDED
+).keeps(ENERGY_KEPT, right=right.simulate_euler, cases=LONGER, partial={1e-4: 0.6, 1e-3: 0.3})
 
 
 def wrong_force(case, found, expected):
@@ -284,7 +252,6 @@ contact_force_moves_the_centre = law(
 
 
 # (g) and (h) Stability
-
 
 critical_speed_parts_stable_from_unstable = law(
     "critical_speed is the centre's speed at which a small lean neither grows nor swings.", points=0.5, part="g"

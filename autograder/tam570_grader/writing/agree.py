@@ -21,6 +21,7 @@ __all__ = [
     "agree_by_columns",
     "asked",
     "by_kind",
+    "largest",
     "named_in",
     "refuse",
     "same_for_all",
@@ -103,6 +104,11 @@ def _infinite_alike(found: Any, expected: Any, what: str, hint: Callable[[], str
 def absolute(*_: Any) -> float:
     """The scale of what is judged in its own unit."""
     return 1.0
+
+
+def largest(_: Any, expected: Any) -> float:
+    """The scale of what is judged by its largest number, as all is that has no other scale."""
+    return float(np.max(np.abs(np.asarray(expected, float)), initial=0.0))
 
 
 def by_kind(hints: Mapping[str, str], otherwise: str) -> Callable[..., str]:
@@ -199,7 +205,7 @@ def _members(found: Any, expected: Any, words: Any, case: Given, only: Only) -> 
         if only is not None and index not in np.atleast_1d(only):
             continue
         what, its_unit, its_scale = (_of(index, said) for said in words)
-        size = its_scale(case, other) if its_scale else np.max(np.abs(np.asarray(other, float)), initial=0.0)
+        size = (its_scale or largest)(case, other)
         yield one, other, what, its_unit, np.where(np.asarray(size) == 0, 1.0, size) if np.ndim(size) else size or 1.0
 
 

@@ -104,6 +104,10 @@ class Given:
         """The same call with other leading arguments, or other parameters."""
         return Given((*args, *self.args[len(args) :]), {**self.kwargs, **kwargs}, self.kind)
 
+    def behind(self, *args: Any) -> "Given":
+        """The same arguments behind others, of a function that takes more."""
+        return Given((*args, *self.args), self.kwargs, self.kind)
+
 
 def given(*args: Any, **kwargs: Any) -> Given:
     """The arguments of one call."""
@@ -119,9 +123,10 @@ def once(compute: Callable[..., T]) -> Callable[..., T]:
     known = Memory(MOST_KNOWN)
 
     @functools.wraps(compute)
-    def remembered(draw: np.random.Generator, *args: Any) -> T:
-        key = (repr(draw.bit_generator.state), *args)
-        value, draw.bit_generator.state = known.value(key, lambda: (compute(draw, *args), draw.bit_generator.state))
+    def remembered(draw: np.random.Generator, *args: Any, **named: Any) -> T:
+        computed = functools.partial(compute, draw, *args, **named)
+        key = (repr(draw.bit_generator.state), *args, *named.items())
+        value, draw.bit_generator.state = known.value(key, lambda: (computed(), draw.bit_generator.state))
         return value  # type: ignore[no-any-return]
 
     return remembered

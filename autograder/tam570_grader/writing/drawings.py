@@ -42,7 +42,7 @@ def path_drawn(
     *,
     within: float,
     of: str,
-    others: Mapping[str, Array] | None = None,
+    others: Mapping[str, ArrayLike] | None = None,
     fewer: float = 10,
     hint: str = "does simulate pass, and does it run from t[0] to t[-1]?",
     gradual: bool = True,
@@ -51,10 +51,10 @@ def path_drawn(
 
     within : of the path's extent, for the line's points
     fewer  : how many times as much for the path between fewer points
-    others : {hint: path} of what else a line is that has its ends
+    others : {hint: path, or several} of what else a line is that has its ends
     """
     size, drawn = float(np.ptp(path, axis=0).max()), along(line, path)
-    told = partial(_other_path, drawn, others or {}, within * size, hint)
+    told = partial(_other_path, drawn, path, others or {}, within * size, hint)
     for found, expected, what, room in (
         (drawn[[0, -1]], path[[0, -1]], f"an end of {of}", 1),
         (distances(drawn, path), 0.0, f"a point of {of}", 1),
@@ -66,10 +66,16 @@ def path_drawn(
     expect_that(in_order, f"{of} goes to and fro between its points", hint="Draw the points in the order of time.")
 
 
-def _other_path(drawn: Array, others: Mapping[str, Array], near: float, hint: str) -> str:
-    ends = drawn[[0, -1]]
-    known = [says for says, path in others.items() if np.allclose(ends, path[[0, -1]], rtol=0, atol=near)]
-    return known[0] if known else hint
+def _other_path(drawn: Array, path: Array, others: Mapping[str, ArrayLike], near: float, hint: str) -> str:
+    """Which other path has the ends of the drawn one, if one has."""
+    for says, paths in others.items():
+        each = np.reshape(paths, (-1, *np.shape(paths)[-2:]))
+        if any(np.allclose(drawn[[0, -1]], one[[0, -1]], rtol=0, atol=near) for one in each):
+            return says
+    first, last = np.linalg.norm(drawn[[0, -1]] - path[[0, -1]], axis=1)
+    if first < near < last and distances(drawn, path).max() < near:
+        return "It is right as far as it goes, and ends too early."
+    return hint
 
 
 def _arc_length(path: Array) -> float:

@@ -1,6 +1,7 @@
 """Of formulas in plain symbols: whether an equation of motion follows from the student's own Lagrangian."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,7 +10,7 @@ from tam570_grader.sandbox.student import Function, NotWritten
 from tam570_grader.writing.check import Given
 from tam570_grader.writing.expect import Failed
 
-__all__ = ["from_own_lagrangian"]
+__all__ = ["from_own_lagrangian", "in_symbols"]
 
 Point = Mapping[str, float]
 
@@ -17,19 +18,30 @@ STEP = 1e-3  # of x and of v: differences of a formula's doubles are good to 1e-
 FOLLOWS = 1e-4  # another term changes more
 
 
-def from_own_lagrangian(equation: Function, lagrangian: Function, cases: Iterable[Given], x: str, v: str) -> str:
-    """What to say of a wrong x'' that is that of the student's own Lagrangian, in x and its rate v; empty if it is not.
+def in_symbols(cases: Iterable[Given], *symbols: str) -> list[Given]:
+    """The same values as keywords, which are the symbols of a formula."""
+    return [
+        Given((), dict(zip(symbols, (*case.args, *case.kwargs.values()), strict=True)), case.kind) for case in cases
+    ]
+
+
+def from_own_lagrangian(student: Any, cases: Sequence[Given], otherwise: str) -> Callable[..., str]:
+    """A hint for `lagrange_equation`: whether a wrong x'' is that of the student's own `lagrangian` of x, v and more.
 
     cases : whose keywords are the Lagrangian's symbols, x and v not zero
     """
-    points = [dict(case.kwargs) for case in cases]
-    asked = [{name: point[name] for name in equation.promise.symbols} for point in points]
-    try:
-        found, own = equation.at(asked), _accelerations(lagrangian, points, x, v)
-    except (Failed, NotWritten):
-        return ""
-    follows = np.max(np.abs(found - own) / np.abs(own)) <= FOLLOWS
-    return "It follows from your Lagrangian, which is wrong." if follows else ""
+    equation, lagrangian, points = student.lagrange_equation, student.lagrangian, [dict(case.kwargs) for case in cases]
+
+    def hint(*_: Any) -> str:
+        try:
+            found = equation.at([{name: point[name] for name in equation.promise.symbols} for point in points])
+            own = _accelerations(lagrangian, points, *lagrangian.promise.symbols[:2])
+        except (Failed, NotWritten):
+            return otherwise
+        follows = np.max(np.abs(found - own) / np.abs(own)) <= FOLLOWS
+        return "It follows from your Lagrangian, which is wrong." if follows else otherwise
+
+    return hint
 
 
 def _accelerations(lagrangian: Function, points: list[dict[str, float]], x: str, v: str) -> NDArray[np.float64]:

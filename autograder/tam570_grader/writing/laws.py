@@ -23,7 +23,7 @@ from tam570_grader.writing.follow import Invariant, follow, stays
 
 __all__ = ["Law", "law"]
 
-Cases = Callable[[np.random.Generator], Iterable[Given]]
+Cases = Callable[[np.random.Generator], Iterable[Any]]  # of Given, but for a judge of one's own
 Right = Callable[..., Any]
 
 
@@ -39,15 +39,20 @@ class Law:
 
     def agrees(self, right: Right, *cases: Cases, **known: Any) -> Check:
         """The student's function gives what the right one gives."""
-        return self._judged(right, cases, lambda function, calls: agree(function, right, calls, **known))
+        return self.judged(lambda function, calls: agree(function, right, calls, **known), right.__name__, *cases)
 
     def agrees_by_columns(self, right: Right, *cases: Cases, **known: Any) -> Check:
         """The same for states, whose numbers have different units."""
-        return self._judged(right, cases, lambda function, calls: agree_by_columns(function, right, calls, **known))
+
+        def judge(function: Any, calls: list[Given]) -> None:
+            agree_by_columns(function, right, calls, **known)
+
+        return self.judged(judge, right.__name__, *cases)
 
     def follows(self, right: Right, *cases: Cases, name: str = "", **known: Any) -> Check:
         """The student's simulation follows the right motion; `name` is its own, if the right one's is another."""
-        return self._judged(right, cases, lambda function, calls: follow(function, right, calls, **known), name)
+        called = name or right.__name__
+        return self.judged(lambda function, calls: follow(function, right, calls, **known), called, *cases)
 
     def keeps(self, *invariants: Invariant, right: Right, cases: Cases, name: str = "", **known: Any) -> Check:
         """The invariants stay along the student's motions, as the right ones show them."""
@@ -56,7 +61,7 @@ class Law:
             for invariant in invariants:
                 stays(function, right, calls, invariant, **known)
 
-        return self._judged(right, (cases,), judge, name)
+        return self.judged(judge, name or right.__name__, cases)
 
     def refuses(self, right: Right, *cases: Cases, within: float, allowed: int = 1, hint: str = "") -> Check:
         """The student's function raises ValueError, but for the first cases: so many are allowed, and judged."""
@@ -65,17 +70,16 @@ class Law:
             agree(function, right, calls[:allowed], within=within, hint="this input is allowed")
             refuse(function, taken(right, calls[allowed:]), accepts=(), within=within, hint=hint)
 
-        return self._judged(right, cases, judge)
+        return self.judged(judge, right.__name__, *cases)
 
-    def _judged(
-        self, right: Right, cases: Sequence[Cases], judge: Callable[[Any, list[Given]], object], name: str = ""
-    ) -> Check:
-        called, first = name or right.__name__, self.first
+    def judged(self, judge: Callable[..., object], name: str, *cases: Cases, **known: Any) -> Check:
+        """What `judge(function, calls, **known)` says of the student's function of this name."""
+        first = self.first
 
         def judged(student: Any, draw: np.random.Generator) -> None:
             if first:
                 first(student, draw)
-            judge(getattr(student, called), list(chain.from_iterable(drawn(draw) for drawn in cases)))
+            judge(getattr(student, name), list(chain.from_iterable(drawn(draw) for drawn in cases)), **known)
 
         judged.__doc__ = self.line
         return check(points=self.points, part=self.part, after=self.after)(judged)

@@ -110,3 +110,18 @@ def test_what_builds_on_a_check_names_it():
         """The first."""
 
     assert first.then("root", **WORTH).agrees(root, drawn, within=1e-9).after == (first,)
+
+
+def test_a_judge_of_ones_own_is_given_the_function_and_what_was_drawn():
+    told = []
+
+    def judge(function, calls, *, within):
+        told.append((function.name, len(calls), within))
+
+    judged(law("root", **WORTH).judged(judge, "root", drawn, drawn, within=1e-9), root)
+    assert told == [("root", 2, 1e-9)]
+
+
+def test_a_call_may_have_arguments_before_its_own():
+    case = given(2.0, mass=1.0).on("a random x").behind(0.5)
+    assert (case.args, case.kwargs, case.kind) == ((0.5, 2.0), {"mass": 1.0}, "a random x")

@@ -1,7 +1,7 @@
 """The last tenth of the paths is not drawn.
 
 fails: rim_paths_are_drawn
-names: they end before t[-1]
+names: ends too early
 """
 
 _right_plot = plot_rim_paths
