@@ -31,6 +31,7 @@ WHOLE = (
     "test_feedback_browser.py",
     "test_site_browser.py",
 )  # fixtures of up to a minute
+LONGEST_ID = 80  # characters
 SEEDS = {"seed": ([0], range(50)), "draw": ([1], range(4))}  # in the quick form, and in full
 NBGRADER = """
 import json, os, sys, warnings
@@ -89,6 +90,13 @@ def _beyond_samples(items):
     for (name, n, rest), found in cases.items():
         kept = {(zlib.crc32(name.encode()) + k * len(found) // n) % len(found) for k in range(n)}
         yield from ((item, rest) for k, item in enumerate(found) if k not in kept)
+
+
+def pytest_make_parametrize_id(val):
+    """Bytes and long texts go by their length: an id has to be the same in all processes, and a zip file has a time."""
+    if isinstance(val, bytes):
+        return f"{len(val)} bytes"
+    return f"{len(val)} characters" if isinstance(val, str) and len(val) > LONGEST_ID else None
 
 
 def pytest_generate_tests(metafunc):
