@@ -101,7 +101,7 @@ ten_periods = motions(10, "ten periods, t[0] not 0", 1.0, count=60)
 
 def at_two_times(draw):
     """Of the plain cases."""
-    for case in [*plain(draw)]:
+    for case in plain(draw):
         yield case.behind(np.array([0.0, draw.uniform(0.3, 1.3) * period(case)])).on(f"two times, {case.kind}")
 
 

@@ -29,9 +29,9 @@ INVARIANT = 1e-5
 PERIOD = 1e-6  # a period measured on a simulation is good to 1e-8
 # 1 - k^2 is 1e-9 there: as a difference it has 7 digits; events of solve_ivp at 1e-9 are off by 4e-6 (LSODA)
 NEAR_PERIOD = 1e-4
-# Of the path's size, at most two radii; the chords of 801 points, over less than a turn, leave it by (6/800)^2/8 = 7e-6
-# of the radius, and those of 26, every sixteenth, by (6/25)^2/8 = 7e-3.
-DRAWN = 5e-4
+# Of the radius: the chords of 801 points, over less than a turn, leave the path by (6/800)^2/8 = 7e-6, and those of 26,
+# every sixteenth, by (6/25)^2/8 = 7e-3.
+DRAWN, COARSELY = 1e-3, 1e-2
 
 
 def last_length(case, _):
@@ -212,5 +212,6 @@ def rim_paths_are_drawn(student, draw):
         found = [replace(line, points=line.points[:, ::-1]) if below else line for line in curves_seen(picture, 2)]
         first, second = sorted(found, key=lambda line: np.abs(along(line, path)[[0, -1]] - path[[0, -1]]).max())
         for line, its in ((first, path), (second, -path)):
-            path_drawn(line, its, within=DRAWN, fewer=20, of="a path", others=others, hint=points, gradual=False)
+            known = {"within": DRAWN * radius / np.ptp(its, axis=0).max(), "fewer": COARSELY / DRAWN}
+            path_drawn(line, its, **known, of="a path", others=others, hint=points, gradual=False)
         judge_axes_of_lengths(picture, from_below=True)

@@ -65,7 +65,7 @@ def flat_and_upright(draw):
 
 def timed(cases):
     """For the functions that are given a time, too."""
-    return lambda draw: [given(0.0, *one.args, **one.kwargs).on(one.kind) for one in cases(draw)]
+    return lambda draw: [one.behind(0.0) for one in cases(draw)]
 
 
 def by_matrix(cases):

@@ -1,4 +1,4 @@
-"""Of formulas in plain symbols: whether an equation of motion follows from the student's own Lagrangian."""
+"""Formulas in plain symbols: their values, and whether an equation of motion follows from one's own Lagrangian."""
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
