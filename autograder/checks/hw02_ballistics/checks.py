@@ -47,7 +47,7 @@ def of_rates(case, _):
     return speed * (1 + known["drag"] / known["mass"]) + known["gravity"]
 
 
-def largest(columns, case, states):
+def largest_of(columns, case, states):
     """On the way, too: at two times alone a particle may be next to where it was launched."""
     t, *start = case.args
     way = right.trajectory(np.linspace(0.0, np.ptp(t), 9), *start, **case.kwargs)
@@ -60,7 +60,7 @@ def of_range(case, distance):
     return speed * right.flight_time(speed, angle, **case.kwargs) if angle == math.pi / 2 else distance
 
 
-PLACE, VELOCITY = partial(largest, [0, 1]), partial(largest, [2, 3])
+PLACE, VELOCITY = partial(largest_of, [0, 1]), partial(largest_of, [2, 3])
 COLUMNS = ("x", "m", PLACE), ("y", "m", PLACE), ("vx", "m/s", VELOCITY), ("vy", "m/s", VELOCITY)
 MOTION = [Column(of, unit, [place], scale=scale) for place, (of, unit, scale) in enumerate(COLUMNS)]
 RESULTS = {

@@ -60,15 +60,15 @@ def size(case, growth):
     return right.growth_rate_squared(0.0, **case.kwargs) + abs(growth)
 
 
-def largest(of, unit, where, least=absolute, turns=False):
+def by_largest(of, unit, where, least=absolute, turns=False):
     """A column of a state or a motion, its scale the largest number there, and no less than this."""
     return Column(of, unit, where, turns, lambda case, states: max(np.abs(states[..., where]).max(), least(case)))
 
 
 MATRIX_STATE = (
-    largest("the centre", "m", right.CENTRE, radius),
+    by_largest("the centre", "m", right.CENTRE, radius),
     Column("R, row by row,", "", right.MATRIX, scale=absolute),
-    largest("omega in space axes", "rad/s", right.OMEGA),
+    by_largest("omega in space axes", "rad/s", right.OMEGA),
 )
 EULER_RATES = (
     Column("the contact's velocity", "m/s", slice(0, 2), scale=speed),
@@ -81,11 +81,11 @@ MATRIX_RATES = (
     Column("omega'", "rad/s^2", right.OMEGA, scale=second),
 )
 EULER = (
-    largest("the contact", "m", [0, 1], radius),
-    largest("yaw", "rad", [2], turns=True),
-    largest("tilt", "rad", [3]),
-    largest("roll", "rad", [4], turns=True),
-    largest("an angle's rate", "rad/s", [5, 6, 7]),
+    by_largest("the contact", "m", [0, 1], radius),
+    by_largest("yaw", "rad", [2], turns=True),
+    by_largest("tilt", "rad", [3]),
+    by_largest("roll", "rad", [4], turns=True),
+    by_largest("an angle's rate", "rad/s", [5, 6, 7]),
 )
 RESULTS = {
     "euler_state_derivative": array(8, columns=EULER_RATES),
