@@ -102,10 +102,11 @@ def by_scipy(rates, start, end, rtol):
 def test_what_is_only_rounding_or_far_away_costs_no_steps(name, rtol):
     """Four times what SciPy takes, and 600: it judges all by the largest component, `solve` each by its own."""
     rates, start, end = {**ROUNDED, **CHAINS}[name]
-    theirs, evaluations = by_scipy(rates, start, end, rtol)
+    _, evaluations = by_scipy(rates, start, end, rtol)
+    exact, _ = by_scipy(rates, start, end, 3e-14)  # at rtol itself SciPy is off by ten rtol on some processors
     found = solve(counted(rates, 4 * evaluations + 600)[0], [0, end], start, rtol=rtol, method="python")[-1]
     if name != "a car with locked rear wheels":  # there rounding grows until it is seen
-        assert np.abs(found - theirs).max() < 300 * rtol * np.abs(theirs).max() + 1e-13
+        assert np.abs(found - exact).max() < 300 * rtol * np.abs(exact).max() + 1e-13
 
 
 @pytest.mark.parametrize("unit", [2.0**-40, 2.0**40])
