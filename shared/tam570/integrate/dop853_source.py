@@ -150,8 +150,8 @@ def _estimate(i: int) -> list[str]:
 
 
 def _dense(formulas: Formulas) -> list[str]:
-    """Coefficients of theta, theta^2, ... theta^7 inside a step, component by component."""
-    rows, nodes, matrix = interpolant()
+    """Coefficients of the polynomial inside a step, component by component; the first three are of its ends alone."""
+    rows, nodes, last = interpolant()
     lines = ["def dense(start, h, y, n, f, g, stages, c):"]
     lines += unpacked(formulas, y="y", n="n", f="k0_", g="k12_")
     lines += [f"{tuple_of(_kept(formulas))} = stages"]
@@ -161,23 +161,23 @@ def _dense(formulas: Formulas) -> list[str]:
     for number, row, node in zip((16, 17, 18, 19), rows, nodes, strict=True):
         lines += _stage(formulas, number, row, node)
     for i in formulas.moving:
-        data = [f"(n{i} - y{i})", f"h * k0_{i}", f"h * k12_{i}", *(f"h * (k0_{i} + e{j}_{i})" for j in range(16, 20))]
-        lines += [f"x{j} = {datum}" for j, datum in enumerate(data)]
-        for power, weights in enumerate(matrix):
-            terms = (f"{float(w)!r} * x{j}" for j, w in enumerate(weights))
-            lines.append(f"q{power}_{i} = " + " + ".join(terms))
-    coefficients = [f"q{power}_{i}" for i in formulas.moving for power in range(7)]
+        lines += [f"q0_{i} = n{i} - y{i}", f"q1_{i} = h * k0_{i} - q0_{i}", f"x0 = -q1_{i}"]
+        lines += [f"x{place} = h * e{j}_{i}" for place, j in enumerate((12, 16, 17, 18, 19), start=1)]
+        lines.append(f"q2_{i} = 2.0 * x0 - x1")
+        for term, weights in enumerate(last, start=3):
+            lines.append(f"q{term}_{i} = " + " + ".join(f"{float(w)!r} * x{j}" for j, w in enumerate(weights)))
+    coefficients = [f"q{term}_{i}" for i in formulas.moving for term in range(7)]
     return [*lines, f"return {tuple_of(coefficients)}"]
 
 
 def _at(formulas: Formulas) -> list[str]:
     """Write the state at the fraction x of a step into row `row` of `out`."""
-    coefficients = [f"q{power}_{i}" for i in formulas.moving for power in range(7)]
-    lines = ["def at(out, row, x, y, q):", f"{tuple_of(coefficients)} = q"]
+    coefficients = [f"q{term}_{i}" for i in formulas.moving for term in range(7)]
+    lines = ["def at(out, row, x, y, q):", f"{tuple_of(coefficients)} = q", "z = 1.0 - x"]
     for i in range(formulas.size):
-        value = ""
-        for power in range(6, -1, -1):
-            value = f"x * (q{power}_{i} + {value})" if value else f"x * q{power}_{i}"
+        value = f"x * q6_{i}"
+        for term in range(5, -1, -1):
+            value = f"{'z' if term % 2 else 'x'} * (q{term}_{i} + {value})"
         moved = f"y[{i}] + {value}" if i in formulas.moving else f"y[{i}]"
         lines.append(f"out[row, {i}] = {moved}")
     return lines

@@ -100,18 +100,20 @@ def _dense_weights() -> NDArray[np.float64]:
 
 @cache
 def interpolant() -> tuple[list[Row], list[float], NDArray[np.float64]]:
-    """Rows and nodes of four further stages, and (7, 7) the polynomial: power 1 to 7 of theta by datum.
+    """Rows and nodes of four further stages, and (4, 6) the last terms of the polynomial by datum.
 
     DOP853's own interpolant has errors up to a hundred times those of the steps. So it only supplies the
     states for four more derivatives; the polynomial of degree 7 takes these, both ends and their derivatives,
-    and its error is that of the step. The data: the change over the step, h f at its start, at its end, and at
-    the four nodes.
+    and its error is that of the step. The data, each less what h f at the start makes of it: the change over the
+    step, h f at its end, and at the four nodes. The terms are as in `_dense_weights`: by powers of theta alone the
+    weights would be five times as large, and so would what rounding makes of them.
     """
     legendre = np.polynomial.legendre.Legendre.basis(6)
     nodes = np.sort((1 + np.real(legendre.deriv(2).roots())) / 2)  # with both ends double: the least remainder
-    powers = np.array([1, 1, 2, 2, 3, 3, 4]), np.array([0, 1, 1, 2, 2, 3, 3])
-    basis = nodes[:, None] ** powers[0] * (1 - nodes[:, None]) ** powers[1]
+    p, q = np.array([1, 1, 2, 2, 3, 3, 4]), np.array([0, 1, 1, 2, 2, 3, 3])  # theta^p (1 - theta)^q
+    basis = nodes[:, None] ** p * (1 - nodes[:, None]) ** q
     rows = [{j: float(a) for j, a in enumerate(row) if a} for row in basis @ _dense_weights()]
-    power = np.arange(1, 8)
-    slopes = power * np.concatenate([[0.0, 1.0], nodes])[:, None] ** (power - 1)
-    return rows, [float(node) for node in nodes], np.linalg.inv(np.vstack([np.ones(7), slopes]))
+    x = np.concatenate([[0.0, 1.0], nodes])[:, None]
+    slopes = p * x ** (p - 1) * (1 - x) ** q - q * x**p * (1 - x) ** np.maximum(q - 1, 0)
+    weights = np.linalg.inv(np.vstack([q == 0, slopes]))
+    return rows, [float(node) for node in nodes], np.delete(weights[3:], 1, axis=1)

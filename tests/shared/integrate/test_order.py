@@ -70,6 +70,14 @@ def test_inside_a_step_the_error_is_that_of_the_step():
         assert inside < 5 * max(estimate, abs(n - exact_clock(h)))  # DOP853's own interpolant: 20 to 60
 
 
+@pytest.mark.parametrize("speed", [0.0, 3.0])
+def test_inside_a_step_a_parabola_loses_a_few_roundings(speed):
+    t = np.linspace(0, 10, 41)
+    found = solve(lambda t, y: (y[1], 1.0), t, [0.0, speed], method="python")
+    allowed = 2000 / 64 * EPS  # weights, times theta^3 (1 - theta)^3
+    assert np.abs(found[:, 0] - (speed + t / 2) * t).max() < allowed * 80
+
+
 @pytest.mark.parametrize(("method", "order"), [("gauss", 12), ("composition", 8)])
 def test_fixed_steps_show_their_order(method, order):
     steps = np.array([0.8, 0.5, 0.4]) if method == "gauss" else np.array([0.2, 0.125, 0.1])
