@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from tam570_grader import Column, Invariant, check, curves_seen, judge_axes_of_lengths, law, path_drawn
+from tam570_grader import Column, Invariant, check, curves_seen, judge_axes_of_lengths, law, once, path_drawn
 from tam570_grader.writing.returns import array, drawing, group, number, rows
 
 from . import cases, right
@@ -131,12 +131,19 @@ wireframe_shows_the_bars = law("wireframe: ceiling hinge to elbow, elbow to tip.
 )
 
 
-@check(points=0.5, part="d")
-def tip_path_is_drawn(student, draw):
-    """plot_tip_path draws the tip's path from t[0] to t[-1], at equal scales."""
+@once
+def tip_path(draw):
+    """A case, with the paths of the elbow and of the tip."""
     case = cases.tip_path(draw)
     motion = right.simulate(*case.args, **case.kwargs)
     elbows, tips = np.swapaxes([right.wireframe(row[:2], case.kwargs["lengths"])[:, 1] for row in motion], 0, 1)
+    return case, elbows, tips
+
+
+@check(points=0.5, part="d")
+def tip_path_is_drawn(student, draw):
+    """plot_tip_path draws the tip's path from t[0] to t[-1], at equal scales."""
+    case, elbows, tips = tip_path(draw)
     others = {
         "it is the elbow's path": elbows,
         "it is the path of bar 2's mass centre": (elbows + tips) / 2,

@@ -51,8 +51,8 @@ class Cell:
         self.killed_from_outside = False  # at the end: it was killed, and neither by us nor for its CPU time
 
     def send(self, request: Any) -> None:
-        """Send a request, or raise CellLost or CellTimeout."""
-        data = packed(request)
+        """Send a request, of bytes or to be packed, or raise CellLost or CellTimeout."""
+        data = request if isinstance(request, bytes) else packed(request)
         self._budget, self._room = ItemBudget(), LARGEST_REPLY
         unsent = memoryview(LENGTH.pack(len(data)) + data)
         asked, started = time.monotonic(), self._clock()

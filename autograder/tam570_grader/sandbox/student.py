@@ -10,7 +10,8 @@ import numpy as np
 
 from tam570_grader.sandbox.cell import PATIENCE, Cell, CellLost, CellTimeout
 from tam570_grader.sandbox.imports import NotLoaded, not_compiled, not_imported, python_class, skipped_cells
-from tam570_grader.sandbox.replies import checked, error_of, imported, printable, sent, strings
+from tam570_grader.sandbox.inside.wire import request
+from tam570_grader.sandbox.replies import checked, error_of, imported, printable, strings
 from tam570_grader.sandbox.worker import Worker, WorkerLost
 from tam570_grader.writing.assignments import Assignment
 from tam570_grader.writing.check import Given, given
@@ -109,7 +110,7 @@ class Student:
             raise NotWritten(name)
         replies: list[dict[str, Any]] = []
         try:
-            cell.send({"function": name, "mode": mode, **more, "calls": [sent(call) for call in calls]})
+            cell.send(request([call.message for call in calls], function=name, mode=mode, **more))
             while len(replies) < len(calls) and not (replies and "error" in replies[-1]):
                 replies.append(cell.receive(lambda reply: checked(reply, mode)))
                 self._must_end()

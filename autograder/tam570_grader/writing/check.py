@@ -96,6 +96,14 @@ class Given:
     kwargs: Mapping[str, Any] = field(default_factory=dict)
     kind: str = ""
 
+    @functools.cached_property
+    def message(self) -> bytes:
+        """The arguments as they are sent: packed once for a class that shares them."""
+        from tam570_grader.sandbox.inside.wire import packed
+        from tam570_grader.sandbox.replies import sent
+
+        return packed(sent(self))
+
     def on(self, kind: str) -> "Given":
         """The same arguments, of which the student is told the kind."""
         return Given(self.args, self.kwargs, kind)
@@ -114,13 +122,13 @@ def given(*args: Any, **kwargs: Any) -> Given:
     return Given(args, kwargs)
 
 
-def once(compute: Callable[..., T]) -> Callable[..., T]:
+def once(compute: Callable[..., T], most: int = MOST_KNOWN) -> Callable[..., T]:
     """Compute `compute(draw, ...)` a single time a run, however many students are graded.
 
     The generator is left as the computation left it, so a check draws the same numbers with and without it.
-    What is returned is shared between students: do not change it.
+    What is returned is shared between students: do not change it. `most` is how many values are kept.
     """
-    known = Memory(MOST_KNOWN)
+    known = Memory(most)
 
     @functools.wraps(compute)
     def remembered(draw: np.random.Generator, *args: Any, **named: Any) -> T:

@@ -18,13 +18,15 @@ from typing import Any
 import numpy as np
 
 from tam570_grader.writing.agree import agree, agree_by_columns, refuse, taken
-from tam570_grader.writing.check import Check, Given, check
+from tam570_grader.writing.check import Check, Given, check, once
 from tam570_grader.writing.follow import Invariant, follow, stays
 
 __all__ = ["Law", "law"]
 
 Cases = Callable[[np.random.Generator], Iterable[Any]]  # of Given, but for a judge of one's own
 Right = Callable[..., Any]
+
+LAST = 2  # inputs kept of a law: a class shares them, or no two students do
 
 
 @dataclass(frozen=True)
@@ -75,11 +77,12 @@ class Law:
     def judged(self, judge: Callable[..., object], name: str, *cases: Cases, **known: Any) -> Check:
         """What `judge(function, calls, **known)` says of the student's function of this name."""
         first = self.first
+        inputs = once(lambda draw: list(chain.from_iterable(drawn(draw) for drawn in cases)), most=LAST)
 
         def judged(student: Any, draw: np.random.Generator) -> None:
             if first:
                 first(student, draw)
-            judge(getattr(student, name), list(chain.from_iterable(drawn(draw) for drawn in cases)), **known)
+            judge(getattr(student, name), inputs(draw), **known)
 
         judged.__doc__ = self.line
         return check(points=self.points, part=self.part, after=self.after)(judged)

@@ -13,8 +13,9 @@ import struct
 import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache
 
-__all__ = ["LIBC", "refuse_calls"]
+__all__ = ["LIBC", "program", "refuse_calls"]
 
 LIBC = ctypes.CDLL(None, use_errno=True)
 
@@ -112,6 +113,7 @@ SECCOMP, FILTER = 22, 2  # of prctl
 LOAD, EQUAL, AT_LEAST, ANY_BIT, RETURN = 0x20, 0x15, 0x35, 0x45, 0x06
 # where a filter finds the call, the machine, the first argument's lower half
 NUMBER, MACHINE, ARGUMENTS = 0, 4, 16
+STEP = struct.Struct("=HBBI")
 NEXT, REFUSE, ABSENT, ALLOW = 0, -2, -1, -3  # where a comparison leads: on, or to one of the last three
 PASS, FORBIDDEN, UNKNOWN = 0x7FFF0000, 0x50001, 0x50026  # what a filter returns: yes, EPERM, ENOSYS
 Steps = list[tuple[int, int, int, int]]
@@ -122,11 +124,17 @@ def refuse_calls() -> None:
 
     A kernel without filters takes no notice; the namespaces and the other user remain.
     """
+    if data := program():
+        steps = ctypes.create_string_buffer(data)
+        LIBC.prctl(SECCOMP, FILTER, ctypes.byref(_Filter(len(data) // STEP.size, ctypes.addressof(steps))), 0, 0)
+
+
+@cache
+def program() -> bytes:
+    """The filter as the kernel reads it, or nothing; a worker has it made before it forks for a submission."""
     if sys.platform != "linux" or sys.maxsize < 2**32 or platform.machine() not in CALLS:  # 32 bits: others
-        return
-    steps = _steps(CALLS[platform.machine()])
-    program = ctypes.create_string_buffer(_packed(steps))
-    LIBC.prctl(SECCOMP, FILTER, ctypes.byref(_Filter(len(steps), ctypes.addressof(program))), 0, 0)
+        return b""
+    return _packed(_steps(CALLS[platform.machine()]))
 
 
 def _steps(calls: Calls) -> Steps:
@@ -158,7 +166,7 @@ def _packed(steps: Steps) -> bytes:
     packed = b""
     for i, (instruction, value, if_so, if_not) in enumerate(steps, start=1):
         so, no = (len(steps) + leads - i if leads < 0 else leads for leads in (if_so, if_not))
-        packed += struct.pack("=HBBI", instruction, so, no, value)
+        packed += STEP.pack(instruction, so, no, value)
     return packed
 
 

@@ -1,7 +1,9 @@
 """Data across the sandbox's boundary: msgpack, float arrays as raw bytes, and nothing that could become code."""
 
 import builtins
+from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import chain
 from typing import Any
 
 import msgpack
@@ -10,7 +12,7 @@ from numpy import array, asarray, ascontiguousarray, frombuffer, generic, ndarra
 # What a submission does to the built-in functions must not reach those below.
 __builtins__ = dict(vars(builtins))  # type: ignore[assignment]
 
-__all__ = ["Foreign", "ItemBudget", "Unreadable", "packed", "portable", "unpacked"]
+__all__ = ["Foreign", "ItemBudget", "Unreadable", "packed", "portable", "request", "unpacked"]
 
 ARRAY, FOREIGN = 1, 2
 LARGEST_ARRAY = 2**24  # bytes; the largest honest result, 1e5 rows of 15 numbers, has 12e6
@@ -46,6 +48,16 @@ class Unreadable(Exception):
 def packed(message: Any) -> bytes:
     """Bytes of a message of plain data, float arrays and Foreigns."""
     return bytes(msgpack.packb(message, default=_extension))
+
+
+def request(calls: Sequence[bytes], **fields: Any) -> bytes:
+    """Bytes of a message of these fields and of "calls", which are packed already."""
+    head = msgpack.Packer(default=_extension, autoreset=False)
+    head.pack_map_header(1 + len(fields))
+    for item in chain(*fields.items(), ["calls"]):
+        head.pack(item)
+    head.pack_array_header(len(calls))
+    return bytes(head.bytes() + b"".join(calls))
 
 
 class ItemBudget:

@@ -24,6 +24,7 @@ from . import jail
 from .answer import answer, error_report, seed_generators
 from .cells import plain_cells, statements
 from .load import compiled, load
+from .refusals import program
 from .wire import packed, unpacked
 
 __all__ = ["main"]
@@ -43,6 +44,7 @@ def main() -> None:
     gc.disable()  # nothing is garbage yet, and looking for it takes a fifth of the time of the imports
     for name in settings["preload"]:
         importlib.import_module(name)
+    program()
     jail.hidden_from_debuggers()
     signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # guards are reaped by the kernel
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the supervisor decides what an interrupt ends
