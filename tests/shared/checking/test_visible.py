@@ -31,6 +31,12 @@ globals().update((name, strict(right[name])) for name in right["__all__"])
 """
 
 
+@pytest.fixture(autouse=True)
+def unhurried(desk, monkeypatch):
+    """Right work has the limit that students have: on a busy machine SciPy alone may take two seconds to import."""
+    monkeypatch.delenv("TAM570_CALL_LIMIT")
+
+
 @pytest.mark.sample(2)
 def test_the_visible_tests_pass_on_the_solution_and_fail_on_the_stub(tam570, slug, course):
     code, said = tam570("check", course / "solutions" / f"{slug}.py")
