@@ -101,17 +101,22 @@ class Student:
         return self._source.text.decode("utf-8", "replace")
 
     def replies(self, name: str, calls: Sequence[Given], mode: str = "value", **more: Any) -> list[dict[str, Any]]:
-        """One reply for each call up to the first error; Failed if the function hangs or ends its process."""
+        """One reply for each call up to the first error; Failed if the function hangs or ends its process.
+
+        more : fields of the request; every=True asks for the calls behind an error, too
+        """
         if name in self._broken:
             raise Failed(self._broken[name])
-        uncallable = tuple(self._assignment.off_limits.get(name, ()))
+        banned, results = self._assignment.off_limits.get(name, ()), self._assignment.results
+        refused = [one for one in banned if one in results]  # functions of the file; the rest are modules
+        uncallable = tuple(one for one in banned if one not in results)
         cell = self._cell(uncallable)
         if name not in self._defined:
             raise NotWritten(name)
         replies: list[dict[str, Any]] = []
         try:
-            cell.send(request([call.message for call in calls], function=name, mode=mode, **more))
-            while len(replies) < len(calls) and not (replies and "error" in replies[-1]):
+            cell.send(request([one.message for one in calls], function=name, mode=mode, refused=refused, **more))
+            while len(replies) < len(calls) and (more.get("every") or not (replies and "error" in replies[-1])):
                 replies.append(cell.receive(lambda reply: checked(reply, mode)))
                 self._must_end()
         except CellTimeout:
@@ -249,15 +254,15 @@ class Function:
         self._must_be_fair(reply, call)
         return result(self.promise, reply["value"], self.name, call)
 
-    def refuses(self, *args: Any, **kwargs: Any) -> bool:
-        """Whether the call raises ValueError; another exception is Failed."""
-        call = given(*args, **kwargs)
-        reply = self.student.replies(self.name, [call])[0]
-        if "ValueError" in error_of(reply)["kinds"]:
-            return True
-        with _saying(self.kind):
-            self._must_be_fair(reply, call)
-        return False
+    def refusals(self, calls: Iterable[Given]) -> Iterator[tuple[Given, bool]]:
+        """Every call, and whether it raises ValueError; another exception is Failed."""
+        calls = list(calls)
+        for call, reply in zip(calls, self.student.replies(self.name, calls, every=True), strict=True):
+            refused = "ValueError" in error_of(reply)["kinds"]
+            if not refused:
+                with _saying(call.kind or self.kind):
+                    self._must_be_fair(reply, call)
+            yield call, refused
 
     def at(self, points: Sequence[Mapping[str, float]]) -> np.ndarray:
         """Values of the formula that the function returns, at each of these points: {symbol's name: number}."""

@@ -29,6 +29,7 @@ def endless():
     while True:
         pass
 """
+ASKED = {"mode": "value", "refused": []}
 STOPPED_AFTER = 0.02  # s that the endless call gets
 
 _serial = itertools.count(os.getpid() * 16)  # a user id for each worker
@@ -120,7 +121,7 @@ class Worker:
             load = {"source": CANARY, "notebook": False, "name": "canary", "functions": names}
             cell.send({**load, "uncallable": [], "forbidden": []})
             told = [cell.receive(lambda reply: reply) for _ in range(2)]
-            cell.send({"function": "right", "mode": "value", "calls": [[[1.5], {}]]})
+            cell.send({**ASKED, "function": "right", "calls": [[[1.5], {}]]})
             told.append(cell.receive(lambda reply: [*reply["value"]]))
             as_it_must = told[2] == [1.5, 3.0]
         except (CellLost, CellTimeout, LookupError, TypeError):
@@ -184,7 +185,7 @@ def _is_stopped(cell: Cell) -> bool:
     """Whether a call that does not end is late when its time is over."""
     cell.limit = STOPPED_AFTER
     try:
-        cell.send({"function": "endless", "mode": "value", "calls": [[[], {}]]})
+        cell.send({**ASKED, "function": "endless", "calls": [[[], {}]]})
         cell.receive(lambda reply: reply)
     except CellTimeout:
         return True

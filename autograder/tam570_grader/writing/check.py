@@ -29,18 +29,23 @@ MOST_KNOWN = 64  # values that `once` keeps; with inputs of its own for each stu
 
 
 class Memory:
-    """The last values computed, by their keys: each is computed for whoever asks first."""
+    """The last values computed, by their keys: each is computed for whoever asks first.
 
-    def __init__(self, most: int) -> None:
-        self._most, self._known, self._lock = most, dict[Any, Any](), threading.Lock()
+    most : how many are kept; or how many bytes, if `size` tells those of a value
+    """
+
+    def __init__(self, most: int, size: Callable[[Any], int] = lambda value: 1) -> None:
+        self._most, self._size, self._held = most, size, 0
+        self._known, self._lock = dict[Any, Any](), threading.Lock()
 
     def value(self, key: Any, compute: Callable[[], Any]) -> Any:
         """The value of this key; what is returned is shared, and not to be changed."""
         with self._lock:
             if key not in self._known:
-                self._known[key] = compute()
-                if len(self._known) > self._most:
-                    del self._known[next(iter(self._known))]
+                value = self._known[key] = compute()
+                self._held += self._size(value)
+                while self._held > self._most and len(self._known) > 1:
+                    self._held -= self._size(self._known.pop(next(iter(self._known))))
             return self._known[key]
 
 

@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import partial
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -64,11 +65,11 @@ def follow(
     loose   : False where wrong physics, too, nearly obeys the equations: a tenth of an error is then no sign
     chaotic : a motion in which each row leads to the next has followed, too, however far its errors have grown
     """
-    motions, columns, true = [], columns or function.promise.columns, named_in(right, function)
-    for case, found, rows in asked(function, right, cases):
-        expected = flat(rows)
-        motions.append(Motion(case, flat(found), expected, _scales(columns, case, expected), function, true, restart))
-    turns = [index for column in columns if column.turns for index in np.arange(expected.shape[1])[column.where]]
+    columns = columns or function.promise.columns
+    hopeless = np.inf if chaotic else max(ROUGHLY, NEARLY * within)  # no share is left, whatever the other motions are
+    motions = _motions(function, right, cases, columns, restart, hopeless)
+    width = motions[0].expected.shape[1]
+    turns = [index for column in columns if column.turns for index in np.arange(width)[column.where]]
     # the worst first; of those beyond hope the longest, of which there is most to draw
     nearly = NEARLY * within if gradual else 0.0
     order, told = partial(_telling, within), (nearly, gradual and loose)
@@ -84,18 +85,18 @@ def stays(
     function: Any,
     right: Right,
     cases: Iterable[Given],
-    invariant: Invariant,
+    *invariants: Invariant,
     columns: Sequence[Column] = (),
-    *,
     coarsely: float = 1e-2,
     partial: dict[float, float] | None = None,
     hint: str = "use a tighter tolerance, or a smaller step",
 ) -> None:
-    """Fail unless the invariant keeps its value at the start along motions that are followed coarsely.
+    """Fail unless invariants keep their values at the start along motions that are followed coarsely.
 
     coarsely : of the scale of each column; where errors grow fast, it is enough that each row leads to the next
     """
-    for motion in follow(function, right, cases, columns, within=coarsely, hint=hint, gradual=False, chaotic=True):
+    motions = follow(function, right, cases, columns, within=coarsely, hint=hint, gradual=False, chaotic=True)
+    for invariant, motion in product(invariants, motions):
         case = motion.case
         start = invariant.value(motion.expected[:1], **case.kwargs)
         current().judge(function.name, case)
@@ -110,6 +111,22 @@ def stays(
             partial=partial,
             hint=hint,
         )
+
+
+def _motions(
+    function: Any, right: Right, cases: Iterable[Given], columns: Sequence[Column], restart: Any, hopeless: float
+) -> list[Motion]:
+    """The student's motions, the longest first; where its error is hopeless, the others are not asked for."""
+    motions, true = list[Motion](), named_in(right, function)
+    first, *rest = sorted(cases, key=lambda case: -len(case.args[0]))
+    for some in filter(None, ([first], rest)):
+        for case, found, rows in asked(function, right, some):
+            expected = flat(rows)
+            scales = _scales(columns, case, expected)
+            motions.append(Motion(case, flat(found), expected, scales, function, true, restart))
+        if motions[0].error > hopeless and not current().recorder:
+            break
+    return motions
 
 
 def _telling(within: float, motion: Motion) -> tuple[bool, int, float]:

@@ -59,18 +59,15 @@ class Law:
     def keeps(self, *invariants: Invariant, right: Right, cases: Cases, name: str = "", **known: Any) -> Check:
         """The invariants stay along the student's motions, as the right ones show them."""
 
-        def judge(function: Any, calls: list[Given]) -> None:
-            for invariant in invariants:
-                stays(function, right, calls, invariant, **known)
-
-        return self.judged(judge, name or right.__name__, cases)
+        called = name or right.__name__
+        return self.judged(lambda function, calls: stays(function, right, calls, *invariants, **known), called, cases)
 
     def refuses(self, right: Right, *cases: Cases, within: float, allowed: int = 1, hint: str = "") -> Check:
         """The student's function raises ValueError, but for the first cases: so many are allowed, and judged."""
 
         def judge(function: Any, calls: list[Given]) -> None:
             agree(function, right, calls[:allowed], within=within, hint="this input is allowed")
-            refuse(function, taken(right, calls[allowed:]), accepts=(), within=within, hint=hint)
+            refuse(function, taken(right, calls[allowed:]), hint=hint)
 
         return self.judged(judge, right.__name__, *cases)
 

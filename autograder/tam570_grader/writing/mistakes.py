@@ -45,7 +45,8 @@ __all__ = [
 CANCELLED = 1e-14  # what rounding leaves where numbers of order one cancel, and a wrong answer is exactly zero
 WITHIN = 1e-6  # random inputs tell mistakes further apart
 OF_MOTIONS = 1e-3  # two integrations of one wrong equation differ by their tolerances
-MOST_ANSWERS = 2000  # a mistake that does not agree is asked for one answer; those of a class are the same
+MOST_ANSWERS = 2**26  # bytes; those of a class are the same
+OF_AN_ANSWER = 1000  # bytes besides its numbers
 
 
 class Called(Protocol):
@@ -106,7 +107,8 @@ def known(solution: str, suspects: Iterable[Mistake], calls: Sequence[Called]) -
 
     Of each function that the mistake changes, every result must be the mistake's, and one must be numbers.
     """
-    groups = {call.name: [one for one in calls if one.name == call.name] for call in calls}
+    short_first = sorted(calls, key=lambda call: len(call.given.message))  # most are told by a motion of a few rows
+    groups = {call.name: [one for one in short_first if one.name == call.name] for call in calls}
     return next((one.says for one in suspects if _agrees(solution, one, groups)), None)
 
 
@@ -153,7 +155,11 @@ class _NoValue:
     """In the place of an answer: a wrong formula may have none where the right one has one."""
 
 
-_answers = Memory(MOST_ANSWERS)
+def _bytes(answer: Any) -> int:
+    return OF_AN_ANSWER + sum(int(np.size(part)) * 8 for part in parts(answer))
+
+
+_answers = Memory(MOST_ANSWERS, _bytes)
 
 
 def _answer(solution: str, slip: str, call: Called) -> Any:

@@ -27,14 +27,17 @@ def student(function, seen=None):
                 seen.append(case)
             yield case, function(*case.args)
 
-    def refuses(x):
+    def refused(x):
         try:
             function(x)
         except ValueError:
             return True
         return False
 
-    return SimpleNamespace(root=SimpleNamespace(name="root", promise=number, each=each, refuses=refuses))
+    def refusals(cases):
+        return ((case, refused(*case.args)) for case in cases)
+
+    return SimpleNamespace(root=SimpleNamespace(name="root", promise=number, each=each, refusals=refusals))
 
 
 def drawn(draw):

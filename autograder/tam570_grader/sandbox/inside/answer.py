@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 import numpy.random  # before the fork: NumPy puts it off until it is used
 
+from .load import Refusal
 from .picture import picture
 from .wire import portable
 
@@ -28,8 +29,13 @@ def answer(module: ModuleType, request: Mapping[str, Any], args: list[Any], kwar
     try:
         function = getattr(module, request["function"])
         before = _contents(args, kwargs)
-        asked = partial(MODES[request["mode"]], function, args, kwargs, request)
-        value = _where_moved(module, request["moved"], asked) if request.get("moved") else asked()
+        stand_ins, names = _stand_ins(module, request), vars(module)
+        own = {name: names[name] for name in stand_ins if name in names}
+        names.update({name: stand_ins[name] for name in own})
+        try:
+            value = MODES[request["mode"]](function, args, kwargs, request)
+        finally:
+            names.update(own)
         return {"value": value, "changed": _contents(args, kwargs) != before}
     except BaseException as error:
         return {"error": error_report(error)}
@@ -47,14 +53,17 @@ def error_report(error: BaseException) -> dict[str, Any]:
     return {"kinds": [kind.__name__[:50] for kind in type(error).__mro__[:20]], "text": _text(error), "line": line}
 
 
-def _where_moved(module: ModuleType, name: str, asked: Callable[[], Any]) -> Any:
-    """What is asked, while the function of this name gives results that are larger by one."""
-    function = getattr(module, name)
-    setattr(module, name, lambda *args, **kwargs: np.asarray(function(*args, **kwargs), float) + 1.0)
-    try:
-        return asked()
-    finally:
-        setattr(module, name, function)
+def _stand_ins(module: ModuleType, request: Mapping[str, Any]) -> dict[str, Any]:
+    """What stands for functions of the file during a call: one that may not be called, one whose results are moved."""
+    stand_ins: dict[str, Any] = {name: Refusal() for name in request["refused"]}
+    if name := request.get("moved"):
+        stand_ins[name] = partial(_moved, getattr(module, name))
+    return stand_ins
+
+
+def _moved(function: Callable[..., Any], *args: Any, **kwargs: Any) -> Any:
+    """Results that are larger by one."""
+    return np.asarray(function(*args, **kwargs), float) + 1.0
 
 
 def seed_generators() -> None:

@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from types import CodeType, ModuleType
 from typing import Any
 
-__all__ = ["Forbidden", "compiled", "load"]
+__all__ = ["Forbidden", "Refusal", "compiled", "load"]
 
 Piece = tuple[str, CodeType]  # a notebook's cell, or "", and its code
 
@@ -45,7 +45,7 @@ def load(
 
     forbidden  : modules that may not be imported
     uncallable : modules of which nothing may be called, while the file is imported either: what needs them there
-                 is left out, and has run where they may be called; functions of the file, when it has been imported
+                 is left out, and has run where they may be called
     """
     module = ModuleType(name)
     module.__dict__["__builtins__"] = {**_builtins_without(forbidden), **(KERNEL if notebook else {})}
@@ -63,7 +63,6 @@ def load(
             if not (notebook or (uncallable and isinstance(error, Exception))):
                 raise
             skipped.append(f"{cell}: {_told(error)}")
-    vars(module).update({refused: _Refusal() for refused in uncallable if refused in vars(module)})
     return module, skipped if notebook else []
 
 
@@ -199,10 +198,12 @@ class _Uncallable(ModuleType):
     def __getattr__(self, attribute: str) -> Any:
         if attribute.startswith("__"):
             raise AttributeError(attribute)
-        return _Refusal()
+        return Refusal()
 
 
-class _Refusal:
+class Refusal:
+    """Stands where a function stood that may not be called."""
+
     def __call__(self, *args: Any, **kwargs: Any) -> Any:
         raise Forbidden("this is off limits in this function")
 

@@ -148,12 +148,15 @@ def _loaded(request: dict[str, Any]) -> Any:
 
 
 def _answer_all(module: Any, request: dict[str, Any]) -> None:
-    """One reply for each call; after an error the rest is not computed. Replies to quick calls travel together."""
+    """One reply for each call; after an error the rest is not computed, unless every one is asked for.
+
+    Replies to quick calls travel together.
+    """
     unsent, sent = bytearray(), time.monotonic()
     for args, kwargs in request["calls"]:
         reply = answer(module, request, [_own(arg) for arg in args], {key: _own(arg) for key, arg in kwargs.items()})
         unsent += _framed(reply)
-        if "error" in reply:
+        if "error" in reply and not request.get("every"):
             break
         if time.monotonic() - sent > HOLD:
             _write(unsent)
