@@ -25,12 +25,17 @@ DEAR = 0.05  # s of processor time, from which an answer is shared
 
 _known = Memory(MOST_KNOWN)
 _place = dict[str, Path]()  # the folder, while there is one
+_dear = set[str]()  # functions that have given a dear answer here; of the others nobody is asked
 
 
 def answer(right: Callable[..., Any], case: Given) -> Any:
     """right(*args, **kwargs) of a case; it is shared, and not to be changed."""
     inputs = case.message
-    return _known.value((right, inputs), lambda: shared(_name(right), inputs, lambda: right(*case.args, **case.kwargs)))
+
+    def computed() -> Any:
+        return shared(right.__name__, _name(right), inputs, lambda: right(*case.args, **case.kwargs))
+
+    return _known.value((right, inputs), computed)
 
 
 @contextlib.contextmanager
@@ -44,26 +49,34 @@ def sharing(folder: Path | None) -> Iterator[None]:
         _place.clear()
 
 
-def shared(name: str, inputs: bytes, compute: Callable[[], Any]) -> Any:
+def shared(function: str, name: str, inputs: bytes, compute: Callable[[], Any]) -> Any:
     """What `compute` gives, from whoever computed it first where that took long.
 
-    name : tells the computation from all others; "" where that cannot be
+    function : whose other answers are likely to be as dear
+    name     : tells the computation from all others; "" where that cannot be
     """
     folder = _place.get("folder")
     if not name or not folder:
         return compute()
     digest = hashlib.sha256(name.encode() + b"\0" + inputs).hexdigest()
-    path = folder / digest
-    with _only_one(folder / digest[:3]):
-        if path.exists():
+    path, dear = folder / digest, function in _dear
+    with _only_one(folder / digest[:3]) if dear else contextlib.nullcontext():
+        if dear and path.exists():
             return _restored(unpacked(path.read_bytes()))
         began = time.thread_time()
         value = compute()
         if time.thread_time() - began > DEAR and _is_data(value):
-            draft = path.with_suffix(f".{os.getpid()}")
-            draft.write_bytes(packed(_written(value)))
-            draft.rename(path)
+            _dear.add(function)
+            _keep(path, value)
     return value
+
+
+def _keep(path: Path, value: Any) -> None:
+    """Leave a value where the others look; a full disk costs them the time to compute it."""
+    with contextlib.suppress(OSError):
+        draft = path.with_suffix(f".{os.getpid()}")
+        draft.write_bytes(packed(_written(value)))
+        draft.rename(path)
 
 
 def _name(right: Callable[..., Any]) -> str:

@@ -166,7 +166,7 @@ def _answer(solution: str, slip: str, call: Called) -> Any:
     """The answer of the solution with a slip, computed a single time for all who are given the same input."""
     name, inputs = _named(solution, slip), packed(call.name) + call.given.message
     return _answers.value(
-        (name, inputs), lambda: shared(name, inputs, lambda: _computed(_module(solution, slip), call))
+        (name, inputs), lambda: shared(call.name, name, inputs, lambda: _computed(_module(solution, slip), call))
     )
 
 
