@@ -49,7 +49,7 @@ class CannotRead(Exception):
 
 @dataclass(frozen=True)
 class Submission:
-    """One student's work on one assignment; without a path where nothing was found, `note` says why."""
+    """One student's work on one assignment; `note` says why there is none, or why what there is cannot be read."""
 
     student: str
     slug: str
@@ -78,6 +78,8 @@ def submissions(paths: Iterable[Path], known: Sequence[str], given: str | None =
 def read(submission: Submission) -> Source:
     """The submission's text, or CannotRead: no links to elsewhere, no devices, nothing huge."""
     assert submission.path is not None
+    if submission.note:
+        raise CannotRead(submission.note)
     name = printable(submission.path.name)
     if submission.path.suffix not in WORK:
         raise CannotRead(f"{name} is neither a module (.py) nor a notebook (.ipynb): unpack it, or rename it")
@@ -135,11 +137,11 @@ def _in_folder(folder: Path, known: Sequence[str], given: str | None) -> list[Su
 
 def _trees(folder: Path, known: Sequence[str], given: str | None) -> list[Submission]:
     """Submissions in `<student>/<assignment>/`, `<student>/<assignment>.py`, `<assignment>/` and `<assignment>.py`."""
-    found, closed = [], {}
+    found, closed, own_folders = [], {}, collections.defaultdict(list)
     for entry, is_folder in entries(folder):
         slug = _chosen(entry, is_folder, known, given)
         if slug and is_folder:
-            found.append(of_folder(entry, folder.name, slug, entry))
+            own_folders[slug].append(entry)
         elif slug:
             found.append(Submission(_name(entry.stem), slug, entry, entry))
         elif is_folder:
@@ -147,6 +149,7 @@ def _trees(folder: Path, known: Sequence[str], given: str | None) -> list[Submis
                 found += _of_student(entry, known, given)
             except BadPath as unreadable:
                 closed[entry] = str(unreadable)
+    found += [_of_folders(each, folder, slug) for slug, each in own_folders.items()]
     if closed and not found:
         raise BadPath(next(iter(closed.values())))
     slugs = sorted({one.slug for one in found})  # what the others have handed in
@@ -156,16 +159,17 @@ def _trees(folder: Path, known: Sequence[str], given: str | None) -> list[Submis
 
 def _of_student(own: Path, known: Sequence[str], given: str | None) -> Iterator[Submission]:
     """What is in a student's own folder: for each assignment a folder, or files."""
-    work, told = collections.defaultdict(list), {}
+    work, told = collections.defaultdict(list), collections.defaultdict(list)
     held = entries(own, MOST_FILES)
     for entry, is_folder in held:
         if slug := _chosen(entry, is_folder, known, given):
             work[slug].append((entry, is_folder))
         elif not is_folder and (slug := of_name(entry.name, known)):
-            told[entry] = slug
-    for entry, slug in told.items():  # packed or misnamed: its reading says so
+            told[slug].append(entry)
+    for slug, packed in told.items():  # or misnamed: the reading of one says so
         if slug not in work and given in (None, slug):
-            yield Submission(_name(own.name), slug, entry, own)
+            note = f"hand in one module or notebook, unpacked; there are {_listed(packed)}" if packed[1:] else ""
+            yield Submission(_name(own.name), slug, packed[0], own, note)
     if given and not work and not told and not any(slug_of(entry.name, known) for entry, _ in held):
         yield of_folder(own, own.name, given, own)
     for slug, own_work in work.items():
@@ -232,6 +236,13 @@ def of_folder(folder: Path, student: str, slug: str, tree: Path) -> Submission:
     return Submission(_name(student), slug, None, tree, note)
 
 
+def _of_folders(folders: Sequence[Path], student: Path, slug: str) -> Submission:
+    """What is in the only folder of an assignment that a student has; of several a note."""
+    if len(folders) == 1:
+        return of_folder(folders[0], student.name, slug, folders[0])
+    return _of_files(folders, student.name, slug, student)
+
+
 def _of_files(held: Iterable[Path], student: str, slug: str, tree: Path) -> Submission:
     """The module among them, or the notebook where no module is written; a note where it is not clear which."""
     files = [entry for entry in held if entry.suffix in WORK]
@@ -248,11 +259,15 @@ def _of_files(held: Iterable[Path], student: str, slug: str, tree: Path) -> Subm
     chosen = next(filter(None, ([*filter(one, files)] for one in fits)), [])
     if len(chosen) == 1:
         return Submission(_name(student), slug, chosen[0], tree)
-    seen = [printable(entry.name[:80]) for entry in held]
-    seen[MOST_NAMES:] = [f"{len(seen) - MOST_NAMES} more"] if len(seen) > MOST_NAMES else []
-    names = ", ".join(seen) or "no file"
-    note = f"there is no {slug}.py in the folder; it holds {names}"
+    note = f"there is no {slug}.py in the folder; it holds {_listed(held) or 'no file'}"
     return Submission(_name(student), slug, None, tree, note)
+
+
+def _listed(files: Iterable[Path]) -> str:
+    """The first of them by name, and how many more there are."""
+    seen = [printable(entry.name[:80]) for entry in files]
+    seen[MOST_NAMES:] = [f"{len(seen) - MOST_NAMES} more"] if len(seen) > MOST_NAMES else []
+    return ", ".join(seen)
 
 
 def _untouched(module: Path, tree: Path) -> bool:

@@ -47,6 +47,18 @@ def test_what_is_packed_or_misnamed_has_a_row_that_says_so(class_of, run):
         assert row["status"] == "unreadable" and remedy in row["message"]
 
 
+@pytest.mark.parametrize("packed", [("hw08.zip", "hw08 (1).zip"), ("hw08.zip", "hw08.txt")])
+def test_two_packed_files_of_a_student_are_one_row_and_hold_up_nobody(class_of, run, packed):
+    _, lines, _ = run(class_of([GRADED[0], *(f"bob/{name}" for name in packed)]), "--seed", "1")
+    assert [(line["student"], line["status"]) for line in lines] == [("ada", "graded"), ("bob", "unreadable")]
+    assert all(name in lines[1]["message"] for name in (*packed, "unpacked"))
+
+
+def test_two_folders_of_one_assignment_are_one_row(class_of):
+    (one,) = submissions([class_of(["hw08/hw08.py", "hw08_old/hw08.py"])], KNOWN)
+    assert one.path is None and one.note.endswith("hw08, hw08_old")
+
+
 @pytest.mark.parametrize("name", ["ida/work.py", "ida/final.zip", "ida/mine/a.py", "loose.zip", "ida/notes.pdf"])
 def test_what_tells_no_assignment_is_warned_of(class_of, name):
     tree = class_of([GRADED[0], name])
