@@ -25,6 +25,11 @@ FCNTL = (0, 1, 2, 3, 4, 1030)
 MADVISE = (0, 1, 2, 4, 8, 10, 11, 14, 15, 16, 17)
 # ioctl: whether it is a terminal, its size, bytes to be read, to wait or not, to be closed by another program
 IOCTL = (0x5401, 0x5413, 0x541B, 0x5421, 0x5450, 0x5451)
+# getsockopt: type, error, sizes of buffers, whether it listens, protocol, family; its cookie is a count of the kernel's
+SOCKET = (3, 4, 7, 8, 30, 38, 39)
+UNIX = (1,)  # other families are modules that the kernel would load, and keep
+# futex: to wait, and what is private to a process; to wake others through a file that all map is a message
+FUTEX = (0, 9, 265, *range(128, 142), 393)
 NOTHING = (0,)
 
 
@@ -63,6 +68,7 @@ X86_64 = Calls(
         "getrusage": 98,  # counts the pages that had to be read
         # a limit of its own would end it by a signal that looks like somebody else's
         "setrlimit": 160,
+        "set_robust_list": 273,  # by which the kernel wakes others when it ends
     },
     {
         "fcntl": (72, 1, FCNTL),
@@ -73,6 +79,9 @@ X86_64 = Calls(
         "pwritev2": (328, 5, NOTHING),
         "wait4": (61, 3, NOTHING),  # as getrusage
         "waitid": (247, 4, NOTHING),
+        "getsockopt": (55, 2, SOCKET),
+        "socketpair": (53, 0, UNIX),
+        "futex": (202, 1, FUTEX),
     },
     clone=56,
     prctl=157,
@@ -87,7 +96,7 @@ ARM64 = Calls(
         **{"io_setup": 0, "socket": 198, "flock": 32},
         **{"inotify_init1": 26, "inotify_add_watch": 27, "fanotify_init": 262},
         **{"fadvise64": 223, "readahead": 213, "mincore": 232, "splice": 76, "tee": 77, "vmsplice": 75},
-        **{"getrusage": 165, "setrlimit": 164},
+        **{"getrusage": 165, "setrlimit": 164, "set_robust_list": 99},
     },
     {
         "fcntl": (25, 1, FCNTL),
@@ -98,6 +107,9 @@ ARM64 = Calls(
         "pwritev2": (287, 5, NOTHING),
         "wait4": (260, 3, NOTHING),
         "waitid": (95, 4, NOTHING),
+        "getsockopt": (209, 2, SOCKET),
+        "socketpair": (199, 0, UNIX),
+        "futex": (98, 1, FUTEX),
     },
     clone=220,
     prctl=167,
@@ -107,6 +119,7 @@ CLONE3 = 435  # clone is taken where it is absent
 NEWER = 450  # and above: no call that this table knows; programs fall back on older ones
 FOREIGN_CALLS = 0x40000000  # and above: the numbers of x32, whose calls have the name of x86-64
 NAMESPACES = 0x7E020000  # flags of clone
+ROBUST_LIST = 24  # bytes of its head; the one that the C library has set could be filled later
 SECCOMP, FILTER = 22, 2  # of prctl
 
 # instructions of a filter
@@ -125,6 +138,7 @@ def refuse_calls() -> None:
     A kernel without filters takes no notice; the namespaces and the other user remain.
     """
     if data := program():
+        LIBC.syscall(CALLS[platform.machine()].refused["set_robust_list"], None, ctypes.c_size_t(ROBUST_LIST))
         steps = ctypes.create_string_buffer(data)
         LIBC.prctl(SECCOMP, FILTER, ctypes.byref(_Filter(len(data) // STEP.size, ctypes.addressof(steps))), 0, 0)
 
