@@ -143,7 +143,10 @@ def _adapted(given: Assignment, folder: Path) -> Assignment:
     }
     return replace(
         given,
-        checks=tuple(replace(check, after=tuple(set(check.after) & kept.keys())) for check in kept.values()),
+        checks=tuple(
+            replace(check, after=tuple(kept[one.name] for one in check.after if one.name in kept))
+            for check in kept.values()
+        ),
         results={**given.results, **getattr(own, "RESULTS", {})},
         off_limits={where: names for where, names in off_limits.items() if names},
         manual={part: what for part, what in given.manual.items() if part not in change.LEAVE_OUT},

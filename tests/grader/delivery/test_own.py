@@ -8,6 +8,7 @@ import zipfile
 import pytest
 
 from tam570_grader import cli
+from tam570_grader.writing import assignments
 
 SLUG = "hw08_axis_angle"
 COURSE = """
@@ -73,6 +74,20 @@ def test_grading_obeys_and_a_check_of_ones_own_is_one(desk):
     assert run("grade", "submitted", "--out", "results") == 0
     rows = list(csv.DictReader((desk / "results" / "grades.csv").read_text().splitlines()))
     assert [row["score"] for row in rows] == ["13.0", "0.0"]
+
+
+def waits(root):
+    """Of each check of hw08 the checks that it waits for."""
+    return {one.name: [other.name for other in one.after] for one in assignments.assignment(root, SLUG).checks}
+
+
+def test_checks_wait_for_the_same_checks_and_not_for_one_left_out(desk, course):
+    before, left_out = waits(course), "vector_turns_by_the_right_hand_rule"
+    here = waits(assignments.find())
+    assert here["vector_turns_by_every_angle"] == [left_out]
+    assert {name: after for name, after in before.items() if name in here}.items() <= here.items()
+    (desk / "course.toml").write_text(COURSE.replace("matrix_depends_on_the_direction_alone", left_out))
+    assert waits(assignments.find())["vector_turns_by_every_angle"] == []
 
 
 def test_a_change_of_points_grades_anew(desk):
