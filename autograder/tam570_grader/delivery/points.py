@@ -84,9 +84,9 @@ def _points(arguments: argparse.Namespace) -> int:
         if arguments.template:
             return _template(arguments.table, found, manual, by_hand.read(folder))
         new = list(_checked(arguments.table, found, manual, checks)) if arguments.table else []
-        hand, open_ = late.obeyed(by_hand.read(folder).with_(new), terms, [*found], arguments.collected)
     feedback.must_write_pages()
-    with contextlib.closing(Book(folder)) as book:
+    with contextlib.closing(Book(folder)) as book:  # nobody else adds rows meanwhile
+        hand, open_ = late.obeyed(by_hand.read(folder).with_(new), terms, [*book], arguments.collected)
         by_hand.write(folder, hand)
         feedback.write_pages(folder / "feedback", book, course)
     for line in open_:
@@ -97,18 +97,20 @@ def _points(arguments: argparse.Namespace) -> int:
 
 def _checked(path: Path, found: Results, manual: Mapping[str, Manual], checks: Mapping[str, Checks]) -> Iterator[Entry]:
     """The entries of a table, each part with its most; UsageError for the first row that is wrong."""
+    from tam570_grader.writing.assignments import slug_of
+
     students = {student for student, _ in found} | {EVERYONE}
     touched = set()
     for line, one in by_hand.rows_of(path):
-        slugs = [slug for slug in manual if one.slug and slug.startswith(one.slug)]
-        if len(slugs) != 1:
+        slug = slug_of(one.slug, [*manual])
+        if slug is None:
             raise UsageError(f"{path}, line {line}: there are no results of an assignment {one.slug!r}")
-        parts = manual[slugs[0]]
-        if wrong := _wrong(one, students, parts, checks.get(slugs[0], {})):
+        parts = manual[slug]
+        if wrong := _wrong(one, students, parts, checks.get(slug, {})):
             raise UsageError(f"{path}, line {line}: {wrong}")
         of = parts[one.item][0] if one.item in parts else None
-        touched |= {slugs[0]} if of is not None else set()
-        yield Entry(one.student, slugs[0], one.item, one.points, of, one.comment)
+        touched |= {slug} if of is not None else set()
+        yield Entry(one.student, slug, one.item, one.points, of, one.comment)
     for slug in sorted(touched):  # everybody is graded out of the same
         yield from (Entry(EVERYONE, slug, part, None, of) for part, (of, _) in manual[slug].items())
 
@@ -121,7 +123,7 @@ def _wrong(one: Entry, students: set[str], parts: Manual, checks: Checks) -> str
     if one.item not in (*parts, *checks, *WORDS):
         near = difflib.get_close_matches(one.item, checks, 1)
         rest = f"do you mean the check {near[0]}?" if near else f"the others: {', '.join(WORDS)}, names of checks"
-        return f"{one.item!r} is no item; the parts graded by hand are {letters}, {rest}"
+        return f"there is no item {one.item!r}; the parts graded by hand are {letters}, {rest}"
     if one.points is None:
         return ""
     if one.item in checks and not 0 <= one.points <= checks[one.item]:

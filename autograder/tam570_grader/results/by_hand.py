@@ -169,7 +169,7 @@ def _late(earned: float | None, items: Mapping[str, float]) -> tuple[float | Non
 def read(folder: Path) -> Hand:
     """What was added by hand to the results in a folder, or in its `results.jsonl`; nothing where nothing was."""
     path = (folder.parent if folder.is_file() else folder) / FILE
-    return Hand(entry for _, entry in rows_of(path)) if path.exists() else Hand()
+    return Hand().with_(entry for _, entry in rows_of(path)) if path.exists() else Hand()
 
 
 def rows_of(path: Path) -> Iterator[tuple[int, Entry]]:
@@ -182,8 +182,8 @@ def rows_of(path: Path) -> Iterator[tuple[int, Entry]]:
         cells = {name: text.strip() for name, text in zip_longest(names, row[: len(names)], fillvalue="")}
         where = f"{path}, line {line}"
         points, of = (_number(cells.get(name, ""), f"{where}: {name}") for name in ("points", "of"))
-        student = name_in(cells["student"])
-        yield line, Entry(student, cells["assignment"], cells["item"], points, of, name_in(cells.get("comment", "")))
+        student, item, comment = name_in(cells["student"]), cells["item"], name_in(cells.get("comment", ""))
+        yield line, Entry(student, cells["assignment"], item, points, None if item in WORDS else of, comment)
 
 
 def _number(text: str, where: str) -> float | None:

@@ -7,7 +7,10 @@ import shutil
 import pytest
 
 from tam570_grader import cli
+from tam570_grader.delivery import points as command
+from tam570_grader.results import by_hand
 from tam570_grader.results.by_hand import Entry, Hand
+from tam570_grader.results.journal import Book
 
 SLUG = "hw07_double_pendulum"
 HEADING = "student,assignment,item,points,comment\n"
@@ -96,8 +99,9 @@ def test_grading_again_keeps_them_and_an_empty_cell_takes_them_back(results):
         ("ann,hw07,c,3,", "from 0 to 2 points, not 3"),
         ("ann,hw07,c,many,", "'many', not a number"),
         ("ann,hw07,c,nan,", "'nan', not a number"),
-        ("ann,hw07,q,1,", "'q' is no item; the parts graded by hand are c"),
+        ("ann,hw07,q,1,", "there is no item 'q'; the parts graded by hand are c"),
         ("ann,hw08,c,1,", "no results of an assignment 'hw08'"),
+        ("ann,hw,c,1,", "no results of an assignment 'hw'"),
         ("zoe,hw07,c,1,", "no results of a student 'zoe'"),
         ("*,hw07,c,1,", "one student's"),
         ("ann,hw07,total,1,", "needs a reason"),
@@ -112,6 +116,17 @@ def test_a_wrong_row_is_named_and_nothing_is_written(results, capsys, row, says)
     assert points(results, "ben,hw07,c,1,", row) == 2
     assert says in (err := capsys.readouterr().err) and "line 3" in err
     assert not (results / "by_hand.csv").exists() and scores(results)["ben"] == ("0.0", "10.0")
+
+
+def test_a_row_that_somebody_else_adds_meanwhile_stays(results, monkeypatch):
+    def opened(folder):
+        """The book, which another command has just closed."""
+        by_hand.write(folder, Hand([Entry("ben", SLUG, "adjust", 2.0, None, "It came by mail.")]))
+        return Book(folder)
+
+    monkeypatch.setattr(command, "Book", opened)
+    assert points(results, "ann,hw07,c,1,") == 0
+    assert scores(results) == {"ann": ("1.0", "12.0"), "ben": ("2.0", "12.0")}
 
 
 @pytest.mark.parametrize("row", ["ann", "ann,hw07", "ann,hw07,q"])
