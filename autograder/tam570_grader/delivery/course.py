@@ -3,6 +3,7 @@
 import json
 import shutil
 import sys
+import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 from string import Template
@@ -27,26 +28,37 @@ def run(course: Path, folder: Path, slugs: Sequence[str]) -> int:
     )  # where course.toml is, it is looked at anew
     fields = {"checkout": repr(str(checkout)), "modules": _modules(assignments.slugs(course)), "first": slugs[0]}
     for name, template in (("nbgrader_config.py", "nbgrader_config.txt"), ("README.md", "course.txt")):
-        if (folder / name).exists():
-            print(f"{folder / name} left as you have it", file=sys.stderr)
-            continue
-        text = (TEMPLATES / template).read_text(encoding="utf-8")
-        written(folder / name, Template(text).substitute(fields))
+        text = Template((TEMPLATES / template).read_text(encoding="utf-8")).substitute(fields)
+        if not _is_the_teachers(folder / name, text.encode()):
+            written(folder / name, text)
     print(f"{folder}: {len(slugs)} assignments; README.md there says how to go on", file=sys.stderr)
     return 0
+
+
+def _is_the_teachers(path: Path, ours: bytes) -> bool:
+    """Whether there is a file that differs from ours; it is named."""
+    if not path.exists() or path.read_bytes() == ours:
+        return False
+    print(f"{path} left as you have it; to have it made anew, move it away", file=sys.stderr)
+    return True
 
 
 def _write_assignment(course: Path, slug: str, folder: Path) -> None:
     """The notebook, the stub, the visible tests and the problem of one assignment."""
     released = course / "assignments" / slug
-    with writing(folder):
-        folder.mkdir(parents=True, exist_ok=True)
-    module, tests, readme = f"{slug}.py", f"test_{slug}.py", "README.md"
-    for name in (module, tests, readme):
+    names = f"{slug}.py", f"test_{slug}.py", "README.md"
+    for name in names:
         if not (released / name).is_file():
             raise UsageError(f"{released / name} is missing: the assignment cannot be released yet")
-        shutil.copyfile(released / name, folder / name)
-    write_notebook(course, slug, folder)
+    with tempfile.TemporaryDirectory() as draft:
+        for name in names:
+            shutil.copyfile(released / name, Path(draft) / name)
+        write_notebook(course, slug, Path(draft))
+        with writing(folder):
+            folder.mkdir(parents=True, exist_ok=True)
+            for new in sorted(Path(draft).iterdir()):
+                if not _is_the_teachers(folder / new.name, new.read_bytes()):
+                    shutil.copyfile(new, folder / new.name)
 
 
 def write_notebook(course: Path, slug: str, folder: Path) -> None:

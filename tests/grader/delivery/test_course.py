@@ -80,6 +80,20 @@ def test_a_course_that_is_made_again_keeps_what_the_teacher_changed(course, tmp_
     assert (made / "nbgrader_config.py").read_text() == before
 
 
+def test_what_the_teacher_wrote_into_a_source_stays_and_is_named(course, tmp_path, made_course, capsys):
+    source = made_course(tmp_path, [ONE])[0] / "source" / ONE
+    notebook, module = source / f"{ONE}.ipynb", source / f"{ONE}.py"
+    ours = module.read_text()
+    notebook.write_text(notebook.read_text().replace("hw08", "hw08, in our course", 1))
+    mine = notebook.read_text()
+    module.unlink()
+    capsys.readouterr()
+    assert cli.main(["--root", str(course), "course", str(tmp_path / "course"), ONE]) == 0
+    assert notebook.read_text() == mine and module.read_text() == ours
+    said = capsys.readouterr().err
+    assert f"{notebook} left as you have it" in said and "lab.py" not in said
+
+
 @pytest.fixture
 def work(course, tmp_path, made_course):
     """`work(slug, module)` -> a student's folder with this module in it."""
