@@ -8,9 +8,10 @@ from typing import Any
 
 from tam570_grader.errors import UsageError
 
-__all__ = ["FILE", "must", "no_other", "toml"]
+__all__ = ["COPY", "FILE", "must", "no_other", "toml"]
 
 FILE = "course.toml"
+COPY = "made-by-course.toml"  # what it said, in the course that was made by it: no command makes another of that
 
 
 def toml(path: Path) -> dict[str, Any]:

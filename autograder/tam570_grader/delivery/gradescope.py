@@ -8,7 +8,7 @@ from pathlib import Path
 from string import Template
 from typing import Any
 
-from tam570_grader.delivery import own
+from tam570_grader.delivery.course_toml import COPY
 from tam570_grader.errors import writing
 from tam570_grader.pages.feedback import NOTES
 from tam570_grader.results.journal import Record
@@ -75,7 +75,7 @@ def _write_archive(course: Path, slug: str, path: Path) -> None:
 
 def _files(course: Path, slug: str) -> Iterator[Path]:
     """The engine, and of the assignments this one."""
-    places = [*ENGINE, own.FILE, f"assignments/{slug}", f"solutions/{slug}.py", f"autograder/checks/{slug}"]
+    places = [*ENGINE, COPY, f"assignments/{slug}", f"solutions/{slug}.py", f"autograder/checks/{slug}"]
     for place in map(course.joinpath, places):
         yield from sorted(_kept(place.rglob("*") if place.is_dir() else [place]))
 

@@ -11,7 +11,7 @@ from datetime import date, datetime, time, timedelta
 from pathlib import Path
 from typing import Any
 
-from tam570_grader.delivery.course_toml import FILE, must, no_other, toml
+from tam570_grader.delivery.course_toml import COPY, FILE, must, no_other, toml
 from tam570_grader.errors import UsageError
 from tam570_grader.results.by_hand import EVERYONE, EXTENSION, LATE, MOST, OFF, Entry, Hand
 from tam570_grader.results.tables import name_in, table
@@ -36,10 +36,10 @@ class Terms:
 
 
 def terms_of(course: Path) -> dict[str, Terms]:
-    """The terms of a course, by the names of its assignments; those without a course.toml have none."""
+    """The terms of a course, by the names of its assignments; those that no course.toml made have none."""
     from tam570_grader.writing import assignments
 
-    path = course / FILE
+    path = course / COPY
     return terms(path, toml(path), assignments.slugs(course)) if path.is_file() else {}
 
 

@@ -1,20 +1,22 @@
 """A course of one's own, by `course.toml`: assignments, points, parts, limits, own checks, dates.
 
-A folder `.course` beside it is made of it and the checkout. All commands take that in the place of the checkout: what
-an assignment is stands in one place still, and nothing else needs to know of `course.toml`.
+A folder in `.course`, beside it, is made of it and the checkout. All commands take that in the place of the checkout:
+what an assignment is stands in one place still, and nothing else needs to know of `course.toml`. Whenever one of the
+two changes, another folder is made. The old ones stay, for a command that still runs may use them.
 """
 
 import hashlib
 import os
 import re
 import shutil
+import tempfile
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Any
 
 from tam570_grader.delivery import late
-from tam570_grader.delivery.course_toml import FILE, must, no_other, toml
+from tam570_grader.delivery.course_toml import COPY, FILE, must, no_other, toml
 from tam570_grader.delivery.stubs import contract
 from tam570_grader.errors import writing
 from tam570_grader.results.tables import written
@@ -37,35 +39,44 @@ class Part:
 
     points: Mapping[str, float]  # by check
     leave_out: Sequence[str] = ()  # letters of parts
-    allow: Sequence[str] = ()  # what is off limits else
+    allow: Sequence[str] = ()  # what is otherwise off limits
     checks: str = ""  # a file with checks of one's own, beside course.toml
 
 
 def root_of(path: Path, base: Path) -> Path:
     """The course that `path`, a course.toml, makes of the checkout `base`; another folder whenever either changes."""
-    folder = path.parent / PLACE
-    place = folder / _stamp(path, base)
+    parts = _parts(path, toml(path), assignments.slugs(base))
+    place = path.parent / PLACE / _stamp(path, base, parts)
     if not place.is_dir():
-        new = path.parent / f"{PLACE}.new"
-        with writing(place):
-            shutil.rmtree(new, ignore_errors=True)
-            _make(path, base, new / place.name)
-            shutil.rmtree(folder, ignore_errors=True)
-            os.replace(new, folder)
+        with writing(place), tempfile.TemporaryDirectory(prefix=f"{PLACE}-", dir=path.parent) as draft:
+            new = Path(draft) / place.name
+            _make(path, base, parts, new)
+            place.parent.mkdir(exist_ok=True)
+            (place.parent / ".gitignore").write_text("*\n", encoding="utf-8")  # solutions and checks are in it
+            _put(new, place)
     return place
+
+
+def _put(new: Path, place: Path) -> None:
+    """Give a folder its place, unless another command has made the same one meanwhile."""
+    try:
+        os.rename(new, place)
+    except OSError:
+        if not place.is_dir():
+            raise
 
 
 def limits(root: Path) -> dict[str, int]:
     """The limits of a submission, as the options of `grade` have them: of the course, else the standard ones."""
-    path = root / FILE
+    path = root / COPY
     return {**STANDARD, **(toml(path).get("limits", {}) if path.is_file() else {})}
 
 
-def _stamp(path: Path, base: Path) -> str:
-    """Of course.toml, the files beside it, and the times of all that is copied."""
-    found = hashlib.sha256(path.read_bytes() + str(base).encode())
-    for own in sorted(path.parent.glob("*.py")):
-        found.update(own.read_bytes())
+def _stamp(path: Path, base: Path, parts: Mapping[str, Part]) -> str:
+    """Of course.toml, the checks that it names, how a course is made, and the times of all that is copied."""
+    found = hashlib.sha256(path.read_bytes() + str(base).encode() + Path(__file__).read_bytes())
+    for own in sorted({part.checks for part in parts.values() if part.checks}):
+        found.update((path.parent / own).read_bytes())
     for folder in ("assignments", "solutions", "autograder/checks"):
         for file in sorted((base / folder).rglob("*")):
             if file.is_file() and "__pycache__" not in file.parts:
@@ -73,13 +84,11 @@ def _stamp(path: Path, base: Path) -> str:
     return found.hexdigest()[:12]
 
 
-def _make(path: Path, base: Path, new: Path) -> None:
-    known = assignments.slugs(base)
-    parts = _parts(path, toml(path), known)
+def _make(path: Path, base: Path, parts: Mapping[str, Part], new: Path) -> None:
     for name in SHARED:
         (new / name).parent.mkdir(parents=True, exist_ok=True)
         os.symlink(base / name, new / name)
-    shutil.copyfile(path, new / FILE)
+    shutil.copyfile(path, new / COPY)
     for slug, part in parts.items():
         _check(path, assignments.assignment(base, slug), part)
         for name in (f"assignments/{slug}", f"autograder/checks/{slug}"):
@@ -117,10 +126,10 @@ def _parts(path: Path, given: Mapping[str, Any], known: Sequence[str]) -> dict[s
 
 
 def _part(path: Path, key: str, table: Any) -> Part:
-    must(path, isinstance(table, dict), f"{key} is no table: write [{key}] above its lines")
+    must(path, isinstance(table, dict), f"{key} must be a table: write [{key}] above its lines")
     no_other(path, f"[{key}] ", table, [*(one.name for one in fields(Part)), *late.KEYS])
     for name in ("leave_out", "allow"):
-        must(path, _are_texts(table.get(name, [])), f"[{key}] {name} is no list of texts")
+        must(path, _are_texts(table.get(name, [])), f"[{key}] {name} must be a list of texts")
     points, own = table.get("points", {}), table.get("checks", "")
     must(path, isinstance(points, dict), f"[{key}] points is a table of checks: write [{key}.points]")
     for check, value in points.items():

@@ -67,7 +67,7 @@ def _person(row: Mapping[str, str], cells: Mapping[str, str]) -> Person:
 
 
 def by_id(found: Iterable[Person]) -> dict[str, Person]:
-    """Each student by each of their ids; an id that two share tells nobody, and full names that one has do."""
+    """Each student by each of their ids; an id shared by two is left out; a unique full name counts as an id."""
     count: dict[str, list[Person]] = {}
     for one in found:
         for key in {*one.ids, one.name} - {""}:

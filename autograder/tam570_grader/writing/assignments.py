@@ -30,6 +30,7 @@ __all__ = [
     "engine_digest",
     "find",
     "named",
+    "one_named",
     "slug_of",
     "slugs",
     "solution",
@@ -69,7 +70,7 @@ class Assignment:
 def find(given: str | Path | None = None) -> Path:
     """The course's root: as given, else one above the working directory, else that of an editable install.
 
-    Where there is a course.toml, it is the course that this file makes of the checkout.
+    Where there is a course.toml, in a checkout too, it is the course that this file makes of the checkout.
     """
     from tam570_grader.delivery import own
 
@@ -79,11 +80,11 @@ def find(given: str | Path | None = None) -> Path:
         places = [Path.cwd(), *Path.cwd().parents, *Path(tam570.__file__).resolve().parents[1:3]]
     base = next(filter(_is_checkout, [*places, *Path(tam570.__file__).resolve().parents[1:3]]), None)
     for place in places:
-        if _is_checkout(place):
-            return place
         if base and (place / own.FILE).is_file():
             return own.root_of(place / own.FILE, base)
-    where = f"{given} is no course" if given is not None else "there is no course here"
+        if _is_checkout(place):
+            return place
+    where = f"{given} does not hold a course" if given is not None else "there is no course here"
     raise UsageError(f"{where}: no autograder/checks and solutions; name a checkout of the course with --root")
 
 
@@ -115,6 +116,11 @@ def named(names: Iterable[str], known: Sequence[str]) -> list[str]:
     if unknown := [name for name, slug in found if slug is None]:
         raise UsageError(f"there is no assignment {unknown[0]!r}; there are: {', '.join(known)}")
     return [slug for _, slug in found if slug] or list(known)
+
+
+def one_named(name: str | None, known: Sequence[str]) -> str | None:
+    """The assignment that the option --assignment names; None without it."""
+    return named([name], known)[0] if name else None
 
 
 @functools.cache

@@ -3,11 +3,13 @@
 import csv
 import json
 import re
+import shutil
 import zipfile
 
 import pytest
 
 from tam570_grader import cli
+from tam570_grader.delivery import late, own
 from tam570_grader.writing import assignments
 
 SLUG = "hw08_axis_angle"
@@ -116,7 +118,7 @@ def test_students_get_the_points_and_these_assignments_alone(desk):
     assert "you may use `tam570.rotations`" in readme and "tam570.rotations" not in contract["off_limits"]["*"]
     assert sorted(path.name for path in (desk / "nb" / "source").iterdir()) == ["hw07_double_pendulum", SLUG]
     with zipfile.ZipFile(desk / "archives" / f"{SLUG}.zip") as archive:
-        assert {f"course/autograder/checks/{SLUG}/own.py", "course/course.toml"} <= {*archive.namelist()}
+        assert {f"course/autograder/checks/{SLUG}/own.py", "course/made-by-course.toml"} <= {*archive.namelist()}
     notebook = (desk / "nb" / "source" / "hw07_double_pendulum" / "hw07_double_pendulum.ipynb").read_text()
     assert "manual-" not in notebook
 
@@ -127,7 +129,8 @@ WRONG = [
     ("call = 5", "calls = 5", "calls is not known; do you mean call?"),
     ("call = 5", "call = 0", "call is 0"),
     ('["c"]', '["q"]', "q is not known"),
-    ('["c"]', '"c"', "no list of texts"),
+    ('["c"]', '"c"', "must be a list of texts"),
+    ("assignments = [", 'hw09 = 1\nassignments = ["hw09", ', "hw09 must be a table: write [hw09]"),
     ("= 3", "= -3", "is -3"),
     ("mine.py", "yours.py", "no such file"),
     ("[limits]", "[limit]", "limit is not known; do you mean limits?"),
@@ -143,7 +146,7 @@ def test_what_disagrees_is_named_and_nothing_is_done(desk, capsys, old, new, say
     (desk / "course.toml").write_text(COURSE.replace(old, new, 1))
     assert run("grade", "submitted", "--out", "results") == 2
     assert says in (err := capsys.readouterr().err) and "course.toml" in err
-    assert not (desk / "results").exists() and not (desk / ".course").exists()
+    assert not (desk / "results").exists() and not [*desk.glob(".course*")]
 
 
 def test_without_the_file_nothing_is_another(desk, course):
@@ -151,3 +154,64 @@ def test_without_the_file_nothing_is_another(desk, course):
     assert run("grade", "submitted", "--out", "results", "--seed", "1") == 0
     assert not (desk / ".course").exists()
     assert '"max_score": 10.0' in (desk / "results" / "results.jsonl").read_text()
+
+
+@pytest.fixture
+def checkout(tmp_path, course):
+    """A checkout of hw07 and hw08 alone."""
+    root = tmp_path / "checkout"
+    for name in ("assignments", "autograder/checks"):
+        for slug in ("hw07_double_pendulum", SLUG):
+            shutil.copytree(course / name / slug, root / name / slug, ignore=shutil.ignore_patterns("__pycache__"))
+    shutil.copytree(course / "solutions", root / "solutions", ignore=shutil.ignore_patterns("__pycache__"))
+    for name in own.SHARED:
+        (root / name).symlink_to(course / name)
+    return root
+
+
+@pytest.mark.parametrize("where", [".", "docs"])
+def test_in_the_root_of_a_checkout_it_is_obeyed_too(desk, checkout, monkeypatch, where):
+    shutil.move(desk / "mine.py", checkout)
+    (desk / "course.toml").unlink()
+    (checkout / "course.toml").write_text(f"{COURSE}[hw07.extension]\nann = 2\n")
+    (checkout / "docs").mkdir()
+    monkeypatch.chdir(checkout / where)
+    assert run("grade", desk / "submitted", "--out", desk / "results", "--seed", "1") == 0
+    assert '"max_score": 13.0' in (desk / "results" / "results.jsonl").read_text()
+    root = assignments.find()
+    assert root.parent == checkout / ".course" and assignments.find(root) == root
+    assert own.limits(root)["call"] == 5
+    assert late.terms_of(root)["hw07_double_pendulum"].extension == {"ann": 2}
+    (checkout / "course.toml").write_text("[limits]\ncalls = 5\n")
+    assert run("grade", desk / "submitted", "--out", desk / "results") == 2
+
+
+def test_a_course_that_a_command_may_use_stays_when_another_is_made(desk):
+    old = assignments.find()
+    (desk / "course.toml").write_text(COURSE.replace("= 3", "= 5"))
+    assert assignments.find() != old and (old / "solutions" / f"{SLUG}.py").is_file()
+    (desk / "course.toml").write_text(COURSE)
+    assert assignments.find() == old
+
+
+def test_two_commands_at_once_make_one_course(desk, monkeypatch):
+    make, made = own._make, []
+
+    def made_by_two(*arguments):
+        """Another command makes the same course before this one puts its own in place."""
+        monkeypatch.setattr(own, "_make", make)
+        make(*arguments)
+        made.append(assignments.find())
+
+    monkeypatch.setattr(own, "_make", made_by_two)
+    assert [assignments.find()] == made and assignments.slugs(made[0]) == ["hw07_double_pendulum", SLUG]
+    assert [path.name for path in desk.glob(".course*")] == [".course"]
+
+
+def test_checks_of_ones_own_in_a_folder_are_read_anew(desk):
+    (desk / "course.toml").write_text(COURSE.replace("mine.py", "sub/mine.py"))
+    (desk / "sub").mkdir()
+    for points in (2, 4):
+        (desk / "sub" / "mine.py").write_text(MINE.replace("points=2", f"points={points}"))
+        checks = assignments.assignment(assignments.find(), SLUG).checks
+        assert [one.points for one in checks if one.name == "turning_back_undoes"] == [points]

@@ -217,7 +217,7 @@ def test_a_pipe_is_not_read(run, tree, scores):
         (["hw08.py", "--only", "hw99"], "no assignment 'hw99'"),
         (["hw08.txt"], "neither a Python module"),
         (["hw08.py", "--out", "hw08.txt"], "cannot write results"),
-        (["hw08.py", "--root", "."], "is no course"),
+        (["hw08.py", "--root", "."], "does not hold a course"),
     ],
 )
 def test_bad_usage_is_said_and_exits_2(tmp_path, monkeypatch, capsys, arguments, says):
