@@ -4,7 +4,7 @@ import csv
 import io
 import re
 import sys
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -12,10 +12,10 @@ from tam570_grader.delivery import roster
 from tam570_grader.delivery.archives import File, inside, members
 from tam570_grader.delivery.downloads import READERS, Handed
 from tam570_grader.errors import UsageError, writing
-from tam570_grader.grading.submissions import GIVEN, WORK, of_name
-from tam570_grader.results.tables import cell, written
+from tam570_grader.grading.submissions import GIVEN, WORK, of_folder, of_name
+from tam570_grader.results.tables import cell, name_in, table, written
 
-__all__ = ["run"]
+__all__ = ["listed", "run"]
 
 COLUMNS = ("student", "name", "assignment", "file", "when", "late", "from", "note")
 TABLE = "collected.csv"
@@ -37,13 +37,21 @@ class Taken:
     note: str = ""
 
 
+def listed(path: Path, needed: Collection[str] = COLUMNS) -> list[dict[str, str]]:
+    """The rows of collected.csv by column; UsageError if it lacks one that is needed."""
+    heading, *rows = table(path)
+    if lacking := {*needed} - {*heading}:
+        raise UsageError(f"{path} has no column {', '.join(sorted(lacking))}: name the table that `collect` wrote")
+    return [dict(zip(heading, [*map(name_in, row), *[""] * len(heading)], strict=False)) for row in rows]
+
+
 def run(
-    source: Path, system: str, table: Path | None, out: Path, known: Sequence[str], given: str | None = None
+    source: Path, system: str, students: Path | None, out: Path, known: Sequence[str], given: str | None = None
 ) -> int:
     """Collect a download; the exit code is 1 if anything is left that needs the instructor."""
     if not source.exists():
         raise UsageError(f"{source} does not exist: name the zip file that {system} gave you, or its folder")
-    people = roster.by_id(roster.people(table)) if table else {}
+    people = roster.by_id(roster.people(students)) if students else {}
     found = list(READERS[system](members(source)))
     strays = [one for one in found if isinstance(one, File)]
     unpacked = [each for one in found if isinstance(one, Handed) for each in _unpacked(one)]
@@ -51,9 +59,10 @@ def run(
         raise UsageError(f"{source} holds nothing that is named as {system} names submissions: is --from right?")
     rows = _newest([_taken(one, people, known, given) for one in unpacked])
     _write(rows, out)
-    troubles = [_told(row) for row in rows if row.note and row.note not in (OLDER, RELEASED)]
+    troubles = _newer_notebooks(rows, out)
+    troubles += [_told(row) for row in rows if row.note and row.note not in (OLDER, RELEASED)]
     troubles += [f"{stray.path} {stray.refused or f'is not named as {system} names submissions'}" for stray in strays]
-    troubles += [f"{row} {STRANGER}" for row in _strangers(rows, people)] if table else []
+    troubles += [f"{row} {STRANGER}" for row in _strangers(rows, people)] if students else []
     for line in troubles:
         print(f"tam570-grader: warning: {line}", file=sys.stderr)
     _say(rows, out, people)
@@ -103,27 +112,51 @@ def _newest(rows: Sequence[Taken]) -> list[Taken]:
     return sorted(found, key=lambda row: (row.student, row.slug, row.handed.order))
 
 
-def _write(rows: Iterable[Taken], out: Path) -> None:
+def _write(rows: Sequence[Taken], out: Path) -> None:
     """The files in their folders, and the table of who, what and when."""
-    text = io.StringIO()
-    writer = csv.writer(text)
-    writer.writerow(COLUMNS)
+    path, text = out.parent / TABLE, io.StringIO()
+    csv.writer(text).writerows(map(cell, row) for row in [COLUMNS, *_all_rows(path, rows)])
     with writing(out):
         for row in rows:
-            one = row.handed
             if row.target:
                 place = out / row.student / row.slug
                 place.mkdir(parents=True, exist_ok=True)
-                (place / row.target).write_bytes(one.file.data)
-            late = "LATE" if one.late else ""
-            cells = (row.student, one.name, row.slug, row.target, one.when, late, one.file.path, row.note)
-            writer.writerow(map(cell, cells))
+                (place / row.target).write_bytes(row.handed.file.data)
         out.mkdir(parents=True, exist_ok=True)
-        written(out.parent / TABLE, text.getvalue())
+        written(path, text.getvalue())
+
+
+def _all_rows(path: Path, rows: Sequence[Taken]) -> list[tuple[str, ...]]:
+    """The rows of the table: of earlier downloads those that no row of this one replaces."""
+    new = {(row.student, row.slug, row.target) for row in rows}
+    earlier = [tuple(row[name] for name in COLUMNS) for row in (listed(path) if path.exists() else [])]
+    kept = [row for row in earlier if row[2] and (row[0], row[2], row[3]) not in new]
+    return sorted([*kept, *map(_row, rows)], key=lambda row: (row[0], row[2]))
+
+
+def _row(one: Taken) -> tuple[str, ...]:
+    handed = one.handed
+    late = "LATE" if handed.late else ""
+    return one.student, handed.name, one.slug, one.target, handed.when, late, handed.file.path, one.note
 
 
 def _told(row: Taken) -> str:
     return f"{row.handed.file.path} of {row.student} is not collected: {row.note}"
+
+
+def _newer_notebooks(rows: Iterable[Taken], out: Path) -> list[str]:
+    """Notebooks that came after the module that counts: a sentence for each."""
+    kept = [row for row in rows if row.target]
+    modules = {(row.student, row.slug): row.handed.order for row in kept if row.target.endswith(".py")}
+    found = []
+    for row in kept:
+        folder = out / row.student / row.slug
+        newer = row.target.endswith(".ipynb") and row.handed.order > modules.get((row.student, row.slug), ())
+        counts = of_folder(folder, row.student, row.slug, folder).path if newer else None
+        if counts and counts.suffix == ".py":
+            remedy = "delete the module if the notebook should count"
+            found.append(f"{row.handed.file.path} of {row.student} is newer than {counts}, which counts: {remedy}")
+    return found
 
 
 def _strangers(rows: Iterable[Taken], people: Mapping[str, roster.Person]) -> list[str]:

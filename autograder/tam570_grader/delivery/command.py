@@ -57,9 +57,10 @@ def add_collect(commands: Commands) -> argparse.ArgumentParser:
     collect: argparse.ArgumentParser = commands.add_parser(
         "collect",
         help="collect what was downloaded from Canvas, Moodle or Gradescope",
-        description="Put a download into folders <student>/<assignment>/ that `grade` reads. The newest file counts.",
-        epilog="collected.csv, beside that folder, lists who handed in what and when. The exit code is 1 if a file, "
-        "or its student, could not be placed: each is named.",
+        description="Put a download into folders <student>/<assignment>/ that `grade` reads. They keep the newest of "
+        "each form; a module goes before a notebook.",
+        epilog="collected.csv, beside that folder, lists who handed in what and when, in all downloads. The exit code "
+        "is 1 if a file, or its student, could not be placed, or a notebook is newer than its module: each is named.",
     )
     collect.set_defaults(command=_collect)
     add = collect.add_argument
@@ -116,7 +117,7 @@ def add_lms(commands: Commands) -> argparse.ArgumentParser:
     add("--only", nargs="+", metavar="SLUG", help="these assignments alone")
     absent = "for who did not hand in what others did (default: %(default)s)"
     add("--absent", choices=["zero", "blank"], default="zero", help=absent)
-    add("--pages", type=Path, metavar="ZIP", help="also a zip file of the pages of feedback, to hand back there")
+    add("--pages", type=Path, metavar="ZIP", help="also a zip file of one assignment's pages, to hand back there")
     add("--collected", type=Path, metavar="CSV", help="for --pages: collected.csv, which `collect` wrote")
     add("--out", type=Path, metavar="FILE", help="default: print it")
     return lms
@@ -165,7 +166,7 @@ def _collect(arguments: argparse.Namespace) -> int:
     from tam570_grader.writing import assignments
 
     known = assignments.slugs(assignments.find(arguments.root))
-    given = assignments.named([arguments.assignment], known)[0] if arguments.assignment else None
+    given = assignments.one_named(arguments.assignment, known)
     return collect.run(arguments.source, arguments.system, arguments.roster, arguments.to, known, given)
 
 
@@ -175,7 +176,7 @@ def _export(arguments: argparse.Namespace) -> int:
 
     course = assignments.find(arguments.root)
     known = assignments.slugs(course)
-    given = assignments.named([arguments.assignment], known)[0] if arguments.assignment else None
+    given = assignments.one_named(arguments.assignment, known)
     return export.run(course, arguments.paths, arguments.tool, arguments.to, known, given)
 
 
@@ -196,7 +197,7 @@ def _alike(arguments: argparse.Namespace) -> int:
 
     course = assignments.find(arguments.root)
     known = assignments.slugs(course)
-    given = assignments.named([arguments.assignment], known)[0] if arguments.assignment else None
+    given = assignments.one_named(arguments.assignment, known)
     return alike.run(course, arguments.paths, known, given, arguments.least)
 
 
@@ -208,7 +209,7 @@ def _lms(arguments: argparse.Namespace) -> int:
     lacking = []
     if arguments.pages:
         pages = arguments.grades.parent / "feedback"
-        lacking = handback.run(pages, arguments.collected, arguments.to, arguments.pages)
+        lacking = handback.run(pages, arguments.collected, arguments.to, arguments.pages, arguments.only)
     for line in filter(None, [*lacking, _terms(arguments.grades.parent, arguments.root)]):
         print(f"tam570-grader: warning: {line}", file=sys.stderr)
     given = arguments

@@ -6,27 +6,34 @@ multiple feedback files in a zip" (docs.moodle.org, Using Assignment), whose nam
 """
 
 import zipfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+from tam570_grader.delivery.collect import listed
 from tam570_grader.delivery.downloads import CANVAS, MOODLE
 from tam570_grader.errors import UsageError, writing
-from tam570_grader.results.tables import name_in, table
+from tam570_grader.writing import assignments
 
 __all__ = ["run"]
 
-NEEDED = {"student", "assignment", "file", "from"}  # columns of collected.csv
+NEEDED = ("student", "assignment", "file", "from")  # columns of collected.csv
 
 
-def run(pages: Path, collected: Path, system: str, out: Path) -> list[str]:
+def run(pages: Path, collected: Path, system: str, out: Path, only: Sequence[str] | None = None) -> list[str]:
     """Write the zip file; a sentence for each of whom there is no page.
 
     pages     : the folder of feedback, which `grade --out` wrote
     collected : the table that `collect` wrote
+    only      : names of assignments; a zip file holds the pages of one, for it is uploaded there
     """
     found = dict(_named(collected, system))
+    slugs = sorted({slug for _, slug in found})
     if not found:
         raise UsageError(f"{collected} names no file as {system} does: is --to right?")
+    chosen = assignments.named(only or (), slugs)
+    if len(chosen) > 1:
+        raise UsageError(f"the pages of one assignment make a zip file: choose with --only: {', '.join(chosen)}")
+    found = {key: name for key, name in found.items() if key[1] in chosen}
     lacking = []
     with writing(out), zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as archive:
         for (student, slug), name in sorted(found.items()):
@@ -40,11 +47,7 @@ def run(pages: Path, collected: Path, system: str, out: Path) -> list[str]:
 
 def _named(collected: Path, system: str) -> Iterator[tuple[tuple[str, str], str]]:
     """Student and assignment, and the name of their page in the zip file."""
-    heading, *rows = table(collected)
-    if lacking := NEEDED - set(heading):
-        raise UsageError(f"{collected} has no column {', '.join(sorted(lacking))}: name the table that `collect` wrote")
-    for row in rows:
-        cells = dict(zip(heading, map(name_in, row), strict=False))
+    for cells in listed(collected, NEEDED):
         start = _beginning(cells["from"], system) if cells["file"] else ""
         if start:
             yield (cells["student"], cells["assignment"]), f"{start}{cells['assignment']}.html"

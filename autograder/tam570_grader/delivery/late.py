@@ -5,7 +5,7 @@ obey. The comments of such rows say where they come from: they are replaced when
 """
 
 import math
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from datetime import date, datetime, time, timedelta
 from pathlib import Path
@@ -14,12 +14,12 @@ from typing import Any
 from tam570_grader.delivery.course_toml import COPY, FILE, must, no_other, toml
 from tam570_grader.errors import UsageError
 from tam570_grader.results.by_hand import EVERYONE, EXTENSION, LATE, MOST, OFF, Entry, Hand
-from tam570_grader.results.tables import name_in, table
 
 __all__ = ["KEYS", "Terms", "obeyed", "stale", "terms", "terms_of"]
 
 KEYS = ("due", "extension")  # of an assignment's table
 RULES = ("off_a_day", "most_off", "grace")  # of [late]
+NEEDED = ("student", "assignment", "file", "when", "late")  # columns of collected.csv
 BY_COURSE, BY_TABLE = f"by {FILE}", "by collected.csv"
 DAY = timedelta(days=1)
 
@@ -43,16 +43,18 @@ def terms_of(course: Path) -> dict[str, Terms]:
     return terms(path, toml(path), assignments.slugs(course)) if path.is_file() else {}
 
 
-def terms(path: Path, given: Mapping[str, Any], slugs: Iterable[str]) -> dict[str, Terms]:
+def terms(path: Path, given: Mapping[str, Any], slugs: Sequence[str]) -> dict[str, Terms]:
     """The terms of these assignments; UsageError, with its key, for what does not fit."""
+    from tam570_grader.writing.assignments import slug_of
+
     rules = given.get("late", {})
-    must(path, isinstance(rules, dict), "late is no table: write [late] above its lines")
+    must(path, isinstance(rules, dict), "late must be a table: write [late] above its lines")
     no_other(path, "[late] ", rules, RULES)
     for name, largest in zip(RULES, (1, 1, 24 * 60), strict=True):
         good = _is_number(rules.get(name, 0)) and 0 <= rules.get(name, 0) <= largest
         must(path, good, f"[late] {name} is {rules.get(name)!r}; write a number from 0 to {largest}")
     off, most, grace = rules.get("off_a_day", 0.0), rules.get("most_off", 1.0), timedelta(minutes=rules.get("grace", 0))
-    tables = {slug: (key, given[key]) for slug in slugs for key in given if slug.startswith(key)}
+    tables = {slug_of(key, slugs): (key, table) for key, table in given.items()}
     own = {slug: _own(path, *tables[slug]) if slug in tables else (None, {}) for slug in slugs}
     return {slug: Terms(*one, off, most, grace) for slug, one in own.items()}
 
@@ -83,11 +85,14 @@ def obeyed(
     found     : students and assignments with results
     collected : the table that `collect` wrote, whose times tell who is late
     """
+    from tam570_grader.delivery.collect import listed
+
     slugs = {slug for _, slug in found}
-    days, open_ = _days(known, collected) if collected else ([], [])
+    table = listed(collected, NEEDED) if collected else []
+    days, open_ = _days(known, table, collected)
     open_ += _strangers(known, found)
-    old = {BY_COURSE} | ({BY_TABLE} if collected else set())
-    own = {key: one for key, one in hand.entries.items() if _source(one) not in old}
+    anew = {row["assignment"] for row in table}  # the times of the others stand in no table now
+    own = {key: one for key, one in hand.entries.items() if not _is_made_anew(one, anew)}
     rows = [one for one in _rows(known) if one.slug in slugs]
     for one in rows:
         other = own.get(one.key)
@@ -123,14 +128,12 @@ def _rows(known: Mapping[str, Terms]) -> Iterator[Entry]:
         yield from (Entry(who, slug, EXTENSION, float(days), None, BY_COURSE) for who, days in one.extension.items())
 
 
-def _days(known: Mapping[str, Terms], collected: Path) -> tuple[list[Entry], list[str]]:
+def _days(
+    known: Mapping[str, Terms], table: Sequence[Mapping[str, str]], collected: Path | None
+) -> tuple[list[Entry], list[str]]:
     """Rows with the days of whom collected.csv shows late, and a sentence for each whose time it does not tell."""
-    heading, *rows = table(collected)
-    if lacking := {"student", "assignment", "file", "when", "late"} - set(heading):
-        raise UsageError(f"{collected} has no column {', '.join(sorted(lacking))}: name the table that `collect` wrote")
     late, open_ = dict[tuple[str, str], float](), []
-    for row in rows:
-        cells = dict(zip(heading, map(name_in, row), strict=False))
+    for cells in table:
         student, slug, when = cells["student"], cells["assignment"], cells["when"]
         due = known.get(slug, Terms()).due
         if not cells["file"] or due is None:
@@ -144,7 +147,7 @@ def _days(known: Mapping[str, Terms], collected: Path) -> tuple[list[Entry], lis
     return [Entry(*one) for one in found if one[3] > 0], open_
 
 
-def _moment(text: str, collected: Path) -> datetime:
+def _moment(text: str, collected: Path | None) -> datetime:
     """The time in a cell; one without a zone is of this computer's."""
     try:
         return datetime.fromisoformat(text.replace(" UTC", "Z").replace(" Z", "Z"))
@@ -154,6 +157,11 @@ def _moment(text: str, collected: Path) -> datetime:
 
 def _by(one: Terms) -> str:
     return f"{BY_TABLE}, due {one.due:%Y-%m-%d %H:%M}" if one.due else BY_TABLE
+
+
+def _is_made_anew(one: Entry, anew: Collection[str]) -> bool:
+    """Whether a row comes from course.toml, or from the times of one of these assignments."""
+    return _source(one) == BY_COURSE or _source(one) == BY_TABLE and one.slug in anew
 
 
 def _source(one: Entry) -> str:

@@ -12,6 +12,7 @@ from pathlib import Path
 from tam570_grader.delivery import roster as rosters
 from tam570_grader.errors import UsageError, writing
 from tam570_grader.results.tables import FORMULA, cell, name_in, written
+from tam570_grader.writing.assignments import named
 
 __all__ = ["canvas", "moodle", "moodle_of", "run"]
 
@@ -39,12 +40,12 @@ def run(
     grades   : grades.csv, of `tam570-grader grade --out` or of `nbgrader export`
     roster   : a gradebook exported from Canvas, or a table of Moodle's participants: students are joined by their ids
     identity : what Moodle shall know students by: username, idnumber or email
-    only     : beginnings of the names of assignments; default: all
+    only     : names of assignments, hw07 say; default: all
     absent   : zero, or blank, for who did not hand in what others did
 
     With a roster the exit code is 1 if a score belongs to nobody on it, or somebody on it has no score.
     """
-    found = _only(_scores(grades, absent), only, grades) if only else _scores(grades, absent)
+    found = _only(_scores(grades, absent), only or ())
     people = rosters.people(roster) if roster else []
     if system == "moodle":
         table = moodle_of(found, people, identity) if roster else moodle(found, identity)
@@ -64,12 +65,10 @@ def run(
     return 1 if left else 0
 
 
-def _only(scores: Scores, names: Sequence[str], grades: Path) -> Scores:
-    """The scores of the assignments that are named."""
-    for name in names:
-        if not any(slug.startswith(name) for _, slug in scores):
-            raise UsageError(f"{grades} holds no assignment {name!r}")
-    return {key: score for key, score in scores.items() if key[1].startswith(tuple(names))}
+def _only(scores: Scores, names: Sequence[str]) -> Scores:
+    """The scores of the assignments that are named; all if there are no names."""
+    chosen = named(names, sorted({slug for _, slug in scores}))
+    return {key: score for key, score in scores.items() if key[1] in chosen}
 
 
 def _left(scores: Scores, people: Sequence[rosters.Person]) -> list[str]:

@@ -300,7 +300,7 @@ def _submissions(arguments: argparse.Namespace, known: list[str]) -> list[Any]:
     from tam570_grader.writing import assignments
 
     gc.set_threshold(100_000)  # a large class is many records without circles, which would be sought again and again
-    given = assignments.named([arguments.assignment], known)[0] if arguments.assignment else None
+    given = assignments.one_named(arguments.assignment, known)
     only = assignments.named(arguments.only or (), known)
     everything = submissions(arguments.paths, known, given)
     for sentence in overlooked(arguments.paths, everything, known):

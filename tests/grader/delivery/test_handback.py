@@ -24,7 +24,7 @@ COLLECTED = {
 
 @pytest.fixture
 def hand_back(tmp_path):
-    """`hand_back(system, rows)` -> exit code and name: text of what is in the zip file."""
+    """`hand_back(system, rows, *more)` -> exit code and name: text of what is in the zip file."""
     (tmp_path / "grades.csv").write_text(
         f"student,assignment,status,score,max_score\nann,{SLUG},graded,9,10\nbo,{SLUG},graded,8,10\n"
     )
@@ -32,11 +32,11 @@ def hand_back(tmp_path):
         (tmp_path / "feedback" / student).mkdir(parents=True)
         (tmp_path / "feedback" / student / f"{SLUG}.html").write_text(f"page of {student}")
 
-    def hand_back(system, rows):
+    def hand_back(system, rows, *more):
         (tmp_path / "collected.csv").write_text(HEADING + "".join(f"{row}\n" for row in rows))
         where = [str(tmp_path / name) for name in ("grades.csv", "pages.zip", "collected.csv", "table.csv")]
         options = ["--pages", where[1], "--collected", where[2], "--out", where[3]]
-        code = cli.main(["lms", where[0], "--to", system, *options])
+        code = cli.main(["lms", where[0], "--to", system, *options, *more])
         if not (tmp_path / "pages.zip").exists():
             return code, {}
         with zipfile.ZipFile(tmp_path / "pages.zip") as archive:
@@ -74,6 +74,19 @@ def test_names_of_another_system_are_refused(hand_back, capsys):
     assert "is --to right?" in capsys.readouterr().err
 
 
+OTHER = "ann,,hw07_x,hw07_x.py,,,Ann Adams_17_assignsubmission_file/hw07.py,"
+
+
+def test_a_zip_file_holds_the_pages_of_one_assignment(hand_back, tmp_path, capsys):
+    (tmp_path / "grades.csv").write_text(
+        f"student,assignment,status,score,max_score\nann,hw07_x,graded,9,10\nann,{SLUG},graded,9,10\n"
+    )
+    assert hand_back("moodle", [*COLLECTED["moodle"], OTHER]) == (2, {})
+    assert f"choose with --only: hw07_x, {SLUG}" in capsys.readouterr().err
+    code, found = hand_back("moodle", [*COLLECTED["moodle"], OTHER], "--only", "hw08")
+    assert code == 0 and len(found) == 2 and all(SLUG in name for name in found)
+
+
 NBGRADER = """assignment,duedate,timestamp,student_id,raw_score,score,max_score
 hw07_x,,2026-02-03,ann,9,9.0,12
 hw07_x,,,bo,0,0.0,12
@@ -89,7 +102,16 @@ def test_what_nobody_handed_in_is_blank_and_only_takes_some(tmp_path, capsys):
     assert capsys.readouterr().out.splitlines() == ["Username,hw07_x,hw08_x", "ann,9.0,", "bo,0.0,"]
     assert cli.main([*command, "--only", "hw07"]) == 0
     assert capsys.readouterr().out.splitlines() == ["Username,hw07_x", "ann,9.0", "bo,0.0"]
+    assert cli.main([*command, "--only", "hw7"]) == 0
+    assert capsys.readouterr().out.splitlines() == ["Username,hw07_x", "ann,9.0", "bo,0.0"]
     assert cli.main([*command, "--only", "hw09"]) == 2
+
+
+def test_only_hw1_is_not_hw10(tmp_path, capsys):
+    (tmp_path / "grades.csv").write_text("student,assignment,score,max_score\nann,hw01_x,1,10\nann,hw10_x,2,10\n")
+    command = ["lms", str(tmp_path / "grades.csv"), "--to", "moodle", "--only"]
+    assert cli.main([*command, "hw1"]) == 0
+    assert capsys.readouterr().out.splitlines() == ["Username,hw01_x", "ann,1"]
 
 
 OURS = """student,assignment,status,score,max_score

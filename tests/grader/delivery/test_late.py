@@ -5,6 +5,7 @@ import csv
 import pytest
 
 from tam570_grader import cli
+from tam570_grader.delivery.late import terms
 
 SLUG = "hw08_axis_angle"
 COURSE = """
@@ -125,7 +126,7 @@ def test_whose_time_is_not_known_is_named(desk, capsys):
         ("[late]\noff_a_day = 10", "[late] off_a_day is 10; write a number from 0 to 1"),
         ("[late]\nof_a_day = .1", "cannot read"),
         ("[late]\nof_a_day = 0.1", "do you mean off_a_day?"),
-        ("late = 3", "late is no table"),
+        ("late = 3", "late must be a table"),
         ('[hw08]\ndue = "Monday"', "[hw08] due is 'Monday'; write a date and a time"),
         ("[hw08]\nextension = 2", "write [hw08.extension]"),
         ("[hw08.extension]\nann = -1", "[hw08.extension] ann is -1; write days"),
@@ -141,3 +142,14 @@ def test_a_name_without_results_is_told(desk, capsys):
     (desk / "course.toml").write_text(COURSE.replace("cas = 2", "cass = 2"))
     assert points() == 1
     assert "cass more time in hw08_axis_angle; no results" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("key", ["hw7", "HW07", "homework 7"])
+def test_an_assignment_has_the_names_that_it_has_elsewhere(tmp_path, key):
+    found = terms(tmp_path / "course.toml", {key: {"extension": {"ann": 1}}}, ["hw07_double_pendulum", SLUG])
+    assert [dict(one.extension) for one in found.values()] == [{"ann": 1}, {}]
+
+
+def test_hw1_is_not_hw10(tmp_path):
+    found = terms(tmp_path / "course.toml", {"hw1": {"extension": {"ann": 1}}}, ["hw01_pendulum", "hw10_disk"])
+    assert [dict(one.extension) for one in found.values()] == [{"ann": 1}, {}]

@@ -1,0 +1,106 @@
+"""One download after another: collected.csv lists them all, late days stay, a notebook that is overtaken is named."""
+
+import csv
+import zipfile
+from pathlib import Path
+
+import pytest
+
+from tam570_grader import cli
+from tam570_grader.results.journal import RESULT, Book
+
+COURSE = """
+[late]
+off_a_day = 0.1
+
+[hw7]
+due = 2026-09-07T23:59:00
+
+[hw8]
+due = 2026-09-14T23:59:00
+"""
+NUMBERS = {"ann": 17, "ben": 18}  # as Moodle has them, and the folders
+STUB = "def rotate(r, axis, angle):\n    raise NotImplementedError\n"
+NOTEBOOK = '{"cells": [{"cell_type": "code", "source": ["def rotate(r, axis, angle):\\n"]}], "nbformat": 4}'
+
+
+@pytest.fixture
+def desk(tmp_path, monkeypatch):
+    """An empty folder with course.toml, where the commands are given."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "course.toml").write_text(COURSE)
+    return tmp_path
+
+
+def collect(*came):
+    """Collect a download of Moodle's, of (student, file, day of September, text); the exit code."""
+    with zipfile.ZipFile("download.zip", "w") as archive:
+        for who, file, day, *text in came:
+            name = f"{who}_{NUMBERS[who]}_assignsubmission_file_/{file}"
+            archive.writestr(zipfile.ZipInfo(name, (2026, 9, day, 12, 0, 0)), "".join(text))
+    return cli.main(["collect", "download.zip", "--from", "moodle"])
+
+
+def rows(path):
+    with open(path, newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def collected():
+    return [(row["name"], row["assignment"][:4], row["when"][:10]) for row in rows("collected.csv")]
+
+
+def scores():
+    """What students have by collected.csv and course.toml, where all is right."""
+    book = Book(Path("results"))
+    for row in rows("collected.csv"):
+        known = {"student": row["student"], "assignment": row["assignment"], "status": "graded", "seed": 1}
+        book.add({**dict.fromkeys(RESULT, 0), **known, "score": 10.0, "max_score": 10.0, "checks": []})
+    book.close()
+    assert cli.main(["points", "results", "--collected", "collected.csv"]) == 0
+    return {(row["student"], row["assignment"][:4]): float(row["score"]) for row in rows("results/grades.csv")}
+
+
+def test_the_next_homework_leaves_the_rows_and_late_days_of_the_last(desk):
+    assert collect(("ann", "hw07.py", 6), ("ben", "hw07.py", 9)) == 0
+    assert scores() == {("17", "hw07"): 10, ("18", "hw07"): 8}
+    assert collect(("ann", "hw08.py", 16), ("ben", "hw08.py", 13)) == 0
+    assert len(collected()) == 4
+    assert scores() == {("17", "hw07"): 10, ("17", "hw08"): 8, ("18", "hw07"): 8, ("18", "hw08"): 10}
+
+
+def test_a_table_of_one_homework_leaves_the_late_days_of_the_others(desk):
+    collect(("ann", "hw07.py", 9))
+    assert scores() == {("17", "hw07"): 8}
+    (desk / "collected.csv").unlink()
+    collect(("ann", "hw08.py", 13))
+    assert scores() == {("17", "hw07"): 8, ("17", "hw08"): 10}
+
+
+def test_what_is_collected_again_replaces_its_row_and_no_other(desk):
+    collect(("ann", "hw07.py", 6, "first"), ("ben", "hw07.py", 6))
+    collect(("ann", "hw07.py", 9, "second"))
+    assert collected() == [("ann", "hw07", "2026-09-09"), ("ben", "hw07", "2026-09-06")]
+    assert [path.read_text() for path in desk.glob("submitted/17/*/*")] == ["second"]
+
+
+def test_another_table_of_that_name_is_not_written_over(desk, capsys):
+    (desk / "collected.csv").write_text("who,what\nann,stamps\n")
+    assert collect(("ann", "hw07.py", 6)) == 2
+    assert "collected.csv has no column" in capsys.readouterr().err
+    assert "stamps" in (desk / "collected.csv").read_text()
+
+
+@pytest.mark.parametrize(
+    ("module", "day", "code"), [("x = 1\n", 12, 1), ("x = 1\n", 13, 0), ("x = 1\n", 14, 0), (STUB, 12, 0)]
+)
+def test_a_notebook_that_came_after_the_module_that_counts_is_named(desk, capsys, module, day, code):
+    assert collect(("ann", "hw08.py", day, module), ("ann", "hw08.ipynb", 13, NOTEBOOK)) == code
+    err = capsys.readouterr().err
+    assert bool(err) == bool(code) and ("hw08.ipynb of 17 is newer than submitted/17/" in err) == bool(code)
+
+
+def test_a_notebook_after_a_module_of_an_earlier_download_is_named(desk, capsys):
+    assert collect(("ann", "hw08.py", 12, "x = 1\n")) == 0
+    assert collect(("ann", "hw08.ipynb", 13, NOTEBOOK)) == 1
+    assert "delete the module if the notebook should count" in capsys.readouterr().err
