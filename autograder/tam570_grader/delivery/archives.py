@@ -5,17 +5,21 @@ import os
 import stat
 import zipfile
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import datetime
+from functools import partial
 from pathlib import Path
 
 from tam570_grader.errors import UsageError
-from tam570_grader.grading.submissions import LARGEST
+from tam570_grader.grading.submissions import LARGEST, WORK
+from tam570_grader.sandbox.replies import printable
 
 __all__ = ["File", "inside", "members"]
 
 MOST = 100_000  # files in a download
 MOST_INSIDE = 1000  # files in a student's own zip file
+MOST_UNPACKED = 2 * LARGEST  # bytes of all work in it: every student's is held until all are read
+METHODS = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)  # the others unpack a piece whole, however large it becomes
 SYSTEMS = ("__MACOSX", ".DS_Store")  # what systems put beside the files
 
 
@@ -36,43 +40,55 @@ def members(source: Path) -> Iterator[File]:
         return
     try:
         with zipfile.ZipFile(source) as archive:
-            yield from _of_zip(archive, MOST, str(source))
-    except (OSError, zipfile.BadZipFile) as error:
+            yield from map(partial(_member, archive), _files(archive, MOST, str(source)))
+    except (OSError, ValueError, NotImplementedError, zipfile.BadZipFile) as error:
         raise UsageError(
             f"cannot read {source} as a zip file: {error}; download it again, or name its folder"
         ) from None
 
 
 def inside(packed: File) -> list[File]:
-    """What a student's own zip file holds; one file that says why where it cannot be read."""
+    """The work in a student's own zip file; one file that says why where it cannot be read."""
     try:
         with zipfile.ZipFile(io.BytesIO(packed.data)) as archive:
-            return list(_of_zip(archive, MOST_INSIDE, packed.path))
-    except (zipfile.BadZipFile, UsageError) as error:
+            infos = [one for one in _files(archive, MOST_INSIDE, packed.path) if one.filename.endswith(WORK)]
+            if sum(one.file_size for one in infos) > MOST_UNPACKED:
+                raise UsageError(f"its modules and notebooks have more than {MOST_UNPACKED // 2**20} MiB together")
+            return [replace(one, path=printable(one.path)) for one in map(partial(_member, archive), infos)]
+    except Exception as error:  # zipfile raises many kinds, those of its parts among them
         return [File(packed.path, b"", packed.when, f"it cannot be unpacked: {error}")]
 
 
-def _of_zip(archive: zipfile.ZipFile, most: int, name: str) -> Iterator[File]:
+def _files(archive: zipfile.ZipFile, most: int, name: str) -> list[zipfile.ZipInfo]:
     infos = [one for one in archive.infolist() if not one.is_dir() and not set(one.filename.split("/")) & {*SYSTEMS}]
     if len(infos) > most:
         raise UsageError(f"{name} holds more than {most} files: is it the right one?")
-    for info in infos:
-        yield _member(archive, info)
+    return infos
 
 
 def _member(archive: zipfile.ZipFile, info: zipfile.ZipInfo) -> File:
-    """One file, of which no more than what may be handed in is ever unpacked."""
-    when = datetime(*info.date_time) if info.date_time > (1980, 1, 1, 0, 0, 0) else None
+    """One file, of which no more is ever unpacked than may be handed in, or than the zip file says it has."""
+    when = _when(info)
     parts = info.filename.replace("\\", "/").split("/")
     if info.filename.startswith("/") or ".." in parts:
         return File(info.filename, b"", when, "its path leads out of the zip file")
     if stat.S_ISLNK(info.external_attr >> 16):
         return File(info.filename, b"", when, "it is a link")
+    if info.compress_type not in METHODS:
+        return File(info.filename, b"", when, "it cannot be unpacked: make the zip file with the system's own program")
     try:
         with archive.open(info) as file:
-            return _checked(info.filename, file.read(LARGEST + 1), when)
-    except (zipfile.BadZipFile, RuntimeError, NotImplementedError, EOFError, OSError, ValueError) as error:
+            return _checked(info.filename, file.read(min(info.file_size, LARGEST) + 1), when)
+    except Exception as error:  # as above
         return File(info.filename, b"", when, f"it cannot be unpacked: {error}")
+
+
+def _when(info: zipfile.ZipInfo) -> datetime | None:
+    """When it was changed; a zip file may tell no date, or one that does not exist."""
+    try:
+        return datetime(*info.date_time) if info.date_time > (1980, 1, 1, 0, 0, 0) else None
+    except ValueError:
+        return None
 
 
 def _of_folder(path: Path, source: Path) -> File:

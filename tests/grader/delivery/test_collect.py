@@ -3,6 +3,7 @@
 import csv
 import io
 import stat
+import tracemalloc
 import zipfile
 
 import pytest
@@ -118,6 +119,59 @@ def test_what_cannot_be_placed_is_named_and_the_code_is_1(collect, name, data, s
     code, found, _, said = collect("canvas", {"adamsann_17_5_hw08.py": "a", name: data})
     assert code == 1 and says in said and found[module("aadams")] == "a"
     assert not any("cchen" in path for path in found)
+
+
+def spoilt(method=zipfile.ZIP_DEFLATED, central=None, stream=None):
+    """A zip file of hw08.py with bytes of its directory's entry, or of the packed stream, replaced at an offset."""
+    data = io.BytesIO()
+    with zipfile.ZipFile(data, "w", method) as archive:
+        archive.writestr("hw08.py", "x = 1\n" * 100)
+    text = bytearray(data.getvalue())
+    for start, change in ((text.index(b"PK\1\2"), central), (30 + len("hw08.py"), stream)):
+        if change:
+            offset, new = change
+            text[start + offset : start + offset + len(new)] = new
+    return bytes(text)
+
+
+@pytest.mark.parametrize(
+    "data",
+    [
+        spoilt(stream=(0, b"\xff" * 8)),
+        spoilt(zipfile.ZIP_LZMA, stream=(4, b"\xff" * 9)),
+        spoilt(zipfile.ZIP_BZIP2),
+        spoilt(central=(6, b"\x63\0")),
+        spoilt(central=(8, b"\0\x08")).replace(b"hw08.py", b"\xffw08.py"),
+        spoilt(central=(42, b"\xf0\xff\xff\x7f")),
+        spoilt(central=(24, b"\x05\0\0\0")),
+    ],
+    ids=["deflate", "lzma", "bzip2", "version", "name", "offset", "size"],
+)
+def test_a_malformed_zip_file_is_named_and_the_rest_is_collected(collect, data):
+    code, found, _, said = collect("canvas", {"adamsann_17_5_hw08.py": "a", "chency_19_9_hw08.zip": data})
+    assert code == 1 and found == {module("aadams"): "a"}
+    assert "chency_19_9_hw08.zip" in said and "of cchen is not collected: it cannot be unpacked" in said
+
+
+def test_a_date_that_does_not_exist_is_no_date(collect):
+    code, found, _, _ = collect("canvas", {"chency_19_9_hw08.zip": spoilt(central=(14, b"\xe1\x29"))})
+    assert code == 0 and list(found) == [module("cchen")]
+
+
+@pytest.mark.parametrize(("name", "says"), [("hw08_{}.py", "more than 20 MiB"), ("{}.dat", "neither a module")])
+def test_a_zip_file_that_unpacks_to_much_takes_no_memory(collect, name, says):
+    bomb = packed({name.format(k): bytes(LARGEST) for k in range(10)})
+    tracemalloc.start()
+    code, found, _, said = collect("canvas", {"adamsann_17_5_hw08.py": "a", "chency_19_9_hw08.zip": bomb})
+    most = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert code == 1 and list(found) == [module("aadams")] and says in said
+    assert most < 3 * LARGEST
+
+
+def test_a_name_in_a_zip_file_moves_no_cursor(collect):
+    _, _, _, said = collect("canvas", {"chency_19_9_hw08.zip": packed({"\x1b[2Jwork.py": "x"})})
+    assert r"\x1b[2Jwork.py" in said and all(line.isprintable() for line in said.splitlines())
 
 
 def test_a_link_in_a_zip_file_is_refused(collect):
