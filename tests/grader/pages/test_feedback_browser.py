@@ -238,9 +238,12 @@ def test_a_long_table_turns_its_pages(crowd):
 
 
 def test_a_name_with_a_comma_in_it_is_one_name(crowd):
+    from playwright.sync_api import expect
+
     crowd.locator("#lecture summary").click()
     links = crowd.locator("#lecture").get_by_role("link")
-    assert links.count() == 250 and links.first.inner_text() == "s000, x"
+    expect(links).to_have_count(250)
+    assert links.first.inner_text() == "s000, x"
 
 
 def test_all_rows_are_printed(crowd):

@@ -1,4 +1,4 @@
-"""The start is taken at t = 0; it is the state at t[0].
+"""The given state is treated as the state at t = 0, but it is the state at t[0].
 
 fails: without_gravity_it_goes_round_uniformly, with_gravity_it_swings_or_goes_round
 """

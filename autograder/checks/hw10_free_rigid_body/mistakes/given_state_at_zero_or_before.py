@@ -1,7 +1,6 @@
-"""The given state is treated as the state at t = 0, not at t[0].
+"""The given state is treated as the state at t = 0, but it is the state at t[0].
 
 fails: omega_follows_elliptic_functions, attitude_follows_the_motion
-also: the given state is treated as the state at t = 0, but it is the state at t[0] | the given state is treated as the state at t = 0, but it is the state at t[0], and times before 0 are left out
 """
 
 _right_simulate = simulate

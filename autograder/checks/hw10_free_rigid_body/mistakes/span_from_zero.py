@@ -1,4 +1,4 @@
-"""The given state is treated as the state at t = 0, but it is the state at t[0], and times before 0 are left out.
+"""The given state is treated as the state at t = 0, but it is the state at t[0].
 
 fails: omega_follows_elliptic_functions, attitude_follows_the_motion, rim_paths_are_drawn
 """
