@@ -21,7 +21,7 @@ from tam570_grader.delivery.command import (
     add_stubs,
 )
 from tam570_grader.delivery.points import add_points
-from tam570_grader.errors import UsageError
+from tam570_grader.errors import UsageError, warn
 from tam570_grader.grading.certificates import add_certificates
 from tam570_grader.grading.command import add_grade
 from tam570_grader.grading.replay import add_replay
@@ -64,10 +64,10 @@ def main(argv: list[str] | None = None) -> int:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0
     except UsageError as error:
-        print(f"tam570-grader: error: {error}", file=sys.stderr)
+        warn(str(error), "error: ")
         return 2
     except OSError as error:
-        print(f"tam570-grader: error: {error}", file=sys.stderr)
+        warn(str(error), "error: ")
         return 1
 
 

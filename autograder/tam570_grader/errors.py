@@ -1,14 +1,29 @@
-"""What the commands tell an instructor without a traceback."""
+"""What the commands tell an instructor, without a traceback and with nothing that moves the cursor."""
 
+import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-__all__ = ["UsageError", "writing"]
+__all__ = ["UsageError", "printable", "warn", "writing"]
 
 
 class UsageError(Exception):
     """Something that was asked for cannot be done; the message names the input and the remedy."""
+
+
+def printable(text: str) -> str:
+    """A text with what is no text escaped: what moves a terminal's cursor, and bytes that are not UTF-8."""
+    return (
+        text
+        if text.isprintable()
+        else "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text)
+    )
+
+
+def warn(says: str, kind: str = "warning: ") -> None:
+    """Tell the instructor a sentence; names of files and students in it may hold anything."""
+    print(f"tam570-grader: {kind}{printable(says)}", file=sys.stderr)
 
 
 @contextmanager

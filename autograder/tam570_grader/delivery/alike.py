@@ -4,7 +4,6 @@ The method: S. Schleimer, D. S. Wilkerson, A. Aiken, "Winnowing: local algorithm
 """
 
 import io
-import sys
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -13,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from tam570_grader.delivery.export import code
-from tam570_grader.errors import UsageError
+from tam570_grader.errors import UsageError, warn
 from tam570_grader.grading.submissions import CannotRead, submissions
 from tam570_grader.sandbox.notebooks import Unshown, statements_of
 
@@ -48,7 +47,7 @@ def run(course: Path, paths: Sequence[Path], known: Sequence[str], given: str | 
             texts[one.slug][one.student] = _statements(code(one))
         except (CannotRead, Unshown) as error:
             unread += 1
-            print(f"tam570-grader: warning: {one.student} {one.slug} is left out: {error}", file=sys.stderr)
+            warn(f"{one.student} {one.slug} is left out: {error}")
     found = [pair for slug in sorted(texts) for pair in pairs(course, slug, texts[slug]) if pair.share >= least]
     for pair in sorted(found, key=lambda pair: (-pair.share, pair.slug, pair.one)):
         first, second = (f"{100 * share:3.0f} %" for share in pair.shares)

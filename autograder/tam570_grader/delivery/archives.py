@@ -10,9 +10,8 @@ from datetime import datetime
 from functools import partial
 from pathlib import Path
 
-from tam570_grader.errors import UsageError
+from tam570_grader.errors import UsageError, printable
 from tam570_grader.grading.submissions import LARGEST, WORK
-from tam570_grader.sandbox.replies import printable
 
 __all__ = ["File", "inside", "members"]
 

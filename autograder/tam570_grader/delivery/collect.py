@@ -2,17 +2,16 @@
 
 import csv
 import io
-import re
-import sys
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 from tam570_grader.delivery import roster
 from tam570_grader.delivery.archives import File, inside, members
 from tam570_grader.delivery.downloads import READERS, Handed
-from tam570_grader.errors import UsageError, writing
-from tam570_grader.grading.submissions import GIVEN, WORK, of_folder, of_name
+from tam570_grader.errors import UsageError, warn, writing
+from tam570_grader.grading.submissions import GIVEN, WORK, folder_of, of_folder, of_name
 from tam570_grader.results.tables import cell, name_in, table, written
 
 __all__ = ["listed", "run"]
@@ -22,8 +21,8 @@ TABLE = "collected.csv"
 NAMELESS = "cannot tell the assignment: give it with --assignment"
 NOT_WORK = "neither a module (.py) nor a notebook (.ipynb): ask the student for one"
 OLDER, RELEASED = "older", "came with the assignment"  # why a file is left, where all is well
+OTHER = "another file counts: see which one, and name that after the assignment"
 STRANGER = "is on no row of the roster"
-UNSAFE = re.compile(r"[^\w.@+ -]|^[.-]")  # in the name of a student's folder
 
 
 @dataclass(frozen=True)
@@ -39,7 +38,7 @@ class Taken:
 
 def listed(path: Path, needed: Collection[str] = COLUMNS) -> list[dict[str, str]]:
     """The rows of collected.csv by column; UsageError if it lacks one that is needed."""
-    heading, *rows = table(path)
+    heading, *rows = table(path, "surrogateescape")  # names of files may hold any bytes
     if lacking := {*needed} - {*heading}:
         raise UsageError(f"{path} has no column {', '.join(sorted(lacking))}: name the table that `collect` wrote")
     return [dict(zip(heading, [*map(name_in, row), *[""] * len(heading)], strict=False)) for row in rows]
@@ -64,7 +63,7 @@ def run(
     troubles += [f"{stray.path} {stray.refused or f'is not named as {system} names submissions'}" for stray in strays]
     troubles += [f"{row} {STRANGER}" for row in _strangers(rows, people)] if students else []
     for line in troubles:
-        print(f"tam570-grader: warning: {line}", file=sys.stderr)
+        warn(line)
     _say(rows, out, people)
     return 1 if troubles else 0
 
@@ -82,7 +81,7 @@ def _unpacked(handed: Handed) -> list[Handed]:
 
 def _taken(handed: Handed, people: Mapping[str, roster.Person], known: Sequence[str], given: str | None) -> Taken:
     person = next((people[key] for key in handed.ids if key in people), None)
-    student = _folder(person.ids[0] if person else handed.ids[0])
+    student = folder_of(person.ids[0] if person else handed.ids[0])
     title = handed.title.removesuffix(".txt") if handed.title.endswith(".py.txt") else handed.title
     slug = given or of_name(title, known) or ""
     suffix = Path(title).suffix.lower()
@@ -95,21 +94,27 @@ def _taken(handed: Handed, people: Mapping[str, roster.Person], known: Sequence[
     return Taken(student, handed, slug, f"{slug}{suffix}", "") if slug else Taken(student, handed, "", "", NAMELESS)
 
 
-def _folder(name: str) -> str:
-    """A student's id as the name of a folder, from which no path leads anywhere."""
-    return UNSAFE.sub("_", name)[:200] or "_"
-
-
 def _newest(rows: Sequence[Taken]) -> list[Taken]:
-    """All rows, of which the newest of each student, assignment and form alone keeps its place."""
-    last: dict[tuple[str, str], Taken] = {}
+    """All rows, of which the best of each student, assignment and form alone keeps its place."""
+    best: dict[tuple[str, str], Taken] = {}
     for row in rows:
         key = row.student, row.target
-        if row.target and (key not in last or row.handed.order >= last[key].handed.order):
-            last[key] = row
-    kept = set(map(id, last.values()))
-    found = [row if not row.target or id(row) in kept else replace(row, target="", note=OLDER) for row in rows]
+        if row.target and (key not in best or _rank(row) >= _rank(best[key])):
+            best[key] = row
+    found = [_passed_over(row, best[row.student, row.target]) if row.target else row for row in rows]
     return sorted(found, key=lambda row: (row.student, row.slug, row.handed.order))
+
+
+def _rank(row: Taken) -> tuple[bool, tuple[Any, ...]]:
+    """A file that is named after its assignment goes before scratch, then the newest."""
+    return of_name(row.handed.title, [row.slug]) is not None, row.handed.order
+
+
+def _passed_over(row: Taken, best: Taken) -> Taken:
+    """The row, without its place where another has it."""
+    if row is best:
+        return row
+    return replace(row, target="", note=OLDER if row.handed.order < best.handed.order else OTHER)
 
 
 def _write(rows: Sequence[Taken], out: Path) -> None:
@@ -170,6 +175,6 @@ def _say(rows: Sequence[Taken], out: Path, people: Mapping[str, roster.Person]) 
     here = {row.student for row in kept}
     late = sum(row.handed.late for row in kept)
     print(f"{out}: {len(kept)} files of {len(here)} students, {late} late; {out.parent / TABLE} lists them")
-    absent = sorted({one.ids[0] for one in people.values()} - here)
+    absent = sorted({folder_of(one.ids[0]) for one in people.values()} - here)
     if absent:
         print(f"{len(absent)} on the roster handed in nothing: {', '.join(absent)}")

@@ -2,10 +2,9 @@
 
 import argparse
 import contextlib
-import sys
 from pathlib import Path
 
-from tam570_grader.errors import UsageError
+from tam570_grader.errors import UsageError, warn
 from tam570_grader.options import Commands
 
 __all__ = [
@@ -211,7 +210,7 @@ def _lms(arguments: argparse.Namespace) -> int:
         pages = arguments.grades.parent / "feedback"
         lacking = handback.run(pages, arguments.collected, arguments.to, arguments.pages, arguments.only)
     for line in filter(None, [*lacking, _terms(arguments.grades.parent, arguments.root)]):
-        print(f"tam570-grader: warning: {line}", file=sys.stderr)
+        warn(line)
     given = arguments
     code = lms.run(given.grades, given.to, given.roster, given.identity, given.out, given.only, given.absent)
     return code or bool(lacking)
@@ -236,7 +235,7 @@ def _report(arguments: argparse.Namespace) -> int:
 
     feedback.must_write_pages()
     if line := _terms(arguments.folder, arguments.root):
-        print(f"tam570-grader: warning: {line}", file=sys.stderr)
+        warn(line)
     return report.run(arguments.folder, assignments.find(arguments.root), arguments.roster, arguments.out)
 
 

@@ -8,19 +8,25 @@ or as the beginning of the file's name. Gradescope: "Exporting submissions" (Hel
 """
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
 from tam570_grader.delivery.archives import File
-from tam570_grader.errors import UsageError
 
-__all__ = ["READERS", "Handed"]
+__all__ = ["READERS", "Handed", "named"]
 
-CANVAS = re.compile(r"(?P<name>.+?)_(?P<late>LATE_)?(?P<user>\d+)_(?P<attachment>\d+)_(?P<file>.+)", re.IGNORECASE)
+# of a file or folder; the first that fits counts, for a student may name what is behind it like anybody's
+NAMES = {
+    "canvas": re.compile(
+        r"(?P<name>.+?)_(?P<late>LATE_)?(?P<user>[0-9]+)_(?P<attachment>[0-9]+)_(?P<file>.*[^\W\d_].*)",
+        re.IGNORECASE | re.DOTALL,
+    ),
+    "moodle": re.compile(
+        r"(?P<name>.+?)_(?P<user>[0-9]+)_assignsubmission_(?:file|onlinetext)_?(?P<file>.*)", re.DOTALL
+    ),
+}
 AGAIN = re.compile(r"-(\d+)(?=\.\w+$)")  # what Canvas puts into the name of a file that is handed in again
-MOODLE = re.compile(r"(?P<name>[^/]+)_(?P<user>\d+)_assignsubmission_(?:file|onlinetext)_?/?(?P<file>.*)")
-METADATA = "submission_metadata.yml"
 
 
 @dataclass(frozen=True)
@@ -36,60 +42,48 @@ class Handed:
     order: tuple[Any, ...] = ()  # the newest is the largest
 
 
+def named(path: str, system: str) -> re.Match[str] | None:
+    """The first folder or file of a path that is named as Canvas or Moodle names submissions."""
+    return next(filter(None, map(NAMES[system].fullmatch, path.split("/"))), None)
+
+
 def canvas(files: Iterable[File]) -> Iterator[Handed | File]:
     """Who handed in what; files that are not named as Canvas does are given back."""
     for file in files:
-        if not (found := CANVAS.fullmatch(file.path.rsplit("/", 1)[-1])):
+        if not (found := named(file.path, "canvas")):
             yield file
             continue
         again = AGAIN.search(found["file"])
         order = int(found["attachment"]), int(again[1]) if again else 0
-        title = AGAIN.sub("", found["file"])
+        title = AGAIN.sub("", found["file"]) if file.path.endswith(found.string) else file.path.rsplit("/", 1)[-1]
         yield Handed((found["user"],), found["name"], file, title, "", bool(found["late"]), order)
 
 
 def moodle(files: Iterable[File]) -> Iterator[Handed | File]:
     """Who handed in what, by folders or by the beginnings of names."""
     for file in files:
-        if not (found := MOODLE.search(file.path)) or not found["file"]:
+        if not (found := named(file.path, "moodle")) or file.path.endswith(found.string) and not found["file"]:
             yield file
             continue
         when = file.when.isoformat(" ") if file.when else ""
-        title = found["file"].rsplit("/", 1)[-1]
+        title = found["file"] if file.path.endswith(found.string) else file.path.rsplit("/", 1)[-1]
         yield Handed((found["user"], found["name"]), found["name"], file, title, when, False, (when,))
 
 
 def gradescope(files: Iterable[File]) -> Iterator[Handed | File]:
     """Who handed in what, by the table of submissions; a group's file is each member's."""
+    from tam570_grader.delivery.gradescope_table import table_in
+
     held = list(files)
-    submissions = _metadata(held)
+    table = table_in(held)
     for file in held:
-        folder = next((part for part in file.path.split("/")[:-1] if part in submissions), None)
-        if file.path.endswith(METADATA):
+        if file is table.file:
             continue
-        if folder is None:
+        people, when = table.of(file)
+        if not people:
             yield file
-            continue
-        when = str(submissions[folder].get(":created_at") or "")
-        for who in submissions[folder].get(":submitters") or []:
-            ids = tuple(str(who[key]) for key in (":sid", ":email") if who.get(key))
-            name = str(who.get(":name") or "")
-            yield Handed((*ids, name), name, file, file.path.rsplit("/", 1)[-1], when, False, (when,))
-
-
-def _metadata(files: Iterable[File]) -> Mapping[str, Any]:
-    import yaml
-
-    text = next((file.data for file in files if file.path.endswith(METADATA)), None)
-    if text is None:
-        raise UsageError(f"the export holds no {METADATA}: choose Export Submissions in Gradescope")
-    try:
-        found = yaml.load(text, Loader=yaml.BaseLoader)  # BaseLoader: every leaf stays text, as 007 must
-    except yaml.YAMLError as error:
-        raise UsageError(f"{METADATA} cannot be read: {error}; export the submissions again") from None
-    if not isinstance(found, dict):
-        raise UsageError(f"{METADATA} lists no submissions; export them again")
-    return found
+        for ids, name in people:
+            yield Handed(ids, name, file, file.path.rsplit("/", 1)[-1], when, False, (when,))
 
 
 READERS = {"canvas": canvas, "moodle": moodle, "gradescope": gradescope}

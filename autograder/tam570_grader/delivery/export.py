@@ -9,12 +9,11 @@ import io
 import os
 import random
 import shutil
-import sys
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from tam570_grader.errors import UsageError, writing
+from tam570_grader.errors import UsageError, warn, writing
 from tam570_grader.grading.submissions import CannotRead, Submission, read, submissions
 from tam570_grader.results.tables import cell, written
 from tam570_grader.sandbox.notebooks import Unshown, cells_of
@@ -44,7 +43,7 @@ def run(
             texts[one.slug][numbers[one.student]] = code(one)
         except (CannotRead, Unshown) as error:
             unread += 1
-            print(f"tam570-grader: warning: {one.student} {one.slug} is left out: {error}", file=sys.stderr)
+            warn(f"{one.student} {one.slug} is left out: {error}")
     with writing(out):
         out.mkdir(parents=True, exist_ok=True)
         _write_names(numbers, out / NAMES)

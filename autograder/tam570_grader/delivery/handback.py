@@ -10,8 +10,8 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from tam570_grader.delivery.collect import listed
-from tam570_grader.delivery.downloads import CANVAS, MOODLE
-from tam570_grader.errors import UsageError, writing
+from tam570_grader.delivery.downloads import named
+from tam570_grader.errors import UsageError, printable, writing
 from tam570_grader.writing import assignments
 
 __all__ = ["run"]
@@ -39,7 +39,7 @@ def run(pages: Path, collected: Path, system: str, out: Path, only: Sequence[str
         for (student, slug), name in sorted(found.items()):
             page = pages / student / f"{slug}.html"
             if page.is_file():
-                archive.write(page, name)
+                archive.write(page, printable(name))
             else:
                 lacking.append(f"{student} has no page of {slug}: grade it first")
     return lacking
@@ -55,8 +55,9 @@ def _named(collected: Path, system: str) -> Iterator[tuple[tuple[str, str], str]
 
 def _beginning(path: str, system: str) -> str:
     """What the system put before the student's own name of the file."""
-    if system == "canvas":
-        found = next(filter(None, map(CANVAS.fullmatch, path.split("/"))), None)  # a zip file of work is a folder there
-        return found.string[: found.start("file")] if found else ""
-    placed = MOODLE.search(path)
-    return f"{placed['name']}_{placed['user']}_assignsubmission_file_" if placed else ""
+    found = named(path, system)
+    if found is None:
+        return ""
+    if system == "moodle":
+        return f"{found['name']}_{found['user']}_assignsubmission_file_"
+    return found.string[: found.start("file")]  # a zip file of work is a folder there

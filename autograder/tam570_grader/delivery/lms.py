@@ -5,12 +5,12 @@ Canvas: "How do I import grades in the Gradebook?" (Canvas Instructor Guide). Mo
 
 import csv
 import io
-import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from tam570_grader.delivery import roster as rosters
-from tam570_grader.errors import UsageError, writing
+from tam570_grader.errors import UsageError, warn, writing
+from tam570_grader.grading.submissions import folder_of
 from tam570_grader.results.tables import FORMULA, cell, name_in, written
 from tam570_grader.writing.assignments import named
 
@@ -61,7 +61,7 @@ def run(
         print(text.getvalue(), end="")
     left = _left(found, people) if roster else []
     for line in left:
-        print(f"tam570-grader: warning: {line}", file=sys.stderr)
+        warn(line)
     return 1 if left else 0
 
 
@@ -73,7 +73,7 @@ def _only(scores: Scores, names: Sequence[str]) -> Scores:
 
 def _left(scores: Scores, people: Sequence[rosters.Person]) -> list[str]:
     """Scores without a student and students without a score: a sentence for each."""
-    ids = {key for one in people for key in one.ids}
+    ids = {folder_of(key) for one in people for key in one.ids}
     strangers = sorted({student for student, _ in scores} - ids)
     scored = {key for key, (score, _) in scores.items() if score}
     slugs = sorted({slug for _, slug in scores})
@@ -81,7 +81,7 @@ def _left(scores: Scores, people: Sequence[rosters.Person]) -> list[str]:
         f"{one.name or one.ids[0]} ({one.ids[0]}) has no score in {slug}"
         for one in people
         for slug in slugs
-        if not any((key, slug) in scored for key in one.ids)
+        if not any((folder_of(key), slug) in scored for key in one.ids)
     ]
     return [
         f"{name} has scores and is on no row of the roster: add a row, or rename the folder" for name in strangers
@@ -93,7 +93,7 @@ def _warn_of_formulas(table: Sequence[Sequence[str]]) -> None:
     if found := sorted({text for row in table for text in row if text.startswith(FORMULA)}):
         names = ", ".join(map(repr, found))
         says = "import the table without opening it in a spreadsheet, which may take these for formulas"
-        print(f"tam570-grader: warning: {says}: {names}", file=sys.stderr)
+        warn(f"{says}: {names}")
 
 
 def canvas(scores: Scores, roster: Sequence[Sequence[str]] | None = None) -> list[list[str]]:
@@ -181,7 +181,7 @@ def _score(scores: Scores, person: Sequence[str], slug: str) -> str:
 
 def _first(scores: Scores, names: Sequence[str], slug: str) -> str:
     """The score of whoever goes by one of these names."""
-    return next((scores[name, slug][0] for name in names if (name, slug) in scores), "")
+    return next((scores[name, slug][0] for name in map(folder_of, names) if (name, slug) in scores), "")
 
 
 def _possible(scores: Scores, slug: str) -> str:

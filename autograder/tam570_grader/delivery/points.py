@@ -5,12 +5,11 @@ import contextlib
 import csv
 import difflib
 import io
-import sys
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 from tam570_grader.delivery import late
-from tam570_grader.errors import UsageError, writing
+from tam570_grader.errors import UsageError, warn, writing
 from tam570_grader.options import Commands
 from tam570_grader.results import by_hand
 from tam570_grader.results.by_hand import (
@@ -90,7 +89,7 @@ def _points(arguments: argparse.Namespace) -> int:
         by_hand.write(folder, hand)
         feedback.write_pages(folder / "feedback", book, course)
     for line in open_:
-        print(f"tam570-grader: warning: {line}", file=sys.stderr)
+        warn(line)
     print(f"{folder}: {len({one.key for one in new if one.student != EVERYONE})} rows added by hand")
     return 1 if open_ else 0
 

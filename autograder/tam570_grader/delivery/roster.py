@@ -9,6 +9,7 @@ from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
+from tam570_grader.grading.submissions import folder_of
 from tam570_grader.results.tables import table
 
 __all__ = ["NOT_PEOPLE", "Person", "by_id", "people", "students", "table"]
@@ -76,5 +77,6 @@ def by_id(found: Iterable[Person]) -> dict[str, Person]:
 
 
 def students(path: Path, known: Collection[str] = ()) -> list[str]:
-    """The students on a roster: by the id that is known already, else by their login."""
-    return [next((key for key in one.ids if key in known), one.ids[0]) for one in people(path)]
+    """The students on a roster, as their folders are named: by the id that is known already, else by their login."""
+    names = [[*map(folder_of, one.ids)] for one in people(path)]
+    return [next((name for name in own if name in known), own[0]) for own in names]

@@ -13,7 +13,7 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
 
-from tam570_grader.errors import UsageError, writing
+from tam570_grader.errors import UsageError, warn, writing
 from tam570_grader.options import Commands, add_cluster, cores, natural, positive
 
 __all__ = ["add_grade", "crew_of", "warn_of_isolation"]
@@ -219,7 +219,7 @@ def _key(path: Path, needed: bool) -> bytes:
     try:
         key = path.read_bytes().strip()
         if path.stat().st_mode & OTHERS:
-            print(f"tam570-grader: warning: the key is not yours alone: chmod 600 {path}", file=sys.stderr)
+            warn(f"the key is not yours alone: chmod 600 {path}")
     except OSError as error:
         raise UsageError(f"cannot read the key {path}: {error.strerror}") from None
     if len(key) < SHORTEST_KEY:
@@ -304,7 +304,7 @@ def _submissions(arguments: argparse.Namespace, known: list[str]) -> list[Any]:
     only = assignments.named(arguments.only or (), known)
     everything = submissions(arguments.paths, known, given)
     for sentence in overlooked(arguments.paths, everything, known):
-        print(f"tam570-grader: warning: {sentence}", file=sys.stderr)
+        warn(sentence)
     found = [one for one in everything if one.slug in only]
     if not found:
         raise UsageError(f"there is no submission of {', '.join(only)} at these paths")

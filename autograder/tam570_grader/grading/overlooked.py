@@ -5,8 +5,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
 from tam570_grader.delivery import roster
+from tam570_grader.errors import printable
 from tam570_grader.grading.submissions import GIVEN, MOST_NAMES, WORK, BadPath, Submission, entries, of_name
-from tam570_grader.sandbox.replies import printable
 from tam570_grader.writing.assignments import slug_of
 
 __all__ = ["not_handed_in", "overlooked"]

@@ -10,8 +10,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from tam570_grader.errors import UsageError
-from tam570_grader.sandbox.replies import printable
+from tam570_grader.errors import UsageError, printable
 from tam570_grader.sandbox.student import Source
 from tam570_grader.writing.assignments import slug_of
 
@@ -25,6 +24,7 @@ __all__ = [
     "CannotRead",
     "Submission",
     "entries",
+    "folder_of",
     "of_folder",
     "of_name",
     "read",
@@ -33,6 +33,9 @@ __all__ = [
 
 LARGEST = 10 * 2**20  # bytes; a notebook with pictures in it may have a few MiB
 LONGEST_NAME = 255  # bytes, of a file
+MOST_KEPT = 40  # characters of an id that is no name of a folder
+NO_NAME = '/\\<>:"|?*'  # in the name of a folder, on any system
+HIDDEN = re.compile(r"^(?:[.-]|__)[._-]*")  # how folders begin that are passed by, or taken for an option
 MOST_FILES = 1000  # in the folder of a student, or of an assignment
 WORK = (".py", ".ipynb")
 GIVEN = re.compile(r"test_.*|lab|conftest")  # modules beside the students' own
@@ -203,12 +206,24 @@ def _name(text: str) -> str:
     return _shortened(printable(text.replace("\\", "\\\\")))
 
 
+def folder_of(student: str) -> str:
+    """The name of the folder of a student who is known by an id: itself where it can be one, unlike any other's."""
+    plain = "".join(c if c.isprintable() and c not in NO_NAME else "_" for c in student)
+    plain = HIDDEN.sub("_", plain) or "_"
+    return _shortened(plain if plain == student else f"{plain[:MOST_KEPT]}-{_mark(student)}")
+
+
 def _shortened(name: str) -> str:
     """No longer than the name of a file may be."""
     if len(name.encode()) <= LONGEST_NAME:
         return name
-    mark = hashlib.sha256(name.encode()).hexdigest()[:12]
+    mark = _mark(name)
     return f"{name.encode()[: LONGEST_NAME - 1 - len(mark)].decode(errors='ignore')}-{mark}"
+
+
+def _mark(name: str) -> str:
+    """What tells a name from others that are cut to the same."""
+    return hashlib.sha256(name.encode(errors="surrogatepass")).hexdigest()[:12]
 
 
 def _chosen(entry: Path, is_folder: bool, known: Sequence[str], given: str | None) -> str | None:

@@ -18,7 +18,7 @@ FORMULA = "=", "+", "-", "@", "\t", "\r", "\n", "\uff1d", "\uff0b", "\uff0d", "\
 def written(path: Path, text: str | Iterable[str]) -> None:
     """Put the text, or its parts, in place of the file, whole or not at all."""
     draft = path.with_name(path.name + ".new")
-    with open(draft, "w", encoding="utf-8", newline="") as file:
+    with open(draft, "w", encoding="utf-8", errors="surrogateescape", newline="") as file:
         file.writelines([text] if isinstance(text, str) else text)
         file.flush()
         os.fsync(file.fileno())
@@ -40,15 +40,15 @@ def _could_be_formula(text: str) -> bool:
     return text.lstrip("'").startswith(FORMULA)
 
 
-def table(path: Path) -> list[list[str]]:
+def table(path: Path, errors: str = "strict") -> list[list[str]]:
     """The rows of a CSV file that are not empty, whatever separates its cells."""
-    return [row for _, row in lines(path)]
+    return [row for _, row in lines(path, errors)]
 
 
-def lines(path: Path) -> list[tuple[int, list[str]]]:
-    """The rows of a CSV file that are not empty, each with the line on which it ends."""
+def lines(path: Path, errors: str = "strict") -> list[tuple[int, list[str]]]:
+    """The rows of a CSV file that are not empty, each with the line on which it ends; `errors` as `open` has it."""
     try:
-        with open(path, newline="", encoding="utf-8-sig") as file:
+        with open(path, newline="", encoding="utf-8-sig", errors=errors) as file:
             first = file.readline()
             file.seek(0)
             reader = csv.reader(file, delimiter=max(DELIMITERS, key=first.count))

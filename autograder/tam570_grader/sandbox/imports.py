@@ -10,7 +10,8 @@ import re
 from collections.abc import Sequence
 from typing import Any
 
-from tam570_grader.sandbox.replies import error_of, printable
+from tam570_grader.errors import printable
+from tam570_grader.sandbox.replies import error_of
 from tam570_grader.writing.assignments import Assignment
 
 __all__ = ["NotLoaded", "not_compiled", "not_imported", "python_class", "skipped_cells"]

@@ -11,12 +11,13 @@ from typing import Any
 
 import numpy as np
 
+from tam570_grader.errors import printable
 from tam570_grader.sandbox.cell import CellLost
 from tam570_grader.sandbox.inside.wire import DEEPEST, Foreign
 from tam570_grader.writing.check import Given
 from tam570_grader.writing.returns import Drawing, Line
 
-__all__ = ["checked", "error_of", "imported", "printable", "sent", "strings"]
+__all__ = ["checked", "error_of", "imported", "sent", "strings"]
 
 Reply = dict[str, Any]
 
@@ -62,15 +63,6 @@ def error_of(reply: Any) -> Reply:
         "text": printable(" ".join(text[:LONGEST_TEXT].split())) if isinstance(text, str) else "",
         "line": line if isinstance(line, int) else 0,
     }
-
-
-def printable(text: str) -> str:
-    """A student's words with what is no text escaped: what moves a terminal's cursor, and bytes that are not UTF-8."""
-    return (
-        text
-        if text.isprintable()
-        else "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text)
-    )
 
 
 def strings(value: Any) -> bool:

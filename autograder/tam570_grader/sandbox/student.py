@@ -8,10 +8,11 @@ from typing import Any
 
 import numpy as np
 
+from tam570_grader.errors import printable
 from tam570_grader.sandbox.cell import PATIENCE, Cell, CellLost, CellTimeout
 from tam570_grader.sandbox.imports import NotLoaded, not_compiled, not_imported, python_class, skipped_cells
 from tam570_grader.sandbox.inside.wire import request
-from tam570_grader.sandbox.replies import checked, error_of, imported, printable, strings
+from tam570_grader.sandbox.replies import checked, error_of, imported, strings
 from tam570_grader.sandbox.worker import Worker, WorkerLost
 from tam570_grader.writing.assignments import Assignment
 from tam570_grader.writing.check import Given, given

@@ -2,6 +2,8 @@
 
 import csv
 import io
+import json
+import os
 import stat
 import tracemalloc
 import zipfile
@@ -172,6 +174,120 @@ def test_a_zip_file_that_unpacks_to_much_takes_no_memory(collect, name, says):
 def test_a_name_in_a_zip_file_moves_no_cursor(collect):
     _, _, _, said = collect("canvas", {"chency_19_9_hw08.zip": packed({"\x1b[2Jwork.py": "x"})})
     assert r"\x1b[2Jwork.py" in said and all(line.isprintable() for line in said.splitlines())
+
+
+# What a student names a file is nobody's name
+
+
+@pytest.mark.parametrize(
+    ("system", "path", "student"),
+    [
+        ("moodle", "Ann Adams_17_assignsubmission_file_Bo Brown_18_assignsubmission_file_hw08.py", "aadams"),
+        ("moodle", "Ann Adams_17_assignsubmission_file_/Bo Brown_18_assignsubmission_file_hw08.py", "aadams"),
+        ("moodle", "all/Ann Adams_17_assignsubmission_file/Bo Brown_18_assignsubmission_file_/hw08.py", "aadams"),
+        ("canvas", "adamsann_17_500_brownbo_18_600_hw08.py", "aadams"),
+        ("canvas", "adamsann_17_500_hw08/brownbo_18_600_hw08.py", "aadams"),
+        ("canvas", "submissions_2026_09_14/adamsann_17_500_hw08.py", "aadams"),
+    ],
+)
+def test_the_first_name_is_the_students(collect, system, path, student):
+    roster = PARTICIPANTS if system == "moodle" else ROSTER
+    code, found, _, said = collect(system, {path: "mine"}, roster, "--assignment", "hw08")
+    assert code == 0, said
+    assert found == {module(student): "mine"}
+
+
+OF_BO = """submission_1:
+  :submitters:
+  - :name: Bo Brown
+    :sid: A2
+"""
+
+
+def test_a_table_that_a_student_hands_in_is_not_the_classs(collect):
+    files = {
+        "export/submission_1/submission_metadata.yml": OF_BO,
+        "export/submission_1/submission_2/hw08.py": "of Ann and Bo",
+        "export/submission_metadata.yml": METADATA,
+        "export/submission_2/hw08.py": "of Cy",
+    }
+    code, found, _, said = collect("gradescope", files)
+    assert found == {module("aadams"): "of Ann and Bo", module("bbrown"): "of Ann and Bo", module("cchen"): "of Cy"}
+    assert code == 1 and "submission_1/submission_metadata.yml of aadams is not collected" in said
+
+
+NOT_TABLES = {
+    "in a submission": (METADATA, "holds no submission_metadata.yml beside its submissions"),
+    "aliases": ("a: &a [x, x]\nb: &b [*a, *a]\nsubmission_1:\n  :submitters: *b\n", "it has aliases"),
+    "deep": ("[" * 100_000, "too deep"),
+    "no table": ("- submission_1\n", "lists no submissions"),
+    "a submission is text": ("submission_1: Ann\n", "submission_1: this is not what Gradescope writes"),
+    "submitters are text": ("submission_1:\n  :submitters: Ann\n", "submission_1: this is not what"),
+    "a submitter is text": ("submission_1:\n  :submitters: [Ann]\n", "submission_1: a submitter has neither"),
+    "an id is a list": ("submission_1:\n  :submitters:\n  - :sid: [A1]\n", "submission_1: a submitter has neither"),
+    "a time is a list": ("submission_1:\n  :created_at: [now]\n", "submission_1: this is not what"),
+    "no text": (b"\xff\xfe\x00", "cannot be read"),
+    "large": (b"#" * (LARGEST + 1), "larger than 10 MiB"),
+}
+
+
+@pytest.mark.parametrize("what", NOT_TABLES)
+def test_a_table_that_gradescope_did_not_write_is_refused(course, tmp_path, capsys, what):
+    text, says = NOT_TABLES[what]
+    place = "export/submission_1/" if what == "in a submission" else "export/"
+    files = {f"{place}submission_metadata.yml": text, "export/submission_1/hw08.py": "x"}
+    (tmp_path / "a.zip").write_bytes(packed(files))
+    command = ["collect", str(tmp_path / "a.zip"), "--from", "gradescope", "--to", str(tmp_path / "submitted")]
+    assert cli.main(["--root", str(course), *command]) == 2
+    (line,) = capsys.readouterr().err.splitlines()
+    assert says in line and "submission_metadata.yml" in line and "Gradescope" in line
+    assert not (tmp_path / "submitted").exists()
+
+
+def test_a_submission_of_nobody_is_named(collect):
+    table = METADATA + "submission_3:\n  :created_at: 2026-02-03 10:00:00 -0600\n"
+    files = {"submission_metadata.yml": table, "submission_1/hw08.py": "x", "submission_3/hw08.py": "y"}
+    code, _, _, said = collect("gradescope", files)
+    assert code == 1 and "submission_3/hw08.py is not named as gradescope" in said
+
+
+# Names with anything in them
+
+
+def test_names_that_are_no_text_are_told_as_text_and_kept_whole(course, tmp_path, capsysbinary):
+    clear, bytes_ = "\x1b[2J", os.fsdecode(b"\xe9")  # what clears the screen, and a letter in Latin-1
+    path = f"Ann{clear} {bytes_}_17_assignsubmission_file_/{clear}work{bytes_}.py"
+    (tmp_path / "down" / path).parent.mkdir(parents=True)
+    (tmp_path / "down" / path).write_text("x")
+    (tmp_path / "down" / f"stray{clear}{bytes_}").write_text("x")
+    command = ["collect", str(tmp_path / "down"), "--from", "moodle", "--to", str(tmp_path / "submitted")]
+    for _ in range(2):  # the second reads what the first wrote
+        assert cli.main(["--root", str(course), *command]) == 1
+        out, err = capsysbinary.readouterr()
+        assert b"\x1b" not in out + err and err.count(rb"\x1b[2J") >= 2
+    assert os.fsencode(path) in (tmp_path / "collected.csv").read_bytes()
+
+
+@pytest.mark.parametrize(
+    "login", ["../../up", "a\0b", "\x1b[2J", "x" * 300, "__main", ".ssh", "-rf", "*", "a/b", "o'brien"]
+)
+def test_a_login_is_one_folder_and_the_same_student_on_the_roster(collect, course, tmp_path, capsys, login):
+    roster = f'Student,ID,SIS Login ID,Section\n"Adams, Ann",17,"{login}",570\n'
+    _, found, _, _ = collect("canvas", {"adamsann_17_5_hw08.py": "def skew(v): return v"}, roster)
+    (path,) = found
+    name = path.split("/")[0]
+    assert not (tmp_path / "up").exists() and len(name.encode()) <= 255 and name.isprintable()
+    assert (name == login) == (login == "o'brien")
+    where = ["--roster", str(tmp_path / "roster.csv"), "--seed", "1", "--json"]
+    assert cli.main(["--root", str(course), "grade", str(tmp_path / "course" / "submitted"), *where]) == 0
+    (line,) = capsys.readouterr().out.splitlines()
+    assert json.loads(line)["student"] == name
+
+
+def test_two_logins_are_two_folders(collect):
+    roster = 'Student,ID,SIS Login ID,Section\n"Adams, Ann",17,a/b,570\n"Brown, Bo",18,a:b,570\n'
+    _, found, _, _ = collect("canvas", {"adamsann_17_5_hw08.py": "a", "brownbo_18_6_hw08.py": "b"}, roster)
+    assert sorted(found.values()) == ["a", "b"]
 
 
 def test_a_link_in_a_zip_file_is_refused(collect):

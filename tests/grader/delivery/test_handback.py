@@ -63,6 +63,12 @@ def test_moodle_tells_the_participant(hand_back):
     ]
 
 
+def test_a_page_goes_to_who_handed_in_whatever_the_file_is_named(hand_back):
+    file = "Ann Adams_17_assignsubmission_file_Bo Brown_18_assignsubmission_file_hw08.py"
+    code, found = hand_back("moodle", [f"ann,,{SLUG},{SLUG}.py,,,{file},"])
+    assert code == 0 and found == {f"Ann Adams_17_assignsubmission_file_{SLUG}.html": "page of ann"}
+
+
 def test_a_student_without_a_page_is_named(hand_back, tmp_path, capsys):
     (tmp_path / "feedback" / "bo" / f"{SLUG}.html").unlink()
     code, found = hand_back("canvas", COLLECTED["canvas"])

@@ -90,6 +90,16 @@ def test_the_roster_gives_everyone_a_row(class_of, run, tmp_path):
     assert code == 0 and {line["student"]: line["status"] for line in lines} == {"ada": "graded", "zoe": "missing"}
 
 
+@pytest.mark.parametrize("login", ["../../up", "\x1b[2J", "a\0b", "z" * 300])
+def test_no_login_leads_out_of_the_results(class_of, run, tmp_path, login):
+    (tmp_path / "roster.csv").write_text(f"ada\n{login}\n")
+    where = ["--seed", "1", "--roster", tmp_path / "roster.csv", "--out", tmp_path / "results"]
+    code, lines, _ = run(class_of(["ada/hw08.py"]), *where)
+    (name,) = {line["student"] for line in lines} - {"ada"}
+    assert code == 0 and name.isprintable() and not (tmp_path / "up").exists()
+    assert {path.name for path in (tmp_path / "results" / "feedback").iterdir()} == {"ada", name}
+
+
 def test_grade_prints_the_warnings(class_of, capsys):
     assert cli.main(["grade", str(class_of(["ada/hw08.py", "ben/thing.py"])), "--seed", "1"]) == 0
     assert "ben (it holds thing.py) is not graded" in capsys.readouterr().err

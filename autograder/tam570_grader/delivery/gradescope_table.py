@@ -1,0 +1,86 @@
+"""`submission_metadata.yml`, the table of who handed in what in Gradescope's export: none of it is taken on trust."""
+
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import yaml
+
+from tam570_grader.delivery.archives import File
+from tam570_grader.errors import UsageError
+
+__all__ = ["Table", "table_in"]
+
+NAME = "submission_metadata.yml"
+FOLDER = re.compile(r"submission_[0-9]+")  # of one submission
+AGAIN = "export the submissions again in Gradescope"
+People = tuple[tuple[tuple[str, ...], str], ...]  # the ids of each submitter, and the name
+
+
+@dataclass(frozen=True)
+class Table:
+    """The class's table, and for each folder beside it whose it is and when it came."""
+
+    file: File
+    submissions: Mapping[str, tuple[People, str]]
+
+    def of(self, file: File) -> tuple[People, str]:
+        """Whose a file of the export is, and when it came; nobody's if it lies in no folder of the table."""
+        beside = self.file.path.removesuffix(NAME)
+        folder = file.path.removeprefix(beside).split("/")[0] if file.path.startswith(beside) else ""
+        return self.submissions.get(folder, ((), ""))
+
+
+def table_in(files: Iterable[File]) -> Table:
+    """The class's table: the outermost of that name, for a student may hand in another."""
+    found = min(filter(_may_be_it, files), key=lambda file: file.path.count("/"), default=None)
+    if found is None:
+        raise UsageError(f"the export holds no {NAME} beside its submissions: choose Export Submissions in Gradescope")
+    if found.refused:
+        raise UsageError(f"{found.path} cannot be read: {found.refused}; {AGAIN}")
+    told = _read(found)
+    if not isinstance(told, dict) or not told:
+        raise UsageError(f"{found.path} lists no submissions; {AGAIN}")
+    return Table(found, {str(folder): _submission(one, f"{found.path}, {folder}") for folder, one in told.items()})
+
+
+def _may_be_it(file: File) -> bool:
+    """Whether it has the name, and lies in nobody's submission."""
+    *folders, name = file.path.split("/")
+    return name == NAME and not any(map(FOLDER.fullmatch, folders))
+
+
+def _read(file: File) -> Any:
+    try:
+        return yaml.load(file.data, Loader=_Plain)
+    except (yaml.YAMLError, ValueError) as error:
+        raise UsageError(f"{file.path} cannot be read: {error}; {AGAIN}") from None
+    except (RecursionError, MemoryError):
+        raise UsageError(f"{file.path} cannot be read: its parts lie too deep in one another; {AGAIN}") from None
+
+
+def _submission(given: Any, where: str) -> tuple[People, str]:
+    """Whose it is, and when it came."""
+    told = given if isinstance(given, dict) else {":submitters": "none"}
+    submitters, when = told.get(":submitters") or [], told.get(":created_at", "")
+    if not isinstance(submitters, list) or not isinstance(when, str):
+        raise UsageError(f"{where}: this is not what Gradescope writes of a submission; {AGAIN}")
+    return tuple(_person(who, where) for who in submitters), when
+
+
+def _person(who: Any, where: str) -> tuple[tuple[str, ...], str]:
+    """The ids of a submitter, the name as the last of them, and the name."""
+    told = [who.get(key) or "" for key in (":sid", ":email", ":name")] if isinstance(who, dict) else []
+    if not any(told) or not all(isinstance(one, str) for one in told):
+        raise UsageError(f"{where}: a submitter has neither id nor email nor name; {AGAIN}")
+    return tuple(filter(None, told)), told[-1]
+
+
+class _Plain(yaml.BaseLoader):  # type: ignore[misc]  # yaml has no types
+    """Every leaf stays text, as 007 must, and no part stands for another: by such a small file unfolds to a huge."""
+
+    def compose_node(self, parent: Any, index: Any) -> Any:
+        if self.check_event(yaml.AliasEvent):
+            raise yaml.YAMLError("it has aliases, which Gradescope does not write")
+        return super().compose_node(parent, index)
