@@ -13,6 +13,7 @@ import pytest
 import tam570
 from tam570_grader import cli as grader
 from tam570_grader.results import journal
+from tam570_grader.results.records import FORMAT
 
 SLUG = "hw08_axis_angle"
 HEAVY = {"scipy", "matplotlib", "sympy", "pytest", "llvmlite", "nbgrader", "tqdm", "hatchling", "IPython"}
@@ -56,7 +57,14 @@ def test_where_the_grader_cannot_run_it_says_so_in_one_line(desk):
 def graded(desk):
     """Results in a folder, beside a file."""
     (desk / "results").mkdir()
-    record = {**dict.fromkeys(journal.RESULT, 0), "student": "ada", "assignment": SLUG, "checks": [], "max_score": 1}
+    record = {
+        **dict.fromkeys(journal.RESULT, 0),
+        "format": FORMAT,
+        "student": "ada",
+        "assignment": SLUG,
+        "checks": [],
+        "max_score": 1,
+    }
     (desk / "results" / "results.jsonl").write_text(json.dumps(record) + "\n")
     (desk / "grades.csv").write_text(f"student,assignment,score,max_score\nada,{SLUG},1,1\n")
     (desk / "file").touch()

@@ -183,7 +183,7 @@ def _run(plan: Any, book: Any, old: list[Any], seen: Seen, arguments: argparse.N
         seen.last = record
         change = _change(old[-1], record, seen) if arguments.against else {}
         if arguments.json:
-            print(json.dumps({**record, **change}), flush=True)
+            print(json.dumps({**record, **change}, allow_nan=False), flush=True)
 
 
 def _change(old: Any, record: Record, seen: Seen) -> dict[str, Any]:

@@ -55,7 +55,7 @@ def lost(task: Task, error: str) -> bytes:
 
 
 def _line(task: Task, result: Result) -> bytes:
-    return json.dumps(replace(result, digest=task.digest).record()).encode() + b"\n"
+    return json.dumps(replace(result, digest=task.digest).record(), allow_nan=False).encode() + b"\n"
 
 
 def result(task: Task) -> Result:

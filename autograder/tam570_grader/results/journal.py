@@ -91,9 +91,7 @@ class Results(Mapping[Key, Record]):
         self._file.seek(self._end)
         for text in self._file:
             if text.endswith(b"\n"):
-                if (record := _result(text)) is None:
-                    raise _not_a_result(self._path, self._count + 1)
-                self._put(record, text)
+                self._put(_record(text, self._path, self._count + 1), text)
 
     def _put(self, record: Record, text: bytes) -> None:
         mark = hashlib.blake2b(text, digest_size=12).hexdigest()
@@ -125,7 +123,7 @@ class Book(Results):
         """
         if self.get(key_of(record)) == record:
             return
-        text = text or json.dumps(record).encode() + b"\n"
+        text = text or json.dumps(record, allow_nan=False).encode() + b"\n"
         self._file.write(text)
         self._file.flush()
         os.fsync(self._file.fileno())
@@ -196,7 +194,7 @@ def stream(path: Path) -> Iterator[Result]:
         for number, text in enumerate(file, 1):
             if text.endswith(b"\n"):
                 try:
-                    yield records.read(json.loads(text))
+                    yield records.read(_record(text, path, number))
                 except (ValueError, TypeError, KeyError, AttributeError):
                     raise _not_a_result(path, number) from None
 
@@ -211,14 +209,20 @@ def common_seed(seeds: Iterable[int]) -> int | None:
     return next(iter(known), None)
 
 
-def _result(line: bytes) -> Record | None:
-    """The result in a line; None if it is none."""
+def _record(line: bytes, path: Path, number: int) -> Record:
+    """The result in a line; UsageError if it is none, or one of another format, whose fields mean something else."""
     try:
         record: Record = json.loads(line)
         whole = record.keys() >= RESULT and all(mark.keys() >= MARK for mark in record["checks"])
     except (ValueError, TypeError, AttributeError):
-        return None
-    return record if whole else None
+        whole = False
+    if not whole:
+        raise _not_a_result(path, number)
+    if record.get("format") != records.FORMAT:
+        raise UsageError(
+            f"{path} holds a result of another version of the grader (line {number}); grade again, into a new folder"
+        )
+    return record
 
 
 def _not_a_result(path: Path, number: int) -> UsageError:

@@ -1,6 +1,7 @@
 """Results as records: plain, frozen, and the same on disk as in memory."""
 
 import base64
+import math
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, fields, replace
 from typing import Any
@@ -11,8 +12,7 @@ from tam570_grader.writing.check import Given
 
 __all__ = ["FORMAT", "Failure", "Mark", "Result", "failure", "numbers", "read", "write"]
 
-FORMAT = 2  # of a result line; lines of another format are graded anew
-WHOLE = ("expected", "actual", "at")  # numbers of which no digit is lost
+FORMAT = 2  # of a result line; those of another format are refused
 WRITTEN_OUT = 64  # elements of an array; longer ones are kept as their bytes
 
 
@@ -114,33 +114,37 @@ def failure(line: dict[str, Any] | None) -> Failure | None:
     """The failure in a mark's line."""
     if line is None:
         return None
-    known: dict[str, Any] = {key: _restored(value) if key in WHOLE else value for key, value in line.items()}
-    return Failure(**known)
+    return Failure(**{key: _restored(value) for key, value in line.items()})
 
 
 def numbers(value: Any) -> Any:
-    """A value as plain data that loses no digit: arrays become lists, long ones their bytes."""
+    """A value as plain data that loses no digit: arrays become lists; long ones and NaN become their bytes."""
     if isinstance(value, np.ndarray):
         if value.dtype.kind not in "fiub":
             return [numbers(item) for item in value.tolist()]
-        if value.size <= WRITTEN_OUT:
-            return value.tolist()
-        packed = base64.b64encode(np.ascontiguousarray(value, "<f8").tobytes()).decode()
-        return {"shape": list(value.shape), "float64": packed}
+        return value.tolist() if value.size <= WRITTEN_OUT and np.isfinite(value).all() else _packed(value)
     if isinstance(value, np.generic):
-        return value.item()
+        return numbers(value.item())
     if isinstance(value, Given):
         return {"args": numbers(value.args), "kwargs": numbers(value.kwargs)}
     if isinstance(value, Mapping):
         return {str(key): numbers(item) for key, item in value.items()}
     if isinstance(value, list | tuple):
         return [numbers(item) for item in value]
+    if isinstance(value, float) and not math.isfinite(value):
+        return _packed(np.array(value))  # JSON has no word for it
     return value if value is None or isinstance(value, bool | int | float | str) else repr(value)[:400]
+
+
+def _packed(value: np.ndarray[Any, Any]) -> dict[str, Any]:
+    whole = np.asarray(value, "<f8", order="C")
+    return {"shape": list(value.shape), "float64": base64.b64encode(whole.tobytes()).decode()}
 
 
 def _restored(value: Any) -> Any:
     if isinstance(value, dict):
         if value.keys() == {"shape", "float64"}:
-            return np.frombuffer(base64.b64decode(value["float64"]), "<f8").reshape(value["shape"])
+            whole = np.frombuffer(base64.b64decode(value["float64"]), "<f8").reshape(value["shape"])
+            return whole if whole.ndim else float(whole)
         return {key: _restored(item) for key, item in value.items()}
     return [_restored(item) for item in value] if isinstance(value, list) else value

@@ -8,6 +8,7 @@ import pytest
 
 from tam570_grader import cli
 from tam570_grader.results.journal import RESULT, Book
+from tam570_grader.results.records import FORMAT
 
 COURSE = """
 [late]
@@ -55,7 +56,9 @@ def scores():
     book = Book(Path("results"))
     for row in rows("collected.csv"):
         known = {"student": row["student"], "assignment": row["assignment"], "status": "graded", "seed": 1}
-        book.add({**dict.fromkeys(RESULT, 0), **known, "score": 10.0, "max_score": 10.0, "checks": []})
+        book.add(
+            {**dict.fromkeys(RESULT, 0), "format": FORMAT, **known, "score": 10.0, "max_score": 10.0, "checks": []}
+        )
     book.close()
     assert cli.main(["points", "results", "--collected", "collected.csv"]) == 0
     return {(row["student"], row["assignment"][:4]): float(row["score"]) for row in rows("results/grades.csv")}

@@ -7,6 +7,7 @@ import pytest
 
 from tam570_grader import cli
 from tam570_grader.results.journal import RESULT, Book
+from tam570_grader.results.records import FORMAT
 
 SLUGS = "hw03_angular_momentum_rate", "hw08_axis_angle", "hw09_book"
 CLASS = range(60)
@@ -64,7 +65,7 @@ def graded(folder):
             "checks": [],
             "seed": 1,
         }
-        book.add({**dict.fromkeys(RESULT, 0), **known, "score": score(n, SLUGS.index(slug))})
+        book.add({**dict.fromkeys(RESULT, 0), "format": FORMAT, **known, "score": score(n, SLUGS.index(slug))})
     book.close()
 
 

@@ -15,6 +15,7 @@ import pytest
 
 from tam570_grader.errors import UsageError
 from tam570_grader.results import journal
+from tam570_grader.results.records import FORMAT
 from tam570_grader.sandbox.launch import isolation
 
 SLUG = "hw08_axis_angle"
@@ -123,7 +124,14 @@ def test_no_process_that_dies_changes_a_result(tmp_path, solution_text):
 
 
 def result(student, score=1.0):
-    return {**dict.fromkeys(journal.RESULT), "student": student, "assignment": SLUG, "score": score, "checks": []}
+    return {
+        **dict.fromkeys(journal.RESULT),
+        "format": FORMAT,
+        "student": student,
+        "assignment": SLUG,
+        "score": score,
+        "checks": [],
+    }
 
 
 def test_who_opens_results_that_another_run_is_replacing_writes_into_the_new_ones(tmp_path, monkeypatch):

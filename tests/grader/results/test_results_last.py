@@ -8,9 +8,11 @@ import subprocess
 import sys
 import time
 
+import numpy as np
 import pytest
 
 from tam570_grader import cli
+from tam570_grader.results import records
 
 SLUG = "hw08_axis_angle"
 NOTHING = "def skew(v): return None\n"
@@ -61,6 +63,51 @@ def test_a_foreign_results_file_is_not_overwritten(run, tree, tmp_path):
     path.write_text("my notes\n")
     assert run(tree, "--out", tmp_path)[0] == 2
     assert path.read_text() == "my notes\n"
+
+
+@pytest.mark.parametrize("format", [None, 1, records.FORMAT + 1])
+def test_results_of_another_format_are_refused_and_stay(run, tree, tmp_path, capsys, format):
+    run(tree, "--out", tmp_path / "old")
+    path = tmp_path / "old" / "results.jsonl"
+    first, *rest = path.read_text().splitlines()
+    changed = {**json.loads(first), "format": format}
+    path.write_text("\n".join([*rest, json.dumps(changed)]) + "\n")
+    before = path.read_bytes()
+    assert run(tree, "--out", tmp_path / "old")[0] == run(tree, "--join", tmp_path / "old")[0] == 2
+    capsys.readouterr()
+    assert cli.main(["report", str(tmp_path / "old")]) == 2
+    (line,) = capsys.readouterr().err.splitlines()
+    assert f"{path} holds a result of another version of the grader (line 3); grade again, into a new folder" in line
+    assert path.read_bytes() == before
+
+
+def strict(text):
+    def refuse(word):
+        raise AssertionError(word)
+
+    return json.loads(text, parse_constant=refuse)
+
+
+def test_what_is_not_finite_is_strict_json_and_read_back(run, tree, tmp_path):
+    (tree / "ben" / SLUG / f"{SLUG}.py").write_text(
+        "def skew(v): return [[0, float('inf'), 1]] * 2 + [[float('nan')] * 3]\n"
+    )
+    run(tree, "--out", tmp_path / "out")
+    lines = (tmp_path / "out" / "results.jsonl").read_text().splitlines()
+    (ben,) = (records.read(line) for line in map(strict, lines) if line["student"] == "ben")
+    actual = next(mark.failure.actual for mark in ben.checks if mark.failure and mark.failure.actual is not None)
+    np.testing.assert_array_equal(actual, [[0, np.inf, 1]] * 2 + [[np.nan] * 3])
+    assert cli.main(["report", str(tmp_path / "out")]) == 0
+
+
+@pytest.mark.parametrize("value", [np.inf, -np.inf, np.nan, np.float64("nan"), [1.0, np.inf], np.array([np.nan, 2.0])])
+def test_any_number_of_a_failure_is_read_back(value):
+    why = records.Failure(error=value, at={"args": [value]}, limit=0.1)
+    mark = records.Mark("a", "a", 0.0, 1.0, "failed", "", failure=why)
+    result = records.Result("ann", SLUG, "graded", 0.0, 1.0, 1, 0.1, "", (mark,))
+    (again,) = records.read(strict(json.dumps(result.record()))).checks
+    np.testing.assert_equal(again.failure.error, value)
+    np.testing.assert_equal(again.failure.at["args"], [value])
 
 
 def test_random_seeds_differ(run, tree):
