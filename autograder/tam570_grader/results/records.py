@@ -13,6 +13,7 @@ from tam570_grader.writing.check import Given
 __all__ = ["FORMAT", "Failure", "Mark", "Result", "failure", "numbers", "read", "write"]
 
 FORMAT = 2  # of a result line; those of another format are refused
+WHOLE = ("expected", "actual", "at")  # of a failure: what the instructor alone sees
 WRITTEN_OUT = 64  # elements of an array; longer ones are kept as their bytes
 
 

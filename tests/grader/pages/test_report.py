@@ -46,6 +46,7 @@ def record(student, slug, *marks, status="graded", seconds=0.1):
         "seconds": seconds,
         "isolation": "bubblewrap",
         "checks": list(marks),
+        "format": records.FORMAT,
     }
 
 
