@@ -335,5 +335,6 @@ def _saying(kind: str) -> Iterator[None]:
 def _raised(name: str, error: dict[str, Any], assignment: Assignment) -> str:
     if "Forbidden" in error["kinds"]:
         banned = [*assignment.off_limits.get(name, ()), *assignment.off_limits.get("*", ())]
-        return f"{name} uses what is off limits in it: {' or '.join(banned)}"
+        named = [one for one in banned if error["text"].startswith(f"{one} ")]  # the text is the submission's
+        return f"{name} uses what is off limits in it: {' or '.join(named or banned)}"
     return f"{name} raised {python_class(error)}"

@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
-from types import ModuleType
+from types import FunctionType, ModuleType
 from typing import Any
 
 from tam570.checking.deadline import CALL, TooLong, limited
@@ -16,6 +16,7 @@ from tam570.loading import Forbidden, Unusable, replaced, said
 __all__ = ["HERE", "Fault", "Functions", "Given"]
 
 Given = tuple[tuple[Any, ...], dict[str, Any]]  # the arguments of a call
+Change = tuple[Any, str, Any]  # owner, attribute, value
 HERE = "in this assignment"
 
 
@@ -119,16 +120,35 @@ class Functions:
     @contextmanager
     def _without(self, name: str) -> Iterator[None]:
         """Put away what is off limits in this function alone."""
-        banned = tuple(self.off_limits.get(name, ()))
-        names = vars(self.module)
-        here = {key: _origin(value) if key not in banned else key for key, value in names.items()}  # its own, too
-        found = {key: names[key] for key, origin in here.items() if banned and origin.startswith(banned)}
-        with replaced(banned, f"in {name}"):
-            names.update({key: Unusable(here[key], f"in {name}") for key in found})
+        banned, where = tuple(self.off_limits.get(name, ())), f"in {name}"
+        changes: list[Change] = [
+            (self.module, key, Unusable(origin, where))
+            for key, value in vars(self.module).items()
+            if (origin := _origin(value)).startswith(banned)
+        ]
+        for one in (one for one in banned if hasattr(self.module, one)):
+            changes += _refused(self.module, one, Unusable(one, where))
+        own = [(owner, attribute, getattr(owner, attribute)) for owner, attribute, _ in changes]
+        with replaced(banned, where):
+            for owner, attribute, value in changes:
+                setattr(owner, attribute, value)
             try:
                 yield
             finally:
-                names.update(found)
+                for owner, attribute, value in own:
+                    setattr(owner, attribute, value)
+
+
+def _refused(module: ModuleType, name: str, unusable: Unusable) -> list[Change]:
+    """A plain function of the file has another body wherever it is kept; anything else is replaced in the module."""
+    function = getattr(module, name)
+    if not isinstance(function, FunctionType) or function.__globals__ is not vars(module) or function.__closure__:
+        return [(module, key, unusable) for key, value in vars(module).items() if value is function]
+    return [(function, "__code__", _refusing.__code__), (function, "__kwdefaults__", {"_unusable": unusable})]
+
+
+def _refusing(*args: Any, _unusable: Unusable, **kwargs: Any) -> Any:
+    _unusable()
 
 
 def _origin(value: Any) -> str:

@@ -135,3 +135,27 @@ def test_when_code_is_compiled_does_not_depend_on_the_clock(grade, solution_text
     text = solution_text(SLUG) + "\nfrom tam570.integrate.when_to_compile import available" + honest
     result = grade(SLUG, text)
     assert result.score == result.max_score
+
+
+ALIASES = {
+    "by another name": "_same = rotation_matrix",
+    "in a table": "_same = {'it': rotation_matrix}.__getitem__('it')",
+    "kept by a closure": "def _keeping(f): return lambda *given: f(*given)\n_same = _keeping(rotation_matrix)",
+    "of a decorated one": (
+        "def _kept(f): return lambda *given: f(*given)\nrotation_matrix = _same = _kept(rotation_matrix)"
+    ),
+    "of one that is no plain function": (
+        "import functools\nrotation_matrix = _same = functools.partial(rotation_matrix)"
+    ),
+}
+
+
+@pytest.mark.parametrize("alias", ALIASES.values(), ids=ALIASES)
+def test_a_function_that_may_not_be_called_may_not_by_another_name(grade, solution_text, alias):
+    text = f"{solution_text(SLUG)}\n{alias}\ndef rotate(r, axis, angle): return _same(axis, angle) @ np.asarray(r)\n"
+    outcome = grade(SLUG, text)
+    assert outcome.score == 6.0, outcome
+    said = [mark.message for mark in outcome.checks if mark.outcome == "failed"]
+    assert said and all(one.startswith("rotate uses what is off limits in it: rotation_matrix for ") for one in said), (
+        said
+    )

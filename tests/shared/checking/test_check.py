@@ -36,6 +36,10 @@ CALLS = {
     "import pandas": "pandas is not there",
     "r[:] = r + np.cross(axis, r); return r": "rotate changes the arrays that it is given.",
     "return rotation_matrix(axis, angle) @ r": "rotation_matrix is off limits in rotate",
+    "return same(axis, angle) @ r\n\nsame = rotation_matrix": "rotation_matrix is off limits in rotate",
+    "return same(axis, angle) @ r\n\nimport functools\nsame = rotation_matrix = functools.partial(rotation_matrix)": (
+        "rotation_matrix is off limits in rotate"
+    ),
     "raise NotImplementedError": "rotate is not written yet.",
     "return open('data.csv').read()": "FileNotFoundError",
 }

@@ -4,7 +4,7 @@ import builtins
 import random
 from collections.abc import Callable, Mapping
 from functools import partial
-from types import ModuleType
+from types import FunctionType, ModuleType
 from typing import Any
 
 import numpy as np
@@ -22,6 +22,7 @@ LONGEST_TEXT = 300
 STAND_INS = 1.25, 3.75  # for symbols that may cancel
 CANCELLED = 1e-13  # of a value: it has 25 digits before it is rounded
 NOTHING = 1e-60  # what is zero comes out below it, of up to 100 digits
+Change = tuple[Any, str, Any]  # owner, attribute, value
 
 
 def answer(module: ModuleType, request: Mapping[str, Any], args: list[Any], kwargs: dict[str, Any]) -> dict[str, Any]:
@@ -29,13 +30,12 @@ def answer(module: ModuleType, request: Mapping[str, Any], args: list[Any], kwar
     try:
         function = getattr(module, request["function"])
         before = _contents(args, kwargs)
-        stand_ins, names = _stand_ins(module, request), vars(module)
-        own = {name: names[name] for name in stand_ins if name in names}
-        names.update({name: stand_ins[name] for name in own})
+        own = _stood_in(module, request)
         try:
             value = MODES[request["mode"]](function, args, kwargs, request)
         finally:
-            names.update(own)
+            for owner, name, was in own:
+                setattr(owner, name, was)
         return {"value": value, "changed": _contents(args, kwargs) != before}
     except BaseException as error:
         return {"error": error_report(error)}
@@ -53,12 +53,35 @@ def error_report(error: BaseException) -> dict[str, Any]:
     return {"kinds": [kind.__name__[:50] for kind in type(error).__mro__[:20]], "text": _text(error), "line": line}
 
 
-def _stand_ins(module: ModuleType, request: Mapping[str, Any]) -> dict[str, Any]:
-    """What stands for functions of the file during a call: one that may not be called, one whose results are moved."""
-    stand_ins: dict[str, Any] = {name: Refusal() for name in request["refused"]}
+def _stood_in(module: ModuleType, request: Mapping[str, Any]) -> list[Change]:
+    """Put stand-ins for functions of the file, by whatever name they go: for refused ones, for one that is moved.
+
+    What was there, to be put back.
+    """
+    changes = [change for name in request["refused"] if hasattr(module, name) for change in _refused(module, name)]
     if name := request.get("moved"):
-        stand_ins[name] = partial(_moved, getattr(module, name))
-    return stand_ins
+        changes += _everywhere(module, function := getattr(module, name), partial(_moved, function))
+    own = [(owner, attribute, getattr(owner, attribute)) for owner, attribute, _ in changes]
+    for owner, attribute, value in changes:
+        setattr(owner, attribute, value)
+    return own
+
+
+def _refused(module: ModuleType, name: str) -> list[Change]:
+    """A plain function has another body wherever it is kept; anything else is replaced in the module."""
+    function, refusal = getattr(module, name), Refusal(name)
+    if not isinstance(function, FunctionType) or function.__globals__ is not vars(module) or function.__closure__:
+        return _everywhere(module, function, refusal)
+    return [(function, "__code__", _refusing.__code__), (function, "__kwdefaults__", {"_refusal": refusal})]
+
+
+def _refusing(*args: Any, _refusal: Refusal, **kwargs: Any) -> Any:
+    _refusal()
+
+
+def _everywhere(module: ModuleType, function: Any, stand_in: Any) -> list[Change]:
+    """By every name that the function has in the module."""
+    return [(module, name, stand_in) for name, one in vars(module).items() if one is function]
 
 
 def _moved(function: Callable[..., Any], *args: Any, **kwargs: Any) -> Any:

@@ -198,14 +198,17 @@ class _Uncallable(ModuleType):
     def __getattr__(self, attribute: str) -> Any:
         if attribute.startswith("__"):
             raise AttributeError(attribute)
-        return Refusal()
+        return Refusal(self.__name__)
 
 
 class Refusal:
-    """Stands where a function stood that may not be called."""
+    """Stands where a function, or one of a module, stood that may not be called; `name` is what is off limits."""
+
+    def __init__(self, name: str) -> None:
+        self.__name__ = name
 
     def __call__(self, *args: Any, **kwargs: Any) -> Any:
-        raise Forbidden("this is off limits in this function")
+        raise Forbidden(f"{self.__name__} is off limits in this function")
 
     def __getattr__(self, attribute: str) -> Any:
         return self
