@@ -90,6 +90,7 @@ def jailed_command(hidden: Sequence[Path]) -> tuple[list[str], list[str]]:
     for folder in filter(os.path.islink, SYSTEM_LINKS):
         command += ["--symlink", os.readlink(folder), folder]
     command += ["--ro-bind-try", "/etc/ld.so.cache", "/etc/ld.so.cache", "--proc", "/proc", "--dev", "/dev"]
+    command += ["--tmpfs", "/dev/pts", "--remount-ro", "/dev/pts"]  # a terminal's times would be a note to all
     if not any(target.is_relative_to("/tmp") for target, _ in binds):
         command += ["--symlink", SCRATCH, "/tmp"]
     command += ["--tmpfs", SCRATCH, "--remount-ro", "/dev", "--remount-ro", "/", "--chdir", "/", "--"]
