@@ -55,9 +55,10 @@ def main(argv: list[str] | None = None) -> int:
         signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
         return command(arguments)
-    except KeyboardInterrupt:
+    except KeyboardInterrupt as ended:
         signal.signal(signal.SIGINT, signal.SIG_DFL)  # a second one ends what is still being put away
-        print("\ntam570-grader: interrupted; what was finished is kept", file=sys.stderr)
+        print(file=sys.stderr)
+        warn("; ".join(["interrupted", *map(str, ended.args)]), "")
         return INTERRUPTED
     except BrokenPipeError:
         # the reader has gone; nothing more to say

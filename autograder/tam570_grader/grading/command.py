@@ -87,12 +87,11 @@ def _grade(arguments: argparse.Namespace) -> int:
         raise UsageError("--seed and --vary: a seed is for the whole class, a key varies it; give one of them")
     if arguments.out:
         feedback.must_write_pages()
-    seen = Seen()
+    seen, book = Seen(), None
     try:
         with contextlib.ExitStack() as stack:
             earlier = [*arguments.join, *filter(None, [arguments.against])]
             old = [stack.enter_context(contextlib.closing(results(place, feedback.row))) for place in earlier]
-            book = None
             if arguments.out:
                 book = stack.enter_context(contextlib.closing(Book(arguments.out, note=feedback.row)))
             plan = _plan(arguments, course, found, [*old, *filter(None, [book])])
@@ -111,10 +110,19 @@ def _grade(arguments: argparse.Namespace) -> int:
                 seen.rows = feedback.with_hand(seen.rows, book, seen.hand)
     except BrokenPipeError:
         raise
+    except KeyboardInterrupt:
+        raise KeyboardInterrupt(_kept(arguments.out, book)) from None
     except OSError as error:
-        print(f"tam570-grader: error: {error}; {len(seen.rows)} results are kept", file=sys.stderr)
+        warn(f"{error}; {_kept(arguments.out, book)}", "error: ")
         return 1
     return _told(arguments, course, plan, seen)
+
+
+def _kept(out: Path | None, book: Any) -> str:
+    """What there is of a run that was ended."""
+    if out is None:
+        return "nothing is kept without --out"
+    return f"{len(book or ())} results are kept in {out}; the same command goes on from there"
 
 
 def _told(arguments: argparse.Namespace, course: Path, plan: Any, seen: Seen) -> int:
@@ -322,7 +330,7 @@ def _faults(record: Record) -> list[str]:
 
 def _exit_code(seen: Seen) -> int:
     for fault in seen.faults:
-        print(f"tam570-grader: {fault}", file=sys.stderr)
+        warn(fault, "")
     return 1 if seen.faults else 0
 
 

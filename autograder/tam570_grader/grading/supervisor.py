@@ -16,7 +16,7 @@ from tam570_grader.writing import answers, assignments
 
 __all__ = ["Conditions", "Task", "line", "lost", "result"]
 
-NO_JAIL = "submissions cannot be confined on this machine, and nothing was graded: {why}"
+NO_JAIL = "submissions cannot be confined on this machine, and without that none is graded: {why}"
 
 
 @dataclass(frozen=True)

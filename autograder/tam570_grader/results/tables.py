@@ -18,11 +18,15 @@ FORMULA = "=", "+", "-", "@", "\t", "\r", "\n", "\uff1d", "\uff0b", "\uff0d", "\
 def written(path: Path, text: str | Iterable[str]) -> None:
     """Put the text, or its parts, in place of the file, whole or not at all."""
     draft = path.with_name(path.name + ".new")
-    with open(draft, "w", encoding="utf-8", errors="surrogateescape", newline="") as file:
-        file.writelines([text] if isinstance(text, str) else text)
-        file.flush()
-        os.fsync(file.fileno())
-    os.replace(draft, path)
+    try:
+        with open(draft, "w", encoding="utf-8", errors="surrogateescape", newline="") as file:
+            file.writelines([text] if isinstance(text, str) else text)
+            file.flush()
+            os.fsync(file.fileno())
+        os.replace(draft, path)
+    except OSError:
+        draft.unlink(missing_ok=True)  # a full disk needs the room
+        raise
 
 
 def cell(value: Any) -> Any:

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from tam570_grader import cli
-from tam570_grader.results import records
+from tam570_grader.results import records, tables
 
 SLUG = "hw08_axis_angle"
 NOTHING = "def skew(v): return None\n"
@@ -135,7 +135,10 @@ def test_what_was_finished_survives_an_interrupt(tree, tmp_path, how, code):
     process.send_signal(how)
     _, err = process.communicate(timeout=60)
     assert process.returncode == code
-    assert "Traceback" not in err and (how == signal.SIGKILL or "interrupted" in err)
+    assert "Traceback" not in err
+    if how == signal.SIGINT:
+        said = f"interrupted; 3 results are kept in {tmp_path / 'out'}; the same command goes on from there"
+        assert err.strip().splitlines()[-1] == f"tam570-grader: {said}"
     assert results.read_text().count("\n") == 3
 
 
@@ -155,6 +158,38 @@ def test_an_interrupt_while_a_line_is_written_loses_none(tree, tmp_path, monkeyp
     assert (tmp_path / "out" / "grades.csv").read_text().count("\n") == call + 1
 
 
+def test_a_table_that_cannot_be_written_leaves_no_draft_and_the_old_one(tmp_path, monkeypatch):
+    def full(file):
+        raise OSError("No space left on device")
+
+    tables.written(tmp_path / "grades.csv", "old")
+    monkeypatch.setattr(os, "fsync", full)
+    with pytest.raises(OSError, match="No space"):
+        tables.written(tmp_path / "grades.csv", "new")
+    assert [path.read_text() for path in tmp_path.iterdir()] == ["old"]
+
+
+@pytest.mark.parametrize(("fault", "code"), [(KeyboardInterrupt, 130), (OSError("the disk is gone"), 1)])
+def test_without_a_folder_nothing_is_said_to_be_kept(tree, monkeypatch, capsys, fault, code):
+    def broken(*_):
+        raise fault
+
+    monkeypatch.setattr("tam570_grader.pages.feedback.row", broken)
+    assert cli.main(["grade", str(tree), "--seed", "1"]) == code
+    assert capsys.readouterr().err.strip().endswith("; nothing is kept without --out")
+
+
+@pytest.mark.parametrize("command", ["report", "lms"])
+def test_other_commands_claim_nothing_when_interrupted(tmp_path, monkeypatch, capsys, command):
+    def interrupted(*_):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(f"tam570_grader.delivery.command._{command}", interrupted)
+    more = ["--to", "moodle"] if command == "lms" else []
+    assert cli.main([command, str(tmp_path), *more]) == 130
+    assert capsys.readouterr().err == "\ntam570-grader: interrupted\n"
+
+
 @pytest.mark.skipif(os.geteuid() != 0 or sys.platform != "linux", reason="mounts a small disk")
 def test_a_full_disk_keeps_what_was_finished(tree, tmp_path):
     disk = tmp_path / "disk"
@@ -171,6 +206,7 @@ def test_a_full_disk_keeps_what_was_finished(tree, tmp_path):
         assert "No space left" in err and "Traceback" not in err
         lines = (disk / "results.jsonl").read_text().split("\n")[:-1]
         assert lines and all(json.loads(line)["student"] for line in lines)
+        assert f"{len(lines)} results are kept in {disk}" in err
     finally:
         subprocess.run(["umount", disk], check=True)
 

@@ -113,7 +113,7 @@ def test_a_worker_that_fails_the_canary_grades_nobody(solution_text, tmp_path, m
     monkeypatch.setattr(worker, "CANARY", worker.CANARY.replace(was, becomes))
     (tmp_path / "hw08.py").write_text(solution_text(SLUG))
     assert cli.main(["grade", str(tmp_path / "hw08.py")]) == 2
-    assert "nothing was graded" in capsys.readouterr().err
+    assert "without that none is graded" in capsys.readouterr().err
 
 
 def test_renaming_a_file_does_not_keep_its_score(run, tmp_path, solution_text):
