@@ -73,12 +73,11 @@ class Seen:
     changes: list[Any] = field(default_factory=list)
     compared: int = 0
     last: Record = field(default_factory=dict)
+    book: Any = None  # the results in --out
 
 
 def _grade(arguments: argparse.Namespace) -> int:
     from tam570_grader.pages import feedback
-    from tam570_grader.results import by_hand
-    from tam570_grader.results.journal import Book, results
     from tam570_grader.writing import assignments
 
     course = assignments.find(arguments.root)
@@ -87,42 +86,53 @@ def _grade(arguments: argparse.Namespace) -> int:
         raise UsageError("--seed and --vary: a seed is for the whole class, a key varies it; give one of them")
     if arguments.out:
         feedback.must_write_pages()
-    seen, book = Seen(), None
+    seen = Seen()
     try:
-        with contextlib.ExitStack() as stack:
-            earlier = [*arguments.join, *filter(None, [arguments.against])]
-            old = [stack.enter_context(contextlib.closing(results(place, feedback.row))) for place in earlier]
-            if arguments.out:
-                book = stack.enter_context(contextlib.closing(Book(arguments.out, note=feedback.row)))
-            plan = _plan(arguments, course, found, [*old, *filter(None, [book])])
-            if book is not None:
-                by_hand.join(arguments.out, arguments.join)
-            if not plan.cluster:
-                warn_of_isolation()
-            _run(plan, book, old, seen, arguments)
-            if arguments.against and not arguments.json:
-                gone = _gone(old[-1], plan, arguments)
-                seen.changes += gone
-                seen.compared += len(gone)
-            if book is not None:  # the pages of all results that are there; of a finished run, of those that changed
-                feedback.write_pages(arguments.out / "feedback", book, course, _with_progress)
-                seen.hand = by_hand.read(arguments.out)
-                seen.rows = feedback.with_hand(seen.rows, book, seen.hand)
+        plan = _whole_run(arguments, course, found, seen)
     except BrokenPipeError:
         raise
     except KeyboardInterrupt:
-        raise KeyboardInterrupt(_kept(arguments.out, book)) from None
+        raise KeyboardInterrupt(_kept(arguments.out, seen)) from None
     except OSError as error:
-        warn(f"{error}; {_kept(arguments.out, book)}", "error: ")
+        warn(f"{error}; {_kept(arguments.out, seen)}", "error: ")
         return 1
     return _told(arguments, course, plan, seen)
 
 
-def _kept(out: Path | None, book: Any) -> str:
+def _whole_run(arguments: argparse.Namespace, course: Path, found: list[Any], seen: Seen) -> Any:
+    """Grade all, write the pages, and note what the end of the run needs; the plan."""
+    from tam570_grader.pages import feedback
+    from tam570_grader.results import by_hand
+    from tam570_grader.results.journal import Book, results
+
+    with contextlib.ExitStack() as stack:
+        earlier = [*arguments.join, *filter(None, [arguments.against])]
+        old = [stack.enter_context(contextlib.closing(results(place, feedback.row))) for place in earlier]
+        book = None
+        if arguments.out:
+            book = seen.book = stack.enter_context(contextlib.closing(Book(arguments.out, note=feedback.row)))
+        plan = _plan(arguments, course, found, [*old, *filter(None, [book])])
+        if book is not None:
+            by_hand.join(arguments.out, arguments.join)
+        if not plan.cluster:
+            warn_of_isolation()
+        _run(plan, book, old, seen, arguments)
+        if arguments.against and not arguments.json:
+            gone = _gone(old[-1], plan, arguments)
+            seen.changes += gone
+            seen.compared += len(gone)
+        if book is not None:  # the pages of all results that are there; of a finished run, of those that changed
+            feedback.write_pages(arguments.out / "feedback", book, course, _with_progress)
+            seen.hand = by_hand.read(arguments.out)
+            seen.rows = feedback.with_hand(seen.rows, book, seen.hand)
+    return plan
+
+
+def _kept(out: Path | None, seen: Seen) -> str:
     """What there is of a run that was ended."""
     if out is None:
         return "nothing is kept without --out"
-    return f"{len(book or ())} results are kept in {out}; the same command goes on from there"
+    return f"{len(seen.book or ())} results are kept in {out}; the same command goes on from there"
 
 
 def _told(arguments: argparse.Namespace, course: Path, plan: Any, seen: Seen) -> int:
