@@ -13,7 +13,7 @@ from tam570_grader.writing.agree import Column, Right, asked, named_in
 from tam570_grader.writing.check import Given
 from tam570_grader.writing.curves import kept
 from tam570_grader.writing.expect import NEARLY, NEARLY_SHARE, OPENS, current, expect
-from tam570_grader.writing.motions import ROUGHLY, Motion, diagnosed, obeys
+from tam570_grader.writing.motions import ROUGHLY, Motion, diagnosed, flat, obeys
 
 __all__ = ["Invariant", "follow", "stays"]
 
@@ -71,13 +71,12 @@ def follow(
     width = motions[0].expected.shape[1]
     turns = [index for column in columns if column.turns for index in np.arange(width)[column.where]]
     # the worst first; of those beyond hope the longest, of which there is most to draw
-    nearly = NEARLY * within if gradual else 0.0
-    order, told = partial(_telling, within), (nearly, gradual and loose)
+    order, nearly = partial(_telling, within), NEARLY * within if gradual else 0.0
     for motion in sorted(motions, key=order, reverse=True):
         if chaotic and motion.error > within and obeys(motion, everywhere=True):
             continue
         current().judge(function.name, motion.case)
-        _compare(motion, columns, within, partial(_hint, motion, motions, turns, told, hint), keeps, gradual, loose)
+        _compare(motion, columns, within, partial(_hint, motion, motions, turns, nearly, hint), keeps, gradual, loose)
     return motions
 
 
@@ -134,12 +133,6 @@ def _telling(within: float, motion: Motion) -> tuple[bool, int, float]:
     return hopeless, len(motion.found) if hopeless else 0, motion.error
 
 
-def flat(rows: Any) -> Array:
-    """(n, k) of rows, or of several arrays of them side by side."""
-    parts = rows if isinstance(rows, tuple) else (rows,)
-    return np.hstack([np.reshape(part, (len(part), -1)) for part in parts])
-
-
 def _scales(columns: Sequence[Column], case: Given, expected: Array) -> Array:
     """(k,) the scale of each column; 1 where all is zero."""
     scales = np.ones(expected.shape[1])
@@ -186,8 +179,8 @@ def loosely(motion: Motion, within: float, size: float, error: float) -> float:
     return round(float(np.interp(np.log(error / size), np.log(list(known)), list(known.values()))), 2)
 
 
-def _hint(motion: Motion, motions: Sequence[Motion], turns: Sequence[int], told: tuple[float, bool], hint: Any) -> str:
-    return diagnosed(motion, motions, turns, *told) or (hint(motion) if callable(hint) else hint)
+def _hint(motion: Motion, motions: Sequence[Motion], turns: Sequence[int], nearly: float, hint: Any) -> str:
+    return diagnosed(motion, motions, turns, nearly) or (hint(motion) if callable(hint) else hint)
 
 
 def _kept(invariant: Invariant, motion: Motion) -> Any:

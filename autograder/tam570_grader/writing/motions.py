@@ -1,6 +1,7 @@
 """What is wrong with a simulated motion, told by its rows: late, wrapped, kept from another call, joined, too loose."""
 
-from collections.abc import Callable, Sequence
+import time
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -12,9 +13,16 @@ from tam570_grader.writing.answers import answer
 from tam570_grader.writing.check import Given
 from tam570_grader.writing.expect import Failed
 
-__all__ = ["ROUGHLY", "Motion", "diagnosed", "obeys"]
+__all__ = ["ROUGHLY", "Motion", "diagnosed", "flat", "obeys"]
 
 Array = NDArray[np.float64]
+
+
+def flat(rows: Any) -> Array:
+    """(n, k) of rows, or of several arrays of them side by side."""
+    parts = rows if isinstance(rows, tuple) else (rows,)
+    return np.hstack([np.reshape(part, (len(part), -1)) for part in parts])
+
 
 ALIKE = 1e-3  # of the scale: two integrations of one motion differ by their tolerances
 DENSE = 1e-4  # of the scale: the interpolation of a solver at a loose tolerance is off by less, straight lines by more
@@ -23,6 +31,11 @@ DENSER = 400  # times that are asked for in the place of few
 ROUGHLY = 0.1  # of the scale: beyond it a small wrong term is as likely as a loose tolerance
 TRIED = 12  # rows at which the right equations are asked where they lead
 OBEYED = 0.03  # of the change between rows: a wrong term makes more, a loose tolerance less
+# Of the duration: in one so short no step has an error, and a wrong term has the same part in the rate as in any other.
+INSTANTS = 1e-8, 1e-7
+ASKED = 6  # rows, and right states, from which both set off for an instant
+PATIENCE = 0.5  # s, for these calls
+EXPLAINED, EXPLAINS = 0.03, 0.5  # of the errors' rate: right rates leave less of it, a wrong term makes more
 
 
 @dataclass(frozen=True)
@@ -51,15 +64,13 @@ class Motion:
     def error(self) -> float:
         return float(self.errors.max())
 
-    def near(self, rows: Any, within: float = ALIKE, of: Any = None) -> bool:
-        """Whether the student's rows are these, or those `of` some."""
-        found = self.found if of is None else of
+    def near(self, rows: Any, of: Any = None) -> bool:
+        """Whether the student's rows, or some of them, are these, and not as well the right ones."""
+        found, within = self.found if of is None else of, min(ALIKE, BETTER * self.error)
         return np.shape(rows) == found.shape and bool(np.max(np.abs(rows - found) / self.scales) <= within)
 
     def again(self, t: Array) -> Array | None:
         """The student's rows when other times are asked for; None where there are none."""
-        from tam570_grader.writing.follow import flat
-
         try:
             return flat(self.function.aside(self.case.but(t)))
         except Failed:
@@ -67,27 +78,23 @@ class Motion:
 
     def truly(self, t: Array, *start: Any) -> Array:
         """The right rows at other times, or from another start."""
-        from tam570_grader.writing.follow import flat
-
         case = self.case.but(t, *start)
         return flat(answer(self.right, case))
 
 
-def diagnosed(
-    motion: Motion, motions: Sequence[Motion], turns: Sequence[int], nearly: float, loose: bool = True
-) -> str:
+def diagnosed(motion: Motion, motions: Sequence[Motion], turns: Sequence[int], nearly: float) -> str:
     """What a wrong motion is instead, in a sentence; empty if the rows do not tell.
 
-    nearly : the error, of the scale, up to which the physics is right
-    loose  : whether the physics is right, too, where the rows nearly obey the equations
+    nearly : the error, of the scale, up to which a loose tolerance is likely even where nothing moves
     """
     with np.errstate(all="ignore"):
-        if motion.error <= nearly:
-            return TIGHT
         told = next((says for tells, says in _tells(motion, motions, turns) if tells()), "")
-        if told or not (loose and obeys(motion)):
+        if told or not (motion.error <= nearly or obeys(motion)):
             return told
-        return TIGHT if motion.error <= ROUGHLY else NEARLY_FOLLOWS
+        share = _explained(motion)
+        if share >= EXPLAINS:
+            return ""
+        return TIGHT if share <= EXPLAINED and motion.error <= ROUGHLY else NEARLY_FOLLOWS
 
 
 TIGHT = "the physics is right: tighten rtol and atol"
@@ -97,9 +104,12 @@ Tell = tuple[Callable[[], bool], str]
 
 def _tells(motion: Motion, motions: Sequence[Motion], turns: Sequence[int]) -> list[Tell]:
     """The questions in order: what is cheap and certain comes first."""
+    inner, expected = motion.found[1:-1], motion.expected
     return [
         (lambda: _still(motion), "every row is the start"),
-        (lambda: _late(motion), "the rows are one time late: row 0 is the start"),
+        (lambda: not motion.found.any(), "every number is zero"),
+        (lambda: len(inner) > 0 and motion.near(expected[2:], inner), AHEAD),
+        (lambda: len(inner) > 0 and motion.near(expected[:-2], inner), BEHIND),
         (lambda: motion.errors[0].max() > ALIKE >= motion.errors[1:].max(), "row 0 is not the start"),
         (lambda: _turned(motion, turns), "only whole turns are missing: never wrap angles"),
         (lambda: _even(motion), "these are the rows at evenly spaced times: use the times in t"),
@@ -111,6 +121,8 @@ def _tells(motion: Motion, motions: Sequence[Motion], turns: Sequence[int]) -> l
     ]
 
 
+AHEAD = "row i is the state at t[i+1], not at t[i]"
+BEHIND = "row i is the state at t[i-1], not at t[i]"
 JOINED = (
     "this row is accurate when requested alone: do you interpolate linearly between steps, or at a loose tolerance?"
 )
@@ -118,11 +130,7 @@ SAMPLED = "with more times in between the same rows are accurate: do your steps 
 
 
 def _still(motion: Motion) -> bool:
-    return bool((motion.found == motion.found[0]).all())
-
-
-def _late(motion: Motion) -> bool:
-    return len(motion.t) > 2 and motion.near(motion.expected[1:], of=motion.found[:-1])
+    return bool((motion.found == motion.found[0]).all()) and bool(motion.errors[0].max() <= ALIKE)
 
 
 def _turned(motion: Motion, turns: Sequence[int]) -> bool:
@@ -195,15 +203,61 @@ def obeys(motion: Motion, *, everywhere: bool = False) -> bool:
     """
     if not np.isfinite(motion.found).all() or motion.errors[0].max() > ALIKE:
         return False
-    last = len(motion.t) - 1
-    rows = np.arange(last) if everywhere else np.unique(np.linspace(0, last - 1, TRIED).astype(int))
+    rows = np.arange(len(motion.t) - 1) if everywhere else _some(motion)
     try:
-        led = [motion.truly(motion.t[row : row + 2], *_restart(motion, motion.found[row]))[-1] for row in rows]
+        off = _lost(motion, rows)
     except (ValueError, ArithmeticError):
         return False
-    off = np.abs(np.array(led) - motion.found[rows + 1]) / motion.scales
     moved = np.abs(motion.found[rows + 1] - motion.found[rows]) / motion.scales
-    return bool(np.quantile(off.max(axis=1), 1.0 if everywhere else 0.9) <= OBEYED * np.median(moved.max(axis=1)))
+    return bool(np.quantile(off, 1.0 if everywhere else 0.9) <= OBEYED * np.median(moved.max(axis=1)))
+
+
+def _some(motion: Motion, count: int = TRIED) -> NDArray[np.int_]:
+    """Numbers of rows, but for the last."""
+    return np.unique(np.linspace(0, len(motion.t) - 2, count).astype(int))
+
+
+def _lost(motion: Motion, rows: NDArray[np.int_]) -> Array:
+    """How far the right motion from each of these rows passes from the row after it, of the scale."""
+    led = [motion.truly(motion.t[row : row + 2], *_restart(motion, motion.found[row]))[-1] for row in rows]
+    return np.asarray(np.max(np.abs(np.array(led) - motion.found[rows + 1]) / motion.scales, axis=1))
+
+
+def _explained(motion: Motion) -> float:
+    """The share of the errors that wrong rates make: near zero where the physics is right, NaN where none can tell."""
+    rows, shares = _some(motion), list[float]()
+    try:
+        made = _lost(motion, rows) / (motion.t[rows + 1] - motion.t[rows])
+        starts = list(_worst(motion, rows[np.argsort(-made)]))
+        for instant in INSTANTS:
+            shares.append(_apart(motion, starts, instant) / made.max())
+            if shares[-1] <= EXPLAINED:
+                return shares[-1]
+    except (Failed, ValueError, ArithmeticError):
+        return np.nan
+    return min(shares) if max(shares) <= 2 * min(shares) else np.nan  # rounding, or how an integrator starts
+
+
+def _worst(motion: Motion, rows: NDArray[np.int_]) -> Iterator[tuple[float, Array]]:
+    """Times and states where most of the error is made: rows, the worst first, and right states behind the first."""
+    t, found = motion.t, motion.found
+    yield from zip(t[rows[:ASKED]], found[rows[:ASKED]], strict=True)
+    first = rows[0]
+    times = np.linspace(t[first], t[first + 1], ASKED + 1)
+    yield from zip(times[1:], motion.truly(times, *_restart(motion, found[first]))[1:], strict=True)
+
+
+def _apart(motion: Motion, starts: Sequence[tuple[float, Array]], instant: float) -> float:
+    """The largest rate, of the scale, at which the student's function leaves the right one."""
+    rates, began = list[float](), time.monotonic()
+    for at, state in starts:
+        t, start = at + (motion.t[-1] - motion.t[0]) * np.array([0, instant]), _restart(motion, state)
+        found = flat(motion.function.aside(motion.case.but(t, *start)))
+        off = np.diff((found - motion.truly(t, *start)) / motion.scales, axis=0)
+        rates.append(float(np.max(np.abs(off)) / np.ptp(t)))
+        if time.monotonic() - began > PATIENCE:
+            return np.nan
+    return max(rates)
 
 
 def _restart(motion: Motion, row: Array) -> tuple[Any, ...]:

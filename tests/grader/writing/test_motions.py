@@ -1,12 +1,15 @@
 """A chaotic motion with small errors has followed its equations; one that leaves them in a single row has not."""
 
+from functools import partial
+
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
 from tam570_grader.writing.check import given
+from tam570_grader.writing.expect import Failed
 from tam570_grader.writing.follow import loosely
-from tam570_grader.writing.motions import Motion, obeys
+from tam570_grader.writing.motions import AHEAD, BEHIND, NEARLY_FOLLOWS, TIGHT, Motion, diagnosed, obeys
 
 LOOSE = """
 
@@ -74,3 +77,117 @@ def test_the_energy_of_a_double_pendulum_is_judged_at_a_loose_tolerance(grade, s
     slug = "hw07_double_pendulum"
     marks = {mark.name: mark for mark in grade(slug, solution_text(slug) + LOOSE, number, naming=False).checks}
     assert marks["energy_is_conserved_from_horizontal"].points >= 0.9 * 0.5
+
+
+# What a motion is called
+
+T = np.linspace(1, 7, 200)
+RESTED = np.array([1.0, 0.0])
+
+
+def swings(t, start, tolerance=1e-10, damping=0.0):
+    """A pendulum of unit frequency."""
+
+    def rate(_, y):
+        return y[1], -np.sin(y[0]) - damping * y[1]
+
+    return solve_ivp(rate, (t[0], t[-1]), start, "RK45", t, rtol=tolerance, atol=tolerance).y.T
+
+
+class Asked:
+    """A student's function that is asked aside, which may be another than the rows are of."""
+
+    def __init__(self, simulate):
+        self.simulate = simulate
+
+    def aside(self, case):
+        return self.simulate(*case.args)
+
+
+def told(simulate, t=T, start=RESTED, right=swings, rows=None, nearly=0.0):
+    found = simulate(t, start) if rows is None else rows
+    one = Motion(given(t, start), found, right(t, start), np.ones(found.shape[1]), Asked(simulate), right)
+    return diagnosed(one, [one], [], nearly)
+
+
+@pytest.mark.parametrize("tolerance", [1e-4, 1e-5, 1e-6])
+@pytest.mark.parametrize("t", [T, T[[0, 199]]])
+def test_a_loose_tolerance_is_told_from_a_small_term(tolerance, t):
+    assert told(partial(swings, tolerance=tolerance), t) == TIGHT
+    assert told(partial(swings, damping=tolerance), t, nearly=1e-3) == ""
+    assert told(partial(swings, tolerance=1e-6, damping=tolerance), t, nearly=1e-3) != TIGHT
+
+
+def test_where_the_function_cannot_be_asked_nobody_is_told_that_the_physics_is_right():
+    def once(t, start):
+        if len(t) != len(T):
+            raise Failed("it raised")
+        return swings(t, start, 1e-5)
+
+    assert told(once) == NEARLY_FOLLOWS
+
+
+@pytest.mark.parametrize(
+    ("change", "says"),
+    [
+        (lambda rows: np.vstack([rows[1:], rows[-1:]]), AHEAD),
+        (lambda rows: np.vstack([rows[:1], rows[2:], rows[-1:]]), AHEAD),
+        (lambda rows: np.vstack([rows[:1], rows[:-1]]), BEHIND),
+        (lambda rows: rows[:, ::-1], "two columns are exchanged"),
+        (lambda rows: 0 * rows, "every number is zero"),
+        (lambda rows: 0 * rows + rows[0], "every row is the start"),
+        (lambda rows: np.vstack([rows[:1] + 1, rows[1:]]), "row 0 is not the start"),
+    ],
+)
+def test_rows_of_another_order_are_told(change, says):
+    t = T[::20]
+    assert told(lambda t, start: change(swings(t, start)), t) == says
+
+
+def test_rows_that_are_alike_anyway_are_not_told_to_be_in_another_order():
+    twice = lambda t, start: swings(t, start)[:, [0, 0]]  # noqa: E731
+    assert "columns" not in told(lambda t, start: 1.01 * twice(t, start) - 0.01 * start[0], right=twice)
+    assert "t[i+1]" not in told(partial(swings, damping=1e-5), np.linspace(1, 7, 20000), nearly=1e-3)
+
+
+def test_rows_at_rest_at_zero_are_the_start():
+    def falls(t, start):
+        return start + np.subtract(t, t[0])[:, None]
+
+    assert told(lambda t, start: np.tile(start, (len(t), 1)), start=0 * RESTED, right=falls) == "every row is the start"
+
+
+DAMPED = """
+
+def simulate(t, phi, phi_dot, **cylinder):
+    from scipy.integrate import solve_ivp
+    def rates(_, y):
+        return y[1], acceleration(*y, **cylinder) - {damping} * y[1]
+    return solve_ivp(rates, (t[0], t[-1]), (phi, phi_dot), t_eval=t, rtol={tolerance}, atol={tolerance}).y.T
+"""
+CREEPING = """
+
+def simulate(t, state, locked, **car):
+    from scipy.integrate import solve_ivp
+    arm = _axles(locked, car["front"], car["rear"])[1]
+    def rates(s, y):
+        sliding = math.hypot(y[3], arm * y[4])
+        free = np.array(state_derivative(s, y, locked, **{**car, "friction": 0.0}))
+        return free + sliding / math.hypot(sliding, 1e-2) * (np.array(state_derivative(s, y, locked, **car)) - free)
+    return solve_ivp(rates, (t[0], t[-1]), state, "LSODA", t_eval=t, rtol=1e-9, atol=1e-9).y.T
+"""
+
+
+@pytest.mark.parametrize(
+    ("slug", "text", "right"),
+    [
+        ("hw13_rolling_cylinder", DAMPED.format(damping=1e-3, tolerance=1e-9), False),
+        ("hw13_rolling_cylinder", DAMPED.format(damping=1e-5, tolerance=1e-9), False),
+        ("hw13_rolling_cylinder", DAMPED.format(damping=0, tolerance=1e-5), True),
+        ("hw06_braking", CREEPING, False),
+    ],
+)
+def test_wrong_physics_of_small_effect_is_not_called_right(grade, solution_text, slug, text, right):
+    said = " ".join(mark.message for mark in grade(slug, solution_text(slug) + text).checks if mark.failure)
+    assert ("The physics is right" in said) == right
+    assert "is wrong by" in said

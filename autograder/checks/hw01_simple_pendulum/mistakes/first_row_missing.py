@@ -1,7 +1,7 @@
-"""The rows are one time early: row 0 is the start.
+"""Row i is the state at t[i+1]: the start is missing.
 
 fails: simulate_swings
-names: row 0 is the start
+names: row i is the state at t[i+1]
 """
 
 _right_simulate = simulate

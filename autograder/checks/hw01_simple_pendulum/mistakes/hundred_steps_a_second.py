@@ -2,7 +2,7 @@
 
 fails: simulate_needs_no_dense_times
 numerics: a step of fixed length
-names: The physics is right: tighten
+names: do your steps depend on t
 """
 
 def simulate(t, theta0, omega0, *, length, gravity):

@@ -1,7 +1,7 @@
-"""The rows are one time late: the start is missing.
+"""Row i is the state at t[i+1]: the start is missing.
 
 fails: simulate_moves_as_it_must
-names: one time late
+names: row i is the state at t[i+1]
 """
 
 _right_simulate = simulate

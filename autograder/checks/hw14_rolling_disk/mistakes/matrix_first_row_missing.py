@@ -1,4 +1,4 @@
-"""The rows come one time late, and the start is left out.
+"""Row i is the state at t[i+1]: the start is left out.
 
 fails: matrix_simulation_follows_the_motion
 """

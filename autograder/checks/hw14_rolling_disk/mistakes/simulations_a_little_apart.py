@@ -2,7 +2,7 @@
 
 fails: both_simulations_agree
 numerics: an inaccuracy that keeps R and the height
-names: tighten rtol and atol
+names: do your steps depend on t
 """
 
 _motion = simulate_matrix
