@@ -2,13 +2,14 @@
 
 import difflib
 import tomllib
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 from tam570_grader.errors import UsageError
+from tam570_grader.writing.assignments import slug_of
 
-__all__ = ["COPY", "FILE", "must", "no_other", "toml"]
+__all__ = ["COPY", "FILE", "by_slug", "must", "no_other", "toml"]
 
 FILE = "course.toml"
 COPY = "made-by-course.toml"  # what it said, in the course that was made by it: no command makes another of that
@@ -34,3 +35,13 @@ def no_other(path: Path, where: str, names: Iterable[str], known: Iterable[str])
     for name in sorted({*names} - {*known}):
         near = difflib.get_close_matches(name, known, 1) or [", ".join(known) or "none"]
         raise UsageError(f"{path}: {where}{name} is not known; do you mean {near[0]}?")
+
+
+def by_slug(path: Path, given: Mapping[str, Any], known: Sequence[str]) -> dict[str, tuple[str, Any]]:
+    """The tables of assignments, each with the name that it has in the file; UsageError if one has two."""
+    found: dict[str, tuple[str, Any]] = {}
+    for key, table in given.items():
+        if (slug := slug_of(key, known)) is not None:
+            must(path, slug not in found, f"[{found.get(slug, [''])[0]}] and [{key}] are the same assignment: keep one")
+            found[slug] = key, table
+    return found

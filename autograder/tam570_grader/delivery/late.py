@@ -5,15 +5,17 @@ obey. The comments of such rows say where they come from: they are replaced when
 """
 
 import math
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections import defaultdict
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from datetime import date, datetime, time, timedelta
 from pathlib import Path
 from typing import Any
 
-from tam570_grader.delivery.course_toml import COPY, FILE, must, no_other, toml
+from tam570_grader.delivery.course_toml import COPY, FILE, by_slug, must, no_other, toml
 from tam570_grader.errors import UsageError
 from tam570_grader.results.by_hand import EVERYONE, EXTENSION, LATE, MOST, OFF, Entry, Hand
+from tam570_grader.results.journal import Results
 
 __all__ = ["KEYS", "Terms", "obeyed", "stale", "terms", "terms_of"]
 
@@ -45,8 +47,6 @@ def terms_of(course: Path) -> dict[str, Terms]:
 
 def terms(path: Path, given: Mapping[str, Any], slugs: Sequence[str]) -> dict[str, Terms]:
     """The terms of these assignments; UsageError, with its key, for what does not fit."""
-    from tam570_grader.writing.assignments import slug_of
-
     rules = given.get("late", {})
     must(path, isinstance(rules, dict), "late must be a table: write [late] above its lines")
     no_other(path, "[late] ", rules, RULES)
@@ -54,7 +54,7 @@ def terms(path: Path, given: Mapping[str, Any], slugs: Sequence[str]) -> dict[st
         good = _is_number(rules.get(name, 0)) and 0 <= rules.get(name, 0) <= largest
         must(path, good, f"[late] {name} is {rules.get(name)!r}; write a number from 0 to {largest}")
     off, most, grace = rules.get("off_a_day", 0.0), rules.get("most_off", 1.0), timedelta(minutes=rules.get("grace", 0))
-    tables = {slug_of(key, slugs): (key, table) for key, table in given.items()}
+    tables = by_slug(path, given, slugs)
     own = {slug: _own(path, *tables[slug]) if slug in tables else (None, {}) for slug in slugs}
     return {slug: Terms(*one, off, most, grace) for slug, one in own.items()}
 
@@ -77,18 +77,16 @@ def _is_number(value: Any) -> bool:
     return isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
 
 
-def obeyed(
-    hand: Hand, known: Mapping[str, Terms], found: Collection[tuple[str, str]], collected: Path | None
-) -> tuple[Hand, list[str]]:
+def obeyed(hand: Hand, known: Mapping[str, Terms], found: Results, collected: Path | None) -> tuple[Hand, list[str]]:
     """What was added by hand with the rows that the terms make, and sentences on what they leave open.
 
-    found     : students and assignments with results
+    found     : the results, which tell what was graded: of a module and a notebook the time of one counts
     collected : the table that `collect` wrote, whose times tell who is late
     """
     from tam570_grader.delivery.collect import listed
 
     slugs = {slug for _, slug in found}
-    table = listed(collected, NEEDED) if collected else []
+    table = list(_graded(listed(collected, NEEDED), found)) if collected else []
     days, open_ = _days(known, table, collected)
     open_ += _strangers(known, found)
     anew = {row["assignment"] for row in table}  # the times of the others stand in no table now
@@ -103,6 +101,17 @@ def obeyed(
             )
     late = [one for one in days if one.slug in slugs and one.key not in own]  # a row by hand knows better than a clock
     return Hand(own.values()).with_([*rows, *late]), open_
+
+
+def _graded(table: Iterable[Mapping[str, str]], found: Results) -> Iterator[Mapping[str, str]]:
+    """The rows of the files that count: of a module and a notebook side by side the one that was graded."""
+    forms = defaultdict[tuple[str, str], dict[str, Mapping[str, str]]](dict)
+    for row in table:
+        if row["file"]:
+            forms[row["student"], row["assignment"]][Path(row["file"]).suffix] = row
+    for key, rows in forms.items():
+        is_notebook = len(rows) > 1 and key in found and found[key].get("notebook")
+        yield rows.get(".ipynb" if is_notebook else ".py") or next(iter(rows.values()))
 
 
 def stale(folder: Path, hand: Hand, course: Path, slugs: Collection[str]) -> str:
@@ -136,12 +145,9 @@ def _days(
     for cells in table:
         student, slug, when = cells["student"], cells["assignment"], cells["when"]
         due = known.get(slug, Terms()).due
-        if not cells["file"] or due is None:
-            continue
-        if when:
-            days = (_moment(when, collected).astimezone() - due.astimezone() - known[slug].grace) / DAY
-            late[student, slug] = max(late.get((student, slug), 0.0), days)
-        elif cells["late"]:
+        if when and due is not None:
+            late[student, slug] = (_moment(when, collected).astimezone() - due.astimezone() - known[slug].grace) / DAY
+        elif cells["late"] and due is not None:
             open_.append(f"{student} is late in {slug}, and {collected} does not say when: add a row {LATE} by hand")
     found = [(*key, LATE, math.ceil(100 * days) / 100, None, _by(known[key[1]])) for key, days in late.items()]
     return [Entry(*one) for one in found if one[3] > 0], open_

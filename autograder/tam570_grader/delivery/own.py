@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from tam570_grader.delivery import late
-from tam570_grader.delivery.course_toml import COPY, FILE, must, no_other, toml
+from tam570_grader.delivery.course_toml import COPY, FILE, by_slug, must, no_other, toml
 from tam570_grader.delivery.stubs import contract
 from tam570_grader.errors import writing
 from tam570_grader.results.tables import written
@@ -117,7 +117,7 @@ def _parts(path: Path, given: Mapping[str, Any], known: Sequence[str]) -> dict[s
     for name in (*names, *tables):
         must(path, assignments.slug_of(name, known) is not None, f"there is no assignment {name!r}")
     chosen = assignments.named(names, known)
-    changed = {assignments.named([key], known)[0]: (key, table) for key, table in tables.items()}
+    changed = by_slug(path, tables, known)
     for slug, (key, _) in changed.items():
         must(path, slug in chosen, f"[{key}] is not among the assignments: add it there, or leave it out")
     parts = {slug: _part(path, *changed[slug]) if slug in changed else Part({}) for slug in chosen}

@@ -85,7 +85,7 @@ def _points(arguments: argparse.Namespace) -> int:
         new = list(_checked(arguments.table, found, manual, checks)) if arguments.table else []
     feedback.must_write_pages()
     with contextlib.closing(Book(folder)) as book:  # nobody else adds rows meanwhile
-        hand, open_ = late.obeyed(by_hand.read(folder).with_(new), terms, [*book], arguments.collected)
+        hand, open_ = late.obeyed(by_hand.read(folder).with_(new), terms, book, arguments.collected)
         by_hand.write(folder, hand)
         feedback.write_pages(folder / "feedback", book, course)
     for line in open_:

@@ -55,7 +55,9 @@ def lost(task: Task, error: str) -> bytes:
 
 
 def _line(task: Task, result: Result) -> bytes:
-    return json.dumps(replace(result, digest=task.digest).record(), allow_nan=False).encode() + b"\n"
+    notebook = isinstance(task.source, Source) and task.source.notebook
+    whole = replace(result, digest=task.digest, notebook=notebook)
+    return json.dumps(whole.record(), allow_nan=False).encode() + b"\n"
 
 
 def result(task: Task) -> Result:

@@ -84,6 +84,7 @@ class Result:
     message: str = ""
     speed: dict[str, Any] | None = None
     digest: str = ""  # of all that the result depends on
+    notebook: bool = False  # it is a notebook that was graded, not a module
     format: int = FORMAT
 
     def record(self) -> dict[str, Any]:
@@ -93,7 +94,7 @@ class Result:
 def write(result: Result) -> dict[str, Any]:
     """The result line as plain data; what is empty is left out where it may be."""
     line = {**asdict(result), "checks": [_mark(mark) for mark in result.checks]}
-    return {key: value for key, value in line.items() if value or key not in ("message", "speed", "digest")}
+    return {key: value for key, value in line.items() if value or key not in ("message", "speed", "digest", "notebook")}
 
 
 def _mark(mark: Mark) -> dict[str, Any]:

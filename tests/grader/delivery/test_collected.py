@@ -33,13 +33,13 @@ def desk(tmp_path, monkeypatch):
     return tmp_path
 
 
-def collect(*came):
+def collect(*came, more=()):
     """Collect a download of Moodle's, of (student, file, day of September, text); the exit code."""
     with zipfile.ZipFile("download.zip", "w") as archive:
         for who, file, day, *text in came:
             name = f"{who}_{NUMBERS[who]}_assignsubmission_file_/{file}"
             archive.writestr(zipfile.ZipInfo(name, (2026, 9, day, 12, 0, 0)), "".join(text))
-    return cli.main(["collect", "download.zip", "--from", "moodle"])
+    return cli.main(["collect", "download.zip", "--from", "moodle", *more])
 
 
 def rows(path):
@@ -107,3 +107,29 @@ def test_a_notebook_after_a_module_of_an_earlier_download_is_named(desk, capsys)
     assert collect(("ann", "hw08.py", 12, "x = 1\n")) == 0
     assert collect(("ann", "hw08.ipynb", 13, NOTEBOOK)) == 1
     assert "delete the module if the notebook should count" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(("module", "late"), [("x = 1\n", ["18"]), (STUB, ["17", "18"])])
+def test_the_time_of_what_is_graded_counts(desk, module, late):
+    """A notebook that comes late beside a module costs days only where it is the one that is graded."""
+    collect(("ann", "hw08.py", 12, module), ("ann", "hw08.ipynb", 16, NOTEBOOK), ("ben", "hw08.py", 16, "x = 1\n"))
+    assert cli.main(["grade", "submitted", "--out", "results", "--seed", "1"]) == 0
+    assert cli.main(["points", "results", "--collected", "collected.csv"]) == 0
+    days = {row["student"]: float(row["points"]) for row in rows("results/by_hand.csv") if row["item"] == "late"}
+    assert days == {who: pytest.approx(1.51) for who in late}
+
+
+def test_scratch_that_comes_late_is_not_taken_for_the_module(desk, capsys):
+    came = (("ann", "hw08.py", 12, "mine"), ("ann", "scratch.py", 16, "scratch"), ("ben", "work.py", 12, "by my name"))
+    assert collect(*came, more=["--assignment", "hw08"]) == 1
+    texts = {path.parts[-3]: path.read_text() for path in desk.glob("submitted/*/*/*")}
+    assert texts == {"17": "mine", "18": "by my name"}
+    (line,) = capsys.readouterr().err.splitlines()
+    assert "scratch.py of 17 is not collected: another file counts" in line
+    assert [row["when"][:10] for row in rows("collected.csv") if row["file"]] == ["2026-09-12", "2026-09-12"]
+
+
+def test_an_assignment_with_two_tables_is_named_with_both(desk, capsys):
+    (desk / "course.toml").write_text(COURSE.replace("[hw8]", "[hw07]"))
+    assert collect(("ann", "hw07.py", 6)) == 2
+    assert "[hw7] and [hw07] are the same assignment: keep one" in capsys.readouterr().err
