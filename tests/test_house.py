@@ -2,6 +2,7 @@
 
 import ast
 import io
+import re
 import tokenize
 from pathlib import Path
 
@@ -60,3 +61,9 @@ def test_modules_are_small():
 def test_a_module_of_checks_has_few_names(path):
     names = [node for node in ast.parse(path.read_text()).body if isinstance(node, FUNCTIONS | ast.ClassDef)]
     assert len(names) <= MOST_NAMES
+
+
+def test_the_design_shows_checks_that_there_are():
+    shown = re.findall(r"^```python\n(.*?)^```$", (COURSE / "docs" / "design.md").read_text(), re.MULTILINE | re.DOTALL)
+    there = "".join(path.read_text() for path in CHECKS)
+    assert shown and not [one for one in shown if one not in there]
