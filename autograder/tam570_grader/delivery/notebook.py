@@ -1,23 +1,18 @@
 """The notebook of an assignment: the problem part by part, what the student's module does, and cells for the points."""
 
 import ast
-import dis
-import itertools
 import json
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from types import CodeType, FunctionType
 from typing import Any
 
 from tam570_grader.writing.assignments import Assignment
-from tam570_grader.writing.check import Check
 
 __all__ = [
     "FORMAT",
     "Problem",
     "functions_by_part",
-    "functions_of",
     "notebook",
     "part_of",
     "part_points",
@@ -103,43 +98,12 @@ def part_of(grade_id: str) -> str | None:
 
 
 def functions_by_part(assignment: Assignment) -> dict[str, str]:
-    """The part of each function: that of the first check that calls it, else the first part."""
+    """The part of each function: that of the first check that is about it, else the first part."""
     found: dict[str, str] = {}
     for check in assignment.checks:
-        for name in functions_of(check) & {*assignment.results}:
-            found.setdefault(name, check.part)
+        found.setdefault(check.function(assignment.results), check.part)
     first = assignment.checks[0].part
     return {name: found.get(name, first) for name in assignment.results}
-
-
-def functions_of(check: Check) -> set[str]:
-    """The names that a loaded check uses, itself or by the functions of its module, some of them functions to write.
-
-    A law holds the name of the student's.
-    """
-    names, pending, seen = set[str](), [check.judge], {check.judge}
-    while pending:
-        function = pending.pop()
-        mentioned = set(_names(function.__code__))
-        held = [cell.cell_contents for cell in function.__closure__ or ()]
-        names |= mentioned | {one for one in held if isinstance(one, str)}
-        beside = [*map(function.__globals__.get, mentioned), *held]
-        more = {one for one in beside if isinstance(one, FunctionType) and one.__module__ == check.judge.__module__}
-        pending += more - seen
-        seen |= more
-    return names
-
-
-def _names(code: CodeType) -> Iterator[str]:
-    """Of the globals in a function and in those inside of it, and of attributes, but not of modules: `right.energy`."""
-    for before, one in itertools.pairwise(dis.get_instructions(code)):
-        if before.opname == "LOAD_GLOBAL":
-            yield before.argval
-        elif one.opname in ("LOAD_ATTR", "LOAD_METHOD"):
-            yield one.argval
-    for inner in code.co_consts:
-        if isinstance(inner, CodeType):
-            yield from _names(inner)
 
 
 def visible_by_part(assignment: Assignment, tests: str) -> dict[str, list[str]]:
@@ -180,8 +144,8 @@ def _part(assignment: Assignment, part: str, text: str, shown: str | None, tests
 
 
 def _used_in(assignment: Assignment, part: str) -> list[str]:
-    """The functions that the checks of a part call."""
-    used = set().union(*(functions_of(check) for check in assignment.checks if check.part == part))
+    """The functions that the checks of a part are about."""
+    used = {check.function(assignment.results) for check in assignment.checks if check.part == part}
     return sorted(used & {*assignment.results})
 
 

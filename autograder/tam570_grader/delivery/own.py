@@ -159,7 +159,7 @@ def _tell(path: Path, assignment: Assignment, part: Part, folder: Path) -> None:
     must(path, bool(assignment.checks), f"[{assignment.slug[:4]}] leaves no check: leave the assignment out instead")
     worth = dict.fromkeys(assignment.results, 0.0)
     for check in assignment.checks:
-        name = next((word for word in re.findall(r"\w+", check.line) if word in worth), "")
+        name = check.function(assignment.results)
         worth[name] = worth.get(name, 0.0) + check.points
     readme = (folder / "README.md").read_text(encoding="utf-8")
     readme = ROW.sub(lambda row: f"{row[1]}{worth.get(row[2], 0.0):g}{row[4]}", readme)

@@ -4,7 +4,6 @@ import functools
 import importlib.util
 import json
 import os
-import re
 import zlib
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -52,7 +51,7 @@ class Sheet:
 
     title: str
     lines: Mapping[str, str]  # what each check tests
-    functions: Sequence[str]  # those that there are hints for
+    functions: Mapping[str, str]  # what each check is about: there are hints for it
     manual: Mapping[str, tuple[float, str]]  # part: points given by hand, and for what
 
 
@@ -61,10 +60,11 @@ def sheet(course: Path, slug: str) -> Sheet:
     from tam570_grader.writing import assignments
 
     if slug not in assignments.slugs(course):
-        return Sheet(slug, {}, (), {})
+        return Sheet(slug, {}, {}, {})
     assignment = assignments.assignment(course, slug)
     lines = {check.name: check.line for check in assignment.checks}
-    return Sheet(_title(course / "assignments" / slug, slug), lines, [*assignment.results], assignment.manual)
+    functions = {check.name: check.function(assignment.results) for check in assignment.checks}
+    return Sheet(_title(course / "assignments" / slug, slug), lines, functions, assignment.manual)
 
 
 def _title(folder: Path, slug: str) -> str:
@@ -140,18 +140,17 @@ def _part(letter: str, result: Result, sheet: Sheet) -> dict[str, Any]:
 
 def _shown(mark: Mark, sheet: Sheet) -> dict[str, Any]:
     """A mark as the page shows it; never its detail, which is the instructor's."""
-    line = sheet.lines.get(mark.name, mark.name)
     stuck = mark.outcome == "failed" or mark.unwritten
     return {
         "name": mark.name,
         "outcome": mark.outcome,
-        "line": line,
+        "line": sheet.lines.get(mark.name, mark.name),
         "points": _points(mark.points),
         "max_points": _points(mark.max_points),
         "says": message(mark.failure) if mark.failure else mark.message,
         "suspect": mark.suspect,
         "pictures": pictures(mark.failure.curve if mark.failure else None),
-        "hint": next((word for word in re.findall(r"\w+", line) if stuck and word in sheet.functions), None),
+        "hint": sheet.functions.get(mark.name) if stuck else None,
     }
 
 

@@ -12,8 +12,9 @@ random generator that belongs to the check and is the same for every student of 
 """
 
 import functools
+import re
 import threading
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Container, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -66,6 +67,10 @@ class Check:
     def line(self) -> str:
         """What the check tests, for the student: the first paragraph of its docstring on one line."""
         return " ".join((self.judge.__doc__ or self.name).strip().split("\n\n")[0].split())
+
+    def function(self, results: Container[str]) -> str:
+        """The function that it is about: the first of `results` that its line names, empty if it names none."""
+        return next((word for word in re.findall(r"\w+", self.line) if word in results), "")
 
     def then(self, line: str, *, points: float, part: str) -> "Law":
         """A law that is judged only when this check has (nearly) passed."""

@@ -77,13 +77,13 @@ def test_the_detail_would_be_found_if_it_were_there(page, grade, solution_text):
     record = result.record()
     number = next(number for mark in result.checks for number in secrets(mark))
     leaking = json.loads(json.dumps(record).replace('"of": "', f'"of": "{number} ', 1))
-    assert number in texts(feedback.page(read(leaking), feedback.Sheet(slug, {}, (), {})))
+    assert number in texts(feedback.page(read(leaking), feedback.Sheet(slug, {}, {}, {})))
 
 
 def test_what_a_student_calls_things_is_text_and_no_markup(page, grade):
     evil = "<script>alert(1)</script><img src=x onerror=alert(2)>\"'&</style>{{ 7 * 7 }}{% include '/etc/passwd' %}"
     result = grade("hw08_axis_angle", f"raise ValueError({evil!r})")
-    made = feedback.page(replace(result, student=evil), feedback.Sheet(evil, {}, (), {"a": (1, evil)}))
+    made = feedback.page(replace(result, student=evil), feedback.Sheet(evil, {}, {}, {"a": (1, evil)}))
     assert "<script" not in made and "<img" not in made
     assert texts(made).count("<script>alert(1)</script>") >= 3 and texts(made).count("{{ 7 * 7 }}{% include") >= 3
     assert "default-src 'none'" in made

@@ -16,7 +16,7 @@ from tam570_grader.pages.feedback import Sheet
 from tam570_grader.results import journal, records
 
 SLUGS = ("hw07_double_pendulum", "hw08_axis_angle")
-SHEETS = {slug: Sheet(f"Title of {slug[:4]}", {}, (), {}) for slug in SLUGS}
+SHEETS = {slug: Sheet(f"Title of {slug[:4]}", {}, {}, {}) for slug in SLUGS}
 
 
 def mark(name, outcome="passed", suspect=None, points=5.0):
@@ -145,7 +145,7 @@ def test_names_and_errors_are_text_and_only_our_script_may_run():
     evil = "<script>alert(1)</script>\"'><img src=x onerror=alert(1)>"
     bad = record(evil, SLUGS[0], mark("first", "grader_error", evil))
     bad["checks"][0]["error"] = bad["message"] = evil
-    text = page([bad], {SLUGS[0]: Sheet(evil, {"first": evil}, (), {})}, [evil])
+    text = page([bad], {SLUGS[0]: Sheet(evil, {"first": evil}, {}, {})}, [evil])
     scripts = re.findall(r"<script>(.*?)</script>", text, re.DOTALL)
     assert len(scripts) == 1 and "<img" not in text
     allowed = base64.b64encode(hashlib.sha256(scripts[0].encode()).digest()).decode()
@@ -211,7 +211,7 @@ def test_the_command_writes_the_page_beside_the_feedback(tmp_path, capsys, solut
 def test_a_large_class_is_one_page_of_a_size_that_opens():
     """Fourteen assignments: a student takes a row of scores, and a name where a mistake is told, and no more."""
     slugs = [f"hw{k:02}_an_assignment" for k in range(1, 15)]
-    sheets = {slug: Sheet(slug, {}, (), {}) for slug in slugs}
+    sheets = {slug: Sheet(slug, {}, {}, {}) for slug in slugs}
 
     def size(students):
         names = (f"student{k:04}" for k in range(students))
