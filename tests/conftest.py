@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 from tam570_grader import cli
-from tam570_grader.grading.one import graded
+from tam570_grader.grading.one import Judging, graded
 from tam570_grader.sandbox.preload import imported
 from tam570_grader.sandbox.student import Source
 from tam570_grader.sandbox.worker import Allowance, Worker
@@ -158,7 +158,9 @@ def grade(workers):
     def grade(slug, text, seed=0, *, allowance=None, notebook=False, naming=True):
         source = Source(text.encode() if isinstance(text, str) else text, notebook)
         worker = workers(slug, allowance or Allowance(), source.text)
-        return graded("someone", source, assignments.assignment(COURSE, slug), worker, seed, naming=naming)
+        return graded(
+            "someone", source, assignments.assignment(COURSE, slug), worker, seed, asked=Judging(naming=naming)
+        )
 
     return grade
 

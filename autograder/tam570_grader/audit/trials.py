@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TypeVar
 
-from tam570_grader.grading.one import Recorder, Result, graded
+from tam570_grader.grading.one import Judging, Recorder, Result, graded
 from tam570_grader.sandbox import warm
 from tam570_grader.sandbox.preload import imported
 from tam570_grader.sandbox.student import Source
@@ -41,17 +41,9 @@ def tried(trial: Trial, recorder: Recorder | None = None) -> Result:
         assignment = replace(assignment, checks=tuple(free))
     source = Source(trial.text.encode())
     needs = sorted({*assignment.needs, *imported(source.text)})
+    asked = Judging(trial.enough, recorder, trial.naming)
     return warm.tried(
-        lambda worker, _: graded(
-            trial.name,
-            source,
-            assignment,
-            worker,
-            trial.seed,
-            enough=trial.enough,
-            recorder=recorder,
-            naming=trial.naming,
-        ),
+        lambda worker, _: graded(trial.name, source, assignment, worker, trial.seed, asked=asked),
         needs,
         trial.allowance,
         [trial.course],

@@ -10,7 +10,7 @@ from typing import Any
 
 from tam570_grader.delivery.course_toml import COPY
 from tam570_grader.errors import writing
-from tam570_grader.pages.feedback import NOTES
+from tam570_grader.pages.feedback import overall
 from tam570_grader.results.journal import Record
 
 __all__ = ["results", "run"]
@@ -25,11 +25,10 @@ def results(record: Record, lines: Mapping[str, str]) -> dict[str, Any]:
 
     Every check is a test that the student sees; nothing of the hidden inputs is in it.
     """
-    note = " ".join(filter(None, (NOTES.get(record["status"]), record.get("message"))))
     return {
         "score": record["score"],
         "execution_time": record["seconds"],
-        "output": note,
+        "output": overall(record["status"], record.get("message", "")),
         "output_format": "text",
         "stdout_visibility": "hidden",
         "tests": [_test(mark, lines) for mark in record["checks"]],

@@ -7,8 +7,9 @@ from typing import Any
 import nbformat
 
 from tam570_grader.delivery.notebook import FORMAT
+from tam570_grader.errors import printable
 from tam570_grader.grading.submissions import Submission
-from tam570_grader.pages.feedback import NOTES, SIGNS, Sheet, pictures, template
+from tam570_grader.pages.feedback import SIGNS, Sheet, overall, pictures, template
 from tam570_grader.results.journal import Record
 
 __all__ = ["Notebook", "grade_id", "marked", "node", "note", "pictures_only", "rebuilt", "safe"]
@@ -40,8 +41,8 @@ def note(submission: Submission, record: Record) -> str:
     """What is to say of the submission as a whole."""
     slug, path = submission.slug, submission.path
     elsewhere = path is not None and path.name != f"{slug}.py"
-    found = NO_MODULE.format(slug=slug, found=path.name) if elsewhere and path else ""
-    return " ".join(filter(None, (found, NOTES.get(record["status"]), record.get("message"))))
+    found = NO_MODULE.format(slug=slug, found=printable(path.name)) if elsewhere and path else ""
+    return " ".join(filter(None, (found, overall(record["status"], record.get("message", "")))))
 
 
 def marked(marks: Iterable[Mapping[str, Any]], sheet: Sheet, note: str) -> list[Notebook]:

@@ -3,7 +3,8 @@
 import time
 import zlib
 from collections.abc import Callable, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
@@ -13,6 +14,7 @@ from tam570_grader.pages.sentences import whole
 from tam570_grader.results.records import Mark, Result
 from tam570_grader.sandbox.launch import isolation
 from tam570_grader.sandbox.student import BudgetSpent, NotLoaded, NotWritten, Source, Student
+from tam570_grader.sandbox.warm import TRIES
 from tam570_grader.sandbox.worker import Worker, WorkerLost
 from tam570_grader.writing.assignments import Assignment
 from tam570_grader.writing.check import Check
@@ -20,12 +22,26 @@ from tam570_grader.writing.expect import Failed, trial
 from tam570_grader.writing.general import general, ready
 from tam570_grader.writing.mistakes import Called, known
 
-__all__ = ["Mark", "Result", "failed_by_us", "generator", "graded", "not_graded"]
+__all__ = ["Judging", "Mark", "Result", "failed_by_us", "generator", "graded", "not_graded"]
 
 OUR_FAULT = "The grader failed here, not you; your teacher has been told."
 LONGEST_ERROR = 400  # characters of an exception of ours
 SEARCH = 2.0  # s of processor time, for a mistake that nobody has written down; .2 is the most that ends
 Recorder = Callable[[str, float], None]
+
+
+@dataclass(frozen=True)
+class Judging:
+    """What is asked of the checks; what judges the grader asks for less than a student is told.
+
+    enough   : failed checks after which the rest is not run
+    recorder : told the check and every error over its limit; no comparison fails then
+    naming   : look for the mistake behind each failed check
+    """
+
+    enough: int | None = None
+    recorder: Recorder | None = None
+    naming: bool = True
 
 
 def graded(
@@ -35,31 +51,25 @@ def graded(
     worker: Worker,
     seed: int,
     yardstick: Yardstick | None = None,
-    enough: int | None = None,
-    forgiving: bool = False,
-    again: bool = False,
-    recorder: Recorder | None = None,
-    naming: bool = True,
+    left: int | None = None,
+    asked: Judging = Judging(),  # noqa: B008  it is frozen
 ) -> Result:
     """Grade one submission of the student `name`; the same submission and seed give the same score.
 
     yardstick : measures the speed of the simulation too, when all is graded
-    enough    : failed checks after which the rest is not run
-    forgiving : raise WorkerLost where the submission was killed by a stranger, instead of failing it
-    again     : an earlier try may have told it hidden inputs
-    recorder  : told the check and every error over its limit; no comparison fails then
-    naming    : look for the mistake behind each failed check; what judges the grader asks for scores alone
+    left      : tries that are left, of TRIES, None where there is but this one: while there are, raise WorkerLost
+                where the submission was killed by a stranger; after the first it may know hidden inputs
     """
     started = time.perf_counter()
-    student = Student(source, assignment, worker, forgiving, again)
+    student = Student(source, assignment, worker, bool(left), left is not None and left < TRIES - 1)
     marks: dict[str, Mark] = {}
     status, note, speed = "graded", "", None
     try:
         with budget():
             student.load()
             for check in assignment.checks:
-                if not enough or sum(mark.outcome == "failed" for mark in marks.values()) < enough:
-                    marks[check.name] = _mark(check, student, assignment, seed, marks, recorder, naming)
+                if not asked.enough or sum(mark.outcome == "failed" for mark in marks.values()) < asked.enough:
+                    marks[check.name] = _mark(check, student, assignment, seed, marks, asked)
             note = _skipped(student.skipped)
             speed = yardstick.speed(student, assignment, worker) if yardstick else None
     except (NotLoaded, BudgetSpent) as ended:
@@ -97,13 +107,7 @@ def _result(
 
 
 def _mark(
-    check: Check,
-    student: Student,
-    assignment: Assignment,
-    seed: int,
-    marks: dict[str, Mark],
-    recorder: Recorder | None,
-    naming: bool,
+    check: Check, student: Student, assignment: Assignment, seed: int, marks: dict[str, Mark], asked: Judging
 ) -> Mark:
     """Run one check, unless one that it builds on is wrong or missing."""
     missing = [other.name for other in check.after if not marks[other.name].opens]
@@ -112,12 +116,12 @@ def _mark(
     student.calls.clear()
     draw = generator(seed, assignment.slug, check)
     try:
-        with np.errstate(all="ignore"), trial(recorder and (lambda error: recorder(check.name, error))):
+        with np.errstate(all="ignore"), trial(asked.recorder and partial(asked.recorder, check.name)):
             check.judge(student, draw)
     except NotWritten as unwritten:
         return _not_run(check, f"{unwritten} is not written yet.", unwritten=str(unwritten))
     except Failed as failed:
-        suspect, fault = _suspect(check, student, assignment) if naming else (None, "")
+        suspect, fault = _suspect(check, student, assignment) if asked.naming else (None, "")
         return _failed(check, failed, suspect, fault)
     except (NotLoaded, BudgetSpent, WorkerLost, MemoryError):
         raise

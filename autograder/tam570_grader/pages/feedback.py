@@ -22,6 +22,7 @@ from tam570_grader.writing.assignments import checks_digest, engine_digest
 __all__ = [
     "Sheet",
     "must_write_pages",
+    "overall",
     "page",
     "pictures",
     "row",
@@ -91,7 +92,7 @@ def page(result: Result, sheet: Sheet, settled: Settled | None = None) -> str:
         title=sheet.title,
         score=_points(settled.score),
         max_score=_points(settled.most),
-        note=" ".join(filter(None, (NOTES.get(result.status), result.message))),
+        note=overall(result.status, result.message),
         parts=parts,
         manual=[
             (letter, _points(points), what)
@@ -103,6 +104,11 @@ def page(result: Result, sheet: Sheet, settled: Settled | None = None) -> str:
         among=_among(result),
     )
     return text
+
+
+def overall(status: str, message: str) -> str:
+    """What is said of a submission as a whole; empty where nothing is."""
+    return " ".join(filter(None, (NOTES.get(status), message)))
 
 
 def must_write_pages() -> None:

@@ -10,6 +10,7 @@ import pytest
 from tam570_grader.grading.one import graded
 from tam570_grader.sandbox.cell import Cell
 from tam570_grader.sandbox.student import Source, Student
+from tam570_grader.sandbox.warm import TRIES
 from tam570_grader.sandbox.worker import Allowance
 from tam570_grader.writing import assignments
 from tam570_grader.writing.check import given
@@ -86,7 +87,7 @@ def test_a_submission_has_a_process_group_of_its_own(grade, solution_text):
 def test_one_that_is_tried_again_is_not_quoted(course, workers):
     source = Source(b"1 / 0")
     assignment, worker = assignments.assignment(course, SLUG), workers(SLUG, Allowance())
-    first, second = (graded("dan", source, assignment, worker, 1, again=again) for again in (False, True))
+    first, second = (graded("dan", source, assignment, worker, 1, left=left) for left in (TRIES - 1, TRIES - 2))
     assert "division" in first.message and "second time" in second.message and "division" not in second.message
 
 
