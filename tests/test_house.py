@@ -67,3 +67,9 @@ def test_the_design_shows_checks_that_there_are():
     shown = re.findall(r"^```python\n(.*?)^```$", (COURSE / "docs" / "design.md").read_text(), re.MULTILINE | re.DOTALL)
     there = "".join(path.read_text() for path in CHECKS)
     assert shown and not [one for one in shown if one not in there]
+
+
+@pytest.mark.parametrize("room", ["writing", "sandbox", "results"])
+def test_what_is_handed_on_is_not_known_where_it_is_made(room):
+    paths = (COURSE / "autograder" / "tam570_grader" / room).rglob("*.py")
+    assert not [shown(path) for path in paths if "tam570_grader.delivery" in path.read_text()]

@@ -135,17 +135,15 @@ def add_report(commands: Commands) -> argparse.ArgumentParser:
 
 
 def _stubs(arguments: argparse.Namespace) -> int:
-    from tam570_grader.delivery import stubs
-    from tam570_grader.writing import assignments
+    from tam570_grader.delivery import own, stubs
 
-    return stubs.run(assignments.find(arguments.root), check=arguments.check)
+    return stubs.run(own.course(arguments.root), check=arguments.check)
 
 
 def _kit(arguments: argparse.Namespace) -> int:
-    from tam570_grader.delivery import kit
-    from tam570_grader.writing import assignments
+    from tam570_grader.delivery import kit, own
 
-    return kit.run(assignments.find(arguments.root), arguments.folder)
+    return kit.run(own.course(arguments.root), arguments.folder)
 
 
 def _course(arguments: argparse.Namespace) -> int:
@@ -161,19 +159,19 @@ def _gradescope(arguments: argparse.Namespace) -> int:
 
 
 def _collect(arguments: argparse.Namespace) -> int:
-    from tam570_grader.delivery import collect
+    from tam570_grader.delivery import collect, own
     from tam570_grader.writing import assignments
 
-    known = assignments.slugs(assignments.find(arguments.root))
+    known = assignments.slugs(own.course(arguments.root))
     given = assignments.one_named(arguments.assignment, known)
     return collect.run(arguments.source, arguments.system, arguments.roster, arguments.to, known, given)
 
 
 def _export(arguments: argparse.Namespace) -> int:
-    from tam570_grader.delivery import export
+    from tam570_grader.delivery import export, own
     from tam570_grader.writing import assignments
 
-    course = assignments.find(arguments.root)
+    course = own.course(arguments.root)
     known = assignments.slugs(course)
     given = assignments.one_named(arguments.assignment, known)
     return export.run(course, arguments.paths, arguments.tool, arguments.to, known, given)
@@ -191,10 +189,10 @@ def _share(text: str) -> float:
 
 
 def _alike(arguments: argparse.Namespace) -> int:
-    from tam570_grader.delivery import alike
+    from tam570_grader.delivery import alike, own
     from tam570_grader.writing import assignments
 
-    course = assignments.find(arguments.root)
+    course = own.course(arguments.root)
     known = assignments.slugs(course)
     given = assignments.one_named(arguments.assignment, known)
     return alike.run(course, arguments.paths, known, given, arguments.least)
@@ -218,30 +216,30 @@ def _lms(arguments: argparse.Namespace) -> int:
 
 def _terms(folder: Path, root: Path | None) -> str:
     """What to say if course.toml has other terms for late work than the results in a folder."""
-    from tam570_grader.delivery import late
+    from tam570_grader.delivery import late, own
     from tam570_grader.results import by_hand
     from tam570_grader.results.journal import results
-    from tam570_grader.writing import assignments
 
     if not (folder / "results.jsonl").is_file():  # nbgrader's table, say
         return ""
     with contextlib.closing(results(folder)) as found:
-        return late.stale(folder, by_hand.read(folder), assignments.find(root), {slug for _, slug in found})
+        return late.stale(folder, by_hand.read(folder), own.course(root), {slug for _, slug in found})
 
 
 def _report(arguments: argparse.Namespace) -> int:
+    from tam570_grader.delivery import own
     from tam570_grader.pages import feedback, report
-    from tam570_grader.writing import assignments
 
     feedback.must_write_pages()
     if line := _terms(arguments.folder, arguments.root):
         warn(line)
-    return report.run(arguments.folder, assignments.find(arguments.root), arguments.roster, arguments.out)
+    return report.run(arguments.folder, own.course(arguments.root), arguments.roster, arguments.out)
 
 
 def _course_and_slugs(arguments: argparse.Namespace) -> tuple[Path, Path, list[str]]:
     """The checkout, the folder to write to, the assignments."""
+    from tam570_grader.delivery import own
     from tam570_grader.writing import assignments
 
-    course = assignments.find(arguments.root)
+    course = own.course(arguments.root)
     return course, arguments.folder, assignments.named(arguments.assignments, assignments.slugs(course))

@@ -206,7 +206,7 @@ class SandboxGrades(NbGraderPreprocessor):  # type: ignore[misc]
         return nb, resources
 
     def found_checkout(self) -> Path:
-        return assignments.find(self.checkout or None)
+        return own.course(self.checkout or None)
 
     def _sheet(self, slug: str) -> Sheet:
         sheets: dict[str, Sheet] = self.parent.sheets

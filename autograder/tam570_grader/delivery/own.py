@@ -23,7 +23,7 @@ from tam570_grader.results.tables import written
 from tam570_grader.writing import assignments
 from tam570_grader.writing.assignments import ADAPTED, OWN, Assignment
 
-__all__ = ["FILE", "PLACE", "limits", "root_of"]
+__all__ = ["FILE", "PLACE", "course", "limits", "root_of"]
 
 PLACE = ".course"
 SHARED = ("shared", "autograder/tam570_grader", "pyproject.toml", "README.md", "LICENSE", "NOTATION.md")
@@ -41,6 +41,19 @@ class Part:
     leave_out: Sequence[str] = ()  # letters of parts
     allow: Sequence[str] = ()  # what is otherwise off limits
     checks: str = ""  # a file with checks of one's own, beside course.toml
+
+
+def course(given: str | Path | None = None) -> Path:
+    """The course that a command is about: the checkout, or what a course.toml makes of it.
+
+    given : a folder of either; default: the nearest above the working directory, else the editable install
+    """
+    near = assignments.places(given)
+    base = next(filter(assignments.is_checkout, [*near, *assignments.INSTALLED]), None)
+    place = next((one for one in near if assignments.is_checkout(one) or base and (one / FILE).is_file()), None)
+    if place and base and (place / FILE).is_file():
+        return root_of(place / FILE, base)
+    return assignments.find(given)
 
 
 def root_of(path: Path, base: Path) -> Path:

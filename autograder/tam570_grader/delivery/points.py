@@ -65,10 +65,11 @@ def add_points(commands: Commands) -> argparse.ArgumentParser:
 
 
 def _points(arguments: argparse.Namespace) -> int:
+    from tam570_grader.delivery import own
     from tam570_grader.pages import feedback
     from tam570_grader.writing import assignments
 
-    course, folder = assignments.find(arguments.root), arguments.folder
+    course, folder = own.course(arguments.root), arguments.folder
     if not (folder / "results.jsonl").is_file():
         raise UsageError(f"there are no results in {folder}; make them with: tam570-grader grade ... --out {folder}")
     with contextlib.closing(results(folder)) as found:

@@ -77,10 +77,11 @@ class Seen:
 
 
 def _grade(arguments: argparse.Namespace) -> int:
+    from tam570_grader.delivery import own
     from tam570_grader.pages import feedback
     from tam570_grader.writing import assignments
 
-    course = assignments.find(arguments.root)
+    course = own.course(arguments.root)
     found = _submissions(arguments, assignments.slugs(course))
     if arguments.vary and arguments.seed is not None:
         raise UsageError("--seed and --vary: a seed is for the whole class, a key varies it; give one of them")

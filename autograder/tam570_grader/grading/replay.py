@@ -58,12 +58,13 @@ def _failure(results: Path, student: str, check: str) -> tuple[str, Any]:
 
 def _again(arguments: argparse.Namespace, slug: str, function: str, given: dict[str, Any]) -> Any:
     """What the function of the file gives at this input, in the sandbox."""
+    from tam570_grader.delivery import own
     from tam570_grader.sandbox.student import Source, Student
     from tam570_grader.sandbox.worker import Allowance, Worker
     from tam570_grader.writing import assignments
     from tam570_grader.writing.expect import Failed
 
-    root = assignments.find(arguments.root)
+    root = own.course(arguments.root)
     assignment = assignments.assignment(root, slug)
     worker = Worker(sorted(assignment.needs), Allowance(), [root])
     student = Student(Source(arguments.file.read_bytes()), assignment, worker)

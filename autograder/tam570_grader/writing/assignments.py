@@ -22,6 +22,7 @@ from tam570_grader.writing.returns import Promise
 
 __all__ = [
     "ADAPTED",
+    "INSTALLED",
     "OWN",
     "Assignment",
     "assignment",
@@ -29,13 +30,16 @@ __all__ = [
     "checks_folder",
     "engine_digest",
     "find",
+    "is_checkout",
     "named",
     "one_named",
+    "places",
     "slug_of",
     "slugs",
     "solution",
 ]
 
+INSTALLED = tuple(Path(tam570.__file__).resolve().parents[1:3])  # where an editable install has the course
 ADAPTED, OWN = "adapted", "own"  # modules beside `checks` in a course of one's own: what it changes, what it adds
 
 
@@ -68,27 +72,20 @@ class Assignment:
 
 
 def find(given: str | Path | None = None) -> Path:
-    """The course's root: as given, else one above the working directory, else that of an editable install.
-
-    Where there is a course.toml, in a checkout too, it is the course that this file makes of the checkout.
-    """
-    from tam570_grader.delivery import own
-
-    if given is not None:
-        places = [Path(given).resolve()]
-    else:
-        places = [Path.cwd(), *Path.cwd().parents, *Path(tam570.__file__).resolve().parents[1:3]]
-    base = next(filter(_is_checkout, [*places, *Path(tam570.__file__).resolve().parents[1:3]]), None)
-    for place in places:
-        if base and (place / own.FILE).is_file():
-            return own.root_of(place / own.FILE, base)
-        if _is_checkout(place):
-            return place
+    """The checkout: as given, else one above the working directory, else that of an editable install."""
+    if found := next(filter(is_checkout, places(given)), None):
+        return found
     where = f"{given} does not hold a course" if given is not None else "there is no course here"
     raise UsageError(f"{where}: no autograder/checks and solutions; name a checkout of the course with --root")
 
 
-def _is_checkout(place: Path) -> bool:
+def places(given: str | Path | None = None) -> list[Path]:
+    """Where a course may be, the nearest first: at the place that is given alone."""
+    return [Path.cwd(), *Path.cwd().parents, *INSTALLED] if given is None else [Path(given).resolve()]
+
+
+def is_checkout(place: Path) -> bool:
+    """Whether a folder holds checks and solutions."""
     return (place / "autograder" / "checks").is_dir() and (place / "solutions").is_dir()
 
 
