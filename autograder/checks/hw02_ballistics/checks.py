@@ -170,8 +170,8 @@ def judge_twins(student, case, curves):
         alike = same and np.array_equal(student.simulate.aside(case), student.trajectory.aside(case))
     except Failed:  # of which their own checks tell
         return
-    expect_that(moved != {0, 2}, "both curves are of one function", hint=hint)
-    expect_that(alike or not same, "both curves are the same numbers, to the last bit", hint=hint)
+    expect_that(moved != {0, 2}, "Both curves are of one function", hint=hint)
+    expect_that(alike or not same, "Both curves are the same numbers, to the last bit", hint=hint)
 
 
 def moves(student, case, curves, name):

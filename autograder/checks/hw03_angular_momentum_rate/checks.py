@@ -112,7 +112,7 @@ def motion_of(definition, other, points):
             fail(says, hint=special.order_hint(definition, p, c) or hint)
 
     holds = f"for which definition {definition} holds at every t, and {other} does not."
-    judge.__doc__ = f"special_motion of {definition}: a motion with C speeding, {holds}"
+    judge.__doc__ = f"special_motion of {definition}: a motion in which C accelerates, {holds}"
     return check(points=points, part="a")(judge)
 
 

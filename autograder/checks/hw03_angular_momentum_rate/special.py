@@ -69,9 +69,9 @@ def flaws(definition, p, c):
     if not holds:
         swapped = f"They do not by definition {other}" if other_holds else ""
         hint = swapped or "Which product must vanish, and at every t? Multiply the polynomials out"
-        yield f"rate and moment differ by {size:.1e} of their size", hint
+        yield f"Rate and moment differ by {size:.1e} of their size", hint
     if not other_fails:
-        yield f"definition {other} has rate = moment, too, along the motion", ""
+        yield f"Definition {other} has rate = moment, too, along the motion", ""
 
 
 def order_hint(definition, p, c):

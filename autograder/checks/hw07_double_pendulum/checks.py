@@ -145,9 +145,9 @@ def tip_path_is_drawn(student, draw):
     """plot_tip_path draws the tip's path from t[0] to t[-1], at equal scales."""
     case, elbows, tips = tip_path(draw)
     others = {
-        "it is the elbow's path": elbows,
-        "it is the path of bar 2's mass centre": (elbows + tips) / 2,
-        "it is the tip's path as seen from the elbow": tips - elbows,
+        "It is the elbow's path": elbows,
+        "It is the path of bar 2's mass centre": (elbows + tips) / 2,
+        "It is the tip's path as seen from the elbow": tips - elbows,
     }
     picture = student.plot_tip_path.drawn(case)
     (line,) = curves_seen(picture, 1)

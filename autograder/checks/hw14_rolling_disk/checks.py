@@ -215,7 +215,7 @@ def judge_wireframe(case, lines):
     spans = [step] * sides + [np.pi] * 2
     angle(np.abs(across), spans, of="the angle that a segment spans", hint="Is the polygon closed and regular?")
     middles = np.diff(np.sort((angles[:sides, 0] + across[:sides] / 2) % (2 * np.pi)))
-    expect_that(middles.min() > step / 2, "two sides are drawn in one place, and one is missing")
+    expect_that(middles.min() > step / 2, "Two sides are drawn in one place, and one is missing")
     angle(middles, step, of="the angle from side to side", hint="The polygon is closed.")
     angle(abs(right.turned(angles[-1, 0] - angles[-2, 0], np.pi)), np.pi / 2, of="the angle between the diameters")
     return angles[sides:, 0]

@@ -7,12 +7,7 @@ from tam570_grader.results.records import Failure
 
 __all__ = ["known_mistake", "message", "quantity", "typeset", "whole"]
 
-# words that open a sentence; what else stands there may be code
-OPENING = re.compile(
-    r"(an?|all|and|angles?|are|at|both|by|did|do|does|each|every|for|from|how|if|in|is|it|nearly|no|not|nothing|one|only|over|rows?"
-    r"|results?|some|take|the|there|these|they|this|use|what|where|which|with|without|work|your?)\b"
-)
-
+DIGITS = range(2, 17)  # of a number: two, or as many as tell an error from its limit
 
 # a number with an exponent, as a terminal has it; in rtol=1e-9 it is code
 EXPONENT = re.compile(r"(?<![\w.=])(\d+(?:\.\d+)?)e([-+]?)0*(\d+)\b")
@@ -20,11 +15,12 @@ RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def message(failure: Failure) -> str:
-    """What a student reads of a failure, without the known mistake."""
+    """What a student reads of a failure, without the known mistake; where there is one, no hint, which is a guess."""
     says = failure.says or _off(failure)
     where = f" at t = {failure.time:g} s" if failure.time is not None else ""
     kind = f" for {failure.kind}" if failure.kind else ""
-    return " ".join(filter(None, [_sentence(f"{says}{where}{kind}"), _sentence(failure.hint)]))
+    told = re.sub("^(an?|the) ", lambda found: found[0].capitalize(), f"{says}{where}{kind}")
+    return " ".join(filter(None, [_sentence(told), "" if failure.suspect else _sentence(failure.hint)]))
 
 
 def whole(failure: Failure) -> str:
@@ -37,15 +33,15 @@ def known_mistake(suspect: str) -> str:
     return f"Your numbers match this mistake: {_sentence(suspect)}"
 
 
-def quantity(value: float) -> str:
-    """A number to two digits, as people write it: 2.7, 0.031, 1.1e-13."""
+def quantity(value: float, digits: int = DIGITS[0]) -> str:
+    """A number to two digits or more, as people write it: 2.7, 0.031, 340, 1.1e-13."""
     if not isfinite(value):
         return "more than any number"
-    return (
-        f"{value:.2g}"
-        if value == 0 or 1e-3 <= abs(value) < 1e4
-        else f"{value:.1e}".replace("e-0", "e-").replace("e+0", "e")
-    )
+    short = float(f"{value:.{digits}g}")
+    if value == 0 or 1e-3 <= abs(short) < 1e4:
+        return f"{short:.{DIGITS[-1]}g}"
+    number, _, exponent = f"{value:.{digits - 1}e}".partition("e")
+    return f"{float(number):.{digits}g}e{int(exponent)}"
 
 
 def typeset(text: str) -> str:
@@ -59,25 +55,14 @@ def _typeset(found: re.Match[str]) -> str:
 
 
 def _off(failure: Failure) -> str:
-    error = failure.error if failure.error is not None else float("nan")
+    error, limit = (float("nan") if one is None else one for one in (failure.error, failure.limit))
     unit = f" {failure.unit}" if failure.unit else ""
-    limit = f" (limit {_limit(failure.limit)})" if failure.limit is not None else ""
-    return f"{failure.of} is wrong by {quantity(error)}{unit}{limit}"
-
-
-def _limit(limit: float) -> str:
-    return f"{limit:.2g}" if 1e-3 <= limit < 1e4 else _short(f"{limit:.1g}")
-
-
-def _short(number: str) -> str:
-    """1.1e-9 for 1.1e-09."""
-    return number.replace("e-0", "e-").replace("e+0", "e").replace("e+", "e")
+    pairs = ([quantity(one, digits) for one in (error, limit)] for digits in DIGITS)
+    shown, allowed = next((pair for pair in pairs if pair[0] != pair[1]), (quantity(error), quantity(limit)))
+    return f"{failure.of} is wrong by {shown}{unit}" + (f" (limit {allowed})" if isfinite(limit) else "")
 
 
 def _sentence(text: str) -> str:
-    """The text with a capital and a stop; the name of a function keeps its letters."""
+    """The text with a stop; who wrote it has chosen between a capital and a name that keeps its letters."""
     text = text.strip()
-    if not text:
-        return ""
-    text = text[0].upper() + text[1:] if OPENING.match(text) else text
-    return text if text[-1] in ".?!" else text + "."
+    return text if not text or text[-1] in ".?!" else text + "."

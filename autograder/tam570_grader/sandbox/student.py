@@ -71,6 +71,7 @@ class Student:
         self._cells: dict[tuple[str, ...], Cell] = {}  # by what may not be called in it
         self._defined: set[str] = set()
         self._broken: dict[str, str] = {}  # functions that hung or crashed, and how
+        self.worked: set[str] = set()  # functions that have returned what was promised: it depends on the input
         self._cpu, self._lasted = 0.0, 0.0  # s of CPU and on the wall's clock, of the cells that have ended
 
     def __getattr__(self, name: str) -> "Function":
@@ -243,9 +244,10 @@ class Function:
         for call, reply in zip(calls, self.student.replies(self.name, calls), strict=False):
             self.student.calls.append(Call(self.name, call, None))
             current().judge(self.name, call if call.kind else call.on(self.kind))
-            with _saying(call.kind or self.kind):
+            with self._saying(call):
                 self._must_be_fair(reply, call)
                 results.append(result(self.promise, reply["value"], self.name, call))
+            self.student.worked.add(self.name)
             self.student.calls[-1] = Call(self.name, call, results[-1])
         return results
 
@@ -261,8 +263,8 @@ class Function:
         for call, reply in zip(calls, self.student.replies(self.name, calls, every=True), strict=True):
             refused = "ValueError" in error_of(reply)["kinds"]
             if not refused:
-                with _saying(call.kind or self.kind):
-                    self._must_be_fair(reply, call)
+                with self._saying(call, always=True):
+                    self._must_be_fair(reply, call, ", not ValueError")
             yield call, refused
 
     def at(self, points: Sequence[Mapping[str, float]]) -> np.ndarray:
@@ -295,21 +297,33 @@ class Function:
         """The curves that the plot function draws in a case, where the results of one function may be moved by one."""
         current().judge(self.name, call)
         reply = self.student.replies(self.name, [call], "drawing", moved=moved)[0]
-        with _saying(call.kind):
+        with self._saying(call):
             self._must_be_fair(reply, call)
         if reply["value"] is None:
             raise Failed(f"{self.name} draws too much, or nothing that can be read")
+        self.student.worked.add(self.name)
         return readable(reply["value"])
 
-    def _must_be_fair(self, reply: dict[str, Any], call: Given) -> None:
-        """Raise NotWritten or Failed for an exception, and for arguments changed in place."""
+    @contextmanager
+    def _saying(self, call: Given, always: bool = False) -> Iterator[None]:
+        """A failure of a call says for what kind of input, if the function has worked for another."""
+        try:
+            yield
+        except Failed as failed:
+            if always or self.name in self.student.worked:
+                failed.failure = replace(failed.failure, kind=call.kind or self.kind)
+            raise
+
+    def _must_be_fair(self, reply: dict[str, Any], call: Given, promised: str = "") -> None:
+        """Raise NotWritten or Failed for an exception (not the promised one), and for arguments changed in place."""
         if "error" in reply:
             error = error_of(reply)
             if error["kinds"][:1] == ["NotImplementedError"]:
                 raise NotWritten(self.name)
-            raise Failed(_raised(self.name, error, self.student._assignment), actual=error["text"], at=call)
+            says = _raised(self.name, error, self.student._assignment) + promised
+            raise Failed(says, actual=error["text"], at=call)
         if reply.get("changed"):
-            raise Failed(f"{self.name} changes the arrays it is given", hint="work on copies", at=call)
+            raise Failed(f"{self.name} changes the arrays it is given", hint="Work on copies", at=call)
 
 
 def _strangers(value: Any, source: str) -> str:
@@ -320,16 +334,6 @@ def _strangers(value: Any, source: str) -> str:
     names: Any = value.get("strangers") if isinstance(value, dict) else None
     words = [name for name in names if re.fullmatch(STRANGER, name)] if strings(names) else []
     return next((name for name in words if re.search(rf"\b{name.removesuffix('(t)')}\b", source)), "")
-
-
-@contextmanager
-def _saying(kind: str) -> Iterator[None]:
-    """A failure of a call says for what kind of input."""
-    try:
-        yield
-    except Failed as failed:
-        failed.failure = replace(failed.failure, kind=failed.failure.kind or kind)
-        raise
 
 
 def _raised(name: str, error: dict[str, Any], assignment: Assignment) -> str:

@@ -44,7 +44,7 @@ def path_drawn(
     of: str,
     others: Mapping[str, ArrayLike] | None = None,
     fewer: float = 10,
-    hint: str = "does simulate pass, and does it run from t[0] to t[-1]?",
+    hint: str = "Does simulate pass, and does it run from t[0] to t[-1]?",
     gradual: bool = True,
 ) -> None:
     """Whether a line is the path, from its first point to its last and in its order.
@@ -117,16 +117,17 @@ def judge_axes_of_lengths(
     across, up : the words that name either axis, the usual one first
     from_below : whether the picture may be seen from behind the paper, one axis turned round or both exchanged
     """
+    judge = partial(expect_that, kind=None)
     for label, shows, axis in zip((picture.xlabel, picture.ylabel), picture.labels_show, "xy", strict=True):
-        expect_that(METRES & words(label), "the axes are not labelled with their unit, as in x (m)")
-        expect_that(shows, f"the label of the axis of {axis} cannot be seen")
+        judge(METRES & words(label), "the axes are not labelled with their unit, as in x (m)")
+        judge(shows, f"the label of the axis of {axis} cannot be seen")
     wrong, (one, other) = exchanged(picture, across, up), (names.split()[0] for names in (across, up))
-    expect_that(not any(wrong) or (from_below and all(wrong)), f"the label of {one} stands at the axis of {other}")
-    expect_that(picture.bent <= STRAIGHT, "the axes are not linear: equal lengths must look equal")
+    judge(not any(wrong) or (from_below and all(wrong)), f"the label of {one} stands at the axis of {other}")
+    judge(picture.bent <= STRAIGHT, "the axes are not linear: equal lengths must look equal")
     backwards = [scale < 0 for scale in picture.scales]
-    expect_that(not any(backwards) or (from_below and not all(backwards)), "the picture is upside down")
+    judge(not any(backwards) or (from_below and not all(backwards)), "the picture is upside down")
     width, height = np.abs(picture.scales)
-    expect_that(abs(width - height) <= 0.01 * height, f"{one} and {other} are not drawn at the same scale")
+    judge(abs(width - height) <= 0.01 * height, f"{one} and {other} are not drawn at the same scale")
 
 
 def exchanged(picture: Drawing, across: str = "x", up: str = "y") -> tuple[bool, bool]:
@@ -181,12 +182,12 @@ def _mismatch(found: Array, right: Array) -> float:
 
 
 MISTAKEN_BOXES: dict[str, Callable[[Array, Array], Array]] = {
-    "the edges are those of the transpose": lambda R, size: _edges(R.T, size),
-    "the edges are those of a box twice that size": lambda R, size: _edges(R, 2 * size),
-    "the edges are those of a box half that size": lambda R, size: _edges(R, size / 2),
-    "the edges are along x, y, z: it is the size that is turned": lambda R, size: _edges(np.eye(3), R @ size),
-    "the edges are those of a box with a corner at the origin": lambda R, size: _edges(R, size) + R @ size / 2,
-    "the edges are not turned": lambda R, size: _edges(np.eye(3), size),
+    "The edges are those of the transpose": lambda R, size: _edges(R.T, size),
+    "The edges are those of a box twice that size": lambda R, size: _edges(R, 2 * size),
+    "The edges are those of a box half that size": lambda R, size: _edges(R, size / 2),
+    "The edges are along x, y, z: it is the size that is turned": lambda R, size: _edges(np.eye(3), R @ size),
+    "The edges are those of a box with a corner at the origin": lambda R, size: _edges(R, size) + R @ size / 2,
+    "The edges are not turned": lambda R, size: _edges(np.eye(3), size),
 }
 
 
@@ -195,5 +196,5 @@ def _mistake(found: Array, R: Array, size: Array, within: float) -> str:
     near = within * max(size)
     known = [says for says, box in MISTAKEN_BOXES.items() if _mismatch(found, box(R, size)) < near]
     if not known and _astray(found, _edges(R, size)) < near:
-        return "all that there are are edges of the box: is one there twice, and another missing?"
-    return known[0] if known else "three edges meet at each of the eight corners; the centre is the origin"
+        return "All that there are are edges of the box: is one there twice, and another missing?"
+    return known[0] if known else "Three edges meet at each of the eight corners; the centre is the origin"

@@ -119,20 +119,24 @@ def expect(
         fail("", of=of, unit=unit, hint=hint, kind=kind, at=at, share=share, **numbers)
 
 
-def expect_that(holds: Any, says: str, *, hint: Hint = "", kind: str = "", at: Any = None, share: float = 0.0) -> None:
-    """Fail with `says` (what is wrong) unless the condition holds."""
+def expect_that(
+    holds: Any, says: str, *, hint: Hint = "", kind: str | None = "", at: Any = None, share: float = 0.0
+) -> None:
+    """Fail with `says` (what is wrong) unless the condition holds; a kind of None says that it is so for any input."""
     if not holds:
         fail(says, hint=hint, kind=kind, at=at, share=share)
 
 
-def fail(says: str, *, hint: Hint = "", kind: str = "", at: Any = None, share: float = 0.0, **fields: Any) -> None:
+def fail(
+    says: str, *, hint: Hint = "", kind: str | None = "", at: Any = None, share: float = 0.0, **fields: Any
+) -> None:
     """Fail with `says`; with a share the check goes on."""
     running = current()
     known = running.case
     failed = Failed(
         says,
         hint=hint() if callable(hint) else hint,
-        kind=kind or (known.kind if known else ""),
+        kind=(known.kind if known and kind == "" else kind) or "",
         at=known if at is None else at,
         function=running.function,
         share=share,

@@ -88,7 +88,7 @@ def stays(
     columns: Sequence[Column] = (),
     coarsely: float = 1e-2,
     partial: dict[float, float] | None = None,
-    hint: str = "use a tighter tolerance, or a smaller step",
+    hint: str = "Use a tighter tolerance, or a smaller step",
 ) -> None:
     """Fail unless invariants keep their values at the start along motions that are followed coarsely.
 

@@ -54,7 +54,7 @@ def general(solution: str, calls: Sequence[Called]) -> str | None:
     (name,) = names
     own = [call for call in calls if call.name == name]
     if not any(np.any(part) for call in own for part in parts(call.result)):
-        return f"the result of {name} is zero"
+        return f"The result of {name} is zero"
     if _telling(wrong) < FEWEST:
         return None
     module = solution_module(solution)
@@ -75,7 +75,7 @@ def ready(solution: str) -> None:
 
 def is_general(says: str) -> bool:
     """Whether these are words of this module."""
-    return bool(re.match(r"in \w+, |the (\w+ )?results? of \w+ ", says))
+    return bool(re.match(r"In \w+, |The (\w+ )?results? of \w+ ", says))
 
 
 def _telling(wrong: Sequence[tuple[Called, Any]]) -> int:
@@ -113,11 +113,11 @@ def _other_results(name: str, right: Callable[..., Any], example: Called) -> Ite
     results = parts(example.result)
     numbers = [key for key, value in example.given.kwargs.items() if np.ndim(value) == 0]
     for which, (place, found) in enumerate(zip(ORDINALS, results, strict=False)):
-        label = f"the {place}result of {name}" if len(results) > 1 else f"the result of {name}"
+        label = f"The {place}result of {name}" if len(results) > 1 else f"The result of {name}"
         for says, change in _changes(np.asarray(found), numbers):
             yield f"{label} {says}", partial(_with_result, right, which, len(results), change)
     if len(results) > 1:
-        yield f"the results of {name} have the opposite sign", partial(_reversed, right)
+        yield f"The results of {name} have the opposite sign", partial(_reversed, right)
 
 
 def _other_arguments(name: str, right: Callable[..., Any], example: Called) -> Iterator[Variant]:
@@ -125,10 +125,10 @@ def _other_arguments(name: str, right: Callable[..., Any], example: Called) -> I
     values = _named(taken, example.given)
     for key, value in values.items():
         for says, change in _other_values(np.asarray(value)):
-            yield f"in {name}, {says.format(key)}", partial(_with_argument, right, taken, key, change)
+            yield f"In {name}, {says.format(key)}", partial(_with_argument, right, taken, key, change)
     for one, other in combinations(values, 2):
         if np.shape(values[one]) == np.shape(values[other]):
-            yield f"in {name}, {one} and {other} are exchanged", partial(_exchanged, right, taken, one, other)
+            yield f"In {name}, {one} and {other} are exchanged", partial(_exchanged, right, taken, one, other)
 
 
 def _changes(found: Any, numbers: Sequence[str]) -> Iterator[tuple[str, Callable[[Any, Given], Any]]]:
@@ -239,7 +239,7 @@ def _slip(solution: str, module: ModuleType, name: str, calls: Sequence[Called])
         return None
     ((kind, told),) = found.items()
     (term,) = told if len(told) == 1 else ("",)
-    return f"in {name}, {kind.format(f' with {term}' if term else '')}"
+    return f"In {name}, {kind.format(f' with {term}' if term else '')}"
 
 
 def _called(module: ModuleType, name: str, given: Given) -> Any:

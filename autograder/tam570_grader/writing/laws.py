@@ -66,7 +66,7 @@ class Law:
         """The student's function raises ValueError, but for the first cases: so many are allowed, and judged."""
 
         def judge(function: Any, calls: list[Given]) -> None:
-            agree(function, right, calls[:allowed], within=within, hint="this input is allowed")
+            agree(function, right, calls[:allowed], within=within, hint="This input is allowed")
             refuse(function, taken(right, calls[allowed:]), hint=hint)
 
         return self.judged(judge, right.__name__, *cases)

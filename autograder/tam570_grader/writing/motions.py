@@ -97,8 +97,8 @@ def diagnosed(motion: Motion, motions: Sequence[Motion], turns: Sequence[int], n
         return TIGHT if share <= EXPLAINED and motion.error <= ROUGHLY else NEARLY_FOLLOWS
 
 
-TIGHT = "the physics is right: tighten rtol and atol"
-NEARLY_FOLLOWS = "each row nearly follows from the row before: is a term wrong, or are rtol and atol loose?"
+TIGHT = "The physics is right: tighten rtol and atol"
+NEARLY_FOLLOWS = "Each row nearly follows from the row before: is a term wrong, or are rtol and atol loose?"
 Tell = tuple[Callable[[], bool], str]
 
 
@@ -106,16 +106,16 @@ def _tells(motion: Motion, motions: Sequence[Motion], turns: Sequence[int]) -> l
     """The questions in order: what is cheap and certain comes first."""
     inner, expected = motion.found[1:-1], motion.expected
     return [
-        (lambda: _still(motion), "every row is the start"),
-        (lambda: not motion.found.any(), "every number is zero"),
+        (lambda: _still(motion), "Every row is the start"),
+        (lambda: not motion.found.any(), "Every number is zero"),
         (lambda: len(inner) > 0 and motion.near(expected[2:], inner), AHEAD),
         (lambda: len(inner) > 0 and motion.near(expected[:-2], inner), BEHIND),
         (lambda: motion.errors[0].max() > ALIKE >= motion.errors[1:].max(), "row 0 is not the start"),
-        (lambda: _turned(motion, turns), "only whole turns are missing: never wrap angles"),
-        (lambda: _even(motion), "these are the rows at evenly spaced times: use the times in t"),
-        (lambda: _from_zero(motion), "the start is taken at t = 0: it is the state at t[0]"),
-        (lambda: _exchanged(motion), "two columns are exchanged"),
-        (lambda: _another(motion, motions), "this is the motion of an earlier call: is a result kept between calls?"),
+        (lambda: _turned(motion, turns), "Only whole turns are missing: never wrap angles"),
+        (lambda: _even(motion), "These are the rows at evenly spaced times: use the times in t"),
+        (lambda: _from_zero(motion), "The start is taken at t = 0: it is the state at t[0]"),
+        (lambda: _exchanged(motion), "Two columns are exchanged"),
+        (lambda: _another(motion, motions), "This is the motion of an earlier call: is a result kept between calls?"),
         (lambda: _joined(motion), JOINED),
         (lambda: _denser(motion), SAMPLED),
     ]
@@ -124,9 +124,9 @@ def _tells(motion: Motion, motions: Sequence[Motion], turns: Sequence[int]) -> l
 AHEAD = "row i is the state at t[i+1], not at t[i]"
 BEHIND = "row i is the state at t[i-1], not at t[i]"
 JOINED = (
-    "this row is accurate when requested alone: do you interpolate linearly between steps, or at a loose tolerance?"
+    "This row is accurate when requested alone: do you interpolate linearly between steps, or at a loose tolerance?"
 )
-SAMPLED = "with more times in between the same rows are accurate: do your steps depend on t?"
+SAMPLED = "With more times in between the same rows are accurate: do your steps depend on t?"
 
 
 def _still(motion: Motion) -> bool:

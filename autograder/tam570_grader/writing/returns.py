@@ -182,7 +182,7 @@ def _fits(found: tuple[int, ...], wanted: tuple[Any, ...]) -> bool:
 def _cut_short(promise: Array, found: tuple[int, ...], wanted: tuple[Any, ...]) -> str:
     """A row may be forgotten; where several are missing, an integrator gave up."""
     rows_missing = promise.shape[:1] == ("n",) and found[1:] == wanted[1:] and found[:1] < (wanted[0] - 1,)
-    return "rows are missing: did the integration stop early?" if rows_missing else ""
+    return "Rows are missing: did the integration stop early?" if rows_missing else ""
 
 
 def _shaped(shape: tuple[Any, ...]) -> str:

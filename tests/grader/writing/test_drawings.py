@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 
 from tam570_grader.sandbox.inside.answer import MODES
+from tam570_grader.writing.check import given
 from tam570_grader.writing.curves import readable
 from tam570_grader.writing.drawings import distances, judge_axes_of_lengths
-from tam570_grader.writing.expect import Failed
+from tam570_grader.writing.expect import Failed, trial
 from tam570_grader.writing.returns import Drawing
 
 
@@ -58,3 +59,10 @@ def test_a_label_names_metres_in_many_forms(label, right):
     axes = Drawing((), label, "y (m)")
     with contextlib.nullcontext() if right else pytest.raises(Failed, match="not labelled with their unit"):
         judge_axes_of_lengths(readable(axes))
+
+
+def test_what_is_so_for_any_input_names_none():
+    with trial() as running, pytest.raises(Failed) as failed:
+        running.judge("plot", given(1.0).on("t[0] not 0"))
+        judge_axes_of_lengths(Drawing((), "x", "y"))
+    assert not failed.value.failure.kind

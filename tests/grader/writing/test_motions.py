@@ -133,9 +133,9 @@ def test_where_the_function_cannot_be_asked_nobody_is_told_that_the_physics_is_r
         (lambda rows: np.vstack([rows[1:], rows[-1:]]), AHEAD),
         (lambda rows: np.vstack([rows[:1], rows[2:], rows[-1:]]), AHEAD),
         (lambda rows: np.vstack([rows[:1], rows[:-1]]), BEHIND),
-        (lambda rows: rows[:, ::-1], "two columns are exchanged"),
-        (lambda rows: 0 * rows, "every number is zero"),
-        (lambda rows: 0 * rows + rows[0], "every row is the start"),
+        (lambda rows: rows[:, ::-1], "Two columns are exchanged"),
+        (lambda rows: 0 * rows, "Every number is zero"),
+        (lambda rows: 0 * rows + rows[0], "Every row is the start"),
         (lambda rows: np.vstack([rows[:1] + 1, rows[1:]]), "row 0 is not the start"),
     ],
 )
@@ -154,7 +154,7 @@ def test_rows_at_rest_at_zero_are_the_start():
     def falls(t, start):
         return start + np.subtract(t, t[0])[:, None]
 
-    assert told(lambda t, start: np.tile(start, (len(t), 1)), start=0 * RESTED, right=falls) == "every row is the start"
+    assert told(lambda t, start: np.tile(start, (len(t), 1)), start=0 * RESTED, right=falls) == "Every row is the start"
 
 
 DAMPED = """

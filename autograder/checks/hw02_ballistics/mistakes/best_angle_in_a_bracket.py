@@ -1,7 +1,7 @@
 """The search for the best angle begins in a bracket that may hold none.
 
 fails: best_angle_has_the_largest_range
-names: best_angle raised ValueError for a speed from a tenth
+names: best_angle raised ValueError
 """
 
 

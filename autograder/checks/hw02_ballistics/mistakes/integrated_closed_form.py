@@ -1,7 +1,7 @@
 """The closed form is a numerical integration.
 
 fails: trajectory_is_the_motion
-names: what is off limits in it: scipy.integrate
+names: what is off limits in it
 """
 
 

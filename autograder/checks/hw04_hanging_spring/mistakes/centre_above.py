@@ -2,6 +2,7 @@
 
 fails: orbit_has_its_centre_at_the_equilibrium
 names: it is above the origin
+also: The first result of orbit has the opposite sign
 """
 
 _right_orbit = orbit

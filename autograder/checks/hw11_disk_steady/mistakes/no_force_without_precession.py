@@ -2,6 +2,7 @@
 
 fails: contact_force_of_straight_rolling
 names: Nothing there goes round
+also: The result of contact_force is zero
 """
 
 _right = contact_force
