@@ -1,7 +1,6 @@
 """One submission's process, as the supervisor holds it: requests in, replies out, each with a limit."""
 
 import select
-import signal
 import socket
 import struct
 import time
@@ -35,8 +34,8 @@ class CellTimeout(Exception):
 class Cell:
     """One submission's prisoner: requests in, replies out, each with a limit."""
 
-    def __init__(self, channel: socket.socket, leash: socket.socket, call_limit: float, most: int) -> None:
-        self._channel, self._leash, self.limit, self._most = channel, leash, call_limit, most
+    def __init__(self, channel: socket.socket, leash: socket.socket, call_limit: float) -> None:
+        self._channel, self._leash, self.limit = channel, leash, call_limit
         self._ended = False  # the prisoner has closed its end
         self._channel.setblocking(False)
         self._leash.settimeout(5)  # s; the guard answers within a few hundredths
@@ -50,7 +49,7 @@ class Cell:
         self._looked_at = (0.0, 0.0)
         self._stood_still = 0.0  # s, in which this process was not run: suspended, or the whole machine was
         self.guarded = True  # until the guard does not answer
-        self.killed_from_outside = False  # at the end: it was killed, and neither by us nor for its CPU time
+        self.killed_from_outside = False  # at the end, by its guard's word
 
     def send(self, request: Any) -> None:
         """Send a request, of bytes or to be packed, or raise CellLost or CellTimeout."""
@@ -118,11 +117,10 @@ class Cell:
     def end(self) -> float:
         """Kill the prisoner; the CPU seconds it has used. A guard that does not answer has died with its worker."""
         try:
-            self._leash.sendall(b"k")
+            self._leash.sendall(b"e" if self._ended else b"k")
             while len(words := self._leash_line().split()) == 1:
                 pass  # the answer to an earlier question
-            self._cpu = float(words[1])
-            self.killed_from_outside = self._ended and int(words[0]) == signal.SIGKILL and self._cpu < self._most - 0.5
+            self._cpu, self.killed_from_outside = float(words[0]), words[1] == "1"
         except OSError:
             self.guarded, self._cpu = False, max(self._cpu, self._waited)
         self.drop()

@@ -98,7 +98,7 @@ class Worker:
         finally:
             prisoner_end.close()
             guard_end.close()
-        cell = Cell(channel, leash, self.allowance.call, most)
+        cell = Cell(channel, leash, self.allowance.call)
         self._must_be_confined(cell)
         return cell
 

@@ -9,6 +9,7 @@ import pytest
 
 from tam570_grader.grading.one import graded
 from tam570_grader.sandbox.cell import Cell
+from tam570_grader.sandbox.launch import isolation
 from tam570_grader.sandbox.student import Source, Student
 from tam570_grader.sandbox.warm import TRIES
 from tam570_grader.sandbox.worker import Allowance
@@ -168,3 +169,35 @@ def test_a_function_that_may_not_be_called_may_not_by_another_name(grade, soluti
     assert outcome.score == 6.0, outcome
     said = [mark.message for mark in outcome.checks if mark.outcome == "failed"]
     assert said and all(one.startswith("rotate uses what is off limits in it: rotation_matrix.") for one in said), said
+
+
+DEATHS = {
+    "hangs up": "os.close(3)\n    time.sleep(60)",
+    "is awake at ticks alone": """phase = ticks()
+    while time.monotonic() < phase + 6:
+        now = time.monotonic()
+        tick = now - (now - phase) % 0.004 + 0.004
+        time.sleep(max(0.0, tick - now - 0.0005))
+        while time.monotonic() < tick + 0.0001:
+            pass""",
+}
+TICKS = """
+import os, time
+def ticks():
+    clock = ~os.getpid() << 3
+    before = time.clock_gettime(clock)
+    while time.clock_gettime(clock) - before < 0.004:
+        pass
+    return time.monotonic()
+"""
+
+
+@pytest.mark.every
+@pytest.mark.skipif(isolation() != "bubblewrap", reason="a process can kill itself elsewhere")
+@pytest.mark.parametrize("death", DEATHS.values(), ids=DEATHS)
+def test_who_looks_as_if_killed_by_others_is_not_tried_again(death, course, workers, solution_text):
+    """The kernel counts processor time by ticks of 4 ms where it ends a process for it."""
+    source = Source(f"{solution_text(SLUG)}{TICKS}\ndef skew(v):\n    {death}\n".encode())
+    worker = workers(SLUG, Allowance(cpu=2, call=1.5))
+    outcome = graded("eve", source, assignments.assignment(course, SLUG), worker, 1, left=TRIES - 1)
+    assert outcome.score < 10

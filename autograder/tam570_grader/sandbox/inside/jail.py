@@ -34,6 +34,8 @@ CHANNEL = 3  # the prisoner's only file besides /dev/null
 
 
 POLL = 0.02  # s between looks at a prisoner that may have ended
+MOMENT = 0.5  # s, in which one that was killed has ended: its memory is given back before its channel is closed
+BY_TICKS, EXACT = 0, 2  # clocks of a process
 
 
 @dataclass(frozen=True)
@@ -91,26 +93,34 @@ def hidden_from_debuggers() -> None:
         LIBC.prctl(DUMPABLE, 0, 0, 0, 0)
 
 
-def watch(prisoner: int, leash: socket.socket, lifeline: int, group: bool) -> None:
+def watch(prisoner: int, leash: socket.socket, lifeline: int, limits: Limits) -> None:
     """Until the prisoner ends: answer b"c" with its CPU seconds; kill it on b"k" or when the leash is dropped.
 
+    On b"e" it is killed where it does not end by itself in a moment: it has closed its channel, and may have died.
     It is killed too when the lifeline, a pipe that the worker holds the other end of, says that the worker has died.
 
-    The last message on the leash is "status cpu": the wait status and the CPU seconds used.
+    The last message on the leash is "cpu stranger": the CPU seconds used, and 1 if neither we nor its own limit killed
+    it. The kernel keeps that limit by ticks: who sleeps between them is charged whole ones for a little of each.
     """
+    group = not limits.namespaces
     if group and hasattr(LIBC, "prctl"):
         LIBC.prctl(SUBREAPER, 1, 0, 0, 0)
-    ended = 0
+    until, ours, charged, ended = float("inf"), False, 0.0, 0
     while not ended:
         ready, _, _ = select.select([leash.fileno(), lifeline], [], [], POLL)
         order = leash.recv(1) if leash.fileno() in ready else b"" if ready else None
         if order == b"c":
             _tell(leash, f"{_cpu_seconds(prisoner):.6f}\n")
         elif order is not None:
+            until = time.monotonic() + (MOMENT if order == b"e" else 0.0)
+        charged = max(charged, _cpu_seconds(prisoner, BY_TICKS))
+        if ours := time.monotonic() >= until:
             _kill(prisoner, group)
-        ended, status, usage = os.wait4(prisoner, 0 if ready and order != b"c" else os.WNOHANG)
+        ended, status, usage = os.wait4(prisoner, 0 if ours else os.WNOHANG)
     _reap(group)
-    _tell(leash, f"{status} {usage.ru_utime + usage.ru_stime:.6f}\n")
+    cpu = usage.ru_utime + usage.ru_stime
+    stranger = status == signal.SIGKILL and not ours and max(cpu, charged) < limits.cpu - 0.5
+    _tell(leash, f"{cpu:.6f} {int(stranger)}\n")
 
 
 def _kill(prisoner: int, group: bool) -> None:
@@ -139,10 +149,10 @@ def _tell(leash: socket.socket, line: str) -> None:
         leash.sendall(line.encode())
 
 
-def _cpu_seconds(pid: int) -> float:
+def _cpu_seconds(pid: int, clock: int = EXACT) -> float:
     try:
-        # the clock that clock_getcpuclockid(3) gives for a process
-        return time.clock_gettime((~pid << 3) | 2)
+        # as clock_getcpuclockid(3) makes the number of a process's clock
+        return time.clock_gettime((~pid << 3) | clock)
     except OSError:
         return 0.0
 

@@ -78,7 +78,7 @@ def _guard(files: list[int], lifeline: int, limits: jail.Limits) -> None:
         if prisoner == 0:
             _serve(channel, limits, folder)
         channel.close()
-        jail.watch(prisoner, leash, lifeline, group=not limits.namespaces)
+        jail.watch(prisoner, leash, lifeline, limits)
     except Exception:
         traceback.print_exc()
     finally:
