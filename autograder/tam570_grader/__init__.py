@@ -7,16 +7,7 @@ import os
 if os.name != "posix":
     raise SystemExit("tam570-grader: error: the grader needs Linux or macOS; on Windows, use WSL")
 
-from tam570_grader.writing.agree import (
-    Column,
-    absolute,
-    agree,
-    agree_by_columns,
-    by_kind,
-    largest,
-    refuse,
-    same_for_all,
-)
+from tam570_grader.writing.agree import Column, absolute, agree, agree_by_columns, by_kind, largest, refuse
 from tam570_grader.writing.check import check, given, once
 from tam570_grader.writing.curves import kept
 from tam570_grader.writing.drawings import (
@@ -48,7 +39,6 @@ __all__ = [
     "stays",
     "agree",
     "refuse",
-    "same_for_all",
     "SOME_TIMES",
     "Failed",
     "fail",

@@ -1,15 +1,19 @@
-"""What the commands tell an instructor, without a traceback and with nothing that moves the cursor."""
+"""What ends a command or a submission, and what an instructor is told: no traceback, nothing that moves the cursor."""
 
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-__all__ = ["UsageError", "printable", "warn", "writing"]
+__all__ = ["Over", "UsageError", "printable", "warn", "writing"]
 
 
 class UsageError(Exception):
     """Something that was asked for cannot be done; the message names the input and the remedy."""
+
+
+class Over(Exception):
+    """Nothing more of this submission is graded on this worker."""
 
 
 def printable(text: str) -> str:

@@ -8,24 +8,24 @@ from functools import partial
 
 import numpy as np
 
+from tam570_grader.errors import Over
 from tam570_grader.grading.budget import budget
 from tam570_grader.grading.speed import Yardstick
 from tam570_grader.pages.sentences import whole
 from tam570_grader.results.records import Mark, Result
 from tam570_grader.sandbox.launch import isolation
-from tam570_grader.sandbox.student import BudgetSpent, NotLoaded, NotWritten, Source, Student
+from tam570_grader.sandbox.student import BudgetSpent, NotLoaded, Source, Student
 from tam570_grader.sandbox.warm import TRIES
-from tam570_grader.sandbox.worker import Worker, WorkerLost
+from tam570_grader.sandbox.worker import Worker
 from tam570_grader.writing.assignments import Assignment
 from tam570_grader.writing.check import Check
-from tam570_grader.writing.expect import Failed, trial
+from tam570_grader.writing.expect import LONGEST_FAULT, Failed, NotWritten, trial
 from tam570_grader.writing.general import general, ready
 from tam570_grader.writing.mistakes import Called, known
 
 __all__ = ["Judging", "Mark", "Result", "failed_by_us", "generator", "graded", "not_graded"]
 
 OUR_FAULT = "The grader failed here, not you; your teacher has been told."
-LONGEST_ERROR = 400  # characters of an exception of ours
 SEARCH = 2.0  # s of processor time, for a mistake that nobody has written down; .2 is the most that ends
 Recorder = Callable[[str, float], None]
 
@@ -116,14 +116,15 @@ def _mark(
     student.calls.clear()
     draw = generator(seed, assignment.slug, check)
     try:
-        with np.errstate(all="ignore"), trial(asked.recorder and partial(asked.recorder, check.name)):
+        listens = asked.recorder and partial(asked.recorder, check.name)
+        with np.errstate(all="ignore"), trial(recorder=listens, aside=student.aside):
             check.judge(student, draw)
     except NotWritten as unwritten:
         return _not_run(check, f"{unwritten} is not written yet.", unwritten=str(unwritten))
     except Failed as failed:
         suspect, fault = _suspect(check, student, assignment) if asked.naming else (None, "")
         return _failed(check, failed, suspect, fault)
-    except (NotLoaded, BudgetSpent, WorkerLost, MemoryError):
+    except (Over, MemoryError):
         raise
     except Exception as error:
         return _grader_error(check, repr(error))
@@ -135,15 +136,15 @@ def _suspect(check: Check, student: Student, assignment: Assignment) -> tuple[st
     try:
         suspect = known(assignment.solution, assignment.suspects(check.name), student.calls)
         return suspect or _unwritten(assignment.solution, student.calls), ""
-    except (BudgetSpent, MemoryError):
+    except (Over, MemoryError):
         raise
     except Exception as error:  # a mistake without a name is no reason to lose a grade
-        return None, repr(error)[:LONGEST_ERROR]
+        return None, repr(error)[:LONGEST_FAULT]
 
 
 def _failed(check: Check, failed: Failed, suspect: str | None, fault: str) -> Mark:
     points = round(failed.share * check.points, 6)
-    failure = failed.failure.named(suspect, fault)
+    failure = failed.failure.named(suspect, fault or failed.failure.fault)
     return Mark(check.name, check.part, points, check.points, "failed", whole(failure), suspect, failure)
 
 
@@ -162,7 +163,7 @@ def _not_run(check: Check, note: str, unwritten: str = "") -> Mark:
 
 
 def _grader_error(check: Check, error: str) -> Mark:
-    return Mark(check.name, check.part, None, check.points, "grader_error", OUR_FAULT, error=error[:LONGEST_ERROR])
+    return Mark(check.name, check.part, None, check.points, "grader_error", OUR_FAULT, error=error[:LONGEST_FAULT])
 
 
 def _line(checks: Sequence[Check], name: str) -> str:

@@ -6,8 +6,9 @@ from typing import Any
 
 import numpy as np
 
-from tam570_grader.errors import UsageError
+from tam570_grader.errors import Over, UsageError
 from tam570_grader.options import Commands
+from tam570_grader.results.records import Failure
 
 __all__ = ["add_replay"]
 
@@ -23,7 +24,7 @@ def add_replay(commands: Commands) -> argparse.ArgumentParser:
     add("results", type=Path, metavar="RESULTS", help="what `grade --out` wrote")
     add("student", metavar="STUDENT")
     add("check", metavar="CHECK", help="the name of the check, as in results.jsonl")
-    add("file", nargs="?", type=Path, metavar="FILE", help="a module of the student's, to make the call again")
+    add("file", nargs="?", type=Path, metavar="FILE", help="a module or notebook, to make the call again")
     return replay
 
 
@@ -32,59 +33,87 @@ def _replay(arguments: argparse.Namespace) -> int:
 
     slug, why = _failure(arguments.results, arguments.student, arguments.check)
     print(f"{arguments.student}, {slug}, {arguments.check}: {message(why)}")
-    given: dict[str, Any] = why.at if isinstance(why.at, dict) else {"args": [why.at], "kwargs": {}}
-    told = [*map(_digits, given["args"]), *(f"{name}={_digits(value)}" for name, value in given["kwargs"].items())]
-    print(f"\n{why.function}({', '.join(told)})")
+    if why.function:
+        given: dict[str, Any] = why.at
+        named = [f"{name}={_digits(value)}" for name, value in given["kwargs"].items()]
+        print(f"\n{why.function}({', '.join([*map(_digits, given['args']), *named])})")
     print(f"\nexpected: {_digits(why.expected)}\nactual:   {_digits(why.actual)}")
     if arguments.file:
-        print(f"now:      {_digits(_again(arguments, slug, why.function, given))}")
+        print(f"now:      {_again(arguments, slug, why)}")
     return 0
 
 
-def _failure(results: Path, student: str, check: str) -> tuple[str, Any]:
+def _failure(results: Path, student: str, check: str) -> tuple[str, Failure]:
     """The assignment and the failure; UsageError where there is none."""
     from tam570_grader.results import journal, records
 
     lines = [line for line in journal.read(results) if line["student"] == student]
     if not lines:
         raise UsageError(f"{results} has no result of {student}")
-    marks = [(one.assignment, mark) for one in map(records.read, lines) for mark in one.checks if mark.failure]
+    marks = [(one.assignment, mark) for one in map(records.read, lines) for mark in one.checks]
     for slug, mark in marks:
         if mark.name == check and mark.failure:
             return slug, mark.failure
-    failed = ", ".join(mark.name for _, mark in marks) or "none"
-    raise UsageError(f"{student} did not fail {check}; failed checks: {failed}")
+    failed = ", ".join(mark.name for _, mark in marks if mark.failure) or "none"
+    why = next((f" ({mark.outcome}: {mark.message})" for _, mark in marks if mark.name == check), "")
+    raise UsageError(f"{student} did not fail {check}{why}; failed checks: {failed}")
 
 
-def _again(arguments: argparse.Namespace, slug: str, function: str, given: dict[str, Any]) -> Any:
-    """What the function of the file gives at this input, in the sandbox."""
+def _again(arguments: argparse.Namespace, slug: str, why: Failure) -> str:
+    """What the function of the file gives at this input, in the sandbox; or why it gives nothing."""
     from tam570_grader.delivery import own
-    from tam570_grader.sandbox.student import Source, Student
+    from tam570_grader.grading.submissions import CannotRead, Submission, read
+    from tam570_grader.pages.sentences import message
+    from tam570_grader.sandbox.student import Student
     from tam570_grader.sandbox.worker import Allowance, Worker
     from tam570_grader.writing import assignments
-    from tam570_grader.writing.expect import Failed
+    from tam570_grader.writing.expect import Failed, NotWritten
 
     root = own.course(arguments.root)
     assignment = assignments.assignment(root, slug)
+    try:
+        source = read(Submission(arguments.student, slug, arguments.file, arguments.file))
+    except CannotRead as unread:
+        raise UsageError(str(unread)) from None
     worker = Worker(sorted(assignment.needs), Allowance(), [root])
-    student = Student(Source(arguments.file.read_bytes()), assignment, worker)
+    student = Student(source, assignment, worker)
     try:
         student.load()
-        return getattr(student, function)(*map(_numbers, given["args"]), **_named(given["kwargs"]))
+        return _result(getattr(student, why.function), why.at) if why.function else "the check names no call"
     except Failed as failed:
-        return failed.failure.says
+        return message(failed.failure)
+    except NotWritten as unwritten:
+        return f"{unwritten} is not written yet."
+    except Over as over:
+        return f"{over}."
     finally:
         student.leave()
         worker.close()
 
 
-def _named(values: dict[str, Any]) -> dict[str, Any]:
-    return {name: _numbers(value) for name, value in values.items()}
+def _result(function: Any, at: dict[str, Any]) -> str:
+    """What a function gives: numbers, the values of a formula, or the curves of a drawing."""
+    from tam570_grader.writing.check import given
+    from tam570_grader.writing.returns import Drawing, Formula
+
+    args, kwargs = [_numbers(one) for one in at["args"]], {name: _numbers(one) for name, one in at["kwargs"].items()}
+    if isinstance(function.promise, Formula):
+        return _digits(function.at(args[0] if args else [kwargs]))
+    if isinstance(function.promise, Drawing):
+        curves = function.drawn(given(*args, **kwargs)).lines
+        return (
+            "\n".join(f"{line.label or 'a curve'}: {_digits(line.points)}" for line in curves)
+            or "no curve of ten points"
+        )
+    return _digits(function(*args, **kwargs))
 
 
 def _numbers(value: Any) -> Any:
-    """A list of numbers as the array that it was."""
-    return np.array(value) if isinstance(value, list) and np.array(value).dtype.kind in "fi" else value
+    """A list of numbers as the array that it was; any other list as it is."""
+    try:
+        return np.array(value) if isinstance(value, list) and np.array(value).dtype.kind in "fi" else value
+    except ValueError:  # its members differ in length
+        return value
 
 
 def _digits(value: Any) -> str:

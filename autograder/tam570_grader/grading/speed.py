@@ -11,10 +11,10 @@ from typing import Any
 import numpy as np
 
 from tam570_grader.sandbox.cell import CellLost
-from tam570_grader.sandbox.student import BudgetSpent, NotLoaded, NotWritten, Source, Student
+from tam570_grader.sandbox.student import BudgetSpent, NotLoaded, Source, Student
 from tam570_grader.sandbox.worker import Worker
 from tam570_grader.writing.assignments import Assignment
-from tam570_grader.writing.expect import Failed
+from tam570_grader.writing.expect import Failed, NotWritten
 
 __all__ = ["Speed", "Yardstick", "scenes", "time_to"]
 

@@ -10,7 +10,7 @@ import re
 from collections.abc import Sequence
 from typing import Any
 
-from tam570_grader.errors import printable
+from tam570_grader.errors import Over, printable
 from tam570_grader.sandbox.replies import error_of
 from tam570_grader.writing.assignments import Assignment
 
@@ -46,7 +46,7 @@ FROM_FILE = re.compile(rf"(cannot import name '{WORD}' from '{WORD}') \(.*\)")  
 SKIPPED = re.compile(r"cell ([1-9]\d{0,2}): (\w+)(?:: (.*))?", re.DOTALL)
 
 
-class NotLoaded(Exception):
+class NotLoaded(Over):
     """The submission could not be imported; `status` is what the result line says."""
 
     def __init__(self, status: str, message: str) -> None:

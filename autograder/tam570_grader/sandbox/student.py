@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from tam570_grader.errors import printable
+from tam570_grader.errors import Over, printable
 from tam570_grader.sandbox.cell import PATIENCE, Cell, CellLost, CellTimeout
 from tam570_grader.sandbox.imports import NotLoaded, not_compiled, not_imported, python_class, skipped_cells
 from tam570_grader.sandbox.inside.wire import request
@@ -17,10 +17,10 @@ from tam570_grader.sandbox.worker import Worker, WorkerLost
 from tam570_grader.writing.assignments import Assignment
 from tam570_grader.writing.check import Given, given
 from tam570_grader.writing.curves import readable
-from tam570_grader.writing.expect import Failed, current
+from tam570_grader.writing.expect import Failed, NotWritten, current
 from tam570_grader.writing.returns import Drawing, Formula, result
 
-__all__ = ["BudgetSpent", "Call", "NotLoaded", "NotWritten", "Source", "Student"]
+__all__ = ["BudgetSpent", "Call", "NotLoaded", "Source", "Student"]
 
 REAL = 1e-12  # of a value: complex exponentials that make it real leave 1e-25 of imaginary part
 ROUNDING = 1e-25  # where they cancel to zero
@@ -44,11 +44,7 @@ class Call:
     result: Any  # None where the call raised, or returned what was not promised
 
 
-class NotWritten(Exception):
-    """The function is not there, or is still the stub."""
-
-
-class BudgetSpent(Exception):
+class BudgetSpent(Over):
     """The submission has had all of its time; the message says which."""
 
     status = "timeout"
@@ -70,7 +66,7 @@ class Student:
         self._source, self._assignment, self._worker = source, assignment, worker
         self._cells: dict[tuple[str, ...], Cell] = {}  # by what may not be called in it
         self._defined: set[str] = set()
-        self._broken: dict[str, str] = {}  # functions that hung or crashed, and how
+        self._broken: dict[str, dict[str, Any]] = {}  # functions that hung or crashed, and how
         self.worked: set[str] = set()  # functions that have returned what was promised: it depends on the input
         self._cpu, self._lasted = 0.0, 0.0  # s of CPU and on the wall's clock, of the cells that have ended
 
@@ -79,9 +75,15 @@ class Student:
             raise AttributeError(f"the contract of {self._assignment.slug} has no function {name}")
         return Function(self, name, self._assignment.results[name])
 
-    def on(self, kind: str) -> "Asked":
-        """The functions, for calls on one kind of input: said to the student where a call itself fails."""
-        return Asked(self, kind)
+    @contextmanager
+    def aside(self) -> Iterator[None]:
+        """What is called in this block chooses words: it is not judged, and no function is given up for it."""
+        running = current()
+        calls, broken, function, case = list(self.calls), dict(self._broken), running.function, running.case
+        try:
+            yield
+        finally:
+            self.calls, self._broken, running.function, running.case = calls, broken, function, case
 
     def load(self) -> None:
         """Import the submission, or raise NotLoaded."""
@@ -108,7 +110,7 @@ class Student:
         more : fields of the request; every=True asks for the calls behind an error, too
         """
         if name in self._broken:
-            raise Failed(self._broken[name])
+            raise Failed(**self._broken[name])
         banned, results = self._assignment.off_limits.get(name, ()), self._assignment.results
         refused = [one for one in banned if one in results]  # functions of the file; the rest are modules
         uncallable = tuple(one for one in banned if one not in results)
@@ -122,10 +124,11 @@ class Student:
                 replies.append(cell.receive(lambda reply: checked(reply, mode)))
                 self._must_end()
         except CellTimeout:
-            self._end(uncallable, name, f"{name} did not return within {self._worker.allowance.call:g} s")
+            slow = f"{name} did not return within {self._worker.allowance.call:g} s"
+            self._end(uncallable, name, slow, calls[len(replies)])
         except CellLost:
             how = "it exited, crashed or used too much memory"
-            self._end(uncallable, name, f"{name} ended its process: {how}")
+            self._end(uncallable, name, f"{name} ended its process: {how}", calls[len(replies)])
         return replies
 
     def _must_end(self) -> None:
@@ -140,14 +143,16 @@ class Student:
         if lasted > (most := PATIENCE * self._worker.allowance.cpu):
             raise BudgetSpent(f"the submission has taken {most:g} s, and used little processor time")
 
-    def _end(self, uncallable: tuple[str, ...], name: str, message: str) -> None:
+    def _end(self, uncallable: tuple[str, ...], name: str, says: str, call: Given) -> None:
         """End a cell: the function fails from now on, the others get a new cell while there is CPU time."""
         self._end_cell(self._cells.pop(uncallable))
-        self._broken[name] = message
+        kind = call.kind if name in self.worked else ""
+        why: dict[str, Any] = {"says": says, "kind": kind, "at": call, "function": name}
+        self._broken[name] = why
         self._must_end()
         if self._cpu >= (most := self._worker.allowance.cpu) - 0.5:
             raise BudgetSpent(f"the submission has used its {most:g} s of processor time")
-        raise Failed(message)
+        raise Failed(**why)
 
     def _end_cell(self, cell: Cell) -> None:
         """End a cell and count its CPU time; WorkerLost if it died with its worker, or by another's hand."""
@@ -203,24 +208,12 @@ class Student:
 
 
 @dataclass(frozen=True)
-class Asked:
-    """A student's functions, to be called on one kind of input."""
-
-    student: Student
-    kind: str
-
-    def __getattr__(self, name: str) -> "Function":
-        return replace(self.student.__getattr__(name), kind=self.kind)
-
-
-@dataclass(frozen=True)
 class Function:
     """A student's function of the contract."""
 
     student: Student
     name: str
     promise: Any
-    kind: str = ""  # of the input, unless a call says its own
 
     def __call__(self, *args: Any, **kwargs: Any) -> Any:
         """The result of one call, in the promised form."""
@@ -243,28 +236,26 @@ class Function:
         results = []
         for call, reply in zip(calls, self.student.replies(self.name, calls), strict=False):
             self.student.calls.append(Call(self.name, call, None))
-            current().judge(self.name, call if call.kind else call.on(self.kind))
-            with self._saying(call):
-                self._must_be_fair(reply, call)
+            with self._judging(call):
+                self._must_be_fair(reply)
                 results.append(result(self.promise, reply["value"], self.name, call))
             self.student.worked.add(self.name)
             self.student.calls[-1] = Call(self.name, call, results[-1])
         return results
 
     def aside(self, call: Given) -> Any:
-        """The result of a call that is made to choose the words: it is not among those that are judged."""
-        (reply,) = self.student.replies(self.name, [call])
-        self._must_be_fair(reply, call)
-        return result(self.promise, reply["value"], self.name, call)
+        """The result of a call that is made to choose the words: see `Student.aside`."""
+        with self.student.aside():
+            return self(*call.args, **call.kwargs)
 
     def refusals(self, calls: Iterable[Given]) -> Iterator[tuple[Given, bool]]:
         """Every call, and whether it raises ValueError; another exception is Failed."""
         calls = list(calls)
         for call, reply in zip(calls, self.student.replies(self.name, calls, every=True), strict=True):
             refused = "ValueError" in error_of(reply)["kinds"]
-            if not refused:
-                with self._saying(call, always=True):
-                    self._must_be_fair(reply, call, ", not ValueError")
+            with self._judging(call, promised=", not ValueError"):
+                if not refused:
+                    self._must_be_fair(reply)
             yield call, refused
 
     def at(self, points: Sequence[Mapping[str, float]]) -> np.ndarray:
@@ -274,11 +265,17 @@ class Function:
         symbols = list(self.promise.symbols)
         asked = {"symbols": symbols, "points": [dict(point) for point in points]}
         reply = self.student.replies(self.name, [given()], "formula", **asked)[0]
-        self._must_be_fair(reply, given())
-        values = reply["value"]
-        if not isinstance(values, list) or len(values) != len(points):
+        with self._judging(case := given(list(points))):
+            self._must_be_fair(reply)
+            numbers = self._values(reply["value"], len(points))
+        self.student.calls.append(Call(self.name, case, numbers))
+        return numbers
+
+    def _values(self, values: Any, count: int) -> np.ndarray:
+        """The real numbers that a formula has at so many points, or Failed."""
+        if not isinstance(values, list) or len(values) != count:
             strange = _strangers(values, self.student.text)
-            says = f"{self.name} does not return a SymPy expression in {', '.join(symbols)} alone"
+            says = f"{self.name} does not return a SymPy expression in {', '.join(self.promise.symbols)} alone"
             raise Failed(says, hint=strange and f"It has {strange} in it.")
         try:
             numbers = np.array([complex(value) for value in values])
@@ -286,44 +283,42 @@ class Function:
             raise Failed(f"the expression of {self.name} has no value at some numbers", actual=values) from None
         if not np.all(np.isfinite(numbers)) or np.any(np.abs(numbers.imag) > REAL * np.abs(numbers) + ROUNDING):
             raise Failed(f"the expression of {self.name} is not real and finite at some numbers", actual=numbers)
-        self.student.calls.append(Call(self.name, given(list(points)), numbers.real))
         return numbers.real
-
-    def draw(self, *args: Any, **kwargs: Any) -> Drawing:
-        """The curves that the plot function draws on the Axes that it is given, before these arguments."""
-        return self.drawn(given(*args, **kwargs).on(self.kind))
 
     def drawn(self, call: Given, moved: str | None = None) -> Drawing:
         """The curves that the plot function draws in a case, where the results of one function may be moved by one."""
-        current().judge(self.name, call)
         reply = self.student.replies(self.name, [call], "drawing", moved=moved)[0]
-        with self._saying(call):
-            self._must_be_fair(reply, call)
-        if reply["value"] is None:
-            raise Failed(f"{self.name} draws too much, or nothing that can be read")
+        with self._judging(call):
+            self._must_be_fair(reply)
+            if reply["value"] is None:
+                raise Failed(f"{self.name} draws too much, or nothing that can be read")
         self.student.worked.add(self.name)
         return readable(reply["value"])
 
     @contextmanager
-    def _saying(self, call: Given, always: bool = False) -> Iterator[None]:
-        """A failure of a call says for what kind of input, if the function has worked for another."""
+    def _judging(self, call: Given, promised: str = "") -> Iterator[None]:
+        """Judge the result of a call: a failure says which call it was, and its kind if the function works for another.
+
+        promised : what it must raise instead, for any input of this kind
+        """
+        current().judge(self.name, call)
         try:
             yield
         except Failed as failed:
-            if always or self.name in self.student.worked:
-                failed.failure = replace(failed.failure, kind=call.kind or self.kind)
+            why, worked = failed.failure, promised or self.name in self.student.worked
+            kind = call.kind if worked else ""
+            failed.failure = replace(why, says=why.says + promised, function=self.name, kind=kind, at=call)
             raise
 
-    def _must_be_fair(self, reply: dict[str, Any], call: Given, promised: str = "") -> None:
-        """Raise NotWritten or Failed for an exception (not the promised one), and for arguments changed in place."""
+    def _must_be_fair(self, reply: dict[str, Any]) -> None:
+        """Raise NotWritten or Failed for an exception, and for arguments changed in place."""
         if "error" in reply:
             error = error_of(reply)
             if error["kinds"][:1] == ["NotImplementedError"]:
                 raise NotWritten(self.name)
-            says = _raised(self.name, error, self.student._assignment) + promised
-            raise Failed(says, actual=error["text"], at=call)
+            raise Failed(_raised(self.name, error, self.student._assignment), actual=error["text"])
         if reply.get("changed"):
-            raise Failed(f"{self.name} changes the arrays it is given", hint="Work on copies", at=call)
+            raise Failed(f"{self.name} changes the arrays it is given", hint="Work on copies")
 
 
 def _strangers(value: Any, source: str) -> str:

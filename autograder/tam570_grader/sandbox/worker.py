@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from tam570_grader.errors import Over
 from tam570_grader.sandbox.cell import Cell, CellLost, CellTimeout
 from tam570_grader.sandbox.launch import environment, isolation, jailed_command, plain_command
 
@@ -45,7 +46,7 @@ class Allowance:
     processes: int = 1
 
 
-class WorkerLost(Exception):
+class WorkerLost(Over):
     """The worker itself has died, through no fault of a submission."""
 
 

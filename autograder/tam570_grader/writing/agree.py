@@ -24,7 +24,6 @@ __all__ = [
     "largest",
     "named_in",
     "refuse",
-    "same_for_all",
     "taken",
 ]
 
@@ -225,12 +224,3 @@ def refuse(function: Any, cases: Iterable[Given], *, hint: str = "") -> None:
     for case, refused in function.refusals(cases):
         if not refused:
             fail(f"{function.name} does not raise ValueError", kind=case.kind, hint=hint, at=case)
-
-
-def same_for_all(function: Any, cases: Iterable[Given]) -> None:
-    """Fail if the results of all cases are the same: nothing was computed from the input."""
-    results = [np.asarray(found, float) for _, found in function.each(cases)]
-    expect_that(
-        any(not np.array_equal(results[0], other) for other in results[1:]),
-        f"{function.name} gives the same result for every input",
-    )

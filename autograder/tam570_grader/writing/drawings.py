@@ -157,8 +157,6 @@ def judge_boxes(function: Function, cases: Iterable[tuple[Array, Array, str]], w
             scale=max(size),
             of="an edge",
             unit="of the longest edge",
-            kind=kind,
-            at=(R, size),
             hint=partial(_mistake, found, R, size, within),
         )
 

@@ -6,9 +6,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tam570_grader.sandbox.student import Function, NotWritten
+from tam570_grader.sandbox.student import Function
 from tam570_grader.writing.check import Given
-from tam570_grader.writing.expect import Failed
+from tam570_grader.writing.expect import Failed, NotWritten
 
 __all__ = ["from_own_lagrangian", "in_symbols"]
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from tam570_grader.writing.answers import answer
 from tam570_grader.writing.check import Given
-from tam570_grader.writing.expect import Failed
+from tam570_grader.writing.expect import Failed, NotWritten
 
 __all__ = ["ROUGHLY", "Motion", "diagnosed", "flat", "obeys"]
 
@@ -73,7 +73,7 @@ class Motion:
         """The student's rows when other times are asked for; None where there are none."""
         try:
             return flat(self.function.aside(self.case.but(t)))
-        except Failed:
+        except (Failed, NotWritten):
             return None
 
     def truly(self, t: Array, *start: Any) -> Array:
@@ -233,7 +233,7 @@ def _explained(motion: Motion) -> float:
             shares.append(_apart(motion, starts, instant) / made.max())
             if shares[-1] <= EXPLAINED:
                 return shares[-1]
-    except (Failed, ValueError, ArithmeticError):
+    except (Failed, NotWritten, ValueError, ArithmeticError):
         return np.nan
     return min(shares) if max(shares) <= 2 * min(shares) else np.nan  # rounding, or how an integrator starts
 

@@ -144,9 +144,9 @@ def result(promise: Array | Group, value: Any, name: str, call: Given) -> Any:
     if not _fits(found.shape, shape):
         says = f"{name} returned {_shaped(found.shape)}, not {_shaped(shape)}"
         actual = found if found.size <= LONGEST_TOLD else None  # of a size that no check asked for
-        raise Failed(says, hint=_cut_short(promise, found.shape, shape), actual=actual, at=call)
+        raise Failed(says, hint=_cut_short(promise, found.shape, shape), actual=actual)
     if not np.isfinite(found).all() and (not promise.infinite or np.isnan(found).any()):
-        raise Failed(f"{name} returned NaN or infinity", actual=found, at=call)
+        raise Failed(f"{name} returned NaN or infinity", actual=found)
     return found if found.ndim else float(found)
 
 
@@ -154,7 +154,7 @@ def _members(promise: Group, value: Any, name: str, call: Given) -> tuple[Any, .
     several = isinstance(value, list) or (isinstance(value, np.ndarray) and value.ndim > 0)
     if not several or len(value) != len(promise.members):
         came = f"{_size(len(value))} results" if several else _kind(value)
-        raise Failed(f"{name} returned {came}, not a tuple of {len(promise.members)} results", at=call)
+        raise Failed(f"{name} returned {came}, not a tuple of {len(promise.members)} results")
     return tuple(
         result(member, one, f"{name} (result {index})", call)
         for index, (member, one) in enumerate(zip(promise.members, value, strict=True), start=1)

@@ -1,5 +1,6 @@
 """`tam570-grader replay`: the very call that failed, and the same call made again."""
 
+import json
 import re
 
 import pytest
@@ -53,6 +54,81 @@ def test_what_is_right_gives_what_is_expected(results, course, capsys):
 
 
 WHAT = ("expected", "actual", "now")
+
+
+FAILURES = {  # what is appended to the solution, and what `now` says
+    "raises": (SLUG, "def skew(v):\n    raise KeyError(v)", "skew raised KeyError"),
+    "hangs": (SLUG, "def skew(v):\n    while True: pass", "skew did not return"),
+    "none": (SLUG, "def skew(v):\n    return None", "skew returned None, not real numbers"),
+    "short": (SLUG, "def skew(v):\n    return v", "not an array of shape (3, 3)"),
+    "nan": (SLUG, "def skew(v):\n    return np.full((3, 3), np.nan)", "skew returned NaN"),
+    "accepts": (SLUG, "def rotation_matrix(axis, angle):\n    return np.eye(3)", "np.array([[1.0, 0.0, 0.0]"),
+    "formula": ("hw12_bead_on_wire", "def lagrange_equation():\n    return sympy.Symbol('x')", "np.array(["),
+    "symbol": ("hw12_bead_on_wire", "def lagrange_equation():\n    return sympy.Symbol('q')", "SymPy expression"),
+    "drawing": (
+        "hw04_hanging_spring",
+        "def plot_projection(ax, *args, **kwargs):\n    ax.plot(range(20), range(20))",
+        "[19.0, 19.0]",
+    ),
+    "undrawn": (
+        "hw04_hanging_spring",
+        "def plot_projection(ax, *args, **kwargs):\n    ax.no()",
+        "raised AttributeError",
+    ),
+}
+
+
+@pytest.fixture(scope="module")
+def failures(tmp_path_factory, course):
+    """A class with a failure of each form; every second one is a notebook."""
+    folder = tmp_path_factory.mktemp("failures")
+    for place, (name, (slug, slip, _)) in enumerate(FAILURES.items()):
+        (work := folder / "submitted" / name / slug).mkdir(parents=True)
+        text = f"{(course / 'solutions' / f'{slug}.py').read_text()}\nimport sympy\n\n{slip}\n"
+        cell = {"cell_type": "code", "source": text, "metadata": {}, "outputs": [], "execution_count": None}
+        book = {"cells": [cell], "metadata": {}, "nbformat": 4, "nbformat_minor": 5}
+        (work / (f"{slug}.ipynb" if place % 2 else f"{slug}.py")).write_text(json.dumps(book) if place % 2 else text)
+    arguments = ["grade", str(folder / "submitted"), "--out", str(folder / "out"), "--seed", "3", "--call", "1"]
+    assert cli.main(["--root", str(course), *arguments]) == 0
+    return folder
+
+
+@pytest.mark.parametrize("name", FAILURES)
+def test_every_form_of_failure_is_made_again(failures, course, capsys, name):
+    slug, slip, says = FAILURES[name]
+    lines = map(json.loads, (failures / "out" / "results.jsonl").read_text().splitlines())
+    marks = next(line["checks"] for line in lines if line["student"] == name)
+    function = re.match(r"def (\w+)", slip)[1]
+    check = [mark["name"] for mark in marks if mark.get("failure", {}).get("function") == function][-1]
+    work = next((failures / "submitted" / name / slug).iterdir())
+    capsys.readouterr()
+    assert cli.main(["--root", str(course), "replay", str(failures / "out"), name, check, str(work)]) == 0
+    said = capsys.readouterr().out
+    assert f"\n{function}(" in said
+    assert says in said.rpartition("now:")[2]
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ("def rotation_matrix(axis, angle:", "was never closed"),
+        ("def rotation_matrix(axis, angle):\n    raise NotImplementedError", "rotation_matrix is not written yet."),
+        ("x = 1", "rotation_matrix is not written yet."),
+        ("1 / 0", "ZeroDivisionError"),
+    ],
+)
+def test_what_cannot_be_run_says_why(results, course, capsys, tmp_path, text, says):
+    (tmp_path / "new.py").write_text(text)
+    capsys.readouterr()
+    new = str(tmp_path / "new.py")
+    assert cli.main(["--root", str(course), "replay", str(results / "out"), "ada", failed(course), new]) == 0
+    assert says in capsys.readouterr().out.rpartition("now:")[2]
+
+
+def test_a_file_that_is_not_there_is_bad_usage(results, course, capsys):
+    new = str(results / "none.py")
+    assert cli.main(["--root", str(course), "replay", str(results / "out"), "ada", failed(course), new]) == 2
+    assert "none.py cannot be read: No such file" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(("student", "says"), [("bob", "no result of bob"), ("ada", "failed checks: ")])

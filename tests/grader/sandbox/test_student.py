@@ -15,7 +15,7 @@ from tam570_grader.sandbox.warm import TRIES
 from tam570_grader.sandbox.worker import Allowance
 from tam570_grader.writing import assignments
 from tam570_grader.writing.check import given
-from tam570_grader.writing.expect import Failed
+from tam570_grader.writing.expect import Failed, expect, trial
 
 SLUG = "hw08_axis_angle"
 STOPPER = """
@@ -118,20 +118,40 @@ def test_a_worker_that_dies_is_replaced(solution_text, course):
 
 
 @pytest.mark.parametrize("body", ["raise ValueError", "return float('nan')", "return None", "v[0] = 0.0"])
-def test_a_call_that_fails_says_for_what_kind_of_input_where_another_works(body, course, workers):
+def test_a_call_that_fails_says_which_it_was_and_of_what_kind_where_another_works(body, course, workers):
     text = f"def skew(v):\n    if v[0] != 1: return [[0.0] * 3] * 3\n    {body}\n"
     student = Student(Source(text.encode()), assignments.assignment(course, SLUG), workers(SLUG, Allowance()))
+    call = given(np.ones(3)).on("a short v")
     with pytest.raises(Failed) as failed:
-        student.on("a short v").skew(np.ones(3))
+        student.skew.many([call])
     assert not failed.value.failure.kind, "it may be so for any input"
     student.skew(np.zeros(3))
-    for call in (
-        lambda: student.on("a short v").skew(np.ones(3)),
-        lambda: student.skew.many([given(np.ones(3)).on("a short v")]),
-    ):
-        with pytest.raises(Failed) as failed:
-            call()
-        assert failed.value.failure.kind == "a short v"
+    with pytest.raises(Failed) as failed:
+        student.skew.many([call])
+    assert (failed.value.failure.kind, failed.value.failure.at) == ("a short v", call)
+    assert failed.value.failure.function == "skew"
+    student.leave()
+
+
+def test_a_hint_that_fails_is_our_fault_and_no_grader_error():
+    with pytest.raises(Failed) as failed:
+        expect(1.0, 0.0, within=1e-3, hint=lambda: {}["hint"])
+    assert (failed.value.failure.hint, failed.value.failure.fault) == ("", "KeyError('hint')")
+
+
+def test_what_is_called_for_the_words_ends_no_function_and_is_not_judged(course, workers):
+    """A function that exits for two times, of which a hint asks, is still judged at three."""
+    text = "import os\ndef skew(v):\n    return np.zeros((3, 3)) if v[0] else os._exit(1)\nimport numpy as np\n"
+    student = Student(Source(text.encode()), assignments.assignment(course, SLUG), workers(SLUG, Allowance()))
+
+    def hint():
+        return f"It gives {student.skew(np.zeros(3))}"
+
+    with pytest.raises(Failed) as failed, trial(aside=student.aside):
+        found = student.skew(np.ones(3))
+        expect(found, np.ones((3, 3)), within=1e-9, hint=hint)
+    assert failed.value.failure.hint == "" and failed.value.failure.fault == ""
+    assert len(student.calls) == 1 and student.skew(np.ones(3)).shape == (3, 3)
     student.leave()
 
 
