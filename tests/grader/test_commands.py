@@ -100,6 +100,20 @@ def test_a_second_interrupt_ends_what_the_first_puts_away(monkeypatch, first):
     assert signal.getsignal(signal.SIGINT) == signal.SIG_DFL
 
 
+@pytest.mark.parametrize("name", [add.__name__.removeprefix("add_") for add in grader.COMMANDS])
+def test_the_help_of_every_command_says_what_it_does(capsys, name):
+    with pytest.raises(SystemExit):
+        grader.main([name, "--help"])
+    usage, says, *_ = capsys.readouterr().out.split("\n\n")
+    assert says[0].isupper() and says.rstrip().endswith(".") and ":\n" not in says, usage
+
+
+def test_lms_takes_the_folder_of_results_too(graded, capsys):
+    shutil.move("grades.csv", "results")
+    assert grader.main(["lms", "results", "--to", "moodle"]) == 0
+    assert "ada,1" in capsys.readouterr().out
+
+
 def test_stubs_are_written_and_compared(tmp_path, capsys, course):
     (tmp_path / "solutions").mkdir()
     shutil.copy(course / "solutions" / f"{SLUG}.py", tmp_path / "solutions")

@@ -47,7 +47,7 @@ def members(source: Path) -> Iterator[File]:
 
 
 def inside(packed: File) -> list[File]:
-    """The work in a student's own zip file; one file that says why where it cannot be read."""
+    """The work in a student's own zip file; one file without a path that says why where it cannot be read."""
     try:
         with zipfile.ZipFile(io.BytesIO(packed.data)) as archive:
             infos = [one for one in _files(archive, MOST_INSIDE, packed.path) if one.filename.endswith(WORK)]
@@ -55,7 +55,7 @@ def inside(packed: File) -> list[File]:
                 raise UsageError(f"its modules and notebooks have more than {MOST_UNPACKED // 2**20} MiB together")
             return [replace(one, path=printable(one.path)) for one in map(partial(_member, archive), infos)]
     except Exception as error:  # zipfile raises many kinds, those of its parts among them
-        return [File(packed.path, b"", packed.when, f"it cannot be unpacked: {error}")]
+        return [File("", b"", packed.when, f"it cannot be unpacked: {error}")]
 
 
 def _files(archive: zipfile.ZipFile, most: int, name: str) -> list[zipfile.ZipInfo]:

@@ -75,7 +75,7 @@ def _unpacked(handed: Handed) -> list[Handed]:
     held = inside(handed.file)
     work = [one for one in held if one.refused or one.path.endswith(WORK)]
     outer = handed.file.path  # by its name a page is handed back
-    named = [(replace(one, path=f"{outer}/{one.path}"), one.path.rsplit("/", 1)[-1]) for one in work]
+    named = [(replace(one, path=f"{outer}/{one.path}".rstrip("/")), one.path.rsplit("/", 1)[-1]) for one in work]
     return [replace(handed, file=file, title=title) for file, title in named] or [handed]
 
 
@@ -126,7 +126,7 @@ def _write(rows: Sequence[Taken], out: Path) -> None:
             if row.target:
                 place = out / row.student / row.slug
                 place.mkdir(parents=True, exist_ok=True)
-                (place / row.target).write_bytes(row.handed.file.data)
+                written(place / row.target, row.handed.file.data)
         out.mkdir(parents=True, exist_ok=True)
         written(path, text.getvalue())
 
@@ -172,9 +172,9 @@ def _strangers(rows: Iterable[Taken], people: Mapping[str, roster.Person]) -> li
 def _say(rows: Sequence[Taken], out: Path, people: Mapping[str, roster.Person]) -> None:
     """How many were collected, how many late, and who on the roster handed in nothing."""
     kept = [row for row in rows if row.target]
-    here = {row.student for row in kept}
     late = sum(row.handed.late for row in kept)
-    print(f"{out}: {len(kept)} files of {len(here)} students, {late} late; {out.parent / TABLE} lists them")
-    absent = sorted({folder_of(one.ids[0]) for one in people.values()} - here)
+    count = f"{len(kept)} files of {len({row.student for row in kept})} students" + (f", {late} late" if late else "")
+    print(f"{out}: {count}; {out.parent / TABLE} lists them")
+    absent = sorted({folder_of(one.ids[0]) for one in people.values()} - {row.student for row in rows})
     if absent:
         print(f"{len(absent)} on the roster handed in nothing: {', '.join(absent)}")

@@ -20,22 +20,28 @@ __all__ = [
 ]
 
 
+def _told(commands: Commands, name: str, says: str) -> argparse.ArgumentParser:
+    """The parser of a command of which one sentence tells enough."""
+    parser: argparse.ArgumentParser = commands.add_parser(name, help=says, description=f"{says[0].upper()}{says[1:]}.")
+    return parser
+
+
 def add_stubs(commands: Commands) -> argparse.ArgumentParser:
-    stubs: argparse.ArgumentParser = commands.add_parser("stubs", help="make the students' stubs from the solutions")
+    stubs = _told(commands, "stubs", "make the students' stubs from the solutions")
     stubs.set_defaults(command=_stubs)
     stubs.add_argument("--check", action="store_true", help="write nothing; exit 1 if a stub is out of date")
     return stubs
 
 
 def add_kit(commands: Commands) -> argparse.ArgumentParser:
-    kit: argparse.ArgumentParser = commands.add_parser("kit", help="make what students install and start from")
+    kit = _told(commands, "kit", "make what students install and start from")
     kit.set_defaults(command=_kit)
     kit.add_argument("folder", type=Path, metavar="DIR", help="where to put it")
     return kit
 
 
 def add_course(commands: Commands) -> argparse.ArgumentParser:
-    course: argparse.ArgumentParser = commands.add_parser("course", help="make a course that nbgrader runs")
+    course = _told(commands, "course", "make a course that nbgrader runs")
     course.set_defaults(command=_course)
     course.add_argument("folder", type=Path, metavar="DIR", help="where to put it")
     course.add_argument("assignments", nargs="*", metavar="SLUG", help="default: all")
@@ -43,9 +49,7 @@ def add_course(commands: Commands) -> argparse.ArgumentParser:
 
 
 def add_gradescope(commands: Commands) -> argparse.ArgumentParser:
-    gradescope: argparse.ArgumentParser = commands.add_parser(
-        "gradescope", help="make the archives that Gradescope runs"
-    )
+    gradescope = _told(commands, "gradescope", "make the archives that Gradescope runs")
     gradescope.set_defaults(command=_gradescope)
     gradescope.add_argument("folder", type=Path, metavar="DIR", help="where to put them")
     gradescope.add_argument("assignments", nargs="*", metavar="SLUG", help="default: all")
@@ -56,10 +60,11 @@ def add_collect(commands: Commands) -> argparse.ArgumentParser:
     collect: argparse.ArgumentParser = commands.add_parser(
         "collect",
         help="collect what was downloaded from Canvas, Moodle or Gradescope",
-        description="Put a download into folders <student>/<assignment>/ that `grade` reads. They keep the newest of "
-        "each form; a module goes before a notebook.",
+        description="Put a download into folders <student>/<assignment>/ that `grade` reads. Of modules, and of "
+        "notebooks, one is kept: named after the assignment before others, then the newest. A module goes before a "
+        "notebook.",
         epilog="collected.csv, beside that folder, lists who handed in what and when, in all downloads. The exit code "
-        "is 1 if a file, or its student, could not be placed, or a notebook is newer than its module: each is named.",
+        "is 1 if a file, or its student, could not be placed, or one that is newer does not count: each is named.",
     )
     collect.set_defaults(command=_collect)
     add = collect.add_argument
@@ -106,10 +111,15 @@ def add_alike(commands: Commands) -> argparse.ArgumentParser:
 
 
 def add_lms(commands: Commands) -> argparse.ArgumentParser:
-    lms: argparse.ArgumentParser = commands.add_parser("lms", help="make a table that Canvas or Moodle imports")
+    lms: argparse.ArgumentParser = commands.add_parser(
+        "lms",
+        help="make a table that Canvas or Moodle imports",
+        description="Make a table of scores that Canvas or Moodle imports, and a zip file of pages that they hand out.",
+        epilog="With a roster the exit code is 1 if a score belongs to nobody on it, or somebody on it has none.",
+    )
     lms.set_defaults(command=_lms)
     add = lms.add_argument
-    add("grades", type=Path, metavar="GRADES", help="grades.csv of `grade --out`, or of `nbgrader export`")
+    add("grades", type=Path, metavar="GRADES", help="what `grade --out` wrote, or the table of `nbgrader export`")
     add("--to", choices=["canvas", "moodle"], required=True, help="the system")
     add("--roster", type=Path, metavar="FILE", help="the gradebook of Canvas or Moodle's participants, to join by")
     add("--identity", choices=["username", "idnumber", "email"], default="username", help="in Moodle")
@@ -123,9 +133,8 @@ def add_lms(commands: Commands) -> argparse.ArgumentParser:
 
 
 def add_report(commands: Commands) -> argparse.ArgumentParser:
-    report: argparse.ArgumentParser = commands.add_parser(
-        "report", help="make one page on the class: scores, checks, known mistakes, who is missing"
-    )
+    says = "make one page on the class: scores, checks, known mistakes, who is missing"
+    report = _told(commands, "report", says)
     report.set_defaults(command=_report)
     add = report.add_argument
     add("folder", type=Path, metavar="DIR", help="what `grade --out` wrote")
@@ -201,6 +210,8 @@ def _alike(arguments: argparse.Namespace) -> int:
 def _lms(arguments: argparse.Namespace) -> int:
     from tam570_grader.delivery import handback, lms
 
+    if arguments.grades.is_dir():
+        arguments.grades /= "grades.csv"
     if bool(arguments.pages) != bool(arguments.collected):
         raise UsageError("--pages and --collected go together: the names of the download tell whose a page is")
     lacking = []

@@ -5,6 +5,7 @@ submission comments in bulk?" (Canvas Instructor Guide), whose names hold the us
 multiple feedback files in a zip" (docs.moodle.org, Using Assignment), whose names hold the participant.
 """
 
+import io
 import zipfile
 from collections.abc import Iterator, Sequence
 from pathlib import Path
@@ -12,6 +13,7 @@ from pathlib import Path
 from tam570_grader.delivery.collect import listed
 from tam570_grader.delivery.downloads import named
 from tam570_grader.errors import UsageError, printable, writing
+from tam570_grader.results.tables import written
 from tam570_grader.writing import assignments
 
 __all__ = ["run"]
@@ -34,14 +36,16 @@ def run(pages: Path, collected: Path, system: str, out: Path, only: Sequence[str
     if len(chosen) > 1:
         raise UsageError(f"the pages of one assignment make a zip file: choose with --only: {', '.join(chosen)}")
     found = {key: name for key, name in found.items() if key[1] in chosen}
-    lacking = []
-    with writing(out), zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as archive:
+    lacking, whole = [], io.BytesIO()
+    with zipfile.ZipFile(whole, "w", zipfile.ZIP_DEFLATED) as archive:
         for (student, slug), name in sorted(found.items()):
             page = pages / student / f"{slug}.html"
             if page.is_file():
                 archive.write(page, printable(name))
             else:
                 lacking.append(f"{student} has no page of {slug}: grade it first")
+    with writing(out):
+        written(out, whole.getvalue())
     return lacking
 
 

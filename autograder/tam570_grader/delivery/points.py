@@ -91,7 +91,8 @@ def _points(arguments: argparse.Namespace) -> int:
         feedback.write_pages(folder / "feedback", book, course)
     for line in open_:
         warn(line)
-    print(f"{folder}: {len({one.key for one in new if one.student != EVERYONE})} rows added by hand")
+    count = sum(one.item == LATE for one in hand.entries.values())
+    print(f"{folder}: {len({one.key for one in new if one.student != EVERYONE})} rows added by hand, {count} late")
     return 1 if open_ else 0
 
 

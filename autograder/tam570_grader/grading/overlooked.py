@@ -67,7 +67,7 @@ def not_handed_in(path: Path, found: Sequence[Submission]) -> list[Submission]:
     here = {(one.student, one.slug) for one in found}
     students = roster.students(path, {one.student for one in found})
     slugs = sorted({one.slug for one in found})
-    note = "nothing was handed in"
+    note = "no module or notebook was collected"
     return [
         Submission(student, slug, None, Path(), note)
         for student in students

@@ -15,12 +15,13 @@ DELIMITERS = ",;\t"
 FORMULA = "=", "+", "-", "@", "\t", "\r", "\n", "\uff1d", "\uff0b", "\uff0d", "\uff20"
 
 
-def written(path: Path, text: str | Iterable[str]) -> None:
-    """Put the text, or its parts, in place of the file, whole or not at all."""
+def written(path: Path, whole: str | bytes | Iterable[str]) -> None:
+    """Put the text, its parts or the bytes in place of the file, whole or not at all."""
     draft = path.with_name(path.name + ".new")
+    parts = [whole] if isinstance(whole, str | bytes) else whole
     try:
-        with open(draft, "w", encoding="utf-8", errors="surrogateescape", newline="") as file:
-            file.writelines([text] if isinstance(text, str) else text)
+        with open(draft, "wb") as file:
+            file.writelines(one.encode(errors="surrogateescape") if isinstance(one, str) else one for one in parts)
             file.flush()
             os.fsync(file.fileno())
         os.replace(draft, path)

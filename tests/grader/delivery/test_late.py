@@ -73,6 +73,7 @@ def scores():
 
 def test_tables_and_pages_obey(desk, capsys):
     assert points() == 0
+    assert capsys.readouterr().out == "results: 0 rows added by hand, 4 late\n"
     assert scores() == {who: left for who, (_, left) in CAME.items()}
     page = (desk / "results" / "feedback" / "fay" / f"{SLUG}.html").read_text()
     assert "7.5 of 10 points" in page and "25 % of the points are taken off" in page
