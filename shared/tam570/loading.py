@@ -10,7 +10,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from tam570.notebooks import code_cells, compiled
+from tam570.notebooks import code_cells, compiled, run
 
 __all__ = [
     "LIBRARIES",
@@ -91,7 +91,7 @@ def _cells_run(source: bytes, module: ModuleType) -> Iterator[str]:
         linecache.cache[name] = (len(text), None, [f"{line}\n" for line in text.split("\n")], name)
         try:
             with redirect_stdout(None):
-                exec(compiled(text, name), module.__dict__)
+                run(compiled(text, name), module.__dict__)
         except (Exception, SystemExit) as error:
             yield f"{name}: {type(error).__name__}: {error}"
 

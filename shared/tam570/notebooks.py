@@ -1,6 +1,7 @@
-"""The code of a notebook as plain Python: cells without magics and shell lines."""
+"""The code of a notebook as plain Python: cells as IPython reads them, without magics and shell lines."""
 
 import ast
+import inspect
 import io
 import json
 import re
@@ -8,12 +9,16 @@ import tokenize
 from types import CodeType
 from typing import Any
 
-__all__ = ["Cells", "code_cells", "compiled", "plain", "text_of"]
+__all__ = ["Cells", "code_cells", "compiled", "plain", "run", "text_of"]
 
-# %timeit, files = !ls, f?
-MAGIC = re.compile(r"(\s*)(?:%time\s+(.*)|[%!?].*|[\w, ]+=\s*[%!].*|.*\?\s*)$", re.DOTALL)
-# their body is Python; other cell magics hold another language
+# x = %time f(), %timeit, files = !ls, f?
+MAGIC = re.compile(
+    r"(\s*)(?:(\w+\s*=\s*)?%time\s+(.+)|(\w+\s*=\s*)[%!].*|[%!?].*|[\w, ]+=\s*[%!].*|[%\w.*\[\]]+\s*\?+\s*)"
+)
+# their body is Python; other cell magics hold another language, or a file
 TIMED_CELLS = ("%%time", "%%capture", "%%prun")
+PYLAB = "from matplotlib.pylab import *; import numpy as np; from matplotlib import pyplot as plt"  # what %pylab does
+PROMPT = re.compile(r"(?:>>>|\.\.\.)(?: |$)|In \[\d+\]: ?|\s*\.\.\.: ?")  # copied with what stood behind it
 Cells = list[tuple[int, str]]  # number, counted from 1 over all cells, and text
 
 
@@ -22,23 +27,49 @@ def code_cells(source: bytes) -> Cells:
     book: dict[str, Any] = json.loads(source)
     cells = book["cells"] if "cells" in book else [c for sheet in book["worksheets"] for c in sheet["cells"]]
     code = [
-        (n, "".join(cell["source"] if "source" in cell else cell["input"]))
+        (n, _cleaned("".join(cell.get("source") or cell.get("input") or "")))
         for n, cell in enumerate(cells, start=1)
-        if cell["cell_type"] == "code"
+        if cell.get("cell_type") == "code"
     ]
-    return [(n, text) for n, text in code if not text.startswith("%%") or text.startswith(TIMED_CELLS)]
+    return [(n, text) for n, text in code if _is_python(text.lstrip())]
+
+
+def _is_python(text: str) -> bool:
+    return not text.startswith("%%") or text.split(maxsplit=1)[0] in TIMED_CELLS
+
+
+def _cleaned(text: str) -> str:
+    """Without the indent of the first line, and without prompts if that has one."""
+    lines = text.split("\n")
+    first = next(filter(str.strip, lines), "")
+    indent = first[: len(first) - len(first.lstrip())]
+    lines = [line.removeprefix(indent) for line in lines]
+    if PROMPT.match(first.removeprefix(indent)):
+        lines = [line[found.end() :] if (found := PROMPT.match(line)) else line for line in lines]
+    return "\n".join(lines)
 
 
 def text_of(source: bytes, suffix: str) -> str:
     """The Python in a module or notebook; of a cell that does not compile nothing."""
     if suffix == ".py":
         return source.decode(tokenize.detect_encoding(io.BytesIO(source).readline)[0])
-    return "\n".join(plain(text) for _, text in code_cells(source))
+    return "\n\n".join(plain(text) for _, text in code_cells(source))
 
 
 def compiled(text: str, name: str) -> CodeType:
     """The code of a cell. SyntaxError where it is not Python."""
-    return compile(plain(text) or text, name, "exec", dont_inherit=True)
+    awaiting: int = ast.PyCF_ALLOW_TOP_LEVEL_AWAIT
+    code: CodeType = compile(plain(text) or text, name, "exec", awaiting, dont_inherit=True)
+    return code
+
+
+def run(code: CodeType, names: dict[str, Any]) -> None:
+    """Run what was compiled, and wait for what it awaits outside of functions."""
+    awaited = eval(code, names)
+    if code.co_flags & inspect.CO_COROUTINE:
+        import asyncio  # .05 s
+
+        asyncio.run(awaited)
 
 
 def plain(text: str) -> str:
@@ -50,9 +81,19 @@ def plain(text: str) -> str:
             return "\n".join(lines)
         except SyntaxError as error:
             at = min(error.lineno or len(lines), len(lines)) - 1
-            magic = MAGIC.match(lines[at])
+            magic = MAGIC.fullmatch(lines[at])
             if not magic:
                 return ""
-            while lines[at].endswith("\\") and at + 1 < len(lines):  # the line goes on
+            while lines[at].endswith("\\") and at + 1 < len(lines) and not magic[3]:  # the line goes on
                 lines[at], at = "", at + 1
-            lines[at] = magic[1] + (magic[2] or "pass")
+            lines[at] = magic[1] + _python(magic)
+        except (ValueError, MemoryError, RecursionError):  # no text, or nested too deep
+            return ""
+
+
+def _python(magic: re.Match[str]) -> str:
+    """What stands for a magic: what it times, a kernel that does nothing for what it would return."""
+    _, timed_to, timed, returned_to = magic.groups()
+    if timed:
+        return f"{timed_to or ''}{timed}"
+    return f"{returned_to}get_ipython()" if returned_to else PYLAB if "%pylab" in magic[0] else "pass"

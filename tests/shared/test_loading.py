@@ -7,9 +7,24 @@ import pytest
 from tam570 import notebooks
 from tam570.loading import LIBRARIES, Trouble, loaded
 from tam570.show import show
-from tam570_grader.sandbox.inside import load as inside
 
 SLUG = "hw08_axis_angle"
+CELLS = {
+    "awaits": "import asyncio\nasync def seven():\n    await asyncio.sleep(0)\n    return 7\nx = await seven()",
+    "is indented": "\n    x = 3\n    if x:\n        x = 7",
+    "has prompts": ">>> x = 3\n>>> if x:\n...     x = 7\n...\n",
+    "has numbered prompts": "In [12]: x = 3\n    ...: if x:\n    ...:     x = 7",
+    "has a part for when it is run by itself": "x = 7\nif __name__ == '__main__':\n    x = 0",
+    "is timed": "%%time\n%time x = 7",
+    "takes what is timed": "x = %time 3 + 4",
+    "takes a time": "times = %timeit -o sum([1])\nprint(times.average)\nx = 7",
+    "asks the shell": "!ls | grep 'x\nfiles = !ls\nif files:\n    !ls \\\n   -l\nx = 7",
+    "asks for help": "import numpy as np\nx = 7\nx?\n?x\nnp.array??\nnp.*load*?",
+    "has magics": "%matplotlib inline\n%load_ext autoreload\nx = 17 \\\n  % 10",
+    "is captured": "\n%%capture out --no-stderr\nx = 7",
+}
+# of other languages, and without a source
+OTHERS = ("%%writefile a.py\nx = 0", " %%bash\nexit 1", "%%html\n<b>", "%%timeit\nx = 0", "no source", "", "!ls")
 
 
 def notebook(*sources):
@@ -71,22 +86,27 @@ def test_a_notebook_is_shown(book, tam570, desk):
     assert show(book()).film is not None
 
 
-@pytest.mark.parametrize("cell", ["%matplotlib inline\nx = 1", "y = !ls\nx = 7 \\\n % 3", "%time x = 2", "x = ("])
-def test_the_grader_reads_the_same_code_of_a_cell(cell):
-    """The sandbox stands alone and reads notebooks by itself."""
-    if not notebooks.plain(cell):
-        with pytest.raises(SyntaxError):
-            inside._compiled(cell, "cell")
-    else:
-        assert inside._compiled(cell, "cell").co_code == notebooks.compiled(cell, "cell").co_code
+@pytest.mark.parametrize("cell", CELLS.values(), ids=CELLS)
+def test_a_cell_means_what_it_means_in_jupyter_here_and_where_it_is_graded(desk, grade, solution_text, cell):
+    ends = "def skew(v, _skew=skew): return _skew(v) if x == 7 else None"
+    book = notebook(*OTHERS, cell, solution_text(SLUG), ends).replace('"source": "no source", ', "")
+    (desk / "hw08.ipynb").write_text(book)
+    module, skipped = loaded(desk / "hw08.ipynb", SLUG)
+    assert (module.x, skipped) == (7, [])
+    result = grade(SLUG, book, notebook=True)
+    assert (result.score, result.message) == (10, "")
 
 
 @pytest.mark.parametrize(
     ("cell", "plain"),
     [
         ("%matplotlib inline\nx = 1", "pass\nx = 1"),
-        ("files = !ls\nx = 7 \\\n % 3", "pass\nx = 7 \\\n % 3"),
+        ("files = !ls\nx = 7 \\\n % 3", "files = get_ipython()\nx = 7 \\\n % 3"),
         ("%time x = 2", "x = 2"),
+        ("%time x = 2 + \\\n 5\na, b = !ls", "x = 2 + \\\n 5\npass"),
+        ("x = 2  # is it?\ny = (x  # or?\n", ""),
+        ("'\ud800'", ""),
+        ("(" * 10_000, ""),
         ("x?\nif x:\n    !pip install \\\n  y", "pass\nif x:\n\n    pass"),
         ("x = (", ""),
     ],

@@ -16,7 +16,7 @@ from pathlib import Path
 from tam570_grader.errors import UsageError, warn, writing
 from tam570_grader.grading.submissions import CannotRead, Submission, read, submissions
 from tam570_grader.results.tables import cell, written
-from tam570_grader.sandbox.notebooks import Unshown, cells_of
+from tam570_grader.sandbox.notebooks import Unshown, python_of
 
 __all__ = ["code", "run"]
 
@@ -60,13 +60,13 @@ def _numbers(students: Sequence[str]) -> dict[str, str]:
 
 
 def code(one: Submission) -> str:
-    """The text of a module; of a notebook, its code cells one after another."""
+    """The text of a module; of a notebook, the Python of its cells one after another."""
     if one.path is None:
         raise CannotRead(one.note)
     source = read(one)
     if not source.notebook:
         return source.text.decode("utf-8", "replace")
-    return "\n\n".join(cell["source"] for cell in cells_of(source.text) if cell["kind"] == "code") + "\n"
+    return python_of(source.text) + "\n"
 
 
 def _write(course: Path, slug: str, modules: Mapping[str, str], folder: Path, tool: str) -> None:

@@ -9,7 +9,7 @@ from tam570_grader.sandbox.imports import python_class
 from tam570_grader.sandbox.replies import error_of
 from tam570_grader.sandbox.worker import Allowance, Worker, WorkerLost
 
-__all__ = ["Unshown", "cells_of", "statements_of"]
+__all__ = ["Unshown", "cells_of", "python_of", "statements_of"]
 
 READING = Allowance(memory=2**30, cpu=10, call=10)
 
@@ -22,6 +22,11 @@ def cells_of(text: bytes) -> list[dict[str, Any]]:
     """The cells of a notebook, as `inside.cells` describes them, or Unshown; nothing of it has run."""
     cells: list[dict[str, Any]] = _read({"book": text})["cells"]
     return cells
+
+
+def python_of(text: bytes) -> str:
+    """The code of a notebook without magics and what is no Python, or Unshown; nothing of it has run."""
+    return str(_read({"code": text})["code"])
 
 
 def statements_of(text: bytes) -> str:

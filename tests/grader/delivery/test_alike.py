@@ -32,7 +32,7 @@ def renamed(text):
 
 
 def notebook(text):
-    cells = [{"cell_type": "code", "source": text, "metadata": {}, "outputs": [], "execution_count": None}]
+    cells = [{"cell_type": "code", "source": f"%matplotlib inline\n{text}\nskew?", "metadata": {}, "outputs": [], "execution_count": None}]
     return json.dumps({"cells": cells, "metadata": {}, "nbformat": 4, "nbformat_minor": 5})
 
 

@@ -5,7 +5,9 @@ import json
 from collections.abc import Iterator
 from typing import Any
 
-__all__ = ["plain_cells", "statements"]
+from tam570.notebooks import text_of
+
+__all__ = ["plain_cells", "python", "statements"]
 
 MOST_CELLS, MOST_OUTPUTS = 500, 50
 LONGEST_TEXT = 10_000  # characters of a text: the time to make a page of it may go with the square
@@ -30,6 +32,11 @@ def plain_cells(source: bytes) -> list[Cell]:
             cell["source"] = _cut(cell["source"], min(left, LONGEST_TEXT))
             left = max(0, left - len(cell["source"]))
     return plain
+
+
+def python(source: bytes) -> str:
+    """The code of a notebook, as far as it is Python."""
+    return text_of(source, ".ipynb")
 
 
 def statements(source: bytes) -> str:

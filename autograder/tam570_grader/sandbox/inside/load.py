@@ -2,24 +2,18 @@
 
 import ast
 import builtins
-import json
-import re
 import sys
 from collections.abc import Callable, Sequence
 from types import CodeType, ModuleType
 from typing import Any
+
+from tam570 import notebooks
 
 __all__ = ["Forbidden", "Refusal", "compiled", "load"]
 
 Piece = tuple[str, CodeType]  # a notebook's cell, or "", and its code
 
 __builtins__ = dict(vars(builtins))  # type: ignore[assignment]  # as in wire
-
-# %timeit, files = !ls, f?
-MAGIC = re.compile(r"(\s*)(?:%time\s+(.*)|[%!?].*|[\w, ]+=\s*[%!].*|.*\?\s*)$", re.DOTALL)
-# their body is Python; other cell magics hold another language
-TIMED_CELLS = ("%%time", "%%capture", "%%prun")
-PYLAB = "from pylab import *; import numpy as np; from matplotlib import pyplot as plt"  # what %pylab does
 
 
 class Forbidden(ImportError):
@@ -32,7 +26,7 @@ def compiled(source: bytes, name: str, *, notebook: bool, piecewise: bool) -> tu
     piecewise : each statement of a module by itself
     """
     if notebook:
-        return _compiled_cells(_code_cells(source))
+        return _compiled_cells(notebooks.code_cells(source))
     if piecewise:
         return _statements(source, f"{name}.py"), []
     return [("", compile(source, f"{name}.py", "exec", dont_inherit=True))], []
@@ -58,7 +52,7 @@ def load(
     skipped = []
     for cell, code in pieces:
         try:
-            exec(code, module.__dict__)
+            notebooks.run(code, module.__dict__)
         except BaseException as error:
             if not (notebook or (uncallable and isinstance(error, Exception))):
                 raise
@@ -78,7 +72,7 @@ def _compiled_cells(cells: list[tuple[int, str]]) -> tuple[list[Piece], list[str
     for number, text in cells:
         name = f"cell {number}"
         try:
-            pieces.append((name, _compiled(text, name)))
+            pieces.append((name, notebooks.compiled(text, name)))
         except Exception as error:
             skipped.append(f"{name}: {_told(error)}")
     return pieces, skipped
@@ -89,34 +83,6 @@ def _told(error: BaseException) -> str:
         return f"{type(error).__name__}: {error}"
     except Exception:
         return type(error).__name__
-
-
-def _code_cells(source: bytes) -> list[tuple[int, str]]:
-    """Number and text of the code cells that are Python, in a notebook of format 4 or 3."""
-    book = json.loads(source)
-    cells = book["cells"] if "cells" in book else [c for sheet in book["worksheets"] for c in sheet["cells"]]
-    code = [
-        (n, "".join(cell["source"] if "source" in cell else cell["input"]))
-        for n, cell in enumerate(cells, start=1)
-        if cell["cell_type"] == "code"
-    ]
-    return [(n, text) for n, text in code if not text.startswith("%%") or text.startswith(TIMED_CELLS)]
-
-
-def _compiled(text: str, name: str) -> CodeType:
-    """The code of a cell, without magics and shell lines: those at which Python's syntax ends, so no `% 3` of a sum."""
-    lines = text.split("\n")
-    while True:
-        try:
-            return compile("\n".join(lines), name, "exec", dont_inherit=True)
-        except SyntaxError as error:
-            at = min(error.lineno or len(lines), len(lines)) - 1
-            magic = MAGIC.match(lines[at])
-            if not magic:
-                raise
-            while lines[at].endswith("\\") and at + 1 < len(lines):  # it goes on
-                lines[at], at = "", at + 1
-            lines[at] = magic[1] + (magic[2] or (PYLAB if "%pylab" in lines[at] else "pass"))
 
 
 def _builtins_without(forbidden: Sequence[str]) -> dict[str, Any]:

@@ -22,7 +22,7 @@ from typing import Any
 
 from . import jail
 from .answer import answer, error_report, seed_generators
-from .cells import plain_cells, statements
+from .cells import plain_cells, python, statements
 from .load import compiled, load
 from .refusals import program
 from .wire import packed, unpacked
@@ -97,6 +97,8 @@ def _serve(channel: socket.socket, limits: jail.Limits, folder: str) -> None:
             request = _received()
             if "book" in request:
                 _send(_read("cells", plain_cells, request["book"]))
+            elif "code" in request:
+                _send(_read("code", python, request["code"]))
             elif "module" in request:
                 _send(_read("code", statements, request["module"]))
             elif "source" in request:
