@@ -1,4 +1,4 @@
-"""So far from O that the rounding of the places would hide any error.
+"""P and C are so far from O that rounding would hide any error.
 
 fails: special_motion_of_c
 names: which product must vanish

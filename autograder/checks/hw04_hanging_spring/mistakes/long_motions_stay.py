@@ -1,4 +1,4 @@
-"""Of more than eight periods nothing is integrated: the start in every row, whose energy stays.
+"""Beyond eight periods every row is the start, which keeps the energy.
 
 fails: energy_stays
 names: every row is the start

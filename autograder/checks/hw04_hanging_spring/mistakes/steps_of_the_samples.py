@@ -1,4 +1,4 @@
-"""Four hundred Runge-Kutta steps, however long the time between the first two samples is.
+"""A fixed number of Runge-Kutta steps goes from each time to the next, however far.
 
 fails: simulate_does_not_depend_on_the_sampling, energy_stays
 numerics: steps as long as the times are apart

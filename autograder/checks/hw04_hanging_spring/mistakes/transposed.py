@@ -1,4 +1,4 @@
-"""The rows are (6, n), as solve_ivp has them.
+"""The rows and columns are exchanged: solve_ivp returns (6, n).
 
 fails: simulate_moves_as_it_must, the_path_is_drawn
 names: not an array of shape (12, 6)

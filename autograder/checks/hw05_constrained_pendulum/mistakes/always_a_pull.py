@@ -1,4 +1,4 @@
-"""A string, which does not push.
+"""The force never pushes: a rod pushes, a string does not.
 
 fails: force_keeps_the_particle_on_the_circle
 """

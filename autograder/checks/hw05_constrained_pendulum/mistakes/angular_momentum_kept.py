@@ -1,4 +1,4 @@
-"""The angular momentum about the hinge kept, where the tangent part of the velocity is to be.
+"""The velocity keeps its angular momentum about the hinge, but should keep its tangential part.
 
 fails: consistent_state_is_the_nearest
 """

@@ -1,4 +1,4 @@
-"""The given state is mended itself.
+"""The given array is changed: work on a copy.
 
 fails: consistent_state_is_the_nearest
 names: consistent_state changes the arrays

@@ -1,5 +1,4 @@
-"""The constraint differentiated once, to r . v = 0, and r . a = 0 for the second time: the centripetal term is
-missing.
+"""The centripetal term is missing: the derivative of r . v = 0 is v . v + r . a = 0.
 
 fails: force_keeps_the_particle_on_the_circle, acceleration_is_that_of_both_forces, without_gravity_it_goes_round_uniformly, with_gravity_it_swings_or_goes_round
 """

@@ -1,4 +1,4 @@
-"""The force on the hinge, which is opposite.
+"""This is the force on the hinge; the force on the particle is opposite.
 
 fails: force_keeps_the_particle_on_the_circle
 """

@@ -1,4 +1,4 @@
-"""No constraint force, a free fall.
+"""There is no constraint force: the particle falls freely.
 
 fails: acceleration_is_that_of_both_forces
 """

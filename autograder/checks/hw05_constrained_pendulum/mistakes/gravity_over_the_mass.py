@@ -1,4 +1,4 @@
-"""Gravity divided by the mass: a heavy particle falls as a light one does.
+"""Gravity is divided by the mass, but a heavy particle falls as a light one does.
 
 fails: with_gravity_it_swings_or_goes_round
 """

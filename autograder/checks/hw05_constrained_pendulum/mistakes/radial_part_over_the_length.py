@@ -1,4 +1,4 @@
-"""The velocity's radial part over l^2, where the square of the distance from the hinge belongs.
+"""The radial part of the velocity has l^2 where the square of the distance from the hinge belongs.
 
 fails: consistent_state_is_the_nearest
 """

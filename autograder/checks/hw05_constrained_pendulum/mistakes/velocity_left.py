@@ -1,4 +1,4 @@
-"""The velocity left as it was.
+"""The velocity is left as it was.
 
 fails: consistent_state_is_the_nearest
 """

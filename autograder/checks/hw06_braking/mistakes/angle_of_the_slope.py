@@ -1,4 +1,4 @@
-"""The direction of friction by an atan of left over forward, which is the same in reverse.
+"""The direction of friction comes from the arctan of left over forward, which is the same in reverse.
 
 fails: friction_in_any_motion_and_at_rest, mechanics_refuses_other_axles
 """

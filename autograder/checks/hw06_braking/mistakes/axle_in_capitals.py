@@ -1,4 +1,4 @@
-"""The axle's name in any case.
+"""The axle's name is accepted in any case.
 
 fails: mechanics_refuses_other_axles, stability_refuses_other_axles
 names: does not raise ValueError

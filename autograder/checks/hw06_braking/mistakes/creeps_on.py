@@ -1,4 +1,4 @@
-"""At rest by its speed, but its place goes on.
+"""The car is at rest by its speed, but its place goes on.
 
 fails: simulate_comes_to_rest_and_stays
 """

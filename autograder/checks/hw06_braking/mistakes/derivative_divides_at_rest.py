@@ -1,4 +1,4 @@
-"""No rates at rest: zero over zero.
+"""At rest the rates are zero over zero.
 
 fails: equations_without_friction_and_at_rest
 names: state_derivative returned NaN or infinity

@@ -1,4 +1,4 @@
-"""Friction against the velocity of G, where it is the locked axle that drags.
+"""Friction is against the velocity of G, but it is the locked axle that drags.
 
 fails: friction_opposes_the_sliding
 """

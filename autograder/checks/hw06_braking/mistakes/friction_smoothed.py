@@ -1,4 +1,4 @@
-"""Coulomb friction smoothed where the locked axle is slower than a centimetre a second.
+"""Coulomb friction is smoothed where the locked axle is slower than a centimetre a second.
 
 fails: friction_in_any_motion_and_at_rest
 """

@@ -1,4 +1,4 @@
-"""No friction below a centimetre a second, as if the car were at rest.
+"""Friction is zero below a centimetre a second, as if the car were at rest.
 
 fails: friction_in_any_motion_and_at_rest
 """

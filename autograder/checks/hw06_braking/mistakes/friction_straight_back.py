@@ -1,4 +1,4 @@
-"""Friction straight back along the car, whatever way the locked axle moves.
+"""Friction points straight back along the car, whatever way the locked axle moves.
 
 fails: friction_opposes_the_sliding, equations_of_motion
 """

@@ -1,4 +1,4 @@
-"""No friction where np.allclose says that the car is at rest.
+"""Friction is zero where np.allclose says that the car is at rest.
 
 fails: friction_in_any_motion_and_at_rest
 """

@@ -1,4 +1,4 @@
-"""The distance from G to the locked axle, where the wheelbase belongs.
+"""The distance from G to the locked axle stands where the wheelbase belongs.
 
 fails: growth_rate_is_the_slope
 """

@@ -1,4 +1,4 @@
-"""Heading wrapped to half a turn to either side.
+"""The heading is wrapped to half a turn to either side.
 
 fails: simulate_brakes
 """

@@ -1,4 +1,4 @@
-"""Wraps the heading in the array that it is given.
+"""The heading is wrapped in the given array: work on a copy.
 
 fails: equations_of_motion, mechanics_refuses_other_axles
 names: state_derivative changes the arrays

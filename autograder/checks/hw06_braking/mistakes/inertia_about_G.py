@@ -1,7 +1,7 @@
-"""The inertia about G where that about the free axle belongs.
+"""The inertia about G stands where the inertia about the free axle belongs.
 
 fails: equations_of_motion, simulate_brakes, growth_rate_is_the_slope, small_yaw_rate_is_the_linear_solution
-also: the inertia about G in friction's part, where that about the free axle belongs
+also: Friction's part has the inertia about G where the inertia about the free axle belongs
 """
 
 _right = _car

@@ -1,4 +1,4 @@
-"""The locked axle's velocity to the side by its distance from G, where that is from the free axle.
+"""The locked axle's velocity to the side has its distance from G where its distance from the free axle belongs.
 
 fails: friction_opposes_the_sliding
 """

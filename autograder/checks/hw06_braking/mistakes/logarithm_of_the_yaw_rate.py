@@ -1,4 +1,4 @@
-"""By the logarithm of the yaw rate, which only a positive one has.
+"""The yaw rate comes from its logarithm, which only a positive one has.
 
 fails: small_yaw_rate_is_the_linear_solution
 """

@@ -1,4 +1,4 @@
-"""The rates are divided by friction: none without.
+"""The rates are divided by friction, which may be zero.
 
 fails: equations_without_friction_and_at_rest
 names: state_derivative raised ZeroDivisionError

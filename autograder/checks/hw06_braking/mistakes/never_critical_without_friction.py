@@ -1,4 +1,4 @@
-"""Without friction no critical speed, where it is zero.
+"""Without friction the critical speed should be zero, not infinite.
 
 fails: critical_speed_is_where_growth_begins
 """

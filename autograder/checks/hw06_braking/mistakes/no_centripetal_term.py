@@ -1,7 +1,7 @@
 """The term with the square of the yaw rate is missing from the speed's rate.
 
 fails: equations_of_motion, simulate_brakes
-also: the square of the yaw rate in the speed's rate with one sign, whichever axle is locked
+also: The square of the yaw rate has one sign in the speed's rate, whichever axle is locked
 """
 
 

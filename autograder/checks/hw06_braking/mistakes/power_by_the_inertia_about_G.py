@@ -1,4 +1,4 @@
-"""The inertia about G in friction's part, where that about the free axle belongs.
+"""Friction's part has the inertia about G where the inertia about the free axle belongs.
 
 fails: small_yaw_rate_is_the_linear_solution
 """

@@ -1,4 +1,4 @@
-"""No rates below a tenth of a millimetre a second, as if the car were at rest.
+"""The rates are zero below a tenth of a millimetre a second, as if the car were at rest.
 
 fails: equations_in_any_motion
 """

@@ -1,4 +1,4 @@
-"""No rates where np.allclose says that the car is at rest.
+"""The rates are zero where np.allclose says that the car is at rest.
 
 fails: equations_in_any_motion
 """

@@ -1,4 +1,4 @@
-"""The square of the yaw rate in the speed's rate with one sign, whichever axle is locked.
+"""The square of the yaw rate has one sign in the speed's rate, whichever axle is locked.
 
 fails: equations_of_motion, simulate_brakes
 """

@@ -1,4 +1,4 @@
-"""Eight Runge-Kutta steps from each time to the next, however far; stops in a way that is right.
+"""Eight Runge-Kutta steps go from each time to the next, however far.
 
 fails: simulate_needs_no_dense_times, simulate_comes_to_rest_and_stays
 numerics: steps that grow with the distance of the times

@@ -1,4 +1,4 @@
-"""The end of the integration, a time since t[0], compared with the times of the clock.
+"""The time of the stop counts from t[0], but is compared with the times in t.
 
 fails: simulate_brakes
 """

@@ -1,4 +1,4 @@
-"""A row for each number of the state.
+"""The rows and columns are exchanged: solve_ivp returns (5, n).
 
 fails: simulate_brakes
 names: not an array of shape (100, 5)

@@ -1,4 +1,4 @@
-"""The wheelbase where its square belongs.
+"""The wheelbase stands where its square belongs.
 
 fails: growth_rate_is_the_slope
 """

@@ -1,4 +1,4 @@
-"""Bar 2 drawn at th2 - th1; th2 is measured from straight down.
+"""Bar 2 is drawn at th2 - th1; th2 is measured from straight down.
 
 fails: wireframe_shows_the_bars, tip_path_is_drawn
 """

@@ -1,4 +1,4 @@
-"""l1^2 in the coupling, where l1 l2 belongs.
+"""The coupling has l1^2 where l1 l2 belongs.
 
 fails: mass_matrix_makes_the_kinetic_energy, energy_is_kinetic_and_potential, angular_momentum_is_about_the_ceiling
 """

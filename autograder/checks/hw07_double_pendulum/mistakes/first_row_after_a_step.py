@@ -1,4 +1,4 @@
-"""The state after a step for the start in the first row.
+"""Row 0 is the state after a step, not the start.
 
 fails: simulation_follows_the_equations
 """

@@ -1,4 +1,4 @@
-"""The frequencies come from K^-1 M, which there is not without gravity.
+"""The frequencies come from K^-1 M, which does not exist without gravity.
 
 fails: frequencies_in_special_cases
 names: raised ValueError for a random pendulum, no gravity

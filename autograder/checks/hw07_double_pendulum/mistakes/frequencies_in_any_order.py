@@ -1,4 +1,4 @@
-"""The frequencies in the order in which the eigenvalues of some matrix come.
+"""The frequencies are in the order in which the eigenvalues of some matrix come.
 
 fails: small_oscillations_have_two_frequencies
 names: not in ascending order

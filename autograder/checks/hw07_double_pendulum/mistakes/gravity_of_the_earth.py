@@ -1,4 +1,4 @@
-"""9.81 m/s^2 for whatever gravity is given.
+"""The gravity is 9.81 m/s^2, whatever is given.
 
 fails: free_bars_accelerate_as_lagranges
 """

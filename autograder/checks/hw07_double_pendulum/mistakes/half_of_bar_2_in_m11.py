@@ -1,4 +1,4 @@
-"""m2 l1^2/2 in M11, where m2 l1^2 belongs.
+"""M11 has m2 l1^2/2 where m2 l1^2 belongs.
 
 fails: mass_matrix_makes_the_kinetic_energy, energy_is_kinetic_and_potential, angular_momentum_is_about_the_ceiling
 """

@@ -1,4 +1,4 @@
-"""m1 l1^2/12 in M11, where m1 l1^2/3 belongs.
+"""M11 has m1 l1^2/12 where m1 l1^2/3 belongs.
 
 fails: mass_matrix_makes_the_kinetic_energy, energy_is_kinetic_and_potential, angular_momentum_is_about_the_ceiling
 """

@@ -1,4 +1,4 @@
-"""m2 l2^2/12 for M22, where m2 l2^2/3 belongs.
+"""M22 is m2 l2^2/12 where m2 l2^2/3 belongs.
 
 fails: mass_matrix_makes_the_kinetic_energy, energy_is_kinetic_and_potential, angular_momentum_is_about_the_ceiling
 """

@@ -1,4 +1,4 @@
-"""Point masses at the ends of the bars; here the bars are uniform.
+"""The masses are points at the ends of the bars; here the bars are uniform.
 
 fails: mass_matrix_makes_the_kinetic_energy, velocity_terms_are_centripetal, gravity_terms_are_moments_of_the_weights, accelerations_obey_the_equations, energy_is_kinetic_and_potential, angular_momentum_is_about_the_ceiling, simulation_follows_the_equations, small_oscillations_have_two_frequencies, tip_path_is_drawn
 """

@@ -1,4 +1,4 @@
-"""th2 taken as the relative angle, measured from bar 1; it is measured from straight down.
+"""th2 is measured from bar 1; it should be from straight down.
 
 fails: mass_matrix_makes_the_kinetic_energy, velocity_terms_are_centripetal, gravity_terms_are_moments_of_the_weights, accelerations_obey_the_equations, energy_is_kinetic_and_potential, angular_momentum_is_about_the_ceiling, simulation_follows_the_equations, wireframe_shows_the_bars, tip_path_is_drawn
 also: th2 is measured from bar 1, so that bar 2 is drawn at th1 + th2

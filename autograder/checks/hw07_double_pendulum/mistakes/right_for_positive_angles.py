@@ -1,4 +1,4 @@
-"""Moments that are never negative: the sign of the sine lost.
+"""The moments are never negative: the sine has lost its sign.
 
 fails: gravity_terms_are_moments_of_the_weights
 """

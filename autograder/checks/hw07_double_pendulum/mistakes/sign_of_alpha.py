@@ -1,4 +1,4 @@
-"""The sign reversed: M^-1 (f + g), where -M^-1 (f + g) belongs.
+"""The sign is reversed: M^-1 (f + g) stands where -M^-1 (f + g) belongs.
 
 fails: accelerations_obey_the_equations
 """

@@ -1,4 +1,4 @@
-"""om2 - om1 for the rate at which bar 2 turns.
+"""om2 - om1 stands for the rate at which bar 2 turns.
 
 fails: energy_is_kinetic_and_potential
 """

@@ -1,4 +1,4 @@
-"""m l^2/3 where m l^2/12 belongs.
+"""m l^2/3 stands where m l^2/12 belongs.
 
 fails: free_bars_accelerate_as_lagranges
 """

@@ -1,4 +1,4 @@
-"""The tip as seen from the elbow; both points of a bar are seen from the ceiling.
+"""The tip is measured from the elbow; it should be from the ceiling.
 
 fails: wireframe_shows_the_bars, tip_path_is_drawn
 """

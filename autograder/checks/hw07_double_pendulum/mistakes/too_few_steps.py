@@ -1,4 +1,4 @@
-"""Two steps of the classical Runge-Kutta method from row to row of a long motion.
+"""Two Runge-Kutta steps go from row to row of a long motion.
 
 fails: energy_is_conserved_from_horizontal
 names: do your steps depend on t

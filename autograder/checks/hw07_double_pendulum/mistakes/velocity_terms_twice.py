@@ -1,7 +1,7 @@
 """Every velocity term is twice what is right.
 
 fails: velocity_terms_are_centripetal
-also: point masses at the ends of the bars
+also: The masses are points at the ends of the bars
 """
 
 once = velocity_terms

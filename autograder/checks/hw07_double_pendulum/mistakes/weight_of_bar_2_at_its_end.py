@@ -1,4 +1,4 @@
-"""m2 g l2 in the second one, where m2 g l2/2 belongs.
+"""The second one has m2 g l2 where m2 g l2/2 belongs.
 
 fails: gravity_terms_are_moments_of_the_weights
 """

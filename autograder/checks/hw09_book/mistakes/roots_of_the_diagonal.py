@@ -1,4 +1,4 @@
-"""Near pi, the axis by square roots of the diagonal: a small component loses half of its digits.
+"""Near pi the axis comes from square roots of the diagonal: a small component loses half of its digits.
 
 fails: axes_with_small_components_keep_their_digits
 names: Only its small components are off

@@ -1,4 +1,4 @@
-"""A fixed number of steps, however long the motion is.
+"""The number of steps is fixed, however long the motion is.
 
 fails: invariants_stay_over_many_turns, special_bodies_move_too
 numerics: steps that grow with the duration

@@ -1,4 +1,4 @@
-"""The product of the lengths of H and omega: they have a scalar product.
+"""The product of the lengths of H and omega stands where their scalar product belongs.
 
 fails: energy_is_half_omega_h
 """

@@ -1,4 +1,4 @@
-"""Rotations that start with the identity, not with the given R.
+"""The rotations start with the identity, not with the given R.
 
 fails: attitude_follows_the_motion, rim_paths_are_drawn
 """

@@ -1,4 +1,4 @@
-"""R omega times A, B, C: the inertias belong to body axes.
+"""R omega is multiplied by A, B, C, which belong to body axes.
 
 fails: angular_momentum_is_in_space_axes
 """

@@ -1,4 +1,4 @@
-"""A and B that isclose takes for equal leave the third component of omega as it is.
+"""Where isclose(A, B) holds, the third component of omega stays as it is.
 
 fails: euler_equations_keep_the_angular_momentum
 names: for two inertias that are equal to five digits

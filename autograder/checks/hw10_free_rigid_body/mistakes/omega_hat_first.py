@@ -1,4 +1,4 @@
-"""omega-hat R for R omega-hat: omega is in body components.
+"""omega-hat R stands for R omega-hat, but omega is in body components.
 
 fails: attitude_follows_omega
 """

@@ -1,4 +1,4 @@
-"""The sign of the spin left in its square.
+"""The square of the spin has the sign of the spin.
 
 fails: small_deviations_grow_at_this_rate
 """

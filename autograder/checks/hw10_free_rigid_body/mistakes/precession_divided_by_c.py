@@ -1,4 +1,4 @@
-"""The rate (C - A)/C omega_3: A divides.
+"""The rate is (C - A)/C omega_3; it should be (C - A)/A omega_3.
 
 fails: symmetric_bodies_precess
 """

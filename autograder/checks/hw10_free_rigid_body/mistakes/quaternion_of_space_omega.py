@@ -1,4 +1,4 @@
-"""omega-hat R for R omega-hat, or omega q for q omega: omega is in body components.
+"""omega-hat R stands for R omega-hat, or omega q for q omega, but omega is in body components.
 
 fails: attitude_follows_the_motion, rim_paths_are_drawn
 """

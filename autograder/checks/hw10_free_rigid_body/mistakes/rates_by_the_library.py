@@ -1,4 +1,4 @@
-"""euler_rates_313 asks tam570.rotations.
+"""euler_rates_313 uses tam570.rotations.
 
 fails: euler_rates_make_omega
 names: what is off limits in it: tam570.rotations

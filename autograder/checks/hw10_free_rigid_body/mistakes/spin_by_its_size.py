@@ -1,4 +1,4 @@
-"""The spin not squared.
+"""The spin is not squared.
 
 fails: small_deviations_grow_at_this_rate
 """

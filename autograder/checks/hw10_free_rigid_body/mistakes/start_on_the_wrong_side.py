@@ -1,4 +1,4 @@
-"""The given R on the wrong side of the turn since then.
+"""The given R stands on the wrong side of the turn since then.
 
 fails: attitude_follows_the_motion, rim_paths_are_drawn
 """

@@ -1,4 +1,4 @@
-"""300 Runge-Kutta steps from time to time, however far apart.
+"""300 Runge-Kutta steps go from each time to the next, however far.
 
 fails: special_bodies_move_too
 numerics: steps that grow with the distance of the times

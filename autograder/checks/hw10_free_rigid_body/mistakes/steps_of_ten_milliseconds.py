@@ -1,4 +1,4 @@
-"""RK4 at steps of .01 s, whatever the spin.
+"""The steps have 0.01 s, whatever the spin.
 
 fails: special_bodies_move_too
 numerics: steps that fit slow turns

@@ -1,4 +1,4 @@
-"""A = B put into the third of Euler's equations: omega_3 stays.
+"""A = B is put into the third of Euler's equations: omega_3 stays.
 
 fails: euler_equations_keep_the_angular_momentum, omega_follows_elliptic_functions, attitude_follows_the_motion, rim_paths_are_drawn
 """

@@ -1,4 +1,4 @@
-"""The components of the acceleration along e1, e2, e3 brought to space by R, which rolls.
+"""The components of the acceleration along e1, e2, e3 are brought to space by R, which rolls.
 
 fails: contact_force_moves_the_centre
 """

@@ -1,7 +1,7 @@
-"""The angles wrapped to half a turn to either side.
+"""The angles are wrapped to half a turn to either side.
 
 fails: euler_simulation_follows_the_motion
-also: the angles wrapped to a turn from 0
+also: The angles are wrapped to a turn from 0
 """
 
 

@@ -2,7 +2,7 @@
 
 fails: euler_simulation_follows_the_motion
 names: never wrap angles
-also: the angles wrapped to a turn from 0
+also: The angles are wrapped to a turn from 0
 """
 
 

@@ -1,4 +1,4 @@
-"""The angles wrapped to a turn from 0.
+"""The angles are wrapped to a turn from 0.
 
 fails: euler_simulation_follows_the_motion
 """

@@ -1,4 +1,4 @@
-"""dR/dt of an omega in body axes, where it is in space axes.
+"""dR/dt treats omega as given in body axes; it is in space axes.
 
 fails: matrix_equations_hold, matrix_simulation_follows_the_motion
 """

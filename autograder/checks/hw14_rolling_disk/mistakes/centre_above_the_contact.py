@@ -1,4 +1,4 @@
-"""The centre straight above the contact.
+"""The centre is straight above the contact.
 
 fails: matrix_state_places_the_disk, wireframe_is_a_rolling_disk
 """

@@ -1,4 +1,4 @@
-"""The contact at rest (the point of the disk there is, the place is not).
+"""The contact is treated as at rest: the point of the disk there is, but the place moves.
 
 fails: euler_equations_hold, euler_simulation_follows_the_motion
 """

@@ -1,4 +1,4 @@
-"""The contact point taken as fixed in the body (its place in the disk changes as the disk rolls).
+"""The contact point is treated as fixed in the body, but its place in the disk changes.
 
 fails: euler_equations_hold, contact_force_moves_the_centre, euler_simulation_follows_the_motion
 """

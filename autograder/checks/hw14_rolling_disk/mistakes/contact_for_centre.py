@@ -1,4 +1,4 @@
-"""The contact for the centre.
+"""The contact stands for the centre.
 
 fails: matrix_state_places_the_disk, wireframe_is_a_rolling_disk
 """

@@ -1,6 +1,6 @@
-"""m a^2 missing: the force that moves the centre has a moment about it too.
+"""m a^2 is missing: the force that moves the centre has a moment about it too.
 
-also: m a^2 missing beside C
+also: m a^2 is missing beside C
 fails: euler_equations_hold, contact_force_moves_the_centre, euler_simulation_follows_the_motion
 """
 

@@ -1,4 +1,4 @@
-"""The contact moving as fast as the centre.
+"""The contact moves as fast as the centre.
 
 fails: euler_equations_hold, euler_simulation_follows_the_motion
 """

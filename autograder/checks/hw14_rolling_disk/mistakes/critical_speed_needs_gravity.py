@@ -1,4 +1,4 @@
-"""No critical speed without gravity: it is infinite.
+"""Without gravity the critical speed should be zero, not infinite.
 
 fails: critical_speed_parts_stable_from_unstable
 names: for a wheel without gravity

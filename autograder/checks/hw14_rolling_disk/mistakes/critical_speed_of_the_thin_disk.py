@@ -1,4 +1,4 @@
-"""The thin uniform disk's m a^2/4 and m a^2/2, whatever A and C.
+"""A and C are m a^2/4 and m a^2/2, as for a thin uniform disk, whatever is given.
 
 fails: critical_speed_parts_stable_from_unstable
 within: 1e-08

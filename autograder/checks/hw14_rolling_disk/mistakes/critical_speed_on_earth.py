@@ -1,4 +1,4 @@
-"""9.81 m/s^2, whatever the gravity.
+"""The gravity is 9.81 m/s^2, whatever is given.
 
 fails: critical_speed_parts_stable_from_unstable
 """

@@ -1,4 +1,4 @@
-"""m a^2 missing beside C.
+"""m a^2 is missing beside C.
 
 fails: critical_speed_parts_stable_from_unstable
 """

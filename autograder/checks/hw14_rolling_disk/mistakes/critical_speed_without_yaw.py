@@ -1,4 +1,4 @@
-"""A and C swapped.
+"""A and C are swapped.
 
 fails: critical_speed_parts_stable_from_unstable
 """

@@ -1,4 +1,4 @@
-"""The critical spin for the speed.
+"""This is the critical spin, not the speed.
 
 fails: critical_speed_parts_stable_from_unstable
 """

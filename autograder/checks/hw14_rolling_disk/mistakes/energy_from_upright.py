@@ -1,4 +1,4 @@
-"""The potential 0 where the disk is upright; it is 0 with the centre on the ground.
+"""The potential is 0 where the disk is upright; it should be 0 with the centre on the ground.
 
 fails: energy_is_kinetic_and_potential
 """

@@ -1,4 +1,4 @@
-"""m a^2 added to A for the rate along e2: the contact lies on e2.
+"""m a^2 is added to A for the rate along e2, but the contact lies on e2.
 
 fails: energy_is_kinetic_and_potential
 """

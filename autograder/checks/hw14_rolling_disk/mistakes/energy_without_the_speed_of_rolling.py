@@ -1,4 +1,4 @@
-"""The energy of the moving centre left out that comes from the spin.
+"""The energy of the centre's motion by the spin is left out.
 
 fails: energy_is_kinetic_and_potential
 """

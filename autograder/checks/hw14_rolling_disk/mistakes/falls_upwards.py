@@ -1,4 +1,4 @@
-"""The weight upwards.
+"""The weight points upwards.
 
 fails: euler_equations_hold, contact_force_moves_the_centre, euler_simulation_follows_the_motion
 """

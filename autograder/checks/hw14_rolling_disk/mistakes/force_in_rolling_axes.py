@@ -1,4 +1,4 @@
-"""The components along axes that roll with the disk.
+"""These are the components along axes that roll with the disk.
 
 fails: contact_force_moves_the_centre
 """

@@ -1,4 +1,4 @@
-"""The components along e1, e2, e3.
+"""These are the components along e1, e2, e3.
 
 fails: contact_force_moves_the_centre
 """

@@ -1,4 +1,4 @@
-"""The acceleration without the rate of e1, e2, e3, along which the velocity is taken.
+"""The acceleration lacks the rates of e1, e2, e3, along which the velocity is taken.
 
 fails: contact_force_moves_the_centre
 """

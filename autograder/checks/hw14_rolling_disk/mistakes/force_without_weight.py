@@ -1,4 +1,4 @@
-"""The weight left out.
+"""The weight is left out.
 
 fails: contact_force_moves_the_centre
 """

@@ -1,4 +1,4 @@
-"""9.81 m/s^2, whatever the gravity.
+"""The gravity is 9.81 m/s^2, whatever is given.
 
 fails: euler_equations_hold, contact_force_moves_the_centre, euler_simulation_follows_the_motion
 """

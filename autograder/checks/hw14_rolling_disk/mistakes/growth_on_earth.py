@@ -1,4 +1,4 @@
-"""9.81 m/s^2, whatever the gravity.
+"""The gravity is 9.81 m/s^2, whatever is given.
 
 fails: growth_rate_is_that_of_a_small_lean
 """

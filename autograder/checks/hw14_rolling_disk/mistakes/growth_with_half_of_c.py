@@ -1,4 +1,4 @@
-"""C/2 for A, as of a thin disk.
+"""C/2 stands for A, as for a thin disk.
 
 fails: growth_rate_is_that_of_a_small_lean
 within: 1e-08

@@ -1,4 +1,4 @@
-"""The sign turned round.
+"""The sign is reversed.
 
 fails: growth_rate_is_that_of_a_small_lean
 """

@@ -1,4 +1,4 @@
-"""The tolerances that solve_ivp has when none are given.
+"""This is solve_ivp at its default tolerances.
 
 fails: euler_simulation_follows_the_motion
 numerics: solve_ivp's own rtol of 1e-3

@@ -1,4 +1,4 @@
-"""simulate_matrix with the default tolerances of solve_ivp.
+"""simulate_matrix uses the default tolerances of solve_ivp.
 
 fails: matrix_simulation_follows_the_motion
 numerics: solve_ivp's own rtol of 1e-3

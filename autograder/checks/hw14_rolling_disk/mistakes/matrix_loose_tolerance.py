@@ -1,4 +1,4 @@
-"""simulate_matrix with tolerances of 1e-5.
+"""simulate_matrix uses tolerances of 1e-5.
 
 fails: matrix_simulation_follows_the_motion, both_simulations_agree
 numerics: tolerances of 1e-5

@@ -1,4 +1,4 @@
-"""The rate of the arm to the contact left out.
+"""The rate of the arm to the contact is left out.
 
 fails: multiplier_equations_hold
 """

@@ -1,4 +1,4 @@
-"""C/2 for A, as of a thin disk.
+"""C/2 stands for A, as for a thin disk.
 
 fails: multiplier_equations_hold
 """

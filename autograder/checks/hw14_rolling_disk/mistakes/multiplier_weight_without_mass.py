@@ -1,4 +1,4 @@
-"""The weight without the mass.
+"""The weight lacks the mass.
 
 fails: multiplier_equations_hold
 """

@@ -1,4 +1,4 @@
-"""Omega in body axes.
+"""omega is in body axes.
 
 fails: matrix_state_places_the_disk
 """

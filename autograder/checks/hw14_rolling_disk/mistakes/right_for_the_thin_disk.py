@@ -1,4 +1,4 @@
-"""The inertia of a thin uniform disk, whatever A and C.
+"""A and C belong to a thin uniform disk, whatever is given.
 
 fails: euler_equations_hold, contact_force_moves_the_centre, euler_simulation_follows_the_motion
 """

@@ -1,4 +1,4 @@
-"""roll' along z: it is along the axle.
+"""roll' is along z; it should be along the axle.
 
 fails: matrix_state_places_the_disk
 """

@@ -1,4 +1,4 @@
-"""R column by column, or transposed.
+"""R is given column by column, or transposed.
 
 fails: matrix_state_places_the_disk
 """

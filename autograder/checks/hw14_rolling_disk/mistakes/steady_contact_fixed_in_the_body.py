@@ -1,4 +1,4 @@
-"""The contact point taken as fixed in the body (its place in the disk changes as the disk rolls).
+"""The contact point is treated as fixed in the body, but its place in the disk changes.
 
 fails: steady_residual_is_the_tilt_acceleration
 within: 1e-10

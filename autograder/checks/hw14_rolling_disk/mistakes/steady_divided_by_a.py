@@ -1,4 +1,4 @@
-"""A moment divided by A alone: about the contact it is A + m a^2.
+"""A moment is divided by A alone: about the contact it is A + m a^2.
 
 fails: steady_residual_is_the_tilt_acceleration
 """

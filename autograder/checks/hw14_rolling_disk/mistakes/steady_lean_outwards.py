@@ -1,4 +1,4 @@
-"""The lean to the other side.
+"""The lean is to the other side.
 
 fails: steady_residual_is_the_tilt_acceleration
 """

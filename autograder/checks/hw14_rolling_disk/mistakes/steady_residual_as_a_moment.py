@@ -1,4 +1,4 @@
-"""A moment: it is not divided by the inertia about the contact.
+"""This is a moment: it is not divided by the inertia about the contact.
 
 fails: steady_residual_is_the_tilt_acceleration
 """

@@ -1,4 +1,4 @@
-"""roll' = spin + yaw' cos(tilt): the spin is roll' + yaw' cos(tilt).
+"""roll' is spin + yaw' cos(tilt); it should be spin - yaw' cos(tilt).
 
 fails: steady_residual_is_the_tilt_acceleration
 """

@@ -1,4 +1,4 @@
-"""The spin or the precession the other way.
+"""The spin or the precession goes the other way.
 
 fails: steady_residual_is_the_tilt_acceleration
 """

@@ -1,4 +1,4 @@
-"""Omega x H left out of the balance of angular momentum.
+"""omega x H is left out of the balance of angular momentum.
 
 fails: multiplier_equations_hold, matrix_equations_hold, matrix_simulation_follows_the_motion
 """

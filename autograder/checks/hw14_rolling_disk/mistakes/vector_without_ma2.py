@@ -1,4 +1,4 @@
-"""m a^2 missing: the force that moves the centre has a moment about it too.
+"""m a^2 is missing: the force that moves the centre has a moment about it too.
 
 fails: multiplier_equations_hold, matrix_equations_hold, matrix_simulation_follows_the_motion
 """

@@ -1,7 +1,7 @@
-"""Yaw and roll exchanged in R.
+"""Yaw and roll are exchanged in R.
 
 fails: matrix_state_places_the_disk, wireframe_is_a_rolling_disk
-also: yaw and roll exchanged
+also: yaw and roll are exchanged
 """
 
 _placed = matrix_state

@@ -1,4 +1,4 @@
-"""Yaw and roll exchanged in R.
+"""Yaw and roll are exchanged in R.
 
 fails: matrix_state_places_the_disk, wireframe_is_a_rolling_disk
 """
