@@ -149,7 +149,7 @@ def small_angles(draw):
     }
     calls = [given(*start, **known).on(kind) for kind, start in starts.items()]
     others = [calls[0].but(**{name: 1.4 * value}) for name, value in known.items()]
-    return calls + [other.on("a pendulum like one before but for its rod or gravity") for other in others]
+    return calls + [other.on("the pendulum before with another rod or gravity") for other in others]
 
 
 # Paths
@@ -166,7 +166,7 @@ def varied_paths(draw, amount):
     cases = []
     s = np.linspace(0, 1, 2001)
     changes = [np.sin(np.pi * s), np.sin(2 * np.pi * s) * np.exp(-s), s * (1 - s) * (2 + np.cos(5 * s))]
-    starts = (swing, "a true motion, swinging"), (turning, "a true motion, turning"), (swing, "another path")
+    starts = (swing, "a motion that swings"), (turning, "a motion that goes round"), (swing, "another path")
     for start, kind in starts:
         state, known = start(draw)
         t = s * 2 * np.pi * draw.uniform(1.2, 1.5) / rate_of(known)

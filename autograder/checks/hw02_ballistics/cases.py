@@ -183,7 +183,7 @@ def alike_landings(draw):
     """Launches that are like the first of them but for one parameter."""
     first = given(*launch(draw), **parameters(draw)).on(ANY)
     others = [first.but(**{name: 1.4 * value}) for name, value in first.kwargs.items()]
-    return [first, *(call.on("a launch like the one before but for one parameter") for call in others)]
+    return [first, *(call.on("the launch before with one parameter changed") for call in others)]
 
 
 # Speeds

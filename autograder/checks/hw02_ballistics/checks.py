@@ -70,7 +70,7 @@ RESULTS = {
     "flight_time": number.called("the flight time", "s"),
     "horizontal_range": number.called("the range", "m", of_range),
     "best_angle": number.called("the best angle", "rad", absolute),
-    "limit_shape": array(3, 2).called("a corner", "m v/c", absolute),
+    "limit_shape": array(3, 2).called("a corner", "of m v/c", absolute),
     "plot_comparison": drawing,
 }
 SIMULATION = {"within": SIMULATED, "restart": lambda row: (row, None)}

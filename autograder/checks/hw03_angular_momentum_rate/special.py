@@ -67,9 +67,9 @@ def flaws(definition, p, c):
     other = {"b": "c", "c": "b"}[definition]
     (size, holds, _), (_, other_holds, other_fails) = (violation(one, p, c) for one in (definition, other))
     if not holds:
-        swapped = f"They do not by definition {other}" if other_holds else ""
+        swapped = f"By definition {other} they are equal" if other_holds else ""
         hint = swapped or "Which product must vanish, and at every t? Multiply the polynomials out"
-        yield f"Rate and moment differ by {size:.1e} of their size", hint
+        yield f"Rate and moment differ by {size:.2g} of their size", hint
     if not other_fails:
         yield f"Definition {other} has rate = moment, too, along the motion", ""
 
@@ -79,7 +79,7 @@ def order_hint(definition, p, c):
 
     While P rests, definition b holds whatever C does: then only a highest coefficient of zero tells that they are.
     """
-    orders = {"Are P and C swapped? the motion of P comes first": (c, p)}
+    orders = {"Are P and C swapped? The motion of P comes first": (c, p)}
     if definition == "c" or np.any(p[:-1]) or not np.any(c[-1]):
         orders["The sum starts at j = 0: p[0] and c[0] are the positions at t = 0"] = (p[::-1], c[::-1])
     return next((says for says, pair in orders.items() if next(flaws(definition, *pair), None) is None), "")

@@ -28,7 +28,7 @@ ABOUT_REST = {
     "a general ellipse": [(2 * X, Y), (X, 2 * Y)],
     "a thin ellipse": [(C * X + 1e-2 * S * Y, 1e-2 * C * Y - S * X)],
     "an ellipse that is nearly a circle": [(1.003 * C * X + 0.997 * S * Y, 0.997 * C * Y - 1.003 * S * X)],
-    "radii of equal length, which are no axes": [(2 * X, math.sqrt(2) * (X + Y))],
+    "radii of equal length, not along the axes": [(2 * X, math.sqrt(2) * (X + Y))],
     "radii that are nearly axes": [(2 * X, 5e-4 * X + Y)],
 }
 PLAIN_VIEWS = {
@@ -36,12 +36,12 @@ PLAIN_VIEWS = {
     "along y": (math.pi / 2, 0.0),
     "along y, from behind": (-math.pi / 2, 0.0),
     "along x, from behind": (math.pi, 0.0),
-    "straight above": (0.0, math.pi / 2),
-    "straight below": (0.0, -math.pi / 2),
-    "straight above, turned": (1.0, math.pi / 2),
-    "above the x axis": (0.0, 1.0),
-    "the level of the origin": (1.0, 0.0),
-    "beyond straight above": (1.0, 2.0),
+    "from straight above": (0.0, math.pi / 2),
+    "from straight below": (0.0, -math.pi / 2),
+    "from straight above, turned": (1.0, math.pi / 2),
+    "from above the x axis": (0.0, 1.0),
+    "from the level of the origin": (1.0, 0.0),
+    "from beyond straight above": (1.0, 2.0),
 }
 
 
@@ -146,7 +146,7 @@ def orbits(draw):
         v *= rate_of(**case.kwargs) * np.linalg.norm(place) / np.linalg.norm(v)
         yield case.but(case.args[0], v)
     yield from [given(p - Z, v, **WHOLE).on(kind) for kind, starts in ABOUT_REST.items() for p, v in starts]
-    again = "an ellipse of a start as before, with another"
+    again = "the ellipse before with another"
     yield from [given(2 * X - Z, Y, **{**WHOLE, name: 2.0}).on(f"{again} {name}") for name in WHOLE]
 
 
@@ -167,7 +167,7 @@ def flat(draw):
 
 def views(draw):
     for kind, view in PLAIN_VIEWS.items():
-        yield from [given(points, *view).on(f"a view from {kind}") for points in (np.eye(3), draw.normal(size=(2, 3)))]
+        yield from [given(points, *view).on(f"a view {kind}") for points in (np.eye(3), draw.normal(size=(2, 3)))]
     for count in (1, 5, 30):
         points, view = draw.normal(size=(count, 3)), draw.uniform(-1, 1, 2) * (6, 1.5)
         yield given(points, *view).on("random points and directions")

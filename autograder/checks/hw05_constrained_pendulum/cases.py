@@ -88,7 +88,7 @@ def moved(draw, kind, turns, count, start, known, signs=(1,)):
     theta, omega = start
     state = on_circle(theta, omega * pace(known), known["length"])
     state[np.abs(state) < 1e-15 * np.abs(state).max()] = 0.0  # sin pi and cos pi/2
-    return given(t, state, **known).on(f"{kind}, times from {'below' if t[0] < 0 else 'above'} zero on")
+    return given(t, state, **known).on(f"{kind}, t[0] {'<' if t[0] < 0 else '>'} 0")
 
 
 def plain(draw, weight):
@@ -98,7 +98,7 @@ def plain(draw, weight):
         for count, sign in ((2, side), (3, -side)):
             known, turns = parameters(draw, **fixed), draw.uniform(0.3, 0.8)
             start = theta * sign, omega * sign
-            yield moved(draw, f"{kind}, {count} times", turns, count, start, known, (-1, 1))
+            yield moved(draw, f"{kind}, at {count} times", turns, count, start, known, (-1, 1))
 
 
 def swinging(draw, turns, count):
@@ -130,7 +130,7 @@ def long(draw):
     """
     start = draw.uniform((0.8, 0.2), (1.2, 0.4)) * draw.choice([-1, 1], 2)
     known = parameters(draw, gravity=draw.uniform(3, 6), length=draw.uniform(3, 6))
-    return [moved(draw, "100 s", 1, 2, start, known).but(np.linspace(0.0, 100.0, 60)).on("100 s")]
+    return [moved(draw, "100 s", 1, 2, start, known).but(np.linspace(0.0, 100.0, 60)).on("a motion of 100 s")]
 
 
 def at_the_top(draw):

@@ -93,11 +93,11 @@ def it_stays_on_the_circle(student, draw):
 def drift(off, out):
     """What leaves the circle, and what nothing takes back."""
     if np.abs(off).max() <= ROUNDED:
-        return {"of": "r . v = 0", "hint": "The place is put back onto the circle: is the velocity made tangent?"}
+        return {"of": "the constraint r . v = 0", "hint": "The place is put back: is the velocity made tangent?"}
     if np.abs(out).max() <= ROUNDED:
-        return {"of": "x^2 + y^2 = l^2", "hint": "The velocity is made tangent: is the place put back onto the circle?"}
+        return {"of": "the constraint x^2 + y^2 = l^2", "hint": "The velocity is made tangent: is the place put back?"}
     hint = "Neither place nor velocity is put back: what corrects the errors of the steps?"
-    return {"of": "x^2 + y^2 = l^2 or r . v = 0", "hint": hint}
+    return {"of": "the constraint x^2 + y^2 = l^2 or r . v = 0", "hint": hint}
 
 
 TIGHTEN, LOSSES = "Tighten rtol and atol: does it leave the circle between the samples?", {1e-3: 0.6, 1e-2: 0.3}

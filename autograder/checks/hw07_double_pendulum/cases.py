@@ -127,7 +127,7 @@ def motions(draw):
     for (kind, (theta, omega, fixed)), count in itertools.product(STARTS.items(), (2, 3)):
         known = pendulum(draw, **fixed)
         times = uneven(draw, draw.uniform(1.5, 2.5) * pace(known), count, draw.uniform(-3, 3))
-        yield given(times, np.array(theta), np.array(omega) / pace(known), **known).on(f"{kind}, {count} times")
+        yield given(times, np.array(theta), np.array(omega) / pace(known), **known).on(f"{kind}, at {count} times")
     yield from in_turn(draw, random.but(t[:4]))
 
 

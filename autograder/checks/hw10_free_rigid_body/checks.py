@@ -189,12 +189,12 @@ the_box_has_its_twelve_edges = law(
 def mistaken(fine, radius):
     """{what is drawn: its two paths}, of fine = radius * R along the motion."""
     paths = {
-        "They are seen along x": fine[:, 1:, 0],
-        "They are seen along y": fine[:, ::2, 0],
-        "They are those of the points (0, radius, 0) and (0, -radius, 0)": fine[:, :2, 1],
-        "They are those of the transposes of R": fine[:, 0, :2],
-        "They start with the identity, not with the given R": (fine[0].T @ fine)[:, :2, 0] / radius,
-        "They are those of a radius of 1 m": fine[:, :2, 0] / radius,
+        "The paths are seen along x": fine[:, 1:, 0],
+        "The paths are seen along y": fine[:, ::2, 0],
+        "These are the paths of (0, radius, 0) and (0, -radius, 0)": fine[:, :2, 1],
+        "These are the paths by the transposes of R": fine[:, 0, :2],
+        "The paths start with the identity, not with the given R": (fine[0].T @ fine)[:, :2, 0] / radius,
+        "These are the paths for a radius of 1 m": fine[:, :2, 0] / radius,
         "The label of x stands at the axis of y": fine[:, 1::-1, 0],
     }
     return {says: (path, -path) for says, path in paths.items()}

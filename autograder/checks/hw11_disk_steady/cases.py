@@ -17,7 +17,7 @@ STEEP_LEANS = 1.55, math.pi / 2 - 1e-4  # rad; at the second, rounding costs fou
 STEEP = "a disk that lies almost flat"
 LITTLE_GRAVITY = 1e-2  # m/s^2, of an asteroid: little, and not none
 LITTLE = "very little gravity"
-AGAIN = "the same arguments as before, but for those of the disk"
+AGAIN = "the arguments before with another disk or gravity"
 
 
 def a_disk(draw, kind):

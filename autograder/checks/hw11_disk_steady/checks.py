@@ -66,9 +66,9 @@ def wrong_force(case, found, expected):
     """Which part of the force is wrong, and where it comes from."""
     inward, normal = np.isclose(found, expected)
     if normal and not inward:
-        return "Only the inward force is: G moves on a circle; what is its radius, and G's speed?"
+        return "Only the inward force is wrong: G moves on a circle; what is its radius, and G's speed?"
     if inward and not normal:
-        return "Only the normal force is: how does the height of G change?"
+        return "Only the normal force is wrong: how does the height of G change?"
     return "The results are (inward, normal): F = m a of G, which moves on a circle."
 
 
@@ -133,7 +133,7 @@ contact_force_of_straight_rolling = contact_force_moves_the_centre.then(
 ).agrees(right.contact_force, cases.straight_rolling, within=WITHIN, hint="Nothing there goes round.")
 moment_residual_is_moment_minus_rate = law(
     "moment_residual: moment less rate of angular momentum about G, for any motion and force.", points=0.75, part="c"
-).agrees(right.moment_residual, cases.under_forces, within=WITHIN, hint="Which arm has the force, and what of H turns?")
+).agrees(right.moment_residual, cases.under_forces, within=WITHIN, hint="What is the force's arm, and what of H turns?")
 
 # (d) The shuddering coin
 

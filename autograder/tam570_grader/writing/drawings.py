@@ -96,7 +96,7 @@ def curves_seen(picture: Drawing, count: int) -> tuple[Line, ...]:
     if len(seen) < count and hidden:
         fail("a curve cannot be seen", hint=_unseen(hidden[0]))
     says = f"the number of curves on the axes is {len(seen)}, not {count}"
-    expect_that(len(seen) == count, says, hint="A curve needs ten points or more.")
+    expect_that(len(seen) == count, says, hint="A curve needs ten points or more.", kind=None)
     return seen
 
 
@@ -183,7 +183,7 @@ MISTAKEN_BOXES: dict[str, Callable[[Array, Array], Array]] = {
     "The edges are those of the transpose": lambda R, size: _edges(R.T, size),
     "The edges are those of a box twice that size": lambda R, size: _edges(R, 2 * size),
     "The edges are those of a box half that size": lambda R, size: _edges(R, size / 2),
-    "The edges are along x, y, z: it is the size that is turned": lambda R, size: _edges(np.eye(3), R @ size),
+    "The edges are along x, y, z: the size is turned, not the box": lambda R, size: _edges(np.eye(3), R @ size),
     "The edges are those of a box with a corner at the origin": lambda R, size: _edges(R, size) + R @ size / 2,
     "The edges are not turned": lambda R, size: _edges(np.eye(3), size),
 }
@@ -194,5 +194,5 @@ def _mistake(found: Array, R: Array, size: Array, within: float) -> str:
     near = within * max(size)
     known = [says for says, box in MISTAKEN_BOXES.items() if _mismatch(found, box(R, size)) < near]
     if not known and _astray(found, _edges(R, size)) < near:
-        return "All that there are are edges of the box: is one there twice, and another missing?"
+        return "Each drawn edge is an edge of the box: is one drawn twice, and another missing?"
     return known[0] if known else "Three edges meet at each of the eight corners; the centre is the origin"

@@ -41,7 +41,7 @@ def in_turn(draw: np.random.Generator, case: Given, **others: Any) -> list[Given
     for name, value in case.kwargs.items():
         if (other := others.get(name, _other(draw, value))) is not None:
             changed.append(case.but(**{name: other}))
-    return [again, *(one.on("the call before, but for one argument") for one in changed)]
+    return [again, *(one.on("the call before with one argument changed") for one in changed)]
 
 
 def _other(draw: np.random.Generator, value: Any) -> Any:

@@ -1,7 +1,7 @@
 """The motions of b and c are swapped.
 
 fails: special_motion_of_b, special_motion_of_c
-names: they do not by definition c
+names: by definition c they are equal
 """
 
 _right_motion = special_motion

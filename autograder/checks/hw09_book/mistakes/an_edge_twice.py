@@ -1,7 +1,7 @@
 """One edge is drawn twice, and another is missing.
 
 fails: the_book_has_its_twelve_edges
-names: is one there twice
+names: is one drawn twice
 """
 
 _right_edges = book_edges

@@ -1,7 +1,7 @@
 """The size is turned, and the box drawn along the axes.
 
 fails: the_book_has_its_twelve_edges
-names: it is the size that is turned
+names: the size is turned, not the box
 """
 
 _right_edges = book_edges

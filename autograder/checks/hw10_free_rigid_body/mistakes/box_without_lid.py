@@ -1,7 +1,7 @@
 """Four edges are drawn twice, and the lid's four are missing.
 
 fails: the_box_has_its_twelve_edges
-names: is one there twice
+names: is one drawn twice
 """
 
 _right_wireframe = wireframe

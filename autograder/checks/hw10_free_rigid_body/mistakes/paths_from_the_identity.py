@@ -1,7 +1,7 @@
 """The paths start as if R were the identity.
 
 fails: rim_paths_are_drawn
-names: they start with the identity
+names: the paths start with the identity
 """
 
 _plot = plot_rim_paths

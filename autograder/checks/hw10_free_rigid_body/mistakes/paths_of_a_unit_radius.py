@@ -1,7 +1,7 @@
 """The radius is left out of the paths.
 
 fails: rim_paths_are_drawn
-names: they are those of a radius of 1 m
+names: these are the paths for a radius of 1 m
 """
 
 _plot = plot_rim_paths

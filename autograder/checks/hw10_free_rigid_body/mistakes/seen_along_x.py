@@ -1,7 +1,7 @@
 """The paths are seen along space x.
 
 fails: rim_paths_are_drawn
-names: they are seen along x
+names: the paths are seen along x
 """
 
 
