@@ -133,7 +133,7 @@ def action_is_stationary_on_motions(student, draw):
 action_is_the_integral = action_is_stationary_on_motions.then(
     "action: the integral of T - V itself, to second order in the step.", points=0.5, part="a"
 ).agrees(right.action, cases.paths, cases.plain_paths, within=ACTION, hint="Half the step must quarter the error.")
-AT_ZERO = by_kind({"before with another": "Is anything kept between calls?"}, "Put t = 0 in. Is omega the rate of theta?")
+AT_ZERO = by_kind({"with another": "Is anything kept between calls?"}, "Put t = 0 in. Is omega the rate of theta?")
 small_angle_solution_is_harmonic = law(
     "small_angle_solution: theta and omega of theta'' + (g/l) theta = 0, from the state at t = 0.", points=0.5, part="a"
 ).agrees_by_columns(right.small_angle_solution, cases.small_angles, within=TRAJECTORY, hint=AT_ZERO)
