@@ -22,6 +22,11 @@ NAMELESS = "cannot tell the assignment: give it with --assignment"
 NOT_WORK = "neither a module (.py) nor a notebook (.ipynb): ask the student for one"
 OLDER, RELEASED = "older", "came with the assignment"  # why a file is left, where all is well
 OTHER = "another file counts: see which one, and name that after the assignment"
+STRAY = {
+    "canvas": "is not named as canvas names submissions",
+    "moodle": "is not named as moodle names submissions",
+    "gradescope": "is nobody's by submission_metadata.yml",
+}
 STRANGER = "is on no row of the roster"
 
 
@@ -60,7 +65,7 @@ def run(
     _write(rows, out)
     troubles = _newer_notebooks(rows, out)
     troubles += [_told(row) for row in rows if row.note and row.note not in (OLDER, RELEASED)]
-    troubles += [f"{stray.path} {stray.refused or f'is not named as {system} names submissions'}" for stray in strays]
+    troubles += [f"{stray.path} {stray.refused or STRAY[system]}" for stray in strays]
     troubles += [f"{row} {STRANGER}" for row in _strangers(rows, people)] if students else []
     for line in troubles:
         warn(line)

@@ -19,7 +19,8 @@ __all__ = ["READERS", "Handed", "named"]
 # of a file or folder; the first that fits counts, for a student may name what is behind it like anybody's
 NAMES = {
     "canvas": re.compile(
-        r"(?P<name>.+?)_(?P<late>LATE_)?(?P<user>[0-9]+)_(?P<attachment>[0-9]+)_(?P<file>.*[^\W\d_].*)",
+        r"(?P<name>.+?)_(?P<late>LATE_)?(?P<user>[0-9]+)_"
+        r"(?:(?P<attachment>[0-9]+)_(?P<file>.*[^\W\d_].*)|(?:text|link)\.html)",  # typed, or a link, on the page
         re.IGNORECASE | re.DOTALL,
     ),
     "moodle": re.compile(
@@ -53,9 +54,10 @@ def canvas(files: Iterable[File]) -> Iterator[Handed | File]:
         if not (found := named(file.path, "canvas")):
             yield file
             continue
-        again = AGAIN.search(found["file"])
-        order = int(found["attachment"]), int(again[1]) if again else 0
-        title = AGAIN.sub("", found["file"]) if file.path.endswith(found.string) else file.path.rsplit("/", 1)[-1]
+        own = found["file"] if found["file"] and file.path.endswith(found.string) else file.path.rsplit("/", 1)[-1]
+        again = AGAIN.search(own)
+        order = int(found["attachment"] or 0), int(again[1]) if again else 0
+        title = AGAIN.sub("", own)
         yield Handed((found["user"],), found["name"], file, title, "", bool(found["late"]), order)
 
 

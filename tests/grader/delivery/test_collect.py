@@ -113,6 +113,8 @@ def test_gradescope_by_its_metadata_groups_too(collect):
     [
         ("chency_19_9_work.py", "x", "--assignment"),
         ("chency_19_9_hw08.docx", "x", "neither a module"),
+        ("chency_19_text.html", "x", "of cchen is not collected: neither a module"),
+        ("chency_LATE_19_link.html", "x", "of cchen is not collected: neither a module"),
         ("what is this.py", "x", "is not named as canvas names submissions"),
         ("drop_77_9_hw08.py", "x", "77 (drop) is on no row of the roster"),
         ("chency_19_9_hw08.py", "x" * (LARGEST + 1), "larger than 10 MiB"),
@@ -265,7 +267,7 @@ def test_a_submission_of_nobody_is_named(collect):
     table = METADATA + "submission_3:\n  :created_at: 2026-02-03 10:00:00 -0600\n"
     files = {"submission_metadata.yml": table, "submission_1/hw08.py": "x", "submission_3/hw08.py": "y"}
     code, _, _, said = collect("gradescope", files)
-    assert code == 1 and "submission_3/hw08.py is not named as gradescope" in said
+    assert code == 1 and "submission_3/hw08.py is nobody's by submission_metadata.yml" in said
 
 
 # Names with anything in them
