@@ -4,7 +4,10 @@ import re
 
 __all__ = ["imported"]
 
-COMMON = ("matplotlib.pyplot", "scipy.integrate", "scipy.linalg", "scipy.optimize", "scipy.special", "sympy")
+COMMON = (
+    *("matplotlib.pyplot", "scipy.integrate", "scipy.linalg", "scipy.optimize", "scipy.special", "sympy"),
+    *("tam570.integrate", "tam570.rotations"),
+)
 
 
 def imported(text: bytes) -> frozenset[str]:
