@@ -14,7 +14,7 @@ from tam570_grader.errors import Over, printable
 from tam570_grader.sandbox.replies import error_of
 from tam570_grader.writing.assignments import Assignment
 
-__all__ = ["NotLoaded", "not_compiled", "not_imported", "python_class", "skipped_cells"]
+__all__ = ["NotLoaded", "not_compiled", "not_imported", "python_class", "skipped_cells", "started"]
 
 MOST_CELLS = 3  # of a notebook, that are named: which ones is the notebook's to choose
 LONGEST_WORD = 60
@@ -42,6 +42,11 @@ MESSAGES = [
         "attempted relative import with no known parent package",
     )
 ]
+# what the kernel says of threads, of processes, and of the semaphores between these: a file has its name behind it
+STARTING = re.compile(
+    r"can't start new thread|\[Errno 11\] Resource temporarily unavailable.*|\[Errno 30\] Read-only file system"
+)
+ALONE = "starts a thread or a process{}, which is off limits"
 FROM_FILE = re.compile(rf"(cannot import name '{WORD}' from '{WORD}') \(.*\)")  # the place is the worker's own
 SKIPPED = re.compile(r"cell ([1-9]\d{0,2}): (\w+)(?:: (.*))?", re.DOTALL)
 
@@ -70,7 +75,14 @@ def not_imported(reply: Any, text: bytes, assignment: Assignment, again: bool) -
     if "SystemExit" in error["kinds"]:
         return NotLoaded("crashed", "importing the file ends its process")
     line = error["line"] if error["line"] <= text.count(b"\n") + 1 else 0
+    if starting := started(error["text"], line):
+        return NotLoaded("unreadable", f"the file {starting}")
     return _unreadable({**error, "line": line}, _own_words(error["text"], text))
+
+
+def started(said: str, line: int = 0) -> str:
+    """What was done, where these words of an exception are the kernel's about threads and processes; else ""."""
+    return ALONE.format(_at(line)) if STARTING.fullmatch(said) else ""
 
 
 def python_class(error: dict[str, Any]) -> str:
@@ -85,14 +97,17 @@ def skipped_cells(told: Sequence[str], text: bytes) -> list[str]:
 
 
 def _skipped(match: re.Match[str], text: bytes) -> str:
-    words = _own_words(match[3] or "", text)
+    words = started((match[3] or "").strip()) or _own_words(match[3] or "", text)
     return f"cell {match[1]}: {match[2]}{': ' + words if words else ''}"
 
 
 def _unreadable(error: dict[str, Any], words: str) -> NotLoaded:
-    where = f" at line {error['line']}" if error["line"] > 0 else ""
-    says = ": ".join(filter(None, ("the file cannot be imported", python_class(error) + where, words)))
-    return NotLoaded("unreadable", says)
+    where = python_class(error) + _at(error["line"])
+    return NotLoaded("unreadable", ": ".join(filter(None, ("the file cannot be imported", where, words))))
+
+
+def _at(line: int) -> str:
+    return f" at line {line}" if line > 0 else ""
 
 
 def _is_python(kind: str) -> bool:

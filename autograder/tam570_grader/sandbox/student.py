@@ -10,7 +10,7 @@ import numpy as np
 
 from tam570_grader.errors import Over, printable
 from tam570_grader.sandbox.cell import PATIENCE, Cell, CellLost, CellTimeout
-from tam570_grader.sandbox.imports import NotLoaded, not_compiled, not_imported, python_class, skipped_cells
+from tam570_grader.sandbox.imports import NotLoaded, not_compiled, not_imported, python_class, skipped_cells, started
 from tam570_grader.sandbox.inside.wire import request
 from tam570_grader.sandbox.replies import checked, error_of, imported, strings
 from tam570_grader.sandbox.worker import Worker, WorkerLost
@@ -336,4 +336,4 @@ def _raised(name: str, error: dict[str, Any], assignment: Assignment) -> str:
         banned = [*assignment.off_limits.get(name, ()), *assignment.off_limits.get("*", ())]
         named = [one for one in banned if error["text"].startswith(f"{one} ")]  # the text is the submission's
         return f"{name} uses what is off limits in it: {' or '.join(named or banned)}"
-    return f"{name} raised {python_class(error)}"
+    return f"{name} {started(error['text']) or 'raised ' + python_class(error)}"

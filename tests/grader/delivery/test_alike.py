@@ -32,7 +32,8 @@ def renamed(text):
 
 
 def notebook(text):
-    cells = [{"cell_type": "code", "source": f"%matplotlib inline\n{text}\nskew?", "metadata": {}, "outputs": [], "execution_count": None}]
+    source = f"%matplotlib inline\n{text}\nskew?"
+    cells = [{"cell_type": "code", "source": source, "metadata": {}, "outputs": [], "execution_count": None}]
     return json.dumps({"cells": cells, "metadata": {}, "nbformat": 4, "nbformat_minor": 5})
 
 

@@ -56,6 +56,29 @@ def test_of_an_import_the_interpreters_own_words_are_told_about_words_of_the_fil
     assert grade(SLUG, text).message == f"the file cannot be imported: {says}"
 
 
+@pytest.mark.skipif(isolation() != "bubblewrap", reason="elsewhere they may be started")
+@pytest.mark.parametrize(
+    "starting",
+    [
+        "import threading\nthreading.Thread(target=print).start()",
+        "from concurrent.futures import *\nlist(ThreadPoolExecutor().map(abs, [1]))",
+        "import multiprocessing\nmultiprocessing.Pool(2)",
+        "import multiprocessing\nmultiprocessing.Process(target=print).start()",
+        "import subprocess\nsubprocess.run(['ls'])",
+        "import os\nos.fork()",
+    ],
+)
+def test_who_starts_a_thread_or_a_process_is_told_that_it_may_not(grade, run, tmp_path, solution_text, starting):
+    off_limits = "starts a thread or a process{}, which is off limits"
+    assert grade(SLUG, starting).message == f"the file {off_limits.format(' at line 2')}"
+    called = "\n    ".join(starting.replace("*", "ThreadPoolExecutor", 1).split("\n"))
+    said = [mark.message for mark in grade(SLUG, f"{solution_text(SLUG)}\ndef skew(v):\n    {called}").checks]
+    assert any(one.startswith(f"skew {off_limits.format('')}") for one in said), said
+    (tmp_path / "hw08.ipynb").write_text(notebook(solution_text(SLUG), starting))
+    (line,) = run(tmp_path / "hw08.ipynb")
+    assert line["score"] == 10.0 and off_limits.format("") in line["message"]
+
+
 def test_of_the_cells_that_were_skipped_three_are_named(run, tmp_path, solution_text):
     (tmp_path / "hw08.ipynb").write_text(notebook(solution_text(SLUG), *(f"x{i}" for i in range(9))))
     (line,) = run(tmp_path / "hw08.ipynb")
