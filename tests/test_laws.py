@@ -15,7 +15,7 @@ from tam570_grader.sandbox.student import Source, Student
 from tam570_grader.sandbox.worker import Allowance
 from tam570_grader.writing import assignments
 from tam570_grader.writing.expect import trial
-from tam570_grader.writing.mistakes import known, mistake
+from tam570_grader.writing.mistakes import known, mistake, mistakes
 from tam570_grader.writing.returns import Array, Drawing, Formula, Group
 
 COURSE = assignments.find()
@@ -138,7 +138,7 @@ def test_a_wrong_submission_fails_its_checks_and_no_other_whatever_the_draw(slug
     result = grade(slug, f"{solution_text(slug)}\n\n{slip.text}", seed=draw)
     assert outcomes(result, "failed") == slip.fails, failures(result)
     assert not outcomes(result, "grader_error"), failures(result)
-    found = diagnosis(result, slip.text)
+    found = diagnosis(result, slip.text, {one.says for one in mistakes(path.parent)})
     assert found.named or slip.unnamed, failures(result)
     assert not found.misled, failures(result)
     assert not any(mark.failure.fault for mark in result.checks if mark.failure), "a suspect raised"

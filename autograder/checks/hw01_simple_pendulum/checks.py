@@ -130,8 +130,11 @@ def action_is_stationary_on_motions(student, draw):
         expect((high - low) / (2 * SMALL), expected, within=VARIATION * size, **known)
 
 
-action_is_the_integral = action_is_stationary_on_motions.then(
-    "action: the integral of T - V itself, to second order in the step.", points=0.5, part="a"
+action_is_the_integral = law(
+    "action: the integral of T - V itself, to second order in the step.",
+    points=0.5,
+    part="a",
+    after=action_is_stationary_on_motions,
 ).agrees(right.action, cases.paths, cases.plain_paths, within=ACTION, hint="Half the step must quarter the error.")
 AT_ZERO = by_kind({"with another": "Is anything kept between calls?"}, "Put t = 0 in. Is omega the rate of theta?")
 small_angle_solution_is_harmonic = law(

@@ -92,8 +92,11 @@ def force_has_the_right_size(student, draw):
 
 
 TANGENT = "Dot it with the tangent (1, 2 c x): is that zero? Does the force act on the bead?"
-force_and_weight_make_the_acceleration = force_has_the_right_size.then(
-    "constraint_force: normal to the wire, and with the weight it is m a.", points=0.5, part="b"
+force_and_weight_make_the_acceleration = law(
+    "constraint_force: normal to the wire, and with the weight it is m a.",
+    points=0.5,
+    part="b",
+    after=force_has_the_right_size,
 ).agrees(right.constraint_force, cases.beads, cases.next_to_bottom, within=FORMULA, hint=TANGENT)
 BEADS = cases.beads, cases.next_to_bottom, cases.nearly_at_rest
 energy_is_kinetic_and_potential = law(

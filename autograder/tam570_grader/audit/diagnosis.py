@@ -6,21 +6,20 @@ in the solution, and once more in a right submission of another style: there its
 """
 
 import ast
-from collections.abc import Sequence
+from collections.abc import Container, Sequence
 from dataclasses import dataclass
 from itertools import cycle
 from pathlib import Path
 from typing import Any
 
-from tam570_grader.audit.mutate import reached
-from tam570_grader.audit.trials import Trial, progress, submissions, tried
+from tam570_grader.audit.gradings import Grading, progress, submissions, tried
 from tam570_grader.delivery.stubs import exported
 from tam570_grader.errors import UsageError
 from tam570_grader.grading.one import Result
 from tam570_grader.grading.processes import Crew, in_order
 from tam570_grader.writing import assignments
-from tam570_grader.writing.general import is_general
-from tam570_grader.writing.mistakes import header
+from tam570_grader.writing.mistakes import header, mistakes
+from tam570_grader.writing.slips import reached
 
 __all__ = ["ENOUGH", "Diagnosis", "as_json", "diagnoses", "diagnosis", "report"]
 
@@ -46,14 +45,7 @@ class Diagnosis:
     named: bool
     suspects: tuple[str, ...]
     messages: tuple[str, ...]
-
-    @property
-    def misled(self) -> bool:
-        """A known mistake was named that is not what the header says.
-
-        What is found by trying is no name: it says what the numbers are, which a mistake may well make.
-        """
-        return any(not _in(says, self.expected) for says in self.suspects if not is_general(says))
+    misled: bool  # a known mistake was named that is not what the header says
 
 
 def diagnoses(course: Path, slug: str, crew: Crew, quick: bool) -> list[Diagnosis]:
@@ -66,11 +58,12 @@ def diagnoses(course: Path, slug: str, crew: Crew, quick: bool) -> list[Diagnosi
         )
     wrong = dict(list(wrong.items())[:: max(1, len(wrong) // QUICK)]) if quick else wrong
     styles = submissions(course, slug, "alternatives")
-    tasks = [Trial(course, slug, name, f"{solution}\n\n{text}", SEED, naming=True) for name, text in wrong.items()]
+    tasks = [Grading(course, slug, name, f"{solution}\n\n{text}", SEED, naming=True) for name, text in wrong.items()]
     for (name, text), (style, other) in zip(wrong.items(), cycle(styles.items())):
-        tasks.append(Trial(course, slug, f"{name}{ON}{style}", other + _taken(solution, text), SEED, naming=True))
+        tasks.append(Grading(course, slug, f"{name}{ON}{style}", other + _taken(solution, text), SEED, naming=True))
     results = progress(in_order(crew, tried, tasks), len(tasks), "submission")
-    found = [diagnosis(result, wrong[result.student.partition(ON)[0]]) for result in results]
+    known = {one.says for one in mistakes(assignments.checks_folder(course, slug) / "mistakes")}
+    found = [diagnosis(result, wrong[result.student.partition(ON)[0]], known) for result in results]
     return [one for one in found if one.messages or ON not in one.name]  # another style may not call what is wrong
 
 
@@ -82,8 +75,11 @@ def _taken(solution: str, slip: str) -> str:
     return TAKEN.format(text=f"{solution}\n\n{slip}", names=wrong)
 
 
-def diagnosis(result: Result, text: str) -> Diagnosis:
-    """What the feedback of a wrong submission says, beside what its text says that it must."""
+def diagnosis(result: Result, text: str, known: Container[str]) -> Diagnosis:
+    """What the feedback of a wrong submission says, beside what its text says that it must.
+
+    known : what known mistakes say; what is found by trying says what the numbers are, and misleads nobody
+    """
     own, says = header(text)
     failed = [mark for mark in result.checks if mark.outcome == "failed"]
     suspects = tuple(mark.suspect for mark in failed if mark.suspect)
@@ -92,7 +88,8 @@ def diagnosis(result: Result, text: str) -> Diagnosis:
     expected = " | ".join(filter(None, ["" if fragment else own, says.get("also", "")]))
     by_suspect = any(_in(one, expected) for one in suspects)
     by_message = any(_in(one, fragment) for one in messages)
-    return Diagnosis(result.student, expected, by_suspect or by_message, suspects, messages)
+    misled = any(one in known and not _in(one, expected) for one in suspects)
+    return Diagnosis(result.student, expected, by_suspect or by_message, suspects, messages, misled)
 
 
 def _in(says: str, expected: str) -> bool:

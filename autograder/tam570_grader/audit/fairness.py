@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from tam570_grader.audit.trials import Trial, progress, submissions, tried
+from tam570_grader.audit.gradings import Grading, progress, submissions, tried
 from tam570_grader.errors import UsageError, writing
 from tam570_grader.grading.processes import Crew, in_order
 from tam570_grader.writing import assignments
@@ -60,7 +60,7 @@ def fair(course: Path, slug: str, seeds: int, crew: Crew, keep: Path | None = No
 def _graded(group: Class) -> list[Line]:
     lines = []
     for name, text in group.texts.items():
-        result = tried(Trial(group.course, group.slug, name, text, group.seed))
+        result = tried(Grading(group.course, group.slug, name, text, group.seed))
         fails = [[mark.name, mark.message] for mark in result.checks if mark.outcome != "passed"]
         lines.append(
             {

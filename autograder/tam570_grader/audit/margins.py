@@ -11,11 +11,12 @@ from typing import Any
 
 import numpy as np
 
-from tam570_grader.audit.mutation import calls_of_checks, reached
-from tam570_grader.audit.trials import Trial, progress, submissions, tried
+from tam570_grader.audit.gradings import Grading, progress, submissions, tried
+from tam570_grader.audit.mutation import calls_of_checks
 from tam570_grader.grading.processes import Crew, in_order
 from tam570_grader.writing import assignments
 from tam570_grader.writing.mistakes import header
+from tam570_grader.writing.slips import reached
 
 __all__ = ["ENOUGH", "Margin", "as_json", "faults", "margin", "margins", "report"]
 
@@ -51,17 +52,17 @@ class Margin:
         return self.careful * ENOUGH > 1 or (self.physics is not None and self.physics[1] < ENOUGH)
 
 
-def _errors(trial: Trial) -> dict[str, float]:
-    """The largest error over its limit of each check of a trial, run one by one; infinite if it fails otherwise."""
-    assert trial.checks is not None
-    found = {check: _largest(replace(trial, checks=frozenset({check}))) for check in sorted(trial.checks)}
+def _errors(grading: Grading) -> dict[str, float]:
+    """The largest error over its limit of each check of a grading, run one by one; infinite if it fails otherwise."""
+    assert grading.checks is not None
+    found = {check: _largest(replace(grading, checks=frozenset({check}))) for check in sorted(grading.checks)}
     return {check: error for check, error in found.items() if error is not None}
 
 
-def _largest(trial: Trial) -> float | None:
-    """The largest error over its limit of a trial of one check; None if it passes without a comparison."""
+def _largest(grading: Grading) -> float | None:
+    """The largest error over its limit of a grading of one check; None if it passes without a comparison."""
     found: list[float] = []
-    result = tried(trial, lambda _, error: found.append(error))
+    result = tried(grading, lambda _, error: found.append(error))
     largest = max(found, default=0.0)
     passed = all(mark.outcome == "passed" for mark in result.checks)
     if not found and passed:
@@ -79,13 +80,13 @@ def margins(course: Path, slug: str, seeds: int, crew: Crew) -> list[Margin]:
     sources = [(method, _careful(text, method), checks) for method in METHODS]
     sources += [(name, f"{text}\n\n{slip}", checks & _not_passed(course, slug, slip)) for name, slip in wrong.items()]
     tasks = [
-        Trial(course, slug, name, source, seed, checks=asked)
+        Grading(course, slug, name, source, seed, checks=asked)
         for name, source, asked in sources
         if asked
         for seed in range(FIRST_SEED, FIRST_SEED + seeds)
     ]
     errors = progress(in_order(crew, _errors, tasks), len(tasks), "grading")
-    found = [(trial.name, one) for trial, one in zip(tasks, errors, strict=True)]
+    found = [(grading.name, one) for grading, one in zip(tasks, errors, strict=True)]
     order = [check.name for check in assignments.assignment(course, slug).checks]
     return [one for check in order if (one := margin(check, found, wrong))]
 

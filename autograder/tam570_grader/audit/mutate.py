@@ -1,51 +1,13 @@
-"""Wrong solutions by the dozen: one physics-minded slip in the syntax tree of a reference solution each.
-
-The operators are the mistakes that people make with formulas: a sign, a factor of two, a term dropped or counted
-twice, sine for cosine, swapped arguments or indices, another exponent, a transposed product, a missing copy, the
-wrong branch at the special case.
-"""
+"""Wrong solutions by the dozen: one physics-minded slip in the syntax tree of a reference solution each."""
 
 import ast
 import collections
-import copy
 import hashlib
-from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from functools import partial
-from typing import TypeVar
 
-__all__ = ["Mutant", "Slip", "mutants", "reached", "slips"]
+from tam570_grader.writing.slips import made, replaced
 
-COUNTERPARTS = {
-    "sin": "cos",
-    "cos": "sin",
-    "sinh": "cosh",
-    "cosh": "sinh",
-    "tan": "sin",
-    "exp": "expm1",
-    "arctan2": "arcsin",
-    "min": "max",
-    "max": "min",
-    "minimum": "maximum",
-    "maximum": "minimum",
-}
-OPPOSITES: dict[type[ast.AST], type[ast.AST]] = {
-    ast.Add: ast.Sub,
-    ast.Sub: ast.Add,
-    ast.Mult: ast.Div,
-    ast.Div: ast.Mult,
-    ast.Lt: ast.LtE,
-    ast.LtE: ast.Lt,
-    ast.Gt: ast.GtE,
-    ast.GtE: ast.Gt,
-    ast.Eq: ast.NotEq,
-    ast.NotEq: ast.Eq,
-    ast.And: ast.Or,
-    ast.Or: ast.And,
-}
-Node = TypeVar("Node", bound=ast.AST)
-Operator = Callable[[ast.expr], Iterator[ast.expr]]
-SYMMETRIC = {"dot", "hypot", "max", "maximum", "min", "minimum", "multiply"}  # functions of two arguments
+__all__ = ["Mutant", "mutants"]
 
 
 @dataclass(frozen=True)
@@ -74,213 +36,16 @@ class Mutant:
         return f"{self.slug[:4]}.{self.function}.{hashlib.sha256(self.slip.encode()).hexdigest()[:8]}"
 
 
-@dataclass(frozen=True)
-class Slip:
-    """One slip in a function: what it is, the expressions before and after, and the function's text with it."""
-
-    operator: str
-    was: ast.expr
-    now: ast.expr
-    text: str
-
-
-def slips(source: str) -> dict[str, list[Slip]]:
-    """The slips in each function of a module."""
-    lines, found = source.splitlines(keepends=True), dict[str, list[Slip]]()
-    for function in (node for node in ast.parse(source).body if isinstance(node, ast.FunctionDef)):
-        before = function.lineno - 1
-        own = "\n" * before + "".join(lines[before : function.end_lineno])  # so that the lines keep their numbers
-        found[function.name] = [
-            Slip(operator, node, slip, _replaced(own, node, ast.unparse(slip)))
-            for node, operator, slip in _slips(function)
-        ]
-    return found
-
-
 def mutants(slug: str, source: str) -> list[Mutant]:
     """All mutants of a solution's source, in the order of the source."""
     found: dict[str, Mutant] = {}
     for function in (node for node in ast.parse(source).body if isinstance(node, ast.FunctionDef)):
         count: collections.Counter[tuple[str, str]] = collections.Counter()
-        for node, operator, slip in _slips(function):
+        for node, operator, slip in made(function):
             was, now = ast.unparse(node), ast.unparse(slip)
-            if was == now or (text := _replaced(source, node, now)) in found:
+            if was == now or (text := replaced(source, node, now)) in found:
                 continue
             count[was, now] += 1
             lines = (whole.splitlines()[node.lineno - 1] for whole in (source, text))
             found[text] = Mutant(slug, function.name, operator, node.lineno, was, now, count[was, now], text, *lines)
     return list(found.values())
-
-
-def reached(text: str) -> dict[str, set[str]]:
-    """For each function of a module those that it may come to call, itself among them."""
-    body = ast.parse(text).body
-    named = {node.name: _names_in(node) for node in body if isinstance(node, ast.FunctionDef)}
-    always = {
-        name for node in body if not isinstance(node, ast.FunctionDef) for name in _names_in(node) if name in named
-    }  # what runs at import
-    within = {name: {name, *(names & named.keys()), *always} for name, names in named.items()}
-    while True:
-        wider = {name: set().union(*(within[one] for one in reach)) for name, reach in within.items()}
-        if wider == within:
-            return within
-        within = wider
-
-
-def _names_in(node: ast.AST) -> set[str]:
-    return {one.id for one in ast.walk(node) if isinstance(one, ast.Name)}
-
-
-def _replaced(source: str, node: ast.expr, text: str) -> str:
-    """The source with other text in the place of an expression."""
-    lines = source.encode().splitlines(keepends=True)
-    assert node.end_lineno is not None and node.end_col_offset is not None
-    start = sum(map(len, lines[: node.lineno - 1])) + node.col_offset
-    end = sum(map(len, lines[: node.end_lineno - 1])) + node.end_col_offset
-    whole = b"".join(lines)
-    return (whole[:start] + f"({text})".encode() + whole[end:]).decode()
-
-
-def _slips(function: ast.FunctionDef) -> Iterator[tuple[ast.expr, str, ast.expr]]:
-    """Every expression of a body, and what an operator makes of it; messages and tolerances are no physics."""
-    spared = {id(inner) for node in ast.walk(function) if _is_spared(node) for inner in ast.walk(node)}
-    inputs = {argument.arg for argument in (*function.args.args, *function.args.kwonlyargs)}
-    operators: dict[str, Operator] = {**OPERATORS, "a missing copy": partial(_copies, inputs=inputs)}
-    for statement in function.body:
-        for node in ast.walk(statement):
-            if isinstance(node, ast.If):
-                yield from ((node.test, "a branch", ast.Constant(always)) for always in (True, False))
-            if isinstance(node, ast.expr) and id(node) not in spared:
-                for name, operator in operators.items():
-                    for slip in operator(node):
-                        yield node, name, slip
-
-
-def _is_spared(node: ast.AST) -> bool:
-    return isinstance(node, ast.Raise) or (isinstance(node, ast.keyword) and node.arg == "rtol")
-
-
-def _signs(node: ast.expr) -> Iterator[ast.expr]:
-    if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub | ast.Not):
-        yield node.operand
-
-
-def _operations(node: ast.expr) -> Iterator[ast.expr]:
-    """a + b becomes a - b, a, b and a + 2 b; a * b becomes a / b; A @ B becomes B @ A and A.T @ B."""
-    if not isinstance(node, ast.BinOp):
-        return
-    if type(node.op) in OPPOSITES:
-        yield _with(node, op=OPPOSITES[type(node.op)]())
-    if isinstance(node.op, ast.Add | ast.Sub):
-        yield from (node.left, node.right, _with(node, right=_times(2, node.right)))
-    if isinstance(node.op, ast.MatMult):
-        yield _with(node, left=node.right, right=node.left)
-        yield _with(node, left=ast.Attribute(node.left, "T", ast.Load()))
-
-
-def _exponents(node: ast.expr) -> Iterator[ast.expr]:
-    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Pow) and isinstance(node.right, ast.Constant):
-        yield _with(node, right=ast.Constant(_number(node.right) + 1))
-        yield _with(node, right=ast.Constant(_number(node.right) - 1))
-
-
-def _factors(node: ast.expr) -> Iterator[ast.expr]:
-    """A number becomes twice and half of itself."""
-    if (
-        isinstance(node, ast.Constant)
-        and isinstance(node.value, int | float)
-        and not isinstance(node.value, bool)
-        and node.value
-    ):
-        yield ast.Constant(2 * node.value)
-        if isinstance(node.value, float):
-            yield ast.Constant(node.value / 2)
-
-
-def _counterparts(node: ast.expr) -> Iterator[ast.expr]:
-    """sin becomes cos, and so on."""
-    if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr in COUNTERPARTS:
-        yield _with(node, func=_with(node.func, attr=COUNTERPARTS[node.func.attr]))
-
-
-def _copies(node: ast.expr, inputs: set[str]) -> Iterator[ast.expr]:
-    """A copy of an input becomes the input."""
-    if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
-        if node.func.attr == "array" and len(node.args) == 1 and getattr(node.args[0], "id", None) in inputs:
-            yield node.args[0]
-        if node.func.attr == "copy" and not node.args:
-            yield node.func.value
-
-
-def _arguments(node: ast.expr) -> Iterator[ast.expr]:
-    """Neighbouring arguments, or parts of a tuple, change places."""
-    if isinstance(node, ast.Call) and _name_of(node.func) in SYMMETRIC:
-        return
-    for field in ("args", "elts"):
-        parts = getattr(node, field, [])
-        if isinstance(node, ast.Lambda) or any(isinstance(part, ast.Slice) for part in parts):
-            continue  # A[:, 1] is no tuple
-        if isinstance(node, ast.Call | ast.Tuple | ast.List) and isinstance(getattr(node, "ctx", ast.Load()), ast.Load):
-            for i in range(len(parts) - 1):
-                if not _equal(parts[i], parts[i + 1]):
-                    yield _with(node, **{field: [*parts[:i], parts[i + 1], parts[i], *parts[i + 2 :]]})
-
-
-def _equal(one: ast.expr, other: ast.expr) -> bool:
-    return isinstance(one, ast.Constant) and isinstance(other, ast.Constant) and one.value == other.value
-
-
-def _indices(node: ast.expr) -> Iterator[ast.expr]:
-    if isinstance(node, ast.Subscript) and isinstance(node.slice, ast.Constant) and isinstance(node.ctx, ast.Load):
-        index = node.slice.value
-        if isinstance(index, int):
-            yield _with(node, slice=ast.Constant(index - 1 if index else 1))
-
-
-def _transposes(node: ast.expr) -> Iterator[ast.expr]:
-    if isinstance(node, ast.Attribute) and node.attr == "T":
-        yield node.value
-
-
-def _conditions(node: ast.expr) -> Iterator[ast.expr]:
-    """< becomes <=, and becomes or; a choice takes the other branch always."""
-    if isinstance(node, ast.Compare) and len(node.ops) == 1 and type(node.ops[0]) in OPPOSITES:
-        yield _with(node, ops=[OPPOSITES[type(node.ops[0])]()])
-    if isinstance(node, ast.BoolOp):
-        yield _with(node, op=OPPOSITES[type(node.op)]())
-    if isinstance(node, ast.IfExp):
-        yield from (node.body, node.orelse)
-
-
-OPERATORS: dict[str, Operator] = {
-    "a sign": _signs,
-    "a term or product": _operations,
-    "an exponent": _exponents,
-    "a factor": _factors,
-    "another function": _counterparts,
-    "swapped arguments": _arguments,
-    "an index": _indices,
-    "a transpose": _transposes,
-    "a condition": _conditions,
-}
-
-
-def _with(node: Node, **fields: object) -> Node:
-    """A copy of the node, but for these fields."""
-    changed = copy.copy(node)
-    for name, value in fields.items():
-        setattr(changed, name, value)
-    return changed
-
-
-def _times(number: int, node: ast.expr) -> ast.expr:
-    return ast.BinOp(ast.Constant(number), ast.Mult(), node)
-
-
-def _name_of(function: ast.expr) -> str:
-    return getattr(function, "attr", getattr(function, "id", ""))
-
-
-def _number(node: ast.Constant) -> float:
-    assert isinstance(node.value, int | float)
-    return node.value

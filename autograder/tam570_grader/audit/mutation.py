@@ -9,16 +9,17 @@ from pathlib import Path
 from typing import Any
 
 from tam570_grader.audit.equivalents import Slip, entry, equivalents, idle
-from tam570_grader.audit.mutate import Mutant, mutants, reached
-from tam570_grader.audit.trials import Trial, progress, tried
+from tam570_grader.audit.gradings import Grading, progress, tried
+from tam570_grader.audit.mutate import Mutant, mutants
 from tam570_grader.grading.one import Result, generator
 from tam570_grader.grading.processes import Crew, in_order
 from tam570_grader.sandbox.student import Source, Student
 from tam570_grader.sandbox.worker import Allowance, Worker
 from tam570_grader.writing import assignments
 from tam570_grader.writing.check import Given
+from tam570_grader.writing.slips import reached
 
-__all__ = ["Fates", "calls_of_checks", "fates", "reached", "report"]
+__all__ = ["Fates", "calls_of_checks", "fates", "report"]
 
 SEED = 570
 QUICK = 10  # mutants of an assignment in the quick form
@@ -62,11 +63,11 @@ def fates(course: Path, slug: str, crew: Crew, quick: bool, functions: Sequence[
     calls, longest = calls_of_checks(course, slug, text)
     call = max(SHORTEST, SLOWER * longest)
     # a second failure tells that the first check is not needed
-    trial = partial(Trial, course, slug, seed=SEED, allowance=Allowance(cpu=CALLS * call, call=call), enough=2)
+    grading = partial(Grading, course, slug, seed=SEED, allowance=Allowance(cpu=CALLS * call, call=call), enough=2)
     within = reached(text)
-    tasks = [trial(mutant.name, mutant.text, checks=_concerned(calls, within, mutant.function)) for mutant in chosen]
+    tasks = [grading(mutant.name, mutant.text, checks=_concerned(calls, within, mutant.function)) for mutant in chosen]
     tasks += [
-        trial(f"{mutant.name} alone", alone(text, mutant, calls), checks=_calling(calls, mutant.function))
+        grading(f"{mutant.name} alone", alone(text, mutant, calls), checks=_calling(calls, mutant.function))
         for mutant in chosen
         if _is_shared(mutant.function, calls, within)
     ]

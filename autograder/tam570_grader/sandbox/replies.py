@@ -1,4 +1,4 @@
-"""What goes to a submission and what comes back: arguments as sent, and replies, of which nothing is trusted.
+"""What comes back from a submission: replies, of which nothing is trusted.
 
     reply    {"value": ..., "changed": bool} or {"error": {"kinds": [...], "text": ..., "line": ...}}
 
@@ -14,10 +14,9 @@ import numpy as np
 from tam570_grader.errors import printable
 from tam570_grader.sandbox.cell import CellLost
 from tam570_grader.sandbox.inside.wire import DEEPEST, Foreign
-from tam570_grader.writing.check import Given
 from tam570_grader.writing.returns import Drawing, Line
 
-__all__ = ["checked", "error_of", "imported", "sent", "strings"]
+__all__ = ["checked", "error_of", "imported", "strings"]
 
 Reply = dict[str, Any]
 
@@ -136,21 +135,3 @@ def _label(value: Reply, key: str) -> str:
 
 
 FORMS = {"value": _numbers, "formula": _values, "drawing": _drawing}
-
-
-def sent(call: Given) -> list[Any]:
-    """The arguments of a call as they are sent."""
-    return [[_argument(value) for value in call.args], {key: _argument(value) for key, value in call.kwargs.items()}]
-
-
-def _argument(value: Any) -> Any:
-    """An argument as it is sent: any sequence of numbers is a float64 array, as the contract promises."""
-    if isinstance(value, np.generic):
-        return value.item()
-    if isinstance(value, np.ndarray):
-        return value.astype(float)
-    if isinstance(value, list | tuple) and value:
-        if all(isinstance(item, int | float | np.number) for item in value):
-            return np.array(value, float)
-        return [_argument(item) for item in value]
-    return list(value) if isinstance(value, tuple) else value

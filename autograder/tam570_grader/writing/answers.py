@@ -10,6 +10,7 @@ import os
 import sys
 import time
 from collections.abc import Callable, Iterator
+from contextvars import ContextVar
 from pathlib import Path
 from typing import Any
 
@@ -24,7 +25,7 @@ MOST_KNOWN = 3000  # answers; with inputs of its own for each student a run make
 DEAR = 0.05  # s of processor time, from which an answer is shared
 
 _known = Memory(MOST_KNOWN)
-_place = dict[str, Path]()  # the folder, while there is one
+_place: ContextVar[Path | None] = ContextVar("place", default=None)  # the folder, while there is one
 _dear = set[str]()  # functions that have given a dear answer here; of the others nobody is asked
 
 
@@ -41,12 +42,11 @@ def answer(right: Callable[..., Any], case: Given) -> Any:
 @contextlib.contextmanager
 def sharing(folder: Path | None) -> Iterator[None]:
     """Share what is dear with the processes that name the same folder, which must be ours alone."""
-    if folder:
-        _place["folder"] = folder
+    token = _place.set(folder)
     try:
         yield
     finally:
-        _place.clear()
+        _place.reset(token)
 
 
 def shared(function: str, name: str, inputs: bytes, compute: Callable[[], Any]) -> Any:
@@ -55,7 +55,7 @@ def shared(function: str, name: str, inputs: bytes, compute: Callable[[], Any]) 
     function : whose other answers are likely to be as dear
     name     : tells the computation from all others; "" where that cannot be
     """
-    folder = _place.get("folder")
+    folder = _place.get()
     if not name or not folder:
         return compute()
     digest = hashlib.sha256(name.encode() + b"\0" + inputs).hexdigest()

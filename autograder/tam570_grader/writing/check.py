@@ -16,14 +16,13 @@ import re
 import threading
 from collections.abc import Callable, Container, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
 
-if TYPE_CHECKING:
-    from tam570_grader.writing.laws import Law
+from tam570_grader.sandbox.inside.wire import packed
 
-__all__ = ["Check", "Given", "Memory", "check", "given", "once"]
+__all__ = ["Check", "Given", "Memory", "check", "given", "needed", "once"]
 
 T = TypeVar("T")
 MOST_KNOWN = 64  # values that `once` keeps; with inputs of its own for each student a run makes thousands
@@ -72,30 +71,21 @@ class Check:
         """The function that it is about: the first of `results` that its line names, empty if it names none."""
         return next((word for word in re.findall(r"\w+", self.line) if word in results), "")
 
-    def then(self, line: str, *, points: float, part: str) -> "Law":
-        """A law that is judged only when this check has (nearly) passed."""
-        from tam570_grader.writing.laws import law  # which compares by what needs this module
-
-        return law(line, points=points, part=part, after=self)
-
-    @property
-    def also(self) -> "Law":
-        """The same law, of which more is to be judged, behind what is: `law(...).agrees(...).also.follows(...)`."""
-        from tam570_grader.writing.laws import Law
-
-        return Law(self.line, self.points, self.part, self.after, self.judge)
-
 
 def check(
     *, points: float, part: str, after: Check | Sequence[Check] = ()
 ) -> Callable[[Callable[[Any, np.random.Generator], None]], Check]:
     """Make a function a check worth `points` in a lettered part, run only when all of `after` have (nearly) passed."""
-    needed = (after,) if isinstance(after, Check) else tuple(after)
 
     def made(judge: Callable[[Any, np.random.Generator], None]) -> Check:
-        return Check(judge, float(points), part, needed)
+        return Check(judge, float(points), part, needed(after))
 
     return made
+
+
+def needed(after: Check | Sequence[Check]) -> tuple[Check, ...]:
+    """The checks that another builds on: one or several."""
+    return (after,) if isinstance(after, Check) else tuple(after)
 
 
 @dataclass(frozen=True)
@@ -109,10 +99,7 @@ class Given:
     @functools.cached_property
     def message(self) -> bytes:
         """The arguments as they are sent: packed once for a class that shares them."""
-        from tam570_grader.sandbox.inside.wire import packed
-        from tam570_grader.sandbox.replies import sent
-
-        return packed(sent(self))
+        return packed([[*map(_sent, self.args)], {key: _sent(value) for key, value in self.kwargs.items()}])
 
     def on(self, kind: str) -> "Given":
         """The same arguments, of which the student is told the kind."""
@@ -125,6 +112,19 @@ class Given:
     def behind(self, *args: Any) -> "Given":
         """The same arguments behind others, of a function that takes more."""
         return Given((*args, *self.args), self.kwargs, self.kind)
+
+
+def _sent(value: Any) -> Any:
+    """An argument as it is sent: any sequence of numbers is a float64 array, as the contract promises."""
+    if isinstance(value, np.generic):
+        return value.item()
+    if isinstance(value, np.ndarray):
+        return value.astype(float)
+    if isinstance(value, list | tuple) and value:
+        if all(isinstance(item, int | float | np.number) for item in value):
+            return np.array(value, float)
+        return [_sent(item) for item in value]
+    return list(value) if isinstance(value, tuple) else value
 
 
 def given(*args: Any, **kwargs: Any) -> Given:

@@ -9,7 +9,6 @@ import ast
 import functools
 import inspect
 import math
-import re
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import partial
@@ -19,11 +18,11 @@ from typing import Any
 
 import numpy as np
 
-from tam570_grader.audit.mutate import Slip, reached, slips
 from tam570_grader.writing.check import Given
 from tam570_grader.writing.mistakes import Called, agrees, is_motion, parts, right_answer, solution_module
+from tam570_grader.writing.slips import Slip, reached, slips
 
-__all__ = ["general", "is_general", "ready"]
+__all__ = ["general", "ready"]
 
 FEWEST = 2  # wrong calls: one may agree by chance
 TELLING = 1e-3  # of the right answer: what is smaller may be what cancels
@@ -71,11 +70,6 @@ def ready(solution: str) -> None:
     """Make what serves all submissions, so that it counts for none of them."""
     _slips(solution)
     _reached(solution)
-
-
-def is_general(says: str) -> bool:
-    """Whether these are words of this module."""
-    return bool(re.match(r"In \w+, |The (\w+ )?results? of \w+ ", says))
 
 
 def _telling(wrong: Sequence[tuple[Called, Any]]) -> int:

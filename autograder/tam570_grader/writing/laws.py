@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 
 from tam570_grader.writing.agree import agree, agree_by_columns, refuse, taken
-from tam570_grader.writing.check import Check, Given, check, once
+from tam570_grader.writing.check import Check, Given, needed, once
 from tam570_grader.writing.follow import Invariant, follow, stays
 
 __all__ = ["Law", "law"]
@@ -27,6 +27,20 @@ Cases = Callable[[np.random.Generator], Iterable[Any]]  # of Given, but for a ju
 Right = Callable[..., Any]
 
 LAST = 2  # inputs kept of a law: a class shares them, or no two students do
+
+
+@dataclass(frozen=True)
+class Judged(Check):
+    """A check that a law made."""
+
+    def then(self, line: str, *, points: float, part: str) -> "Law":
+        """A law that is judged only when this check has (nearly) passed."""
+        return law(line, points=points, part=part, after=self)
+
+    @property
+    def also(self) -> "Law":
+        """The same law, of which more is to be judged, behind what is: `law(...).agrees(...).also.follows(...)`."""
+        return Law(self.line, self.points, self.part, self.after, self.judge)
 
 
 @dataclass(frozen=True)
@@ -39,11 +53,11 @@ class Law:
     after: Check | Sequence[Check]
     first: Callable[[Any, np.random.Generator], None] | None = None  # what is judged before
 
-    def agrees(self, right: Right, *cases: Cases, **known: Any) -> Check:
+    def agrees(self, right: Right, *cases: Cases, **known: Any) -> Judged:
         """The student's function gives what the right one gives."""
         return self.judged(lambda function, calls: agree(function, right, calls, **known), right.__name__, *cases)
 
-    def agrees_by_columns(self, right: Right, *cases: Cases, **known: Any) -> Check:
+    def agrees_by_columns(self, right: Right, *cases: Cases, **known: Any) -> Judged:
         """The same for states, whose numbers have different units."""
 
         def judge(function: Any, calls: list[Given]) -> None:
@@ -51,18 +65,18 @@ class Law:
 
         return self.judged(judge, right.__name__, *cases)
 
-    def follows(self, right: Right, *cases: Cases, name: str = "", **known: Any) -> Check:
+    def follows(self, right: Right, *cases: Cases, name: str = "", **known: Any) -> Judged:
         """The student's simulation follows the right motion; `name` is its own, if the right one's is another."""
         called = name or right.__name__
         return self.judged(lambda function, calls: follow(function, right, calls, **known), called, *cases)
 
-    def keeps(self, *invariants: Invariant, right: Right, cases: Cases, name: str = "", **known: Any) -> Check:
+    def keeps(self, *invariants: Invariant, right: Right, cases: Cases, name: str = "", **known: Any) -> Judged:
         """The invariants stay along the student's motions, as the right ones show them."""
 
         called = name or right.__name__
         return self.judged(lambda function, calls: stays(function, right, calls, *invariants, **known), called, cases)
 
-    def refuses(self, right: Right, *cases: Cases, within: float, allowed: int = 1, hint: str = "") -> Check:
+    def refuses(self, right: Right, *cases: Cases, within: float, allowed: int = 1, hint: str = "") -> Judged:
         """The student's function raises ValueError, but for the first cases: so many are allowed, and judged."""
 
         def judge(function: Any, calls: list[Given]) -> None:
@@ -71,7 +85,7 @@ class Law:
 
         return self.judged(judge, right.__name__, *cases)
 
-    def judged(self, judge: Callable[..., object], name: str, *cases: Cases, **known: Any) -> Check:
+    def judged(self, judge: Callable[..., object], name: str, *cases: Cases, **known: Any) -> Judged:
         """What `judge(function, calls, **known)` says of the student's function of this name."""
         first = self.first
         inputs = once(lambda draw: list(chain.from_iterable(drawn(draw) for drawn in cases)), most=LAST)
@@ -82,7 +96,7 @@ class Law:
             judge(getattr(student, name), inputs(draw), **known)
 
         judged.__doc__ = self.line
-        return check(points=self.points, part=self.part, after=self.after)(judged)
+        return Judged(judged, float(self.points), self.part, needed(self.after))
 
 
 def law(line: str, *, points: float, part: str, after: Check | Sequence[Check] = ()) -> Law:

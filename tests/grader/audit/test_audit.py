@@ -14,6 +14,7 @@ from tam570_grader.audit.margins import Margin
 from tam570_grader.audit.mutate import mutants
 from tam570_grader.errors import UsageError
 from tam570_grader.grading.processes import crew
+from tam570_grader.results.records import Failure, Mark, Result
 from tam570_grader.writing import assignments
 
 SLUG = "hw08_axis_angle"
@@ -216,13 +217,25 @@ def test_a_false_fail_is_told_with_check_seed_and_message(capsys, monkeypatch):
     assert "seed 5000: skew_is_the_cross_product: " in capsys.readouterr().out
 
 
+@pytest.mark.parametrize("room", ["sandbox", "writing", "grading", "results", "pages", "delivery"])
+def test_nothing_that_grades_imports_the_audit(course, room):
+    texts = [path.read_text() for path in (course / "autograder" / "tam570_grader" / room).rglob("*.py")]
+    assert texts and not any("tam570_grader.audit" in text for text in texts)
+
+
 def test_a_diagnosis_tells_named_from_unnamed_and_misled():
-    said = diagnosis.Diagnosis("a", "the transpose", True, ("the transpose",), ())
-    silent = diagnosis.Diagnosis("b", "", False, (), ("off by 1",))
-    wrong = diagnosis.Diagnosis("c", "", False, ("the transpose",), ())
-    assert [one.misled for one in (said, silent, wrong)] == [False, False, True]
-    assert diagnosis.faults([said, silent]) == 1 and diagnosis.faults([said]) == 0
-    assert diagnosis.faults([said] * 10 + [wrong]) == 1
+    def said(mistake, suspect, known=("the transpose",)):
+        mark = Mark("a", "a", 0.0, 1.0, "failed", "It is off by 1.", suspect, Failure())
+        return diagnosis.diagnosis(
+            Result("s", "hw", "graded", 0.0, 1.0, 1, 0.1, "", (mark,)), f'"""{mistake}"""', known
+        )
+
+    right, silent = said("the transpose", "the transpose"), said("the transpose", None)
+    wrong, found = said("a sign", "the transpose"), said("a sign", "the transpose", known=())
+    assert [one.named for one in (right, silent, wrong, found)] == [True, False, False, False]
+    assert [one.misled for one in (right, silent, wrong, found)] == [False, False, True, False]
+    assert diagnosis.faults([right, silent]) == 1 and diagnosis.faults([right]) == 0
+    assert diagnosis.faults([right] * 10 + [wrong]) == 1
 
 
 @pytest.mark.every

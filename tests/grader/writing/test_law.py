@@ -112,7 +112,9 @@ def test_what_builds_on_a_check_names_it():
     def first(student, draw):
         """The first."""
 
-    assert first.then("root", **WORTH).agrees(root, drawn, within=1e-9).after == (first,)
+    second = law("root", **WORTH, after=first).agrees(root, drawn, within=1e-9)
+    assert second.after == (first,)
+    assert second.then("root", **WORTH).agrees(root, drawn, within=1e-9).after == (second,)
 
 
 def test_a_judge_of_ones_own_is_given_the_function_and_what_was_drawn():

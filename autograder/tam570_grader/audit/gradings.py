@@ -12,13 +12,13 @@ from tam570_grader.sandbox.student import Source
 from tam570_grader.sandbox.worker import Allowance
 from tam570_grader.writing import assignments
 
-__all__ = ["Trial", "progress", "submissions", "tried"]
+__all__ = ["Grading", "progress", "submissions", "tried"]
 
 Outcome = TypeVar("Outcome")
 
 
 @dataclass(frozen=True)
-class Trial:
+class Grading:
     """One grading: a source, by some of the checks, with one seed."""
 
     course: Path
@@ -32,21 +32,21 @@ class Trial:
     naming: bool = False  # look for the mistakes behind failed checks
 
 
-def tried(trial: Trial, recorder: Recorder | None = None) -> Result:
-    """The result of a trial, on a worker of this process."""
-    assignment = assignments.assignment(trial.course, trial.slug)
-    if trial.checks is not None:
-        kept = tuple(check for check in assignment.checks if check.name in trial.checks)
+def tried(grading: Grading, recorder: Recorder | None = None) -> Result:
+    """The result of a grading, on a worker of this process."""
+    assignment = assignments.assignment(grading.course, grading.slug)
+    if grading.checks is not None:
+        kept = tuple(check for check in assignment.checks if check.name in grading.checks)
         free = (replace(check, after=tuple(set(check.after) & set(kept))) for check in kept)
         assignment = replace(assignment, checks=tuple(free))
-    source = Source(trial.text.encode())
+    source = Source(grading.text.encode())
     needs = sorted({*assignment.needs, *imported(source.text)})
-    asked = Judging(trial.enough, recorder, trial.naming)
+    asked = Judging(grading.enough, recorder, grading.naming)
     return warm.tried(
-        lambda worker, _: graded(trial.name, source, assignment, worker, trial.seed, asked=asked),
+        lambda worker, _: graded(grading.name, source, assignment, worker, grading.seed, asked=asked),
         needs,
-        trial.allowance,
-        [trial.course],
+        grading.allowance,
+        [grading.course],
     )
 
 
