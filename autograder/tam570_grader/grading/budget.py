@@ -19,6 +19,7 @@ SECONDS = 60.0  # of processor time; an honest submission takes about one
 MEMORY = 2**31  # bytes, besides what is there before; a reply of 64 MiB is held a few times
 GLANCE = 0.25  # s between two looks at the clock
 SIZE = Path("/proc/self/statm")  # in pages
+LIMIT = threading.Lock()  # held by the thread that has set the process's limit of memory
 
 
 class _Overdue(BudgetSpent):
@@ -30,7 +31,7 @@ class _Overdue(BudgetSpent):
 def budget(seconds: float = SECONDS, memory: int = MEMORY) -> Iterator[None]:
     """Raise BudgetSpent in this block, at its next step in Python, when this thread has spent so much in it.
 
-    The limit of memory is the process's: it is set where this is the process's main thread.
+    The limit of memory is the process's: of blocks in several threads at a time, the first sets it.
     """
     thread, clock, done = threading.get_ident(), _clock(), threading.Event()
     watch = threading.Thread(target=_watch, args=(thread, clock, clock() + seconds, done), daemon=True)
@@ -75,7 +76,7 @@ def _clock() -> Callable[[], float]:
 @contextmanager
 def _limited(memory: int) -> Iterator[None]:
     """No more than so many bytes besides those that are there, where the system tells and keeps that."""
-    if threading.current_thread() is not threading.main_thread() or not SIZE.exists():
+    if not SIZE.exists() or not LIMIT.acquire(blocking=False):
         yield
         return
     import resource
@@ -83,9 +84,10 @@ def _limited(memory: int) -> Iterator[None]:
     before = resource.getrlimit(resource.RLIMIT_AS)
     most = int(SIZE.read_text().split()[0]) * resource.getpagesize() + memory
     limits = [limit for limit in (most, *before) if limit != resource.RLIM_INFINITY]
-    resource.setrlimit(resource.RLIMIT_AS, (min(limits), before[1]))
     try:
+        resource.setrlimit(resource.RLIMIT_AS, (min(limits), before[1]))
         yield
     finally:
         with suppress(ValueError, OSError):
             resource.setrlimit(resource.RLIMIT_AS, before)
+        LIMIT.release()

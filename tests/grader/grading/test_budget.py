@@ -1,5 +1,6 @@
 """What the grader spends on one submission has limits, and ends as that submission's result."""
 
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 
 import numpy as np
@@ -45,6 +46,15 @@ def test_a_check_that_does_not_end_is_one_submissions_result(judge, says, judged
     result = judged(judge, names[1])
     assert (result.status, result.checks[0].outcome) == ("timeout", "passed") and says in result.message
     assert result.score == result.checks[0].points
+    assert judged().score == 10
+
+
+def test_memory_is_limited_where_a_cluster_grades_in_a_thread_of_its_own(judged, course):
+    assert judged().score == 10  # the worker has started, here: it ends with the thread that starts it
+    name = assignments.assignment(course, SLUG).checks[1].name
+    with ThreadPoolExecutor(1) as pool:
+        result = pool.submit(judged, grows, name).result()
+    assert result.status == "timeout" and "memory" in result.message
     assert judged().score == 10
 
 
