@@ -8,8 +8,8 @@ or as the beginning of the file's name. Gradescope: "Exporting submissions" (Hel
 """
 
 import re
-from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
 from tam570_grader.delivery.archives import File
@@ -20,7 +20,7 @@ __all__ = ["READERS", "Handed", "named"]
 NAMES = {
     "canvas": re.compile(
         r"(?P<name>.+?)_(?P<late>LATE_)?(?P<user>[0-9]+)_"
-        r"(?:(?P<attachment>[0-9]+)_(?P<file>.*[^\W\d_].*)|(?:text|link)\.html)",  # typed, or a link, on the page
+        r"(?:(?P<attachment>[0-9]+)_(?P<file>.+)|(?:text|link)\.html)",  # typed, or a link, on the page
         re.IGNORECASE | re.DOTALL,
     ),
     "moodle": re.compile(
@@ -50,7 +50,7 @@ def named(path: str, system: str) -> re.Match[str] | None:
 
 def canvas(files: Iterable[File]) -> Iterator[Handed | File]:
     """Who handed in what; files that are not named as Canvas does are given back."""
-    for file in files:
+    for file in _unwrapped(list(files)):
         if not (found := named(file.path, "canvas")):
             yield file
             continue
@@ -59,6 +59,13 @@ def canvas(files: Iterable[File]) -> Iterator[Handed | File]:
         order = int(found["attachment"] or 0), int(again[1]) if again else 0
         title = AGAIN.sub("", own)
         yield Handed((found["user"],), found["name"], file, title, "", bool(found["late"]), order)
+
+
+def _unwrapped(files: Sequence[File]) -> Sequence[File]:
+    """The files without one folder around them all, whose name and date may look like a student's: `hw_2026_09_14`."""
+    inner = [replace(file, path=file.path.partition("/")[2]) for file in files]
+    wrapped = len({file.path.partition("/")[0] for file in files}) == 1
+    return inner if wrapped and any(named(file.path, "canvas") for file in inner) else files
 
 
 def moodle(files: Iterable[File]) -> Iterator[Handed | File]:

@@ -205,7 +205,6 @@ def test_a_disk_that_is_full_cuts_no_module_short(collect, course, tmp_path, mon
         ("moodle", "Ann Adams_17_assignsubmission_file_/Bo Brown_18_assignsubmission_file_hw08.py", "aadams"),
         ("moodle", "all/Ann Adams_17_assignsubmission_file/Bo Brown_18_assignsubmission_file_/hw08.py", "aadams"),
         ("canvas", "adamsann_17_500_brownbo_18_600_hw08.py", "aadams"),
-        ("canvas", "adamsann_17_500_hw08/brownbo_18_600_hw08.py", "aadams"),
         ("canvas", "submissions_2026_09_14/adamsann_17_500_hw08.py", "aadams"),
     ],
 )
@@ -214,6 +213,18 @@ def test_the_first_name_is_the_students(collect, system, path, student):
     code, found, _, said = collect(system, {path: "mine"}, roster, "--assignment", "hw08")
     assert code == 0, said
     assert found == {module(student): "mine"}
+
+
+HW08 = "--assignment", "hw08"
+
+
+@pytest.mark.parametrize("around", ["", "submissions_2026_09_14/"])
+@pytest.mark.parametrize("name", ["hw08", "2026"])
+def test_what_was_unpacked_is_still_its_students(collect, around, name):
+    """A zip file that the instructor has unpacked is a folder."""
+    unpacked = f"{around}adamsann_17_500_{name}/brownbo_18_600_hw08.py"
+    code, found, _, _ = collect("canvas", {unpacked: "a", f"{around}chency_19_501_hw08.py": "c"}, ROSTER, *HW08)
+    assert code == 0 and found == {module("aadams"): "a", module("cchen"): "c"}
 
 
 OF_BO = """submission_1:
