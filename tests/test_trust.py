@@ -11,7 +11,7 @@ PLACED = re.compile(r"((?:`test_\w+`(?:,\s| and )?)+) in\s`(tests/[\w/.]+)`")
 
 
 def missing(text):
-    """(name, file) of tests that the file does not hold, (name, "") of tests and attacks that are nowhere, ("", file)."""
+    """(name, file) of tests that the file does not hold, (name, "") of what is nowhere, ("", file) of no file."""
     for names, path in PLACED.findall(text):
         yield from ((name, path) for name in named(names) if f"def {name}(" not in TESTS.get(path, ""))
     there = {found for one in TESTS.values() for found in re.findall(r"^def (test_\w+)\(", one, re.MULTILINE)}
