@@ -1,5 +1,6 @@
 """Gradescope: the results as its specification has them, and the archive that it runs."""
 
+import io
 import secrets
 import sys
 import zipfile
@@ -12,6 +13,7 @@ from tam570_grader.delivery.course_toml import COPY
 from tam570_grader.errors import writing
 from tam570_grader.pages.feedback import overall
 from tam570_grader.results.journal import Record
+from tam570_grader.results.tables import written
 
 __all__ = ["results", "run"]
 
@@ -62,7 +64,8 @@ def run(course: Path, folder: Path, slugs: Sequence[str]) -> int:
 def _write_archive(course: Path, slug: str, path: Path) -> None:
     """setup.sh and run_autograder at the top, as Gradescope wants them, and what they need of the course."""
     fields = {"slug": slug, "seed": secrets.randbelow(2**31)}  # one seed in an archive: the same inputs for the class
-    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+    whole = io.BytesIO()
+    with zipfile.ZipFile(whole, "w", zipfile.ZIP_DEFLATED) as archive:
         for name in ("setup.sh", "run_autograder"):
             text = (TEMPLATES / "gradescope" / name).read_text(encoding="utf-8")
             entry = zipfile.ZipInfo(name)
@@ -70,6 +73,8 @@ def _write_archive(course: Path, slug: str, path: Path) -> None:
             archive.writestr(entry, Template(text).substitute(fields))
         for file in _files(course, slug):
             archive.write(file, Path("course") / file.relative_to(course))
+    with writing(path):
+        written(path, whole.getvalue())
 
 
 def _files(course: Path, slug: str) -> Iterator[Path]:

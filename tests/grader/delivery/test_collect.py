@@ -28,7 +28,8 @@ Cy,Chen,cchen,"Participant 19"
 """
 METADATA = """submission_1:
   :submitters:
-  - :name: Ann Adams
+  - :name: &1 Ann Adams
+    :nickname: *1
     :sid: 'A1'
     :email: ann@x.edu
   - :name: Bo Brown
