@@ -78,7 +78,7 @@ def _person(who: Any, where: str) -> tuple[tuple[str, ...], str]:
 
 
 class _Plain(yaml.BaseLoader):  # type: ignore[misc]  # yaml has no types
-    """Every leaf stays text, as 007 must. A text may be an alias; with whole parts a small file unfolds to a huge one."""
+    """Every leaf stays text, as 007 must. A text may be an alias; of whole parts a small file makes a huge one."""
 
     def compose_node(self, parent: Any, index: Any) -> Any:
         is_alias = self.check_event(yaml.AliasEvent)
