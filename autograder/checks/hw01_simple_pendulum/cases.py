@@ -1,6 +1,7 @@
 """Hidden inputs of hw01: random pendulums, and plain ones that tell what random ones do not."""
 
 import math
+from functools import partial
 
 import numpy as np
 
@@ -9,6 +10,7 @@ from tam570_grader import SOME_TIMES, given, in_symbols, in_turn, once, uneven
 from . import right
 
 ANY = "a random pendulum"
+WEAK = 0.05  # gravity, m/s^2
 SYMBOLS = ("theta", "omega", "m", "l", "g")
 PLAIN = {0.0: "at the bottom"} | dict.fromkeys((math.pi / 2, -math.pi / 2), "level with the hinge")
 PLAIN |= dict.fromkeys((math.pi, -math.pi), "at the top")  # angle: what to call it
@@ -40,7 +42,7 @@ def named(calls):
 def states(draw):
     """Random states, the last of them without gravity; named angles with this speed either way; whole numbers."""
     angles, rates = draw.uniform(-9, 9, 18), draw.uniform(1, 6, 18) * draw.choice([-1, 1], 18)
-    pendulums = [parameters(draw, gravity) for gravity in [None] * 15 + [0.0] * 3]
+    pendulums = [parameters(draw, gravity) for gravity in [None] * 14 + [WEAK] + [0.0] * 3]
     calls = [given(th, om, **pendulum) for th, om, pendulum in zip(angles, rates, pendulums, strict=True)]
     first, speed = calls[0], abs(rates[0])
     for angle in PLAIN:
@@ -63,9 +65,9 @@ def symbols(draw):
 # Motions
 
 
-def swing(draw):
+def swing(draw, gravity=None):
     """A start that swings back and forth far from small angles, and its pendulum."""
-    known, sign = rod(draw), draw.choice([-1, 1], 2)
+    known, sign = rod(draw, gravity), draw.choice([-1, 1], 2)
     return (draw.uniform(1.2, 2.2) * sign[0], draw.uniform(0.2, 0.6) * rate_of(known) * sign[1]), known
 
 
@@ -115,7 +117,8 @@ def few_times(draw):
     short = motion(draw, quick, 8, 3, "three times, a rod of few centimetres")
     again = motion(draw, swing, 5, 3, "a large swing")
     _, angle, rate = again.args
-    return [far, *plain, short, again, *in_turn(draw, again, start=(0.8 * angle, -rate))]
+    weak = motion(draw, partial(swing, gravity=WEAK), 5, 3, "a large swing where gravity is weak")
+    return [far, *plain, short, weak, again, *in_turn(draw, again, start=(0.8 * angle, -rate))]
 
 
 def over_the_top(draw):
@@ -137,19 +140,20 @@ def weightless(draw):
 def small_angles(draw):
     """The closed form for any times and starts, and for another rod."""
     (angle, rate), known = swing(draw)
-    t = uneven(draw, 20 / rate_of(known), 50)
+    t = uneven(draw, 20 / rate_of(known), 50, -7 / rate_of(known))
     starts = {
-        "times that do not start at zero": (t, angle, rate),
+        "times that start before zero": (t, angle, rate),
         "two times, the first of them zero": (t[:2] - t[0], angle, rate),
-        "a pendulum let go at rest": (t, angle, 0.0),
+        "a pendulum let go at rest": (t, -angle, 0.0),
+        "an angle beyond pi": (t, 4.0, rate),
         "a pendulum that starts at the bottom": (t, 0.0, rate),
         "a pendulum at rest at the bottom": (t, 0.0, 0.0),
         "a pendulum that starts level with the hinge": (t, math.copysign(math.pi / 2, angle), rate),
         **{kind: (t[some], angle, rate) for kind, some in SOME_TIMES.items()},
     }
     calls = [given(*start, **known).on(kind) for kind, start in starts.items()]
-    others = [calls[0].but(**{name: 1.4 * value}) for name, value in known.items()]
-    return calls + [other.on("the pendulum before with another rod or gravity") for other in others]
+    others = [{name: 1.4 * value} for name, value in known.items()] + [{"gravity": WEAK}]
+    return calls + [calls[0].but(**one).on("the pendulum before with another rod or gravity") for one in others]
 
 
 # Paths

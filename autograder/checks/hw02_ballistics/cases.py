@@ -11,6 +11,7 @@ from . import right
 ANY = "a random launch"
 LIGHT = "a light particle, whose drag is small in kg/s alone"
 WHOLE = {"mass": 1.0, "drag": 1.0, "gravity": 1.0}
+LITTLE = 0.99 * 10.0 ** -np.arange(1, 7)  # below which a series takes over: its error is largest just below
 NO_DRAG, NO_GRAVITY = {"drag": 0.0}, {"gravity": 0.0}
 ZEROS = {"zero drag": NO_DRAG, "zero gravity": NO_GRAVITY, "zero drag and gravity": {**NO_DRAG, **NO_GRAVITY}}
 VELOCITIES = {
@@ -128,9 +129,13 @@ def flights_with_any_drag(draw):
     Great drag is that of times c t/m up to a thousand or two, where e^s is more than any number, and to where no small
     steps lead.
     """
-    drags = [0.0, *10.0 ** draw.uniform(-14, -11, 3), *10.0 ** draw.uniform(-10, -2, 8)]
+    drags = [0.0, *10.0 ** draw.uniform(-14, -11, 3), *10.0 ** draw.uniform(-10, -2, 4)]
     known = [("very little drag" if drag else "no drag", parameters(draw, drag=drag)) for drag in drags]
     calls = [given(uneven(draw, draw.uniform(1, 9), 20, 0.0), *launch(draw), **one).on(kind) for kind, one in known]
+    for span in LITTLE:  # of c t/m, the last time's
+        one = parameters(draw)
+        times = uneven(draw, span * one["mass"] / one["drag"], 20, 0.0)
+        calls.append(given(times, *launch(draw), **one).on("very little drag"))
     much = parameters(draw)
     for span in (draw.uniform(1000, 2000), 1e9):
         t = uneven(draw, span * much["mass"] / much["drag"], 20, 0.0)
@@ -143,25 +148,26 @@ def flights_with_any_drag(draw):
 
 def landings(draw):
     """Random ones; straight up, at 45 degrees, nearly flat, each with drag and without; whole numbers."""
-    calls = [given(*launch(draw), **parameters(draw)).on(ANY) for _ in range(12)]
+    calls = [of_lift(draw, lift, ANY) for lift in 10.0 ** draw.uniform(-1.3, 1.3, 12)]
     angles = {"a launch straight up": math.pi / 2, "a launch at 45 degrees": math.pi / 4, "a nearly flat launch": 0.01}
     for kind, angle in angles.items():
-        for also, fixed in (("", {}), (", no drag", NO_DRAG)):
-            calls.append(given(launch(draw)[0], angle, **parameters(draw, **fixed)).on(f"{kind}{also}"))
+        for also, lift in (("", draw.uniform(0.3, 3)), (", no drag", 0.0)):
+            calls.append(of_lift(draw, lift, f"{kind}{also}", angle))
     whole = given(1.0, 1.0, **WHOLE).on("whole numbers")
     return [*calls, whole, whole.but(2.0, drag=0.0), whole.but(1.0, math.pi / 2)]
 
 
-def of_lift(draw, lift, kind):
+def of_lift(draw, lift, kind, angle=None):
     """A launch with this lift, b = c vy/(m g)."""
-    (speed, angle), known = launch(draw), parameters(draw)
+    (speed, usual), known = launch(draw), parameters(draw)
+    angle = angle or usual
     known["drag"] = lift * known["mass"] * known["gravity"] / (speed * math.sin(angle))
     return given(speed, angle, **known).on(kind)
 
 
 def landings_of_little_drag(draw):
-    """No drag, and b below 1e-2, most often where Lambert's W is off by 1e-16/b^2."""
-    lifts = [*10.0 ** draw.uniform(-16, -8, 4), *10.0 ** draw.uniform(-5, -2, 6)]
+    """No drag, and b below 1e-1, most often where Lambert's W is off by 1e-16/b^2."""
+    lifts = [*10.0 ** draw.uniform(-16, -8, 4), *LITTLE]
     lifts += [*10.0 ** ((np.arange(12) + draw.uniform(0, 1, 12)) / 4 - 8)]
     return [of_lift(draw, 0.0, "no drag"), *(of_lift(draw, lift, "very little drag") for lift in lifts)]
 
@@ -174,14 +180,14 @@ def landings_of_great_drag(draw):
 
 def flat_landings(draw):
     """The last takes 3e-6 s; a root good to 2e-12 s, as brentq's are, is off by less than the limit. Its b is 1."""
-    up, flat = (given(launch(draw)[0], angle, **parameters(draw)) for angle in (math.pi / 2, 1e-3))
-    flattest = given(2.0, 1e-6, mass=1.0, drag=5e5, gravity=1.0)
-    return [up.on("a launch straight up"), *(call.on("a nearly flat launch") for call in (flat, flattest))]
+    angles = {"a launch straight up": math.pi / 2, "a nearly flat launch": 1e-3}
+    some = [of_lift(draw, draw.uniform(0.3, 3), kind, angle) for kind, angle in angles.items()]
+    return [*some, given(2.0, 1e-6, mass=1.0, drag=5e5, gravity=1.0).on("a nearly flat launch")]
 
 
 def alike_landings(draw):
     """Launches that are like the first of them but for one parameter."""
-    first = given(*launch(draw), **parameters(draw)).on(ANY)
+    first = of_lift(draw, draw.uniform(0.3, 3), ANY)
     others = [first.but(**{name: 1.4 * value}) for name, value in first.kwargs.items()]
     return [first, *(call.on("the launch before with one parameter changed") for call in others)]
 

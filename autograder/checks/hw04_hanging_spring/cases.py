@@ -70,8 +70,14 @@ def plain(draw):
     yield from (whole, whole.but(whole.args[0], np.zeros(3)).on("whole numbers, at rest"))
 
 
+def small(draw):
+    """About the origin, without gravity; np.allclose takes 1e-9 for zero."""
+    case = random(draw, 0.0, "a very small motion")
+    return case.but(*(1e-9 * one for one in case.args))
+
+
 def states(draw):
-    cases = [*(random(draw, gravity) for gravity in [None] * 10 + [0.0] * 2), *plain(draw)]
+    cases = [*(random(draw, gravity) for gravity in [None] * 10 + [0.0] * 2), *plain(draw), small(draw)]
     return [given(np.hstack(case.args), **case.kwargs).on(case.kind) for case in cases]
 
 
@@ -123,6 +129,8 @@ def from_any_time(draw):
     yield from (case for case in at_two_times(draw) if not case.kwargs["gravity"])
     (case,) = motions(1.3, "", 0.0)(draw)
     yield from (case.but(case.args[0][some]).on(kind) for kind, some in SOME_TIMES.items())
+    yield case.but(case.args[0] - case.args[0][-1]).on("times that end at 0")
+    yield small(draw).behind(case.args[0])
     yield from alike(draw)
 
 

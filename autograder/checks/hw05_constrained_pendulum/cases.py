@@ -34,7 +34,7 @@ def states(draw):
 
 
 def off_circle(draw):
-    """States that are not consistent, random and on an axis, on the circle and just off it; at 1e-6 of the origin."""
+    """States that are not consistent, random and on an axis, on the circle and just off it; at 1e-8 of the origin."""
     some = [(draw.normal(size=4) * draw.uniform(0.5, 4), 10 ** draw.uniform(-0.5, 0.8)) for _ in range(12)]
     state, length = some[0]
     speed = math.hypot(*state[2:])
@@ -44,7 +44,7 @@ def off_circle(draw):
         for far in (length, length * (1 + 1e-7), length / 2, length * 20)
         for vx, vy in (*PLACES.values(), (0.0, 0.0), (0.6, 0.8))
     ]
-    some += [((*place, *state[2:]), 0.5) for place in ((3e-7, -4e-7), (0.0, 5e-7))]
+    some += [((*place, *state[2:]), 0.5) for place in ((3e-9, -4e-9), (0.0, 5e-9))]  # np.allclose takes them for zero
     whole = (1.0, 0.0, 0.0, 1.0), (0.0, -2.0, 1.0, 1.0), (3.0, 4.0, 0.0, 0.0), (-3.0, 4.0, -3.0, 4.0)
     some += [(numbers, 1.0) for numbers in whole]
     return [given(np.array(state), length=length).on(_where(state, length)) for state, length in some]
@@ -135,5 +135,5 @@ def long(draw):
 
 def at_the_top(draw):
     known = parameters(draw)
-    t = np.linspace(0.0, 8 / pace(known), 9)
+    t = np.linspace(0.0, 20 / pace(known), 9)
     return [given(t, np.array([0.0, known["length"], 0.0, 0.0]), **known).on("a start at rest at the very top")]

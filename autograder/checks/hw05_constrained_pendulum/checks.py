@@ -14,7 +14,7 @@ FOLLOWED = 3e-5  # solve_ivp at rtol 1e-9, atol 1e-9 is off by 3e-6 after three 
 # where the rates take the distance from the hinge for l, whatever it has become between the rows
 ENERGY = 5e-5
 CONSTRAINT = 1e-9  # of the contract: any step back onto the circle makes 1e-15, and 1e-12 between steps
-TOP = 1e-6  # an angle of pi, which is rounded, falls by 1e-16 exp(8) = 4e-13
+TOP = 1e-6  # an angle of pi, which is rounded, falls by 1e-16 exp(20) = 6e-8
 COARSELY = 0.1  # of the scale: in 100 s a loose tolerance shifts the phase, a motion of its own is off by 1
 ROUNDED = 1e-12  # what a step back onto the circle leaves
 

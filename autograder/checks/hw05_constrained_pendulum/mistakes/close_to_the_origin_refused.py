@@ -7,6 +7,6 @@ _right_state = consistent_state
 
 
 def consistent_state(state, *, length):
-    if math.hypot(*state[:2]) < 1e-3:
+    if np.allclose(state[:2], 0):
         raise ValueError("no direction")
     return _right_state(state, length=length)
