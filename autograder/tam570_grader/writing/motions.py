@@ -88,7 +88,8 @@ def diagnosed(motion: Motion, motions: Sequence[Motion], turns: Sequence[int], n
     nearly : the error, of the scale, up to which a loose tolerance is likely even where nothing moves
     """
     with np.errstate(all="ignore"):
-        told = next((says for tells, says in _tells(motion, motions, turns) if tells()), "")
+        moves = (motion.expected != motion.expected[0]).any()  # what rests is the same at any times
+        told = next((says for tells, says in _tells(motion, motions, turns) if moves and tells()), "")
         if told or not (motion.error <= nearly or obeys(motion)):
             return told
         share = _explained(motion)
