@@ -88,7 +88,7 @@ def diagnosed(motion: Motion, motions: Sequence[Motion], turns: Sequence[int], n
     nearly : the error, of the scale, up to which a loose tolerance is likely even where nothing moves
     """
     with np.errstate(all="ignore"):
-        moves = (motion.expected != motion.expected[0]).any()  # what rests is the same at any times
+        moves = np.max(np.ptp(motion.expected, axis=0) / motion.scales) > ALIKE  # what rests is the same at any times
         told = next((says for tells, says in _tells(motion, motions, turns) if moves and tells()), "")
         if told or not (motion.error <= nearly or obeys(motion)):
             return told
