@@ -1,7 +1,7 @@
 """A particle at rest at the very top is nudged off it, however little; there it is in equilibrium.
 
 fails: at_the_very_top_it_stays
-names: What do the two forces add up to there
+names: is a term wrong
 """
 
 _right_simulate = simulate
