@@ -55,7 +55,7 @@ def _read(file: File) -> Any:
     try:
         return yaml.load(file.data, Loader=_Plain)
     except (yaml.YAMLError, ValueError) as error:
-        raise UsageError(f"{file.path} cannot be read: {error}; {AGAIN}") from None
+        raise UsageError(f"{file.path} cannot be read: {' '.join(str(error).split())}; {AGAIN}") from None
     except (RecursionError, MemoryError):
         raise UsageError(f"{file.path} cannot be read: its parts lie too deep in one another; {AGAIN}") from None
 

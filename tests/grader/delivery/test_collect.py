@@ -257,6 +257,7 @@ NOT_TABLES = {
     "a submitter is text": ("submission_1:\n  :submitters: [Ann]\n", "submission_1: a submitter has neither"),
     "an id is a list": ("submission_1:\n  :submitters:\n  - :sid: [A1]\n", "submission_1: a submitter has neither"),
     "a time is a list": ("submission_1:\n  :created_at: [now]\n", "submission_1: this is not what"),
+    "no YAML": ("submission_1: [\n", "while parsing a flow node expected the node content"),
     "no text": (b"\xff\xfe\x00", "cannot be read"),
     "large": (b"#" * (LARGEST + 1), "larger than 10 MiB"),
 }
