@@ -12,7 +12,7 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import partial
-from itertools import combinations
+from itertools import combinations, permutations
 from types import CodeType, ModuleType
 from typing import Any
 
@@ -35,7 +35,20 @@ FACTORS = {
     "is twice as large as the right one": 2.0,
     "is half as large as the right one": 0.5,
     "is in degrees": 180 / math.pi,
+    "lacks the factor pi": 1 / math.pi,
+    "lacks the factor 2 pi": 1 / (2 * math.pi),
+    "has a factor pi too many": math.pi,
+    "has a factor 2 pi too many": 2 * math.pi,
+    "lacks the factor sqrt(2)": math.sqrt(0.5),
+    "has a factor sqrt(2) too many": math.sqrt(2),
 }
+POWERS: dict[str, Callable[[Any], Any]] = {
+    "is the square of the right one": np.square,
+    "is the square root of the right one": np.sqrt,
+    "is one over the right one": np.reciprocal,
+    "has lost its sign": np.abs,
+}
+GRAVITY = 9.81  # m/s^2
 
 
 def general(solution: str, calls: Sequence[Called]) -> str | None:
@@ -61,8 +74,9 @@ def general(solution: str, calls: Sequence[Called]) -> str | None:
     results, arguments = _other_results(name, right, own[0]), _other_arguments(name, right, own[0])
     if said := next((says for says, variant in results if _explains(variant, own)), ""):
         return said
-    if told := [says for says, variant in arguments if _explains(variant, own)]:
-        return told[0] if len(told) == 1 else None
+    for family in (arguments, _other_products(name, right, own[0])):
+        if told := [says for says, variant in family if _explains(variant, own)]:
+            return told[0] if len(told) == 1 else None
     return _slip(solution, module, name, calls)
 
 
@@ -120,18 +134,36 @@ def _other_arguments(name: str, right: Callable[..., Any], example: Called) -> I
     for key, value in values.items():
         for says, change in _other_values(np.asarray(value)):
             yield f"In {name}, {says.format(key)}", partial(_with_argument, right, taken, key, change)
+    if "gravity" in values:
+        says = f"In {name}, gravity is ignored, as if it were {GRAVITY}"
+        yield says, partial(_with_argument, right, taken, "gravity", lambda value: GRAVITY)
     for one, other in combinations(values, 2):
         if np.shape(values[one]) == np.shape(values[other]):
             yield f"In {name}, {one} and {other} are exchanged", partial(_exchanged, right, taken, one, other)
+
+
+def _other_products(name: str, right: Callable[..., Any], example: Called) -> Iterator[Variant]:
+    """A factor that is missing beside an argument, or one too many."""
+    taken = list(inspect.signature(right).parameters)
+    values = {key: np.asarray(value) for key, value in _named(taken, example.given).items()}
+    numbers = [key for key, value in values.items() if value.dtype.kind in "fiu"]
+    for key, other in permutations(numbers, 2):
+        if values[other].ndim == 0:
+            missing, extra = (partial(_with_product, right, taken, key, other, power) for power in (-1, 1))
+            yield f"In {name}, {key} lacks a factor {other}", missing
+            yield f"In {name}, {key} has a factor {other} too many", extra
 
 
 def _changes(found: Any, numbers: Sequence[str]) -> Iterator[tuple[str, Callable[[Any, Given], Any]]]:
     """What may be wrong with a result."""
     for says, factor in FACTORS.items():
         yield says, partial(_scaled, factor)
+    for says, change in POWERS.items():
+        yield says, partial(_changed, change)
     for key in numbers:
-        for says, power in ((f"multiplied by {key}", -1), (f"divided by {key}", 1), (f"divided by {key} squared", 2)):
-            yield f"should be {says}", partial(_times, key, power)
+        for says, power in {"multiplied": -1, "divided": 1}.items():
+            yield f"should be {says} by {key}", partial(_times, key, power)
+            yield f"should be {says} by {key} squared", partial(_times, key, 2 * power)
     if found.ndim == 2 and found.shape[0] == found.shape[1]:
         yield "is transposed", lambda value, given: np.transpose(value)
     for says, change in _components(found):
@@ -170,10 +202,10 @@ def _ordered(order: Any, value: Any) -> Any:
 VALUES: dict[str, Callable[[Any], Any]] = {
     "{} has the opposite sign": np.negative,
     "{} is converted to degrees": np.degrees,
-    "{} is taken in degrees": np.radians,
+    "{} is read as degrees": np.radians,
     "{} counts twice": partial(np.multiply, 2.0),
-    "half of {} counts": partial(np.multiply, 0.5),
-    "{} does not count, as if it were zero": partial(np.multiply, 0.0),
+    "{} counts half": partial(np.multiply, 0.5),
+    "{} is ignored, as if it were zero": partial(np.multiply, 0.0),
 }
 
 
@@ -184,7 +216,7 @@ def _other_values(value: Any) -> Iterator[tuple[str, Callable[[Any], Any]]]:
     if value.ndim != 1 or len(value) <= SPACE:  # a state is many things, and not one that has a sign
         yield from VALUES.items()
     if value.ndim == 0:
-        yield "{} counts as 1, whatever is given", lambda one: 1.0
+        yield "{} is ignored, as if it were 1", lambda one: 1.0
     if value.ndim == 2 and value.shape[0] == value.shape[1]:
         yield "{} is transposed", np.transpose
     for says, change in _components(value):
@@ -205,6 +237,13 @@ def _reversed(right: Callable[..., Any], given: Given) -> Any:
 def _with_argument(right: Callable[..., Any], taken: Sequence[str], key: str, change: Any, given: Given) -> Any:
     values = _named(taken, given)
     return right(**{**values, key: change(values[key])})
+
+
+def _with_product(
+    right: Callable[..., Any], taken: Sequence[str], key: str, other: str, power: int, given: Given
+) -> Any:
+    values = _named(taken, given)
+    return right(**{**values, key: np.asarray(values[key]) * float(values[other]) ** power})
 
 
 def _exchanged(right: Callable[..., Any], taken: Sequence[str], one: str, other: str, given: Given) -> Any:
@@ -284,17 +323,24 @@ def _words(slip: Slip) -> Iterator[tuple[str, ast.expr]]:
         multiplied = isinstance(was.op, ast.Mult)
         yield f"a factor{{}} {'divides' if multiplied else 'multiplies'} where it should not", was.right
     elif isinstance(was, ast.BinOp) and isinstance(was.op, ast.MatMult):
-        yield "matrices{} are multiplied in another order, or one is transposed", was
+        yield KINDS["a transpose"], was
+    elif isinstance(was, ast.Call) and slip.operator == "another function" and _is_half(was.args[0]):
+        yield "a cosine{} has the wrong sign", was  # 2 sin(x/2)^2 is 1 - cos x
     elif slip.operator in KINDS:
         yield KINDS[slip.operator], was
+
+
+def _is_half(node: ast.expr) -> bool:
+    numbers = [one.value for one in ast.walk(node) if isinstance(one, ast.Constant)]
+    return isinstance(node, ast.BinOp) and numbers in ([2], [0.5])
 
 
 KINDS = {
     "a sign": "the sign of a term{} is reversed",
     "an exponent": "an exponent{} is one too large or too small",
     "a factor": "a number{} is twice or half the right one",
-    "another function": "another function{}, such as sine for cosine, is taken",
-    "swapped arguments": "two quantities{} have changed places",
-    "an index": "another component{} is taken",
-    "a transpose": "matrices{} are multiplied in another order, or one is transposed",
+    "another function": "the wrong function is used{}, such as sine for cosine",
+    "swapped arguments": "two quantities{} are exchanged",
+    "an index": "the wrong component is used{}",
+    "a transpose": "matrices{} are multiplied in the wrong order, or one is transposed",
 }

@@ -29,6 +29,9 @@ def cross(a, b):
 def _part(a, b, i, j):
     return a[i] * b[j] - a[j] * b[i]
 
+def swing(angle, *, mass):
+    return 2 * mass * np.sin(angle / 2) ** 2
+
 def forever(n):
     total = 0.0
     while n > 0:
@@ -60,6 +63,10 @@ def products(wrong):
     return [Call("cross", given(*pair), wrong(*pair)) for pair in DRAW.normal(size=(4, 2, 3))]
 
 
+def swings(wrong):
+    return [Call("swing", given(angle, mass=2.0), 2 * wrong(angle)) for angle in DRAW.uniform(0.3, 1.2, 4)]
+
+
 def turned(v, angle):
     c, s = math.cos(angle), math.sin(angle)
     return np.array([[c, -s], [s, c]]) @ v
@@ -68,10 +75,13 @@ def turned(v, angle):
 @pytest.mark.parametrize(
     ("calls", "says"),
     [
-        (lambda: weights(lambda mass, height, gravity, length: mass * gravity * height), "length does not count"),
+        (
+            lambda: weights(lambda mass, height, gravity, length: mass * gravity * height),
+            "length is ignored, as if it were zero",
+        ),
         (
             lambda: weights(lambda mass, height, gravity, length: gravity * height + length**2 / 2),
-            "In weight, mass counts as 1, whatever is given",
+            "In weight, mass is ignored, as if it were 1",
         ),
         (
             lambda: weights(lambda mass, height, gravity, length: mass * (gravity * height - length**2 / 2)),
@@ -81,9 +91,37 @@ def turned(v, angle):
             lambda: weights(lambda mass, height, gravity, length: mass * gravity * height + mass * length / 2),
             "In weight, an exponent with length is one too large or too small",
         ),
+        (
+            lambda: weights(lambda mass, height, gravity, length: mass * 9.81 * height + mass * length**2 / 2),
+            "In weight, gravity is ignored, as if it were 9.81",
+        ),
+        (
+            lambda: weights(
+                lambda mass, height, gravity, length: mass * gravity * height + mass * (length * mass) ** 2 / 2
+            ),
+            "In weight, length has a factor mass too many",
+        ),
+        (
+            lambda: weights(
+                lambda mass, height, gravity, length: (mass * gravity * height + mass * length**2 / 2) ** 0.5
+            ),
+            "The result of weight is the square root of the right one",
+        ),
+        (
+            lambda: weights(
+                lambda mass, height, gravity, length: mass * (gravity * height + length**2 / 2) / gravity**2
+            ),
+            "The result of weight should be multiplied by gravity squared",
+        ),
+        (lambda: pairs(lambda r, angle: (r, abs(angle))), "The second result of polar has lost its sign"),
+        (
+            lambda: pairs(lambda r, angle: (r, angle / (2 * math.pi))),
+            "The second result of polar lacks the factor 2 pi",
+        ),
+        (lambda: swings(lambda angle: 1 + math.cos(angle)), "In swing, a cosine with angle has the wrong sign"),
         (lambda: weights(lambda **known: 0.0), "The result of weight is zero"),
         (lambda: vectors(lambda v, angle: turned(v, -angle)), "In turned, angle has the opposite sign"),
-        (lambda: vectors(lambda v, angle: turned(v, math.radians(angle))), "In turned, angle is taken in degrees"),
+        (lambda: vectors(lambda v, angle: turned(v, math.radians(angle))), "In turned, angle is read as degrees"),
         (lambda: vectors(lambda v, angle: turned(v, angle)[::-1]), "has components 1 and 2 exchanged"),
         (lambda: vectors(lambda v, angle: turned(v, angle) * [-1, 1]), "has the opposite sign in component 1"),
         (lambda: pairs(lambda r, angle: (-r, -angle)), "The results of polar have the opposite sign"),
