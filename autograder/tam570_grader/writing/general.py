@@ -324,7 +324,7 @@ def _words(slip: Slip) -> Iterator[tuple[str, ast.expr]]:
         yield f"a factor{{}} {'divides' if multiplied else 'multiplies'} where it should not", was.right
     elif isinstance(was, ast.BinOp) and isinstance(was.op, ast.MatMult):
         yield KINDS["a transpose"], was
-    elif isinstance(was, ast.Call) and slip.operator == "another function" and _is_half(was.args[0]):
+    elif isinstance(was, ast.Call) and slip.operator == "another function" and any(map(_is_half, was.args)):
         yield "a cosine{} has the wrong sign", was  # 2 sin(x/2)^2 is 1 - cos x
     elif slip.operator in KINDS:
         yield KINDS[slip.operator], was
