@@ -2,6 +2,7 @@
 
 import csv
 import io
+from collections import defaultdict
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -22,6 +23,7 @@ NAMELESS = "cannot tell the assignment: give it with --assignment"
 NOT_WORK = "neither a module (.py) nor a notebook (.ipynb): ask the student for one"
 OLDER, RELEASED = "older", "came with the assignment"  # why a file is left, where all is well
 OTHER = "another file counts: see which one, and name that after the assignment"
+TWO = "another in the download is taken for the same student: who is who on the roster?"
 STRAY = {
     "canvas": "is not named as canvas names submissions",
     "moodle": "is not named as moodle names submissions",
@@ -61,7 +63,7 @@ def run(
     unpacked = [each for one in found if isinstance(one, Handed) for each in _unpacked(one)]
     if not unpacked:
         raise UsageError(f"{source} holds nothing that is named as {system} names submissions: is --from right?")
-    rows = _newest([_taken(one, people, known, given) for one in unpacked])
+    rows = _newest(_told_apart([_taken(one, people, known, given) for one in unpacked]))
     _write(rows, out)
     troubles = _newer_notebooks(rows, out)
     troubles += [_told(row) for row in rows if row.note and row.note not in (OLDER, RELEASED)]
@@ -97,6 +99,14 @@ def _taken(handed: Handed, people: Mapping[str, roster.Person], known: Sequence[
     if GIVEN.fullmatch(Path(title).stem):
         return Taken(student, handed, slug, "", RELEASED)
     return Taken(student, handed, slug, f"{slug}{suffix}", "") if slug else Taken(student, handed, "", "", NAMELESS)
+
+
+def _told_apart(rows: Sequence[Taken]) -> list[Taken]:
+    """The rows, none with a place where two people would be one student: a name may be anybody's."""
+    who = defaultdict[str, set[tuple[str, ...]]](set)
+    for row in rows:
+        who[row.student].add(row.handed.ids)
+    return [replace(row, target="", note=TWO) if row.target and len(who[row.student]) > 1 else row for row in rows]
 
 
 def _newest(rows: Sequence[Taken]) -> list[Taken]:

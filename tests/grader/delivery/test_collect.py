@@ -216,6 +216,16 @@ def test_the_first_name_is_the_students(collect, system, path, student):
     assert found == {module(student): "mine"}
 
 
+def test_who_takes_the_name_of_another_takes_nothing_else(collect):
+    """A roster without numbers joins by name."""
+    files = {f"Bo Brown_{n}_assignsubmission_file_/hw08.py": f"of {n}" for n in (17, 18)}
+    files["Cy Chen_19_assignsubmission_file_/hw08.py"] = "c"
+    code, found, rows, said = collect("moodle", files, "First name,Surname,Username\nBo,Brown,bbrown\nCy,Chen,cchen\n")
+    assert code == 1 and found == {module("cchen"): "c"}
+    assert said.count("of bbrown is not collected: another in the download is taken for the same student") == 2
+    assert "handed in nothing" not in said
+
+
 HW08 = "--assignment", "hw08"
 
 
