@@ -14,7 +14,7 @@ import tam570
 from tam570_grader.errors import UsageError
 from tam570_grader.sandbox.inside.jail import SCRATCH
 
-__all__ = ["environment", "isolation", "jailed_command", "plain_command"]
+__all__ = ["environment", "isolation", "jailed_command", "other_packages", "plain_command"]
 
 BOOT = "import json, sys; sys.path += json.loads(sys.argv[2]); from inside.worker import main; main()"
 SYSTEM_LINKS = ("/lib", "/lib64")  # into /usr on most systems
@@ -81,7 +81,8 @@ def jailed_command(hidden: Sequence[Path]) -> tuple[list[str], list[str]]:
     shown = {folder: folder for folder in [*sites, *_python_folders(), _python()[0]] if os.path.exists(folder)}
     shown |= {"/opt/course/tam570": str(course), "/opt/grader/inside": str(inside)}
     binds = [(Path(target), ["--ro-bind", os.path.realpath(source)]) for target, source in shown.items()]
-    masks = [(path, ["--tmpfs"]) for path in hidden if any(path.is_relative_to(target) for target, _ in binds)]
+    below = [path for path in hidden if any(path.is_relative_to(target) for target, _ in binds)]
+    masks = [(path, ["--tmpfs"]) for path in dict.fromkeys([*below, *other_packages(sites)])]
     command = ["bwrap", "--unshare-pid", "--unshare-ipc", "--unshare-net", "--unshare-uts", "--die-with-parent"]
     for target, mount in sorted(masks + binds, key=lambda entry: len(entry[0].parts)):
         for parent in reversed(target.parents[:-1]):
@@ -93,8 +94,18 @@ def jailed_command(hidden: Sequence[Path]) -> tuple[list[str], list[str]]:
     command += ["--tmpfs", "/dev/pts", "--remount-ro", "/dev/pts"]  # a terminal's times would be a note to all
     if not any(target.is_relative_to("/tmp") for target, _ in binds):
         command += ["--symlink", SCRATCH, "/tmp"]
+    for path, _ in masks:  # each would be a place for notes
+        command += ["--remount-ro", str(path)]
     command += ["--tmpfs", SCRATCH, "--remount-ro", "/dev", "--remount-ro", "/", "--chdir", "/", "--"]
     return [*command, *_python()], [*sites, "/opt/course", "/opt/grader"]
+
+
+def other_packages(sites: Sequence[str]) -> list[Path]:
+    """Packages of other interpreters in what is shown: a ban is kept in our own folders alone."""
+    ours = set(map(os.path.realpath, sites))
+    found = [path for folder in _python_folders() for path in Path(folder).glob("python3*/*-packages")]
+    linked = [path for path in found if path.is_symlink() or path.parent.is_symlink()]
+    return [path for path in found if path not in linked and path.is_dir() and os.path.realpath(path) not in ours]
 
 
 def _python_folders() -> list[str]:

@@ -3,13 +3,18 @@
 import json
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
 from tam570_grader import cli
 from tam570_grader.grading import submissions
+from tam570_grader.grading.one import graded
 from tam570_grader.sandbox import worker
-from tam570_grader.sandbox.launch import isolation
+from tam570_grader.sandbox.launch import isolation, other_packages
+from tam570_grader.sandbox.student import Source
+from tam570_grader.sandbox.worker import Allowance, Worker
+from tam570_grader.writing import assignments
 
 SLUG = "hw08_axis_angle"
 
@@ -148,3 +153,19 @@ def test_renaming_a_file_does_not_keep_its_score(run, tmp_path, solution_text):
     (folder / f"{SLUG}.py").rename(folder / f"{SLUG}.ipynb")
     (second,) = run(tmp_path / "ada", "--out", tmp_path / "out")
     assert (first["score"], second["score"]) == (10.0, 0.0)
+
+
+@pytest.mark.skipif(isolation() != "bubblewrap", reason="needs bubblewrap and namespaces")
+def test_what_is_hidden_is_empty_and_takes_no_notes(course, solution_text):
+    """The teacher's folders below a package folder, and the packages of other interpreters, where bans do not reach."""
+    hidden = Path(pytest.__file__).parent
+    others = [path for path in other_packages([str(hidden.parent)]) if path.is_dir()]
+    places = [str(path) for path in (hidden, *others)]
+    looks = (
+        f"for place in {places}:\n    assert not os.listdir(place) and os.statvfs(place).f_flag & os.ST_RDONLY, place\n"
+    )
+    worker = Worker(["numpy"], Allowance(), [hidden])
+    source = Source(f"import os\n{looks}{solution_text(SLUG)}".encode())
+    outcome = graded("eve", source, assignments.assignment(course, SLUG), worker, 1)
+    worker.close()
+    assert outcome.score == 10, (outcome.message, places)
