@@ -96,6 +96,10 @@ def of_vectors(draw, turns):
     return [turn.behind(draw.normal(size=3) * 10 ** draw.uniform(-2, 2)) for turn in turns]
 
 
+def vectors_by_size(draw):
+    return [of_vectors(draw, turns) for turns in turns_by_size(draw, lengths(draw))]
+
+
 def turned_vectors(draw):
     """Random vectors, vectors along the axis, and none."""
     random, plain = of_vectors(draw, turns(draw) + plain_turns(draw)), plain_turns(draw)

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from tam570_grader import absolute, agree, array, check, expect, law
+from tam570_grader import absolute, agree, array, expect, law
 
 from . import cases, right
 
@@ -52,17 +52,26 @@ matrix_turns_by_the_right_hand_rule = law(
 ).agrees(right.rotation_matrix, cases.turns, cases.plain_turns, within=POINTWISE, hint=of_few_digits)
 
 
-@check(points=1, part="a", after=matrix_turns_by_the_right_hand_rule)
-def matrix_holds_for_every_angle(student, draw):
-    """rotation_matrix: an angle of 1e-12 turns by 1e-12, one of 1e6 by 1e6; R^T R = I and det R = 1 for all of them."""
-    for within, calls in zip(BY_SIZE, cases.turns_by_size(draw), strict=True):
-        agree(student.rotation_matrix, right, calls, within=within, hint=of_which_term)
+def rotations_by_size(function, sizes):
+    for within, calls in zip(BY_SIZE, sizes, strict=True):
         # an exponential of the matrix by scaling and squaring is off in its lengths, too, at 1e6 rad
-        for _, R in student.rotation_matrix.each(calls):
-            expect(R.T @ R, np.eye(3), within=max(within, POINTWISE), of="R^T R")
-            expect(np.linalg.det(R), 1.0, within=max(within, POINTWISE), of="det R")
+        matrices = agree(function, right, calls, within=within, hint=of_which_term)
+        for case, R in zip(calls, matrices, strict=True):
+            said = {"within": max(within, POINTWISE), "kind": case.kind, "at": case}
+            expect(R.T @ R, np.eye(3), of="R^T R", **said)
+            expect(np.linalg.det(R), 1.0, of="det R", **said)
 
 
+def vectors_by_size(function, sizes):
+    for within, calls in zip(BY_SIZE, sizes, strict=True):
+        agree(function, right, calls, within=within)
+
+
+matrix_holds_for_every_angle = matrix_turns_by_the_right_hand_rule.then(
+    "rotation_matrix: an angle of 1e-12 turns by 1e-12, one of 1e6 by 1e6; R^T R = I and det R = 1 for all of them.",
+    points=1,
+    part="a",
+).judged(rotations_by_size, "rotation_matrix", cases.turns_by_size)
 matrix_depends_on_the_direction_alone = matrix_turns_by_the_right_hand_rule.then(
     "rotation_matrix: axes of length 1e-100 or 1e100 give the same matrix as the unit axis.", points=1, part="a"
 ).agrees(right.rotation_matrix, cases.of_any_length, within=POINTWISE, hint="What becomes of the square of its length?")
@@ -72,15 +81,9 @@ matrix_refuses_what_is_no_axis = matrix_turns_by_the_right_hand_rule.then(
 vector_turns_by_the_right_hand_rule = law(
     "rotate turns r as the matrix would, whatever the axis's length.", points=2, part="a"
 ).agrees(right.rotate, cases.turned_vectors, within=POINTWISE, hint=of_few_digits)
-
-
-@check(points=1, part="a", after=vector_turns_by_the_right_hand_rule)
-def vector_turns_by_every_angle(student, draw):
-    """rotate holds for angles from 1e-12 to 1e6 and axes from 1e-100 to 1e100 long."""
-    for within, turns in zip(BY_SIZE, cases.turns_by_size(draw, cases.lengths(draw)), strict=True):
-        agree(student.rotate, right, cases.of_vectors(draw, turns), within=within)
-
-
+vector_turns_by_every_angle = vector_turns_by_the_right_hand_rule.then(
+    "rotate holds for angles from 1e-12 to 1e6 and axes from 1e-100 to 1e100 long.", points=1, part="a"
+).judged(vectors_by_size, "rotate", cases.vectors_by_size)
 rotate_refuses_what_is_no_axis = vector_turns_by_the_right_hand_rule.then(
     "rotate raises ValueError for an axis that is zero or not finite, whatever angle and vector.", points=1, part="a"
 ).refuses(right.rotate, cases.vectors_about_no_axes, within=POINTWISE)

@@ -66,8 +66,8 @@ def agree(
     partial: Mapping[float, float] | None = None,
     only: Only = None,
     gradual: bool = True,
-) -> None:
-    """Fail unless the student's `function` gives what `right` gives, in every case.
+) -> list[Any]:
+    """Fail unless the student's `function` gives what `right` gives, in every case; its results, for further checks.
 
     right  : the right function, or the module in which it has the name of the student's
     within : of the scale, by default the largest number of the right result
@@ -78,12 +78,15 @@ def agree(
     """
     said = (of, unit, scale)
     words = [promised(function, name) if one is None else one for name, one in zip(WORDS, said, strict=True)]
+    results = []
     for case, found, whole in asked(function, right, cases):
+        results.append(found)
         for one, expected, what, its_unit, size in _members(found, whole, words, case, only):
             told = functools.partial(_told, hint, case, found, whole, one, expected)
             limits = _limits(size, within, partial or {})
             _infinite_alike(one, expected, what, told)
             expect(one, expected, of=what, unit=its_unit, hint=told, gradual=gradual, **limits)
+    return results
 
 
 def _limits(size: Any, within: float, partial: Mapping[float, float]) -> dict[str, Any]:
