@@ -99,7 +99,7 @@ def outcomes(plan: Plan, book: Book | None = None, old: Sequence[Results] = ()) 
         users.update(imported(text))
         held += len(text)
         fresh.append((submission, task if held < HELD else None))
-    # What two submissions a worker import repays.
+    # a worker's import of a package pays off from the second submission that uses it
     preload = [name for name, count in users.items() if count >= 2 * plan.jobs]
     tasks = (task or _task(plan, engine, submission) for submission, task in fresh)
     for line in lines(plan, tasks, len(fresh), preload):

@@ -58,11 +58,10 @@ def crew(jobs: int) -> Iterator[Crew]:
 def finished(
     crew: Crew, work: Callable[[Task], Outcome], tasks: Iterable[Task], count: int = 0
 ) -> Iterator[tuple[int, Task, Outcome | Lost]]:
-    """Each task with its number and what the work makes of it, as soon as it is there; again where a process is lost.
+    """Each task with its number and its outcome, as soon as that is there; the tasks of a lost process are repeated.
 
-    count : of the tasks, if it is known. Many travel in bunches, which become smaller towards the end.
-
-    Of the tasks that may not be handed out yet nothing is held.
+    tasks : read only when they can be handed out
+    count : how many there are, if known; many are handed out in bunches, which become smaller towards the end
     """
     left, waiting = enumerate(tasks), dict[Future[list[Outcome]], tuple[list[tuple[int, Task]], int]]()
     sent, ended = partial(_each, crew.sent(work)), SimpleQueue[Future[list[Outcome]]]()

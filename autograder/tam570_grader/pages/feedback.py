@@ -179,9 +179,9 @@ def _among(result: Result) -> Any:
 
 
 def write_pages(folder: Path, results: Results, course: Path, told: Progress = lambda keys, total: keys) -> None:
-    """A page for each student and assignment, `<student>/<assignment>.html`, where it is not what it was made from.
+    """Write the page of each student and assignment, `<student>/<assignment>.html`, unless it is up to date.
 
-    A file beside the folder says what each was made from: pages are for students, and it is not.
+    A file beside the folder, not in it, says from what each page was made: the folder is for students.
     """
     version = _version()
     marks = {slug: _mark_of_sheet(course, slug, version) for slug in {slug for _, slug in results.lines}}

@@ -53,8 +53,8 @@ class BudgetSpent(Over):
 class Student:
     """One submission in the sandbox. `student.f` is the function f of the contract.
 
-    A forgiving one that somebody else killed, the machine out of memory perhaps, is taken for a loss of the worker.
-    One that is tried again may know hidden inputs: what it says at import is not quoted.
+    forgiving : raise WorkerLost where it is killed from outside, as by a machine that is out of memory
+    again     : it has been tried before, and may know hidden inputs: what it says at import is not quoted
     """
 
     def __init__(

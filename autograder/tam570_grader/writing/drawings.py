@@ -141,7 +141,7 @@ METRES = {"m", "metre", "metres", "meter", "meters"}
 
 
 def words(label: str) -> set[str]:
-    """The words of a label, without brackets and points around them; only of one letter is the case kept, M is no m."""
+    """The words of a label, without punctuation around them, in lower case; a single letter keeps its case (M, m)."""
     stripped = (word.strip("()[]{}$,;:.\\") for word in label.replace("(s)", "s").split())
     return {word if len(word) == 1 else word.lower() for word in stripped}
 

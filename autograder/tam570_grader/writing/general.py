@@ -1,8 +1,8 @@
 """Mistakes that nobody has written down: a sign, a factor, a swapped pair, degrees, a missing term, found by trying.
 
-Where no known mistake has a student's numbers, two families are tried on the very inputs. One changes what the right
-function is given or returns, and its words need no knowledge of the solution. The other has the solution's own terms
-slip. A name is said if it alone explains every call of the check, two of them at least being wrong.
+Where no known mistake gives the student's numbers, two families of variants are tried on the same inputs. The first
+changes the arguments or the result of the right function; the second makes one slip in the solution's own code. A
+variant is named if it alone explains every call of the check, of which at least two are wrong.
 """
 
 import ast
