@@ -75,8 +75,9 @@ def general(solution: str, calls: Sequence[Called]) -> str | None:
     if said := next((says for says, variant in results if _explains(variant, own)), ""):
         return said
     for family in (arguments, _other_products(name, right, own[0])):
-        if told := [says for says, variant in family if _explains(variant, own)]:
-            return told[0] if len(told) == 1 else None
+        told = [says for says, variant in family if _explains(variant, own)]
+        if len(told) == 1:
+            return told[0]
     return _slip(solution, module, name, calls)
 
 

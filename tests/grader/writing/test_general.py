@@ -29,6 +29,9 @@ def cross(a, b):
 def _part(a, b, i, j):
     return a[i] * b[j] - a[j] * b[i]
 
+def lift(length, mass, *, gravity):
+    return mass * length ** 2 - mass * gravity * length
+
 def swing(angle, *, mass):
     return 2 * mass * np.sin(angle / 2) ** 2
 
@@ -65,6 +68,10 @@ def products(wrong):
 
 def swings(wrong):
     return [Call("swing", given(angle, mass=2.0), 2 * wrong(angle)) for angle in DRAW.uniform(0.3, 1.2, 4)]
+
+
+def lifts(wrong):
+    return [Call("lift", given(x, m, gravity=9.0), wrong(x, m)) for x, m in DRAW.uniform(0.3, 3, (4, 2))]
 
 
 def turned(v, angle):
@@ -119,6 +126,10 @@ def turned(v, angle):
             "The second result of polar lacks the factor 2 pi",
         ),
         (lambda: swings(lambda angle: 1 + math.cos(angle)), "In swing, a cosine with angle has the wrong sign"),
+        (  # length and gravity explain it, too; one slip alone does
+            lambda: lifts(lambda length, mass: mass * length**2 + 9.0 * mass * length),
+            "In lift, the sign of a term with gravity, length, mass is reversed",
+        ),
         (lambda: weights(lambda **known: 0.0), "The result of weight is zero"),
         (lambda: vectors(lambda v, angle: turned(v, -angle)), "In turned, angle has the opposite sign"),
         (lambda: vectors(lambda v, angle: turned(v, math.radians(angle))), "In turned, angle is read as degrees"),
