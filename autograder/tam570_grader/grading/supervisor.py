@@ -68,7 +68,7 @@ def result(task: Task) -> Result:
         return not_graded(task.student, assignment, status, str(task.source), task.seed)
     asked = task.conditions
     hidden = [*dict.fromkeys([task.course, *asked.hidden])]
-    preload = sorted({*assignment.needs, *asked.preload})
+    preload = sorted({*assignment.needs, *asked.preload}.difference(assignment.off_limits.get("*", ())))
     try:
         with answers.sharing(asked.shared):
             return tried(functools.partial(_graded, task), preload, asked.allowance, hidden)

@@ -10,9 +10,11 @@ import pytest
 from tam570_grader import cli
 from tam570_grader.grading import submissions
 from tam570_grader.grading.one import graded
+from tam570_grader.grading.supervisor import Conditions, Task, result
 from tam570_grader.sandbox import worker
 from tam570_grader.sandbox.launch import isolation, other_packages
 from tam570_grader.sandbox.student import Source
+from tam570_grader.sandbox.warm import sandboxes
 from tam570_grader.sandbox.worker import Allowance, Worker
 from tam570_grader.writing import assignments
 
@@ -169,3 +171,19 @@ def test_what_is_hidden_is_empty_and_takes_no_notes(course, solution_text):
     outcome = graded("eve", source, assignments.assignment(course, SLUG), worker, 1)
     worker.close()
     assert outcome.score == 10, (outcome.message, places)
+
+
+DIGS = """
+import gc, types
+gc.unfreeze()
+found = [one for one in gc.get_objects() if isinstance(one, types.FunctionType)]
+if any(str(one.__module__).startswith("tam570.rotations") for one in found):
+    raise SystemExit("found")
+"""
+
+
+def test_what_is_off_limits_is_not_in_a_workers_memory_though_others_import_it(course, solution_text):
+    asked = Conditions(Allowance(), preload=("tam570.rotations",))
+    with sandboxes():
+        outcome = result(Task(course, "eve", SLUG, 1, Source((DIGS + solution_text(SLUG)).encode()), conditions=asked))
+    assert outcome.score == 10, outcome.message

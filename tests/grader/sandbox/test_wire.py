@@ -69,7 +69,8 @@ def test_what_is_no_number_is_foreign(value):
         ("import sympy as sp", {"sympy"}),
         ("import sympyx, scipyxintegrate", set()),
         ("# import sympy", set()),
-        ("from tam570.integrate import solve", set()),
+        ("from tam570.integrate import solve", {"tam570.integrate"}),
+        ("from tam570.lectures import integrate", set()),
     ],
 )
 def test_what_a_submission_imports_is_read_from_its_text(line, names):
