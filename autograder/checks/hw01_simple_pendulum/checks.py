@@ -161,7 +161,7 @@ period_grows_towards_the_top = (
 )
 SWING = cases.motions(cases.swing, 15, 1000, "a large swing, t[0] not 0")
 simulate_swings = law("simulate: large swings, row i at t[i], row 0 the given state.", points=0.75, part="a").follows(
-    right.simulate, SWING, within=TRAJECTORY, hint="Is omega the rate of theta? Is alpha right?", keeps=KEPT
+    right.simulate, SWING, within=TRAJECTORY, hint="Is omega the rate of theta, and is alpha right?", keeps=KEPT
 )
 TWO_TIMES = cases.motions(cases.swing, 100, 2, "two times, many periods apart")
 SMALL_SWING = cases.motions(cases.small, 40, 2, "a small swing, two times many periods apart")

@@ -61,7 +61,7 @@ energy_is_that_of_motion_spring_and_weight = law(
 ).agrees(right.energy, cases.states, within=POINTWISE, hint="Three terms: speed, stretch, height.")
 
 
-WHERE = "About which point does it oscillate, and how fast? Are the velocities the rates of the positions?"
+WHERE = "About which point does it oscillate, and how fast? The velocities are the rates of the positions."
 solution_is_the_motion = law(
     "solution: position and velocity in closed form, given those at t = 0.", points=1.5, part="a"
 ).agrees_by_columns(right.solution, cases.with_gravity, within=POINTWISE, hint=WHERE)

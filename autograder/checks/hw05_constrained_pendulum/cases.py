@@ -98,12 +98,12 @@ def plain(draw, weight):
         for count, sign in ((2, side), (3, -side)):
             known, turns = parameters(draw, **fixed), draw.uniform(0.3, 0.8)
             start = theta * sign, omega * sign
-            yield moved(draw, f"{kind}, at {count} times", turns, count, start, known, (-1, 1))
+            yield moved(draw, f"a particle {kind}, at {count} times", turns, count, start, known, (-1, 1))
 
 
 def swinging(draw, turns, count):
     start = draw.uniform((0.8, 0.2), (2.2, 0.6)) * draw.choice([-1, 1], 2)
-    return moved(draw, "swinging", turns, count, start, parameters(draw))
+    return moved(draw, "a particle that swings", turns, count, start, parameters(draw))
 
 
 def with_gravity(draw):
@@ -111,7 +111,7 @@ def with_gravity(draw):
     again, far = swinging(draw, 1.8, 5), swinging(draw, 3.1, 9)
     return [
         swinging(draw, 1.8, 9),
-        moved(draw, "going round over the top", 1.8, 9, round_the_top, parameters(draw), (-1, 1)),
+        moved(draw, "a particle that goes over the top", 1.8, 9, round_the_top, parameters(draw), (-1, 1)),
         *in_turn(draw, again, start=(again.args[1] * [-1, 1, -1, 1],), length=None),
         far.but(far.args[0][[0, -1]]).on("two times far apart"),
         *plain(draw, True),

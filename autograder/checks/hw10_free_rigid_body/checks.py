@@ -104,7 +104,7 @@ def wrong_attitude(motion):
         "These are the transposes, from space to body.": np.abs(transposes - expected).max() < 1e-3,
         "R is not kept orthogonal: R^T R is no longer I.": np.abs(transposes @ rotations - np.eye(3)).max() > 1e-4,
     }
-    return next((says for says, holds in told.items() if holds), "Does attitude_rate pass? Which components has omega?")
+    return next((says for says, holds in told.items() if holds), "Does attitude_rate pass? omega has body components.")
 
 
 def squares(states, inertia):

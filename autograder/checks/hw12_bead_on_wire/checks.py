@@ -91,7 +91,7 @@ def force_has_the_right_size(student, draw):
         expect(math.hypot(*force), size, within=within, of="the size of the force", unit="N", hint=hint)
 
 
-TANGENT = "Dot it with the tangent (1, 2 c x): is that zero? Does the force act on the bead?"
+TANGENT = "Dot it with the tangent (1, 2 c x): is that zero, and does the force act on the bead?"
 force_and_weight_make_the_acceleration = law(
     "constraint_force: normal to the wire, and with the weight it is m a.",
     points=0.5,
@@ -104,7 +104,7 @@ energy_is_kinetic_and_potential = law(
 ).agrees(right.energy, *BEADS, within=FORMULA, hint="v is not the speed along the wire.")
 WIDE = cases.rides(0.4, 1.0, 1000, 15.0, "an amplitude near 1/c")
 simulate_slides = law("simulate: large motions, row i at t[i], row 0 the given state.", points=1, part="b").follows(
-    right.simulate, WIDE, within=TRAJECTORY, hint="Is v the rate of x? Is x'' as in part (a)?", keeps=KEPT
+    right.simulate, WIDE, within=TRAJECTORY, hint="Is v the rate of x, and x'' as in part (a)?", keeps=KEPT
 )
 OWN_STEPS = "Your own steps are not those of t: is the tolerance tight?"
 SMALL = "However small the amplitude, the other terms are there."

@@ -39,7 +39,7 @@ def quantity(value: float, digits: int = DIGITS[0]) -> str:
         return "more than any number"
     short = float(f"{value:.{digits}g}")
     if value == 0 or 1e-3 <= abs(short) < 1e4:
-        return f"{short:.{DIGITS[-1]}g}"
+        return f"{short:.{max(digits, 4)}g}"
     number, _, exponent = f"{value:.{digits - 1}e}".partition("e")
     return f"{float(number):.{digits}g}e{int(exponent)}"
 

@@ -7,7 +7,7 @@ and it goes on behind an error that leaves a share of the points, for the smalle
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import AbstractContextManager, contextmanager, nullcontext
 from contextvars import ContextVar
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -55,7 +55,7 @@ class Trial:
 
     case: Given | None = None
     function: str = ""  # that the case was given to
-    failures: list[Failed] = field(default_factory=list)
+    failures: list[tuple[Failed, Hint]] = field(default_factory=list)
     recorder: Callable[[float], None] | None = None  # told every error over its limit; nothing fails then
     aside: Callable[[], AbstractContextManager[None]] = nullcontext  # in which calls are made that choose the words
 
@@ -63,16 +63,22 @@ class Trial:
         """From now on the result of this call is judged."""
         self.function, self.case = function, case
 
-    def fail(self, failed: Failed) -> None:
+    def fail(self, failed: Failed, hint: Hint) -> None:
         """Keep a failure that leaves a share, else end the check with it."""
         if failed.share <= 0:
-            raise failed
-        self.failures.append(failed)
+            raise self._explained(failed, hint)
+        self.failures.append((failed, hint))
 
     def end(self) -> None:
         """Raise the failure that leaves the smallest share."""
         if self.failures:
-            raise min(self.failures, key=lambda failed: failed.share)
+            raise self._explained(*min(self.failures, key=lambda one: one[0].share))
+
+    def _explained(self, failed: Failed, hint: Hint) -> Failed:
+        """The one failure that is told, with its hint, which may take long to find."""
+        said, fault = _said(hint, self)
+        failed.failure = replace(failed.failure, hint=said, fault=fault)
+        return failed
 
 
 _current: ContextVar[Trial] = ContextVar("trial")
@@ -151,9 +157,8 @@ def fail(
     """Fail with `says`; with a share the check goes on."""
     running = current()
     known = running.case
-    said, fault = _said(hint, running)
     fields |= {"kind": (known.kind if known and kind == "" else kind) or "", "at": known if at is None else at}
-    running.fail(Failed(says, hint=said, fault=fault, function=running.function, share=share, **fields))
+    running.fail(Failed(says, function=running.function, share=share, **fields), hint)
 
 
 def _said(hint: Hint, running: Trial) -> tuple[str, str]:

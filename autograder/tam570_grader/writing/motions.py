@@ -34,7 +34,7 @@ OBEYED = 0.03  # of the change between rows: a wrong term makes more, a loose to
 # Of the duration: in one so short no step has an error, and a wrong term has the same part in the rate as in any other.
 INSTANTS = 1e-8, 1e-7
 ASKED = 6  # rows, and right states, from which both set off for an instant
-PATIENCE = 0.5  # s, for these calls
+PATIENCE = 2.0  # s, for these calls
 EXPLAINED, EXPLAINS = 0.03, 0.5  # of the errors' rate: right rates leave less of it, a wrong term makes more
 
 
@@ -111,7 +111,7 @@ def _tells(motion: Motion, motions: Sequence[Motion], turns: Sequence[int]) -> l
         (lambda: not motion.found.any(), "Every number is zero"),
         (lambda: len(inner) > 0 and motion.near(expected[2:], inner), AHEAD),
         (lambda: len(inner) > 0 and motion.near(expected[:-2], inner), BEHIND),
-        (lambda: motion.errors[0].max() > ALIKE >= motion.errors[1:].max(), "row 0 is not the start"),
+        (lambda: motion.errors[0].max() > ALIKE >= motion.errors[1:].max(), "Row 0 is not the start"),
         (lambda: _turned(motion, turns), "Only whole turns are missing: never wrap angles"),
         (lambda: _even(motion), "These are the rows at evenly spaced times: use the times in t"),
         (lambda: _from_zero(motion), "The start is taken at t = 0: it is the state at t[0]"),
@@ -122,8 +122,8 @@ def _tells(motion: Motion, motions: Sequence[Motion], turns: Sequence[int]) -> l
     ]
 
 
-AHEAD = "row i is the state at t[i+1], not at t[i]"
-BEHIND = "row i is the state at t[i-1], not at t[i]"
+AHEAD = "Row i is the state at t[i+1], not at t[i]"
+BEHIND = "Row i is the state at t[i-1], not at t[i]"
 JOINED = (
     "This row is accurate when requested alone: do you interpolate linearly between steps, or at a loose tolerance?"
 )
@@ -240,12 +240,14 @@ def _explained(motion: Motion) -> float:
 
 
 def _worst(motion: Motion, rows: NDArray[np.int_]) -> Iterator[tuple[float, Array]]:
-    """Times and states where most of the error is made: rows, the worst first, and right states behind the first."""
-    t, found = motion.t, motion.found
-    yield from zip(t[rows[:ASKED]], found[rows[:ASKED]], strict=True)
-    first = rows[0]
-    times = np.linspace(t[first], t[first + 1], ASKED + 1)
-    yield from zip(times[1:], motion.truly(times, *_restart(motion, found[first]))[1:], strict=True)
+    """Times and states where most of the error is made: rows, the worst first, and right states behind the first.
+
+    A row that breaks a constraint is taken as the right motion takes it.
+    """
+    for row in rows[:ASKED]:
+        yield motion.t[row], motion.truly(motion.t[row : row + 2], *_restart(motion, motion.found[row]))[0]
+    times = np.linspace(motion.t[rows[0]], motion.t[rows[0] + 1], ASKED + 1)
+    yield from zip(times[1:], motion.truly(times, *_restart(motion, motion.found[rows[0]]))[1:], strict=True)
 
 
 def _apart(motion: Motion, starts: Sequence[tuple[float, Array]], instant: float) -> float:

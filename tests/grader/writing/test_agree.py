@@ -8,7 +8,7 @@ import pytest
 from tam570_grader.pages.sentences import message
 from tam570_grader.writing.agree import Column, agree, agree_by_columns
 from tam570_grader.writing.check import given
-from tam570_grader.writing.expect import Failed, trial
+from tam570_grader.writing.expect import Failed, expect, trial
 from tam570_grader.writing.returns import array, group, number, rows
 
 
@@ -55,3 +55,11 @@ def test_rows_are_judged_by_the_columns_of_results_and_tell_the_time():
     t, found = np.array([0.0, 1.0, 2.5]), np.array([[1.0, 2.0], [1.0, 2.0], [1.0, 9.0]])
     says = said(agree_by_columns, student(motion, found), lambda t: np.tile([1.0, 2.0], (3, 1)), [given(t)])
     assert "v is wrong by 7 m/s (limit 2e-9) at t = 2.5 s" in says
+
+
+def test_a_hint_is_asked_for_the_one_failure_that_is_told():
+    asked = []
+    with pytest.raises(Failed) as failed, trial():
+        for error in (2.0, 3.0):  # both keep a share
+            expect(error, 0.0, within=1.0, hint=lambda error=error: asked.append(error) or f"by {error:g}")
+    assert asked == [2.0] and failed.value.failure.hint == "by 2"
