@@ -160,11 +160,17 @@ def _plan(arguments: argparse.Namespace, course: Path, found: list[Any], earlier
     limits = {name: vars(arguments)[name] or usual for name, usual in own.limits(course).items()}
     allowance = Allowance(limits["memory"] * 2**20, limits["cpu"], limits["call"], arguments.processes)
     ours = [*arguments.paths, *arguments.join, *filter(None, (arguments.out, arguments.against, arguments.vary))]
-    checkout, desk = (course / "shared").resolve().parent, course.parents[1]  # of a course of one's own
-    beside = [checkout, desk] if course.parent.name == own.PLACE else []
-    hidden = [course, *beside, *(path.resolve() for path in ours)]
+    hidden = [*_folders(course), *(path.resolve() for path in ours)]
     cluster = _cluster(arguments)
     return Plan(course, found, seed, arguments.jobs, allowance, hidden, arguments.speed, key=key, cluster=cluster)
+
+
+def _folders(course: Path) -> list[Path]:
+    """Where a course lies; one of one's own has a checkout, and the teacher's desk, too."""
+    from tam570_grader.delivery import own
+
+    beside = [(course / "shared").resolve().parent, course.parents[1]] if course.parent.name == own.PLACE else []
+    return [course, *beside]
 
 
 def _cluster(arguments: argparse.Namespace) -> Any:

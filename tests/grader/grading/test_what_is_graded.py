@@ -2,9 +2,11 @@
 
 import json
 import shutil
+from pathlib import Path
 
 import pytest
 
+from tam570_grader.grading import command
 from tam570_grader.sandbox.launch import isolation
 from tam570_grader.writing import assignments
 from tam570_grader.writing.assignments import slug_of
@@ -166,3 +168,7 @@ def test_names_tell_assignments(name, slug):
 
 def test_an_assignment_is_found_by_its_short_name(course):
     assert assignments.assignment(course, "hw08").slug == SLUG
+
+
+def test_a_course_may_lie_at_the_top_of_a_disk():
+    assert command._folders(Path("/course")) == [Path("/course")]
