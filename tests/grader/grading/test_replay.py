@@ -131,7 +131,14 @@ def test_a_file_that_is_not_there_is_bad_usage(results, course, capsys):
     assert "none.py cannot be read: No such file" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize(("student", "says"), [("bob", "no result of bob"), ("ada", "failed checks: ")])
-def test_what_is_not_there_is_named(results, course, capsys, student, says):
-    assert cli.main(["--root", str(course), "replay", str(results / "out"), student, "no_check"]) == 2
+@pytest.mark.parametrize(
+    ("student", "check", "says"),
+    [
+        ("bob", "no_check", "no result of bob"),
+        ("ada", "no_check", "ada did not fail no_check; failed checks: "),
+        ("ada", "skew_is_the_cross_product", "ada did not fail skew_is_the_cross_product (passed: "),
+    ],
+)
+def test_what_is_not_there_is_named(results, course, capsys, student, check, says):
+    assert cli.main(["--root", str(course), "replay", str(results / "out"), student, check]) == 2
     assert says in capsys.readouterr().err
