@@ -122,7 +122,7 @@ def plot_comparison(ax, t, speed, angle, *, mass, drag, gravity):
     """Draw the numerical and the closed-form path, from t[0] to t[-1], at the same scale.
 
     ax    : Matplotlib Axes to draw on; one line for each path, labelled
-    t     : (n,) s, strictly increasing, the launch at t[0]
+    t     : (n,) s, strictly increasing from the launch at t[0] = 0
     speed : of the launch, m/s
     angle : of the launch above the horizontal, rad
     mass, drag, gravity : kg, kg/s, m/s^2

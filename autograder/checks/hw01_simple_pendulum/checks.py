@@ -90,7 +90,7 @@ energies_are_right = law("energy_balance: T, and V, which is zero at the lowest 
 energy_gives_the_acceleration = law(
     "energy_balance: alpha, from the constancy of the energy.", points=0.25, part="a"
 ).agrees(right.energy_balance, cases.states, within=FORMULA, only=0, hint="The terms of dE/dt have a factor in common.")
-CANCELLED = "Cancel the factor omega; do not divide by it."
+CANCELLED = "Do you divide by omega? Cancel it on paper."
 energy_gives_the_acceleration_at_rest = energy_gives_the_acceleration.then(
     "energy_balance: alpha where omega is zero, too.", points=0.25, part="a"
 ).agrees(right.energy_balance, cases.at_rest, within=FORMULA, only=(0, 1), hint=CANCELLED)
@@ -181,7 +181,7 @@ simulate_without_gravity = simulate_swings.then(
 ).follows(right.simulate, cases.weightless, within=TRAJECTORY, hint="Is anything divided by gravity?")
 MANY = cases.motions(cases.swing, 180, 300, "many periods")
 LOSSES = {1e-4: 0.6, 1e-2: 0.3}
-FIXED = "A step of fixed length, or a fixed number of them, does not do for every duration."
+FIXED = "Tighten rtol and atol; a step of fixed length does not do for every duration."
 simulate_keeps_the_energy = simulate_swings.then(
     "simulate: the energy stays what it was over many periods.", points=0.25, part="a"
 ).keeps(KEPT, right=right.simulate, cases=MANY, coarsely=COARSELY, partial=LOSSES, hint=FIXED)

@@ -132,14 +132,10 @@ def flights_with_any_drag(draw):
     drags = [0.0, *10.0 ** draw.uniform(-14, -11, 3), *10.0 ** draw.uniform(-10, -2, 4)]
     known = [("very little drag" if drag else "no drag", parameters(draw, drag=drag)) for drag in drags]
     calls = [given(uneven(draw, draw.uniform(1, 9), 20, 0.0), *launch(draw), **one).on(kind) for kind, one in known]
-    for span in LITTLE:  # of c t/m, the last time's
-        one = parameters(draw)
-        times = uneven(draw, span * one["mass"] / one["drag"], 20, 0.0)
-        calls.append(given(times, *launch(draw), **one).on("very little drag"))
-    much = parameters(draw)
-    for span in (draw.uniform(1000, 2000), 1e9):
-        t = uneven(draw, span * much["mass"] / much["drag"], 20, 0.0)
-        calls.append(given(t, *launch(draw), **much).on("great drag"))
+    one = parameters(draw)
+    for span in (*LITTLE, draw.uniform(1000, 2000), 1e9):  # of c t/m
+        t = uneven(draw, span * one["mass"] / one["drag"], 20, 0.0)
+        calls.append(given(t, *launch(draw), **one).on("very little drag" if span < 1 else "great drag"))
     return calls + [flight(draw, LIGHT, light(draw)), *(case for case in alike_flights(draw) if case.args[0][0] == 0)]
 
 

@@ -35,6 +35,7 @@ HINTS = {
     "asked for again": KEPT,
     cases.LIGHT: SMALL_BESIDE,
     "gravity is weak": SMALL_BESIDE,
+    "no drag": "What becomes of your formula as the drag goes to zero?",
     "great drag": "What is left of the equation when e^-s is nothing? e^s goes beyond all numbers.",
     "below a tenth": "45 degrees are for no drag: the angle falls in proportion to the drag, then by its next term.",
     "two times": "Which way does it fly, and is it launched at the origin?",

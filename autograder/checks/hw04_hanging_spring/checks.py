@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from tam570_grader import Column, Invariant, absolute, check, expect, expect_that, law
+from tam570_grader import Column, Invariant, absolute, by_kind, check, expect, expect_that, law
 from tam570_grader.writing.drawings import curves_seen, judge_axes_of_lengths, path_drawn
 from tam570_grader.writing.returns import array, drawing, group, number, rows
 
@@ -65,11 +65,11 @@ WHERE = "About which point does it oscillate, and how fast? The velocities are t
 solution_is_the_motion = law(
     "solution: position and velocity in closed form, given those at t = 0.", points=1.5, part="a"
 ).agrees_by_columns(right.solution, cases.with_gravity, within=POINTWISE, hint=WHERE)
-AT_ZERO = "Row i is the state at t[i], and the given state belongs to t = 0."
+AT_ZERO = by_kind({"gravity": "Do you divide by gravity?"}, "Row i is the state at t[i], the given one that at t = 0.")
 solution_holds_without_gravity_and_from_any_time = solution_is_the_motion.then(
     "solution: without gravity too, and at times of which none is zero.", points=0.5, part="a"
 ).agrees_by_columns(right.solution, cases.from_any_time, within=POINTWISE, hint=AT_ZERO)
-AT_THE_FIRST = "Row i is the state at t[i], and the given state is that at t[0]."
+AT_THE_FIRST = "Does state_derivative pass? Row i is the state at t[i], the given one that at t[0]."
 simulate_moves_as_it_must = law(
     "simulate: the state at few and uneven times, the first of which is not 0.", points=1, part="a"
 ).follows(right.simulate, cases.moving, within=TRAJECTORY, hint=AT_THE_FIRST, keeps=KEPT)
@@ -107,9 +107,13 @@ def judge_axes(orbit, calls):
         (_, whole), found = right.orbit(*case.args, **case.kwargs), np.outer(a, a) + np.outer(b, b)
         square = np.trace(whole) + (NOUGHT * length(case)) ** 2
         known = {"scale": square, "unit": "of the square of its size"}
-        twice = np.allclose(found, 4 * whole, rtol=0, atol=4 * TENSOR * square)
-        hint = "Do r and v/sqrt(k/m) lie on your ellipse, as seen from its centre?"
-        hint = "It is twice as large: these are its axes, not semi-axes." if twice else hint
+        known_ones = {
+            "It is twice as large: these are its axes, not semi-axes.": 4 * whole,
+            "The semi-axes have the squares of their lengths.": whole @ whole,
+            "The semi-axes are unit vectors: give them their lengths.": found @ found if found.any() else whole,
+        }
+        near = [says for says, one in known_ones.items() if np.allclose(found, one, rtol=1e-6, atol=TENSOR * square)]
+        hint = near[0] if near else "Do r and v/sqrt(k/m) lie on your ellipse, as seen from its centre?"
         expect(found, whole, within=TENSOR, of="the ellipse", hint=hint, **known)
         hint = "Two radii that give the ellipse need not be its axes."
         expect(a @ b, 0.0, within=RIGHT_ANGLE, of="the product of the axes", hint=hint, **known)

@@ -89,13 +89,15 @@ WHERE_ZERO = by_kind({"front": "Can your growth rate be positive there?"}, "Wher
 def of_friction(case, found, expected):
     if not np.any(found) and np.any(expected):
         return AS_AT_REST
-    return "Coulomb friction is along the velocity, at any speed: what is 0/0 at rest?"
+    return "Coulomb friction is against the velocity, and as large at any speed: what is 0/0 at rest?"
 
 
 def of_rates(case, found, expected):
     unbraked = right.state_derivative(*case.args, **{**case.kwargs, "friction": 0.0})
     if np.allclose(found, unbraked, rtol=1e-4, atol=0) and not np.allclose(expected, unbraked, rtol=1e-4, atol=0):
         return AS_AT_REST
+    if "1 mm/s" in case.kind or "1e-8" in case.kind:
+        return "Friction is as large at any speed, however low: is yours smoothed there?"
     if np.allclose(found[:3], expected[:3]) and not np.allclose(found[3], expected[3]):
         return "In axes that turn, does the rate of speed have a term with the yaw rate squared?"
     if np.allclose(found[:4], expected[:4]):
