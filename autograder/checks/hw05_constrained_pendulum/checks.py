@@ -66,7 +66,7 @@ force_keeps_the_particle_on_the_circle = law(
 ).agrees(right.constraint_force, cases.states, within=FORMULA, hint=TWICE)
 acceleration_is_that_of_both_forces = law(
     "acceleration: by the weight and the constraint force.", points=1.5, part="a"
-).agrees(right.acceleration, cases.states, within=FORMULA, hint="What is r . a on the circle?")
+).agrees(right.acceleration, cases.states, within=FORMULA, hint="Do both forces act, and what is r . a?")
 consistent_state_is_the_nearest = law(
     "consistent_state: the place goes along its radius onto the circle, v loses its radial part.", points=1.25, part="a"
 ).agrees(right.consistent_state, cases.off_circle, within=FORMULA, hint=of_mending)
@@ -86,10 +86,13 @@ with_gravity_it_swings_or_goes_round = law(
 ).follows(right.simulate, cases.with_gravity, within=FOLLOWED, hint="Does acceleration pass?", keeps=KEPT)
 
 
+LEAVES = "Do place and velocity leave the circle: what corrects the errors of the steps?"
+
+
 @check(points=1, part="a", after=with_gravity_it_swings_or_goes_round)
 def it_stays_on_the_circle(student, draw):
     """simulate: after 100 s the particle is still on the circle, and its velocity tangent to it."""
-    (motion,) = follow(student.simulate, right, cases.long(draw), within=COARSELY, gradual=False)
+    (motion,) = follow(student.simulate, right, cases.long(draw), within=COARSELY, hint=LEAVES, gradual=False)
     (x, y, vx, vy), length = motion.found.T, motion.case.kwargs["length"]
     off = (x**2 + y**2) / length**2 - 1
     out = (x * vx + y * vy) / (length * speed(motion.case, motion.expected))
@@ -103,8 +106,7 @@ def drift(off, out):
         return {"of": "the constraint r . v = 0", "hint": "The place is put back: is the velocity made tangent?"}
     if np.abs(out).max() <= ROUNDED:
         return {"of": "the constraint x^2 + y^2 = l^2", "hint": "The velocity is made tangent: is the place put back?"}
-    hint = "Place and velocity leave the circle: what corrects the errors of the steps?"
-    return {"of": "the constraint x^2 + y^2 = l^2 or r . v = 0", "hint": hint}
+    return {"of": "the constraint x^2 + y^2 = l^2 or r . v = 0", "hint": LEAVES}
 
 
 TIGHTEN, LOSSES = "Tighten rtol and atol: does it leave the circle between the samples?", {1e-3: 0.6, 1e-2: 0.3}

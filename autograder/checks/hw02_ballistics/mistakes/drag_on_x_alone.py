@@ -1,4 +1,4 @@
-"""The drag acts on the horizontal component alone.
+"""The vertical motion is that without drag, which acts on both components.
 
 fails: rates_are_newtons, simulation_follows_the_motion, trajectory_is_the_motion, flight_ends_at_launch_height, range_is_where_it_lands
 also: The flight time is that without drag.

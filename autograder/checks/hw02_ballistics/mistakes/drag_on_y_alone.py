@@ -1,4 +1,4 @@
-"""The drag acts on the vertical component alone.
+"""The horizontal motion is that without drag, which acts on both components.
 
 fails: range_is_where_it_lands
 """

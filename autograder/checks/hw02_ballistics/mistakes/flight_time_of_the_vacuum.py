@@ -1,7 +1,7 @@
 """The flight time is that without drag.
 
 fails: range_is_where_it_lands
-also: The drag acts on the horizontal component alone.
+also: The vertical motion is that without drag, which acts on both components.
 """
 
 

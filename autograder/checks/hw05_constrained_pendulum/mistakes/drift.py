@@ -2,7 +2,7 @@
 
 fails: it_stays_on_the_circle
 numerics: the constraint drifts as the error of the integration does
-names: Place and velocity leave the circle
+names: Do place and velocity leave the circle
 """
 
 def _off_the_circle(y, gravity):
