@@ -19,19 +19,23 @@ def bead(draw, weight=1):
     return given(x, v, **known).on(_weighed(ANY, weight))
 
 
+def usual(draw):
+    """Random ones and whole numbers; nothing is zero, for a right formula may be 0/0 there."""
+    whole = given(1.0, 1.0, mass=1.0, curvature=1.0, gravity=1.0).on(ANY)
+    return [*(bead(draw) for _ in range(15)), whole, whole.but(-1.0), whole.but(1.0, -1.0)]
+
+
 def beads(draw):
-    """Random ones; this x or v, the other zero, or both zero, without gravity too; whole numbers."""
-    calls = [bead(draw, weight) for weight in [1] * 15 + [0] * 3]
+    """At rest, at the bottom, or both; random ones; all of them without gravity too."""
+    calls = usual(draw)
     x, v = map(abs, calls[0].args)
     places = {
-        "a bead at the bottom": [(0.0, v), (0.0, -v)],
         "a bead at rest": [(x, 0.0), (-x, 0.0)],
+        "a bead at the bottom": [(0.0, v), (0.0, -v)],
         "a bead at rest at the bottom": [(0.0, 0.0)],
     }
-    for kind, states in places.items():
-        calls += [one for state in states for one in _with_and_without_gravity(calls[0].but(*state), kind)]
-    whole = given(1.0, 1.0, mass=1.0, curvature=1.0, gravity=1.0).on(ANY)
-    return [*calls, whole, whole.but(-1.0), whole.but(1.0, -1.0)]
+    placed = [calls[0].but(*state).on(kind) for kind, states in places.items() for state in states]
+    return [*placed, *calls, *(one.but(gravity=0.0).on(_weighed(one.kind, 0)) for one in (*placed, *calls[:3]))]
 
 
 def next_to_bottom(draw):

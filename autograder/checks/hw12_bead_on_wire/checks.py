@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from tam570_grader import Column, Invariant, agree, check, expect, from_own_lagrangian, in_symbols, law
+from tam570_grader import Column, Invariant, agree, by_kind, check, expect, from_own_lagrangian, in_symbols, law
 from tam570_grader.writing.returns import array, formula, number, rows
 
 from . import cases, right
@@ -56,7 +56,7 @@ RESULTS = {
 @check(points=1, part="a")
 def lagrangian_is_kinetic_less_potential(student, draw):
     """lagrangian: T - V in x, v, m, c, g, V up to a constant."""
-    calls = in_symbols(cases.beads(draw), *SYMBOLS)
+    calls = in_symbols(cases.usual(draw), *SYMBOLS)
     levels = student.lagrangian.at([{**case.kwargs, "x": 0.0, "v": 0.0} for case in calls])
     known = {"of": "the Lagrangian", "unit": "J", "hint": "How fast is the bead along the wire, and how high?"}
     for level, (case, value) in zip(levels, student.lagrangian.each(calls), strict=True):
@@ -67,13 +67,12 @@ def lagrangian_is_kinetic_less_potential(student, draw):
 @check(points=1.5, part="a")
 def lagrange_gives_the_acceleration(student, draw):
     """lagrange_equation: x'' in x, v, c, g alone."""
-    calls, close = (in_symbols(known(draw), *SYMBOLS) for known in (cases.beads, cases.next_to_bottom))
+    calls = in_symbols(cases.usual(draw), *SYMBOLS)
     hint = from_own_lagrangian(student, calls[:5], "dT/dv depends on x: its rate has a term with v. dT/dx is not zero.")
     agree(student.lagrange_equation, right, calls, within=FORMULA, hint=hint)
-    agree(student.lagrange_equation, right, close, within=FEW_DIGITS, hint=hint)
 
 
-TWICE = "Differentiate y = c x^2 twice: y'' has two terms."
+TWICE = by_kind({"at rest": "Which part of g is along x?"}, "Is y'' = 2 c v^2 + 2 c x x'', and v the rate of x?")
 newton_gives_the_acceleration = (
     law("acceleration_newton: x'' by F = m a along the tangent, as Lagrange has it.", points=1.5, part="b")
     .agrees(right.acceleration_newton, cases.beads, within=FORMULA, hint=TWICE)
@@ -81,14 +80,16 @@ newton_gives_the_acceleration = (
 )
 
 
+BEND = by_kind({"at rest": "How much of the weight does a slope carry?"}, "How sharply does the wire bend at x?")
+
+
 @check(points=0.75, part="b")
 def force_has_the_right_size(student, draw):
     """constraint_force: as large as carrying and turning the bead takes."""
     for case, force in student.constraint_force.each(cases.beads(draw) + cases.next_to_bottom(draw)):
         size = math.hypot(*right.constraint_force(*case.args, **case.kwargs))
-        hint = "What force does a bead need at rest on a slope, and passing the bottom?"
         within = FORMULA * (size or 1.0)
-        expect(math.hypot(*force), size, within=within, of="the size of the force", unit="N", hint=hint)
+        expect(math.hypot(*force), size, within=within, of="the size of the force", unit="N", hint=BEND(case))
 
 
 TANGENT = "Dot it with the tangent (1, 2 c x): is that zero, and does the force act on the bead?"
@@ -98,16 +99,17 @@ force_and_weight_make_the_acceleration = law(
     part="b",
     after=force_has_the_right_size,
 ).agrees(right.constraint_force, cases.beads, cases.next_to_bottom, within=FORMULA, hint=TANGENT)
+SPEED = by_kind({"at rest": "At rest it is potential: how high is the bead?"}, "How fast is the bead along the wire?")
 BEADS = cases.beads, cases.next_to_bottom, cases.nearly_at_rest
 energy_is_kinetic_and_potential = law(
     "energy: of the speed along the wire and of the height above the bottom.", points=1, part="b"
-).agrees(right.energy, *BEADS, within=FORMULA, hint="v is not the speed along the wire.")
+).agrees(right.energy, *BEADS, within=FORMULA, hint=SPEED)
 WIDE = cases.rides(0.4, 1.0, 1000, 15.0, "an amplitude near 1/c")
 simulate_slides = law("simulate: large motions, row i at t[i], row 0 the given state.", points=1, part="b").follows(
     right.simulate, WIDE, within=TRAJECTORY, hint="Is v the rate of x, and x'' as in part (a)?", keeps=KEPT
 )
 OWN_STEPS = "Your own steps are not those of t: is the tolerance tight?"
-SMALL = "However small the amplitude, the other terms are there."
+SMALL = "Are no terms left out at small amplitudes, and is atol tight enough for them?"
 simulate_needs_no_dense_times = (
     simulate_slides.then("simulate: the same motion when only a few times are asked for.", points=0.5, part="b")
     .follows(right.simulate, cases.few_times, within=TRAJECTORY, hint=OWN_STEPS)
@@ -125,8 +127,9 @@ LOSSES, DURATION = {1e-3: 0.6, 1e-2: 0.3}, "Do your steps grow with the duration
 simulate_keeps_the_energy = simulate_slides.then(
     "simulate: the energy stays what it was over many periods.", points=0.25, part="b"
 ).keeps(KEPT, right=right.simulate, cases=MANY_PERIODS, coarsely=COARSELY, partial=LOSSES, hint=DURATION)
+EXACT = "Does the energy give v at every x, dt = dx/v, and is the quadrature exact where v is zero?"
 period_is_exact = law("period: exact for amplitudes near 1/c.", points=1, part="b").agrees(
-    right.period, cases.usual_periods, within=PERIOD, hint="The energy gives v at every x, and dt = dx/v."
+    right.period, cases.usual_periods, within=PERIOD, hint=EXACT
 )
 ROOT = "Do you add a small number under a root, or use an absolute tolerance? 1e-15 m^2 is not small here."
 REACH = "Does your series or quadrature reach amplitudes of a hundred times 1/c?"

@@ -21,7 +21,10 @@ def lagrange_equation():
     L = lagrangian()
     p = sympy.diff(L, v)
     equation = sympy.diff(p, x) * v + sympy.diff(p, v) * a - sympy.diff(L, x)
-    return sympy.simplify(sympy.solve(equation, a)[0])
+    right = sympy.simplify(sympy.solve(equation, a)[0])
+    c, g = sympy.symbols("c g")
+    less, place = g - 2 * c * v**2, 2 * c * x
+    return sympy.expand(right * less * (1 + place**2)) / (less * (1 / place + place)) / place  # 0/0 at x = 0, at g = v = 0
 
 
 def solved(x, v, mass, c, gravity):
