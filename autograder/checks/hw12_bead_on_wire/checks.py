@@ -100,19 +100,17 @@ force_and_weight_make_the_acceleration = law(
     after=force_has_the_right_size,
 ).agrees(right.constraint_force, cases.beads, cases.next_to_bottom, within=FORMULA, hint=TANGENT)
 SPEED = by_kind({"at rest": "At rest it is potential: how high is the bead?"}, "How fast is the bead along the wire?")
-BEADS = cases.beads, cases.next_to_bottom, cases.nearly_at_rest
 energy_is_kinetic_and_potential = law(
     "energy: of the speed along the wire and of the height above the bottom.", points=1, part="b"
-).agrees(right.energy, *BEADS, within=FORMULA, hint=SPEED)
+).agrees(right.energy, cases.beads, cases.next_to_bottom, cases.nearly_at_rest, within=FORMULA, hint=SPEED)
 WIDE = cases.rides(0.4, 1.0, 1000, 15.0, "an amplitude near 1/c")
 simulate_slides = law("simulate: large motions, row i at t[i], row 0 the given state.", points=1, part="b").follows(
     right.simulate, WIDE, within=TRAJECTORY, hint="Is v the rate of x, and x'' as in part (a)?", keeps=KEPT
 )
-OWN_STEPS = "Your own steps are not those of t: is the tolerance tight?"
 SMALL = "Are no terms left out at small amplitudes, and is atol tight enough for them?"
 simulate_needs_no_dense_times = (
     simulate_slides.then("simulate: the same motion when only a few times are asked for.", points=0.5, part="b")
-    .follows(right.simulate, cases.few_times, within=TRAJECTORY, hint=OWN_STEPS)
+    .follows(right.simulate, cases.few_times, within=TRAJECTORY, hint="Is the tolerance tight over long steps of t?")
     .also.follows(right.simulate, cases.close, within=TRAJECTORY, hint=SMALL, gradual=False)
 )
 simulate_without_gravity = simulate_slides.then(
