@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from tam570_grader.grading.speed import Speed, scenes, time_to
+from tam570_grader.pages.sentences import quantity
 from tam570_grader.writing.curves import Curve
 
 __all__ = ["Among", "Picture", "among", "picture"]
@@ -134,7 +135,7 @@ def _drift(curve: Curve) -> Picture:
     top, bottom = _up(within, low, high), _up(-within, low, high)
     last = known[-1]
     ends = f"It ends {'above' if last > 0 else 'below' if last < 0 else 'at'} what it should be"
-    says = f"{ends}, off by {abs(last):.1e}; the largest drift is {max(known, key=abs):.1e}."
+    says = f"{ends}, off by {quantity(abs(last))}; the largest drift is {quantity(max(known, key=abs))}."
     return _picture(
         curve,
         f"What becomes of {curve['of']} along your motion",
@@ -155,7 +156,7 @@ def _picture(
 ) -> Picture:
     first, last = curve["span"]
     unit = f", {curve['unit']}" if curve["unit"] else ""
-    allowed = f"allowed: {curve['within']:.0e}"
+    allowed = f"allowed up to {quantity(curve['within'])}"
     return Picture(
         caption=f"{caption}{unit}.",
         says=f"From t = {first:g} s to {last:g} s. {says} {allowed.capitalize()}.",
