@@ -1,4 +1,4 @@
-"""The corners are those of a path over x = 1, whatever the angle.
+"""The corners belong to a path over x = 1, whatever the angle.
 
 fails: path_at_a_huge_speed_has_the_limit_shape
 """
