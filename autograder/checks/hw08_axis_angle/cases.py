@@ -81,8 +81,8 @@ def turns_by_size(draw, lengths=((1.0, ""),) * 4):
 
 
 def lengths(draw):
-    """Lengths of axes, long and short in turn, and their names; the first's square is infinite, the last's 0."""
-    powers = draw.uniform((170, -50, 10, -200), (200, -20, 50, -170))
+    """Lengths of axes, long and short in turn, and their names; beyond 1e150 the square of a length overflows."""
+    powers = draw.uniform((50, -50, 10, -100), (100, -20, 50, -50))
     return [(10.0**power, f", a very {'long' if power > 0 else 'short'} axis") for power in powers]
 
 
