@@ -15,10 +15,7 @@ TURNS = {
     "a half turn back": -math.pi,
     "a whole turn": 2 * math.pi,
 }
-WAYS = {
-    "a coordinate axis": [*np.eye(3), *-np.eye(3)],
-    "a diagonal": [np.array([1.0, 0.0, -1.0]), np.array([-1.0, -1.0, -1.0])],
-}
+WAYS = {"a coordinate axis": [*np.eye(3), *-np.eye(3)], "a diagonal": [np.array([1.0, 0.0, -1.0]), -np.ones(3)]}
 NO_AXES = {
     "the zero axis": (0.0, 0.0, 0.0),
     "an axis with a NaN": (0.0, np.nan, 1.0),

@@ -112,14 +112,15 @@ def round_last(draw):
 
 
 def tumbles(draw):
-    """Motions on both sides of the separatrix and near it, of inertias in any order."""
-    for kind, way, radians, side in (
-        ("omega round the last axis, t[0] > 0", round_last(draw), 14, 1),
-        ("omega round the first axis, t[0] < 0", round_last(draw)[::-1], 14, -1),
-        ("omega near the middle axis, t[0] > 0", draw.uniform((0, 1, 0.008), (0.002, 1, 0.012)), 25, 1),
+    """Motions on both sides of the separatrix and near it, of inertias in any order; there each is the middle once."""
+    for kind, way, radians, side, orders in (
+        ("omega round the last axis, t[0] > 0", round_last(draw), 14, 1, 1),
+        ("omega round the first axis, t[0] < 0", round_last(draw)[::-1], 14, -1, 1),
+        ("omega near the middle axis, t[0] > 0", draw.uniform((0, 1, 0.008), (0.002, 1, 0.012)), 25, 1, 3),
     ):
-        order, case = draw.permutation(3), tumbling(draw, kind, way)
-        yield moving(draw, kind, case.kwargs["inertia"][order], case.args[0][order], radians, side=side)
+        places, case = draw.permutation(3), tumbling(draw, kind, way)
+        for order in (np.roll(places, k) for k in range(orders)):
+            yield moving(draw, kind, case.kwargs["inertia"][order], case.args[0][order], radians, side=side)
 
 
 def general_motions(draw):
@@ -131,6 +132,7 @@ def many_turns(draw):
     return [moving(draw, "many fast turns", a_body(draw), a_fast_omega(draw), 45, 12)]
 
 
+ON_SEPARATRIX = np.array([[3.0, 4.0, 6.0], [2.0, 1.0, -1.0]])  # inertia, omega: 3 (4 - 3) 2^2 = 6 (6 - 4) 1^2
 FAST_AND_FAR = "a fast body with A = B, and two times many turns apart"
 
 
@@ -152,6 +154,8 @@ def special_motions(draw):
     for axis in (0, 1, 2):
         omega = draw.choice([-1, 1]) * draw.uniform(1, 4) * np.eye(3)[axis] + 0.0
         calls.append(moving(draw, f"spin about the principal axis {axis}", a_body(draw), omega, 4))
+        body, omega = np.roll(ON_SEPARATRIX, axis, axis=1)
+        calls.append(moving(draw, f"omega on the separatrix, the middle axis {(axis + 1) % 3}", body, omega, 8))
     again = moving(draw, "", a_wheel(draw), an_omega(draw), 5, 4)
     return calls + in_turn(draw, again, start=(an_attitude(draw), an_omega(draw)), inertia=a_wheel(draw))
 
@@ -198,10 +202,8 @@ def on_side(draw, kind, sign):
 
 
 def pure_spins(draw):
-    return [
-        tumbling(draw, f"pure spin about axis {axis}{way}", sign * np.eye(3)[axis] + 0.0)
-        for axis, (sign, way) in product((0, 2), WAYS.items())
-    ]
+    for axis, (sign, way) in product((0, 2), WAYS.items()):
+        yield tumbling(draw, f"pure spin about axis {axis}{way}", sign * np.eye(3)[axis] + 0.0)
 
 
 def near_separatrix(draw):
@@ -217,10 +219,10 @@ def near_separatrix(draw):
 
 
 def on_separatrix(draw):
-    """Whole numbers times powers of two: 3 (4 - 3) 2^2 = 6 (6 - 4) 1^2, without any rounding."""
-    body = np.array([3.0, 4.0, 6.0]) * 2.0 ** draw.integers(-5, 6)
-    ways = {"pure spin about the middle axis": (0, 1, 0), "omega on the separatrix": (2, 1, -1)}
-    return [given(np.array(way) * 0.25 * draw.integers(1, 9), inertia=body).on(kind) for kind, way in ways.items()]
+    """Times powers of two: without any rounding, too."""
+    body, omega = ON_SEPARATRIX * np.array([[2.0 ** draw.integers(-5, 6)], [0.25 * draw.integers(1, 9)]])
+    ways = {"pure spin about the middle axis": omega * [0, 1, 0], "omega on the separatrix": omega}
+    return [given(way, inertia=body).on(kind) for kind, way in ways.items()]
 
 
 def boxes(draw):

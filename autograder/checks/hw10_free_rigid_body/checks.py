@@ -103,6 +103,7 @@ def wrong_attitude(motion):
         "The three axes are left-handed: the determinant is -1.": np.linalg.det(rotations).min() < 0,
         "These are the transposes, from space to body.": np.abs(transposes - expected).max() < 1e-3,
         "R is not kept orthogonal: R^T R is no longer I.": np.abs(transposes @ rotations - np.eye(3)).max() > 1e-4,
+        "Does euler_equations pass, for such a body too?": not np.allclose(motion.found[:, :3], motion.expected[:, :3]),
     }
     return next((says for says, holds in told.items() if holds), "Does attitude_rate pass? omega has body components.")
 
