@@ -108,17 +108,17 @@ def stays_up(t, state, disk):
 
 
 def simulated(draw):
-    """Motions; two times, let go at rest, rolling upright, spinning upright, at rest; and one argument changed."""
-    general, disk, found = motions(draw, 2, 3.0, 60), a_disk(draw), []
+    """Motions; few times, let go to fall almost flat, rolling or spinning upright, at rest; one argument changed."""
+    general, disk, found = motions(draw, 2, 3.0, 60), a_disk(draw, "a thin uniform disk"), []
     for tilt, rates, kind in (
-        (1.1, (0, 0, 0), "let go at rest"),
+        (0.2, (0, 0, 0), "let go at rest and nearly flat"),
         (right.RIGHT, (0, 0, 3), "rolling straight, upright"),
         (right.RIGHT, (3, 0, 0), "spinning upright on a point"),
     ):
-        t = draw.uniform(0.5, 3) + np.array([0.0, 0.6]) / right.usual(disk)
-        found.append(given(t, a_state(draw, disk, tilt, rates), **disk).on(f"two times, a disk {kind}"))
-    still = found[0].but(gravity=0.0).on("two times, a disk at rest without gravity, where it stays")
-    return [*general, *found, still, *in_turn(draw, found[0])]
+        t = draw.uniform(0.5, 3) + np.array([0.0, 0.2, 0.6]) / right.usual(disk)
+        found.append(given(t, a_state(draw, disk, tilt, rates), **disk).on(f"few times, a disk {kind}"))
+    still = found[0].but(gravity=0.0).on("few times, a disk at rest without gravity, where it stays")
+    return [*general, *found, still, *in_turn(draw, found[0], gravity=0.8 * disk["gravity"])]
 
 
 # Steady and nearly upright

@@ -157,7 +157,7 @@ multiplier_equations_hold = (
 
 # (b) Simulation, (c) both ways
 
-FOLLOWED = {"within": TRAJECTORY, "hint": "Are the derivatives right?"}
+FOLLOWED = {"within": TRAJECTORY, "hint": "If the derivatives are right, is the tolerance tight?"}
 TWO = partial(cases.motions, count=2, span=6.0, samples=4)
 LONGER = partial(cases.motions, count=1, span=20.0, samples=6)
 
