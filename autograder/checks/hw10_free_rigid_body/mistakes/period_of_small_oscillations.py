@@ -1,0 +1,10 @@
+"""This is the period of small oscillations about axis 2: on the way of any omega it depends on how far it swings.
+
+fails: period_round_the_last_axis, period_round_the_first_axis
+where: the largest inertia
+"""
+
+
+def tumble_period(omega, *, inertia):
+    A, B, C = inertia
+    return 2 * math.pi / abs(omega[2]) * math.sqrt(A * B / ((C - A) * (C - B))) if omega[2] else math.inf
