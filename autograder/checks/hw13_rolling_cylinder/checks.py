@@ -79,7 +79,7 @@ CONTACT_POINT = "What is the acceleration of the point of the cylinder that touc
 CONTACT_IS_KEPT = "Contact is kept: the force is what keeping it needs."
 HEIGHT = "Where is G, and how high above the centre's place at phi = 0?"
 GOES_ON = "Do you integrate `acceleration`? Contact is kept, and the motion goes on, even where the ramp must pull."
-OWN_STEPS = "Your own steps are not those of t: is the tolerance tight?"
+OWN_STEPS = "Is the tolerance tight, or your own step small, however far apart the times are?"
 HOWEVER_SMALL = "However small the rocking, the other terms are there: do you linearise, or is the tolerance loose?"
 ABSOLUTE = "Is the tolerance absolute, and too coarse for a small motion?"
 ANY_DURATION = "Are there too few steps for this duration, or is the tolerance loose?"

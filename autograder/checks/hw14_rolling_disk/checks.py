@@ -110,9 +110,10 @@ INTEGRALS = Invariant(CARRIED, "rad/s", right.two_integrals, rate, KEPT)
 
 # (a) Three derivations
 
+PLACED = "centre = contact + a e2, R = Rz(yaw) Rx(tilt) Rz(roll), omega = yaw' z + tilt' e1 + roll' e3."
 matrix_state_places_the_disk = law(
     "matrix_state has the centre, R row by row, and the total omega in space axes.", points=0.5, part="a"
-).agrees_by_columns(right.matrix_state, cases.instants, within=POINTWISE, hint="omega is yaw' z + tilt' e1 + roll' e3.")
+).agrees_by_columns(right.matrix_state, cases.instants, within=POINTWISE, hint=PLACED)
 
 
 def along(of, off, state, limit):
@@ -182,10 +183,9 @@ both_simulations_agree = (
 
 # (d) Steady circles
 
-EQUATIONS = "Put tilt = lean + pi/2 and tilt' = 0 into your equations."
 steady_residual_is_the_tilt_acceleration = law(
     "steady_residual is tilt'' at this lean, precession and total spin, steady or not.", points=0.75, part="d"
-).agrees(right.steady_residual, cases.steady, within=POINTWISE, hint=EQUATIONS)
+).agrees(right.steady_residual, cases.steady, within=POINTWISE, hint="Use tilt = lean + pi/2 and tilt' = 0.")
 
 
 # (e) The picture
@@ -206,7 +206,7 @@ def judge_wireframe(case, lines):
     expect(len(lines), sides + 2, within=0, of="the number of segments")
     angles, off = right.in_the_disk(lines, state, size)
     on_the_rim = partial(expect, expected=0.0, within=POINTWISE * size, unit="m")
-    on_the_rim(off[:sides], of="the distance from the rim of an end of a side", hint="The centre is contact + a e2.")
+    on_the_rim(off[:sides], of="the distance from the rim of an end of a side", hint="What are the centre and R?")
     radii = "A diameter goes from rim to rim." if off[sides:].min() <= POINTWISE * size else ""
     on_the_rim(off[sides:], of="the distance from the rim of an end of a diameter", hint=radii)
     angle = partial(expect, within=10 * POINTWISE, unit="rad")  # of points that are off by POINTWISE
@@ -241,7 +241,7 @@ def wrong_force(case, found, expected):
     weight = case.kwargs["mass"] * case.kwargs["gravity"] * right.Z
     limit = POINTWISE * force(case)
     if abs(np.linalg.norm(found - weight) - np.linalg.norm(expected - weight)) <= limit:
-        return "m a of G has the right size and a wrong direction: are its components those along space x, y, z?"
+        return "m a of G has the right size: are its sign and its components those along space x, y, z?"
     otherwise = "F - m g = m a of G; the axes along which its velocity is known turn."
     return along("The force", found - expected, case.args[0], limit) or otherwise
 

@@ -1,4 +1,4 @@
-"""The sign is wrong.
+"""The residual has the opposite sign; it is positive where the lean would grow.
 
 fails: moment_residual_is_moment_minus_rate
 """

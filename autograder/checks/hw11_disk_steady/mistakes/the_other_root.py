@@ -1,4 +1,4 @@
-"""The sign is wrong.
+"""Omega is negative; Omega >= 0 is asked for.
 
 fails: rolling_precession_balances_the_moments
 """

@@ -1,0 +1,10 @@
+"""Omega has the sign of the lean; Omega >= 0 is asked for.
+
+fails: rolling_precession_holds_on_tracks_of_any_sign, rolling_precession_is_zero_where_nothing_turns_it
+"""
+
+_precession = rolling_precession
+
+
+def rolling_precession(lean, track_radius, **disk):
+    return math.copysign(1.0, lean) * _precession(lean, track_radius, **disk)
