@@ -110,7 +110,7 @@ INTEGRALS = Invariant(CARRIED, "rad/s", right.two_integrals, rate, KEPT)
 
 # (a) Three derivations
 
-PLACED = "centre = contact + a e2, R = Rz(yaw) Rx(tilt) Rz(roll), omega = yaw' z + tilt' e1 + roll' e3."
+PLACED = "The centre is contact + a e2, R is Rz(yaw) Rx(tilt) Rz(roll), omega is yaw' z + tilt' e1 + roll' e3."
 matrix_state_places_the_disk = law(
     "matrix_state has the centre, R row by row, and the total omega in space axes.", points=0.5, part="a"
 ).agrees_by_columns(right.matrix_state, cases.instants, within=POINTWISE, hint=PLACED)
