@@ -83,7 +83,7 @@ def matrix_state(state, *, radius):
     return [*combined((1, [x, y, 0]), (radius, e2)), *(R[j][i] for i in range(3) for j in range(3)), *w]
 
 
-def rates_by_matrix(state, mass, radius, inertia, gravity):
+def matrix_state_derivative(t, state, *, mass, radius, inertia, gravity):
     state = [float(x) for x in state]
     w = state[12:]
     cols = [state[3 + i : 12 : 3] for i in range(3)]
@@ -96,12 +96,7 @@ def rates_by_matrix(state, mass, radius, inertia, gravity):
     ]
 
 
-def matrix_state_derivative(t, state, **disk):
-    return rates_by_matrix(state, **disk)
-
-
-def multiplier_state_derivative(t, state, **disk):
-    return rates_by_matrix(state, **disk)
+multiplier_state_derivative = matrix_state_derivative
 
 
 def euler_state_derivative(t, state, *, mass, radius, inertia, gravity):

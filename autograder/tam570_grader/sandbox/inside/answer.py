@@ -56,9 +56,11 @@ def error_report(error: BaseException) -> dict[str, Any]:
 def _stood_in(module: ModuleType, request: Mapping[str, Any]) -> list[Change]:
     """Put stand-ins for functions of the file, by whatever name they go: for refused ones, for one that is moved.
 
-    What was there, to be put back.
+    The function that is called stays, though it be a refused one by another name. What was there, to be put back.
     """
-    changes = [change for name in request["refused"] if hasattr(module, name) for change in _refused(module, name)]
+    called = getattr(module, request["function"])
+    refused = (name for name in request["refused"] if getattr(module, name, called) is not called)
+    changes = [change for name in refused for change in _refused(module, name)]
     if name := request.get("moved"):
         changes += _everywhere(module, function := getattr(module, name), partial(_moved, function))
     own = [(owner, attribute, getattr(owner, attribute)) for owner, attribute, _ in changes]
