@@ -131,6 +131,6 @@ def test_the_examples_of_docstrings_give_what_they_say(name):
 
 def test_examples_are_found_where_there_are_any():
     shared = DOCS.parent / "shared"
-    found = {file for file in shared.rglob("*.py") if ">>>" in file.read_text()}
+    found = {file for file in shared.rglob("*.py") if re.search(r"^ *>>> ", file.read_text(), re.M)}
     known = {Path(importlib.import_module(f"tam570.{name}").__file__) for name in MODULES}
     assert {file.resolve() for file in found} <= {file.resolve() for file in known}

@@ -173,7 +173,7 @@ def test_any_special_motion_is_taken(definition, p, c):
 
 @pytest.mark.parametrize(("definition", "p", "c"), SPECIAL.values(), ids=SPECIAL.keys())
 def test_none_is_special_for_the_other_definition(definition, p, c):
-    with pytest.raises(Failed, match="rate and moment differ"):
+    with pytest.raises(Failed, match="Rate and moment differ"):
         judge({"b": "c", "c": "b"}[definition], p, c)
 
 
@@ -182,7 +182,7 @@ def test_a_special_motion_disturbed_is_none(definition, p, c):
     """One part in a million of one coefficient, whichever moves the two apart."""
     disturbed = np.vstack([p, np.zeros((3, 3))])
     disturbed[1:4] += 1e-6 * DRAW.normal(size=(3, 3))
-    with pytest.raises(Failed, match="rate and moment differ"):
+    with pytest.raises(Failed, match="Rate and moment differ"):
         judge(definition, disturbed, c)
 
 
@@ -218,8 +218,8 @@ SEEMING = {
     "P is C": ("b", LINE, LINE, "meet"),
     "P meets C": ("b", [[0.75, 0, 0]], LINE, "meet at t = 0.5"),
     "P and C together": ("b", [[0, 1, 0], *LINE[1:]], LINE, "along with C"),
-    "both hold": ("b", [[5, 0, 0], [2, 0, 0]], LINE, "definition c has"),
-    "both hold, P at rest": (*ON_ONE_LINE, "definition b has"),
+    "both hold": ("b", [[5, 0, 0], [2, 0, 0]], LINE, "Definition c has"),
+    "both hold, P at rest": (*ON_ONE_LINE, "Definition b has"),
     "at t = 0 alone": ("b", [[0, 1, 0], [0, 0, 0], [0, 1, 0]], LINE, "differ"),
     "no property": ("c", [[0, 1, 0], [0, 0, 2]], LINE, "differ"),
     "too long": ("b", np.ones((101, 3)), LINE, "more than 100"),
