@@ -15,6 +15,7 @@ whose first paragraph is what a student reads. Lines `key: value` follow it:
 import ast
 import functools
 import hashlib
+import math
 import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -46,6 +47,7 @@ CANCELLED = 1e-14  # what rounding leaves where numbers of order one cancel, and
 WITHIN = 1e-6  # random inputs tell mistakes further apart
 OF_MOTIONS = 1e-3  # two integrations of one wrong equation differ by their tolerances
 MOST_ANSWERS = 2**26  # bytes; those of a class are the same
+MOST_CHANGES = 2**17  # of an answer by a slip
 OF_AN_ANSWER = 1000  # bytes besides its numbers
 
 
@@ -117,7 +119,7 @@ def _agrees(solution: str, one: Mistake, groups: dict[str, list[Called]]) -> boo
     alike = ([call for call in group if one.where in call.given.kind] for group in groups.values())
     for group in filter(None, alike):
         within = one.within or _within(group[0])
-        changed = (not _same(_answer(solution, "", call), _answer(solution, one.text, call), within) for call in group)
+        changed = (_changed(solution, one.text, call, within) for call in group)
         if all(_same(call.result, _answer(solution, one.text, call), within) for call in group):
             told = told or (any(changed) and any(call.result is not None for call in group))
         elif any(changed):
@@ -160,14 +162,27 @@ def _bytes(answer: Any) -> int:
 
 
 _answers = Memory(MOST_ANSWERS, _bytes)
+_changes = Memory(MOST_CHANGES)
 
 
 def _answer(solution: str, slip: str, call: Called) -> Any:
     """The answer of the solution with a slip, computed a single time for all who are given the same input."""
-    name, inputs = _named(solution, slip), packed(call.name) + call.given.message
-    return _answers.value(
-        (name, inputs), lambda: shared(call.name, name, inputs, lambda: _computed(_module(solution, slip), call))
-    )
+    name, message = _named(solution, slip), call.given.message
+
+    def compute() -> Any:
+        return shared(call.name, name, packed(call.name) + message, lambda: _computed(_module(solution, slip), call))
+
+    return _answers.value((name, call.name, message), compute)
+
+
+def _changed(solution: str, slip: str, call: Called, within: float) -> bool:
+    """Whether the slip changes the answer to a call."""
+    key = _named(solution, slip), call.name, call.given.message, within
+
+    def compute() -> bool:
+        return not _same(_answer(solution, "", call), _answer(solution, slip, call), within)
+
+    return bool(_changes.value(key, compute))
 
 
 @functools.lru_cache(maxsize=256)
@@ -224,9 +239,8 @@ def _close(found: Any, expected: Any, within: float) -> bool:
     found, expected = np.asarray(found, float), np.asarray(expected, float)
     if found.shape != expected.shape:
         return False
-    if not np.all(np.isfinite(expected)):
+    size = float(np.abs(expected).max(initial=0.0))
+    if not math.isfinite(size):
         return bool(np.array_equal(found, expected))
     with np.errstate(all="ignore"):
-        return bool(
-            np.max(np.abs(found - expected), initial=0.0) <= within * np.max(np.abs(expected), initial=0.0) + CANCELLED
-        )
+        return bool((np.abs(found - expected) <= within * size + CANCELLED).all())
