@@ -10,3 +10,12 @@ def lagrangian():
 
     x, v, m, c, g = sympy.symbols("x v m c g")
     return m * (1 + 9 * c**2 * x**4) * v**2 / 2 - m * g * c * x**2
+
+
+def lagrange_equation():
+    import sympy
+
+    x, v = sympy.symbols("x v")
+    L = lagrangian()
+    p = L.diff(v)
+    return sympy.factor((L.diff(x) - p.diff(x) * v) / p.diff(v))
