@@ -46,6 +46,14 @@ def test_the_help_of_the_grader_imports_nothing_heavy(desk):
     assert not imported(code) & HEAVY
 
 
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="counts threads in /proc")
+def test_algebra_has_one_thread(monkeypatch):
+    """A second one would spin beside each supervisor."""
+    monkeypatch.delenv("OPENBLAS_NUM_THREADS", raising=False)
+    code = "import tam570_grader, numpy, os\nnumpy.eye(500) @ numpy.eye(500)\nprint(len(os.listdir('/proc/self/task')))"
+    assert subprocess.run([sys.executable, "-c", code], capture_output=True, check=True).stdout.split() == [b"1"]
+
+
 def test_where_the_grader_cannot_run_it_says_so_in_one_line(desk):
     program = "import os; os.name = 'nt'; import tam570_grader"
     found = subprocess.run([sys.executable, "-c", program], cwd=desk, capture_output=True, text=True, check=False)

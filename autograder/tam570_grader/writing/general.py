@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 
 from tam570_grader.writing.check import Given
-from tam570_grader.writing.mistakes import Called, agrees, is_motion, parts, right_answer, solution_module
+from tam570_grader.writing.mistakes import Called, agrees, is_motion, parts, right_answer
 from tam570_grader.writing.slips import Slip, reached, slips
 
 __all__ = ["general", "ready"]
@@ -49,6 +49,7 @@ POWERS: dict[str, Callable[[Any], Any]] = {
     "has lost its sign": np.abs,
 }
 GRAVITY = 9.81  # m/s^2
+TURNS = 200  # of a loop: a bisection to the last digit takes 60, and a slip may go round for ever
 
 
 def general(solution: str, calls: Sequence[Called]) -> str | None:
@@ -69,7 +70,8 @@ def general(solution: str, calls: Sequence[Called]) -> str | None:
         return f"The result of {name} is zero"
     if _telling(wrong) < FEWEST:
         return None
-    module = solution_module(solution)
+    module = ModuleType("_varied")  # its own, to make slips in
+    exec(_code(solution), vars(module))
     right = getattr(module, name)
     results, arguments = _other_results(name, right, own[0]), _other_arguments(name, right, own[0])
     if said := next((says for says, variant in results if _explains(variant, own)), ""):
@@ -299,15 +301,27 @@ def _reached(solution: str) -> dict[str, set[str]]:
 def _slips(solution: str) -> list[tuple[str, str, set[str], CodeType]]:
     """Of each slip that has words: the function, the words, the names in the term, and the function's code with it."""
     return [
-        (function, words, {node.id for node in ast.walk(term) if isinstance(node, ast.Name)}, _code(slip))
+        (function, words, {node.id for node in ast.walk(term) if isinstance(node, ast.Name)}, _code(slip.text))
         for function, known in slips(solution).items()
         for slip in known
         for words, term in _words(slip)
     ]
 
 
-def _code(slip: Slip) -> CodeType:
-    return compile(slip.text, "<slip>", "exec")
+@functools.cache
+def _code(text: str) -> CodeType:
+    """Code in which every loop ends."""
+    return compile(ast.fix_missing_locations(_Turns().visit(ast.parse(text))), "<slip>", "exec")
+
+
+class _Turns(ast.NodeTransformer):
+    """Gives a loop so many turns, and IndexError after them."""
+
+    def visit_While(self, loop: ast.While) -> list[ast.stmt]:  # noqa: N802
+        self.generic_visit(loop)
+        left = f"_turns_{loop.lineno}"
+        loop.test = ast.BoolOp(ast.And(), [ast.parse(f"{left}.pop()", mode="eval").body, loop.test])
+        return [*ast.parse(f"{left} = [True] * {TURNS}").body, loop]
 
 
 def _words(slip: Slip) -> Iterator[tuple[str, ast.expr]]:

@@ -40,7 +40,6 @@ __all__ = [
     "mistakes",
     "parts",
     "right_answer",
-    "solution_module",
 ]
 
 CANCELLED = 1e-14  # what rounding leaves where numbers of order one cancel, and a wrong answer is exactly zero
@@ -146,11 +145,6 @@ def right_answer(solution: str, call: Called) -> Any:
     """The solution's answer to a call; None where it has none."""
     found = _answer(solution, "", call)
     return None if found is _NoValue else found
-
-
-def solution_module(solution: str) -> ModuleType:
-    """The solution as a module that belongs to the caller."""
-    return _module(solution, f"# of {__name__}")
 
 
 class _NoValue:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tam570_grader.grading.budget import budget
-from tam570_grader.sandbox.student import BudgetSpent, Call
+from tam570_grader.sandbox.student import Call
 from tam570_grader.writing.check import given
 from tam570_grader.writing.general import general
 
@@ -35,11 +35,11 @@ def lift(length, mass, *, gravity):
 def swing(angle, *, mass):
     return 2 * mass * np.sin(angle / 2) ** 2
 
-def forever(n):
+def stairs(n, m):
     total = 0.0
     while n > 0:
         total, n = total + n, n - 1
-    return total
+    return total + m ** 2
 """
 DRAW = np.random.default_rng(2)
 
@@ -161,10 +161,11 @@ def test_what_is_no_one_thing_is_not_named(calls):
     assert general(SOLUTION, calls()) is None
 
 
-def test_a_variant_that_runs_on_ends_the_search():
-    """`forever` with another sign in its step never comes to its end."""
-    with pytest.raises(BudgetSpent), budget(0.5):
-        general(SOLUTION, [Call("forever", given(n), float(n)) for n in (2, 3, 4)])
+def test_a_variant_that_never_ends_is_passed_over():
+    """`stairs` with another sign in its step goes round for ever; the slip in the last line comes after that one."""
+    calls = [Call("stairs", given(n, m), n * (n + 1) / 2 + m) for n, m in ((2, 3.0), (3, 5.0), (4, 7.0))]
+    with budget(5):
+        assert general(SOLUTION, calls) == "In stairs, an exponent with m is one too large or too small"
 
 
 QUARTER = """
