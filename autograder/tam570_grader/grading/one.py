@@ -20,7 +20,7 @@ from tam570_grader.sandbox.worker import Worker
 from tam570_grader.writing.assignments import Assignment
 from tam570_grader.writing.check import Check
 from tam570_grader.writing.expect import LONGEST_FAULT, Failed, NotWritten, trial
-from tam570_grader.writing.general import general, ready
+from tam570_grader.writing.general import general
 from tam570_grader.writing.mistakes import Called, known
 
 __all__ = ["Judging", "Mark", "Result", "failed_by_us", "generator", "graded", "not_graded"]
@@ -150,7 +150,6 @@ def _failed(check: Check, failed: Failed, suspect: str | None, fault: str) -> Ma
 
 def _unwritten(solution: str, calls: Sequence[Called]) -> str | None:
     """A mistake that nobody has written down, if it is found in a moment: variants may run on for ever."""
-    ready(solution)
     try:
         with budget(SEARCH):
             return general(solution, calls)

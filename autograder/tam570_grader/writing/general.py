@@ -22,7 +22,7 @@ from tam570_grader.writing.check import Given
 from tam570_grader.writing.mistakes import Called, agrees, is_motion, parts, right_answer
 from tam570_grader.writing.slips import Slip, reached, slips
 
-__all__ = ["general", "ready"]
+__all__ = ["general"]
 
 FEWEST = 2  # wrong calls: one may agree by chance
 TELLING = 1e-3  # of the right answer: what is smaller may be what cancels
@@ -81,12 +81,6 @@ def general(solution: str, calls: Sequence[Called]) -> str | None:
         if len(told) == 1:
             return told[0]
     return _slip(solution, module, name, calls)
-
-
-def ready(solution: str) -> None:
-    """Make what serves all submissions, so that it counts for none of them."""
-    _slips(solution)
-    _reached(solution)
 
 
 def _telling(wrong: Sequence[tuple[Called, Any]]) -> int:
@@ -265,10 +259,10 @@ def _slip(solution: str, module: ModuleType, name: str, calls: Sequence[Called])
     """What to say of the slips that explain all calls, if they are of one kind."""
     public = set(inspect.signature(getattr(module, name)).parameters)
     found: dict[str, set[str]] = {}
-    for helper, kind, terms, code in _slips(solution):
+    for helper, kind, terms, text in _slips(solution):
         term = ", ".join(sorted(terms & public))
         if helper in _reached(solution)[name] and term not in found.get(kind, ()):
-            with _slipped(module, helper, code):
+            with _slipped(module, helper, _code(text)):
                 if all(agrees(one.result, _quietly(partial(_called, module, one.name), one.given)) for one in calls):
                     found.setdefault(kind, set()).add(term)
     if len(found) != 1:
@@ -298,10 +292,10 @@ def _reached(solution: str) -> dict[str, set[str]]:
 
 
 @functools.cache
-def _slips(solution: str) -> list[tuple[str, str, set[str], CodeType]]:
-    """Of each slip that has words: the function, the words, the names in the term, and the function's code with it."""
+def _slips(solution: str) -> list[tuple[str, str, set[str], str]]:
+    """Of each slip that has words: the function, the words, the names in the term, and the function's text with it."""
     return [
-        (function, words, {node.id for node in ast.walk(term) if isinstance(node, ast.Name)}, _code(slip.text))
+        (function, words, {node.id for node in ast.walk(term) if isinstance(node, ast.Name)}, slip.text)
         for function, known in slips(solution).items()
         for slip in known
         for words, term in _words(slip)
