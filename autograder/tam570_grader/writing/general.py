@@ -180,20 +180,25 @@ def _changed(change: Callable[[Any], Any], value: Any, given: Given) -> Any:
 
 
 def _components(found: Any) -> Iterator[tuple[str, Callable[[Any], Any]]]:
-    """One component of a vector of the wrong sign, two exchanged."""
-    if found.ndim != 1 or len(found) > MOST:
-        return
-    for k in range(len(found)):
-        signs = np.where(np.arange(len(found)) == k, -1.0, 1.0)
-        yield f"has the opposite sign in component {k + 1}", partial(np.multiply, signs)
-    for j, k in combinations(range(len(found)), 2):
-        order = np.arange(len(found))
-        order[[j, k]] = k, j
-        yield f"has components {j + 1} and {k + 1} exchanged", partial(_ordered, order)
+    """One component of a vector, or one row or column, of the wrong sign; two exchanged."""
+    for axis, count in enumerate(found.shape if found.size <= MOST**2 else ()):
+        what = "component" if axis or found.ndim == 1 else "row"
+        what = "column" if axis == 1 and found.ndim == 2 else what
+        for k in range(count if count <= MOST else 0):
+            yield f"has the opposite sign in {what} {k + 1}", partial(_negated, k, axis)
+        for j, k in combinations(range(count if count <= MOST else 0), 2):
+            order = np.arange(count)
+            order[[j, k]] = k, j
+            yield f"has {what}s {j + 1} and {k + 1} exchanged", partial(_ordered, order, axis)
 
 
-def _ordered(order: Any, value: Any) -> Any:
-    return np.asarray(value)[order]
+def _negated(which: int, axis: int, value: Any) -> Any:
+    signs = np.where(np.arange(np.shape(value)[axis]) == which, -1.0, 1.0)
+    return np.moveaxis(np.moveaxis(np.asarray(value), axis, -1) * signs, -1, axis)
+
+
+def _ordered(order: Any, axis: int, value: Any) -> Any:
+    return np.take(value, order, axis)
 
 
 VALUES: dict[str, Callable[[Any], Any]] = {
@@ -265,6 +270,8 @@ def _slip(solution: str, module: ModuleType, name: str, calls: Sequence[Called])
             with _slipped(module, helper, _code(text)):
                 if all(agrees(one.result, _quietly(partial(_called, module, one.name), one.given)) for one in calls):
                     found.setdefault(kind, set()).add(term)
+    if len(found) > 1:
+        found.pop(KINDS["a factor"], None)  # a number is in the term that counts twice
     if len(found) != 1:
         return None
     ((kind, told),) = found.items()
@@ -321,7 +328,12 @@ class _Turns(ast.NodeTransformer):
 def _words(slip: Slip) -> Iterator[tuple[str, ast.expr]]:
     """What a student reads of a slip, and the term that it is about."""
     was, now = slip.was, slip.now
-    if isinstance(was, ast.BinOp) and isinstance(was.op, ast.Add | ast.Sub):
+    if slip.operator == "a missing factor" and isinstance(was, ast.BinOp):
+        dropped = was.right if now is was.left else was.left
+        yield KINDS["a factor"] if _is_two(dropped) else "a factor{} is missing", dropped
+    elif slip.operator == "a first sign" and isinstance(was, ast.BinOp):
+        yield KINDS["a sign"], was.left
+    elif isinstance(was, ast.BinOp) and isinstance(was.op, ast.Add | ast.Sub):
         if now in (was.left, was.right):
             yield "a term{} is missing", was.left if now is was.right else was.right
         elif isinstance(now, ast.BinOp) and now.right is was.right:
@@ -337,6 +349,10 @@ def _words(slip: Slip) -> Iterator[tuple[str, ast.expr]]:
         yield "a cosine{} has the wrong sign", was  # 2 sin(x/2)^2 is 1 - cos x
     elif slip.operator in KINDS:
         yield KINDS[slip.operator], was
+
+
+def _is_two(node: ast.expr) -> bool:
+    return isinstance(node, ast.Constant) and node.value in (2, 0.5)
 
 
 def _is_half(node: ast.expr) -> bool:

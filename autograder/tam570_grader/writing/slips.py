@@ -7,7 +7,7 @@ wrong branch at the special case.
 
 import ast
 import copy
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
 from typing import TypeVar
@@ -57,16 +57,29 @@ class Slip:
 
 
 def slips(source: str) -> dict[str, list[Slip]]:
-    """The slips in each function of a module."""
+    """The slips in each function of a module, and more that are near enough to these to need no test of their own."""
     lines, found = source.splitlines(keepends=True), dict[str, list[Slip]]()
     for function in (node for node in ast.parse(source).body if isinstance(node, ast.FunctionDef)):
         before = function.lineno - 1
         own = "\n" * before + "".join(lines[before : function.end_lineno])  # so that the lines keep their numbers
         found[function.name] = [
             Slip(operator, node, slip, replaced(own, node, ast.unparse(slip)))
-            for node, operator, slip in made(function)
+            for node, operator, slip in (*made(function), *made(function, MORE))
         ]
+        found[function.name] += _everywhere(function)
     return found
+
+
+def _everywhere(function: ast.FunctionDef) -> Iterator[Slip]:
+    """Every sine becomes a cosine, and every cosine a sine."""
+    for name in ("sin", "cos"):
+        whole = copy.deepcopy(function)
+        calls = [node for node in ast.walk(whole) if isinstance(node, ast.Call) and _name_of(node.func) == name]
+        for call in calls:
+            if isinstance(call.func, ast.Attribute):
+                call.func.attr = COUNTERPARTS[name]
+        if len(calls) > 1:
+            yield Slip("another function", ast.Tuple([*calls]), ast.Tuple([*calls]), ast.unparse(whole))
 
 
 def reached(text: str) -> dict[str, set[str]]:
@@ -98,14 +111,16 @@ def replaced(source: str, node: ast.expr, text: str) -> str:
     return (whole[:start] + f"({text})".encode() + whole[end:]).decode()
 
 
-def made(function: ast.FunctionDef) -> Iterator[tuple[ast.expr, str, ast.expr]]:
+def made(
+    function: ast.FunctionDef, known: Mapping[str, Operator] | None = None
+) -> Iterator[tuple[ast.expr, str, ast.expr]]:
     """Every expression of a body, and what an operator makes of it; messages and tolerances are no physics."""
     spared = {id(inner) for node in ast.walk(function) if _is_spared(node) for inner in ast.walk(node)}
     inputs = {argument.arg for argument in (*function.args.args, *function.args.kwonlyargs)}
-    operators: dict[str, Operator] = {**OPERATORS, "a missing copy": partial(_copies, inputs=inputs)}
+    operators = known or {**OPERATORS, "a missing copy": partial(_copies, inputs=inputs)}
     for statement in function.body:
         for node in ast.walk(statement):
-            if isinstance(node, ast.If):
+            if isinstance(node, ast.If) and not known:
                 yield from ((node.test, "a branch", ast.Constant(always)) for always in (True, False))
             if isinstance(node, ast.expr) and id(node) not in spared:
                 for name, operator in operators.items():
@@ -220,6 +235,21 @@ OPERATORS: dict[str, Operator] = {
     "a transpose": _transposes,
     "a condition": _conditions,
 }
+
+
+def _missing_factors(node: ast.expr) -> Iterator[ast.expr]:
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Mult | ast.Div):
+        yield node.left
+        if isinstance(node.op, ast.Mult):
+            yield node.right
+
+
+def _first_signs(node: ast.expr) -> Iterator[ast.expr]:
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add | ast.Sub):
+        yield _with(node, left=ast.UnaryOp(ast.USub(), node.left))
+
+
+MORE: dict[str, Operator] = {"a missing factor": _missing_factors, "a first sign": _first_signs}
 
 
 def _with(node: Node, **fields: object) -> Node:

@@ -35,6 +35,9 @@ def lift(length, mass, *, gravity):
 def swing(angle, *, mass):
     return 2 * mass * np.sin(angle / 2) ** 2
 
+def forces(x, y):
+    return np.array([[x, y], [y ** 2, x + y]])
+
 def stairs(n, m):
     total = 0.0
     while n > 0:
@@ -72,6 +75,12 @@ def swings(wrong):
 
 def lifts(wrong):
     return [Call("lift", given(x, m, gravity=9.0), wrong(x, m)) for x, m in DRAW.uniform(0.3, 3, (4, 2))]
+
+
+def tables(wrong):
+    return [
+        Call("forces", given(x, y), wrong(np.array([[x, y], [y**2, x + y]]))) for x, y in DRAW.uniform(1, 3, (4, 2))
+    ]
 
 
 def turned(v, angle):
@@ -130,6 +139,24 @@ def turned(v, angle):
             lambda: lifts(lambda length, mass: mass * length**2 + 9.0 * mass * length),
             "In lift, the sign of a term with gravity, length, mass is reversed",
         ),
+        (  # gravity lacks it, or height
+            lambda: weights(lambda mass, height, gravity, length: gravity * height + mass * length**2 / 2),
+            "In weight, a factor with mass is missing",
+        ),
+        (
+            lambda: weights(lambda mass, height, gravity, length: mass * gravity * height + mass * length**2),
+            "In weight, a term with length, mass counts twice",
+        ),
+        (
+            lambda: lifts(lambda length, mass: -mass * length**2 - 9.0 * mass * length),
+            "In lift, the sign of a term with length, mass is reversed",
+        ),
+        (
+            lambda: vectors(lambda v, angle: (v @ [1, -1] * math.cos(angle), v @ [1, 1] * math.cos(angle))),
+            "In turned, the wrong function is used with angle",
+        ),
+        (lambda: tables(lambda forces: forces[::-1]), "The result of forces has rows 1 and 2 exchanged"),
+        (lambda: tables(lambda forces: forces * [1, -1]), "The result of forces has the opposite sign in column 2"),
         (lambda: weights(lambda **known: 0.0), "The result of weight is zero"),
         (lambda: vectors(lambda v, angle: turned(v, -angle)), "In turned, angle has the opposite sign"),
         (lambda: vectors(lambda v, angle: turned(v, math.radians(angle))), "In turned, angle is read as degrees"),

@@ -1,0 +1,9 @@
+"""The weight is shared as one distance to the other; it is as one distance to the wheelbase.
+
+fails: axle_load_balances_the_weight, friction_opposes_the_sliding, equations_of_motion, simulate_brakes, growth_rate_is_the_slope, small_yaw_rate_is_the_linear_solution, mechanics_refuses_other_axles
+"""
+
+
+def axle_load(locked, *, mass, front, rear, gravity):
+    free, arm = _axles(locked, front, rear)
+    return mass * gravity * abs(free) / (abs(arm) - abs(free))
