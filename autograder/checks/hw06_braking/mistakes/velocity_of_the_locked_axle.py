@@ -1,4 +1,4 @@
-"""The place moves with the sideways velocity of the locked axle; it is that of G.
+"""The place moves with the sideways velocity of the locked axle; G has another.
 
 fails: equations_of_motion
 """
