@@ -1,6 +1,7 @@
 """The velocity is relative to C in every definition.
 
 fails: momentum_with_the_velocity_in_F
+also: Definition b has the term of definition c
 """
 
 def angular_momentum(definition, r_p, v_p, r_c, v_c, *, mass):
