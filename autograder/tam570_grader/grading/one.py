@@ -26,7 +26,7 @@ from tam570_grader.writing.mistakes import Called, known
 __all__ = ["Judging", "Mark", "Result", "failed_by_us", "generator", "graded", "not_graded"]
 
 OUR_FAULT = "The grader failed here, not you; your teacher has been told."
-SEARCH = 2.0  # s of processor time, for a mistake that nobody has written down; .2 is the most that ends
+SEARCH = 2.0  # s of processor time, for a mistake that nobody has written down; .2 is the most that was seen
 Recorder = Callable[[str, float], None]
 
 
@@ -149,7 +149,7 @@ def _failed(check: Check, failed: Failed, suspect: str | None, fault: str) -> Ma
 
 
 def _unwritten(solution: str, calls: Sequence[Called]) -> str | None:
-    """A mistake that nobody has written down, if it is found in a moment: variants may run on for ever."""
+    """A mistake that nobody has written down, if it is found in a moment: a variant may take long."""
     try:
         with budget(SEARCH):
             return general(solution, calls)

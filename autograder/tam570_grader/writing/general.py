@@ -28,7 +28,8 @@ FEWEST = 2  # wrong calls: one may agree by chance
 TELLING = 1e-3  # of the right answer: what is smaller may be what cancels
 SPACE = 3  # components of a vector
 ORDINALS = ("first ", "second ", "third ", "fourth ", "fifth ", "sixth ")  # results of a function
-MOST = 6  # components of a vector of which one, or two, may be wrong
+AXES = {1: ("component",), 2: ("row", "column"), 3: ("segment", "end", "component")}  # of an array, by their number
+MOST = 6  # along an axis, of which one, or two, may be wrong
 Variant = tuple[str, Callable[[Given], Any]]  # what to say, and the wrong answer
 FACTORS = {
     "has the opposite sign": -1.0,
@@ -180,13 +181,12 @@ def _changed(change: Callable[[Any], Any], value: Any, given: Given) -> Any:
 
 
 def _components(found: Any) -> Iterator[tuple[str, Callable[[Any], Any]]]:
-    """One component of a vector, or one row or column, of the wrong sign; two exchanged."""
-    for axis, count in enumerate(found.shape if found.size <= MOST**2 else ()):
-        what = "component" if axis or found.ndim == 1 else "row"
-        what = "column" if axis == 1 and found.ndim == 2 else what
-        for k in range(count if count <= MOST else 0):
+    """One component of a vector, one row or column, of the wrong sign; two exchanged."""
+    for axis, (what, count) in enumerate(zip(AXES.get(found.ndim, ()), found.shape, strict=False)):
+        numbers = range(count if count <= MOST else 0)
+        for k in numbers:
             yield f"has the opposite sign in {what} {k + 1}", partial(_negated, k, axis)
-        for j, k in combinations(range(count if count <= MOST else 0), 2):
+        for j, k in combinations(numbers, 2):
             order = np.arange(count)
             order[[j, k]] = k, j
             yield f"has {what}s {j + 1} and {k + 1} exchanged", partial(_ordered, order, axis)
@@ -312,6 +312,8 @@ def _slips(solution: str) -> list[tuple[str, str, set[str], str]]:
 @functools.cache
 def _code(text: str) -> CodeType:
     """Code in which every loop ends."""
+    if "while" not in text:  # to make a tree of it takes six times as long as to compile it
+        return compile(text, "<slip>", "exec")
     return compile(ast.fix_missing_locations(_Turns().visit(ast.parse(text))), "<slip>", "exec")
 
 

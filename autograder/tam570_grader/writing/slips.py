@@ -71,15 +71,15 @@ def slips(source: str) -> dict[str, list[Slip]]:
 
 
 def _everywhere(function: ast.FunctionDef) -> Iterator[Slip]:
-    """Every sine becomes a cosine, and every cosine a sine."""
+    """Every sine becomes a cosine, or every cosine a sine."""
     for name in ("sin", "cos"):
-        whole = copy.deepcopy(function)
-        calls = [node for node in ast.walk(whole) if isinstance(node, ast.Call) and _name_of(node.func) == name]
-        for call in calls:
-            if isinstance(call.func, ast.Attribute):
-                call.func.attr = COUNTERPARTS[name]
+        whole, calls = copy.deepcopy(function), list[ast.expr]()
+        for node in ast.walk(whole):
+            if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr == name:
+                node.func.attr = COUNTERPARTS[name]
+                calls.append(node)
         if len(calls) > 1:
-            yield Slip("another function", ast.Tuple([*calls]), ast.Tuple([*calls]), ast.unparse(whole))
+            yield Slip("another function", ast.Tuple(calls), ast.Tuple(calls), ast.unparse(whole))
 
 
 def reached(text: str) -> dict[str, set[str]]:

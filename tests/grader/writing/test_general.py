@@ -35,6 +35,9 @@ def lift(length, mass, *, gravity):
 def swing(angle, *, mass):
     return 2 * mass * np.sin(angle / 2) ** 2
 
+def rod(x, y):
+    return np.array([[[0.0, 1.0], [x, y]]])
+
 def forces(x, y):
     return np.array([[x, y], [y ** 2, x + y]])
 
@@ -81,6 +84,10 @@ def tables(wrong):
     return [
         Call("forces", given(x, y), wrong(np.array([[x, y], [y**2, x + y]]))) for x, y in DRAW.uniform(1, 3, (4, 2))
     ]
+
+
+def rods(wrong):
+    return [Call("rod", given(x, y), wrong(np.array([[[0.0, 1.0], [x, y]]]))) for x, y in DRAW.uniform(1, 3, (4, 2))]
 
 
 def turned(v, angle):
@@ -157,6 +164,7 @@ def turned(v, angle):
         ),
         (lambda: tables(lambda forces: forces[::-1]), "The result of forces has rows 1 and 2 exchanged"),
         (lambda: tables(lambda forces: forces * [1, -1]), "The result of forces has the opposite sign in column 2"),
+        (lambda: rods(lambda rod: rod[:, ::-1]), "The result of rod has ends 1 and 2 exchanged"),
         (lambda: weights(lambda **known: 0.0), "The result of weight is zero"),
         (lambda: vectors(lambda v, angle: turned(v, -angle)), "In turned, angle has the opposite sign"),
         (lambda: vectors(lambda v, angle: turned(v, math.radians(angle))), "In turned, angle is read as degrees"),

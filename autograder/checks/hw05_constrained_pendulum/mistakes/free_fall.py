@@ -1,7 +1,7 @@
 """There is no constraint force: the particle falls freely.
 
 fails: acceleration_is_that_of_both_forces
-also: The force lacks the term with the square of the speed
+also: The centripetal term is missing
 """
 
 def acceleration(state, *, mass, length, gravity):

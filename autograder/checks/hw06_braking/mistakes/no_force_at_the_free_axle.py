@@ -7,5 +7,4 @@ fails: growth_rate_is_the_slope
 def yaw_growth_rate(speed, locked, *, mass, yaw_inertia, front, rear, friction, gravity):
     drag = friction * axle_load(locked, mass=mass, front=front, rear=rear, gravity=gravity)
     arm = front if locked == "front" else rear
-    _axles(locked, front, rear)
     return -drag * arm * (front + rear) / (speed * yaw_inertia)

@@ -12,10 +12,8 @@ def lagrangian():
     return m * (1 + 9 * c**2 * x**4) * v**2 / 2 - m * g * c * x**2
 
 
-def lagrange_equation():
-    import sympy
+follows = lagrange_equation
 
-    x, v = sympy.symbols("x v")
-    L = lagrangian()
-    p = L.diff(v)
-    return sympy.factor((L.diff(x) - p.diff(x) * v) / p.diff(v))
+
+def lagrange_equation():
+    return follows()  # from this Lagrangian, in a submission of another style too
