@@ -26,6 +26,7 @@ __all__ = ["Cluster"]
 ASKED = 2.0  # s between looks at how many workers there are
 LEAST = 4  # tasks that are handed out, however few workers there are
 PATIENCE = 20  # s, for a scheduler to answer
+GOODBYE = 5  # s, for a scheduler to hear that we leave
 MISSING = "--cluster needs dask.distributed: pip install 'tam570[cluster]'"
 UNSAFE = (
     "{address}: whoever reaches a scheduler without certificates can run code on it; run "
@@ -67,7 +68,8 @@ class Cluster:
         for name in ("distributed", "distributed.client", "tornado.application"):
             logging.getLogger(name).setLevel(logging.CRITICAL)  # what matters comes as an exception
         with contextlib.ExitStack() as stack:
-            client = stack.enter_context(self._client(stack, jobs))
+            client = self._client(stack, jobs)
+            stack.callback(_left, client)
             sent: Course = course_for(course, slugs, self.unconfined)
             client.register_plugin(sent, name=sent.name)
             _must_fit(client, sent.name, self.address)
@@ -100,6 +102,12 @@ class Cluster:
             )
         except (OSError, TimeoutError) as error:
             raise UsageError(f"no scheduler lets us in at {self.address}: {error}") from None
+
+
+def _left(client: Any) -> None:
+    """Leave the scheduler, which may have been lost: what it had for us has come, or will be asked for again."""
+    with contextlib.suppress(TimeoutError):
+        client.close(timeout=GOODBYE)
 
 
 def _security(folder: Path | None) -> Any:

@@ -6,11 +6,14 @@ import signal
 import subprocess
 import sys
 import time
+from concurrent.futures import CancelledError
 from contextlib import contextmanager
+from unittest.mock import MagicMock
 
 import pytest
 
 from tam570_grader import cli
+from tam570_grader.grading.cluster import Cluster
 from tam570_grader.sandbox.launch import isolation
 
 pytest.importorskip("distributed", reason="no dask.distributed: pip install 'tam570[cluster]'")
@@ -141,6 +144,14 @@ def test_a_head_that_is_killed_and_a_scheduler_that_is_lost_change_nothing(net, 
     with net.scheduler(), net.worker(), net.grading(tree, out) as head:
         assert head.wait() == 0, head.stderr.read()
     assert outcome(out) == alone
+
+
+def test_a_scheduler_that_hears_no_goodbye_hides_no_error(course, monkeypatch):
+    client = MagicMock()
+    client.run.return_value, client.close.side_effect = {}, TimeoutError
+    monkeypatch.setattr(Cluster, "_client", lambda *_: client)
+    with pytest.raises(ConnectionError, match="was lost"), Cluster("local").crew(course, [SLUG], 1):
+        raise CancelledError
 
 
 def test_who_has_no_certificate_is_kept_out(net, tree, tmp_path, capsys):

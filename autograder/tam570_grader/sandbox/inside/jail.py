@@ -99,8 +99,9 @@ def watch(prisoner: int, leash: socket.socket, lifeline: int, limits: Limits) ->
     On b"e" it is killed where it does not end by itself in a moment: it has closed its channel, and may have died.
     It is killed too when the lifeline, a pipe that the worker holds the other end of, says that the worker has died.
 
-    The last message on the leash is "cpu stranger": the CPU seconds used, and 1 if neither we nor its own limit killed
-    it. The kernel keeps that limit by ticks: who sleeps between them is charged whole ones for a little of each.
+    The last message on the leash is "cpu stranger": the CPU seconds used, and 1 if it was killed with its worker, or
+    neither by us nor by its own limit. The kernel keeps that limit by ticks: who sleeps between them is charged whole
+    ones for a little of each.
     """
     group = not limits.namespaces
     if group and hasattr(LIBC, "prctl"):
@@ -119,7 +120,8 @@ def watch(prisoner: int, leash: socket.socket, lifeline: int, limits: Limits) ->
         ended, status, usage = os.wait4(prisoner, 0 if ours else os.WNOHANG)
     _reap(group)
     cpu = usage.ru_utime + usage.ru_stime
-    stranger = status == signal.SIGKILL and not ours and max(cpu, charged) < limits.cpu - 0.5
+    by_another = not ours and max(cpu, charged) < limits.cpu - 0.5
+    stranger = status == signal.SIGKILL and (lifeline in ready or by_another)
     _tell(leash, f"{cpu:.6f} {int(stranger)}\n")
 
 
