@@ -176,6 +176,10 @@ ALIASES = {
     "of a decorated one": (
         "def _kept(f): return lambda *given: f(*given)\nrotation_matrix = _same = _kept(rotation_matrix)"
     ),
+    "in a table, of a decorated one": (
+        "def _kept(f): return lambda *given: f(*given)\nrotation_matrix = _kept(rotation_matrix)\n"
+        "_table = [rotation_matrix]\ndef _same(*given): return _table[0](*given)"
+    ),
     "of one that is no plain function": (
         "import functools\nrotation_matrix = _same = functools.partial(rotation_matrix)"
     ),

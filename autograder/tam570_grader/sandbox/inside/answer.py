@@ -72,9 +72,10 @@ def _stood_in(module: ModuleType, request: Mapping[str, Any]) -> list[Change]:
 def _refused(module: ModuleType, name: str) -> list[Change]:
     """A plain function has another body wherever it is kept; anything else is replaced in the module."""
     function, refusal = getattr(module, name), Refusal(name)
-    if not isinstance(function, FunctionType) or function.__globals__ is not vars(module) or function.__closure__:
+    if not isinstance(function, FunctionType) or function.__globals__ is not vars(module):
         return _everywhere(module, function, refusal)
-    return [(function, "__code__", _refusing.__code__), (function, "__kwdefaults__", {"_refusal": refusal})]
+    code = _refusing.__code__.replace(co_freevars=function.__code__.co_freevars)  # as many as its closure has
+    return [(function, "__code__", code), (function, "__kwdefaults__", {"_refusal": refusal})]
 
 
 def _refusing(*args: Any, _refusal: Refusal, **kwargs: Any) -> Any:
