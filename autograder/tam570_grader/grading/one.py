@@ -26,7 +26,7 @@ from tam570_grader.writing.mistakes import Called, known
 __all__ = ["Judging", "Mark", "Result", "failed_by_us", "generator", "graded", "not_graded"]
 
 OUR_FAULT = "The grader failed here, not you; your teacher has been told."
-SEARCH = 2.0  # s of processor time, for a mistake that nobody has written down; .2 is the most that was seen
+SEARCH = 1.0  # s of processor time, for a mistake that nobody has written down
 Recorder = Callable[[str, float], None]
 
 

@@ -30,6 +30,8 @@ from tam570_grader.writing.answers import shared
 from tam570_grader.writing.check import Given, Memory
 
 __all__ = [
+    "OF_MOTIONS",
+    "WITHIN",
     "Called",
     "Mistake",
     "agrees",

@@ -115,7 +115,7 @@ def _tells(motion: Motion, motions: Sequence[Motion], turns: Sequence[int]) -> l
         (lambda: _turned(motion, turns), "Only whole turns are missing: never wrap angles"),
         (lambda: _even(motion), "These are the rows at evenly spaced times: use the times in t"),
         (lambda: _from_zero(motion), "The start is taken at t = 0: it is the state at t[0]"),
-        (lambda: _exchanged(motion), "Two columns are exchanged"),
+        (lambda: _reordered(motion), "The columns are in another order"),
         (lambda: _another(motion, motions), "This is the motion of an earlier call: is a result kept between calls?"),
         (lambda: _joined(motion), JOINED),
         (lambda: _denser(motion), SAMPLED),
@@ -162,10 +162,10 @@ def _from_zero(motion: Motion) -> bool:
         return False
 
 
-def _exchanged(motion: Motion) -> bool:
-    k = motion.found.shape[1]
-    orders = [[*range(i), j, *range(i + 1, j), i, *range(j + 1, k)] for j in range(k) for i in range(j)]
-    return any(motion.near(motion.expected[:, order]) for order in orders if k <= 8)
+def _reordered(motion: Motion) -> bool:
+    columns = motion.found.T[:, :, None] - motion.expected[None]  # each of the student's less each of the right ones
+    order = np.argmin(np.abs(columns / motion.scales).max(axis=1), axis=1)
+    return len(set(order)) == len(order) and motion.near(motion.expected[:, order])
 
 
 def _another(motion: Motion, motions: Sequence[Motion]) -> bool:

@@ -41,6 +41,13 @@ def rod(x, y):
 def forces(x, y):
     return np.array([[x, y], [y ** 2, x + y]])
 
+def fall(t, height, speed, *, gravity, drag):
+    fallen = np.asarray(t) - t[0]
+    return np.column_stack([height + speed * fallen - gravity * fallen ** 2 / 2, speed - gravity * fallen])
+
+def tumble(rate, *, mass, radius, inertia):
+    return inertia[0] * rate ** 2 + inertia[1] * rate + mass * radius
+
 def stairs(n, m):
     total = 0.0
     while n > 0:
@@ -90,6 +97,17 @@ def rods(wrong):
     return [Call("rod", given(x, y), wrong(np.array([[[0.0, 1.0], [x, y]]]))) for x, y in DRAW.uniform(1, 3, (4, 2))]
 
 
+def falls(wrong):
+    t = np.linspace(1, 3, 9) ** 2
+    known = {"gravity": 2.0, "drag": 0.7}
+    return [Call("fall", given(t, 1.5, 0.8, **known), wrong(t - t[0], 1.5, 0.8, **known))]
+
+
+def tumbles(wrong):
+    known = [(rate, {"mass": m, "radius": r, "inertia": (a, 2.0)}) for rate, m, r, a in DRAW.uniform(0.5, 3, (4, 4))]
+    return [Call("tumble", given(rate, **body), wrong(rate, **body)) for rate, body in known]
+
+
 def turned(v, angle):
     c, s = math.cos(angle), math.sin(angle)
     return np.array([[c, -s], [s, c]]) @ v
@@ -135,6 +153,38 @@ def turned(v, angle):
                 lambda mass, height, gravity, length: mass * (gravity * height + length**2 / 2) / gravity**2
             ),
             "The result of weight should be multiplied by gravity squared",
+        ),
+        (
+            lambda: falls(lambda t, h, v, gravity, drag: np.column_stack([h + v * t + t**2, v + 2 * t])),
+            "In fall, gravity has the opposite sign",
+        ),
+        (  # at a tolerance of its own
+            lambda: falls(lambda t, h, v, gravity, drag: np.column_stack([h + v * t - 0.7 * t**2, v - 1.400001 * t])),
+            "In fall, gravity has a factor drag too many",
+        ),
+        (
+            lambda: falls(lambda t, h, v, gravity, drag: np.column_stack([h + v * t - t**2, v - 4 * t])),
+            "In fall, a term with gravity counts twice",
+        ),
+        (
+            lambda: tumbles(lambda rate, mass, radius, inertia: (inertia[0] * rate + 2) * rate / 3 + mass * radius / 3),
+            "The result of tumble is 0.3333 times the right one for any input",
+        ),
+        (
+            lambda: tumbles(lambda rate, mass, radius, inertia: (inertia[0] * rate + 2) * rate + mass * radius + 1.25),
+            "The result of tumble is off by 1.25 for any input",
+        ),
+        (
+            lambda: tumbles(
+                lambda rate, mass, radius, inertia: (
+                    (inertia[0] + mass * radius**2) * rate**2 + inertia[1] * rate + mass * radius
+                )
+            ),
+            "In tumble, component 1 of inertia has mass radius^2 too many",
+        ),
+        (
+            lambda: tables(lambda right: right + [[0.0, 0.0], [0.3, 0.0]] * right**2),
+            "The result of forces is wrong in row 2, column 1 alone",
         ),
         (lambda: pairs(lambda r, angle: (r, abs(angle))), "The second result of polar has lost its sign"),
         (
@@ -194,6 +244,12 @@ def test_it_is_named_by_what_it_does(calls, says):
 )
 def test_what_is_no_one_thing_is_not_named(calls):
     assert general(SOLUTION, calls()) is None
+
+
+def test_what_comes_near_a_motion_does_not_explain_it():
+    """A factor of .705 is not one of drag, .7, for a motion that is accurate."""
+    calls = falls(lambda t, h, v, gravity, drag: np.column_stack([h + v * t - 0.705 * t**2, v - 1.41 * t]))
+    assert general(SOLUTION, calls) is None
 
 
 def test_a_variant_that_never_ends_is_passed_over():

@@ -133,7 +133,7 @@ def test_where_the_function_cannot_be_asked_nobody_is_told_that_the_physics_is_r
         (lambda rows: np.vstack([rows[1:], rows[-1:]]), AHEAD),
         (lambda rows: np.vstack([rows[:1], rows[2:], rows[-1:]]), AHEAD),
         (lambda rows: np.vstack([rows[:1], rows[:-1]]), BEHIND),
-        (lambda rows: rows[:, ::-1], "Two columns are exchanged"),
+        (lambda rows: rows[:, ::-1], "The columns are in another order"),
         (lambda rows: 0 * rows, "Every number is zero"),
         (lambda rows: 0 * rows + rows[0], "Every row is the start"),
         (lambda rows: np.vstack([rows[:1] + 1, rows[1:]]), "Row 0 is not the start"),
