@@ -49,7 +49,8 @@ def general(solution: str, calls: Sequence[Called]) -> str | None:
     module = ModuleType("_varied")  # its own, to make slips in
     exec(_code(solution), vars(module))
     right = getattr(module, name)
-    results = other_results(name, wrong[0], vary=len({str(call.given.kwargs) for call in wrong}) >= FEWEST)
+    known_for = {str(call.given.kwargs) for call in wrong}
+    results = other_results(name, wrong[0], vary=len(known_for) >= FEWEST or not wrong[0].given.kwargs)
     if said := next((says for says, variant in results if _explains(variant, own)), ""):
         return said
     for family in (other_arguments(name, right, own[0]), other_products(name, right, own[0])):

@@ -223,6 +223,7 @@ def turned(v, angle):
         (lambda: pairs(lambda r, angle: (-r, -angle)), "The results of polar have the opposite sign"),
         (lambda: pairs(lambda r, angle: (r, -angle)), "The second result of polar has the opposite sign"),
         (lambda: products(lambda a, b: np.cross(b, a)), "The result of cross has the opposite sign"),
+        (lambda: products(lambda a, b: 4 * np.cross(a, b)), "The result of cross is 4 times the right one for any"),
         (lambda: products(lambda a, b: np.cross(a, b) * [1, -1, 1]), "has the opposite sign in component 2"),
     ],
 )
@@ -238,8 +239,7 @@ def test_it_is_named_by_what_it_does(calls, says):
         lambda: weights(lambda mass, height, gravity, length: mass + gravity),
         lambda: [*vectors(lambda v, angle: -turned(v, angle)), *products(lambda a, b: np.cross(b, a))],  # two are wrong
         lambda: [*vectors(turned), Call("turned", given(np.ones(2), angle=0.1), None)],
-        # a vector turned twice over: v counts twice, or both terms of each component
-        lambda: products(lambda a, b: 4 * np.cross(a, b)),
+        lambda: products(lambda a, b: 4 * np.linalg.norm(a) * np.cross(a, b)),
     ],
 )
 def test_what_is_no_one_thing_is_not_named(calls):
