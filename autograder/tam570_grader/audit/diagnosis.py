@@ -21,7 +21,7 @@ from tam570_grader.writing import assignments
 from tam570_grader.writing.mistakes import header, mistakes
 from tam570_grader.writing.slips import reached
 
-__all__ = ["ENOUGH", "Diagnosis", "as_json", "diagnoses", "diagnosis", "report"]
+__all__ = ["ENOUGH", "Diagnosis", "as_json", "diagnoses", "diagnosis", "faults", "report"]
 
 ENOUGH = 0.9  # share of the mistakes that the feedback must name
 SEED = 1

@@ -18,7 +18,7 @@ from tam570_grader.audit.mutate import Mutant
 from tam570_grader.errors import UsageError
 from tam570_grader.writing import assignments
 
-__all__ = ["entry", "equivalents", "idle"]
+__all__ = ["Slip", "entry", "equivalents", "idle"]
 
 Slip = tuple[str, str]  # function, what was done in it
 

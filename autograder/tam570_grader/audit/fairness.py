@@ -13,7 +13,7 @@ from tam570_grader.errors import UsageError, writing
 from tam570_grader.grading.processes import Crew, in_order
 from tam570_grader.writing import assignments
 
-__all__ = ["fair", "report", "upper_bound"]
+__all__ = ["as_json", "fair", "report", "upper_bound"]
 
 FIRST_SEED = 5000
 CONFIDENCE = 0.95

@@ -18,7 +18,7 @@ from tam570_grader.writing import assignments
 from tam570_grader.writing.mistakes import header
 from tam570_grader.writing.slips import reached
 
-__all__ = ["ENOUGH", "Margin", "as_json", "faults", "margin", "margins", "report"]
+__all__ = ["ENOUGH", "SEEDS", "Margin", "as_json", "faults", "margin", "margins", "report"]
 
 ENOUGH = 10  # times: below the limit for a careful student, above it for wrong physics
 SEEDS = 5

@@ -19,7 +19,7 @@ from tam570_grader.writing import assignments
 from tam570_grader.writing.check import Given
 from tam570_grader.writing.slips import reached
 
-__all__ = ["Fates", "calls_of_checks", "fates", "report"]
+__all__ = ["Fates", "as_json", "calls_of_checks", "fates", "report"]
 
 SEED = 570
 QUICK = 10  # mutants of an assignment in the quick form

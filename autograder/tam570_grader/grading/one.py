@@ -23,7 +23,7 @@ from tam570_grader.writing.expect import LONGEST_FAULT, Failed, NotWritten, tria
 from tam570_grader.writing.general import general
 from tam570_grader.writing.mistakes import Called, known
 
-__all__ = ["Judging", "Mark", "Result", "failed_by_us", "generator", "graded", "not_graded"]
+__all__ = ["Judging", "Mark", "Recorder", "Result", "failed_by_us", "generator", "graded", "not_graded"]
 
 OUR_FAULT = "The grader failed here, not you; your teacher has been told."
 SEARCH = 1.0  # s of processor time, for a mistake that nobody has written down

@@ -20,6 +20,7 @@ from tam570_grader.results.tables import written
 from tam570_grader.writing.assignments import checks_digest, engine_digest
 
 __all__ = [
+    "SIGNS",
     "Sheet",
     "must_write_pages",
     "overall",

@@ -29,6 +29,7 @@ __all__ = [
     "OFF",
     "TOTAL",
     "WORDS",
+    "Earned",
     "Entry",
     "Hand",
     "Settled",

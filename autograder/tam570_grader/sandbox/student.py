@@ -20,7 +20,7 @@ from tam570_grader.writing.curves import readable
 from tam570_grader.writing.expect import Failed, NotWritten, current
 from tam570_grader.writing.returns import Drawing, Formula, result
 
-__all__ = ["BudgetSpent", "Call", "NotLoaded", "Source", "Student"]
+__all__ = ["BudgetSpent", "Call", "Function", "NotLoaded", "Source", "Student"]
 
 REAL = 1e-12  # of a value: complex exponentials that make it real leave 1e-25 of imaginary part
 ROUNDING = 1e-25  # where they cancel to zero

@@ -16,6 +16,7 @@ from tam570_grader.writing.returns import Scale, Words
 
 __all__ = [
     "Column",
+    "Right",
     "absolute",
     "agree",
     "agree_by_columns",

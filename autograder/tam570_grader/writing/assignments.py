@@ -26,6 +26,7 @@ __all__ = [
     "OWN",
     "Assignment",
     "assignment",
+    "by_hand",
     "checks_digest",
     "checks_folder",
     "engine_digest",

@@ -18,8 +18,10 @@ from tam570_grader.writing.check import Given
 from tam570_grader.writing.curves import Curve, curve
 
 __all__ = [
+    "LONGEST_FAULT",
     "NEARLY",
     "NEARLY_SHARE",
+    "OPENS",
     "Failed",
     "NotWritten",
     "Trial",

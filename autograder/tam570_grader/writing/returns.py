@@ -26,12 +26,15 @@ __all__ = [
     "Formula",
     "Group",
     "Line",
+    "Promise",
+    "Scale",
     "Words",
     "array",
     "drawing",
     "formula",
     "group",
     "number",
+    "result",
     "rows",
 ]
 

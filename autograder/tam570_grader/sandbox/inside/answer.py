@@ -14,7 +14,7 @@ from .load import Refusal
 from .picture import picture
 from .wire import portable
 
-__all__ = ["answer", "error_report"]
+__all__ = ["answer", "error_report", "seed_generators"]
 
 __builtins__ = dict(vars(builtins))  # type: ignore[assignment]  # as in wire
 

@@ -12,7 +12,17 @@ from numpy import array, asarray, ascontiguousarray, frombuffer, generic, ndarra
 # What a submission does to the built-in functions must not reach those below.
 __builtins__ = dict(vars(builtins))  # type: ignore[assignment]
 
-__all__ = ["Foreign", "ItemBudget", "Unreadable", "packed", "portable", "request", "unpacked"]
+__all__ = [
+    "DEEPEST",
+    "LARGEST_ARRAY",
+    "Foreign",
+    "ItemBudget",
+    "Unreadable",
+    "packed",
+    "portable",
+    "request",
+    "unpacked",
+]
 
 ARRAY, FOREIGN = 1, 2
 LARGEST_ARRAY = 2**24  # bytes; the largest honest result, 1e5 rows of 15 numbers, has 12e6
