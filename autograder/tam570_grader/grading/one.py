@@ -15,7 +15,7 @@ from tam570_grader.pages.sentences import whole
 from tam570_grader.results.records import Mark, Result
 from tam570_grader.sandbox.launch import isolation
 from tam570_grader.sandbox.student import BudgetSpent, NotLoaded, Source, Student
-from tam570_grader.sandbox.warm import TRIES
+from tam570_grader.sandbox.warm import ONLY, Attempt
 from tam570_grader.sandbox.worker import Worker
 from tam570_grader.writing.assignments import Assignment
 from tam570_grader.writing.check import Check
@@ -51,17 +51,15 @@ def graded(
     worker: Worker,
     seed: int,
     yardstick: Yardstick | None = None,
-    left: int | None = None,
+    attempt: Attempt = ONLY,
     asked: Judging = Judging(),  # noqa: B008  it is frozen
 ) -> Result:
     """Grade one submission of the student `name`; the same submission and seed give the same score.
 
     yardstick : measures the speed of the simulation too, when all is graded
-    left      : tries that are left, of TRIES, None where there is but this one: while there are, raise WorkerLost
-                where the submission was killed by a stranger; after the first it may know hidden inputs
     """
     started = time.perf_counter()
-    student = Student(source, assignment, worker, bool(left), left is not None and left < TRIES - 1)
+    student = Student(source, assignment, worker, attempt)
     marks: dict[str, Mark] = {}
     status, note, speed = "graded", "", None
     try:

@@ -10,7 +10,7 @@ from tam570_grader.grading.one import Result, failed_by_us, graded, not_graded
 from tam570_grader.grading.speed import Yardstick
 from tam570_grader.grading.submissions import CannotRead
 from tam570_grader.sandbox.student import Source
-from tam570_grader.sandbox.warm import tried
+from tam570_grader.sandbox.warm import Attempt, tried
 from tam570_grader.sandbox.worker import Allowance, NotConfined, Worker, WorkerLost
 from tam570_grader.writing import answers, assignments
 
@@ -81,7 +81,7 @@ def result(task: Task) -> Result:
         return failed_by_us(task.student, assignment, error, task.seed)
 
 
-def _graded(task: Task, worker: Worker, left: int) -> Result:
+def _graded(task: Task, worker: Worker, attempt: Attempt) -> Result:
     assert isinstance(task.source, Source)
     return graded(
         task.student,
@@ -90,7 +90,7 @@ def _graded(task: Task, worker: Worker, left: int) -> Result:
         worker,
         task.seed,
         _yardstick(task.course) if task.conditions.speed else None,
-        left,
+        attempt,
     )
 
 

@@ -13,6 +13,7 @@ from tam570_grader.sandbox.cell import PATIENCE, Cell, CellLost, CellTimeout
 from tam570_grader.sandbox.imports import NotLoaded, not_compiled, not_imported, python_class, skipped_cells, started
 from tam570_grader.sandbox.inside.wire import request
 from tam570_grader.sandbox.replies import checked, error_of, imported, strings
+from tam570_grader.sandbox.warm import ONLY, Attempt
 from tam570_grader.sandbox.worker import Worker, WorkerLost
 from tam570_grader.writing.assignments import Assignment
 from tam570_grader.writing.check import Given, given
@@ -51,16 +52,10 @@ class BudgetSpent(Over):
 
 
 class Student:
-    """One submission in the sandbox. `student.f` is the function f of the contract.
+    """One submission in the sandbox. `student.f` is the function f of the contract."""
 
-    forgiving : raise WorkerLost where it is killed from outside, as by a machine that is out of memory
-    again     : it has been tried before, and may know hidden inputs: what it says at import is not quoted
-    """
-
-    def __init__(
-        self, source: Source, assignment: Assignment, worker: Worker, forgiving: bool = False, again: bool = False
-    ) -> None:
-        self._forgiving, self._informed = forgiving, again
+    def __init__(self, source: Source, assignment: Assignment, worker: Worker, attempt: Attempt = ONLY) -> None:
+        self._forgiving, self._informed = attempt.forgiving, attempt.again
         self.calls: list[Call] = []  # of the check that is running
         self.skipped: list[str] = []  # notebook cells
         self._source, self._assignment, self._worker = source, assignment, worker

@@ -3,12 +3,13 @@
 import threading
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, TypeVar
 
 from tam570_grader.sandbox.worker import Allowance, Worker, WorkerLost
 
-__all__ = ["TRIES", "sandboxes", "tried"]
+__all__ = ["ATTEMPTS", "ONLY", "TRIES", "Attempt", "sandboxes", "tried"]
 
 TRIES = 3  # workers, or supervisors, that a submission may see die under it before we give up
 MOST = 12  # workers of a thread that are kept
@@ -16,20 +17,36 @@ T = TypeVar("T")
 _warm: dict[tuple[Any, ...], Worker] = {}
 
 
+@dataclass(frozen=True)
+class Attempt:
+    """One try of a submission.
+
+    forgiving : another one follows: WorkerLost where the submission is killed from outside, as for want of memory
+    again     : one went before: the submission may know hidden inputs, and what it says at import is not quoted
+    """
+
+    forgiving: bool = False
+    again: bool = False
+
+
+ONLY = Attempt()
+ATTEMPTS = tuple(Attempt(forgiving=number < TRIES, again=number > 1) for number in range(1, TRIES + 1))
+
+
 def tried(
-    work: Callable[[Worker, int], T], preload: Sequence[str], allowance: Allowance, hidden: Sequence[Path] = ()
+    work: Callable[[Worker, Attempt], T], preload: Sequence[str], allowance: Allowance, hidden: Sequence[Path] = ()
 ) -> T:
-    """work(worker, left) on a warm worker, on another where that one is lost; WorkerLost when no tries are left."""
+    """work(worker, attempt) on a warm worker, on another where that one is lost; WorkerLost from the last attempt."""
     key = (threading.get_ident(), *preload, allowance, *hidden)
-    for left in reversed(range(TRIES)):
+    for attempt in ATTEMPTS:
         if key not in _warm:
             _make_room(key[0])
             _warm[key] = Worker(preload, allowance, hidden)
         try:
-            return work(_warm[key], left)
+            return work(_warm[key], attempt)
         except WorkerLost:
             _warm.pop(key).close()
-            if not left:
+            if not attempt.forgiving:
                 raise
     raise AssertionError("the last try returns or raises")
 

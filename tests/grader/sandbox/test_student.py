@@ -11,7 +11,7 @@ from tam570_grader.grading.one import graded
 from tam570_grader.sandbox.cell import Cell
 from tam570_grader.sandbox.launch import isolation
 from tam570_grader.sandbox.student import Source, Student
-from tam570_grader.sandbox.warm import TRIES
+from tam570_grader.sandbox.warm import ATTEMPTS
 from tam570_grader.sandbox.worker import Allowance
 from tam570_grader.writing import assignments
 from tam570_grader.writing.check import given
@@ -88,7 +88,7 @@ def test_a_submission_has_a_process_group_of_its_own(grade, solution_text):
 def test_one_that_is_tried_again_is_not_quoted(course, workers):
     source = Source(b"1 / 0")
     assignment, worker = assignments.assignment(course, SLUG), workers(SLUG, Allowance())
-    first, second = (graded("dan", source, assignment, worker, 1, left=left) for left in (TRIES - 1, TRIES - 2))
+    first, second = (graded("dan", source, assignment, worker, 1, attempt=attempt) for attempt in ATTEMPTS[:2])
     assert "division" in first.message and "second time" in second.message and "division" not in second.message
 
 
@@ -223,5 +223,5 @@ def test_who_looks_as_if_killed_by_others_is_not_tried_again(death, course, work
     """The kernel counts processor time by ticks of 4 ms where it ends a process for it."""
     source = Source(f"{solution_text(SLUG)}{TICKS}\ndef skew(v):\n    {death}\n".encode())
     worker = workers(SLUG, Allowance(cpu=2, call=1.5))
-    outcome = graded("eve", source, assignments.assignment(course, SLUG), worker, 1, left=TRIES - 1)
+    outcome = graded("eve", source, assignments.assignment(course, SLUG), worker, 1, attempt=ATTEMPTS[0])
     assert outcome.score < 10
