@@ -1,4 +1,4 @@
-"""Differences of second order at the ends need three samples.
+"""The action takes differences of second order at the ends, which fail for two samples.
 
 fails: action_is_the_integral
 names: without gravity, two samples

@@ -1,4 +1,4 @@
-"""Fewer than four samples give no action.
+"""The action of fewer than four samples is 0; two samples have one, too.
 
 fails: action_is_the_integral
 names: without gravity, two samples

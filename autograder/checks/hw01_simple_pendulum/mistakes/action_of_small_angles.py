@@ -1,4 +1,4 @@
-"""The potential energy holds for small angles alone.
+"""The action has the potential energy of small angles, which holds only there.
 
 fails: action_is_stationary_on_motions
 within: 1e-3

@@ -1,4 +1,4 @@
-"""The Lagrangian is summed over the samples and not multiplied by the step.
+"""The Lagrangian is summed over the samples, but not multiplied by the step.
 
 fails: action_is_stationary_on_motions
 """

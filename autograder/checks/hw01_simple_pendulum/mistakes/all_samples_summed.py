@@ -1,4 +1,4 @@
-"""The first and last samples count whole; a trapezoid counts half of each.
+"""The first and last samples count whole; they should count half.
 
 fails: action_is_stationary_on_motions
 """

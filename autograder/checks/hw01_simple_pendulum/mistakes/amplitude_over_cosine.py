@@ -1,4 +1,4 @@
-"""The amplitude is theta0 over the cosine of the phase: nothing for a pendulum that starts at the bottom.
+"""The amplitude is theta0 over the cosine of the phase, which is lost for a pendulum that starts at the bottom.
 
 fails: small_angle_solution_is_harmonic
 names: a pendulum that starts at the bottom

@@ -1,4 +1,4 @@
-"""sin(k t)/k is 0/0 without gravity.
+"""The small-angle solution divides sin(k t) by k, which is 0/0 without gravity.
 
 fails: small_angle_solution_without_gravity
 names: small_angle_solution returned NaN or infinity

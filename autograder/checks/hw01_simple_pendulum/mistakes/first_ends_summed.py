@@ -1,4 +1,4 @@
-"""The sum leaves the last sample out.
+"""The action leaves the last sample out of the sum.
 
 fails: action_is_stationary_on_motions
 numerics: an error of the order of the step

@@ -1,4 +1,4 @@
-"""The formula is a string.
+"""The formula is a string; it should be a SymPy expression.
 
 fails: lagrange_gives_the_acceleration
 names: does not return a SymPy expression

@@ -1,4 +1,4 @@
-"""The sum leaves the last step out.
+"""The action leaves the last step out of the sum.
 
 fails: action_is_stationary_on_motions
 within: 5e-05

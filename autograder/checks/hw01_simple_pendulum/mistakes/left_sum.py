@@ -1,4 +1,4 @@
-"""The sum takes the first ends of the steps, which is of first order in the step.
+"""The action sums the first ends of the steps, which is of first order in the step.
 
 fails: action_is_the_integral
 """

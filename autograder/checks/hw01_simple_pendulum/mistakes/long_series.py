@@ -1,4 +1,4 @@
-"""The series of eighty terms is too short near pi.
+"""The period is a series of eighty terms, which is too short near pi.
 
 fails: period_grows_towards_the_top
 names: a series in the amplitude

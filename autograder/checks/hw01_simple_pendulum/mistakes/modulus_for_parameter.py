@@ -1,4 +1,4 @@
-"""SciPy's ellipk takes the parameter m = k^2, not the modulus k.
+"""ellipk gets the modulus k; SciPy's takes the parameter m = k^2.
 
 fails: period_is_exact
 """

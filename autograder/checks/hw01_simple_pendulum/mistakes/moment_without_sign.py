@@ -1,4 +1,4 @@
-"""The sign of gravity's term is missing.
+"""Gravity's term has the wrong sign.
 
 fails: moments_give_the_acceleration, momentum_and_moment_are_about_the_hinge
 """

@@ -1,4 +1,4 @@
-"""A motion is kept by its start and the number of its times.
+"""A motion is kept by its start and the number of its times; other times get the same motion.
 
 fails: simulate_needs_no_dense_times
 names: is a result kept between calls

@@ -1,4 +1,4 @@
-"""At the bottom the tension is the weight alone, as if the pendulum did not move.
+"""At the bottom the tension is only the weight, as if the pendulum did not move.
 
 fails: newton_gives_the_tension
 """

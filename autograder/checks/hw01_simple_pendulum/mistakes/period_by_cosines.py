@@ -1,4 +1,4 @@
-"""The period is an integral with a difference of cosines, which leaves no digit of a tiny amplitude.
+"""The period integrates a difference of cosines, which has no digits left at a tiny amplitude.
 
 fails: period_grows_towards_the_top
 names: for an amplitude of less than 1e-4

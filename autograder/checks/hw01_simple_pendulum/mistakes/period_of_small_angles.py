@@ -1,4 +1,4 @@
-"""This is the period of small angles.
+"""This is the period of small angles; it should hold for any amplitude.
 
 fails: period_is_exact
 """

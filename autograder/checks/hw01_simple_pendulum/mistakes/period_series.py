@@ -1,4 +1,4 @@
-"""These are the first two terms of the series.
+"""The period has only the first two terms of its series in the amplitude.
 
 fails: period_is_exact
 """

@@ -1,4 +1,4 @@
-"""From 0.1 to 0.45 rad these are the first two terms of the series.
+"""From 0.1 to 0.45 rad the period has only the first two terms of its series in the amplitude.
 
 fails: period_grows_towards_the_top
 numerics: what is left out is the fourth power of a small amplitude

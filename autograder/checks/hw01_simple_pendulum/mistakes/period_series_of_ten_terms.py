@@ -1,4 +1,4 @@
-"""Ten terms of the series are too few for a pendulum that swings above the hinge.
+"""The period has only ten terms of its series, too few for a pendulum that swings above the hinge.
 
 fails: period_is_exact
 numerics: the length of the series

@@ -1,4 +1,4 @@
-"""The sine of theta has lost its sign: theta may be on either side.
+"""The sine of theta has lost its sign; theta may be on either side.
 
 fails: energy_gives_the_acceleration
 """

@@ -1,4 +1,4 @@
-"""A pendulum that is let go at rest stays at rest.
+"""A pendulum that starts at rest is left where it is; gravity should move it.
 
 fails: simulate_needs_no_dense_times
 names: let go at rest

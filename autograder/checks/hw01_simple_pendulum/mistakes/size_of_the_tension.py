@@ -1,4 +1,4 @@
-"""The tension has lost its sign: where the rod pushes it is negative.
+"""The tension has lost its sign; it should be negative where the rod pushes.
 
 fails: newton_gives_the_tension
 """

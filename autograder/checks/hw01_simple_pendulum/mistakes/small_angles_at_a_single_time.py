@@ -1,4 +1,4 @@
-"""A single time gets the given state.
+"""A single time gets the given state, as if it were t = 0.
 
 fails: small_angle_solution_is_harmonic
 names: a single time

@@ -1,4 +1,4 @@
-"""This is the tension of a string, zero where it would be negative: a rod can push.
+"""The tension is cut off at zero, as in a string; a rod can push.
 
 fails: newton_gives_the_tension
 """

@@ -1,4 +1,4 @@
-"""The whole weight stands where its part along the rod belongs.
+"""The tension has the whole weight where its part along the rod belongs.
 
 fails: newton_gives_the_tension
 """

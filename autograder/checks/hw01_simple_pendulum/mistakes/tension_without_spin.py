@@ -1,4 +1,4 @@
-"""m l omega^2 is missing in the tension.
+"""The tension lacks m l omega^2.
 
 fails: newton_gives_the_tension
 """

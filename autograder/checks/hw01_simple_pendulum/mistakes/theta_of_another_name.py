@@ -1,4 +1,4 @@
-"""The symbol is theta, not theta_1.
+"""The formula calls the angle theta_1; its symbol should be theta.
 
 fails: lagrange_gives_the_acceleration
 names: It has theta_1 in it

@@ -1,4 +1,4 @@
-"""theta is left as a function of time.
+"""theta is left as a function of time; it should be a symbol.
 
 fails: lagrangian_is_kinetic_less_potential
 names: It has theta(t) in it

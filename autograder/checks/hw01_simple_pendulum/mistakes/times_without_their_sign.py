@@ -1,4 +1,4 @@
-"""The small-angle solution takes a time before zero for one after it.
+"""The small-angle solution treats a time before zero as one after it.
 
 fails: small_angle_solution_is_harmonic
 """

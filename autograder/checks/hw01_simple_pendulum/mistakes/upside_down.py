@@ -1,4 +1,4 @@
-"""The sign of gravity's term is missing.
+"""Gravity's term has the wrong sign.
 
 fails: simulate_swings
 """

@@ -1,4 +1,4 @@
-"""The angle is brought back between -pi and pi.
+"""The angle is brought back between -pi and pi; angles are never wrapped.
 
 fails: simulate_turns_over_the_top
 names: Only whole turns are missing
