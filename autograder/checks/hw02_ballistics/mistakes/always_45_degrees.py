@@ -1,4 +1,4 @@
-"""45 degrees hold without drag alone.
+"""The best angle is always 45 degrees, which is right only without drag.
 
 fails: best_angle_has_the_largest_range
 """

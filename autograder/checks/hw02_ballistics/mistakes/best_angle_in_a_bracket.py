@@ -1,4 +1,4 @@
-"""The search for the best angle begins in a bracket that may hold none.
+"""The search for the best angle begins in a bracket that may not hold it.
 
 fails: best_angle_has_the_largest_range
 names: best_angle raised ValueError

@@ -1,4 +1,4 @@
-"""Little drag leaves the textbook formula no digits.
+"""The path is the textbook formula, which loses all digits where there is little drag.
 
 fails: trajectory_with_any_drag
 names: for very little drag

@@ -1,4 +1,4 @@
-"""1 - e^-s is a difference that loses digits.
+"""The range has 1 - e^-s as a difference, which loses digits; expm1 keeps them.
 
 fails: range_with_hardly_any_drag
 """

@@ -1,7 +1,7 @@
-"""The vertical motion is that without drag, which acts on both components.
+"""The vertical motion lacks drag, which acts on both components.
 
 fails: rates_are_newtons, simulation_follows_the_motion, trajectory_is_the_motion, flight_ends_at_launch_height, range_is_where_it_lands
-also: The flight time is that without drag.
+also: The flight time lacks drag; with drag it is shorter
 """
 
 

@@ -1,4 +1,4 @@
-"""The horizontal motion is that without drag, which acts on both components.
+"""The horizontal motion lacks drag, which acts on both components.
 
 fails: range_is_where_it_lands
 """

@@ -1,4 +1,4 @@
-"""A search for the maximum is too coarse at a huge speed, where it is very flat.
+"""The best angle is the maximum of the range, found too coarsely at a huge speed, where it is very flat.
 
 fails: best_angle_at_a_huge_speed
 names: the largest range is very flat there

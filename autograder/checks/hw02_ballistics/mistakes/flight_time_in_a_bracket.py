@@ -1,4 +1,4 @@
-"""The search for the flight time begins at 1e-5 s.
+"""The search for the flight time begins at 1e-5 s, which may be after the landing.
 
 fails: flight_time_with_great_drag_and_straight_up
 names: a nearly flat launch

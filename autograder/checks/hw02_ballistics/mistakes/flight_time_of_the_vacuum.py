@@ -1,7 +1,7 @@
-"""The flight time is that without drag.
+"""The flight time lacks drag; with drag it is shorter.
 
 fails: range_is_where_it_lands
-also: The vertical motion is that without drag, which acts on both components.
+also: The vertical motion lacks drag, which acts on both components
 """
 
 

@@ -1,4 +1,4 @@
-"""e^(c t/m) is more than any number in the end.
+"""The decay is a quotient by e^(c t/m), which overflows; multiply by e^(-c t/m).
 
 fails: trajectory_with_any_drag
 names: NaN or infinity for great drag

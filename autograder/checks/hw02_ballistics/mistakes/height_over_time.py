@@ -1,4 +1,4 @@
-"""The plot shows the heights over the time.
+"""The plot shows the heights over the time; it should show y over x.
 
 fails: both_paths_are_drawn
 names: not over the time

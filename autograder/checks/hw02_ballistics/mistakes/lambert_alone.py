@@ -1,4 +1,4 @@
-"""Lambert's W alone has half of its digits next to its branch point.
+"""Lambert's W is used as it is, with only half of its digits next to its branch point.
 
 fails: flight_time_with_hardly_any_drag, range_with_hardly_any_drag
 names: NaN or infinity for very little drag | near its branch point

@@ -1,4 +1,4 @@
-"""Newton's method helps Lambert's W only where b is below a millionth.
+"""Lambert's W is used as it is where c v/(m g) is above 1e-6; next to its branch point it loses digits.
 
 fails: flight_time_with_hardly_any_drag, range_with_hardly_any_drag
 numerics: a right equation, solved to too few digits

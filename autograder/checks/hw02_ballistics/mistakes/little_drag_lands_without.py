@@ -1,4 +1,4 @@
-"""Below a ten thousandth the drag counts as none.
+"""Where c v/(m g) is below 1e-4 the drag counts as none.
 
 fails: flight_time_with_hardly_any_drag, range_with_hardly_any_drag
 names: very little drag is not none

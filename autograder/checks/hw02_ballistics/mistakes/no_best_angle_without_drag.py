@@ -1,4 +1,4 @@
-"""The equation for the best angle is divided by the drag.
+"""The equation for the best angle is divided by the drag, which may be zero.
 
 fails: best_angle_is_45_degrees_without_drag
 names: ZeroDivisionError for no drag

@@ -1,4 +1,4 @@
-"""This is a parabola, as if drag did not matter at high speed.
+"""The limit shape is a parabola, as if drag did not matter at high speed.
 
 fails: path_at_a_huge_speed_has_the_limit_shape
 """

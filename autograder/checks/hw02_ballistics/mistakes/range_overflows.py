@@ -1,4 +1,4 @@
-"""e^s/e^s is infinity over infinity with great drag.
+"""The range has e^s/e^s in it, which is infinity over infinity with great drag.
 
 fails: range_with_hardly_any_drag
 names: NaN or infinity for great drag

@@ -1,4 +1,4 @@
-"""This is the range without drag.
+"""The range lacks drag.
 
 fails: range_is_where_it_lands
 """

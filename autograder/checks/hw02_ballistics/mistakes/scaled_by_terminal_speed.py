@@ -1,4 +1,4 @@
-"""The terminal speed m g/c is infinite without drag, and zero without gravity.
+"""Speeds are divided by the terminal speed m g/c, which is infinite without drag, and zero without gravity.
 
 fails: rates_without_drag_or_gravity
 names: NaN or infinity for zero gravity

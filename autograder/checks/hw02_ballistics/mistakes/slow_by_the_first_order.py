@@ -1,4 +1,4 @@
-"""At a low speed this is a series of first order in the drag.
+"""At a low speed the best angle is a series of first order in the drag.
 
 fails: best_angle_is_45_degrees_without_drag
 numerics: the next term of the series

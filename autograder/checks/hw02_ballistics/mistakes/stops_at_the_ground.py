@@ -1,4 +1,4 @@
-"""The particle stays at launch height; there is no ground.
+"""The particle is held at launch height; it should go on below, as there is no ground.
 
 fails: simulation_follows_the_motion, both_paths_are_drawn
 names: there is no ground

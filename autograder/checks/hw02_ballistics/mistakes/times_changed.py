@@ -1,4 +1,4 @@
-"""The times are scaled in place.
+"""The given times are scaled in place; work on a copy.
 
 fails: trajectory_is_the_motion
 names: trajectory changes the arrays

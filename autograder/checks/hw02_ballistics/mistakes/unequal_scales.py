@@ -1,4 +1,4 @@
-"""The scales of x and y differ.
+"""The scales of x and y differ; they should be equal.
 
 fails: both_paths_are_drawn
 names: not drawn at the same scale

@@ -1,4 +1,4 @@
-"""This is twice the time to the top; the way down takes longer than the way up.
+"""The flight time is twice the time to the top; the way down takes longer than the way up.
 
 fails: flight_ends_at_launch_height, range_is_where_it_lands
 """

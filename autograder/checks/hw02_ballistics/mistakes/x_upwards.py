@@ -1,4 +1,4 @@
-"""x and y are drawn the other way round.
+"""The plot has x upwards and y to the right; it should be the other way round.
 
 fails: both_paths_are_drawn
 names: x and y are swapped
