@@ -1,4 +1,4 @@
-"""Definition a takes moments about the origin; C' is fixed where C is now.
+"""Definition a takes moments about the origin; it should be about C', which is fixed where C is now.
 
 fails: momentum_with_the_velocity_in_F
 """

@@ -1,4 +1,4 @@
-"""The rate of definition c is the moment: the acceleration of C is missing.
+"""The rate of definition c is only the moment: the acceleration of C is missing.
 
 fails: rate_with_the_velocity_relative_to_C, discrepancy_with_the_velocity_relative_to_C
 """

@@ -1,4 +1,4 @@
-"""Definition c has no discrepancy while P is at rest.
+"""Definition c is given no discrepancy while P is at rest.
 
 fails: discrepancy_with_the_velocity_relative_to_C, rate_with_the_velocity_relative_to_C
 """

@@ -1,4 +1,4 @@
-"""Any other letter means a; the other functions refuse it.
+"""Any other letter is treated as a; it should be refused.
 
 fails: discrepancy_refuses_other_definitions
 names: does not raise ValueError for the definition

@@ -1,4 +1,4 @@
-"""A string with all three letters in it means c.
+"""A string with all three letters in it is treated as c; it should be refused.
 
 fails: momentum_refuses_other_definitions, rate_refuses_other_definitions, discrepancy_refuses_other_definitions, special_motion_refuses_other_definitions
 names: does not raise ValueError for the definition

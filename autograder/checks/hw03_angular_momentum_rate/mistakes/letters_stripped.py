@@ -1,4 +1,4 @@
-"""Blanks around a letter are accepted.
+"""Blanks around a letter are accepted; they should be refused.
 
 fails: momentum_refuses_other_definitions, rate_refuses_other_definitions, discrepancy_refuses_other_definitions, special_motion_refuses_other_definitions
 names: does not raise ValueError for the definition

@@ -1,4 +1,4 @@
-"""The moment is about O; it is about C.
+"""The moment is about O; it should be about C.
 
 fails: moment_is_about_C, rate_about_a_fixed_point, rate_with_the_velocity_in_F, rate_with_the_velocity_relative_to_C
 """

@@ -1,4 +1,4 @@
-"""The moment is force times arm along the unit normal of both; parallel vectors have none.
+"""The moment is force times arm along their unit normal, which parallel vectors do not have.
 
 fails: moment_is_about_C, rate_about_a_fixed_point, rate_with_the_velocity_in_F, rate_with_the_velocity_relative_to_C
 names: a_p zero

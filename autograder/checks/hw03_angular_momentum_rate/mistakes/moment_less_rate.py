@@ -1,4 +1,4 @@
-"""The discrepancy is moment less rate.
+"""The discrepancy is moment less rate; it should be rate less moment.
 
 fails: discrepancy_with_the_velocity_in_F, discrepancy_with_the_velocity_relative_to_C
 names: is it rate less moment

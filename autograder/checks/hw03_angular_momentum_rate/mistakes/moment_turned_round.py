@@ -1,4 +1,4 @@
-"""The lever arm runs from P to C.
+"""The lever arm runs from P to C; it should run from C to P.
 
 fails: moment_is_about_C, rate_about_a_fixed_point, rate_with_the_velocity_in_F, rate_with_the_velocity_relative_to_C
 """

@@ -1,4 +1,4 @@
-"""The angular momentum is about O; it is about C.
+"""The angular momentum is about O; it should be about C.
 
 fails: momentum_with_the_velocity_in_F, momentum_with_the_velocity_relative_to_C
 """

@@ -1,4 +1,4 @@
-"""The velocity is relative to C in every definition.
+"""The velocity is relative to C in every definition; it should be so only in c.
 
 fails: momentum_with_the_velocity_in_F
 also: Definition b has the term of definition c

@@ -1,4 +1,4 @@
-"""The lever arm replaces r_P.
+"""The lever arm replaces r_P in the given array; work on a copy.
 
 fails: momentum_with_the_velocity_in_F, momentum_with_the_velocity_relative_to_C
 names: angular_momentum changes the arrays

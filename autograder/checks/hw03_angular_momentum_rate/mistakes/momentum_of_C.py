@@ -1,4 +1,4 @@
-"""The velocity is the velocity of C; the momentum is m v of P.
+"""The momentum has the velocity of C; it should have the velocity of P.
 
 fails: momentum_with_the_velocity_in_F, momentum_with_the_velocity_relative_to_C
 """

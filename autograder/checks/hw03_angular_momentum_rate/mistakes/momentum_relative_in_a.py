@@ -1,4 +1,4 @@
-"""The velocity is relative to C in definition a; C' does not move.
+"""In definition a the velocity is relative to C; C' does not move.
 
 fails: momentum_with_the_velocity_in_F
 """

@@ -1,4 +1,4 @@
-"""Any letter but c means a or b.
+"""Any letter but c is treated as a or b; it should be refused.
 
 fails: momentum_refuses_other_definitions
 names: does not raise ValueError for the definition

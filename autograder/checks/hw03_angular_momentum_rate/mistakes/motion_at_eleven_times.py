@@ -1,4 +1,4 @@
-"""The property holds at t = 0, 0.1, ..., 1, and not between them.
+"""The property holds only at t = 0, 0.1, ..., 1, and not between them.
 
 fails: special_motion_of_b
 """

@@ -1,4 +1,4 @@
-"""C stands still.
+"""In your motion C stands still; it should move.
 
 fails: special_motion_of_b, special_motion_of_c
 names: the velocity of C vanishes

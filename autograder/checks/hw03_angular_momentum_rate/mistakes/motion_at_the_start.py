@@ -1,4 +1,4 @@
-"""The property holds at t = 0 alone.
+"""The property holds only at t = 0; it should hold all the time.
 
 fails: special_motion_of_b, special_motion_of_c
 """

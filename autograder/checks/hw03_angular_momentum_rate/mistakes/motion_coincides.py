@@ -1,4 +1,4 @@
-"""P is C.
+"""In your motion P is always at C; they should be apart.
 
 fails: special_motion_of_b, special_motion_of_c
 names: P and C meet at t = 0

@@ -1,4 +1,4 @@
-"""P and C are so far from O that rounding would hide any error.
+"""In your motion P and C are so far from O that rounding would hide any error.
 
 fails: special_motion_of_c
 names: which product must vanish

@@ -1,4 +1,4 @@
-"""Definition a, which always holds, gets a motion too.
+"""Definition a, which always holds, gets a motion too; it should be refused.
 
 fails: special_motion_refuses_other_definitions
 names: special_motion does not raise ValueError for the definition

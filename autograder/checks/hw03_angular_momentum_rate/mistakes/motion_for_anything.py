@@ -1,4 +1,4 @@
-"""Any other letter gets the motion of c.
+"""Any other letter gets the motion of c; it should be refused.
 
 fails: special_motion_refuses_other_definitions
 names: special_motion does not raise ValueError for the definition

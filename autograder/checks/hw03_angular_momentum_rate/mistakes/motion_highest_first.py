@@ -1,4 +1,4 @@
-"""The coefficients are in the order of numpy.polyval, the highest first.
+"""The coefficients begin with the highest power; they should begin with the constant.
 
 fails: special_motion_of_b, special_motion_of_c
 names: the sum starts at j = 0

@@ -1,4 +1,4 @@
-"""P and C meet at t = 0.5.
+"""In your motion P and C meet at t = 0.5; they should stay apart.
 
 fails: special_motion_of_b, special_motion_of_c
 names: P and C meet at t = 0.5

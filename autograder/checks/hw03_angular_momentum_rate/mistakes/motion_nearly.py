@@ -1,4 +1,4 @@
-"""The property holds up to one part in a million.
+"""The property holds only up to one part in a million; it should hold exactly.
 
 fails: special_motion_of_b, special_motion_of_c
 """

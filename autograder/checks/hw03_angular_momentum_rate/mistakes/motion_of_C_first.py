@@ -1,4 +1,4 @@
-"""The motion of C comes before the motion of P.
+"""The motion of C comes before the motion of P; P should come first.
 
 fails: special_motion_of_b
 names: are P and C swapped

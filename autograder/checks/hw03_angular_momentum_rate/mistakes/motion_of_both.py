@@ -1,4 +1,4 @@
-"""Both definitions hold: all happens on one line.
+"""In your motion both definitions hold, as all happens on one line; only one should.
 
 fails: special_motion_of_b, special_motion_of_c
 names: has rate = moment, too, along the motion

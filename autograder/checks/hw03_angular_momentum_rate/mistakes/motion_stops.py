@@ -1,4 +1,4 @@
-"""C turns back at t = 0.3, and its acceleration changes sign at t = 0.7.
+"""In your motion C turns back at t = 0.3, and its acceleration changes sign at t = 0.7.
 
 fails: special_motion_of_b, special_motion_of_c
 names: the velocity of C vanishes at t = 0.3

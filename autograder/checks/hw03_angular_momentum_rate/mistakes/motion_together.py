@@ -1,4 +1,4 @@
-"""P and C move together.
+"""In your motion P and C move together; they should not.
 
 fails: special_motion_of_b, special_motion_of_c
 names: P moves along with C

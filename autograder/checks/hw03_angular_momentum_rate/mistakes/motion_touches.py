@@ -1,4 +1,4 @@
-"""C stops for an instant, as (t - 1/3)^2 does.
+"""In your motion C stops for an instant, as (t - 1/3)^2 does.
 
 fails: special_motion_of_b
 names: the velocity of C vanishes at t = 0.33

@@ -1,4 +1,4 @@
-"""P rests where C passes halfway; turned round, the coefficients would do, but they are in order.
+"""In your motion P rests where C passes halfway; the coefficients would do in the opposite order.
 
 fails: special_motion_of_b
 names: P and C meet at t = 0.5

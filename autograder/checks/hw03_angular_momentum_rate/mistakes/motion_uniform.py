@@ -1,4 +1,4 @@
-"""C moves uniformly: c holds, but a_C is zero.
+"""In your motion for c, C moves uniformly: c holds, but a_C is zero.
 
 fails: special_motion_of_c
 names: the acceleration of C vanishes

@@ -1,4 +1,4 @@
-"""There is no angular momentum about a C at rest.
+"""The angular momentum about a C at rest is zero; it should not be.
 
 fails: momentum_with_the_velocity_in_F, momentum_with_the_velocity_relative_to_C
 """

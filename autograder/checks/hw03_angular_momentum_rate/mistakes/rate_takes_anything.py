@@ -1,4 +1,4 @@
-"""Any other letter means a. The discrepancy is right.
+"""Any other letter is treated as a by rate; it should be refused. The discrepancy is right.
 
 fails: rate_refuses_other_definitions
 names: does not raise ValueError for the definition

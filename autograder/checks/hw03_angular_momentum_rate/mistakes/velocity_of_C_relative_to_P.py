@@ -1,4 +1,4 @@
-"""The velocity is v_{C/P}: its sign is reversed.
+"""The velocity is v_{C/P}; it should be v_{P/C}.
 
 fails: momentum_with_the_velocity_relative_to_C
 """
