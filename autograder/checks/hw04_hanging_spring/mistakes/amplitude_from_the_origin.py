@@ -1,4 +1,4 @@
-"""The amplitude is the position from the origin; it oscillates about the equilibrium.
+"""The closed form takes the position from the origin as amplitude; it should be taken from the equilibrium.
 
 fails: solution_is_the_motion
 """

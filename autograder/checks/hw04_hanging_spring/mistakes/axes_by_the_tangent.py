@@ -1,4 +1,4 @@
-"""The turn from conjugate radii to the axes comes from its tangent; a circle has none.
+"""The turn from conjugate radii to the axes comes from its tangent, which is 0/0 for a circle.
 
 fails: orbit_has_its_centre_at_the_equilibrium, orbit_is_the_ellipse_of_the_motion
 names: NaN or infinity for a circle

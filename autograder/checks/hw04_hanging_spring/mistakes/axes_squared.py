@@ -1,4 +1,4 @@
-"""The semi-axes have the squares of their lengths: eigenvalues are squares.
+"""The semi-axes have the squares of their lengths; the eigenvalues are these squares.
 
 fails: orbit_is_the_ellipse_of_the_motion
 names: The semi-axes have the squares of their lengths

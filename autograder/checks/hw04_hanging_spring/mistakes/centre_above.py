@@ -1,4 +1,4 @@
-"""The centre is above the origin.
+"""The centre is above the origin; it should be below.
 
 fails: orbit_has_its_centre_at_the_equilibrium
 names: it is above the origin

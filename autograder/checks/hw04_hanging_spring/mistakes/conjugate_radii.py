@@ -1,4 +1,4 @@
-"""These are position and velocity from the centre: radii, not axes.
+"""The axes are position and velocity from the centre; these are radii, which need not be axes.
 
 fails: orbit_is_the_ellipse_of_the_motion
 names: two radii that give the ellipse need not be its axes

@@ -1,4 +1,4 @@
-"""The rates replace the state.
+"""The rates replace the given state; work on a copy.
 
 fails: derivative_is_velocity_and_force_over_mass
 names: state_derivative changes the arrays

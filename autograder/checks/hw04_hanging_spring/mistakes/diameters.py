@@ -1,4 +1,4 @@
-"""These are axes, not semi-axes.
+"""The result has whole axes; it should have semi-axes.
 
 fails: orbit_is_the_ellipse_of_the_motion
 names: not semi-axes

@@ -1,4 +1,4 @@
-"""The energy is zero at the equilibrium; it is zero at the origin.
+"""The energy is zero at the equilibrium; it should be zero at the origin.
 
 fails: energy_is_that_of_motion_spring_and_weight
 """

@@ -1,4 +1,4 @@
-"""The spring has a rest length of 1 m.
+"""The energy has a spring with a rest length of 1 m; its rest length is 0.
 
 fails: energy_is_that_of_motion_spring_and_weight
 """

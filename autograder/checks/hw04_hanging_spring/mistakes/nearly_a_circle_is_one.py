@@ -1,4 +1,4 @@
-"""What is a circle to a hundredth is treated as one.
+"""An ellipse within a hundredth of a circle is treated as a circle.
 
 fails: orbit_is_the_ellipse_of_the_motion
 names: two radii that give the ellipse need not be its axes

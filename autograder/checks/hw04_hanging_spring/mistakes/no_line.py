@@ -1,4 +1,4 @@
-"""The smaller axis is along the normal of the plane; a line has none.
+"""The smaller axis is along a cross product with the normal of the plane, which a line does not have.
 
 fails: orbit_may_be_a_line_or_a_point
 names: NaN or infinity for a line | NaN or infinity for a point

@@ -1,4 +1,4 @@
-"""There is no weight: the equilibrium is at the origin.
+"""The weight is left out: the equilibrium is at the origin.
 
 fails: derivative_is_velocity_and_force_over_mass, simulate_moves_as_it_must, the_path_is_drawn
 """

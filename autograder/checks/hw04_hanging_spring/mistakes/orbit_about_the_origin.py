@@ -1,4 +1,4 @@
-"""The equilibrium is at the origin.
+"""The orbit has its centre at the origin; it should be at the equilibrium.
 
 fails: orbit_has_its_centre_at_the_equilibrium, orbit_is_the_ellipse_of_the_motion
 where: ellipse

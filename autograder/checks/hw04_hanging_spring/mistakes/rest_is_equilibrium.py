@@ -1,4 +1,4 @@
-"""A mass let go at rest stays.
+"""A mass that starts at rest is left where it is.
 
 fails: simulate_does_not_depend_on_the_sampling
 names: every row is the start

@@ -1,4 +1,4 @@
-"""The spring has a rest length of 1 m.
+"""The spring has a rest length of 1 m; it should be 0.
 
 fails: derivative_is_velocity_and_force_over_mass, simulate_moves_as_it_must, the_path_is_drawn
 """

@@ -1,4 +1,4 @@
-"""Left and right are exchanged.
+"""Left and right are exchanged in the projection.
 
 fails: projection_is_orthographic
 """

@@ -1,4 +1,4 @@
-"""What np.allclose calls zero counts as none: a small motion is a motion.
+"""What np.allclose calls zero is treated as zero; small motions count, too.
 
 fails: solution_holds_without_gravity_and_from_any_time, derivative_is_velocity_and_force_over_mass
 where: a very small motion

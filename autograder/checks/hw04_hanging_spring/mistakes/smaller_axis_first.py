@@ -1,4 +1,4 @@
-"""The smaller axis comes first.
+"""The smaller axis comes first; the larger should.
 
 fails: orbit_is_the_ellipse_of_the_motion
 names: the larger axis is not the first

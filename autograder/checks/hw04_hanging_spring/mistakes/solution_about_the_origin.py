@@ -1,4 +1,4 @@
-"""There is no weight: the equilibrium is at the origin.
+"""The weight is left out: the equilibrium is at the origin.
 
 fails: solution_is_the_motion
 """

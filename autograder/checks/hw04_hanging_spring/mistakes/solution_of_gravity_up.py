@@ -1,4 +1,4 @@
-"""Gravity pulls up.
+"""Gravity pulls up; it should pull down.
 
 fails: solution_is_the_motion
 """

@@ -1,4 +1,4 @@
-"""The spring pushes; it pulls.
+"""The spring pushes; it should pull.
 
 fails: derivative_is_velocity_and_force_over_mass, simulate_moves_as_it_must, the_path_is_drawn
 """

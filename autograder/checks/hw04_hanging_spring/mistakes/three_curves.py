@@ -1,4 +1,4 @@
-"""The picture has x, y and z over time.
+"""The picture has x, y and z over time; it should have the path in space.
 
 fails: the_path_is_drawn
 names: the number of curves on the axes is 3

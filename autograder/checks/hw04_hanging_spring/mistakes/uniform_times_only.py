@@ -1,4 +1,4 @@
-"""The times are evenly spaced by the first step.
+"""The times are treated as evenly spaced, with the first step for all.
 
 fails: simulate_moves_as_it_must
 names: evenly spaced
