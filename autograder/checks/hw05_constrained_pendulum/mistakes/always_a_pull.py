@@ -1,4 +1,4 @@
-"""The force never pushes: a rod pushes, a string does not.
+"""The force never pushes, as in a string; a rod can push.
 
 fails: force_keeps_the_particle_on_the_circle
 """

@@ -1,4 +1,4 @@
-"""The acceleration keeps only the second derivative of the constraint at zero.
+"""The acceleration keeps only the second derivative of the constraint at zero, so that the particle drifts off.
 
 fails: it_stays_on_the_circle
 numerics: the constraint drifts as the error of the integration does

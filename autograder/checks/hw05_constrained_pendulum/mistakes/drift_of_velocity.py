@@ -1,4 +1,4 @@
-"""The place is put back onto the circle, the velocity is not made tangent.
+"""The place is put back onto the circle, but the velocity is not made tangent.
 
 fails: it_stays_on_the_circle
 numerics: the constraint drifts as the error of the integration does

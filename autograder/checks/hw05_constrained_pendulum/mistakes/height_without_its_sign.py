@@ -1,4 +1,4 @@
-"""The height loses its sign.
+"""The energy takes the size of the height, which has lost its sign.
 
 fails: energy_is_kinetic_and_potential
 """

@@ -1,4 +1,4 @@
-"""A particle let go at rest stays where it is.
+"""A particle that starts at rest is left where it is; it should stay only in equilibrium.
 
 fails: with_gravity_it_swings_or_goes_round
 """

@@ -1,4 +1,4 @@
-"""A motion of 100 s gives the start in every row.
+"""A motion of 100 s has the start in every row.
 
 fails: it_stays_on_the_circle, energy_stays
 """

@@ -1,4 +1,4 @@
-"""The physics is right, the tolerance is loose.
+"""The physics is right, but the tolerance is loose.
 
 fails: without_gravity_it_goes_round_uniformly, with_gravity_it_swings_or_goes_round
 numerics: a relative tolerance of 1e-4

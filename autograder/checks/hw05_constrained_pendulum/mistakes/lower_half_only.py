@@ -1,4 +1,4 @@
-"""It is right below the hinge alone, where y = -sqrt(l^2 - x^2).
+"""The height y is always -sqrt(l^2 - x^2), which is right only below the hinge.
 
 fails: acceleration_is_that_of_both_forces
 """

@@ -1,4 +1,4 @@
-"""A particle at rest near the top or the bottom stays; it stays exactly there alone.
+"""A particle at rest near the top or the bottom is left there; it should stay only exactly there.
 
 fails: with_gravity_it_swings_or_goes_round
 """

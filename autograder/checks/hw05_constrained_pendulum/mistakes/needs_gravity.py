@@ -1,4 +1,4 @@
-"""The motion without gravity raises an error.
+"""The motion without gravity raises an error; it should go round uniformly.
 
 fails: without_gravity_it_goes_round_uniformly
 names: simulate raised

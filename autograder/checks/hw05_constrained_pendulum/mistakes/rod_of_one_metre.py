@@ -1,4 +1,4 @@
-"""The rod is 1 m long, whatever the length.
+"""The rod is 1 m long, whatever the given length.
 
 fails: wireframe_is_the_rod
 """

@@ -1,4 +1,4 @@
-"""It goes round the other way: a speed has no sign.
+"""The particle goes round the other way, as its velocity comes from a speed without sign.
 
 fails: without_gravity_it_goes_round_uniformly, with_gravity_it_swings_or_goes_round
 """

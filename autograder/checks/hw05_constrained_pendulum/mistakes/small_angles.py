@@ -1,4 +1,4 @@
-"""The motion is the oscillation of small angles.
+"""The motion is the oscillation of small angles; it should hold for any angle.
 
 fails: with_gravity_it_swings_or_goes_round
 """

@@ -1,4 +1,4 @@
-"""The velocity is left as it was.
+"""consistent_state leaves the velocity as it was; it should take the radial part off.
 
 fails: consistent_state_is_the_nearest
 """

@@ -1,4 +1,4 @@
-"""The weight is counted in; the constraint force is only the rod's.
+"""The weight is counted in the constraint force, which is only the rod's.
 
 fails: force_keeps_the_particle_on_the_circle
 """

@@ -1,4 +1,4 @@
-"""The acceleration is that by the constraint force alone; the weight acts, too.
+"""The acceleration has only the constraint force; the weight acts, too.
 
 fails: acceleration_is_that_of_both_forces
 """
