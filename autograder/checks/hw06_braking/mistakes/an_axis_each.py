@@ -1,4 +1,4 @@
-"""Friction has its full size along each of the car's axes.
+"""Friction has its full size along each of the car's axes; it should oppose the locked axle's velocity.
 
 fails: friction_opposes_the_sliding
 """

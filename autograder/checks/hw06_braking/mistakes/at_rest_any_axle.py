@@ -1,4 +1,4 @@
-"""The axle is not looked at where the car is at rest.
+"""The axle's name is not tested where the car is at rest.
 
 fails: mechanics_refuses_other_axles
 names: does not raise ValueError

@@ -1,4 +1,4 @@
-"""The axle's name is accepted in any case.
+"""The axle's name is accepted in any case; only lower case is right.
 
 fails: mechanics_refuses_other_axles, stability_refuses_other_axles
 names: does not raise ValueError

@@ -1,4 +1,4 @@
-"""The distance from G to an axle stands for the wheelbase.
+"""The critical speed has the distance from G to an axle where the wheelbase belongs.
 
 fails: critical_speed_is_where_growth_begins, stability_refuses_other_axles
 """

@@ -1,4 +1,4 @@
-"""The result is the square of the speed.
+"""The result is the square of the critical speed.
 
 fails: critical_speed_is_where_growth_begins, stability_refuses_other_axles
 """

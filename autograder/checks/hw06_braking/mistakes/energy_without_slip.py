@@ -1,4 +1,4 @@
-"""G's velocity to the side is left out.
+"""The kinetic energy leaves out G's velocity to the side.
 
 fails: kinetic_energy_of_G_and_of_turning
 """

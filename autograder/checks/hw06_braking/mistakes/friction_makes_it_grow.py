@@ -1,4 +1,4 @@
-"""Friction's part has the wrong sign.
+"""Friction's part of the growth rate has the wrong sign.
 
 fails: growth_rate_is_the_slope
 """

@@ -1,4 +1,4 @@
-"""Both axles have the same critical speed.
+"""The critical speed does not depend on the locked axle; with the front locked the car is always stable.
 
 fails: critical_speed_is_where_growth_begins
 """

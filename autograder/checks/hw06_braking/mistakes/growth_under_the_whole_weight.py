@@ -1,4 +1,4 @@
-"""Friction acts under the whole weight.
+"""The growth rate has friction under the whole weight; only the locked axle's load counts.
 
 fails: growth_rate_is_the_slope
 """

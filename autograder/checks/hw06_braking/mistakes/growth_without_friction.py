@@ -1,4 +1,4 @@
-"""Friction is left out.
+"""The growth rate leaves friction out.
 
 fails: growth_rate_is_the_slope
 """

@@ -1,4 +1,4 @@
-"""Each axle carries half the weight.
+"""Each axle is given half of the weight; its load depends on where G is.
 
 fails: axle_load_balances_the_weight, mechanics_refuses_other_axles
 """

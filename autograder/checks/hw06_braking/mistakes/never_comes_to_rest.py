@@ -1,4 +1,4 @@
-"""Fixed steps go on through the stop, and to and fro.
+"""Fixed steps go on through the stop, and the car goes to and fro.
 
 fails: simulate_comes_to_rest_and_stays
 names: it goes back after the stop

@@ -1,4 +1,4 @@
-"""Without friction the critical speed should be zero, not infinite.
+"""Without friction the critical speed is infinite; it should be zero.
 
 fails: critical_speed_is_where_growth_begins
 """

@@ -1,4 +1,4 @@
-"""Friction alone turns the car about G; the free axle's force turns it, too.
+"""Only friction turns the car about G; the free axle's force should turn it, too.
 
 fails: growth_rate_is_the_slope
 """

@@ -1,4 +1,4 @@
-"""The yaw rate is found by steps of the speed, and is nothing where the speed has not fallen yet.
+"""The yaw rate is zero where the speed has not fallen yet; it should be the yaw rate at the start.
 
 fails: small_yaw_rate_is_the_linear_solution
 """

@@ -1,7 +1,7 @@
 """The term with mass, speed and yaw rate (m d v omega) is missing from the turning.
 
 fails: equations_of_motion, simulate_brakes
-also: Friction's part stands alone
+also: The yaw rate has only friction's part, a power of the speed; the exponential is missing
 """
 
 

@@ -1,4 +1,4 @@
-"""Friction's part stands alone.
+"""The yaw rate has only friction's part, a power of the speed; the exponential is missing.
 
 fails: small_yaw_rate_is_the_linear_solution
 """

@@ -1,4 +1,4 @@
-"""Row 0 is the state after the first step.
+"""Row 0 is the state after the first step; it should be the start.
 
 fails: simulate_brakes
 """

@@ -1,4 +1,4 @@
-"""A car that does not turn is stopped by a formula of its own, which takes it to go forwards.
+"""A car that does not turn is stopped by a formula of its own, which holds only forwards.
 
 fails: simulate_needs_no_dense_times, simulate_glides_without_friction, mechanics_refuses_other_axles
 """

@@ -1,4 +1,4 @@
-"""G moves along the car alone: its velocity to the side is left out.
+"""G moves only along the car: its velocity to the side is left out.
 
 fails: equations_of_motion
 """

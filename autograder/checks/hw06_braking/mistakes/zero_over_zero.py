@@ -1,4 +1,4 @@
-"""At rest the friction has no direction, and this one divides by zero.
+"""At rest the direction of friction is zero over zero; the friction should be zero.
 
 fails: friction_in_any_motion_and_at_rest
 names: friction_force returned NaN or infinity
