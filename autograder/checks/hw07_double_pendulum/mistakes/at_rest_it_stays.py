@@ -1,4 +1,4 @@
-"""A pendulum at rest stays where it is.
+"""A pendulum that starts at rest is left where it is; gravity should move it.
 
 fails: energy_is_conserved_from_horizontal
 """

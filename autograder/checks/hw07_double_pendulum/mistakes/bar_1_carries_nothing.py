@@ -1,4 +1,4 @@
-"""The weight of bar 2 is left out of the first one.
+"""Gravity's first term leaves out the weight of bar 2.
 
 fails: gravity_terms_are_moments_of_the_weights
 """

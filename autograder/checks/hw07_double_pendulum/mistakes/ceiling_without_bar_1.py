@@ -1,4 +1,4 @@
-"""The weight of bar 1 is left out of the first row.
+"""The force at the ceiling leaves out the weight of bar 1.
 
 fails: hinge_forces_balance
 """

@@ -1,4 +1,4 @@
-"""The centripetal acceleration of bar 1 is left out at the ceiling's hinge.
+"""The force at the ceiling leaves out the centripetal acceleration of bar 1.
 
 fails: free_bars_accelerate_as_lagranges
 """

@@ -1,4 +1,4 @@
-"""The centripetal acceleration of bar 1's own mass centre is left out in the first row.
+"""The force at the ceiling leaves out the centripetal acceleration of bar 1's own mass centre.
 
 fails: hinge_forces_balance
 """

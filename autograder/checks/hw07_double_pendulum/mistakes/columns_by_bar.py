@@ -1,4 +1,4 @@
-"""The columns are th1, om1, th2, om2.
+"""The columns are th1, om1, th2, om2; they should be th1, th2, om1, om2.
 
 fails: simulation_follows_the_equations
 """

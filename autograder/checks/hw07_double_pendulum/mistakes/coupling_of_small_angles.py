@@ -1,4 +1,4 @@
-"""The cosine holds for small angles: 1 - (th1 - th2)^2/2.
+"""The coupling has 1 - (th1 - th2)^2/2 for the cosine, which holds only for small angles.
 
 fails: mass_matrix_makes_the_kinetic_energy, energy_is_kinetic_and_potential, angular_momentum_is_about_the_ceiling
 """

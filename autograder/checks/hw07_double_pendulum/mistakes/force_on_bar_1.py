@@ -1,4 +1,4 @@
-"""The second row is the force of bar 2 on bar 1.
+"""The second row is the force of bar 2 on bar 1; it should be the force on bar 2.
 
 fails: hinge_forces_balance
 """

@@ -1,4 +1,4 @@
-"""The first row is the force of bar 1 on the ceiling.
+"""The first row is the force of bar 1 on the ceiling; it should be the force on bar 1.
 
 fails: hinge_forces_balance
 """

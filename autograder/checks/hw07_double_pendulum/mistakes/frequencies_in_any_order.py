@@ -1,4 +1,4 @@
-"""The frequencies are in the order in which the eigenvalues of some matrix come.
+"""The frequencies come in the order of some matrix's eigenvalues; the lower one should come first.
 
 fails: small_oscillations_have_two_frequencies
 names: not in ascending order

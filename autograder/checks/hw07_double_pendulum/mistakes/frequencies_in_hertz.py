@@ -1,4 +1,4 @@
-"""The frequencies are in Hz.
+"""The frequencies are in Hz; they should be in rad/s.
 
 fails: small_oscillations_have_two_frequencies
 """

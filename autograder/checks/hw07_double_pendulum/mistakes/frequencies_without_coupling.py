@@ -1,4 +1,4 @@
-"""The coupling of [M] is left out.
+"""The frequencies leave out the coupling of [M].
 
 fails: small_oscillations_have_two_frequencies
 """

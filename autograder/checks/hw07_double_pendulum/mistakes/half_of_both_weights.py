@@ -1,4 +1,4 @@
-"""The first one has (m1 + m2)/2 where m1/2 + m2 belongs.
+"""Gravity's first term has (m1 + m2)/2 where m1/2 + m2 belongs.
 
 fails: gravity_terms_are_moments_of_the_weights
 """

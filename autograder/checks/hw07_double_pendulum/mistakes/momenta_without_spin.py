@@ -1,4 +1,4 @@
-"""The bars lack inertia about their mass centres.
+"""The angular momenta of the bars lack the inertias about their mass centres.
 
 fails: angular_momentum_is_about_the_ceiling
 """

@@ -1,4 +1,4 @@
-"""It is the momentum conjugate to th1 alone.
+"""The angular momentum is only the momentum conjugate to th1; the momentum conjugate to th2 belongs to it, too.
 
 fails: angular_momentum_is_about_the_ceiling
 """

@@ -1,4 +1,4 @@
-"""I om2 of bar 2 is left out.
+"""The angular momentum lacks I om2 of bar 2.
 
 fails: angular_momentum_is_about_the_ceiling
 """

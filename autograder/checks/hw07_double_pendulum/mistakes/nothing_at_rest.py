@@ -1,4 +1,4 @@
-"""At rest the energy and the hinge forces are zero; the weights act there too.
+"""At rest the energy and the hinge forces are zero; the weights act there, too.
 
 fails: energy_is_kinetic_and_potential, hinge_forces_balance
 """

@@ -1,4 +1,4 @@
-"""The plot shows the elbow's path.
+"""The plot shows the path of the elbow; it should show the path of the tip.
 
 fails: tip_path_is_drawn
 names: it is the elbow's path

@@ -1,4 +1,4 @@
-"""Both bars have the mass of bar 2.
+"""Both bars are given the mass of bar 2.
 
 fails: accelerations_obey_the_equations
 """

@@ -1,4 +1,4 @@
-"""The lengths are 1 m.
+"""The lengths are 1 m, whatever is given.
 
 fails: velocity_terms_are_centripetal
 """

@@ -1,4 +1,4 @@
-"""The second one has the wrong sign.
+"""The second velocity term has the wrong sign.
 
 fails: velocity_terms_are_centripetal
 """

@@ -1,4 +1,4 @@
-"""The sign is reversed: M^-1 (f + g) stands where -M^-1 (f + g) belongs.
+"""The angular accelerations have the wrong sign: M^-1 (f + g) stands where -M^-1 (f + g) belongs.
 
 fails: accelerations_obey_the_equations
 """

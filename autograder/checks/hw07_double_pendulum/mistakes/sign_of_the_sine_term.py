@@ -1,4 +1,4 @@
-"""The sine term, with om^2, has the wrong sign.
+"""The velocity terms, sine times om^2, have the wrong sign.
 
 fails: velocity_terms_are_centripetal, accelerations_obey_the_equations, simulation_follows_the_equations, tip_path_is_drawn
 """

@@ -1,4 +1,4 @@
-"""The start is advanced in place.
+"""The given start is advanced in place; work on a copy.
 
 fails: simulation_follows_the_equations, tip_path_is_drawn
 names: simulate changes the arrays

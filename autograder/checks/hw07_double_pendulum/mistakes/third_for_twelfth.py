@@ -1,4 +1,4 @@
-"""m l^2/3 stands where m l^2/12 belongs.
+"""The inertia about a bar's own centre is m l^2/3; it should be m l^2/12.
 
 fails: free_bars_accelerate_as_lagranges
 """

@@ -1,4 +1,4 @@
-"""m l^2/12 stands where m l^2/3 belongs.
+"""The mass matrix has m l^2/12 where m l^2/3 belongs.
 
 fails: mass_matrix_makes_the_kinetic_energy, energy_is_kinetic_and_potential, angular_momentum_is_about_the_ceiling
 """

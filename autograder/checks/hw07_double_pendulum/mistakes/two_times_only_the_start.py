@@ -1,4 +1,4 @@
-"""With two times the motion is not integrated.
+"""With two times the motion is not integrated; both rows are the start.
 
 fails: simulation_follows_the_equations
 names: 2 times

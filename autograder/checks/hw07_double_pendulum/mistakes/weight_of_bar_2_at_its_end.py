@@ -1,4 +1,4 @@
-"""The second one has m2 g l2 where m2 g l2/2 belongs.
+"""Gravity's second term has m2 g l2 where m2 g l2/2 belongs.
 
 fails: gravity_terms_are_moments_of_the_weights
 """

@@ -1,4 +1,4 @@
-"""The forces lack the weights.
+"""The hinge forces leave out the weights.
 
 fails: hinge_forces_balance
 """

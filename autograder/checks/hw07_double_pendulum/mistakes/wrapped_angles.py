@@ -1,4 +1,4 @@
-"""The angles are wrapped to -pi and pi.
+"""The angles are wrapped to -pi and pi; they should count whole turns.
 
 fails: simulation_follows_the_equations
 """

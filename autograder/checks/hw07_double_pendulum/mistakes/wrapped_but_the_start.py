@@ -1,4 +1,4 @@
-"""The angles after the start are wrapped to -pi to pi.
+"""The angles after the start are wrapped to -pi to pi; they should count whole turns.
 
 fails: simulation_follows_the_equations
 names: never wrap angles

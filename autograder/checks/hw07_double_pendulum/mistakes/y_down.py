@@ -1,4 +1,4 @@
-"""y points down.
+"""The wireframe has y downwards; it should be upwards.
 
 fails: wireframe_shows_the_bars, tip_path_is_drawn
 """

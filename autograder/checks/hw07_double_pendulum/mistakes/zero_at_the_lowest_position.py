@@ -1,4 +1,4 @@
-"""The potential energy is zero at the lowest position.
+"""The potential energy is zero at the lowest position; it should be zero with both bars level with the ceiling.
 
 fails: energy_is_kinetic_and_potential
 """
