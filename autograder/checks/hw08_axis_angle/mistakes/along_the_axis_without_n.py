@@ -1,4 +1,4 @@
-"""The part along the axis is added as a number: (n . r) is to be multiplied by n.
+"""The part along the axis is added as the number n . r; it should be (n . r) n.
 
 fails: vector_turns_by_the_right_hand_rule
 """

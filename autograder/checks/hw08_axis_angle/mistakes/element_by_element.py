@@ -1,4 +1,4 @@
-"""n * r multiplies element by element; n . r is a number.
+"""n * r stands where the number n . r belongs; it multiplies element by element.
 
 fails: matrix_turns_by_the_right_hand_rule, vector_turns_by_the_right_hand_rule
 """

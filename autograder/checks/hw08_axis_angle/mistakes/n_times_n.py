@@ -1,4 +1,4 @@
-"""n * n has three squares; the matrix of all products n_x n_y is np.outer(n, n).
+"""n * n stands where np.outer(n, n) belongs; it has three squares, not all products n_x n_y.
 
 fails: matrix_turns_by_the_right_hand_rule
 """

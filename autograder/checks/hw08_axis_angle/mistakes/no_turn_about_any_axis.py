@@ -1,4 +1,4 @@
-"""The angle 0 turns nothing, whatever the axis.
+"""For the angle 0 the axis is not looked at; a zero axis should still be refused.
 
 fails: matrix_refuses_what_is_no_axis, rotate_refuses_what_is_no_axis
 names: does not raise ValueError for the zero axis, no turn

@@ -1,4 +1,4 @@
-"""The sign of the angle is lost.
+"""The angle has lost its sign.
 
 fails: matrix_turns_by_the_right_hand_rule, vector_turns_by_the_right_hand_rule
 """

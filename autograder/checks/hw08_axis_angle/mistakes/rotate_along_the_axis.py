@@ -1,4 +1,4 @@
-"""rotate needs r across the axis: along it, r x n has no direction.
+"""rotate gives zero for r along the axis, where r x n is zero; r should stay as it is.
 
 fails: vector_turns_by_the_right_hand_rule
 """

@@ -1,4 +1,4 @@
-"""rotate works in place.
+"""rotate changes the given r in place; work on a copy.
 
 fails: vector_turns_by_the_right_hand_rule
 names: rotate changes the arrays

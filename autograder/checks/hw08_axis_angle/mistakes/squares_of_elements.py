@@ -1,4 +1,4 @@
-"""K ** 2 squares each element of skew(n); the product of the matrix with itself is K @ K.
+"""K ** 2 squares each element of skew(n); K @ K is the product of the matrix with itself.
 
 fails: matrix_turns_by_the_right_hand_rule
 """

@@ -1,4 +1,4 @@
-"""The zero axis gives the identity.
+"""The zero axis gives the identity; it should be refused.
 
 fails: matrix_refuses_what_is_no_axis
 names: does not raise ValueError for the zero axis
