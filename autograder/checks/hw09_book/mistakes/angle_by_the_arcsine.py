@@ -1,4 +1,4 @@
-"""The angle is an arcsine; beyond 90 degrees it is pi less that.
+"""The angle is an arcsine, which is wrong beyond 90 degrees: there it is pi less the arcsine.
 
 fails: axis_and_angle_are_those_of_the_matrix
 """

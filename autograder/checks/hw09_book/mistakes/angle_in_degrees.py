@@ -1,4 +1,4 @@
-"""The angle is in degrees.
+"""The angle is in degrees; it should be in radians.
 
 fails: axis_and_angle_are_those_of_the_matrix
 """

@@ -1,4 +1,4 @@
-"""The angle comes from a quaternion whose scalar part may be negative: it is up to 2 pi.
+"""The angle goes up to 2 pi, from a quaternion whose scalar part may be negative; it should stop at pi.
 
 fails: axis_and_angle_are_those_of_the_matrix
 names: The angle is larger than pi

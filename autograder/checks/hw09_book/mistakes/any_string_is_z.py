@@ -1,4 +1,4 @@
-"""Any string but x and y is treated as z.
+"""Any string but x and y is treated as z; it should be refused.
 
 fails: other_axes_are_refused
 names: the string "w"

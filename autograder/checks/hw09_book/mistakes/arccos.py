@@ -1,4 +1,4 @@
-"""An arccos of the trace alone loses half of the digits.
+"""The angle is only an arccos of the trace, which loses half of its digits.
 
 fails: small_angles_keep_their_digits, angles_near_pi_keep_their_digits, half_turns_have_their_axis
 """

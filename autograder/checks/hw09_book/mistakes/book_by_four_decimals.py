@@ -1,4 +1,4 @@
-"""A quarter turn of the book is 1.5708 rad.
+"""A quarter turn of the book is by 1.5708 rad; pi/2 has more digits.
 
 fails: the_book_is_turned_in_both_orders
 names: which number has too few digits

@@ -1,4 +1,4 @@
-"""A reflection is one whose determinant is -1 to the last digits: others that are nearly orthogonal are taken.
+"""Only a determinant of exactly -1 is refused; reflections that are nearly orthogonal are accepted.
 
 fails: what_is_no_rotation_is_refused
 names: does not raise ValueError for a reflection times 1 + 4e-7

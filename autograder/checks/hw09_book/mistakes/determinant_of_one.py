@@ -1,4 +1,4 @@
-"""The determinant must be 1 within 1e-6, which it is not where R^T R is off by 9e-7 times I.
+"""The determinant must be 1 within 1e-6, which is too strict where R^T R is off by 9e-7 times I.
 
 fails: what_is_no_rotation_is_refused
 names: axis_angle raised ValueError for a rotation times 1 + 4.5e-7

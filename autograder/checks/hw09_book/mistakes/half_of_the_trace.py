@@ -1,4 +1,4 @@
-"""The cosine of the angle is taken as half of the trace: 1 must be subtracted from the trace first.
+"""The cosine of the angle is half of the trace; 1 must be subtracted from the trace first.
 
 fails: axis_and_angle_are_those_of_the_matrix
 """

@@ -1,4 +1,4 @@
-"""What is not the identity to the last digit is divided by the length of R - R^T.
+"""Only the exact identity is treated as no turn; next to it the axis is divided by zero.
 
 fails: what_is_no_rotation_is_refused
 names: NaN or infinity for the identity times 1 + 4.5e-7

@@ -1,4 +1,4 @@
-"""A comparison with NaN is false, and the matrix goes through.
+"""A matrix with NaN goes through, as every comparison with NaN is false.
 
 fails: what_is_no_rotation_is_refused
 names: a matrix with a NaN

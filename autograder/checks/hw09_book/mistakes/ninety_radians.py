@@ -1,4 +1,4 @@
-"""The book is turned by 90 radians: 90 degrees are pi/2.
+"""The book is turned by 90 radians; it should be turned by pi/2.
 
 fails: the_book_is_turned_in_both_orders
 """

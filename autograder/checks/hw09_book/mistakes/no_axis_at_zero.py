@@ -1,4 +1,4 @@
-"""The identity gets a zero axis.
+"""The identity gets a zero axis; it should get a unit vector.
 
 fails: no_turn_has_a_unit_axis, what_is_no_rotation_is_refused
 names: the axis is the zero vector for the identity

@@ -1,4 +1,4 @@
-"""Matrices are multiplied element by element, by *: their product is @.
+"""Matrices are multiplied element by element, by *; their product is @.
 
 fails: space_sequence_takes_the_first_step_first, body_sequence_takes_the_axes_along, the_book_is_turned_in_both_orders
 """

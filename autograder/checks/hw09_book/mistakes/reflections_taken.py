@@ -1,4 +1,4 @@
-"""The determinant is not tested.
+"""The determinant is not tested, so reflections are accepted.
 
 fails: what_is_no_rotation_is_refused
 names: does not raise ValueError for a reflection

@@ -1,4 +1,4 @@
-"""Sequences end with the sixth step.
+"""Sequences end with the sixth step, however many there are.
 
 fails: space_sequence_takes_the_first_step_first, body_sequence_takes_the_axes_along
 """

@@ -1,4 +1,4 @@
-"""Spaces around the axis's letter are accepted.
+"""Spaces around the axis's letter are accepted; they should be refused.
 
 fails: other_axes_are_refused
 names: for the string "x "

@@ -1,4 +1,4 @@
-"""The corners are at the whole size from the centre.
+"""The corners are at the whole size from the centre; they should be at half of it.
 
 fails: the_book_has_its_twelve_edges
 names: a box twice that size
