@@ -1,4 +1,4 @@
-"""The rate is omega-hat alone, without R.
+"""The rate is only omega-hat; it should be R omega-hat.
 
 fails: attitude_follows_omega
 """

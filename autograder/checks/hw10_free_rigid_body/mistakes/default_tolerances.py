@@ -1,4 +1,4 @@
-"""solve_ivp runs at its own tolerances, rtol 1e-3 and atol 1e-6.
+"""solve_ivp runs at its default tolerances, rtol 1e-3 and atol 1e-6, which are too loose.
 
 fails: omega_follows_elliptic_functions, attitude_follows_the_motion
 numerics: solve_ivp's own rtol of 1e-3

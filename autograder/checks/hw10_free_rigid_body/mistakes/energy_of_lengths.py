@@ -1,4 +1,4 @@
-"""The product of the lengths of H and omega stands where their scalar product belongs.
+"""The energy has the product of the lengths of H and omega where their scalar product belongs.
 
 fails: energy_is_half_omega_h
 """

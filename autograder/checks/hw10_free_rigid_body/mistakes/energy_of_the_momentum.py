@@ -1,4 +1,4 @@
-"""Half of H . H is taken: the energy is half of omega . H, with A, B, C and not their squares.
+"""The energy is half of H . H; it should be half of omega . H, with A, B, C and not their squares.
 
 fails: energy_is_half_omega_h
 """

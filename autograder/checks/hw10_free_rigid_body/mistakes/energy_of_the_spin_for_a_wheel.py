@@ -1,4 +1,4 @@
-"""For a body with A = B the energy holds the spin about the symmetry axis alone.
+"""For a body with A = B the energy has only the spin about the symmetry axis.
 
 fails: energy_is_half_omega_h
 names: for a body with A = B

@@ -1,4 +1,4 @@
-"""A body with three equal inertias does not turn.
+"""A body with three equal inertias is left in its attitude; it should turn with omega.
 
 fails: special_bodies_move_too
 """

@@ -1,4 +1,4 @@
-"""The rate is given, not its square.
+"""The result is the growth rate; its square is asked for.
 
 fails: small_deviations_grow_at_this_rate
 """

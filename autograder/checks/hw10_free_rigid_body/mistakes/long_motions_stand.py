@@ -1,4 +1,4 @@
-"""A motion of many turns gives the start in every row.
+"""A motion of many turns has the start in every row.
 
 fails: invariants_stay_over_many_turns
 names: for many fast turns. Every row is the start

@@ -1,4 +1,4 @@
-"""ellipk gets k where it wants k^2.
+"""ellipk gets the modulus k; SciPy's takes the parameter m = k^2.
 
 fails: period_round_the_last_axis, period_round_the_first_axis
 """

@@ -1,4 +1,4 @@
-"""The components are along the body's axes.
+"""The angular momentum has components along the body's axes; they should be along the axes of space.
 
 fails: angular_momentum_is_in_space_axes
 """

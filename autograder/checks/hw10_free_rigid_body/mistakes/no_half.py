@@ -1,4 +1,4 @@
-"""The energy lacks the half.
+"""The energy lacks the factor 1/2.
 
 fails: energy_is_half_omega_h
 """

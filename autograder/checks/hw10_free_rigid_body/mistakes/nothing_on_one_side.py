@@ -1,4 +1,4 @@
-"""The formula holds round the axis of the largest inertia; on the other side its k is above one.
+"""The period's formula holds round the axis of the largest inertia; on the other side its k is above one.
 
 fails: period_round_the_first_axis
 names: tumble_period returned NaN or infinity for omega round the axis of the smallest inertia

@@ -1,4 +1,4 @@
-"""omega is given in space components.
+"""omega is given in space components; it should be in body components.
 
 fails: omega_follows_elliptic_functions
 """

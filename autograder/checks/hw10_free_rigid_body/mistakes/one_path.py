@@ -1,4 +1,4 @@
-"""One of the two paths is drawn.
+"""Only one of the two paths is drawn.
 
 fails: rim_paths_are_drawn
 names: the number of curves on the axes is 1

@@ -1,4 +1,4 @@
-"""The formula belongs to the other side of the separatrix.
+"""The period's formula belongs to the other side of the separatrix.
 
 fails: period_round_the_first_axis
 """

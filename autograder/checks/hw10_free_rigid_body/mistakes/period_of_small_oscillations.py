@@ -1,4 +1,4 @@
-"""This is the period of small oscillations about axis 2: on the way of any omega it depends on how far it swings.
+"""This is the period of small oscillations about axis 2; it should depend on how far omega swings.
 
 fails: period_round_the_last_axis, period_round_the_first_axis
 where: the largest inertia

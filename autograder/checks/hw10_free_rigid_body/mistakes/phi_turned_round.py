@@ -1,4 +1,4 @@
-"""phi has the other sign.
+"""phi has the wrong sign.
 
 fails: euler_rates_make_omega
 """

@@ -1,4 +1,4 @@
-"""The angle at t[0] is arctan(q/p), which does not tell (p, q) from (-p, -q): arctan2(q, p) does.
+"""The angle at t[0] is arctan(q/p), which does not tell (p, q) from (-p, -q); arctan2(q, p) does.
 
 fails: symmetric_bodies_precess
 where: a random body with A = B

@@ -1,4 +1,4 @@
-"""omega goes round in the body at C/A omega_3: in Euler's equations it is (C - A)/A omega_3.
+"""omega goes round in the body at C/A omega_3; it should be (C - A)/A omega_3.
 
 fails: symmetric_bodies_precess
 """

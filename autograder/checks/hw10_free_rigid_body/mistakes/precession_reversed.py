@@ -1,4 +1,4 @@
-"""The precession is reversed.
+"""The precession goes the other way.
 
 fails: symmetric_bodies_precess
 """

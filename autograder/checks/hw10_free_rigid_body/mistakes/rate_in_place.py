@@ -1,4 +1,4 @@
-"""attitude_rate writes its result into R.
+"""attitude_rate writes its result into the given R.
 
 fails: attitude_follows_omega
 names: attitude_rate changes the arrays

@@ -1,4 +1,4 @@
-"""The rates come in the order phi, theta, psi.
+"""The rates come in the order phi, theta, psi; it should be psi, theta, phi.
 
 fails: euler_rates_make_omega
 """

@@ -1,4 +1,4 @@
-"""Circles look like ellipses.
+"""The scales of the two axes differ, so that circles look like ellipses.
 
 fails: rim_paths_are_drawn
 names: not drawn at the same scale

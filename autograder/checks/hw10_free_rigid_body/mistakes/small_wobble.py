@@ -1,4 +1,4 @@
-"""The rate is C/A omega_3, which holds for spin very near the axis.
+"""The rate is C/A omega_3, which holds only for spin very near the axis.
 
 fails: wobble_goes_round_the_angular_momentum
 """

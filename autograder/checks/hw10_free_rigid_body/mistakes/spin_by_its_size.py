@@ -1,4 +1,4 @@
-"""The spin is not squared.
+"""The growth rate squared has the spin where its square belongs.
 
 fails: small_deviations_grow_at_this_rate
 """

@@ -1,4 +1,4 @@
-"""The sign is wrong.
+"""The growth rate squared has the wrong sign.
 
 fails: small_deviations_grow_at_this_rate
 """

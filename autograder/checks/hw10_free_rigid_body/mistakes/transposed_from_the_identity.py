@@ -1,4 +1,4 @@
-"""From R = I the rotations are those from space to body: nobody sees it at the start.
+"""From R = I the rotations are transposed, from space to body, which the start does not show.
 
 fails: special_bodies_move_too
 names: these are the transposes, from space to body

@@ -1,4 +1,4 @@
-"""Asked for two times alone, it gives the start twice.
+"""With only two times both rows are the start.
 
 fails: special_bodies_move_too
 """

@@ -1,4 +1,4 @@
-"""Where sin theta is zero, a very large number comes instead of ValueError.
+"""Where sin theta is zero the rates are very large numbers; they should raise ValueError.
 
 fails: euler_rates_are_refused_where_undetermined
 names: euler_rates_313 does not raise ValueError for theta = 0

@@ -1,4 +1,4 @@
-"""This is the rate (C - A)/A omega_3 at which omega goes round in the body.
+"""This is the rate (C - A)/A omega_3 at which omega goes round in the body; it should be seen from space.
 
 fails: wobble_goes_round_the_angular_momentum
 """

@@ -1,4 +1,4 @@
-"""The rate keeps the sign of omega_3.
+"""The rate keeps the sign of omega_3; it should be positive.
 
 fails: wobble_goes_round_the_angular_momentum
 """
