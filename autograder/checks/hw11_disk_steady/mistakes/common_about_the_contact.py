@@ -1,4 +1,4 @@
-"""The formula has A + m a^2 where A belongs, as if G moved.
+"""The common precession has A + m a^2 where A belongs, as if G moved.
 
 fails: common_precession_is_in_both_families
 """

@@ -1,4 +1,4 @@
-"""The radius has the cosine of the lean.
+"""The radius has the cosine of the lean; it should have the sine.
 
 fails: sliding_track_is_around_the_resting_centre
 """

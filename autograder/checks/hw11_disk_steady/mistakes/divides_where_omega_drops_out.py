@@ -1,4 +1,4 @@
-"""The factor of Omega^2 may be zero, and is not tested.
+"""The equation is divided by the factor of Omega^2, which may be zero.
 
 fails: rolling_precession_refuses_what_does_not_exist
 names: for a roller that turns on a point

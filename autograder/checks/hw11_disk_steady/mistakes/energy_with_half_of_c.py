@@ -1,4 +1,4 @@
-"""The formula has C/2 where A belongs, as for a thin disk.
+"""The energy has C/2 where A belongs, as for a thin disk.
 
 fails: settling_energy_adds_up
 """

@@ -1,4 +1,4 @@
-"""The inward force has the cosine of the lean; it is horizontal.
+"""The inward force has the cosine of the lean; it should not, as it is horizontal.
 
 fails: contact_force_moves_the_centre
 """

@@ -1,4 +1,4 @@
-"""The circle of G has the radius a spin / Omega; straight rolling has no circle.
+"""The circle of G has the radius a spin / Omega, which straight rolling does not have.
 
 fails: contact_force_of_straight_rolling
 names: for straight rolling, upright

@@ -1,4 +1,4 @@
-"""The circle of G has a radius of its own, not R of the contact's track.
+"""G is put on the contact's circle of radius R; it has a circle of its own.
 
 fails: contact_force_moves_the_centre
 """

@@ -1,4 +1,4 @@
-"""The inward force is m a spin^2; it is the mass times the centripetal acceleration of G.
+"""The inward force is m a spin^2; it should be the mass times the centripetal acceleration of G.
 
 fails: contact_force_moves_the_centre
 """

@@ -1,4 +1,4 @@
-"""Without gravity it refuses, as if nothing could roll then.
+"""Without gravity every motion is refused, as if nothing could roll then.
 
 fails: rolling_precession_is_zero_where_nothing_turns_it
 names: raised ValueError for no gravity

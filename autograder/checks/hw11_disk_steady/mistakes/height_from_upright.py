@@ -1,4 +1,4 @@
-"""The potential is 0 where G of the upright disk is; it is 0 with G on the ground.
+"""The potential is 0 where G of the upright disk is; it should be 0 with G on the ground.
 
 fails: settling_energy_adds_up
 """

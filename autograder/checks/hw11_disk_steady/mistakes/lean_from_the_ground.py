@@ -1,4 +1,4 @@
-"""The energy has the sine where the cosine belongs: the lean is measured from the vertical.
+"""The energy has the sine where the cosine belongs; the lean is measured from the vertical.
 
 fails: settling_energy_adds_up
 """

@@ -1,4 +1,4 @@
-"""An upright disk rolls straight on: no inward force, whatever its precession; and no moment.
+"""An upright disk is given no inward force and no moment, as if it rolled straight on.
 
 fails: contact_force_moves_the_centre, moment_residual_is_moment_minus_rate
 names: for an upright disk

@@ -1,4 +1,4 @@
-"""Without precession the force is left out.
+"""Without precession the whole force is left out; the weight remains.
 
 fails: contact_force_of_straight_rolling
 names: Nothing there goes round

@@ -1,4 +1,4 @@
-"""An upright disk slides in no steady circle: its spin is refused, its track has the radius of the disk.
+"""An upright disk is refused a sliding spin, and its track has the radius of the disk; the track should be a point.
 
 fails: sliding_spin_balances_the_moments, sliding_track_is_around_the_resting_centre
 names: sliding_spin raised ValueError for an upright disk

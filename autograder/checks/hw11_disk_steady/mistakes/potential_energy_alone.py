@@ -1,4 +1,4 @@
-"""The energy lacks the kinetic energy.
+"""The energy lacks its kinetic part.
 
 fails: settling_energy_adds_up
 """

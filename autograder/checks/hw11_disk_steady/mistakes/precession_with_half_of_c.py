@@ -1,4 +1,4 @@
-"""The formula has C/2 where A belongs, as for a thin disk.
+"""The precession has C/2 where A belongs, as for a thin disk.
 
 fails: rolling_precession_balances_the_moments
 """

@@ -1,4 +1,4 @@
-"""Omega has the sign of the lean; Omega >= 0 is asked for.
+"""Omega has the sign of the lean; it should be positive or zero.
 
 fails: rolling_precession_holds_on_tracks_of_any_sign, rolling_precession_is_zero_where_nothing_turns_it
 """

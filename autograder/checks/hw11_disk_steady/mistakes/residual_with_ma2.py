@@ -1,4 +1,4 @@
-"""The formula has C + m a^2 where C belongs: the moments are about G, and the force is given.
+"""The residual has C + m a^2 where C belongs; the moments are about G, and the force is given.
 
 fails: moment_residual_is_moment_minus_rate
 """

@@ -1,4 +1,4 @@
-"""The angular momentum has the spin alone: Omega turns the disk about its diameter too.
+"""The angular momentum has only the spin; Omega turns the disk about its diameter, too.
 
 fails: moment_residual_is_moment_minus_rate
 """

@@ -1,4 +1,4 @@
-"""The energy of the limit upright has no kinetic part: a coin that stands.
+"""The energy of the limit upright lacks its kinetic part, as if the coin stood still.
 
 fails: settling_energy_adds_up
 names: for an upright disk

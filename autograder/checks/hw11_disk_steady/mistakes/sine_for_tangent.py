@@ -1,4 +1,4 @@
-"""The moment of the weight has sin(lean) where tan(lean) belongs: the cosine divides that term too.
+"""The moment of the weight has sin(lean) where tan(lean) belongs; the cosine divides that term, too.
 
 fails: rolling_spin_balances_the_moments, rolling_track_has_the_contact_at_rest
 """

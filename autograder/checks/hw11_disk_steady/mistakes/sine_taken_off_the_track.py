@@ -1,4 +1,4 @@
-"""a sin(lean) is subtracted; it must be added.
+"""a sin(lean) is subtracted from the track radius; it should be added.
 
 fails: rolling_track_has_the_contact_at_rest
 """

@@ -1,4 +1,4 @@
-"""Omega is negative; Omega >= 0 is asked for.
+"""Omega is negative; it should be positive or zero.
 
 fails: rolling_precession_balances_the_moments
 """

@@ -1,4 +1,4 @@
-"""R runs to G; it is the radius of the track of the contact point.
+"""The track radius R runs to G; it should run to the contact point.
 
 fails: rolling_track_has_the_contact_at_rest, rolling_precession_balances_the_moments, sliding_track_is_around_the_resting_centre
 """

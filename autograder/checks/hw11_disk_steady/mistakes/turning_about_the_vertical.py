@@ -1,4 +1,4 @@
-"""The disk turns about its diameter by less than Omega, which is about the vertical.
+"""The turning about the diameter has Omega where Omega cos(lean) belongs.
 
 fails: settling_energy_adds_up
 """
