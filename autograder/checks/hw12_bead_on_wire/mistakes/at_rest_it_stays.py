@@ -1,4 +1,4 @@
-"""A bead that starts at rest stays at rest, on a slope too.
+"""A bead that starts at rest is left where it is, even on a slope.
 
 fails: simulate_needs_no_dense_times
 names: every row is the start

@@ -1,4 +1,4 @@
-"""The height is c x^2.
+"""The height is x^2; it should be c x^2.
 
 fails: energy_is_kinetic_and_potential
 """

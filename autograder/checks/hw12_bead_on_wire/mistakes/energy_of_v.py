@@ -1,4 +1,4 @@
-"""The kinetic energy uses v for the speed, as on a flat wire.
+"""The kinetic energy has v for the speed, as on a flat wire.
 
 fails: energy_is_kinetic_and_potential
 """

@@ -1,4 +1,4 @@
-"""Where the slope is below 0.001, x'' holds for small motions alone.
+"""Where the slope is below 0.001, x'' is the one of small motions, which lacks the term with v^2.
 
 fails: newton_gives_the_acceleration
 names: for a bead next to the bottom

@@ -1,4 +1,4 @@
-"""At the bottom the force is the weight alone: it must also turn the bead.
+"""At the bottom the force is only the weight; it should also turn the bead.
 
 fails: force_has_the_right_size
 """

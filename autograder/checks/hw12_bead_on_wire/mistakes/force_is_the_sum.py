@@ -1,4 +1,4 @@
-"""This is m a, the sum of all forces: the weight has to be taken off.
+"""This is m a, the sum of all forces; the weight should be taken off.
 
 fails: force_has_the_right_size
 """

@@ -1,4 +1,4 @@
-"""The radius of curvature is 1/(2 c) at the bottom only.
+"""The radius of curvature is 1/(2 c) everywhere, which is right only at the bottom.
 
 fails: force_has_the_right_size
 """

@@ -1,4 +1,4 @@
-"""The normal is tilted to the wrong side: it is (-2 c x, 1).
+"""The normal is tilted to the wrong side; it should be along (-2 c x, 1).
 
 fails: force_and_weight_make_the_acceleration
 """

@@ -1,4 +1,4 @@
-"""The weight points down: F = m a + m g j.
+"""The weight has the wrong sign; it should be F = m a + m g j.
 
 fails: force_has_the_right_size
 """

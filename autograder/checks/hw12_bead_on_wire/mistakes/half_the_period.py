@@ -1,4 +1,4 @@
-"""This is half the period: the bead has to come back.
+"""This is half the period; the bead should also come back.
 
 fails: period_is_exact
 """

@@ -1,4 +1,4 @@
-"""A mass does not cancel.
+"""The equation has a mass in it that should cancel.
 
 fails: lagrange_gives_the_acceleration
 names: It has m in it

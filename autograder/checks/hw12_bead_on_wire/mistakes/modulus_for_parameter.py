@@ -1,4 +1,4 @@
-"""SciPy's ellipe takes the parameter k^2, not the modulus k.
+"""ellipe gets the modulus k; SciPy's takes the parameter k^2.
 
 fails: period_is_exact
 """

@@ -1,4 +1,4 @@
-"""The motion is that without the term 4 c^2 x v^2 in x''.
+"""The motion lacks the term 4 c^2 x v^2 in x''.
 
 fails: simulate_slides
 """

@@ -1,4 +1,4 @@
-"""x'' is not the rate of the speed along the wire.
+"""x'' is the rate of the speed along the wire; it should be the rate of v along x.
 
 fails: newton_gives_the_acceleration
 """

@@ -1,4 +1,4 @@
-"""A bead at rest has no acceleration and no energy.
+"""A bead at rest is given no acceleration and no energy.
 
 fails: newton_gives_the_acceleration, energy_is_kinetic_and_potential
 names: for a bead at rest

@@ -1,4 +1,4 @@
-"""The first terms of the series in c A are not enough: the period is exact.
+"""The period has only the first terms of its series in c A; it should be exact.
 
 fails: period_is_exact
 """

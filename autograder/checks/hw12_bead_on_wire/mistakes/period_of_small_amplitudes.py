@@ -1,4 +1,4 @@
-"""This is the period of small amplitudes.
+"""This is the period of small amplitudes; it should hold for any amplitude.
 
 fails: period_is_exact
 """

@@ -1,4 +1,4 @@
-"""A rule of sixty points is enough near 1/c, but not for steep wires.
+"""The period's integral has sixty points, enough near 1/c, but too few for steep wires.
 
 fails: period_of_small_and_of_huge_amplitudes
 """

@@ -1,4 +1,4 @@
-"""The slope is 2 c x, not 3 c x^2; the equation follows from this Lagrangian.
+"""The slope is 3 c x^2; it should be 2 c x. The equation follows from this Lagrangian.
 
 fails: lagrangian_is_kinetic_less_potential, lagrange_gives_the_acceleration
 names: It follows from your Lagrangian

@@ -1,4 +1,4 @@
-"""The slope is 2 c x, not c x.
+"""The slope is c x; it should be 2 c x.
 
 fails: lagrangian_is_kinetic_less_potential
 """

@@ -1,4 +1,4 @@
-"""The term with v^2 is missing: this is the force on a bead at rest.
+"""This is the force on a bead at rest; the term with v^2 is missing.
 
 fails: force_has_the_right_size
 """

@@ -1,4 +1,4 @@
-"""The mass is left out.
+"""The force lacks the mass.
 
 fails: force_has_the_right_size
 """

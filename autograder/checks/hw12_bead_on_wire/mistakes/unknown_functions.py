@@ -1,4 +1,4 @@
-"""x is left as a function of time.
+"""x is left as a function of time; it should be a symbol.
 
 fails: lagrange_gives_the_acceleration
 names: It has x(t) in it
