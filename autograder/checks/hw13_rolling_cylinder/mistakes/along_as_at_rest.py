@@ -1,4 +1,4 @@
-"""The force along the ramp holds the weight alone, as at rest.
+"""The force along the ramp holds only the weight, as at rest.
 
 fails: contact_force_accelerates_G
 """

@@ -1,4 +1,4 @@
-"""This is solve_ivp at its default tolerances.
+"""solve_ivp runs at its default tolerances, which are too loose.
 
 fails: simulate_rolls_and_rocks
 numerics: solve_ivp's own rtol of 1e-3

@@ -1,4 +1,4 @@
-"""r^2 + e^2 is the distance from C to G squared only where O G is along the ramp.
+"""The distance from C to G squared is r^2 + e^2, which holds only where O G is along the ramp.
 
 fails: contact_inertia_by_the_parallel_axis_theorem, naive_acceleration_is_the_moment_over_the_inertia, energy_of_G_and_of_turning
 """

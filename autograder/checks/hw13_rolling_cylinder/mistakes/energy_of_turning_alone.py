@@ -1,4 +1,4 @@
-"""The kinetic energy of G is missing.
+"""The energy lacks the kinetic energy of G's motion.
 
 fails: energy_of_G_and_of_turning
 """

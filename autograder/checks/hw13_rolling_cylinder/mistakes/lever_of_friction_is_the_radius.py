@@ -1,4 +1,4 @@
-"""About G the friction has the lever r - e cos(phi), not r.
+"""About G the friction has the lever r; it should be r - e cos(phi).
 
 fails: acceleration_balances_momentum_about_G, contact_force_accelerates_G, simulate_rolls_and_rocks
 """

@@ -1,4 +1,4 @@
-"""It is a dot product of r_{G/C} and m a_C; the moment is their cross product.
+"""The term is a dot product of r_{G/C} and m a_C; it should be their cross product.
 
 fails: missing_moment_makes_it_right
 """

@@ -1,7 +1,7 @@
 """I^G stands where I^C belongs.
 
 fails: centred_cylinder_rolls_by_both_methods, naive_acceleration_is_the_moment_over_the_inertia
-also: This is the inertia about the centre, not about C.
+also: This is the inertia about the centre; it should be about C
 """
 
 _right = naive_contact_acceleration

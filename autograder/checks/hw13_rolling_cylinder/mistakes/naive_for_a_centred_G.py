@@ -1,4 +1,4 @@
-"""I^G + m r^2 is I^C only with G at the centre.
+"""I^G + m r^2 stands where I^C belongs, which is right only with G at the centre.
 
 fails: naive_acceleration_is_the_moment_over_the_inertia
 """

@@ -1,4 +1,4 @@
-"""Without gravity phi_dot does not change; G is accelerated all the same.
+"""Without gravity phi_dot is kept; it should change where G is not at the centre.
 
 fails: acceleration_level_and_without_gravity, contact_force_may_pull, simulate_keeps_the_energy
 """

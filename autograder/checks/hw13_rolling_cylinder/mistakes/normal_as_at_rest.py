@@ -1,4 +1,4 @@
-"""The normal force carries the weight alone, as at rest.
+"""The normal force carries only the weight, as at rest.
 
 fails: contact_force_accelerates_G
 """

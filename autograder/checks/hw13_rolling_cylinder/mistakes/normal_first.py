@@ -1,4 +1,4 @@
-"""The order is (along, normal), not (normal, along).
+"""The result is (normal, along); it should be (along, normal).
 
 fails: contact_force_accelerates_G
 """

@@ -1,4 +1,4 @@
-"""With two times the second is never reached.
+"""With only two times the second is never reached.
 
 fails: simulate_needs_no_dense_times
 names: every row is the start

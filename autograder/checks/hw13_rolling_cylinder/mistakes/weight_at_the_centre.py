@@ -1,4 +1,4 @@
-"""The weight acts at G, not at the centre.
+"""The weight acts at the centre; it should act at G.
 
 fails: naive_acceleration_is_the_moment_over_the_inertia
 """
