@@ -1,4 +1,4 @@
-"""The angles are wrapped to half a turn to either side.
+"""The angles are wrapped to half a turn to either side; they should count whole turns.
 
 fails: euler_simulation_follows_the_motion
 also: The angles are wrapped to a turn from 0

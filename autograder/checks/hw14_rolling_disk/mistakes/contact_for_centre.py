@@ -1,4 +1,4 @@
-"""The contact stands for the centre.
+"""The contact stands where the centre belongs.
 
 fails: matrix_state_places_the_disk, wireframe_is_a_rolling_disk
 """

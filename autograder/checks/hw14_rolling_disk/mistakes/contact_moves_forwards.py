@@ -1,4 +1,4 @@
-"""The contact moves along e1; a positive roll rate moves it along -e1.
+"""The contact moves along e1; at a positive roll rate it should move along -e1.
 
 fails: euler_equations_hold, euler_simulation_follows_the_motion
 """

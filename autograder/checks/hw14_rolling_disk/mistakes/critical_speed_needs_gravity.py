@@ -1,4 +1,4 @@
-"""Without gravity the critical speed should be zero, not infinite.
+"""Without gravity the critical speed is infinite; it should be zero.
 
 fails: critical_speed_parts_stable_from_unstable
 names: for a wheel without gravity

@@ -1,4 +1,4 @@
-"""C/2 stands for A, as for a thin disk.
+"""The critical speed has C/2 where A belongs, as for a thin disk.
 
 fails: critical_speed_parts_stable_from_unstable
 """

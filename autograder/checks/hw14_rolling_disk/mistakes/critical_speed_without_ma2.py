@@ -1,4 +1,4 @@
-"""m a^2 is missing beside C.
+"""In the critical speed m a^2 is missing beside C.
 
 fails: critical_speed_parts_stable_from_unstable
 """

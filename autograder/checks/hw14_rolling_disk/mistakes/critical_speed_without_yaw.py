@@ -1,4 +1,4 @@
-"""A and C are swapped.
+"""A and C are swapped in the critical speed.
 
 fails: critical_speed_parts_stable_from_unstable
 """

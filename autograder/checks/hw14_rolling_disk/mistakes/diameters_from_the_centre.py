@@ -1,4 +1,4 @@
-"""The diameters are radii.
+"""The diameters go only from the centre to the rim.
 
 fails: wireframe_is_a_rolling_disk
 names: a diameter goes from rim to rim

@@ -1,4 +1,4 @@
-"""The height is a, as for an upright disk, whatever the tilt.
+"""The energy has the height a, as for an upright disk, whatever the tilt.
 
 fails: energy_is_kinetic_and_potential
 """

@@ -1,4 +1,4 @@
-"""The spin has the cosine by a root, never negative.
+"""The spin in the energy has |cos(tilt)| where cos(tilt) belongs, a root that is never negative.
 
 fails: energy_is_kinetic_and_potential
 """

@@ -1,4 +1,4 @@
-"""The potential is twice the right one.
+"""The potential energy is twice the right one.
 
 fails: energy_is_kinetic_and_potential
 """

@@ -1,4 +1,4 @@
-"""The disk does not turn about its axle.
+"""The energy lacks the turning about the axle.
 
 fails: energy_is_kinetic_and_potential
 """

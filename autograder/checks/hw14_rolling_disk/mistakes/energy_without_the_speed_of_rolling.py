@@ -1,4 +1,4 @@
-"""The energy of the centre's motion by the spin is left out.
+"""The energy lacks the centre's motion by the spin.
 
 fails: energy_is_kinetic_and_potential
 """

@@ -1,4 +1,4 @@
-"""The energy of the centre's motion by tilt' is left out.
+"""The energy lacks the centre's motion by tilt'.
 
 fails: energy_is_kinetic_and_potential
 """

@@ -1,4 +1,4 @@
-"""The weight points upwards.
+"""The weight points upwards; it should point down.
 
 fails: euler_equations_hold, contact_force_moves_the_centre, euler_simulation_follows_the_motion
 """

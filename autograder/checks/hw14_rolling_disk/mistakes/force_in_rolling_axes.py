@@ -1,4 +1,4 @@
-"""These are the components along axes that roll with the disk.
+"""The force has components along axes that roll with the disk; they should be along x, y, z.
 
 fails: contact_force_moves_the_centre
 """

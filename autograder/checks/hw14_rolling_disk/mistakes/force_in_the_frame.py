@@ -1,4 +1,4 @@
-"""These are the components along e1, e2, e3.
+"""The force has components along e1, e2, e3; they should be along x, y, z.
 
 fails: contact_force_moves_the_centre
 """

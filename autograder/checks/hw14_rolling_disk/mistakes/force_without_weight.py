@@ -1,4 +1,4 @@
-"""The weight is left out.
+"""The contact force leaves out the weight.
 
 fails: contact_force_moves_the_centre
 """

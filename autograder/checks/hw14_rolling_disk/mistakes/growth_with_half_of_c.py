@@ -1,4 +1,4 @@
-"""C/2 stands for A, as for a thin disk.
+"""The growth rate has C/2 where A belongs, as for a thin disk.
 
 fails: growth_rate_is_that_of_a_small_lean
 within: 1e-08

@@ -1,4 +1,4 @@
-"""The sign is reversed.
+"""The growth rate squared has the wrong sign.
 
 fails: growth_rate_is_that_of_a_small_lean
 """

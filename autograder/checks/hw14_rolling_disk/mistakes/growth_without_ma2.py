@@ -1,4 +1,4 @@
-"""m a^2 is missing about the contact.
+"""The growth rate has A where A + m a^2 belongs, the inertia about the contact.
 
 fails: growth_rate_is_that_of_a_small_lean
 """

@@ -1,4 +1,4 @@
-"""m a^2 is missing beside C.
+"""In the growth rate m a^2 is missing beside C.
 
 fails: growth_rate_is_that_of_a_small_lean
 """

@@ -1,4 +1,4 @@
-"""This is solve_ivp at its default tolerances.
+"""solve_ivp runs at its default tolerances, which are too loose.
 
 fails: euler_simulation_follows_the_motion
 numerics: solve_ivp's own rtol of 1e-3

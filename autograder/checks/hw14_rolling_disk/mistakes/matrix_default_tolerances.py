@@ -1,4 +1,4 @@
-"""simulate_matrix uses the default tolerances of solve_ivp.
+"""simulate_matrix uses the default tolerances of solve_ivp, which are too loose.
 
 fails: matrix_simulation_follows_the_motion
 numerics: solve_ivp's own rtol of 1e-3

@@ -1,4 +1,4 @@
-"""The rate of the arm to the contact is left out.
+"""The constraint's derivative leaves out the rate of the arm to the contact.
 
 fails: multiplier_equations_hold
 """

@@ -1,4 +1,4 @@
-"""C/2 stands for A, as for a thin disk.
+"""The equations with multipliers have C/2 where A belongs, as for a thin disk.
 
 fails: multiplier_equations_hold
 """

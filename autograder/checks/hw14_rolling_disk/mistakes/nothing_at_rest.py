@@ -1,7 +1,7 @@
-"""What is at rest has no rates, no energy, and a force that is its weight.
+"""A disk at rest is given no rates and no energy, and only its weight as contact force.
 
 fails: euler_equations_hold, matrix_equations_hold, multiplier_equations_hold, euler_simulation_follows_the_motion, matrix_simulation_follows_the_motion, energy_is_kinetic_and_potential, contact_force_moves_the_centre, steady_residual_is_the_tilt_acceleration
-also: a disk without tilt rate and roll rate is said to be at rest
+also: A disk without tilt rate and roll rate is treated as at rest
 """
 
 _rates = euler_state_derivative, matrix_state_derivative, multiplier_state_derivative

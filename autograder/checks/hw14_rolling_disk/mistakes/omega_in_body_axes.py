@@ -1,4 +1,4 @@
-"""omega is in body axes.
+"""omega is in body axes; it should be in the axes of space.
 
 fails: matrix_state_places_the_disk
 """

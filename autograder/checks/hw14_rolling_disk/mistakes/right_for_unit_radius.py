@@ -1,4 +1,4 @@
-"""m stands where m a^2 belongs, which is right for a radius of 1 m alone.
+"""m stands where m a^2 belongs, which is right only for a radius of 1 m.
 
 fails: euler_equations_hold, contact_force_moves_the_centre, euler_simulation_follows_the_motion
 """

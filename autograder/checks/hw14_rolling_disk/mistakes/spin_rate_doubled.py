@@ -1,4 +1,4 @@
-"""The rate of the spin is twice the right one: roll'' alone is off.
+"""The rate of the spin is twice the right one, so that only roll'' is off.
 
 fails: euler_equations_hold, contact_force_moves_the_centre, euler_simulation_follows_the_motion
 """

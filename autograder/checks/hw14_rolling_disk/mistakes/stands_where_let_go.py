@@ -1,7 +1,7 @@
-"""A disk let go at rest stays at rest.
+"""A disk that starts at rest is left where it is.
 
 fails: euler_simulation_follows_the_motion, matrix_simulation_follows_the_motion
-also: a disk without tilt rate and roll rate is said to be at rest | What is at rest has no rates
+also: A disk without tilt rate and roll rate is treated as at rest | A disk at rest is given no rates and no energy, and only its weight as contact force
 names: Every row is the start
 """
 

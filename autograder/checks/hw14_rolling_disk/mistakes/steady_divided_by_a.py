@@ -1,4 +1,4 @@
-"""A moment is divided by A alone: about the contact it is A + m a^2.
+"""The moment is divided by A; it should be divided by A + m a^2, the inertia about the contact.
 
 fails: steady_residual_is_the_tilt_acceleration
 """

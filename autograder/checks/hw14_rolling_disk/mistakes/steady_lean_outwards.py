@@ -1,4 +1,4 @@
-"""The lean is to the other side.
+"""The lean has the wrong sign.
 
 fails: steady_residual_is_the_tilt_acceleration
 """

@@ -1,4 +1,4 @@
-"""A disk without tilt rate and roll rate is said to be at rest.
+"""A disk without tilt rate and roll rate is treated as at rest.
 
 fails: euler_equations_hold, euler_simulation_follows_the_motion, contact_force_moves_the_centre
 """
