@@ -6,8 +6,7 @@ from functools import partial
 import numpy as np
 
 from tam570_grader import Column, Invariant, absolute, by_kind, check, law
-from tam570_grader.writing.curves import along
-from tam570_grader.writing.drawings import curves_seen, exchanged, judge_axes_of_lengths, judge_boxes, path_drawn
+from tam570_grader.writing.drawings import along, curves_seen, exchanged, judge_axes_of_lengths, judge_boxes, path_drawn
 from tam570_grader.writing.returns import array, drawing, group, number, rows
 
 from . import cases, right

@@ -17,11 +17,11 @@ from tam570_grader.sandbox.warm import ONLY, Attempt
 from tam570_grader.sandbox.worker import Worker, WorkerLost
 from tam570_grader.writing.assignments import Assignment
 from tam570_grader.writing.check import Given, given
-from tam570_grader.writing.curves import readable
+from tam570_grader.writing.drawings import readable
 from tam570_grader.writing.expect import Failed, NotWritten, current
 from tam570_grader.writing.returns import Drawing, Formula, result
 
-__all__ = ["BudgetSpent", "Call", "Function", "NotLoaded", "Source", "Student"]
+__all__ = ["BudgetSpent", "Call", "NotLoaded", "Source", "Student"]
 
 REAL = 1e-12  # of a value: complex exponentials that make it real leave 1e-25 of imaginary part
 ROUNDING = 1e-25  # where they cancel to zero

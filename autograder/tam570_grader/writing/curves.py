@@ -1,20 +1,14 @@
-"""Curves: those that a student draws, as they are judged, and those that a page shows.
+"""How an error or an invariant goes along a motion: what a page's picture is drawn from, kept with the result.
 
-How an error or an invariant goes along a motion is what a page's picture is drawn from, kept with the result. It is
-coarse, so that code which knows the hidden inputs can write little of them into the shape of its own errors.
+It is coarse, so that code which knows the hidden inputs can write little of them into the shape of its own errors.
 """
 
-import re
-from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-if TYPE_CHECKING:
-    from tam570_grader.writing.returns import Drawing, Line  # which import this module
-
-__all__ = ["Curve", "along", "curve", "kept", "readable"]
+__all__ = ["Curve", "curve", "kept"]
 
 # plain data: of, unit, within, span, scale ("log" or "linear"), values; keeps: another
 Curve = dict[str, Any]
@@ -24,38 +18,7 @@ SLOTS = 64  # of the duration, the largest error in each
 LEVELS = 8  # to a decade of an error
 STEPS = 40  # to the largest drift of an invariant
 FLOOR, CEILING = -3, 12  # decades below and above the limit that are told apart
-LARGEST = 1e100  # of a drift, and of what a student draws; what is larger is taken for this
-FEWEST = 10  # points of a drawn curve; fewer are a marker, a line for reference or an entry of the legend
-# In a label, by Matplotlib's mathtext: fonts and sizes of brackets, and spaces.
-FONTS = r"\\(?:(?:math|text)[a-z]*|(?:rm|it|bf|sf|tt|boldsymbol|operatorname|left|right|[bB]igg?[lr]?)(?![A-Za-z]))"
-SPACES = r"\\(?:[ ,:;/>]|(?:quad|qquad|enspace|thinspace)(?![A-Za-z])|hspace\{[^{}]*\})|~"
-
-
-def readable(picture: "Drawing") -> "Drawing":
-    """What a student draws, its labels without TeX's fonts and spaces, and of its lines those that are curves."""
-    xlabel, ylabel = (re.sub(SPACES, " ", re.sub(FONTS, "", label)) for label in (picture.xlabel, picture.ylabel))
-    lines = (replace(line, points=_told_apart(line.points)) for line in picture.lines)
-    curves = tuple(line for line in lines if len(line.points) >= FEWEST)
-    return replace(picture, lines=curves, xlabel=xlabel, ylabel=ylabel)
-
-
-def _told_apart(points: Array) -> Array:
-    """The points without NaN, which lifts the pen, and without repetition of the one before."""
-    points = np.clip(points[np.isfinite(points).all(axis=1)], -LARGEST, LARGEST)
-    return points[np.insert(np.diff(points, axis=0).any(axis=1), 0, True)] if len(points) else points
-
-
-def along(line: "Line", path: Array) -> Array:
-    """The points of a drawn line in its order; those of a scatter, which has none, in that of the path next to them."""
-    from scipy.spatial import cKDTree
-
-    if not line.scatter:
-        return line.points
-    tangents = np.gradient(path, axis=0)
-    nearest = cKDTree(path).query(line.points)[1]
-    beyond = np.sum((line.points - path[nearest]) * tangents[nearest], axis=1)
-    lengths2 = np.sum(tangents[nearest] ** 2, axis=1)
-    return line.points[np.argsort(nearest + beyond / np.maximum(lengths2, 1e-300))]
+LARGEST = 1e100  # of a drift, which is cut to this
 
 
 def curve(t: Any, actual: Any, expected: Any, scale: Any, *, within: float, of: str, unit: str) -> Curve | None:

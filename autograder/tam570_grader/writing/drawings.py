@@ -2,25 +2,65 @@
 
 import re
 from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tam570_grader.sandbox.student import Function
 from tam570_grader.writing.check import given
-from tam570_grader.writing.curves import along
 from tam570_grader.writing.expect import expect, expect_that, fail
 from tam570_grader.writing.returns import Drawing, Line
 
-__all__ = ["curves_seen", "distances", "exchanged", "judge_axes_of_lengths", "judge_boxes", "path_drawn"]
+__all__ = [
+    "along",
+    "curves_seen",
+    "distances",
+    "exchanged",
+    "judge_axes_of_lengths",
+    "judge_boxes",
+    "path_drawn",
+    "readable",
+]
 
 Array = NDArray[np.float64]
 
 SEEN, WITHIN, EXTENT = 0.5, 0.9, 0.02  # of a curve's points, of them, of the figure: a curve with less is not seen
 STRAIGHT = 1e-3  # of the axes: a logarithmic one over a tenth of a decade is bent by .03
+LARGEST = 1e100  # of what a student draws, which is cut to this
+FEWEST = 10  # points of a curve; fewer are a marker, a line for reference or an entry of the legend
+# In a label, by Matplotlib's mathtext: fonts and sizes of brackets, and spaces.
+FONTS = r"\\(?:(?:math|text)[a-z]*|(?:rm|it|bf|sf|tt|boldsymbol|operatorname|left|right|[bB]igg?[lr]?)(?![A-Za-z]))"
+SPACES = r"\\(?:[ ,:;/>]|(?:quad|qquad|enspace|thinspace)(?![A-Za-z])|hspace\{[^{}]*\})|~"
 MOST_POINTS, MOST_CORNERS = 400, 4000  # a picture of a million points costs no more than one that looks alike
+
+
+def readable(picture: Drawing) -> Drawing:
+    """What a student draws, its labels without TeX's fonts and spaces, and of its lines those that are curves."""
+    xlabel, ylabel = (re.sub(SPACES, " ", re.sub(FONTS, "", label)) for label in (picture.xlabel, picture.ylabel))
+    lines = (replace(line, points=_told_apart(line.points)) for line in picture.lines)
+    curves = tuple(line for line in lines if len(line.points) >= FEWEST)
+    return replace(picture, lines=curves, xlabel=xlabel, ylabel=ylabel)
+
+
+def _told_apart(points: Array) -> Array:
+    """The points without NaN, which lifts the pen, and without repetition of the one before."""
+    points = np.clip(points[np.isfinite(points).all(axis=1)], -LARGEST, LARGEST)
+    return points[np.insert(np.diff(points, axis=0).any(axis=1), 0, True)] if len(points) else points
+
+
+def along(line: Line, path: Array) -> Array:
+    """The points of a drawn line in its order; those of a scatter, which has none, in that of the path next to them."""
+    from scipy.spatial import cKDTree
+
+    if not line.scatter:
+        return line.points
+    tangents = np.gradient(path, axis=0)
+    nearest = cKDTree(path).query(line.points)[1]
+    beyond = np.sum((line.points - path[nearest]) * tangents[nearest], axis=1)
+    lengths2 = np.sum(tangents[nearest] ** 2, axis=1)
+    return line.points[np.argsort(nearest + beyond / np.maximum(lengths2, 1e-300))]
 
 
 def distances(points: ArrayLike, polygon: ArrayLike) -> Array:
@@ -146,7 +186,7 @@ def words(label: str) -> set[str]:
     return {word if len(word) == 1 else word.lower() for word in stripped}
 
 
-def judge_boxes(function: Function, cases: Iterable[tuple[Array, Array, str]], within: float) -> None:
+def judge_boxes(function: Any, cases: Iterable[tuple[Array, Array, str]], within: float) -> None:
     """Whether the function gives the twelve edges of boxes R, size=size around the origin, each of a kind in words."""
     for R, size, kind in cases:
         (found,) = function.many([given(R, size=size).on(kind)])

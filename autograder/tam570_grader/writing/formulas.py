@@ -6,7 +6,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tam570_grader.sandbox.student import Function
 from tam570_grader.writing.check import Given
 from tam570_grader.writing.expect import Failed, NotWritten
 
@@ -44,7 +43,7 @@ def from_own_lagrangian(student: Any, cases: Sequence[Given], otherwise: str) ->
     return hint
 
 
-def _accelerations(lagrangian: Function, points: list[dict[str, float]], x: str, v: str) -> NDArray[np.float64]:
+def _accelerations(lagrangian: Any, points: list[dict[str, float]], x: str, v: str) -> NDArray[np.float64]:
     """x'' = (L_x - L_vx v) / L_vv by central differences."""
     shifts = [(i, j) for i in (-1, 0, 1) for j in (-1, 0, 1)]
     moved = [{**p, x: p[x] * (1 + i * STEP), v: p[v] * (1 + j * STEP)} for p in points for i, j in shifts]

@@ -10,7 +10,7 @@ import pytest
 from tam570_grader.sandbox.student import Source, Student
 from tam570_grader.sandbox.worker import Allowance
 from tam570_grader.writing import assignments
-from tam570_grader.writing.curves import along, readable
+from tam570_grader.writing.drawings import along, readable
 from tam570_grader.writing.expect import Failed, trial
 from tam570_grader.writing.returns import Drawing, Line
 

@@ -12,7 +12,7 @@ from tam570_grader.sandbox import replies
 from tam570_grader.sandbox.cell import CellLost
 from tam570_grader.sandbox.inside.wire import DEEPEST, Foreign
 from tam570_grader.sandbox.worker import Allowance
-from tam570_grader.writing.curves import readable
+from tam570_grader.writing.drawings import readable
 from tam570_grader.writing.returns import Drawing
 
 SLUG = "hw08_axis_angle"

@@ -7,8 +7,7 @@ import pytest
 
 from tam570_grader.sandbox.inside.answer import MODES
 from tam570_grader.writing.check import given
-from tam570_grader.writing.curves import readable
-from tam570_grader.writing.drawings import distances, judge_axes_of_lengths
+from tam570_grader.writing.drawings import distances, judge_axes_of_lengths, readable
 from tam570_grader.writing.expect import Failed, trial
 from tam570_grader.writing.returns import Drawing
 
