@@ -8,7 +8,7 @@ import numpy as np
 
 from tam570_grader.errors import Over, UsageError
 from tam570_grader.options import Commands
-from tam570_grader.results.records import Failure
+from tam570_grader.writing.failures import Failure
 
 __all__ = ["add_replay"]
 

@@ -3,7 +3,7 @@
 import re
 from math import isfinite
 
-from tam570_grader.results.records import Failure
+from tam570_grader.writing.failures import Failure
 
 __all__ = ["known_mistake", "message", "quantity", "typeset", "whole"]
 

@@ -3,48 +3,19 @@
 import base64
 import math
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, fields, replace
+from dataclasses import asdict, dataclass, fields
 from typing import Any
 
 import numpy as np
 
 from tam570_grader.writing.check import Given
+from tam570_grader.writing.failures import Failure
 
-__all__ = ["FORMAT", "Failure", "Mark", "Result", "failure", "numbers", "read", "write"]
+__all__ = ["FORMAT", "Mark", "Result", "failure", "numbers", "read", "write"]
 
 FORMAT = 2  # of a result line; those of another format are refused
 WHOLE = ("expected", "actual", "at")  # of a failure: what the instructor alone sees
 WRITTEN_OUT = 64  # elements of an array; longer ones are kept as their bytes
-
-
-@dataclass(frozen=True)
-class Failure:
-    """Why a check failed, as data: a page makes a sentence of it.
-
-    A quantity `of` is wrong by `error`, in `unit`, beyond a `limit`, at a `time` in s; or `says` tells what is wrong.
-    `expected`, `actual` and `at`, the very input, are the instructor's; the rest is the student's.
-    """
-
-    of: str = ""
-    error: float | None = None
-    unit: str = ""
-    limit: float | None = None
-    time: float | None = None
-    says: str = ""
-    kind: str = ""  # of input, in words that give no input away
-    hint: str = ""
-    suspect: str | None = None  # the known mistake
-    nearly: bool = False  # off by a loose tolerance, at most: what builds on it is judged all the same
-    curve: dict[str, Any] | None = None  # the error along a motion
-    expected: Any = None
-    actual: Any = None
-    at: Any = None
-    function: str = ""  # that was called at this input
-    fault: str = ""  # of ours, in looking for a name
-
-    def named(self, suspect: str | None, fault: str = "") -> "Failure":
-        """The same failure with the known mistake, or with what kept us from finding one."""
-        return replace(self, suspect=suspect, fault=fault)
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tam570_grader.results.records import Failure, Result
+from tam570_grader.results.records import Result
+from tam570_grader.writing.failures import Failure
 
 __all__ = ["Notes", "Shared"]
 

@@ -13,9 +13,9 @@ from typing import Any
 import numpy as np
 
 from tam570_grader.errors import Over
-from tam570_grader.results.records import Failure
 from tam570_grader.writing.check import Given
 from tam570_grader.writing.curves import Curve, curve
+from tam570_grader.writing.failures import Failure
 
 __all__ = [
     "LONGEST_FAULT",

@@ -14,8 +14,9 @@ from tam570_grader.audit.margins import Margin
 from tam570_grader.audit.mutate import mutants
 from tam570_grader.errors import UsageError
 from tam570_grader.grading.processes import crew
-from tam570_grader.results.records import Failure, Mark, Result
+from tam570_grader.results.records import Mark, Result
 from tam570_grader.writing import assignments
+from tam570_grader.writing.failures import Failure
 
 SLUG = "hw08_axis_angle"
 

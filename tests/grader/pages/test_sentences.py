@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from tam570_grader.pages.sentences import message, quantity, whole
-from tam570_grader.results.records import Failure
+from tam570_grader.writing.failures import Failure
 
 
 @pytest.mark.parametrize(

@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 from tam570_grader import cli
-from tam570_grader.results.records import Failure, Mark, Result
+from tam570_grader.results.records import Mark, Result
 from tam570_grader.results.shared import Notes
+from tam570_grader.writing.failures import Failure
 
 SLUG = "hw08_axis_angle"
 ODD = np.array([0.123456789012345, -2.0, 0.7])
