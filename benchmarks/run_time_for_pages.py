@@ -1,6 +1,6 @@
 """What the students' pages need of run time against error: a call of the contract, the end state, curves.
 
-    python benchmarks/run_time_for_pages.py      writes autograder/tam570_grader/grading/run_time.json from results/
+    python benchmarks/run_time_for_pages.py      writes autograder/tam570_grader/results/run_time.json from results/
 
 The scenes are those of run_time_against_error.py; one is kept where the call's last row is the state compared there.
 """
@@ -16,7 +16,7 @@ sys.path.insert(0, str(HERE / "run_time"))
 
 import scenes  # noqa: E402
 
-PLACE = HERE.parent / "autograder" / "tam570_grader" / "grading" / "run_time.json"
+PLACE = HERE.parent / "autograder" / "tam570_grader" / "results" / "run_time.json"
 METHODS = ("SciPy RK45", "SciPy DOP853", "odeint", "tam570, Python")
 SAME = 1e-6  # of the state: the solution reaches 1e-9 in every scene
 

@@ -13,6 +13,21 @@ ROOMS = ("autograder", "shared", "solutions", "tests", "benchmarks", "docs")
 MODULES = sorted(path for room in ROOMS for path in (COURSE / room).rglob("*.py"))
 CHECKS = sorted((COURSE / "autograder" / "checks").glob("*/checks.py"))
 
+GRADER = COURSE / "autograder" / "tam570_grader"
+# the grader's rooms, from the ground up
+ORDER = [
+    "errors",
+    "options",
+    "sandbox.inside",
+    "writing",
+    "results",
+    "pages",
+    "sandbox",
+    "grading",
+    "delivery",
+    "audit",
+]
+
 LONGEST_FUNCTION = 40  # lines, with its docstring
 LONGEST_MODULE = 300  # lines of code
 MOST_NAMES = 30  # functions and classes of a module of checks
@@ -69,7 +84,35 @@ def test_the_design_shows_checks_that_there_are():
     assert shown and not [one for one in shown if one not in there]
 
 
-@pytest.mark.parametrize("room", ["writing", "sandbox", "results"])
-def test_what_is_handed_on_is_not_known_where_it_is_made(room):
-    paths = (COURSE / "autograder" / "tam570_grader" / room).rglob("*.py")
-    assert not [shown(path) for path in paths if "tam570_grader.delivery" in path.read_text()]
+def room_of(module):
+    """The room that a module of the grader, written with dots, is in."""
+    names = module.split(".")
+    return ".".join(names[1:3] if names[1:3] == ["sandbox", "inside"] else names[1:2])
+
+
+def adds_a_command(tree):
+    """Whether a module speaks to people, in a command of its own: such a one may ask any room."""
+    signatures = [one.args.args for one in tree.body if isinstance(one, ast.FunctionDef)]
+    return any(one.annotation and ast.unparse(one.annotation) == "Commands" for args in signatures for one in args)
+
+
+def climbs(path):
+    """The imports by which a module of the grader takes something from a room above its own."""
+    tree = ast.parse(path.read_text())
+    own = room_of(".".join(path.relative_to(GRADER.parent).with_suffix("").parts))
+    if own not in ORDER or adds_a_command(tree):
+        return []
+    imports = [one for one in ast.walk(tree) if isinstance(one, ast.ImportFrom) and not one.level]
+    names = [f"{one.module}.{alias.name}" for one in imports for alias in one.names]
+    above = ORDER[ORDER.index(own) + 1 :]
+    return [name for name in names if name.startswith("tam570_grader.") and room_of(name) in above]
+
+
+def test_a_room_knows_those_below_it_alone():
+    found = {shown(path): climbs(path) for path in GRADER.rglob("*.py")}
+    assert not {path: names for path, names in found.items() if names}
+
+
+def test_every_room_has_a_place_in_the_order():
+    rooms = {path.name for path in GRADER.iterdir() if (path / "__init__.py").exists()}
+    assert rooms == {*ORDER} - {"errors", "options", "sandbox.inside"}

@@ -2,6 +2,7 @@
 
 import argparse
 import contextlib
+from functools import partial
 from pathlib import Path
 
 from tam570_grader.errors import UsageError, warn
@@ -239,12 +240,14 @@ def _terms(folder: Path, root: Path | None) -> str:
 
 def _report(arguments: argparse.Namespace) -> int:
     from tam570_grader.delivery import own
+    from tam570_grader.grading import roster
     from tam570_grader.pages import feedback, report
 
     feedback.must_write_pages()
     if line := _terms(arguments.folder, arguments.root):
         warn(line)
-    return report.run(arguments.folder, own.course(arguments.root), arguments.roster, arguments.out)
+    everyone = partial(roster.students, arguments.roster) if arguments.roster else None
+    return report.run(arguments.folder, own.course(arguments.root), everyone, arguments.out)
 
 
 def _course_and_slugs(arguments: argparse.Namespace) -> tuple[Path, Path, list[str]]:

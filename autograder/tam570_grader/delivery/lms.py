@@ -8,8 +8,8 @@ import io
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from tam570_grader.delivery import roster as rosters
 from tam570_grader.errors import UsageError, warn, writing
+from tam570_grader.grading import roster as rosters
 from tam570_grader.grading.submissions import folder_of
 from tam570_grader.results.tables import FORMULA, cell, name_in, written
 from tam570_grader.writing.assignments import named

@@ -138,7 +138,7 @@ def _kept(out: Path | None, seen: Seen) -> str:
 
 def _told(arguments: argparse.Namespace, course: Path, plan: Any, seen: Seen) -> int:
     """Print what was asked for; the exit code."""
-    from tam570_grader.results import regrade
+    from tam570_grader.grading import regrade
 
     if arguments.format == "gradescope":
         return _print_gradescope(course, seen)
@@ -213,7 +213,7 @@ def _run(plan: Any, book: Any, old: list[Any], seen: Seen, arguments: argparse.N
 
 def _change(old: Any, record: Record, seen: Seen) -> dict[str, Any]:
     """What became of the old score, as `--json` has it."""
-    from tam570_grader.results import regrade
+    from tam570_grader.grading import regrade
     from tam570_grader.results.journal import key_of
 
     change = regrade.change(old.get(key_of(record)), record)
@@ -284,7 +284,7 @@ def _by_hand(seen: Seen, plan: Any) -> str:
 
 def _gone(old: Any, plan: Any, arguments: argparse.Namespace) -> list[Any]:
     """The changes of those who are no longer there; they count among what is compared."""
-    from tam570_grader.results import regrade
+    from tam570_grader.grading import regrade
     from tam570_grader.writing import assignments
 
     names = arguments.only or filter(None, [arguments.assignment])

@@ -4,8 +4,8 @@ import os
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
-from tam570_grader.delivery import roster
 from tam570_grader.errors import printable
+from tam570_grader.grading import roster
 from tam570_grader.grading.submissions import GIVEN, MOST_NAMES, WORK, BadPath, Submission, entries, of_name
 from tam570_grader.writing.assignments import slug_of
 

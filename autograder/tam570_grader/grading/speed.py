@@ -1,44 +1,23 @@
 """Run time against error of a student's simulation, on a scene that the integrators were measured on."""
 
-import functools
-import json
-import math
 import threading
-from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from tam570_grader.results.run_time import Speed, scenes, time_to
 from tam570_grader.sandbox.cell import CellLost
 from tam570_grader.sandbox.student import BudgetSpent, NotLoaded, Source, Student
 from tam570_grader.sandbox.worker import Worker
 from tam570_grader.writing.assignments import Assignment
 from tam570_grader.writing.expect import Failed, NotWritten
 
-__all__ = ["Speed", "Yardstick", "scenes", "time_to"]
+__all__ = ["Yardstick"]
 
-Speed = dict[str, Any]  # function, scene, seconds, error, machine: plain data
 OURS = "tam570, Python"  # the method of the reference solutions, in the sandbox
 USELESS = 1e-2  # an error beyond which the time says nothing
 SHORTEST = 5e-3  # s of the reference solution; below it the call into the sandbox is a good part of the time
-
-
-@functools.cache
-def scenes() -> dict[str, Any]:
-    """By assignment: a call, the right end state, and the curves of the methods, (seconds, error)."""
-    path = Path(__file__).with_name("run_time.json")
-    found: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
-    return found
-
-
-def time_to(error: float, curve: Sequence[Sequence[float]]) -> float | None:
-    """Seconds to an error, between the two runs around it, in logarithms; None if the curve does not get there."""
-    for (t1, e1), (t2, e2) in zip(curve, curve[1:], strict=False):
-        if e1 > error >= e2:
-            share = math.log(e1 / error) / math.log(e1 / e2)
-            return float(t1 * (t2 / t1) ** share)
-    return curve[0][0] if curve and curve[0][1] <= error else None
 
 
 class Yardstick:

@@ -5,8 +5,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from tam570_grader.grading.speed import Speed, scenes, time_to
 from tam570_grader.pages.sentences import quantity
+from tam570_grader.results.run_time import Speed, scenes, time_to
 from tam570_grader.writing.curves import Curve
 
 __all__ = ["Among", "Picture", "among", "picture"]

@@ -5,12 +5,11 @@ import hashlib
 import heapq
 import statistics
 from collections import defaultdict
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from tam570_grader.delivery.roster import students
 from tam570_grader.errors import UsageError, writing
 from tam570_grader.pages.feedback import Sheet, sheet, template
 from tam570_grader.results import by_hand
@@ -25,6 +24,7 @@ SLOWEST = 20  # submissions that are listed
 BINS = 10  # of a distribution of scores
 OUTCOMES = ("passed", "failed", "not_run", "grader_error")
 SCRIPT = Path(__file__).parent / "templates" / "report.js"
+Everyone = Callable[[Collection[str]], Iterable[str]]
 Class = Mapping[Key, Result]  # the newest result of every student and assignment, in order
 
 
@@ -44,12 +44,15 @@ class Tally:
         return round(100 * self.counts["passed"] / max(sum(self.counts.values()), 1), 1)
 
 
-def run(folder: Path, course: Path, roster: Path | None, out: Path | None) -> int:
-    """Write the report on the results in the folder; the exit code."""
+def run(folder: Path, course: Path, everyone: Everyone | None, out: Path | None) -> int:
+    """Write the report on the results in the folder; the exit code.
+
+    everyone : who takes the course, told whom there are results of
+    """
     notes = Notes()
     found = results(folder, notes)
     place = out or folder / "report.html"
-    names = students(roster, {student for student, _ in found}) if roster else ()
+    names = everyone({student for student, _ in found}) if everyone else ()
     text = report(found, {slug: sheet(course, slug) for slug in _slugs(found)}, names, notes.groups())
     with writing(place):
         written(place, text)

@@ -14,7 +14,6 @@ from tam570_grader.writing.failures import Failure
 __all__ = ["FORMAT", "Mark", "Result", "failure", "numbers", "read", "write"]
 
 FORMAT = 2  # of a result line; those of another format are refused
-WHOLE = ("expected", "actual", "at")  # of a failure: what the instructor alone sees
 WRITTEN_OUT = 64  # elements of an array; longer ones are kept as their bytes
 
 

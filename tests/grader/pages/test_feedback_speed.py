@@ -9,9 +9,10 @@ import pytest
 
 from tam570_grader import cli
 from tam570_grader.grading.one import graded
-from tam570_grader.grading.speed import SHORTEST, Yardstick, scenes, time_to
+from tam570_grader.grading.speed import SHORTEST, Yardstick
 from tam570_grader.pages import feedback
 from tam570_grader.pages.pictures import BOTTOM, LAST, LEFT, TOP, among
+from tam570_grader.results.run_time import scenes, time_to
 from tam570_grader.sandbox.student import Source
 from tam570_grader.sandbox.worker import Allowance
 from tam570_grader.writing import assignments

@@ -9,8 +9,8 @@ from html.parser import HTMLParser
 import pytest
 
 from tam570_grader import cli
-from tam570_grader.delivery.roster import students
 from tam570_grader.errors import UsageError
+from tam570_grader.grading.roster import students
 from tam570_grader.pages import report
 from tam570_grader.pages.feedback import Sheet
 from tam570_grader.results import journal, records

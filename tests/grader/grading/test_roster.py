@@ -2,7 +2,7 @@
 
 import pytest
 
-from tam570_grader.delivery.roster import by_id, people, students
+from tam570_grader.grading.roster import by_id, people, students
 
 CANVAS = """Student,ID,SIS User ID,SIS Login ID,Section,hw07_double_pendulum (4711),Final Score
 ,,,,,Manual Posting,

@@ -8,8 +8,7 @@ from itertools import pairwise
 import pytest
 
 from tam570_grader import cli
-from tam570_grader.grading import many, supervisor
-from tam570_grader.results import regrade
+from tam570_grader.grading import many, regrade, supervisor
 from tam570_grader.writing import assignments
 
 SLUG, OTHER = "hw08_axis_angle", "hw03_angular_momentum_rate"

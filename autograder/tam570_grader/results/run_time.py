@@ -1,0 +1,29 @@
+"""Run time against error of the methods, as the benchmark measured it: a student's simulation is put among them."""
+
+import functools
+import json
+import math
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+__all__ = ["Speed", "scenes", "time_to"]
+
+Speed = dict[str, Any]  # function, scene, seconds, error, machine: plain data
+
+
+@functools.cache
+def scenes() -> dict[str, Any]:
+    """By assignment: a call, the right end state, and the curves of the methods, (seconds, error)."""
+    path = Path(__file__).with_name("run_time.json")
+    found: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
+    return found
+
+
+def time_to(error: float, curve: Sequence[Sequence[float]]) -> float | None:
+    """Seconds to an error, between the two runs around it, in logarithms; None if the curve does not get there."""
+    for (t1, e1), (t2, e2) in zip(curve, curve[1:], strict=False):
+        if e1 > error >= e2:
+            share = math.log(e1 / error) / math.log(e1 / e2)
+            return float(t1 * (t2 / t1) ** share)
+    return curve[0][0] if curve and curve[0][1] <= error else None
