@@ -51,7 +51,7 @@ def fastest(case, _):
 
 
 MOTION = (Column("theta", "rad", [0], turns=True, scale=absolute), Column("omega", "rad/s", [1], scale=fastest))
-KEPT = Invariant("the energy", "of itself", right.energy_of_rows, None, ENERGY)
+KEPT = Invariant("the energy", "of its start", right.energy_of_rows, None, ENERGY)
 ALPHA = number.called("alpha", "rad/s^2", RATE2)
 RESULTS = {
     "linear_momentum_balance": group(ALPHA, number.called("the tension", "N", FORCE)),

@@ -9,7 +9,7 @@ from tam570_grader import SOME_TIMES, given, in_turn, uneven
 from . import right
 
 ANY = "a random launch"
-LIGHT = "a light particle, whose drag is small in kg/s alone"
+LIGHT = "a light particle, whose drag is small only in kg/s"
 WHOLE = {"mass": 1.0, "drag": 1.0, "gravity": 1.0}
 LITTLE = 0.99 * 10.0 ** -np.arange(1, 7)  # below which a series takes over: its error is largest just below
 NO_DRAG, NO_GRAVITY = {"drag": 0.0}, {"gravity": 0.0}

@@ -29,7 +29,7 @@ DRAWN, FINE = 1e-4, 1001
 FEWER = 200  # times that; chords of a line of ten points leave a parabola by (2.4/9)^2/4 = 1.8e-2
 
 KEPT = "Is anything kept between calls?"
-SMALL_BESIDE = "Whether drag counts is told by c t/m or c v/(m g), not by c alone."
+SMALL_BESIDE = "Whether drag counts depends on c t/m or c v/(m g), not on c."
 HINTS = {
     "before": KEPT,
     "asked for again": KEPT,
@@ -164,7 +164,7 @@ def judge_twins(student, case, curves):
 
     So it is where they are the same numbers, to the last bit, unless simulate and trajectory agree so.
     """
-    hint = "Is one that of simulate, and the other that of trajectory?"
+    hint = "Does one curve show simulate, and the other trajectory?"
     try:
         one, same = moves(student, case, curves, "simulate"), np.array_equal(*(line.points for line in curves))
         twice = one != 1 and {one, moves(student, case, curves, "trajectory")} == {0, 2}

@@ -77,7 +77,7 @@ STEPS = "Steps between the times must be as short as the motion asks for."
 FIXED = "A step of fixed length does not do for every spring."
 simulate_does_not_depend_on_the_sampling = (
     simulate_moves_as_it_must.then(
-        "simulate: the same by two times alone, many periods apart, whatever was asked before.", points=0.5, part="a"
+        "simulate: the same with only two times, many periods apart, whatever was asked before.", points=0.5, part="a"
     )
     .follows(right.simulate, cases.far_apart, within=3 * TRAJECTORY, hint=STEPS)
     .also.follows(right.simulate, cases.at_two_times, cases.alike, within=TRAJECTORY, hint=AT_THE_FIRST)

@@ -84,7 +84,7 @@ NEGATIVE = "The angle is negative: the same turn is one by its size about the op
 TOO_LARGE = "The angle is larger than pi: the same turn is one by 2 pi - angle about the opposite axis."
 OPPOSITE = "The axis points the opposite way: R - R^T tells which."
 LONG = "The axis points the right way, but its length is not 1."
-LEFT_ALONE = "R leaves this axis alone to the last digit: near no turn R nearly does so with every vector."
+IS_KEPT = "R keeps this axis to the last digit: near no turn R nearly keeps every vector."
 SMALL_ONES = "Only its small components are off: is that a square root of a small difference?"
 SIGNS = "The sizes of its components are right, their signs are not: R + R^T has the products n_x n_y."
 
@@ -102,7 +102,7 @@ def of_pairs(case, found, expected, otherwise, nearly=""):
         "Angles near pi are given as pi.": angle == math.pi,
         LONG: not near(axis @ axis, 1) and near(axis, np.linalg.norm(axis) * n),
         # an eigenvector to the rounding of R: no axis that is off by chance is that
-        LEFT_ALONE: small_angle and near(case.args[0] @ axis, axis, 2e-15),
+        IS_KEPT: small_angle and near(case.args[0] @ axis, axis, 2e-15),
         SMALL_ONES: same_axis and only_small,
         OPPOSITE: near(-axis, n) and near(angle, right_angle),
         SIGNS: near(np.abs(axis), np.abs(n)) and not same_axis,
@@ -112,7 +112,7 @@ def of_pairs(case, found, expected, otherwise, nearly=""):
 
 
 LOST = "It is nearly right: where are digits lost?"
-WHAT_STAYS = partial(of_pairs, otherwise="Which vector does R leave alone, and what is the trace of R?", nearly=LOST)
+WHAT_STAYS = partial(of_pairs, otherwise="Which vector does R keep, and what is the trace of R?", nearly=LOST)
 FLAT = partial(of_pairs, otherwise="How flat is the cosine there, and the sine?")
 FLAT_AT_PI = "An arccos of the trace loses half of the digits there, and so does the arcsine of half of the angle."
 WHICH_PART = "Which part of R is large there: R - R^T or R + R^T?"

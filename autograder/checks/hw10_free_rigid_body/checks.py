@@ -121,7 +121,7 @@ def energies(states, inertia):
 
 
 ROTATES = Invariant("R^T R", "", squares, absolute, INVARIANT)
-KEEPS_MOMENTUM = Invariant("H in space", "of itself", momenta, None, INVARIANT)
+KEEPS_MOMENTUM = Invariant("H in space", "of its start", momenta, None, INVARIANT)
 KEEPS_ENERGY = Invariant("the energy", "of its start", energies, None, INVARIANT)
 SHARES = {1e-4: 0.5, 1e-2: 0.25}  # of the drift of the energy
 FOLLOWED = {"within": TRAJECTORY, "restart": restart, "name": "simulate"}

@@ -40,7 +40,7 @@ def pace(case, states):
 
 
 MOTION = (Column("x", "m", [0], scale=size), Column("v", "m/s", [1], scale=pace))
-KEPT = Invariant("the energy", "of itself", right.energy_of_rows, None, ENERGY)
+KEPT = Invariant("the energy", "of its start", right.energy_of_rows, None, ENERGY)
 SYMBOLS = ("x", "v", "m", "c", "g")
 RESULTS = {
     "lagrangian": formula(*SYMBOLS),
@@ -107,7 +107,7 @@ WIDE = cases.rides(0.4, 1.0, 1000, 15.0, "an amplitude near 1/c")
 simulate_slides = law("simulate: large motions, row i at t[i], row 0 the given state.", points=1, part="b").follows(
     right.simulate, WIDE, within=TRAJECTORY, hint="Is v the rate of x, and x'' as in part (a)?", keeps=KEPT
 )
-SMALL = "Are no terms left out at small amplitudes, and is atol tight enough for them?"
+SMALL = "Do you leave terms out at small amplitudes, or is atol too loose for them?"
 simulate_needs_no_dense_times = (
     simulate_slides.then("simulate: the same motion when only a few times are asked for.", points=0.5, part="b")
     .follows(right.simulate, cases.few_times, within=TRAJECTORY, hint="Is the tolerance tight over long steps of t?")

@@ -71,10 +71,10 @@ REST_OR_RATES = by_kind(  # those at rest are judged first
     {"at rest": "At rest it is wrong, too: look at the moment of the weight and at the inertia."},
     "At rest it is right: differentiate the position of G twice, and mind the terms in phi_dot squared.",
 )
-BOTH = "Balance momentum about G: friction alone turns it."
+BOTH = "Balance momentum about G: only friction turns it."
 NO_WEIGHT = "Without weight it still does not turn uniformly; is anything divided by the slope?"
 DISTANCE = "How far is G from the contact, at this phi?"
-WEIGHT_ACTS_AT_G = "M_C is the moment of the weight, which acts at G; I^C is that of this phi."
+WEIGHT_ACTS_AT_G = "M_C is the moment of the weight, which acts at G; I^C depends on phi."
 CONTACT_POINT = "What is the acceleration of the point of the cylinder that touches the ramp?"
 CONTACT_IS_KEPT = "Contact is kept: the force is what keeping it needs."
 HEIGHT = "Where is G, and how high above the centre's place at phi = 0?"

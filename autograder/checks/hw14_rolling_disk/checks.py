@@ -166,7 +166,7 @@ euler_simulation_follows_the_motion = law(
     "simulate_euler follows the motion from any start, row i at t[i], row 0 the given state.", points=0.75, part="b"
 ).follows(right.simulate_euler, cases.simulated, keeps=ENERGY_KEPT, **FOLLOWED)
 euler_simulation_keeps_two_integrals = euler_simulation_follows_the_motion.then(
-    "simulate_euler: omega along e2 and e3 depends on the tilt alone, at any times.", points=0.5, part="b"
+    "simulate_euler: omega along e2 and e3 depends only on the tilt, at any times.", points=0.5, part="b"
 ).keeps(INTEGRALS, right=right.simulate_euler, cases=TWO, partial={1e-4: 0.5})
 matrix_simulation_follows_the_motion = law(
     "simulate_matrix follows the motion from any start, row i at t[i], row 0 the given state.", points=0.75, part="b"

@@ -154,7 +154,7 @@ def test_the_curve_of_an_error_tells_when_it_grows_and_passes_the_limit():
 @pytest.mark.parametrize(("rate", "word"), [(1e-3, "above"), (-1e-3, "below")])
 def test_the_curve_of_an_invariant_keeps_its_sign(rate, word):
     t = np.linspace(0, 10, 101)
-    found = curve(t, 1 + rate * t, np.ones(101), 1.0, within=1e-5, of="the energy", unit="of itself")
+    found = curve(t, 1 + rate * t, np.ones(101), 1.0, within=1e-5, of="the energy", unit="of its start")
     assert found["scale"] == "linear"
     assert np.sign(found["values"][-1]) == np.sign(rate) and word in picture(found).says
 
