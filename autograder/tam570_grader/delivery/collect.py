@@ -23,7 +23,7 @@ NAMELESS = "cannot tell the assignment: give it with --assignment"
 NOT_WORK = "neither a module (.py) nor a notebook (.ipynb): ask the student for one"
 OLDER, RELEASED = "older", "came with the assignment"  # why a file is left, where all is well
 OTHER = "another file counts: see which one, and name that after the assignment"
-TWO = "another in the download is taken for the same student: who is who on the roster?"
+TWO = "another in the download goes to the same student: who is who on the roster?"
 STRAY = {
     "canvas": "is not named as canvas names submissions",
     "moodle": "is not named as moodle names submissions",

@@ -15,11 +15,11 @@ YEARS = 2
 NAMES = ("certificate.pem", "key.pem")
 NEXT = """\
 {folder}: a certificate and its key, good until {until}. Whoever has the key can run code on the cluster.
-Copy the folder to each machine by a safe way (scp), and start there
-  dask scheduler --port 8786 {tls}
-  dask worker tls://HOST:8786 --nworkers auto --nthreads 1 {tls}
-Then grade here
-  tam570-grader grade submitted/ --out results/ --cluster tls://HOST:8786 --certificates {folder}"""
+Copy the folder to each machine by a safe way (scp), and start there:
+    dask scheduler --port 8786 {tls}
+    dask worker tls://HOST:8786 --nworkers auto --nthreads 1 {tls}
+Then grade here:
+    tam570-grader grade submitted/ --out results/ --cluster tls://HOST:8786 --certificates {folder}"""
 
 
 def add_certificates(commands: Commands) -> argparse.ArgumentParser:

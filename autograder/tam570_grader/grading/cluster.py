@@ -29,7 +29,7 @@ PATIENCE = 20  # s, for a scheduler to answer
 GOODBYE = 5  # s, for a scheduler to hear that we leave
 MISSING = "--cluster needs dask.distributed: pip install 'tam570[cluster]'"
 UNSAFE = (
-    "{address}: whoever reaches a scheduler without certificates can run code on it; run "
+    "{address}: whoever reaches a scheduler without certificates can run code on it. Run "
     "`tam570-grader certificates DIR`, start scheduler and workers as it says, and name "
     "--cluster tls://HOST:PORT --certificates DIR"
 )

@@ -220,11 +220,11 @@ def _mismatch(found: Array, right: Array) -> float:
 
 
 MISTAKEN_BOXES: dict[str, Callable[[Array, Array], Array]] = {
-    "The edges are those of the transpose": lambda R, size: _edges(R.T, size),
-    "The edges are those of a box twice that size": lambda R, size: _edges(R, 2 * size),
-    "The edges are those of a box half that size": lambda R, size: _edges(R, size / 2),
+    "The edges belong to the transpose": lambda R, size: _edges(R.T, size),
+    "The edges belong to a box of twice that size": lambda R, size: _edges(R, 2 * size),
+    "The edges belong to a box of half that size": lambda R, size: _edges(R, size / 2),
     "The edges are along x, y, z: the size is turned, not the box": lambda R, size: _edges(np.eye(3), R @ size),
-    "The edges are those of a box with a corner at the origin": lambda R, size: _edges(R, size) + R @ size / 2,
+    "The edges belong to a box with a corner at the origin": lambda R, size: _edges(R, size) + R @ size / 2,
     "The edges are not turned": lambda R, size: _edges(np.eye(3), size),
 }
 

@@ -47,7 +47,7 @@ def stiffness_watch(
 
 def _advice(t: float, h: float, left: float) -> str:
     return (
-        f"stiff at t = {t:.6g}: stability, not accuracy, keeps the steps at {h:.1g}, and {left:.1g} of them are left; "
+        f"stiff at t = {t:.6g}: stability, not accuracy, keeps the steps at {h:.1g}, and {left:.1g} of them are left. "
         'scipy.integrate.solve_ivp with method="Radau" or method="LSODA" is made for such equations'
     )
 

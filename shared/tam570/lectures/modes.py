@@ -97,7 +97,7 @@ def film(parameters: Mapping[str, Any]) -> Film:
     curves = {f"mode {j + 1}": one_by_one[:, j] for j in range(n)}
     return Film(
         "Modes of a chain",
-        f"{n} masses between springs vibrate in each normal mode, one row for a mode: all masses keep time, from one "
+        f"{n} masses between springs vibrate in each normal mode, one row for a mode. All masses keep time, from one "
         "mode to the next ever faster. In the last row one mass alone was pulled aside, and all modes sound together.",
         times,
         [Panel(parts)],

@@ -75,9 +75,9 @@ def _one(parameters: Mapping[str, float], start: Sequence[float], seconds: float
     ground = np.array([start[:2], [paths["parabola"][-1, 0], start[1]]])
     return Film(
         "Cannon ball",
-        "Three balls leave one point together. One flies on a parabola, one through air, where it falls more steeply "
-        "than it rose, and one as in the Middle Ages, straight out and then straight down. The more drag there is, the "
-        "more the second looks like the third.",
+        "Three balls leave one point together. One flies on a parabola. One flies through air, where it falls more "
+        "steeply than it rose. One flies as in the Middle Ages, straight out and then straight down. The more drag "
+        "there is, the more the second looks like the third.",
         times,
         [
             Panel([Part("lines", ground, GREY), *_flights(paths, colors, named=True)], "as far as they go"),

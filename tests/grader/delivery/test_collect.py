@@ -222,7 +222,7 @@ def test_who_takes_the_name_of_another_takes_nothing_else(collect):
     files["Cy Chen_19_assignsubmission_file_/hw08.py"] = "c"
     code, found, rows, said = collect("moodle", files, "First name,Surname,Username\nBo,Brown,bbrown\nCy,Chen,cchen\n")
     assert code == 1 and found == {module("cchen"): "c"}
-    assert said.count("of bbrown is not collected: another in the download is taken for the same student") == 2
+    assert said.count("of bbrown is not collected: another in the download goes to the same student") == 2
     assert "handed in nothing" not in said
 
 

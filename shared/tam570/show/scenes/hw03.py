@@ -38,8 +38,8 @@ def film(student: Student) -> Film:
     return Film(
         "Rate of change of angular momentum",
         "Two points, P and C, go round in space. Arrows at C show the angular momentum of P about C by the three "
-        "definitions, and beside them their rates of change and the moment: the rate of definition (a) is the moment, "
-        "those of (b) and (c) are not.",
+        "definitions, and beside them their rates of change and the moment. The rate of definition (a) is the moment, "
+        "the rates of (b) and (c) are not.",
         times,
         [
             Panel([*_points(r_p, r_c), *left], "angular momentum"),

@@ -30,7 +30,7 @@ def film(student: Student) -> Film:
         "Free rigid body",
         "A box that spins about its middle axis flips over, and back, again and again, while its angular "
         "momentum stays. Beside it the tip of its angular velocity, in axes of the body, runs along a curve on the "
-        "energy ellipsoid; and the cone of a symmetric body rolls on the cone in space.",
+        "energy ellipsoid. The cone of a symmetric body rolls on the cone in space.",
         times,
         panels,
         tried(

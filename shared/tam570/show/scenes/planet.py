@@ -92,7 +92,7 @@ def _areas(times: Array, orbit: Array, newton: Array, states: Array) -> Any:
     rate = float(states[0, 0] * states[0, 3] - states[0, 1] * states[0, 2]) / 2
     whole = abs(rate) * times[-1] or 1.0
     off = {name: area - rate * times[shown] for name, area in swept.items()}
-    return conserved("area swept, from that of equal areas", times[shown], off, whole, "all of it")
+    return conserved("area swept, less equal areas", times[shown], off, whole, "all of it")
 
 
 def _swept(path: Array) -> Array:
