@@ -215,7 +215,7 @@ def test_a_fault_of_the_grader_is_no_score_and_exits_1(run, tree, monkeypatch):
     def broken(function, calls):
         raise RuntimeError("a fault of ours")
 
-    monkeypatch.setattr("tam570_grader.sandbox.student.Function.many", broken)
+    monkeypatch.setattr("tam570_grader.sandbox.function.Function.many", broken)
     code, (line,), err = run(tree / "ada")
     assert code == 1 and line["score"] is None and "a fault of ours" in err
     assert {mark["outcome"] for mark in line["checks"]} >= {"grader_error"}
@@ -226,7 +226,7 @@ def test_where_the_grader_failed_it_tries_again(run, tree, tmp_path, monkeypatch
         raise RuntimeError("a fault of ours")
 
     with monkeypatch.context() as fault:
-        fault.setattr("tam570_grader.sandbox.student.Function.many", broken)
+        fault.setattr("tam570_grader.sandbox.function.Function.many", broken)
         run(tree / "ada", "--out", tmp_path / "out")
     code, (line,), _ = run(tree / "ada", "--out", tmp_path / "out")
     assert code == 0 and line["score"] == 10.0

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tam570_grader.grading.budget import budget
-from tam570_grader.sandbox.student import Call
+from tam570_grader.sandbox.function import Call
 from tam570_grader.writing.check import given
 from tam570_grader.writing.general import general
 

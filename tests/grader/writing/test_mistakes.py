@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from tam570_grader.sandbox.student import Call
+from tam570_grader.sandbox.function import Call
 from tam570_grader.writing.check import given
 from tam570_grader.writing.mistakes import _module, known, mistake
 

@@ -1,0 +1,177 @@
+"""A student's function as a check sees it: each call is made in the sandbox, each result is what was promised."""
+
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import AbstractContextManager, contextmanager
+from dataclasses import dataclass, replace
+from typing import Any, Protocol
+
+import numpy as np
+
+from tam570_grader.sandbox.imports import python_class, started
+from tam570_grader.sandbox.replies import error_of, strings
+from tam570_grader.writing.check import Given, given
+from tam570_grader.writing.drawings import readable
+from tam570_grader.writing.expect import Failed, NotWritten, current
+from tam570_grader.writing.returns import Drawing, Formula, result
+
+__all__ = ["Call", "Function"]
+
+REAL = 1e-12  # of a value: complex exponentials that make it real leave 1e-25 of imaginary part
+ROUNDING = 1e-25  # where they cancel to zero
+STRANGER = r"[A-Za-z]{1,12}(_?[A-Za-z0-9]{1,3})?(\(t\))?"  # a symbol's name, theta_1, or a function of time, theta(t)
+
+
+@dataclass(frozen=True)
+class Call:
+    """A call that a check made and the result that came back."""
+
+    name: str
+    given: Given
+    result: Any  # None where the call raised, or returned what was not promised
+
+
+class Asked(Protocol):
+    """The student whose function it is."""
+
+    calls: list[Call]
+    worked: set[str]
+
+    @property
+    def text(self) -> str: ...
+
+    def replies(self, name: str, calls: Sequence[Given], mode: str = "value", **more: Any) -> list[dict[str, Any]]: ...
+
+    def aside(self) -> AbstractContextManager[None]: ...
+
+
+@dataclass(frozen=True)
+class Function:
+    """A student's function of the contract."""
+
+    student: Asked
+    name: str
+    promise: Any
+    banned: Sequence[str] = ()  # what is off limits in it
+
+    def __call__(self, *args: Any, **kwargs: Any) -> Any:
+        """The result of one call, in the promised form."""
+        return self.many([given(*args, **kwargs)])[0]
+
+    def each(self, calls: Iterable[Given]) -> Iterator[tuple[Given, Any]]:
+        """Every call with its result; the one at hand is the trial's case, for what `expect` says of it.
+
+        Of a formula the value, where the call's keywords are the symbols.
+        """
+        calls = list(calls)
+        symbolic = isinstance(self.promise, Formula)
+        results = self.at([call.kwargs for call in calls]).tolist() if symbolic else self.many(calls)
+        for call, found in zip(calls, results, strict=True):
+            current().judge(self.name, call)
+            yield call, found
+
+    def many(self, calls: Sequence[Given]) -> list[Any]:
+        """The results of many calls, made in one round trip."""
+        results = []
+        for call, reply in zip(calls, self.student.replies(self.name, calls), strict=False):
+            self.student.calls.append(Call(self.name, call, None))
+            with self._judging(call):
+                self._must_be_fair(reply)
+                results.append(result(self.promise, reply["value"], self.name, call))
+            self.student.worked.add(self.name)
+            self.student.calls[-1] = Call(self.name, call, results[-1])
+        return results
+
+    def aside(self, call: Given) -> Any:
+        """The result of a call that is made to choose the words: see `Student.aside`."""
+        with self.student.aside():
+            return self(*call.args, **call.kwargs)
+
+    def refusals(self, calls: Iterable[Given]) -> Iterator[tuple[Given, bool]]:
+        """Every call, and whether it raises ValueError; another exception is Failed."""
+        calls = list(calls)
+        for call, reply in zip(calls, self.student.replies(self.name, calls, every=True), strict=True):
+            refused = "ValueError" in error_of(reply)["kinds"]
+            with self._judging(call, promised=", not ValueError"):
+                if not refused:
+                    self._must_be_fair(reply)
+            yield call, refused
+
+    def at(self, points: Sequence[Mapping[str, float]]) -> np.ndarray:
+        """Values of the formula that the function returns, at each of these points: {symbol's name: number}."""
+        if not isinstance(self.promise, Formula):
+            raise TypeError(f"{self.name} does not promise a formula")
+        symbols = list(self.promise.symbols)
+        asked = {"symbols": symbols, "points": [dict(point) for point in points]}
+        reply = self.student.replies(self.name, [given()], "formula", **asked)[0]
+        with self._judging(case := given(list(points))):
+            self._must_be_fair(reply)
+            numbers = self._values(reply["value"], len(points))
+        self.student.calls.append(Call(self.name, case, numbers))
+        return numbers
+
+    def _values(self, values: Any, count: int) -> np.ndarray:
+        """The real numbers that a formula has at so many points, or Failed."""
+        if not isinstance(values, list) or len(values) != count:
+            strange = _strangers(values, self.student.text)
+            says = f"{self.name} does not return a SymPy expression in {', '.join(self.promise.symbols)} alone"
+            raise Failed(says, hint=strange and f"It has {strange} in it.")
+        try:
+            numbers = np.array([complex(value) for value in values])
+        except (TypeError, ValueError):
+            raise Failed(f"the expression of {self.name} has no value at some numbers", actual=values) from None
+        if not np.all(np.isfinite(numbers)) or np.any(np.abs(numbers.imag) > REAL * np.abs(numbers) + ROUNDING):
+            raise Failed(f"the expression of {self.name} is not real and finite at some numbers", actual=numbers)
+        return numbers.real
+
+    def drawn(self, call: Given, moved: str | None = None) -> Drawing:
+        """The curves that the plot function draws in a case, where the results of one function may be moved by one."""
+        reply = self.student.replies(self.name, [call], "drawing", moved=moved)[0]
+        with self._judging(call):
+            self._must_be_fair(reply)
+            if reply["value"] is None:
+                raise Failed(f"{self.name} draws too much, or nothing that can be read")
+        self.student.worked.add(self.name)
+        return readable(reply["value"])
+
+    @contextmanager
+    def _judging(self, call: Given, promised: str = "") -> Iterator[None]:
+        """Judge the result of a call: a failure says which call it was, and its kind if the function works for another.
+
+        promised : what it must raise instead, for any input of this kind
+        """
+        current().judge(self.name, call)
+        try:
+            yield
+        except Failed as failed:
+            why, worked = failed.failure, promised or self.name in self.student.worked
+            kind = call.kind if worked else ""
+            failed.failure = replace(why, says=why.says + promised, function=self.name, kind=kind, at=call)
+            raise
+
+    def _must_be_fair(self, reply: dict[str, Any]) -> None:
+        """Raise NotWritten or Failed for an exception, and for arguments changed in place."""
+        if "error" in reply:
+            error = error_of(reply)
+            if error["kinds"][:1] == ["NotImplementedError"]:
+                raise NotWritten(self.name)
+            raise Failed(_raised(self.name, error, self.banned), actual=error["text"])
+        if reply.get("changed"):
+            raise Failed(f"{self.name} changes the arrays it is given", hint="Work on copies")
+
+
+def _strangers(value: Any, source: str) -> str:
+    """A symbol of a formula that the contract does not know, if it is a word that the student wrote down.
+
+    The name of a symbol may be made at run time, of hidden inputs: no other is told, and but one.
+    """
+    names: Any = value.get("strangers") if isinstance(value, dict) else None
+    words = [name for name in names if re.fullmatch(STRANGER, name)] if strings(names) else []
+    return next((name for name in words if re.search(rf"\b{name.removesuffix('(t)')}\b", source)), "")
+
+
+def _raised(name: str, error: dict[str, Any], banned: Sequence[str]) -> str:
+    if "Forbidden" in error["kinds"]:
+        named = [one for one in banned if error["text"].startswith(f"{one} ")]  # the text is the submission's
+        return f"{name} uses what is off limits in it: {' or '.join(named or banned)}"
+    return f"{name} {started(error['text']) or 'raised ' + python_class(error)}"
