@@ -1,26 +1,20 @@
 """The command that grades submissions: `tam570-grader grade`."""
 
 import argparse
-import contextlib
 import gc
 import json
-import os
-import secrets
 import sys
 import zlib
-from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import asdict, dataclass, field
+from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any
 
-from tam570_grader.errors import UsageError, warn, writing
+from tam570_grader.errors import UsageError, warn
+from tam570_grader.grading.run import Seen, whole_run
 from tam570_grader.options import Commands, add_cluster, cores, natural, positive
 
 __all__ = ["add_grade", "crew_of", "warn_of_isolation"]
-
-SHORTEST_KEY = 16  # bytes
-OTHERS = 0o077  # of a file's mode: what others may do with it
-Record = dict[str, Any]  # a result line
 
 
 def add_grade(commands: Commands) -> argparse.ArgumentParser:
@@ -63,33 +57,23 @@ def add_grade(commands: Commands) -> argparse.ArgumentParser:
     return grade
 
 
-@dataclass
-class Seen:
-    """What is kept of the results of a run until its end: not the results."""
-
-    rows: list[tuple[str, ...]] = field(default_factory=list)  # of the table
-    hand: Any = None  # what was added by hand
-    faults: list[str] = field(default_factory=list)
-    changes: list[Any] = field(default_factory=list)
-    compared: int = 0
-    last: Record = field(default_factory=dict)
-    book: Any = None  # the results in --out
-
-
 def _grade(arguments: argparse.Namespace) -> int:
     from tam570_grader.delivery import own
     from tam570_grader.pages import feedback
     from tam570_grader.writing import assignments
 
+    gc.set_threshold(100_000)  # a large class is many records without circles, which would be sought again and again
     course = own.course(arguments.root)
     found = _submissions(arguments, assignments.slugs(course))
     if arguments.vary and arguments.seed is not None:
         raise UsageError("--seed and --vary: a seed is for the whole class, a key varies it; give one of them")
     if arguments.out:
         feedback.must_write_pages()
+    if not arguments.cluster:
+        warn_of_isolation()
     seen = Seen()
     try:
-        plan = _whole_run(arguments, course, found, seen)
+        plan = whole_run(arguments, course, partial(_plan, arguments, course, found), seen)
     except BrokenPipeError:
         raise
     except KeyboardInterrupt:
@@ -98,35 +82,6 @@ def _grade(arguments: argparse.Namespace) -> int:
         warn(f"{error}; {_kept(arguments.out, seen)}", "error: ")
         return 1
     return _told(arguments, course, plan, seen)
-
-
-def _whole_run(arguments: argparse.Namespace, course: Path, found: list[Any], seen: Seen) -> Any:
-    """Grade all, write the pages, and note what the end of the run needs; the plan."""
-    from tam570_grader.pages import feedback
-    from tam570_grader.results import by_hand
-    from tam570_grader.results.journal import Book, results
-
-    with contextlib.ExitStack() as stack:
-        earlier = [*arguments.join, *filter(None, [arguments.against])]
-        old = [stack.enter_context(contextlib.closing(results(place, feedback.row))) for place in earlier]
-        book = None
-        if arguments.out:
-            book = seen.book = stack.enter_context(contextlib.closing(Book(arguments.out, note=feedback.row)))
-        plan = _plan(arguments, course, found, [*old, *filter(None, [book])])
-        if book is not None:
-            by_hand.join(arguments.out, arguments.join)
-        if not plan.cluster:
-            warn_of_isolation()
-        _run(plan, book, old, seen, arguments)
-        if arguments.against and not arguments.json:
-            gone = _gone(old[-1], plan, arguments)
-            seen.changes += gone
-            seen.compared += len(gone)
-        if book is not None:  # the pages of all results that are there; of a finished run, of those that changed
-            feedback.write_pages(arguments.out / "feedback", book, course, _with_progress)
-            seen.hand = by_hand.read(arguments.out)
-            seen.rows = feedback.with_hand(seen.rows, book, seen.hand)
-    return plan
 
 
 def _kept(out: Path | None, seen: Seen) -> str:
@@ -146,17 +101,18 @@ def _told(arguments: argparse.Namespace, course: Path, plan: Any, seen: Seen) ->
         _print_tables(seen, plan)
         if arguments.against:
             print("\n" + regrade.table(seen.changes, seen.compared))
-    return _exit_code(seen)
+    return _warn_of_faults(seen)
 
 
 def _plan(arguments: argparse.Namespace, course: Path, found: list[Any], earlier: list[Any]) -> Any:
     """What is graded and how; of the results that are there it takes the seed."""
     from tam570_grader.delivery import own
+    from tam570_grader.grading import seeds
     from tam570_grader.grading.many import Plan
     from tam570_grader.sandbox.worker import Allowance
 
-    key = _key(arguments.vary, any(earlier)) if arguments.vary else None
-    seed = _seed(arguments.seed, earlier, key)
+    key = seeds.key(arguments.vary, any(earlier)) if arguments.vary else None
+    seed = seeds.seed(arguments.seed, earlier, key)
     limits = {name: vars(arguments)[name] or usual for name, usual in own.limits(course).items()}
     allowance = Allowance(limits["memory"] * 2**20, limits["cpu"], limits["call"], arguments.processes)
     ours = [*arguments.paths, *arguments.join, *filter(None, (arguments.out, arguments.against, arguments.vary))]
@@ -192,76 +148,6 @@ def crew_of(arguments: argparse.Namespace, course: Path, slugs: Sequence[str]) -
     return cluster.crew(course, slugs, arguments.jobs) if cluster else crew(arguments.jobs)
 
 
-def _run(plan: Any, book: Any, old: list[Any], seen: Seen, arguments: argparse.Namespace) -> None:
-    """Grade, and note of each result what the end of the run will need."""
-    from tam570_grader.grading.many import Known, outcomes
-    from tam570_grader.pages.feedback import row
-
-    is_read = arguments.json or arguments.against or arguments.format == "gradescope"
-    for outcome in _with_progress(outcomes(plan, book, old), len(plan.submissions)):
-        if isinstance(outcome, Known) and not is_read:
-            seen.rows.append(outcome.note)
-            continue
-        record = outcome.record if isinstance(outcome, Known) else outcome
-        seen.rows.append(row(record))
-        seen.faults += _faults(record)
-        seen.last = record
-        change = _change(old[-1], record, seen) if arguments.against else {}
-        if arguments.json:
-            print(json.dumps({**record, **change}, allow_nan=False), flush=True)
-
-
-def _change(old: Any, record: Record, seen: Seen) -> dict[str, Any]:
-    """What became of the old score, as `--json` has it."""
-    from tam570_grader.grading import regrade
-    from tam570_grader.results.journal import key_of
-
-    change = regrade.change(old.get(key_of(record)), record)
-    seen.changes += [change] if change else []
-    seen.compared += 1
-    return {"change": change and asdict(change)}
-
-
-def _seed(given: int | None, earlier: list[Any], key: bytes | None) -> int:
-    """The seed asked for, else that of the results that are there, else any."""
-    from tam570_grader.results.journal import common_seed
-
-    if key is not None or given is not None:
-        return given or 0
-    found = common_seed(one.seed for one in earlier if one)
-    return secrets.randbelow(2**31) if found is None else found
-
-
-def _key(path: Path, needed: bool) -> bytes:
-    """The key in the file; a new one if there is no file and nothing was graded with it yet."""
-    if not path.exists():
-        if needed:
-            raise UsageError(
-                f"there is no key in {path}, and there are earlier results. Name the key that they were varied by. "
-                "If they were graded with a seed, leave --vary away or name a new folder with --out."
-            )
-        _make_key(path)
-    try:
-        key = path.read_bytes().strip()
-        if path.stat().st_mode & OTHERS:
-            warn(f"the key is not yours alone: chmod 600 {path}")
-    except OSError as error:
-        raise UsageError(f"cannot read the key {path}: {error.strerror}") from None
-    if len(key) < SHORTEST_KEY:
-        raise UsageError(
-            f"{path} is not a key: it holds fewer than {SHORTEST_KEY} bytes; name a new file to have one made"
-        )
-    return key
-
-
-def _make_key(path: Path) -> None:
-    with writing(path):
-        file = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
-    with open(file, "w", encoding="ascii") as key:
-        key.write(secrets.token_hex(32) + "\n")
-    print(f"tam570-grader: a new key: {path}; keep it, the scores hang on it", file=sys.stderr)
-
-
 def _print_tables(seen: Seen, plan: Any) -> None:
     from tam570_grader.pages import feedback
 
@@ -282,16 +168,6 @@ def _by_hand(seen: Seen, plan: Any) -> str:
     return ", ".join(f"{most:g} of {slug}" for slug, most in lacking.items() if slug not in given)
 
 
-def _gone(old: Any, plan: Any, arguments: argparse.Namespace) -> list[Any]:
-    """The changes of those who are no longer there; they count among what is compared."""
-    from tam570_grader.grading import regrade
-    from tam570_grader.writing import assignments
-
-    names = arguments.only or filter(None, [arguments.assignment])
-    asked = assignments.named(names, assignments.slugs(plan.course))
-    return regrade.gone(old, plan.submissions, arguments.paths, asked)
-
-
 def _print_gradescope(course: Path, seen: Seen) -> int:
     """results.json of the one submission, or nothing if the grader failed on it; the exit code."""
     from tam570_grader.delivery import gradescope
@@ -299,7 +175,7 @@ def _print_gradescope(course: Path, seen: Seen) -> int:
 
     if len(seen.rows) != 1:
         raise UsageError(f"--format gradescope is for one submission; there are {len(seen.rows)} at these paths")
-    if code := _exit_code(seen):
+    if code := _warn_of_faults(seen):
         return code
     checks = assignments.assignment(course, seen.last["assignment"]).checks
     print(json.dumps(gradescope.results(seen.last, {check.name: check.line for check in checks}), indent=1))
@@ -324,7 +200,6 @@ def _submissions(arguments: argparse.Namespace, known: list[str]) -> list[Any]:
     from tam570_grader.grading.submissions import submissions
     from tam570_grader.writing import assignments
 
-    gc.set_threshold(100_000)  # a large class is many records without circles, which would be sought again and again
     given = assignments.one_named(arguments.assignment, known)
     only = assignments.named(arguments.only or (), known)
     everything = submissions(arguments.paths, known, given)
@@ -338,27 +213,11 @@ def _submissions(arguments: argparse.Namespace, known: list[str]) -> list[Any]:
     return [one for one in everyone if _part(one.student, n) == k]
 
 
-def _faults(record: Record) -> list[str]:
-    if record["score"] is not None:
-        return []
-    errors = {mark["error"] for mark in record["checks"] if mark["outcome"] == "grader_error"}
-    return [f"the grader failed on {record['student']} {record['assignment']}: {'; '.join(errors)}"]
-
-
-def _exit_code(seen: Seen) -> int:
+def _warn_of_faults(seen: Seen) -> int:
+    """Say what the grader failed on; the exit code."""
     for fault in seen.faults:
         warn(fault, "")
     return 1 if seen.faults else 0
-
-
-def _with_progress(records: Iterable[Any], total: int) -> Iterator[Any]:
-    """The records, with a bar on a terminal."""
-    if not sys.stderr.isatty():
-        yield from records
-        return
-    from tqdm import tqdm
-
-    yield from tqdm(records, total=total, unit="submission", leave=False, delay=1.0)
 
 
 def warn_of_isolation() -> None:

@@ -1,0 +1,53 @@
+"""What the hidden inputs of a run are drawn from: a seed for the whole class, or a key that varies it by student."""
+
+import os
+import secrets
+import sys
+from pathlib import Path
+from typing import Any
+
+from tam570_grader.errors import UsageError, warn, writing
+from tam570_grader.results.journal import common_seed
+
+__all__ = ["key", "seed"]
+
+SHORTEST_KEY = 16  # bytes
+OTHERS = 0o077  # of a file's mode: what others may do with it
+
+
+def seed(given: int | None, earlier: list[Any], key: bytes | None) -> int:
+    """The seed asked for, else that of the results that are there, else any."""
+    if key is not None or given is not None:
+        return given or 0
+    found = common_seed(one.seed for one in earlier if one)
+    return secrets.randbelow(2**31) if found is None else found
+
+
+def key(path: Path, needed: bool) -> bytes:
+    """The key in the file; a new one if there is no file and nothing was graded with it yet."""
+    if not path.exists():
+        if needed:
+            raise UsageError(
+                f"there is no key in {path}, and there are earlier results. Name the key that they were varied by. "
+                "If they were graded with a seed, leave --vary away or name a new folder with --out."
+            )
+        _make_key(path)
+    try:
+        key = path.read_bytes().strip()
+        if path.stat().st_mode & OTHERS:
+            warn(f"the key is not yours alone: chmod 600 {path}")
+    except OSError as error:
+        raise UsageError(f"cannot read the key {path}: {error.strerror}") from None
+    if len(key) < SHORTEST_KEY:
+        raise UsageError(
+            f"{path} is not a key: it holds fewer than {SHORTEST_KEY} bytes; name a new file to have one made"
+        )
+    return key
+
+
+def _make_key(path: Path) -> None:
+    with writing(path):
+        file = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
+    with open(file, "w", encoding="ascii") as key:
+        key.write(secrets.token_hex(32) + "\n")
+    print(f"tam570-grader: a new key: {path}; keep it, the scores hang on it", file=sys.stderr)
