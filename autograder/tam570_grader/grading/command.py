@@ -77,21 +77,21 @@ def _grade(arguments: argparse.Namespace) -> int:
     except BrokenPipeError:
         raise
     except KeyboardInterrupt:
-        raise KeyboardInterrupt(_kept(arguments.out, seen)) from None
+        raise KeyboardInterrupt(_what_is_kept(arguments.out, seen)) from None
     except OSError as error:
-        warn(f"{error}; {_kept(arguments.out, seen)}", "error: ")
+        warn(f"{error}; {_what_is_kept(arguments.out, seen)}", "error: ")
         return 1
-    return _told(arguments, course, plan, seen)
+    return _print_results(arguments, course, plan, seen)
 
 
-def _kept(out: Path | None, seen: Seen) -> str:
+def _what_is_kept(out: Path | None, seen: Seen) -> str:
     """What there is of a run that was ended."""
     if out is None:
         return "nothing is kept without --out"
     return f"{len(seen.book or ())} results are kept in {out}; the same command goes on from there"
 
 
-def _told(arguments: argparse.Namespace, course: Path, plan: Any, seen: Seen) -> int:
+def _print_results(arguments: argparse.Namespace, course: Path, plan: Any, seen: Seen) -> int:
     """Print what was asked for; the exit code."""
     from tam570_grader.grading import regrade
 
@@ -182,7 +182,7 @@ def _print_gradescope(course: Path, seen: Seen) -> int:
     return 0
 
 
-def _part(student: str, parts: int) -> int:
+def _shard_of(student: str, parts: int) -> int:
     """The part of the class, from 1 on, that a student is in on every machine."""
     return zlib.crc32(student.encode()) % parts + 1
 
@@ -210,7 +210,7 @@ def _submissions(arguments: argparse.Namespace, known: list[str]) -> list[Any]:
         raise UsageError(f"there is no submission of {', '.join(only)} at these paths")
     everyone = found + (not_handed_in(arguments.roster, found) if arguments.roster else [])
     k, n = arguments.shard or (1, 1)
-    return [one for one in everyone if _part(one.student, n) == k]
+    return [one for one in everyone if _shard_of(one.student, n) == k]
 
 
 def _warn_of_faults(seen: Seen) -> int:

@@ -93,7 +93,7 @@ def outcomes(plan: Plan, book: Book | None = None, old: Sequence[Results] = ()) 
     for submission in plan.submissions:
         task = _task(plan, engine, submission)
         if task.digest in known:
-            yield _kept(known[task.digest], book)
+            yield _noted(known[task.digest], book)
             continue
         text = task.source.text if isinstance(task.source, Source) else b""
         users.update(imported(text))
@@ -116,7 +116,7 @@ def digests(plan: Plan) -> Iterator[tuple[str, str, str]]:
         yield submission.student, submission.slug, _task(plan, engine, submission).digest
 
 
-def _kept(known: Known, book: Book | None) -> Known:
+def _noted(known: Known, book: Book | None) -> Known:
     """A result that is known already, in the book too."""
     if book is not None and known.place is not book:
         book.add(known.record)

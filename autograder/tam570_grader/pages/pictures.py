@@ -112,7 +112,7 @@ def _error(curve: Curve) -> Picture:
     values, limit = curve["values"], math.log10(curve["within"])
     known = [value for value in values if value is not None]
     low, high = math.floor(min(*known, 0) + limit - 0.2), math.ceil(max(*known, 0) + limit + 0.2)
-    places = _places(curve, [None if v is None else v + limit for v in values], low, high)
+    places = _places([None if v is None else v + limit for v in values], low, high)
     decades = range(low, high + 1, max(1, math.ceil((high - low) / 5)))
     line = _up(limit, low, high)
     return _picture(
@@ -131,7 +131,7 @@ def _drift(curve: Curve) -> Picture:
     known = [value for value in values if value is not None]
     low, high = min(*known, -within), max(*known, within)
     low, high = low - (high - low) / 20, high + (high - low) / 20
-    places = _places(curve, values, low, high)
+    places = _places(values, low, high)
     top, bottom = _up(within, low, high), _up(-within, low, high)
     last = known[-1]
     ends = f"It ends {'above' if last > 0 else 'below' if last < 0 else 'at'} what it should be"
@@ -179,7 +179,7 @@ def _ticks(low: float, high: float) -> list[tuple[float, str]]:
     return [(k * step, f"{k * step:.{digits}g}") for k in counts]
 
 
-def _places(curve: Curve, heights: Sequence[Any], low: float, high: float) -> list[tuple[float, float]]:
+def _places(heights: Sequence[Any], low: float, high: float) -> list[tuple[float, float]]:
     """Where the known values are in the frame; the first and the last at its sides."""
     known = [k for k, height in enumerate(heights) if height is not None]
     across = (RIGHT - LEFT) / max(len(heights) - 1, 1)

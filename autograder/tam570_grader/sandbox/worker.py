@@ -109,7 +109,7 @@ class Worker:
             reply = cell.receive(lambda reply: reply)
         except (CellLost, CellTimeout):
             cell.end()
-            raise WorkerLost(f"a process ended before it was confined: {self._told()}") from None
+            raise WorkerLost(f"a process ended before it was confined: {self._last_errors()}") from None
         if reply != {"confined": True}:
             cell.end()
             raise NotConfined(reply["confined"])
@@ -163,9 +163,9 @@ class Worker:
             said = b""
         if said != b"ready":
             self._process.wait()
-            raise WorkerLost(f"the sandbox did not start: {self._told()}")
+            raise WorkerLost(f"the sandbox did not start: {self._last_errors()}")
 
-    def _told(self) -> str:
+    def _last_errors(self) -> str:
         """What the worker has written to its errors last."""
         self._errors.seek(0)
         return self._errors.read()[-500:].decode(errors="replace")

@@ -83,7 +83,7 @@ def agree(
     for case, found, whole in asked(function, right, cases):
         results.append(found)
         for one, expected, what, its_unit, size in _members(found, whole, words, case, only):
-            told = functools.partial(_told, hint, case, found, whole, one, expected)
+            told = functools.partial(_hint, hint, case, found, whole, one, expected)
             limits = _limits(size, within, partial or {})
             _infinite_alike(one, expected, what, told)
             expect(one, expected, of=what, unit=its_unit, hint=told, gradual=gradual, **limits)
@@ -166,7 +166,7 @@ def promised(function: Any, name: str) -> Any:
     return [getattr(one, name) for one in words] if isinstance(words, list) else getattr(words, name)
 
 
-def _told(hint: Any, case: Given, found: Any, right: Any, one: Any, expected: Any) -> str:
+def _hint(hint: Any, case: Given, found: Any, right: Any, one: Any, expected: Any) -> str:
     """What right numbers have lost, else the hint."""
     return digits_lost(one, expected) or (hint(case, found, right) if callable(hint) else hint)
 
@@ -202,7 +202,7 @@ def agree_by_columns(
         for column in columns or function.promise.columns:
             one, other = found[..., column.where], expected[..., column.where]
             size = (column.scale(case, expected) if column.scale else np.max(np.abs(other))) or 1.0
-            told = functools.partial(_told, hint, case, found, expected, one, other)
+            told = functools.partial(_hint, hint, case, found, expected, one, other)
             known: dict[str, Any] = {"of": column.of, "unit": column.unit, "t": t, "hint": told, "gradual": gradual}
             expect(one, other, within=within * size, **known)
 

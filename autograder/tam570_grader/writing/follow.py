@@ -165,7 +165,7 @@ def _compare(
         partial=partial(loosely, motion, within, size) if gradual and loose else None,
         gradual=gradual,
         hint=hint,
-        keeps=partial(_kept, keeps, motion) if keeps else None,
+        keeps=partial(_along, keeps, motion) if keeps else None,
     )
 
 
@@ -183,6 +183,6 @@ def _hint(motion: Motion, motions: Sequence[Motion], turns: Sequence[int], nearl
     return diagnosed(motion, motions, turns, nearly) or (hint(motion) if callable(hint) else hint)
 
 
-def _kept(invariant: Invariant, motion: Motion) -> Any:
+def _along(invariant: Invariant, motion: Motion) -> Any:
     values = invariant.value(motion.found, **motion.case.kwargs) / invariant.size(motion.case, motion.expected)
     return kept(motion.case.args[0], values, within=invariant.within, of=invariant.of, unit=invariant.unit)

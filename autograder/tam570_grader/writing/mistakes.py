@@ -48,7 +48,7 @@ CANCELLED = 1e-14  # what rounding leaves where numbers of order one cancel, and
 WITHIN = 1e-6  # random inputs tell mistakes further apart
 OF_MOTIONS = 1e-3  # two integrations of one wrong equation differ by their tolerances
 MOST_ANSWERS = 2**26  # bytes; those of a class are the same
-MOST_CHANGES = 2**17  # of an answer by a slip
+MOST_CHANGES = 2**17  # of an answer by a mistake
 OF_AN_ANSWER = 1000  # bytes besides its numbers
 
 
@@ -161,29 +161,29 @@ _answers = Memory(MOST_ANSWERS, _bytes)
 _changes = Memory(MOST_CHANGES)
 
 
-def _answer(solution: str, slip: str, call: Called) -> Any:
-    """The answer of the solution with a slip, computed a single time for all who are given the same input."""
-    name, message = _named(solution, slip), call.given.message
+def _answer(solution: str, text: str, call: Called) -> Any:
+    """The answer of the solution with a mistake, computed a single time for all who are given the same input."""
+    name, message = _named(solution, text), call.given.message
 
     def compute() -> Any:
-        return shared(call.name, name, packed(call.name) + message, lambda: _computed(_module(solution, slip), call))
+        return shared(call.name, name, packed(call.name) + message, lambda: _computed(_module(solution, text), call))
 
     return _answers.value((name, call.name, message), compute)
 
 
-def _changed(solution: str, slip: str, call: Called, within: float) -> bool:
-    """Whether the slip changes the answer to a call."""
-    key = _named(solution, slip), call.name, call.given.message, within
+def _changed(solution: str, text: str, call: Called, within: float) -> bool:
+    """Whether the mistake changes the answer to a call."""
+    key = _named(solution, text), call.name, call.given.message, within
 
     def compute() -> bool:
-        return not _same(_answer(solution, "", call), _answer(solution, slip, call), within)
+        return not _same(_answer(solution, "", call), _answer(solution, text, call), within)
 
     return bool(_changes.value(key, compute))
 
 
 @functools.lru_cache(maxsize=256)
-def _named(solution: str, slip: str) -> str:
-    return hashlib.sha256(f"{solution}\0{slip}".encode()).hexdigest()
+def _named(solution: str, text: str) -> str:
+    return hashlib.sha256(f"{solution}\0{text}".encode()).hexdigest()
 
 
 def _computed(module: ModuleType, call: Called) -> Any:
@@ -206,10 +206,10 @@ def _values(formula: Any, points: list[dict[str, float]]) -> Any:
 
 
 @functools.lru_cache(maxsize=256)
-def _module(solution: str, slip: str) -> ModuleType:
-    """The solution as a module of its own, with the definitions of the slip in the place of its own."""
+def _module(solution: str, text: str) -> ModuleType:
+    """The solution as a module of its own, with the definitions of the mistake in the place of its own."""
     module = ModuleType("_mistaken")
-    exec(compile(f"{solution}\n\n{slip}", "<mistake>", "exec"), vars(module))
+    exec(compile(f"{solution}\n\n{text}", "<mistake>", "exec"), vars(module))
     return module
 
 

@@ -15,8 +15,7 @@ Conventions
   only a + c or a - c is determined, a is 0.
 - The angular velocity is in body axes: R' = R skew(omega).
 - Arrays in, arrays out; leading axes are batches and broadcast: (..., 3), (..., 4), (..., 3, 3).
-- A matrix within 1e-6 of a rotation is taken for one, and the result is as far off as the matrix is;
-  `nearest` repairs it.
+- A matrix within 1e-6 of a rotation is accepted, and the result is as far off as the matrix is; `nearest` repairs it.
 - Wrong input raises ValueError with the argument's name, the offending value, and what to do.
 
 Formulas: Shuster, A survey of attitude representations, J. Astronautical Sciences 41 (1993); Shepperd,

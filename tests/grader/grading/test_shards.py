@@ -5,7 +5,7 @@ import json
 import pytest
 
 from tam570_grader.grading import supervisor
-from tam570_grader.grading.command import _part
+from tam570_grader.grading.command import _shard_of
 
 SLUG = "hw08_axis_angle"
 
@@ -33,7 +33,7 @@ def test_parts_that_are_joined_are_the_whole_and_nothing_is_graded_twice(run, tr
     parts = [tmp_path / f"part{k}" for k in (1, 2)]
     for k, part in enumerate(parts, start=1):
         code, lines, _ = run(tree, "--out", part, "--shard", f"{k}/2", *options)
-        assert code == 0 and {_part(line["student"], 2) for line in lines} == {k}
+        assert code == 0 and {_shard_of(line["student"], 2) for line in lines} == {k}
     assert sorted(graded) == [f"s{number}" for number in range(6)]
     assert run(tree, "--out", tmp_path / "all", "--join", *parts, "--jobs", 1)[0] == 0
     assert len(graded) == 6

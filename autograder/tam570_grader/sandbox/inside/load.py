@@ -56,7 +56,7 @@ def load(
         except BaseException as error:
             if not (notebook or (uncallable and isinstance(error, Exception))):
                 raise
-            skipped.append(f"{cell}: {_told(error)}")
+            skipped.append(f"{cell}: {_in_words(error)}")
     return module, skipped if notebook else []
 
 
@@ -74,11 +74,11 @@ def _compiled_cells(cells: list[tuple[int, str]]) -> tuple[list[Piece], list[str
         try:
             pieces.append((name, notebooks.compiled(text, name)))
         except Exception as error:
-            skipped.append(f"{name}: {_told(error)}")
+            skipped.append(f"{name}: {_in_words(error)}")
     return pieces, skipped
 
 
-def _told(error: BaseException) -> str:
+def _in_words(error: BaseException) -> str:
     try:
         return f"{type(error).__name__}: {error}"
     except Exception:
