@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-__all__ = ["Over", "UsageError", "printable", "warn", "writing"]
+__all__ = ["Over", "UsageError", "counted", "printable", "warn", "writing"]
 
 
 class UsageError(Exception):
@@ -28,6 +28,11 @@ def printable(text: str) -> str:
 def warn(says: str, kind: str = "warning: ") -> None:
     """Tell the instructor a sentence; names of files and students in it may hold anything."""
     print(f"tam570-grader: {kind}{printable(says)}", file=sys.stderr)
+
+
+def counted(n: int, word: str) -> str:
+    """So many of what a word names: 1 file, 2 files."""
+    return f"{n} {word}" if n == 1 else f"{n} {word}s"
 
 
 @contextmanager

@@ -12,6 +12,8 @@ import pytest
 
 import tam570
 from tam570_grader import cli as grader
+from tam570_grader.errors import counted
+from tam570_grader.grading.command import warn_of_isolation
 from tam570_grader.results import journal
 from tam570_grader.results.records import FORMAT
 
@@ -120,6 +122,17 @@ def test_lms_takes_the_folder_of_results_too(graded, capsys):
     shutil.move("grades.csv", "results")
     assert grader.main(["lms", "results", "--to", "moodle"]) == 0
     assert "ada,1" in capsys.readouterr().out
+
+
+def test_one_of_anything_is_said_in_the_singular():
+    assert [counted(n, "file") for n in (0, 1, 2)] == ["0 files", "1 file", "2 files"]
+
+
+def test_who_grades_without_bubblewrap_is_told_the_remedy(monkeypatch, capsys):
+    monkeypatch.setattr("tam570_grader.sandbox.launch.isolation", lambda: "processes")
+    warn_of_isolation()
+    said = capsys.readouterr().err
+    assert said.startswith("tam570-grader: warning: ") and said.endswith("; install bubblewrap\n")
 
 
 def test_stubs_are_written_and_compared(tmp_path, capsys, course):

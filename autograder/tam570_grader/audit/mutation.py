@@ -11,6 +11,7 @@ from typing import Any
 from tam570_grader.audit.equivalents import Slip, entry, equivalents, idle
 from tam570_grader.audit.gradings import Grading, progress, tried
 from tam570_grader.audit.mutate import Mutant, mutants
+from tam570_grader.errors import counted
 from tam570_grader.grading.one import Result, generator
 from tam570_grader.grading.processes import Crew, in_order
 from tam570_grader.sandbox.student import Source, Student
@@ -197,7 +198,8 @@ def _by_function(found: Fates) -> dict[str, Counter[str]]:
 def report(found: Fates) -> list[str]:
     """The lines to print: counts by function and check, the checks that no mutant needs, and the faults."""
     counts = Counter(found.fate.values())
-    lines = [f"{found.slug}: {len(found.chosen)} mutants, " + ", ".join(f"{counts[fate]} {fate}" for fate in FATES)]
+    told = [counted(len(found.chosen), "mutant"), *(f"{counts[fate]} {fate}" for fate in FATES)]
+    lines = [f"{found.slug}: {', '.join(told)}"]
     for function, fate in _by_function(found).items():
         lines.append(f"  {function:<48}" + "".join(f"{fate[one]:>6} {one}" for one in FATES if fate[one]))
     for check, (first, alone) in catches(found).items():

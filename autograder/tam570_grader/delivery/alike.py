@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from tam570_grader.delivery.export import code
-from tam570_grader.errors import UsageError, warn
+from tam570_grader.errors import UsageError, counted, warn
 from tam570_grader.grading.submissions import CannotRead, submissions
 from tam570_grader.sandbox.notebooks import Unshown, statements_of
 
@@ -53,7 +53,8 @@ def run(course: Path, paths: Sequence[Path], known: Sequence[str], given: str | 
         first, second = (f"{100 * share:3.0f} %" for share in pair.shares)
         print(f"{pair.slug}  {pair.one} {first}  {pair.other} {second}")
     count = sum(map(len, texts.values()))
-    print(f"{len(found)} pairs of {count} submissions share {100 * least:g} % or more of the code of one of them")
+    shared = f"{counted(len(found), 'pair')} of {counted(count, 'submission')}"
+    print(f"{shared} sharing {100 * least:g} % or more of the code of one of them")
     return 1 if unread else 0
 
 

@@ -10,7 +10,7 @@ from typing import Any
 
 from tam570_grader.delivery.archives import File, inside, members
 from tam570_grader.delivery.downloads import READERS, Handed
-from tam570_grader.errors import UsageError, warn, writing
+from tam570_grader.errors import UsageError, counted, warn, writing
 from tam570_grader.grading import roster
 from tam570_grader.grading.submissions import GIVEN, WORK, folder_of, of_folder, of_name
 from tam570_grader.results.tables import cell, name_in, table, written
@@ -188,7 +188,8 @@ def _say(rows: Sequence[Taken], out: Path, people: Mapping[str, roster.Person]) 
     """How many were collected, how many late, and who on the roster handed in nothing."""
     kept = [row for row in rows if row.target]
     late = sum(row.handed.late for row in kept)
-    count = f"{len(kept)} files of {len({row.student for row in kept})} students" + (f", {late} late" if late else "")
+    count = f"{counted(len(kept), 'file')} of {counted(len({row.student for row in kept}), 'student')}"
+    count += f", {late} late" if late else ""
     print(f"{out}: {count}; {out.parent / TABLE} lists them")
     absent = sorted({folder_of(one.ids[0]) for one in people.values()} - {row.student for row in rows})
     if absent:

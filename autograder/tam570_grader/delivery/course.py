@@ -10,7 +10,7 @@ from string import Template
 
 from tam570_grader.delivery import own
 from tam570_grader.delivery.notebook import notebook
-from tam570_grader.errors import UsageError, writing
+from tam570_grader.errors import UsageError, counted, writing
 from tam570_grader.results.tables import written
 from tam570_grader.writing import assignments
 
@@ -31,7 +31,7 @@ def run(course: Path, folder: Path, slugs: Sequence[str]) -> int:
         text = Template((TEMPLATES / template).read_text(encoding="utf-8")).substitute(fields)
         if not _is_the_teachers(folder / name, text.encode()):
             written(folder / name, text)
-    print(f"{folder}: {len(slugs)} assignments; README.md there says how to go on", file=sys.stderr)
+    print(f"{folder}: {counted(len(slugs), 'assignment')}; README.md there says how to go on", file=sys.stderr)
     return 0
 
 

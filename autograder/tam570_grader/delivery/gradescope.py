@@ -10,7 +10,7 @@ from string import Template
 from typing import Any
 
 from tam570_grader.delivery.course_toml import COPY
-from tam570_grader.errors import writing
+from tam570_grader.errors import counted, writing
 from tam570_grader.pages.feedback import overall
 from tam570_grader.results.journal import Record
 from tam570_grader.results.tables import written
@@ -57,7 +57,7 @@ def run(course: Path, folder: Path, slugs: Sequence[str]) -> int:
     for slug in slugs:
         _write_archive(course, slug, folder / f"{slug}.zip")
     says = "upload each to its assignment; they hold solutions and checks, so keep them to yourself"
-    print(f"{folder}: {len(slugs)} archives; {says}", file=sys.stderr)
+    print(f"{folder}: {counted(len(slugs), 'archive')}; {says}", file=sys.stderr)
     return 0
 
 

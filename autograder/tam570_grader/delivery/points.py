@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 from tam570_grader.delivery import late
-from tam570_grader.errors import UsageError, warn, writing
+from tam570_grader.errors import UsageError, counted, warn, writing
 from tam570_grader.options import Commands
 from tam570_grader.results import by_hand
 from tam570_grader.results.by_hand import (
@@ -92,7 +92,8 @@ def _points(arguments: argparse.Namespace) -> int:
     for line in open_:
         warn(line)
     count = sum(one.item == LATE for one in hand.entries.values())
-    print(f"{folder}: {len({one.key for one in new if one.student != EVERYONE})} rows added by hand, {count} late")
+    rows = counted(len({one.key for one in new if one.student != EVERYONE}), "row")
+    print(f"{folder}: {rows} added by hand, {count} late")
     return 1 if open_ else 0
 
 

@@ -3,14 +3,13 @@
 import argparse
 import gc
 import json
-import sys
 import zlib
 from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
 from typing import Any
 
-from tam570_grader.errors import UsageError, warn
+from tam570_grader.errors import UsageError, counted, warn
 from tam570_grader.grading.run import Seen, whole_run
 from tam570_grader.options import Commands, add_cluster, cores, natural, positive
 
@@ -88,7 +87,7 @@ def _what_is_kept(out: Path | None, seen: Seen) -> str:
     """What there is of a run that was ended."""
     if out is None:
         return "nothing is kept without --out"
-    return f"{len(seen.book or ())} results are kept in {out}; the same command goes on from there"
+    return f"{counted(len(seen.book or ()), 'result')} kept in {out}; the same command goes on from there"
 
 
 def _print_results(arguments: argparse.Namespace, course: Path, plan: Any, seen: Seen) -> int:
@@ -224,8 +223,7 @@ def warn_of_isolation() -> None:
     from tam570_grader.sandbox.launch import isolation
 
     if isolation() != "bubblewrap":
-        print(
-            "tam570-grader: warning: no bubblewrap, or no namespaces for it: submissions run as plain processes "
-            "with limits; they can read files and use the network",
-            file=sys.stderr,
+        warn(
+            "no bubblewrap, or no namespaces for it: submissions run as plain processes with limits, can read files "
+            "and use the network; install bubblewrap"
         )

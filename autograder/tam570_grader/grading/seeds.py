@@ -2,7 +2,6 @@
 
 import os
 import secrets
-import sys
 from pathlib import Path
 from typing import Any
 
@@ -50,4 +49,4 @@ def _make_key(path: Path) -> None:
         file = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
     with open(file, "w", encoding="ascii") as key:
         key.write(secrets.token_hex(32) + "\n")
-    print(f"tam570-grader: a new key: {path}; keep it, the scores hang on it", file=sys.stderr)
+    warn(f"a new key: {path}; keep it, the scores hang on it", "")

@@ -44,7 +44,7 @@ def test_renamed_code_is_found_and_right_work_of_ones_own_is_not(alike, course, 
     code, said = alike({**texts, **copies}, "--least", "0.9")
     first, *_, last = said.out.splitlines()
     assert code == 0 and re.match(rf"{SLUG}  ann \s*\d+ %  ben \s*\d+ %", first)
-    assert last.startswith("1 pairs of") and not re.search("own", said.out)
+    assert last.startswith("1 pair of") and not re.search("own", said.out)
 
 
 def test_what_was_handed_out_is_nobodys(alike, course):
@@ -67,4 +67,4 @@ def test_no_text_keeps_the_others_waiting(alike, solution_text, text):
     copies = {"ann": ("py", solution_text(SLUG)), "ben": ("py", solution_text(SLUG)), "eve": ("py", text)}
     before = time.process_time()
     _, said = alike(copies, "--least", "0.9")
-    assert "1 pairs of" in said.out and time.process_time() - before < 60
+    assert "1 pair of" in said.out and time.process_time() - before < 60
