@@ -1,6 +1,7 @@
 """The command that shows a failure whole: `tam570-grader replay RESULTS STUDENT CHECK [FILE]`."""
 
 import argparse
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
@@ -25,13 +26,14 @@ def add_replay(commands: Commands) -> argparse.ArgumentParser:
     add("student", metavar="STUDENT")
     add("check", metavar="CHECK", help="the name of the check, as in results.jsonl")
     add("file", nargs="?", type=Path, metavar="FILE", help="a module or notebook, to make the call again")
+    add("--assignment", metavar="SLUG", help="which one it is, where two have a check of this name")
     return replay
 
 
 def _replay(arguments: argparse.Namespace) -> int:
     from tam570_grader.pages.sentences import message
 
-    slug, why = _failure(arguments.results, arguments.student, arguments.check)
+    slug, why = _failure(arguments.results, arguments.student, arguments.check, arguments.assignment)
     print(f"{arguments.student}, {slug}, {arguments.check}: {message(why)}")
     if why.function:
         given: dict[str, Any] = why.at
@@ -43,20 +45,31 @@ def _replay(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def _failure(results: Path, student: str, check: str) -> tuple[str, Failure]:
-    """The assignment and the failure; UsageError where there is none."""
+def _failure(results: Path, student: str, check: str, given: str | None) -> tuple[str, Failure]:
+    """The assignment and the failure; UsageError where there is none, or more than one."""
     from tam570_grader.results import journal, records
+    from tam570_grader.writing.assignments import named
 
     lines = [line for line in journal.read(results) if line["student"] == student]
     if not lines:
         raise UsageError(f"{results} has no result of {student}")
+    slugs = named([given] if given else [], [line["assignment"] for line in lines])
     marks = [(one.assignment, mark) for one in map(records.read, lines) for mark in one.checks]
-    for slug, mark in marks:
-        if mark.name == check and mark.failure:
-            return slug, mark.failure
-    failed = ", ".join(mark.name for _, mark in marks if mark.failure) or "none"
+    marks = [(slug, mark) for slug, mark in marks if slug in slugs]
+    found = [(slug, mark.failure) for slug, mark in marks if mark.name == check and mark.failure]
+    if len(found) == 1:
+        return found[0]
+    if found:
+        both = _listed((slug, check) for slug, _ in found)
+        raise UsageError(f"{student} failed {check} of several assignments: {both}; choose one with --assignment")
+    failed = _listed((slug, mark.name) for slug, mark in marks if mark.failure) or "none"
     why = next((f" ({mark.outcome}: {mark.message})" for _, mark in marks if mark.name == check), "")
     raise UsageError(f"{student} did not fail {check}{why}; failed checks: {failed}")
+
+
+def _listed(failed: Iterable[tuple[str, str]]) -> str:
+    """Checks with the numbers of their assignments, `hw12: name`."""
+    return ", ".join(f"{slug.partition('_')[0]}: {name}" for slug, name in failed)
 
 
 def _again(arguments: argparse.Namespace, slug: str, why: Failure) -> str:

@@ -142,3 +142,32 @@ def test_a_file_that_is_not_there_is_bad_usage(results, course, capsys):
 def test_what_is_not_there_is_named(results, course, capsys, student, check, says):
     assert cli.main(["--root", str(course), "replay", str(results / "out"), student, check]) == 2
     assert says in capsys.readouterr().err
+
+
+@pytest.fixture(scope="module")
+def twice(results, tmp_path_factory):
+    """The same failures in two assignments."""
+    folder = tmp_path_factory.mktemp("twice")
+    line = json.loads((results / "out" / "results.jsonl").read_text())
+    both = [line, {**line, "assignment": "hw13_rolling_cylinder"}]
+    (folder / "results.jsonl").write_text("".join(json.dumps(one) + "\n" for one in both))
+    return str(folder)
+
+
+def test_a_check_that_two_assignments_have_is_asked_for(twice, course, capsys):
+    assert cli.main(["--root", str(course), "replay", twice, "ada", failed(course)]) == 2
+    said = capsys.readouterr().err
+    assert f"hw08: {failed(course)}, hw13: {failed(course)}; choose one with --assignment" in said
+    for slug in (SLUG, "hw13_rolling_cylinder"):
+        assert cli.main(["--root", str(course), "replay", twice, "ada", failed(course), "--assignment", slug[:4]]) == 0
+        assert f"ada, {slug}, " in capsys.readouterr().out
+
+
+def test_failed_checks_are_listed_with_their_assignments(twice, course, capsys):
+    assert cli.main(["--root", str(course), "replay", twice, "ada", "no_check"]) == 2
+    said = capsys.readouterr().err
+    assert f"hw08: {failed(course)}" in said and f"hw13: {failed(course)}" in said
+    assert cli.main(["--root", str(course), "replay", twice, "ada", "no_check", "--assignment", "hw08"]) == 2
+    assert "hw13" not in capsys.readouterr().err
+    assert cli.main(["--root", str(course), "replay", twice, "ada", "no_check", "--assignment", "hw01"]) == 2
+    assert "there is no assignment 'hw01'" in capsys.readouterr().err
