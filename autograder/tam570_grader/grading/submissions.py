@@ -123,11 +123,11 @@ def _is_plainly_in(path: str, tree: str) -> bool:
 
 
 def _of_file(path: Path, known: Sequence[str], given: str | None) -> Submission:
+    if path.suffix not in WORK:
+        raise BadPath(f"{path} is neither a Python module (.py) nor a notebook (.ipynb)")
     slug = given or slug_of(path.stem, known) or slug_of(path.absolute().parent.name, known)
     if slug is None:
         raise BadPath(f"cannot tell which assignment {path} is: name it with --assignment, one of {', '.join(known)}")
-    if path.suffix not in WORK:
-        raise BadPath(f"{path} is neither a Python module (.py) nor a notebook (.ipynb)")
     return Submission(_name(path.stem), slug, path, path.resolve())
 
 

@@ -216,13 +216,14 @@ def test_a_pipe_is_not_read(run, tree, scores):
         (["x.py", "--assignment", "hw99"], "no assignment 'hw99'"),
         (["hw08.py", "--only", "hw99"], "no assignment 'hw99'"),
         (["hw08.txt"], "neither a Python module"),
+        (["README.md"], "neither a Python module"),
         (["hw08.py", "--out", "hw08.txt"], "cannot write results"),
         (["hw08.py", "--root", "."], "does not hold a course"),
     ],
 )
 def test_bad_usage_is_said_and_exits_2(tmp_path, monkeypatch, capsys, arguments, says):
     monkeypatch.chdir(tmp_path)
-    for name in ("x.py", "hw08.py", "hw08.txt"):
+    for name in ("x.py", "hw08.py", "hw08.txt", "README.md"):
         (tmp_path / name).write_text(NOTHING)
     if arguments == ["."]:
         arguments = [str((tmp_path / "empty").mkdir() or tmp_path / "empty")]
