@@ -8,7 +8,7 @@ import os
 import re
 import secrets
 import stat
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -68,7 +68,6 @@ class ForgivingExporter(NotebookExporter):
     def __init__(self, **kwargs: Any) -> None:
         super().__init__(**kwargs)  # type: ignore[no-untyped-call]
         keep_gradebooks_open()
-        base.find_all_files = functools.partial(_own_files, self._submitted())  # it copies what is found
         self.parent.convert_notebooks = functools.partial(self._alone, self.parent.convert_notebooks)  # type: ignore[union-attr]
 
     def _alone(self, convert: Callable[[], None]) -> None:
@@ -79,6 +78,7 @@ class ForgivingExporter(NotebookExporter):
             for slug in slugs:
                 book = Book(Path(place.root) / grades.results / slug, self.log.warning)
                 self.books[slug] = still.enter_context(contextlib.closing(book))
+            still.enter_context(_copying(functools.partial(_own_files, self._submitted())))
             convert()
 
     def _submitted(self) -> str:
@@ -250,6 +250,16 @@ def _of_folder(folder: Path, slug: str, student: str) -> Submission:
         return replace(submissions([folder], [slug], slug)[0], student=student)
     except BadPath:  # several folders in it, say
         return of_folder(folder, student, slug, folder)
+
+
+@contextlib.contextmanager
+def _copying(found: Callable[..., list[str]]) -> Iterator[None]:
+    """nbgrader copies what `found` finds while this lasts; a server goes on afterwards, with other commands."""
+    earlier, base.find_all_files = base.find_all_files, found
+    try:
+        yield
+    finally:
+        base.find_all_files = earlier
 
 
 def _own_files(submitted: str, folder: str, exclude: Any = None) -> list[str]:
