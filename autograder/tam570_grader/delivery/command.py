@@ -44,17 +44,20 @@ def add_kit(commands: Commands) -> argparse.ArgumentParser:
 def add_course(commands: Commands) -> argparse.ArgumentParser:
     course = _told(commands, "course", "make a course that nbgrader runs")
     course.set_defaults(command=_course)
-    course.add_argument("folder", type=Path, metavar="DIR", help="where to put it")
-    course.add_argument("assignments", nargs="*", metavar="SLUG", help="default: all")
-    return course
+    return _folder_and_slugs(course)
 
 
 def add_gradescope(commands: Commands) -> argparse.ArgumentParser:
     gradescope = _told(commands, "gradescope", "make the archives that Gradescope runs")
     gradescope.set_defaults(command=_gradescope)
-    gradescope.add_argument("folder", type=Path, metavar="DIR", help="where to put them")
-    gradescope.add_argument("assignments", nargs="*", metavar="SLUG", help="default: all")
-    return gradescope
+    return _folder_and_slugs(gradescope)
+
+
+def _folder_and_slugs(parser: argparse.ArgumentParser) -> argparse.ArgumentParser:
+    """The parser, with what `_course_and_slugs` reads."""
+    parser.add_argument("folder", type=Path, metavar="DIR", help="where to write")
+    parser.add_argument("assignments", nargs="*", metavar="SLUG", help="default: all")
+    return parser
 
 
 def add_collect(commands: Commands) -> argparse.ArgumentParser:
@@ -169,21 +172,16 @@ def _gradescope(arguments: argparse.Namespace) -> int:
 
 
 def _collect(arguments: argparse.Namespace) -> int:
-    from tam570_grader.delivery import collect, own
-    from tam570_grader.writing import assignments
+    from tam570_grader.delivery import collect
 
-    known = assignments.slugs(own.course(arguments.root))
-    given = assignments.one_named(arguments.assignment, known)
+    _, known, given = _known_and_given(arguments)
     return collect.run(arguments.source, arguments.system, arguments.roster, arguments.to, known, given)
 
 
 def _export(arguments: argparse.Namespace) -> int:
-    from tam570_grader.delivery import export, own
-    from tam570_grader.writing import assignments
+    from tam570_grader.delivery import export
 
-    course = own.course(arguments.root)
-    known = assignments.slugs(course)
-    given = assignments.one_named(arguments.assignment, known)
+    course, known, given = _known_and_given(arguments)
     return export.run(course, arguments.paths, arguments.tool, arguments.to, known, given)
 
 
@@ -199,30 +197,26 @@ def _share(text: str) -> float:
 
 
 def _alike(arguments: argparse.Namespace) -> int:
-    from tam570_grader.delivery import alike, own
-    from tam570_grader.writing import assignments
+    from tam570_grader.delivery import alike
 
-    course = own.course(arguments.root)
-    known = assignments.slugs(course)
-    given = assignments.one_named(arguments.assignment, known)
+    course, known, given = _known_and_given(arguments)
     return alike.run(course, arguments.paths, known, given, arguments.least)
 
 
 def _lms(arguments: argparse.Namespace) -> int:
     from tam570_grader.delivery import handback, lms
 
-    if arguments.grades.is_dir():
-        arguments.grades /= "grades.csv"
+    grades = arguments.grades / "grades.csv" if arguments.grades.is_dir() else arguments.grades
     if bool(arguments.pages) != bool(arguments.collected):
         raise UsageError("--pages and --collected go together: the names of the download tell whose a page is")
     lacking = []
     if arguments.pages:
-        pages = arguments.grades.parent / "feedback"
+        pages = grades.parent / "feedback"
         lacking = handback.run(pages, arguments.collected, arguments.to, arguments.pages, arguments.only)
-    for line in filter(None, [*lacking, _terms(arguments.grades.parent, arguments.root)]):
+    for line in filter(None, [*lacking, _terms(grades.parent, arguments.root)]):
         warn(line)
-    given = arguments
-    code = lms.run(given.grades, given.to, given.roster, given.identity, given.out, given.only, given.absent)
+    fields = ("roster", "identity", "out", "only", "absent")
+    code = lms.run(grades, arguments.to, **{name: getattr(arguments, name) for name in fields})
     return code or bool(lacking)
 
 
@@ -248,6 +242,16 @@ def _report(arguments: argparse.Namespace) -> int:
         warn(line)
     everyone = partial(roster.students, arguments.roster) if arguments.roster else None
     return report.run(arguments.folder, own.course(arguments.root), everyone, arguments.out)
+
+
+def _known_and_given(arguments: argparse.Namespace) -> tuple[Path, list[str], str | None]:
+    """The checkout, its assignments, and the one that --assignment names."""
+    from tam570_grader.delivery import own
+    from tam570_grader.writing import assignments
+
+    course = own.course(arguments.root)
+    known = assignments.slugs(course)
+    return course, known, assignments.one_named(arguments.assignment, known)
 
 
 def _course_and_slugs(arguments: argparse.Namespace) -> tuple[Path, Path, list[str]]:
