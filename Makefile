@@ -33,6 +33,7 @@ verify: $(VENV)/ready bubblewrap
 	$(BIN)/python benchmarks/size.py
 	$(BIN)/python benchmarks/autograde.py
 	$(BIN)/python benchmarks/rotations.py
+	$(BIN)/python benchmarks/ensembles.py
 	$(BIN)/python benchmarks/show.py --peers
 	$(BIN)/python benchmarks/run_time_against_error.py
 	$(BIN)/python benchmarks/run_time_for_pages.py
