@@ -8,6 +8,7 @@ import doctest
 import importlib
 import os
 import re
+import runpy
 import subprocess
 import sys
 from dataclasses import dataclass
@@ -15,6 +16,7 @@ from pathlib import Path
 
 import pytest
 
+from tam570_grader import cli
 from tam570_grader.writing import assignments
 
 DOCS = assignments.find() / "docs"
@@ -113,6 +115,32 @@ def test_what_is_not_run_has_a_reason_and_is_little():
     every = [block for page in PAGES for block in texts(page)]
     left = [block for block in every if block.reason]
     assert all(len(block.reason.split()) > 3 for block in left) and len(left) < len(every) / 3
+
+
+def sample_class():
+    return list(runpy.run_path(str(DOCS.parent / "tests" / "sample_class.py"))["sample_class"]())
+
+
+def test_the_first_hour_counts_the_sample_class():
+    counts = re.findall(r"(\d+) submissions", (DOCS / "instructors" / "index.md").read_text())
+    assert len(counts) == 2 and {int(one) for one in counts} == {len(sample_class())}
+
+
+@pytest.mark.every
+def test_the_first_hour_shows_what_the_demo_prints(tmp_path, capsys):
+    shown = re.search(r"^```text\n(student .*?)^```$", (DOCS / "instructors" / "index.md").read_text(), re.M | re.S)[1]
+    rows = shown.splitlines()
+    wanted = {tuple(row.split()[:2]) for row in rows[1:]}
+    for student, slug, text in sample_class():
+        if (student, slug) in wanted:
+            (tmp_path / student / slug).mkdir(parents=True)
+            (tmp_path / student / slug / f"{slug}.py").write_text(text)
+    capsys.readouterr()
+    assert cli.main(["grade", str(tmp_path), "--seed", "570", "--call", "2", "--jobs", "1"]) == 0
+    printed = capsys.readouterr().out.splitlines()
+    for row, line in zip(rows, printed, strict=False):
+        one, other = (re.sub(r" +[\d.]+ s\b", "  time", each).rstrip() for each in (row, line))
+        assert other.startswith(one.removesuffix("…")), f"docs/instructors/index.md: the demo prints\n{printed[:6]}"
 
 
 @pytest.mark.parametrize("page", [page for page in PAGES if any(one.kind == "pycon" for one in texts(page))])
