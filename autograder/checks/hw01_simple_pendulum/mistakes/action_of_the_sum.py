@@ -1,4 +1,4 @@
-"""This is the integral of T + V.
+"""This is the integral of T + V; it should be the integral of T - V.
 
 fails: action_is_stationary_on_motions
 within: 1e-3

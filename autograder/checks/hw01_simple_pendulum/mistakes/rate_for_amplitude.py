@@ -1,4 +1,4 @@
-"""The sine has the amplitude omega0; it has omega0 over the frequency.
+"""The sine has the amplitude omega0; it should have omega0 over the frequency.
 
 fails: small_angle_solution_is_harmonic
 """
