@@ -1,4 +1,4 @@
-"""The vertical drag points down in the fall, too.
+"""The vertical drag points down in the fall, too; there it should point up.
 
 fails: rates_are_newtons
 """
