@@ -1,4 +1,4 @@
-"""The closed form takes a time before zero for one after it.
+"""The closed form treats a time before zero as one after it.
 
 fails: solution_holds_without_gravity_and_from_any_time
 """
