@@ -1,4 +1,4 @@
-"""The energy holds for a mass of 1 kg.
+"""The energy lacks the mass, which is right only for 1 kg.
 
 fails: energy_is_kinetic_and_potential
 """

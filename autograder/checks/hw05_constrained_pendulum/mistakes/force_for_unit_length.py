@@ -1,4 +1,4 @@
-"""The force holds for a length of 1 m.
+"""The force has the length where its square belongs, which is right only for 1 m.
 
 fails: force_keeps_the_particle_on_the_circle
 """

@@ -1,4 +1,4 @@
-"""The force holds for a mass of 1 kg.
+"""The force lacks the mass, which is right only for 1 kg.
 
 fails: force_keeps_the_particle_on_the_circle
 """

@@ -1,4 +1,4 @@
-"""There is no constraint force: the particle falls freely.
+"""The constraint force is left out: the particle falls freely.
 
 fails: acceleration_is_that_of_both_forces
 also: The centripetal term is missing

@@ -1,4 +1,4 @@
-"""Gravity pulls up.
+"""Gravity pulls up; it should pull down.
 
 fails: with_gravity_it_swings_or_goes_round
 """

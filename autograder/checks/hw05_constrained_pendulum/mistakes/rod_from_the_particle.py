@@ -1,4 +1,4 @@
-"""The rod goes from the particle to the hinge.
+"""The rod goes from the particle to the hinge; it should begin at the hinge.
 
 fails: wireframe_is_the_rod
 """

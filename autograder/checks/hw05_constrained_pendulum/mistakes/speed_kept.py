@@ -1,4 +1,4 @@
-"""The velocity is turned into the tangent with all of its speed.
+"""The velocity is turned into the tangent with all of its speed; its radial part must be lost.
 
 fails: consistent_state_is_the_nearest
 """
