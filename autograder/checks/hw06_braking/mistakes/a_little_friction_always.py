@@ -1,4 +1,4 @@
-"""Friction is never smaller than 0.05.
+"""A coefficient of friction below 0.05 is replaced by 0.05.
 
 fails: simulate_glides_without_friction, simulate_comes_to_rest_and_stays
 """

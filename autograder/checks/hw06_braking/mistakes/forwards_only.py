@@ -1,4 +1,4 @@
-"""The speed is treated as positive.
+"""The speed is treated as positive; the car may go in reverse.
 
 fails: equations_in_any_motion
 """

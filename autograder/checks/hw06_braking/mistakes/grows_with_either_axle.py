@@ -1,4 +1,4 @@
-"""The part of the speed is positive with either axle locked.
+"""The part by the speed is positive with either axle locked; with the front locked it should be negative.
 
 fails: growth_rate_is_the_slope
 """

@@ -1,4 +1,4 @@
-"""The heading is wrapped to half a turn to either side.
+"""The heading is wrapped to half a turn to either side; it should count whole turns.
 
 fails: simulate_brakes
 """
