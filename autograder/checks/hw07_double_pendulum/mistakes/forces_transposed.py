@@ -1,4 +1,4 @@
-"""Rows and columns are exchanged.
+"""Rows and columns of the hinge forces are exchanged.
 
 fails: hinge_forces_balance
 """

@@ -1,4 +1,4 @@
-"""The angular velocity of bar 2 is om1 + om2.
+"""The angular velocity of bar 2 is om1 + om2; it should be om2.
 
 fails: free_bars_accelerate_as_lagranges
 """

@@ -1,4 +1,4 @@
-"""Bars in line that turn alike move as one bar.
+"""Bars in line that turn alike are given one angular acceleration; they should have two.
 
 fails: accelerations_obey_the_equations
 """
