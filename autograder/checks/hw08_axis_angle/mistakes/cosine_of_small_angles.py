@@ -1,7 +1,7 @@
-"""cos th is 1 where the angle is less than a hundredth.
+"""cos th is set to 1 where the angle is less than a hundredth.
 
 fails: matrix_holds_for_every_angle
-also: The matrix of a small angle has cos th = 1
+also: For a small angle the matrix has 1 where cos th belongs
 names: the cosine is not
 """
 

@@ -1,4 +1,4 @@
-"""The matrix of a small angle has cos th = 1.
+"""For a small angle the matrix has 1 where cos th belongs.
 
 fails: matrix_holds_for_every_angle, vector_turns_by_every_angle
 within: 1e-14

@@ -1,4 +1,4 @@
-"""1 - cos th is half of th^2 where the angle is less than a hundredth.
+"""1 - cos th is set to half of th^2 where the angle is less than a hundredth.
 
 fails: matrix_holds_for_every_angle
 names: the cosine is not

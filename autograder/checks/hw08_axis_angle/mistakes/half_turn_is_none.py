@@ -1,4 +1,4 @@
-"""A half turn leaves everything as it is: its sine is zero, its cosine is not 1.
+"""A half turn is treated as no turn: its sine is zero, but its cosine is -1.
 
 fails: matrix_turns_by_the_right_hand_rule, vector_turns_by_the_right_hand_rule
 """

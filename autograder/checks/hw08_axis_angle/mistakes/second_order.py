@@ -1,4 +1,4 @@
-"""The sine has no term th^3/6 where the angle is less than a thousandth.
+"""The sine lacks the term th^3/6 where the angle is less than a thousandth.
 
 fails: matrix_holds_for_every_angle
 names: The cosine is right in it, the sine is not

@@ -1,4 +1,4 @@
-"""A short axis turns nothing; only its direction counts.
+"""A short axis is given no turn; only its direction should count.
 
 fails: matrix_depends_on_the_direction_alone, vector_turns_by_every_angle
 """

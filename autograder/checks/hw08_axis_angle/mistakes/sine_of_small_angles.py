@@ -1,4 +1,4 @@
-"""sin th is th where the angle is less than a hundredth.
+"""sin th is set to th where the angle is less than a hundredth.
 
 fails: matrix_holds_for_every_angle
 names: the sine is not
