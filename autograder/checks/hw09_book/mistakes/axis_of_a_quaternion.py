@@ -1,4 +1,4 @@
-"""The axis is the vector of the quaternion, whose length is sin(angle/2).
+"""The axis is the vector of the quaternion, whose length is sin(angle/2); it should be 1.
 
 fails: axis_and_angle_are_those_of_the_matrix
 """

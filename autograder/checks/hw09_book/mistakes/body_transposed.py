@@ -1,4 +1,4 @@
-"""The result is the transpose.
+"""The result of body_sequence is the transpose of the right one.
 
 fails: body_sequence_takes_the_axes_along
 also: Every turn goes the other way

@@ -1,7 +1,7 @@
 """The corners are multiplied by R from the right: turned the other way.
 
 fails: the_book_has_its_twelve_edges
-names: the edges are those of the transpose
+names: the edges belong to the transpose
 """
 
 _right_edges = book_edges

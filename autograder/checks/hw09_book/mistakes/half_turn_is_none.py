@@ -1,4 +1,4 @@
-"""A half turn leaves everything as it is: its sine is zero, its cosine is not 1.
+"""A half turn is treated as no turn: its sine is zero, but its cosine is -1.
 
 fails: turns_about_the_coordinate_axes, space_sequence_takes_the_first_step_first, body_sequence_takes_the_axes_along
 """

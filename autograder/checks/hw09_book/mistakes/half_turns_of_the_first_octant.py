@@ -1,4 +1,4 @@
-"""The axis of a half turn has no negative component.
+"""The axis of a half turn has lost its signs, so that no component is negative.
 
 fails: half_turns_have_their_axis
 """

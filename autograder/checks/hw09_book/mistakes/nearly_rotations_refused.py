@@ -1,4 +1,4 @@
-"""A matrix that is off by 1e-7 is refused.
+"""A matrix that is off by 1e-7 is refused; it should be accepted.
 
 fails: what_is_no_rotation_is_refused
 names: axis_angle raised ValueError for a matrix with R^T R off by 7e-7

@@ -1,7 +1,7 @@
 """The corners are at the whole size from the centre; they should be at half of it.
 
 fails: the_book_has_its_twelve_edges
-names: a box twice that size
+names: a box of twice that size
 """
 
 _right_edges = book_edges
