@@ -1,7 +1,7 @@
 """The box is turned by the transpose.
 
 fails: the_box_has_its_twelve_edges
-names: those of the transpose
+names: belong to the transpose
 """
 
 _right_wireframe = wireframe

@@ -1,4 +1,4 @@
-"""The rate is omega_3, which holds for a flat disk, C = 2 A.
+"""The rate is omega_3, which holds only for a flat disk, C = 2 A.
 
 fails: symmetric_bodies_precess
 """

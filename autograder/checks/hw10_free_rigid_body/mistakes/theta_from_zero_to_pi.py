@@ -1,4 +1,4 @@
-"""sin theta comes from a square root, which is right for theta from 0 to pi.
+"""sin theta comes from a square root, which is right only for theta from 0 to pi.
 
 fails: euler_rates_make_omega
 """

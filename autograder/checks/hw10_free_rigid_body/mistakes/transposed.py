@@ -1,4 +1,4 @@
-"""The matrices are transposed: they go from space to body.
+"""The matrices are transposed: they go from space to body, and should go from body to space.
 
 fails: attitude_follows_the_motion, rim_paths_are_drawn
 """
