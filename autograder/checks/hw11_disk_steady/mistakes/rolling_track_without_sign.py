@@ -1,4 +1,4 @@
-"""The radius has lost its sign.
+"""The track radius has lost its sign.
 
 fails: rolling_track_has_the_contact_at_rest
 """

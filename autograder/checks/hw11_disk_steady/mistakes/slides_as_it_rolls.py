@@ -1,4 +1,4 @@
-"""The spin is the spin of the rolling disk.
+"""The sliding disk is given the spin of the rolling one.
 
 fails: sliding_spin_balances_the_moments
 """
