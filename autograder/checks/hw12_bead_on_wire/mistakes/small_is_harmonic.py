@@ -1,4 +1,4 @@
-"""Close to the bottom this is the oscillation of small amplitudes.
+"""Close to the bottom the motion is the oscillation of small amplitudes.
 
 fails: simulate_needs_no_dense_times
 within: 1e-4
