@@ -1,4 +1,4 @@
-"""phi is wrapped to half a turn on either side.
+"""phi is wrapped to half a turn on either side; it should count whole turns.
 
 fails: simulate_rolls_and_rocks
 """

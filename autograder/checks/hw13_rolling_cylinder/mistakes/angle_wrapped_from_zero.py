@@ -1,4 +1,4 @@
-"""phi is wrapped to a turn from 0.
+"""phi is wrapped to a turn from 0; it should count whole turns.
 
 fails: simulate_rolls_and_rocks
 """

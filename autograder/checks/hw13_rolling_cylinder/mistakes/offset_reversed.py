@@ -1,4 +1,4 @@
-"""G is on the other side of the centre.
+"""G is put on the other side of the centre.
 
 fails: acceleration_balances_momentum_about_G, contact_force_accelerates_G, simulate_rolls_and_rocks
 """

@@ -1,4 +1,4 @@
-"""A start at rest, or nearly so, stays where it is.
+"""A start at rest, or nearly so, is left where it is.
 
 fails: simulate_needs_no_dense_times, simulate_rocks_at_the_linear_frequency
 """
