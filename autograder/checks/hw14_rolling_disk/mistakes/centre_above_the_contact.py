@@ -1,4 +1,4 @@
-"""The centre is straight above the contact.
+"""The centre is put straight above the contact; it should be at the contact + a e2.
 
 fails: matrix_state_places_the_disk, wireframe_is_a_rolling_disk
 """

@@ -1,4 +1,4 @@
-"""The contact moves as fast as the centre.
+"""The contact moves with the spin, as fast as the centre; it should move with roll'.
 
 fails: euler_equations_hold, euler_simulation_follows_the_motion
 """
