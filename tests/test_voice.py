@@ -23,7 +23,10 @@ TURNS = {
         r"^(Allowed|Asked|Given|Known|Left out|Missing|Needed|Right|Tested|Unknown|Wrong) (is|are|was|were)\b"
     ),
 }
-OF_HINTS = TURNS | {"alone for only": re.compile(r"\balone\b")}  # in problems and hints.toml: "Draw the mass alone"
+OF_HINTS = TURNS | {
+    "alone for only": re.compile(r"\balone\b"),  # elsewhere it may be right: "Draw the mass alone"
+    "wrong by a share of itself": re.compile(r"\d of itself\b"),
+}
 CODE = re.compile(r"^ {4}.*?$|^```.*?^```$|^% .*?$", re.MULTILINE | re.DOTALL)
 WORD = re.compile(r"[^\W\d_]{2,}|\b[aAI]\b")
 END = re.compile(r"(?<=[.?!])[)\"*]*\s+|(?<=\)) · ")
@@ -71,6 +74,14 @@ def sentences(source):
             yield from paragraphs(text)
 
 
+def drifts(source):
+    """What feedback says of the drift of each invariant."""
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, ast.Call) and ast.unparse(node.func) == "Invariant":
+            of, unit = map(spoken, node.args[:2])
+            yield f"{of} is wrong by 2 {unit}"
+
+
 def lines_of_checks(source):
     for node in ast.parse(source).body:
         if isinstance(node, ast.FunctionDef) and any("check" in ast.unparse(one) for one in node.decorator_list):
@@ -91,7 +102,8 @@ def hinted(slug):
     """(where, text) of what feedback says: hints, kinds of input, known mistakes."""
     folder = COURSE / "autograder" / "checks" / slug
     for file in sorted(folder.glob("*.py")):
-        yield from ((file.name, one) for one in sentences(file.read_text()))
+        source = file.read_text()
+        yield from ((file.name, one) for one in [*sentences(source), *drifts(source)])
     for file in sorted(folder.glob("mistakes/*.py")):
         yield file.stem, (ast.get_docstring(ast.parse(file.read_text())) or "").split("\n\n")[0]
 
