@@ -10,20 +10,10 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from tam570.notebooks import code_cells, compiled, run
+from tam570.bans import Unusable, must_be_allowed
+from tam570.notebooks import KERNEL, code_cells, compiled, run
 
-__all__ = [
-    "LIBRARIES",
-    "SUFFIXES",
-    "Forbidden",
-    "Trouble",
-    "Unusable",
-    "guarded_import",
-    "loaded",
-    "replaced",
-    "said",
-    "source_of",
-]
+__all__ = ["LIBRARIES", "SUFFIXES", "Trouble", "guarded_import", "loaded", "replaced", "said", "source_of"]
 
 SUFFIXES = (".py", ".ipynb")
 LIBRARIES = ("numpy", "scipy", "sympy", "mpmath", "matplotlib", "mpl_toolkits", "tam570")  # where work is graded
@@ -33,10 +23,6 @@ Builtins = Mapping[str, Any]
 
 class Trouble(Exception):
     """A file cannot be used; the message says why, in the student's terms."""
-
-
-class Forbidden(ImportError):
-    """Something off limits is imported or used."""
 
 
 def source_of(file: Path) -> bytes:
@@ -84,8 +70,7 @@ def _run(source: bytes, file: Path, module: ModuleType) -> list[str]:
 
 def _cells_run(source: bytes, module: ModuleType) -> Iterator[str]:
     """Run the cells one by one; the number and the error of each that raises."""
-    kernel = _Kernel()
-    module.__dict__["__builtins__"].update(display=kernel, get_ipython=kernel)
+    module.__dict__["__builtins__"].update(KERNEL)
     for number, text in code_cells(source):
         name = f"cell {number}"
         linecache.cache[name] = (len(text), None, [f"{line}\n" for line in text.split("\n")], name)
@@ -96,26 +81,13 @@ def _cells_run(source: bytes, module: ModuleType) -> Iterator[str]:
             yield f"{name}: {type(error).__name__}: {error}"
 
 
-class _Kernel:
-    """In place of a notebook's kernel: does nothing, whatever is asked of it."""
-
-    def __getattr__(self, attribute: str) -> Any:
-        return self
-
-    def __call__(self, *args: Any, **kwargs: Any) -> Any:
-        return self
-
-
 def guarded_import(slug: str, banned: Sequence[str], notebook: bool) -> Callable[..., ModuleType]:
     """An import that knows what is off limits and which libraries there are where work is graded."""
     known = {slug, *LIBRARIES, *sys.stdlib_module_names, *(OF_NOTEBOOKS if notebook else ())}
     import_module = builtins.__import__
 
     def guarded(name: str, globals: Any = None, locals: Any = None, fromlist: Any = (), level: int = 0) -> ModuleType:
-        wanted = {name, *(f"{name}.{item}" for item in fromlist or ())}
-        for one in banned:
-            if any(item == one or item.startswith(f"{one}.") for item in wanted):
-                raise Forbidden(f"{one} is off limits in this assignment, even where nothing uses it")
+        must_be_allowed(name, fromlist, banned)
         if (top := name.partition(".")[0]) not in known:
             message = f"{top} is not there where your work is graded: only Python itself, {', '.join(LIBRARIES)}"
             raise ModuleNotFoundError(message, name=top)
@@ -153,22 +125,6 @@ def _put(name: str, module: ModuleType | None) -> None:
         members.pop(last, None)
     else:
         sys.modules[name] = members[last] = module
-
-
-class Unusable(ModuleType):
-    """A module whose parts can be named and not used."""
-
-    def __init__(self, name: str, what: str) -> None:
-        super().__init__(name)
-        self._what = what
-
-    def __getattr__(self, attribute: str) -> Any:
-        if attribute.startswith("__"):
-            raise AttributeError(attribute)
-        return Unusable(self.__name__, self._what)
-
-    def __call__(self, *args: Any, **kwargs: Any) -> Any:
-        raise Forbidden(f"{self.__name__} is off limits {self._what}")
 
 
 def said(error: BaseException, file: str) -> str:

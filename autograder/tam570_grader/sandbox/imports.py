@@ -39,6 +39,7 @@ MESSAGES = [
         "list index out of range",
         "maximum recursion depth exceeded",
         "@ is off limits in this assignment",  # in our words
+        "@ is off limits in this assignment, even where nothing uses it",
         "attempted relative import with no known parent package",
     )
 ]

@@ -5,19 +5,18 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
-from types import FunctionType, ModuleType
+from types import ModuleType
 from typing import Any
 
+from tam570.bans import HERE, Change, Forbidden, Unusable, refused
 from tam570.checking.deadline import CALL, TooLong, limited
 from tam570.checking.mistakes import Mistake, tightened
 from tam570.checking.promises import Promise, complaint
-from tam570.loading import Forbidden, Unusable, replaced, said
+from tam570.loading import replaced, said
 
-__all__ = ["HERE", "Fault", "Functions", "Given"]
+__all__ = ["Fault", "Functions", "Given"]
 
 Given = tuple[tuple[Any, ...], dict[str, Any]]  # the arguments of a call
-Change = tuple[Any, str, Any]  # owner, attribute, value
-HERE = "in this assignment"
 
 
 class Fault(BaseException):
@@ -127,7 +126,7 @@ class Functions:
             if (origin := _origin(value)).startswith(banned)
         ]
         for one in (one for one in banned if hasattr(self.module, one)):
-            changes += _refused(self.module, one, Unusable(one, where))
+            changes += refused(self.module, one, Unusable(one, where))
         own = [(owner, attribute, getattr(owner, attribute)) for owner, attribute, _ in changes]
         with replaced(banned, where):
             for owner, attribute, value in changes:
@@ -137,18 +136,6 @@ class Functions:
             finally:
                 for owner, attribute, value in own:
                     setattr(owner, attribute, value)
-
-
-def _refused(module: ModuleType, name: str, unusable: Unusable) -> list[Change]:
-    """A plain function of the file has another body wherever it is kept; anything else is replaced in the module."""
-    function = getattr(module, name)
-    if not isinstance(function, FunctionType) or function.__globals__ is not vars(module) or function.__closure__:
-        return [(module, key, unusable) for key, value in vars(module).items() if value is function]
-    return [(function, "__code__", _refusing.__code__), (function, "__kwdefaults__", {"_unusable": unusable})]
-
-
-def _refusing(*args: Any, _unusable: Unusable, **kwargs: Any) -> Any:
-    _unusable()
 
 
 def _origin(value: Any) -> str:

@@ -12,10 +12,11 @@ from pathlib import Path
 
 import pytest
 
+from tam570.bans import HERE
 from tam570.checking import report
 from tam570.checking.changes import by_parameters, calls, keys
 from tam570.checking.deadline import CALL, TooLong, limited
-from tam570.checking.functions import HERE, Functions
+from tam570.checking.functions import Functions
 from tam570.checking.mistakes import Mistake, candidates
 from tam570.checking.outcomes import Outcomes
 from tam570.course import Stub, contract, folder, stubs

@@ -13,6 +13,7 @@ TOP = {
     "import scipy.spatial.transform": "Line 1: import scipy.spatial.transform\n",
     "from tam570.rotations import exp": "tam570.rotations is off limits",
     "from scipy.spatial import transform": "scipy.spatial.transform is off limits",
+    "import scipy.spatial; scipy.spatial.transform.Rotation.identity()": "scipy.spatial.transform is off limits",
     "import pandas as pd": "pandas is not there where your work is graded",
     "import my_helpers": "my_helpers is not there where your work is graded",
     "x = input('angle? ')": "EOFError",
@@ -38,6 +39,9 @@ CALLS = {
     "return rotation_matrix(axis, angle) @ r": "rotation_matrix is off limits in rotate",
     "return same(axis, angle) @ r\n\nsame = rotation_matrix": "rotation_matrix is off limits in rotate",
     "return same(axis, angle) @ r\n\nimport functools\nsame = rotation_matrix = functools.partial(rotation_matrix)": (
+        "rotation_matrix is off limits in rotate"
+    ),
+    "return kept[0](axis, angle) @ r\n\nkept = [rotation_matrix := (lambda f: lambda *of: f(*of))(rotation_matrix)]": (
         "rotation_matrix is off limits in rotate"
     ),
     "raise NotImplementedError": "rotate is not written yet.",
@@ -72,6 +76,12 @@ def test_the_grader_refuses_the_function(grade, solution_text, body):
         HW08, f"{solution_text(HW08)}\n\ndef rotate(r, axis, angle):\n    {body}\n", allowance=Allowance(call=2)
     )
     assert result.status == "graded" and 0 < result.score < 10
+
+
+def test_what_is_off_limits_may_be_named(hw08, tam570, grade):
+    """As long as nothing of it is called: here, and where work is graded."""
+    text = hw08(above="import scipy.spatial\nTurn = scipy.spatial.transform.Rotation\n").read_text()
+    assert tam570("check")[0] == 0 and grade(HW08, text).score == 10
 
 
 def test_a_missing_library_may_be_done_without(hw08, tam570):

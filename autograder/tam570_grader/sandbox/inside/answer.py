@@ -4,13 +4,14 @@ import builtins
 import random
 from collections.abc import Callable, Mapping
 from functools import partial
-from types import FunctionType, ModuleType
+from types import ModuleType
 from typing import Any
 
 import numpy as np
 import numpy.random  # before the fork: NumPy puts it off until it is used
 
-from .load import Refusal
+from tam570 import bans
+
 from .picture import picture
 from .wire import portable
 
@@ -22,7 +23,6 @@ LONGEST_TEXT = 300
 STAND_INS = 1.25, 3.75  # for symbols that may cancel
 CANCELLED = 1e-13  # of a value: it has 25 digits before it is rounded
 NOTHING = 1e-60  # what is zero comes out below it, of up to 100 digits
-Change = tuple[Any, str, Any]  # owner, attribute, value
 
 
 def answer(module: ModuleType, request: Mapping[str, Any], args: list[Any], kwargs: dict[str, Any]) -> dict[str, Any]:
@@ -53,38 +53,20 @@ def error_report(error: BaseException) -> dict[str, Any]:
     return {"kinds": [kind.__name__[:50] for kind in type(error).__mro__[:20]], "text": _text(error), "line": line}
 
 
-def _stood_in(module: ModuleType, request: Mapping[str, Any]) -> list[Change]:
+def _stood_in(module: ModuleType, request: Mapping[str, Any]) -> list[bans.Change]:
     """Put stand-ins for functions of the file, by whatever name they go: for refused ones, for one that is moved.
 
     The function that is called stays, though it be a refused one by another name. What was there, to be put back.
     """
     called = getattr(module, request["function"])
     refused = (name for name in request["refused"] if getattr(module, name, called) is not called)
-    changes = [change for name in refused for change in _refused(module, name)]
+    changes = [one for name in refused for one in bans.refused(module, name, bans.Unusable(name, "in this function"))]
     if name := request.get("moved"):
-        changes += _everywhere(module, function := getattr(module, name), partial(_moved, function))
+        changes += bans.everywhere(module, function := getattr(module, name), partial(_moved, function))
     own = [(owner, attribute, getattr(owner, attribute)) for owner, attribute, _ in changes]
     for owner, attribute, value in changes:
         setattr(owner, attribute, value)
     return own
-
-
-def _refused(module: ModuleType, name: str) -> list[Change]:
-    """A plain function has another body wherever it is kept; anything else is replaced in the module."""
-    function, refusal = getattr(module, name), Refusal(name)
-    if not isinstance(function, FunctionType) or function.__globals__ is not vars(module):
-        return _everywhere(module, function, refusal)
-    code = _refusing.__code__.replace(co_freevars=function.__code__.co_freevars)  # as many as its closure has
-    return [(function, "__code__", code), (function, "__kwdefaults__", {"_refusal": refusal})]
-
-
-def _refusing(*args: Any, _refusal: Refusal, **kwargs: Any) -> Any:
-    _refusal()
-
-
-def _everywhere(module: ModuleType, function: Any, stand_in: Any) -> list[Change]:
-    """By every name that the function has in the module."""
-    return [(module, name, stand_in) for name, one in vars(module).items() if one is function]
 
 
 def _moved(function: Callable[..., Any], *args: Any, **kwargs: Any) -> Any:

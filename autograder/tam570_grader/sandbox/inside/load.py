@@ -7,17 +7,13 @@ from collections.abc import Callable, Sequence
 from types import CodeType, ModuleType
 from typing import Any
 
-from tam570 import notebooks
+from tam570 import bans, notebooks
 
-__all__ = ["Forbidden", "Refusal", "compiled", "load"]
+__all__ = ["compiled", "load"]
 
 Piece = tuple[str, CodeType]  # a notebook's cell, or "", and its code
 
 __builtins__ = dict(vars(builtins))  # type: ignore[assignment]  # as in wire
-
-
-class Forbidden(ImportError):
-    """An import, or a use, of what the assignment puts off limits."""
 
 
 def compiled(source: bytes, name: str, *, notebook: bool, piecewise: bool) -> tuple[list[Piece], list[str]]:
@@ -42,13 +38,12 @@ def load(
                  is left out, and has run where they may be called
     """
     module = ModuleType(name)
-    module.__dict__["__builtins__"] = {**_builtins_without(forbidden), **(KERNEL if notebook else {})}
+    module.__dict__["__builtins__"] = {**_builtins_without(forbidden), **(notebooks.KERNEL if notebook else {})}
     module.__dict__["__file__"] = f"{name}.py"
     sys.modules[name] = module
-    for banned in forbidden:
-        _replace(banned, _Unusable(banned))
-    for refused in uncallable:
-        _replace(refused, _Uncallable(refused))
+    for where, names in ((bans.HERE, forbidden), ("in this function", uncallable)):
+        for banned in names:
+            _replace(banned, bans.Unusable(banned, where))
     skipped = []
     for cell, code in pieces:
         try:
@@ -92,10 +87,7 @@ def _builtins_without(forbidden: Sequence[str]) -> dict[str, Any]:
     def guarded_import(
         name: str, globals: Any = None, locals: Any = None, fromlist: Any = (), level: int = 0
     ) -> ModuleType:
-        wanted = {name, *(f"{name}.{item}" for item in fromlist or ())}
-        for banned in forbidden:
-            if any(item == banned or item.startswith(banned + ".") for item in wanted):
-                raise Forbidden(f"{banned} is off limits in this assignment")
+        bans.must_be_allowed(name, fromlist, forbidden)
         try:
             return import_module(name, globals, locals, fromlist, level)
         finally:
@@ -104,20 +96,6 @@ def _builtins_without(forbidden: Sequence[str]) -> dict[str, Any]:
     return {**vars(builtins), "__import__": guarded_import}
 
 
-class _Kernel:
-    """In place of a notebook's kernel: does nothing, whatever is asked of it."""
-
-    def __getattr__(self, attribute: str) -> Any:
-        return self
-
-    def __call__(self, *args: Any, **kwargs: Any) -> Any:
-        return self
-
-    def __contains__(self, item: Any) -> bool:
-        return False
-
-
-KERNEL = {"display": lambda *shown, **how: None, "get_ipython": _Kernel()}  # built in, in a notebook
 _tamed: set[str] = set()
 
 
@@ -129,7 +107,7 @@ def _without_windows() -> None:
             _tamed.add(name)
             setattr(module, attribute, _with_agg(getattr(module, attribute)))
     if "IPython" in sys.modules:
-        sys.modules["IPython"].get_ipython = KERNEL["get_ipython"]  # type: ignore[attr-defined]
+        sys.modules["IPython"].get_ipython = notebooks.KERNEL["get_ipython"]  # type: ignore[attr-defined]
 
 
 def _with_agg(choose: Callable[[str], Any]) -> Callable[..., None]:
@@ -147,34 +125,3 @@ def _replace(name: str, module: ModuleType) -> None:
     parent, _, last = name.rpartition(".")
     if parent in sys.modules:
         setattr(sys.modules[parent], last, module)
-
-
-class _Unusable(ModuleType):
-    """A module of which nothing can be had."""
-
-    def __getattr__(self, attribute: str) -> Any:
-        if attribute.startswith("__"):
-            raise AttributeError(attribute)
-        raise Forbidden(f"{self.__name__} is off limits in this assignment")
-
-
-class _Uncallable(ModuleType):
-    """A module whose parts can be named but not called."""
-
-    def __getattr__(self, attribute: str) -> Any:
-        if attribute.startswith("__"):
-            raise AttributeError(attribute)
-        return Refusal(self.__name__)
-
-
-class Refusal:
-    """Stands where a function, or one of a module, stood that may not be called; `name` is what is off limits."""
-
-    def __init__(self, name: str) -> None:
-        self.__name__ = name
-
-    def __call__(self, *args: Any, **kwargs: Any) -> Any:
-        raise Forbidden(f"{self.__name__} is off limits in this function")
-
-    def __getattr__(self, attribute: str) -> Any:
-        return self

@@ -1,0 +1,65 @@
+"""What an assignment puts off limits, refused in the same way by `tam570 check` and where work is graded."""
+
+import builtins
+from collections.abc import Iterable
+from types import FunctionType, ModuleType
+from typing import Any
+
+__all__ = ["HERE", "Change", "Forbidden", "Unusable", "everywhere", "must_be_allowed", "refused"]
+
+__builtins__ = dict(vars(builtins))  # type: ignore[assignment]  # a submission may change the built-in functions
+
+HERE = "in this assignment"
+Change = tuple[Any, str, Any]  # owner, attribute, value
+
+
+class Forbidden(ImportError):
+    """An import, or a use, of what the assignment puts off limits."""
+
+
+def must_be_allowed(name: str, parts: Iterable[str] | None, banned: Iterable[str]) -> None:
+    """Forbidden where `import name`, or `from name import parts`, takes something of a banned module."""
+    wanted = {name, *(f"{name}.{part}" for part in parts or ())}
+    for one in banned:
+        if any(item == one or item.startswith(f"{one}.") for item in wanted):
+            raise Forbidden(f"{one} is off limits {HERE}, even where nothing uses it")
+
+
+class Unusable(ModuleType):
+    """Stands in the place of a module, or of a function; its parts can be named and not called.
+
+    what : where it is off limits
+    """
+
+    def __init__(self, name: str, what: str) -> None:
+        super().__init__(name)
+        self._what = what
+
+    def __getattr__(self, attribute: str) -> Any:
+        if attribute.startswith("__"):
+            raise AttributeError(attribute)
+        return Unusable(self.__name__, self._what)
+
+    def __call__(self, *args: Any, **kwargs: Any) -> Any:
+        raise Forbidden(f"{self.__name__} is off limits {self._what}")
+
+
+def refused(module: ModuleType, name: str, unusable: Unusable) -> list[Change]:
+    """What to change so that a function of a file cannot be called.
+
+    A plain function gets another body, wherever it is kept; anything else is replaced in the module.
+    """
+    function = getattr(module, name)
+    if not isinstance(function, FunctionType) or function.__globals__ is not vars(module):
+        return everywhere(module, function, unusable)
+    code = _refusing.__code__.replace(co_freevars=function.__code__.co_freevars)  # as many as its closure has
+    return [(function, "__code__", code), (function, "__kwdefaults__", {"_unusable": unusable})]
+
+
+def _refusing(*args: Any, _unusable: Unusable, **kwargs: Any) -> Any:
+    _unusable()
+
+
+def everywhere(module: ModuleType, function: Any, stand_in: Any) -> list[Change]:
+    """The function replaced by every name that it has in the module."""
+    return [(module, name, stand_in) for name, one in vars(module).items() if one is function]
