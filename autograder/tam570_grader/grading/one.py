@@ -110,7 +110,7 @@ def _mark(
     """Run one check, unless one that it builds on is wrong or missing."""
     missing = [other.name for other in check.after if not marks[other.name].opens]
     if missing:
-        return _not_run(check, f"Not run before this passes: {_line(assignment.checks, missing[0])}")
+        return _not_run(check, f"Not run: it needs “{_line(assignment.checks, missing[0])}” to pass first.")
     student.calls.clear()
     draw = generator(seed, assignment.slug, check)
     try:
@@ -118,7 +118,7 @@ def _mark(
         with np.errstate(all="ignore"), trial(recorder=listens, aside=student.aside):
             check.judge(student, draw)
     except NotWritten as unwritten:
-        return _not_run(check, f"{unwritten} is not written yet.", unwritten=str(unwritten))
+        return _not_run(check, student.lacks(str(unwritten)), unwritten=str(unwritten))
     except Failed as failed:
         suspect, fault = _suspect(check, student, assignment) if asked.naming else (None, "")
         return _failed(check, failed, suspect, fault)
@@ -164,7 +164,7 @@ def _grader_error(check: Check, error: str) -> Mark:
 
 
 def _line(checks: Sequence[Check], name: str) -> str:
-    return next(check.line for check in checks if check.name == name)
+    return next(check.line.rstrip(".") for check in checks if check.name == name)
 
 
 def _skipped(cells: Sequence[str]) -> str:

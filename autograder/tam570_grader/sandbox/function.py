@@ -8,7 +8,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from tam570_grader.sandbox.imports import python_class, started
+from tam570_grader.sandbox.imports import misdeed, misused, python_class
 from tam570_grader.sandbox.replies import error_of, strings
 from tam570_grader.writing.check import Given, given
 from tam570_grader.writing.drawings import readable
@@ -19,6 +19,7 @@ __all__ = ["Call", "Function"]
 
 REAL = 1e-12  # of a value: complex exponentials that make it real leave 1e-25 of imaginary part
 ROUNDING = 1e-25  # where they cancel to zero
+MISCALLED = re.compile(r"\S+\(\) (?:got|missing|takes) .*")  # what Python says of arguments that do not fit
 STRANGER = r"[A-Za-z]{1,12}(_?[A-Za-z0-9]{1,3})?(\(t\))?"  # a symbol's name, theta_1, or a function of time, theta(t)
 
 
@@ -41,6 +42,8 @@ class Asked(Protocol):
     def text(self) -> str: ...
 
     def replies(self, name: str, calls: Sequence[Given], mode: str = "value", **more: Any) -> list[dict[str, Any]]: ...
+
+    def takes(self, name: str) -> str: ...
 
     def aside(self) -> AbstractContextManager[None]: ...
 
@@ -146,7 +149,8 @@ class Function:
         except Failed as failed:
             why, worked = failed.failure, promised or self.name in self.student.worked
             kind = call.kind if worked else ""
-            failed.failure = replace(why, says=why.says + promised, function=self.name, kind=kind, at=call)
+            instead = promised if why.says.startswith(f"{self.name} raised ") else ""
+            failed.failure = replace(why, says=why.says + instead, function=self.name, kind=kind, at=call)
             raise
 
     def _must_be_fair(self, reply: dict[str, Any]) -> None:
@@ -155,9 +159,17 @@ class Function:
             error = error_of(reply)
             if error["kinds"][:1] == ["NotImplementedError"]:
                 raise NotWritten(self.name)
-            raise Failed(_raised(self.name, error, self.banned), actual=error["text"])
+            raise Failed(f"{self.name} {self._did(error)}", actual=error["text"])
         if reply.get("changed"):
             raise Failed(f"{self.name} changes the arrays it is given", hint="Work on copies")
+
+    def _did(self, error: dict[str, Any]) -> str:
+        """What it did instead of returning, in words of ours."""
+        if "Forbidden" in error["kinds"]:
+            return f"uses what is off limits in it: {misused(error, self.banned)}"
+        if error["kinds"][:1] == ["TypeError"] and error["line"] == 0 and MISCALLED.fullmatch(error["text"]):
+            return f"must take ({self.student.takes(self.name)})"
+        return misdeed(error["text"]) or f"raised {python_class(error)}"
 
 
 def _strangers(value: Any, source: str) -> str:
@@ -168,10 +180,3 @@ def _strangers(value: Any, source: str) -> str:
     names: Any = value.get("strangers") if isinstance(value, dict) else None
     words = [name for name in names if re.fullmatch(STRANGER, name)] if strings(names) else []
     return next((name for name in words if re.search(rf"\b{name.removesuffix('(t)')}\b", source)), "")
-
-
-def _raised(name: str, error: dict[str, Any], banned: Sequence[str]) -> str:
-    if "Forbidden" in error["kinds"]:
-        named = [one for one in banned if error["text"].startswith(f"{one} ")]  # the text is the submission's
-        return f"{name} uses what is off limits in it: {' or '.join(named or banned)}"
-    return f"{name} {started(error['text']) or 'raised ' + python_class(error)}"

@@ -14,7 +14,7 @@ from tam570_grader.errors import Over, printable
 from tam570_grader.sandbox.replies import error_of
 from tam570_grader.writing.assignments import Assignment
 
-__all__ = ["NotLoaded", "not_compiled", "not_imported", "python_class", "skipped_cells", "started"]
+__all__ = ["NotLoaded", "misdeed", "misused", "not_compiled", "not_imported", "python_class", "skipped_cells"]
 
 MOST_CELLS = 3  # of a notebook, that are named: which ones is the notebook's to choose
 LONGEST_WORD = 60
@@ -43,11 +43,14 @@ MESSAGES = [
         "attempted relative import with no known parent package",
     )
 ]
-# what the kernel says of threads, of processes, and of the semaphores between these: a file has its name behind it
-STARTING = re.compile(
-    r"can't start new thread|\[Errno 11\] Resource temporarily unavailable.*|\[Errno 30\] Read-only file system"
-)
-ALONE = "starts a thread or a process{}, which is off limits"
+# what the system says of threads, processes, the semaphores between these (a file has its name behind it), and input
+MISDEEDS = {
+    r"can't start new thread|\[Errno 11\] Resource temporarily unavailable.*|\[Errno 30\] Read-only file system": (
+        "starts a thread or a process{}, which is off limits"
+    ),
+    "EOF when reading a line": "calls input(){}, which gets nothing here",
+}
+PLACE = re.compile(r" \([^()]*, line \d+\)$")  # behind a SyntaxError, whose line is told before it
 FROM_FILE = re.compile(rf"(cannot import name '{WORD}' from '{WORD}') \(.*\)")  # the place is the worker's own
 SKIPPED = re.compile(r"cell ([1-9]\d{0,2}): (\w+)(?:: (.*))?", re.DOTALL)
 
@@ -62,28 +65,32 @@ class NotLoaded(Over):
 
 def not_compiled(reply: Any) -> NotLoaded:
     """Why the text is no Python, in the interpreter's words: nothing of it has run."""
-    return _unreadable(error_of(reply), error_of(reply)["text"])
+    return _unreadable(error_of(reply), PLACE.sub("", error_of(reply)["text"]))
 
 
 def not_imported(reply: Any, text: bytes, assignment: Assignment, again: bool) -> NotLoaded:
     """Why it could not be imported; of one that is tried again, not even that."""
     error = error_of(reply)
     if again:
-        return NotLoaded("unreadable", "the file could not be imported a second time: what does it do at import?")
-    if "Forbidden" in error["kinds"]:
-        banned = ", ".join(assignment.off_limits.get("*", ()))
-        return NotLoaded("unreadable", f"the file imports what is off limits in this assignment: {banned}")
-    if "SystemExit" in error["kinds"]:
-        return NotLoaded("crashed", "importing the file ends its process")
+        return NotLoaded("unreadable", "Your file could not be imported a second time: what does it do at import?")
+    if "Forbidden" in error["kinds"] and (used := misused(error, assignment.off_limits.get("*", ()))):
+        return NotLoaded("unreadable", f"Your file was not graded: it imports {used}, which is off limits")
     line = error["line"] if error["line"] <= text.count(b"\n") + 1 else 0
-    if starting := started(error["text"], line):
-        return NotLoaded("unreadable", f"the file {starting}")
+    if "SystemExit" in error["kinds"]:
+        return NotLoaded("crashed", f"Your file ends itself{_at(line)}: is there a sys.exit() outside its functions?")
+    if done := misdeed(error["text"], line):
+        return NotLoaded("unreadable", f"Your file {done}")
     return _unreadable({**error, "line": line}, _own_words(error["text"], text))
 
 
-def started(said: str, line: int = 0) -> str:
-    """What was done, where these words of an exception are the kernel's about threads and processes; else ""."""
-    return ALONE.format(_at(line)) if STARTING.fullmatch(said) else ""
+def misused(error: dict[str, Any], names: Sequence[str]) -> str:
+    """What was used of the names that are off limits; all where that is not told: the text is the submission's."""
+    return " or ".join([one for one in names if error["text"].startswith(f"{one} ")] or names)
+
+
+def misdeed(said: str, line: int = 0) -> str:
+    """What was done, where these words of an exception are the system's about what nobody may do; else ""."""
+    return next((done.format(_at(line)) for words, done in MISDEEDS.items() if re.fullmatch(words, said)), "")
 
 
 def python_class(error: dict[str, Any]) -> str:
@@ -98,13 +105,13 @@ def skipped_cells(told: Sequence[str], text: bytes) -> list[str]:
 
 
 def _skipped(match: re.Match[str], text: bytes) -> str:
-    words = started((match[3] or "").strip()) or _own_words(match[3] or "", text)
+    words = misdeed((match[3] or "").strip()) or _own_words(match[3] or "", text)
     return f"cell {match[1]}: {match[2]}{': ' + words if words else ''}"
 
 
 def _unreadable(error: dict[str, Any], words: str) -> NotLoaded:
     where = python_class(error) + _at(error["line"])
-    return NotLoaded("unreadable", ": ".join(filter(None, ("the file cannot be imported", where, words))))
+    return NotLoaded("unreadable", ": ".join(filter(None, ("Your file cannot be imported", where, words))))
 
 
 def _at(line: int) -> str:

@@ -72,6 +72,14 @@ class Student:
         """CPU seconds that the submission has used."""
         return self._cpu + sum(cell.seconds() for cell in self._cells.values())
 
+    def lacks(self, name: str) -> str:
+        """What is missing of a function that is not there, or is still the stub."""
+        return f"{name} is not written yet." if name in self._defined else f"Your file has no function {name}."
+
+    def takes(self, name: str) -> str:
+        """The arguments of a function, by the contract."""
+        return self._assignment.signature(name)
+
     def leave(self) -> None:
         """End the submission's processes."""
         for cell in self._cells.values():
@@ -171,10 +179,11 @@ class Student:
             compiled = cell.receive(imported)
             reply = compiled if "error" in compiled else cell.receive(imported)
         except CellTimeout:
-            slow = "importing the file took too long: does it run a simulation by itself?"
+            slow = "Your file takes too long to import: does it run a simulation by itself?"
             raise NotLoaded("timeout", slow) from None
         except CellLost:
-            raise NotLoaded("crashed", "importing the file ended its process") from None
+            how = "it exited, crashed or used too much memory"
+            raise NotLoaded("crashed", f"Your file ended its process at import: {how}") from None
         text, again = self._source.text, self._informed
         if "error" in compiled:
             raise not_compiled(compiled)

@@ -62,6 +62,11 @@ class Assignment:
         """The text of the reference solution."""
         return (self.root / "solutions" / f"{self.slug}.py").read_text(encoding="utf-8")
 
+    def signature(self, name: str) -> str:
+        """What a function of the contract must take: `amplitude, *, length, gravity`."""
+        defined = (node for node in ast.parse(self.solution).body if isinstance(node, ast.FunctionDef))
+        return next((ast.unparse(node.args) for node in defined if node.name == name), "...")
+
     def suspects(self, check: str) -> list[Mistake]:
         """The mistakes that a student who fails this check may have made."""
         known = mistakes(checks_folder(self.root, self.slug) / "mistakes")

@@ -175,7 +175,7 @@ NO_POINTS = {
     forged: "skew is not written yet",
     no_module: f"There is no {ONE}.py in the folder",
     renamed: f"There is no {ONE}.py in the folder",
-    no_syntax: "Your file could not be read",
+    no_syntax: "Your file cannot be imported: SyntaxError",
     folders: f"There is no {ONE}.py in the folder",
     linked: "is a link to a place outside of the submission",
     neighbour: "is a link to a place outside of the submission",

@@ -53,14 +53,29 @@ def notebook(*cells):
         ("import nunpy", "ModuleNotFoundError at line 1: No module named 'nunpy'"),
         ("from numpy import ar_ray", "ImportError at line 1: cannot import name 'ar_ray' from 'numpy'"),
         ("\nx = whatever", "NameError at line 2: name 'whatever' is not defined"),
-        ("def skew(v:", "SyntaxError at line 1: '(' was never closed (hw08_axis_angle.py, line 1)"),
+        ("def skew(v:", "SyntaxError at line 1: '(' was never closed"),
         ("raise ValueError('1.25')", "ValueError at line 1"),
         ("raise NameError(f\"name '{'wha' + 'tever'}' is not defined\")", "NameError at line 1"),
         ("class Odd(Exception): pass\nraise Odd('1.25')", "Exception at line 2"),
     ],
 )
 def test_of_an_import_the_interpreters_own_words_are_told_about_words_of_the_file(grade, text, says):
-    assert grade(SLUG, text).message == f"the file cannot be imported: {says}"
+    assert grade(SLUG, text).message == f"Your file cannot be imported: {says}"
+
+
+@pytest.mark.parametrize(
+    ("text", "status", "says"),
+    [
+        ("import tam570.rotations", "unreadable", "was not graded: it imports tam570.rotations, which is off limits"),
+        ("class Forbidden(Exception): pass\nraise Forbidden('1.25')", "unreadable", "was not graded: it imports {all}"),
+        ("x = 1\nimport sys\nsys.exit()", "crashed", "ends itself at line 3: is there a sys.exit()"),
+        ("\nx = input('x')", "unreadable", "calls input() at line 2, which gets nothing here"),
+        ("import os\nos._exit(0)", "crashed", "ended its process at import: it exited, crashed or"),
+    ],
+)
+def test_what_a_file_does_at_import_is_named(grade, course, text, status, says):
+    found, off_limits = grade(SLUG, text), assignments.assignment(course, SLUG).off_limits["*"]
+    assert found.status == status and found.message.startswith("Your file " + says.format(all=" or ".join(off_limits)))
 
 
 @pytest.mark.skipif(isolation() != "bubblewrap", reason="elsewhere they may be started")
@@ -77,7 +92,7 @@ def test_of_an_import_the_interpreters_own_words_are_told_about_words_of_the_fil
 )
 def test_who_starts_a_thread_or_a_process_is_told_that_it_may_not(grade, run, tmp_path, solution_text, starting):
     off_limits = "starts a thread or a process{}, which is off limits"
-    assert grade(SLUG, starting).message == f"the file {off_limits.format(' at line 2')}"
+    assert grade(SLUG, starting).message == f"Your file {off_limits.format(' at line 2')}"
     called = "\n    ".join(starting.replace("*", "ThreadPoolExecutor", 1).split("\n"))
     said = [mark.message for mark in grade(SLUG, f"{solution_text(SLUG)}\ndef skew(v):\n    {called}").checks]
     assert any(one.startswith(f"skew {off_limits.format('')}") for one in said), said

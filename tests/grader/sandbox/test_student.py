@@ -161,6 +161,38 @@ def test_another_exception_than_the_promised_one_is_named_beside_it(grade, solut
     assert said and all(" raised KeyError, not ValueError for " in one for one in said), said
 
 
+@pytest.mark.parametrize(
+    ("header", "body", "says"),
+    [
+        ("rotate(axis, angle)", "return axis", "rotate must take (r, axis, angle)"),
+        ("rotate(r, axis, angle, secret_of_8_41)", "return r", "rotate must take (r, axis, angle)"),
+        ("rotate(r, axis, angle)", "return len(3)", "rotate raised TypeError"),
+        ("rotate(r, axis, angle)", "return skew()", "rotate raised TypeError"),
+        ("rotate(r, axis, angle)", "return input()", "rotate calls input(), which gets nothing here"),
+    ],
+)
+def test_arguments_that_do_not_fit_are_told_in_words_of_the_contract(grade, solution_text, header, body, says):
+    outcome = grade(SLUG, f"{solution_text(SLUG)}\ndef {header}:\n    {body}\n")
+    failed = [mark.message for mark in outcome.checks if mark.outcome == "failed"]
+    assert failed and all(one.startswith((f"{says}.", f"{says} for ", f"{says}, not")) for one in failed), failed
+    assert not any("secret" in one or "angle), not" in one for one in failed), failed
+
+
+def test_a_function_of_another_name_is_not_there_and_a_stub_is_not_written(grade):
+    marks = {mark.unwritten: mark.message for mark in grade(SLUG, "def Skew(v): return v").checks if mark.unwritten}
+    assert marks["skew"] == "Your file has no function skew."
+    (mark, *_) = grade(SLUG, "def skew(v):\n    raise NotImplementedError").checks
+    assert mark.message == "skew is not written yet."
+
+
+def test_what_was_not_run_names_the_line_that_it_needs(grade, course):
+    marks = {mark.name: mark for mark in grade("hw01_simple_pendulum", "def period(*_, **__): return 0.0").checks}
+    for check in assignments.assignment(course, "hw01_simple_pendulum").checks:
+        if check.after and not marks[check.name].unwritten:
+            needed = next(one.line.rstrip(".") for one in check.after if not marks[one.name].opens)
+            assert marks[check.name].message == f"Not run: it needs “{needed}” to pass first."
+
+
 def test_when_code_is_compiled_does_not_depend_on_the_clock(grade, solution_text):
     """In a submission's process "auto" stays in Python: last digits, kept in results, differ from compiled ones."""
     honest = "\n_skew = skew\ndef skew(v):\n    return np.zeros((3, 3)) if available() else _skew(v)\n"
