@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from tam570_grader.errors import UsageError
-from tam570_grader.pages.sentences import message, typeset
+from tam570_grader.pages.sentences import capitalized, known_mistake, message, points, sentence, typeset
 from tam570_grader.results import by_hand
 from tam570_grader.results.by_hand import Hand, Settled
 from tam570_grader.results.journal import Key, Record, Results
@@ -42,6 +42,7 @@ NOTES = {
     "timeout": "Your file took too long.",
     "crashed": "Your file ended the process.",
 }
+STOPPED = ("unreadable", "timeout", "crashed")  # what the visible tests would have told
 
 
 Progress = Callable[[Iterable[Any], int], Iterable[Any]]
@@ -85,23 +86,22 @@ def page(result: Result, sheet: Sheet, settled: Settled | None = None) -> str:
     settled = settled or Settled(result.score, result.max_score)
     parts = [_part(letter, result, sheet) for letter in sorted({mark.part for mark in result.checks})]
     marks = [mark for part in parts for mark in part["marks"]]
-    wrong = [mark for mark in marks if mark["outcome"] == "failed"]
-    told = [mark for mark in wrong if mark["suspect"]]
+    wrong = [mark for mark in marks if mark["stuck"]]
+    wrong.sort(key=lambda mark: (not mark["suspect"], mark["outcome"] != "failed"))
     text: str = template("feedback.html").render(
         slug=result.assignment,
         student=result.student,
         title=sheet.title,
-        score=_points(settled.score),
-        max_score=_points(settled.most),
+        score=points(settled.score, settled.most),
+        max_score=points(settled.most),
         note=overall(result.status, result.message),
+        again=result.status in STOPPED,
         parts=parts,
         manual=[
-            (letter, _points(points), what)
-            for letter, (points, what) in sheet.manual.items()
-            if letter not in settled.parts
+            (letter, points(most), what) for letter, (most, what) in sheet.manual.items() if letter not in settled.parts
         ],
         by_hand=settled.says,
-        first=next(iter([*told, *wrong]), None),
+        first=next(iter(wrong), None),
         among=_among(result),
     )
     return text
@@ -109,7 +109,7 @@ def page(result: Result, sheet: Sheet, settled: Settled | None = None) -> str:
 
 def overall(status: str, message: str) -> str:
     """What is said of a submission as a whole; empty where nothing is."""
-    return " ".join(filter(None, (NOTES.get(status), message)))
+    return sentence(capitalized(message)) or NOTES.get(status, "")
 
 
 def must_write_pages() -> None:
@@ -127,37 +127,39 @@ def template(name: str) -> Any:
     pages = jinja2.Environment(
         loader=loader, autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True
     )
-    pages.filters["typeset"] = typeset
+    pages.filters |= {"typeset": typeset, "points": points}
     return pages.get_template(name)
 
 
 def _part(letter: str, result: Result, sheet: Sheet) -> dict[str, Any]:
     marks = [mark for mark in result.checks if mark.part == letter]
-    points = [mark.points for mark in marks]
-    earned = None if None in points else sum(filter(None, points))
+    each = [mark.points for mark in marks]
+    earned = None if None in each else sum(filter(None, each))
     most = sum(mark.max_points for mark in marks)
     return {
         "letter": letter,
-        "points": _points(earned),
-        "max_points": _points(most),
+        "points": points(earned, most),
+        "max_points": points(most),
         "share": round(100 * (earned or 0) / most, 1) if most else 0,
-        "marks": [_shown(mark, sheet) for mark in marks],
+        "marks": [_shown(mark, sheet, result.message) for mark in marks],
     }
 
 
-def _shown(mark: Mark, sheet: Sheet) -> dict[str, Any]:
-    """A mark as the page shows it; never its detail, which is the instructor's."""
-    stuck = mark.outcome == "failed" or mark.unwritten
+def _shown(mark: Mark, sheet: Sheet, note: str) -> dict[str, Any]:
+    """A mark as the page shows it, but for what the note says of all; never its detail, which is the instructor's."""
+    stuck = mark.outcome == "failed" or bool(mark.unwritten)
+    function = (mark.failure.function if mark.failure else "") or mark.unwritten or sheet.functions.get(mark.name)
     return {
         "name": mark.name,
         "outcome": mark.outcome,
         "line": sheet.lines.get(mark.name, mark.name),
-        "points": _points(mark.points),
-        "max_points": _points(mark.max_points),
-        "says": message(mark.failure) if mark.failure else mark.message,
-        "suspect": mark.suspect,
+        "stuck": stuck,
+        "points": points(mark.points, mark.max_points),
+        "max_points": points(mark.max_points),
+        "says": message(mark.failure) if mark.failure else "" if mark.message == note else mark.message,
+        "suspect": mark.suspect and known_mistake(mark.suspect),
         "pictures": pictures(mark.failure.curve if mark.failure else None),
-        "hint": sheet.functions.get(mark.name) if stuck else None,
+        "hint": function if stuck else None,
     }
 
 
@@ -251,7 +253,7 @@ def with_hand(rows: Iterable[tuple[str, ...]], results: Results, hand: Hand) -> 
 
 
 def _score(score: float | None, most: float) -> str:
-    return f"{_points(score):>5} / {most:g}"
+    return f"{points(score, most):>5} / {points(most)}"
 
 
 def row(record: Record) -> tuple[str, ...]:
@@ -266,7 +268,7 @@ def _remark(record: Record) -> str:
     marks = [mark for mark in record["checks"] if mark["outcome"] not in ("passed", "not_run")]
     named = next((mark["suspect"] for mark in marks if mark["suspect"]), None)
     if named:
-        return f"known mistake: {named}"
+        return f"numbers match: {sentence(named)}"
     unwritten = [mark["message"] for mark in record["checks"] if mark.get("unwritten")]
     first = [f"{mark['name']}: {mark['message']}" for mark in marks]
     return _short(record.get("message") or next(iter([*first, *unwritten]), ""))
@@ -275,7 +277,3 @@ def _remark(record: Record) -> str:
 def _short(text: str) -> str:
     text = " ".join(text.split())
     return text if len(text) <= 90 else text[:89] + "…"
-
-
-def _points(points: float | None) -> str:
-    return "?" if points is None else f"{points:g}"

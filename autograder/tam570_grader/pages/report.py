@@ -12,6 +12,7 @@ from typing import Any
 
 from tam570_grader.errors import UsageError, writing
 from tam570_grader.pages.feedback import Sheet, sheet, template
+from tam570_grader.pages.sentences import points
 from tam570_grader.results import by_hand
 from tam570_grader.results.journal import Key, stream
 from tam570_grader.results.records import Mark, Result
@@ -133,7 +134,7 @@ def _spread(handed_in: Sequence[Result]) -> dict[str, Any]:
         bins[min(int(BINS * score / most), BINS - 1)] += 1
     return {
         "count": len(handed_in),
-        "mean": round(statistics.fmean(scores), 2) if scores else None,
+        "mean": statistics.fmean(scores) if scores else None,
         "median": statistics.median(scores) if scores else None,
         "full": sum(score == most for score in scores),
         "most": most,
@@ -148,13 +149,13 @@ def _scores(found: Class, students: Sequence[str]) -> Iterable[dict[str, Any]]:
     for student in students:
         mine = [found.get((student, slug)) for slug in slugs]
         total = sum(result.score or 0 for result in mine if result)
-        yield {"student": student, "cells": [_cell(result) for result in mine], "total": f"{round(total, 6):.6g}"}
+        yield {"student": student, "cells": [_cell(result) for result in mine], "total": points(total)}
 
 
 def _cell(result: Result | None) -> str:
     if result is None or not (_here(result) or result.score):  # by hand, a score may be theirs who sent no file
         return ""
-    return "error" if result.score is None else f"{result.score:.4g}"
+    return "error" if result.score is None else points(result.score, result.max_score)
 
 
 def _tallies(found: Iterable[Result], sheets: Mapping[str, Sheet]) -> list[Tally]:
@@ -167,7 +168,7 @@ def _tallies(found: Iterable[Result], sheets: Mapping[str, Sheet]) -> list[Tally
             counts[key][mark.outcome] += 1
             marks[key] = mark
     return [
-        Tally(slug, mark.part, sheets[slug].lines.get(name, name), f"{mark.max_points:g}", counts[slug, name])
+        Tally(slug, mark.part, sheets[slug].lines.get(name, name), points(mark.max_points), counts[slug, name])
         for (slug, name), mark in sorted(marks.items(), key=lambda item: item[0][0])
     ]
 

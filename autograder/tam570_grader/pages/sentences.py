@@ -1,13 +1,16 @@
 """Where a failure becomes a sentence: the quantity, the error with its unit, the limit, the time, the kind of input."""
 
 import re
-from math import isfinite
+from decimal import ROUND_HALF_UP, Decimal
+from math import inf, isfinite
 
 from tam570_grader.writing.failures import Failure
 
-__all__ = ["known_mistake", "message", "quantity", "typeset", "whole"]
+__all__ = ["capitalized", "known_mistake", "message", "points", "quantity", "sentence", "typeset", "whole"]
 
 DIGITS = range(2, 17)  # of a number: two, or as many as tell an error from its limit
+
+EQUAL = 1e-9  # points: sums of the same ones differ by less
 
 # a number with an exponent, as a terminal has it; in rtol=1e-9 it is code
 EXPONENT = re.compile(r"(?<![\w.=])(\d+(?:\.\d+)?)e([-+]?)0*(\d+)\b")
@@ -19,8 +22,8 @@ def message(failure: Failure) -> str:
     says = failure.says or _off(failure)
     where = f" at t = {failure.time:g} s" if failure.time is not None else ""
     kind = f" for {failure.kind}" if failure.kind else ""
-    told = re.sub("^(an?|the) ", lambda found: found[0].capitalize(), f"{says}{where}{kind}")
-    return " ".join(filter(None, [_sentence(told), "" if failure.suspect else _sentence(failure.hint)]))
+    told = capitalized(f"{says}{where}{kind}", "an?|the")
+    return " ".join(filter(None, [sentence(told), "" if failure.suspect else sentence(failure.hint)]))
 
 
 def whole(failure: Failure) -> str:
@@ -30,7 +33,7 @@ def whole(failure: Failure) -> str:
 
 def known_mistake(suspect: str) -> str:
     """What a student reads of a known mistake."""
-    return f"Your numbers match this mistake: {_sentence(suspect)}"
+    return f"Your numbers match this mistake: {sentence(suspect)}"
 
 
 def quantity(value: float, digits: int = DIGITS[0]) -> str:
@@ -42,6 +45,18 @@ def quantity(value: float, digits: int = DIGITS[0]) -> str:
         return f"{short:.{max(digits, 4)}g}"
     number, _, exponent = f"{value:.{digits - 1}e}".partition("e")
     return f"{float(number):.{digits}g}e{int(exponent)}"
+
+
+def points(earned: float | None, most: float = inf) -> str:
+    """Points with two decimals at most; all of them are shown for nothing less."""
+    if earned is None:
+        return "?"
+    shown = _hundredths(earned)
+    return f"{(min(shown, _hundredths(most) - 1) if earned < most - EQUAL else shown) / 100:g}"
+
+
+def _hundredths(number: float) -> float:
+    return float(Decimal(repr(number)).scaleb(2).to_integral_value(ROUND_HALF_UP))
 
 
 def typeset(text: str) -> str:
@@ -62,7 +77,12 @@ def _off(failure: Failure) -> str:
     return f"{failure.of} is wrong by {shown}{unit}" + (f" (limit {allowed})" if isfinite(limit) else "")
 
 
-def _sentence(text: str) -> str:
+def capitalized(text: str, words: str = "[a-z]+") -> str:
+    """The text with a capital, where it begins with one of these words; a file's name, or a function's, is none."""
+    return re.sub(f"^({words}) ", lambda found: found[0].capitalize(), text)
+
+
+def sentence(text: str) -> str:
     """The text with a stop; who wrote it has chosen between a capital and a name that keeps its letters."""
     text = text.strip()
     return text if not text or text[-1] in ".?!" else text + "."

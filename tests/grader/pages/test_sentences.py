@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tam570_grader.pages.sentences import message, quantity, whole
+from tam570_grader.pages.sentences import message, points, quantity, whole
 from tam570_grader.writing.failures import Failure
 
 
@@ -28,6 +28,25 @@ from tam570_grader.writing.failures import Failure
 )
 def test_numbers_are_as_people_write_them(value, says):
     assert quantity(value) == says
+
+
+@pytest.mark.parametrize(
+    ("earned", "most", "says"),
+    [
+        (9.7675, 10.0, "9.77"),
+        (0.1925, 0.25, "0.19"),
+        (0.125, 0.25, "0.13"),
+        (9.9975, 10.0, "9.99"),
+        (10.0, 10.0, "10"),
+        (0.1 + 0.2, 0.3, "0.3"),
+        (0.3, 0.1 + 0.2, "0.3"),
+        (0.0, 10.0, "0"),
+        (12.0, 10.0, "12"),
+        (None, 10.0, "?"),
+    ],
+)
+def test_points_have_two_decimals_and_all_are_shown_for_nothing_less(earned, most, says):
+    assert points(earned, most) == says
 
 
 @pytest.mark.parametrize(
