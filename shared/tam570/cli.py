@@ -192,7 +192,7 @@ def _show(arguments: argparse.Namespace) -> int:
     from tam570.show import command
 
     if arguments.file:
-        file, slug = arguments.file, folder(arguments.assignment or arguments.what).name
+        file, slug = arguments.file, folder(arguments.assignment or arguments.what, or_lecture=True).name
         if not file.is_file():
             raise Unknown(f"there is no file {file}")
     else:
@@ -207,6 +207,7 @@ def _hint(arguments: argparse.Namespace) -> int:
     hints: dict[str, list[str]] = tomllib.loads((released / "hints.toml").read_text(encoding="utf-8"))
     if function is None:
         print("\n".join(f"{name:<32} {len(steps)} hints" for name, steps in hints.items()))
+        print(f"One of them: tam570 hint {released.name[:4]} {next(iter(hints))}")
         return 0
     if function not in hints:
         raise Unknown(f"no hints for {function!r}; there are hints for {', '.join(hints)}")

@@ -4,6 +4,7 @@ import ast
 import json
 import re
 from dataclasses import dataclass
+from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
 
@@ -30,8 +31,11 @@ def assignments() -> list[str]:
     return sorted(path.name for path in _home().glob("hw*") if (path / "README.md").exists())
 
 
-def folder(name: str) -> Path:
-    """The released folder of the assignment that a name stands for: hw07, hw7, 7, double_pendulum, or all of it."""
+def folder(name: str, or_lecture: bool = False) -> Path:
+    """The released folder of the assignment that a name stands for: hw07, hw7, 7, double_pendulum, or all of it.
+
+    or_lecture : a lecture might have been meant, too, where Unknown says what there is
+    """
     plain = name.lower().replace("-", "_")
     number = re.fullmatch(r"(?:hw)?0*(\d{1,2})", plain)
     found = [slug for slug in assignments() if plain == slug or number and slug[2:4] == f"{int(number[1]):02}"]
@@ -39,15 +43,21 @@ def folder(name: str) -> Path:
         found = [slug for slug in assignments() if plain and f"_{plain}_" in f"{slug[4:]}_"]
     if len(found) == 1:
         return _home() / found[0]
-    says = "may be any of" if found else "is not an assignment; there are"
-    raise Unknown(f"{name!r} {says}: {', '.join(found or assignments())}{'' if found else _lectures()}")
+    if found:
+        raise Unknown(f"{name!r} may be any of: {', '.join(found)}")
+    raise Unknown(f"{name!r} is not an assignment{_meant(plain, or_lecture)}")
 
 
-def _lectures() -> str:
-    """What else a name might have meant."""
+def _meant(name: str, or_lecture: bool) -> str:
+    """What a name might have meant, and where all names are."""
     from tam570.lectures import names  # which imports this module
 
-    return f"; and the lectures (tam570 list --lectures): {', '.join(names())}"
+    if name in names():
+        return f"; it is a lecture: tam570 show {name}"
+    known = [*names()] * or_lecture + [part for slug in assignments() for part in (slug[5:], slug)]
+    close = "".join(f"; did you mean {one}?" for one in get_close_matches(name, known, 1))
+    lectures = ", `tam570 list --lectures` the lectures" * or_lecture
+    return f"{close or ';'} `tam570 list` shows all{lectures}"
 
 
 def named(file: Path) -> str:

@@ -135,6 +135,8 @@ def said(error: BaseException, file: str) -> str:
     frames = [one for one in traceback.extract_tb(error.__traceback__) if one.filename in (file, _cell(one.filename))]
     inside = f", in {frames[-1].name}" if frames and not frames[-1].name.startswith("<") else ""
     place = f"Line {frames[-1].lineno}{inside}: {frames[-1].line}\n" if frames else ""
+    if isinstance(error, Forbidden):
+        return f"{place}{error}."
     return place + traceback.format_exception_only(error)[-1].strip()
 
 

@@ -28,7 +28,7 @@ class Copied:
 
 def start(name: str, where: Path, *, notebook: bool = False) -> Copied:
     """Copy an assignment to a folder of its name in `where`; what is there already stays as it is."""
-    slug = folder(name).name
+    slug = folder(name, or_lecture=True).name
     work = where / slug
     work.mkdir(parents=True, exist_ok=True)
     new = [path for path in _released(slug, notebook) if not (work / path.name).exists()]

@@ -11,7 +11,7 @@ __all__ = ["Work", "beside", "chosen", "here", "one", "work_of"]
 Work = tuple[Path, str]  # a file and its assignment
 
 
-def chosen(what: str | None, assignment: str | None = None) -> list[Work]:
+def chosen(what: str | None, assignment: str | None = None, or_lecture: bool = False) -> list[Work]:
     """The files that a word on the command line stands for: a file, a folder, or an assignment; all here if None.
 
     Unknown where there are none; the message says what to do.
@@ -29,14 +29,14 @@ def chosen(what: str | None, assignment: str | None = None) -> list[Work]:
         return found or _nothing(f"{what} holds no work: nothing is", "hw01")
     if path.suffix or len(path.parts) > 1:
         raise Unknown(f"there is no file {what}")
-    slug = folder(what).name
+    slug = folder(what, or_lecture).name
     file = work_of(slug)
     return [(file, slug)] if file else _nothing(f"{what} is not", slug[:4])
 
 
 def one(what: str | None, assignment: str | None = None) -> Work:
     """The only file that is meant. Unknown if there are several."""
-    found = chosen(what, assignment)
+    found = chosen(what, assignment, or_lecture=True)  # only `show` asks for one by name
     if len(found) > 1:
         raise Unknown(f"say which assignment: {', '.join(slug[:4] for _, slug in found)}")
     return found[0]

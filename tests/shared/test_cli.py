@@ -44,7 +44,7 @@ def test_an_assignment_goes_by_any_part_that_tells_it(slug, name):
 
 @pytest.mark.parametrize("name", ["pendulum", "rolling", "x", "hw99", "hw8.txt", "hw080", "", "123"])
 def test_a_name_of_none_or_of_several_is_refused_with_those_that_there_are(name):
-    with pytest.raises(course.Unknown, match="hw"):
+    with pytest.raises(course.Unknown, match="any of: hw|`tam570 list` shows all"):
         course.folder(name)
 
 
@@ -96,7 +96,11 @@ BAD = {
     "check hw08_ballistics.py": "may be hw08_axis_angle or hw02_ballistics",
     "check hw99": "'hw99' is not an assignment",
     "show hw08": "hw08 is not started here",
-    "start x": "'x' is not an assignment",
+    "check oscillator": "'oscillator' is not an assignment; it is a lecture: tam570 show oscillator",
+    "check double_pendulm": "did you mean double_pendulum? `tam570 list` shows all",
+    "start x": "'x' is not an assignment; `tam570 list` shows all, `tam570 list --lectures` the lectures",
+    "start oscilator": "did you mean oscillator? `tam570 list` shows all, `tam570 list --lectures`",
+    "show oscilator": "did you mean oscillator? `tam570 list` shows all, `tam570 list --lectures`",
     "start pendulum": "may be any of: hw01_simple_pendulum, hw05_constrained_pendulum, hw07_double_pendulum",
     "hint hw08 nothing": "there are hints for skew",
     "hint hw99": "'hw99' is not an assignment",
@@ -157,6 +161,16 @@ def test_hints_go_one_step_further_each_time(desk, capsys):
     assert said[0] != said[1] == said[2] and "(1 of 2)" in said[0] and "last" in said[1]
     assert hinted(capsys, "--again") == said[0]
     assert hinted(capsys, "--all") == said[0] + said[1]
+
+
+def test_who_asks_for_no_function_is_told_how_to_ask_for_one(desk, capsys):
+    assert cli.main(["hint", "hw08"]) == 0
+    assert capsys.readouterr().out.endswith("One of them: tam570 hint hw08 skew\n")
+
+
+def test_a_word_that_says_nothing_is_not_answered_with_all_names(desk, capsys):
+    assert cli.main(["check", "hw99"]) == 2
+    assert capsys.readouterr().err == "tam570: error: 'hw99' is not an assignment; `tam570 list` shows all\n"
 
 
 def test_hints_that_cannot_be_remembered_are_all_to_be_had(desk, capsys, tmp_path):

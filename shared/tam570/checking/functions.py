@@ -111,8 +111,8 @@ class Functions:
         except (Fault, ValueError):
             raise
         except (Exception, SystemExit) as error:
-            what = "uses what is off limits" if isinstance(error, Forbidden) else "raises an exception"
-            raise Fault(name, f"{name} {what}.\n{said(error, str(self.file))}") from error
+            what = "" if isinstance(error, Forbidden) else f"{name} raises an exception.\n"
+            raise Fault(name, f"{what}{said(error, str(self.file))}") from error
         finally:
             self.depth -= 1
 

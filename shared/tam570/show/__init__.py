@@ -86,10 +86,13 @@ def _is_lecture(what: Any) -> bool:
 
 def film_of(module: Any, slug: str) -> Film:
     """The film of the assignment, by the functions of a module. Trouble if it cannot be made."""
+    name = f"tam570.show.scenes.{slug[:4]}"
     try:
-        scene = import_module(f"tam570.show.scenes.{slug[:4]}")
-    except ModuleNotFoundError:
-        raise Trouble(f"{slug} has no scene") from None
+        scene = import_module(name)
+    except ModuleNotFoundError as error:
+        if error.name != name:
+            raise
+        raise Trouble(f"{slug} has no scene; write shared/tam570/show/scenes/{slug[:4]}.py") from None
     film: Film = scene.film(Student(module))
     return film
 

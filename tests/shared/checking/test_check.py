@@ -84,6 +84,15 @@ def test_what_is_off_limits_may_be_named(hw08, tam570, grade):
     assert tam570("check")[0] == 0 and grade(HW08, text).score == 10
 
 
+def test_what_is_off_limits_is_said_once_in_words_of_ours(hw08, tam570):
+    hw08().write_text(
+        hw08().read_text() + "\n\ndef rotate(r, axis, angle):\n    return rotation_matrix(axis, angle) @ r\n"
+    )
+    said = " ".join(tam570("check")[1].split())
+    assert "in rotate: return rotation_matrix(axis, angle) @ r rotation_matrix is off limits in rotate." in said
+    assert "Forbidden" not in said and said.count("off limits") == 1
+
+
 def test_a_missing_library_may_be_done_without(hw08, tam570):
     hw08(above="try:\n    import pandas\nexcept ImportError:\n    pandas = None\n")
     assert tam570("check")[0] == 0

@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 from PIL import Image
 
 from tam570 import cli
-from tam570.show import Trouble, loaded, pictures, save, show
+from tam570.show import Trouble, film_of, loaded, pictures, save, show
 from tam570.show.compact import PIXELS, STEPS, kept_samples, packed
 from tam570.show.film import Film, Panel, Part, clock, conserved
 from tam570.show.page import page
@@ -82,6 +82,15 @@ def test_the_scene_of_right_functions_shows_their_laws(films, slug):
     assert not film.notes and film.strips and not any(strip.alarm for strip in film.strips)
     assert film.in_space == (slug[:4] in IN_SPACE)
     assert len(film.sight) > 60
+
+
+def test_who_adds_an_assignment_is_told_which_scene_to_write(monkeypatch):
+    with pytest.raises(Trouble, match="hw99_new has no scene; write shared/tam570/show/scenes/hw99.py"):
+        film_of(None, "hw99_new")
+    monkeypatch.setitem(sys.modules, "tam570.show.film", None)
+    monkeypatch.delitem(sys.modules, "tam570.show.scenes.hw11")
+    with pytest.raises(ModuleNotFoundError, match="tam570.show.film"):
+        film_of(None, "hw11_disk_steady")
 
 
 def test_a_page_is_small_and_needs_nothing_else(films, slug):
