@@ -19,7 +19,7 @@ from tam570_grader.pages import feedback
 from tam570_grader.pages.pictures import BOTTOM, LEFT, RIGHT, TOP, picture
 from tam570_grader.pages.sentences import message, typeset
 from tam570_grader.results.journal import Book, key_of
-from tam570_grader.results.records import WHOLE, Mark, Result, numbers, read
+from tam570_grader.results.records import Mark, Result, numbers, read
 from tam570_grader.writing import assignments
 from tam570_grader.writing.curves import SLOTS, curve
 from tam570_grader.writing.expect import Failed, expect
@@ -27,6 +27,7 @@ from tam570_grader.writing.failures import Failure
 
 CHECKS = assignments.find() / "autograder" / "checks"
 NUMBER = re.compile(r"-?\d+\.\d{3,}(?:e[-+]?\d+)?")  # more digits than a message has
+WHOLE = ("expected", "actual", "at")  # of a failure: what the instructor alone sees
 
 
 @pytest.fixture(scope="module")
