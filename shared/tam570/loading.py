@@ -10,7 +10,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from tam570.bans import Unusable, must_be_allowed
+from tam570.bans import Forbidden, Unusable, must_be_allowed
 from tam570.notebooks import KERNEL, code_cells, compiled, run
 
 __all__ = ["LIBRARIES", "SUFFIXES", "Trouble", "guarded_import", "loaded", "replaced", "said", "source_of"]
