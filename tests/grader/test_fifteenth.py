@@ -1,7 +1,10 @@
 """An assignment is six places: a fifteenth, a mass on a damped spring, is added to a copy of the course and graded."""
 
 import json
+import os
 import shutil
+import subprocess
+import sys
 
 import pytest
 
@@ -105,6 +108,15 @@ def _rates(t, state, *, mass, stiffness, damping):
     x, v = state
     return v, -(stiffness * x - damping * v) / mass
 '''
+WITHOUT_SPRING = '''"""The energy lacks the part of the spring.
+
+fails: energy_is_kinetic_and_elastic
+"""
+
+
+def energy(x, v, *, mass, stiffness):
+    return mass * v**2 / 2
+'''
 README = """# hw15: A mass on a damped spring
 
 **(a)** What is its energy?
@@ -124,6 +136,38 @@ from {SLUG} import energy
 def test_energy():
     assert energy(1.0, 0.0, mass=1.0, stiffness=2.0) == 1.0
 '''
+SCENE = '''"""hw15: a mass on a spring that loses nothing."""
+
+import numpy as np
+
+from tam570.show.film import INK, Film, Panel, Part, clock, energy_strip, moving, strip_samples
+from tam570.show.student import tried
+
+SPRING = {"mass": 1.0, "stiffness": 4.0}  # kg, N/m
+
+
+def film(student):
+    times, notes = clock(10.0), []
+    x, v = student("simulate", times, 1.0, 0.0, **SPRING, damping=0.0, shape=(len(times), 2)).T
+    mass = np.column_stack([x, 0 * x])
+    parts = [
+        Part("lines", moving(np.array([-2.0, 0.0]), mass), INK, "spring", width=2),
+        Part("lines", np.array([[-2.0, -0.4], [-2.0, 0.4]]), INK, width=3),
+        Part("dot", mass[:, None], 0, "mass", width=11),
+    ]
+    sight = "A mass on a spring swings along a line. Nothing damps it, so that each swing is as far as the one before."
+    strips = tried(notes, lambda: _energy(student, times, x, v))
+    return Film("Spring", sight, times, [Panel(parts)], strips, notes=notes)
+
+
+def _energy(student, times, x, v):
+    shown = strip_samples(times)
+    total = student.each("energy", x[shown], v[shown], **SPRING, shape=())
+    return energy_strip(times[shown], total, SPRING["stiffness"] * x[shown] ** 2 / 2)
+'''
+NOTATION = """| x, v | `x`, `v` | m, m/s | displacement of a mass on a damped spring, and its rate (hw15) |
+| c | `damping` | kg/s | of a spring (hw15) |
+"""
 HINTS = 'energy = ["Whose energies?"]\nsimulate = ["What is the acceleration?"]\n'
 FILES = {
     f"solutions/{SLUG}.py": SOLUTION,
@@ -131,10 +175,13 @@ FILES = {
     f"autograder/checks/{SLUG}/cases.py": CASES,
     f"autograder/checks/{SLUG}/checks.py": CHECKS,
     f"autograder/checks/{SLUG}/mistakes/growing.py": MISTAKE,
+    f"autograder/checks/{SLUG}/mistakes/without_spring.py": WITHOUT_SPRING,
     f"autograder/checks/{SLUG}/alternatives/the_same.py": SOLUTION,
     f"assignments/{SLUG}/README.md": README,
     f"assignments/{SLUG}/test_{SLUG}.py": VISIBLE,
     f"assignments/{SLUG}/hints.toml": HINTS,
+    "shared/tam570/show/scenes/hw15.py": SCENE,
+    "NOTATION.md": (assignments.find() / "NOTATION.md").read_text() + NOTATION,
 }
 
 
@@ -142,8 +189,9 @@ FILES = {
 def fifteen(tmp_path_factory, course):
     """A copy of the course with the new assignment's files, and a class of two."""
     copy = tmp_path_factory.mktemp("fifteen")
-    for part in ("assignments", "solutions", "autograder/checks"):
-        shutil.copytree(course / part, copy / part)
+    for part in ("assignments", "solutions", "autograder", "shared", "tests"):
+        shutil.copytree(course / part, copy / part, ignore=shutil.ignore_patterns("__pycache__"))
+    shutil.copy(course / "pyproject.toml", copy)
     for path, text in FILES.items():
         (copy / path).parent.mkdir(parents=True, exist_ok=True)
         (copy / path).write_text(text)
@@ -177,3 +225,33 @@ def test_it_is_released_for_nbgrader(fifteen, tmp_path):
 
 def test_it_is_audited(fifteen):
     assert cli.main(["--root", str(fifteen), "audit", SLUG, "--diagnosis", "--jobs", "1"]) == 0
+
+
+@pytest.fixture
+def passes(fifteen):
+    """`passes(*files)` -> what CONTRIBUTING has one run on the copy; these files hold one module for each place."""
+    known = {**os.environ, "PYTHONPATH": f"{fifteen / 'autograder'}{os.pathsep}{fifteen / 'shared'}"}
+
+    def passes(*files):
+        command = [sys.executable, "-m", "pytest", "-q", *files, "-k", "hw15", "--every"]
+        return subprocess.run(command, cwd=fifteen, env=known, capture_output=True, text=True)
+
+    return passes
+
+
+SEEN_BY = {
+    "tests/shared/show/test_show.py": "shared/tam570/show/scenes/hw15.py",
+    "tests/test_notation.py": "NOTATION.md",
+}
+
+
+@pytest.mark.every
+def test_the_command_of_contributing_passes_and_sees_every_place(fifteen, passes, course):
+    assert "`pytest tests -k hwNN --every`" in (course / "CONTRIBUTING.md").read_text()
+    assert cli.main(["--root", str(fifteen), "stubs"]) == 0
+    done = passes("tests/test_laws.py", *SEEN_BY)
+    assert done.returncode == 0, done.stdout
+    (fifteen / "shared/tam570/show/scenes/hw15.py").unlink()
+    shutil.copy(course / "NOTATION.md", fifteen)
+    for file, place in SEEN_BY.items():
+        assert passes(file).returncode == 1, place
