@@ -108,7 +108,7 @@ def swinging(draw, turns, count):
 
 def with_gravity(draw):
     round_the_top = draw.uniform((0, 2.3), 3) * draw.choice([-1, 1], 2)
-    again, far = swinging(draw, 1.8, 5), swinging(draw, 3.1, 9)
+    again, far = swinging(draw, 1.8, 5), swinging(draw, 1.8, 9)
     return [
         swinging(draw, 1.8, 9),
         moved(draw, "a particle that goes over the top", 1.8, 9, round_the_top, parameters(draw), (-1, 1)),

@@ -98,7 +98,7 @@ def diagnosed(motion: Motion, motions: Sequence[Motion], turns: Sequence[int], n
         return TIGHT if share <= EXPLAINED and motion.error <= ROUGHLY else NEARLY_FOLLOWS
 
 
-TIGHT = "The physics is right: tighten rtol and atol"
+TIGHT = "The physics is right: tighten rtol and atol, or take smaller steps"
 NEARLY_FOLLOWS = "Each row nearly follows from the row before: is a term wrong, or are rtol and atol loose?"
 Tell = tuple[Callable[[], bool], str]
 
@@ -127,7 +127,7 @@ BEHIND = "Row i is the state at t[i-1], not at t[i]"
 JOINED = (
     "This row is accurate when requested alone: do you interpolate linearly between steps, or at a loose tolerance?"
 )
-SAMPLED = "With more times in between the same rows are accurate: do your steps depend on t?"
+SAMPLED = "With more times in between the same rows are accurate: take smaller steps"
 
 
 def _still(motion: Motion) -> bool:

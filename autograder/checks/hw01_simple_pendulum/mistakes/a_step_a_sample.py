@@ -2,7 +2,7 @@
 
 fails: simulate_needs_no_dense_times, simulate_turns_over_the_top, simulate_keeps_the_energy
 numerics: steps as long as the times are apart
-names: do your steps depend on t
+names: take smaller steps
 """
 
 def _rk4_step(state, h, ratio):

@@ -2,7 +2,7 @@
 
 fails: simulate_needs_no_dense_times
 numerics: steps as long as the times are apart
-names: do your steps depend on t
+names: take smaller steps
 """
 
 def simulate(t, theta0, omega0, *, length, gravity):

@@ -2,7 +2,7 @@
 
 fails: simulate_needs_no_dense_times
 numerics: a step of fixed length
-names: do your steps depend on t
+names: take smaller steps
 """
 
 def simulate(t, theta0, omega0, *, length, gravity):

@@ -2,7 +2,7 @@
 
 fails: simulation_follows_the_motion, both_paths_are_drawn
 numerics: a method of first order
-names: do your steps depend on t | tighten
+names: take smaller steps | tighten
 """
 
 

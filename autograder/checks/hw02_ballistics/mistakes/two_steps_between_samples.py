@@ -1,7 +1,7 @@
 """Two Runge-Kutta steps go from each time to the next, however far.
 
 fails: simulation_follows_the_motion
-names: do your steps depend on t | tighten
+names: take smaller steps | tighten
 numerics: the length of the steps
 """
 

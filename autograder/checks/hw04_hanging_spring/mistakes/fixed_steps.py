@@ -2,7 +2,7 @@
 
 fails: simulate_does_not_depend_on_the_sampling
 numerics: a step of fixed length
-names: do your steps depend on t | tighten rtol and atol
+names: take smaller steps | tighten rtol and atol
 """
 
 def simulate(t, position, velocity, **parameters):

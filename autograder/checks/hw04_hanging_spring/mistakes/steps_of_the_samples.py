@@ -2,7 +2,7 @@
 
 fails: simulate_does_not_depend_on_the_sampling, energy_stays
 numerics: steps as long as the times are apart
-names: do your steps depend on t
+names: take smaller steps
 """
 
 def simulate(t, position, velocity, **parameters):

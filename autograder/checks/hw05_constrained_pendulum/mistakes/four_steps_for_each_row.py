@@ -1,7 +1,7 @@
 """The number of steps for each row is fixed.
 
 fails: without_gravity_it_goes_round_uniformly, with_gravity_it_swings_or_goes_round
-names: do your steps depend on t
+names: take smaller steps
 """
 
 

@@ -2,7 +2,7 @@
 
 fails: with_gravity_it_swings_or_goes_round
 numerics: a step of 0.01 s does for rods of a metre
-names: tighten rtol and atol | do your steps depend on t
+names: tighten rtol and atol | take smaller steps
 """
 
 

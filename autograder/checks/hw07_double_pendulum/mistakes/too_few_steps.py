@@ -1,7 +1,7 @@
 """Two Runge-Kutta steps go from row to row of a long motion.
 
 fails: energy_is_conserved_from_horizontal
-names: do your steps depend on t
+names: take smaller steps
 numerics: steps as long as half the distance of the times
 """
 

@@ -2,7 +2,7 @@
 
 fails: attitude_follows_the_motion, rim_paths_are_drawn
 numerics: a method of first order
-names: do your steps depend on t
+names: take smaller steps
 """
 
 _right_simulate = simulate

@@ -2,7 +2,7 @@
 
 fails: special_bodies_move_too
 numerics: steps that grow with the distance of the times
-names: do your steps depend on t
+names: take smaller steps
 """
 
 

@@ -2,7 +2,7 @@
 
 fails: simulate_needs_no_dense_times, simulate_slides_down_steep_wires, simulate_keeps_the_energy
 numerics: steps that grow with the distance of the times
-names: do your steps depend on t
+names: take smaller steps
 """
 
 def _rk4_step(x, w, h, c, g):

@@ -2,7 +2,7 @@
 
 fails: simulate_needs_no_dense_times
 numerics: steps that grow with the distance of the times
-names: do your steps depend on t
+names: take smaller steps
 """
 
 

@@ -2,7 +2,7 @@
 
 fails: euler_simulation_follows_the_motion
 numerics: steps that grow with the distance of the times
-names: do your steps depend on t
+names: take smaller steps
 """
 
 

@@ -2,7 +2,7 @@
 
 fails: both_simulations_agree
 numerics: steps that grow with the distance of the times
-names: a tighter tolerance | do your steps depend on t
+names: a tighter tolerance | take smaller steps
 """
 
 

@@ -2,7 +2,7 @@
 
 fails: both_simulations_agree
 numerics: an inaccuracy that keeps R and the height
-names: do your steps depend on t
+names: take smaller steps
 """
 
 _motion = simulate_matrix

@@ -2,7 +2,7 @@
 
 fails: euler_simulation_keeps_two_integrals, energy_is_conserved, both_simulations_agree
 numerics: steps that grow with the distance of the times
-names: a tighter tolerance | do your steps depend on t
+names: a tighter tolerance | take smaller steps
 """
 
 
