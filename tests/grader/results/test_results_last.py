@@ -137,7 +137,7 @@ def test_what_was_finished_survives_an_interrupt(tree, tmp_path, how, code):
     assert process.returncode == code
     assert "Traceback" not in err
     if how == signal.SIGINT:
-        said = f"interrupted; 3 results are kept in {tmp_path / 'out'}; the same command goes on from there"
+        said = f"interrupted; 3 results kept in {tmp_path / 'out'}; the same command goes on from there"
         assert err.strip().splitlines()[-1] == f"tam570-grader: {said}"
     assert results.read_text().count("\n") == 3
 
@@ -206,7 +206,7 @@ def test_a_full_disk_keeps_what_was_finished(tree, tmp_path):
         assert "No space left" in err and "Traceback" not in err
         lines = (disk / "results.jsonl").read_text().split("\n")[:-1]
         assert lines and all(json.loads(line)["student"] for line in lines)
-        assert f"{len(lines)} results are kept in {disk}" in err
+        assert f"{len(lines)} results kept in {disk}" in err
     finally:
         subprocess.run(["umount", disk], check=True)
 
