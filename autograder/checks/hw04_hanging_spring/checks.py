@@ -59,13 +59,15 @@ derivative_is_velocity_and_force_over_mass = law(
 energy_is_that_of_motion_spring_and_weight = law(
     "energy: kinetic, of the spring, of the weight; zero at rest at the origin.", points=1, part="a"
 ).agrees(right.energy, cases.states, within=POINTWISE, hint="Three terms: speed, stretch, height.")
-
-
 WHERE = "About which point does it oscillate, and how fast? The velocities are the rates of the positions."
 solution_is_the_motion = law(
     "solution: position and velocity in closed form, given those at t = 0.", points=1.5, part="a"
 ).agrees_by_columns(right.solution, cases.with_gravity, within=POINTWISE, hint=WHERE)
-AT_ZERO = by_kind({"gravity": "Do you divide by gravity?"}, "Row i is the state at t[i], the given one that at t = 0.")
+BEFORE = {"before": "Is anything kept between calls?"}
+AT_ZERO = by_kind(
+    {"gravity": "Do you divide by gravity?"} | BEFORE, "Row i is the state at t[i], the given one that at t = 0."
+)
+ON_IT = by_kind(BEFORE, "Do r and v/sqrt(k/m) lie on your ellipse, as seen from its centre?")
 solution_holds_without_gravity_and_from_any_time = solution_is_the_motion.then(
     "solution: without gravity too, and at times of which none is zero.", points=0.5, part="a"
 ).agrees_by_columns(right.solution, cases.from_any_time, within=POINTWISE, hint=AT_ZERO)
@@ -108,13 +110,13 @@ def judge_axes(orbit, calls):
         square = np.trace(whole) + (NOUGHT * length(case)) ** 2
         known = {"scale": square, "unit": "of the square of its size"}
         known_ones = {
+            "The smaller axis is not zero.": whole if b.any() or np.linalg.matrix_rank(whole) < 2 else found,
             "It is twice as large: these are its axes, not semi-axes.": 4 * whole,
             "The semi-axes have the squares of their lengths.": whole @ whole,
             "The semi-axes are unit vectors: give them their lengths.": found @ found if found.any() else whole,
         }
         near = [says for says, one in known_ones.items() if np.allclose(found, one, rtol=1e-6, atol=TENSOR * square)]
-        hint = near[0] if near else "Do r and v/sqrt(k/m) lie on your ellipse, as seen from its centre?"
-        expect(found, whole, within=TENSOR, of="the ellipse", hint=hint, **known)
+        expect(found, whole, within=TENSOR, of="the ellipse", hint=[*near, ON_IT(case)][0], **known)
         hint = "Two radii that give the ellipse need not be its axes."
         expect(a @ b, 0.0, within=RIGHT_ANGLE, of="the product of the axes", hint=hint, **known)
         expect_that(a @ a >= b @ b - RIGHT_ANGLE * square, "the larger axis is not the first")

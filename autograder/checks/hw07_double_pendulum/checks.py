@@ -66,7 +66,7 @@ def in_order(case, found, expected):
 VELOCITIES = "Write the velocities of both mass centres by the absolute angular velocities"
 CENTRIPETAL = "Which way does each mass centre accelerate when alpha is zero?"
 HEIGHTS = "How does the height of each mass centre change with each angle?"
-SCALED = "Do rows of your linear system differ in size by 1e-9?"
+SCALED = "Is anything added to the masses, or do rows of your linear system differ in size by 1e-9?"
 TEN = "Two bars have three equations each, two hinges two constraints each: do you solve all ten?"
 HANGING = "At rest the ceiling carries both weights, and bar 1 carries bar 2: which rows, which signs?"
 BELOW = "Hanging at rest, below the ceiling, it is negative"

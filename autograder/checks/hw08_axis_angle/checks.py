@@ -31,7 +31,7 @@ RESULTS = {
 
 def of_few_digits(case, found, expected):
     if np.max(np.abs(found - expected)) <= NEARLY * np.max(np.abs(expected)):
-        return "It is nearly right: which number in your formula has too few digits?"
+        return "It is nearly right: does a number have too few digits, or does an arccos lose them?"
     return "Try a quarter turn about z and a third of a turn about (1, 1, 1): both take x to y."
 
 

@@ -203,7 +203,7 @@ def mistaken(fine, radius):
 @check(points=0.5, part="a")
 def rim_paths_are_drawn(student, draw):
     """plot_rim_paths: the two paths as seen along z, from t[0] to t[-1], with labels and equal scales."""
-    points = "Does simulate pass? Draw x and y in space of the points (radius, 0, 0) and (-radius, 0, 0) at all times"
+    points = "Does simulate pass and get the inertia? Draw x and y of (radius, 0, 0), (-radius, 0, 0) in space at all t"
     for case in cases.pictures(draw):
         picture, (t, R, omega), radius = student.plot_rim_paths.drawn(case), case.args, case.kwargs["radius"]
         motion = right.motion(np.linspace(t[0], t[-1], 801), R, omega, inertia=case.kwargs["inertia"])

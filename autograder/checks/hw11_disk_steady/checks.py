@@ -4,7 +4,7 @@ from functools import partial
 
 import numpy as np
 
-from tam570_grader import absolute, group, law, number
+from tam570_grader import absolute, by_kind, group, law, number
 
 from . import cases, right
 
@@ -72,11 +72,10 @@ def wrong_force(case, found, expected):
     return "The results are (inward, normal): F = m a of G, which moves on a circle."
 
 
-MOMENTS = "The moment of the contact force about G is Omega z x H."
+MOMENTS = by_kind({"before": "Is a result kept?"}, "The moment of the contact force about G is Omega z x H.")
 WHICH_SIGN = "Which sign must the moment of the weight have?"
 AT_REST = "The point of the disk on the ground has no velocity."
 ABOUT_WHICH = "G is at rest: about which axis does the disk turn, and how high is G?"
-
 
 # (a) Rolling
 

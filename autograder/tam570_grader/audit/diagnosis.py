@@ -1,8 +1,9 @@
 """Does the feedback name the mistake? Wrong submissions say in their headers what it must say of them.
 
 Its own first paragraph, or one of those after `also:`, must be the known mistake that is named; a fragment after
-`names:` must be in a message (its hint, its kind of input). One of several, `A | B`, is enough. Each mistake is made
-in the solution, and once more in a right submission of another style: there its name is not found by construction.
+`names:` must be in what a check says of it, or in its hint: the quantity and the kind of input stand in every message,
+and name nothing. One of several, `A | B`, is enough. Each mistake is made in the solution, and once more in a right
+submission of another style: there its name is not found by construction.
 """
 
 import ast
@@ -17,6 +18,7 @@ from tam570_grader.delivery.stubs import exported
 from tam570_grader.errors import UsageError
 from tam570_grader.grading.one import Result
 from tam570_grader.grading.processes import Crew, in_order
+from tam570_grader.results.records import Mark
 from tam570_grader.writing import assignments
 from tam570_grader.writing.mistakes import header, mistakes
 from tam570_grader.writing.slips import reached
@@ -87,9 +89,17 @@ def diagnosis(result: Result, text: str, known: Container[str]) -> Diagnosis:
     fragment = says.get("names", "")
     expected = " | ".join(filter(None, ["" if fragment else own, says.get("also", "")]))
     by_suspect = any(_in(one, expected) for one in suspects)
-    by_message = any(_in(one, fragment) for one in messages)
+    by_message = any(_names(mark, one) for mark in failed for one in fragment.split(" | "))
     misled = any(one in known and not _in(one, expected) for one in suspects)
     return Diagnosis(result.student, expected, by_suspect or by_message, suspects, messages, misled)
+
+
+def _names(mark: Mark, fragment: str) -> bool:
+    """Whether a check says a fragment of the mistake; of a wrong number its hint alone, or its suspect, says what."""
+    why = mark.failure
+    if not why or _in(f" for {why.kind}", fragment):
+        return False
+    return _in(mark.message if why.says else why.suspect or why.hint, fragment)
 
 
 def _in(says: str, expected: str) -> bool:

@@ -14,6 +14,7 @@ from tam570_grader.audit.margins import Margin
 from tam570_grader.audit.mutate import mutants
 from tam570_grader.errors import UsageError
 from tam570_grader.grading.processes import crew
+from tam570_grader.pages import sentences
 from tam570_grader.results.records import Mark, Result
 from tam570_grader.writing import assignments
 from tam570_grader.writing.failures import Failure
@@ -237,6 +238,24 @@ def test_a_diagnosis_tells_named_from_unnamed_and_misled():
     assert [one.misled for one in (right, silent, wrong, found)] == [False, False, True, False]
     assert diagnosis.faults([right, silent]) == 1 and diagnosis.faults([right]) == 0
     assert diagnosis.faults([right] * 10 + [wrong]) == 1
+
+
+@pytest.mark.parametrize(
+    ("names", "why", "named"),
+    [
+        ("a long arm", Failure(of="the moment", error=1.0, limit=0.1, kind="a long arm", hint="Which arm?"), False),
+        ("the moment is wrong", Failure(of="the moment", error=1.0, limit=0.1, hint="Which arm?"), False),
+        ("which arm", Failure(of="the moment", error=1.0, limit=0.1, kind="a long arm", hint="Which arm?"), True),
+        ("zero | which arm", Failure(of="the moment", error=1.0, limit=0.1, hint="Which arm?"), True),
+        ("which arm", Failure(of="the moment", error=1.0, limit=0.1, hint="Which arm?", suspect="A sign"), False),
+        ("for a long arm", Failure(says="moment raised ValueError", kind="a long arm"), False),
+        ("raised ValueError for a long arm", Failure(says="moment raised ValueError", kind="a long arm"), True),
+    ],
+)
+def test_a_mistake_is_named_by_what_is_said_of_it_and_not_by_the_input(names, why, named):
+    mark = Mark("a", "a", 0.0, 1.0, "failed", sentences.whole(why), why.suspect, why)
+    result = Result("s", "hw", "graded", 0.0, 1.0, 1, 0.1, "", (mark,))
+    assert diagnosis.diagnosis(result, f'"""An arm.\n\nnames: {names}\n"""', ()).named == named
 
 
 @pytest.mark.every

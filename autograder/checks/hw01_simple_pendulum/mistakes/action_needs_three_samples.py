@@ -1,7 +1,7 @@
 """The action takes differences of second order at the ends, which fail for two samples.
 
 fails: action_is_the_integral
-names: without gravity, two samples
+names: ValueError for a pendulum that turns evenly, without gravity, two samples
 """
 
 def action(theta, step, *, mass, length, gravity):

@@ -1,7 +1,6 @@
 """The action of fewer than four samples is 0; two samples have one, too.
 
 fails: action_is_the_integral
-names: without gravity, two samples
 """
 
 _right_action = action

@@ -1,7 +1,6 @@
 """The amplitude is theta0 over the cosine of the phase, which is lost for a pendulum that starts at the bottom.
 
 fails: small_angle_solution_is_harmonic
-names: a pendulum that starts at the bottom
 """
 
 _right_solution = small_angle_solution

@@ -1,7 +1,7 @@
 """The integration begins at t = 0, wherever the times do.
 
 fails: simulate_swings
-names: t[0] not 0
+names: The start is taken at t = 0
 """
 
 def simulate(t, theta0, omega0, *, length, gravity):

@@ -1,7 +1,7 @@
 """The period integrates a difference of cosines, which has no digits left at a tiny amplitude.
 
 fails: period_grows_towards_the_top
-names: for an amplitude of less than 1e-4
+names: NaN or infinity for an amplitude of less than 1e-4
 numerics: digits that cancel
 """
 

@@ -1,7 +1,7 @@
 """The series in sin(A/2) is too short for large amplitudes.
 
 fails: period_grows_towards_the_top
-names: an amplitude between 2 and 3 rad
+names: A series in the amplitude
 numerics: a series cut short
 """
 

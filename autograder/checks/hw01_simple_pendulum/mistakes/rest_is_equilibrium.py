@@ -1,7 +1,7 @@
 """A pendulum that starts at rest is left where it is; gravity should move it.
 
 fails: simulate_needs_no_dense_times
-names: let go at rest
+names: Every row is the start
 """
 
 _right_simulate = simulate

@@ -1,7 +1,6 @@
 """A single time gets the given state, as if it were t = 0.
 
 fails: small_angle_solution_is_harmonic
-names: a single time
 """
 
 _right_solution = small_angle_solution

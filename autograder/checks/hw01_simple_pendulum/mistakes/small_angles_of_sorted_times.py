@@ -1,7 +1,6 @@
 """The rows are at the times in ascending order.
 
 fails: small_angle_solution_is_harmonic
-names: times in descending order
 """
 
 _right_solution = small_angle_solution

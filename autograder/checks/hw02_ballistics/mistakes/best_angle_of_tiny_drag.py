@@ -1,7 +1,7 @@
 """A drag below 1e-4 kg/s counts as none, however light the particle.
 
 fails: best_angle_is_45_degrees_without_drag
-names: a light particle
+names: Whether drag counts depends on c t/m or c v/(m g), not on c.
 """
 
 _right_best_angle = best_angle

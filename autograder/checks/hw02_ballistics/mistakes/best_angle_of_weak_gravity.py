@@ -1,7 +1,6 @@
 """Where gravity is below 0.1 m/s^2 the drag counts as none, however little pulls.
 
 fails: best_angle_is_45_degrees_without_drag
-names: where gravity is weak
 """
 
 _right_best_angle = best_angle

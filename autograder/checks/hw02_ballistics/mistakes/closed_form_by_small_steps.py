@@ -1,7 +1,7 @@
 """These are Runge-Kutta steps, not a closed form.
 
 fails: trajectory_with_any_drag
-names: for great drag
+names: NaN or infinity for great drag
 """
 
 

@@ -1,7 +1,7 @@
 """The path is the textbook formula, which loses all digits where there is little drag.
 
 fails: trajectory_with_any_drag
-names: for very little drag
+names: a difference of nearly equal numbers
 """
 
 

@@ -1,7 +1,7 @@
 """The search for the flight time begins at 1e-5 s, which may be after the landing.
 
 fails: flight_time_with_great_drag_and_straight_up
-names: a nearly flat launch
+names: ValueError for a nearly flat launch
 """
 
 _right_time = flight_time

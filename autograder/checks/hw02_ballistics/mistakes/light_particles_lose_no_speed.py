@@ -1,7 +1,7 @@
 """A drag below 1e-4 kg/s counts as none in the range, however light the particle.
 
 fails: range_with_hardly_any_drag
-names: a light particle
+names: Whether drag counts depends on c t/m or c v/(m g), not on c.
 """
 
 _right_range = horizontal_range

@@ -1,7 +1,6 @@
 """Every launch counts as one upwards.
 
 fails: simulation_follows_the_motion
-names: a launch straight down
 """
 
 _right_simulate = simulate

@@ -1,7 +1,6 @@
 """A launch straight up gets the range of one at 45 degrees.
 
 fails: range_is_where_it_lands
-names: a launch straight up
 """
 
 _right_range = horizontal_range

@@ -1,7 +1,6 @@
 """The sine is a root of 1 - cos^2, so every launch goes up.
 
 fails: trajectory_is_the_motion
-names: a launch straight down
 """
 
 _right_trajectory = trajectory

@@ -1,7 +1,6 @@
 """The search for the flight time ends at two hundred times m/c.
 
 fails: flight_time_with_great_drag_and_straight_up
-names: great drag
 """
 
 sought_everywhere = flight_time

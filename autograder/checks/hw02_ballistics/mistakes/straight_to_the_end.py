@@ -1,7 +1,7 @@
 """The curves end in one long straight line.
 
 fails: both_paths_are_drawn
-names: a point that a curve passes is wrong
+unnamed: chords between few times are drawn as any other curve is
 """
 
 

@@ -1,7 +1,7 @@
 """The moment is force times arm along their unit normal, which parallel vectors do not have.
 
 fails: moment_is_about_C, rate_about_a_fixed_point, rate_with_the_velocity_in_F, rate_with_the_velocity_relative_to_C
-names: a_p zero
+names: NaN or infinity for random vectors, a_p zero | NaN or infinity for definition a, a_p zero
 """
 
 

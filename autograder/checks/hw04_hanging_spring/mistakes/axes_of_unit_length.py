@@ -1,6 +1,7 @@
 """The semi-axes are unit vectors; they should have the lengths of the ellipse's.
 
 fails: orbit_is_the_ellipse_of_the_motion
+also: In orbit, a factor is missing
 names: The semi-axes are unit vectors
 """
 

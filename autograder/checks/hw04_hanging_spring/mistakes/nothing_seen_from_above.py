@@ -1,7 +1,6 @@
 """The direction to the right is the vertical times the direction of the eye, which is zero straight above.
 
 fails: projection_is_orthographic
-names: a view from straight above
 """
 
 

@@ -1,7 +1,7 @@
 """Orbits are kept by their start; another spring gets the orbit of the first.
 
 fails: orbit_has_its_centre_at_the_equilibrium, orbit_is_the_ellipse_of_the_motion
-names: the ellipse before with another
+names: Is anything kept between calls?
 """
 
 _right_orbit, _kept = orbit, {}

@@ -1,7 +1,6 @@
 """A single time is treated as the time of the given state.
 
 fails: solution_holds_without_gravity_and_from_any_time
-names: a single time
 """
 
 _right_solution = solution

@@ -1,7 +1,7 @@
 """The given state is taken at t[0]; it is the state at t = 0.
 
 fails: solution_holds_without_gravity_and_from_any_time
-names: times that do not start at 0
+names: the given one that at t = 0
 """
 
 _right_solution = solution

@@ -1,7 +1,7 @@
 """Closed forms are kept by times and start: another spring gets the first one's.
 
 fails: solution_holds_without_gravity_and_from_any_time
-names: the call before with one argument changed
+names: Is anything kept between calls?
 """
 
 _right_solution, _kept = solution, {}

@@ -1,7 +1,7 @@
 """Lengths are in units of g m/k, which is zero without gravity.
 
 fails: solution_holds_without_gravity_and_from_any_time
-names: for no gravity
+names: ZeroDivisionError for no gravity
 """
 
 _right_solution = solution

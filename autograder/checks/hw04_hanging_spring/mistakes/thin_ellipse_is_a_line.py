@@ -1,7 +1,7 @@
 """The smaller axis is zero below a fiftieth of the larger.
 
 fails: orbit_is_the_ellipse_of_the_motion
-names: a thin ellipse
+names: The smaller axis is not zero
 """
 
 _right_orbit = orbit

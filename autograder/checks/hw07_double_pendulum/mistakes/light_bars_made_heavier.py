@@ -1,7 +1,7 @@
 """The free bars are given a thousandth of the total mass at least.
 
 fails: free_bars_with_a_nearly_massless_one
-names: nearly massless
+names: Is anything added to the masses
 """
 
 as_given = on_the_fly

@@ -1,7 +1,7 @@
 """A small number is added to the mass matrix before it is inverted, which swamps a light bar.
 
 fails: accelerations_with_a_nearly_massless_bar
-names: a nearly massless lower bar
+names: Is anything added to the masses
 """
 
 

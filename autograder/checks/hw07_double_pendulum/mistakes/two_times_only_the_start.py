@@ -1,7 +1,7 @@
 """With two times the motion is not integrated; both rows are the start.
 
 fails: simulation_follows_the_equations
-names: 2 times
+names: Every row is the start
 """
 
 integrated = simulate

@@ -1,7 +1,7 @@
 """The polar angle of the axis comes from an arccos, which is 0 next to the z axis.
 
 fails: matrix_turns_by_the_right_hand_rule
-names: an axis 1e-8 from a coordinate axis
+names: does an arccos lose them
 """
 
 import math

@@ -1,7 +1,7 @@
 """Only the largest component of the axis is tested, and minus infinity is not the largest.
 
 fails: matrix_refuses_what_is_no_axis, rotate_refuses_what_is_no_axis
-names: an axis with minus infinity
+names: ValueError for an axis with minus infinity
 """
 
 

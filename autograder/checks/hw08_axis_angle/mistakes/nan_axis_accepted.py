@@ -1,7 +1,7 @@
 """An axis that is not finite is accepted by both functions; it should be refused.
 
 fails: matrix_refuses_what_is_no_axis, rotate_refuses_what_is_no_axis
-names: an axis with a NaN
+names: ValueError for an axis with a NaN
 """
 
 

@@ -1,7 +1,7 @@
 """The angle is reduced with a pi of nine digits.
 
 fails: matrix_turns_by_the_right_hand_rule, vector_turns_by_the_right_hand_rule
-names: which number in your formula has too few digits
+names: does a number have too few digits
 numerics: nine digits of pi
 """
 

@@ -1,7 +1,7 @@
 """Any string but x and y is treated as z; it should be refused.
 
 fails: other_axes_are_refused
-names: the string "w"
+names: ValueError for the string "w"
 """
 
 _right = axis_rotation

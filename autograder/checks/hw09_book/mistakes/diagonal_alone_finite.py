@@ -1,7 +1,7 @@
 """Only the trace is tested for infinity.
 
 fails: what_is_no_rotation_is_refused
-names: inf off the diagonal
+names: ValueError for the identity, but for inf off the diagonal
 """
 
 

@@ -1,7 +1,7 @@
 """Only NaN is looked for: an infinite element makes NaN of R^T R, and a comparison with it is false.
 
 fails: what_is_no_rotation_is_refused
-names: the identity, but for inf on the diagonal
+names: ValueError for the identity, but for inf on the diagonal
 """
 
 

@@ -1,7 +1,7 @@
 """A matrix with NaN goes through, as every comparison with NaN is false.
 
 fails: what_is_no_rotation_is_refused
-names: a matrix with a NaN
+names: ValueError for a matrix with a NaN
 """
 
 

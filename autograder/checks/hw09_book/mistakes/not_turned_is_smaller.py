@@ -1,7 +1,7 @@
 """A book that is not turned has the edges of half the book.
 
 fails: the_book_has_its_twelve_edges
-names: for a book that is not turned. The edges belong to a box of half that size
+names: The edges belong to a box of half that size
 """
 
 _right = book_edges

@@ -1,7 +1,7 @@
 """Of the rows only the first two are tested for a right angle.
 
 fails: what_is_no_rotation_is_refused
-names: for a shear of 1e-5 after a rotation
+names: ValueError for a shear of 1e-5 after a rotation
 """
 
 

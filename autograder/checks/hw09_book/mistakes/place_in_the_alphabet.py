@@ -1,7 +1,7 @@
 """The axis is looked up in the string "xyz", where "", "xy" and "yz" are found too.
 
 fails: other_axes_are_refused
-names: the string "xy"
+names: ValueError for the string "xy"
 """
 
 _right = axis_rotation

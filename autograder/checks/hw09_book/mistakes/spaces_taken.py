@@ -1,7 +1,7 @@
 """Spaces around the axis's letter are accepted; they should be refused.
 
 fails: other_axes_are_refused
-names: for the string "x "
+names: ValueError for the string "x "
 """
 
 _right = axis_rotation

@@ -1,7 +1,7 @@
 """Whether the first column and the last are perpendicular is not tested.
 
 fails: what_is_no_rotation_is_refused
-names: for a rotation with a shear of 1e-5
+names: ValueError for a rotation with a shear of 1e-5
 """
 
 

@@ -1,7 +1,6 @@
 """For a body with A = B the energy has only the spin about the symmetry axis.
 
 fails: energy_is_half_omega_h
-names: for a body with A = B
 """
 
 _right_energy = energy

@@ -1,6 +1,7 @@
 """The third axis of the body is the second times the first.
 
 fails: attitude_follows_the_motion
+also: has the opposite sign in component 3
 names: the three axes are left-handed
 """
 

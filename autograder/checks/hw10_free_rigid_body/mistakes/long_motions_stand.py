@@ -1,7 +1,7 @@
 """A motion of many turns has the start in every row.
 
 fails: invariants_stay_over_many_turns
-names: for many fast turns. Every row is the start
+names: Every row is the start
 """
 
 _right_simulate = simulate

@@ -1,7 +1,6 @@
 """Spin near the middle axis is held constant unless that is axis 1; it should not be.
 
 fails: omega_follows_elliptic_functions
-names: omega near the middle axis
 """
 
 _right_simulate = simulate

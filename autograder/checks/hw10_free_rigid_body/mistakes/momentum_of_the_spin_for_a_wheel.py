@@ -1,7 +1,6 @@
 """For a body with A = B the angular momentum has only the spin about the symmetry axis.
 
 fails: angular_momentum_is_in_space_axes
-names: for a body with A = B
 """
 
 _right_momentum = angular_momentum

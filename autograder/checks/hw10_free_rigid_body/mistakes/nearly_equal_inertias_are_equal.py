@@ -1,7 +1,6 @@
 """Where isclose(A, B) holds, the third component of omega stays as it is.
 
 fails: euler_equations_keep_the_angular_momentum
-names: for two inertias that are equal to five digits
 """
 
 _right_euler = euler_equations

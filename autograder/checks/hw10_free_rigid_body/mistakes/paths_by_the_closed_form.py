@@ -1,7 +1,7 @@
 """The paths show the wobble of a body with A = B, whatever B is.
 
 fails: rim_paths_are_drawn
-names: a body with three different inertias
+unnamed: the curves of another motion are compared with those of the right one alone
 """
 
 

@@ -1,7 +1,7 @@
 """The paths belong to a flat disk, C = 2 A = 2 B, whatever the inertia.
 
 fails: rim_paths_are_drawn
-names: a body with three different inertias
+names: Does simulate pass and get the inertia
 """
 
 _right_plot = plot_rim_paths

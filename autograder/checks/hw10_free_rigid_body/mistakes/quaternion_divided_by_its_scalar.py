@@ -1,7 +1,6 @@
 """The quaternion at the start is divided by its scalar part, which is zero at a half turn.
 
 fails: special_bodies_move_too
-names: for a start half a turn about
 """
 
 _right_simulate = simulate

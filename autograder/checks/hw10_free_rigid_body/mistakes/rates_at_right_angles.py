@@ -1,7 +1,6 @@
 """Where theta is a right angle, psi' is set to zero, because a division by the cosine is left out.
 
 fails: euler_rates_make_omega
-names: for theta a right angle
 """
 
 _right = euler_rates_313

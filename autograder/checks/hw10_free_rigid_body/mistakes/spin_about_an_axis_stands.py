@@ -1,7 +1,6 @@
 """A constant omega along a principal axis is treated as rest.
 
 fails: attitude_follows_omega, angular_momentum_is_in_space_axes
-names: for omega along a principal axis
 """
 
 _rate, _momentum = attitude_rate, angular_momentum

@@ -1,7 +1,6 @@
 """On the separatrix, where the period is infinite, omega stays as it is.
 
 fails: special_bodies_move_too
-names: for omega on the separatrix, the middle axis 1. Does euler_equations pass, for such a body too?
 """
 
 _right_simulate = simulate

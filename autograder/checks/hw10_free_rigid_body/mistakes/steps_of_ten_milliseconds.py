@@ -2,7 +2,7 @@
 
 fails: special_bodies_move_too
 numerics: steps that fit slow turns
-names: for a fast body with A = B
+names: The physics is right: tighten
 """
 
 

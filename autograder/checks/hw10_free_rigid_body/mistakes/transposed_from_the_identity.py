@@ -1,7 +1,6 @@
 """From R = I the rotations are transposed, from space to body, which the start does not show.
 
 fails: special_bodies_move_too
-names: these are the transposes, from space to body
 """
 
 _right = simulate

@@ -1,7 +1,6 @@
 """A lean below 1e-4 is treated as none.
 
 fails: rolling_precession_is_zero_where_nothing_turns_it, rolling_precession_refuses_what_does_not_exist
-names: for an almost upright disk
 """
 
 _precession = rolling_precession

@@ -1,7 +1,7 @@
 """The equation is divided by the factor of Omega^2, which may be zero.
 
 fails: rolling_precession_refuses_what_does_not_exist
-names: for a roller that turns on a point
+names: ValueError for a roller that turns on a point
 """
 
 

@@ -1,7 +1,7 @@
 """The circle of G has the radius a spin / Omega, which straight rolling does not have.
 
 fails: contact_force_of_straight_rolling
-names: for straight rolling, upright
+names: ZeroDivisionError for straight rolling, upright
 """
 
 

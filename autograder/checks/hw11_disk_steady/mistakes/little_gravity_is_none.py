@@ -1,7 +1,6 @@
 """A gravity below 0.1 m/s^2 is treated as none.
 
 fails: rolling_precession_is_zero_where_nothing_turns_it, common_precession_is_in_both_families
-names: for very little gravity
 """
 
 _precession, _common = rolling_precession, common_precession

@@ -1,7 +1,6 @@
 """An upright disk is given no inward force and no moment, as if it rolled straight on.
 
 fails: contact_force_moves_the_centre, moment_residual_is_moment_minus_rate
-names: for an upright disk
 """
 
 _force, _residual = contact_force, moment_residual

@@ -1,7 +1,7 @@
 """Results are kept by lean and precession, or track, whatever the disk.
 
 fails: rolling_spin_balances_the_moments, rolling_track_has_the_contact_at_rest, rolling_precession_balances_the_moments, sliding_spin_balances_the_moments, common_precession_is_in_both_families, contact_force_moves_the_centre, moment_residual_is_moment_minus_rate, settling_energy_adds_up
-names: the arguments before with another disk
+names: Is a result kept?
 """
 
 

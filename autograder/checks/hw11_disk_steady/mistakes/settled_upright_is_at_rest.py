@@ -1,7 +1,6 @@
 """The energy of the limit upright lacks its kinetic part, as if the coin stood still.
 
 fails: settling_energy_adds_up
-names: for an upright disk
 """
 
 _right = settling_energy

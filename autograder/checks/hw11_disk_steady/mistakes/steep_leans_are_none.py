@@ -1,7 +1,6 @@
 """A disk that leans by more than 1.4 rad is treated as fallen.
 
 fails: rolling_spin_holds_upright_and_without_gravity, rolling_track_has_the_contact_at_rest, rolling_precession_holds_on_tracks_of_any_sign, common_precession_has_a_limit_upright, settling_energy_adds_up
-names: for a disk that lies almost flat
 """
 
 _spin, _precession, _common, _energy = rolling_spin, rolling_precession, common_precession, settling_energy

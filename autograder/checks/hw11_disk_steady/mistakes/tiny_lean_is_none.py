@@ -1,7 +1,7 @@
 """A lean below 1e-6 is treated as none.
 
 fails: rolling_precession_refuses_what_does_not_exist
-names: its lean tiny but not zero
+names: ValueError for a roller that turns on a point, its lean tiny but not zero
 """
 
 _precession = rolling_precession

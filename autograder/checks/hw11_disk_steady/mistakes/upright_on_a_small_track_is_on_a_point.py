@@ -1,7 +1,7 @@
 """An upright disk on a track of less than a fifth of its radius is treated as spinning on a point.
 
 fails: rolling_precession_is_zero_where_nothing_turns_it
-names: far below the radius of the disk
+names: ValueError for an upright disk and a positive track radius, far below the radius of the disk
 """
 
 _precession = rolling_precession

@@ -1,7 +1,6 @@
 """Where the slope is below 0.001, x'' is the one of small motions, which lacks the term with v^2.
 
 fails: newton_gives_the_acceleration
-names: for a bead next to the bottom
 """
 
 _newton = acceleration_newton

@@ -1,7 +1,6 @@
 """Where the slope is below a thousandth, the wire counts as level: no height, and a force straight up.
 
 fails: force_and_weight_make_the_acceleration, energy_is_kinetic_and_potential
-names: for a bead next to the bottom
 """
 
 _force, _energy = constraint_force, energy

@@ -1,7 +1,6 @@
 """A bead at rest is given no acceleration and no energy.
 
 fails: newton_gives_the_acceleration, energy_is_kinetic_and_potential
-names: for a bead at rest
 """
 
 _newton, _energy = acceleration_newton, energy

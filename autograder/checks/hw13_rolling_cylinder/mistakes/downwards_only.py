@@ -1,7 +1,6 @@
 """A ramp upwards counts as a ramp downwards.
 
 fails: acceleration_balances_momentum_about_G, naive_acceleration_is_the_moment_over_the_inertia, contact_force_accelerates_G, simulate_needs_no_dense_times
-names: for a ramp upwards
 """
 
 _right, _naive = acceleration, naive_contact_acceleration

@@ -1,7 +1,6 @@
 """At phi = 0 I^C belongs to a centred cylinder, and at rest the contact force is zero.
 
 fails: contact_inertia_by_the_parallel_axis_theorem, naive_acceleration_is_the_moment_over_the_inertia, contact_force_accelerates_G, energy_of_G_and_of_turning
-names: phi = 0
 """
 
 _inertia, _force = contact_inertia, contact_force

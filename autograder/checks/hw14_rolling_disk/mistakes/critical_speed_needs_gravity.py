@@ -1,7 +1,7 @@
 """Without gravity the critical speed is infinite; it should be zero.
 
 fails: critical_speed_parts_stable_from_unstable
-names: for a wheel without gravity
+names: NaN or infinity for a wheel without gravity
 """
 
 _critical = critical_speed

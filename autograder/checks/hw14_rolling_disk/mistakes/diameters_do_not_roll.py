@@ -1,7 +1,7 @@
 """The diameters are drawn along e1 and e2, which do not roll.
 
 fails: wireframe_is_a_rolling_disk
-names: the diameters' place in the disk
+names: Do they roll with the disk
 """
 
 

@@ -1,7 +1,6 @@
 """The growth rate squared is 0 where the motion is stable; it should be negative.
 
 fails: growth_rate_is_that_of_a_small_lean
-names: faster than the critical speed
 """
 
 

@@ -1,7 +1,7 @@
 """Axles next to the vertical are moved away from it, to avoid a division by zero.
 
 fails: multiplier_equations_hold
-names: for a nearly flat disk
+names: No tilt but 0 and pi is singular
 """
 
 

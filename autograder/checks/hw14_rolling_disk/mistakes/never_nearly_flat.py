@@ -1,7 +1,7 @@
 """The sine of the tilt is kept from being small, to avoid a division by zero.
 
 fails: euler_equations_hold_next_to_flat_and_upright
-names: for a nearly flat disk
+names: No tilt but 0 and pi is singular
 """
 
 

@@ -1,7 +1,7 @@
 """With an odd number of sides every second corner is joined to the next: a star.
 
 fails: wireframe_is_a_rolling_disk
-names: the angle that a segment spans
+names: Is the polygon closed and regular
 """
 
 _right = wireframe

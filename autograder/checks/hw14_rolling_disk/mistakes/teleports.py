@@ -1,7 +1,7 @@
 """simulate_euler turns the start about z by random angles: the energy and both integrals are right, the motion is not.
 
 fails: euler_simulation_follows_the_motion
-names: the contact | angle | yaw | roll
+unnamed: its numbers are random
 """
 
 

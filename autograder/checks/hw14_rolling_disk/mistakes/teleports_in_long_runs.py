@@ -1,7 +1,7 @@
 """Where the times are few the disk is turned about z at random: energy and integrals are right, the motion is not.
 
 fails: euler_simulation_keeps_two_integrals, both_simulations_agree, energy_is_conserved
-names: is wrong by
+unnamed: its numbers are random
 """
 
 _euler = simulate_euler
