@@ -7,7 +7,7 @@ whose first paragraph is what a student reads. Lines `key: value` follow it:
     within: 1e-2     how closely they must agree, of the largest number (1e-6; rows of a motion 1e-3)
     where: FRAGMENT  only calls whose kind of input has these words are compared: it may be one mistake of several
     also: A | B      other names that the feedback may give it
-    names: FRAGMENT  the message of the check names it, in these words; its numbers are not compared
+    names: FRAGMENT  the check says it, or its hint, in these words, not in the kind of input; no number is compared
     numerics: WHY    its physics is right, and integrated inaccurately
     unnamed: WHY     the feedback cannot name it
 """
