@@ -9,7 +9,7 @@ whose first paragraph is what a student reads. Lines `key: value` follow it:
     also: A | B      other names that the feedback may give it
     names: FRAGMENT  the check says it, or its hint, in these words, not in the kind of input; no number is compared
     numerics: WHY    its physics is right, and integrated inaccurately
-    unnamed: WHY     the feedback cannot name it
+    unnamed: WHY     the feedback cannot name it; no number is compared
 """
 
 import ast
@@ -80,7 +80,7 @@ class Mistake:
     @property
     def suspect(self) -> bool:
         """Whether the numbers of a student are compared with its own."""
-        return not self.names
+        return not (self.names or self.unnamed)
 
 
 def header(text: str) -> tuple[str, dict[str, str]]:

@@ -1,7 +1,7 @@
 """Results are kept by all arguments except the disk's.
 
 fails: euler_simulation_follows_the_motion, steady_residual_is_the_tilt_acceleration, growth_rate_is_that_of_a_small_lean
-names: is a result kept | no gravity | without gravity
+unnamed: its numbers are right for another disk
 """
 
 
