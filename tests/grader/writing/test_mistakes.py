@@ -82,6 +82,6 @@ def test_one_mistake_of_several_is_told_by_the_inputs_that_show_it_alone():
     assert known(SOLUTION, [wrong("x", "where: thick\n")], calls) is None
 
 
-@pytest.mark.parametrize(("extra", "suspect"), [("", True), ("names: a hint\n", False), ("unnamed: at random\n", False)])
+@pytest.mark.parametrize(("extra", "suspect"), [("", True), ("names: a hint\n", False), ("unnamed: chance\n", False)])
 def test_a_mistake_that_its_numbers_do_not_tell_is_no_suspect(extra, suspect):
     assert wrong("x", extra).suspect == suspect
