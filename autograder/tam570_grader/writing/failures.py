@@ -3,7 +3,9 @@
 from dataclasses import dataclass, replace
 from typing import Any
 
-__all__ = ["Failure"]
+__all__ = ["WHOLE", "Failure"]
+
+WHOLE = ("expected", "actual", "at")  # of a failure: what the instructor alone sees
 
 
 @dataclass(frozen=True)

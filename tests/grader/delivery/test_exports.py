@@ -15,8 +15,8 @@ from tam570_grader import cli
 from tam570_grader.delivery import gradescope, lms
 from tam570_grader.delivery.stubs import stub
 from tam570_grader.grading.one import failed_by_us
-from tam570_grader.results import journal, records, tables
-from tam570_grader.writing import assignments
+from tam570_grader.results import journal, tables
+from tam570_grader.writing import assignments, failures
 
 ONE = "hw08_axis_angle"
 FORMATS = {"text", "html", "simple_format", "md", "ansi"}
@@ -105,7 +105,7 @@ def test_results_hold_nothing_hidden(course, grade, solution_text):
     record = grade(ONE, solution_text(ONE) + wrong).record()
     failed = [mark["failure"] for mark in record["checks"] if "failure" in mark]
     hidden = re.findall(
-        r"\d\.\d{6,}|[A-Za-z0-9+/]{40,}", json.dumps([failure.get(key) for failure in failed for key in records.WHOLE])
+        r"\d\.\d{6,}|[A-Za-z0-9+/]{40,}", json.dumps([failure.get(key) for failure in failed for key in failures.WHOLE])
     )
     page = json.dumps(gradescope.results(record, {}))
     assert hidden and not any(json.dumps(text)[1:-1] in page for text in hidden)

@@ -23,11 +23,10 @@ from tam570_grader.results.records import Mark, Result, numbers, read
 from tam570_grader.writing import assignments
 from tam570_grader.writing.curves import SLOTS, curve
 from tam570_grader.writing.expect import Failed, expect
-from tam570_grader.writing.failures import Failure
+from tam570_grader.writing.failures import WHOLE, Failure
 
 CHECKS = assignments.find() / "autograder" / "checks"
 NUMBER = re.compile(r"-?\d+\.\d{3,}(?:e[-+]?\d+)?")  # more digits than a message has
-WHOLE = ("expected", "actual", "at")  # of a failure: what the instructor alone sees
 
 
 @pytest.fixture(scope="module")
