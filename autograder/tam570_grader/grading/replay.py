@@ -37,8 +37,8 @@ def _replay(arguments: argparse.Namespace) -> int:
     print(f"{arguments.student}, {slug}, {arguments.check}: {message(why)}")
     if why.function:
         given: dict[str, Any] = why.at
-        named = [f"{name}={_digits(value)}" for name, value in given["kwargs"].items()]
-        print(f"\n{why.function}({', '.join([*map(_digits, given['args']), *named])})")
+        named = [f"{name}={_digits(_numbers(value))}" for name, value in given["kwargs"].items()]
+        print(f"\n{why.function}({', '.join([*(_digits(_numbers(one)) for one in given['args']), *named])})")
     print(f"\nexpected: {_digits(why.expected)}\nactual:   {_digits(why.actual)}")
     if arguments.file:
         print(f"now:      {_again(arguments, slug, why)}")
@@ -96,7 +96,7 @@ def _again(arguments: argparse.Namespace, slug: str, why: Failure) -> str:
     except Failed as failed:
         return message(failed.failure)
     except NotWritten as unwritten:
-        return f"{unwritten} is not written yet."
+        return student.lacks(str(unwritten))
     except Over as over:
         return f"{over}."
     finally:

@@ -42,6 +42,7 @@ def test_the_call_is_printed_whole_and_made_again(results, course, capsys):
     said = capsys.readouterr().out
     expected, actual, now = (numbers(re.search(rf"^{what}: +(.+)$", said, re.MULTILINE)[1]) for what in WHAT)
     assert now == actual != expected
+    assert "(np.array([" in said, "what was an array is one where the call is pasted"
 
 
 def test_what_is_right_gives_what_is_expected(results, course, capsys):
@@ -113,7 +114,7 @@ def test_every_form_of_failure_is_made_again(failures, course, capsys, name):
     [
         ("def rotation_matrix(axis, angle:", "was never closed"),
         ("def rotation_matrix(axis, angle):\n    raise NotImplementedError", "rotation_matrix is not written yet."),
-        ("x = 1", "rotation_matrix is not written yet."),
+        ("x = 1", "Your file has no function rotation_matrix."),
         ("1 / 0", "ZeroDivisionError"),
     ],
 )
