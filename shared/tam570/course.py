@@ -45,7 +45,8 @@ def folder(name: str, or_lecture: bool = False) -> Path:
         return _home() / found[0]
     if found:
         raise Unknown(f"{name!r} may be any of: {', '.join(found)}")
-    raise Unknown(f"{name!r} is not an assignment{_meant(plain, or_lecture)}")
+    what = "neither an assignment nor a lecture" if or_lecture else "not an assignment"
+    raise Unknown(f"{name!r} is {what}{_meant(plain, or_lecture)}")
 
 
 def _meant(name: str, or_lecture: bool) -> str:

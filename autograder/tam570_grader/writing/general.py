@@ -103,8 +103,8 @@ def _called(module: ModuleType, call: Judged) -> Any:
 
 def _single_entry(name: str, calls: Sequence[Judged]) -> str | None:
     """Where a matrix is wrong, if it is in one place."""
-    (shape, *others) = {np.shape(one) for call in calls for one in (call.result, call.right)}
-    if others or len(shape) != 2:
+    forms = {tuple(map(np.shape, parts(one))) for call in calls for one in (call.result, call.right)}
+    if len(forms) > 1 or [len(shape) for shape in forms.pop()] != [2]:
         return None
     off = [np.abs(call.result - call.right) > WITHIN * np.abs(call.right).max() for call in calls]
     places = np.argwhere(np.any(off, axis=0))

@@ -246,6 +246,13 @@ def test_what_is_no_one_thing_is_not_named(calls):
     assert general(SOLUTION, calls()) is None
 
 
+def test_results_of_several_forms_are_searched_too():
+    """An array and a number, of which nothing is the wrong one by one slip."""
+    solution = "import numpy as np\ndef both(x): return np.array([x, 2.0]), x"
+    calls = [Call("both", given(x), (np.array([x**3, 2.0]), x + 1.0)) for x in (1.5, 2.5)]
+    assert general(solution, calls) is None
+
+
 def test_what_comes_near_a_motion_does_not_explain_it():
     """A factor of .705 is not one of drag, .7, for a motion that is accurate."""
     calls = falls(lambda t, h, v, gravity, drag: np.column_stack([h + v * t - 0.705 * t**2, v - 1.41 * t]))
