@@ -98,7 +98,7 @@ BAD = {
     "show hw08": "hw08 is not started here",
     "check oscillator": "'oscillator' is not an assignment; it is a lecture: tam570 show oscillator",
     "check double_pendulm": "did you mean double_pendulum? `tam570 list` shows all",
-    "start x": "'x' is neither an assignment nor a lecture; `tam570 list` shows all, `tam570 list --lectures` the lectures",
+    "start x": "'x' is neither an assignment nor a lecture; `tam570 list` shows all, `tam570 list --lectures`",
     "start oscilator": "did you mean oscillator? `tam570 list` shows all, `tam570 list --lectures`",
     "show oscilator": "did you mean oscillator? `tam570 list` shows all, `tam570 list --lectures`",
     "start pendulum": "may be any of: hw01_simple_pendulum, hw05_constrained_pendulum, hw07_double_pendulum",
