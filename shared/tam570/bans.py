@@ -5,11 +5,11 @@ from collections.abc import Iterable
 from types import FunctionType, ModuleType
 from typing import Any
 
-__all__ = ["HERE", "Change", "Forbidden", "Unusable", "everywhere", "must_be_allowed", "refused"]
+__all__ = ["HERE", "IN_ONE", "Change", "Forbidden", "Unusable", "everywhere", "must_be_allowed", "refused"]
 
 __builtins__ = dict(vars(builtins))  # type: ignore[assignment]  # a submission may change the built-in functions
 
-HERE = "in this assignment"
+HERE, IN_ONE = "in this assignment", "in this function"  # where something is off limits
 Change = tuple[Any, str, Any]  # owner, attribute, value
 
 

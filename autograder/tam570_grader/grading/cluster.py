@@ -81,7 +81,7 @@ class Cluster:
                     lambda work: functools.partial(there, sent.name, work),
                 )
             except CancelledError:
-                raise ConnectionError(f"the scheduler at {self.address} was lost; run the same command again") from None
+                raise ConnectionError(f"the scheduler at {self.address} was lost") from None
 
     def _client(self, stack: contextlib.ExitStack, jobs: int) -> Any:
         dask = importlib.import_module("distributed")

@@ -26,7 +26,7 @@ from tam570_grader.writing.mistakes import Called, known
 __all__ = ["Judging", "Mark", "Recorder", "Result", "failed_by_us", "generator", "graded", "not_graded"]
 
 OUR_FAULT = "The grader failed here, not you; your teacher has been told."
-SEARCH = 0.5  # s of processor time, for a mistake that nobody has written down; .25 is the most that found one
+SEARCH = 0.5  # s of processor time, for a mistake that nobody has written down; .3 is the most that found one
 Recorder = Callable[[str, float], None]
 
 

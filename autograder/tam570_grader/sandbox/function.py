@@ -95,9 +95,9 @@ class Function:
         calls = list(calls)
         for call, reply in zip(calls, self.student.replies(self.name, calls, every=True), strict=True):
             refused = "ValueError" in error_of(reply)["kinds"]
-            with self._judging(call, promised=", not ValueError"):
+            with self._judging(call, any_input=True):
                 if not refused:
-                    self._must_be_fair(reply)
+                    self._must_be_fair(reply, promised=", not ValueError")
             yield call, refused
 
     def at(self, points: Sequence[Mapping[str, float]]) -> np.ndarray:
@@ -138,38 +138,39 @@ class Function:
         return readable(reply["value"])
 
     @contextmanager
-    def _judging(self, call: Given, promised: str = "") -> Iterator[None]:
+    def _judging(self, call: Given, any_input: bool = False) -> Iterator[None]:
         """Judge the result of a call: a failure says which call it was, and its kind if the function works for another.
 
-        promised : what it must raise instead, for any input of this kind
+        any_input : its kind in any case, whatever else the function does
         """
         current().judge(self.name, call)
         try:
             yield
         except Failed as failed:
-            why, worked = failed.failure, promised or self.name in self.student.worked
-            kind = call.kind if worked else ""
-            instead = promised if why.says.startswith(f"{self.name} raised ") else ""
-            failed.failure = replace(why, says=why.says + instead, function=self.name, kind=kind, at=call)
+            kind = call.kind if any_input or self.name in self.student.worked else ""
+            failed.failure = replace(failed.failure, function=self.name, kind=kind, at=call)
             raise
 
-    def _must_be_fair(self, reply: dict[str, Any]) -> None:
-        """Raise NotWritten or Failed for an exception, and for arguments changed in place."""
+    def _must_be_fair(self, reply: dict[str, Any], promised: str = "") -> None:
+        """Raise NotWritten or Failed for an exception, and for arguments changed in place.
+
+        promised : what else it must raise
+        """
         if "error" in reply:
             error = error_of(reply)
             if error["kinds"][:1] == ["NotImplementedError"]:
                 raise NotWritten(self.name)
-            raise Failed(f"{self.name} {self._did(error)}", actual=error["text"])
+            raise Failed(f"{self.name} {self._did(error, promised)}", actual=error["text"])
         if reply.get("changed"):
             raise Failed(f"{self.name} changes the arrays it is given", hint="Work on copies")
 
-    def _did(self, error: dict[str, Any]) -> str:
+    def _did(self, error: dict[str, Any], promised: str) -> str:
         """What it did instead of returning, in words of ours."""
         if "Forbidden" in error["kinds"]:
             return f"uses what is off limits in it: {misused(error, self.banned)}"
         if error["kinds"][:1] == ["TypeError"] and error["line"] == 0 and MISCALLED.fullmatch(error["text"]):
             return f"must take ({self.student.takes(self.name)})"
-        return misdeed(error["text"]) or f"raised {python_class(error)}"
+        return misdeed(error["text"]) or f"raised {python_class(error)}{promised}"
 
 
 def _strangers(value: Any, source: str) -> str:

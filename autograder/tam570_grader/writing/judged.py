@@ -1,5 +1,6 @@
 """A student's answer beside the right one, and whether another wrong answer explains it."""
 
+import functools
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -46,11 +47,15 @@ class Rows(Judged):
         """Whether it explains what is wrong in every column; a motion that is nearly right, it must leave so."""
         if answer is None or _shapes(answer) != _shapes(self.right):
             return False
-        off, left = _off(self.result, self.right), _off(self.result, answer)
-        most = OF_MOTIONS
-        if off.max() > OF_MOTIONS:
-            most = np.minimum(most, EXPLAINED * np.maximum(off.max(axis=0), HARDLY * off.max()))
-        return bool((left.max(axis=0) <= most).all())
+        return bool((_off(self.result, answer) <= self._left).all())
+
+    @functools.cached_property
+    def _left(self) -> Any:
+        """(columns,) what may be left of the error."""
+        off = _off(self.result, self.right).max(axis=0)
+        if off.max() <= OF_MOTIONS:
+            return OF_MOTIONS
+        return np.minimum(OF_MOTIONS, EXPLAINED * np.maximum(off, HARDLY * off.max()))
 
     def numbers(self) -> set[bytes]:
         return {row.tobytes() for row in _table(self.result)}

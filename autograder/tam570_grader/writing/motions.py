@@ -163,9 +163,11 @@ def _from_zero(motion: Motion) -> bool:
 
 
 def _reordered(motion: Motion) -> bool:
+    from scipy.optimize import linear_sum_assignment
+
     columns = motion.found.T[:, :, None] - motion.expected[None]  # each of the student's less each of the right ones
-    order = np.argmin(np.abs(columns / motion.scales).max(axis=1), axis=1)
-    return len(set(order)) == len(order) and motion.near(motion.expected[:, order])
+    off = np.fmin(np.abs(columns / motion.scales).max(axis=1), 1.0)  # a NaN, too, is as far off as can be
+    return motion.near(motion.expected[:, linear_sum_assignment(off)[1]])
 
 
 def _another(motion: Motion, motions: Sequence[Motion]) -> bool:

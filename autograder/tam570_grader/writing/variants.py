@@ -14,7 +14,7 @@ from tam570_grader.writing.check import Given
 from tam570_grader.writing.judged import Judged
 from tam570_grader.writing.mistakes import parts
 
-__all__ = ["Variant", "other_arguments", "other_products", "other_results"]
+__all__ = ["other_arguments", "other_products", "other_results"]
 
 SPACE = 3  # components of a vector
 ORDINALS = ("first ", "second ", "third ", "fourth ", "fifth ", "sixth ")  # results of a function

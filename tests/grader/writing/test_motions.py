@@ -144,6 +144,13 @@ def test_rows_of_another_order_are_told(change, says):
     assert told(lambda t, start: change(swings(t, start)), t) == says
 
 
+def test_columns_that_stay_zero_hide_no_order():
+    def flat(t, start):
+        return np.column_stack([swings(t, start), np.zeros((len(t), 2))])
+
+    assert told(lambda t, start: flat(t, start)[:, [1, 2, 0, 3]], right=flat) == "The columns are in another order"
+
+
 def test_rows_that_are_alike_anyway_are_not_told_to_be_in_another_order():
     twice = lambda t, start: swings(t, start)[:, [0, 0]]  # noqa: E731
     assert "columns" not in told(lambda t, start: 1.01 * twice(t, start) - 0.01 * start[0], right=twice)

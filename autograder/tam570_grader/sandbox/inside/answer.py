@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import numpy.random  # before the fork: NumPy puts it off until it is used
 
-from tam570 import bans
+from tam570.bans import IN_ONE, Change, Unusable, everywhere, refused
 
 from .picture import picture
 from .wire import portable
@@ -53,16 +53,16 @@ def error_report(error: BaseException) -> dict[str, Any]:
     return {"kinds": [kind.__name__[:50] for kind in type(error).__mro__[:20]], "text": _text(error), "line": line}
 
 
-def _stood_in(module: ModuleType, request: Mapping[str, Any]) -> list[bans.Change]:
+def _stood_in(module: ModuleType, request: Mapping[str, Any]) -> list[Change]:
     """Put stand-ins for functions of the file, by whatever name they go: for refused ones, for one that is moved.
 
     The function that is called stays, though it be a refused one by another name. What was there, to be put back.
     """
     called = getattr(module, request["function"])
-    refused = (name for name in request["refused"] if getattr(module, name, called) is not called)
-    changes = [one for name in refused for one in bans.refused(module, name, bans.Unusable(name, "in this function"))]
+    names = (name for name in request["refused"] if getattr(module, name, called) is not called)
+    changes = [one for name in names for one in refused(module, name, Unusable(name, IN_ONE))]
     if name := request.get("moved"):
-        changes += bans.everywhere(module, function := getattr(module, name), partial(_moved, function))
+        changes += everywhere(module, function := getattr(module, name), partial(_moved, function))
     own = [(owner, attribute, getattr(owner, attribute)) for owner, attribute, _ in changes]
     for owner, attribute, value in changes:
         setattr(owner, attribute, value)

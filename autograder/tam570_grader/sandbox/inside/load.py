@@ -7,7 +7,8 @@ from collections.abc import Callable, Sequence
 from types import CodeType, ModuleType
 from typing import Any
 
-from tam570 import bans, notebooks
+from tam570 import notebooks
+from tam570.bans import HERE, IN_ONE, Unusable, must_be_allowed
 
 __all__ = ["compiled", "load"]
 
@@ -41,9 +42,9 @@ def load(
     module.__dict__["__builtins__"] = {**_builtins_without(forbidden), **(notebooks.KERNEL if notebook else {})}
     module.__dict__["__file__"] = f"{name}.py"
     sys.modules[name] = module
-    for where, names in ((bans.HERE, forbidden), ("in this function", uncallable)):
+    for where, names in ((HERE, forbidden), (IN_ONE, uncallable)):
         for banned in names:
-            _replace(banned, bans.Unusable(banned, where))
+            _replace(banned, Unusable(banned, where))
     skipped = []
     for cell, code in pieces:
         try:
@@ -87,7 +88,7 @@ def _builtins_without(forbidden: Sequence[str]) -> dict[str, Any]:
     def guarded_import(
         name: str, globals: Any = None, locals: Any = None, fromlist: Any = (), level: int = 0
     ) -> ModuleType:
-        bans.must_be_allowed(name, fromlist, forbidden)
+        must_be_allowed(name, fromlist, forbidden)
         try:
             return import_module(name, globals, locals, fromlist, level)
         finally:
