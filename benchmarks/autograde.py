@@ -19,7 +19,7 @@ from pathlib import Path
 
 from grading import CLASSES, COURSE, _nbgrader, _notebook, class_of
 
-from tam570_grader.delivery.course import run as make_course
+from tam570_grader.nbgrader.course import run as make_course
 
 RESULTS = Path(__file__).parent / "results" / "autograde.json"
 OWN = ("Execute", "IgnorePattern", "LimitOutput", "SaveAutoGrades", "AssignLatePenalties", "CheckCellMetadata")

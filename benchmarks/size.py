@@ -21,9 +21,9 @@ from pathlib import Path
 
 from tqdm import tqdm
 
-from tam570_grader.delivery.stubs import stub
 from tam570_grader.grading import many
 from tam570_grader.grading.submissions import submissions
+from tam570_grader.release.stubs import stub
 from tam570_grader.results.records import read
 from tam570_grader.sandbox.worker import Allowance
 from tam570_grader.writing import assignments

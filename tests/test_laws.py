@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from tam570_grader.audit.diagnosis import ENOUGH, diagnosis
-from tam570_grader.delivery import own
-from tam570_grader.delivery.stubs import stub
+from tam570_grader.release import course_config
+from tam570_grader.release.stubs import stub
 from tam570_grader.sandbox.student import Source, Student
 from tam570_grader.sandbox.worker import Allowance
 from tam570_grader.writing import assignments
@@ -111,7 +111,7 @@ def test_a_row_of_the_readme_has_the_points_of_the_checks_whose_line_names_its_f
     worth = dict.fromkeys(assignment.results, 0.0)
     for check in assignment.checks:
         worth[next(word for word in re.findall(r"\w+", check.line) if word in worth)] += check.points
-    assert {name: float(points) for _, name, points, _ in own.ROW.findall(readme)} == worth
+    assert {name: float(points) for _, name, points, _ in course_config.ROW.findall(readme)} == worth
 
 
 # Right answers pass

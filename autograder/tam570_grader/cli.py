@@ -9,22 +9,13 @@ from collections.abc import Callable
 
 from tam570 import __version__
 from tam570_grader.audit.command import add_audit
-from tam570_grader.delivery.command import (
-    add_alike,
-    add_collect,
-    add_course,
-    add_export,
-    add_gradescope,
-    add_kit,
-    add_lms,
-    add_report,
-    add_stubs,
-)
-from tam570_grader.delivery.points import add_points
 from tam570_grader.errors import UsageError, warn
 from tam570_grader.grading.certificates import add_certificates
 from tam570_grader.grading.command import add_grade
 from tam570_grader.grading.replay import add_replay
+from tam570_grader.lms.command import add_alike, add_collect, add_export, add_lms, add_report
+from tam570_grader.lms.points import add_points
+from tam570_grader.release.command import add_course, add_gradescope, add_kit, add_stubs
 
 __all__ = ["main"]
 

@@ -59,11 +59,11 @@ def _add_questions(add: Callable[..., Any]) -> None:
 
 def _audit(arguments: argparse.Namespace) -> int:
     """Print what is asked for, an assignment at a time; 1 if there is a fault."""
-    from tam570_grader.delivery import own
     from tam570_grader.grading.command import crew_of, warn_of_isolation
+    from tam570_grader.release import course_config
     from tam570_grader.writing import assignments
 
-    course = own.course(arguments.root)
+    course = course_config.course(arguments.root)
     question = _question(arguments)
     if not arguments.cluster:
         warn_of_isolation()

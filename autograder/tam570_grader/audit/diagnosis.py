@@ -14,10 +14,10 @@ from pathlib import Path
 from typing import Any
 
 from tam570_grader.audit.gradings import Grading, progress, submissions, tried
-from tam570_grader.delivery.stubs import exported
 from tam570_grader.errors import UsageError
 from tam570_grader.grading.one import Result
 from tam570_grader.grading.processes import Crew, in_order
+from tam570_grader.release.stubs import exported
 from tam570_grader.results.records import Mark
 from tam570_grader.writing import assignments
 from tam570_grader.writing.mistakes import header, mistakes

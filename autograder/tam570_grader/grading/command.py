@@ -57,12 +57,12 @@ def add_grade(commands: Commands) -> argparse.ArgumentParser:
 
 
 def _grade(arguments: argparse.Namespace) -> int:
-    from tam570_grader.delivery import own
     from tam570_grader.pages import feedback
+    from tam570_grader.release import course_config
     from tam570_grader.writing import assignments
 
     gc.set_threshold(100_000)  # a large class is many records without circles, which would be sought again and again
-    course = own.course(arguments.root)
+    course = course_config.course(arguments.root)
     found = _submissions(arguments, assignments.slugs(course))
     if arguments.vary and arguments.seed is not None:
         raise UsageError("--seed and --vary: a seed is for the whole class, a key varies it; give one of them")
@@ -105,14 +105,14 @@ def _print_results(arguments: argparse.Namespace, course: Path, plan: Any, seen:
 
 def _plan(arguments: argparse.Namespace, course: Path, found: list[Any], earlier: list[Any]) -> Any:
     """What is graded and how; of the results that are there it takes the seed."""
-    from tam570_grader.delivery import own
     from tam570_grader.grading import seeds
     from tam570_grader.grading.many import Plan
+    from tam570_grader.release import course_config
     from tam570_grader.sandbox.worker import Allowance
 
     key = seeds.key(arguments.vary, any(earlier)) if arguments.vary else None
     seed = seeds.seed(arguments.seed, earlier, key)
-    limits = {name: vars(arguments)[name] or usual for name, usual in own.limits(course).items()}
+    limits = {name: vars(arguments)[name] or usual for name, usual in course_config.limits(course).items()}
     allowance = Allowance(limits["memory"] * 2**20, limits["cpu"], limits["call"], arguments.processes)
     ours = [*arguments.paths, *arguments.join, *filter(None, (arguments.out, arguments.against, arguments.vary))]
     hidden = [*_folders(course), *(path.resolve() for path in ours)]
@@ -122,9 +122,11 @@ def _plan(arguments: argparse.Namespace, course: Path, found: list[Any], earlier
 
 def _folders(course: Path) -> list[Path]:
     """Where a course lies; one of one's own has a checkout, and the teacher's desk, too."""
-    from tam570_grader.delivery import own
+    from tam570_grader.release import course_config
 
-    beside = [(course / "shared").resolve().parent, course.parents[1]] if course.parent.name == own.PLACE else []
+    beside = (
+        [(course / "shared").resolve().parent, course.parents[1]] if course.parent.name == course_config.PLACE else []
+    )
     return [course, *beside]
 
 
@@ -169,7 +171,7 @@ def _by_hand(seen: Seen, plan: Any) -> str:
 
 def _print_gradescope(course: Path, seen: Seen) -> int:
     """results.json of the one submission, or nothing if the grader failed on it; the exit code."""
-    from tam570_grader.delivery import gradescope
+    from tam570_grader.gradescope import autograder
     from tam570_grader.writing import assignments
 
     if len(seen.rows) != 1:
@@ -177,7 +179,7 @@ def _print_gradescope(course: Path, seen: Seen) -> int:
     if code := _warn_of_faults(seen):
         return code
     checks = assignments.assignment(course, seen.last["assignment"]).checks
-    print(json.dumps(gradescope.results(seen.last, {check.name: check.line for check in checks}), indent=1))
+    print(json.dumps(autograder.results(seen.last, {check.name: check.line for check in checks}), indent=1))
     return 0
 
 

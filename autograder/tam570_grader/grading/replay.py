@@ -74,15 +74,15 @@ def _listed(failed: Iterable[tuple[str, str]]) -> str:
 
 def _again(arguments: argparse.Namespace, slug: str, why: Failure) -> str:
     """What the function of the file gives at this input, in the sandbox; or why it gives nothing."""
-    from tam570_grader.delivery import own
     from tam570_grader.grading.submissions import CannotRead, Submission, read
     from tam570_grader.pages.sentences import message
+    from tam570_grader.release import course_config
     from tam570_grader.sandbox.student import Student
     from tam570_grader.sandbox.worker import Allowance, Worker
     from tam570_grader.writing import assignments
     from tam570_grader.writing.expect import Failed, NotWritten
 
-    root = own.course(arguments.root)
+    root = course_config.course(arguments.root)
     assignment = assignments.assignment(root, slug)
     try:
         source = read(Submission(arguments.student, slug, arguments.file, arguments.file))

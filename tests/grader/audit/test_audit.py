@@ -219,7 +219,10 @@ def test_a_false_fail_is_told_with_check_seed_and_message(capsys, monkeypatch):
     assert "seed 5000: skew_is_the_cross_product: " in capsys.readouterr().out
 
 
-@pytest.mark.parametrize("room", ["sandbox", "writing", "grading", "results", "pages", "delivery"])
+ROOMS = ["sandbox", "writing", "grading", "results", "pages", "lms", "nbgrader", "gradescope", "release"]
+
+
+@pytest.mark.parametrize("room", ROOMS)
 def test_nothing_that_grades_imports_the_audit(course, room):
     texts = [path.read_text() for path in (course / "autograder" / "tam570_grader" / room).rglob("*.py")]
     assert texts and not any("tam570_grader.audit" in text for text in texts)

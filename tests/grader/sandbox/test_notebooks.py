@@ -43,7 +43,7 @@ def test_many_cells_and_long_ones_are_cut():
 
 
 def test_a_pipe_in_place_of_a_notebook_is_told(tmp_path):
-    bridge = pytest.importorskip("tam570_grader.delivery.nbgrader_bridge")
+    bridge = pytest.importorskip("tam570_grader.nbgrader.bridge")
     os.mkfifo(tmp_path / "hw08.ipynb")
     assert "not a regular file" in bridge._students(tmp_path / "hw08.ipynb")
     (tmp_path / "large.ipynb").write_bytes(b" " * (bridge.LARGEST + 1))
@@ -54,7 +54,7 @@ def test_a_pipe_in_place_of_a_notebook_is_told(tmp_path):
 
 @pytest.mark.filterwarnings("ignore")  # nbgrader's own
 def test_what_nbgrader_copies_is_as_it_was_after_a_command(tmp_path):
-    bridge = pytest.importorskip("tam570_grader.delivery.nbgrader_bridge")
+    bridge = pytest.importorskip("tam570_grader.nbgrader.bridge")
     from nbgrader.apps import NbGraderApp
     from nbgrader.converters import Autograde
 

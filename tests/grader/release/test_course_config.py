@@ -9,7 +9,7 @@ import zipfile
 import pytest
 
 from tam570_grader import cli
-from tam570_grader.delivery import late, own
+from tam570_grader.release import course_config, late_policy
 from tam570_grader.writing import assignments
 
 SLUG = "hw08_axis_angle"
@@ -85,11 +85,11 @@ def waits(root):
 
 def test_checks_wait_for_the_same_checks_and_not_for_one_left_out(desk, course):
     before, left_out = waits(course), "vector_turns_by_the_right_hand_rule"
-    here = waits(own.course())
+    here = waits(course_config.course())
     assert here["vector_turns_by_every_angle"] == [left_out]
     assert {name: after for name, after in before.items() if name in here}.items() <= here.items()
     (desk / "course.toml").write_text(COURSE.replace("matrix_depends_on_the_direction_alone", left_out))
-    assert waits(own.course())["vector_turns_by_every_angle"] == []
+    assert waits(course_config.course())["vector_turns_by_every_angle"] == []
 
 
 def test_a_change_of_points_grades_anew(desk):
@@ -164,7 +164,7 @@ def checkout(tmp_path, course):
         for slug in ("hw07_double_pendulum", SLUG):
             shutil.copytree(course / name / slug, root / name / slug, ignore=shutil.ignore_patterns("__pycache__"))
     shutil.copytree(course / "solutions", root / "solutions", ignore=shutil.ignore_patterns("__pycache__"))
-    for name in own.SHARED:
+    for name in course_config.SHARED:
         (root / name).symlink_to(course / name)
     return root
 
@@ -178,33 +178,33 @@ def test_in_the_root_of_a_checkout_it_is_obeyed_too(desk, checkout, monkeypatch,
     monkeypatch.chdir(checkout / where)
     assert run("grade", desk / "submitted", "--out", desk / "results", "--seed", "1") == 0
     assert '"max_score": 13.0' in (desk / "results" / "results.jsonl").read_text()
-    root = own.course()
-    assert root.parent == checkout / ".course" and own.course(root) == root
-    assert own.limits(root)["call"] == 5
-    assert late.terms_of(root)["hw07_double_pendulum"].extension == {"ann": 2}
+    root = course_config.course()
+    assert root.parent == checkout / ".course" and course_config.course(root) == root
+    assert course_config.limits(root)["call"] == 5
+    assert late_policy.terms_of(root)["hw07_double_pendulum"].extension == {"ann": 2}
     (checkout / "course.toml").write_text("[limits]\ncalls = 5\n")
     assert run("grade", desk / "submitted", "--out", desk / "results") == 2
 
 
 def test_a_course_that_a_command_may_use_stays_when_another_is_made(desk):
-    old = own.course()
+    old = course_config.course()
     (desk / "course.toml").write_text(COURSE.replace("= 3", "= 5"))
-    assert own.course() != old and (old / "solutions" / f"{SLUG}.py").is_file()
+    assert course_config.course() != old and (old / "solutions" / f"{SLUG}.py").is_file()
     (desk / "course.toml").write_text(COURSE)
-    assert own.course() == old
+    assert course_config.course() == old
 
 
 def test_two_commands_at_once_make_one_course(desk, monkeypatch):
-    make, made = own._make, []
+    make, made = course_config._make, []
 
     def made_by_two(*arguments):
         """Another command makes the same course before this one puts its own in place."""
-        monkeypatch.setattr(own, "_make", make)
+        monkeypatch.setattr(course_config, "_make", make)
         make(*arguments)
-        made.append(own.course())
+        made.append(course_config.course())
 
-    monkeypatch.setattr(own, "_make", made_by_two)
-    assert [own.course()] == made and assignments.slugs(made[0]) == ["hw07_double_pendulum", SLUG]
+    monkeypatch.setattr(course_config, "_make", made_by_two)
+    assert [course_config.course()] == made and assignments.slugs(made[0]) == ["hw07_double_pendulum", SLUG]
     assert [path.name for path in desk.glob(".course*")] == [".course"]
 
 
@@ -213,5 +213,5 @@ def test_checks_of_ones_own_in_a_folder_are_read_anew(desk):
     (desk / "sub").mkdir()
     for points in (2, 4):
         (desk / "sub" / "mine.py").write_text(MINE.replace("points=2", f"points={points}"))
-        checks = assignments.assignment(own.course(), SLUG).checks
+        checks = assignments.assignment(course_config.course(), SLUG).checks
         assert [one.points for one in checks if one.name == "turning_back_undoes"] == [points]

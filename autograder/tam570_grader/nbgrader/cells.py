@@ -6,10 +6,10 @@ from typing import Any
 
 import nbformat
 
-from tam570_grader.delivery.notebook import FORMAT
 from tam570_grader.errors import printable
 from tam570_grader.grading.submissions import Submission
 from tam570_grader.pages.feedback import SIGNS, Sheet, overall, pictures, template
+from tam570_grader.release.notebook import FORMAT
 from tam570_grader.results.journal import Record
 
 __all__ = ["Notebook", "grade_id", "marked", "node", "note", "pictures_only", "rebuilt", "safe"]

@@ -12,8 +12,8 @@ from datetime import date, datetime, time, timedelta
 from pathlib import Path
 from typing import Any
 
-from tam570_grader.delivery.course_toml import COPY, FILE, by_slug, must, no_other, toml
 from tam570_grader.errors import UsageError
+from tam570_grader.release.course_toml import COPY, FILE, by_slug, must, no_other, toml
 from tam570_grader.results.by_hand import EVERYONE, EXTENSION, LATE, MOST, OFF, Entry, Hand
 from tam570_grader.results.journal import Results
 
@@ -83,7 +83,7 @@ def obeyed(hand: Hand, known: Mapping[str, Terms], found: Results, collected: Pa
     found     : the results, which tell what was graded: of a module and a notebook the time of one counts
     collected : the table that `collect` wrote, whose times tell who is late
     """
-    from tam570_grader.delivery.collect import listed
+    from tam570_grader.lms.submission_import import listed
 
     slugs = {slug for _, slug in found}
     table = list(_graded(listed(collected, NEEDED), found)) if collected else []

@@ -7,7 +7,7 @@ import shutil
 import pytest
 
 from tam570_grader import cli
-from tam570_grader.delivery import points as command
+from tam570_grader.lms import points as command
 from tam570_grader.results import by_hand
 from tam570_grader.results.by_hand import Entry, Hand
 from tam570_grader.results.journal import Book

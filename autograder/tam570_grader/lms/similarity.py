@@ -11,9 +11,9 @@ from itertools import combinations
 from pathlib import Path
 from typing import Any
 
-from tam570_grader.delivery.export import code
 from tam570_grader.errors import UsageError, counted, warn
 from tam570_grader.grading.submissions import CannotRead, submissions
+from tam570_grader.lms.similarity_export import code
 from tam570_grader.sandbox.notebooks import Unshown, statements_of
 
 __all__ = ["Pair", "pairs", "run"]

@@ -5,7 +5,7 @@ import csv
 import pytest
 
 from tam570_grader import cli
-from tam570_grader.delivery.late import terms
+from tam570_grader.release.late_policy import terms
 
 SLUG = "hw08_axis_angle"
 COURSE = """

@@ -12,7 +12,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from tam570_grader.delivery.archives import File
+from tam570_grader.lms.archives import File
 
 __all__ = ["READERS", "Handed", "named"]
 
@@ -81,7 +81,7 @@ def moodle(files: Iterable[File]) -> Iterator[Handed | File]:
 
 def gradescope(files: Iterable[File]) -> Iterator[Handed | File]:
     """Who handed in what, by the table of submissions; a group's file is each member's."""
-    from tam570_grader.delivery.gradescope_table import table_in
+    from tam570_grader.lms.gradescope_table import table_in
 
     held = list(files)
     table = table_in(held)

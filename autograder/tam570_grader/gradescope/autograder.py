@@ -9,9 +9,9 @@ from pathlib import Path
 from string import Template
 from typing import Any
 
-from tam570_grader.delivery.course_toml import COPY
 from tam570_grader.errors import counted, writing
 from tam570_grader.pages.feedback import overall
+from tam570_grader.release.course_toml import COPY
 from tam570_grader.results.journal import Record
 from tam570_grader.results.tables import written
 
@@ -67,7 +67,7 @@ def _write_archive(course: Path, slug: str, path: Path) -> None:
     whole = io.BytesIO()
     with zipfile.ZipFile(whole, "w", zipfile.ZIP_DEFLATED) as archive:
         for name in ("setup.sh", "run_autograder"):
-            text = (TEMPLATES / "gradescope" / name).read_text(encoding="utf-8")
+            text = (TEMPLATES / name).read_text(encoding="utf-8")
             entry = zipfile.ZipInfo(name)
             entry.external_attr = EXECUTABLE
             archive.writestr(entry, Template(text).substitute(fields))

@@ -7,8 +7,8 @@ from typing import Any
 
 import yaml
 
-from tam570_grader.delivery.archives import File
 from tam570_grader.errors import UsageError
+from tam570_grader.lms.archives import File
 
 __all__ = ["Table", "table_in"]
 

@@ -1,4 +1,4 @@
-"""The commands that hand on the course, to students and nbgrader, or its scores, to other systems and instructors."""
+"""The commands that take submissions in, and give scores, pages and copies of submissions out."""
 
 import argparse
 import contextlib
@@ -8,56 +8,7 @@ from pathlib import Path
 from tam570_grader.errors import UsageError, warn
 from tam570_grader.options import Commands
 
-__all__ = [
-    "add_alike",
-    "add_collect",
-    "add_course",
-    "add_export",
-    "add_gradescope",
-    "add_kit",
-    "add_lms",
-    "add_report",
-    "add_stubs",
-]
-
-
-def _told(commands: Commands, name: str, says: str) -> argparse.ArgumentParser:
-    """The parser of a command of which one sentence tells enough."""
-    parser: argparse.ArgumentParser = commands.add_parser(name, help=says, description=f"{says[0].upper()}{says[1:]}.")
-    return parser
-
-
-def add_stubs(commands: Commands) -> argparse.ArgumentParser:
-    stubs = _told(commands, "stubs", "make the students' stubs from the solutions")
-    stubs.set_defaults(command=_stubs)
-    stubs.add_argument("--check", action="store_true", help="write nothing; exit 1 if a stub is out of date")
-    return stubs
-
-
-def add_kit(commands: Commands) -> argparse.ArgumentParser:
-    kit = _told(commands, "kit", "make what students install and start from")
-    kit.set_defaults(command=_kit)
-    kit.add_argument("folder", type=Path, metavar="DIR", help="where to put it")
-    return kit
-
-
-def add_course(commands: Commands) -> argparse.ArgumentParser:
-    course = _told(commands, "course", "make a course that nbgrader runs")
-    course.set_defaults(command=_course)
-    return _folder_and_slugs(course)
-
-
-def add_gradescope(commands: Commands) -> argparse.ArgumentParser:
-    gradescope = _told(commands, "gradescope", "make the archives that Gradescope runs")
-    gradescope.set_defaults(command=_gradescope)
-    return _folder_and_slugs(gradescope)
-
-
-def _folder_and_slugs(parser: argparse.ArgumentParser) -> argparse.ArgumentParser:
-    """The parser, with what `_course_and_slugs` reads."""
-    parser.add_argument("folder", type=Path, metavar="DIR", help="where to write")
-    parser.add_argument("assignments", nargs="*", metavar="SLUG", help="default: all")
-    return parser
+__all__ = ["add_alike", "add_collect", "add_export", "add_lms", "add_report"]
 
 
 def add_collect(commands: Commands) -> argparse.ArgumentParser:
@@ -137,8 +88,11 @@ def add_lms(commands: Commands) -> argparse.ArgumentParser:
 
 
 def add_report(commands: Commands) -> argparse.ArgumentParser:
-    says = "make one page on the class: scores, checks, known mistakes, who is missing"
-    report = _told(commands, "report", says)
+    report: argparse.ArgumentParser = commands.add_parser(
+        "report",
+        help="make one page on the class",
+        description="Make one page on the class: scores, checks, known mistakes, who is missing.",
+    )
     report.set_defaults(command=_report)
     add = report.add_argument
     add("folder", type=Path, metavar="DIR", help="what `grade --out` wrote")
@@ -147,42 +101,18 @@ def add_report(commands: Commands) -> argparse.ArgumentParser:
     return report
 
 
-def _stubs(arguments: argparse.Namespace) -> int:
-    from tam570_grader.delivery import own, stubs
-
-    return stubs.run(own.course(arguments.root), check=arguments.check)
-
-
-def _kit(arguments: argparse.Namespace) -> int:
-    from tam570_grader.delivery import kit, own
-
-    return kit.run(own.course(arguments.root), arguments.folder)
-
-
-def _course(arguments: argparse.Namespace) -> int:
-    from tam570_grader.delivery import course
-
-    return course.run(*_course_and_slugs(arguments))
-
-
-def _gradescope(arguments: argparse.Namespace) -> int:
-    from tam570_grader.delivery import gradescope
-
-    return gradescope.run(*_course_and_slugs(arguments))
-
-
 def _collect(arguments: argparse.Namespace) -> int:
-    from tam570_grader.delivery import collect
+    from tam570_grader.lms import submission_import
 
     _, known, given = _known_and_given(arguments)
-    return collect.run(arguments.source, arguments.system, arguments.roster, arguments.to, known, given)
+    return submission_import.run(arguments.source, arguments.system, arguments.roster, arguments.to, known, given)
 
 
 def _export(arguments: argparse.Namespace) -> int:
-    from tam570_grader.delivery import export
+    from tam570_grader.lms import similarity_export
 
     course, known, given = _known_and_given(arguments)
-    return export.run(course, arguments.paths, arguments.tool, arguments.to, known, given)
+    return similarity_export.run(course, arguments.paths, arguments.tool, arguments.to, known, given)
 
 
 def _share(text: str) -> float:
@@ -197,14 +127,14 @@ def _share(text: str) -> float:
 
 
 def _alike(arguments: argparse.Namespace) -> int:
-    from tam570_grader.delivery import alike
+    from tam570_grader.lms import similarity
 
     course, known, given = _known_and_given(arguments)
-    return alike.run(course, arguments.paths, known, given, arguments.least)
+    return similarity.run(course, arguments.paths, known, given, arguments.least)
 
 
 def _lms(arguments: argparse.Namespace) -> int:
-    from tam570_grader.delivery import handback, lms
+    from tam570_grader.lms import feedback_export, score_export
 
     grades = arguments.grades / "grades.csv" if arguments.grades.is_dir() else arguments.grades
     if bool(arguments.pages) != bool(arguments.collected):
@@ -212,52 +142,43 @@ def _lms(arguments: argparse.Namespace) -> int:
     lacking = []
     if arguments.pages:
         pages = grades.parent / "feedback"
-        lacking = handback.run(pages, arguments.collected, arguments.to, arguments.pages, arguments.only)
+        lacking = feedback_export.run(pages, arguments.collected, arguments.to, arguments.pages, arguments.only)
     for line in filter(None, [*lacking, _terms(grades.parent, arguments.root)]):
         warn(line)
     fields = ("roster", "identity", "out", "only", "absent")
-    code = lms.run(grades, arguments.to, **{name: getattr(arguments, name) for name in fields})
+    code = score_export.run(grades, arguments.to, **{name: getattr(arguments, name) for name in fields})
     return code or bool(lacking)
 
 
 def _terms(folder: Path, root: Path | None) -> str:
     """What to say if course.toml has other terms for late work than the results in a folder."""
-    from tam570_grader.delivery import late, own
+    from tam570_grader.release import course_config, late_policy
     from tam570_grader.results import by_hand
     from tam570_grader.results.journal import results
 
     if not (folder / "results.jsonl").is_file():  # nbgrader's table, say
         return ""
     with contextlib.closing(results(folder)) as found:
-        return late.stale(folder, by_hand.read(folder), own.course(root), {slug for _, slug in found})
+        return late_policy.stale(folder, by_hand.read(folder), course_config.course(root), {slug for _, slug in found})
 
 
 def _report(arguments: argparse.Namespace) -> int:
-    from tam570_grader.delivery import own
     from tam570_grader.grading import roster
     from tam570_grader.pages import feedback, report
+    from tam570_grader.release import course_config
 
     feedback.must_write_pages()
     if line := _terms(arguments.folder, arguments.root):
         warn(line)
     everyone = partial(roster.students, arguments.roster) if arguments.roster else None
-    return report.run(arguments.folder, own.course(arguments.root), everyone, arguments.out)
+    return report.run(arguments.folder, course_config.course(arguments.root), everyone, arguments.out)
 
 
 def _known_and_given(arguments: argparse.Namespace) -> tuple[Path, list[str], str | None]:
     """The checkout, its assignments, and the one that --assignment names."""
-    from tam570_grader.delivery import own
+    from tam570_grader.release import course_config
     from tam570_grader.writing import assignments
 
-    course = own.course(arguments.root)
+    course = course_config.course(arguments.root)
     known = assignments.slugs(course)
     return course, known, assignments.one_named(arguments.assignment, known)
-
-
-def _course_and_slugs(arguments: argparse.Namespace) -> tuple[Path, Path, list[str]]:
-    """The checkout, the folder to write to, the assignments."""
-    from tam570_grader.delivery import own
-    from tam570_grader.writing import assignments
-
-    course = own.course(arguments.root)
-    return course, arguments.folder, assignments.named(arguments.assignments, assignments.slugs(course))

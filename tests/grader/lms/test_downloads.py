@@ -12,9 +12,10 @@ import zipfile
 import pytest
 
 from tam570_grader import cli
-from tam570_grader.delivery import gradescope, lms
-from tam570_grader.delivery.stubs import stub
+from tam570_grader.gradescope import autograder
 from tam570_grader.grading.one import failed_by_us
+from tam570_grader.lms import score_export
+from tam570_grader.release.stubs import stub
 from tam570_grader.results import journal, tables
 from tam570_grader.writing import assignments, failures
 
@@ -107,7 +108,7 @@ def test_results_hold_nothing_hidden(course, grade, solution_text):
     hidden = re.findall(
         r"\d\.\d{6,}|[A-Za-z0-9+/]{40,}", json.dumps([failure.get(key) for failure in failed for key in failures.WHOLE])
     )
-    page = json.dumps(gradescope.results(record, {}))
+    page = json.dumps(autograder.results(record, {}))
     assert hidden and not any(json.dumps(text)[1:-1] in page for text in hidden)
 
 
@@ -169,26 +170,26 @@ ROSTER = [
 
 
 def test_canvas_without_a_roster_knows_students_by_login():
-    table = lms.canvas(SCORES)
+    table = score_export.canvas(SCORES)
     assert table[0] == ["Student", "ID", "SIS User ID", "SIS Login ID", "Section", "hw07_x", "hw08_y"]
     assert table[1] == ["    Points Possible", "", "", "", "", "10.0", "10.0"]
     assert table[2:] == [["ann", "", "", "ann", "", "9.5", "10.0"], ["ben", "", "", "ben", "", "", ""]]
 
 
 def test_canvas_with_a_roster_keeps_its_names_numbers_and_columns():
-    table = lms.canvas(SCORES, ROSTER)
+    table = score_export.canvas(SCORES, ROSTER)
     assert table[0][5:] == ["hw07_x (4711)", "hw08_y"]
     assert table[2:] == [["Lee, Ann", "17", "A1", "ann", "570", "9.5", "10.0"], [*ROSTER[3][:5], "", ""]]
 
 
 @pytest.mark.parametrize("name", ["17", "A1"])
 def test_canvas_finds_a_student_by_any_of_its_numbers(name):
-    assert lms.canvas({(name, "hw07_x"): ("9.5", "10.0")}, ROSTER)[2][5:] == ["9.5"]
+    assert score_export.canvas({(name, "hw07_x"): ("9.5", "10.0")}, ROSTER)[2][5:] == ["9.5"]
 
 
 def test_moodle_knows_students_by_the_field_that_is_named():
-    assert lms.moodle(SCORES, "email")[0] == ["Email address", "hw07_x", "hw08_y"]
-    assert lms.moodle(SCORES)[1:] == [["ann", "9.5", "10.0"], ["ben", "", ""]]
+    assert score_export.moodle(SCORES, "email")[0] == ["Email address", "hw07_x", "hw08_y"]
+    assert score_export.moodle(SCORES)[1:] == [["ann", "9.5", "10.0"], ["ben", "", ""]]
 
 
 @pytest.mark.parametrize("system, who", [("canvas", 3), ("moodle", 0)])

@@ -8,8 +8,8 @@ import sys
 import pytest
 
 from tam570_grader import cli
-from tam570_grader.delivery.notebook import functions_by_part, notebook, part_points, problem, visible_by_part
-from tam570_grader.delivery.stubs import stub
+from tam570_grader.release.notebook import functions_by_part, notebook, part_points, problem, visible_by_part
+from tam570_grader.release.stubs import stub
 from tam570_grader.sandbox.worker import Allowance
 from tam570_grader.writing import assignments
 

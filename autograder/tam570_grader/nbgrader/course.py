@@ -1,6 +1,5 @@
 """Writes a course that plain nbgrader runs: sources of the assignments, its configuration, and a page of commands."""
 
-import json
 import shutil
 import sys
 import tempfile
@@ -8,13 +7,13 @@ from collections.abc import Sequence
 from pathlib import Path
 from string import Template
 
-from tam570_grader.delivery import own
-from tam570_grader.delivery.notebook import notebook
 from tam570_grader.errors import UsageError, counted, writing
+from tam570_grader.release import course_config
+from tam570_grader.release.notebook import write_notebook
 from tam570_grader.results.tables import written
 from tam570_grader.writing import assignments
 
-__all__ = ["run", "write_notebook"]
+__all__ = ["run"]
 
 TEMPLATES = Path(__file__).parent / "templates"
 
@@ -24,7 +23,7 @@ def run(course: Path, folder: Path, slugs: Sequence[str]) -> int:
     for slug in slugs:
         _write_assignment(course, slug, folder / "source" / slug)
     checkout = (
-        course.parents[1] if course.parent.name == own.PLACE else course
+        course.parents[1] if course.parent.name == course_config.PLACE else course
     )  # where course.toml is, it is looked at anew
     fields = {"checkout": repr(str(checkout)), "modules": _modules(assignments.slugs(course)), "first": slugs[0]}
     for name, template in (("nbgrader_config.py", "nbgrader_config.txt"), ("README.md", "course.txt")):
@@ -59,20 +58,6 @@ def _write_assignment(course: Path, slug: str, folder: Path) -> None:
             for new in sorted(Path(draft).iterdir()):
                 if not _is_the_teachers(folder / new.name, new.read_bytes()):
                     shutil.copyfile(new, folder / new.name)
-
-
-def write_notebook(course: Path, slug: str, folder: Path) -> None:
-    """The notebook form of an assignment, and the module that it uses."""
-    released = course / "assignments" / slug
-    shutil.copyfile(TEMPLATES / "lab.py", folder / "lab.py")
-    pictures = assignments.checks_folder(course, slug) / "notebook.md"
-    made = notebook(
-        assignments.assignment(course, slug),
-        (released / "README.md").read_text(encoding="utf-8"),
-        (released / f"test_{slug}.py").read_text(encoding="utf-8"),
-        pictures.read_text(encoding="utf-8") if pictures.exists() else "",
-    )
-    written(folder / f"{slug}.ipynb", json.dumps(made, indent=1, ensure_ascii=False) + "\n")
 
 
 def _modules(slugs: Sequence[str]) -> str:

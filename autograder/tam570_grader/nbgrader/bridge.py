@@ -23,10 +23,6 @@ from nbgrader.preprocessors import NbGraderPreprocessor  # type: ignore[import-u
 from nbgrader.utils import find_all_files  # type: ignore[import-untyped]
 from traitlets import Bool, Dict, Integer, Unicode
 
-from tam570_grader.delivery import own
-from tam570_grader.delivery.nbgrader_cells import Notebook, grade_id, marked, node, note, pictures_only, rebuilt, safe
-from tam570_grader.delivery.nbgrader_gradebook import OpenGradebook, keep_gradebooks_open
-from tam570_grader.delivery.notebook import FORMAT, part_of, part_points, text_cell
 from tam570_grader.grading.many import Plan, records
 from tam570_grader.grading.submissions import (
     LARGEST,
@@ -38,8 +34,12 @@ from tam570_grader.grading.submissions import (
     read,
     submissions,
 )
+from tam570_grader.nbgrader.cells import Notebook, grade_id, marked, node, note, pictures_only, rebuilt, safe
+from tam570_grader.nbgrader.gradebook import OpenGradebook, keep_gradebooks_open
 from tam570_grader.options import cores
 from tam570_grader.pages.feedback import Sheet, sheet
+from tam570_grader.release import course_config
+from tam570_grader.release.notebook import FORMAT, part_of, part_points, text_cell
 from tam570_grader.results.journal import Book, Record
 from tam570_grader.sandbox.notebooks import Unshown, cells_of
 from tam570_grader.sandbox.worker import Allowance
@@ -206,7 +206,7 @@ class SandboxGrades(NbGraderPreprocessor):  # type: ignore[misc]
         return nb, resources
 
     def found_checkout(self) -> Path:
-        return own.course(self.checkout or None)
+        return course_config.course(self.checkout or None)
 
     def _sheet(self, slug: str) -> Sheet:
         sheets: dict[str, Sheet] = self.parent.sheets
@@ -228,7 +228,7 @@ class SandboxGrades(NbGraderPreprocessor):  # type: ignore[misc]
     def _plan(self, place: Any, book: Book, everyone: Sequence[Submission]) -> Plan:
         seed = secrets.randbelow(2**31) if book.seed is None else book.seed
         mine = {"memory": self.memory, "cpu": self.cpu, "call": self.call}
-        limits = {name: mine[name] or usual for name, usual in own.limits(self.found_checkout()).items()}
+        limits = {name: mine[name] or usual for name, usual in course_config.limits(self.found_checkout()).items()}
         allowance = Allowance(limits["memory"] * 2**20, limits["cpu"], limits["call"])
         jobs = self.jobs or cores()
         hidden = [self.found_checkout(), Path(place.root).resolve()]

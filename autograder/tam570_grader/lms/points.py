@@ -8,9 +8,9 @@ import io
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
-from tam570_grader.delivery import late
 from tam570_grader.errors import UsageError, counted, warn, writing
 from tam570_grader.options import Commands
+from tam570_grader.release import late_policy
 from tam570_grader.results import by_hand
 from tam570_grader.results.by_hand import (
     ADJUST,
@@ -65,11 +65,11 @@ def add_points(commands: Commands) -> argparse.ArgumentParser:
 
 
 def _points(arguments: argparse.Namespace) -> int:
-    from tam570_grader.delivery import own
     from tam570_grader.pages import feedback
+    from tam570_grader.release import course_config
     from tam570_grader.writing import assignments
 
-    course, folder = own.course(arguments.root), arguments.folder
+    course, folder = course_config.course(arguments.root), arguments.folder
     if not (folder / "results.jsonl").is_file():
         raise UsageError(f"there are no results in {folder}; make them with: tam570-grader grade ... --out {folder}")
     with contextlib.closing(results(folder)) as found:
@@ -78,7 +78,7 @@ def _points(arguments: argparse.Namespace) -> int:
         here = {slug: assignments.assignment(course, slug) for slug in slugs if slug in known}
         manual = {slug: here[slug].manual if slug in here else {} for slug in slugs}
         checks = {slug: {check.name: check.points for check in one.checks} for slug, one in here.items()}
-        terms = late.terms_of(course)
+        terms = late_policy.terms_of(course)
         if not arguments.table and (arguments.template or not (terms or arguments.collected)):
             raise UsageError("name the table, too: tam570-grader points DIR CSV")
         if arguments.template:
@@ -86,7 +86,7 @@ def _points(arguments: argparse.Namespace) -> int:
         new = list(_checked(arguments.table, found, manual, checks)) if arguments.table else []
     feedback.must_write_pages()
     with contextlib.closing(Book(folder)) as book:  # nobody else adds rows meanwhile
-        hand, open_ = late.obeyed(by_hand.read(folder).with_(new), terms, book, arguments.collected)
+        hand, open_ = late_policy.obeyed(by_hand.read(folder).with_(new), terms, book, arguments.collected)
         by_hand.write(folder, hand)
         feedback.write_pages(folder / "feedback", book, course)
     for line in open_:

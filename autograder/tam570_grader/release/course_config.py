@@ -15,10 +15,10 @@ from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Any
 
-from tam570_grader.delivery import late
-from tam570_grader.delivery.course_toml import COPY, FILE, by_slug, must, no_other, toml
-from tam570_grader.delivery.stubs import contract
 from tam570_grader.errors import writing
+from tam570_grader.release import late_policy
+from tam570_grader.release.course_toml import COPY, FILE, by_slug, must, no_other, toml
+from tam570_grader.release.stubs import contract
 from tam570_grader.results.tables import written
 from tam570_grader.writing import assignments
 from tam570_grader.writing.assignments import ADAPTED, OWN, Assignment
@@ -134,13 +134,13 @@ def _parts(path: Path, given: Mapping[str, Any], known: Sequence[str]) -> dict[s
     for slug, (key, _) in changed.items():
         must(path, slug in chosen, f"[{key}] is not among the assignments: add it there, or leave it out")
     parts = {slug: _part(path, *changed[slug]) if slug in changed else Part({}) for slug in chosen}
-    late.terms(path, given, chosen)
+    late_policy.terms(path, given, chosen)
     return parts
 
 
 def _part(path: Path, key: str, table: Any) -> Part:
     must(path, isinstance(table, dict), f"{key} must be a table: write [{key}] above its lines")
-    no_other(path, f"[{key}] ", table, [*(one.name for one in fields(Part)), *late.KEYS])
+    no_other(path, f"[{key}] ", table, [*(one.name for one in fields(Part)), *late_policy.KEYS])
     for name in ("leave_out", "allow"):
         must(path, _are_texts(table.get(name, [])), f"[{key}] {name} must be a list of texts")
     points, own = table.get("points", {}), table.get("checks", "")

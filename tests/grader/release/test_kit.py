@@ -9,7 +9,7 @@ import zipfile
 
 import pytest
 
-from tam570_grader.delivery.kit import run as make_kit
+from tam570_grader.release.kit import run as make_kit
 from tam570_grader.writing import assignments
 
 SLUG = "hw08_axis_angle"

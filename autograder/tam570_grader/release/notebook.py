@@ -3,10 +3,14 @@
 import ast
 import json
 import re
+import shutil
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
+from tam570_grader.results.tables import written
+from tam570_grader.writing import assignments
 from tam570_grader.writing.assignments import Assignment
 
 __all__ = [
@@ -19,8 +23,10 @@ __all__ = [
     "problem",
     "visible_by_part",
     "text_cell",
+    "write_notebook",
 ]
 
+TEMPLATES = Path(__file__).parent / "templates"
 Cell = dict[str, Any]
 Definitions = Mapping[str, ast.FunctionDef]
 
@@ -84,6 +90,20 @@ def notebook(assignment: Assignment, readme: str, tests: str, pictures: str) -> 
         cells += _part(assignment, part, given.parts.get(part, f"**({part})**"), shown.get(part), tested.get(part, []))
     cells += [text_cell("look", SCENE), _code("scene", "show(hw)"), text_cell("graded", given.rest)]
     return {**FORMAT, "metadata": KERNEL, "cells": cells}
+
+
+def write_notebook(course: Path, slug: str, folder: Path) -> None:
+    """The notebook form of an assignment, and the module that it uses."""
+    released = course / "assignments" / slug
+    shutil.copyfile(TEMPLATES / "lab.py", folder / "lab.py")
+    pictures = assignments.checks_folder(course, slug) / "notebook.md"
+    made = notebook(
+        assignments.assignment(course, slug),
+        (released / "README.md").read_text(encoding="utf-8"),
+        (released / f"test_{slug}.py").read_text(encoding="utf-8"),
+        pictures.read_text(encoding="utf-8") if pictures.exists() else "",
+    )
+    written(folder / f"{slug}.ipynb", json.dumps(made, indent=1, ensure_ascii=False) + "\n")
 
 
 def part_points(assignment: Assignment) -> dict[str, float]:

@@ -10,9 +10,9 @@ import zipfile
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from tam570_grader.delivery.collect import listed
-from tam570_grader.delivery.downloads import named
 from tam570_grader.errors import UsageError, printable, writing
+from tam570_grader.lms.downloads import named
+from tam570_grader.lms.submission_import import listed
 from tam570_grader.results.tables import written
 from tam570_grader.writing import assignments
 

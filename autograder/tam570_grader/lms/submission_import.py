@@ -8,11 +8,11 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from tam570_grader.delivery.archives import File, inside, members
-from tam570_grader.delivery.downloads import READERS, Handed
 from tam570_grader.errors import UsageError, counted, warn, writing
 from tam570_grader.grading import roster
 from tam570_grader.grading.submissions import GIVEN, WORK, folder_of, of_folder, of_name
+from tam570_grader.lms.archives import File, inside, members
+from tam570_grader.lms.downloads import READERS, Handed
 from tam570_grader.results.tables import cell, name_in, table, written
 
 __all__ = ["listed", "run"]

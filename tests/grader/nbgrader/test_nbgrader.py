@@ -218,7 +218,7 @@ def test_the_commands_of_the_courses_readme_in_their_order(course, tmp_path, nbg
 def test_a_gradebook_is_set_up_once_a_command(tmp_path, monkeypatch, jupyter_environment):
     from nbgrader import api
 
-    from tam570_grader.delivery.nbgrader_gradebook import OpenGradebook, keep_gradebooks_open
+    from tam570_grader.nbgrader.gradebook import OpenGradebook, keep_gradebooks_open
 
     monkeypatch.setenv("PATH", jupyter_environment["PATH"])
     made, create = [], api.create_engine

@@ -1,1 +1,0 @@
-"""The course as it is handed on: kit, stubs, notebooks, nbgrader, Gradescope, Canvas and Moodle."""

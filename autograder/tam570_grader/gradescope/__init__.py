@@ -1,0 +1,1 @@
+"""The archive that Gradescope runs, and the results that it reads."""

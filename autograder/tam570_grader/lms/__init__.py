@@ -1,0 +1,1 @@
+"""Canvas, Moodle and the like: submissions in, scores and pages out."""

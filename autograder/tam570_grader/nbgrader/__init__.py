@@ -1,0 +1,1 @@
+"""A course that plain nbgrader runs, and our grading inside its autograde."""

@@ -1,0 +1,80 @@
+"""The commands that hand on the course: stubs, the kit, nbgrader's course, Gradescope's archives."""
+
+import argparse
+from pathlib import Path
+
+from tam570_grader.options import Commands
+
+__all__ = ["add_course", "add_gradescope", "add_kit", "add_stubs"]
+
+
+def _told(commands: Commands, name: str, says: str) -> argparse.ArgumentParser:
+    """The parser of a command of which one sentence tells enough."""
+    parser: argparse.ArgumentParser = commands.add_parser(name, help=says, description=f"{says[0].upper()}{says[1:]}.")
+    return parser
+
+
+def add_stubs(commands: Commands) -> argparse.ArgumentParser:
+    stubs = _told(commands, "stubs", "make the students' stubs from the solutions")
+    stubs.set_defaults(command=_stubs)
+    stubs.add_argument("--check", action="store_true", help="write nothing; exit 1 if a stub is out of date")
+    return stubs
+
+
+def add_kit(commands: Commands) -> argparse.ArgumentParser:
+    kit = _told(commands, "kit", "make what students install and start from")
+    kit.set_defaults(command=_kit)
+    kit.add_argument("folder", type=Path, metavar="DIR", help="where to put it")
+    return kit
+
+
+def add_course(commands: Commands) -> argparse.ArgumentParser:
+    course = _told(commands, "course", "make a course that nbgrader runs")
+    course.set_defaults(command=_course)
+    return _folder_and_slugs(course)
+
+
+def add_gradescope(commands: Commands) -> argparse.ArgumentParser:
+    gradescope = _told(commands, "gradescope", "make the archives that Gradescope runs")
+    gradescope.set_defaults(command=_gradescope)
+    return _folder_and_slugs(gradescope)
+
+
+def _folder_and_slugs(parser: argparse.ArgumentParser) -> argparse.ArgumentParser:
+    """The parser, with what `_course_and_slugs` reads."""
+    parser.add_argument("folder", type=Path, metavar="DIR", help="where to write")
+    parser.add_argument("assignments", nargs="*", metavar="SLUG", help="default: all")
+    return parser
+
+
+def _stubs(arguments: argparse.Namespace) -> int:
+    from tam570_grader.release import course_config, stubs
+
+    return stubs.run(course_config.course(arguments.root), check=arguments.check)
+
+
+def _kit(arguments: argparse.Namespace) -> int:
+    from tam570_grader.release import course_config, kit
+
+    return kit.run(course_config.course(arguments.root), arguments.folder)
+
+
+def _course(arguments: argparse.Namespace) -> int:
+    from tam570_grader.nbgrader import course
+
+    return course.run(*_course_and_slugs(arguments))
+
+
+def _gradescope(arguments: argparse.Namespace) -> int:
+    from tam570_grader.gradescope import autograder
+
+    return autograder.run(*_course_and_slugs(arguments))
+
+
+def _course_and_slugs(arguments: argparse.Namespace) -> tuple[Path, Path, list[str]]:
+    """The checkout, the folder to write to, the assignments."""
+    from tam570_grader.release import course_config
+    from tam570_grader.writing import assignments
+
+    course = course_config.course(arguments.root)
+    return course, arguments.folder, assignments.named(arguments.assignments, assignments.slugs(course))
