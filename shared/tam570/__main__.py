@@ -1,7 +1,10 @@
-"""`python -m tam570` is the command `tam570`."""
+"""`python -m tam570`: the students' command. A file in the current folder, such as random.py, replaces no library."""
 
 import sys
 
-from tam570.cli import main
+sys.path[:] = sys.path[1:]  # the current folder, which `-m` puts first
 
-sys.exit(main())
+from tam570.cli import main  # noqa: E402
+
+if __name__ == "__main__":
+    sys.exit(main())

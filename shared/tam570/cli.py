@@ -58,7 +58,7 @@ def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="tam570",
         description="Homework in intermediate dynamics.",
-        epilog="An assignment goes by any part of its name that tells it: hw07, 7, double_pendulum.",
+        epilog="Name an assignment by any unambiguous part: hw07, 7, double_pendulum.",
     )
     parser.add_argument("--version", action="version", version=f"tam570 {__version__}")
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
@@ -82,7 +82,8 @@ def _add_work(commands: Commands) -> None:
     command = commands.add_parser("check", help="run the visible tests on what you have written")
     command.set_defaults(command=_check)
     command.add_argument("what", nargs="?", metavar="ASSIGNMENT|FILE", help="default: all that you have started here")
-    command.add_argument("--assignment", metavar="NAME", help="which one a FILE of another name is")
+    command.add_argument("functions", nargs="*", metavar="FUNCTION", help="test only these functions")
+    command.add_argument("--assignment", metavar="NAME", help="the assignment, if FILE has another name")
     command.add_argument("--watch", action="store_true", help="test what has changed each time you save")
     command.add_argument("--final", action="store_true", help="before you hand in: what the hidden tests look at")
 
@@ -177,7 +178,11 @@ def _check(arguments: argparse.Namespace) -> int:
 
     if arguments.watch:
         return checking.watch(files)
-    code = checking.check(files)
+    for function in arguments.functions:
+        if not any(function in contract(slug)["results"] for _, slug in files):
+            names = ", ".join(name for _, slug in files for name in contract(slug)["results"])
+            raise Unknown(f"there is no function {function!r} to write; there are {names}")
+    code = checking.check(files, arguments.functions)
     if arguments.final:
         from tam570.checking.final import before_handing_in
 

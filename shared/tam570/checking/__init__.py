@@ -1,6 +1,6 @@
 """Runs the visible tests of assignments on a student's files, each time in a process that a hang cannot outlive.
 
-The interpreter that will run the tests of a watched file is started ahead and has imported pytest and the libraries by
+The interpreter that will run the tests of a watched file is started ahead and has imported the libraries by
 the time the file is saved; each runs once, so nothing of an older version of the file is left in it.
 """
 
@@ -24,11 +24,11 @@ FAILED = "The tests could not be run; the lines above say why. Please tell your 
 Work = Sequence[tuple[Path, str]]  # files and their assignments
 
 
-def check(work: Work) -> int:
-    """Check these files; the exit code: 0 if all tests pass, 1 if some fail."""
+def check(work: Work, functions: Sequence[str] = ()) -> int:
+    """Check these files, or only these functions; the exit code: 0 if all tests pass, 1 if some fail."""
     runner = Runner([])
     try:
-        runner.run(work, changed=False)
+        runner.run(work, changed=False, functions=functions)
         return runner.result()
     finally:
         runner.end()
@@ -72,7 +72,13 @@ class Runner:
         self._folder = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         self._log = Path(self._folder.name, "test.txt")
         self._process = subprocess.Popen(
-            [sys.executable, "-m", "tam570.checking", json.dumps(prepared)],
+            [
+                sys.executable,
+                "-P",
+                "-m",
+                "tam570.checking",
+                json.dumps(prepared),
+            ],  # nothing beside the work is imported
             stdin=subprocess.PIPE,
             text=True,
             env=_environment(),
@@ -80,10 +86,11 @@ class Runner:
             creationflags=group,
         )
 
-    def run(self, work: Work, *, changed: bool) -> None:
+    def run(self, work: Work, *, changed: bool, functions: Sequence[str] = ()) -> None:
         """Give it its order."""
         self.idle = False
-        order = {"work": [[str(file.resolve()), slug, changed] for file, slug in work], "log": str(self._log)}
+        files = [[str(file.resolve()), slug, changed] for file, slug in work]
+        order = {"work": files, "log": str(self._log), "functions": list(functions)}
         assert self._process.stdin is not None
         with contextlib.suppress(BrokenPipeError):
             print(json.dumps(order), file=self._process.stdin, flush=True)

@@ -22,9 +22,9 @@ Given = tuple[tuple[Any, ...], dict[str, Any]]  # the arguments of a call
 class Fault(BaseException):
     """A call of a student's function went wrong; `name` is the function, the message is for the student."""
 
-    def __init__(self, name: str, message: str) -> None:
+    def __init__(self, name: str, message: str, *, unwritten: bool = False) -> None:
         super().__init__(message)
-        self.name = name
+        self.name, self.unwritten = name, unwritten
 
 
 @dataclass
@@ -52,7 +52,9 @@ class Functions:
 
     def _missing(self, name: str) -> Callable[..., Any]:
         def missing(*args: Any, **kwargs: Any) -> Any:
-            raise Fault(name, f"{name} is not written yet: {self.file.name} has no function of this name.")
+            raise Fault(
+                name, f"{name} is not written yet: {self.file.name} has no function of this name.", unwritten=True
+            )
 
         return missing
 
@@ -107,7 +109,8 @@ class Functions:
                 name, f"{name} did not return within {CALL:g} s. The grader ends such a call: is there an endless loop?"
             ) from None
         except NotImplementedError as error:
-            raise Fault(name, f"{_last(error, name)} is not written yet.") from None
+            last = _last(error, name)
+            raise Fault(last if last in self.results else name, f"{last} is not written yet.", unwritten=True) from None
         except (Fault, ValueError):
             raise
         except (Exception, SystemExit) as error:

@@ -5,7 +5,7 @@ import sys
 import textwrap
 from collections.abc import Iterable, Mapping, Sequence
 
-from tam570.checking.outcomes import Failure, Outcomes
+from tam570.checking.visible import Failure, Outcomes
 from tam570.progress import Progress, said
 
 __all__ = ["before", "cleared", "failures", "imported", "progressed", "terminal", "trouble", "untouched"]
@@ -13,6 +13,7 @@ __all__ = ["before", "cleared", "failures", "imported", "progressed", "terminal"
 WIDTH = 80
 MOST_LINES = 12  # of a message
 MOST_PRINTED = 3  # lines of what a student's code prints
+RED, GREEN = 31, 32  # of ANSI terminals
 
 
 def untouched(slug: str, functions: Sequence[str]) -> None:
@@ -35,16 +36,20 @@ def imported(skipped: Iterable[str], printed: str) -> None:
         print(_printed(printed, "your file prints when it is imported", ""))
 
 
-def failures(found: Outcomes, told: Mapping[str, str]) -> None:
-    """Every failure once, with the tests that it ends."""
+def failures(outcomes: Outcomes, told: Mapping[str, str]) -> None:
+    """Every failure once, with the tests that it ends; then, on one line, what is not written yet."""
     tests: dict[str, list[str]] = {}
-    for test, failure in found.failures.items():
-        tests.setdefault(failure.message, []).append(test)
+    for test, failure in outcomes.failures.items():
+        if not failure.unwritten:
+            tests.setdefault(failure.message, []).append(test)
     for names in tests.values():
-        print(f"\n{_names(names)}")
-        _failure(found.failures[names[0]], told.get(names[0]))
+        print(f"\n{_coloured(_names(names), RED)}")
+        _failure(outcomes.failures[names[0]], told.get(names[0]))
     if tests:
         print()
+    missing = dict.fromkeys(one.function for one in outcomes.failures.values() if one.unwritten)
+    if missing:
+        print(_wrapped(f"not written yet: {', '.join(str(one) for one in missing)}", "", "    "))
 
 
 def _failure(failure: Failure, told: str | None) -> None:
@@ -65,14 +70,14 @@ def before(names: Sequence[str]) -> None:
 
 def progressed(slug: str, come: Progress, since: str) -> None:
     """How far the student is, and what is next."""
-    print(f"{slug[:4]}: {said(come)}")
+    print(_coloured(f"{slug[:4]}: {said(come)}", RED if come["next"] else GREEN))
     done = "all done here; other inputs are hidden: --final says which"
     ahead = f"next: {come['next']}" if come["next"] else done
     print(f"{since}      {ahead}", flush=True)
 
 
 def terminal() -> int | None:
-    """A way to the terminal that pytest does not capture; None where nobody looks."""
+    """A way to the terminal past what is captured; None where nobody looks."""
     return os.dup(2) if sys.stderr.isatty() else None
 
 
@@ -81,6 +86,12 @@ def cleared(where: int | None) -> None:
     if where is not None:
         os.write(where, b"\r\x1b[K")
         os.close(where)
+
+
+def _coloured(text: str, colour: int) -> str:
+    """The text in colour on a terminal, unless NO_COLOR is set."""
+    plain = os.environ.get("NO_COLOR") or not sys.stdout.isatty()
+    return text if plain else f"\x1b[{colour}m{text}\x1b[0m"
 
 
 def _names(tests: Sequence[str]) -> str:

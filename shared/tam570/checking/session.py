@@ -2,15 +2,12 @@
 
 import contextlib
 import io
-import os
 import sys
-import tempfile
 import time
 import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
-
-import pytest
 
 from tam570.bans import HERE
 from tam570.checking import report
@@ -18,16 +15,15 @@ from tam570.checking.changes import by_parameters, calls, keys
 from tam570.checking.deadline import CALL, TooLong, limited
 from tam570.checking.functions import Functions
 from tam570.checking.mistakes import Mistake, candidates
-from tam570.checking.outcomes import Outcomes
+from tam570.checking.visible import Outcomes, Test, collect
 from tam570.course import Stub, contract, folder, stubs
 from tam570.loading import Trouble, guarded_import, loaded, replaced, source_of
 from tam570.notebooks import text_of
 from tam570.progress import PASSED, Progress, kept, progress, remember
 
-__all__ = ["check", "tested", "tests_of", "warm_up"]
+__all__ = ["check", "run_tests", "tests_of", "warm_up"]
 
-OPTIONS = ("-p", "no:terminal", "--import-mode=importlib", "-p", "no:cacheprovider", "-c", os.devnull)
-TRIALS = 5.0  # s, at most, for telling known mistakes
+MOST_VARIANTS = 2000  # calls of tests that a search for a known mistake may cost
 SLOW_IMPORT = (
     f"{{file}} takes longer than {CALL:g} s to import. Does it run a simulation by itself?\n"
     'Put that below `if __name__ == "__main__":`, so that it runs only when you start the file.'
@@ -35,59 +31,127 @@ SLOW_IMPORT = (
 Known = Mapping[str, tuple[str, str]]  # of each test what its outcome depends on, and the outcome
 
 
-def check(file: Path, slug: str, log: str, *, changed: bool = False) -> bool:
-    """Run the tests beside the file, else the released ones, on it; whether all pass.
+@dataclass(frozen=True)
+class Module:
+    """A module of tests: the released one, or the student's own beside the work."""
 
-    log     : a file in which to write which test runs
-    changed : run only those whose outcome may have become another since they were run last
+    path: Path
+    text: str
+
+
+def check(file: Path, slug: str, log: str, *, changed: bool = False, functions: Collection[str] = ()) -> bool:
+    """Run the released tests, and those that a student has added beside the file; whether all pass.
+
+    log       : a file in which to write which test runs
+    changed   : run only those whose outcome may have changed since they were last run
+    functions : run only those that call one of these; default: all
     """
-    tests = tests_of(file, slug)
+    modules = tests_of(file, slug)
     released = stubs((folder(slug) / f"{slug}.py").read_bytes())
-    if file.suffix == ".py" and (empty := _untouched(file, released)):
-        report.untouched(slug, empty)
-        remember(file, {}, progress(slug, {}, calls(tests.read_text(encoding="utf-8"), slug)))
-        return False
+    used = {name: of for module in modules for name, of in calls(module.text, slug).items()}
     try:
-        functions, skipped, printed = _functions(file, slug)
-        now = _keys(file, tests, slug)
+        if file.suffix == ".py" and (empty := _untouched(file, released)):
+            report.untouched(slug, empty)
+            remember(file, {}, progress(slug, {}, used))
+            return False
+        student, skipped, printed = _functions(file, slug)
+        now = _keys(file, modules, slug)
+        tests = _collected(modules)
     except Trouble as trouble:
         report.trouble(slug, str(trouble))
         return False
     report.imported(skipped, printed)
-    known = {test: was for test, was in kept(file).items() if was[0] == now.get(_function(test))} if changed else {}
-    found = Outcomes(functions, tests, log, report.terminal())
-    _run(tests, [name for name in now if name not in map(_function, known)], found, everything=not known)
-    known |= {test: (now.get(_function(test), ""), outcome) for test, outcome in found.passed.items()}
+    known = kept(file) if changed or functions else {}
+    known = {test: was for test, was in known.items() if was[0] == now.get(_function(test))}
+    tests = _chosen(tests, used, known if changed else {}, functions)
+    outcomes = Outcomes(student, log, report.terminal())
+    outcomes.run(tests)
+    report.cleared(outcomes.terminal)
+    known |= {test: (now.get(_function(test), ""), outcome) for test, outcome in outcomes.passed.items()}
     lasted = time.time() - file.stat().st_mtime
-    since = f"      {len(found.passed)} tests run, {lasted:.2f} s after saving\n" if changed else ""
-    return _reported(file, slug, known, found, released, since)
+    since = f"      {len(tests)} tests run, {lasted:.2f} s after saving\n" if changed else ""
+    return _report(file, slug, known, outcomes, used, released, since, functions)
 
 
-def _reported(file: Path, slug: str, known: Known, found: Outcomes, released: Mapping[str, Stub], since: str) -> bool:
-    """Say and remember what became of the tests; whether all pass."""
-    outcomes = {test: outcome for test, (_, outcome) in known.items()}
-    used = by_parameters(calls(found.tests.read_text(encoding="utf-8"), slug), outcomes)
-    causes = {test: one.function for test, one in found.failures.items() if one.function}
-    come = progress(slug, outcomes, used, causes)
-    remember(file, known, come)
-    report.failures(found, _told(found, used, come, released))
-    report.before([test for test, outcome in outcomes.items() if outcome != PASSED and test not in found.failures])
-    report.progressed(slug, come, since)
-    return not found.failures and all(one == PASSED for one in outcomes.values())
+def _chosen(
+    tests: Sequence[Test], used: Mapping[str, set[str]], known: Known, functions: Collection[str]
+) -> list[Test]:
+    """The tests to run: of these functions, and none whose outcome is known."""
+    wanted = by_parameters(used, [test.name for test in tests])
+    chosen = [test for test in tests if not functions or wanted[test.name] & set(functions)]
+    chosen = [test for test in chosen if test.name not in known]
+    if not chosen:
+        print("Nothing has changed that a test sees." if known else "No visible test calls it.")
+    return chosen
 
 
-def tested(file: Path, slug: str, names: Sequence[str]) -> Outcomes:
-    """What became of these tests on a file. Trouble if it cannot be tested."""
+def _report(
+    file: Path,
+    slug: str,
+    known: Known,
+    outcomes: Outcomes,
+    used: Mapping[str, set[str]],
+    released: Mapping[str, Stub],
+    since: str,
+    functions: Collection[str],
+) -> bool:
+    """Print and remember what became of the tests; whether all pass."""
+    results = {test: outcome for test, (_, outcome) in known.items()}
+    calling = by_parameters(used, results)
+    causes = {test: _cause(test, outcomes, calling, results) for test in outcomes.failures}
+    reached = progress(slug, results, calling, causes)
+    remember(file, known, reached)
+    report.failures(outcomes, _told(outcomes, calling, reached, released))
+    report.before([test for test, outcome in results.items() if outcome != PASSED and test not in outcomes.failures])
+    if functions:
+        print(f"{slug[:4]}: {sum(one == PASSED for one in outcomes.passed.values())} of {len(outcomes.passed)} pass")
+    else:
+        report.progressed(slug, reached, since)
+    return bool(results) and not outcomes.failures and (bool(functions) or all(r == PASSED for r in results.values()))
+
+
+def _cause(test: str, outcomes: Outcomes, used: Mapping[str, set[str]], results: Mapping[str, str]) -> str | None:
+    """The function that is at fault: the one that raised, or the only one whose own tests do not all pass."""
+    if function := outcomes.failures[test].function:
+        return function
+    own = {name: [one for one, names in used.items() if names == {name}] for name in used.get(test, ())}
+    doubtful = [name for name, tests in own.items() if not tests or any(results[one] != PASSED for one in tests)]
+    return doubtful[0] if len(doubtful) == 1 else None
+
+
+def run_tests(file: Path, slug: str, names: Sequence[str]) -> Outcomes:
+    """What becomes of these tests on a file. Trouble if it cannot be tested."""
     functions, _, _ = _functions(file, slug)
-    found = Outcomes(functions, tests_of(file, slug), os.devnull, None)
-    _run(found.tests, names, found, everything=False)
-    return found
+    outcomes = Outcomes(functions, "", None)
+    outcomes.run([test for test in _collected(tests_of(file, slug)) if _function(test.name) in names])
+    return outcomes
 
 
-def tests_of(file: Path, slug: str) -> Path:
-    """The tests beside the file, else the released ones."""
-    beside = file.parent / f"test_{slug}.py"
-    return beside if beside.exists() else folder(slug) / beside.name
+def tests_of(file: Path, slug: str) -> list[Module]:
+    """The released tests, and the student's own: of a module beside the file those that are not released."""
+    released, beside = (where / f"test_{slug}.py" for where in (folder(slug), file.parent))
+    modules = [Module(released, released.read_text(encoding="utf-8"))] if released.exists() else []
+    with contextlib.suppress(OSError, SyntaxError, ValueError):  # what cannot be read has no say
+        text = beside.read_text(encoding="utf-8")
+        if set(calls(text, slug)) - {name for module in modules for name in calls(module.text, slug)}:
+            modules.append(Module(beside, text))
+    return modules
+
+
+def _collected(modules: Sequence[Module]) -> list[Test]:
+    """All tests, the released ones first. Trouble if there is none."""
+    tests: dict[str, Test] = {}
+    for number, module in enumerate(modules):
+        try:
+            with contextlib.redirect_stderr(io.StringIO()):
+                tests = {test.name: test for test in collect(module.path, module.text)} | tests
+        except Exception as error:
+            if number == 0:
+                raise
+            print(f"{module.path.name} beside your file is left out: {type(error).__name__}: {error}")
+    if not tests:
+        raise Trouble("There are no visible tests of this assignment here.")
+    return list(tests.values())
 
 
 def _functions(file: Path, slug: str) -> tuple[Functions, list[str], str]:
@@ -95,7 +159,8 @@ def _functions(file: Path, slug: str) -> tuple[Functions, list[str], str]:
     given = contract(slug)
     banned = given["off_limits"].get("*", ())
     guard = guarded_import(slug, banned, file.suffix == ".ipynb")
-    with contextlib.redirect_stdout(io.StringIO()) as printed, replaced(banned, HERE):
+    quiet = contextlib.redirect_stderr(io.StringIO())
+    with contextlib.redirect_stdout(io.StringIO()) as printed, quiet, replaced(banned, HERE):
         try:
             with limited():
                 module, skipped = loaded(file, slug, {"__import__": guard})
@@ -108,12 +173,10 @@ def _functions(file: Path, slug: str) -> tuple[Functions, list[str], str]:
     return functions, skipped, printed.getvalue()
 
 
-def _keys(file: Path, tests: Path, slug: str) -> dict[str, str]:
-    """What the outcome of each test depends on. Trouble if the tests are not Python."""
-    try:
-        return keys(tests.read_text(encoding="utf-8"), text_of(source_of(file), file.suffix), slug)
-    except SyntaxError as error:
-        raise Trouble(f"{tests.name}, line {error.lineno}: SyntaxError: {error.msg}") from None
+def _keys(file: Path, modules: Sequence[Module], slug: str) -> dict[str, str]:
+    """What the outcome of each test depends on."""
+    code = text_of(source_of(file), file.suffix)
+    return {name: key for module in reversed(modules) for name, key in keys(module.text, code, slug).items()}
 
 
 def _untouched(file: Path, released: Mapping[str, Stub]) -> list[str]:
@@ -126,64 +189,51 @@ def _untouched(file: Path, released: Mapping[str, Stub]) -> list[str]:
 
 
 def _function(test: str) -> str:
-    """The function of a test, without its parameters."""
+    """The test's function, without its parameters."""
     return test.partition("[")[0]
 
 
-def _run(tests: Path, names: Sequence[str], found: Outcomes, *, everything: bool) -> None:
-    """Run these tests."""
-    if not names and not everything:
-        print("Nothing has changed that a test sees.")
-        return
-    chosen = [str(tests)] if everything else [f"{tests}::{name}" for name in names]
-    _pytest(tests.parent, chosen, [found])
-    report.cleared(found.terminal)
-
-
-def _pytest(root: Path, chosen: Sequence[str], plugins: Sequence[object]) -> None:
-    """pytest by itself: plugins that happen to be installed take longer to load than the tests to run."""
-    os.environ.setdefault("PYTEST_DISABLE_PLUGIN_AUTOLOAD", "1")
-    pytest.main([*OPTIONS, f"--rootdir={root}", *chosen], plugins=plugins)
-
-
 def warm_up() -> None:
-    """Let pytest import all that it imports on its first run."""
-    with tempfile.TemporaryDirectory() as empty, contextlib.redirect_stdout(io.StringIO()):
-        _pytest(Path(empty), [empty], [])
+    """Import what every module of tests imports."""
+    import numpy  # noqa: F401
+    import pytest  # noqa: F401
 
 
 def _told(
-    found: Outcomes, used: Mapping[str, set[str]], come: Progress, released: Mapping[str, Stub]
+    outcomes: Outcomes, used: Mapping[str, set[str]], reached: Progress, released: Mapping[str, Stub]
 ) -> dict[str, str]:
     """For each failed test that a known mistake explains, which it is."""
-    until, told = time.monotonic() + TRIALS, dict[str, str]()
-    for name in come["missing"]:
-        failed = [test for test, one in found.failures.items() if not one.function and name in used.get(test, ())]
-        alone = [test for test, functions in used.items() if functions == {name} and found.passed.get(test) == PASSED]
+    left, told = MOST_VARIANTS, dict[str, str]()
+    for name in reached["missing"]:
+        failed = [test for test, one in outcomes.failures.items() if not one.function and name in used.get(test, ())]
+        alone = [
+            test for test, functions in used.items() if functions == {name} and outcomes.passed.get(test) == PASSED
+        ]
         best: list[str] = []
-        for mistake in candidates(name, released[name], found.functions.results[name]) if failed else ():
-            if time.monotonic() > until:
+        for mistake in candidates(name, released[name], outcomes.functions.results[name]) if failed else ():
+            left -= len(failed)
+            if left < 0:
                 break
-            mended = [test for test in failed if _passes(found, mistake, test)]
-            if len(mended) > len(best) and all(_passes(found, mistake, test) for test in alone):
+            mended = [test for test in failed if _passes(outcomes, mistake, test)]
+            if len(mended) > len(best) and all(_passes(outcomes, mistake, test) for test in alone):
                 best = mended
                 told |= dict.fromkeys(mended, mistake.says)
     return told
 
 
-def _passes(found: Outcomes, mistake: Mistake, test: str) -> bool:
+def _passes(outcomes: Outcomes, mistake: Mistake, test: str) -> bool:
     """Whether a test passes with this change."""
     import numpy as np
 
-    found.functions.mistake = mistake
+    outcomes.functions.mistake = mistake
     try:
         with contextlib.redirect_stdout(None), np.errstate(all="ignore"), warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            found.again[test]()
+            outcomes.repeat[test]()
     except (KeyboardInterrupt, GeneratorExit):
         raise
     except BaseException:  # whatever a student's code raises at numbers that were changed
         return False
     finally:
-        found.functions.mistake = None
+        outcomes.functions.mistake = None
     return True

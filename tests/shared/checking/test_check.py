@@ -44,7 +44,7 @@ CALLS = {
     "return kept[0](axis, angle) @ r\n\nkept = [rotation_matrix := (lambda f: lambda *of: f(*of))(rotation_matrix)]": (
         "rotation_matrix is off limits in rotate"
     ),
-    "raise NotImplementedError": "rotate is not written yet.",
+    "raise NotImplementedError": "not written yet: rotate",
     "return open('data.csv').read()": "FileNotFoundError",
 }
 HW08 = "hw08_axis_angle"
@@ -181,11 +181,39 @@ def test_a_terminal_without_greek_letters_is_enough(desk, tam570, solution_text)
     assert code == 1 and "Traceback" not in said and "axle_load gives no numbers but" in said and "10??" in said
 
 
-def test_tests_that_cannot_be_read_are_named(hw08, tam570):
+@pytest.mark.parametrize("tests", ["", "x = 1\ndef test(:\n", "import nothing_at_all\n\ndef test_mine(): pass\n"])
+def test_nothing_beside_the_work_has_a_say(hw08, tam570, tests):
+    """An emptied or broken module of tests, a conftest, options of pytest, modules named as Python's own."""
+    file = hw08("def rotate(r, axis, angle):\n    return 2 * np.asarray(r)\n")
+    (file.parent / f"test_{file.name}").write_text(tests)
+    (file.parent / "conftest.py").write_text("raise SystemExit")
+    (file.parent / "random.py").write_text("raise SystemExit")
+    code, said = tam570("check", env={**os.environ, "PYTEST_ADDOPTS": "-k nothing"}, cwd=file.parent)
+    assert code == 1 and "of 7 tests pass" in said and "next: rotate" in said
+
+
+def test_brackets_in_the_name_of_a_folder_are_no_matter(hw08, tam570):
+    file = hw08("def rotate(r, axis, angle):\n    return 2 * np.asarray(r)\n")
+    odd = file.parent.rename(file.parent.with_name("TAM 570 [2026]"))
+    code, said = tam570("check", odd / file.name)
+    assert code == 1 and "of 7 tests pass" in said
+
+
+def test_a_test_of_ones_own_is_run_beside_the_released_ones(hw08, tam570):
     file = hw08()
-    (file.parent / f"test_{file.name}").write_text("x = 1\ndef test(:\n")
+    own = "import hw08_axis_angle as hw\n\ndef test_mine():\n    assert hw.skew([1.0, 0.0, 0.0])[2][1] == 3\n"
+    (file.parent / f"test_{file.name}").write_text(own)
     code, said = tam570("check")
-    assert code == 1 and f"test_{file.name}, line 2: SyntaxError" in said
+    assert code == 1 and "Your code gives 1; 3 is right." in said and "of 8 tests pass" in said
+
+
+def test_one_function_is_tested_alone(hw08, tam570):
+    hw08("def rotate(r, axis, angle):\n    return 2 * np.asarray(r)\n")
+    assert tam570("check", "hw08", "skew")[0] == 0
+    code, said = tam570("check", "hw08", "rotate")
+    assert code == 1 and "hw08: 0 of 3 pass" in said
+    code, said = tam570("check", "hw08", "rotat")
+    assert code == 2 and "skew, rotation_matrix, rotate" in said
 
 
 def test_a_home_that_is_read_only_brings_no_warnings(desk, tam570, solution_text, tmp_path):

@@ -1,0 +1,251 @@
+"""Collects visible tests and runs them, one by one, in this process: no pytest session, so nothing around has a say.
+
+A module of tests is ordinary pytest. Its asserts are compiled so that a failure says what was returned and what is
+right. pytest's `approx`, `raises` and `parametrize` work as usual; a test that asks for a fixture cannot run.
+"""
+
+import ast
+import functools
+import inspect
+import itertools
+import linecache
+import operator
+import os
+import traceback
+import warnings
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import redirect_stderr, redirect_stdout
+from dataclasses import dataclass, field
+from io import StringIO
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from tam570.checking.functions import Fault, Functions
+from tam570.loading import said
+from tam570.progress import FAILED, PASSED
+
+__all__ = ["Failure", "Outcomes", "Test", "collect"]
+
+COMPARISONS: dict[type[ast.cmpop], tuple[Callable[[Any, Any], Any], str]] = {
+    ast.Eq: (operator.eq, "is right"),
+    ast.Lt: (operator.lt, "is the limit, which it must be below"),
+    ast.LtE: (operator.le, "is the most that is right"),
+    ast.Gt: (operator.gt, "is the limit, which it must be above"),
+    ast.GtE: (operator.ge, "is the least that is right"),
+}
+MOST_NUMBERS = 6  # of an array that is printed whole
+COMPARE, HOLDS, ALLCLOSE = "_tam570_compare", "_tam570_holds", "_tam570_allclose"
+
+
+@dataclass(frozen=True)
+class Test:
+    """A test function with its parameters."""
+
+    name: str
+    run: Callable[[], object]
+
+
+@dataclass(frozen=True)
+class Failure:
+    """Why a test failed."""
+
+    message: str
+    function: str | None = None  # that is at fault for certain
+    where: str = ""  # the line of the test
+    printed: str = ""
+    unwritten: bool = False
+
+
+@dataclass
+class Outcomes:
+    """The outcome of each test, by its name with its parameters, the failure, and how to repeat it."""
+
+    functions: Functions
+    log: str  # the file that names the test that runs
+    terminal: int | None  # where to show it
+    passed: dict[str, str] = field(default_factory=dict)  # PASSED or FAILED
+    failures: dict[str, Failure] = field(default_factory=dict)
+    repeat: dict[str, Callable[[], object]] = field(default_factory=dict)
+
+    def run(self, tests: Sequence[Test]) -> None:
+        """Run these tests and record what becomes of each."""
+        for test in tests:
+            if self.log:
+                Path(self.log).write_text(test.name, encoding="utf-8")
+            if self.terminal is not None:
+                os.write(self.terminal, f"\r\x1b[K{test.name[:76]}".encode())
+            self.repeat[test.name] = test.run
+            failure = self._failure(test)
+            self.passed[test.name] = FAILED if failure else PASSED
+            if failure:
+                self.failures[test.name] = failure
+
+    def _failure(self, test: Test) -> Failure | None:
+        import numpy as np
+
+        self.functions.called.clear()
+        with redirect_stdout(StringIO()) as printed, redirect_stderr(StringIO()):
+            try:
+                with np.errstate(all="ignore"), warnings.catch_warnings():
+                    warnings.simplefilter("ignore")
+                    test.run()
+                return None
+            except Fault as fault:
+                return Failure(str(fault), fault.name, _line(fault), printed.getvalue(), fault.unwritten)
+            except (KeyboardInterrupt, GeneratorExit):
+                raise
+            except BaseException as error:
+                return Failure(self._message(error), None, _line(error), printed.getvalue())
+
+    def _message(self, error: BaseException) -> str:
+        """What a test says, or what an exception of it does."""
+        text = str(error).strip()
+        if text.startswith("DID NOT RAISE"):
+            return "It raises no ValueError here, and it should."
+        if isinstance(error, AssertionError):
+            return text or "This is false."
+        where = said(error, str(self.functions.file))
+        return f"{self.functions.called[-1]} raises an exception.\n{where}" if where.startswith("Line") else where
+
+
+def collect(path: Path, text: str) -> list[Test]:
+    """The tests in a module, in order, with their parameters. Whatever its import raises is passed on."""
+    module = ModuleType(path.stem)
+    module.__file__ = str(path)
+    linecache.cache[str(path)] = (len(text), None, text.splitlines(keepends=True), str(path))
+    tree = ast.fix_missing_locations(_Telling(text).visit(ast.parse(text)))
+    vars(module).update({COMPARE: _compare, HOLDS: _holds, ALLCLOSE: _allclose})
+    exec(compile(tree, str(path), "exec", dont_inherit=True), vars(module))
+    functions = [one for name, one in vars(module).items() if name.startswith("test_") and inspect.isfunction(one)]
+    return [test for function in functions for test in _with_parameters(function.__name__, function)]
+
+
+def _with_parameters(name: str, function: Callable[..., object]) -> Iterator[Test]:
+    """A test for each combination of its parameters."""
+    marks = [one for one in getattr(function, "pytestmark", ()) if one.name == "parametrize"]
+    cases = [list(_cases(*mark.args[:2])) for mark in marks]
+    for combination in itertools.product(*cases):
+        known = {key: value for one, _ in combination for key, value in one.items()}
+        suffix = "-".join(label for _, label in combination)
+        missing = [one for one in inspect.signature(function).parameters if one not in known]
+        run = functools.partial(_needs_pytest, missing[0]) if missing else functools.partial(function, **known)
+        yield Test(f"{name}[{suffix}]" if suffix else name, run)
+
+
+def _cases(names: str | Sequence[str], values: Sequence[Any]) -> Iterator[tuple[dict[str, Any], str]]:
+    """The values of parameters, and how they are called."""
+    keys = [one.strip() for one in names.split(",")] if isinstance(names, str) else list(names)
+    for index, value in enumerate(values):
+        members = getattr(value, "values", value if len(keys) > 1 else [value])
+        plain = [isinstance(one, str | int | float) for one in members]
+        labels = [
+            str(one) if simple else f"{key}{index}" for key, one, simple in zip(keys, members, plain, strict=True)
+        ]
+        yield dict(zip(keys, members, strict=True)), "-".join(labels)
+
+
+def _needs_pytest(fixture: str) -> None:
+    raise AssertionError(f"This test asks for the fixture {fixture!r}, which only pytest has. Run it with pytest.")
+
+
+class _Telling(ast.NodeTransformer):
+    """Compiles asserts and calls of assert_allclose so that they say what is compared."""
+
+    def __init__(self, text: str) -> None:
+        self._text = text
+
+    def visit_Assert(self, node: ast.Assert) -> ast.AST | list[ast.AST]:  # noqa: N802
+        if isinstance(node.test, ast.BoolOp) and isinstance(node.test.op, ast.And) and node.msg is None:
+            return [self._told(node, one) for one in node.test.values]
+        return self._told(node, node.test) if node.msg is None else node
+
+    def _told(self, node: ast.Assert, test: ast.expr) -> ast.AST:
+        source = ast.Constant(" ".join((ast.get_source_segment(self._text, test) or "").split()))
+        if isinstance(test, ast.Compare) and len(test.ops) == 1 and type(test.ops[0]) in COMPARISONS:
+            name = ast.Constant(type(test.ops[0]).__name__)
+            call = _call(COMPARE, test.left, name, test.comparators[0], source)
+        else:
+            call = _call(HOLDS, test, source)
+        return ast.copy_location(ast.Expr(ast.copy_location(call, node)), node)
+
+    def visit_Call(self, node: ast.Call) -> ast.AST:  # noqa: N802
+        self.generic_visit(node)
+        if isinstance(node.func, ast.Attribute) and node.func.attr == "assert_allclose":
+            node.func = ast.copy_location(ast.Name(ALLCLOSE, ast.Load()), node.func)
+        return node
+
+
+def _call(name: str, *arguments: ast.expr) -> ast.Call:
+    return ast.Call(ast.Name(name, ast.Load()), list(arguments), [])
+
+
+def _compare(actual: Any, name: str, expected: Any, source: str) -> None:
+    compare, words = next(one for kind, one in COMPARISONS.items() if kind.__name__ == name)
+    holds = compare(actual, expected)
+    if not (holds if isinstance(holds, bool) else bool(holds)):
+        right = getattr(expected, "expected", expected)  # of pytest's approx
+        raise AssertionError(_difference(actual, right) if words == "is right" else _limit(actual, right, words))
+
+
+def _holds(value: Any, source: str) -> None:
+    if not value:
+        raise AssertionError("This is false.")
+
+
+def _allclose(actual: Any, desired: Any, rtol: float = 1e-7, atol: float = 0.0, **_: Any) -> None:
+    import numpy as np
+
+    actual, desired = np.asarray(actual, float), np.asarray(desired, float)
+    fits = actual.shape == desired.shape or desired.ndim == 0
+    if not fits or not (np.abs(actual - desired) <= atol + rtol * np.abs(desired)).all():
+        raise AssertionError(_difference(actual, desired))
+
+
+def _difference(actual: Any, expected: Any) -> str:
+    """What was returned and what is right: whole where it is short, else where it is furthest off."""
+    import numpy as np
+
+    try:
+        found, right = np.asarray(actual, float), np.asarray(expected, float)
+    except (TypeError, ValueError):
+        return f"Your code gives {actual!r}; {expected!r} is right."
+    if found.shape != right.shape and right.ndim:
+        return f"Your code gives an array of shape {found.shape}; {right.shape} is right."
+    if found.size <= MOST_NUMBERS:
+        return f"Your code gives {_numbers(found)}; {_numbers(np.broadcast_to(right, found.shape))} is right."
+    off = np.abs(found - right)
+    worst = np.unravel_index(int(np.argmax(np.where(np.isnan(off), np.inf, off))), off.shape)
+    wrong = float(np.broadcast_to(right, found.shape)[worst])
+    return f"Your code gives {found[worst]:.6g} in {_place(worst)}; {wrong:.6g} is right."
+
+
+def _limit(actual: Any, limit: Any, words: str) -> str:
+    return f"Your code gives {_numbers(actual)}; {_numbers(limit)} {words}."
+
+
+def _numbers(value: Any) -> str:
+    import numpy as np
+
+    try:
+        found = np.asarray(value, float)
+    except (TypeError, ValueError):
+        return repr(value)
+    text = np.array2string(found, separator=", ", formatter={"float_kind": lambda x: f"{x:.6g}"})
+    return " ".join(text.split())
+
+
+def _place(index: Sequence[Any]) -> str:
+    words = ("row", "column", "layer")
+    if len(index) == 1:
+        return f"component {int(index[0]) + 1}"
+    return ", ".join(f"{word} {int(k) + 1}" for word, k in zip(words, index, strict=False))
+
+
+def _line(error: BaseException) -> str:
+    """The last statement of a test that led to an error, on one line."""
+    frames = [one for one in traceback.extract_tb(error.__traceback__) if Path(one.filename).name.startswith("test_")]
+    if not frames:
+        return ""
+    first, last = frames[-1].lineno or 0, frames[-1].end_lineno or 0
+    return " ".join(linecache.getline(frames[-1].filename, number).strip() for number in range(first, last + 1))
