@@ -19,7 +19,7 @@ import time
 from pathlib import Path
 
 from tam570.course import assignments
-from tam570.show import film_of, loaded
+from tam570.show import load_student, scene_of
 
 HERE = Path(__file__).parent
 RESULTS = HERE / "results" / "show.json"
@@ -29,11 +29,11 @@ REPEATS = 5
 STAGES = """
 import json, sys, time
 times = [time.perf_counter()]
-from tam570.show import Student, import_module, loaded
+from tam570.show import Student, import_module, load_student
 from tam570.show.page import page
 slug, file = sys.argv[1:]
 times.append(time.perf_counter())
-module = loaded(file, slug)
+module = load_student(file, slug)
 scene = import_module(f"tam570.show.scenes.{slug[:4]}")
 times.append(time.perf_counter())
 film = scene.film(Student(module))
@@ -58,7 +58,7 @@ def measured(slug, folder):
     seconds = min(timed(command)[0] for _ in range(REPEATS))
     stages = [json.loads(timed(["-c", STAGES, slug, str(file)])[1]) for _ in range(REPEATS)]
     document = where.read_bytes()
-    data = re.search(rb'id="film">(.*?)</script>', document, re.S)[1]
+    data = re.search(rb'id="data">(.*?)</script>', document, re.S)[1]
     film = json.loads(data)
     names = ("imports", "student's file", "student's functions", "page")
     return {
@@ -70,7 +70,7 @@ def measured(slug, folder):
         "gzip bytes": len(gzip.compress(document)),
         "samples": sum(film["keys"]) + 1,
         "samples kept": len(film["keys"]),
-        "points": sum(len(part["at"]) for panel in film["panels"] for part in panel["parts"]),
+        "points": sum(len(part["at"]) for panel in film["panels"] for part in panel["shapes"]),
         "tracks kept": len(film["tracks"]),
     }
 
@@ -82,7 +82,7 @@ def by_matplotlib(folder):
 
     from tam570.show.pictures import DPI, SIZE, _drawn, frames
 
-    film = film_of(loaded(SOLUTIONS / f"{PENDULUM}.py", PENDULUM), PENDULUM)
+    film = scene_of(load_student(SOLUTIONS / f"{PENDULUM}.py", PENDULUM), PENDULUM)
     where, started = folder / "matplotlib.html", time.perf_counter()
     figure = Figure(figsize=SIZE, dpi=DPI)
     update, writer = _drawn(film, figure), HTMLWriter(fps=30, embed_frames=True)

@@ -185,15 +185,15 @@ def browser():
 
 
 @pytest.fixture(scope="session")
-def films():
-    """`films(slug)` -> the film of the reference solution, made once."""
-    from tam570.show import film_of, loaded
+def scenes():
+    """`scenes(slug)` -> the film of the reference solution, made once."""
+    from tam570.show import load_student, scene_of
 
     made = {}
 
     def film(slug):
         if slug not in made:
-            made[slug] = film_of(loaded(COURSE / "solutions" / f"{slug}.py", slug), slug)
+            made[slug] = scene_of(load_student(COURSE / "solutions" / f"{slug}.py", slug), slug)
         return made[slug]
 
     return film

@@ -7,7 +7,7 @@ from pathlib import Path
 from scenes import COURSE, film
 
 from tam570.course import assignments, title
-from tam570.lectures import known, load
+from tam570.lectures import catalogue, load
 
 __all__ = ["readable", "setup"]
 
@@ -28,7 +28,7 @@ def _write(app):
     """Write docs/generated anew; a file that is as it was keeps its time, so that Sphinx does not read it again."""
     folder = Path(app.srcdir, "generated")
     pages = {f"problems/{slug}.md": _problem(slug) for slug in assignments()}
-    pages |= {f"lectures/{name}.md": _lecture(lecture) for name, lecture in known().items()}
+    pages |= {f"lectures/{name}.md": _lecture(lecture) for name, lecture in catalogue().items()}
     pages |= {"assignments.md": _gallery(), "lectures.md": _lectures(), "stills.md": _stills()}
     for old in {*folder.glob("problems/*.md"), *folder.glob("lectures/*.md")} - {folder / name for name in pages}:
         old.unlink()
@@ -50,13 +50,15 @@ def _gallery():
     parts = ["# Scenes of the assignments\n\nEach scene is driven by the reference solution. It shows no code.\n"]
     for slug in assignments():
         link = f"[The problem](problems/{slug}.md)"
-        parts.append(f"({slug[:4]})=\n## {title(slug)}\n\n{film(slug).sight}\n\n:::{{scene}} {slug}\n:::\n\n{link}\n")
+        parts.append(
+            f"({slug[:4]})=\n## {title(slug)}\n\n{film(slug).alt_text}\n\n:::{{scene}} {slug}\n:::\n\n{link}\n"
+        )
     return "\n".join(parts)
 
 
 def _lectures():
-    rows = [f"| {one.date} | [{one.title}](lectures/{name}.md) |" for name, one in known().items()]
-    tree = "\n".join(f"lectures/{name}" for name in known())
+    rows = [f"| {one.date} | [{one.title}](lectures/{name}.md) |" for name, one in catalogue().items()]
+    tree = "\n".join(f"lectures/{name}" for name in catalogue())
     says = "The course solves these systems in class. Each page has a scene, equations, what does not change, and code."
     table = "| date | system |\n|---|---|\n" + "\n".join(rows)
     return f"# The lectures\n\n{says}\n\n{table}\n\n```{{toctree}}\n:hidden:\n\n{tree}\n```\n"
@@ -65,7 +67,7 @@ def _lectures():
 def _stills():
     """What the gallery's front page includes: a still for each scene."""
     tasks = [_card(slug, f"generated/assignments.html#{slug[:4]}", title(slug)) for slug in assignments()]
-    shown = [_card(name, f"generated/lectures/{name}.html", one.title) for name, one in known().items()]
+    shown = [_card(name, f"generated/lectures/{name}.html", one.title) for name, one in catalogue().items()]
     return f"## Assignments\n\n{_grid(tasks)}\n\n## Lectures\n\n{_grid(shown)}\n"
 
 

@@ -13,8 +13,8 @@ from sphinx.util.logging import getLogger
 
 from tam570.course import assignments
 from tam570.lectures import load, names
-from tam570.show import film_of, loaded, save
-from tam570.show.lecture import film_of_lecture
+from tam570.show import load_student, save, scene_of
+from tam570.show.lecture import scene_of_lecture
 from tam570.show.page import page
 
 __all__ = ["film", "setup"]
@@ -33,8 +33,8 @@ def setup(app):
 def film(name):
     """The film of an assignment, by its reference solution, or of a lecture."""
     if name in names():
-        return film_of_lecture(load(name))
-    return film_of(loaded(COURSE / "solutions" / f"{name}.py", name), name)
+        return scene_of_lecture(load(name))
+    return scene_of(load_student(COURSE / "solutions" / f"{name}.py", name), name)
 
 
 def _made(app):
@@ -67,10 +67,10 @@ class Scene(SphinxDirective):
 
     def run(self):
         (name,), up = self.arguments, "../" * self.env.docname.count("/")
-        sight, title = html.escape(film(name).sight), html.escape(film(name).title)
+        alt_text, title = html.escape(film(name).alt_text), html.escape(film(name).title)
         markup = (
             f'<figure class="scene" data-page="{up}scenes/{name}.html" data-title="{title}">'
-            f'<img src="{up}scenes/{name}.webp" width="800" height="448" loading="lazy" alt="{sight}">'
+            f'<img src="{up}scenes/{name}.webp" width="800" height="448" loading="lazy" alt="{alt_text}">'
             f"</figure>"
         )
         return [nodes.raw("", markup, format="html")]

@@ -115,7 +115,7 @@ def _add_help(commands: Commands) -> None:
 
 def _list(arguments: argparse.Namespace) -> int:
     if arguments.lectures:
-        return lectures.listed()
+        return lectures.print_list()
     points = most = 0.0
     for slug in assignments():
         file = work.work_of(slug)

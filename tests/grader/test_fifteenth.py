@@ -148,31 +148,31 @@ SCENE = '''"""hw15: a mass on a spring that loses nothing."""
 
 import numpy as np
 
-from tam570.show.film import INK, Film, Panel, Part, clock, energy_strip, moving, strip_samples
-from tam570.show.student import tried
+from tam570.show.scene import INK, Panel, Scene, Shape, TimePlot, energy_plot, frame_times, moving, plot_samples
+from tam570.show.student import make_each
 
 SPRING = {"mass": 1.0, "stiffness": 4.0}  # kg, N/m
 
 
 def film(student):
     """A swing from rest."""
-    times, notes = clock(10.0), []
+    times, notes = frame_times(10.0), []
     x, v = student("simulate", times, 1.0, 0.0, **SPRING, damping=0.0, shape=(len(times), 2)).T
     mass = np.column_stack([x, 0 * x])
-    parts = [
-        Part("lines", moving(np.array([-2.0, 0.0]), mass), INK, "spring", width=2),
-        Part("lines", np.array([[-2.0, -0.4], [-2.0, 0.4]]), INK, width=3),
-        Part("dot", mass[:, None], 0, "mass", width=11),
+    shapes = [
+        Shape("lines", moving(np.array([-2.0, 0.0]), mass), INK, "spring", width=2),
+        Shape("lines", np.array([[-2.0, -0.4], [-2.0, 0.4]]), INK, width=3),
+        Shape("dot", mass[:, None], 0, "mass", width=11),
     ]
-    sight = "A mass on a spring swings along a line. Nothing damps it, so that each swing is as far as the one before."
-    strips = tried(notes, lambda: _energy(student, times, x, v))
-    return Film("Spring", sight, times, [Panel(parts)], strips, notes=notes)
+    alt_text = "A mass on a spring swings along a line. Nothing damps it, so each swing is as far as the one before."
+    plots = make_each(notes, lambda: _energy(student, times, x, v))
+    return Scene("Spring", alt_text, times, [Panel(shapes)], plots, notes=notes)
 
 
 def _energy(student, times, x, v):
-    shown = strip_samples(times)
+    shown = plot_samples(times)
     total = student.each("energy", x[shown], v[shown], **SPRING, shape=())
-    return energy_strip(times[shown], total, SPRING["stiffness"] * x[shown] ** 2 / 2)
+    return energy_plot(times[shown], total, SPRING["stiffness"] * x[shown] ** 2 / 2)
 '''
 NOTATION = """| x, v | `x`, `v` | m, m/s | displacement of a mass on a damped spring, and its rate (hw15) |
 | c | `damping` | kg/s | of a spring (hw15) |

@@ -84,7 +84,7 @@ def test_the_notebook_counts_where_the_module_is_still_empty(book, hw08, desk, t
 def test_a_notebook_is_shown(book, tam570, desk):
     code, said = tam570("show", book(), "--save", "scene.html")
     assert code == 0 and (desk / "scene.html").stat().st_size > 10_000, said
-    assert show(book()).film is not None
+    assert show(book()).scene is not None
 
 
 @pytest.mark.parametrize("cell", CELLS.values(), ids=CELLS)

@@ -13,7 +13,7 @@ from types import ModuleType
 
 from tam570.course import Unknown
 
-__all__ = ["Lecture", "heading", "known", "load", "names"]
+__all__ = ["Lecture", "heading", "catalogue", "load", "names"]
 
 HEADING = re.compile(r'"""((\d+).*?(Aug|Sept|Oct|Nov)\b.*?): (.*?)\.?"*$')
 MONTHS = ("Aug", "Sept", "Oct", "Nov")
@@ -36,18 +36,18 @@ class Lecture:
 
 def names() -> list[str]:
     """The names of all lectures, by date."""
-    return list(known())
+    return list(catalogue())
 
 
 def load(name: str) -> ModuleType:
     """The module of a lecture. Unknown, which says what there is, if there is none of that name."""
-    if name not in known():
+    if name not in catalogue():
         raise Unknown(f"there is no lecture {name!r}; the lectures are: {', '.join(names())}")
     return import_module(f"tam570.lectures.{name}")
 
 
 @cache
-def known() -> dict[str, Lecture]:
+def catalogue() -> dict[str, Lecture]:
     """All lectures by name, in the order of their dates."""
     found = [lecture for file in Path(__file__).parent.glob("*.py") if (lecture := heading(file))]
     return {lecture.name: lecture for lecture in sorted(found, key=lambda lecture: (lecture.day, lecture.name))}

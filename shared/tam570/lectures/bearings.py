@@ -14,7 +14,19 @@ from numpy.typing import ArrayLike
 
 from tam570.given import array, finite
 from tam570.rotations import matrix_from_axis_angle
-from tam570.show.film import GREY, INK, Array, Film, Panel, Part, clock, conserved, followed, moving, strip_samples
+from tam570.show.scene import (
+    GREY,
+    INK,
+    Array,
+    Panel,
+    Scene,
+    Shape,
+    drift_plot,
+    frame_times,
+    moving,
+    plot_samples,
+    value_plot,
+)
 
 __all__ = ["film", "moment"]
 
@@ -43,27 +55,27 @@ def _checked(inertia: ArrayLike) -> Array:
     return matrix
 
 
-def film(parameters: Mapping[str, Any]) -> Film:
+def film(parameters: Mapping[str, Any]) -> Scene:
     """The body, and one that is balanced: the same without the off-diagonal terms."""
     matrix, spin, spin_rate = _checked(parameters["inertia"]), parameters["spin"], parameters["spin_rate"]
     finite(spin=spin, spin_rate=spin_rate)
-    times = clock(8.0)
+    times = frame_times(8.0)
     speeds = spin + spin_rate * times
     R = matrix_from_axis_angle(UP, times * (spin + speeds) / 2)
     felt = np.array([moment(matrix, speed, spin_rate) for speed in speeds])
     in_space = np.einsum("nij,nj->ni", R, felt)
     longest = float(np.linalg.norm(felt[:, :2], axis=1).max()) or 1.0
-    shown = strip_samples(times)
+    shown = plot_samples(times)
     across = np.linalg.norm(felt[shown, :2], axis=1)
     if spin_rate:
         # Across the axis M has the size of sqrt(Ixz^2 + Iyz^2) sqrt(spin_rate^2 + spin^4), whatever the angle.
         across = across / np.hypot(spin_rate, speeds[shown] ** 2)
     size = float(across[0]) or 1.0
     curves = dict(zip(("x", "y", "z"), in_space[shown].T, strict=True))
-    arrow = Part(
+    arrow = Shape(
         "arrow", moving(np.zeros(3), 1.2 * in_space * [1, 1, 0] / longest), 1, "moment across the axis", width=3
     )
-    return Film(
+    return Scene(
         "Bearings",
         "Two bodies turn on vertical shafts. One is not balanced: the moment that its bearings must give goes round "
         "with it. The balanced one needs no moment across its axis.",
@@ -73,15 +85,15 @@ def film(parameters: Mapping[str, Any]) -> Film:
             Panel(_body(np.diag(np.diag(matrix)), R), "balanced", ruler=False),
         ],
         [
-            followed("moment on the unbalanced body, in space", times[shown], curves, "N m"),
-            conserved("its size for the spin it has, change", times[shown], {"": across}, size, "itself"),
+            value_plot("moment on the unbalanced body, in space", times[shown], curves, "N m"),
+            drift_plot("its size for the spin it has, change", times[shown], {"": across}, size, "itself"),
         ],
         view=(0.6, 0.35),
-        poster=0.3,
+        still_time=0.3,
     )
 
 
-def _body(inertia: Array, R: Array) -> list[Part]:
+def _body(inertia: Array, R: Array) -> list[Shape]:
     """Six equal masses on the principal axes, as far out as the moments of inertia ask, on their shaft."""
     moments, principal = np.linalg.eigh(inertia)
     squares = np.maximum(moments.sum() / 2 - moments, 0.0)
@@ -91,8 +103,8 @@ def _body(inertia: Array, R: Array) -> list[Part]:
     ends = np.concatenate([arms, -arms], axis=1)
     pairs = np.stack([arms, -arms], axis=2).reshape(len(R), 6, 3)
     return [
-        Part("lines", SHAFT * np.array([UP, -UP]), INK, width=3),
-        Part("dot", SHAFT * np.array([UP, -UP]), GREY, "bearings", width=12),
-        Part("lines", pairs, 0, width=3),
-        Part("dot", ends, 0, "masses", width=11),
+        Shape("lines", SHAFT * np.array([UP, -UP]), INK, width=3),
+        Shape("dot", SHAFT * np.array([UP, -UP]), GREY, "bearings", width=12),
+        Shape("lines", pairs, 0, width=3),
+        Shape("dot", ends, 0, "masses", width=11),
     ]

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 
 from tam570.given import nonnegative, numbers, positives, sequence
 from tam570.integrate import solve
-from tam570.show.film import Array, Film, Panel, Part, clock, conserved, strip_samples
+from tam570.show.scene import Array, Panel, Scene, Shape, drift_plot, frame_times, plot_samples
 
 __all__ = ["angular_momentum", "energy", "film", "momentum", "rates"]
 
@@ -103,24 +103,24 @@ def _parts(state: ArrayLike, masses: Sequence[float], newton: float) -> tuple[Ar
     return m, r, v
 
 
-def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Film:
+def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
     """All of them with their paths."""
-    times = clock(seconds)
+    times = frame_times(seconds)
     states = solve(rates, times, start, parameters=parameters)
     n = len(start) // 6
     places = states[:, : 3 * n].reshape(-1, n, 3)
     if not places[..., 2].any():
         places = places[..., :2]
-    parts = [Part("trail", places[:, [i]], i % 6, width=2) for i in range(n)]
-    parts += [Part("dot", places[:, [i]], i % 6, f"body {i + 1}", width=8) for i in range(n)]
-    shown = strip_samples(times)
+    shapes = [Shape("trail", places[:, [i]], i % 6, width=2) for i in range(n)]
+    shapes += [Shape("dot", places[:, [i]], i % 6, f"body {i + 1}", width=8) for i in range(n)]
+    shown = plot_samples(times)
     energies = np.array([energy(state, **parameters) for state in states[shown]])
-    return Film(
+    return Scene(
         f"{n} bodies",
         "Bodies attract each other and move on paths that bend around each other. In the example three equal bodies "
         "chase each other on one curve in the shape of an eight.",
         times,
-        [Panel(parts)],
-        [conserved("energy, change", times[shown], {"": energies}, abs(energies[0]) or 1.0, "itself")],
-        poster=0.2,
+        [Panel(shapes)],
+        [drift_plot("energy, change", times[shown], {"": energies}, abs(energies[0]) or 1.0, "itself")],
+        still_time=0.2,
     )

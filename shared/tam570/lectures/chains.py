@@ -15,7 +15,7 @@ import numpy as np
 
 from tam570.given import finite, nonnegative, positive
 from tam570.integrate import solve
-from tam570.show.film import Film, clock
+from tam570.show.scene import Scene, frame_times
 
 __all__ = ["film", "folded", "lifted", "poured"]
 
@@ -50,7 +50,7 @@ def poured(fallen: float, *, density: float, gravity: float) -> float:
     return 3 * density * gravity * fallen
 
 
-def film(parameters: Mapping[str, float]) -> Film:
+def film(parameters: Mapping[str, float]) -> Scene:
     """All three at once; the folded one by both of its equations."""
     from tam570.show.scenes.chains import chains
 
@@ -60,7 +60,7 @@ def film(parameters: Mapping[str, float]) -> Film:
     def fall(t: float, state: Sequence[float]) -> tuple[float, float]:
         return state[1], folded(state[0], state[1], length=length, gravity=gravity)[0]
 
-    times = clock(1.1 * sqrt(2 * length / gravity))
+    times = frame_times(1.1 * sqrt(2 * length / gravity))
     falling = times[times < TAUT * sqrt(length / gravity)]
     fallen = solve(fall, falling, (0.0, 0.0))[np.minimum(np.arange(len(times)), len(falling) - 1)]
     free = np.minimum(gravity * times**2 / 2, length)

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from tam570.given import array, numbers
-from tam570.show.film import Array, Film
+from tam570.show.scene import Array, Scene
 
 __all__ = ["collide", "cradle", "film"]
 
@@ -94,7 +94,7 @@ def _check_restitution(restitution: float) -> None:
         raise ValueError(f"restitution: must be from 0 to 1, got {restitution!r}")
 
 
-def film(parameters: Mapping[str, float]) -> Film:
+def film(parameters: Mapping[str, float]) -> Scene:
     """Newton's cradle, and a rod that hits a corner."""
     from tam570.show.scenes.collisions import cradle_and_rod
 

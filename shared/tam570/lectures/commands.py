@@ -4,19 +4,19 @@ import shutil
 from collections.abc import Sequence
 from pathlib import Path
 
-from tam570.lectures import heading, known
+from tam570.lectures import catalogue, heading
 
-__all__ = ["is_lecture", "listed", "show", "start"]
+__all__ = ["is_lecture", "print_list", "show", "start"]
 
 
 def is_lecture(what: str) -> bool:
     """Whether a name or a file means a lecture or a copy of one, and not an assignment."""
-    return what in known() or Path(what).is_file() and heading(Path(what)) is not None
+    return what in catalogue() or Path(what).is_file() and heading(Path(what)) is not None
 
 
-def listed() -> int:
+def print_list() -> int:
     """Print all lectures by date."""
-    for lecture in known().values():
+    for lecture in catalogue().values():
         print(f"{lecture.date:<15} {lecture.name:<18} {lecture.title}")
     return 0
 
@@ -38,11 +38,11 @@ def start(name: str, where: Path) -> int:
 
 def show(what: str, numbers: Sequence[str], where: Path | None) -> int:
     """Show a lecture, or a copy of one, with other numbers; 0, or 1 if it cannot be shown."""
-    from tam570.show import Trouble, presented, troubled
-    from tam570.show.lecture import film_of_lecture, lecture_module, settings
+    from tam570.show import Trouble, present, report_trouble
+    from tam570.show.lecture import lecture_module, scene_of_lecture, settings
 
     try:
-        film = film_of_lecture(lecture_module(what), settings(numbers))
+        scene = scene_of_lecture(lecture_module(what), settings(numbers))
     except Trouble as trouble:
-        return troubled(trouble)
-    return presented(film, where, Path(what).stem)
+        return report_trouble(trouble)
+    return present(scene, where, Path(what).stem)

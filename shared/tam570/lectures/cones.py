@@ -14,12 +14,23 @@ from numpy.typing import ArrayLike
 
 from tam570.given import array, finite, positive
 from tam570.show.drawing import circle, cone
-from tam570.show.film import GREY, Array, Film, Panel, Part, clock, conserved, moving, strip_samples, with_slider
+from tam570.show.scene import (
+    GREY,
+    Array,
+    Panel,
+    Scene,
+    Shape,
+    drift_plot,
+    frame_times,
+    moving,
+    plot_samples,
+    with_slider,
+)
 
 __all__ = ["axis", "body_cone", "body_rate", "film", "omega", "precession_rate", "space_cone"]
 
 EXAMPLE = {"axial": 2.0, "transverse": 1.1, "spin": 2.0, "wobble": 1.2}  # kg m^2, rad/s
-SHAPES = (0.4, 1.4)  # axial, of the film's slider; from a rod to a disk
+SHAPES = (0.4, 1.4)  # axial, of the scene's slider; from a rod to a disk
 
 
 def omega(t: ArrayLike, *, axial: float, transverse: float, spin: float, wobble: float) -> Array:
@@ -78,17 +89,17 @@ def _round(t: ArrayLike, out: float, up: float, rate: float) -> Array:
     return np.stack([out * np.cos(turned), out * np.sin(turned), up + 0.0 * turned], axis=-1)
 
 
-def film(parameters: Mapping[str, float]) -> Film:
+def film(parameters: Mapping[str, float]) -> Scene:
     """A slider makes a rod of the body, or a disk."""
 
-    def make(axial: float) -> Film:
+    def make(axial: float) -> Scene:
         return _film({**parameters, "axial": axial})
 
     return with_slider(make, "moment of inertia about the axis", "kg m²", SHAPES, parameters["axial"])
 
 
-def _film(parameters: Mapping[str, float]) -> Film:
-    times = clock(8.0)
+def _film(parameters: Mapping[str, float]) -> Scene:
+    times = frame_times(8.0)
     turning, along = omega(times, **parameters), axis(times, **parameters)
     axial, transverse, spin = (parameters[name] for name in ("axial", "transverse", "spin"))
     across = np.cross([0.0, 0.0, 1.0], along)
@@ -99,9 +110,9 @@ def _film(parameters: Mapping[str, float]) -> Film:
     scale = 1.0 / hypot(spin, parameters["wobble"])
     tip, wide = scale * turning, scale * abs(parameters["wobble"])
     space_rim = circle([0.0, 0.0, tip[0, 2]], [tip[0, 0], 0.0, 0.0], [0.0, tip[0, 0], 0.0], 37)
-    shown = strip_samples(times)
+    shown = plot_samples(times)
     H = transverse * turning + (axial - transverse) * np.einsum("ni,ni->n", turning, along)[:, None] * along
-    return Film(
+    return Scene(
         "Free symmetric body",
         "A cone fixed in the body rolls without slip on a cone fixed in space. They touch along the angular velocity. "
         "A long body's cone rolls on the outside, a flat body's cone holds the other inside it.",
@@ -111,15 +122,19 @@ def _film(parameters: Mapping[str, float]) -> Film:
                 [
                     *cone(space_rim, 2, "space cone"),
                     *cone(circle(scale * spin * along, wide * one, wide * two, 37), 0, "body cone"),
-                    Part("path", circle(np.zeros(3), 0.5 * one, 0.5 * two), GREY, "the body", width=3),
-                    Part("lines", moving(0.5 * one, -0.5 * one), GREY),
-                    Part("arrow", moving(np.zeros(3), 1.2 * tip), 1, "angular velocity", width=3),
-                    Part("arrow", np.array([[0.0, 0.0, 0.0], [0.0, 0.0, 1.3]]), 4, "angular momentum", width=3),
+                    Shape("path", circle(np.zeros(3), 0.5 * one, 0.5 * two), GREY, "the body", width=3),
+                    Shape("lines", moving(0.5 * one, -0.5 * one), GREY),
+                    Shape("arrow", moving(np.zeros(3), 1.2 * tip), 1, "angular velocity", width=3),
+                    Shape("arrow", np.array([[0.0, 0.0, 0.0], [0.0, 0.0, 1.3]]), 4, "angular momentum", width=3),
                 ],
                 ruler=False,
             )
         ],
-        [conserved("angular momentum in space, change", times[shown], {"": H[shown]}, float(H[0, 2]) or 1.0, "itself")],
+        [
+            drift_plot(
+                "angular momentum in space, change", times[shown], {"": H[shown]}, float(H[0, 2]) or 1.0, "itself"
+            )
+        ],
         view=(0.5, 0.3),
-        poster=0.1,
+        still_time=0.1,
     )

@@ -16,7 +16,7 @@ from tam570.given import numbers, positives, sequence
 from tam570.integrate import solve, solve_rotation
 from tam570.invariants import rotation_defect
 from tam570.show.drawing import brick
-from tam570.show.film import Array, Film, Panel, clock, conserved, followed, strip_samples
+from tam570.show.scene import Array, Panel, Scene, drift_plot, frame_times, plot_samples, value_plot
 
 __all__ = ["angular_momentum", "energy", "film", "rates"]
 
@@ -24,7 +24,7 @@ STATE = {f"R{i}{j}": "1" for i in (1, 2, 3) for j in (1, 2, 3)} | {f"omega_{axis
 EXAMPLE = {"inertia": (1.0, 2.0, 2.6)}  # kg m^2, about the principal axes of the body
 START = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.3, 2.0, 0.4)
 SECONDS = 20.0
-LOOSE = 1e-6  # rtol of the film
+LOOSE = 1e-6  # rtol of the scene
 SEEN = 0.5  # largest R^T R - I that is drawn, so that it is seen
 
 
@@ -85,9 +85,9 @@ def _drift(times: Array, start: Sequence[float], parameters: Mapping[str, Any]) 
     return states, np.transpose(between).reshape(-1, 3, 3)
 
 
-def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Film:
+def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
     """One body twice, both at a loose tolerance."""
-    times, moments = clock(seconds), np.array(positives(3, inertia=parameters["inertia"]))
+    times, moments = frame_times(seconds), np.array(positives(3, inertia=parameters["inertia"]))
     states, strain = _drift(times, start, parameters)
     R0, omega0 = states[0, :9].reshape(3, 3), states[0, 9:]
 
@@ -98,13 +98,13 @@ def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) 
     drifting = states[:, :9].reshape(-1, 3, 3)
     enlarged = 10.0 ** np.floor(np.log10(SEEN / max(float(np.abs(strain).max()), 1e-15)))
     drawn = drifting @ (np.eye(3) + enlarged * strain / 2)
-    shown, size = strip_samples(times), np.sqrt(np.maximum(moments.sum() / 2 - moments, 0.05 * moments.max()))
+    shown, size = plot_samples(times), np.sqrt(np.maximum(moments.sum() / 2 - moments, 0.05 * moments.max()))
     defects = {"rotations": rotation_defect(kept[shown]), "nine numbers": np.abs(strain[shown]).max(axis=(1, 2))}
     H = np.einsum("nij,nj->ni", kept[shown], moments * turning[shown])
     beside = [angular_momentum(state, **parameters) for state in states[shown]]
     scale = float(np.linalg.norm(H[0])) or 1.0
     note = f"at the end {defects['nine numbers'][-1]:.1e}, and {defects['rotations'][-1]:.0e} by rotations"
-    return Film(
+    return Scene(
         "Drifting matrix",
         "One body, solved twice at the same tolerance. As nine numbers the matrix ceases to be a rotation, ever more: "
         "the box, its drift enlarged, changes its shape. Turned by rotations alone it stays a box.",
@@ -114,10 +114,10 @@ def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) 
             Panel(brick(kept, size, 0, "rotations"), "by rotations", ruler=False),
         ],
         [
-            followed("RᵀR - I, largest element", times[shown], defects, "", note),
-            conserved(
+            value_plot("RᵀR - I, largest element", times[shown], defects, "", note),
+            drift_plot(
                 "angular momentum, change", times[shown], {"rotations": H}, scale, "itself", beside={"nine": beside}
             ),
         ],
-        poster=1.0,
+        still_time=1.0,
     )

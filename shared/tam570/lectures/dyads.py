@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from tam570.given import array, numbers
 from tam570.rotations import exp, log
-from tam570.show.film import GREY, INK, Array, Film, Panel, Part, clock, followed, moving, strip_samples
+from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times, moving, plot_samples, value_plot
 
 __all__ = ["dyad", "film", "nine", "rotation"]
 
@@ -22,7 +22,7 @@ EXAMPLE: dict[str, Any] = {  # triads, and a vector to turn, m
     "after": ((0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (1.0, 0.0, 0.0)),
     "vector": (0.9, 0.5, 0.7),
 }
-SECONDS = 8.0  # of the film
+SECONDS = 8.0  # of the scene
 LARGEST = 1e-9  # of what is off in a triad: its rotation is off by as much
 
 
@@ -60,10 +60,10 @@ def _triad(**named: ArrayLike) -> Array:
     return rows
 
 
-def film(parameters: Mapping[str, Any]) -> Film:
+def film(parameters: Mapping[str, Any]) -> Scene:
     """A vector is turned: its components stay, their base vectors go from one triad to the other."""
     before, vector = array((3, 3), before=parameters["before"]), numbers(3, vector=parameters["vector"])
-    times = clock(SECONDS)
+    times = frame_times(SECONDS)
     share = np.sin(np.pi * times / SECONDS) ** 2  # there and back
     whole = log(rotation(before, parameters["after"]))
     triads = before @ np.swapaxes(exp(share[:, None] * whole), 1, 2)
@@ -71,22 +71,22 @@ def film(parameters: Mapping[str, Any]) -> Film:
     chain = np.concatenate([np.zeros((len(times), 1, 3)), np.cumsum(parts_of_it, axis=1)], axis=1)
     origin = np.zeros(3)
     turned = chain[:, -1]
-    parts = [
-        *(Part("arrow", np.array([origin, row]), GREY, "e1, e2, e3", width=1.5) for row in before),
-        *(Part("arrow", moving(origin, triads[:, i]), i, f"e{i + 1}'", width=3) for i in range(3)),
-        *(Part("lines", chain[:, i : i + 2], i, width=2, faint=True) for i in range(3)),
-        Part("trail", turned[:, None], 4, width=1.5),
-        Part("arrow", np.array([origin, vector]), GREY, "r", width=2.5),
-        Part("arrow", moving(origin, turned), INK, "R r", width=3.5),
+    shapes = [
+        *(Shape("arrow", np.array([origin, row]), GREY, "e1, e2, e3", width=1.5) for row in before),
+        *(Shape("arrow", moving(origin, triads[:, i]), i, f"e{i + 1}'", width=3) for i in range(3)),
+        *(Shape("lines", chain[:, i : i + 2], i, width=2, faint=True) for i in range(3)),
+        Shape("trail", turned[:, None], 4, width=1.5),
+        Shape("arrow", np.array([origin, vector]), GREY, "r", width=2.5),
+        Shape("arrow", moving(origin, turned), INK, "R r", width=3.5),
     ]
-    shown = strip_samples(times)
-    return Film(
+    shown = plot_samples(times)
+    return Scene(
         "A rotation as three dyads",
         "Three base vectors turn to another triad and back. A vector turns with them: its parts along the base vectors "
         "keep their lengths, ei' (ei . r), and add up to it.",
         times,
-        [Panel(parts, ruler=False)],
-        [followed("parts of the vector in space", times[shown], dict(zip("xyz", turned[shown].T, strict=True)), "m")],
+        [Panel(shapes, ruler=False)],
+        [value_plot("parts of the vector in space", times[shown], dict(zip("xyz", turned[shown].T, strict=True)), "m")],
         view=(0.2, 0.5),
-        poster=0.35,
+        still_time=0.35,
     )

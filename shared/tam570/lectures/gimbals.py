@@ -16,14 +16,25 @@ from numpy.typing import ArrayLike
 from tam570.given import numbers, one_of, positive
 from tam570.rotations import euler_from_matrix, matrix_from_axis_angle
 from tam570.show.drawing import circle
-from tam570.show.film import GREY, Array, Film, Panel, Part, clock, conserved, followed, moving, strip_samples
+from tam570.show.scene import (
+    GREY,
+    Array,
+    Panel,
+    Scene,
+    Shape,
+    drift_plot,
+    frame_times,
+    moving,
+    plot_samples,
+    value_plot,
+)
 
 __all__ = ["angular_velocity", "euler_rates", "film", "rings"]
 
-EXAMPLE = {"sequence": "313", "miss": 0.12}  # rad, by which the film's body misses the lock
+EXAMPLE = {"sequence": "313", "miss": 0.12}  # rad, by which the scene's body misses the lock
 SEQUENCES = ("313", "312")
 LOCK = 1e-12  # volume that the three axes span, below which they are in one plane but for rounding
-SPEED, SECONDS = 0.3, 8.0  # rad/s, s, of the film
+SPEED, SECONDS = 0.3, 8.0  # rad/s, s, of the scene
 
 
 def rings(angles: ArrayLike, sequence: str) -> Array:
@@ -58,48 +69,48 @@ def _ring_axes(angles: ArrayLike, sequence: str) -> Array:
     return np.column_stack([R @ axis for R, axis in zip(turned, _own_axes(sequence), strict=True)])
 
 
-def film(parameters: Mapping[str, Any]) -> Film:
+def film(parameters: Mapping[str, Any]) -> Scene:
     """A body that turns steadily past the lock; the rings turn as they must."""
     sequence, miss = parameters["sequence"], parameters["miss"]
     one_of(SEQUENCES, sequence=sequence)
     positive(miss=miss)
-    times = clock(SECONDS)
+    times = frame_times(SECONDS)
     aside = matrix_from_axis_angle([0.0, 1.0, 0.0], miss)
     upright = matrix_from_axis_angle([1.0, 0.0, 0.0], np.pi / 2 if sequence == "312" else 0.0)  # last axis to z
     R = aside @ matrix_from_axis_angle([1.0, 0.0, 0.0], SPEED * (times - SECONDS / 2)) @ upright
     angles = np.unwrap(euler_from_matrix(sequence, R), axis=0)
-    shown, omega = strip_samples(times), SPEED * aside[:, 0]
+    shown, omega = plot_samples(times), SPEED * aside[:, 0]
     rates = np.array([euler_rates(row, omega, sequence) for row in angles[shown]])
     rebuilt = np.array([angular_velocity(*row, sequence) for row in zip(angles[shown], rates, strict=True)])
     curves = dict(zip(("psi", "theta", "phi"), rates.T, strict=True))
     largest = f"up to {np.abs(rates).max():.3g} rad/s, while the body turns at {SPEED:g} rad/s"
-    return Film(
+    return Scene(
         f"Gimbal {sequence}",
         "A disk in two rings turns steadily about a level axis. Its own axis passes close by the axis of the outer "
         "ring. There the outer ring has to whip round by half a turn, and the disk in it by as much the other way.",
         times,
         [Panel(_gimbal(np.array([rings(row, sequence) for row in angles]), sequence), ruler=False)],
         [
-            followed("rates of the angles", times[shown], curves, "rad/s", largest),
-            conserved("sum of the rates along their axes, change", times[shown], {"": rebuilt}, SPEED, "itself"),
+            value_plot("rates of the angles", times[shown], curves, "rad/s", largest),
+            drift_plot("sum of the rates along their axes, change", times[shown], {"": rebuilt}, SPEED, "itself"),
         ],
         view=(0.9, 0.35),
-        poster=0.44,
+        still_time=0.44,
     )
 
 
-def _gimbal(turned: Array, sequence: str) -> list[Part]:
+def _gimbal(turned: Array, sequence: str) -> list[Shape]:
     """Both rings and the disk, by the matrices (n, 3, 3, 3) after each turn."""
     outer, middle, body = np.moveaxis(turned, 1, 0)
     first, second, third = _own_axes(sequence)
     aside = np.cross(third, second)
     return [
-        Part("lines", 1.5 * np.array([first, 1.2 * first / 1.5, -first, -1.2 * first / 1.5]), GREY, width=5),
-        Part("path", circle(np.zeros(3), 1.2 * outer @ first, 1.2 * outer @ second), 2, "ring of psi", width=4),
-        Part("lines", moving(*(s * outer @ second for s in (1.2, 1.0, -1.2, -1.0))), 2, width=3),
-        Part("path", circle(np.zeros(3), middle @ second, middle @ third), 1, "ring of theta", width=4),
-        Part("lines", moving(*(s * middle @ third for s in (1.0, -1.0))), 1, width=3),
-        Part("fill", circle(np.zeros(3), 0.7 * body @ second, 0.7 * body @ aside), 0, faint=True),
-        Part("path", circle(np.zeros(3), 0.7 * body @ second, 0.7 * body @ aside), 0, "disk, turned by phi", width=3),
-        Part("lines", moving(np.zeros(3), 0.7 * body @ second), 0, width=3),
+        Shape("lines", 1.5 * np.array([first, 1.2 * first / 1.5, -first, -1.2 * first / 1.5]), GREY, width=5),
+        Shape("path", circle(np.zeros(3), 1.2 * outer @ first, 1.2 * outer @ second), 2, "ring of psi", width=4),
+        Shape("lines", moving(*(s * outer @ second for s in (1.2, 1.0, -1.2, -1.0))), 2, width=3),
+        Shape("path", circle(np.zeros(3), middle @ second, middle @ third), 1, "ring of theta", width=4),
+        Shape("lines", moving(*(s * middle @ third for s in (1.0, -1.0))), 1, width=3),
+        Shape("fill", circle(np.zeros(3), 0.7 * body @ second, 0.7 * body @ aside), 0, faint=True),
+        Shape("path", circle(np.zeros(3), 0.7 * body @ second, 0.7 * body @ aside), 0, "disk, turned by phi", width=3),
+        Shape("lines", moving(np.zeros(3), 0.7 * body @ second), 0, width=3),
     ]

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from tam570.given import finite, numbers, positive, whole
-from tam570.show.film import Array, Film, with_slider
+from tam570.show.scene import Array, Scene, with_slider
 
 __all__ = ["action", "film", "is_minimum", "path"]
 
@@ -112,13 +112,13 @@ def _descent(angles: Array, *, duration: float, length: float, gravity: float) -
     while True:
         step = _newton(angles, h, length, gravity, damping)
         if step is not None:
-            tried = np.concatenate([angles[:1], angles[1:-1] + step, angles[-1:]])
-            if action(tried, duration, length=length, gravity=gravity) <= now + rounding:
+            make_each = np.concatenate([angles[:1], angles[1:-1] + step, angles[-1:]])
+            if action(make_each, duration, length=length, gravity=gravity) <= now + rounding:
                 return step
         damping = 4 * damping or 1e-13 * length**2 / h
 
 
-def film(parameters: Mapping[str, Any]) -> Film:
+def film(parameters: Mapping[str, Any]) -> Scene:
     """A slider for the time in which the pendulum has to go from a to b."""
     from tam570.show.scenes.least_action import paths
 
@@ -128,7 +128,7 @@ def film(parameters: Mapping[str, Any]) -> Film:
     scene = {name: parameters[name] for name in ("length", "gravity")}
     ends = parameters["a"], parameters["b"]
 
-    def make(duration: float) -> Film:
+    def make(duration: float) -> Scene:
         least = path(*ends, duration, points=parameters["points"], **scene)
         swing = _swing(least, duration, **scene)
         return paths(least, swing, duration, lambda angles: action(angles, duration, **scene))

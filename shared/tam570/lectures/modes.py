@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from tam570.given import array, finite, positive, whole
 from tam570.show.drawing import coil
-from tam570.show.film import GREY, INK, Array, Film, Panel, Part, clock, conserved, strip_samples
+from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, drift_plot, frame_times, plot_samples
 
 __all__ = ["chain", "film", "inverted_pendulum", "modes", "pendulum", "saddle"]
 
@@ -76,9 +76,9 @@ def _symmetric(**named: ArrayLike) -> Array:
     return (matrix + matrix.T) / 2
 
 
-def film(parameters: Mapping[str, Any]) -> Film:
+def film(parameters: Mapping[str, Any]) -> Scene:
     """Each mode alone, and the first mass let go alone, which is all of them at once."""
-    times, (M, K) = clock(SECONDS), chain(**parameters)
+    times, (M, K) = frame_times(SECONDS), chain(**parameters)
     squares, shapes = modes(M, K)
     frequencies = np.sqrt(squares)
     n = len(squares)
@@ -90,19 +90,19 @@ def film(parameters: Mapping[str, Any]) -> Film:
         for j, frequency in enumerate(frequencies)
     }
     rows["all together"] = (waves * amounts) @ shapes.T
-    parts = [part for j, (name, q) in enumerate(rows.items()) for part in _chain(q, -0.6 * j, min(j, 5), name)]
-    shown = strip_samples(times)
+    drawn = [one for j, (name, q) in enumerate(rows.items()) for one in _chain(q, -0.6 * j, min(j, 5), name)]
+    shown = plot_samples(times)
     q, rate = rows["all together"][shown], -np.sin(np.outer(times[shown], frequencies)) * frequencies * amounts
     one_by_one = (rate**2 + squares * (q @ M @ shapes) ** 2) / 2
     curves = {f"mode {j + 1}": one_by_one[:, j] for j in range(n)}
-    return Film(
+    return Scene(
         "Modes of a chain",
         f"{n} masses between springs vibrate in each normal mode, one row for a mode. All masses keep time, from one "
         "mode to the next ever faster. In the last row one mass alone was pulled aside, and all modes sound together.",
         times,
-        [Panel(parts)],
+        [Panel(drawn)],
         [
-            conserved(
+            drift_plot(
                 "energy in each mode of the last row, change",
                 times[shown],
                 curves,
@@ -110,11 +110,11 @@ def film(parameters: Mapping[str, Any]) -> Film:
                 "all of it",
             )
         ],
-        poster=0.02,
+        still_time=0.02,
     )
 
 
-def _chain(q: Array, height: float, color: int, name: str) -> list[Part]:
+def _chain(q: Array, height: float, color: int, name: str) -> list[Shape]:
     """Masses a metre apart, displaced by q (k, n), m, on a zigzag of springs from wall to wall."""
     n = q.shape[1]
     x = np.column_stack([np.zeros(len(q)), q + np.arange(1, n + 1), np.full(len(q), n + 1.0)])
@@ -123,7 +123,7 @@ def _chain(q: Array, height: float, color: int, name: str) -> list[Part]:
     places = np.stack([x[:, 1:-1], np.full(q.shape, height)], axis=-1)
     walls = np.array([[0.0, height - 0.2], [0.0, height + 0.2], [n + 1.0, height - 0.2], [n + 1.0, height + 0.2]])
     return [
-        Part("lines", walls, INK, width=3),
-        *(Part("path", spring, GREY, width=1.2) for spring in springs),
-        Part("dot", places, color, name, width=10),
+        Shape("lines", walls, INK, width=3),
+        *(Shape("path", spring, GREY, width=1.2) for spring in springs),
+        Shape("dot", places, color, name, width=10),
     ]

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 from tam570.given import numbers, positive, sequence
 from tam570.integrate import solve
 from tam570.show.drawing import axes, circle
-from tam570.show.film import GREY, INK, Array, Film, Panel, Part, clock, conserved, moving, strip_samples
+from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, drift_plot, frame_times, moving, plot_samples
 
 __all__ = ["angular_momentum", "energy", "exact", "film", "orbit_tensor", "rates"]
 
@@ -71,29 +71,29 @@ def _check(mass: float, stiffness: float) -> None:
     positive(mass=mass, stiffness=stiffness)
 
 
-def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Film:
+def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
     """The solved motion on the ellipse that is known before it begins."""
-    times = clock(seconds)
+    times = frame_times(seconds)
     states = solve(rates, times, start, parameters=parameters)
     mass, w = states[:, :3], sqrt(parameters["stiffness"] / parameters["mass"])
     ellipse = circle(np.zeros(3), states[0, :3], states[0, 3:] / w)
-    parts = [
+    shapes = [
         *axes(0.5 * float(np.abs(ellipse).max())),
-        Part("path", ellipse, GREY, "exact ellipse", width=5, faint=True),
-        Part("trail", mass[:, None], 2, "path", width=2),
-        Part("lines", moving(np.zeros(3), mass), 0, "spring", width=3),
-        Part("dot", np.zeros((1, 3)), INK, width=4),
-        Part("dot", mass[:, None], 1, "mass", width=9),
+        Shape("path", ellipse, GREY, "exact ellipse", width=5, faint=True),
+        Shape("trail", mass[:, None], 2, "path", width=2),
+        Shape("lines", moving(np.zeros(3), mass), 0, "spring", width=3),
+        Shape("dot", np.zeros((1, 3)), INK, width=4),
+        Shape("dot", mass[:, None], 1, "mass", width=9),
     ]
-    shown = strip_samples(times)
+    shown = plot_samples(times)
     tensors = np.array([orbit_tensor(state, **parameters) for state in states[shown]])
     size = float(np.linalg.norm(tensors[0])) or 1.0
-    return Film(
+    return Scene(
         "Oscillator in space",
         "A mass on a spring with no rest length goes round an ellipse in space. The centre of the ellipse is where the "
         "spring is held. The solved motion stays on the ellipse that its start prescribes.",
         times,
-        [Panel(parts)],
-        [conserved("tensor m v v + k r r, change", times[shown], {"": tensors}, size, "itself")],
-        poster=0.25,
+        [Panel(shapes)],
+        [drift_plot("tensor m v v + k r r, change", times[shown], {"": tensors}, size, "itself")],
+        still_time=0.25,
     )

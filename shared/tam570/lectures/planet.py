@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from tam570.given import numbers, positive, sequence
-from tam570.show.film import Array, Film
+from tam570.show.scene import Array, Scene
 
 __all__ = ["angular_momentum", "elements", "energy", "exact", "film", "laplace_runge_lenz", "rates"]
 
@@ -111,7 +111,7 @@ def _halves(state: ArrayLike, gm: float) -> Array:
     return halves
 
 
-def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Film:
+def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
     """The orbit, and beside it Newton's polygon with more and more impulses."""
     from tam570.show.scenes import planet
 

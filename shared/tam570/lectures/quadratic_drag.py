@@ -12,7 +12,18 @@ import numpy as np
 
 from tam570.given import nonnegative, positive, sequence
 from tam570.integrate import solve
-from tam570.show.film import GREY, Array, Film, Panel, Part, Strip, clock, followed, strip_samples, with_slider
+from tam570.show.scene import (
+    GREY,
+    Array,
+    Panel,
+    Scene,
+    Shape,
+    TimePlot,
+    frame_times,
+    plot_samples,
+    value_plot,
+    with_slider,
+)
 
 __all__ = ["film", "hodograph", "rates", "terminal_speed"]
 
@@ -57,15 +68,15 @@ def _check(mass: float, drag: float, gravity: float) -> None:
     nonnegative(drag=drag, gravity=gravity)
 
 
-def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Film:
+def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
     """How a cannon ball flies: as the Middle Ages thought, as a parabola, as it does; for several drags."""
     drag = parameters["drag"]
     drags = [share * drag for share in SLIDER] if drag else []
     return with_slider(lambda c: _one({**parameters, "drag": c}, start, seconds), "drag", "kg/m", drags, drag)
 
 
-def _one(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Film:
-    times = clock(seconds)
+def _one(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
+    times = frame_times(seconds)
     states = solve(rates, times, start, parameters=parameters, rtol=1e-8)
     falls = np.outer(times**2 / 2, [0.0, -parameters["gravity"]])
     parabola = np.add(start[:2], np.outer(times, start[2:]) + falls)
@@ -73,18 +84,18 @@ def _one(parameters: Mapping[str, float], start: Sequence[float], seconds: float
     paths["as in the Middle Ages"] = _out_then_down(times, start, paths["with drag"], parameters)
     colors = dict(zip(paths, (0, 2, 1), strict=True))
     ground = np.array([start[:2], [paths["parabola"][-1, 0], start[1]]])
-    return Film(
+    return Scene(
         "Cannon ball",
         "Three balls leave one point together. One flies on a parabola. One flies through air, where it falls more "
         "steeply than it rose. One flies as in the Middle Ages, straight out and then straight down. The more drag "
         "there is, the more the second looks like the third.",
         times,
         [
-            Panel([Part("lines", ground, GREY), *_flights(paths, colors, named=True)], "as far as they go"),
+            Panel([Shape("lines", ground, GREY), *_flights(paths, colors, named=True)], "as far as they go"),
             *_shapes(paths, colors),
         ],
         [_speed(times, states, parameters)],
-        poster=0.45,
+        still_time=0.45,
     )
 
 
@@ -107,11 +118,11 @@ def _out_then_down(times: Array, start: Sequence[float], real: Array, parameters
     return _landed(np.column_stack([x + vx * out, y + vy * out - down]))
 
 
-def _flights(paths: Mapping[str, Array], colors: Mapping[str, int], *, named: bool) -> list[Part]:
+def _flights(paths: Mapping[str, Array], colors: Mapping[str, int], *, named: bool) -> list[Shape]:
     trails = [
-        Part("trail", path[:, None], colors[name], name if named else "", width=2.5) for name, path in paths.items()
+        Shape("trail", path[:, None], colors[name], name if named else "", width=2.5) for name, path in paths.items()
     ]
-    return [*trails, *(Part("dot", path[:, None], colors[name], width=7) for name, path in paths.items())]
+    return [*trails, *(Shape("dot", path[:, None], colors[name], width=7) for name, path in paths.items())]
 
 
 def _shapes(paths: Mapping[str, Array], colors: Mapping[str, int]) -> list[Panel]:
@@ -121,11 +132,11 @@ def _shapes(paths: Mapping[str, Array], colors: Mapping[str, int]) -> list[Panel
         return []
     shapes = {name: (path - path[0]) / abs(ranges[name]) for name, path in paths.items()}
     along = copysign(1.0, ranges["parabola"])
-    ground = Part("lines", np.array([[0.0, 0.0], [along, 0.0]]), GREY)
+    ground = Shape("lines", np.array([[0.0, 0.0], [along, 0.0]]), GREY)
     return [Panel([ground, *_flights(shapes, colors, named=False)], "each as a share of its range", ruler=False)]
 
 
-def _speed(times: Array, states: Array, parameters: Mapping[str, float]) -> Strip:
-    shown = strip_samples(times)
+def _speed(times: Array, states: Array, parameters: Mapping[str, float]) -> TimePlot:
+    shown = plot_samples(times)
     note = f"terminal speed {terminal_speed(**parameters):.3g} m/s" if parameters["drag"] else "no drag"
-    return followed("speed through air", times[shown], {"": np.hypot(*states[shown, 2:].T)}, "m/s", note)
+    return value_plot("speed through air", times[shown], {"": np.hypot(*states[shown, 2:].T)}, "m/s", note)

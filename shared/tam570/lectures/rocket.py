@@ -13,7 +13,18 @@ from numpy.typing import ArrayLike, NDArray
 
 from tam570.given import finite, nonnegative, numbers, positive, sequence
 from tam570.integrate import solve
-from tam570.show.film import GREY, Array, Film, Panel, Part, clock, conserved, followed, moving, strip_samples
+from tam570.show.scene import (
+    GREY,
+    Array,
+    Panel,
+    Scene,
+    Shape,
+    drift_plot,
+    frame_times,
+    moving,
+    plot_samples,
+    value_plot,
+)
 
 __all__ = ["coasting_energy", "exact", "film", "rates", "wrong_rates"]
 
@@ -84,39 +95,39 @@ def _check(state: Sequence[float], burn_rate: float, exhaust_speed: float, empty
         raise ValueError(f"state: mass must be positive, got {state[2]!r}")
 
 
-def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Film:
+def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
     """One start by both equations."""
-    times = clock(seconds)
+    times = frame_times(seconds)
     right, wrong = (solve(equations, times, start, parameters=parameters) for equations in (rates, wrong_rates))
-    shown, apart = strip_samples(times), 0.1 * float(np.ptp(np.concatenate([right[:, 0], wrong[:, 0]])))
+    shown, apart = plot_samples(times), 0.1 * float(np.ptp(np.concatenate([right[:, 0], wrong[:, 0]])))
     burning = right[:, 2] > parameters["empty_mass"]
-    parts = [
-        Part("lines", np.array([[-2 * apart, 0.0], [2 * apart, 0.0]]), GREY, "start", width=2),
+    shapes = [
+        Shape("lines", np.array([[-2 * apart, 0.0], [2 * apart, 0.0]]), GREY, "start", width=2),
         *_rocket(right, -apart, burning, 0, "momentum of rocket and exhaust"),
         *_rocket(wrong, apart, burning, 1, "d(mv)/dt = F of the rocket alone"),
     ]
     energies = [coasting_energy(state, **parameters) for state in right[shown]]
     scale = abs(energies[0]) or 1.0
-    return Film(
+    return Scene(
         "Rocket",
         "Two rockets start alike. The right one is pushed by its exhaust until its tank is empty. The other follows "
         "the momentum of what is left in the rocket alone: it has no thrust and falls.",
         times,
-        [Panel(parts)],
+        [Panel(shapes)],
         [
-            followed("speed", times[shown], {"right": right[shown, 1], "wrong": wrong[shown, 1]}, "m/s"),
-            conserved("energy at the end of the burning, change", times[shown], {"": energies}, scale, "itself"),
+            value_plot("speed", times[shown], {"right": right[shown, 1], "wrong": wrong[shown, 1]}, "m/s"),
+            drift_plot("energy at the end of the burning, change", times[shown], {"": energies}, scale, "itself"),
         ],
-        poster=0.7,
+        still_time=0.7,
     )
 
 
-def _rocket(states: Array, x: float, burning: NDArray[np.bool_], color: int, name: str) -> list[Part]:
+def _rocket(states: Array, x: float, burning: NDArray[np.bool_], color: int, name: str) -> list[Shape]:
     """A dot with its path, and a flame while it burns."""
     place = np.column_stack([np.full(len(states), x), states[:, 0]])
     flame = place - np.outer(burning * 0.6 * abs(x), [0.0, 1.0])
     return [
-        Part("trail", place[:, None], color, width=1.5),
-        Part("lines", moving(place, flame), 3, width=4),
-        Part("dot", place[:, None], color, name, width=10),
+        Shape("trail", place[:, None], color, width=1.5),
+        Shape("lines", moving(place, flame), 3, width=4),
+        Shape("dot", place[:, None], color, name, width=10),
     ]

@@ -11,12 +11,12 @@ from typing import Any
 import numpy as np
 
 from tam570.given import numbers
-from tam570.show.film import GREY, Array, Film, Panel, Part, Strip, clock, followed, moving, strip_samples
+from tam570.show.scene import GREY, Array, Panel, Scene, Shape, TimePlot, frame_times, moving, plot_samples, value_plot
 
 __all__ = ["by_constraint", "by_elimination", "film"]
 
 EXAMPLE: dict[str, Any] = {"masses": (1.0, 2.0), "forces": (3.0, -1.0)}  # kg, N
-SECONDS = 6.0  # of the film
+SECONDS = 6.0  # of the scene
 
 
 def by_constraint(forces: Sequence[float], *, masses: Sequence[float]) -> tuple[float, float]:
@@ -44,9 +44,9 @@ def _checked(forces: Sequence[float], masses: Sequence[float]) -> tuple[list[flo
     return numbers(2, forces=forces).tolist(), weights.tolist()
 
 
-def film(parameters: Mapping[str, Any]) -> Film:
+def film(parameters: Mapping[str, Any]) -> Scene:
     """Forces that swing to and fro, and the tension that both ways find at each moment."""
-    times = clock(SECONDS)
+    times = frame_times(SECONDS)
     wave = np.cos(2 * np.pi * times / (SECONDS / 2))
     acceleration, tension = by_elimination(parameters["forces"], masses=parameters["masses"])
     pull = np.max(np.abs([*parameters["forces"], tension])) or 1.0  # N
@@ -57,34 +57,34 @@ def film(parameters: Mapping[str, Any]) -> Film:
         np.column_stack([0.6 * reach * F / pull * wave, 0 * x]) for F in (*parameters["forces"], tension, -tension)
     ]
     above = np.array([0.0, 0.12 * reach])
-    parts = [
-        Part("lines", moving(*ends), GREY, "rod", width=5),
+    shapes = [
+        Shape("lines", moving(*ends), GREY, "rod", width=5),
         *(
-            Part("arrow", moving(end + above, end + above + a), 1, "forces", width=3)
+            Shape("arrow", moving(end + above, end + above + a), 1, "forces", width=3)
             for end, a in zip(ends, arrows, strict=False)
         ),
         *(
-            Part("arrow", moving(end - above, end - above + a), 2, "tension", width=3)
+            Shape("arrow", moving(end - above, end - above + a), 2, "tension", width=3)
             for end, a in zip(ends, arrows[2:], strict=True)
         ),
-        *(Part("dot", end[:, None], 0, "particles", width=9) for end in ends),
+        *(Shape("dot", end[:, None], 0, "particles", width=9) for end in ends),
     ]
-    return Film(
+    return Scene(
         "Two particles and a rod",
         "Two particles at the ends of a rod are pushed and pulled along it by forces that swing to and fro. Arrows "
         "show the forces and what the rod does to each particle.",
         times,
-        [Panel(parts, ruler=False)],
+        [Panel(shapes, ruler=False)],
         [_tension(times, parameters)],
-        poster=0.02,
+        still_time=0.02,
     )
 
 
-def _tension(times: Array, parameters: Mapping[str, Any]) -> Strip:
-    shown = times[strip_samples(times)]
+def _tension(times: Array, parameters: Mapping[str, Any]) -> TimePlot:
+    shown = times[plot_samples(times)]
     forces = np.outer(np.cos(2 * np.pi * shown / (SECONDS / 2)), parameters["forces"])
     found = {
         name: np.array([way(pair, masses=parameters["masses"])[1] for pair in forces])
         for name, way in {"by constraint": by_constraint, "by elimination": by_elimination}.items()
     }
-    return followed("tension", shown, found, "N", "the two curves are one")
+    return value_plot("tension", shown, found, "N", "the two curves are one")

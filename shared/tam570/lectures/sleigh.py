@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from tam570.given import finite, numbers, positive, sequence
-from tam570.show.film import Array, Film
+from tam570.show.scene import Array, Scene
 
 __all__ = ["energy", "exact", "film", "rates", "straight_growth_rate"]
 
@@ -109,7 +109,7 @@ def _gyration(mass: float, inertia: float, offset: float) -> float:
     return sqrt(inertia / mass + offset * offset)
 
 
-def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Film:
+def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
     """The sleigh turns round, at several speeds."""
     from tam570.show.scenes import sleigh
 

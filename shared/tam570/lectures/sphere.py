@@ -17,12 +17,12 @@ from numpy.typing import ArrayLike
 from tam570.given import numbers
 from tam570.rotations import exp
 from tam570.show.drawing import circle
-from tam570.show.film import GREY, Array, Film, Panel, Part, clock
+from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times
 
 __all__ = ["compose", "film"]
 
 EXAMPLE: dict[str, Any] = {"first": (0.0, 0.0, 1.6), "second": (1.2, 0.3, 0.0)}  # rad
-SECONDS = 9.0  # of the film
+SECONDS = 9.0  # of the scene
 
 
 def compose(first: ArrayLike, second: ArrayLike) -> Array:
@@ -47,34 +47,34 @@ def _half(vector: Array) -> tuple[float, Array]:
     return cos(angle / 2), vector * (sin(angle / 2) / angle if angle else 0.5)
 
 
-def film(parameters: Mapping[str, Any]) -> Film:
+def film(parameters: Mapping[str, Any]) -> Scene:
     """A triad turns twice; then from the start by the one turn that the triangle gives."""
     first, second = (numbers(3, **{name: parameters[name]}) for name in ("first", "second"))
     both = compose(first, second)
-    times = clock(SECONDS)
+    times = frame_times(SECONDS)
     u = np.clip(3 * times / SECONDS - np.arange(3)[:, None], 0.0, 1.0)[..., None]  # of each third
     one_by_one = exp(u[1] * second) @ exp(u[0] * first)
     at_once = exp(u[2] * both)
     corners = [_unit(vector) for vector in (first, second, both)]
-    parts = [
+    shapes = [
         *(
-            Part("path", circle(np.zeros(3), *np.delete(np.eye(3), i, axis=0)), GREY, width=1, faint=True)
+            Shape("path", circle(np.zeros(3), *np.delete(np.eye(3), i, axis=0)), GREY, width=1, faint=True)
             for i in range(3)
         ),
-        *(Part("arrow", np.array([np.zeros(3), 1.25 * corner]), GREY, width=2) for corner in corners),
-        *(Part("text", 1.25 * corner[None], GREY, words=name) for name, corner in zip("ABC", corners, strict=True)),
-        *(Part("path", _arc(one, other), 3, "triangle of half angles", width=3) for one, other in _sides(corners)),
+        *(Shape("arrow", np.array([np.zeros(3), 1.25 * corner]), GREY, width=2) for corner in corners),
+        *(Shape("text", 1.25 * corner[None], GREY, words=name) for name, corner in zip("ABC", corners, strict=True)),
+        *(Shape("path", _arc(one, other), 3, "triangle of half angles", width=3) for one, other in _sides(corners)),
         *_mark(one_by_one, 0, "about A, then about B"),
         *_mark(at_once, 1, "once about C"),
     ]
-    return Film(
+    return Scene(
         "Two rotations are one",
         "On a sphere a mark turns about the axis A, then about B. Another mark then turns about C alone and comes to "
         "the same place. C is the corner of a triangle whose angles are half the angles of the turns. "
         f"Here the turn about C is one of {np.degrees(hypot(*both)):.1f} degrees.",
         times,
-        [Panel(parts, ruler=False)],
-        poster=0.85,
+        [Panel(shapes, ruler=False)],
+        still_time=0.85,
     )
 
 
@@ -97,13 +97,13 @@ def _arc(start: Array, end: Array) -> Array:
     return arc
 
 
-def _mark(rotations: Array, color: int, name: str) -> list[Part]:
+def _mark(rotations: Array, color: int, name: str) -> list[Shape]:
     """A mark on the sphere, where it has been, and the triangle between it and two more points of the body."""
     points = np.array([[0.85, -0.45, 0.27], [0.65, -0.55, 0.52], [0.92, -0.2, 0.33]])
     points = points / np.linalg.norm(points, axis=1)[:, None]
     turned = points @ np.swapaxes(rotations, 1, 2)
     return [
-        Part("fill", turned, color, faint=True),
-        Part("path", turned[:, [0, 1, 2, 0]], color, name, width=3),
-        Part("trail", turned[:, :1], color, width=2),
+        Shape("fill", turned, color, faint=True),
+        Shape("path", turned[:, [0, 1, 2, 0]], color, name, width=3),
+        Shape("trail", turned[:, :1], color, width=2),
     ]

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from tam570.given import nonnegative, one_of, positive
-from tam570.show.film import Film
+from tam570.show.scene import Scene
 
 __all__ = ["by_centre_of_mass", "by_one_point", "by_three_points", "film"]
 
@@ -95,7 +95,7 @@ def _on_the_ground(deceleration: float, front_load: float, rear_load: float) -> 
     return deceleration, max(front_load, 0.0), max(rear_load, 0.0)
 
 
-def film(parameters: Mapping[str, Any]) -> Film:
+def film(parameters: Mapping[str, Any]) -> Scene:
     """Three cars that brake together, with different wheels locked."""
     from tam570.show.scenes import stopping_car
 

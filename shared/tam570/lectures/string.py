@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 from tam570.given import finite, numbers, positive, positives, sequence
 from tam570.integrate import solve
 from tam570.show.drawing import unit_circle
-from tam570.show.film import GREY, INK, Film, Panel, Part, clock, conserved, energy_strip, moving, strip_samples
+from tam570.show.scene import GREY, INK, Panel, Scene, Shape, drift_plot, energy_plot, frame_times, moving, plot_samples
 
 __all__ = ["angular_momentum", "by_lagrange", "by_newton", "energy", "film", "rates"]
 
@@ -70,10 +70,10 @@ def _checked(
     return pair, state
 
 
-def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Film:
+def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
     """The table from above and aside, the hanging mass below."""
     positive(**{"start.r": start[0]})
-    times = clock(seconds)
+    times = frame_times(seconds)
     states = solve(rates, times, start, parameters=parameters)
     r, th = states[:, 0], states[:, 1]
     still = np.zeros(len(times))
@@ -81,30 +81,30 @@ def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) 
     farthest = float(r.max())
     below = np.column_stack([still, still, r - 2.2 * farthest])
     edge = np.column_stack([1.1 * farthest * unit_circle(61), np.zeros(61)])
-    parts = [
-        Part("fill", edge, GREY, faint=True),
-        Part("path", edge, GREY, "table", width=2),
-        Part("trail", above[:, None], 2, "path", width=1.5),
-        Part("lines", moving(above, np.zeros(3), np.zeros(3), below), INK, "string", width=2),
-        Part("dot", above[:, None], 0, "mass on the table", width=10),
-        Part("dot", below[:, None], 1, "mass below", width=12),
+    shapes = [
+        Shape("fill", edge, GREY, faint=True),
+        Shape("path", edge, GREY, "table", width=2),
+        Shape("trail", above[:, None], 2, "path", width=1.5),
+        Shape("lines", moving(above, np.zeros(3), np.zeros(3), below), INK, "string", width=2),
+        Shape("dot", above[:, None], 0, "mass on the table", width=10),
+        Shape("dot", below[:, None], 1, "mass below", width=12),
     ]
-    shown = strip_samples(times)
+    shown = plot_samples(times)
     total, resting = (
         np.array([energy(row, **parameters) for row in rows]) for rows in (states[shown], states[shown] * [1, 1, 0, 0])
     )
     turning = np.array([angular_momentum(state, **parameters) for state in states[shown]])
     size = abs(float(turning[0])) or 1.0
-    return Film(
+    return Scene(
         "Two particles on a string",
         "A mass circles on a table. The string through the hole holds a second mass below the table. The circle's "
         "radius swings in and out, and the mass below goes down and up with it.",
         times,
-        [Panel(parts)],
+        [Panel(shapes)],
         [
-            energy_strip(times[shown], total, resting),
-            conserved("angular momentum about the hole, change", times[shown], {"": turning}, size, "itself"),
+            energy_plot(times[shown], total, resting),
+            drift_plot("angular momentum about the hole, change", times[shown], {"": turning}, size, "itself"),
         ],
         view=(0.6, 0.25),
-        poster=0.35,
+        still_time=0.35,
     )

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from tam570.given import finite, numbers, one_of, positive, sequence
 from tam570.integrate import solve
-from tam570.show.film import GREY, Array, Film, Panel, Part, clock, conserved, moving, strip_samples
+from tam570.show.scene import GREY, Array, Panel, Scene, Shape, drift_plot, frame_times, moving, plot_samples
 
 __all__ = ["constraint_force", "energy", "film", "height", "rates"]
 
@@ -72,12 +72,12 @@ def _normal(
     return mass * (gravity + bend) / (1.0 + hx * hx + hy * hy), hx, hy
 
 
-def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Film:
+def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
     """The same start on all three surfaces, the chosen one first."""
     one_of(SIGNS, surface=parameters["surface"])
-    times = clock(seconds)
+    times = frame_times(seconds)
     names = sorted(SIGNS, key=lambda name: name != parameters["surface"])
-    shown, panels, energies, largest = strip_samples(times), [], {}, 0.0
+    shown, panels, energies, largest = plot_samples(times), [], {}, 0.0
     for name in names:
         known = {**parameters, "surface": name}
         states = solve(rates, times, start, parameters=known)
@@ -85,23 +85,23 @@ def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) 
         total = np.array([energy(state, **known) for state in states[shown]])
         resting = np.array([energy(state, **known) for state in states[shown] * [1, 1, 0, 0]])
         energies[name], largest = total, max(largest, float(np.abs(total - resting).max()))
-    return Film(
+    return Scene(
         "Particle on a surface",
         "A particle slides without friction in a bowl, on a saddle and on a level plane, each time from the same "
         "start. In the bowl it comes back, from the saddle it slides off. An arrow across the surface shows its force.",
         times,
         panels,
         [
-            conserved(
+            drift_plot(
                 "energy, change since the start", times[shown], energies, largest or 1.0, "the largest kinetic energy"
             )
         ],
         view=(0.9, 0.5),
-        poster=0.4,
+        still_time=0.4,
     )
 
 
-def _sliding(states: Array, known: Mapping[str, Any]) -> list[Part]:
+def _sliding(states: Array, known: Mapping[str, Any]) -> list[Shape]:
     """A net of the surface as far as the particle goes, the particle, the force on it."""
     shape = {name: known[name] for name in ("surface", "curvature")}
     x, y = states[:, 0], states[:, 1]
@@ -112,12 +112,12 @@ def _sliding(states: Array, known: Mapping[str, Any]) -> list[Part]:
         along = np.linspace(low[i], high[i], 25)
         for across in np.linspace(low[1 - i], high[1 - i], 11):
             pair = (along, np.full(25, across))[:: 1 - 2 * i]
-            net.append(Part("path", np.column_stack([*pair, height(*pair, **shape)]), GREY, width=1, faint=True))
+            net.append(Shape("path", np.column_stack([*pair, height(*pair, **shape)]), GREY, width=1, faint=True))
     forces = np.array([constraint_force(state, **known) for state in states])
     unit = 0.4 / (float(np.linalg.norm(forces, axis=1).max()) or 1.0)  # m/N
     return [
         *net,
-        Part("trail", place[:, None], 2, "path", width=2),
-        Part("arrow", moving(place, place + unit * forces), 3, "force of the surface", width=2.5),
-        Part("dot", place[:, None], 0, "particle", width=9),
+        Shape("trail", place[:, None], 2, "path", width=2),
+        Shape("arrow", moving(place, place + unit * forces), 3, "force of the surface", width=2.5),
+        Shape("dot", place[:, None], 0, "particle", width=9),
     ]

@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 
 from tam570.given import numbers, positive, sequence
 from tam570.integrate import solve
-from tam570.show.film import GREY, INK, Array, Film, Panel, Part, clock, energy_strip, moving, strip_samples
+from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, energy_plot, frame_times, moving, plot_samples
 
 __all__ = ["energy", "exact", "film", "hinge_force", "rates"]
 
@@ -85,9 +85,9 @@ def _jacobi(u: Array, modulus: float, other: float) -> tuple[Array, Array]:
     return np.sin(phase), np.cos(phase)
 
 
-def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Film:
+def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
     """The bar and the force of its hinge."""
-    times = clock(seconds)
+    times = frame_times(seconds)
     states = solve(rates, times, start, parameters=parameters, rtol=1e-8)
     length = parameters["length"]
     c, s = np.cos(states[:, 0]), np.sin(states[:, 0])
@@ -95,28 +95,28 @@ def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float
     forces = np.array([hinge_force(state, **parameters) for state in states])
     force = forces[:, :1] * -down + forces[:, 1:] * aside
     arrow = 0.25 * length / (parameters["mass"] * parameters["gravity"]) * force
-    parts = [
-        Part(
+    shapes = [
+        Shape(
             "path",
             length * np.column_stack([np.sin(np.linspace(-pi, pi)), -np.cos(np.linspace(-pi, pi))]),
             GREY,
             width=1,
             faint=True,
         ),
-        Part("lines", moving(np.zeros(2), length * down), 0, "bar", width=7),
-        Part("dot", (length / 2 * down)[:, None], 2, "G", width=5),
-        Part("arrow", moving(np.zeros(2), arrow), 1, "force of the hinge", width=3),
-        Part("dot", np.zeros((1, 2)), INK, width=4),
+        Shape("lines", moving(np.zeros(2), length * down), 0, "bar", width=7),
+        Shape("dot", (length / 2 * down)[:, None], 2, "G", width=5),
+        Shape("arrow", moving(np.zeros(2), arrow), 1, "force of the hinge", width=3),
+        Shape("dot", np.zeros((1, 2)), INK, width=4),
     ]
-    shown = strip_samples(times)
+    shown = plot_samples(times)
     total = np.array([energy(state, **parameters) for state in states[shown]])
     still = np.array([energy(state, **parameters) for state in states[shown] * [1, 0]])
-    return Film(
+    return Scene(
         "Swinging bar",
         "A bar swings about a hinge at its end. An arrow at the hinge shows its force on the bar, which is largest as "
         "the bar passes straight down.",
         times,
-        [Panel(parts)],
-        [energy_strip(times[shown], total, still)],
-        poster=0.06,
+        [Panel(shapes)],
+        [energy_plot(times[shown], total, still)],
+        still_time=0.06,
     )

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 
 from tam570.given import finite, numbers, positive, sequence
 from tam570.integrate import solve
-from tam570.show.film import Film, with_slider
+from tam570.show.scene import Scene, with_slider
 
 __all__ = [
     "axial_momentum",
@@ -33,7 +33,7 @@ STATE = {"psi": "rad", "theta": "rad", "phi": "rad", "psi_rate": "rad/s", "theta
 EXAMPLE = {"mass": 2.0, "distance": 1.5, "axial": 5.0, "transverse": 7.0, "gravity": 9.81}  # kg, m, kg m^2, m/s^2
 START = (0.0, 1.0, 0.0, 0.0, 0.0, 5.0)
 SECONDS = 5.0
-SPINS = (3.5, 8.0)  # rad/s, of the film's slider
+SPINS = (3.5, 8.0)  # rad/s, of the scene's slider
 LEVEL = 1e-15  # |cos(tilt)| of pi/2 rounded
 
 
@@ -124,11 +124,11 @@ def _weight(mass: float, distance: float, axial: float, transverse: float, gravi
     return mass * gravity * distance
 
 
-def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Film:
+def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
     """The same top let go, precessing steadily and asleep, with a slider for the rate of its spin."""
     from tam570.show.scenes.top import tops
 
-    def make(spin: float) -> Film:
+    def make(spin: float) -> Scene:
         return tops(
             (*start[:5], spin),
             seconds,

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from tam570.given import array, numbers, positive, positives, sequence
-from tam570.show.film import Array, Film
+from tam570.show.scene import Array, Scene
 
 __all__ = ["angular_momentum", "energy", "film", "momentum", "rates", "rigid"]
 
@@ -119,7 +119,7 @@ def _parts(state: ArrayLike, masses: Any, bars: Any, lengths: Any, stiffness: fl
     return m, r, v
 
 
-def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Film:
+def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
     """The truss on the rigid body, for several stiffnesses."""
     from tam570.show.scenes import truss
 

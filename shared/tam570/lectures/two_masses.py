@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 from tam570.given import finite, nonnegative, numbers, positive, positives, sequence
 from tam570.integrate import solve
 from tam570.show.drawing import coil
-from tam570.show.film import GREY, Array, Film, Panel, Part, clock, energy_strip, moving, strip_samples
+from tam570.show.scene import GREY, Array, Panel, Scene, Shape, energy_plot, frame_times, moving, plot_samples
 
 __all__ = ["energy", "exact", "film", "momentum", "rates", "spring_energy", "tension"]
 
@@ -90,29 +90,29 @@ def _checked(masses: Sequence[float], stiffness: float, rest_length: float) -> t
     return positives(2, masses=masses)
 
 
-def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Film:
+def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
     """The masses and their centre of mass, which nothing disturbs."""
-    times = clock(seconds)
+    times = frame_times(seconds)
     states = solve(rates, times, start, parameters=parameters)
     m1, m2 = parameters["masses"]
     centre = states[:, :2] @ [m1, m2] / (m1 + m2)
     first, second, middle = (np.column_stack([x, 0 * x]) for x in (*states[:, :2].T, centre))
     ends = np.array([states[:, :2].min() - 0.3, states[:, :2].max() + 0.3])
-    parts = [
-        Part("lines", np.column_stack([ends, [-0.25, -0.25]]), GREY, width=1),
-        Part("path", coil(first, second, 0.08), GREY, "spring", width=2),
-        Part("dot", first[:, None], 0, "mass 1", width=10),
-        Part("dot", second[:, None], 1, "mass 2", width=10),
-        Part("lines", moving(middle - [0.0, 0.25], middle + [0.0, 0.25]), 2, "centre of mass", width=2),
+    shapes = [
+        Shape("lines", np.column_stack([ends, [-0.25, -0.25]]), GREY, width=1),
+        Shape("path", coil(first, second, 0.08), GREY, "spring", width=2),
+        Shape("dot", first[:, None], 0, "mass 1", width=10),
+        Shape("dot", second[:, None], 1, "mass 2", width=10),
+        Shape("lines", moving(middle - [0.0, 0.25], middle + [0.0, 0.25]), 2, "centre of mass", width=2),
     ]
-    shown = strip_samples(times)
+    shown = plot_samples(times)
     total = np.array([energy(state, **parameters) for state in states[shown]])
     still = np.array([energy(state, **parameters) for state in states[shown] * [1, 1, 0, 0]])
-    return Film(
+    return Scene(
         "Two masses and a spring",
         "Two masses swing on a line at the ends of a spring. Their centre of mass, a bar across the line, moves on at "
         "one speed.",
         times,
-        [Panel(parts)],
-        [energy_strip(times[shown], total, still)],
+        [Panel(shapes)],
+        [energy_plot(times[shown], total, still)],
     )

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 from tam570.given import numbers, positives, sequence
 from tam570.integrate import solve
 from tam570.show.drawing import brick
-from tam570.show.film import Array, Film, Panel, Part, clock, conserved, followed, moving, strip_samples
+from tam570.show.scene import Array, Panel, Scene, Shape, drift_plot, frame_times, moving, plot_samples, value_plot
 
 __all__ = ["angular_momentum", "energy", "film", "rates", "wrong_rates"]
 
@@ -63,9 +63,9 @@ def _turning(state: Sequence[float]) -> list[float]:
     return [rate for a, b, c in rows for rate in (b * r - c * q, c * p - a * r, a * q - b * p)]
 
 
-def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Film:
+def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
     """One start, by the right equations and by the wrong ones."""
-    times, moments = clock(seconds), np.array(positives(3, inertia=parameters["inertia"]))
+    times, moments = frame_times(seconds), np.array(positives(3, inertia=parameters["inertia"]))
     both = {
         name: solve(equations, times, start, parameters=parameters)
         for name, equations in {"Euler": rates, "wrong Lagrange": wrong_rates}.items()
@@ -75,26 +75,26 @@ def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) 
         name: np.einsum("nij,nj->ni", states[:, :9].reshape(-1, 3, 3), moments * states[:, 9:])
         for name, states in both.items()
     }
-    shown, first = strip_samples(times), momenta["Euler"][0]
+    shown, first = plot_samples(times), momenta["Euler"][0]
     scale = float(np.linalg.norm(first)) or 1.0
     panels = []
     for color, (name, states) in enumerate(both.items()):
         arrow = moving(np.zeros(3), 1.8 * float(size.max()) * momenta[name] / scale)
         body = brick(states[:, :9].reshape(-1, 3, 3), size, color, "body")
-        panels.append(Panel([*body, Part("arrow", arrow, 2, "angular momentum", width=3)], name, ruler=False))
+        panels.append(Panel([*body, Shape("arrow", arrow, 2, "angular momentum", width=3)], name, ruler=False))
     across = {
         name: np.degrees(np.arccos(np.clip(H[shown] @ first / scale**2, -1.0, 1.0))) for name, H in momenta.items()
     }
     energies = {name: [energy(state, **parameters) for state in states[shown]] for name, states in both.items()}
-    return Film(
+    return Scene(
         "Wrong coordinates",
         "Two bodies are thrown alike. By Euler's equations the angular momentum stays where it is. By Lagrange's "
         "equations for coordinates that do not exist it is carried round by the body, with no moment on it.",
         times,
         panels,
         [
-            followed("angular momentum from where it was", times[shown], across, "°"),
-            conserved("energy, change", times[shown], energies, energies["Euler"][0] or 1.0, "itself"),
+            value_plot("angular momentum from where it was", times[shown], across, "°"),
+            drift_plot("energy, change", times[shown], energies, energies["Euler"][0] or 1.0, "itself"),
         ],
-        poster=0.35,
+        still_time=0.35,
     )

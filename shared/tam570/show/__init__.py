@@ -7,23 +7,23 @@ from pathlib import Path
 from typing import Any
 
 from tam570.course import folder, named
-from tam570.show.film import Film
-from tam570.show.student import Student, Trouble, loaded
+from tam570.show.scene import Scene
+from tam570.show.student import Student, Trouble, load_student
 
-__all__ = ["Shown", "Trouble", "command", "film_of", "presented", "save", "show", "troubled"]
+__all__ = ["Shown", "Trouble", "command", "scene_of", "present", "save", "show", "report_trouble"]
 
 SAVED_AS = (".html", ".png", ".gif", ".webp", ".mp4")
 
 
 @dataclass(frozen=True)
 class Shown:
-    """A film, or why there is none; a notebook shows it inline.
+    """A scene, or why there is none; a notebook shows it inline.
 
-    film    : None if it could not be made
+    scene    : None if it could not be made
     trouble : why not
     """
 
-    film: Film | None
+    scene: Scene | None
     trouble: str = ""
     height: int = 620  # pixels, in a notebook
 
@@ -32,18 +32,18 @@ class Shown:
 
         from tam570.show.page import framed, page
 
-        if self.film is None:
+        if self.scene is None:
             return f"<pre>{html.escape(self.trouble)}</pre>"
-        return framed(page(self.film), self.film.title, self.height)
+        return framed(page(self.scene), self.scene.title, self.height)
 
     def __repr__(self) -> str:
-        return self.trouble if self.film is None else f"<{self.film.title}: {self.film.times[-1]:g} s>"
+        return self.trouble if self.scene is None else f"<{self.scene.title}: {self.scene.times[-1]:g} s>"
 
     def save(self, file: str | Path) -> None:
         """Write it to FILE.html, .png, .gif, .webp or .mp4. Trouble if it cannot be."""
-        if self.film is None:
+        if self.scene is None:
             raise Trouble(self.trouble)
-        save(self.film, Path(file))
+        save(self.scene, Path(file))
 
 
 def show(
@@ -58,24 +58,24 @@ def show(
     height     : in a notebook, pixels
     """
     try:
-        return Shown(_film(what, assignment, numbers), height=height)
+        return Shown(_scene(what, assignment, numbers), height=height)
     except Trouble as trouble:
         return Shown(None, str(trouble), height)
 
 
-def _film(what: Any, assignment: str | None, numbers: Mapping[str, Any] | None) -> Film:
+def _scene(what: Any, assignment: str | None, numbers: Mapping[str, Any] | None) -> Scene:
     if assignment is None and (hasattr(what, "EXAMPLE") or _is_lecture(what)):
-        from tam570.show.lecture import film_of_lecture, lecture_module
+        from tam570.show.lecture import lecture_module, scene_of_lecture
 
-        return film_of_lecture(lecture_module(str(what)) if isinstance(what, str | Path) else what, numbers)
+        return scene_of_lecture(lecture_module(str(what)) if isinstance(what, str | Path) else what, numbers)
     if isinstance(what, str | Path):
         slug = folder(assignment).name if assignment else named(Path(what))
-        return film_of(loaded(Path(what), slug), slug)
+        return scene_of(load_student(Path(what), slug), slug)
     if isinstance(what, dict):
         from types import SimpleNamespace
 
         what = SimpleNamespace(**what)
-    return film_of(what, folder(assignment or what.__name__).name)
+    return scene_of(what, folder(assignment or what.__name__).name)
 
 
 def _is_lecture(what: Any) -> bool:
@@ -84,30 +84,30 @@ def _is_lecture(what: Any) -> bool:
     return isinstance(what, str | Path) and commands.is_lecture(str(what))
 
 
-def film_of(module: Any, slug: str) -> Film:
-    """The film of the assignment, by the functions of a module. Trouble if it cannot be made."""
+def scene_of(module: Any, slug: str) -> Scene:
+    """The scene of the assignment, by the functions of a module. Trouble if it cannot be made."""
     name = f"tam570.show.scenes.{slug[:4]}"
     try:
-        scene = import_module(name)
+        module_of_scene = import_module(name)
     except ModuleNotFoundError as error:
         if error.name != name:
             raise
         raise Trouble(f"{slug} has no scene; write shared/tam570/show/scenes/{slug[:4]}.py") from None
-    film: Film = scene.film(Student(module))
-    return film
+    scene: Scene = module_of_scene.film(Student(module))
+    return scene
 
 
 def command(file: Path, slug: str, where: Path | None) -> int:
-    """What `tam570 show` does: save the film of a file, or open it in a browser; 0, or 1 if it cannot be."""
+    """What `tam570 show` does: save the scene of a file, or open it in a browser; 0, or 1 if it cannot be."""
     try:
-        film = film_of(loaded(file, slug), slug)
+        scene = scene_of(load_student(file, slug), slug)
     except Trouble as trouble:
-        return troubled(trouble)
-    return presented(film, where, slug)
+        return report_trouble(trouble)
+    return present(scene, where, slug)
 
 
-def presented(film: Film, where: Path | None, name: str) -> int:
-    """Save a film, or write its page into this folder and open it in a browser; 0, or 1 if it cannot be.
+def present(scene: Scene, where: Path | None, name: str) -> int:
+    """Save a scene, or write its page into this folder and open it in a browser; 0, or 1 if it cannot be.
 
     name : of the page, without .html
     """
@@ -115,10 +115,10 @@ def presented(film: Film, where: Path | None, name: str) -> int:
 
     file = where or Path(f"{name}.html")
     try:
-        save(film, file)
+        save(scene, file)
     except Trouble as trouble:
-        return troubled(trouble)
-    for note in film.notes:
+        return report_trouble(trouble)
+    for note in scene.notes:
         print(note, file=sys.stderr)
     print(file)
     if where is None and not _opened(file):
@@ -136,23 +136,23 @@ def _opened(page: Path) -> bool:
     return bool(screen) and webbrowser.open(page.resolve().as_uri())
 
 
-def troubled(trouble: Trouble) -> int:
-    """Say why there is no film; 1, the exit code."""
+def report_trouble(trouble: Trouble) -> int:
+    """Say why there is no scene; 1, the exit code."""
     import sys
 
     print(f"tam570: {trouble}", file=sys.stderr)
     return 1
 
 
-def save(film: Film, file: Path) -> None:
-    """Write a film to a file of the kind that its name says. Trouble if it cannot be."""
+def save(scene: Scene, file: Path) -> None:
+    """Write a scene to a file of the kind that its name says. Trouble if it cannot be."""
     if file.suffix == ".html":
         from tam570.show.page import page
 
-        file.write_text(page(film), encoding="utf-8")
+        file.write_text(page(scene), encoding="utf-8")
     elif file.suffix in SAVED_AS:
         from tam570.show.pictures import write
 
-        write(film, file)
+        write(scene, file)
     else:
         raise Trouble(f"{file.name} is to end in {', '.join(SAVED_AS)}")

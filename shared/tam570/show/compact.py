@@ -1,4 +1,4 @@
-"""A film in as few numbers as a screen needs.
+"""A scene in as few numbers as a screen needs.
 
 Coordinates are whole numbers of half pixels. A point that never moves by one is stored once; points that move as one
 body are stored as combinations of three or four of them; and a sample that linear interpolation between its
@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tam570.show.film import Film, Panel, Part, Strip
+from tam570.show.scene import Panel, Scene, Shape, TimePlot
 from tam570.show.student import Trouble
 
 __all__ = ["kept_samples", "packed"]
@@ -21,51 +21,51 @@ Array = NDArray[np.float64]
 
 PIXELS = 1000  # the larger side of a panel on a large screen
 STEPS = 2  # whole numbers to a pixel
-STRIP_PIXELS = 300  # height of a strip
+PLOT_PIXELS = 300  # height of a time plot
 TRACK, FIXED, MIXED = range(3)  # kinds of points; a point's number is 3 * index + kind
 
 
-def packed(film: Film) -> dict[str, Any]:
-    """The film as the player reads it: numbers, strings, lists."""
-    slider = film.slider
+def packed(scene: Scene) -> dict[str, Any]:
+    """The scene as the player reads it: numbers, strings, lists."""
+    slider = scene.slider
     if slider is None:
-        return _packed(film, [_frame([panel]) for panel in film.panels])
-    frames = [_frame(panels) for panels in zip(*(one.panels for one in slider.films), strict=True)]
+        return _packed(scene, [_frame([panel]) for panel in scene.panels])
+    frames = [_frame(panels) for panels in zip(*(one.panels for one in slider.scenes), strict=True)]
     return {
-        **_packed(film, frames),
+        **_packed(scene, frames),
         "slider": {
             "name": slider.name,
             "unit": slider.unit,
             "values": [_figures(value, 6) for value in slider.values],
             "chosen": slider.chosen,
-            "films": [None if i == slider.chosen else _packed(one, frames) for i, one in enumerate(slider.films)],
+            "scenes": [None if i == slider.chosen else _packed(one, frames) for i, one in enumerate(slider.scenes)],
         },
     }
 
 
-def _packed(film: Film, frames: Sequence["_Frame"]) -> dict[str, Any]:
-    points, space = _Points(), film.in_space
-    panels = [_packed_panel(panel, frame, points, space) for panel, frame in zip(film.panels, frames, strict=True)]
+def _packed(scene: Scene, frames: Sequence["_Frame"]) -> dict[str, Any]:
+    points, space = _Points(), scene.in_space
+    panels = [_packed_panel(panel, frame, points, space) for panel, frame in zip(scene.panels, frames, strict=True)]
     kept = kept_samples(np.concatenate(points.tracks, axis=1)) if points.tracks else np.array([0])
-    kept = np.union1d(kept, [0, len(film.times) - 1])
+    kept = np.union1d(kept, [0, len(scene.times) - 1])
     return {
-        "title": film.title,
-        "sight": film.sight,
-        "view": film.view,
-        "poster": film.poster,
-        "start": _figures(film.times[0]),
-        "step": _figures(film.times[1] - film.times[0], 12),
+        "title": scene.title,
+        "alt_text": scene.alt_text,
+        "view": scene.view,
+        "still_time": scene.still_time,
+        "start": _figures(scene.times[0]),
+        "step": _figures(scene.times[1] - scene.times[0], 12),
         "keys": _differences(kept),
         "tracks": [[_differences(axis) for axis in track[kept].T] for track in points.tracks],
         "fixed": points.fixed,
         "mixed": points.mixed,
         "panels": panels,
-        "strips": [_packed_strip(strip) for strip in film.strips],
+        "time_plots": [_packed_time_plot(time_plot) for time_plot in scene.time_plots],
     }
 
 
 class _Points:
-    """Collects the points of a film and numbers them; each is stored once."""
+    """Collects the points of a scene and numbers them; each is stored once."""
 
     def __init__(self) -> None:
         self.tracks: list[Array] = []
@@ -100,10 +100,10 @@ class _Points:
         return [numbers[i] for i in range(tracks.shape[1])]
 
     def _combination(self, base: list[int], weights: Array) -> int:
-        parts = [[number, _figures(w, 4)] for number, w in zip(base, weights, strict=True) if abs(w) > 1e-4]
-        if len(parts) == 1:
-            return int(parts[0][0])
-        return self._number(repr(parts).encode(), self.mixed, MIXED, lambda: parts)
+        terms = [[number, _figures(w, 4)] for number, w in zip(base, weights, strict=True) if abs(w) > 1e-4]
+        if len(terms) == 1:
+            return int(terms[0][0])
+        return self._number(repr(terms).encode(), self.mixed, MIXED, lambda: terms)
 
 
 def _affine_base(tracks: Array) -> tuple[list[int], Array]:
@@ -167,19 +167,19 @@ def _frame(panels: Sequence[Panel]) -> _Frame:
     middle, unit = (low + high) / 2, float((high - low).max() or 1.0) / (PIXELS * STEPS)
     if len(low) == 2:
         return _Frame(middle, unit, tuple((high - low) / unit), True)
-    scaled = [(part.points - middle) / unit for panel in panels for part in panel.parts]
+    scaled = [(shape.points - middle) / unit for panel in panels for shape in panel.shapes]
     return _Frame(middle, unit, _size_in_space(scaled), False)
 
 
 def _packed_panel(panel: Panel, frame: _Frame, points: _Points, in_space: bool) -> dict[str, Any]:
-    scaled = [_in_space((part.points - frame.middle) / frame.unit, in_space) for part in panel.parts]
+    scaled = [_in_space((shape.points - frame.middle) / frame.unit, in_space) for shape in panel.shapes]
     return {
         "title": panel.title,
         "flat": frame.flat,
         "ruler": panel.ruler,
         "unit": frame.unit,
         "size": [_figures(side, 6) for side in frame.size],
-        "parts": [_packed_part(part, at, points) for part, at in zip(panel.parts, scaled, strict=True)],
+        "shapes": [_packed_shape(shape, at, points) for shape, at in zip(panel.shapes, scaled, strict=True)],
     }
 
 
@@ -191,7 +191,7 @@ def _size_in_space(scaled: list[Array]) -> tuple[float, float]:
 
 def _box(panels: Sequence[Panel]) -> tuple[Array, Array]:
     """Corners of the box around all that the panels ever show. Trouble if it is too large for numbers."""
-    rows = [part.points.reshape(-1, part.points.shape[-1]) for panel in panels for part in panel.parts]
+    rows = [shape.points.reshape(-1, shape.points.shape[-1]) for panel in panels for shape in panel.shapes]
     low = np.min([row.min(axis=0) for row in rows], axis=0)
     high = np.max([row.max(axis=0) for row in rows], axis=0)
     with np.errstate(over="ignore"):
@@ -201,35 +201,35 @@ def _box(panels: Sequence[Panel]) -> tuple[Array, Array]:
 
 
 def _in_space(points: Array, in_space: bool) -> Array:
-    """Points of a flat panel get a third coordinate where the film has three."""
+    """Points of a flat panel get a third coordinate where the scene has three."""
     if in_space and points.shape[-1] == 2:
         return np.concatenate([points, np.zeros((*points.shape[:-1], 1))], axis=-1)
     return points
 
 
-def _packed_part(part: Part, points: Array, store: _Points) -> dict[str, Any]:
+def _packed_shape(shape: Shape, points: Array, store: _Points) -> dict[str, Any]:
     still = points.ndim == 2
     numbers = [store.still(point) for point in points] if still else store.body(points)
-    found = {"kind": part.kind, "at": numbers, "color": part.color, "width": part.width}
-    optional = {"name": part.name, "words": part.words, "faint": part.faint}
+    found = {"kind": shape.kind, "at": numbers, "color": shape.color, "width": shape.width}
+    optional = {"name": shape.name, "words": shape.words, "faint": shape.faint}
     return found | {name: value for name, value in optional.items() if value}
 
 
-def _packed_strip(strip: Strip) -> dict[str, Any]:
-    low, high = strip.span
-    unit = (high - low) / STRIP_PIXELS
-    curves = np.array(list(strip.curves.values())).T / unit
+def _packed_time_plot(time_plot: TimePlot) -> dict[str, Any]:
+    low, high = time_plot.span
+    unit = (high - low) / PLOT_PIXELS
+    curves = np.array(list(time_plot.curves.values())).T / unit
     kept = kept_samples(curves, within=0.5)
     return {
-        "title": strip.title,
-        "names": list(strip.curves),
-        "times": [_figures(t, 6) for t in strip.times[kept]],
+        "title": time_plot.title,
+        "names": list(time_plot.curves),
+        "times": [_figures(t, 6) for t in time_plot.times[kept]],
         "curves": [_differences(curve) for curve in curves[kept].T],
         "scale": unit,
-        "span": strip.span,
-        "unit": strip.unit,
-        "note": strip.note,
-        "alarm": bool(strip.alarm),
+        "span": time_plot.span,
+        "unit": time_plot.unit,
+        "note": time_plot.note,
+        "alarm": bool(time_plot.alarm),
     }
 
 

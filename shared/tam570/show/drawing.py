@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tam570.show.film import GREY, Array, Part
+from tam570.show.scene import GREY, Array, Shape
 
 __all__ = ["axes", "box_face", "brick", "circle", "coil", "cone", "floor", "unit_circle"]
 
@@ -36,22 +36,22 @@ def coil(start: Array, end: Array, width: float, turns: int = 8) -> Array:
     return path
 
 
-def axes(length: float, *, origin: ArrayLike = (0.0, 0.0, 0.0)) -> list[Part]:
+def axes(length: float, *, origin: ArrayLike = (0.0, 0.0, 0.0)) -> list[Shape]:
     """The axes x, y, z of space, from the origin."""
     start, ends = np.asarray(origin, dtype=float), length * np.eye(3)
     tails = np.stack([np.broadcast_to(start, (3, 3)), start + ends], axis=1).reshape(6, 3)
-    names = [Part("text", (start + end)[None], GREY, words=name) for name, end in zip("xyz", ends, strict=True)]
-    return [Part("arrow", tails, GREY, width=1.2), *names]
+    names = [Shape("text", (start + end)[None], GREY, words=name) for name, end in zip("xyz", ends, strict=True)]
+    return [Shape("arrow", tails, GREY, width=1.2), *names]
 
 
-def floor(low: ArrayLike, high: ArrayLike, step: float, **look: Any) -> Part:
+def floor(low: ArrayLike, high: ArrayLike, step: float, **look: Any) -> Shape:
     """Lines of a square grid on z = 0 that covers the rectangle from low to high."""
     first, last = np.floor(np.divide(low, step)), np.ceil(np.divide(high, step))
     (x0, y0), (x1, y1) = first * step, last * step
     xs = np.arange(first[0], last[0] + 1) * step
     ys = np.arange(first[1], last[1] + 1) * step
     lines = [((x, y0, 0.0), (x, y1, 0.0)) for x in xs] + [((x0, y, 0.0), (x1, y, 0.0)) for y in ys]
-    return Part("lines", np.array(lines).reshape(-1, 3), GREY, width=1, faint=True, **look)
+    return Shape("lines", np.array(lines).reshape(-1, 3), GREY, width=1, faint=True, **look)
 
 
 def box_face(rotations: Array, size: ArrayLike) -> Array:
@@ -62,20 +62,20 @@ def box_face(rotations: Array, size: ArrayLike) -> Array:
     return turned
 
 
-def brick(rotations: Array, size: ArrayLike, color: int, name: str = "") -> list[Part]:
+def brick(rotations: Array, size: ArrayLike, color: int, name: str = "") -> list[Shape]:
     """Two opposite faces of a box about the origin, one of them filled, and the edges between them."""
     top, bottom = box_face(rotations, size), -box_face(rotations, size)[:, [2, 3, 0, 1]]
     around = np.concatenate([top, top[:, :1], bottom, bottom[:, :1]], axis=1)
     posts = np.stack([top[:, 1:], bottom[:, 1:]], axis=2).reshape(len(top), 6, 3)
     return [
-        Part("fill", top, color, faint=True),
-        Part("path", around, color, name, width=2.5),
-        Part("lines", posts, color, width=2.5),
+        Shape("fill", top, color, faint=True),
+        Shape("path", around, color, name, width=2.5),
+        Shape("lines", posts, color, width=2.5),
     ]
 
 
-def cone(rim: Array, color: int, name: str) -> list[Part]:
+def cone(rim: Array, color: int, name: str) -> list[Shape]:
     """A rim, (m, 3) still or (n, m, 3) moving, and lines to it from the origin."""
     spokes = rim[..., ::3, :]
     lines = np.stack([np.zeros_like(spokes), spokes], axis=-2).reshape(*rim.shape[:-2], -1, 3)
-    return [Part("path", rim, color, name, width=2), Part("lines", lines, color, width=1)]
+    return [Shape("path", rim, color, name, width=2), Shape("lines", lines, color, width=1)]

@@ -1,4 +1,4 @@
-"""The film of a lecture, with the numbers that someone wants to see it with.
+"""The scene of a lecture, with the numbers that someone wants to see it with.
 
 A lecture has EXAMPLE, a dict of parameters, and `film(parameters)`. One that moves has START, SECONDS and STATE too,
 and `film(parameters, start, seconds)`.
@@ -11,21 +11,21 @@ from typing import Any
 
 from tam570.course import Unknown
 from tam570.given import finite, positive
-from tam570.lectures import known, load
-from tam570.show.film import Film
-from tam570.show.student import Trouble, loaded
+from tam570.lectures import catalogue, load
+from tam570.show.scene import Scene
+from tam570.show.student import Trouble, load_student
 
-__all__ = ["film_of_lecture", "lecture_module", "settings"]
+__all__ = ["scene_of_lecture", "lecture_module", "settings"]
 
-LONGEST = 600.0  # s, of a film
+LONGEST = 600.0  # s, of a scene
 
 
 def lecture_module(what: str) -> Any:
     """The lecture of this name, or the copy of one in a file. Unknown or Trouble if there is none."""
     file = Path(what)
-    if not file.is_file() or what in known():
+    if not file.is_file() or what in catalogue():
         return load(what)
-    module = loaded(file, f"copy_of_{file.stem}")
+    module = load_student(file, f"copy_of_{file.stem}")
     if not (hasattr(module, "film") and hasattr(module, "EXAMPLE")):
         raise Trouble(f"{what} has no film or no EXAMPLE; tam570 start makes a new copy of a lecture")
     return module
@@ -49,8 +49,8 @@ def _value(text: str) -> Any:
         return text  # a choice, such as saddle
 
 
-def film_of_lecture(module: Any, numbers: Mapping[str, Any] | None = None) -> Film:
-    """The film of a lecture, its parameters and start changed. Trouble says what cannot be shown.
+def scene_of_lecture(module: Any, numbers: Mapping[str, Any] | None = None) -> Scene:
+    """The scene of a lecture, its parameters and start changed. Trouble says what cannot be shown.
 
     numbers : by parameter, by "start.speed" for a number of the start, or "seconds"
     Unknown tells a wrong name with the right ones.
@@ -65,10 +65,10 @@ def film_of_lecture(module: Any, numbers: Mapping[str, Any] | None = None) -> Fi
             raise Unknown(f"there is no number {name!r} to set; there are: {', '.join(given)}")
     given |= numbers or {}
     try:
-        film: Film = module.film(*_arguments(given) if moves else (given,))
+        scene: Scene = module.film(*_arguments(given) if moves else (given,))
     except (TypeError, ValueError, ArithmeticError) as error:
         raise Trouble(str(error)) from error
-    return film
+    return scene
 
 
 def _arguments(given: dict[str, Any]) -> tuple[dict[str, Any], tuple[float, ...], float]:

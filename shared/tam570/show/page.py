@@ -1,4 +1,4 @@
-"""A film as one page of HTML that needs nothing else."""
+"""A scene as one page of HTML that needs nothing else."""
 
 import html
 import json
@@ -7,24 +7,24 @@ from string import Template
 from typing import Any
 
 from tam570.show.compact import packed
-from tam570.show.film import Film
+from tam570.show.scene import Scene
 
 __all__ = ["HERE", "framed", "page"]
 
 HERE = Path(__file__).parent / "player"
 
 
-def page(film: Film) -> str:
+def page(scene: Scene) -> str:
     """The page. What comes from a student is data in it, never markup or code."""
-    return Template(_part("page.html")).substitute(
-        title=html.escape(film.title),
-        sight=html.escape(film.sight),
-        notes="".join(f'<p class="note">{html.escape(note)}</p>' for note in film.notes),
-        style=_part("page.css"),
-        view=_part("space.js" if film.in_space else "plane.js"),
-        strips=_part("strips.js"),
-        player=_part("player.js"),
-        film=_data(packed(film)),
+    return Template(_read("page.html")).substitute(
+        title=html.escape(scene.title),
+        alt_text=html.escape(scene.alt_text),
+        notes="".join(f'<p class="note">{html.escape(note)}</p>' for note in scene.notes),
+        style=_read("page.css"),
+        view=_read("space.js" if scene.in_space else "plane.js"),
+        time_plots=_read("time_plots.js"),
+        player=_read("player.js"),
+        data=_data(packed(scene)),
     )
 
 
@@ -37,10 +37,10 @@ def framed(document: str, title: str, height: int) -> str:
     )
 
 
-def _data(film: dict[str, Any]) -> str:
+def _data(scene: dict[str, Any]) -> str:
     """JSON that no string in it can end early."""
-    return json.dumps(film, ensure_ascii=True, allow_nan=False, separators=(",", ":")).replace("<", "\\u003c")
+    return json.dumps(scene, ensure_ascii=True, allow_nan=False, separators=(",", ":")).replace("<", "\\u003c")
 
 
-def _part(name: str) -> str:
+def _read(name: str) -> str:
     return (HERE / name).read_text(encoding="utf-8")

@@ -1,4 +1,4 @@
-"""A film by Matplotlib: a picture, a GIF, a video. Frames are made one by one, and only those asked for."""
+"""A scene by Matplotlib: a picture, a GIF, a video. Frames are made one by one, and only those asked for."""
 
 import re
 from collections.abc import Callable
@@ -13,8 +13,8 @@ from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.patches import Polygon
 
-from tam570.show.film import RATE, Array, Film, Panel, Part, Strip
 from tam570.show.page import HERE
+from tam570.show.scene import RATE, Array, Panel, Scene, Shape, TimePlot
 from tam570.show.student import Trouble
 
 __all__ = ["frames", "write"]
@@ -27,24 +27,24 @@ CSS_COLOUR = re.compile(r"--(\w+): (#\w+);")
 Update = Callable[[int], None]
 
 
-def write(film: Film, file: Path) -> None:
+def write(scene: Scene, file: Path) -> None:
     """Save a picture (.png), one that moves (.gif, .webp) or a video (.mp4). Trouble if its writer is not installed."""
     figure = Figure(figsize=SIZE, dpi=DPI)
-    update = _drawn(film, figure)
+    update = _drawn(scene, figure)
     if file.suffix == ".png":
-        update(round(film.poster * (len(film.times) - 1)))
+        update(round(scene.still_time * (len(scene.times) - 1)))
         figure.savefig(file)
         return
     writer = _writer(file.suffix)
     with writer.saving(figure, str(file), DPI):
-        for sample in frames(film, file.suffix):
+        for sample in frames(scene, file.suffix):
             update(sample)
             writer.grab_frame()
 
 
-def frames(film: Film, suffix: str) -> range:
+def frames(scene: Scene, suffix: str) -> range:
     """The samples that become frames of a file of this kind."""
-    return range(0, len(film.times), EVERY[suffix])
+    return range(0, len(scene.times), EVERY[suffix])
 
 
 def _writer(suffix: str) -> AbstractMovieWriter:
@@ -62,23 +62,23 @@ def _palette() -> tuple[str, ...]:
     return tuple(known[name] for name in ("c0", "c1", "c2", "c3", "c4", "c5", "soft", "ink"))
 
 
-def _drawn(film: Film, figure: Figure) -> Update:
-    """Draw the film's first frame; what takes it to the frame of another sample."""
-    halves = figure.subfigures(1, 2, squeeze=False, width_ratios=[2.6, 1] if film.strips else [1, 0.01])
+def _drawn(scene: Scene, figure: Figure) -> Update:
+    """Draw the scene's first frame; what takes it to the frame of another sample."""
+    halves = figure.subfigures(1, 2, squeeze=False, width_ratios=[2.6, 1] if scene.time_plots else [1, 0.01])
     wide, narrow = halves[0]
-    figure.suptitle(film.title)
+    figure.suptitle(scene.title)
     figure.set_layout_engine(ConstrainedLayoutEngine(rect=(0.0, 0.0, 0.985, 1.0)))
-    columns = 1 if _is_wide(film.panels[0]) else min(len(film.panels), 3)
-    axes = wide.subplots(-(-len(film.panels) // columns), columns, squeeze=False).ravel()
-    updates = [one for ax, panel in zip(axes, film.panels, strict=False) for one in _panel(ax, panel, film)]
+    columns = 1 if _is_wide(scene.panels[0]) else min(len(scene.panels), 3)
+    axes = wide.subplots(-(-len(scene.panels) // columns), columns, squeeze=False).ravel()
+    updates = [one for ax, panel in zip(axes, scene.panels, strict=False) for one in _panel(ax, panel, scene)]
     for ax in axes:
         ax.set_axis_off()
     named = {name: line for ax in axes for line, name in zip(*ax.get_legend_handles_labels(), strict=True)}
     if named:
         wide.legend(named.values(), named, loc="outside lower left", ncols=4, fontsize=8, frameon=False)
-    if film.strips:
-        tall = narrow.subplots(len(film.strips), 1, squeeze=False).ravel()
-        updates += [_strip(ax, strip, film) for ax, strip in zip(tall, film.strips, strict=True)]
+    if scene.time_plots:
+        tall = narrow.subplots(len(scene.time_plots), 1, squeeze=False).ravel()
+        updates += [_time_plot(ax, time_plot, scene) for ax, time_plot in zip(tall, scene.time_plots, strict=True)]
 
     def update(sample: int) -> None:
         for one in updates:
@@ -90,19 +90,19 @@ def _drawn(film: Film, figure: Figure) -> Update:
     return update
 
 
-def _panel(ax: Axes, panel: Panel, film: Film) -> list[Update]:
-    parts = [(part, _seen(part.points, film.view)) for part in panel.parts]
-    rows = np.concatenate([points.reshape(-1, 2) for _, points in parts])
+def _panel(ax: Axes, panel: Panel, scene: Scene) -> list[Update]:
+    shapes = [(shape, _seen(shape.points, scene.view)) for shape in panel.shapes]
+    rows = np.concatenate([points.reshape(-1, 2) for _, points in shapes])
     low, high = rows.min(axis=0), rows.max(axis=0)
     margin = 0.03 * float((high - low).max() or 1.0)
     ax.set(xlim=(low[0] - margin, high[0] + margin), ylim=(low[1] - margin, high[1] + margin), aspect="equal")
     ax.set_title(panel.title, fontsize=10)
-    return [_part(ax, part, points) for part, points in parts]
+    return [_shape(ax, shape, points) for shape, points in shapes]
 
 
 def _is_wide(panel: Panel) -> bool:
     """Whether it is much wider than high, so that panels go below each other."""
-    rows = np.concatenate([part.points.reshape(-1, part.points.shape[-1]) for part in panel.parts])
+    rows = np.concatenate([shape.points.reshape(-1, shape.points.shape[-1]) for shape in panel.shapes])
     sides = np.ptp(rows, axis=0)
     return bool(sides[0] > 2.0 * sides[-1])
 
@@ -116,31 +116,31 @@ def _seen(points: Array, view: tuple[float, float]) -> Array:
     return flat
 
 
-def _part(ax: Axes, part: Part, points: Array) -> Update:
+def _shape(ax: Axes, shape: Shape, points: Array) -> Update:
     """Draw one part; what takes it to another sample."""
-    look: dict[str, Any] = {"color": _palette()[part.color], "alpha": 0.25 if part.faint else 1.0}
+    look: dict[str, Any] = {"color": _palette()[shape.color], "alpha": 0.25 if shape.faint else 1.0}
     still = points.ndim == 2
 
     def at(sample: int) -> Array:
         chosen: Array = points if still else points[sample]
         return chosen
 
-    if part.kind == "fill":
+    if shape.kind == "fill":
         patch = Polygon(at(0), closed=True, linewidth=0, **look)
         ax.add_patch(patch)
         return lambda sample: patch.set_xy(at(sample))
-    if part.kind == "text":
-        text = ax.text(at(0)[0, 0], at(0)[0, 1], part.words, **look)
+    if shape.kind == "text":
+        text = ax.text(at(0)[0, 0], at(0)[0, 1], shape.words, **look)
         return lambda sample: text.set_position(at(sample)[0])
-    shape = {"lines": _apart, "arrow": _arrows}.get(part.kind, lambda rows: rows)
+    joined = {"lines": _apart, "arrow": _arrows}.get(shape.kind, lambda rows: rows)
     style: dict[str, Any] = (
-        {"marker": "o", "markersize": 1.5 * part.width, "linestyle": ""} if part.kind == "dot" else {}
+        {"marker": "o", "markersize": 1.5 * shape.width, "linestyle": ""} if shape.kind == "dot" else {}
     )
-    (line,) = ax.plot([], [], linewidth=0.8 * part.width, label=part.name or "_", **style, **look)
-    if part.kind == "trail":
+    (line,) = ax.plot([], [], linewidth=0.8 * shape.width, label=shape.name or "_", **style, **look)
+    if shape.kind == "trail":
         so_far = np.concatenate([points, np.full((1, *points.shape[1:]), np.nan)])
         return lambda sample: line.set_data(*so_far[np.r_[0 : sample + 1, -1]].swapaxes(0, 1).reshape(-1, 2).T)
-    return lambda sample: line.set_data(*shape(at(sample)).T)
+    return lambda sample: line.set_data(*joined(at(sample)).T)
 
 
 def _apart(points: Array) -> Array:
@@ -160,13 +160,15 @@ def _arrows(points: Array) -> Array:
     return np.stack(strokes, axis=1).reshape(-1, 2)
 
 
-def _strip(ax: Axes, strip: Strip, film: Film) -> Update:
-    for color, (name, curve) in zip(_palette(), strip.curves.items(), strict=False):
-        ax.plot(strip.times, curve, color=color, linewidth=1.2, label=name or "_")
-    ax.set(xlim=film.times[[0, -1]], ylim=strip.span, xlabel="t (s)", ylabel=f"({strip.unit})")
-    ax.set_title(f"{strip.title}\n{strip.note}", fontsize=8, color="#b00020" if strip.alarm else "#1b1f24", wrap=True)
+def _time_plot(ax: Axes, time_plot: TimePlot, scene: Scene) -> Update:
+    for color, (name, curve) in zip(_palette(), time_plot.curves.items(), strict=False):
+        ax.plot(time_plot.times, curve, color=color, linewidth=1.2, label=name or "_")
+    ax.set(xlim=scene.times[[0, -1]], ylim=time_plot.span, xlabel="t (s)", ylabel=f"({time_plot.unit})")
+    ax.set_title(
+        f"{time_plot.title}\n{time_plot.note}", fontsize=8, color="#b00020" if time_plot.alarm else "#1b1f24", wrap=True
+    )
     ax.tick_params(labelsize=8)
-    if len(strip.curves) > 1:
+    if len(time_plot.curves) > 1:
         ax.legend(fontsize=7)
     now = ax.axvline(0.0, color="#667080", linewidth=1)
-    return lambda sample: now.set_xdata([film.times[sample]] * 2)
+    return lambda sample: now.set_xdata([scene.times[sample]] * 2)

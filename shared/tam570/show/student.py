@@ -11,23 +11,23 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tam570.loading import Trouble, said
-from tam570.loading import loaded as load
+from tam570.loading import loaded as load_file
 
-__all__ = ["Student", "Trouble", "loaded", "numbers", "tried"]
+__all__ = ["Student", "Trouble", "load_student", "numbers", "make_each"]
 
 Array = NDArray[np.float64]
 Made = TypeVar("Made")
 
 
-def loaded(file: Path, slug: str) -> ModuleType:
+def load_student(file: Path, slug: str) -> ModuleType:
     """The module in a file or notebook, imported under the assignment's name. Trouble if it cannot be."""
-    module, _ = load(file, slug)
+    module, _ = load_file(file, slug)
     module.__file__ = str(file)
     sys.modules[slug] = module
     return module
 
 
-def tried(notes: list[str], *makers: Callable[[], Made]) -> list[Made]:
+def make_each(notes: list[str], *makers: Callable[[], Made]) -> list[Made]:
     """What can be made of what a scene shows beside the motion; why the rest cannot is added to the notes."""
     made = []
     for maker in makers:

@@ -13,7 +13,7 @@ import pytest
 from tam570 import cli
 from tam570.course import Unknown
 from tam570.integrate import solve
-from tam570.lectures import known, load, names
+from tam570.lectures import catalogue, load, names
 from tam570.show import show
 from tam570.show.page import page
 
@@ -68,8 +68,8 @@ def wandered(invariant, states):
 def test_they_are_listed_by_date(capsys):
     assert cli.main(["list", "--lectures"]) == 0
     lines = capsys.readouterr().out.splitlines()
-    assert [line.split("  ")[0] for line in lines] == [lecture.date for lecture in known().values()]
-    days = [lecture.day for lecture in known().values()]
+    assert [line.split("  ")[0] for line in lines] == [lecture.date for lecture in catalogue().values()]
+    days = [lecture.day for lecture in catalogue().values()]
     assert days == sorted(days) and len(lines) == len(names()) > 0
 
 
@@ -93,7 +93,7 @@ def test_one_is_loaded_without_the_others(name):
 
 @pytest.mark.parametrize("name", names())
 def test_it_is_short(name):
-    file = known()[name].file
+    file = catalogue()[name].file
     scene = file.parents[1] / "show" / "scenes" / file.name
     texts = [one.read_text() for one in (file, scene) if one.exists()]
     functions = [node for node in ast.walk(ast.parse("\n".join(texts))) if isinstance(node, ast.FunctionDef)]
@@ -199,11 +199,11 @@ def test_the_exact_motion_is_the_solved_one(name, begin):
 @pytest.mark.parametrize("name", names())
 def test_its_film_shows_its_laws_on_a_small_page(name):
     shown = show(load(name))
-    assert shown.film is not None, shown.trouble
-    films = shown.film.slider.films if shown.film.slider else [shown.film]
-    assert not any(film.notes or any(strip.alarm for strip in film.strips) for film in films)
-    assert len(shown.film.sight) > 60
-    assert len(page(shown.film).encode()) < LARGEST
+    assert shown.scene is not None, shown.trouble
+    scenes = shown.scene.slider.scenes if shown.scene.slider else [shown.scene]
+    assert not any(scene.notes or any(time_plot.alarm for time_plot in scene.time_plots) for scene in scenes)
+    assert len(shown.scene.alt_text) > 60
+    assert len(page(shown.scene).encode()) < LARGEST
 
 
 @pytest.mark.parametrize("name", MOVING)
@@ -215,8 +215,8 @@ def test_its_film_solves_for_the_samples_that_it_shows(name, monkeypatch):
         return solve(rates, t, *rest, **options)
 
     monkeypatch.setattr(module, "solve", counted, raising=False)
-    film = show(module).film
-    shown = {len(one.times) for one in (film.slider.films if film.slider else [film])}
+    scene = show(module).scene
+    shown = {len(one.times) for one in (scene.slider.scenes if scene.slider else [scene])}
     assert set(asked) <= shown
 
 

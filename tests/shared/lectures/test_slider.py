@@ -4,20 +4,20 @@ import numpy as np
 import pytest
 
 from tam570.show.compact import packed
-from tam570.show.film import Film, Panel, Part, clock, followed, with_slider
 from tam570.show.page import page
+from tam570.show.scene import Panel, Scene, Shape, frame_times, value_plot, with_slider
 
 
 def grown(size):
     """A point that goes as far as it is told, in as many seconds."""
-    times = clock(size)
+    times = frame_times(size)
     path = np.column_stack([size * times / times[-1], 0 * times])
-    return Film(
+    return Scene(
         f"goes {size:g}",
         "",
         times,
-        [Panel([Part("dot", path[:, None], name=f"to {size:g}"), Part("dot", np.zeros((1, 2)))])],
-        [followed(f"place of {size:g}", times, {"": path[:, 0]}, "m")],
+        [Panel([Shape("dot", path[:, None], name=f"to {size:g}"), Shape("dot", np.zeros((1, 2)))])],
+        [value_plot(f"place of {size:g}", times, {"": path[:, 0]}, "m")],
     )
 
 
@@ -39,8 +39,8 @@ def tab(browser, tmp_path):
 def test_all_films_of_a_slider_share_one_scale():
     found = packed(with_slider(grown, "size", "m", [4.0, 1.0], 2.0))
     assert found["slider"]["values"] == [1.0, 2.0, 4.0] and found["slider"]["chosen"] == 1
-    one, chosen, four = found["slider"]["films"]
-    assert chosen is None and {film["panels"][0]["unit"] for film in (one, found, four)} == {4.0 / 2000}
+    one, chosen, four = found["slider"]["scenes"]
+    assert chosen is None and {scene["panels"][0]["unit"] for scene in (one, found, four)} == {4.0 / 2000}
     assert one["panels"][0]["size"] == four["panels"][0]["size"]
 
 

@@ -16,10 +16,10 @@ from hypothesis import strategies as st
 from PIL import Image
 
 from tam570 import cli
-from tam570.show import Trouble, film_of, loaded, pictures, save, show
+from tam570.show import Trouble, load_student, pictures, save, scene_of, show
 from tam570.show.compact import PIXELS, STEPS, kept_samples, packed
-from tam570.show.film import Film, Panel, Part, clock, conserved
 from tam570.show.page import page
+from tam570.show.scene import Panel, Scene, Shape, drift_plot, frame_times
 from tam570.show.scenes import hw11, hw13
 from tam570_grader.writing import assignments
 
@@ -43,7 +43,7 @@ def edited(tmp_path, solution_text):
 
 def data(document):
     """What the player of a page reads."""
-    return json.loads(re.search(r'<script type="application/json" id="film">(.*?)</script>', document, re.S)[1])
+    return json.loads(re.search(r'<script type="application/json" id="data">(.*?)</script>', document, re.S)[1])
 
 
 def unpacked(found):
@@ -57,52 +57,52 @@ def unpacked(found):
     def place(number):
         index, kind = divmod(number, 3)
         if kind == 2:
-            return sum(weight * place(part) for part, weight in found["mixed"][index])
+            return sum(weight * place(shape) for shape, weight in found["mixed"][index])
         return tracks[index] if kind == 0 else np.array(found["fixed"][index], dtype=float)
 
     return [
-        np.stack(np.broadcast_arrays(*(place(number) for number in part["at"])), axis=-2) / STEPS
+        np.stack(np.broadcast_arrays(*(place(number) for number in shape["at"])), axis=-2) / STEPS
         for panel in found["panels"]
-        for part in panel["parts"]
+        for shape in panel["shapes"]
     ]
 
 
-def in_pixels(film):
+def in_pixels(scene):
     """The points of each part about the middle of its panel, in pixels of a large screen."""
-    for panel in film.panels:
-        rows = np.concatenate([part.points.reshape(-1, part.points.shape[-1]) for part in panel.parts])
+    for panel in scene.panels:
+        rows = np.concatenate([shape.points.reshape(-1, shape.points.shape[-1]) for shape in panel.shapes])
         low, high = rows.min(axis=0), rows.max(axis=0)
-        for part in panel.parts:
-            points = (part.points - (low + high) / 2) / (high - low).max() * PIXELS
-            yield np.pad(points, [(0, 0)] * (points.ndim - 1) + [(0, film.in_space and points.shape[-1] == 2)])
+        for shape in panel.shapes:
+            points = (shape.points - (low + high) / 2) / (high - low).max() * PIXELS
+            yield np.pad(points, [(0, 0)] * (points.ndim - 1) + [(0, scene.in_space and points.shape[-1] == 2)])
 
 
-def test_the_scene_of_right_functions_shows_their_laws(films, slug):
-    film = films(slug)
-    assert not film.notes and film.strips and not any(strip.alarm for strip in film.strips)
-    assert film.in_space == (slug[:4] in IN_SPACE)
-    assert len(film.sight) > 60
+def test_the_scene_of_right_functions_shows_their_laws(scenes, slug):
+    scene = scenes(slug)
+    assert not scene.notes and scene.time_plots and not any(time_plot.alarm for time_plot in scene.time_plots)
+    assert scene.in_space == (slug[:4] in IN_SPACE)
+    assert len(scene.alt_text) > 60
 
 
 def test_who_adds_an_assignment_is_told_which_scene_to_write(monkeypatch):
     with pytest.raises(Trouble, match="hw99_new has no scene; write shared/tam570/show/scenes/hw99.py"):
-        film_of(None, "hw99_new")
-    monkeypatch.setitem(sys.modules, "tam570.show.film", None)
+        scene_of(None, "hw99_new")
+    monkeypatch.setitem(sys.modules, "tam570.show.scene", None)
     monkeypatch.delitem(sys.modules, "tam570.show.scenes.hw11")
-    with pytest.raises(ModuleNotFoundError, match="tam570.show.film"):
-        film_of(None, "hw11_disk_steady")
+    with pytest.raises(ModuleNotFoundError, match="tam570.show.scene"):
+        scene_of(None, "hw11_disk_steady")
 
 
-def test_a_page_is_small_and_needs_nothing_else(films, slug):
-    document = page(films(slug))
+def test_a_page_is_small_and_needs_nothing_else(scenes, slug):
+    document = page(scenes(slug))
     assert len(document.encode()) < LARGEST
     assert not re.search(r"https?://|\bsrc=|\bhref=|@import|url\(", document)
-    assert ("azimuth" in document) == films(slug).in_space
+    assert ("azimuth" in document) == scenes(slug).in_space
 
 
-def test_what_is_stored_is_the_motion_to_a_pixel(films, slug):
-    stored = unpacked(packed(films(slug)))
-    for points, found in zip(in_pixels(films(slug)), stored, strict=True):
+def test_what_is_stored_is_the_motion_to_a_pixel(scenes, slug):
+    stored = unpacked(packed(scenes(slug)))
+    for points, found in zip(in_pixels(scenes(slug)), stored, strict=True):
         # half a pixel by interpolation, a quarter by rounding, as much again by combining rounded points
         assert np.abs(found - points).max() < 1.5
 
@@ -117,19 +117,19 @@ def test_samples_are_left_out_only_where_a_line_gives_them(n, seed):
 
 
 def test_a_straight_motion_is_two_samples_and_a_rigid_body_three_points():
-    times = clock(2.0)
+    times = frame_times(2.0)
     assert len(kept_samples(np.outer(times, [3.0, -4.0]) * 100)) == 2
     turn = np.column_stack([np.cos(times), np.sin(times), -np.sin(times), np.cos(times)]).reshape(-1, 2, 2)
     angles = np.linspace(0.0, 6.0, 40)
     rim = np.column_stack([np.cos(angles), np.sin(angles)]) @ turn
-    found = packed(Film("", "", times, [Panel([Part("path", rim + times[:, None, None])])]))
+    found = packed(Scene("", "", times, [Panel([Shape("path", rim + times[:, None, None])])]))
     assert len(found["tracks"]) == 3 and len(found["mixed"]) == 37
 
 
 def test_what_moves_by_less_than_half_a_pixel_is_stored_once():
-    times = clock(2.0)
+    times = frame_times(2.0)
     quiver = np.column_stack([1.0 + 1e-4 * np.sin(9 * times), 0 * times])[:, None]
-    found = packed(Film("", "", times, [Panel([Part("dot", quiver), Part("lines", np.eye(2))])]))
+    found = packed(Scene("", "", times, [Panel([Shape("dot", quiver), Shape("lines", np.eye(2))])]))
     assert not found["tracks"] and len(found["keys"]) == 2 and len(found["fixed"]) == 2  # one is a corner
 
 
@@ -189,13 +189,13 @@ def test_without_an_energy_the_motion_is_shown_all_the_same(edited, tmp_path, ca
     where = tmp_path / "a.html"
     assert cli.main(["show", "hw07", str(edited(HW07, text)), "--save", str(where)]) == 0
     assert "energy" in capsys.readouterr().err
-    assert 'class="note">energy ' in where.read_text() and not data(where.read_text())["strips"]
+    assert 'class="note">energy ' in where.read_text() and not data(where.read_text())["time_plots"]
 
 
 def test_wrong_physics_looks_wrong(edited):
     wrong = (CHECKS / HW07 / "mistakes" / "sign_of_the_sine_term.py").read_text()
-    (strip,) = show(edited(HW07, wrong)).film.strips
-    assert strip.alarm and "not conserved" in strip.note and strip.span[1] > 10.0  # %
+    (time_plot,) = show(edited(HW07, wrong)).scene.time_plots
+    assert time_plot.alarm and "not conserved" in time_plot.note and time_plot.span[1] > 10.0  # %
 
 
 @pytest.mark.full
@@ -206,13 +206,13 @@ def test_no_wrong_file_breaks_a_page(edited, slug, capsys):
     for wrong in files:
         with np.errstate(all="ignore"), warnings.catch_warnings(action="ignore"):
             shown = show(edited(slug, wrong.read_text()))
-        assert data(page(shown.film)) if shown.film else shown.trouble, wrong.stem
+        assert data(page(shown.scene)) if shown.scene else shown.trouble, wrong.stem
 
 
 def test_rounding_does_not_look_wrong():
-    times = clock(1.0)
-    strip = conserved("energy", times, {"": 1e-12 * np.sin(99 * times)}, 1.0, "itself")
-    assert strip.span == (-1.0, 1.0) and not strip.alarm
+    times = frame_times(1.0)
+    time_plot = drift_plot("energy", times, {"": 1e-12 * np.sin(99 * times)}, 1.0, "itself")
+    assert time_plot.span == (-1.0, 1.0) and not time_plot.alarm
 
 
 def test_a_file_elsewhere_and_one_that_is_not_there(edited, tmp_path, monkeypatch, capsys):
@@ -224,22 +224,22 @@ def test_a_file_elsewhere_and_one_that_is_not_there(edited, tmp_path, monkeypatc
     assert ".html, .png" in capsys.readouterr().err
 
 
-def test_strings_stay_data(films, tmp_path):
-    film, bad = films(HW07), "</script><script>document.title='taken'</script><!--"
-    parts = [Part("text", np.zeros((1, 2)), words=bad, name=bad)]
-    document = page(Film(bad, f'"{bad}', film.times, [Panel(parts, bad)], film.strips, notes=[bad]))
+def test_strings_stay_data(scenes, tmp_path):
+    scene, bad = scenes(HW07), "</script><script>document.title='taken'</script><!--"
+    shapes = [Shape("text", np.zeros((1, 2)), words=bad, name=bad)]
+    document = page(Scene(bad, f'"{bad}', scene.times, [Panel(shapes, bad)], scene.time_plots, notes=[bad]))
     assert document.count("</script>") == 2 and document.count("<script") == 2 and "<!--" not in document
-    assert data(document)["panels"][0]["parts"][0]["words"] == bad
+    assert data(document)["panels"][0]["shapes"][0]["words"] == bad
 
 
 def test_a_notebook_shows_the_page_in_a_frame_that_cannot_reach_out(course):
     file = course / "solutions" / f"{HW07}.py"
-    shown = show(loaded(file, HW07))
+    shown = show(load_student(file, HW07))
     inline = shown._repr_html_()
     assert 'sandbox="allow-scripts"' in inline
-    assert unescape(re.search(r'srcdoc="([^"]*)"', inline)[1]) == page(shown.film)
-    functions = vars(loaded(file, HW07))
-    assert show(dict(functions), assignment="hw07").film is not None
+    assert unescape(re.search(r'srcdoc="([^"]*)"', inline)[1]) == page(shown.scene)
+    functions = vars(load_student(file, HW07))
+    assert show(dict(functions), assignment="hw07").scene is not None
 
 
 def test_a_notebook_is_told_what_is_missing(course):
@@ -254,20 +254,20 @@ def test_a_notebook_is_told_what_is_missing(course):
 
 
 @pytest.fixture
-def short(films):
+def short(scenes):
     """Half a second of the double pendulum."""
-    film = films(HW07)
+    scene = scenes(HW07)
     n = 31
     panels = [
-        Panel([Part(p.kind, p.points if p.points.ndim == 2 else p.points[:n], p.color, p.name) for p in panel.parts])
-        for panel in film.panels
+        Panel([Shape(p.kind, p.points if p.points.ndim == 2 else p.points[:n], p.color, p.name) for p in panel.shapes])
+        for panel in scene.panels
     ]
-    return Film(film.title, film.sight, film.times[:n], panels, film.strips)
+    return Scene(scene.title, scene.alt_text, scene.times[:n], panels, scene.time_plots)
 
 
 def test_a_picture_is_one_frame(short, tmp_path, monkeypatch):
     drawn = []
-    monkeypatch.setattr(pictures, "_drawn", lambda film, figure: drawn.append)
+    monkeypatch.setattr(pictures, "_drawn", lambda scene, figure: drawn.append)
     save(short, tmp_path / "a.png")
     assert drawn == [round(0.6 * 30)]
     with Image.open(tmp_path / "a.png") as picture:
@@ -295,8 +295,8 @@ def test_without_ffmpeg_a_video_is_refused_and_another_way_is_named(short, tmp_p
 
 
 @pytest.mark.sample(4)
-def test_every_scene_has_a_picture(films, slug, tmp_path):
-    save(films(slug), tmp_path / "a.png")
+def test_every_scene_has_a_picture(scenes, slug, tmp_path):
+    save(scenes(slug), tmp_path / "a.png")
     with Image.open(tmp_path / "a.png") as picture:
         assert len(picture.convert("RGB").getcolors(1 << 20)) > 20
 
@@ -329,7 +329,7 @@ def test_where_there_is_no_screen_the_page_is_named(course, opened, monkeypatch,
 
 def test_the_pictures_eye_is_that_of_hw04(course):
     points = np.random.default_rng(1).normal(size=(20, 3))
-    solution = loaded(course / "solutions" / "hw04_hanging_spring.py", "hw04_hanging_spring")
+    solution = load_student(course / "solutions" / "hw04_hanging_spring.py", "hw04_hanging_spring")
     np.testing.assert_allclose(pictures._seen(points, (0.7, -0.4)), solution.project(points, 0.7, -0.4), atol=1e-15)
 
 
@@ -343,13 +343,13 @@ def speed_at_the_ground(points, height, times):
 
 
 def test_the_mark_of_a_rolling_coin_stands_still_on_the_ground(course):
-    solution = loaded(course / "solutions" / "hw11_disk_steady.py", "hw11_disk_steady")
+    solution = load_student(course / "solutions" / "hw11_disk_steady.py", "hw11_disk_steady")
     from tam570.show.student import Student
 
     times = np.linspace(0.0, 2.0, 40001)
     for lean, track_radius in hw11.ROLLING.items():
         coin = hw11._rolling(Student(solution), lean, track_radius)
-        mark = next(part for part in hw11._coin(times, coin, 0) if part.kind == "lines").points[:, 1]
+        mark = next(shape for shape in hw11._coin(times, coin, 0) if shape.kind == "lines").points[:, 1]
         assert speed_at_the_ground(mark, mark[:, 2], times) < 1e-3  # a step of time from the ground itself
         assert abs(mark[:, 2].min()) < 1e-6
 
@@ -357,7 +357,9 @@ def test_the_mark_of_a_rolling_coin_stands_still_on_the_ground(course):
 def test_the_spoke_of_a_rolling_cylinder_stands_still_on_the_ramp():
     times = np.linspace(0.0, 2.0, 40001)
     spoke = next(
-        part for part in hw13._rolling(5.0 * times - 1.0, 0, 9.0) if part.points.shape[1] == 2 and part.points.ndim == 3
+        shape
+        for shape in hw13._rolling(5.0 * times - 1.0, 0, 9.0)
+        if shape.points.shape[1] == 2 and shape.points.ndim == 3
     )
     end = spoke.points[:, 1]
     assert speed_at_the_ground(end, end @ hw13.OFF, times) < 1e-3

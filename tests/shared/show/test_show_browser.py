@@ -5,9 +5,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from tam570.show import film_of, loaded
-from tam570.show.film import Film, Panel, Part, clock
+from tam570.show import load_student, scene_of
 from tam570.show.page import framed, page
+from tam570.show.scene import Panel, Scene, Shape, frame_times
 
 PLANE, SPACE = "hw07_double_pendulum", "hw14_rolling_disk"
 SIZES = {"desktop": (1280, 720), "phone": (390, 844)}
@@ -18,12 +18,12 @@ LAID_OUT = "() => new Promise((done) => requestAnimationFrame(() => requestAnima
 
 
 @pytest.fixture
-def opened(browser, films, tmp_path):
+def opened(browser, scenes, tmp_path):
     """`opened(slug or document)` -> the page, paused unless motion is wanted; it must not complain."""
     contexts, complaints = [], []
 
     def opened(what, size="desktop", scheme="light", motion="reduce", **options):
-        document = what if what.startswith("<") else page(films(what))
+        document = what if what.startswith("<") else page(scenes(what))
         (tmp_path / "scene.html").write_text(document, encoding="utf-8")
         width, height = SIZES[size]
         context = browser.new_context(
@@ -70,8 +70,8 @@ def ink(tab, canvas):
 
 
 @pytest.mark.sample(4)
-def test_every_scene_is_drawn_fits_and_has_names(opened, slug, films):
-    tab, film = opened(slug), films(slug)
+def test_every_scene_is_drawn_fits_and_has_names(opened, slug, scenes):
+    tab, scene = opened(slug), scenes(slug)
     tab.keyboard.press("End")
     for width, height in SIZES.values():
         tab.set_viewport_size({"width": width, "height": height})
@@ -81,11 +81,11 @@ def test_every_scene_is_drawn_fits_and_has_names(opened, slug, films):
         for name in ("#live", "#play", "#scrub", "#speed"):
             box = tab.locator(name).bounding_box()
             assert box["x"] >= 0 and box["x"] + box["width"] <= width and box["y"] + box["height"] <= height
-    assert tab.get_by_role("img", name=film.sight, exact=True).count() == 1
-    assert tab.get_by_role("img").count() == 1 + len(film.strips)
+    assert tab.get_by_role("img", name=scene.alt_text, exact=True).count() == 1
+    assert tab.get_by_role("img").count() == 1 + len(scene.time_plots)
     assert tab.get_by_role("button", name="Play", exact=True).count() == 1
     assert tab.get_by_role("slider", name="Time").count() == tab.get_by_role("combobox", name="Speed").count() == 1
-    assert tab.get_by_role("button", name="Reset view").count() == film.in_space
+    assert tab.get_by_role("button", name="Reset view").count() == scene.in_space
 
 
 def test_it_plays_by_itself_and_stops_and_goes_on(opened):
@@ -195,16 +195,16 @@ def test_what_stands_still_is_drawn_once(opened, slug):
     assert tab.evaluate(PIXELS, "still") == marked
 
 
-def test_the_tip_is_where_the_student_has_it(opened, films):
-    tab, film = opened(PLANE), films(PLANE)
-    (tip,) = (part.points[:, 0] for part in film.panels[0].parts if part.kind == "trail")
+def test_the_tip_is_where_the_student_has_it(opened, scenes):
+    tab, scene = opened(PLANE), scenes(PLANE)
+    (tip,) = (shape.points[:, 0] for shape in scene.panels[0].shapes if shape.kind == "trail")
     for sample in (0, 333, 700, 1200):
-        tab.evaluate("time => goTo(time)", film.times[sample])
+        tab.evaluate("time => goTo(time)", scene.times[sample])
         x, y, unit = tab.evaluate(
-            """() => { const {parts, unit} = film.panels[0], key = keyBefore(state.time);
-                       const [from, next] = [key, key + 1].map((k) => keys[k] * film.step);
-                       const trail = parts.find((one) => one.kind === "trail").at[0];
-                       const hinge = parts.find((one) => one.kind === "dot").at.find((point) => point % 3 === 1);
+            """() => { const {shapes, unit} = scene.panels[0], key = keyBefore(state.time);
+                       const [from, next] = [key, key + 1].map((k) => keys[k] * scene.step);
+                       const trail = shapes.find((one) => one.kind === "trail").at[0];
+                       const hinge = shapes.find((one) => one.kind === "dot").at.find((point) => point % 3 === 1);
                        const [x, y] = place(trail, key, Math.min(1, (state.time - from) / (next - from)));
                        const [ox, oy] = place(hinge, 0, 0);
                        return [x - ox, y - oy, unit]; }"""
@@ -214,7 +214,7 @@ def test_the_tip_is_where_the_student_has_it(opened, films):
 
 
 def test_the_eye_is_that_of_hw04(opened, course):
-    solution = loaded(course / "solutions" / "hw04_hanging_spring.py", "hw04_hanging_spring")
+    solution = load_student(course / "solutions" / "hw04_hanging_spring.py", "hw04_hanging_spring")
     tab, points = opened(SPACE), np.random.default_rng(2).normal(size=(5, 3))
     tab.evaluate("() => { camera.azimuth = 0.7; camera.elevation = -0.4; }")
     found = [tab.evaluate("p => seen(...p, false)", point) for point in points.tolist()]
@@ -241,13 +241,13 @@ def test_a_window_made_smaller_is_drawn_anew(opened):
 def test_a_hostile_string_stays_text(opened):
     bad = "</script><script>document.title='taken'</script><img src=x onerror=\"document.title='taken'\">"
     dot = np.zeros((1, 2))
-    parts = [Part("dot", dot, name=bad), Part("text", dot, words=bad)]
-    tab = opened(page(Film("title", bad, clock(1.0), [Panel(parts, bad)], notes=[bad])))
+    shapes = [Shape("dot", dot, name=bad), Shape("text", dot, words=bad)]
+    tab = opened(page(Scene("title", bad, frame_times(1.0), [Panel(shapes, bad)], notes=[bad])))
     assert tab.title() == "title" and tab.get_by_text(bad).count() == 2
 
 
-def test_in_a_notebook_it_plays_in_its_frame(opened, films):
-    tab = opened(f"<!doctype html><title>book</title>{framed(page(films(PLANE)), 'Double pendulum', 620)}")
+def test_in_a_notebook_it_plays_in_its_frame(opened, scenes):
+    tab = opened(f"<!doctype html><title>book</title>{framed(page(scenes(PLANE)), 'Double pendulum', 620)}")
     frame = tab.frame_locator("iframe[title='Double pendulum']")
     if frame.locator("#play").inner_text() == "Play":
         frame.locator("#play").click()
@@ -256,8 +256,8 @@ def test_in_a_notebook_it_plays_in_its_frame(opened, films):
     assert frame.locator("#clock").inner_text() != "0.00 s"
 
 
-def test_a_student_without_strips_has_a_page(opened, course, films):
-    solution = vars(loaded(course / "solutions" / f"{PLANE}.py", PLANE))
+def test_a_student_without_strips_has_a_page(opened, course, scenes):
+    solution = vars(load_student(course / "solutions" / f"{PLANE}.py", PLANE))
     shown = SimpleNamespace(**{name: solution[name] for name in ("simulate", "wireframe")})
-    tab = opened(page(film_of(shown, PLANE)))
+    tab = opened(page(scene_of(shown, PLANE)))
     assert "no function energy" in tab.locator(".note").inner_text() and not tab.locator("figure").count()

@@ -1,17 +1,17 @@
 "use strict";
 const byId = (id) => document.getElementById(id);
-const shownFirst = JSON.parse(byId("film").textContent), {slider} = shownFirst;
+const shownFirst = JSON.parse(byId("data").textContent), {slider} = shownFirst;
 const sums = (steps) => { let sum = 0; return steps.map((step) => (sum += step)); };
 
-// What the file holds: differences between the samples that matter. A slider holds a film for each of its values.
-let film, keys, tracks, duration, strips;
+// What the file holds: differences between the samples that matter. A slider holds a scene for each of its values.
+let scene, keys, tracks, duration, plots;
 const state = {time: 0, speed: 1, playing: false, last: 0};
 function read(chosen) {
-  film = chosen;
-  keys = sums(film.keys);
-  tracks = film.tracks.map((track) => track.map(sums));
-  duration = keys[keys.length - 1] * film.step;
-  strips = film.strips.map((strip) => ({...strip, curves: strip.curves.map(sums)}));
+  scene = chosen;
+  keys = sums(scene.keys);
+  tracks = scene.tracks.map((track) => track.map(sums));
+  duration = keys[keys.length - 1] * scene.step;
+  plots = scene.time_plots.map((plot) => ({...plot, curves: plot.curves.map(sums)}));
   state.time = Math.min(state.time, duration);
 }
 
@@ -21,7 +21,7 @@ function keyBefore(time) {
   let low = 0, high = keys.length - 1;
   while (high - low > 1) {
     const middle = (low + high) >> 1;
-    if (keys[middle] * film.step <= time) low = middle; else high = middle;
+    if (keys[middle] * scene.step <= time) low = middle; else high = middle;
   }
   return low;
 }
@@ -29,13 +29,13 @@ function keyBefore(time) {
 // Position of a point at a key and a share of the way to the next, as [x, y(, z)] in half pixels of the large screen.
 function place(point, key, share) {
   const index = Math.floor(point / 3), kind = point % 3;
-  if (kind === 1) return film.fixed[index];
+  if (kind === 1) return scene.fixed[index];
   if (kind === 0) {
     return tracks[index].map((axis) => (share ? axis[key] + share * (axis[key + 1] - axis[key]) : axis[key]));
   }
   const sum = [0, 0, 0];
-  for (const [part, weight] of film.mixed[index]) {
-    place(part, key, share).forEach((value, axis) => { sum[axis] += weight * value; });
+  for (const [shape, weight] of scene.mixed[index]) {
+    place(shape, key, share).forEach((value, axis) => { sum[axis] += weight * value; });
   }
   return sum;
 }
@@ -68,15 +68,15 @@ const sizeNow = ({size, flat}) => (flat ? size : sizeSeen(size)).map((side) => s
 // The rectangles of the panels, in the grid of rows and columns in which they are largest.
 const MARGIN = 14, TITLE = 20;
 function layout(width, height) {
-  const titled = film.panels.some((panel) => panel.title) ? TITLE : 0, count = film.panels.length;
+  const titled = scene.panels.some((panel) => panel.title) ? TITLE : 0, count = scene.panels.length;
   let best = null;
   for (let columns = 1; columns <= count; columns++) {
     const w = width / columns, h = height / Math.ceil(count / columns);
-    const scales = film.panels.map(sizeNow).map((size) => Math.min((w - 2 * MARGIN) / size[0], (h - titled - 2 * MARGIN) / size[1]));
+    const scales = scene.panels.map(sizeNow).map((size) => Math.min((w - 2 * MARGIN) / size[0], (h - titled - 2 * MARGIN) / size[1]));
     const smallest = Math.min(...scales);
     if (!best || smallest > best.smallest) best = {smallest, scales, columns, w, h};
   }
-  return film.panels.map((panel, i) => ({
+  return scene.panels.map((panel, i) => ({
     panel, scale: best.scales[i], left: (i % best.columns) * best.w, top: Math.floor(i / best.columns) * best.h,
     width: best.w, bottom: (Math.floor(i / best.columns) + 1) * best.h,
     x: (i % best.columns + 0.5) * best.w, y: (Math.floor(i / best.columns) + 0.5) * best.h + titled / 2,
@@ -116,19 +116,19 @@ const draw = {
   },
   path(context, points) { line(context, points); context.stroke(); },
   fill(context, points) { line(context, points); context.closePath(); context.fill(); },
-  dot(context, points, part) {
+  dot(context, points, shape) {
     for (const [x, y] of points) {
       context.beginPath();
-      context.arc(x, y, part.width, 0, 7);
+      context.arc(x, y, shape.width, 0, 7);
       context.fill();
     }
   },
-  arrow(context, points, part) {
-    for (let i = 0; i + 1 < points.length; i += 2) arrow(context, points[i], points[i + 1], part.width);
+  arrow(context, points, shape) {
+    for (let i = 0; i + 1 < points.length; i += 2) arrow(context, points[i], points[i + 1], shape.width);
   },
-  text(context, points, part) {
+  text(context, points, shape) {
     context.font = "600 14px system-ui, sans-serif";
-    context.fillText(part.words, points[0][0] + 8, points[0][1] - 8);
+    context.fillText(shape.words, points[0][0] + 8, points[0][1] - 8);
   },
 };
 function arrow(context, [x, y], [ex, ey], width) {
@@ -140,19 +140,19 @@ function arrow(context, [x, y], [ex, ey], width) {
   line(context, [[ex, ey], [bx - 0.45 * head * uy, by + 0.45 * head * ux], [bx + 0.45 * head * uy, by - 0.45 * head * ux]]);
   context.fill();
 }
-function drawPart(context, frame, part, key, share) {
-  context.strokeStyle = context.fillStyle = colorOf(part.color);
-  context.lineWidth = part.width;
-  context.globalAlpha = part.faint ? 0.22 : 1;
-  if (part.kind === "trail") drawTrail(context, frame, part, key, share);
-  else draw[part.kind](context, part.at.map((point) => toScreen(frame, place(point, key, share))), part);
+function drawShape(context, frame, shape, key, share) {
+  context.strokeStyle = context.fillStyle = colorOf(shape.color);
+  context.lineWidth = shape.width;
+  context.globalAlpha = shape.faint ? 0.22 : 1;
+  if (shape.kind === "trail") drawTrail(context, frame, shape, key, share);
+  else draw[shape.kind](context, shape.at.map((point) => toScreen(frame, place(point, key, share))), shape);
   context.globalAlpha = 1;
 }
 
 // All of the way so far thinly, the last second in full.
-function drawTrail(context, frame, part, key, share) {
-  const recent = keyBefore(keys[key] * film.step - 1);
-  for (const point of part.at) {
+function drawTrail(context, frame, shape, key, share) {
+  const recent = keyBefore(keys[key] * scene.step - 1);
+  for (const point of shape.at) {
     const points = [];
     for (let k = 0; k <= key; k++) points.push(toScreen(frame, place(point, k, 0)));
     points.push(toScreen(frame, place(point, key, share)));
@@ -164,7 +164,7 @@ function drawTrail(context, frame, part, key, share) {
     context.stroke();
   }
 }
-const moves = (part) => part.kind === "trail" || part.at.some((point) => point % 3 !== 1);
+const moves = (shape) => shape.kind === "trail" || shape.at.some((point) => point % 3 !== 1);
 
 // The layer of what stands still is drawn when the view changes; the other one at every frame.
 function drawStill() {
@@ -172,13 +172,13 @@ function drawStill() {
   stage.frames = layout(stage.live.width, stage.live.height);
   const {context} = stage.still;
   for (const frame of stage.frames) {
-    for (const part of frame.panel.parts) if (!moves(part)) drawPart(context, frame, part, 0, 0);
+    for (const shape of frame.panel.shapes) if (!moves(shape)) drawShape(context, frame, shape, 0, 0);
     context.fillStyle = colors.soft;
     context.font = "14px system-ui, sans-serif";
     context.fillText(frame.panel.title, frame.left + 4, frame.top + 15, frame.width - 8);
     drawRuler(context, frame);
   }
-  strips.forEach(drawStripAxes);
+  plots.forEach(drawPlotAxes);
   drawLive();
 }
 
@@ -196,23 +196,23 @@ function drawRuler(context, frame) {
 }
 function drawLive() {
   const {context, width, height} = stage.live;
-  const key = keyBefore(state.time), from = keys[key] * film.step, to = keys[Math.min(key + 1, keys.length - 1)] * film.step;
+  const key = keyBefore(state.time), from = keys[key] * scene.step, to = keys[Math.min(key + 1, keys.length - 1)] * scene.step;
   const share = to > from ? Math.min(1, (state.time - from) / (to - from)) : 0;
   context.clearRect(0, 0, width, height);
   for (const frame of stage.frames) {
-    for (const part of frame.panel.parts) if (moves(part)) drawPart(context, frame, part, key, share);
+    for (const shape of frame.panel.shapes) if (moves(shape)) drawShape(context, frame, shape, key, share);
   }
-  strips.forEach(drawStripNow);
+  plots.forEach(drawPlotNow);
   showTime();
 }
 
 // Controls
 
 function showTime() {
-  const text = `${(film.start + state.time).toFixed(2)} s`;
+  const text = `${(scene.start + state.time).toFixed(2)} s`;
   byId("scrub").max = duration;
   byId("scrub").value = state.time;
-  byId("scrub").setAttribute("aria-valuetext", `${text} of ${(film.start + duration).toFixed(2)} s`);
+  byId("scrub").setAttribute("aria-valuetext", `${text} of ${(scene.start + duration).toFixed(2)} s`);
   byId("clock").textContent = text;
 }
 function goTo(time) {
@@ -253,15 +253,15 @@ function choose(wanted) {
   byId("value").value = index;
   byId("value").setAttribute("aria-valuetext", text);
   byId("chosen").textContent = text;
-  show(slider.films[index] || shownFirst);
+  show(slider.scenes[index] || shownFirst);
   drawStill();
 }
 function show(chosen) {
   read(chosen);
   byId("legend").replaceChildren();
-  byId("strips").replaceChildren();
+  byId("plots").replaceChildren();
   showLegend();
-  strips.forEach(figure);
+  plots.forEach(figure);
 }
 function beginSlider() {
   byId("choice").hidden = false;
@@ -271,11 +271,11 @@ function beginSlider() {
   choose(slider.chosen);
 }
 function showLegend() {
-  const named = film.panels.flatMap((panel) => panel.parts).filter((part) => part.name);
-  for (const part of new Map(named.map((part) => [part.name, part])).values()) {
+  const named = scene.panels.flatMap((panel) => panel.shapes).filter((shape) => shape.name);
+  for (const shape of new Map(named.map((shape) => [shape.name, shape])).values()) {
     const item = document.createElement("li"), swatch = document.createElement("i");
-    swatch.style.borderColor = part.color < 0 ? `var(--${part.color === -1 ? "ink" : "soft"})` : `var(--c${part.color})`;
-    item.append(swatch, part.name);
+    swatch.style.borderColor = shape.color < 0 ? `var(--${shape.color === -1 ? "ink" : "soft"})` : `var(--c${shape.color})`;
+    item.append(swatch, shape.name);
     byId("legend").append(item);
   }
 }

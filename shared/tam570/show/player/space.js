@@ -17,7 +17,7 @@ function turn(right, up) {
   drawStill();
 }
 function resetView() {
-  [camera.azimuth, camera.elevation] = film.view;
+  [camera.azimuth, camera.elevation] = scene.view;
   drawStill();
 }
 function turnByKey(event) {
@@ -29,7 +29,7 @@ function turnByKey(event) {
 function allowTurning() {
   const canvas = byId("live");
   let from = null;
-  [camera.azimuth, camera.elevation] = film.view;
+  [camera.azimuth, camera.elevation] = scene.view;
   canvas.classList.add("space");
   byId("reset").hidden = false;
   byId("reset").addEventListener("click", resetView);

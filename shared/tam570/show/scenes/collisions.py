@@ -6,7 +6,19 @@ from typing import Any
 
 import numpy as np
 
-from tam570.show.film import GREY, INK, Array, Film, Panel, Part, clock, conserved, followed, moving, strip_samples
+from tam570.show.scene import (
+    GREY,
+    INK,
+    Array,
+    Panel,
+    Scene,
+    Shape,
+    drift_plot,
+    frame_times,
+    moving,
+    plot_samples,
+    value_plot,
+)
 
 __all__ = ["cradle_and_rod"]
 
@@ -17,28 +29,28 @@ ROD = {"length": 1.0, "mass": 1.0}  # m, kg
 ARM, FALL, TURN, HIT = 0.3, 0.5, 0.4, 2.0  # m from G to the corner, m/s, rad/s, s
 
 
-def cradle_and_rod(cradle: Callable[[Array], Array], collide: Callable[..., Any], restitution: float) -> Film:
-    """Both films in one; the functions are those of the lecture, with the restitution in place."""
-    times = clock(SECONDS)
-    shown = strip_samples(times)
+def cradle_and_rod(cradle: Callable[[Array], Array], collide: Callable[..., Any], restitution: float) -> Scene:
+    """Both scenes in one; the functions are those of the lecture, with the restitution in place."""
+    times = frame_times(SECONDS)
+    shown = plot_samples(times)
     angles, speeds = _swings(times, cradle)
     places, about_corner, energies = _rod(times, collide)
     scale = float(np.abs(about_corner).max())
     of_cradle = (speeds[shown] ** 2 + GRAVITY * LENGTH * angles[shown] ** 2).sum(axis=1) / 2
     loss = {"cradle": 100 * of_cradle / of_cradle[0], "rod": 100 * energies[shown] / energies[0]}
-    return Film(
+    return Scene(
         f"Collisions, restitution {restitution:g}",
         "Two balls of a cradle swing down, and two fly off at the other end, again and again. Beside it a rod without "
         "weight comes down on a corner, which pushes it across its length: it flies off turning.",
         times,
         [Panel(_balls(angles), "cradle"), Panel(places, "rod on a corner")],
         [
-            conserved(
+            drift_plot(
                 "rod: angular momentum about the corner", times[shown], {"": about_corner[shown]}, scale, "itself"
             ),
-            followed("energy, of that at the start", times[shown], loss, "%"),
+            value_plot("energy, of that at the start", times[shown], loss, "%"),
         ],
-        poster=0.13,
+        still_time=0.13,
     )
 
 
@@ -55,22 +67,22 @@ def _swings(times: Array, cradle: Callable[[Array], Array]) -> tuple[Array, Arra
     return amplitude * np.sin(phase) / (w * LENGTH), amplitude * np.cos(phase)
 
 
-def _balls(angles: Array) -> list[Part]:
+def _balls(angles: Array) -> list[Shape]:
     hooks = np.column_stack([2 * RADIUS * np.arange(BALLS), np.zeros(BALLS)])
     balls = hooks + LENGTH * np.stack([np.sin(angles), -np.cos(angles)], axis=-1)
-    parts = [Part("lines", np.array([[-RADIUS, 0.0], [2 * RADIUS * BALLS - RADIUS, 0.0]]), INK, width=3)]
+    shapes = [Shape("lines", np.array([[-RADIUS, 0.0], [2 * RADIUS * BALLS - RADIUS, 0.0]]), INK, width=3)]
     u = np.linspace(0.0, 2 * pi, 33)
     rim = RADIUS * np.column_stack([np.cos(u), np.sin(u)])
     for i in range(BALLS):
-        parts += [
-            Part("lines", moving(hooks[i], balls[:, i]), GREY, width=1.5),
-            Part("fill", balls[:, i, None] + rim, 0, "balls", faint=True),
-            Part("path", balls[:, i, None] + rim, 0, width=2),
+        shapes += [
+            Shape("lines", moving(hooks[i], balls[:, i]), GREY, width=1.5),
+            Shape("fill", balls[:, i, None] + rim, 0, "balls", faint=True),
+            Shape("path", balls[:, i, None] + rim, 0, width=2),
         ]
-    return parts
+    return shapes
 
 
-def _rod(times: Array, collide: Callable[..., Any]) -> tuple[list[Part], Array, Array]:
+def _rod(times: Array, collide: Callable[..., Any]) -> tuple[list[Shape], Array, Array]:
     """The picture, the angular momentum about the corner, kg m^2/s, and the energy, J, at the times."""
     mass, inertia = ROD["mass"], ROD["mass"] * ROD["length"] ** 2 / 12
     before = np.array([[0.2, -FALL, TURN], [0.0, 0.0, 0.0]])
@@ -83,12 +95,12 @@ def _rod(times: Array, collide: Callable[..., Any]) -> tuple[list[Part], Array, 
     half = 0.5 * ROD["length"] * np.column_stack([np.cos(moved[:, 2]), np.sin(moved[:, 2])])
     across = G[:, 0] * velocities[:, 1] - G[:, 1] * velocities[:, 0]
     corner = np.array([[0.0, 0.0], [0.0, -0.8], [1.2, -0.8], [1.2, -0.2]])
-    parts = [
-        Part("fill", corner, GREY, "corner", faint=True),
-        Part("path", corner[[3, 0, 1]], GREY, width=2),
-        Part("trail", G[:, None], 2, "centre of mass", width=1.5),
-        Part("lines", moving(G - half, G + half), 1, "rod", width=5),
-        Part("dot", G[:, None], 2, width=6),
+    shapes = [
+        Shape("fill", corner, GREY, "corner", faint=True),
+        Shape("path", corner[[3, 0, 1]], GREY, width=2),
+        Shape("trail", G[:, None], 2, "centre of mass", width=1.5),
+        Shape("lines", moving(G - half, G + half), 1, "rod", width=5),
+        Shape("dot", G[:, None], 2, width=6),
     ]
     energies = mass * (velocities[:, :2] ** 2).sum(axis=1) / 2 + inertia * velocities[:, 2] ** 2 / 2
-    return parts, mass * across + inertia * velocities[:, 2], energies
+    return shapes, mass * across + inertia * velocities[:, 2], energies

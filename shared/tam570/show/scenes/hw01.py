@@ -2,8 +2,20 @@
 
 import numpy as np
 
-from tam570.show.film import GREY, INK, Array, Film, Panel, Part, Strip, clock, energy_strip, moving, strip_samples
-from tam570.show.student import Student, tried
+from tam570.show.scene import (
+    GREY,
+    INK,
+    Array,
+    Panel,
+    Scene,
+    Shape,
+    TimePlot,
+    energy_plot,
+    frame_times,
+    moving,
+    plot_samples,
+)
+from tam570.show.student import Student, make_each
 
 __all__ = ["film"]
 
@@ -13,28 +25,28 @@ AMPLITUDE = 2.0  # rad, far from small
 SECONDS = 12.0
 
 
-def film(student: Student) -> Film:
+def film(student: Student) -> Scene:
     """Both let go at rest from the same angle."""
-    times, notes = clock(SECONDS), list[str]()
+    times, notes = frame_times(SECONDS), list[str]()
     shape = (len(times), 2)
     full = student("simulate", times, AMPLITUDE, 0.0, **ROD, shape=shape)
     small = student("small_angle_solution", times, AMPLITUDE, 0.0, **ROD, shape=shape)
-    parts = [
-        Part("lines", np.array([[-0.3, 0.0], [0.3, 0.0]]), GREY, width=3),
-        Part("path", ROD["length"] * _direction(np.linspace(-AMPLITUDE, AMPLITUDE, 60)), GREY, faint=True),
+    shapes = [
+        Shape("lines", np.array([[-0.3, 0.0], [0.3, 0.0]]), GREY, width=3),
+        Shape("path", ROD["length"] * _direction(np.linspace(-AMPLITUDE, AMPLITUDE, 60)), GREY, faint=True),
         *_pendulum(small[:, 0], 1, "small-angle solution"),
         *_pendulum(full[:, 0], 0, "full equation"),
-        Part("dot", np.zeros((1, 2)), INK, width=4),
+        Shape("dot", np.zeros((1, 2)), INK, width=4),
     ]
-    return Film(
+    return Scene(
         "Simple pendulum",
         "Two pendulums on one hinge are let go together from far out. The one of the full equation is slower than the "
         "one of the small-angle solution and falls behind it.",
         times,
-        [Panel(parts)],
-        tried(notes, lambda: _energy(student, times, full)),
+        [Panel(shapes)],
+        make_each(notes, lambda: _energy(student, times, full)),
         notes=notes,
-        poster=0.22,
+        still_time=0.22,
     )
 
 
@@ -42,13 +54,13 @@ def _direction(theta: Array) -> Array:
     return np.column_stack([np.sin(theta), -np.cos(theta)])
 
 
-def _pendulum(theta: Array, color: int, name: str) -> list[Part]:
+def _pendulum(theta: Array, color: int, name: str) -> list[Shape]:
     bob = ROD["length"] * _direction(theta)
-    return [Part("lines", moving(np.zeros(2), bob), color, name, width=4), Part("dot", bob[:, None], color, width=11)]
+    return [Shape("lines", moving(np.zeros(2), bob), color, name, width=4), Shape("dot", bob[:, None], color, width=11)]
 
 
-def _energy(student: Student, times: Array, states: Array) -> Strip:
-    shown = strip_samples(times)
+def _energy(student: Student, times: Array, states: Array) -> TimePlot:
+    shown = plot_samples(times)
     _, kinetic, potential = student.each("energy_balance", *states[shown].T, mass=MASS, **ROD, shape=(3,)).T
     title = "energy of the full motion, change since the start"
-    return energy_strip(times[shown], kinetic + potential, potential, title)
+    return energy_plot(times[shown], kinetic + potential, potential, title)

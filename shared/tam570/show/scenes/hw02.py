@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from tam570.show.film import GREY, INK, Array, Film, Panel, Part, Strip, clock, followed, strip_samples
+from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, frame_times, plot_samples, value_plot
 from tam570.show.student import Student, Trouble
 
 __all__ = ["film"]
@@ -17,24 +17,24 @@ LONGEST = 100.0  # s, of a flight; this ball falls for 8 s at most
 LARGE = 1e-3  # of the range: a pixel
 
 
-def film(student: Student) -> Film:
+def film(student: Student) -> Scene:
     """Each ball flies until it is back at launch height."""
     best = float(student("best_angle", SPEED, **BALL, shape=()))
     angles = sorted([*map(math.radians, ANGLES), best])
     flights = [float(student("flight_time", SPEED, angle, **BALL, shape=())) for angle in angles]
-    times = clock(1.1 * max(flights))
+    times = frame_times(1.1 * max(flights))
     pairs = [_both(student, times, angle, flight) for angle, flight in zip(angles, flights, strict=True)]
-    parts = [part for angle, pair in zip(angles, pairs, strict=True) for part in _throw(*pair, angle == best)]
+    shapes = [part for angle, pair in zip(angles, pairs, strict=True) for part in _throw(*pair, angle == best)]
     farthest = max(closed[:, 0].max() for _, closed in pairs)
-    ground = Part("lines", np.array([[0.0, 0.0], [1.02 * farthest, 0.0]]), GREY, width=2)
-    return Film(
+    ground = Shape("lines", np.array([[0.0, 0.0], [1.02 * farthest, 0.0]]), GREY, width=2)
+    return Scene(
         "Ballistics with drag",
         f"Balls leave one point together at {len(angles)} angles and land one after the other; the farthest is the one "
         f"at {math.degrees(best):.1f} degrees. The numerical solution runs on the curve of the closed form.",
         times,
-        [Panel([ground, *parts])],
+        [Panel([ground, *shapes])],
         [_apart(times, pairs, farthest)],
-        poster=0.45,
+        still_time=0.45,
     )
 
 
@@ -51,22 +51,22 @@ def _both(student: Student, times: Array, angle: float, flight: float) -> tuple[
     return numerical[landed, :2], closed[landed, :2]
 
 
-def _throw(numerical: Array, closed: Array, best: bool) -> list[Part]:
+def _throw(numerical: Array, closed: Array, best: bool) -> list[Shape]:
     color, name, size = (2, "numerical, at the best angle", 6) if best else (0, "numerical", 4)
     return [
-        Part("path", closed[::3], INK, width=1, faint=True),
-        Part("trail", numerical[:, None], color, name, width=size / 2.5),
-        Part("dot", closed[:, None], 1, "closed form", width=size + 3),
-        Part("dot", numerical[:, None], color, width=size),
+        Shape("path", closed[::3], INK, width=1, faint=True),
+        Shape("trail", numerical[:, None], color, name, width=size / 2.5),
+        Shape("dot", closed[:, None], 1, "closed form", width=size + 3),
+        Shape("dot", numerical[:, None], color, width=size),
     ]
 
 
-def _apart(times: Array, pairs: list[tuple[Array, Array]], farthest: float) -> Strip:
-    shown = strip_samples(times)
+def _apart(times: Array, pairs: list[tuple[Array, Array]], farthest: float) -> TimePlot:
+    shown = plot_samples(times)
     gaps = np.max([np.linalg.norm(one - other, axis=1) for one, other in pairs], axis=0)[shown]
     largest = float(gaps.max()) / farthest
     note = f"{'they differ: ' if largest > LARGE else ''}at most {largest:.2g} of the range"
-    return followed(
+    return value_plot(
         "numerical from closed form, largest distance",
         times[shown],
         {"": gaps},

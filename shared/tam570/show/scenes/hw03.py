@@ -5,8 +5,20 @@ from typing import Any
 import numpy as np
 
 from tam570.show.drawing import axes
-from tam570.show.film import GREY, INK, Array, Film, Panel, Part, Strip, clock, followed, moving, strip_samples
-from tam570.show.student import Student, tried
+from tam570.show.scene import (
+    GREY,
+    INK,
+    Array,
+    Panel,
+    Scene,
+    Shape,
+    TimePlot,
+    frame_times,
+    moving,
+    plot_samples,
+    value_plot,
+)
+from tam570.show.student import Student, make_each
 
 __all__ = ["film"]
 
@@ -21,9 +33,9 @@ LARGE = 1e-4  # of the largest rate; differences are good to 1e-7 of it
 STEP = 1e-4  # s, of the differences
 
 
-def film(student: Student) -> Film:
+def film(student: Student) -> Scene:
     """Two points go round, each its own way."""
-    times, notes = clock(SECONDS), list[str]()
+    times, notes = frame_times(SECONDS), list[str]()
     motion = [*_moves(P, times), *_moves(C, times)]
     r_p, v_p, a_p, r_c, v_c, _ = motion
     momenta = {
@@ -35,7 +47,7 @@ def film(student: Student) -> Film:
     left = [_arrow(r_c, momenta[d], momenta, COLORS[d], names[d]) for d in "bc"]
     right = [_arrow(r_c, moment, rates, INK, "moment about C", width=6)]
     right += [_arrow(r_c, rates[d], rates, COLORS[d], f"rate of ({d})") for d in DEFINITIONS]
-    return Film(
+    return Scene(
         "Rate of change of angular momentum",
         "Two points, P and C, go round in space. Arrows at C show the angular momentum of P about C by the three "
         "definitions, and beside them their rates of change and the moment. The rate of definition (a) is the moment, "
@@ -45,10 +57,10 @@ def film(student: Student) -> Film:
             Panel([*_points(r_p, r_c), *left], "angular momentum"),
             Panel([*_points(r_p, r_c), *right], "its rate, and the moment"),
         ],
-        tried(notes, lambda: _discrepancies(student, times, motion), lambda: _checked(student, times, rates)),
+        make_each(notes, lambda: _discrepancies(student, times, motion), lambda: _checked(student, times, rates)),
         view=(0.9, 0.5),
         notes=notes,
-        poster=0.3,
+        still_time=0.3,
     )
 
 
@@ -63,39 +75,39 @@ def _moves(harmonics: Any, times: Array) -> tuple[Array, Array, Array]:
     return r, v, a
 
 
-def _points(r_p: Array, r_c: Array) -> list[Part]:
+def _points(r_p: Array, r_c: Array) -> list[Shape]:
     return [
         *axes(0.5),
-        Part("path", np.vstack([r_p[::4], r_p[:1]]), GREY, width=1.5, faint=True),
-        Part("path", np.vstack([r_c[::4], r_c[:1]]), GREY, width=1.5, faint=True),
-        Part("lines", moving(r_c, r_p), GREY, width=1),
-        Part("dot", r_p[:, None], 4, width=7),
-        Part("text", r_p[:, None], 4, words="P"),
-        Part("dot", r_c[:, None], INK, width=5),
-        Part("text", r_c[:, None], INK, words="C"),
+        Shape("path", np.vstack([r_p[::4], r_p[:1]]), GREY, width=1.5, faint=True),
+        Shape("path", np.vstack([r_c[::4], r_c[:1]]), GREY, width=1.5, faint=True),
+        Shape("lines", moving(r_c, r_p), GREY, width=1),
+        Shape("dot", r_p[:, None], 4, width=7),
+        Shape("text", r_p[:, None], 4, words="P"),
+        Shape("dot", r_c[:, None], INK, width=5),
+        Shape("text", r_c[:, None], INK, words="C"),
     ]
 
 
-def _arrow(tail: Array, vector: Array, all_of_them: dict[str, Array], color: int, name: str, width: float = 3) -> Part:
+def _arrow(tail: Array, vector: Array, all_of_them: dict[str, Array], color: int, name: str, width: float = 3) -> Shape:
     """An arrow; the longest of all of them has 2 m."""
     longest = max(float(np.linalg.norm(one, axis=1).max()) for one in all_of_them.values()) or 1.0
-    return Part("arrow", moving(tail, tail + 2.0 * vector / longest), color, name, width=width)
+    return Shape("arrow", moving(tail, tail + 2.0 * vector / longest), color, name, width=width)
 
 
-def _discrepancies(student: Student, times: Array, motion: list[Array]) -> Strip:
-    shown = strip_samples(times)
+def _discrepancies(student: Student, times: Array, motion: list[Array]) -> TimePlot:
+    shown = plot_samples(times)
     sizes = {
         f"({d})": np.linalg.norm(
             student.each("discrepancy", [d] * len(shown), *(x[shown] for x in motion), mass=MASS, shape=(3,)), axis=1
         )
         for d in DEFINITIONS
     }
-    return followed("rate less moment, size", times[shown], sizes, "N m")
+    return value_plot("rate less moment, size", times[shown], sizes, "N m")
 
 
-def _checked(student: Student, times: Array, rates: dict[str, Array]) -> Strip:
+def _checked(student: Student, times: Array, rates: dict[str, Array]) -> TimePlot:
     """The rates beside differences of the student's own angular momentum."""
-    shown = strip_samples(times)
+    shown = plot_samples(times)
     scale = max(float(np.linalg.norm(one, axis=1).max()) for one in rates.values()) or 1.0
     off = {
         f"({d})": 100 * np.linalg.norm(rates[d][shown] - _differences(student, d, times[shown]), axis=1) / scale
@@ -104,7 +116,7 @@ def _checked(student: Student, times: Array, rates: dict[str, Array]) -> Strip:
     largest = max(float(one.max()) for one in off.values()) / 100
     note = f"{'they differ: ' if largest > LARGE else ''}at most {largest:.2g} of the largest rate"
     title = "rate() from dH/dt by differences"
-    return followed(title, times[shown], off, "%", note, alarm=largest > LARGE, least=1.0)
+    return value_plot(title, times[shown], off, "%", note, alarm=largest > LARGE, least=1.0)
 
 
 def _differences(student: Student, definition: str, times: Array) -> Array:

@@ -4,8 +4,8 @@ from typing import Any
 
 import numpy as np
 
-from tam570.show.film import GREY, INK, Array, Film, Panel, Part, Strip, clock, conserved, strip_samples
-from tam570.show.student import Student, Trouble, tried
+from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, drift_plot, frame_times, plot_samples
+from tam570.show.student import Student, Trouble, make_each
 
 __all__ = ["film"]
 
@@ -18,23 +18,23 @@ SECONDS = 6.0
 HALF_WIDTH, OVERHANG, WHEEL = 0.8, 0.7, 0.32  # m
 
 
-def film(student: Student) -> Film:
+def film(student: Student) -> Scene:
     """Both go straight ahead at the same speed, but for the same small yaw rate."""
-    times, notes = clock(SECONDS), list[str]()
+    times, notes = frame_times(SECONDS), list[str]()
     motions = {locked: _motion(student, times, locked) for locked in LANES}
     ends = max(float(states[:, 0].max()) for states in motions.values()) + 4.0
-    parts = [_road(y, ends) for y in LANES.values()]
+    shapes = [_road(y, ends) for y in LANES.values()]
     for locked, states in motions.items():
-        parts += _car(states, locked, LANES[locked])
-    return Film(
+        shapes += _car(states, locked, LANES[locked])
+    return Scene(
         "Braking with one axle locked",
         "Two cars brake side by side. The one with locked front wheels comes to rest pointing ahead; the one with "
         "locked rear wheels swings round.",
         times,
-        [Panel(parts)],
-        tried(notes, lambda: _energy(student, times, motions), lambda: _heading(times, motions)),
+        [Panel(shapes)],
+        make_each(notes, lambda: _energy(student, times, motions), lambda: _heading(times, motions)),
         notes=notes,
-        poster=0.45,
+        still_time=0.45,
     )
 
 
@@ -43,8 +43,8 @@ def _motion(student: Student, times: Array, locked: str) -> Array:
     return student("simulate", times, start, locked, **CAR, **TURNING, **ROAD, shape=(len(times), 5))
 
 
-def _road(y: float, end: float) -> Part:
-    return Part("lines", np.array([[-4.0, y], [end, y]]), GREY, width=1, faint=True)
+def _road(y: float, end: float) -> Shape:
+    return Shape("lines", np.array([[-4.0, y], [end, y]]), GREY, width=1, faint=True)
 
 
 def _placed(states: Array, outline: Array, y: float) -> Array:
@@ -56,7 +56,7 @@ def _placed(states: Array, outline: Array, y: float) -> Array:
     return placed
 
 
-def _car(states: Array, locked: str, y: float) -> list[Part]:
+def _car(states: Array, locked: str, y: float) -> list[Shape]:
     nose, tail, side = CAR["front"] + OVERHANG, -CAR["rear"] - OVERHANG, HALF_WIDTH
     body = np.array([[nose - 0.5, side], [tail, side], [tail, -side], [nose - 0.5, -side], [nose, -0.5], [nose, 0.5]])
     color = 0 if locked == "front" else 1
@@ -64,12 +64,12 @@ def _car(states: Array, locked: str, y: float) -> list[Part]:
     wheels = {name: _wheels(at) for name, at in axles.items()}
     free = "rear" if locked == "front" else "front"
     return [
-        Part("trail", states[:, None, :2] + [0.0, y], color, width=1.5),
-        Part("fill", _placed(states, body, y), color, faint=True),
-        Part("path", _placed(states, np.vstack([body, body[:1]]), y), color, f"{locked} wheels locked", width=2),
-        Part("lines", _placed(states, wheels[free], y), INK, width=3),
-        Part("lines", _placed(states, wheels[locked], y), 5, "wheels that are locked" if color else "", width=5),
-        Part("text", np.array([[-4.0, y + 1.6]]), color, words=f"{locked} locked"),
+        Shape("trail", states[:, None, :2] + [0.0, y], color, width=1.5),
+        Shape("fill", _placed(states, body, y), color, faint=True),
+        Shape("path", _placed(states, np.vstack([body, body[:1]]), y), color, f"{locked} wheels locked", width=2),
+        Shape("lines", _placed(states, wheels[free], y), INK, width=3),
+        Shape("lines", _placed(states, wheels[locked], y), 5, "wheels that are locked" if color else "", width=5),
+        Shape("text", np.array([[-4.0, y + 1.6]]), color, words=f"{locked} locked"),
     ]
 
 
@@ -78,9 +78,9 @@ def _wheels(at: float) -> Array:
     return np.array([(at + end, side) for side in (HALF_WIDTH - 0.1, 0.1 - HALF_WIDTH) for end in (-WHEEL, WHEEL)])
 
 
-def _energy(student: Student, times: Array, motions: dict[str, Array]) -> Strip:
+def _energy(student: Student, times: Array, motions: dict[str, Array]) -> TimePlot:
     """Kinetic energy less the work of friction along the way of the locked axle."""
-    shown = strip_samples(times)
+    shown = plot_samples(times)
     sums = {}
     for locked, states in motions.items():
         energy = student.each("kinetic_energy", states[shown], [locked] * len(shown), **CAR, **TURNING)
@@ -88,7 +88,7 @@ def _energy(student: Student, times: Array, motions: dict[str, Array]) -> Strip:
     scale = max(abs(float(one[0])) for one in sums.values())
     if not scale:
         raise Trouble("kinetic_energy gives 0 for a car that moves")
-    return conserved("kinetic energy less work of friction", times[shown], sums, scale, "the energy at the start")
+    return drift_plot("kinetic energy less work of friction", times[shown], sums, scale, "the energy at the start")
 
 
 def _work(student: Student, states: Array, locked: str) -> Array:
@@ -102,9 +102,9 @@ def _work(student: Student, states: Array, locked: str) -> Array:
     return np.concatenate([[0.0], np.cumsum((middle * steps).sum(axis=1))])
 
 
-def _heading(times: Array, motions: dict[str, Array]) -> Strip:
-    from tam570.show.film import followed
+def _heading(times: Array, motions: dict[str, Array]) -> TimePlot:
+    from tam570.show.scene import value_plot
 
-    shown = strip_samples(times)
+    shown = plot_samples(times)
     degrees = {f"{locked} locked": np.degrees(states[shown, 2]) for locked, states in motions.items()}
-    return followed("heading", times[shown], degrees, "°", least=10.0)
+    return value_plot("heading", times[shown], degrees, "°", least=10.0)

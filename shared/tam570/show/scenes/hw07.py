@@ -5,8 +5,20 @@ from typing import Any
 
 import numpy as np
 
-from tam570.show.film import GREY, INK, Array, Film, Panel, Part, Strip, clock, energy_strip, moving, strip_samples
-from tam570.show.student import Student, tried
+from tam570.show.scene import (
+    GREY,
+    INK,
+    Array,
+    Panel,
+    Scene,
+    Shape,
+    TimePlot,
+    energy_plot,
+    frame_times,
+    moving,
+    plot_samples,
+)
+from tam570.show.student import Student, make_each
 
 __all__ = ["film"]
 
@@ -16,34 +28,34 @@ START = np.full(2, math.pi / 2)  # rad, part (d): at rest, both bars level
 SECONDS = 20.0
 
 
-def film(student: Student) -> Film:
+def film(student: Student) -> Scene:
     """The motion of part (d)."""
-    times, notes = clock(SECONDS), list[str]()
+    times, notes = frame_times(SECONDS), list[str]()
     states = student("simulate", times, START, np.zeros(2), **BARS, gravity=GRAVITY, shape=(len(times), 4))
     bars = student.each("wireframe", states[:, :2], lengths=BARS["lengths"], shape=(2, 2, 2))
     hinge, elbow, tip = bars[:, 0, 0], bars[:, 1, 0], bars[:, 1, 1]
-    parts = [
-        Part("lines", np.array([[-0.4, 0.0], [0.4, 0.0]]), GREY, width=3),
-        Part("trail", tip[:, None], 2, "path of the tip", width=1.5),
-        Part("lines", bars[:, 0], 0, "bar 1", width=6),
-        Part("lines", bars[:, 1], 1, "bar 2", width=6),
-        Part("dot", moving(hinge, elbow), INK, width=5),
-        Part("dot", tip[:, None], 2, width=5),
+    shapes = [
+        Shape("lines", np.array([[-0.4, 0.0], [0.4, 0.0]]), GREY, width=3),
+        Shape("trail", tip[:, None], 2, "path of the tip", width=1.5),
+        Shape("lines", bars[:, 0], 0, "bar 1", width=6),
+        Shape("lines", bars[:, 1], 1, "bar 2", width=6),
+        Shape("dot", moving(hinge, elbow), INK, width=5),
+        Shape("dot", tip[:, None], 2, width=5),
     ]
-    return Film(
+    return Scene(
         "Double pendulum",
         "Two bars hang one below the other from a hinge. They start level and at rest, fall, and tumble; a trail "
         "shows the path of the tip.",
         times,
-        [Panel(parts)],
-        tried(notes, lambda: _energy(student, times, states)),
+        [Panel(shapes)],
+        make_each(notes, lambda: _energy(student, times, states)),
         notes=notes,
     )
 
 
-def _energy(student: Student, times: Array, states: Array) -> Strip:
-    shown = strip_samples(times)
+def _energy(student: Student, times: Array, states: Array) -> TimePlot:
+    shown = plot_samples(times)
     known: dict[str, Any] = {**BARS, "gravity": GRAVITY}
     theta, omega = states[shown, :2], states[shown, 2:]
     total = student.each("energy", theta, omega, **known)
-    return energy_strip(times[shown], total, student.each("energy", theta, 0 * omega, **known))
+    return energy_plot(times[shown], total, student.each("energy", theta, 0 * omega, **known))

@@ -3,8 +3,8 @@
 import numpy as np
 
 from tam570.show.drawing import axes
-from tam570.show.film import Array, Film, Panel, Part, Strip, clock, followed, strip_samples
-from tam570.show.student import Student, tried
+from tam570.show.scene import Array, Panel, Scene, Shape, TimePlot, frame_times, plot_samples, value_plot
+from tam570.show.student import Student, make_each
 
 __all__ = ["film"]
 
@@ -15,47 +15,47 @@ SECONDS = 2 * np.pi
 LARGE = 1e-9  # of the length; a few roundings make 1e-15
 
 
-def film(student: Student) -> Film:
+def film(student: Student) -> Scene:
     """One full turn."""
-    times, notes = clock(SECONDS), list[str]()
+    times, notes = frame_times(SECONDS), list[str]()
     angles = RATE * times
     rotations = student.each("rotation_matrix", [AXIS] * len(times), angles, shape=(3, 3))
     corners = SIZE / 2 * np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
     turned = corners @ np.swapaxes(rotations, 1, 2)
     ends = [(i, i | bit) for i in range(8) for bit in (1, 2, 4) if not i & bit]
     n = AXIS / np.linalg.norm(AXIS)
-    parts = [
+    shapes = [
         *axes(0.8),
-        Part("lines", 1.3 * np.array([-n, n]), 3, "axis", width=2.5),
-        Part("fill", turned[:, [1, 3, 7, 5]], 0, faint=True),
-        Part("lines", turned[:, np.ravel(ends)], 0, "box by rotation_matrix()", width=2.5),
-        *tried(notes, lambda: _corner(student, corners[-1], angles)),
+        Shape("lines", 1.3 * np.array([-n, n]), 3, "axis", width=2.5),
+        Shape("fill", turned[:, [1, 3, 7, 5]], 0, faint=True),
+        Shape("lines", turned[:, np.ravel(ends)], 0, "box by rotation_matrix()", width=2.5),
+        *make_each(notes, lambda: _corner(student, corners[-1], angles)),
     ]
-    return Film(
+    return Scene(
         "Axis and angle",
         "A box turns once about a fixed axis through its centre; one of its corners draws a circle.",
         times,
-        [Panel(parts, ruler=False)],
-        [_defect(times, rotations), *tried(notes, lambda: _apart(student, times, turned[:, -1], corners[-1]))],
+        [Panel(shapes, ruler=False)],
+        [_defect(times, rotations), *make_each(notes, lambda: _apart(student, times, turned[:, -1], corners[-1]))],
         notes=notes,
     )
 
 
-def _corner(student: Student, corner: Array, angles: Array) -> Part:
+def _corner(student: Student, corner: Array, angles: Array) -> Shape:
     count = len(angles)
     path = student.each("rotate", [corner] * count, [AXIS] * count, angles, shape=(3,))
-    return Part("trail", path[:, None], 1, "a corner by rotate()", width=2.5)
+    return Shape("trail", path[:, None], 1, "a corner by rotate()", width=2.5)
 
 
-def _defect(times: Array, rotations: Array) -> Strip:
-    shown = strip_samples(times)
+def _defect(times: Array, rotations: Array) -> TimePlot:
+    shown = plot_samples(times)
     R = rotations[shown]
     off = np.abs(np.swapaxes(R, 1, 2) @ R - np.eye(3)).max(axis=(1, 2))
     return _small("largest element of RᵀR - I", times[shown], off, "")
 
 
-def _apart(student: Student, times: Array, by_matrix: Array, corner: Array) -> Strip:
-    shown = strip_samples(times)
+def _apart(student: Student, times: Array, by_matrix: Array, corner: Array) -> TimePlot:
+    shown = plot_samples(times)
     count = len(shown)
     path = student.each("rotate", [corner] * count, [AXIS] * count, RATE * times[shown], shape=(3,))
     return _small(
@@ -63,7 +63,7 @@ def _apart(student: Student, times: Array, by_matrix: Array, corner: Array) -> S
     )
 
 
-def _small(title: str, times: Array, values: Array, unit: str) -> Strip:
+def _small(title: str, times: Array, values: Array, unit: str) -> TimePlot:
     largest = float(values.max())
     note = f"{'not zero: ' if largest > LARGE else ''}at most {largest:.2g}"
-    return followed(title, times, {"": values}, unit, note, alarm=largest > LARGE, least=0.01)
+    return value_plot(title, times, {"": values}, unit, note, alarm=largest > LARGE, least=0.01)

@@ -6,8 +6,8 @@ from functools import partial
 import numpy as np
 
 from tam570.show.drawing import axes, box_face
-from tam570.show.film import GREY, Array, Film, Panel, Part, Strip, clock, followed, strip_samples
-from tam570.show.student import Student, tried
+from tam570.show.scene import GREY, Array, Panel, Scene, Shape, TimePlot, frame_times, plot_samples, value_plot
+from tam570.show.student import Student, make_each
 
 __all__ = ["film"]
 
@@ -18,23 +18,23 @@ SECONDS = 5.5
 LARGE = 1e-9
 
 
-def film(student: Student) -> Film:
+def film(student: Student) -> Scene:
     """Both orders side by side; the axes are fixed in space."""
-    times, notes = clock(SECONDS), list[str]()
+    times, notes = frame_times(SECONDS), list[str]()
     turned = {title: _turns(student, times, order) for title, order in ORDERS.items()}
     before = student("book_edges", np.eye(3), size=SIZE, shape=(12, 2, 3)).reshape(24, 3)
     panels = []
     for i, (title, rotations) in enumerate(turned.items()):
         edges = student.each("book_edges", rotations, size=SIZE, shape=(12, 2, 3)).reshape(-1, 24, 3)
-        parts = [
+        shapes = [
             *axes(1.3),
-            Part("lines", before, GREY, "before", width=1.5),
-            Part("fill", box_face(rotations, SIZE), i, faint=True),
-            Part("lines", edges, i, f"book ({'ab'[i]})", width=2.5),
-            *tried(notes, partial(_axis, student, rotations[-1])),
+            Shape("lines", before, GREY, "before", width=1.5),
+            Shape("fill", box_face(rotations, SIZE), i, faint=True),
+            Shape("lines", edges, i, f"book ({'ab'[i]})", width=2.5),
+            *make_each(notes, partial(_axis, student, rotations[-1])),
         ]
-        panels.append(Panel(parts, title, ruler=False))
-    return Film(
+        panels.append(Panel(shapes, title, ruler=False))
+    return Scene(
         "Finite rotations of a book",
         "Two books turn by 90 degrees about two axes fixed in space, in opposite orders, and end in different "
         "positions. Drawn through each is the axis about which one turn would bring it there.",
@@ -42,7 +42,7 @@ def film(student: Student) -> Film:
         panels,
         [_defect(times, turned)],
         notes=notes,
-        poster=1.0,
+        still_time=1.0,
     )
 
 
@@ -60,17 +60,17 @@ def _gently(share: Array) -> Array:
     return smooth
 
 
-def _axis(student: Student, R: Array) -> Part:
+def _axis(student: Student, R: Array) -> Shape:
     n, _ = student.group("axis_angle", R, shapes=((3,), ()))
-    return Part("arrow", 1.4 * np.array([-n, n]), 2, "axis of the whole turn, by axis_angle()", width=2.5)
+    return Shape("arrow", 1.4 * np.array([-n, n]), 2, "axis of the whole turn, by axis_angle()", width=2.5)
 
 
-def _defect(times: Array, turned: dict[str, Array]) -> Strip:
-    shown = strip_samples(times)
+def _defect(times: Array, turned: dict[str, Array]) -> TimePlot:
+    shown = plot_samples(times)
     off = {}
     for title, rotations in turned.items():
         R = rotations[shown]
         off[title[:3]] = np.abs(np.swapaxes(R, 1, 2) @ R - np.eye(3)).max(axis=(1, 2))
     largest = max(float(one.max()) for one in off.values())
     note = f"{'no rotation: ' if largest > LARGE else ''}at most {largest:.2g}"
-    return followed("largest element of RᵀR - I", times[shown], off, "", note, alarm=largest > LARGE, least=0.01)
+    return value_plot("largest element of RᵀR - I", times[shown], off, "", note, alarm=largest > LARGE, least=0.01)

@@ -5,8 +5,8 @@ from typing import Any
 import numpy as np
 
 from tam570.show.drawing import box_face, cone
-from tam570.show.film import GREY, Array, Film, Panel, Part, Strip, clock, conserved, moving, strip_samples
-from tam570.show.student import Student, Trouble, tried
+from tam570.show.scene import GREY, Array, Panel, Scene, Shape, TimePlot, drift_plot, frame_times, moving, plot_samples
+from tam570.show.student import Student, Trouble, make_each
 
 __all__ = ["film"]
 
@@ -19,28 +19,28 @@ MASS = 1.0  # kg
 UP = np.eye(3)[2]
 
 
-def film(student: Student) -> Film:
+def film(student: Student) -> Scene:
     """Both bodies are thrown at once."""
-    times, notes = clock(SECONDS), list[str]()
+    times, notes = frame_times(SECONDS), list[str]()
     inertia = _inertia(BOX)
     omegas, rotations = _motion(student, times, _attitude(FLIP, inertia), FLIP, inertia)
     panels = [Panel(_box(student, notes, rotations, omegas, inertia), "box in space", ruler=False)]
-    panels += tried(notes, lambda: _polhode(student, omegas, inertia), lambda: _cones(student, times))
-    return Film(
+    panels += make_each(notes, lambda: _polhode(student, omegas, inertia), lambda: _cones(student, times))
+    return Scene(
         "Free rigid body",
         "A box that spins about its middle axis flips over, and back, again and again, while its angular "
         "momentum stays. Beside it the tip of its angular velocity, in axes of the body, runs along a curve on the "
         "energy ellipsoid. The cone of a symmetric body rolls on the cone in space.",
         times,
         panels,
-        tried(
+        make_each(
             notes,
             lambda: _energy(student, times, omegas, inertia),
             lambda: _momentum(student, times, omegas, rotations, inertia),
         ),
         view=(0.6, 0.3),
         notes=notes,
-        poster=0.34,
+        still_time=0.34,
     )
 
 
@@ -66,22 +66,22 @@ def _motion(student: Student, times: Array, R: Array, omega: Array, inertia: Arr
     return omegas, rotations
 
 
-def _box(student: Student, notes: list[str], rotations: Array, omegas: Array, inertia: Array) -> list[Part]:
+def _box(student: Student, notes: list[str], rotations: Array, omegas: Array, inertia: Array) -> list[Shape]:
     edges = student.each("wireframe", rotations, size=BOX, shape=(12, 2, 3)).reshape(-1, 24, 3)
     omega = _in_space(rotations, omegas)
     reach = 1.5 / np.linalg.norm(FLIP)  # m per rad/s
     return [
-        Part("fill", box_face(rotations, BOX), 0, faint=True),
-        Part("lines", edges, 0, "box", width=2.5),
-        *tried(notes, lambda: _momentum_arrow(student, rotations, omegas, inertia)),
-        Part("arrow", moving(np.zeros(3), reach * omega), 1, "angular velocity", width=2.5),
-        Part("trail", moving(rotations[:, :, 1] * BOX[1] / 2), 4, "end of the middle axis", width=1.2),
+        Shape("fill", box_face(rotations, BOX), 0, faint=True),
+        Shape("lines", edges, 0, "box", width=2.5),
+        *make_each(notes, lambda: _momentum_arrow(student, rotations, omegas, inertia)),
+        Shape("arrow", moving(np.zeros(3), reach * omega), 1, "angular velocity", width=2.5),
+        Shape("trail", moving(rotations[:, :, 1] * BOX[1] / 2), 4, "end of the middle axis", width=1.2),
     ]
 
 
-def _momentum_arrow(student: Student, rotations: Array, omegas: Array, inertia: Array) -> Part:
+def _momentum_arrow(student: Student, rotations: Array, omegas: Array, inertia: Array) -> Shape:
     H = student.each("angular_momentum", rotations, omegas, inertia=inertia, shape=(3,))
-    return Part("arrow", moving(np.zeros(3), 1.7 * H / np.linalg.norm(H[0])), 2, "angular momentum", width=3)
+    return Shape("arrow", moving(np.zeros(3), 1.7 * H / np.linalg.norm(H[0])), 2, "angular momentum", width=3)
 
 
 def _in_space(rotations: Array, vectors: Array) -> Array:
@@ -95,11 +95,11 @@ def _polhode(student: Student, omegas: Array, inertia: Array) -> Panel:
     if energy <= 0.0:
         raise Trouble(f"energy gives {energy} J: there is no ellipsoid of it")
     semi_axes = np.sqrt(2.0 * energy / inertia)
-    mesh = [Part("path", line * semi_axes, GREY, width=1, faint=True) for line in _sphere()]
+    mesh = [Shape("path", line * semi_axes, GREY, width=1, faint=True) for line in _sphere()]
     names = zip("ABC", 1.15 * np.diag(semi_axes), strict=True)
-    mesh += [Part("text", end[None], GREY, words=name) for name, end in names]
-    tip = Part("dot", omegas[:, None], 1, width=6)
-    trail = Part("trail", omegas[:, None], 1, "polhode", width=2.5)
+    mesh += [Shape("text", end[None], GREY, words=name) for name, end in names]
+    tip = Shape("dot", omegas[:, None], 1, width=6)
+    trail = Shape("trail", omegas[:, None], 1, "polhode", width=2.5)
     return Panel([*mesh, trail, tip], "energy ellipsoid", ruler=False)
 
 
@@ -124,13 +124,13 @@ def _cones(student: Student, times: Array) -> Panel:
     in_body, in_space = length * omegas, length * _in_space(rotations, omegas)
     body_rim = _once_round(in_body, UP)
     space_rim = _once_round(in_space, UP)
-    parts = [
-        Part("lines", edges, GREY, width=1.5),
+    shapes = [
+        Shape("lines", edges, GREY, width=1.5),
         *cone(space_rim, 2, "space cone"),
         *cone(body_rim @ np.swapaxes(rotations, 1, 2), 0, "body cone"),
-        Part("arrow", moving(np.zeros(3), in_space), 1, width=2.5),
+        Shape("arrow", moving(np.zeros(3), in_space), 1, width=2.5),
     ]
-    return Panel(parts, "symmetric body, in space", ruler=False)
+    return Panel(shapes, "symmetric body, in space", ruler=False)
 
 
 def _once_round(vectors: Array, axis: Array) -> Array:
@@ -142,14 +142,14 @@ def _once_round(vectors: Array, axis: Array) -> Array:
     return chosen
 
 
-def _energy(student: Student, times: Array, omegas: Array, inertia: Array) -> Strip:
-    shown = strip_samples(times)
+def _energy(student: Student, times: Array, omegas: Array, inertia: Array) -> TimePlot:
+    shown = plot_samples(times)
     energy = student.each("energy", omegas[shown], inertia=inertia)
-    return conserved("energy of the box, change", times[shown], {"": energy}, abs(energy[0]) or 1.0, "itself")
+    return drift_plot("energy of the box, change", times[shown], {"": energy}, abs(energy[0]) or 1.0, "itself")
 
 
-def _momentum(student: Student, times: Array, omegas: Array, rotations: Array, inertia: Any) -> Strip:
-    shown = strip_samples(times)
+def _momentum(student: Student, times: Array, omegas: Array, rotations: Array, inertia: Any) -> TimePlot:
+    shown = plot_samples(times)
     H = student.each("angular_momentum", rotations[shown], omegas[shown], inertia=inertia, shape=(3,))
     size = float(np.linalg.norm(H[0])) or 1.0
-    return conserved("angular momentum in space, change", times[shown], {"": H}, size, "itself")
+    return drift_plot("angular momentum in space, change", times[shown], {"": H}, size, "itself")

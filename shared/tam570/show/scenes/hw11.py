@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 
 from tam570.show.drawing import circle, floor
-from tam570.show.film import GREY, Array, Film, Panel, Part, Strip, clock, followed, moving, strip_samples
-from tam570.show.student import Student, tried
+from tam570.show.scene import GREY, Array, Panel, Scene, Shape, TimePlot, frame_times, moving, plot_samples, value_plot
+from tam570.show.student import Student, make_each
 
 __all__ = ["film"]
 
@@ -32,25 +32,25 @@ class Circling:
     name: str
 
 
-def film(student: Student) -> Film:
+def film(student: Student) -> Scene:
     """Three coins on one floor about one centre."""
-    times, notes = clock(SECONDS), list[str]()
+    times, notes = frame_times(SECONDS), list[str]()
     coins = [_rolling(student, lean, radius) for lean, radius in ROLLING.items()]
-    coins += tried(notes, lambda: _shuddering(student))
+    coins += make_each(notes, lambda: _shuddering(student))
     reach = max(abs(coin.track_radius) for coin in coins) + COIN["radius"]
-    parts = [floor((-reach, -reach), (reach, reach), 0.1)]
+    shapes = [floor((-reach, -reach), (reach, reach), 0.1)]
     for color, coin in enumerate(coins):
-        parts += _coin(times, coin, color)
-    return Film(
+        shapes += _coin(times, coin, color)
+    return Scene(
         "Coins in steady circles",
         "Coins roll in circles on a floor, leaning inwards. The more one leans, the faster it goes round; the one in "
         "the middle spins with its centre at rest, like a coin that settles.",
         times,
-        [Panel(parts)],
-        tried(notes, lambda: _residuals(student, times, coins)),
+        [Panel(shapes)],
+        make_each(notes, lambda: _residuals(student, times, coins)),
         view=(0.5, 0.6),
         notes=notes,
-        poster=0.1,
+        still_time=0.1,
     )
 
 
@@ -69,7 +69,7 @@ def _shuddering(student: Student) -> Circling:
     return Circling(SHUDDERING, track_radius, precession, spin, f"rolling and sliding, lean {SHUDDERING:g}")
 
 
-def _coin(times: Array, coin: Circling, color: int) -> list[Part]:
+def _coin(times: Array, coin: Circling, color: int) -> list[Shape]:
     """Disk, a mark on it, its track. The spin is the total one: the precession has its share, -sin(lean), in it."""
     radius, lean = COIN["radius"], coin.lean
     turned = coin.precession * times
@@ -83,21 +83,21 @@ def _coin(times: Array, coin: Circling, color: int) -> list[Part]:
     rim = circle(centre, radius * up_the_disk, radius * ahead, 37)
     track = circle(np.zeros(3), abs(coin.track_radius) * np.eye(3)[0], abs(coin.track_radius) * np.eye(3)[1])
     return [
-        Part("path", track, GREY, width=1.5),
-        Part("fill", rim, color, faint=True),
-        Part("path", rim, color, coin.name, width=2.5),
-        Part("lines", moving(centre, centre + radius * mark), color, width=2.5),
-        Part("dot", contact[:, None], color, width=4),
+        Shape("path", track, GREY, width=1.5),
+        Shape("fill", rim, color, faint=True),
+        Shape("path", rim, color, coin.name, width=2.5),
+        Shape("lines", moving(centre, centre + radius * mark), color, width=2.5),
+        Shape("dot", contact[:, None], color, width=4),
     ]
 
 
-def _residuals(student: Student, times: Array, coins: list[Circling]) -> Strip:
-    shown = strip_samples(times)[[0, -1]]  # steady: the same at any time
+def _residuals(student: Student, times: Array, coins: list[Circling]) -> TimePlot:
+    shown = plot_samples(times)[[0, -1]]  # steady: the same at any time
     weight = COIN["mass"] * GRAVITY * COIN["radius"]
     off = {f"lean {c.lean:g}": np.full(2, 100.0 * _residual(student, c) / weight) for c in coins}
     largest = max(float(np.abs(one).max()) for one in off.values()) / 100.0
     note = f"{'not steady: ' if largest > LARGE else ''}at most {largest:.2g} of m g a"
-    return followed("moment_residual()", times[shown], off, "%", note, alarm=largest > LARGE, least=1.0)
+    return value_plot("moment_residual()", times[shown], off, "%", note, alarm=largest > LARGE, least=1.0)
 
 
 def _residual(student: Student, coin: Circling) -> float:

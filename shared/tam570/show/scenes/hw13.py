@@ -7,8 +7,20 @@ import numpy as np
 
 from tam570.integrate import solve
 from tam570.show.drawing import circle
-from tam570.show.film import GREY, INK, Array, Film, Panel, Part, Strip, clock, conserved, moving, strip_samples
-from tam570.show.student import Student, Trouble, tried
+from tam570.show.scene import (
+    GREY,
+    INK,
+    Array,
+    Panel,
+    Scene,
+    Shape,
+    TimePlot,
+    drift_plot,
+    frame_times,
+    moving,
+    plot_samples,
+)
+from tam570.show.student import Student, Trouble, make_each
 
 __all__ = ["film"]
 
@@ -20,23 +32,23 @@ DOWN = np.array([math.cos(RAMP["slope"]), -math.sin(RAMP["slope"])])
 OFF = np.array([-DOWN[1], DOWN[0]])
 
 
-def film(student: Student) -> Film:
+def film(student: Student) -> Scene:
     """Pushed off with the centre of mass lowest."""
-    times, notes = clock(SECONDS), list[str]()
+    times, notes = frame_times(SECONDS), list[str]()
     right = student("simulate", times, *START, **BODY, **RAMP, shape=(len(times), 2))
-    wrong = tried(notes, lambda: _naive(student, times))
+    wrong = make_each(notes, lambda: _naive(student, times))
     farthest = max(float(np.abs(states[:, 0]).max()) for states in (right, *wrong))
     panels = [Panel(_rolling(right[:, 0], 0, farthest), "by the balance about G")]
     panels += [Panel(_rolling(states[:, 0], 1, farthest), "as M_C = I^C φ'' would have it") for states in wrong]
-    return Film(
+    return Scene(
         "Rolling cylinder",
         "A cylinder rolls down a ramp; its centre of mass, beside its centre, draws a wavy line. Below, the same "
         "cylinder as the naive equation has it rolls otherwise.",
         times,
         panels,
-        tried(notes, lambda: _energy(student, times, right, wrong)),
+        make_each(notes, lambda: _energy(student, times, right, wrong)),
         notes=notes,
-        poster=0.7,
+        still_time=0.7,
     )
 
 
@@ -52,7 +64,7 @@ def _naive(student: Student, times: Array) -> Array:
         raise Trouble(f"naive_contact_acceleration cannot be integrated: {error}") from error
 
 
-def _rolling(phi: Array, color: int, farthest: float) -> list[Part]:
+def _rolling(phi: Array, color: int, farthest: float) -> list[Shape]:
     radius, offset = BODY["radius"], BODY["offset"]
     contact = radius * phi[:, None] * DOWN
     centre = contact + radius * OFF
@@ -60,13 +72,13 @@ def _rolling(phi: Array, color: int, farthest: float) -> list[Part]:
     mass = centre + offset * down
     end = radius * (farthest + 1.5)
     return [
-        Part("lines", np.array([-radius * DOWN, end * DOWN]), GREY, width=3),
-        Part("fill", circle(centre, radius * across, radius * down), color, faint=True),
-        Part("path", circle(centre, radius * across, radius * down), color, width=2.5),
-        Part("lines", moving(centre, centre + radius * down), color, width=1.5),
-        Part("trail", mass[:, None], 2, width=2),
-        Part("dot", centre[:, None], INK, width=3),
-        Part("dot", mass[:, None], 2, "centre of mass", width=7),
+        Shape("lines", np.array([-radius * DOWN, end * DOWN]), GREY, width=3),
+        Shape("fill", circle(centre, radius * across, radius * down), color, faint=True),
+        Shape("path", circle(centre, radius * across, radius * down), color, width=2.5),
+        Shape("lines", moving(centre, centre + radius * down), color, width=1.5),
+        Shape("trail", mass[:, None], 2, width=2),
+        Shape("dot", centre[:, None], INK, width=3),
+        Shape("dot", mass[:, None], 2, "centre of mass", width=7),
     ]
 
 
@@ -76,11 +88,11 @@ def _turned(vector: Array, phi: Array) -> Array:
     return np.column_stack([c * vector[0] + s * vector[1], c * vector[1] - s * vector[0]])
 
 
-def _energy(student: Student, times: Array, right: Array, wrong: list[Array]) -> Strip:
-    shown = strip_samples(times)
+def _energy(student: Student, times: Array, right: Array, wrong: list[Array]) -> TimePlot:
+    shown = plot_samples(times)
     motions = dict(zip(("by G", "naive"), [right, *wrong], strict=False))
     total = {name: student.each("energy", *states[shown].T, **BODY, **RAMP) for name, states in motions.items()}
     at_rest = student.each("energy", right[shown, 0], 0 * shown, **BODY, **RAMP)
     scale = float(np.abs(total["by G"] - at_rest).max()) or 1.0
     title, of = "energy, change since the start", "the largest kinetic energy"
-    return conserved(title, times[shown], {"by G": total.pop("by G")}, scale, of, beside=total)
+    return drift_plot(title, times[shown], {"by G": total.pop("by G")}, scale, of, beside=total)

@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 
 from tam570.show.drawing import floor
-from tam570.show.film import Array, Film, Panel, Part, Strip, clock, energy_strip, followed, strip_samples
-from tam570.show.student import Student, tried
+from tam570.show.scene import Array, Panel, Scene, Shape, TimePlot, energy_plot, frame_times, plot_samples, value_plot
+from tam570.show.student import Student, make_each
 
 __all__ = ["film"]
 
@@ -18,47 +18,47 @@ SECONDS = 12.0
 LARGE = 1e-3  # of the radius, between the two simulations
 
 
-def film(student: Student) -> Film:
+def film(student: Student) -> Scene:
     """A disk that is rolled off with a lean."""
-    times, notes = clock(SECONDS), list[str]()
+    times, notes = frame_times(SECONDS), list[str]()
     states = student("simulate_euler", times, START, **DISK, shape=(len(times), 8))
     frame = student.each("wireframe", states, radius=DISK["radius"], sides=SIDES, shape=(SIDES + 2, 2, 3))
     rim, diameters = frame[:, :SIDES, 0], frame[:, SIDES:].reshape(-1, 4, 3)
     contact = np.column_stack([states[:, :2], 0.0 * times])
-    parts = [
+    shapes = [
         floor(contact.min(axis=0)[:2] - 0.5, contact.max(axis=0)[:2] + 0.5, 0.5),
-        Part("trail", contact[:, None], 1, "path of the contact", width=2),
-        Part("fill", rim, 0, faint=True),
-        Part("path", np.concatenate([rim, rim[:, :1]], axis=1), 0, "disk", width=3),
-        Part("lines", diameters, 0, width=1.5),
-        Part("dot", contact[:, None], 1, width=4),
+        Shape("trail", contact[:, None], 1, "path of the contact", width=2),
+        Shape("fill", rim, 0, faint=True),
+        Shape("path", np.concatenate([rim, rim[:, :1]], axis=1), 0, "disk", width=3),
+        Shape("lines", diameters, 0, width=1.5),
+        Shape("dot", contact[:, None], 1, width=4),
     ]
-    return Film(
+    return Scene(
         "Rolling disk",
         "A disk rolls on a plane, leaning, nods as it goes round, and its point of contact draws a path of "
         "loops or waves.",
         times,
-        [Panel(parts)],
-        tried(notes, lambda: _energy(student, times, states), lambda: _ways_apart(student, times, frame)),
+        [Panel(shapes)],
+        make_each(notes, lambda: _energy(student, times, states), lambda: _ways_apart(student, times, frame)),
         view=(0.4, 0.5),
         notes=notes,
     )
 
 
-def _energy(student: Student, times: Array, states: Array) -> Strip:
-    shown = strip_samples(times)
+def _energy(student: Student, times: Array, states: Array) -> TimePlot:
+    shown = plot_samples(times)
     total = student.each("energy", states[shown], **DISK)
     at_rest = states[shown] * [1, 1, 1, 1, 1, 0, 0, 0]
-    return energy_strip(times[shown], total, student.each("energy", at_rest, **DISK))
+    return energy_plot(times[shown], total, student.each("energy", at_rest, **DISK))
 
 
-def _ways_apart(student: Student, times: Array, frame: Array) -> Strip:
+def _ways_apart(student: Student, times: Array, frame: Array) -> TimePlot:
     """The centre by the matrices beside that by the Euler angles, the middle of a diameter."""
     start = student("matrix_state", START, radius=DISK["radius"], shape=(15,))
     states = student("simulate_matrix", times, start, **DISK, shape=(len(times), 15))
-    shown = strip_samples(times)
+    shown = plot_samples(times)
     off = np.linalg.norm(states[:, :3] - frame[:, -1].mean(axis=1), axis=1)[shown]
     largest = float(off.max()) / DISK["radius"]
     note = f"{'they differ: ' if largest > LARGE else ''}at most {largest:.2g} of the radius"
     title = "centre, by matrices from by Euler angles"
-    return followed(title, times[shown], {"": off}, "m", note, alarm=largest > LARGE, least=0.01 * DISK["radius"])
+    return value_plot(title, times[shown], {"": off}, "m", note, alarm=largest > LARGE, least=0.01 * DISK["radius"])

@@ -7,17 +7,28 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tam570.integrate import solve
-from tam570.show.film import GREY, Array, Film, Panel, Part, clock, conserved, moving, strip_samples, with_slider
+from tam570.show.scene import (
+    GREY,
+    Array,
+    Panel,
+    Scene,
+    Shape,
+    drift_plot,
+    frame_times,
+    moving,
+    plot_samples,
+    with_slider,
+)
 
 __all__ = ["film"]
 
-IMPULSES = (12, 18, 30, 60)  # in the time of one orbit, or of the film if that is shorter
+IMPULSES = (12, 18, 30, 60)  # in the time of one orbit, or of the scene if that is shorter
 FIRST = 18
 
 
-def film(rates: Any, elements: Any, parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Film:
+def film(rates: Any, elements: Any, parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
     """All in the plane of the orbit, its x axis towards the planet at the start."""
-    times = clock(seconds)
+    times = frame_times(seconds)
     states = solve(rates, times, start, parameters=parameters, rtol=1e-9)
     period = min(elements(start, **parameters)["period"], seconds)
     return with_slider(
@@ -39,7 +50,7 @@ def _in_plane(states: Array) -> Array:
     return np.hstack([states[:, :3] @ plane, states[:, 3:] @ plane])
 
 
-def _one(times: Array, states: Array, period: float, count: int, gm: float) -> Film:
+def _one(times: Array, states: Array, period: float, count: int, gm: float) -> Scene:
     step = period / count
     corners = _polygon(states[0], step, int(times[-1] / step) + 2, gm)
     part, share = np.divmod(times / step, 1.0)
@@ -47,7 +58,7 @@ def _one(times: Array, states: Array, period: float, count: int, gm: float) -> F
     newton = corners[last] + share[:, None] * (corners[last + 1] - corners[last])
     orbit = states[:, :2]
     passed = np.column_stack([np.interp(step * np.arange(last[-1] + 1), times, x) for x in orbit.T])
-    return Film(
+    return Scene(
         "Planet, and Newton's polygon of impulses",
         "On the left a planet goes round the sun on an ellipse. On the right it moves straight on for equal times and "
         "gets an impulse towards the sun after each. Rays from the sun at these times cut off equal areas on both "
@@ -58,7 +69,7 @@ def _one(times: Array, states: Array, period: float, count: int, gm: float) -> F
             Panel(_scene(corners[:-1], count, last, newton, 1, "planet of the polygon"), "by impulses"),
         ],
         [_areas(times, orbit, newton, states)],
-        poster=0.3,
+        still_time=0.3,
     )
 
 
@@ -73,26 +84,26 @@ def _polygon(start: Array, step: float, count: int, gm: float) -> Array:
     return np.array(corners)
 
 
-def _scene(corners: Array, count: int, last: NDArray[np.int64], planet: Array, color: int, name: str) -> list[Part]:
+def _scene(corners: Array, count: int, last: NDArray[np.int64], planet: Array, color: int, name: str) -> list[Shape]:
     """The planet, rays to the corners, and the area that has been swept since the last of them."""
     seen = corners[: count + 1]  # of the first orbit
     rays = np.stack([np.zeros_like(seen), seen], axis=1).reshape(-1, 2)
     return [
-        Part("lines", rays, GREY, width=1, faint=True),
-        Part("fill", moving(np.zeros(2), corners[last], planet), color, faint=True),
-        Part("trail", planet[:, None], color, width=2),
-        Part("dot", np.zeros((1, 2)), 4, "sun", width=9),
-        Part("dot", planet[:, None], color, name, width=7),
+        Shape("lines", rays, GREY, width=1, faint=True),
+        Shape("fill", moving(np.zeros(2), corners[last], planet), color, faint=True),
+        Shape("trail", planet[:, None], color, width=2),
+        Shape("dot", np.zeros((1, 2)), 4, "sun", width=9),
+        Shape("dot", planet[:, None], color, name, width=7),
     ]
 
 
 def _areas(times: Array, orbit: Array, newton: Array, states: Array) -> Any:
-    shown = strip_samples(times)
+    shown = plot_samples(times)
     swept = {name: _swept(path)[shown] for name, path in {"attracted": orbit, "polygon": newton}.items()}
     rate = float(states[0, 0] * states[0, 3] - states[0, 1] * states[0, 2]) / 2
     whole = abs(rate) * times[-1] or 1.0
     off = {name: area - rate * times[shown] for name, area in swept.items()}
-    return conserved("area swept, less equal areas", times[shown], off, whole, "all of it")
+    return drift_plot("area swept, less equal areas", times[shown], off, whole, "all of it")
 
 
 def _swept(path: Array) -> Array:

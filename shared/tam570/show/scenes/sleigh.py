@@ -7,7 +7,18 @@ from typing import Any
 import numpy as np
 
 from tam570.integrate import solve
-from tam570.show.film import Array, Film, Panel, Part, Strip, clock, conserved, followed, strip_samples, with_slider
+from tam570.show.scene import (
+    Array,
+    Panel,
+    Scene,
+    Shape,
+    TimePlot,
+    drift_plot,
+    frame_times,
+    plot_samples,
+    value_plot,
+    with_slider,
+)
 
 __all__ = ["film"]
 
@@ -15,11 +26,11 @@ SHARES = (0.6, 0.8, 1.0, 1.25)  # of the speed
 OUTLINE = np.array([[-0.4, -0.35], [1.3, -0.35], [1.7, 0.0], [1.3, 0.35], [-0.4, 0.35]])  # of offsets
 
 
-def film(rates: Any, energy: Any, parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Film:
+def film(rates: Any, energy: Any, parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
     """Speed and yaw rate grow together: the same motion faster."""
-    times = clock(seconds)
+    times = frame_times(seconds)
 
-    def one(speed: float) -> Film:
+    def one(speed: float) -> Scene:
         share = speed / start[3] if start[3] else 1.0
         begin = (*start[:3], speed, share * start[4])
         states = solve(rates, times, begin, parameters=parameters, rtol=1e-8)
@@ -29,39 +40,39 @@ def film(rates: Any, energy: Any, parameters: Mapping[str, float], start: Sequen
     return with_slider(one, "push", "m/s", speeds, start[3])
 
 
-def _one(times: Array, states: Array, energy: Any, parameters: Mapping[str, float]) -> Film:
+def _one(times: Array, states: Array, energy: Any, parameters: Mapping[str, float]) -> Scene:
     blade, (c, s) = states[:, :2], (np.cos(states[:, 2]), np.sin(states[:, 2]))
     ahead, left = np.column_stack([c, s]), np.column_stack([-s, c])
     size = parameters["offset"] or sqrt(parameters["inertia"] / parameters["mass"])
     outline = blade[:, None] + size * (OUTLINE[:, :1] * ahead[:, None] + OUTLINE[:, 1:] * left[:, None])
     edge = blade[:, None] + np.array([[-0.3], [0.3]]) * size * ahead[:, None]
-    parts = [
-        Part("trail", blade[:, None], 2, "path of the blade", width=2),
-        Part("fill", outline, 0, faint=True),
-        Part("path", np.concatenate([outline, outline[:, :1]], axis=1), 0, "sleigh", width=2),
-        Part("lines", edge, 1, "blade", width=5),
-        Part("dot", (blade + parameters["offset"] * ahead)[:, None], 4, "G", width=6),
+    shapes = [
+        Shape("trail", blade[:, None], 2, "path of the blade", width=2),
+        Shape("fill", outline, 0, faint=True),
+        Shape("path", np.concatenate([outline, outline[:, :1]], axis=1), 0, "sleigh", width=2),
+        Shape("lines", edge, 1, "blade", width=5),
+        Shape("dot", (blade + parameters["offset"] * ahead)[:, None], 4, "G", width=6),
     ]
-    shown = strip_samples(times)
+    shown = plot_samples(times)
     energies = np.array([energy(state, **parameters) for state in states[shown]])
-    return Film(
+    return Scene(
         "Chaplygin's sleigh",
         "A sleigh on ice glides on one blade that cannot slip sideways. It starts with its centre of mass behind the "
         "blade, turns round, and goes on straight with its centre of mass ahead. However fast it is, it turns by one "
         "angle.",
         times,
-        [Panel(parts)],
+        [Panel(shapes)],
         [
             _turn(times[shown], states[shown], parameters),
-            conserved("energy, change", times[shown], {"": energies}, energies[0] or 1.0, "itself"),
+            drift_plot("energy, change", times[shown], {"": energies}, energies[0] or 1.0, "itself"),
         ],
-        poster=0.5,
+        still_time=0.5,
     )
 
 
-def _turn(times: Array, states: Array, parameters: Mapping[str, float]) -> Strip:
+def _turn(times: Array, states: Array, parameters: Mapping[str, float]) -> TimePlot:
     mass, inertia, offset = (parameters[name] for name in ("mass", "inertia", "offset"))
     turned = np.degrees(states[:, 2] - states[0, 2])
     whole = 180.0 * sqrt(inertia / mass + offset**2) / abs(offset) if offset else float("inf")
     note = f"at most pi k/offset = {whole:.4g} degrees" if offset else "G at the blade: it turns for ever"
-    return followed("turned", times, {"": turned}, "degrees", note)
+    return value_plot("turned", times, {"": turned}, "degrees", note)

@@ -5,7 +5,7 @@ from collections.abc import Callable, Mapping, Sequence
 import numpy as np
 
 from tam570.show.drawing import circle
-from tam570.show.film import GREY, INK, Array, Film, Panel, Part, clock, conserved, moving, strip_samples
+from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, drift_plot, frame_times, moving, plot_samples
 
 __all__ = ["tops"]
 
@@ -19,7 +19,7 @@ def tops(
     motion: Callable[[Array, Sequence[float]], Array],
     steady: Callable[[float, float], tuple[float, float]],
     laws: Mapping[str, Callable[[Array], float]],
-) -> Film:
+) -> Scene:
     """Three panels of one top.
 
     start  : psi, theta, phi and their rates, of the top that is let go
@@ -27,7 +27,7 @@ def tops(
     steady : both rates of precession at a tilt and a spin
     laws   : what does not change, of a state
     """
-    times, (_, tilt, _, _, _, rate) = clock(seconds), start
+    times, (_, tilt, _, _, _, rate) = frame_times(seconds), start
     spin = rate + start[3] * np.cos(tilt)  # along the axis
     free = motion(times, start)
     asleep = motion(times, (0.0, NUDGED, 0.0, 0.0, 0.0, spin))
@@ -37,9 +37,9 @@ def tops(
     except ValueError:  # too slow a spin
         both, title = [], "too slow for steady precession"
     precessing = [part for color, states in enumerate(both) for part in _top(states, color, ("slow", "fast")[color])]
-    shown = strip_samples(times)
+    shown = plot_samples(times)
     changes = {name.replace("_", " "): _shares(law, free[shown]) for name, law in laws.items()}
-    return Film(
+    return Scene(
         "Heavy top",
         "One top three times. Let go at rest it nods, and the end of its axis draws cusps. Started as it should be it "
         "goes round steadily, slowly or fast. Upright it sleeps, if it spins fast enough, else it falls over.",
@@ -49,9 +49,9 @@ def tops(
             Panel([*_ground(), *precessing], title, ruler=False),
             Panel(_top(asleep, 2, "almost upright"), "almost upright", ruler=False),
         ],
-        [conserved("let go: energy and both momenta, change", times[shown], changes, 1.0, "themselves")],
+        [drift_plot("let go: energy and both momenta, change", times[shown], changes, 1.0, "themselves")],
         view=(0.5, 0.3),
-        poster=0.5,
+        still_time=0.5,
     )
 
 
@@ -61,12 +61,12 @@ def _shares(law: Callable[[Array], float], states: Array) -> Array:
     return np.asarray(values / (abs(values[0]) or 1.0))
 
 
-def _ground() -> list[Part]:
+def _ground() -> list[Shape]:
     level = circle(np.zeros(3), [LENGTH, 0.0, 0.0], [0.0, LENGTH, 0.0])
-    return [Part("path", level, GREY, width=1), Part("dot", np.zeros((1, 3)), INK, width=4)]
+    return [Shape("path", level, GREY, width=1), Shape("dot", np.zeros((1, 3)), INK, width=4)]
 
 
-def _top(states: Array, color: int, name: str) -> list[Part]:
+def _top(states: Array, color: int, name: str) -> list[Shape]:
     """The axis, its disk and where its end has been; states (n, 6)."""
     psi, theta, phi = states[:, :3].T
     node = np.column_stack([np.cos(psi), np.sin(psi), 0 * psi])
@@ -76,8 +76,8 @@ def _top(states: Array, color: int, name: str) -> list[Part]:
     spoke = HEIGHT * axis + RADIUS * (np.cos(phi)[:, None] * node + np.sin(phi)[:, None] * other)
     return [
         *_ground(),
-        Part("fill", rim, color, faint=True),
-        Part("path", rim, color, width=2),
-        Part("lines", moving(np.zeros(3), LENGTH * axis, HEIGHT * axis, spoke), color, name, width=3),
-        Part("trail", LENGTH * axis[:, None], 1, "end of the axis", width=1.8),
+        Shape("fill", rim, color, faint=True),
+        Shape("path", rim, color, width=2),
+        Shape("lines", moving(np.zeros(3), LENGTH * axis, HEIGHT * axis, spoke), color, name, width=3),
+        Shape("trail", LENGTH * axis[:, None], 1, "end of the axis", width=1.8),
     ]

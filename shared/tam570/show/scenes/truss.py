@@ -6,48 +6,59 @@ from typing import Any
 import numpy as np
 
 from tam570.integrate import solve
-from tam570.show.film import GREY, Array, Film, Panel, Part, Strip, clock, followed, strip_samples, with_slider
+from tam570.show.scene import (
+    GREY,
+    Array,
+    Panel,
+    Scene,
+    Shape,
+    TimePlot,
+    frame_times,
+    plot_samples,
+    value_plot,
+    with_slider,
+)
 
 __all__ = ["film"]
 
 SHARES = (0.1, 0.3, 1.0, 4.0)  # of the stiffness
 
 
-def film(rates: Any, rigid: Any, parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Film:
+def film(rates: Any, rigid: Any, parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
     """A truss that is thrown and turns."""
-    times = clock(seconds)
+    times = frame_times(seconds)
     body = rigid(times, start, **parameters)
     stiffness = parameters["stiffness"]
 
-    def one(value: float) -> Film:
+    def one(value: float) -> Scene:
         states = solve(rates, times, start, parameters={**parameters, "stiffness": value}, rtol=1e-6)
         return _one(times, states, body, parameters["bars"])
 
     return with_slider(one, "stiffness", "N/m", [share * stiffness for share in SHARES], stiffness)
 
 
-def _one(times: Array, states: Array, body: Array, bars: Sequence[Sequence[int]]) -> Film:
+def _one(times: Array, states: Array, body: Array, bars: Sequence[Sequence[int]]) -> Scene:
     half = states.shape[1] // 2
     particles, rigid = (one[:, :half].reshape(len(times), -1, 2) for one in (states, body))
     ends = np.ravel(bars)
-    parts = [
-        Part("lines", rigid[:, ends], GREY, "rigid body", width=7, faint=True),
-        Part("lines", particles[:, ends], 0, "bars", width=2),
-        Part("trail", particles[:, :1], 2, width=1.5),
-        Part("dot", particles, 1, "particles", width=6),
+    shapes = [
+        Shape("lines", rigid[:, ends], GREY, "rigid body", width=7, faint=True),
+        Shape("lines", particles[:, ends], 0, "bars", width=2),
+        Shape("trail", particles[:, :1], 2, width=1.5),
+        Shape("dot", particles, 1, "particles", width=6),
     ]
-    return Film(
+    return Scene(
         "Truss as a rigid body",
         "Particles that are joined by springs fly and turn. Behind them the rigid body of the same start. The stiffer "
         "the springs, the longer they stay together.",
         times,
-        [Panel(parts)],
+        [Panel(shapes)],
         [_apart(times, particles - rigid)],
-        poster=0.3,
+        still_time=0.3,
     )
 
 
-def _apart(times: Array, gaps: Array) -> Strip:
-    shown = strip_samples(times)
+def _apart(times: Array, gaps: Array) -> TimePlot:
+    shown = plot_samples(times)
     farthest = np.linalg.norm(gaps[shown], axis=2).max(axis=1)
-    return followed("farthest particle from the rigid body", times[shown], {"": farthest}, "m")
+    return value_plot("farthest particle from the rigid body", times[shown], {"": farthest}, "m")

@@ -1,4 +1,4 @@
-"""What is seen: a film of panels and strips, made of numbers. A scene makes it, the player and the savers show it."""
+"""What is seen: a scene of panels and time plots, made of numbers. The player and the savers show it."""
 
 import math
 from collections.abc import Callable, Mapping, Sequence
@@ -14,37 +14,37 @@ __all__ = [
     "INK",
     "RATE",
     "Array",
-    "Film",
+    "Scene",
     "Panel",
-    "Part",
+    "Shape",
     "Slider",
-    "Strip",
-    "clock",
-    "conserved",
-    "energy_strip",
-    "followed",
+    "TimePlot",
+    "frame_times",
+    "drift_plot",
+    "energy_plot",
+    "value_plot",
     "moving",
-    "strip_samples",
+    "plot_samples",
     "with_slider",
 ]
 
 Array = NDArray[np.float64]
 
 RATE = 60  # samples a second, as screens show
-STRIP_SAMPLES = 400  # of a strip, which is about as many pixels wide
+PLOT_SAMPLES = 400  # of a time plot, which is about as many pixels wide
 
 INK, GREY = -1, -2  # colours beside the numbered ones of the palette
-LEAST_SPAN = 0.01  # of a strip of deviations: what is conserved to a pixel in it looks flat, whatever the rounding
+LEAST_SPAN = 0.01  # of a time plot of deviations: what is conserved to a pixel in it looks flat, whatever the rounding
 LARGEST = 1e200  # of what is drawn: its square is a number
 LARGE = 1e-3  # a deviation that no careful integration has; 1e-6 is a careless one
 
 
 @dataclass(frozen=True)
-class Part:
+class Shape:
     """One thing that is drawn.
 
     kind   : "lines" (points in pairs), "path", "fill", "dot", "trail" (where the point has been), "arrow", "text"
-    points : (m, dim) if it stands still, else (n, m, dim) at the film's times; m
+    points : (m, dim) if it stands still, else (n, m, dim) at the scene's times; m
     color  : of the palette, or INK or GREY
     name   : for the legend
     words  : of a text
@@ -68,13 +68,13 @@ class Panel:
     ruler : whether to show how long a metre is
     """
 
-    parts: Sequence[Part]
+    shapes: Sequence[Shape]
     title: str = ""
     ruler: bool = True
 
 
 @dataclass(frozen=True)
-class Strip:
+class TimePlot:
     """Curves over time beside the motion.
 
     times  : (m,) s
@@ -95,7 +95,7 @@ class Strip:
 
 
 @dataclass(frozen=True)
-class Film:
+class Scene:
     """A scene in motion.
 
     times : (n,) s, evenly spaced
@@ -107,19 +107,19 @@ class Film:
     """
 
     title: str
-    sight: str
+    alt_text: str
     times: Array
     panels: Sequence[Panel]
-    strips: Sequence[Strip] = ()
+    time_plots: Sequence[TimePlot] = ()
     view: tuple[float, float] = (0.7, 0.35)
-    poster: float = 0.6
+    still_time: float = 0.6
     notes: Sequence[str] = field(default_factory=list)
     slider: "Slider | None" = None
 
     @property
     def in_space(self) -> bool:
         """Whether any panel has three dimensions."""
-        return any(part.points.shape[-1] == 3 for panel in self.panels for part in panel.parts)
+        return any(shape.points.shape[-1] == 3 for panel in self.panels for shape in panel.shapes)
 
 
 @dataclass(frozen=True)
@@ -127,33 +127,33 @@ class Slider:
     """One number of a scene with its values, and the scene for each.
 
     values : ascending
-    films  : for each value, with as many panels each
+    scenes  : for each value, with as many panels each
     chosen : which one is shown first
     """
 
     name: str
     unit: str
     values: Sequence[float]
-    films: Sequence[Film]
+    scenes: Sequence[Scene]
     chosen: int
 
 
-def with_slider(make: Callable[[float], Film], name: str, unit: str, values: Sequence[float], first: float) -> Film:
-    """The film for the value `first`, with a slider that changes to those for others."""
+def with_slider(make: Callable[[float], Scene], name: str, unit: str, values: Sequence[float], first: float) -> Scene:
+    """The scene for the value `first`, with a slider that changes to those for others."""
     several = sorted({*values, first})
-    films = [make(value) for value in several]
+    scenes = [make(value) for value in several]
     chosen = several.index(first)
-    return replace(films[chosen], slider=Slider(name, unit, several, films, chosen))
+    return replace(scenes[chosen], slider=Slider(name, unit, several, scenes, chosen))
 
 
-def clock(seconds: float) -> Array:
+def frame_times(seconds: float) -> Array:
     """(n,) s, evenly spaced, from 0."""
     return np.linspace(0.0, seconds, math.ceil(RATE * seconds) + 1)
 
 
-def strip_samples(times: Array) -> NDArray[np.int64]:
-    """Which of the times a strip needs."""
-    count = min(len(times), STRIP_SAMPLES + 1)
+def plot_samples(times: Array) -> NDArray[np.int64]:
+    """Which of the times a time plot needs."""
+    count = min(len(times), PLOT_SAMPLES + 1)
     return np.rint(np.linspace(0, len(times) - 1, count)).astype(np.int64)
 
 
@@ -163,7 +163,7 @@ def moving(*points: ArrayLike) -> Array:
     return np.stack(arrays, axis=-2)
 
 
-def conserved(
+def drift_plot(
     title: str,
     times: Array,
     curves: Mapping[str, ArrayLike],
@@ -171,8 +171,8 @@ def conserved(
     of: str,
     *,
     beside: Mapping[str, ArrayLike] | None = None,
-) -> Strip:
-    """A strip of what should not change: how far each is from its first value.
+) -> TimePlot:
+    """A time plot of what should not change: how far each is from its first value.
 
     curves : by name, (m,) numbers or (m, k) vectors
     scale  : what the deviations are measured by, > 0
@@ -185,7 +185,7 @@ def conserved(
     half = 1.1 * max(100.0 * LEAST_SPAN / 1.1, *(float(np.abs(curve).max()) for curve in shown.values()))
     alarm = largest > LARGE
     note = f"{'not conserved: ' if alarm else ''}relative drift {largest:.2g} of {of}"
-    return _drawable(Strip(title, times, shown, (-half, half), "%", note, alarm))
+    return _drawable(TimePlot(title, times, shown, (-half, half), "%", note, alarm))
 
 
 def _percent(values: ArrayLike, scale: float) -> Array:
@@ -196,17 +196,19 @@ def _percent(values: ArrayLike, scale: float) -> Array:
     return moved if moved.ndim == 1 else np.linalg.norm(moved, axis=1)
 
 
-def energy_strip(times: Array, total: Array, potential: Array, title: str = "energy, change since the start") -> Strip:
-    """A strip of the energy; its potential part tells how much of it is in play.
+def energy_plot(
+    times: Array, total: Array, potential: Array, title: str = "energy, change since the start"
+) -> TimePlot:
+    """A time plot of the energy; its potential part tells how much of it is in play.
 
     total, potential : (m,) J
     """
     kinetic = float(np.abs(total - potential).max())
     scale = kinetic or float(np.abs(total).max()) or 1.0
-    return conserved(title, times, {"": total}, scale, "the largest kinetic energy")
+    return drift_plot(title, times, {"": total}, scale, "the largest kinetic energy")
 
 
-def followed(
+def value_plot(
     title: str,
     times: Array,
     curves: Mapping[str, ArrayLike],
@@ -215,17 +217,17 @@ def followed(
     *,
     alarm: bool = False,
     least: float = 0.0,
-) -> Strip:
-    """A strip of what may change, as it is; its axis reaches to `least` at least."""
+) -> TimePlot:
+    """A time plot of what may change, as it is; its axis reaches to `least` at least."""
     values = {name: np.asarray(curve, dtype=float) for name, curve in curves.items()}
     low = min(0.0, *(float(curve.min()) for curve in values.values()))
     high = max(least, *(float(curve.max()) for curve in values.values()))
     margin = 0.05 * (high - low) or 1.0
-    return _drawable(Strip(title, times, values, (low - margin, high + margin), unit, note, alarm))
+    return _drawable(TimePlot(title, times, values, (low - margin, high + margin), unit, note, alarm))
 
 
-def _drawable(strip: Strip) -> Strip:
-    """The strip, if its numbers have a size that can be drawn. Trouble if not."""
-    if not max(map(abs, strip.span)) < LARGEST:
-        raise Trouble(f"{strip.title}: the numbers are too large to be drawn")
-    return strip
+def _drawable(time_plot: TimePlot) -> TimePlot:
+    """The time plot, if its numbers have a size that can be drawn. Trouble if not."""
+    if not max(map(abs, time_plot.span)) < LARGEST:
+        raise Trouble(f"{time_plot.title}: the numbers are too large to be drawn")
+    return time_plot
