@@ -1,14 +1,28 @@
 """What an assignment puts off limits, refused in the same way by `tam570 check` and where work is graded."""
 
 import builtins
+import sys
 from collections.abc import Iterable
 from types import FunctionType, ModuleType
 from typing import Any
 
-__all__ = ["HERE", "IN_ONE", "Change", "Forbidden", "Unusable", "everywhere", "must_be_allowed", "refused"]
+__all__ = [
+    "HERE",
+    "IN_ONE",
+    "LIBRARIES",
+    "Change",
+    "Forbidden",
+    "Unusable",
+    "everywhere",
+    "must_be_allowed",
+    "must_be_there",
+    "refused",
+]
 
 __builtins__ = dict(vars(builtins))  # type: ignore[assignment]  # a submission may change the built-in functions
 
+# what a student's file may import besides Python itself, by `check`, in the grader's sandbox and on Gradescope
+LIBRARIES = ("numpy", "scipy", "sympy", "mpmath", "matplotlib", "mpl_toolkits", "tam570", "IPython")
 HERE, IN_ONE = "in this assignment", "in this function"  # where something is off limits
 Change = tuple[Any, str, Any]  # owner, attribute, value
 
@@ -23,6 +37,14 @@ def must_be_allowed(name: str, parts: Iterable[str] | None, banned: Iterable[str
     for one in banned:
         if any(item == one or item.startswith(f"{one}.") for item in wanted):
             raise Forbidden(f"{one} is off limits {HERE}, even where nothing uses it")
+
+
+def must_be_there(name: str, own: str) -> None:
+    """ModuleNotFoundError unless a file called `own` may import this module: what else is installed does not count."""
+    top = name.partition(".")[0]
+    if top not in {own, *LIBRARIES} and top not in sys.stdlib_module_names:
+        message = f"No module named {name!r}"
+        raise ModuleNotFoundError(message, name=name)
 
 
 class Unusable(ModuleType):

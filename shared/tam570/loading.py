@@ -8,16 +8,14 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, redirect_stdout
 from pathlib import Path
 from types import ModuleType
-from typing import Any
+from typing import Any, cast
 
-from tam570.bans import Forbidden, Unusable, must_be_allowed
-from tam570.notebooks import KERNEL, code_cells, compiled, run
+from tam570.bans import LIBRARIES, Forbidden, Unusable, must_be_allowed, must_be_there
+from tam570.notebooks import KERNEL, code_cells, compiled, kernel_module, run
 
-__all__ = ["LIBRARIES", "SUFFIXES", "Trouble", "guarded_import", "loaded", "replaced", "said", "source_of"]
+__all__ = ["SUFFIXES", "Trouble", "guarded_import", "loaded", "replaced", "said", "source_of"]
 
 SUFFIXES = (".py", ".ipynb")
-LIBRARIES = ("numpy", "scipy", "sympy", "mpmath", "matplotlib", "mpl_toolkits", "tam570")  # where work is graded
-OF_NOTEBOOKS = ("IPython",)  # there where notebooks are graded
 Builtins = Mapping[str, Any]
 
 
@@ -50,7 +48,7 @@ def loaded(file: Path, slug: str, own: Builtins | None = None) -> tuple[ModuleTy
     """
     source = source_of(file)
     module = ModuleType(slug)
-    module.__dict__["__builtins__"] = {**vars(builtins), **(own or {})}
+    module.__dict__["__builtins__"] = {**vars(builtins), **KERNEL, **(own or {})}
     module.__dict__["__file__"] = f"{slug}.py"
     before, sys.modules[slug] = sys.modules.get(slug), module  # a dataclass looks for its module there
     try:
@@ -70,7 +68,6 @@ def _run(source: bytes, file: Path, module: ModuleType) -> list[str]:
 
 def _cells_run(source: bytes, module: ModuleType) -> Iterator[str]:
     """Run the cells one by one; the number and the error of each that raises."""
-    module.__dict__["__builtins__"].update(KERNEL)
     for number, text in code_cells(source):
         name = f"cell {number}"
         linecache.cache[name] = (len(text), None, [f"{line}\n" for line in text.split("\n")], name)
@@ -81,19 +78,23 @@ def _cells_run(source: bytes, module: ModuleType) -> Iterator[str]:
             yield f"{name}: {type(error).__name__}: {error}"
 
 
-def guarded_import(slug: str, banned: Sequence[str], notebook: bool) -> Callable[..., ModuleType]:
-    """An import that knows what is off limits and which libraries there are where work is graded."""
-    known = {slug, *LIBRARIES, *sys.stdlib_module_names, *(OF_NOTEBOOKS if notebook else ())}
+def guarded_import(slug: str, banned: Sequence[str]) -> Callable[..., ModuleType]:
+    """An import that knows what is off limits and which libraries the grader has."""
     import_module = builtins.__import__
 
     def guarded(name: str, globals: Any = None, locals: Any = None, fromlist: Any = (), level: int = 0) -> ModuleType:
         must_be_allowed(name, fromlist, banned)
-        if (top := name.partition(".")[0]) not in known:
-            message = f"{top} is not there where your work is graded: only Python itself, {', '.join(LIBRARIES)}"
-            raise ModuleNotFoundError(message, name=top)
+        if stand_in := kernel_module(name):
+            return cast(ModuleType, stand_in)
+        try:
+            if not level:
+                must_be_there(name, slug)
+        except ModuleNotFoundError as error:
+            told = f"the grader does not have {error.name}; it has Python itself, {', '.join(LIBRARIES)}"
+            raise ModuleNotFoundError(told, name=error.name) from None
         module = import_module(name, globals, locals, fromlist, level)
-        if top == "matplotlib":
-            sys.modules[top].use = _no_window  # type: ignore[attr-defined]
+        if name.partition(".")[0] == "matplotlib":
+            sys.modules["matplotlib"].use = _no_window  # type: ignore[attr-defined]
         return module
 
     return guarded

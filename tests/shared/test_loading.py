@@ -6,7 +6,8 @@ from concurrent.futures import ThreadPoolExecutor
 import pytest
 
 from tam570 import notebooks
-from tam570.loading import LIBRARIES, Trouble, loaded
+from tam570.bans import LIBRARIES
+from tam570.loading import Trouble, loaded
 from tam570.show import show
 
 SLUG = "hw08_axis_angle"
@@ -18,6 +19,7 @@ CELLS = {
     "has a part for when it is run by itself": "x = 7\nif __name__ == '__main__':\n    x = 0",
     "is timed": "%%time\n%time x = 7",
     "takes what is timed": "x = %time 3 + 4",
+    "writes the module": "%%writefile hw08_axis_angle.py\nx = 7",
     "takes a time": "times = %timeit -o sum([1])\nprint(times.average)\nx = 7",
     "asks the shell": "!ls | grep 'x\nfiles = !ls\nif files:\n    !ls \\\n   -l\nx = 7",
     "asks for help": "import numpy as np\nx = 7\nx?\n?x\nnp.array??\nnp.*load*?",
@@ -49,6 +51,14 @@ def book(desk, solution_text):
 def test_a_notebook_is_checked(book, tam570):
     code, said = tam570("check", book())
     assert code == 0 and "7 of 7 tests pass" in said
+
+
+def test_a_notebook_of_colab_and_a_module_that_jupyter_exported_lose_nothing(book, desk, tam570, grade, solution_text):
+    file = book("from google.colab import drive\ndrive.mount('/content')\nkept = rotate", "rotate = kept")
+    assert tam570("check", file)[0] == 0 and grade(SLUG, file.read_text(), notebook=True).score == 10
+    exported = "get_ipython().run_line_magic('matplotlib', 'inline')\nfrom IPython.display import HTML\n"
+    (desk / "hw08.py").write_text(exported + solution_text(SLUG))
+    assert tam570("check", "hw08.py")[0] == 0 and grade(SLUG, (desk / "hw08.py").read_text()).score == 10
 
 
 def test_a_cell_that_raises_is_left_out_and_named(book, tam570):

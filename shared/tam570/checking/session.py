@@ -158,7 +158,7 @@ def _functions(file: Path, slug: str) -> tuple[Functions, list[str], str]:
     """The student's functions, the notebook's cells that were skipped, and what was printed. Trouble if none."""
     given = contract(slug)
     banned = given["off_limits"].get("*", ())
-    guard = guarded_import(slug, banned, file.suffix == ".ipynb")
+    guard = guarded_import(slug, banned)
     quiet = contextlib.redirect_stderr(io.StringIO())
     with contextlib.redirect_stdout(io.StringIO()) as printed, quiet, replaced(banned, HERE):
         try:

@@ -14,8 +14,8 @@ TOP = {
     "from tam570.rotations import exp": "tam570.rotations is off limits",
     "from scipy.spatial import transform": "scipy.spatial.transform is off limits",
     "import scipy.spatial; scipy.spatial.transform.Rotation.identity()": "scipy.spatial.transform is off limits",
-    "import pandas as pd": "pandas is not there where your work is graded",
-    "import my_helpers": "my_helpers is not there where your work is graded",
+    "import pandas as pd": "the grader does not have pandas",
+    "import my_helpers": "the grader does not have my_helpers",
     "x = input('angle? ')": "EOFError",
     "x = open('data.csv').read()": "FileNotFoundError",
     "import numpy as np; np.loadtxt('data.csv')": "FileNotFoundError",
@@ -34,7 +34,7 @@ CALLS = {
     "return r * float('nan')": "rotate gives NaN or infinity.",
     "return 'a vector'": "rotate gives no numbers but 'a vector'.",
     "return r + nothing": "NameError: name 'nothing' is not defined",
-    "import pandas": "pandas is not there",
+    "import pandas": "the grader does not have pandas",
     "r[:] = r + np.cross(axis, r); return r": "rotate changes the arrays that it is given.",
     "return rotation_matrix(axis, angle) @ r": "rotation_matrix is off limits in rotate",
     "return same(axis, angle) @ r\n\nsame = rotation_matrix": "rotation_matrix is off limits in rotate",
@@ -61,7 +61,7 @@ def test_what_stops_the_import_where_work_is_graded_stops_it_here(hw08, desk, ta
     assert "The grader would give this file 0 points." in said and "Traceback" not in said
 
 
-@pytest.mark.parametrize("above", [one for one in TOP if "pandas" not in one])
+@pytest.mark.parametrize("above", TOP)
 def test_the_grader_gives_what_is_said(grade, solution_text, above):
     """No points for a file that check says has none; a library that is not promised may be there."""
     result = grade(HW08, f"{above}\n{solution_text(HW08)}", allowance=Allowance(call=2))
@@ -69,7 +69,7 @@ def test_the_grader_gives_what_is_said(grade, solution_text, above):
 
 
 @pytest.mark.sample(2)
-@pytest.mark.parametrize("body", [one for one in CALLS if "pandas" not in one])
+@pytest.mark.parametrize("body", CALLS)
 def test_the_grader_refuses_the_function(grade, solution_text, body):
     """And the others have their points."""
     result = grade(

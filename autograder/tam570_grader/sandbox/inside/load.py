@@ -5,10 +5,10 @@ import builtins
 import sys
 from collections.abc import Callable, Sequence
 from types import CodeType, ModuleType
-from typing import Any
+from typing import Any, cast
 
 from tam570 import notebooks
-from tam570.bans import HERE, IN_ONE, Unusable, must_be_allowed
+from tam570.bans import HERE, IN_ONE, Unusable, must_be_allowed, must_be_there
 
 __all__ = ["compiled", "load"]
 
@@ -39,7 +39,7 @@ def load(
                  is left out, and has run where they may be called
     """
     module = ModuleType(name)
-    module.__dict__["__builtins__"] = {**_builtins_without(forbidden), **(notebooks.KERNEL if notebook else {})}
+    module.__dict__["__builtins__"] = {**_builtins_without(forbidden, name), **notebooks.KERNEL}
     module.__dict__["__file__"] = f"{name}.py"
     sys.modules[name] = module
     for where, names in ((HERE, forbidden), (IN_ONE, uncallable)):
@@ -81,14 +81,18 @@ def _in_words(error: BaseException) -> str:
         return type(error).__name__
 
 
-def _builtins_without(forbidden: Sequence[str]) -> dict[str, Any]:
-    """The built-in functions with an import that refuses the forbidden modules."""
+def _builtins_without(forbidden: Sequence[str], own: str) -> dict[str, Any]:
+    """The built-in functions with an import that refuses the forbidden modules, and what is not promised."""
     import_module = builtins.__import__
 
     def guarded_import(
         name: str, globals: Any = None, locals: Any = None, fromlist: Any = (), level: int = 0
     ) -> ModuleType:
         must_be_allowed(name, fromlist, forbidden)
+        if stand_in := notebooks.kernel_module(name):
+            return cast(ModuleType, stand_in)
+        if not level:
+            must_be_there(name, own)
         try:
             return import_module(name, globals, locals, fromlist, level)
         finally:
