@@ -2,9 +2,12 @@
 
 x is to the right, y up; bar 1 hangs from the ceiling hinge at the origin, bar 2 from the end of bar 1, the elbow.
 theta = (th1, th2) are the bars' angles from straight down, both absolute, counter-clockwise positive:
-bar i points along (sin th_i, -cos th_i). Lagrange's equations for th1 and th2 are
+bar i points along (sin th_i, -cos th_i). Two independent equations of motion are
 
     [M]{alpha} + {f} + {g} = {0}.
+
+They may be angular momentum balances about two points of your choice, Lagrange's equations for th1 and th2, or
+combinations. [M], {f} and {g} must come from the same two.
 
 Nothing is off limits in this file.
 """
@@ -27,18 +30,18 @@ __all__ = [
 
 
 def mass_matrix(theta, *, masses, lengths):
-    """[M]: the kinetic energy is half of omega . M omega.
+    """[M] of two independent equations of motion; of Lagrange's, half of omega . M omega is the kinetic energy.
 
     theta   : (2,) rad
     masses  : (2,) kg, of the bars, positive
     lengths : (2,) m
-    Returns (2, 2), kg m^2.
+    Returns (2, 2), one row for each equation; of balances of moments kg m^2.
     """
     raise NotImplementedError
 
 
 def velocity_terms(theta, omega, *, masses, lengths):
-    """{f}: the centripetal terms of Lagrange's equations.
+    """{f} of the same two equations: what is left without gravity at alpha = 0, the centripetal terms.
 
     theta   : (2,) rad
     omega   : (2,) rad/s
@@ -50,7 +53,7 @@ def velocity_terms(theta, omega, *, masses, lengths):
 
 
 def gravity_terms(theta, *, masses, lengths, gravity):
-    """{g}: the terms of gravity in Lagrange's equations.
+    """{g} of the same two equations: what gravity adds.
 
     theta   : (2,) rad
     masses  : (2,) kg
@@ -62,7 +65,7 @@ def gravity_terms(theta, *, masses, lengths, gravity):
 
 
 def angular_acceleration(theta, omega, *, masses, lengths, gravity):
-    """{alpha} from Lagrange's equations.
+    """{alpha} from the two equations of motion.
 
     theta   : (2,) rad
     omega   : (2,) rad/s

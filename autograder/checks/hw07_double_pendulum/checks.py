@@ -6,6 +6,7 @@ from tam570_grader import Column, Invariant, check, curves_seen, judge_axes_of_l
 from tam570_grader.writing.returns import array, drawing, group, number, rows
 
 from . import cases, right
+from .equations import agree_in_equations
 
 NEEDS = ("numpy", "matplotlib.figure", "matplotlib.backends.backend_agg")
 MANUAL = {"c": (2, "the special cases checked, and what they showed")}
@@ -64,8 +65,8 @@ def in_order(case, found, expected):
 
 # Where to look
 VELOCITIES = "Write the velocities of both mass centres by the absolute angular velocities"
-CENTRIPETAL = "Which way does each mass centre accelerate when alpha is zero?"
-HEIGHTS = "How does the height of each mass centre change with each angle?"
+CENTRIPETAL = "Which way does each mass centre accelerate when alpha is zero, and which moment has m a of that?"
+HEIGHTS = "Which lever has each weight, or how does the height of each mass centre change with each angle?"
 SCALED = "Is anything added to the masses, or do rows of your linear system differ in size by 1e-9?"
 TEN = "Two bars have three equations each, two hinges two constraints each: do you solve all ten?"
 HANGING = "At rest the ceiling carries both weights, and bar 1 carries bar 2: which rows, which signs?"
@@ -76,14 +77,14 @@ TIGHT = "Does angular_acceleration pass, and are rtol and atol tight?"
 DOWN = "An angle of zero is down, a positive one to the right"
 
 mass_matrix_makes_the_kinetic_energy = law(
-    "mass_matrix: half of omega . M omega is the kinetic energy of the two bars.", points=1, part="a"
-).agrees(right.mass_matrix, cases.states, within=FORMULA, hint=VELOCITIES)
-velocity_terms_are_centripetal = law("velocity_terms: {f} of Lagrange's equations.", points=1, part="a").agrees(
-    right.velocity_terms, cases.states, within=FORMULA, hint=CENTRIPETAL
-)
+    "mass_matrix: [M] of Lagrange's equations, or of the two that your {f} and {g} belong to.", points=1, part="a"
+).judged(agree_in_equations, "mass_matrix", cases.states, within=FORMULA, hint=VELOCITIES)
+velocity_terms_are_centripetal = law(
+    "velocity_terms: {f} of Lagrange's equations, or of the two that your [M] and {g} belong to.", points=1, part="a"
+).judged(agree_in_equations, "velocity_terms", cases.states, within=FORMULA, hint=CENTRIPETAL)
 gravity_terms_are_moments_of_the_weights = law(
-    "gravity_terms: {g}, the derivatives of the potential energy by th1 and th2.", points=0.75, part="a"
-).agrees(right.gravity_terms, cases.states, within=FORMULA, hint=HEIGHTS)
+    "gravity_terms: {g} of Lagrange's equations, or of the two that your [M] and {f} belong to.", points=0.75, part="a"
+).judged(agree_in_equations, "gravity_terms", cases.states, within=FORMULA, hint=HEIGHTS)
 accelerations_obey_the_equations = law(
     "angular_acceleration: [M]{alpha} + {f} + {g} = 0, without gravity too.", points=0.75, part="a"
 ).agrees(right.angular_acceleration, cases.states, within=FORMULA, hint=in_equations)

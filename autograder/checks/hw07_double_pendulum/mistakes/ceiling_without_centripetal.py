@@ -1,4 +1,4 @@
-"""The force at the ceiling leaves out the centripetal acceleration of bar 1.
+"""Your constraint at the ceiling leaves out the centripetal acceleration of bar 1's mass centre.
 
 fails: free_bars_accelerate_as_lagranges
 """

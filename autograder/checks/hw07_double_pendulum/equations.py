@@ -1,0 +1,143 @@
+"""[M], {f}, {g} of any two independent equations of motion: W M, W f, W g of Lagrange's, with one invertible W(theta).
+
+A term is right if it is Lagrange's, or if it belongs to the student's own two others. W^-1 brings it back to Lagrange's
+equations before it is compared, so that limits, messages and known mistakes are those of Lagrange's.
+"""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tam570_grader import Failed, current, expect
+from tam570_grader.writing.agree import taken
+from tam570_grader.writing.answers import answer
+from tam570_grader.writing.check import Given
+from tam570_grader.writing.expect import NotWritten
+
+from . import right
+
+Array = NDArray[np.float64]
+M, F, G = TERMS = ("mass_matrix", "velocity_terms", "gravity_terms")
+DEPENDENT = 1e-9  # determinant of rows of unit length: below it two equations are one
+OBLIQUE = 0.2  # sine of the angle between the bars: above it {f} at unit rates gives W
+SAME_TWO = "Your other two terms belong to two equations that are not Lagrange's: take this one from the same two"
+CONTRADICTED = "It contradicts your third term: are all three from the same two equations, on the same side?"
+
+
+def agree_in_equations(function: Any, cases: Sequence[Given], *, within: float, hint: str) -> None:
+    """Fail unless a term is Lagrange's, or belongs to the student's own two others."""
+    student, words = function.student, function.promise.words
+    own = Equations(student, cases, within)
+    found, calls = own.asked(function.name), len(student.calls)
+    back, hint = own.back(function.name, hint)
+    true = own.lagranges(function.name)
+    known = np.flatnonzero(np.isfinite(back).all((1, 2)))
+    brought = {index: (back[index] @ found[index]).reshape(true[index].shape) for index in known}
+    for index, result in brought.items():  # what known mistakes are compared with
+        call = calls - len(cases) + index
+        student.calls[call] = replace(student.calls[call], result=result)
+    for index, result in brought.items():
+        case = student.calls[calls - len(cases) + index].given
+        current().judge(function.name, case)
+        size = words.scale(case)
+        expect(result, true[index], within=within * size, of=words.of, unit=words.unit, hint=hint)
+
+
+class Equations:
+    """The student's two equations of motion in some cases, beside Lagrange's. Vectors are (n, 2, 1)."""
+
+    def __init__(self, student: Any, cases: Sequence[Given], within: float) -> None:
+        self._student, self._cases, self._within = student, cases, within
+        self._asked = dict[str, Array | None]()
+
+    def asked(self, name: str) -> Array:
+        """(n, 2, k) a term of the student's; Failed or NotWritten if the function gives none."""
+        results = getattr(self._student, name).many(taken(getattr(right, name), self._cases))
+        self._asked[name] = _columns(results)
+        return _columns(results)
+
+    def lagranges(self, name: str) -> Array:
+        """(n, 2) or (n, 2, 2)"""
+        true = getattr(right, name)
+        return np.array([answer(true, case) for case in taken(true, self._cases)])
+
+    def back(self, name: str, hint: str) -> tuple[Array, str]:
+        """(n, 2, 2) W^-1 of the equations that a term is judged in, NaN where it is not known; and where to look."""
+        lagranges = np.broadcast_to(np.eye(2), (len(self._cases), 2, 2))
+        if self._holds(name, lagranges):
+            return lagranges, hint
+        others = [other for other in TERMS if other != name]
+        for partner, third in (others, others[::-1]):
+            back = self._back_of(name, partner)
+            if back is not None:
+                contradicted = self._holds(third, lagranges) and not self._holds(third, back)
+                return (lagranges, CONTRADICTED) if contradicted else (back, hint)
+        back = self._back_of(*others)
+        return (lagranges, hint) if back is None or self._holds(others[0], lagranges) else (back, SAME_TWO)
+
+    def _back_of(self, *names: str) -> Array | None:
+        """W^-1 of the two equations that both terms belong to; None if there are none."""
+        first, second = sorted(names, key=TERMS.index)
+        back = self._back_of_masses() if first == M else self._back_of_rates()
+        return back if back is not None and self._holds(second, back) else None
+
+    def _back_of_masses(self) -> Array | None:
+        """W = M M_L^-1"""
+        mine = self._term(M)
+        return None if mine is None else _times_inverse(self.lagranges(M), mine)
+
+    def _back_of_rates(self) -> Array | None:
+        """{f} of Lagrange's is (k om2^2, -k om1^2): at unit rates {f} is k times a column of W."""
+        at_rates = [[case.but(case.args[0], unit) for case in self._cases] for unit in np.eye(2)]
+        first, second = (self._tried(F, cases) for cases in at_rates)
+        if first is None or second is None:
+            return None
+        k = [answer(right.velocity_terms, case)[0] for case in taken(right.velocity_terms, at_rates[1])]
+        columns = np.concatenate([second, -first], axis=2) / np.reshape(k, (-1, 1, 1))
+        theta = np.array([case.args[0] for case in self._cases])
+        columns[np.abs(np.sin(theta[:, 0] - theta[:, 1])) < OBLIQUE] = np.nan
+        return _times_inverse(np.broadcast_to(np.eye(2), columns.shape), columns)
+
+    def _holds(self, name: str, back: Array) -> bool:
+        """Whether a term, brought back, is Lagrange's wherever that is known."""
+        mine = self._term(name)
+        if mine is None:
+            return False
+        size = getattr(self._student, name).promise.words.scale
+        scale = [size(case) for case in taken(getattr(right, name), self._cases)]
+        error = np.abs(back @ mine - _columns(self.lagranges(name))).max((1, 2))
+        known = np.isfinite(back).all((1, 2))
+        return bool((error[known] <= self._within * np.array(scale)[known]).all())
+
+    def _term(self, name: str) -> Array | None:
+        """A term of the student's; None if the function gives none."""
+        if name not in self._asked:
+            self._asked[name] = self._tried(name, self._cases)
+        return self._asked[name]
+
+    def _tried(self, name: str, cases: Sequence[Given]) -> Array | None:
+        """Results of calls that are not judged here."""
+        calls = len(self._student.calls)
+        try:
+            return _columns(getattr(self._student, name).many(taken(getattr(right, name), cases)))
+        except (Failed, NotWritten):
+            return None
+        finally:
+            del self._student.calls[calls:]
+
+
+def _columns(results: Any) -> Array:
+    """(n, 2, k) results, a vector as one column."""
+    array = np.array(results, float)
+    return array if array.ndim == 3 else array[:, :, None]
+
+
+def _times_inverse(first: Array, second: Array) -> Array | None:
+    """first second^-1 of each case, NaN where second is; None where two rows of second are as good as one."""
+    rows = np.linalg.norm(second, axis=2).prod(axis=1)
+    if (np.abs(np.linalg.det(second)) <= DEPENDENT * rows).any():
+        return None
+    return first @ np.linalg.inv(second)
