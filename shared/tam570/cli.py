@@ -5,7 +5,8 @@ import io
 import os
 import sys
 import textwrap
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
 
@@ -23,9 +24,11 @@ Commands = Any  # what argparse calls the commands of a parser
 def main(argv: list[str] | None = None) -> int:
     """Run the command; the exit code is 0, 1 (a test failed), 2 (bad usage) or 130 (interrupted)."""
     _printable()
-    arguments = _parser().parse_args(argv)
-    command: Callable[[argparse.Namespace], int] = arguments.command
+    parser = _parser()
     try:
+        _must_be_a_command(parser, (sys.argv[1:] if argv is None else argv)[:1])
+        arguments = parser.parse_args(argv)
+        command: Callable[[argparse.Namespace], int] = arguments.command
         return command(arguments)
     except Unknown as error:
         print(_fitted(f"tam570: error: {error}"), file=sys.stderr)
@@ -68,10 +71,18 @@ def _parser() -> argparse.ArgumentParser:
     return parser
 
 
+def _must_be_a_command(parser: argparse.ArgumentParser, words: Sequence[str]) -> None:
+    """Unknown, with the command that was meant, where the first word is none."""
+    (action,) = (one for one in parser._actions if isinstance(one, argparse._SubParsersAction))
+    if words and not words[0].startswith("-") and words[0] not in action.choices:
+        close = "".join(f"; did you mean {one}?" for one in get_close_matches(words[0], action.choices, 1))
+        raise Unknown(f"there is no command {words[0]!r}{close or '; there are ' + ', '.join(action.choices)}")
+
+
 def _add_work(commands: Commands) -> None:
-    command = commands.add_parser("list", help="the assignments, and how far you are with those here")
+    command = commands.add_parser("list", help="list all assignments and your progress")
     command.set_defaults(command=_list)
-    command.add_argument("--lectures", action="store_true", help="the systems that are solved in class, by date")
+    command.add_argument("--lectures", action="store_true", help="list the systems shown in class, by date")
 
     command = commands.add_parser("start", help="get an assignment, or a copy of a lecture to play with")
     command.set_defaults(command=_start)
@@ -90,10 +101,16 @@ def _add_work(commands: Commands) -> None:
     command = commands.add_parser("show", help="see what your functions do, or a lecture, as a scene that moves")
     command.set_defaults(command=_show)
     command.add_argument("what", nargs="?", metavar="ASSIGNMENT|LECTURE|FILE", help="default: the one in this folder")
-    command.add_argument("file", nargs="?", type=Path, metavar="FILE", help="default: yours that is here")
-    command.add_argument("--assignment", metavar="NAME", help="which one a FILE of another name is")
-    command.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="of a lecture: mass=2")
+    command.add_argument("file", nargs="?", type=Path, metavar="FILE", help="default: the file in this folder")
+    command.add_argument("--assignment", metavar="NAME", help="the assignment, if FILE has another name")
+    command.add_argument(
+        "--set", action="append", default=[], metavar="NAME=VALUE", help="set a parameter, such as mass=2"
+    )
     command.add_argument("--save", type=Path, metavar="FILE", help="a page (.html), a .png, .gif, .webp or .mp4")
+
+    command = commands.add_parser("handin", help="pack what you hand in: code, notebook, plots, written parts")
+    command.set_defaults(command=_handin)
+    command.add_argument("what", nargs="?", metavar="ASSIGNMENT|FILE", help="default: the one in this folder")
 
 
 def _add_help(commands: Commands) -> None:
@@ -189,6 +206,13 @@ def _check(arguments: argparse.Namespace) -> int:
         for file, slug in files:
             before_handing_in(file, slug)
     return code
+
+
+def _handin(arguments: argparse.Namespace) -> int:
+    from tam570.handin import hand_in
+
+    hand_in(*work.one(arguments.what))
+    return 0
 
 
 def _show(arguments: argparse.Namespace) -> int:

@@ -39,12 +39,13 @@ def folder(name: str, or_lecture: bool = False) -> Path:
     plain = name.lower().replace("-", "_")
     number = re.fullmatch(r"(?:hw)?0*(\d{1,2})", plain)
     found = [slug for slug in assignments() if plain == slug or number and slug[2:4] == f"{int(number[1]):02}"]
-    if not (found or number):
-        found = [slug for slug in assignments() if plain and f"_{plain}_" in f"{slug[4:]}_"]
+    for part in ("_{}_", "{}"):  # whole words first
+        if not (found or number) and (len(plain) > 2 or part != "{}") and plain:
+            found = [slug for slug in assignments() if part.format(plain) in f"{slug[4:]}_"]
     if len(found) == 1:
         return _home() / found[0]
     if found:
-        raise Unknown(f"{name!r} may be any of: {', '.join(found)}")
+        raise Unknown(f"{name!r} matches {', '.join(found)}; say which")
     what = "neither an assignment nor a lecture" if or_lecture else "not an assignment"
     raise Unknown(f"{name!r} is {what}{_meant(plain, or_lecture)}")
 

@@ -6,6 +6,7 @@ import sys
 import traceback
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, redirect_stdout
+from contextvars import ContextVar
 from pathlib import Path
 from types import ModuleType
 from typing import Any, cast
@@ -17,6 +18,7 @@ __all__ = ["SUFFIXES", "Trouble", "guarded_import", "loaded", "replaced", "said"
 
 SUFFIXES = (".py", ".ipynb")
 Builtins = Mapping[str, Any]
+_loading: ContextVar[frozenset[Path]] = ContextVar("loading", default=frozenset())  # files that are being run
 
 
 class Trouble(Exception):
@@ -46,7 +48,10 @@ def loaded(file: Path, slug: str, own: Builtins | None = None) -> tuple[ModuleTy
     own : what replaces the built-in functions
     Trouble if the file cannot be run.
     """
-    source = source_of(file)
+    source, inside = source_of(file), _loading.get()
+    if file.resolve() in inside:
+        raise Trouble(f"{file.name} loads itself; move the line that shows it out of the file.")
+    token = _loading.set(inside | {file.resolve()})
     module = ModuleType(slug)
     module.__dict__["__builtins__"] = {**vars(builtins), **KERNEL, **(own or {})}
     module.__dict__["__file__"] = f"{slug}.py"
@@ -56,6 +61,7 @@ def loaded(file: Path, slug: str, own: Builtins | None = None) -> tuple[ModuleTy
     except (Exception, SystemExit) as error:
         raise Trouble(f"{file.name} cannot be imported.\n{said(error, str(file))}") from error
     finally:
+        _loading.reset(token)
         if before is not None:
             sys.modules[slug] = before
 

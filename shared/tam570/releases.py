@@ -9,7 +9,7 @@ from pathlib import Path
 
 from tam570.course import Stub, folder, stubs
 
-__all__ = ["Copied", "differing", "start", "update"]
+__all__ = ["Copied", "differing", "released_names", "start", "update"]
 
 KEPT_BACK = ("contract.json", "hints.toml")  # used by the commands, not copied
 RECORD = ".tam570.json"  # in the student's folder: the digest of each file as it was copied
@@ -57,6 +57,11 @@ def differing(work: Path, slug: str) -> list[str]:
     """The files beside the student's own that are not as this kit has them."""
     given = [path for path in _released(slug, True) if path.stem != slug and (work / path.name).exists()]
     return [path.name for path in given if _digest(work / path.name) != _digest(path)]
+
+
+def released_names(slug: str) -> list[str]:
+    """The names of the files that a student may have from the kit."""
+    return [path.name for path in _released(slug, True)]
 
 
 def _released(slug: str, notebook: bool) -> list[Path]:

@@ -2,6 +2,7 @@
 
 import subprocess
 import sys
+import zipfile
 
 import pytest
 
@@ -44,7 +45,7 @@ def test_an_assignment_goes_by_any_part_that_tells_it(slug, name):
 
 @pytest.mark.parametrize("name", ["pendulum", "rolling", "x", "hw99", "hw8.txt", "hw080", "", "123"])
 def test_a_name_of_none_or_of_several_is_refused_with_those_that_there_are(name):
-    with pytest.raises(course.Unknown, match="any of: hw|`tam570 list` shows all"):
+    with pytest.raises(course.Unknown, match="matches hw|`tam570 list` shows all"):
         course.folder(name)
 
 
@@ -101,7 +102,7 @@ BAD = {
     "start x": "'x' is neither an assignment nor a lecture; `tam570 list` shows all, `tam570 list --lectures`",
     "start oscilator": "did you mean oscillator? `tam570 list` shows all, `tam570 list --lectures`",
     "show oscilator": "did you mean oscillator? `tam570 list` shows all, `tam570 list --lectures`",
-    "start pendulum": "may be any of: hw01_simple_pendulum, hw05_constrained_pendulum, hw07_double_pendulum",
+    "start pendulum": "matches hw01_simple_pendulum, hw05_constrained_pendulum, hw07_double_pendulum",
     "hint hw08 nothing": "there are hints for skew",
     "hint hw99": "'hw99' is not an assignment",
 }
@@ -199,3 +200,20 @@ def test_in_the_folder_a_function_is_enough_for_a_hint(hw08, monkeypatch, desk, 
     assert cli.main(["hint", "skew"]) == 0 and "(1 of 2)" in capsys.readouterr().out
     assert cli.main(["hint"]) == 0 and "rotate" in capsys.readouterr().out
     assert cli.main(["hint", "mass_matrix"]) == 2 and "'mass_matrix' is not an" in capsys.readouterr().err
+
+
+def test_handin_packs_the_work_and_names_what_is_empty(hw08, desk, tam570):
+    file = hw08(None)
+    (file.parent / "plot.png").write_bytes(b"png")
+    code, said = tam570("handin", "hw08")
+    packed = zipfile.ZipFile(file.with_name("hw08_axis_angle_handin.zip")).namelist()
+    assert code == 0 and packed == ["hw08_axis_angle.py", "plot.png"]
+    assert "not written yet: skew, rotation_matrix, rotate" in said
+
+
+@pytest.mark.parametrize(
+    ("words", "told"), [("start pend", "hw05_constrained_pendulum"), ("chek", "did you mean check?")]
+)
+def test_what_was_meant_is_told(desk, tam570, words, told):
+    code, said = tam570(*words.split())
+    assert code == 2 and told in said

@@ -133,3 +133,11 @@ def test_the_libraries_that_are_allowed_can_be_imported(desk):
     (desk / "hw08.txt").write_text("")
     with pytest.raises(Trouble, match="neither a Python module"):
         loaded(desk / "hw08.txt", SLUG)
+
+
+def test_a_notebook_that_shows_itself_is_read_once(book):
+    file = book(
+        "from pathlib import Path\nfrom tam570.loading import loaded\nx = 1\nloaded(Path('" + SLUG + ".ipynb'), 'x')"
+    )
+    module, skipped = loaded(file, SLUG)
+    assert module.x == 1 and len(skipped) == 1 and "loads itself" in skipped[0]

@@ -1,6 +1,7 @@
 """The student's functions as the tests call them: watched as the grader would, and told at once what is wrong."""
 
 import functools
+import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field
@@ -39,6 +40,7 @@ class Functions:
     mistake: Mistake | None = None  # what is tried on the results
     known: dict[tuple[str, bool, bytes], Any] = field(default_factory=dict)  # results, by function and arguments
     hanging: set[str] = field(default_factory=set)
+    longest: dict[str, float] = field(default_factory=dict)  # s of processor time of a function's longest call
     depth: int = 0
 
     def stand_in(self) -> ModuleType:
@@ -86,9 +88,10 @@ class Functions:
     def _called(self, name: str, function: Callable[..., Any], given: Given) -> Any:
         if name in self.hanging:
             raise Fault(name, f"{name} did not return within {CALL:g} s in a test before; it is not called again.")
-        before = _contents(given)
+        before, started = _contents(given), time.process_time()
         with self._fair(name):
             result = function(*given[0], **given[1])
+        self.longest[name] = max(time.process_time() - started, self.longest.get(name, 0.0))
         if _contents(given) != before:
             raise Fault(name, f"{name} changes the arrays that it is given. Work on copies: the grader refuses this.")
         return result

@@ -5,14 +5,16 @@ import sys
 import textwrap
 from collections.abc import Iterable, Mapping, Sequence
 
+from tam570.checking.deadline import CALL
 from tam570.checking.visible import Failure, Outcomes
 from tam570.progress import Progress, said
 
-__all__ = ["before", "cleared", "failures", "imported", "progressed", "terminal", "trouble", "untouched"]
+__all__ = ["before", "cleared", "failures", "imported", "progressed", "slow", "terminal", "trouble", "untouched"]
 
 WIDTH = 80
 MOST_LINES = 12  # of a message
 MOST_PRINTED = 3  # lines of what a student's code prints
+SLOW = 0.3  # of the allowance; other inputs, or a slower machine, may take the rest
 RED, GREEN = 31, 32  # of ANSI terminals
 
 
@@ -66,6 +68,13 @@ def before(names: Sequence[str]) -> None:
     """The tests that failed before and were not run again."""
     if names:
         print(_wrapped(f"As before, these fail: {', '.join(map(_words, names))}."))
+
+
+def slow(longest: Mapping[str, float]) -> None:
+    """The functions that need much of the time that the grader gives a call."""
+    for name, seconds in longest.items():
+        if seconds > SLOW * CALL:
+            print(_wrapped(f"{name} takes {seconds:.1f} s of the {CALL:g} s that the grader gives a call.", "", "    "))
 
 
 def progressed(slug: str, come: Progress, since: str) -> None:

@@ -103,6 +103,7 @@ def _report(
     remember(file, known, reached)
     report.failures(outcomes, _told(outcomes, calling, reached, released))
     report.before([test for test, outcome in results.items() if outcome != PASSED and test not in outcomes.failures])
+    report.slow(outcomes.functions.longest)
     if functions:
         print(f"{slug[:4]}: {sum(one == PASSED for one in outcomes.passed.values())} of {len(outcomes.passed)} pass")
     else:

@@ -1,0 +1,59 @@
+"""Makes one archive of what a student hands in: code, notebook, plots and written parts; and names what is empty."""
+
+import contextlib
+import json
+import zipfile
+from collections.abc import Iterator
+from pathlib import Path
+
+from tam570.course import folder, stubs
+from tam570.releases import released_names
+
+__all__ = ["hand_in"]
+
+WRITTEN = (".pdf", ".png", ".jpg", ".jpeg", ".svg", ".gif", ".md", ".txt", ".docx", ".tex")  # drawings, plots, words
+PLACEHOLDER = "*Your answer*"  # in a notebook's cell, where words are asked for
+
+
+def hand_in(file: Path, slug: str) -> Path:
+    """Pack the work beside `file` into `<slug>_handin.zip` there, and print what it holds and what is still empty."""
+    where, archive = file.parent, file.parent / f"{slug}_handin.zip"
+    given = set(released_names(slug)) - {f"{slug}.py", f"{slug}.ipynb"}
+    beside = [path for path in sorted(where.iterdir()) if path.suffix.lower() in WRITTEN and path.name not in given]
+    work = {
+        f"{slug}{one.suffix}": one for one in (file.with_suffix(".py"), file.with_suffix(".ipynb")) if one.is_file()
+    }
+    packed = work | {path.name: path for path in beside}
+    draft = archive.with_suffix(".part")
+    try:
+        with zipfile.ZipFile(draft, "w", zipfile.ZIP_DEFLATED) as target:
+            for name, path in packed.items():
+                target.write(path, name)
+        draft.replace(archive)
+    finally:
+        draft.unlink(missing_ok=True)
+    print(f"{archive}\n    {', '.join(packed)}")
+    for remark in [*_empty(work, slug)]:
+        print(f"    {remark}")
+    return archive
+
+
+def _empty(work: dict[str, Path], slug: str) -> Iterator[str]:
+    """What is not done yet, a line each."""
+    if module := work.get(f"{slug}.py"):
+        with contextlib.suppress(SyntaxError, ValueError):
+            asked = stubs((folder(slug) / f"{slug}.py").read_bytes())
+            found = stubs(module.read_bytes())
+            missing = [name for name, stub in asked.items() if not stub.written and not _written(found.get(name))]
+            if missing and f"{slug}.ipynb" not in work:
+                yield f"not written yet: {', '.join(missing)}"
+    if notebook := work.get(f"{slug}.ipynb"):
+        with contextlib.suppress(ValueError, KeyError, TypeError):
+            cells = json.loads(notebook.read_bytes())["cells"]
+            count = sum("".join(cell["source"]).strip() == PLACEHOLDER for cell in cells)
+            if count:
+                yield f"{count} of the cells for your answers are empty"
+
+
+def _written(stub: object) -> bool:
+    return bool(getattr(stub, "written", False))
