@@ -59,7 +59,7 @@ def _failure(failure: Failure, told: str | None) -> None:
         print(_wrapped(failure.where, "    "))
     print(_short(failure.message))
     if told:
-        print(_wrapped(f"It would pass with {told}.", "    "))
+        print(_wrapped(told, "    "))
     if failure.printed:
         print(_printed(failure.printed, "your code prints", "    "))
 

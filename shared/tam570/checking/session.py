@@ -13,6 +13,7 @@ from tam570.bans import HERE
 from tam570.checking import report
 from tam570.checking.changes import by_parameters, calls, keys
 from tam570.checking.deadline import CALL, TooLong, limited
+from tam570.checking.examples import Examples, load_examples
 from tam570.checking.functions import Functions
 from tam570.checking.mistakes import Mistake, candidates
 from tam570.checking.visible import Outcomes, Test, collect
@@ -33,10 +34,11 @@ Known = Mapping[str, tuple[str, str]]  # of each test what its outcome depends o
 
 @dataclass(frozen=True)
 class Module:
-    """A module of tests: the released one, or the student's own beside the work."""
+    """A module of tests: the released one, that of the examples, or the student's own beside the work."""
 
     path: Path
     text: str
+    examples: Examples | None = None
 
 
 def check(file: Path, slug: str, log: str, *, changed: bool = False, functions: Collection[str] = ()) -> bool:
@@ -70,7 +72,8 @@ def check(file: Path, slug: str, log: str, *, changed: bool = False, functions: 
     known |= {test: (now.get(_function(test), ""), outcome) for test, outcome in outcomes.passed.items()}
     lasted = time.time() - file.stat().st_mtime
     since = f"      {len(tests)} tests run, {lasted:.2f} s after saving\n" if changed else ""
-    return _report(file, slug, known, outcomes, used, released, since, functions)
+    examples = next((module.examples for module in modules if module.examples), None)
+    return _report(file, slug, known, outcomes, used, released, since, functions, examples)
 
 
 def _chosen(
@@ -94,6 +97,7 @@ def _report(
     released: Mapping[str, Stub],
     since: str,
     functions: Collection[str],
+    examples: Examples | None,
 ) -> bool:
     """Print and remember what became of the tests; whether all pass."""
     results = {test: outcome for test, (_, outcome) in known.items()}
@@ -101,7 +105,9 @@ def _report(
     causes = {test: _cause(test, outcomes, calling, results) for test in outcomes.failures}
     reached = progress(slug, results, calling, causes)
     remember(file, known, reached)
-    report.failures(outcomes, _told(outcomes, calling, reached, released))
+    told = _told(outcomes, calling, reached, released)
+    told |= _known_mistakes(outcomes, examples, calling) if examples else {}
+    report.failures(outcomes, told)
     report.before([test for test, outcome in results.items() if outcome != PASSED and test not in outcomes.failures])
     report.slow(outcomes.functions.longest)
     if functions:
@@ -129,9 +135,11 @@ def run_tests(file: Path, slug: str, names: Sequence[str]) -> Outcomes:
 
 
 def tests_of(file: Path, slug: str) -> list[Module]:
-    """The released tests, and the student's own: of a module beside the file those that are not released."""
+    """The released tests, the examples, and the student's own: of a module beside the file those not released."""
     released, beside = (where / f"test_{slug}.py" for where in (folder(slug), file.parent))
     modules = [Module(released, released.read_text(encoding="utf-8"))] if released.exists() else []
+    if examples := load_examples(folder(slug)):
+        modules.append(Module(released.with_name("test_examples.py"), examples.module(slug), examples))
     with contextlib.suppress(OSError, SyntaxError, ValueError):  # what cannot be read has no say
         text = beside.read_text(encoding="utf-8")
         if set(calls(text, slug)) - {name for module in modules for name in calls(module.text, slug)}:
@@ -145,7 +153,8 @@ def _collected(modules: Sequence[Module]) -> list[Test]:
     for number, module in enumerate(modules):
         try:
             with contextlib.redirect_stderr(io.StringIO()):
-                tests = {test.name: test for test in collect(module.path, module.text)} | tests
+                names = {"_example": module.examples.judge} if module.examples else {}
+                tests = {test.name: test for test in collect(module.path, module.text, names)} | tests
         except Exception as error:
             if number == 0:
                 raise
@@ -218,7 +227,16 @@ def _told(
             mended = [test for test in failed if _passes(outcomes, mistake, test)]
             if len(mended) > len(best) and all(_passes(outcomes, mistake, test) for test in alone):
                 best = mended
-                told |= dict.fromkeys(mended, mistake.says)
+                told |= dict.fromkeys(mended, f"It would pass with {mistake.says}.")
+    return told
+
+
+def _known_mistakes(outcomes: Outcomes, examples: Examples, used: Mapping[str, set[str]]) -> dict[str, str]:
+    """For each failed test of a single function that the function's known mistake explains, which it is."""
+    told = dict[str, str]()
+    for test in outcomes.failures:
+        if len(names := used.get(test, set())) == 1 and (mistake := examples.mistake(*names)):
+            told[test] = f"Your numbers match this mistake: {mistake}"
     return told
 
 

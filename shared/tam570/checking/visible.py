@@ -13,7 +13,7 @@ import operator
 import os
 import traceback
 import warnings
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import redirect_stderr, redirect_stdout
 from dataclasses import dataclass, field
 from io import StringIO
@@ -25,7 +25,7 @@ from tam570.checking.functions import Fault, Functions
 from tam570.loading import said
 from tam570.progress import FAILED, PASSED
 
-__all__ = ["Failure", "Outcomes", "Test", "collect"]
+__all__ = ["Failure", "Outcomes", "Test", "collect", "difference"]
 
 COMPARISONS: dict[type[ast.cmpop], tuple[Callable[[Any, Any], Any], str]] = {
     ast.Eq: (operator.eq, "is right"),
@@ -109,13 +109,16 @@ class Outcomes:
         return f"{self.functions.called[-1]} raises an exception.\n{where}" if where.startswith("Line") else where
 
 
-def collect(path: Path, text: str) -> list[Test]:
-    """The tests in a module, in order, with their parameters. Whatever its import raises is passed on."""
+def collect(path: Path, text: str, names: Mapping[str, Any] | None = None) -> list[Test]:
+    """The tests in a module, in order, with their parameters. Whatever its import raises is passed on.
+
+    names : what the module finds besides Python's own
+    """
     module = ModuleType(path.stem)
     module.__file__ = str(path)
     linecache.cache[str(path)] = (len(text), None, text.splitlines(keepends=True), str(path))
     tree = ast.fix_missing_locations(_Telling(text).visit(ast.parse(text)))
-    vars(module).update({COMPARE: _compare, HOLDS: _holds, ALLCLOSE: _allclose})
+    vars(module).update({COMPARE: _compare, HOLDS: _holds, ALLCLOSE: _allclose, **(names or {})})
     exec(compile(tree, str(path), "exec", dont_inherit=True), vars(module))
     functions = [one for name, one in vars(module).items() if name.startswith("test_") and inspect.isfunction(one)]
     return [test for function in functions for test in _with_parameters(function.__name__, function)]
@@ -185,7 +188,7 @@ def _compare(actual: Any, name: str, expected: Any, source: str) -> None:
     holds = compare(actual, expected)
     if not (holds if isinstance(holds, bool) else bool(holds)):
         right = getattr(expected, "expected", expected)  # of pytest's approx
-        raise AssertionError(_difference(actual, right) if words == "is right" else _limit(actual, right, words))
+        raise AssertionError(difference(actual, right) if words == "is right" else _limit(actual, right, words))
 
 
 def _holds(value: Any, source: str) -> None:
@@ -199,10 +202,10 @@ def _allclose(actual: Any, desired: Any, rtol: float = 1e-7, atol: float = 0.0, 
     actual, desired = np.asarray(actual, float), np.asarray(desired, float)
     fits = actual.shape == desired.shape or desired.ndim == 0
     if not fits or not (np.abs(actual - desired) <= atol + rtol * np.abs(desired)).all():
-        raise AssertionError(_difference(actual, desired))
+        raise AssertionError(difference(actual, desired))
 
 
-def _difference(actual: Any, expected: Any) -> str:
+def difference(actual: Any, expected: Any) -> str:
     """What was returned and what is right: whole where it is short, else where it is furthest off."""
     import numpy as np
 

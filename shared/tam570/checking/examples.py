@@ -1,0 +1,132 @@
+"""Examples: calls of a student's functions beside the right results, as the grader compares them, with other inputs.
+
+`examples.json` of an assignment is made from its hidden checks and a public seed. A known mistake is kept there as a
+number for each example that it changes, which tells it without telling how anything is done.
+"""
+
+import json
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+__all__ = ["Examples", "array_of", "fingerprint", "load_examples", "plain"]
+
+FILE = "examples.json"
+SAME = 1e-5  # of a fingerprint's size: mistakes are further apart
+
+
+@dataclass
+class Examples:
+    """The examples of an assignment, the fingerprints of its known mistakes, and what a student's functions gave."""
+
+    calls: Sequence[Mapping[str, Any]]
+    mistakes: Sequence[Mapping[str, Any]]
+    results: dict[int, Any] = field(default_factory=dict)
+
+    def module(self, slug: str) -> str:
+        """A module of tests, one for each example."""
+        lines = [f"import {slug} as hw"]
+        for number, call in enumerate(self.calls):
+            lines += [
+                f"def test_{call['function']}_example_{number}():",
+                f"    _example(hw.{call['function']}, {number})",
+            ]
+        return "\n".join(lines) + "\n"
+
+    def judge(self, function: Callable[..., Any], number: int) -> None:
+        """Call the function as the example does; AssertionError where a result is not right."""
+        call = self.calls[number]
+        result = function(*map(_argument, call["args"]), **{k: _argument(v) for k, v in call["kwargs"].items()})
+        self.results[number] = result
+        for comparison in call["compare"]:
+            found, right = _part(result, comparison), array_of(comparison["expected"])
+            scale = array_of(comparison["scale"])
+            if found.shape != right.shape:
+                raise AssertionError(f"Your code gives an array of shape {found.shape}; {right.shape} is right.")
+            error = float(np.max(np.abs(found - right) / scale, initial=0.0))
+            if not error <= comparison["tolerance"]:
+                raise AssertionError(self._message(call, comparison, found, right))
+
+    def _message(self, call: Mapping[str, Any], comparison: Mapping[str, Any], found: Any, right: Any) -> str:
+        from tam570.checking.visible import difference
+
+        label = f" for {call['label']}" if call["label"] else ""
+        quantity = comparison["quantity"] or "the result"
+        return f"{quantity[:1].upper()}{quantity[1:]} is wrong{label}. {difference(found, right)}"
+
+    def mistake(self, function: str) -> str | None:
+        """The known mistake of a function that gives the student's results."""
+        results = {n: one for n, one in self.results.items() if self.calls[n]["function"] == function}
+        for mistake in self.mistakes:
+            if mistake["function"] == function and results and self._agrees(mistake["results"], results):
+                return str(mistake["message"])
+        return None
+
+    def _agrees(self, wrong: Mapping[str, Sequence[float]], results: Mapping[int, Any]) -> bool:
+        """Whether every example has the mistake's numbers, and one of them is changed by it."""
+        if not any(str(number) in wrong for number in results):
+            return False
+        for number, result in results.items():
+            comparisons = self.calls[number]["compare"]
+            right = [fingerprint(array_of(one["expected"])) for one in comparisons]
+            for one, expected in zip(comparisons, wrong.get(str(number), right), strict=True):
+                size = 1e-12 + abs(expected) + float(np.max(np.abs(array_of(one["expected"])), initial=0.0))
+                if not abs(fingerprint(_part(result, one)) - expected) <= SAME * size:
+                    return False
+        return True
+
+
+def load_examples(folder: Path) -> Examples | None:
+    """The examples in the folder of an assignment, where there are some."""
+    path = folder / FILE
+    if not path.exists():
+        return None
+    data = json.loads(path.read_text(encoding="utf-8"))
+    return Examples(data["examples"], data["mistakes"])
+
+
+def fingerprint(values: ArrayLike) -> float:
+    """A number for an array, which differs where the array does: a sum with weights that no symmetry has."""
+    flat = np.ravel(np.asarray(values, float))
+    return float(flat @ np.cos(1.0 + np.arange(flat.size) * np.sqrt(2.0)))
+
+
+def plain(value: Any) -> Any:
+    """An argument or a result as JSON has it; an array is {"array": nested lists}, a tuple {"tuple": [...]}."""
+    if isinstance(value, np.ndarray):
+        return {"array": [plain(one) for one in value.tolist()]} if value.ndim else plain(value.item())
+    if isinstance(value, tuple):
+        return {"tuple": [plain(one) for one in value]}
+    if isinstance(value, list):
+        return [plain(one) for one in value]
+    if isinstance(value, np.generic):
+        return plain(value.item())
+    if isinstance(value, float) and not np.isfinite(value):
+        return {"float": str(value)}
+    return value
+
+
+def array_of(value: Any) -> Any:
+    """The numbers that `plain` wrote."""
+    return np.asarray(_argument(value), float)
+
+
+def _argument(value: Any) -> Any:
+    if isinstance(value, Mapping):
+        ((kind, inner),) = value.items()
+        if kind == "float":
+            return float(inner)
+        items = [_argument(one) for one in inner]
+        return np.array(items, float) if kind == "array" else tuple(items)
+    return [_argument(one) for one in value] if isinstance(value, list) else value
+
+
+def _part(result: Any, comparison: Mapping[str, Any]) -> Any:
+    """The part of a result that is compared: a member of a tuple, some of its columns."""
+    member, columns = comparison["member"], comparison["columns"]
+    values = np.asarray(result if member is None else result[member], float)
+    return values if columns is None else values[..., columns]
