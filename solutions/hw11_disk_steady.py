@@ -34,7 +34,7 @@ def rolling_precession(lean, track_radius, *, mass, radius, inertia, gravity):
 
     lean         : rad
     track_radius : m, signed
-    Returns rad/s; 0 without gravity, and 0 upright on a track that is no point.
+    Returns rad/s; 0 without gravity, and 0 upright on a track that is no point. Upright on a point without gravity it is not asked.
     Raises ValueError where no steady rolling exists, or where every Omega will do, as upright on a point.
     """
     A, C = inertia

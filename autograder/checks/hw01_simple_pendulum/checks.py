@@ -140,7 +140,7 @@ AT_ZERO = by_kind({"with another": "Is anything kept between calls?"}, "Put t = 
 small_angle_solution_is_harmonic = law(
     "small_angle_solution: theta and omega of theta'' + (g/l) theta = 0, from the state at t = 0.", points=0.5, part="a"
 ).agrees_by_columns(right.small_angle_solution, cases.small_angles, within=TRAJECTORY, hint=AT_ZERO)
-TO_ZERO = "What becomes of sin(k t)/k as k goes to zero?"
+TO_ZERO = "What becomes of sin(w t)/w, w = sqrt(g/l), as w goes to zero?"
 small_angle_solution_without_gravity = small_angle_solution_is_harmonic.then(
     "small_angle_solution: without gravity the pendulum turns uniformly.", points=0.25, part="a"
 ).agrees_by_columns(right.small_angle_solution, cases.weightless, within=TRAJECTORY, hint=TO_ZERO)

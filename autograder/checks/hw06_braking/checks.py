@@ -82,7 +82,7 @@ RESULTS = {
 
 # Where to look
 WHICH_WAY = "Which way does the locked axle move, seen from the car?"
-AS_AT_REST = "Friction is zero there, as at rest; at rest speed and yaw rate are both exactly zero"
+AS_AT_REST = "Your friction is zero although the car moves: it rests only where speed and yaw rate are both exactly 0"
 WHERE_ZERO = by_kind({"front": "Can your growth rate be positive there?"}, "Where is your growth rate zero?")
 
 

@@ -80,11 +80,11 @@ the_book_is_turned_in_both_orders = law(
 
 # (d, e) Axis and angle
 
-NEGATIVE = "The angle is negative: the same turn is one by its size about the opposite axis."
+NEGATIVE = "Your angle is negative: flip both signs, as -angle about -axis is the same turn."
 TOO_LARGE = "The angle is larger than pi: the same turn is one by 2 pi - angle about the opposite axis."
 OPPOSITE = "The axis points the opposite way: R - R^T tells which."
 LONG = "The axis points the right way, but its length is not 1."
-IS_KEPT = "R keeps this axis to the last digit: near no turn R nearly keeps every vector."
+IS_KEPT = "R n = n holds for your axis, but near the identity every vector nearly obeys it: use R - R^T."
 SMALL_ONES = "Only its small components are off: is that a square root of a small difference?"
 SIGNS = "The sizes of its components are right, their signs are not: R + R^T has the products n_x n_y."
 

@@ -172,10 +172,12 @@ period_round_the_last_axis, period_round_the_first_axis = period_round("largest"
 PERIODS = period_round_the_last_axis, period_round_the_first_axis
 period_of_pure_spin_is_that_of_small_oscillations = law(
     "tumble_period for pure spin about axis 0 or 2, by small oscillations.", points=0.25, part="b", after=PERIODS
-).agrees(right.tumble_period, cases.pure_spins, within=PERIOD, hint="There k = 0.")
+).agrees(right.tumble_period, cases.pure_spins, within=PERIOD, hint="There the modulus k is 0.")
 period_grows_to_infinity_at_the_separatrix = (
     law("tumble_period near the separatrix, and math.inf on it.", points=0.25, part="b", after=PERIODS)
-    .agrees(right.tumble_period, cases.near_separatrix, within=NEAR_PERIOD, hint="How near 1 is a k that is not 1?")
+    .agrees(
+        right.tumble_period, cases.near_separatrix, within=NEAR_PERIOD, hint="How near 1 is a modulus k that is not 1?"
+    )
     .also.agrees(right.tumble_period, cases.on_separatrix, within=PERIOD, hint="What is K(k) for k = 1?")
 )
 

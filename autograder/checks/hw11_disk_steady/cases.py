@@ -141,7 +141,6 @@ def impossible_tracks(draw):
             (-SMALL_LEAN, wide, f"{outwards} by very little"),
         ]
         cases += [given(*place, **disk).on(kind) for *place, kind in places]
-        cases.append(given(0.0, 0.0, **{**disk, "gravity": 0.0}).on("an upright disk on a point without gravity"))
     kind = "a roller that turns on a point, its lean tiny but not zero, where Omega drops out"
     for lean in (2.0**-30, -(2.0**-30)):  # its own sine and tangent, and its cosine is one
         # A = C + m a^2, with which no Omega bears the weight on a point; powers of two, so that no formula is rounded

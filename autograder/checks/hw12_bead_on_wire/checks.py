@@ -72,7 +72,10 @@ def lagrange_gives_the_acceleration(student, draw):
     agree(student.lagrange_equation, right, calls, within=FORMULA, hint=hint)
 
 
-TWICE = by_kind({"at rest": "Which part of g is along x?"}, "Is y'' = 2 c v^2 + 2 c x x'', and v the rate of x?")
+TWICE = by_kind(
+    {"at rest": "Which part of g is along the wire, and what is its x component?"},
+    "Is y'' = 2 c v^2 + 2 c x x'', and v the rate of x?",
+)
 newton_gives_the_acceleration = (
     law("acceleration_newton: x'' by F = m a along the tangent, as Lagrange has it.", points=1.5, part="b")
     .agrees(right.acceleration_newton, cases.beads, within=FORMULA, hint=TWICE)

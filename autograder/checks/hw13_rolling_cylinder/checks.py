@@ -76,7 +76,7 @@ NO_WEIGHT = "Without weight it still does not turn uniformly; is anything divide
 DISTANCE = "How far is G from the contact, at this phi?"
 WEIGHT_ACTS_AT_G = "M_C is the moment of the weight, which acts at G; I^C depends on phi."
 CONTACT_POINT = "What is the acceleration of the point of the cylinder that touches the ramp?"
-CONTACT_IS_KEPT = "Contact is kept: the force is what keeping it needs."
+CONTACT_IS_KEPT = "Assume that the cylinder never lifts off: which force does that need?"
 HEIGHT = "Where is G, and how high above the centre's place at phi = 0?"
 GOES_ON = "Do you integrate `acceleration`? Contact is kept, and the motion goes on, even where the ramp must pull."
 OWN_STEPS = "Is the tolerance tight, or your own step small, however far apart the times are?"

@@ -1,4 +1,4 @@
-"""The small-angle solution divides sin(k t) by k, which is 0/0 without gravity.
+"""You divide sin(w t) by w = sqrt(g/l), which is 0/0 without gravity.
 
 fails: small_angle_solution_without_gravity
 names: small_angle_solution returned NaN or infinity

@@ -1,4 +1,4 @@
-"""In the small-angle solution sin(k t) is not divided by k in theta, nor multiplied by it in omega.
+"""In your small-angle solution sin(w t), w = sqrt(g/l), is not divided by w in theta, nor multiplied by it in omega.
 
 fails: small_angle_solution_is_harmonic
 """

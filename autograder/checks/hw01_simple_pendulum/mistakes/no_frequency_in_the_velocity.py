@@ -1,4 +1,4 @@
-"""In the velocity the part of the given angle lacks a factor, the frequency.
+"""In omega(t) your term with theta0 lacks the factor sqrt(g/l).
 
 fails: small_angle_solution_is_harmonic
 """

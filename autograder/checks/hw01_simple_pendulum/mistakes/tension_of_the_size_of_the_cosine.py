@@ -1,4 +1,4 @@
-"""The weight's part of the tension has lost its sign: above the hinge it pushes the rod in.
+"""You take the size of cos(theta); above the hinge it is negative, and the weight compresses the rod.
 
 fails: newton_gives_the_tension
 """

@@ -1,4 +1,4 @@
-"""The corners belong to a path over x = 1, whatever the angle.
+"""Your top corner is at x = 1 for every angle; it is at x = cos(angle).
 
 fails: path_at_a_huge_speed_has_the_limit_shape
 """

@@ -1,4 +1,4 @@
-"""The landing is as far from the launch as the top corner; the particle falls straight down.
+"""You land at x = 1; the particle falls straight down from its top corner, at x = cos(angle).
 
 fails: path_at_a_huge_speed_has_the_limit_shape
 """

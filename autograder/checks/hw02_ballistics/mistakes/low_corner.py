@@ -1,4 +1,4 @@
-"""The top corner is at the height sin(angle); it should be at cos(angle) sin(angle).
+"""Your top corner is at the height cos(angle) sin(angle); it is at sin(angle).
 
 fails: path_at_a_huge_speed_has_the_limit_shape
 """

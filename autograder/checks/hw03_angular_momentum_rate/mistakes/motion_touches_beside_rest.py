@@ -1,4 +1,4 @@
-"""In your motion P rests where C passes halfway; the coefficients would do in the opposite order.
+"""Your C runs into P at t = 0.5; are your coefficients in reverse order? The constant comes first.
 
 fails: special_motion_of_b
 names: P and C meet at t = 0.5

@@ -1,4 +1,4 @@
-"""The turn from conjugate radii to the axes comes from its tangent, which is 0/0 for a circle.
+"""Your angle to the axes is the arctan of a ratio, which is 0/0 for a circle; use arctan2.
 
 fails: orbit_has_its_centre_at_the_equilibrium, orbit_is_the_ellipse_of_the_motion
 names: NaN or infinity for a circle

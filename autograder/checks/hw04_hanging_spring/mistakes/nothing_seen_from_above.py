@@ -1,4 +1,4 @@
-"""The direction to the right is the vertical times the direction of the eye, which is zero straight above.
+"""You find the direction to the right as the vertical x the direction of the eye; from straight above that is zero.
 
 fails: projection_is_orthographic
 """

@@ -1,4 +1,4 @@
-"""With G half way between the axles, the car is treated as one that nothing turns.
+"""For front = rear you return no yaw acceleration; the car still turns.
 
 fails: equations_without_friction_and_at_rest, growth_rate_is_the_slope
 """

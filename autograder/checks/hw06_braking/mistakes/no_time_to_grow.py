@@ -1,4 +1,4 @@
-"""The yaw rate is zero where the speed has not fallen yet; it should be the yaw rate at the start.
+"""At speed = speed0 you return 0; return yaw_rate0.
 
 fails: small_yaw_rate_is_the_linear_solution
 """

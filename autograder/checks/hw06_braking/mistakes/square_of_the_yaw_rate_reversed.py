@@ -1,4 +1,4 @@
-"""The square of the yaw rate has one sign in the speed's rate, whichever axle is locked.
+"""In your rate of the speed the term with yaw_rate^2 has one sign; it changes sign with the locked axle.
 
 fails: equations_of_motion, simulate_brakes
 """

@@ -1,4 +1,4 @@
-"""The time of the stop counts from t[0], but is compared with the times in t.
+"""You measure the time of the stop from t[0] but compare it with t; add t[0].
 
 fails: simulate_brakes
 """

@@ -1,4 +1,4 @@
-"""The polar angle of the axis comes from an arccos, which is 0 next to the z axis.
+"""You get the axis's polar angle from arccos, which rounds to 0 near the z axis.
 
 fails: matrix_turns_by_the_right_hand_rule
 names: does an arccos lose them

@@ -1,4 +1,4 @@
-"""The angle is an arccos of the trace, which may be above 3 by a little.
+"""Your arccos gives NaN where rounding makes the trace larger than 3.
 
 fails: what_is_no_rotation_is_refused
 names: NaN or infinity for the identity times 1 + 4.5e-7

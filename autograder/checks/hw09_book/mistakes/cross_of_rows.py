@@ -1,7 +1,7 @@
 """The axis is the longest cross product of rows of R - I, which loses digits where R - I is small.
 
 fails: small_angles_keep_their_digits
-names: keeps this axis to the last digit
+names: holds for your axis
 numerics: eight digits of sixteen where R - I is 1e-8
 """
 

@@ -1,7 +1,7 @@
 """The axis is the eigenvector of R for the eigenvalue 1, which two others come near for a small angle.
 
 fails: small_angles_keep_their_digits
-names: keeps this axis to the last digit
+names: holds for your axis
 """
 
 _right_axis_angle = axis_angle

@@ -1,7 +1,7 @@
-"""The angle is negative where the last component of the axis would be.
+"""You make the angle negative where the largest component of the axis is; flip both signs instead.
 
 fails: axis_and_angle_are_those_of_the_matrix
-names: The angle is negative
+names: Your angle is negative
 """
 
 _right = axis_angle

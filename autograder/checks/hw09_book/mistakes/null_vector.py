@@ -1,7 +1,7 @@
 """The axis is the null vector of R - I by singular values, which loses digits where R - I is small.
 
 fails: small_angles_keep_their_digits
-names: keeps this axis to the last digit
+names: holds for your axis
 numerics: seven digits of sixteen where R - I is 1e-8
 """
 

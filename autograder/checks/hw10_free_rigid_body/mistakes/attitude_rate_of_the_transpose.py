@@ -1,4 +1,4 @@
-"""R omega-hat has the transpose of R.
+"""You used the transpose of R; dR/dt is R omega-hat.
 
 fails: attitude_follows_omega
 """

@@ -1,4 +1,4 @@
-"""Spin near the middle axis is held constant unless that is axis 1; it should not be.
+"""You keep omega constant near the middle axis unless that is axis 1; such a spin is unstable about any axis.
 
 fails: omega_follows_elliptic_functions
 """

@@ -1,4 +1,4 @@
-"""The given R stands on the wrong side of the turn since then.
+"""You multiply in the wrong order; R(t) is R(t[0]) times the turn since then, as omega has body components.
 
 fails: attitude_follows_the_motion, rim_paths_are_drawn
 """

@@ -63,6 +63,8 @@ def sliding_track_radius(lean, *, radius):
 
 
 def rolling_precession(lean, track_radius, *, mass, radius, inertia, gravity):
+    if gravity == 0:  # it can stand still, on any track
+        return 0.0
     disk = {"mass": mass, "radius": radius, "inertia": inertia}
     ratio = track_radius / radius - np.sin(lean)
     moving = moment_residual(lean, 1.0, ratio, mass * radius * ratio, 0.0, **disk)

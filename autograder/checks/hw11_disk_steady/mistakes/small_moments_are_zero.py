@@ -1,4 +1,4 @@
-"""A moment below 1e-6 is treated as zero, as it is on a coin.
+"""You take the factor of Omega^2 for zero below 1e-6 kg m^2; for a coin it is that small.
 
 fails: rolling_precession_holds_on_tracks_of_any_sign
 names: rolling_precession raised ValueError for a thin disk as small as a coin

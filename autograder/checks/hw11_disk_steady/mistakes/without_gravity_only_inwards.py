@@ -1,4 +1,4 @@
-"""Without gravity it refuses where the same disk with gravity would fall outwards, though Omega = 0 holds any lean.
+"""Without gravity you raise ValueError for some leans; a disk at rest, Omega = 0, is a solution for every lean.
 
 fails: rolling_precession_is_zero_where_nothing_turns_it
 names: raised ValueError for no gravity, and a lean away from the centre

@@ -1,4 +1,4 @@
-"""The term 4 c^2 x v^2 has the wrong sign: dT/dx is subtracted from the rate of dT/dv.
+"""Your term 4 c^2 x v^2 has the wrong sign; dL/dv holds 1 + 4 c^2 x^2, whose rate has a term with v^2, too.
 
 fails: lagrange_gives_the_acceleration
 """

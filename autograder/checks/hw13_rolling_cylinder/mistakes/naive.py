@@ -1,4 +1,4 @@
-"""This is M_C = I^C phi'', which leaves out that G is not above C.
+"""You used M_C = I^C phi''; it leaves out the acceleration of the cylinder's point at C.
 
 fails: acceleration_balances_momentum_about_G, contact_force_accelerates_G, simulate_rolls_and_rocks
 """

@@ -1,4 +1,4 @@
-"""A normal force below zero is cut off to zero; contact is kept.
+"""You cut a negative normal force to 0; assume that the cylinder never lifts off.
 
 fails: contact_force_may_pull
 """

@@ -1,4 +1,4 @@
-"""The contact is treated as at rest: the point of the disk there is, but the place moves.
+"""You set x' = y' = 0; the disk's point at the contact is at rest, but the contact moves along the ground.
 
 fails: euler_equations_hold, euler_simulation_follows_the_motion
 """

@@ -1,4 +1,4 @@
-"""The acceleration's components along e1, e2, e3 are brought to space by the transpose of what does it.
+"""You turned the acceleration from e1, e2, e3 to x, y, z with the transposed matrix.
 
 fails: contact_force_moves_the_centre
 """

@@ -44,7 +44,7 @@ def film(student: Student) -> Scene:
     return Scene(
         "Coins in steady circles",
         "Coins roll in circles on a floor, leaning inwards. The more one leans, the faster it goes round; the one in "
-        "the middle spins with its centre at rest, like a coin that settles.",
+        "the middle turns about a diameter, its centre at rest, like a coin that settles.",
         times,
         [Panel(shapes)],
         make_each(notes, lambda: _residuals(student, times, coins)),
