@@ -185,9 +185,9 @@ def wireframe(R, *, size):
 
 
 def plot_rim_paths(ax, t, R, omega, *, inertia, radius):
-    """(a) Draw the paths of the body points (radius, 0, 0) and (-radius, 0, 0), seen along space z.
+    """(a) Draw the paths of the body points (radius, 0, 0) and (0, radius, 0), seen along space x.
 
-    ax      : Matplotlib Axes to draw on
+    ax      : Matplotlib Axes to draw on: y to the right, z up
     t       : (n,) s, strictly increasing
     R       : (3, 3), body to space, at t[0]
     omega   : (3,) rad/s, body components, at t[0]
@@ -195,11 +195,11 @@ def plot_rim_paths(ax, t, R, omega, *, inertia, radius):
     radius  : m
     """
     _, rotations = simulate(t, R, omega, inertia=inertia)
-    x, y = radius * rotations[:, :2, 0].T
-    ax.plot(x, y, label="the point (radius, 0, 0)")
-    ax.plot(-x, -y, label="the point (-radius, 0, 0)")
-    ax.set(xlabel="x (m)", ylabel="y (m)", aspect="equal")
-    ax.legend()
+    for axis, name in enumerate(("(radius, 0, 0)", "(0, radius, 0)")):
+        y, z = radius * rotations[:, 1:, axis].T
+        ax.plot(y, z, label=f"the point {name}")
+    ax.set(xlabel="y (m)", ylabel="z (m)", aspect="equal")
+    ax.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2)
 
 
 TOLERANCE = 1e-13  # keeps energy and angular momentum to 5e-12 over 1e3 s of a few radians a second

@@ -143,9 +143,9 @@ def wireframe(R, *, size):
 
 
 def plot_rim_paths(ax, t, R, omega, *, inertia, radius):
-    """(a) Draw the paths of the body points (radius, 0, 0) and (-radius, 0, 0), seen along space z.
+    """(a) Draw the paths of the body points (radius, 0, 0) and (0, radius, 0), seen along space x.
 
-    ax      : Matplotlib Axes to draw on
+    ax      : Matplotlib Axes to draw on: y to the right, z up
     t       : (n,) s, strictly increasing
     R       : (3, 3), body to space, at t[0]
     omega   : (3,) rad/s, body components, at t[0]

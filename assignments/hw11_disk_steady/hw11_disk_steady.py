@@ -32,8 +32,8 @@ def rolling_precession(lean, track_radius, *, mass, radius, inertia, gravity):
 
     lean         : rad
     track_radius : m, signed
-    Returns rad/s; 0 without gravity, and 0 upright on a track that is no point. Upright on a point without gravity it is not asked.
-    Raises ValueError where no steady rolling exists, or where every Omega will do, as upright on a point.
+    Returns rad/s; 0 without gravity, and 0 upright on a track that is no point.
+    Raises ValueError where no steady rolling exists, or where every Omega will do, as with gravity upright on a point.
     """
     raise NotImplementedError
 

@@ -295,8 +295,19 @@ def test_the_paths_of_the_rim_start_where_the_points_are():
     ax, R = Figure().subplots(), an_attitude()
     hw.plot_rim_paths(ax, [0.0, 0.1, 0.2], R, (0.1, 0.0, 1.0), inertia=(0.3, 0.3, 0.6), radius=0.5)
     starts = [line.get_xydata()[0] for line in ax.lines]
-    np.testing.assert_allclose(starts, [0.5 * R[:2, 0], -0.5 * R[:2, 0]], atol=1e-15)
-    assert (ax.get_xlabel(), ax.get_ylabel(), ax.get_aspect()) == ("x (m)", "y (m)", 1.0)
+    np.testing.assert_allclose(starts, [0.5 * R[1:, 0], 0.5 * R[1:, 1]], atol=1e-15)
+    assert (ax.get_xlabel(), ax.get_ylabel(), ax.get_aspect()) == ("y (m)", "z (m)", 1.0)
+
+
+def test_points_a_quarter_of_a_turn_apart_run_on_tilted_circles_and_opposite_ones_on_one():
+    """Near the axis of a disk, C = 2 A: the planes of the paths, fitted over a turn."""
+    omega = np.array([0.0, 0.6, 6.0])
+    _, rotations = hw.simulate(np.linspace(0.0, 2 * math.pi / 6.0, 201), np.eye(3), omega, inertia=(1.0, 1.0, 2.0))
+    first, second, opposite = (
+        np.linalg.svd(path)[2][2] for path in (rotations[:, :, 0], rotations[:, :, 1], -rotations[:, :, 0])
+    )
+    assert math.degrees(math.acos(abs(first @ second))) == pytest.approx(5.7, abs=0.1)
+    assert abs(first @ opposite) == pytest.approx(1.0, abs=1e-12)
 
 
 def test_the_period_on_the_separatrix_is_infinite():

@@ -232,12 +232,21 @@ def boxes(draw):
 
 
 def pictures(draw):
-    """A disk near its spin axis, and a body with three different inertias; 401 times."""
-    tilted = np.array([*draw.uniform(0.1, 0.2, 2), 1.0])
+    """A disk near its spin axis, from any attitude and lying flat, and a body with three inertias; 401 times."""
+    disk, tilted = np.array([1.0, 1.0, 2.0]), np.array([*draw.uniform(0.1, 0.2, 2), 1.0])
+    flat = "a disk that lies flat, near its spin axis, t[0] not 0"
     for kind, body, way in (
-        ("a disk near its spin axis, t[0] not 0", np.array([1.0, 1.0, 2.0]), tilted),
+        ("a disk near its spin axis, t[0] not 0", disk, tilted),
         ("a body with three different inertias, t[0] not 0", np.array([1.0, 1.7, 2.2]), np.array([0.5, -0.7, 0.5])),
+        (flat, disk, tilted),
     ):
         spin, start, inertia = draw.uniform(1, 4), draw.uniform(-2, 2), body * 10 ** draw.uniform(-2, 2)
         t = np.linspace(start, start + draw.uniform(4, 6) / spin, 401)
-        yield given(t, an_attitude(draw), spin * way, inertia=inertia, radius=10 ** draw.uniform(-1, 1)).on(kind)
+        R = yawed(draw.uniform(0, 2 * math.pi)) if kind == flat else an_attitude(draw)
+        yield given(t, R, spin * way, inertia=inertia, radius=10 ** draw.uniform(-1, 1)).on(kind)
+
+
+def yawed(angle):
+    """R about space z."""
+    c, s = math.cos(angle), math.sin(angle)
+    return np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])

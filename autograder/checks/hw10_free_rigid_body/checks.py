@@ -183,37 +183,49 @@ period_grows_to_infinity_at_the_separatrix = (
 
 # Drawing
 
+AXES = "y horizontal", "z height vertical"
+
 the_box_has_its_twelve_edges = law(
     "wireframe: the edges of the turned box, in any order and direction.", points=0.5, part="b"
 ).judged(judge_boxes, "wireframe", cases.boxes, within=POINTWISE)
 
 
-def mistaken(fine, radius):
-    """{what is drawn: its two paths}, of fine = radius * R along the motion."""
-    paths = {
-        "The paths are seen along x": fine[:, 1:, 0],
-        "The paths are seen along y": fine[:, ::2, 0],
-        "These are the paths of (0, radius, 0) and (0, -radius, 0)": fine[:, :2, 1],
-        "These are the paths by the transposes of R": fine[:, 0, :2],
-        "The paths start with the identity, not with the given R": (fine[0].T @ fine)[:, :2, 0] / radius,
-        "These are the paths for a radius of 1 m": fine[:, :2, 0] / radius,
-        "The label of x stands at the axis of y": fine[:, 1::-1, 0],
+def seen_along_x(rotations):
+    """y and z of the body's axes 0 and 1 in space: two paths (n, 2)."""
+    return rotations[:, 1:, 0], rotations[:, 1:, 1]
+
+
+def mistaken(rotations):
+    """{what is drawn: its two paths, over the radius}."""
+    paths, turned = seen_along_x(rotations), rotations.transpose(0, 2, 1)
+    return {
+        "This is the path of the opposite point: it runs on the same circle": [-path for path in paths],
+        "The paths are seen along z": [rotations[:, :2, axis] for axis in (0, 1)],
+        "The paths are seen along y": [rotations[:, ::2, axis] for axis in (0, 1)],
+        "These are the paths by the transposes of R": seen_along_x(turned),
+        "The paths start with the identity, not with the given R": seen_along_x(rotations[0].T @ rotations),
+        "The label of y stands at the axis of z": [path[:, ::-1] for path in paths],
     }
-    return {says: (path, -path) for says, path in paths.items()}
 
 
 @check(points=0.5, part="a")
 def rim_paths_are_drawn(student, draw):
-    """plot_rim_paths: the two paths as seen along z, from t[0] to t[-1], with labels and equal scales."""
-    points = "Does simulate pass and get the inertia? Draw x and y of (radius, 0, 0), (-radius, 0, 0) in space at all t"
+    """plot_rim_paths: both paths as seen along x, from t[0] to t[-1], with labels and equal scales."""
+    points = "Does simulate pass and get the inertia? Draw y and z of (radius, 0, 0), (0, radius, 0) in space at all t"
     for case in cases.pictures(draw):
         picture, (t, R, omega), radius = student.plot_rim_paths.drawn(case), case.args, case.kwargs["radius"]
-        motion = right.motion(np.linspace(t[0], t[-1], 801), R, omega, inertia=case.kwargs["inertia"])
-        others, path = mistaken(radius * motion[1], radius), radius * motion[1][:, :2, 0]
-        below = all(exchanged(picture))  # seen from there: y to the right and x up
-        found = [replace(line, points=line.points[:, ::-1]) if below else line for line in curves_seen(picture, 2)]
-        first, second = sorted(found, key=lambda line: np.abs(along(line, path)[[0, -1]] - path[[0, -1]]).max())
-        for line, its in ((first, path), (second, -path)):
-            known = {"within": DRAWN * radius / np.ptp(its, axis=0).max(), "fewer": COARSELY / DRAWN}
-            path_drawn(line, its, **known, of="a path", others=others, hint=points, gradual=False)
-        judge_axes_of_lengths(picture, from_below=True)
+        _, rotations = right.motion(np.linspace(t[0], t[-1], 801), R, omega, inertia=case.kwargs["inertia"])
+        paths = [radius * path for path in seen_along_x(rotations)]
+        others = {says: [radius * path for path in both] for says, both in mistaken(rotations).items()}
+        others["These are the paths for a radius of 1 m"] = seen_along_x(rotations)
+        behind = all(exchanged(picture, *AXES))  # seen from there: z to the right and y up
+        found = [replace(line, points=line.points[:, ::-1]) if behind else line for line in curves_seen(picture, 2)]
+        for line, path in zip(in_order(found, paths[0]), paths, strict=True):
+            known = {"within": DRAWN * radius / np.ptp(path, axis=0).max(), "fewer": COARSELY / DRAWN}
+            path_drawn(line, path, **known, of="a path", others=others, hint=points, gradual=False)
+        judge_axes_of_lengths(picture, *AXES, from_below=True)
+
+
+def in_order(lines, path):
+    """The lines, first the one whose ends are nearer to those of the path."""
+    return sorted(lines, key=lambda line: np.abs(along(line, path)[[0, -1]] - path[[0, -1]]).max())

@@ -27,6 +27,7 @@ def {name}(ax, *args, **kwargs):
     right(ax, *args, **kwargs)
     x, y = ax.lines[-1].get_data()
     mixed = np.random.default_rng(1).permutation([x, y], axis=1)
+    right_is, up_is = ax.get_xlabel()[0], ax.get_ylabel()[0]
     {code}
 """
 RIGHT = {
@@ -54,8 +55,8 @@ RIGHT = {
     "a scatter from its end": "ax.lines[-1].remove(); ax.scatter(x[::-1], y[::-1])",
     "a shuffled scatter": "ax.lines[-1].remove(); ax.scatter(*mixed)",
     "a lift of the pen": "ax.lines[-1].set_data(*(np.concatenate([c[:30], [np.nan], c[29:]]) for c in (x, y)))",
-    "text in TeX": r"ax.set(xlabel=r'$x$ $(\text{m})$', ylabel=r'$y\ \left[\mathbf{m}\right]$')",
-    "spaces in TeX": r"ax.set(xlabel=r'$x\,(\mathrm{m})$', ylabel=r'$y\ [\mathrm{m}]$')",
+    "text in TeX": r"ax.set(xlabel=rf'${right_is}$ $(\text{{m}})$', ylabel=rf'${up_is}\ \left[\mathbf{{m}}\right]$')",
+    "spaces in TeX": r"ax.set(xlabel=rf'${right_is}\,(\mathrm{{m}})$', ylabel=rf'${up_is}\ [\mathrm{{m}}]$')",
 }
 WRONG = {
     "a hidden curve": "ax.lines[-1].set_visible(False)",
@@ -150,7 +151,7 @@ def test_a_curve_that_is_missing_or_one_too_many_is_seen(what, slug, course, wor
             tried(slug, text, course, monkeypatch)
 
 
-SEEN_FROM_BELOW = """
+SEEN_FROM_BEHIND = """
 right = plot_rim_paths
 
 def plot_rim_paths(ax, *args, **kwargs):
@@ -163,11 +164,11 @@ def plot_rim_paths(ax, *args, **kwargs):
 """
 
 
-def test_rim_paths_may_be_seen_from_below_if_the_labels_say_so(course, workers, solution_text):
-    slug, labels = "hw10_free_rigid_body", "ax.set(xlabel='y (m)', ylabel='x (m)')"
-    judged(slug, solution_text(slug) + SEEN_FROM_BELOW.format(code=labels), course, workers)
+def test_rim_paths_may_be_seen_from_behind_if_the_labels_say_so(course, workers, solution_text):
+    slug, labels = "hw10_free_rigid_body", "ax.set(xlabel='z (m)', ylabel='y (m)')"
+    judged(slug, solution_text(slug) + SEEN_FROM_BEHIND.format(code=labels), course, workers)
     with pytest.raises(Failed, match="a path"):
-        judged(slug, solution_text(slug) + SEEN_FROM_BELOW.format(code="pass"), course, workers)
+        judged(slug, solution_text(slug) + SEEN_FROM_BEHIND.format(code="pass"), course, workers)
 
 
 def test_a_scatter_is_put_in_the_order_of_the_path_and_a_line_keeps_its_own():

@@ -68,11 +68,11 @@ def wireframe(R, *, size):
 
 def plot_rim_paths(ax, t, R, omega, *, inertia, radius):
     _, rotations = simulate(t, R, omega, inertia=inertia)
-    for sign in (1, -1):
-        p = sign * radius * rotations[:, :, 0]
-        ax.plot(p[:, 0], p[:, 1])
-    ax.set_xlabel("x (m)")
-    ax.set_ylabel("y (m)")
+    for column in (0, 1):
+        p = radius * rotations[:, :, column]
+        ax.plot(p[:, 1], p[:, 2])
+    ax.set_xlabel("y (m)")
+    ax.set_ylabel("z (m)")
     ax.set_aspect("equal")
 
 from scipy.special import ellipk

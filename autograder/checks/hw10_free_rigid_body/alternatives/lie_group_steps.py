@@ -118,8 +118,8 @@ def wireframe(R, *, size):
 
 def plot_rim_paths(ax, t, R, omega, *, inertia, radius):
     fine = np.linspace(t[0], t[-1], 500)
-    x, y = radius * simulate(fine, R, omega, inertia=inertia)[1][:, :2, 0].T
-    ax.plot(x, y, "b-", -x, -y, "r--")
+    _, y, z = radius * simulate(fine, R, omega, inertia=inertia)[1].transpose(1, 2, 0)
+    ax.plot(y[0], z[0], "b-", y[1], z[1], "r--")
     ax.set_aspect(1)
-    ax.set_xlabel("space x (m)")
-    ax.set_ylabel("space y (m)")
+    ax.set_xlabel("space y (m)")
+    ax.set_ylabel("space z (m)")

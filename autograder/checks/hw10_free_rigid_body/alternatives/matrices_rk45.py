@@ -94,9 +94,9 @@ def wireframe(R, *, size):
 
 def plot_rim_paths(ax, t, R, omega, *, inertia, radius):
     _, rotations = simulate(t[::10], R, omega, inertia=inertia)
-    for sign in (-1, 1):
-        points = rotations @ np.array([sign * radius, 0, 0])
-        ax.plot(points[:, 0], points[:, 1])
+    for point in ([0, radius, 0], [radius, 0, 0]):
+        places = rotations @ np.array(point)
+        ax.plot(places[:, 1], places[:, 2])
     ax.set_aspect("equal")
-    ax.set_xlabel("x (m)")
-    ax.set_ylabel("y (m)")
+    ax.set_xlabel("y (m)")
+    ax.set_ylabel("z (m)")

@@ -103,7 +103,7 @@ def wireframe(R, *, size):
 
 def plot_rim_paths(ax, t, R, omega, *, inertia, radius):
     rotations = simulate(t, R, omega, inertia=inertia)[1][::2]
-    for sign in (1, -1):
-        ax.plot([sign * radius * M[0][0] for M in rotations], [sign * radius * M[1][0] for M in rotations])
+    for k in (0, 1):
+        ax.plot([radius * M[1][k] for M in rotations], [radius * M[2][k] for M in rotations])
     ax.axis("equal")
-    ax.set(xlabel="x (m)", ylabel="y (m)")
+    ax.set(xlabel="y (m)", ylabel="z (m)")

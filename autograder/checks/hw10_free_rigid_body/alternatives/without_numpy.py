@@ -147,6 +147,6 @@ def wireframe(R, *, size):
 
 def plot_rim_paths(ax, t, R, omega, *, inertia, radius):
     _, rotations = simulate(t, R, omega, inertia=inertia)
-    for side in (radius, -radius):
-        ax.plot([side * one[0][0] for one in rotations], [side * one[1][0] for one in rotations])
-    ax.set(xlabel="x (m)", ylabel="y (m)", aspect="equal")
+    for column in (0, 1):
+        ax.plot([radius * one[1][column] for one in rotations], [radius * one[2][column] for one in rotations])
+    ax.set(xlabel="y (m)", ylabel="z (m)", aspect="equal")

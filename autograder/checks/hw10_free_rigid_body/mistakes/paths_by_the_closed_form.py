@@ -11,7 +11,7 @@ def plot_rim_paths(ax, t, R, omega, *, inertia, radius):
     (A, _, C), H = inertia, R @ np.multiply(inertia, omega)
     since = np.subtract(t, t[0])[:, None]
     wobble, slip = (Rotation.from_rotvec(since * v).as_matrix() for v in (H / A, [0, 0, (1 - C / A) * omega[2]]))
-    x, y = radius * (wobble @ R @ slip)[:, :2, 0].T
-    ax.plot(x, y)
-    ax.plot(-x, -y)
-    ax.set(xlabel="x (m)", ylabel="y (m)", aspect="equal")
+    rotations = wobble @ R @ slip
+    for axis in (0, 1):
+        ax.plot(*radius * rotations[:, 1:, axis].T)
+    ax.set(xlabel="y (m)", ylabel="z (m)", aspect="equal")
