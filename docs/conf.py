@@ -14,7 +14,14 @@ copyright = author
 version = release = tam570.__version__
 
 extensions = ["myst_parser", "sphinx.ext.autodoc", "docstrings", "figures", "mathematics", "pages", "scenes", "trim"]
-exclude_patterns = ["extension", "generated/figures", "generated/stills.md"]
+exclude_patterns = [
+    "extension",
+    "lectures",
+    "problems",
+    "generated/figures",
+    "generated/lectures.md",
+    "generated/stills.md",
+]
 nitpicky = True
 suppress_warnings = ["misc.highlighting_failure"]
 default_role = "code"

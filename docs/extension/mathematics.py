@@ -1,9 +1,22 @@
-"""Formulas as MathML, which browsers draw themselves, by the translator that docutils has."""
+"""Formulas as MathML, which browsers draw themselves.
+
+Browsers ignore `mathvariant="bold"`, so bold letters become the bold letters of Unicode. They set no space around the
+name of a function, and too much around a bar.
+"""
+
+import re
+import unicodedata
 
 from docutils import nodes
-from docutils.utils.math.latex2mathml import tex2mathml
+from latex2mathml.converter import convert
 
-__all__ = ["setup"]
+__all__ = ["mathml", "setup"]
+
+BOLD = re.compile(r'<m([in]) mathvariant="(bold(?:-italic)?)">(.)</m[in]>')
+NAME = r"<mi>(?:(?:arc)?(?:sin|cos|tan)|(?:sin|cos|tan)h|ln)</mi>"
+FUNCTION = re.compile(rf"(?<!<msup>){NAME}|<msup>{NAME}<mn>\d</mn></msup>")
+THIN = '<mspace width="0.167em"/>'
+STYLES = {"bold": "MATHEMATICAL BOLD", "bold-italic": "MATHEMATICAL BOLD ITALIC"}
 
 
 def setup(app):
@@ -11,11 +24,35 @@ def setup(app):
     return {"parallel_read_safe": True}
 
 
+def mathml(text, display="inline"):
+    """MathML of a formula in LaTeX."""
+    markup = re.sub("&#x([0-9A-F]+);", _unescaped, convert(text, display=display))
+    markup = re.sub(r'<mo(?: stretchy="false")?>[|∣]</mo>', '<mi mathvariant="normal">|</mi>', markup)
+    return FUNCTION.sub(_apart, BOLD.sub(_bold, markup))
+
+
+def _apart(found):
+    """The name of a function with a space to a factor before it, and to an argument without parentheses."""
+    before, after = found.string[: found.start()], found.string[found.end() :]
+    left = "" if before.endswith(("</mo>", "row>", "<mfrac>", "<math>", "/>")) else THIN
+    return left + found[0] + ("" if re.match(r"<mo[^>]*>\(", after) else THIN)
+
+
+def _unescaped(found):
+    return found[0] if (character := chr(int(found[1], 16))) in "<>&" else character
+
+
+def _bold(found):
+    tag, style, letter = found.groups()
+    name = unicodedata.name(letter).replace(" LETTER", "").replace("LATIN ", "").replace("GREEK ", "")
+    return f'<m{tag} mathvariant="normal">{unicodedata.lookup(f"{STYLES[style]} {name}")}</m{tag}>'
+
+
 def _inline(writer, node):
-    writer.body.append(tex2mathml(node.astext()))
+    writer.body.append(mathml(node.astext()))
     raise nodes.SkipNode
 
 
 def _block(writer, node):
-    writer.body.append(f'<div class="math">{tex2mathml(node.astext(), as_block=True)}</div>')
+    writer.body.append(f'<div class="math" tabindex="0">{mathml(node.astext(), "block")}</div>')
     raise nodes.SkipNode

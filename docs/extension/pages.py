@@ -16,6 +16,7 @@ GREEK = {
     **{"mu": "μ", "pi": "π", "phi": "φ", "psi": "ψ", "omega": "ω"},
 }
 LETTER = re.compile(rf"\b({'|'.join(GREEK)})(?=\d?\b)")
+WIDE = "---\nhtml_theme.sidebar_secondary.remove: true\n---\n"
 MARKUP = re.compile(r"([\\*_<>\[\]|$#])")
 
 
@@ -41,9 +42,16 @@ def _write(app):
 
 
 def _problem(slug):
-    given = f"`tam570 start {slug[:4]}` gives you this problem, the file to fill in, and the visible tests."
-    seen = f"[See what it is about](../assignments.md#{slug[:4]})."
-    return f":::{{include}} ../../../assignments/{slug}/README.md\n:::\n\n{given}\n{seen}\n"
+    """The README of an assignment, its formulas set as mathematics, its scene."""
+    readme = f"../../../assignments/{slug}/README.md"
+    parts = [
+        WIDE,
+        f":::{{include}} {readme}\n:relative-images:\n:::\n",
+        f"## In symbols\n\n:::{{include}} ../../problems/{slug}.md\n:::\n",
+        f"## Start\n\n`tam570 start {slug[:4]}` gives you this problem, the file to fill in, and the visible tests. "
+        f"[The scene](../assignments.md#{slug[:4]}) shows the motion; it shows no code.\n",
+    ]
+    return "\n".join(parts)
 
 
 def _gallery():
@@ -57,11 +65,10 @@ def _gallery():
 
 
 def _lectures():
-    rows = [f"| {one.date} | [{one.title}](lectures/{name}.md) |" for name, one in catalogue().items()]
-    tree = "\n".join(f"lectures/{name}" for name in catalogue())
-    says = "The course solves these systems in class. Each page has a scene, equations, what does not change, and code."
-    table = "| date | system |\n|---|---|\n" + "\n".join(rows)
-    return f"# The lectures\n\n{says}\n\n{table}\n\n```{{toctree}}\n:hidden:\n\n{tree}\n```\n"
+    """The pages of the lectures by date, for the menu."""
+    short = {name: re.split("[,:;]", lecture.title)[0] for name, lecture in catalogue().items()}
+    tree = "\n".join(f"{words} <generated/lectures/{name}>" for name, words in short.items())
+    return f"```{{toctree}}\n:hidden:\n\n{tree}\n```\n"
 
 
 def _stills():
@@ -81,33 +88,38 @@ def _card(name, address, words):
 
 
 def _lecture(lecture):
-    module = load(lecture.name)
-    prose = (module.__doc__ or "").partition("\n")[2]
+    """The page of a lecture: its scene, its text of docs/lectures or else its docstring, its numbers, its code."""
+    module, file = load(lecture.name), f"{lecture.name}.py"
+    text = f":::{{include}} ../../lectures/{lecture.name}.md\n:::\n"
+    if not (COURSE / "docs" / "lectures" / f"{lecture.name}.md").exists():
+        text = readable((module.__doc__ or "").partition("\n")[2].strip()) + "\n"
+    source = f"../../../shared/tam570/lectures/{file}"
     parts = [
+        WIDE,
         f"# {lecture.title}\n",
-        f"{lecture.date}. Play it with `tam570 show {lecture.name}`, copy it with `tam570 start {lecture.name}`.\n",
+        f"{lecture.date}. Play the scene with `tam570 show {lecture.name}`. Copy the module and change it with "
+        f"`tam570 start {lecture.name}`, or download {{download}}`{file} <{source}>`.\n",
         f":::{{scene}} {lecture.name}\n:::\n",
-        readable(prose.strip()) + "\n",
+        text,
         *_numbers(module),
-        f"## The code\n\n`shared/tam570/lectures/{lecture.name}.py`\n",
-        f":::{{literalinclude}} ../../../shared/tam570/lectures/{lecture.name}.py\n:language: python\n:::\n",
+        f"## The code\n\n:::{{literalinclude}} {source}\n:language: python\n:::\n",
     ]
     return "\n".join(parts)
 
 
 def _numbers(module):
-    """The state with its units, what does not change, and the numbers of the film."""
+    """The state with its units, the conserved quantities, and the numbers of the scene."""
     if hasattr(module, "STATE"):
         rows = [
             f"| `{name}` | {unit} | {at:g} |"
             for (name, unit), at in zip(module.STATE.items(), module.START, strict=True)
         ]
-        yield "## The state\n\n| name | unit | start of the film |\n|---|---|---|\n" + "\n".join(rows) + "\n"
+        yield "## The state\n\n| name | unit | start of the scene |\n|---|---|---|\n" + "\n".join(rows) + "\n"
     if hasattr(module, "INVARIANTS"):
         laws = [f"- `{name}`: {_first(law)}" for name, law in module.INVARIANTS.items()]
-        yield "## What does not change\n\n" + "\n".join(laws) + "\n"
+        yield "## The conserved quantities in the code\n\n" + "\n".join(laws) + "\n"
     rows = [f"| `{name}` | `{value!r}` |" for name, value in module.EXAMPLE.items()]
-    yield "## The parameters\n\n| name | in the film |\n|---|---|\n" + "\n".join(rows) + "\n"
+    yield "## The parameters\n\n| name | in the scene |\n|---|---|\n" + "\n".join(rows) + "\n"
 
 
 def _first(function):

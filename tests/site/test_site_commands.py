@@ -16,6 +16,7 @@ from pathlib import Path
 
 import pytest
 
+from tam570 import lectures
 from tam570_grader import cli
 from tam570_grader.writing import assignments
 
@@ -162,3 +163,13 @@ def test_examples_are_found_where_there_are_any():
     found = {file for file in shared.rglob("*.py") if re.search(r"^ *>>> ", file.read_text(), re.M)}
     known = {Path(importlib.import_module(f"tam570.{name}").__file__) for name in MODULES}
     assert {file.resolve() for file in found} <= {file.resolve() for file in known}
+
+
+def test_every_lecture_has_a_page_and_a_row_at_its_dates():
+    rows = (DOCS / "lectures.md").read_text().splitlines()
+    for name, lecture in lectures.catalogue().items():
+        assert (DOCS / "lectures" / f"{name}.md").is_file(), f"docs/lectures/{name}.md: what the page says"
+        days = {row.split("|")[1].strip() for row in rows if f"lectures/{name}.md" in row}
+        *firsts, last = lecture.date.split(", ")
+        month = last.split()[1]
+        assert days == {*(day if " " in day else f"{day} {month}" for day in firsts), last}, f"docs/lectures.md: {name}"
