@@ -16,6 +16,7 @@ from tam570.integrate import solve
 __all__ = [
     "best_angle",
     "flight_time",
+    "free_body_diagram",
     "horizontal_range",
     "limit_shape",
     "plot_comparison",
@@ -23,6 +24,20 @@ __all__ = [
     "state_derivative",
     "trajectory",
 ]
+
+
+def free_body_diagram(state, *, mass, drag, gravity):
+    """The forces on the particle.
+
+    state   : (4,) x, y, vx, vy; m and m/s
+    mass    : kg
+    drag    : c in the force -c v, kg/s, may be 0
+    gravity : m/s^2, may be 0
+    Returns a list of pairs (point, direction), one for each force: where it acts, (2,) in m, and a vector (2,) of any
+    length along which it acts, or None where neither component is known. The order is free.
+    """
+    x, y, vx, vy = state
+    return [((x, y), (0.0, -1.0)), ((x, y), (-vx, -vy))]
 
 
 def state_derivative(t, state, *, mass, drag, gravity):

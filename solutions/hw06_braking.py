@@ -17,6 +17,7 @@ import numpy as np
 __all__ = [
     "axle_load",
     "critical_speed",
+    "free_body_diagram",
     "friction_force",
     "kinetic_energy",
     "simulate",
@@ -24,6 +25,29 @@ __all__ = [
     "state_derivative",
     "yaw_growth_rate",
 ]
+
+
+def free_body_diagram(state, locked, *, mass, front, rear, friction, gravity):
+    """The forces on the car in the plane of the ground, seen from above.
+
+    state       : (5,) x, y, heading, speed, yaw_rate
+    locked      : "front" or "rear"
+    mass        : kg
+    front, rear : m, > 0, from G to the axles
+    friction    : coefficient, may be 0
+    gravity     : m/s^2, may be 0
+    Returns a list of pairs (point, direction), one for each force: where it acts, (2,) in m, and a vector (2,) of any
+    length along which it acts, or None where neither component is known, both along x and y of the ground. The order
+    is free.
+    Raises ValueError for another `locked`.
+    """
+    x, y, heading, _, _ = state
+    known = {"mass": mass, "front": front, "rear": rear, "friction": friction, "gravity": gravity}
+    along, aside = friction_force(state, locked, **known)
+    free, arm = _axles(locked, front, rear)
+    forward, left = (np.array([math.cos(angle), math.sin(angle)]) for angle in (heading, heading + math.pi / 2))
+    at_free, at_locked = (np.array([x, y]) + distance * forward for distance in (free, free + arm))
+    return [(at_locked, along * forward + aside * left), (at_free, left)]
 
 
 def axle_load(locked, *, mass, front, rear, gravity):

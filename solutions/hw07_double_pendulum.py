@@ -22,6 +22,7 @@ __all__ = [
     "angular_acceleration",
     "angular_momentum",
     "energy",
+    "free_body_diagram",
     "gravity_terms",
     "mass_matrix",
     "on_the_fly",
@@ -31,6 +32,27 @@ __all__ = [
     "velocity_terms",
     "wireframe",
 ]
+
+
+def free_body_diagram(bar, theta, *, masses, lengths, gravity):
+    """The forces on one bar, cut free from the ceiling and from the other bar.
+
+    bar     : 1 or 2
+    theta   : (2,) rad
+    masses  : (2,) kg, of the bars, positive
+    lengths : (2,) m
+    gravity : m/s^2, may be 0
+    Returns a list of pairs (point, direction), one for each force: where it acts, (2,) in m, and a vector (2,) of any
+    length along which it acts, or None where neither component is known. The order is free.
+    Raises ValueError for another bar.
+    """
+    if bar not in (1, 2):
+        raise ValueError(f"bar: {bar!r} is not 1 or 2")
+    (ceiling, elbow), (_, tip) = wireframe(theta, lengths=lengths)
+    down = (0.0, -1.0)
+    if bar == 1:
+        return [((ceiling + elbow) / 2, down), (ceiling, None), (elbow, None)]
+    return [((elbow + tip) / 2, down), (elbow, None)]
 
 
 def mass_matrix(theta, *, masses, lengths):

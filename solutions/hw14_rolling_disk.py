@@ -22,6 +22,7 @@ __all__ = [
     "critical_speed",
     "energy",
     "euler_state_derivative",
+    "free_body_diagram",
     "growth_rate_squared",
     "matrix_state",
     "matrix_state_derivative",
@@ -31,6 +32,19 @@ __all__ = [
     "steady_residual",
     "wireframe",
 ]
+
+
+def free_body_diagram(state, *, mass, radius, gravity):
+    """The forces on the disk, cut free from the ground, in space axes.
+
+    state : (8,) Euler state
+    Returns a list of pairs (point, direction), one for each force: where it acts, (3,) in m, and a vector (3,) of any
+    length along which it acts, or None where no component is known. The order is free.
+    """
+    x, y, yaw, tilt, _, _, _, _ = state
+    contact = np.array([x, y, 0.0])
+    up_the_disk = np.array([-math.sin(yaw) * math.cos(tilt), math.cos(yaw) * math.cos(tilt), math.sin(tilt)])
+    return [(contact + radius * up_the_disk, (0.0, 0.0, -1.0)), (contact, None)]
 
 
 def euler_state_derivative(t, state, *, mass, radius, inertia, gravity):

@@ -16,7 +16,7 @@ from tam570_grader.sandbox.worker import Allowance
 from tam570_grader.writing import assignments
 from tam570_grader.writing.expect import trial
 from tam570_grader.writing.mistakes import known, mistake, mistakes
-from tam570_grader.writing.returns import Array, Drawing, Formula, Group
+from tam570_grader.writing.returns import Array, Drawing, Formula, FreeBodyDiagram, Group
 
 COURSE = assignments.find()
 CHECKS = [(slug, check) for slug in assignments.slugs(COURSE) for check in assignments.assignment(COURSE, slug).checks]
@@ -297,6 +297,8 @@ def filled(promise, number):
         return "(" + ", ".join(filled(member, number) for member in promise.members) + ",)"
     if isinstance(promise, Drawing):
         return "None"
+    if isinstance(promise, FreeBodyDiagram):
+        return f"[(({number},) * {promise.dimension}, None)]"
     if isinstance(promise, Formula):
         return f"__import__('sympy').sympify({number})"
     sizes = ["len(args[0])" if size == "n" else "2" if size is None else str(size) for size in promise.shape]

@@ -13,6 +13,7 @@ __all__ = [
     "action",
     "angular_momentum_balance",
     "energy_balance",
+    "free_body_diagram",
     "lagrange_equation",
     "lagrangian",
     "linear_momentum_balance",
@@ -22,6 +23,20 @@ __all__ = [
     "small_angle_solution",
     "virtual_work",
 ]
+
+
+def free_body_diagram(theta, omega, *, mass, length, gravity):
+    """The forces on the mass, cut free from the rod.
+
+    theta  : rad
+    omega  : rad/s
+    mass   : kg
+    length : m
+    gravity: m/s^2, may be 0
+    Returns a list of pairs (point, direction), one for each force: where it acts, (2,) in m, and a vector (2,) of any
+    length along which it acts, or None where neither component is known. The order is free.
+    """
+    raise NotImplementedError
 
 
 def linear_momentum_balance(theta, omega, *, mass, length, gravity):

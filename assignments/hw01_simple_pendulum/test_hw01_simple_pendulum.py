@@ -9,6 +9,13 @@ ROD = {"length": 0.5, "gravity": 10.0}  # m, m/s^2
 BALANCES = ("linear_momentum_balance", "angular_momentum_balance", "energy_balance", "power_balance", "virtual_work")
 
 
+def test_two_forces_act_on_the_mass():
+    forces = hw.free_body_diagram(0.7, -3.0, **PENDULUM)
+    assert len(forces) == 2
+    for point, _ in forces:
+        np.testing.assert_allclose(point, [0.5 * np.sin(0.7), -0.5 * np.cos(0.7)])
+
+
 @pytest.mark.parametrize("name", BALANCES)
 def test_held_out_horizontally_it_falls_with_g_over_l(name):
     alpha = getattr(hw, name)(np.pi / 2, 0.0, **PENDULUM)[0]

@@ -20,6 +20,13 @@ def numbers(result):
     return np.asarray(result, float)
 
 
+def test_two_forces_act_on_a_particle_that_flies():
+    forces = hw.free_body_diagram(np.array([1.0, 2.0, 3.0, -4.0]), mass=2.0, drag=0.5, gravity=10.0)
+    assert len(forces) == 2
+    for point, _ in forces:
+        np.testing.assert_allclose(point, [1.0, 2.0])
+
+
 def test_a_particle_at_rest_starts_to_fall():
     rates = numbers(hw.state_derivative(0.0, np.zeros(4), **BALL))
     np.testing.assert_allclose(rates, [0, 0, 0, -9.81], atol=1e-12)

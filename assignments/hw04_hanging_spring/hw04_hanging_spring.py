@@ -8,7 +8,29 @@ Off limits in this file: tam570.lectures, which would answer it.
 
 import numpy as np
 
-__all__ = ["energy", "orbit", "plot_projection", "project", "simulate", "solution", "state_derivative"]
+__all__ = [
+    "energy",
+    "free_body_diagram",
+    "orbit",
+    "plot_projection",
+    "project",
+    "simulate",
+    "solution",
+    "state_derivative",
+]
+
+
+def free_body_diagram(state, *, mass, stiffness, gravity):
+    """The forces on the mass, cut free from the spring.
+
+    state     : (6,) position in m, velocity in m/s
+    mass      : kg
+    stiffness : N/m, > 0
+    gravity   : m/s^2, may be 0
+    Returns a list of pairs (point, direction), one for each force: where it acts, (3,) in m, and a vector (3,) of any
+    length along which it acts, or None where no component is known. The order is free.
+    """
+    raise NotImplementedError
 
 
 def state_derivative(t, state, *, mass, stiffness, gravity):

@@ -16,6 +16,13 @@ def numbers(result):
     return np.asarray(result, float)
 
 
+def test_two_forces_act_on_the_mass():
+    forces = hw.free_body_diagram(np.array([1.0, 2.0, -3.0, 0.0, 0.0, 0.0]), mass=2.0, stiffness=5.0, gravity=10.0)
+    assert len(forces) == 2
+    for point, _ in forces:
+        np.testing.assert_allclose(point, [1.0, 2.0, -3.0])
+
+
 def test_at_the_origin_it_falls_freely():
     rates = numbers(hw.state_derivative(0.0, np.array([0, 0, 0, 1.0, 2.0, 3.0]), **SPRING))
     assert rates == pytest.approx([1, 2, 3, 0, 0, -10])

@@ -9,7 +9,28 @@ Cartesian coordinates only: what is wanted is found from F = m a and the constra
 
 import numpy as np
 
-__all__ = ["acceleration", "consistent_state", "constraint_force", "energy", "simulate", "wireframe"]
+__all__ = [
+    "acceleration",
+    "consistent_state",
+    "constraint_force",
+    "energy",
+    "free_body_diagram",
+    "simulate",
+    "wireframe",
+]
+
+
+def free_body_diagram(state, *, mass, length, gravity):
+    """The forces on the particle, cut free from the rod.
+
+    state  : (4,) m, m/s
+    mass   : kg
+    length : m
+    gravity: m/s^2, may be 0
+    Returns a list of pairs (point, direction), one for each force: where it acts, (2,) in m, and a vector (2,) of any
+    length along which it acts, or None where neither component is known. The order is free.
+    """
+    raise NotImplementedError
 
 
 def constraint_force(state, *, mass, length, gravity):

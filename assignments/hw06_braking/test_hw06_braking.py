@@ -23,6 +23,13 @@ def force(state, locked):
     return numbers(hw.friction_force(state, locked, mass=1200.0, **LENGTHS, **ROAD))
 
 
+def test_the_ground_pushes_the_car_at_its_axles():
+    car = {"mass": 1000.0, "front": 1.0, "rear": 2.0, "friction": 0.8, "gravity": 10.0}
+    for locked in ("front", "rear"):
+        forces = hw.free_body_diagram(np.array([5.0, 6.0, 0.0, 20.0, 0.3]), locked, **car)
+        np.testing.assert_allclose(sorted(point[0] for point, _ in forces), [3.0, 6.0])
+
+
 def test_the_two_axles_carry_the_weight_and_the_one_near_G_carries_more():
     front, rear = (float(hw.axle_load(locked, mass=1200.0, gravity=9.8, **LENGTHS)) for locked in ("front", "rear"))
     assert front + rear == pytest.approx(WEIGHT)

@@ -18,6 +18,7 @@ __all__ = [
     "angular_acceleration",
     "angular_momentum",
     "energy",
+    "free_body_diagram",
     "gravity_terms",
     "mass_matrix",
     "on_the_fly",
@@ -27,6 +28,21 @@ __all__ = [
     "velocity_terms",
     "wireframe",
 ]
+
+
+def free_body_diagram(bar, theta, *, masses, lengths, gravity):
+    """The forces on one bar, cut free from the ceiling and from the other bar.
+
+    bar     : 1 or 2
+    theta   : (2,) rad
+    masses  : (2,) kg, of the bars, positive
+    lengths : (2,) m
+    gravity : m/s^2, may be 0
+    Returns a list of pairs (point, direction), one for each force: where it acts, (2,) in m, and a vector (2,) of any
+    length along which it acts, or None where neither component is known. The order is free.
+    Raises ValueError for another bar.
+    """
+    raise NotImplementedError
 
 
 def mass_matrix(theta, *, masses, lengths):

@@ -20,6 +20,15 @@ def numbers(result):
     return np.asarray(result, float)
 
 
+def test_the_diagrams_of_the_bars():
+    bars = {"masses": np.array([1.0, 2.0]), "lengths": np.array([1.0, 2.0]), "gravity": 10.0}
+    for bar, points in ((1, [(0.0, 0.0), (0.5, 0.0), (1.0, 0.0)]), (2, [(1.0, -1.0), (1.0, 0.0)])):
+        forces = hw.free_body_diagram(bar, np.array([np.pi / 2, 0.0]), **bars)
+        np.testing.assert_allclose(sorted({tuple(np.round(point, 9)) for point, _ in forces}), points, atol=1e-8)
+    with pytest.raises(ValueError):
+        hw.free_body_diagram(3, np.array([np.pi / 2, 0.0]), **bars)
+
+
 def test_the_mass_matrix_is_that_of_two_independent_equations():
     M = numbers(hw.mass_matrix(THETA, **BARS))
     assert M.shape == (2, 2)

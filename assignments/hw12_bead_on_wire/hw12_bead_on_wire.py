@@ -7,7 +7,29 @@ Off limits in this file: tam570.lagrange and tam570.lectures, which would answer
 
 import numpy as np
 
-__all__ = ["acceleration_newton", "constraint_force", "energy", "lagrange_equation", "lagrangian", "period", "simulate"]
+__all__ = [
+    "acceleration_newton",
+    "constraint_force",
+    "energy",
+    "free_body_diagram",
+    "lagrange_equation",
+    "lagrangian",
+    "period",
+    "simulate",
+]
+
+
+def free_body_diagram(x, *, mass, curvature, gravity):
+    """The forces on the bead, cut free from the wire.
+
+    x        : m
+    mass     : kg
+    curvature: 1/m, > 0
+    gravity  : m/s^2, may be 0
+    Returns a list of pairs (point, direction), one for each force: where it acts, (2,) in m, and a vector (2,) of any
+    length along which it acts, or None where neither component is known. The order is free.
+    """
+    raise NotImplementedError
 
 
 def lagrangian():

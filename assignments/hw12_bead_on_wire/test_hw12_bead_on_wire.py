@@ -15,6 +15,13 @@ def value(formula, **numbers):
     return complex(formula.subs(named).evalf())
 
 
+def test_two_forces_act_on_the_bead():
+    forces = hw.free_body_diagram(0.5, mass=2.0, curvature=3.0, gravity=10.0)
+    assert len(forces) == 2
+    for point, _ in forces:
+        np.testing.assert_allclose(point, [0.5, 0.75])
+
+
 def test_the_lagrangian_at_the_bottom_is_that_of_a_flat_wire():
     moving, at_rest = (value(hw.lagrangian(), **{**NUMBERS, "x": 0.0, "v": v}) for v in (3.0, 0.0))
     assert moving - at_rest == pytest.approx(9.0)

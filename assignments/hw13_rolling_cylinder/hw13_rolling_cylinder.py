@@ -10,10 +10,27 @@ __all__ = [
     "contact_force",
     "contact_inertia",
     "energy",
+    "free_body_diagram",
     "missing_moment",
     "naive_contact_acceleration",
     "simulate",
 ]
+
+
+def free_body_diagram(phi, *, mass, radius, offset, slope, gravity):
+    """The forces on the cylinder, cut free from the ramp.
+
+    phi     : rad
+    mass    : kg
+    radius  : m
+    offset  : m, >= 0
+    slope   : rad
+    gravity : m/s^2, may be 0
+    Returns a list of pairs (point, direction), one for each force: where it acts, (2,) in m from the centre of the
+    cylinder, and a vector (2,) of any length along which it acts, or None where neither component is known; x down
+    the ramp, y off it. The order is free.
+    """
+    raise NotImplementedError
 
 
 def acceleration(phi, phi_dot, *, mass, radius, offset, inertia, slope, gravity):

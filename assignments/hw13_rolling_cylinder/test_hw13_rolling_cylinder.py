@@ -11,6 +11,12 @@ RAMP = {"slope": 0.3, "gravity": 9.8}  # rad, m/s^2
 LEVEL = {"slope": 0.0, "gravity": 9.8}
 
 
+def test_forces_act_on_the_cylinder_at_two_points():
+    cylinder = {"mass": 2.0, "radius": 1.0, "offset": 0.5, "slope": 0.3, "gravity": 10.0}
+    points = {tuple(np.round(point, 9)) for point, _ in hw.free_body_diagram(np.pi / 2, **cylinder)}
+    np.testing.assert_allclose(sorted(points), [(-0.5, 0.0), (0.0, -1.0)], atol=1e-8)
+
+
 def test_a_centred_cylinder_rolls_as_in_the_textbook():
     centred = {**BODY, "offset": 0.0}
     expected = 9.8 * math.sin(0.3) / 0.5 / (1 + 0.15 / (2.0 * 0.5**2))

@@ -20,6 +20,7 @@ __all__ = [
     "critical_speed",
     "energy",
     "euler_state_derivative",
+    "free_body_diagram",
     "growth_rate_squared",
     "matrix_state",
     "matrix_state_derivative",
@@ -29,6 +30,16 @@ __all__ = [
     "steady_residual",
     "wireframe",
 ]
+
+
+def free_body_diagram(state, *, mass, radius, gravity):
+    """The forces on the disk, cut free from the ground, in space axes.
+
+    state : (8,) Euler state
+    Returns a list of pairs (point, direction), one for each force: where it acts, (3,) in m, and a vector (3,) of any
+    length along which it acts, or None where no component is known. The order is free.
+    """
+    raise NotImplementedError
 
 
 def euler_state_derivative(t, state, *, mass, radius, inertia, gravity):

@@ -16,6 +16,12 @@ def numbers(result):
     return np.asarray(result, float)
 
 
+def test_forces_act_on_the_disk_at_two_points():
+    state = np.array([1.0, 2.0, 0.0, np.pi / 2, 0.0, 0.0, 0.0, 3.0])
+    points = {tuple(np.round(point, 9)) for point, _ in hw.free_body_diagram(state, mass=2.0, radius=0.5, gravity=10.0)}
+    np.testing.assert_allclose(sorted(points), [(1.0, 2.0, 0.0), (1.0, 2.0, 0.5)], atol=1e-8)
+
+
 def test_straight_rolling_goes_on():
     rates = numbers(hw.euler_state_derivative(0.0, STRAIGHT, **DISK))
     np.testing.assert_allclose(rates, [-2.0, 0, 0, 0, 4.0, 0, 0, 0], atol=1e-12)

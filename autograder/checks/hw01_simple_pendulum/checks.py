@@ -3,7 +3,8 @@
 import math
 
 from tam570_grader import Column, Invariant, absolute, agree, by_kind, check, expect, from_own_lagrangian, law
-from tam570_grader.writing.returns import formula, group, number, rows
+from tam570_grader.writing.diagrams import compare_diagrams
+from tam570_grader.writing.returns import formula, free_body_diagram, group, number, rows
 
 from . import cases, right
 
@@ -69,7 +70,16 @@ RESULTS = {
     "small_angle_solution": rows(2, columns=MOTION),
     "period": number.called("the period", "s"),
     "simulate": rows(2, columns=MOTION),
+    "free_body_diagram": free_body_diagram(2),
 }
+
+
+@check(points=0.5, part="a")
+def forces_on_the_mass(student, draw):
+    """free_body_diagram: every force on the mass, where it acts and along what."""
+    compare_diagrams(student.free_body_diagram, right, [*cases.states(draw), *cases.at_rest(draw)])
+
+
 STATES = cases.states, cases.at_rest
 newton_gives_the_acceleration = law("linear_momentum_balance: alpha, along the circle.", points=0.5, part="a").agrees(
     right.linear_momentum_balance, *STATES, within=FORMULA, only=0, hint="What of each force is along the circle?"
@@ -144,7 +154,7 @@ TO_ZERO = "What becomes of sin(w t)/w, w = sqrt(g/l), as w goes to zero?"
 small_angle_solution_without_gravity = small_angle_solution_is_harmonic.then(
     "small_angle_solution: without gravity the pendulum turns uniformly.", points=0.25, part="a"
 ).agrees_by_columns(right.small_angle_solution, cases.weightless, within=TRAJECTORY, hint=TO_ZERO)
-period_is_exact = law("period: exact at large amplitudes.", points=0.75, part="a").agrees(
+period_is_exact = law("period: exact at large amplitudes.", points=0.5, part="a").agrees(
     right.period, cases.usual_periods, within=PERIOD, hint="The energy gives omega at theta, and dt = dtheta/omega."
 )
 TOO_SMALL = "No amplitude is small enough for the period of small angles."
@@ -160,7 +170,7 @@ period_grows_towards_the_top = (
     .also.agrees(right.period, cases.at_the_top, within=AT_THE_ENDS, hint="Do you subtract nearly equal numbers?")
 )
 SWING = cases.motions(cases.swing, 15, 1000, "a large swing, t[0] not 0")
-simulate_swings = law("simulate: large swings, row i at t[i], row 0 the given state.", points=0.75, part="a").follows(
+simulate_swings = law("simulate: large swings, row i at t[i], row 0 the given state.", points=0.5, part="a").follows(
     right.simulate, SWING, within=TRAJECTORY, hint="Is omega the rate of theta, and is alpha right?", keeps=KEPT
 )
 TWO_TIMES = cases.motions(cases.swing, 100, 2, "two times, many periods apart")

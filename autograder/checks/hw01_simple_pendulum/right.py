@@ -8,6 +8,8 @@ from scipy.integrate import odeint
 from scipy.interpolate import make_interp_spline
 from scipy.special import ellipkm1
 
+from tam570_grader.writing.diagrams import CENTRIFUGAL, INERTIAL, NEGLIGIBLE, Force, FreeBody, NotAForce, weight
+
 
 def vectors(theta, omega, mass, length, gravity):
     """r, v, the weight, and a unit vector across the rod, as complex numbers x + iy."""
@@ -98,3 +100,15 @@ def energy_of_rows(rows, length, gravity):
     """Of 1 kg m^2, zero at the lowest point, along a motion."""
     theta, omega = rows.T
     return omega**2 / 2 + 2 * gravity / length * np.sin(theta / 2) ** 2
+
+
+def free_body_diagram(theta, omega, mass, length, gravity):
+    """Of the mass; m a is drawn whole, or as its parts across and along the rod."""
+    r, v, pull, across = vectors(theta, omega, mass, length, gravity)
+    tension = linear_momentum_balance(theta, omega, mass=mass, length=length, gravity=gravity)[1]
+    strains = abs(tension) > NEGLIGIBLE * (abs(pull) + mass * abs(v) ** 2 / length)
+    swing, inward = alpha(theta, omega, mass, length, gravity) * length * across, -(omega**2) * r
+    point, down, rod, *parts = ([z.real, z.imag] for z in (r, pull, r, swing + inward, swing, inward))
+    forces = weight(point, "the mass", gravity), Force("the force of the rod", point, "the mass", rod, acts=strains)
+    wrong = NotAForce(CENTRIFUGAL, point, rod, sense=True), *(NotAForce(INERTIAL, point, part) for part in parts)
+    return FreeBody("the mass", forces, wrong=wrong, outline=[[[0.0, 0.0], point]])

@@ -75,6 +75,11 @@ def states_without(draw):
     ]
 
 
+def without_time(draw):
+    """For the function of the state alone."""
+    return [given(*case.args[1:], **case.kwargs).on(case.kind) for case in states(draw) + states_without(draw)]
+
+
 # Motions
 
 

@@ -6,8 +6,9 @@ from functools import partial
 import numpy as np
 
 from tam570_grader import Column, Failed, absolute, by_kind, check, expect_that, law
+from tam570_grader.writing.diagrams import compare_diagrams
 from tam570_grader.writing.drawings import curves_seen, judge_axes_of_lengths, path_drawn
-from tam570_grader.writing.returns import array, drawing, number, rows
+from tam570_grader.writing.returns import array, drawing, free_body_diagram, number, rows
 
 from . import cases, right
 
@@ -73,7 +74,16 @@ RESULTS = {
     "best_angle": number.called("the best angle", "rad", absolute),
     "limit_shape": array(3, 2).called("a corner", "of m v/c", absolute),
     "plot_comparison": drawing,
+    "free_body_diagram": free_body_diagram(2),
 }
+
+
+@check(points=0.5, part="a")
+def forces_on_the_particle(student, draw):
+    """free_body_diagram: every force on the particle, where it acts and along what."""
+    compare_diagrams(student.free_body_diagram, right, cases.without_time(draw))
+
+
 SIMULATION = {"within": SIMULATED, "restart": lambda row: (row, None)}
 FORCES = "Draw the two forces on the particle: which way does each point when it falls?"
 rates_are_newtons = law(
@@ -85,13 +95,13 @@ rates_without_drag_or_gravity = rates_are_newtons.then(
 ).agrees(right.state_derivative, cases.states_without, within=FORMULA, hint=NO_DIVISION)
 NO_GROUND = "Is your state_derivative right? There is no ground: the path goes on below y = 0."
 simulation_follows_the_motion = law(
-    "simulate gives the states at uneven times, launched at t[0], whatever t[0] is.", points=1, part="d"
+    "simulate gives the states at uneven times, launched at t[0], whatever t[0] is.", points=0.75, part="d"
 ).follows(right.simulate, cases.flights, hint=NO_GROUND, **SIMULATION)
 simulation_without_drag_or_gravity = simulation_follows_the_motion.then(
     "simulate goes straight without gravity, a parabola without drag, whatever was asked before.", points=0.5, part="d"
 ).follows(right.simulate, cases.flights_without, hint=by_kind(HINTS, NO_DIVISION), **SIMULATION)
 LINEAR = "The equations of vx and vy are linear, of first order and apart; then x and y."
-trajectory_is_the_motion = law("trajectory gives the states in closed form.", points=1, part="c").agrees_by_columns(
+trajectory_is_the_motion = law("trajectory gives the states in closed form.", points=0.75, part="c").agrees_by_columns(
     right.trajectory, cases.flights_from_zero, within=CLOSED, hint=by_kind(HINTS, LINEAR)
 )
 trajectory_counts_time_from_the_launch = trajectory_is_the_motion.then(

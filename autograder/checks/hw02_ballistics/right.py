@@ -7,6 +7,8 @@ import math
 import numpy as np
 from scipy.optimize import brentq
 
+from tam570_grader.writing.diagrams import INERTIAL, Force, FreeBody, NotAForce, weight
+
 NODES, WEIGHTS = (np.polynomial.legendre.leggauss(40)[0] + 1) / 2, np.polynomial.legendre.leggauss(40)[1] / 2
 
 
@@ -87,3 +89,20 @@ def limit_shape(angle):
     speed = 1e12
     times = np.array([0.0, 40.0, speed * math.sin(angle)])  # e^-40 is nothing, and 40/1e12 too
     return trajectory(times, speed, angle, mass=1.0, drag=1.0, gravity=1.0)[:, :2] / speed
+
+
+ALONG_THE_VELOCITY = "You drew the drag along the velocity: this is the force that the particle exerts on the air."
+NO_THRUST = "You drew a force along the velocity; after the launch no other body pushes the particle."
+
+
+def free_body_diagram(state, mass, drag, gravity):
+    """Of the particle."""
+    point, velocity = np.split(np.asarray(state, float), 2)
+    acts = drag != 0 and bool(velocity.any())
+    forces = (
+        weight(point, "the particle", gravity),
+        Force("the drag", point, "the particle", -velocity, sense=True, acts=acts, reversed=ALONG_THE_VELOCITY),
+    )
+    acceleration = state_derivative(0.0, state, mass, drag, gravity)[2:]
+    wrong = NotAForce(NO_THRUST, point, velocity, sense=True), NotAForce(INERTIAL, point, acceleration)
+    return FreeBody("the particle", forces, wrong=wrong)

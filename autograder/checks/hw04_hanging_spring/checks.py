@@ -3,8 +3,9 @@
 import numpy as np
 
 from tam570_grader import Column, Invariant, absolute, by_kind, check, expect, expect_that, law
+from tam570_grader.writing.diagrams import compare_diagrams
 from tam570_grader.writing.drawings import curves_seen, judge_axes_of_lengths, path_drawn
-from tam570_grader.writing.returns import array, drawing, group, number, rows
+from tam570_grader.writing.returns import array, drawing, free_body_diagram, group, number, rows
 
 from . import cases, right
 
@@ -51,7 +52,16 @@ RESULTS = {
     "orbit": group(array(3).called("the centre", "m", length), array(2, 3)),
     "project": array("n", 2).called("a point of the picture", "m", absolute),
     "plot_projection": drawing,
+    "free_body_diagram": free_body_diagram(3),
 }
+
+
+@check(points=0.5, part="a")
+def forces_on_the_mass(student, draw):
+    """free_body_diagram: every force on the mass, where it acts and along what."""
+    compare_diagrams(student.free_body_diagram, right, cases.states(draw))
+
+
 BELOW = "Which two forces act on the mass, and which way, when it is below the origin?"
 derivative_is_velocity_and_force_over_mass = law(
     "state_derivative: the velocity, and the acceleration by the spring and the weight.", points=1.5, part="a"
@@ -61,7 +71,7 @@ energy_is_that_of_motion_spring_and_weight = law(
 ).agrees(right.energy, cases.states, within=POINTWISE, hint="Three terms: speed, stretch, height.")
 WHERE = "About which point does it oscillate, and how fast? The velocities are the rates of the positions."
 solution_is_the_motion = law(
-    "solution: position and velocity in closed form, given those at t = 0.", points=1.5, part="a"
+    "solution: position and velocity in closed form, given those at t = 0.", points=1.25, part="a"
 ).agrees_by_columns(right.solution, cases.with_gravity, within=POINTWISE, hint=WHERE)
 BEFORE = {"before": "Is anything kept between calls?"}
 AT_ZERO = by_kind(
@@ -73,7 +83,7 @@ solution_holds_without_gravity_and_from_any_time = solution_is_the_motion.then(
 ).agrees_by_columns(right.solution, cases.from_any_time, within=POINTWISE, hint=AT_ZERO)
 AT_THE_FIRST = "Does state_derivative pass? Row i is the state at t[i], the given one that at t[0]."
 simulate_moves_as_it_must = law(
-    "simulate: the state at few and uneven times, the first of which is not 0.", points=1, part="a"
+    "simulate: the state at few and uneven times, the first of which is not 0.", points=0.75, part="a"
 ).follows(right.simulate, cases.moving, within=TRAJECTORY, hint=AT_THE_FIRST, keeps=KEPT)
 STEPS = "Steps between the times must be as short as the motion asks for."
 FIXED = "A step of fixed length does not do for every spring."

@@ -5,6 +5,8 @@ import math
 import numpy as np
 from scipy.linalg import expm
 
+from tam570_grader.writing.diagrams import INERTIAL, Force, FreeBody, NotAForce, weight
+
 Z = np.array([0.0, 0.0, 1.0])
 
 
@@ -62,3 +64,17 @@ def project(points, azimuth, elevation):
     plane = (points[:, 0] + 1j * points[:, 1]) * np.exp(-1j * azimuth)
     tilted = (plane.real + 1j * points[:, 2]) * np.exp(-1j * elevation)
     return np.column_stack([plane.imag, tilted.imag])
+
+
+PUSHES = "You let the spring push. Its rest length is zero: it always pulls towards the origin."
+
+
+def free_body_diagram(state, mass, stiffness, gravity):
+    """Of the mass."""
+    point = np.asarray(state[:3], float)
+    spring = Force("the force of the spring", point, "the mass", -point, sense=True, acts=point.any(), reversed=PUSHES)
+    acceleration = -stiffness / mass * point - gravity * Z
+    wrong = (NotAForce(INERTIAL, point, acceleration),)
+    return FreeBody(
+        "the mass", (weight(point, "the mass", gravity, -Z), spring), wrong=wrong, outline=[[0 * point, point]]
+    )

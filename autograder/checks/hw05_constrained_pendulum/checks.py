@@ -3,6 +3,8 @@
 import numpy as np
 
 from tam570_grader import Column, Invariant, absolute, array, check, expect, follow, law, number, rows
+from tam570_grader.writing.diagrams import compare_diagrams
+from tam570_grader.writing.returns import free_body_diagram
 
 from . import cases, right
 
@@ -52,7 +54,14 @@ RESULTS = {
     "energy": number.called("the energy", "J", heat),
     "simulate": rows(4, columns=MOTION),
     "wireframe": array(1, 2, 2).called("an end of the rod", "m"),
+    "free_body_diagram": free_body_diagram(2),
 }
+
+
+@check(points=0.5, part="a")
+def forces_on_the_particle(student, draw):
+    """free_body_diagram: every force on the particle, where it acts and along what."""
+    compare_diagrams(student.free_body_diagram, right, cases.states(draw))
 
 
 def of_mending(case, found, expected):
@@ -79,10 +88,10 @@ energy_is_kinetic_and_potential = law(
 ).agrees(right.energy, cases.states, within=FORMULA, hint="How high is it above y = 0, and how fast?")
 WEIGHTLESS = "What changes the velocity when there is no weight?"
 without_gravity_it_goes_round_uniformly = law(
-    "simulate: uniform motion around the circle where there is no gravity.", points=0.75, part="a"
+    "simulate: uniform motion around the circle where there is no gravity.", points=0.5, part="a"
 ).follows(right.simulate, cases.without_gravity, within=FOLLOWED, hint=WEIGHTLESS, keeps=KEPT)
 with_gravity_it_swings_or_goes_round = law(
-    "simulate: the state at few and uneven times, the first of which is not 0.", points=1, part="a"
+    "simulate: the state at few and uneven times, the first of which is not 0.", points=0.75, part="a"
 ).follows(right.simulate, cases.with_gravity, within=FOLLOWED, hint="Does acceleration pass?", keeps=KEPT)
 
 

@@ -5,6 +5,8 @@ import math
 import numpy as np
 from scipy.integrate import odeint
 
+from tam570_grader.writing.diagrams import CENTRIFUGAL, INERTIAL, NEGLIGIBLE, Force, FreeBody, NotAForce, weight
+
 
 def on_circle(theta, omega, length):
     """The state (..., 4) at an angle from straight down."""
@@ -61,3 +63,17 @@ def simulate(t, state, mass, length, gravity):
 def energies(rows, mass, length, gravity):
     """Energy along a motion, over m g l, or m l^2/s^2 without gravity."""
     return energy(rows.T, 1.0, gravity) / ((gravity or 1.0) * length)
+
+
+def free_body_diagram(state, mass, length, gravity):
+    """Of the particle."""
+    point, velocity = np.split(np.asarray(state, float), 2)
+    tension = np.linalg.norm(constraint_force(state, mass=mass, length=length, gravity=gravity))
+    strains = tension > NEGLIGIBLE * mass * (gravity + velocity @ velocity / length)
+    rod = Force("the force of the rod", point, "the particle", point, acts=strains)
+    wrong = (
+        NotAForce(CENTRIFUGAL, point, point, sense=True),
+        NotAForce(INERTIAL, point, acceleration(state, mass=mass, length=length, gravity=gravity)),
+    )
+    forces = weight(point, "the particle", gravity), rod
+    return FreeBody("the particle", forces, wrong=wrong, outline=[[0 * point, point]])

@@ -104,6 +104,11 @@ def headings(draw):
     ]
 
 
+def of_diagrams(draw):
+    """Every way to move, odd cars, every heading."""
+    return [*ways(*WAYS, count=2)(draw), *odd_cars(draw), *headings(draw)]
+
+
 def creeping(kind, *speeds):
     """The locked axle moves at these speeds, m/s, any way."""
 

@@ -4,6 +4,8 @@ import numpy as np
 
 from tam570_grader import Column, agree, array, by_kind, check, expect_that, largest, law, number, refuse, rows
 from tam570_grader.writing.agree import taken
+from tam570_grader.writing.diagrams import compare_diagrams
+from tam570_grader.writing.returns import free_body_diagram
 
 from . import cases, right
 from .right import wheelbase
@@ -77,7 +79,16 @@ RESULTS = {
     "yaw_growth_rate": number.called("the growth rate", "1/s", of_growth),
     "critical_speed": array(infinite=True).called("the critical speed", "m/s"),
     "small_yaw_rate": number.called("the yaw rate", "rad/s"),
+    "free_body_diagram": free_body_diagram(2),
 }
+
+
+@check(points=0.5, part="a")
+def forces_on_the_car(student, draw):
+    """free_body_diagram: every force on the car, seen from above, where it acts and along what."""
+    calls = cases.of_diagrams(draw)
+    compare_diagrams(student.free_body_diagram, right, calls)
+    judge_refusals(student, [("free_body_diagram", calls[0])])
 
 
 # Where to look
@@ -159,13 +170,13 @@ kinetic_energy_of_G_and_of_turning = law("kinetic_energy: of G, and of turning a
     right.kinetic_energy, *EVERY_WAY, within=FORMULA, hint="What is the velocity of G?"
 )
 simulate_brakes = law(
-    "simulate: braking with either axle locked, row i at t[i], row 0 the given state.", points=1, part="a"
+    "simulate: braking with either axle locked, row i at t[i], row 0 the given state.", points=0.75, part="a"
 ).follows(right.simulate, cases.braking(100), **RUN)
 simulate_needs_no_dense_times = simulate_brakes.then(
     "simulate: the same motion when only a few times are asked for.", points=0.25, part="a"
 ).follows(right.simulate, cases.few_times, **RUN)
 simulate_glides_without_friction = (
-    simulate_brakes.then("simulate: without friction or gravity it glides, however slow.", points=0.5, part="a")
+    simulate_brakes.then("simulate: without friction or gravity it glides, however slow.", points=0.25, part="a")
     .follows(right.simulate, cases.gliding, **RUN)
     .also.follows(right.simulate, cases.gliding_slowly, **A_SLOW_RUN)
 )

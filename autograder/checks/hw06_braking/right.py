@@ -10,6 +10,7 @@ from functools import partial
 import numpy as np
 
 from tam570.integrate import solve
+from tam570_grader.writing.diagrams import Force, FreeBody, NotAForce
 
 
 def axles(locked, front, rear):
@@ -109,3 +110,45 @@ def small_yaw_rate(speed, speed0, yaw_rate0, locked, **car):
     slowing = state_derivative(0, [0, 0, 0, speed0, 0], locked, **car)[3]
     changes = [u * yaw_growth_rate(u, locked, **car) / slowing for u in speed0 * np.exp(half * (1 + nodes))]
     return yaw_rate0 * math.exp(half * np.dot(weights, changes))
+
+
+WITH_THE_VELOCITY = "You drew the drag along the velocity of the locked axle: this is the force on the ground."
+ON_THE_FREE_WHEEL = "You drew friction on the free axle. It rolls: the ground pushes it only sideways."
+ONLY_BACKWARDS = "You drew the drag along the car. The locked axle slides sideways, too: drag opposes its velocity."
+IN_THE_AXES_OF_THE_CAR = "You wrote forward and left components. The diagram has the x and y axes of the ground."
+SIDE_FORCE_OF_THE_LOCKED = "You drew a side force at the locked axle. It slides: friction is all, against its velocity."
+
+
+def free_body_diagram(state, locked, mass, front, rear, friction, gravity):
+    """Of the car from above."""
+    x, y, heading, speed, yaw_rate = map(float, state)
+    G, forward = complex(x, y), cmath.exp(1j * heading)
+    free, locked_axle = (G + at * forward for at in axles(locked, front, rear))
+    slide = velocity_of(axles(locked, front, rear)[1], state, locked, front, rear)
+    drags = friction * gravity != 0 and slide != 0
+    # straight on nothing turns the car; on the spot and without drag the free axle does not accelerate
+    turns = yaw_rate != 0 and (speed != 0 or drags)
+    at_locked, at_free, against, side, along, car, corner, other = (
+        [z.real, z.imag]
+        for z in (
+            locked_axle,
+            free,
+            -slide * forward,
+            1j * forward,
+            forward,
+            -slide,
+            G + front * forward,
+            G - rear * forward,
+        )
+    )
+    drag = Force("the drag", at_locked, "the locked axle", against, sense=True, acts=drags, reversed=WITH_THE_VELOCITY)
+    wrong = (
+        NotAForce(ON_THE_FREE_WHEEL, at_free, along),
+        NotAForce(ON_THE_FREE_WHEEL, at_free, against),
+        NotAForce(IN_THE_AXES_OF_THE_CAR, at_locked, car),
+        NotAForce(IN_THE_AXES_OF_THE_CAR, at_free, (0.0, 1.0)),
+        NotAForce(ONLY_BACKWARDS, at_locked, along),
+        NotAForce(SIDE_FORCE_OF_THE_LOCKED, at_locked, side),
+    )
+    forces = drag, Force("the side force", at_free, "the free axle", side, acts=turns)
+    return FreeBody("the car", forces, wrong=wrong, outline=[[other, corner]])

@@ -76,6 +76,11 @@ def _rates(case):
     return [case.but(np.array(place), np.array(pace)).on(how) for place, pace, how in moved]
 
 
+def free_bars(draw):
+    """(bar, theta, omega), bar 1 and bar 2."""
+    return [case.behind(bar) for case in states(draw) for bar in (1, 2)]
+
+
 def nearly_massless(draw):
     """One bar of a mass 1e-9 of the other's."""
     for name, ratio in (("lower", [1.0, 1e-9]), ("upper", [1e-9, 1.0])):

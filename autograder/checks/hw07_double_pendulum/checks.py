@@ -2,8 +2,10 @@
 
 import numpy as np
 
-from tam570_grader import Column, Invariant, check, curves_seen, judge_axes_of_lengths, law, once, path_drawn
-from tam570_grader.writing.returns import array, drawing, group, number, rows
+from tam570_grader import Column, Invariant, check, curves_seen, judge_axes_of_lengths, law, once, path_drawn, refuse
+from tam570_grader.writing.agree import taken
+from tam570_grader.writing.diagrams import compare_diagrams
+from tam570_grader.writing.returns import array, drawing, free_body_diagram, group, number, rows
 
 from . import cases, right
 from .equations import agree_in_equations
@@ -49,7 +51,17 @@ RESULTS = {
     "small_oscillation_frequencies": array(2).called("a frequency", "rad/s"),
     "wireframe": array(2, 2, 2).called("an end of a bar", "m"),
     "plot_tip_path": drawing,
+    "free_body_diagram": free_body_diagram(2),
 }
+
+
+@check(points=0.5, part="a")
+def forces_on_each_bar(student, draw):
+    """free_body_diagram: every force on each bar, where it acts and along what."""
+    calls = cases.free_bars(draw)
+    compare_diagrams(student.free_body_diagram, right, calls)
+    bad = [call.but(bar).on("another bar") for call in calls[:1] for bar in (0, 3, -1)]
+    refuse(student.free_body_diagram, taken(right.free_body_diagram, bad), hint="Only 1 and 2 are bars.")
 
 
 def in_equations(case, found, _):
@@ -111,12 +123,12 @@ angular_momentum_is_about_the_ceiling = law(
     "angular_momentum: r x m v and I omega of both bars, about the ceiling hinge.", points=0.75, part="a"
 ).agrees(right.angular_momentum, cases.states, within=FORMULA, hint=BOTH_PARTS)
 simulation_follows_the_equations = law(
-    "simulate: angles and angular velocities at uneven times, whatever t[0] is.", points=0.75, part="a"
+    "simulate: angles and angular velocities at uneven times, whatever t[0] is.", points=0.5, part="a"
 ).follows(right.simulate, cases.motions, within=FOLLOWED, keeps=KEPT_ENERGY, hint=TIGHT)
 SHARES = {1e-4: 0.75, 1e-3: 0.5, 1e-2: 0.25}
 ROUGHLY = 0.08  # of the scale: in ten seconds errors grow a thousandfold, careful ones to 2e-3; rest is off by 1
 energy_is_conserved_from_horizontal = simulation_follows_the_equations.then(
-    "simulate: from (pi/2, pi/2) at rest the energy stays for ten seconds.", points=0.5, part="a"
+    "simulate: from (pi/2, pi/2) at rest the energy stays for ten seconds.", points=0.25, part="a"
 ).keeps(KEPT_ENERGY, right=right.simulate, cases=cases.from_horizontal, coarsely=ROUGHLY, partial=SHARES)
 momentum_is_conserved_without_gravity = simulation_follows_the_equations.then(
     "simulate: without gravity energy and angular momentum stay.", points=0.25, part="a"

@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from tam570.integrate import solve
+from tam570_grader.writing.diagrams import Force, FreeBody, NotAForce, weight
 
 REACH = np.array([[0.5, 0.0], [1.0, 0.5]])  # how much of each bar there is from the ceiling to each mass centre
 
@@ -97,3 +98,27 @@ def energies(rows, **known):
 
 def momenta(rows, gravity, **bars):
     return np.array([angular_momentum(row[:2], row[2:], **bars) for row in rows])
+
+
+OF_THE_CEILING = "You drew the force of the ceiling on bar 2. The ceiling touches only bar 1."
+OF_BAR_2 = "You drew the weight of bar 2 on bar 1. The earth pulls bar 2; bar 1 feels only the force at the elbow."
+OF_BAR_1 = "You drew the weight of bar 1 on bar 2. The earth pulls bar 1; bar 2 feels only the force at the elbow."
+AT_THE_TIP = "You drew a force at the tip of bar 2. No other body touches it there."
+DOWN = (0.0, -1.0)
+
+
+def free_body_diagram(bar, theta, masses, lengths, gravity):
+    """Of bar 1 or bar 2."""
+    bars = -1j * lengths * np.exp(np.multiply(1j, theta))
+    ceiling, elbow, tip, *middles = (
+        [z.real, z.imag] for z in (0j, bars[0], bars.sum(), bars[0] / 2, bars[0] + bars[1] / 2)
+    )
+    at_ceiling = Force("the force of the ceiling", ceiling, "the ceiling hinge")
+    at_elbow = Force(f"the force of bar {3 - bar}", elbow, "the elbow")
+    down = weight(middles[bar - 1], f"the middle of bar {bar}", gravity)
+    forces = (down, at_ceiling, at_elbow) if bar == 1 else (down, at_elbow)
+    of_other = OF_BAR_2 if bar == 1 else OF_BAR_1
+    wrong = [NotAForce(of_other, point, DOWN, sense=True) for point in (middles[2 - bar], elbow)]
+    if bar == 2:
+        wrong += [NotAForce(OF_THE_CEILING, ceiling), NotAForce(AT_THE_TIP, tip)]
+    return FreeBody(f"bar {bar}", forces, wrong=wrong, outline=[[ceiling, elbow] if bar == 1 else [elbow, tip]])

@@ -38,6 +38,13 @@ def beads(draw):
     return [*placed, *calls, *(one.but(gravity=0.0).on(_weighed(one.kind, 0)) for one in (*placed, *calls[:3]))]
 
 
+def places(draw):
+    """For the function of the place alone; on steep wires, too."""
+    steep = bead(draw)
+    far = steep.but(steep.args[0] * 1e3, steep.args[1])
+    return [*beads(draw), *next_to_bottom(draw), far.on("a steep place"), far.but(-far.args[0]).on("a steep place")]
+
+
 def next_to_bottom(draw):
     call = bead(draw)
     small = NEXT_TO_BOTTOM / call.kwargs["curvature"]

@@ -5,7 +5,8 @@ import math
 import numpy as np
 
 from tam570_grader import Column, Invariant, agree, by_kind, check, expect, from_own_lagrangian, in_symbols, law
-from tam570_grader.writing.returns import array, formula, number, rows
+from tam570_grader.writing.diagrams import compare_diagrams
+from tam570_grader.writing.returns import array, formula, free_body_diagram, number, rows
 
 from . import cases, right
 
@@ -50,7 +51,14 @@ RESULTS = {
     "energy": number.called("the energy", "J"),
     "simulate": rows(2, columns=MOTION),
     "period": number.called("the period", "s"),
+    "free_body_diagram": free_body_diagram(2),
 }
+
+
+@check(points=0.5, part="a")
+def forces_on_the_bead(student, draw):
+    """free_body_diagram: every force on the bead, where it acts and along what."""
+    compare_diagrams(student.free_body_diagram, right, cases.places(draw))
 
 
 @check(points=1, part="a")
@@ -107,12 +115,12 @@ energy_is_kinetic_and_potential = law(
     "energy: of the speed along the wire and of the height above the bottom.", points=1, part="b"
 ).agrees(right.energy, cases.beads, cases.next_to_bottom, cases.nearly_at_rest, within=FORMULA, hint=SPEED)
 WIDE = cases.rides(0.4, 1.0, 1000, 15.0, "an amplitude near 1/c")
-simulate_slides = law("simulate: large motions, row i at t[i], row 0 the given state.", points=1, part="b").follows(
+simulate_slides = law("simulate: large motions, row i at t[i], row 0 the given state.", points=0.75, part="b").follows(
     right.simulate, WIDE, within=TRAJECTORY, hint="Is v the rate of x, and x'' as in part (a)?", keeps=KEPT
 )
 SMALL = "Do you leave terms out at small amplitudes, or is atol too loose for them?"
 simulate_needs_no_dense_times = (
-    simulate_slides.then("simulate: the same motion when only a few times are asked for.", points=0.5, part="b")
+    simulate_slides.then("simulate: the same motion when only a few times are asked for.", points=0.25, part="b")
     .follows(right.simulate, cases.few_times, within=TRAJECTORY, hint="Is the tolerance tight over long steps of t?")
     .also.follows(right.simulate, cases.close, within=TRAJECTORY, hint=SMALL, gradual=False)
 )

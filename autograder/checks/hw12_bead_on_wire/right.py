@@ -6,6 +6,8 @@ import numpy as np
 from scipy.integrate import odeint
 from scipy.special import ellipe
 
+from tam570_grader.writing.diagrams import Force, FreeBody, NotAForce, weight
+
 
 def acceleration_newton(x, v, curvature, gravity):
     """Nothing but the wire pushes sideways."""
@@ -58,3 +60,28 @@ def energy_of_rows(rows, curvature, gravity):
     """Of a bead of 1 kg, along a motion."""
     x, v = rows.T
     return energy(x, v, 1.0, curvature, gravity)
+
+
+VERTICAL = "You drew the force of the wire along the vertical. Without friction it is normal to the wire."
+ALONG_THE_WIRE = "You drew a force along the wire. There is no friction, and no other body exerts m a."
+SECOND_NORMAL = "You drew a second force along the normal. No other body exerts a centrifugal force or m a."
+
+
+def free_body_diagram(x, mass, curvature, gravity):
+    """Of the bead."""
+    point, angle = [x, curvature * x**2], math.atan(2 * curvature * x)
+    normal, tangent = (-math.sin(angle), math.cos(angle)), (math.cos(angle), math.sin(angle))
+    wrong = (
+        NotAForce(VERTICAL, point, (0.0, 1.0), sense=True),
+        NotAForce(ALONG_THE_WIRE, point, tangent),
+        NotAForce(SECOND_NORMAL, point, normal),
+    )
+    forces = weight(point, "the bead", gravity), Force("the force of the wire", point, "the bead", normal)
+    return FreeBody("the bead", forces, wrong=wrong, outline=_wire(x, curvature))
+
+
+def _wire(x, curvature):
+    """(k, 2, 2) m: the wire around a place."""
+    places = x + np.linspace(-0.6, 0.6, 13) * max(abs(x), 1 / curvature)
+    points = np.column_stack([places, curvature * places**2])
+    return np.stack([points[:-1], points[1:]], axis=1)

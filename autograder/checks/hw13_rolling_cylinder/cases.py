@@ -74,6 +74,14 @@ def at_rest(cases):
     return lambda draw: [call for call in cases(draw) if call.args[1] == 0]
 
 
+def diagrams(draw):
+    """Any angle, many turns too; G at the centre, level ground, no gravity, and the plain cases at rest."""
+    calls = [*rolling(6)(draw), *centred(2)(draw), *flat(2)(draw), *weightless(2)(draw)]
+    far = [calls[0].but(turns * calls[0].args[0]).on("an angle of many turns") for turns in (1e3, -1e3)]
+    level_and_centred = rolling(1, "level ground, G at the centre", slope=0.0, offset=0.0)(draw)
+    return [*calls, *far, *level_and_centred, *at_rest(plain)(draw), *at_rest(level)(draw)]
+
+
 def _pulled(call):
     """Whether the ramp must pull the cylinder."""
     return right.contact_force(*call.args, **call.kwargs)[1] <= 0

@@ -2,7 +2,9 @@
 
 import numpy as np
 
-from tam570_grader import Column, Invariant, by_kind, group, law, number, rows
+from tam570_grader import Column, Invariant, by_kind, check, group, law, number, rows
+from tam570_grader.writing.diagrams import compare_diagrams
+from tam570_grader.writing.returns import free_body_diagram
 
 from . import cases, right
 
@@ -54,7 +56,14 @@ RESULTS = {
     "contact_force": group(*(number.called(of, "N", force) for of in ("the force along the ramp", "the normal force"))),
     "energy": number.called("the energy", "J", lambda case, _: 9 * moment(case)),
     "simulate": rows(2, columns=MOTION),
+    "free_body_diagram": free_body_diagram(2),
 }
+
+
+@check(points=0.5, part="a")
+def forces_on_the_cylinder(student, draw):
+    """free_body_diagram: every force on the cylinder, where it acts and along what."""
+    compare_diagrams(student.free_body_diagram, right, cases.diagrams(draw))
 
 
 def part_of_force(case, found, expected):
@@ -116,7 +125,7 @@ energy_of_G_and_of_turning = law(
     "energy: of the motion of G, of the turning, and of the height of G.", points=1, part="b"
 ).agrees(right.energy, cases.rolling(12), cases.weightless(3), cases.plain, cases.level, within=FORMULA, hint=HEIGHT)
 simulate_rolls_and_rocks = law(
-    "simulate: rolling down and rocking, row i at t[i], row 0 the given state.", points=1, part="b"
+    "simulate: rolling down and rocking, row i at t[i], row 0 the given state.", points=0.75, part="b"
 ).follows(right.simulate, lambda draw: cases.runs(draw, 200), within=TRAJECTORY, hint=GOES_ON, keeps=KEPT)
 simulate_needs_no_dense_times = (
     simulate_rolls_and_rocks.then("simulate: the same motion when few times are asked for.", points=0.25, part="b")
@@ -128,5 +137,5 @@ simulate_rocks_at_the_linear_frequency = simulate_rolls_and_rocks.then(
 ).follows(right.small_rocking, cases.small_rocking, name="simulate", **SMALL, hint=ABSOLUTE)
 SHARES = {1e-4: 0.6, 1e-2: 0.3}  # of the drift of the energy
 simulate_keeps_the_energy = simulate_rolls_and_rocks.then(
-    "simulate: the energy stays what it was over many turns, with and without gravity.", points=0.5, part="b"
+    "simulate: the energy stays what it was over many turns, with and without gravity.", points=0.25, part="b"
 ).keeps(KEPT, right=right.simulate, cases=cases.many_turns, partial=SHARES, hint=ANY_DURATION)

@@ -8,6 +8,8 @@ import math
 import numpy as np
 
 from tam570.integrate import solve
+from tam570_grader.writing.diagrams import Force, FreeBody, NotAForce
+from tam570_grader.writing.diagrams import weight as gravity_force
 
 
 def arms(phi, radius, offset):
@@ -86,3 +88,26 @@ def small_rocking(t, phi, phi_dot, **cylinder):
     k = rocking_rate(**cylinder)
     z = (phi - 1j * phi_dot / k) * np.exp(1j * k * (t - t[0]))
     return np.column_stack([z.real, -k * z.imag])
+
+
+INTO_THE_RAMP = "You drew the normal force into the ramp: this is the force that the cylinder exerts on it."
+VERTICAL = "You drew the normal force along the vertical. It is normal to the ramp."
+ACROSS_THE_RAMP = "You drew the weight straight into the ramp. It is vertical, and the axes are the ramp's."
+
+
+def free_body_diagram(phi, mass, radius, offset, slope, gravity):
+    """Of the cylinder, from its centre; the forces at the contact are normal and friction, or one that is unknown."""
+    contact, down = np.array([0.0, -radius]), weight(1.0, 1.0, slope)
+    G, bare = contact + arms(phi, radius, offset)[0], offset == 0
+    pull = gravity_force(G, "G", gravity, down)
+    normal = Force(
+        "the normal force", contact, "the contact", (0.0, 1.0), True, not bare or gravity != 0, reversed=INTO_THE_RAMP
+    )
+    friction = Force("the friction", contact, "the contact", (1.0, 0.0), acts=not bare or gravity * down[0] != 0)
+    both = Force("the force of the ramp", contact, "the contact", push=(0.0, 1.0))
+    wrong = NotAForce(VERTICAL, contact, -down, sense=True), NotAForce(ACROSS_THE_RAMP, G, (0.0, -1.0), sense=True)
+    corners = radius * np.exp(1j * np.linspace(0.0, 2 * np.pi, 25))
+    rim = np.column_stack([corners.real, corners.imag])
+    return FreeBody(
+        "the cylinder", (pull, normal, friction), [(pull, both)], wrong, np.stack([rim[:-1], rim[1:]], axis=1)
+    )

@@ -5,6 +5,8 @@ from functools import partial
 import numpy as np
 
 from tam570_grader import Column, Invariant, absolute, array, by_kind, check, expect, expect_that, law, number, rows
+from tam570_grader.writing.diagrams import compare_diagrams
+from tam570_grader.writing.returns import free_body_diagram
 
 from . import cases, right
 
@@ -100,7 +102,16 @@ RESULTS = {
     "critical_speed": number.called("the critical speed", "m/s"),
     "growth_rate_squared": number.called("the square of the rate", "1/s^2", size),
     "wireframe": array(None, 2, 3),
+    "free_body_diagram": free_body_diagram(3),
 }
+
+
+@check(points=0.5, part="a")
+def forces_on_the_disk(student, draw):
+    """free_body_diagram: every force on the disk, where it acts and along what."""
+    compare_diagrams(student.free_body_diagram, right, [*cases.instants(draw), *cases.flat_and_upright(draw)])
+
+
 ROTATES = Invariant("R^T R", "", right.not_a_rotation, absolute, ROTATION)
 HEIGHT = Invariant("the centre's height", "m", right.above_the_ground, radius, KEPT)
 ENERGY_KEPT = Invariant("the energy", "J", lambda rows, **disk: right.energy(rows.T, **disk), None, ENERGY)
@@ -163,13 +174,13 @@ TWO = partial(cases.motions, count=2, span=6.0, samples=4)
 LONGER = partial(cases.motions, count=1, span=20.0, samples=6)
 
 euler_simulation_follows_the_motion = law(
-    "simulate_euler follows the motion from any start, row i at t[i], row 0 the given state.", points=0.75, part="b"
+    "simulate_euler follows the motion from any start, row i at t[i], row 0 the given state.", points=0.5, part="b"
 ).follows(right.simulate_euler, cases.simulated, keeps=ENERGY_KEPT, **FOLLOWED)
 euler_simulation_keeps_two_integrals = euler_simulation_follows_the_motion.then(
     "simulate_euler: omega along e2 and e3 depends only on the tilt, at any times.", points=0.5, part="b"
 ).keeps(INTEGRALS, right=right.simulate_euler, cases=TWO, partial={1e-4: 0.5})
 matrix_simulation_follows_the_motion = law(
-    "simulate_matrix follows the motion from any start, row i at t[i], row 0 the given state.", points=0.75, part="b"
+    "simulate_matrix follows the motion from any start, row i at t[i], row 0 the given state.", points=0.5, part="b"
 ).follows(right.simulate_matrix, cases.by_matrix(cases.simulated), **FOLLOWED)
 
 BOTH = euler_simulation_follows_the_motion, matrix_simulation_follows_the_motion

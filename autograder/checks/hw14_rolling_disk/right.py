@@ -6,6 +6,7 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 from tam570.integrate import solve
+from tam570_grader.writing.diagrams import Force, FreeBody, weight
 
 Z = np.array([0.0, 0.0, 1.0])
 RIGHT = math.pi / 2
@@ -175,3 +176,14 @@ def in_the_disk(points, state, radius):
     placed = matrix_state(state, radius)
     x, y, z = np.moveaxis((points - placed[CENTRE]) @ placed[MATRIX].reshape(3, 3), -1, 0)
     return np.arctan2(y, x), np.hypot(np.hypot(x, y) - radius, z)
+
+
+def free_body_diagram(state, mass, radius, gravity):
+    """Of the disk; a disk at rest without gravity is not pushed by the ground."""
+    contact = np.array([state[0], state[1], 0.0])
+    centre = contact + radius * frame(state)[1]
+    ground = Force("the force of the ground", contact, "the contact", acts=gravity != 0 or bool(np.any(state[5:])))
+    turns = np.linspace(0.0, 2 * np.pi, 25)[:, None]
+    rim = centre + radius * (np.cos(turns) * frame(state)[0] + np.sin(turns) * frame(state)[1])
+    forces = weight(centre, "the centre", gravity, -Z), ground
+    return FreeBody("the disk", forces, outline=np.stack([rim[:-1], rim[1:]], axis=1))

@@ -12,7 +12,7 @@ from typing import Any
 
 from tam570_grader.writing import assignments
 from tam570_grader.writing.assignments import Assignment
-from tam570_grader.writing.returns import Drawing, Formula, Group, Promise
+from tam570_grader.writing.returns import Drawing, Formula, FreeBodyDiagram, Group, Promise
 
 __all__ = ["contract", "exported", "run", "stub"]
 
@@ -55,6 +55,8 @@ def _plain(promise: Promise) -> dict[str, Any]:
         return {"formula": list(promise.symbols)}
     if isinstance(promise, Drawing):
         return {"drawing": True}
+    if isinstance(promise, FreeBodyDiagram):
+        return {"diagram": promise.dimension}
     return {"array": list(promise.shape), **({"infinite": True} if promise.infinite else {})}
 
 

@@ -13,7 +13,7 @@ from tam570_grader.sandbox.replies import error_of, strings
 from tam570_grader.writing.check import Given, given
 from tam570_grader.writing.drawings import readable
 from tam570_grader.writing.expect import Failed, NotWritten, current
-from tam570_grader.writing.returns import Drawing, Formula, result
+from tam570_grader.writing.returns import Drawing, Formula, FreeBodyDiagram, result
 
 __all__ = ["Call", "Function"]
 
@@ -82,7 +82,8 @@ class Function:
                 self._must_be_fair(reply)
                 results.append(result(self.promise, reply["value"], self.name, call))
             self.student.worked.add(self.name)
-            self.student.calls[-1] = Call(self.name, call, results[-1])
+            if not isinstance(self.promise, FreeBodyDiagram):  # it has no numbers that a mistake could have, too
+                self.student.calls[-1] = Call(self.name, call, results[-1])
         return results
 
     def aside(self, call: Given) -> Any:

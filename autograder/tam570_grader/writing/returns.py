@@ -22,8 +22,10 @@ from tam570_grader.writing.expect import Failed
 
 __all__ = [
     "Array",
+    "Arrow",
     "Drawing",
     "Formula",
+    "FreeBodyDiagram",
     "Group",
     "Line",
     "Promise",
@@ -32,6 +34,7 @@ __all__ = [
     "array",
     "drawing",
     "formula",
+    "free_body_diagram",
     "group",
     "number",
     "result",
@@ -112,13 +115,29 @@ class Drawing:
     bent: float = 0.0  # how unevenly units follow one another, as a share of the axes
 
 
+@dataclass(frozen=True)
+class Arrow:
+    """A force of a free body diagram: where it acts, and along which vector; None where no component is known."""
+
+    point: np.ndarray
+    direction: np.ndarray | None
+
+
+@dataclass(frozen=True)
+class FreeBodyDiagram:
+    """A list of pairs (point, direction) in so many dimensions; the result is a tuple of `Arrow`."""
+
+    dimension: int
+
+
+MOST_ARROWS = 8  # of a diagram; the largest right one has five
 LONGEST_TOLD = 2000  # elements of a result: no check asks for more rows
 LONGEST = 100_000  # rows of a result whose length is the student's choice
 MOST_DIMENSIONS = 3  # of a shape that is told
 
 number = Array(())
 drawing = Drawing()
-Promise = Array | Group | Formula | Drawing
+Promise = Array | Group | Formula | Drawing | FreeBodyDiagram
 
 
 def array(*shape: int | str | None, infinite: bool = False, columns: Sequence[Any] = ()) -> Array:
@@ -138,8 +157,14 @@ def formula(*symbols: str) -> Formula:
     return Formula(symbols)
 
 
-def result(promise: Array | Group, value: Any, name: str, call: Given) -> Any:
-    """The student's result in the promised form: a float, an array, or a tuple of these; Failed otherwise."""
+def free_body_diagram(dimension: int) -> FreeBodyDiagram:
+    return FreeBodyDiagram(dimension)
+
+
+def result(promise: Array | Group | FreeBodyDiagram, value: Any, name: str, call: Given) -> Any:
+    """The student's result in the promised form: a float, an array, or a tuple of these or of arrows; else Failed."""
+    if isinstance(promise, FreeBodyDiagram):
+        return _arrows(promise, value, name)
     if isinstance(promise, Group):
         return _members(promise, value, name, call)
     found = _array(value, name)
@@ -154,7 +179,7 @@ def result(promise: Array | Group, value: Any, name: str, call: Given) -> Any:
 
 
 def _members(promise: Group, value: Any, name: str, call: Given) -> tuple[Any, ...]:
-    several = isinstance(value, list) or (isinstance(value, np.ndarray) and value.ndim > 0)
+    several = _is_sequence(value)
     if not several or len(value) != len(promise.members):
         came = f"{_size(len(value))} results" if several else _kind(value)
         raise Failed(f"{name} returned {came}, not a tuple of {len(promise.members)} results")
@@ -162,6 +187,41 @@ def _members(promise: Group, value: Any, name: str, call: Given) -> tuple[Any, .
         result(member, one, f"{name} (result {index})", call)
         for index, (member, one) in enumerate(zip(promise.members, value, strict=True), start=1)
     )
+
+
+def _is_sequence(value: Any) -> bool:
+    return isinstance(value, list) or (isinstance(value, np.ndarray) and value.ndim > 0)
+
+
+def _arrows(promise: FreeBodyDiagram, value: Any, name: str) -> tuple[Arrow, ...]:
+    """The arrows of a diagram; one of length zero draws nothing."""
+    if not _is_sequence(value):
+        raise Failed(f"{name} returned {_kind(value)}, not a list of pairs (point, direction)")
+    if len(value) > MOST_ARROWS:
+        raise Failed(f"{name} returned more than {MOST_ARROWS} forces")
+    arrows = [_arrow(promise, pair, f"{name} (force {index})") for index, pair in enumerate(value, start=1)]
+    return tuple(arrow for arrow in arrows if arrow.direction is None or arrow.direction.any())
+
+
+def _arrow(promise: FreeBodyDiagram, pair: Any, name: str) -> Arrow:
+    if not _is_sequence(pair) or len(pair) != 2:
+        raise Failed(f"{name} is not a pair (point, direction)")
+    point, direction = pair
+    unknown = direction is None or (isinstance(direction, list) and all(one is None for one in direction))
+    return Arrow(_vector(promise, point, name), None if unknown else _vector(promise, direction, name))
+
+
+def _vector(promise: FreeBodyDiagram, value: Any, name: str) -> np.ndarray:
+    """A vector of the diagram's dimension; in a plane a third component of zero does no harm."""
+    found = _array(value, name)
+    if promise.dimension == 2 and found.shape == (3,) and found[2] == 0:
+        found = found[:2]
+    if found.shape != (promise.dimension,):
+        shapes = _shaped(found.shape), _shaped((promise.dimension,))
+        raise Failed(f"{name} has {shapes[0]} as its point or direction, not {shapes[1]}")
+    if not np.isfinite(found).all():
+        raise Failed(f"{name} holds NaN or infinity", actual=found)
+    return found
 
 
 def _array(value: Any, name: str) -> np.ndarray:

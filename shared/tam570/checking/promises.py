@@ -8,7 +8,8 @@ from tam570.show.student import numbers
 
 __all__ = ["Promise", "complaint"]
 
-Promise = Mapping[str, Any]  # {"array": [3, 3]}, {"group": [...]}, {"formula": ["theta", ...]} or {"drawing": true}
+# {"array": [3, 3]}, {"group": [...]}, {"formula": ["theta", ...]}, {"diagram": 2} or {"drawing": true}
+Promise = Mapping[str, Any]
 FINITE = "gives NaN or infinity"
 STAND_INS = 1.25, 3.75  # for symbols that may cancel
 
@@ -23,6 +24,8 @@ def complaint(promise: Promise, result: Any, name: str, arguments: Sequence[Any]
             _members(promise["group"], result, name, arguments)
         elif "array" in promise:
             _array(promise, result, name, arguments)
+        elif "diagram" in promise:
+            _diagram(promise["diagram"], result, name)
         elif "formula" in promise:
             _formula(promise["formula"], result, name)
     except Trouble as trouble:
@@ -57,6 +60,18 @@ def _array(promise: Promise, result: Any, name: str, arguments: Sequence[Any]) -
         raise Trouble(f"{name} gives {came}; {wanted} is asked for")
     if np.isnan(values).any() or not promise.get("infinite") and np.isinf(values).any():
         raise Trouble(f"{name} {FINITE}")
+
+
+def _diagram(dimension: int, result: Any, name: str) -> None:
+    """A list of pairs (point, direction) of so many numbers; the direction may be None."""
+    try:
+        pairs = [(point, direction) for point, direction in result]
+    except (TypeError, ValueError):
+        raise Trouble(f"{name} gives {_short(result)}; a list of pairs (point, direction) is asked for") from None
+    for point, direction in pairs:
+        _array({"array": [dimension]}, point, f"{name} (a point)", ())
+        if direction is not None:
+            _array({"array": [dimension]}, direction, f"{name} (a direction)", ())
 
 
 def _formula(symbols: Sequence[str], result: Any, name: str) -> None:
