@@ -74,3 +74,8 @@ def simulate(t, theta0, omega0, *, length, gravity):
     out = np.array([ang, om]).T
     out.flags.writeable = False
     return out
+
+
+def free_body_diagram(theta, omega, *, mass, length, gravity):
+    bob = [length * np.sin(theta), -length * np.cos(theta)]
+    return [[bob, [0, -mass * gravity]], [bob, [-np.sin(theta), np.cos(theta)]]]

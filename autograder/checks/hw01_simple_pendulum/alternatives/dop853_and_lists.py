@@ -62,3 +62,12 @@ def simulate(t, theta0, omega0, *, length, gravity):
         return [y[1], -gravity / length * np.sin(y[0])]
 
     return solve_ivp(rhs, (t[0], t[-1]), [theta0, omega0], t_eval=t, method="DOP853", rtol=1e-9, atol=1e-9).y.T
+
+
+def free_body_diagram(theta, omega, *, mass, length, gravity):
+    s, c = np.sin(theta), np.cos(theta)
+    bob = (length * s, -length * c)
+    forces = [(bob, bob)]  # the rod
+    if gravity:
+        forces.append((bob, (0.0, -gravity)))
+    return forces

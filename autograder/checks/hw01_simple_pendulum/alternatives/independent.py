@@ -88,3 +88,8 @@ def simulate(t, theta0, omega0, *, length, gravity):
             z = z + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
         rows.append(list(z))
     return rows
+
+
+def free_body_diagram(theta, omega, *, mass, length, gravity):
+    bob = [length * np.sin(theta), -length * np.cos(theta)]
+    return [[bob, [0, -mass * gravity]], [bob, [-np.sin(theta), np.cos(theta)]]]

@@ -66,3 +66,12 @@ def period(amplitude, *, length, gravity):
 
 def simulate(t, theta0, omega0, *, length, gravity):
     return odeint(lambda y, t: (y[1], alpha(y[0], length, gravity)), (theta0, omega0), t, rtol=1e-9, atol=1e-9, mxstep=5000)
+
+
+def free_body_diagram(theta, omega, *, mass, length, gravity):
+    s, c = math.sin(theta), math.cos(theta)
+    bob = (length * s, -length * c)
+    forces = [(bob, bob)]  # the rod
+    if gravity:
+        forces.append((bob, (0.0, -gravity)))
+    return forces

@@ -92,3 +92,8 @@ def simulate(t, theta0, omega0, *, length, gravity):
 
     solution = solve_ivp(rhs, (t[0], t[-1]), (theta0, omega0), dense_output=True, rtol=1e-9, atol=1e-9)
     return solution.sol(t).T
+
+
+def free_body_diagram(theta, omega, *, mass, length, gravity):
+    bob = [length * np.sin(theta), -length * np.cos(theta)]
+    return [[bob, [0, -mass * gravity]], [bob, [-np.sin(theta), np.cos(theta)]]]

@@ -73,3 +73,12 @@ def simulate(t, theta0, omega0, *, length, gravity):
                 theta += w * h / 2 * omega
         rows.append((theta, omega))
     return rows
+
+
+def free_body_diagram(theta, omega, *, mass, length, gravity):
+    s, c = np.sin(theta), np.cos(theta)
+    bob = (length * s, -length * c)
+    forces = [(bob, bob)]  # the rod
+    if gravity:
+        forces.append((bob, (0.0, -gravity)))
+    return forces

@@ -114,3 +114,8 @@ def simulate(t, theta0, omega0, *, length, gravity):
         rows.append(value(angle, float(one) - now))
     rows[0] = (float(theta0), float(omega0))
     return rows
+
+
+def free_body_diagram(theta, omega, *, mass, length, gravity):
+    bob = [length * math.sin(theta), -length * math.cos(theta)]
+    return [[bob, [0, -mass * gravity]], [bob, [-math.sin(theta), math.cos(theta)]]]

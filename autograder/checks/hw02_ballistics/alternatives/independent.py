@@ -102,3 +102,8 @@ def best_angle(speed, *, mass, drag, gravity):
         bounds=(math.log(1e-9), math.log(math.pi / 2)), method="bounded", options={"xatol": 1e-10},
     )
     return math.exp(res.x)
+
+
+def free_body_diagram(state, *, mass, drag, gravity):
+    x, y, vx, vy = state
+    return [[[x, y], [0, -mass * gravity]], [[x, y], [-drag * vx, -drag * vy]]]

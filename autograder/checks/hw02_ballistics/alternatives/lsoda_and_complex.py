@@ -79,3 +79,8 @@ def plot_comparison(ax, t, speed, angle, *, mass, drag, gravity):
     ax.plot(*np.array(trajectory(fine, speed, angle, **known)).T[:2])
     ax.plot(*simulate(t, speed, angle, **known)[::8].T[:2], "rx")
     ax.set(xlabel="x (m)", ylabel="y (m)", aspect="equal")
+
+
+def free_body_diagram(state, *, mass, drag, gravity):
+    x, y, vx, vy = state
+    return [[[x, y], [0, -mass * gravity]], [[x, y], [-drag * vx, -drag * vy]]]

@@ -93,3 +93,13 @@ def plot_comparison(ax, t, speed, angle, **known):
     ax.set_xlabel("x (m)")
     ax.set_ylabel("y (m)")
     ax.legend()
+
+
+def free_body_diagram(state, *, mass, drag, gravity):
+    x, y, vx, vy = (float(one) for one in state)
+    forces = []
+    if drag and (vx or vy):
+        forces.append(((x, y), (-vx, -vy)))
+    if gravity:
+        forces.append(((x, y), (0.0, -1.0)))
+    return forces

@@ -87,3 +87,8 @@ def plot_comparison(ax, t, speed, angle, **known):
     ax.set_xlabel("x (m)")
     ax.set_ylabel("y (m)")
     ax.set_aspect("equal", adjustable="datalim")
+
+
+def free_body_diagram(state, *, mass, drag, gravity):
+    x, y, vx, vy = state
+    return [[[x, y], [0, -mass * gravity]], [[x, y], [-drag * vx, -drag * vy]]]

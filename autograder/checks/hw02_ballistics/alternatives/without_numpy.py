@@ -121,3 +121,13 @@ def plot_comparison(ax, t, speed, angle, *, mass, drag, gravity):
         ax.plot([row[0] for row in rows], [row[1] for row in rows], dashes, label=motion.__name__)
     ax.set(xlabel="x (m)", ylabel="y (m)", aspect="equal")
     ax.legend()
+
+
+def free_body_diagram(state, *, mass, drag, gravity):
+    x, y, vx, vy = (float(one) for one in state)
+    forces = []
+    if drag and (vx or vy):
+        forces.append(((x, y), (-vx, -vy)))
+    if gravity:
+        forces.append(((x, y), (0.0, -1.0)))
+    return forces

@@ -53,3 +53,9 @@ def plot_projection(ax, t, position, velocity, azimuth, elevation, **known):
     states = simulate(t, position, velocity, **known)
     ax.plot(*project(states[:, :3], azimuth, elevation).T)
     ax.set(xlabel="right (m)", ylabel="up (m)", aspect="equal")
+
+
+def free_body_diagram(state, *, mass, stiffness, gravity):
+    r = tuple(map(float, state[:3]))
+    forces = [(r, (0.0, 0.0, -1.0))]
+    return forces + [(r, tuple(-one for one in r))] if any(r) else forces

@@ -53,3 +53,9 @@ def orbit(position, velocity, *, mass, stiffness, gravity):
     s = 0.5 * np.arctan2(2 * a @ b, a @ a - b @ b)
     p, q = a * np.cos(s) + b * np.sin(s), b * np.cos(s) - a * np.sin(s)
     return centre, ((p, q) if p @ p >= q @ q else (q, p))
+
+
+def free_body_diagram(state, *, mass, stiffness, gravity):
+    r = tuple(map(float, state[:3]))
+    forces = [(r, (0.0, 0.0, -1.0))]
+    return forces + [(r, tuple(-one for one in r))] if any(r) else forces

@@ -57,3 +57,8 @@ def plot_projection(ax, t, position, velocity, azimuth, elevation, *, mass, stif
     ax.axis("equal")
     ax.set_xlabel("right (m)")
     ax.set_ylabel("up (m)")
+
+
+def free_body_diagram(state, *, mass, stiffness, gravity):
+    x, y, z = [float(one) for one in state[:3]]
+    return [[[x, y, z], [-stiffness * x, -stiffness * y, -stiffness * z]], [[x, y, z], [0, 0, -mass * gravity]]]

@@ -54,3 +54,9 @@ def plot_projection(ax, t, position, velocity, azimuth, elevation, *, mass, stif
     ax.plot(*project(states[:, :3], azimuth, elevation).T, label="path")
     ax.set(xlabel="right (m)", ylabel="up (m)", aspect="equal")
     ax.legend()
+
+
+def free_body_diagram(state, *, mass, stiffness, gravity):
+    r = tuple(map(float, state[:3]))
+    forces = [(r, (0.0, 0.0, -1.0))]
+    return forces + [(r, tuple(-one for one in r))] if any(r) else forces

@@ -87,3 +87,9 @@ def plot_projection(ax, t, position, velocity, azimuth, elevation, *, mass, stif
     rows = simulate(t, position, velocity, mass=mass, stiffness=stiffness, gravity=gravity)
     ax.plot(*zip(*project([row[:3] for row in rows], azimuth, elevation), strict=True))
     ax.set(xlabel="right (m)", ylabel="up (m)", aspect="equal")
+
+
+def free_body_diagram(state, *, mass, stiffness, gravity):
+    r = tuple(map(float, state[:3]))
+    forces = [(r, (0.0, 0.0, -1.0))]
+    return forces + [(r, tuple(-one for one in r))] if any(r) else forces

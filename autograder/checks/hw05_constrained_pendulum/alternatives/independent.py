@@ -41,3 +41,9 @@ def simulate(t, state, *, mass, length, gravity):
 
 def wireframe(state, *, length):
     return [[(0, 0), (state[0], state[1])]]
+
+
+def free_body_diagram(state, *, mass, length, gravity):
+    at = tuple(map(float, state[:2]))
+    forces = [(at, (0.0, -1.0))] if gravity else []
+    return [*forces, (at, (-at[0], -at[1]))]

@@ -46,3 +46,8 @@ def simulate(t, state, *, mass, length, gravity):
 
 def wireframe(state, *, length):
     return np.array([[np.zeros(2), state[:2]]])
+
+
+def free_body_diagram(state, *, mass, length, gravity):
+    x, y = state[0], state[1]
+    return [[[x, y], [x / length, y / length]], [[x, y], [0, -mass * gravity]]]

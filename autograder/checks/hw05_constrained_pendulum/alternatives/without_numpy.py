@@ -82,3 +82,8 @@ def simulate(t, state, *, mass, length, gravity):
 
 def wireframe(state, *, length):
     return [[[0.0, 0.0], [float(state[0]), float(state[1])]]]
+
+
+def free_body_diagram(state, *, mass, length, gravity):
+    x, y = state[0], state[1]
+    return [[[x, y], [x / length, y / length]], [[x, y], [0, -mass * gravity]]]

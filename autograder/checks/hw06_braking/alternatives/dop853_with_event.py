@@ -82,3 +82,16 @@ def small_yaw_rate(speed, speed0, yaw_rate0, locked, *, mass, yaw_inertia, front
     return yaw_rate0 * (speed / speed0) ** (mass * l**2 / J) * np.exp(
         sign * mass * l * (speed0**2 - speed**2) / (2 * friction * gravity * J)
     )
+
+
+def free_body_diagram(state, locked, *, mass, front, rear, friction, gravity):
+    if locked not in ("front", "rear"):
+        raise ValueError("locked")
+    x, y, heading, speed, yaw_rate = (float(one) for one in state)
+    c, s = np.cos(heading), np.sin(heading)
+    free, other = (-rear, front) if locked == "front" else (front, -rear)
+    lateral = (other - free) * yaw_rate
+    slide = [speed * c - lateral * s, speed * s + lateral * c]
+    size = friction * mass * gravity
+    drag = [[x + other * c, y + other * s], [-size * slide[0], -size * slide[1]]]
+    return [drag, [[x + free * c, y + free * s], [s, -c]]]

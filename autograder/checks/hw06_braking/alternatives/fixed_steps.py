@@ -94,3 +94,19 @@ def critical_speed(locked, *, front, rear, friction, gravity):
 def small_yaw_rate(speed, speed0, yaw_rate0, locked, **car):
     p, sL, m, J, R = constants(locked, **car)
     return yaw_rate0 * (speed / speed0) ** (m * sL**2 / J) * math.exp(m * m * p / (2 * R * J) * (speed0**2 - speed**2))
+
+
+def free_body_diagram(state, locked, *, mass, front, rear, friction, gravity):
+    at = {"front": (-rear, front), "rear": (front, -rear)}
+    if locked not in at:
+        raise ValueError(locked)
+    free, drags = at[locked]
+    x, y, heading, speed, yaw_rate = (float(one) for one in state)
+    c, s = math.cos(heading), math.sin(heading)
+    forces = []
+    if yaw_rate:  # going straight nothing pushes it sideways
+        forces.append(((x + free * c, y + free * s), (-s, c)))
+    if friction * gravity and (speed or yaw_rate):
+        aside = (drags - free) * yaw_rate
+        forces.append(((x + drags * c, y + drags * s), (aside * s - speed * c, -aside * c - speed * s)))
+    return forces

@@ -80,3 +80,16 @@ def small_yaw_rate(speed, speed0, yaw_rate0, locked, **car):
     slowing = -car["friction"] * N / car["mass"]
     exponent = quad(lambda u: yaw_growth_rate(u, locked, **car) / slowing, speed0, speed, epsabs=1e-9, epsrel=1e-9)[0]
     return yaw_rate0 * math.exp(exponent)
+
+
+def free_body_diagram(state, locked, *, mass, front, rear, friction, gravity):
+    if locked not in ("front", "rear"):
+        raise ValueError("locked")
+    x, y, heading, speed, yaw_rate = (float(one) for one in state)
+    c, s = np.cos(heading), np.sin(heading)
+    free, other = (-rear, front) if locked == "front" else (front, -rear)
+    lateral = (other - free) * yaw_rate
+    slide = [speed * c - lateral * s, speed * s + lateral * c]
+    size = friction * mass * gravity
+    drag = [[x + other * c, y + other * s], [-size * slide[0], -size * slide[1]]]
+    return [drag, [[x + free * c, y + free * s], [s, -c]]]

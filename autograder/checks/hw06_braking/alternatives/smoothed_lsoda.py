@@ -64,3 +64,19 @@ def small_yaw_rate(speed, speed0, yaw_rate0, locked, **car):
     a = car["friction"] * N / car["mass"]
     f = lambda u, y: [-yaw_growth_rate(u, locked, **car) / a]
     return yaw_rate0 * np.exp(solve_ivp(f, (speed0, speed), [0.0], rtol=1e-9, atol=1e-9, method="DOP853").y[0, -1])
+
+
+def free_body_diagram(state, locked, *, mass, front, rear, friction, gravity):
+    at = {"front": (-rear, front), "rear": (front, -rear)}
+    if locked not in at:
+        raise ValueError(locked)
+    free, drags = at[locked]
+    x, y, heading, speed, yaw_rate = (float(one) for one in state)
+    c, s = np.cos(heading), np.sin(heading)
+    forces = []
+    if yaw_rate:  # going straight nothing pushes it sideways
+        forces.append(((x + free * c, y + free * s), (-s, c)))
+    if friction * gravity and (speed or yaw_rate):
+        aside = (drags - free) * yaw_rate
+        forces.append(((x + drags * c, y + drags * s), (aside * s - speed * c, -aside * c - speed * s)))
+    return forces

@@ -125,3 +125,14 @@ def plot_tip_path(ax, t, theta, omega, **known):
     ax.add_collection(LineCollection(np.stack([tips[:-1], tips[1:]], axis=1), array=t[:-1]))
     ax.autoscale_view()
     ax.set(xlabel="x (m)", ylabel="y (m)", aspect="equal")
+
+
+def free_body_diagram(bar, theta, *, masses, lengths, gravity):
+    elbow = (lengths[0] * np.sin(theta[0]), -lengths[0] * np.cos(theta[0]))
+    far = (elbow[0] + lengths[1] * np.sin(theta[1]), elbow[1] - lengths[1] * np.cos(theta[1]))
+    ends = {1: ((0.0, 0.0), elbow), 2: (elbow, far)}
+    if bar not in ends:
+        raise ValueError(f"no bar {bar}")
+    (a, b), (c, d) = ends[bar]
+    forces = [(((a + c) / 2, (b + d) / 2), (0, -1)), (elbow, (1, 0)), (elbow, (0, 1))]
+    return forces + [((0, 0), (1, 0)), ((0, 0), (0, 1))] if bar == 1 else forces

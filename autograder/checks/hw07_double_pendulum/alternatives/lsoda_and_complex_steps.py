@@ -95,3 +95,14 @@ def plot_tip_path(ax, t, theta, omega, **known):
     ax.set_aspect("equal", "box")
     ax.set_xlabel("x (m)")
     ax.set_ylabel("y (m)")
+
+
+def free_body_diagram(bar, theta, *, masses, lengths, gravity):
+    l1, l2 = lengths
+    e1, e2 = ([np.sin(th), -np.cos(th)] for th in theta)
+    if bar == 1:
+        return [[[0, 0], None], [[l1 / 2 * e for e in e1], [0, -masses[0] * gravity]], [[l1 * e for e in e1], None]]
+    if bar == 2:
+        middle = [l1 * a + l2 / 2 * b for a, b in zip(e1, e2)]
+        return [[[l1 * e for e in e1], None], [middle, [0, -masses[1] * gravity]]]
+    raise ValueError("bar is 1 or 2")

@@ -107,3 +107,12 @@ def simulate(t, theta, omega, *, masses, lengths, gravity):
     return solve_ivp(f, (t[0], t[-1]), s0, t_eval=t, rtol=1e-9, atol=1e-9).y.T
 
 
+def free_body_diagram(bar, theta, *, masses, lengths, gravity):
+    l1, l2 = lengths
+    e1, e2 = ([np.sin(th), -np.cos(th)] for th in theta)
+    if bar == 1:
+        return [[[0, 0], None], [[l1 / 2 * e for e in e1], [0, -masses[0] * gravity]], [[l1 * e for e in e1], None]]
+    if bar == 2:
+        middle = [l1 * a + l2 / 2 * b for a, b in zip(e1, e2)]
+        return [[[l1 * e for e in e1], None], [middle, [0, -masses[1] * gravity]]]
+    raise ValueError("bar is 1 or 2")

@@ -99,3 +99,14 @@ def plot_tip_path(ax, t, theta, omega, *, masses, lengths, gravity):
     ax.set_xlabel("horizontal (m)")
     ax.set_ylabel("vertical (m)")
     ax.set_aspect("equal")
+
+
+def free_body_diagram(bar, theta, *, masses, lengths, gravity):
+    elbow = (lengths[0] * sin(theta[0]), -lengths[0] * cos(theta[0]))
+    far = (elbow[0] + lengths[1] * sin(theta[1]), elbow[1] - lengths[1] * cos(theta[1]))
+    ends = {1: ((0.0, 0.0), elbow), 2: (elbow, far)}
+    if bar not in ends:
+        raise ValueError(f"no bar {bar}")
+    (a, b), (c, d) = ends[bar]
+    forces = [(((a + c) / 2, (b + d) / 2), (0, -1)), (elbow, (1, 0)), (elbow, (0, 1))]
+    return forces + [((0, 0), (1, 0)), ((0, 0), (0, 1))] if bar == 1 else forces

@@ -188,3 +188,14 @@ def plot_tip_path(ax, t, theta, omega, *, masses, lengths, gravity):
     ax.plot([tip.real for tip in tips], [tip.imag for tip in tips])
     reach = 1.05 * sum(lengths)
     ax.set(xlabel="x (m)", ylabel="y (m)", xlim=(-reach, reach), ylim=(-reach, reach), box_aspect=1)
+
+
+def free_body_diagram(bar, theta, *, masses, lengths, gravity):
+    l1, l2 = lengths
+    e1, e2 = ([math.sin(th), -math.cos(th)] for th in theta)
+    if bar == 1:
+        return [[[0, 0], None], [[l1 / 2 * e for e in e1], [0, -masses[0] * gravity]], [[l1 * e for e in e1], None]]
+    if bar == 2:
+        middle = [l1 * a + l2 / 2 * b for a, b in zip(e1, e2)]
+        return [[[l1 * e for e in e1], None], [middle, [0, -masses[1] * gravity]]]
+    raise ValueError("bar is 1 or 2")

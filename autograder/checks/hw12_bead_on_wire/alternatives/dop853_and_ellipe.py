@@ -42,3 +42,8 @@ def simulate(t, x, v, *, curvature, gravity):
 
 def period(amplitude, *, curvature, gravity):
     return 4 / np.sqrt(2 * curvature * gravity) * ellipe(-((2 * curvature * amplitude) ** 2))
+
+
+def free_body_diagram(x, *, mass, curvature, gravity):
+    at = [x, curvature * x * x]
+    return [[at, [-2 * curvature * x, 1]], [at, [0, -mass * gravity]]]

@@ -60,3 +60,10 @@ def period(amplitude, *, curvature, gravity):
     """The trapezoidal rule converges geometrically for a periodic integrand; 20000 points reach amplitudes of 100/c."""
     phi = np.linspace(0, np.pi, 20001)[:-1]
     return 2 * np.pi * np.mean(np.hypot(1, 2 * curvature * amplitude * np.sin(phi))) / np.sqrt(2 * gravity * curvature)
+
+
+def free_body_diagram(x, *, mass, curvature, gravity):
+    bead, slope = (x, curvature * x**2), 2 * curvature * x
+    size = (1 + slope**2) ** 0.5
+    wire = (bead, (slope / size, -1 / size))  # it may push or pull
+    return [wire, (bead, (0.0, -1.0))] if gravity else [wire]

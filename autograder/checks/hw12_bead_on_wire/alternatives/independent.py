@@ -53,3 +53,8 @@ def simulate(t, x, v, *, curvature, gravity):
 def period(amplitude, *, curvature, gravity):
     k = 2 * curvature * amplitude
     return 4 / np.sqrt(2 * gravity * curvature) * ellipe(-(k**2))
+
+
+def free_body_diagram(x, *, mass, curvature, gravity):
+    at = [x, curvature * x * x]
+    return [[at, [-2 * curvature * x, 1]], [at, [0, -mass * gravity]]]

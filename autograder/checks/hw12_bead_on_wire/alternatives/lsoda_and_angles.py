@@ -46,3 +46,10 @@ def period(amplitude, *, curvature, gravity):
         return math.sqrt((1 + (2 * curvature * x) ** 2) / ((amplitude - x) * (amplitude + x)))
 
     return 4 / math.sqrt(2 * gravity * curvature) * quad(integrand, 0, amplitude, limit=200)[0]
+
+
+def free_body_diagram(x, *, mass, curvature, gravity):
+    bead, slope = (x, curvature * x**2), 2 * curvature * x
+    size = (1 + slope**2) ** 0.5
+    wire = (bead, (slope / size, -1 / size))  # it may push or pull
+    return [wire, (bead, (0.0, -1.0))] if gravity else [wire]

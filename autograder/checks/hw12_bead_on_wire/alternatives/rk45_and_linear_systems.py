@@ -62,3 +62,8 @@ def period(amplitude, *, curvature, gravity):
     a = 2 * curvature * amplitude
     quarter = quad(lambda phi: np.sqrt(1 + (a * np.sin(phi)) ** 2), 0, np.pi / 2)[0]
     return 4 * quarter / np.sqrt(2 * gravity * curvature)
+
+
+def free_body_diagram(x, *, mass, curvature, gravity):
+    at = [x, curvature * x * x]
+    return [[at, [-2 * curvature * x, 1]], [at, [0, -mass * gravity]]]

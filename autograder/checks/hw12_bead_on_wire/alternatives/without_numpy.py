@@ -73,3 +73,10 @@ def period(amplitude, *, curvature, gravity):
         left -= weight * c * c
         a, b, c, weight = (a + b) / 2, math.sqrt(a * b), (a - b) / 2, 2 * weight
     return 4 * steep * math.pi / (2 * a) * left / math.sqrt(2 * gravity * curvature)
+
+
+def free_body_diagram(x, *, mass, curvature, gravity):
+    bead, slope = (x, curvature * x**2), 2 * curvature * x
+    size = (1 + slope**2) ** 0.5
+    wire = (bead, (slope / size, -1 / size))  # it may push or pull
+    return [wire, (bead, (0.0, -1.0))] if gravity else [wire]

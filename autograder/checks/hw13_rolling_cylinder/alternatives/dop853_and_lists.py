@@ -45,3 +45,8 @@ def simulate(t, phi, phi_dot, *, mass, radius, offset, inertia, slope, gravity):
         return [y[1], acceleration(y[0], y[1], mass=mass, radius=radius, offset=offset, inertia=inertia, slope=slope, gravity=gravity)]
 
     return solve_ivp(f, (t[0], t[-1]), [phi, phi_dot], t_eval=t, method="DOP853", rtol=1e-9, atol=1e-9).y.T.tolist()
+
+
+def free_body_diagram(phi, *, mass, radius, offset, slope, gravity):
+    weight = [mass * gravity * np.sin(slope), -mass * gravity * np.cos(slope)]
+    return [[[0, -radius], None], [[-offset * np.sin(phi), -offset * np.cos(phi)], weight]]

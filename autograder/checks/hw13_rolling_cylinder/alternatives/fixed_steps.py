@@ -64,3 +64,10 @@ def simulate(t, phi, phi_dot, *, mass, radius, offset, inertia, slope, gravity):
             p, w = p + h / 6 * (p1 + 2 * p2 + 2 * p3 + p4), w + h / 6 * (w1 + 2 * w2 + 2 * w3 + w4)
         rows.append((p, w))
     return rows
+
+
+def free_body_diagram(phi, *, mass, radius, offset, slope, gravity):
+    contact = (0.0, -radius)
+    down = (np.sin(slope), -np.cos(slope))
+    heavy = (-offset * np.sin(phi), -offset * np.cos(phi))
+    return [(contact, (-1.0, 0.0)), (contact, (0.0, mass)), (heavy, down)]

@@ -85,3 +85,8 @@ def contact_inertia(phi, *, mass, radius, offset, inertia):
 if __name__ == "__main__":
     print(simulate(np.linspace(0, 1, 3), 0, 0, mass=1, radius=1, offset=0.1, inertia=1, slope=0.1, gravity=9.8))
     input("press enter")
+
+
+def free_body_diagram(phi, *, mass, radius, offset, slope, gravity):
+    weight = [mass * gravity * np.sin(slope), -mass * gravity * np.cos(slope)]
+    return [[[0, -radius], None], [[-offset * np.sin(phi), -offset * np.cos(phi)], weight]]

@@ -53,3 +53,10 @@ def energy(phi, phi_dot, *, mass, radius, offset, inertia, slope, gravity):
 
 def simulate(t, phi, phi_dot, **cylinder):
     return odeint(lambda y, s: [y[1], acceleration(y[0], y[1], **cylinder)], [phi, phi_dot], t, rtol=1e-9, atol=1e-9)
+
+
+def free_body_diagram(phi, *, mass, radius, offset, slope, gravity):
+    contact = (0.0, -radius)
+    down = (np.sin(slope), -np.cos(slope))
+    heavy = (-offset * np.sin(phi), -offset * np.cos(phi))
+    return [(contact, (-1.0, 0.0)), (contact, (0.0, mass)), (heavy, down)]

@@ -51,3 +51,8 @@ def simulate(t, phi, phi_dot, **c):
         lambda s, y: (y[1], acceleration(*y, **c)), (t[0], t[-1]), (phi, phi_dot), rtol=1e-9, atol=1e-9, t_eval=t
     )
     return tuple(zip(*found.y))
+
+
+def free_body_diagram(phi, *, mass, radius, offset, slope, gravity):
+    weight = [mass * gravity * sin(slope), -mass * gravity * cos(slope)]
+    return [[[0, -radius], None], [[-offset * sin(phi), -offset * cos(phi)], weight]]

@@ -67,3 +67,10 @@ def simulate(t, phi, phi_dot, **c):
             h = max(h, grown) if last and error <= 1e-11 else grown
         rows.append([p, w])
     return rows
+
+
+def free_body_diagram(phi, *, mass, radius, offset, slope, gravity):
+    contact = (0.0, -radius)
+    down = (math.sin(slope), -math.cos(slope))
+    heavy = (-offset * math.sin(phi), -offset * math.cos(phi))
+    return [(contact, (-1.0, 0.0)), (contact, (0.0, mass)), (heavy, down)]

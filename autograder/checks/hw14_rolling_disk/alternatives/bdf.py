@@ -150,3 +150,10 @@ def wireframe(state, *, radius, sides):
     seg.append([G - radius * R[:, 0], G + radius * R[:, 0]])
     seg.append([G - radius * R[:, 1], G + radius * R[:, 1]])
     return np.array(seg)
+
+
+def free_body_diagram(state, *, mass, radius, gravity):
+    x, y, yaw, tilt = (float(one) for one in state[:4])
+    up = [-np.sin(yaw) * np.cos(tilt), np.cos(yaw) * np.cos(tilt), np.sin(tilt)]
+    centre = [x + radius * up[0], y + radius * up[1], radius * up[2]]
+    return [[[x, y, 0], None], [centre, [0, 0, -mass * gravity]]]

@@ -160,3 +160,11 @@ def growth_rate_squared(speed, *, mass, radius, inertia, gravity):
     # A d(omega2) = C spin d(tilt)
     f = lambda d: steady_residual(d, C / A * spin * d / cos(d), spin, mass=mass, radius=radius, inertia=inertia, gravity=gravity)
     return (f(h) - f(-h)) / (2 * h)
+
+
+def free_body_diagram(state, *, mass, radius, gravity):
+    x, y, yaw, tilt = (float(one) for one in state[:4])
+    flat = radius * np.cos(tilt)
+    centre = (x - flat * np.sin(yaw), y + flat * np.cos(yaw), radius * np.sin(tilt))
+    ground = [((x, y, 0.0), axis) for axis in ((1, 0, 0), (0, 1, 0), (0, 0, 1))]
+    return [*ground, (centre, (0, 0, -gravity))]

@@ -128,3 +128,10 @@ def wireframe(state, *, radius, sides):
 
     polygon = [[at(i / sides), at((i + 1) / sides)] for i in range(sides)]
     return [*polygon, [at(0.1), at(0.6)], [at(0.35), at(0.85)]]
+
+
+def free_body_diagram(state, *, mass, radius, gravity):
+    x, y, yaw, tilt = (float(one) for one in state[:4])
+    up = [-np.sin(yaw) * np.cos(tilt), np.cos(yaw) * np.cos(tilt), np.sin(tilt)]
+    centre = [x + radius * up[0], y + radius * up[1], radius * up[2]]
+    return [[[x, y, 0], None], [centre, [0, 0, -mass * gravity]]]

@@ -195,3 +195,11 @@ def wireframe(state, *, radius, sides):
 
     rim = [at(-2 * pi * i / sides) for i in range(sides)]
     return [[rim[i - 1], rim[i]] for i in range(sides)] + [[at(pi), at(0)], [at(pi / 2), at(-pi / 2)]]
+
+
+def free_body_diagram(state, *, mass, radius, gravity):
+    x, y, yaw, tilt = (float(one) for one in state[:4])
+    flat = radius * cos(tilt)
+    centre = (x - flat * sin(yaw), y + flat * cos(yaw), radius * sin(tilt))
+    ground = [((x, y, 0.0), axis) for axis in ((1, 0, 0), (0, 1, 0), (0, 0, 1))]
+    return [*ground, (centre, (0, 0, -gravity))]

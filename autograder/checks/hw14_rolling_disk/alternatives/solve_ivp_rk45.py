@@ -146,3 +146,10 @@ def wireframe(state, *, radius, sides):
     aslant = [R[:, 0] + R[:, 1], R[:, 0] - R[:, 1]]
     across = [[m[:3] + radius / 2**0.5 * d, m[:3] - radius / 2**0.5 * d] for d in aslant]
     return [*zip(rim[1:], rim[:-1], strict=True), *across]
+
+
+def free_body_diagram(state, *, mass, radius, gravity):
+    x, y, yaw, tilt = (float(one) for one in state[:4])
+    up = [-np.sin(yaw) * np.cos(tilt), np.cos(yaw) * np.cos(tilt), np.sin(tilt)]
+    centre = [x + radius * up[0], y + radius * up[1], radius * up[2]]
+    return [[[x, y, 0], None], [centre, [0, 0, -mass * gravity]]]
