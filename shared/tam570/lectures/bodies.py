@@ -6,7 +6,7 @@ each other on one curve, once round in 6.32591398 s.
 """
 
 from collections.abc import Mapping, Sequence
-from math import sqrt
+from math import nan, sqrt
 from typing import Any
 
 import numpy as np
@@ -37,8 +37,8 @@ def rates(t: float, state: Sequence[float], *, masses: Sequence[float], newton: 
     sequence(6 * n, state=state)
     try:
         accelerations = (_by_arrays if n >= MANY else _by_pairs)(state[: 3 * n], each, newton)
-    except ZeroDivisionError:
-        raise ValueError("state: two bodies are at the same place") from None
+    except ZeroDivisionError:  # two bodies at one place, where a trial step may end
+        accelerations = [nan] * (3 * n)
     return (*state[3 * n :], *accelerations)
 
 

@@ -38,20 +38,27 @@ def rates(
     t: float, state: Sequence[float], *, burn_rate: float, exhaust_speed: float, empty_mass: float, gravity: float
 ) -> tuple[float, float, float]:
     """Rates of height, m/s, speed, m/s^2, and mass, kg/s."""
-    _check(state, burn_rate, exhaust_speed, empty_mass, gravity)
-    _, speed, mass = state
-    burning = mass > empty_mass
-    return speed, burning * exhaust_speed * burn_rate / mass - gravity, -burn_rate if burning else 0.0
+    _check(burn_rate, exhaust_speed, empty_mass, gravity)
+    sequence(3, state=state)
+    return _moving(state, exhaust_speed, burn_rate, empty_mass, gravity)
 
 
 def wrong_rates(
     t: float, state: Sequence[float], *, burn_rate: float, exhaust_speed: float, empty_mass: float, gravity: float
 ) -> tuple[float, float, float]:
     """The same by d(m v)/dt = -m g, which is wrong."""
-    _check(state, burn_rate, exhaust_speed, empty_mass, gravity)
+    _check(burn_rate, exhaust_speed, empty_mass, gravity)
+    sequence(3, state=state)
+    return _moving(state, state[1], burn_rate, empty_mass, gravity)
+
+
+def _moving(
+    state: Sequence[float], pushed_by: float, burn_rate: float, empty_mass: float, gravity: float
+) -> tuple[float, float, float]:
     _, speed, mass = state
-    burning = mass > empty_mass
-    return speed, burning * speed * burn_rate / mass - gravity, -burn_rate if burning else 0.0
+    if mass > empty_mass:  # else it is empty, or a trial step has burnt more than there is
+        return speed, pushed_by * burn_rate / mass - gravity, -burn_rate
+    return speed, -gravity, 0.0
 
 
 def exact(
@@ -59,7 +66,8 @@ def exact(
 ) -> Array:
     """(n, 3) states at the times t (n,), s, of the motion that has `state` at t[0]; through the end of the burning."""
     times, (height, speed, mass) = numbers(t=t), numbers(3, state=state).tolist()
-    _check((height, speed, mass), burn_rate, exhaust_speed, empty_mass, gravity)
+    _check(burn_rate, exhaust_speed, empty_mass, gravity)
+    positive(**{"state: mass": mass})
     since = times - times[:1]
     fuel = max(mass - empty_mass, 0.0)
     burnt = np.minimum(burn_rate * since, fuel)
@@ -77,7 +85,6 @@ def coasting_energy(
     """J/kg, v^2/2 + g h as it will be at the end of the burning, and is after it."""
     height, speed, mass = numbers(3, state=state).tolist()
     known = {"burn_rate": burn_rate, "exhaust_speed": exhaust_speed, "empty_mass": empty_mass, "gravity": gravity}
-    _check((height, speed, mass), **known)
     burning = max(mass - empty_mass, 0.0) / burn_rate  # s
     height, speed, _ = exact([0.0, burning], (height, speed, mass), **known)[-1]
     return float(speed**2 / 2 + gravity * height)
@@ -86,13 +93,10 @@ def coasting_energy(
 INVARIANTS = {"coasting_energy": coasting_energy}
 
 
-def _check(state: Sequence[float], burn_rate: float, exhaust_speed: float, empty_mass: float, gravity: float) -> None:
+def _check(burn_rate: float, exhaust_speed: float, empty_mass: float, gravity: float) -> None:
     positive(burn_rate=burn_rate, empty_mass=empty_mass)
     nonnegative(exhaust_speed=exhaust_speed)
     finite(gravity=gravity)
-    sequence(3, state=state)
-    if isinstance(state[2], float | int) and state[2] <= 0:
-        raise ValueError(f"state: mass must be positive, got {state[2]!r}")
 
 
 def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:

@@ -6,6 +6,7 @@ Lagrange: L = (m1 + m2) vr^2/2 + m1 r^2 om^2/2 - m2 g r, and no tension anywhere
 """
 
 from collections.abc import Mapping, Sequence
+from math import nan
 from typing import Any
 
 import numpy as np
@@ -26,13 +27,16 @@ SECONDS = 10.0
 
 def rates(t: float, state: Sequence[float], *, masses: Sequence[float], gravity: float) -> tuple[float, ...]:
     """(4,) rates of r, th, vr, om."""
-    accelerations = by_lagrange(state, masses=masses, gravity=gravity)
-    return state[2], state[3], *accelerations
+    pair, (r, _, vr, om) = _checked(state, masses, gravity)
+    try:
+        return vr, om, *_accelerations(r, vr, om, pair, gravity)
+    except ZeroDivisionError:  # in the hole, where a trial step may end
+        return vr, om, nan, nan
 
 
 def by_newton(state: Sequence[float], *, masses: Sequence[float], gravity: float) -> tuple[tuple[float, float], float]:
     """Accelerations r'', m/s^2, and th'', rad/s^2, and the tension, N, from three balances solved together."""
-    (m1, m2), (r, _, vr, om) = _checked(state, masses, gravity)
+    (m1, m2), (r, _, vr, om) = _on_the_table(state, masses, gravity)
     balances = np.array([[m1, 0.0, 1.0], [0.0, m1 * r, 0.0], [m2, 0.0, -1.0]])
     r_rate, th_rate, tension = np.linalg.solve(balances, [m1 * r * om**2, -2 * m1 * vr * om, -m2 * gravity]).tolist()
     return (r_rate, th_rate), tension
@@ -40,19 +44,24 @@ def by_newton(state: Sequence[float], *, masses: Sequence[float], gravity: float
 
 def by_lagrange(state: Sequence[float], *, masses: Sequence[float], gravity: float) -> tuple[float, float]:
     """Accelerations r'', m/s^2, and th'', rad/s^2: each equation has its own."""
-    (m1, m2), (r, _, vr, om) = _checked(state, masses, gravity)
+    pair, (r, _, vr, om) = _on_the_table(state, masses, gravity)
+    return _accelerations(r, vr, om, pair, gravity)
+
+
+def _accelerations(r: float, vr: float, om: float, pair: Sequence[float], gravity: float) -> tuple[float, float]:
+    m1, m2 = pair
     return (m1 * r * om * om - m2 * gravity) / (m1 + m2), -2 * m1 * r * vr * om / (m1 * r * r)
 
 
 def energy(state: ArrayLike, *, masses: Sequence[float], gravity: float) -> float:
     """J, the hanging mass's potential energy from where r = 0."""
-    (m1, m2), (r, _, vr, om) = _checked(numbers(4, state=state).tolist(), masses, gravity)
+    (m1, m2), (r, _, vr, om) = _on_the_table(numbers(4, state=state).tolist(), masses, gravity)
     return (m1 + m2) * vr**2 / 2 + m1 * (r * om) ** 2 / 2 + m2 * gravity * r
 
 
 def angular_momentum(state: ArrayLike, *, masses: Sequence[float], gravity: float) -> float:
     """About the hole, kg m^2/s."""
-    (m1, _), (r, _, _, om) = _checked(numbers(4, state=state).tolist(), masses, gravity)
+    (m1, _), (r, _, _, om) = _on_the_table(numbers(4, state=state).tolist(), masses, gravity)
     return m1 * r**2 * om
 
 
@@ -65,9 +74,16 @@ def _checked(
     pair = positives(2, masses=masses)
     finite(gravity=gravity)
     sequence(4, state=state)
-    if isinstance(state[0], float | int) and state[0] <= 0:
-        raise ValueError(f"state: r must be positive, got {state[0]!r}: the mass would be in the hole")
     return pair, state
+
+
+def _on_the_table(
+    state: Sequence[float], masses: Sequence[float], gravity: float
+) -> tuple[tuple[float, ...], Sequence[float]]:
+    checked = _checked(state, masses, gravity)
+    if state[0] <= 0:
+        raise ValueError(f"state: r must be positive, got {state[0]!r}: the mass would be in the hole")
+    return checked
 
 
 def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:

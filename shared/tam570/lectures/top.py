@@ -10,7 +10,7 @@ W^2 - C w W + m g d = 0; the classic m g d/(C w) leaves out the first term (Gold
 
 from collections.abc import Mapping, Sequence
 from functools import partial
-from math import copysign, cos, inf, sin, sqrt
+from math import copysign, cos, inf, nan, sin, sqrt
 
 from numpy.typing import ArrayLike
 
@@ -40,15 +40,16 @@ LEVEL = 1e-15  # |cos(tilt)| of pi/2 rounded
 def rates(
     t: float, state: Sequence[float], *, mass: float, distance: float, axial: float, transverse: float, gravity: float
 ) -> tuple[float, ...]:
-    """(6,) rates of the angles, rad/s, and their accelerations, rad/s^2. ValueError where theta is 0 or pi."""
+    """(6,) rates of the angles, rad/s, and their accelerations, rad/s^2; nan where theta is 0."""
     weight = _weight(mass, distance, axial, transverse, gravity)
     sequence(6, state=state)
     _, theta, _, W, nod, s = state
-    if isinstance(theta, float | int) and abs(sin(theta)) < LEVEL:
-        raise ValueError(f"state: theta = {theta:g} is singular: psi and phi turn about one line there")
-    sine, cosine = sin(theta), cos(theta)
-    gyro = axial * (s + W * cosine)
-    turn = nod * (gyro - 2 * transverse * W * cosine) / (transverse * sine)
+    try:
+        sine, cosine = sin(theta), cos(theta)
+        gyro = axial * (s + W * cosine)
+        turn = nod * (gyro - 2 * transverse * W * cosine) / (transverse * sine)
+    except (ValueError, ZeroDivisionError):  # psi and phi turn about one line, or a trial step was infinite
+        return W, nod, s, nan, nan, nan
     dip = sine * ((transverse * W * cosine - gyro) * W + weight) / transverse
     return W, nod, s, turn, dip, W * nod * sine - turn * cosine
 

@@ -7,7 +7,7 @@ goes as 1/k, as the stretch does that bends the particles' paths.
 """
 
 from collections.abc import Mapping, Sequence
-from math import sqrt
+from math import nan, sqrt
 from typing import Any
 
 import numpy as np
@@ -53,8 +53,8 @@ def rates(
         x, y = state[2 * j] - state[2 * i], state[2 * j + 1] - state[2 * i + 1]
         try:
             pull = stiffness * (1.0 - rest / sqrt(x * x + y * y))  # N/m, tension over length
-        except ZeroDivisionError:
-            raise ValueError(f"state: particles {i} and {j} are at the same place") from None
+        except ZeroDivisionError:  # both at one place, where a trial step may end
+            pull = nan
         for end, sign in ((i, pull), (j, -pull)):
             forces[2 * end] += sign * x
             forces[2 * end + 1] += sign * y

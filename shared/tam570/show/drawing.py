@@ -1,5 +1,6 @@
 """Parts that several scenes have: a floor, axes, circles, a disk."""
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -7,7 +8,7 @@ from numpy.typing import ArrayLike
 
 from tam570.show.scene import GREY, Array, Shape
 
-__all__ = ["axes", "box_face", "brick", "circle", "coil", "cone", "floor", "unit_circle"]
+__all__ = ["axes", "box_face", "brick", "circle", "coil", "cone", "floor", "graph", "unit_circle"]
 
 
 def unit_circle(count: int) -> Array:
@@ -79,3 +80,29 @@ def cone(rim: Array, color: int, name: str) -> list[Shape]:
     spokes = rim[..., ::3, :]
     lines = np.stack([np.zeros_like(spokes), spokes], axis=-2).reshape(*rim.shape[:-2], -1, 3)
     return [Shape("path", rim, color, name, width=2), Shape("lines", lines, color, width=1)]
+
+
+def graph(
+    x: ArrayLike, y: ArrayLike, names: tuple[str, str], *, height: float = 0.8
+) -> tuple[list[Shape], Callable[[ArrayLike, ArrayLike], Array]]:
+    """Draw axes for a graph that is 1 wide, and return what takes values to (..., 2) points in it.
+
+    x, y   : what the graph must hold; any shape
+    names  : of the axes, with their units
+    height : of the graph
+    """
+    ranges = []
+    for values in (np.asarray(x, dtype=float), np.asarray(y, dtype=float)):
+        low, high = float(values.min()), float(values.max())
+        margin = 0.06 * (high - low) or 1.0
+        ranges.append((low - margin, high + margin))
+    (x0, x1), (y0, y1) = ranges
+
+    def to_points(x: ArrayLike, y: ArrayLike) -> Array:
+        across = (np.asarray(x, dtype=float) - x0) / (x1 - x0)
+        return np.stack(np.broadcast_arrays(across, height * (np.asarray(y, dtype=float) - y0) / (y1 - y0)), axis=-1)
+
+    zero = to_points(x0 if x0 * x1 > 0.0 else 0.0, y0 if y0 * y1 > 0.0 else 0.0)
+    ends = [[0.0, zero[1]], [1.0, zero[1]], [zero[0], 0.0], [zero[0], height]]
+    labels = [Shape("text", np.array([end]), GREY, words=name) for end, name in zip(ends[1::2], names, strict=True)]
+    return [Shape("arrow", np.array(ends), GREY, width=1.2), *labels], to_points

@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Callable
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +22,7 @@ __all__ = ["frames", "write"]
 SIZE = (10.0, 5.6)  # inches
 DPI = 100
 EVERY = {".gif": 3, ".webp": 3, ".mp4": 2}  # samples to a frame: 20 and 30 frames a second
+HEAD = 0.03  # of the larger side of a panel, at most: the head of an arrow
 CSS_COLOUR = re.compile(r"--(\w+): (#\w+);")
 
 Update = Callable[[int], None]
@@ -97,7 +98,7 @@ def _panel(ax: Axes, panel: Panel, scene: Scene) -> list[Update]:
     margin = 0.03 * float((high - low).max() or 1.0)
     ax.set(xlim=(low[0] - margin, high[0] + margin), ylim=(low[1] - margin, high[1] + margin), aspect="equal")
     ax.set_title(panel.title, fontsize=10)
-    return [_shape(ax, shape, points) for shape, points in shapes]
+    return [_shape(ax, shape, points, HEAD * float((high - low).max())) for shape, points in shapes]
 
 
 def _is_wide(panel: Panel) -> bool:
@@ -116,7 +117,7 @@ def _seen(points: Array, view: tuple[float, float]) -> Array:
     return flat
 
 
-def _shape(ax: Axes, shape: Shape, points: Array) -> Update:
+def _shape(ax: Axes, shape: Shape, points: Array, head: float) -> Update:
     """Draw one part; what takes it to another sample."""
     look: dict[str, Any] = {"color": _palette()[shape.color], "alpha": 0.25 if shape.faint else 1.0}
     still = points.ndim == 2
@@ -132,7 +133,7 @@ def _shape(ax: Axes, shape: Shape, points: Array) -> Update:
     if shape.kind == "text":
         text = ax.text(at(0)[0, 0], at(0)[0, 1], shape.words, **look)
         return lambda sample: text.set_position(at(sample)[0])
-    joined = {"lines": _apart, "arrow": _arrows}.get(shape.kind, lambda rows: rows)
+    joined: Any = {"lines": _apart, "arrow": partial(_arrows, longest=head)}.get(shape.kind, lambda rows: rows)
     style: dict[str, Any] = (
         {"marker": "o", "markersize": 1.5 * shape.width, "linestyle": ""} if shape.kind == "dot" else {}
     )
@@ -150,10 +151,12 @@ def _apart(points: Array) -> Array:
     return np.concatenate([pairs, gaps], axis=1).reshape(-1, 2)
 
 
-def _arrows(points: Array) -> Array:
-    """Pairs of tail and tip as lines with barbs."""
+def _arrows(points: Array, longest: float) -> Array:
+    """Pairs of tail and tip as lines with barbs, no longer than `longest`."""
     tails, tips = points[::2], points[1::2]
-    along = 0.15 * (tips - tails)
+    along = tips - tails
+    length = np.linalg.norm(along, axis=1, keepdims=True)
+    along = along * np.minimum(0.3, longest / np.where(length > 0.0, length, 1.0))
     across = 0.5 * np.column_stack([-along[:, 1], along[:, 0]])
     gap = np.full_like(tips, np.nan)
     strokes = [tails, tips, tips - along + across, tips, tips - along - across, gap]

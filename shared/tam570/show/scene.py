@@ -20,6 +20,7 @@ __all__ = [
     "Slider",
     "TimePlot",
     "frame_times",
+    "drift_note",
     "drift_plot",
     "energy_plot",
     "value_plot",
@@ -172,40 +173,50 @@ def drift_plot(
     *,
     beside: Mapping[str, ArrayLike] | None = None,
 ) -> TimePlot:
-    """A time plot of what should not change: how far each is from its first value.
+    """Plot how far each of the quantities that must not change is from its first value, in percent of a scale.
 
     curves : by name, (m,) numbers or (m, k) vectors
     scale  : what the deviations are measured by, > 0
     of     : its name, as in "the largest kinetic energy"
     beside : curves that are shown, and need not be constant
     """
-    judged, others = ({name: _percent(v, scale) for name, v in some.items()} for some in (curves, beside or {}))
-    largest = max(float(np.abs(curve).max()) for curve in judged.values()) / 100.0
-    shown = {**judged, **others}
+    moved, others = (
+        {name: 100.0 * _deviation(v, scale) for name, v in some.items()} for some in (curves, beside or {})
+    )
+    shown = {**moved, **others}
     half = 1.1 * max(100.0 * LEAST_SPAN / 1.1, *(float(np.abs(curve).max()) for curve in shown.values()))
-    alarm = largest > LARGE
-    note = f"{'not conserved: ' if alarm else ''}relative drift {largest:.2g} of {of}"
+    note, alarm = drift_note(curves, scale, of)
     return _drawable(TimePlot(title, times, shown, (-half, half), "%", note, alarm))
 
 
-def _percent(values: ArrayLike, scale: float) -> Array:
-    """(m,) difference from the first value, of a vector its size, in % of the scale."""
+def drift_note(constants: Mapping[str, ArrayLike], scale: float, of: str) -> tuple[str, bool]:
+    """Tell the drift of what must not change as one number, and whether it is an alarm.
+
+    constants : by name, (m,) numbers or (m, k) vectors
+    scale, of : what the drift is measured by, > 0, and its name
+    """
+    largest = max(float(np.abs(_deviation(values, scale)).max()) for values in constants.values())
+    alarm = largest > LARGE
+    return f"{'not conserved: ' if alarm else ''}relative drift {largest:.2g} of {of}", alarm
+
+
+def _deviation(values: ArrayLike, scale: float) -> Array:
+    """(m,) difference from the first value, of a vector its size, as a share of the scale."""
     array = np.asarray(values, dtype=float)
     with np.errstate(over="ignore"):
-        moved: Array = 100.0 * ((array - array[0]) / scale)
+        moved: Array = (array - array[0]) / scale
     return moved if moved.ndim == 1 else np.linalg.norm(moved, axis=1)
 
 
-def energy_plot(
-    times: Array, total: Array, potential: Array, title: str = "energy, change since the start"
-) -> TimePlot:
-    """A time plot of the energy; its potential part tells how much of it is in play.
+def energy_plot(times: Array, total: Array, potential: Array, title: str = "energy") -> TimePlot:
+    """Plot kinetic, potential and total energy; the note tells the drift of the total.
 
     total, potential : (m,) J
     """
-    kinetic = float(np.abs(total - potential).max())
-    scale = kinetic or float(np.abs(total).max()) or 1.0
-    return drift_plot(title, times, {"": total}, scale, "the largest kinetic energy")
+    kinetic = total - potential
+    scale = float(np.abs(kinetic).max()) or float(np.abs(total).max()) or 1.0
+    curves = {"kinetic T": kinetic, "potential V": potential, "total E": total}
+    return value_plot(title, times, curves, "J", *drift_note({"": total}, scale, "the largest kinetic energy"))
 
 
 def value_plot(
@@ -214,11 +225,11 @@ def value_plot(
     curves: Mapping[str, ArrayLike],
     unit: str,
     note: str = "",
-    *,
     alarm: bool = False,
+    *,
     least: float = 0.0,
 ) -> TimePlot:
-    """A time plot of what may change, as it is; its axis reaches to `least` at least."""
+    """Plot quantities as they are; the axis reaches to `least` at least."""
     values = {name: np.asarray(curve, dtype=float) for name, curve in curves.items()}
     low = min(0.0, *(float(curve.min()) for curve in values.values()))
     high = max(least, *(float(curve.max()) for curve in values.values()))

@@ -126,9 +126,9 @@ def test_what_is_no_ellipse_is_refused(velocity):
 
 
 def test_at_the_sun_nothing_is_known():
-    for function in (lambda s: planet.rates(0.0, s, gm=1.0), lambda s: planet.elements(s, gm=1.0)):
-        with pytest.raises(ValueError, match="state"):
-            function((0.0, 0.0, 0.0, 1.0, 0.0, 0.0))
+    with pytest.raises(ValueError, match="state"):
+        planet.elements((0.0, 0.0, 0.0, 1.0, 0.0, 0.0), gm=1.0)
+    assert math.isnan(planet.rates(0.0, (0.0, 0.0, 0.0, 1.0, 0.0, 0.0), gm=1.0)[3])
 
 
 def test_an_unbound_orbit_has_no_period():
@@ -167,11 +167,11 @@ def test_arrays_and_loops_pull_alike(n):
 
 
 @pytest.mark.parametrize("n", [2, 12])
-def test_bodies_at_one_place_are_refused(n):
+def test_bodies_at_one_place_have_no_accelerations(n):
     state = DRAW.normal(size=6 * n)
     state[:3] = state[3:6]
-    with pytest.raises(ValueError, match="state"):
-        bodies.rates(0.0, tuple(state.tolist()), masses=(1.0,) * n, newton=1.0)
+    found = bodies.rates(0.0, tuple(state.tolist()), masses=(1.0,) * n, newton=1.0)
+    assert found[: 3 * n] == pytest.approx(state[3 * n :]) and np.isnan(found[3 * n :]).all()
 
 
 def test_a_mass_of_zero_among_others_is_refused():

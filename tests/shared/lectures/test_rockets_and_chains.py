@@ -69,7 +69,8 @@ def test_the_rocket_refuses_by_name():
         with pytest.raises(ValueError, match=name):
             rocket.exact([0.0, 1.0], START, **{**BURN, name: value})
     with pytest.raises(ValueError, match="mass"):
-        rocket.rates(0.0, [0.0, 1.0, 0.0], **BURN)
+        rocket.exact([0.0, 1.0], [0.0, 1.0, 0.0], **BURN)
+    assert rocket.rates(0.0, [0.0, 1.0, -5.0], **BURN) == (1.0, -9.81, 0.0)  # a trial step beyond the empty tank
 
 
 def folded_energy(x, v, length, gravity):
@@ -105,7 +106,41 @@ def test_the_scale_shows_the_weight_and_the_impact():
     assert chains.poured(x, density=density, gravity=g) == pytest.approx(density * g * x + impact)
 
 
+@pytest.mark.parametrize("supplied", [0.0, 0.3, 0.5])
+def test_what_the_heap_supplies_is_not_lost(supplied):
+    """The power that lifts, less the rates of kinetic energy and of the weight's, is (1/2 - supplied) density v^3."""
+    v, density, g = 3.0, 0.5, 9.81
+    power = v * chains.lifted(1.2, v, density=density, gravity=g, supplied=supplied)
+    assert power - density * v**3 / 2 - density * g * 1.2 * v == pytest.approx((0.5 - supplied) * density * v**3)
+
+
+@pytest.mark.parametrize("supplied", [0.0, 0.3, 0.5])
+def test_the_scale_bears_what_momentum_balance_of_the_whole_chain_leaves(supplied):
+    """The part above falls by (length - x) v' = (length - x) g + supplied v^2; the reading is the weight less p'."""
+    length, density, g = 2.0, 0.4, 9.81
+
+    def fall(t, state):
+        x, v = state
+        return v, g + supplied * v * v / (length - x)
+
+    times = np.linspace(0.0, 0.45, 901)
+    x, v = solve(fall, times, [0.0, 0.0], rtol=1e-12).T
+    momentum = density * (length - x) * v
+    rate = (momentum[2:] - momentum[:-2]) / (times[2:] - times[:-2])
+    known = {"density": density, "gravity": g, "supplied": supplied, "length": length}
+    readings = [chains.poured(one, **known) for one in x[1:-1]]
+    assert readings == pytest.approx(density * length * g - rate, abs=1e-4)
+    long = chains.poured(0.3, density=density, gravity=g, supplied=supplied)
+    assert long == pytest.approx((3 - 2 * supplied) * density * g * 0.3)
+    assert chains.poured(0.3, **{**known, "length": 1e6}) == pytest.approx(long, rel=1e-5)
+
+
 def test_chains_refuse_by_name():
+    for wrong in (-0.1, 1.5, math.nan):
+        with pytest.raises(ValueError, match="supplied"):
+            chains.lifted(1.0, 1.0, density=1.0, gravity=9.81, supplied=wrong)
+        with pytest.raises(ValueError, match="supplied"):
+            chains.poured(1.0, density=1.0, gravity=9.81, supplied=wrong)
     for wrong in (2.0, 2.5, -0.1, math.nan):
         with pytest.raises(ValueError, match="fallen"):
             chains.folded(wrong, 1.0, length=2.0, gravity=9.81)

@@ -1,6 +1,7 @@
 """The lecture on chains: a folded one by both of its equations, one lifted from a heap, one poured on a scale."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -21,52 +22,79 @@ from tam570.show.scene import (
 __all__ = ["chains"]
 
 DISTANCE = 0.12  # of the length, between the two sides of a fold
+LARGEST = 4.0  # times the chain's weight, of the scale's reading that is shown: without loss it grows without limit
+HEAP = 0.09  # of the length: half the width of the whole chain in a heap
+LIMITS = {"textbook": 0, "nothing lost": 1}  # those that are drawn, and their colours
 
 
 def chains(
-    times: Array, fallen: Array, free: Array, risen: Array, pull: Array, scale: Array, parameters: Mapping[str, float]
+    times: Array,
+    folds: Sequence[Array],
+    falls: Mapping[str, Array],
+    pulls: Mapping[str, Array],
+    readings: Mapping[str, Array],
+    parameters: Mapping[str, float],
 ) -> Scene:
-    """Three panels.
+    """Draw three panels.
 
-    fallen : (n, 2) m and m/s, the end of the folded chain, by energy
-    free   : (n,) m, that it, and the poured chain, have fallen freely
-    risen  : (n,) m, the end of the lifted chain
-    pull, scale : (n,) N, what lifts that end, and the reading of the scale
+    folds    : (n, 2) m and m/s, fallen by the end of a folded chain, by energy and inelastic
+    falls    : (n,) m, that a poured chain has fallen, for each share that is supplied
+    pulls    : (n,) N, that lift a chain from a heap
+    readings : (n,) N, of the scale
     """
     length, weight = parameters["length"], parameters["density"] * parameters["gravity"]
-    side = DISTANCE * length
-    unit = 0.25 * length / max(float(pull.max()), float(scale.max()))  # m/N
-    still, up = np.zeros(len(times)), np.array([0.0, 1.0])
-    lifted, pulled = np.outer(risen, up), np.outer(risen + unit * pull, up)
-    lifting = _upright(lifted, "chain", moving(lifted, pulled), "force that lifts")
-    pressed = moving(np.column_stack([still, -unit * scale]), np.zeros(2))
-    pouring = _upright(np.outer(length - free, up), "", pressed, "force of the scale")
-    heap = Shape("dot", np.zeros((1, 2)), 0, width=14)
-    ground = Shape("lines", np.array([[-2 * side, 0.0], [2 * side, 0.0]]), GREY, width=3)
-    shown = plot_samples(times)
-    forces = {"lifted": pull, "on the scale": scale, "weight on the scale": weight * free}
+    most, shown = LARGEST * weight * length, plot_samples(times)  # N
+    risen = np.minimum(parameters["speed"] * times, length)
+    ground = Shape("lines", DISTANCE * length * np.array([[-2.0, 0.0], [6.0, 0.0]]), GREY, width=3)
+    lifting, pouring = [ground], [ground]
+    for name, color in LIMITS.items():
+        left = 4 * DISTANCE * length * color
+        lifting += _upright(left, risen, 1 - risen / length, length, color, name)
+        lifting.append(_arrow(left, risen, 0.3 * length / float(pulls["textbook"].max()) * pulls[name], "force"))
+        pouring += _upright(left, length - falls[name], falls[name] / length, length, color, "")
+        pressed = 0.3 * length / most * np.minimum(readings[name], most)
+        pouring.append(_arrow(left, -pressed, pressed, ""))
+    on_scale = {**readings, "weight on it": weight * falls["textbook"]}
     return Scene(
         "Chains",
         "A folded chain falls faster than free fall if it keeps its energy, and freely if its links stop "
-        "inelastically. A chain is lifted from a heap. A third one falls on a scale, which shows three times what lies"
-        " there.",
+        "inelastically. A chain is lifted from a heap, another one falls on a scale: the force is that of the textbook "
+        "or smaller, by what links that push or pull each other make of it.",
         times,
         [
-            Panel([*_fold(fallen[:, 0], 0, 0.0, length), *_fold(free, 1, 3 * side, length)], "folded"),
-            Panel([ground, *lifting, heap], "lifted"),
-            Panel([ground, *pouring, heap], "poured"),
+            Panel(
+                [*_fold(folds[0][:, 0], 0, 0.0, length), *_fold(folds[1][:, 0], 1, 3 * DISTANCE * length, length)],
+                "folded",
+            ),
+            Panel(lifting, "lifted"),
+            Panel(pouring, "poured"),
         ],
         [
-            _energy(times, fallen, free, parameters),
-            value_plot("forces", times[shown], {name: force[shown] for name, force in forces.items()}, "N"),
+            _energy(times, folds[0], folds[1], parameters),
+            value_plot("force that lifts", times[shown], {name: pull[shown] for name, pull in pulls.items()}, "N"),
+            replace(
+                value_plot("the scale", times[shown], {name: f[shown] for name, f in on_scale.items()}, "N"),
+                span=(-0.1 * most, most),
+            ),
         ],
         still_time=0.72,
     )
 
 
-def _upright(end: Array, chain: str, force: Array, label: str) -> list[Shape]:
-    """A chain from the ground to its end (n, 2), and a force as an arrow."""
-    return [Shape("lines", moving(np.zeros(2), end), 0, chain, width=4), Shape("arrow", force, 3, label, width=3)]
+def _arrow(x: float, foot: Array, size: Array, name: str) -> Shape:
+    """An arrow upwards at x, from (n,) m, of the length (n,) m."""
+    across = np.full_like(foot, x)
+    tail, tip = np.column_stack([across, foot]), np.column_stack([across, foot + size])
+    return Shape("arrow", moving(tail, tip), 3, name, width=3)
+
+
+def _upright(x: float, height: Array, share: Array, length: float, color: int, name: str) -> list[Shape]:
+    """A chain from the ground up to its end at (n,) m, and the (n,) share of it that lies in a heap."""
+    foot = np.array([x, 0.0])
+    size = HEAP * length * np.sqrt(np.maximum(share, 0.0))[:, None, None]
+    heap = foot + size * np.array([[-1.0, 0.0], [-0.5, 0.8], [0.0, 1.0], [0.5, 0.8], [1.0, 0.0]])
+    end = foot + np.outer(height, [0.0, 1.0])
+    return [Shape("fill", heap, color, faint=True), Shape("lines", moving(foot, end), color, name, width=4)]
 
 
 def _fold(fallen: Array, color: int, left: float, length: float) -> list[Shape]:
@@ -82,19 +110,21 @@ def _fold(fallen: Array, color: int, left: float, length: float) -> list[Shape]:
     ]
 
 
-def _energy(times: Array, fallen: Array, free: Array, parameters: Mapping[str, float]) -> TimePlot:
+def _energy(times: Array, kept: Array, lost: Array, parameters: Mapping[str, float]) -> TimePlot:
     """Of the folded chain, as long as both fall."""
     length, density, gravity = (parameters[name] for name in ("length", "density", "gravity"))
-    speeds = np.append(np.diff(fallen[:, 0]), 0.0)
-    falling = np.flatnonzero((speeds > 0) & (free < length))
+    falling = np.flatnonzero((kept[:, 0] < length) & (lost[:, 0] < length))
     shown = falling[plot_samples(times[falling])]
 
     def energy(x: Array, v: Array) -> Array:
         return density * ((length - x) * v**2 - gravity * (2 * length * x - x**2)) / 4
 
-    right, lost = energy(*fallen[shown].T), energy(free[shown], gravity * times[shown])
     scale = density * gravity * length**2 / 4
-    title = "folded: energy, change"
     return drift_plot(
-        title, times[shown], {"by energy": right}, scale, "the potential energy", beside={"inelastic": lost}
+        "folded: energy, change",
+        times[shown],
+        {"by energy": energy(*kept[shown].T)},
+        scale,
+        "the potential energy",
+        beside={"inelastic": energy(*lost[shown].T)},
     )

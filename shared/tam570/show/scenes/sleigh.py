@@ -7,13 +7,15 @@ from typing import Any
 import numpy as np
 
 from tam570.integrate import solve
+from tam570.show.drawing import graph, unit_circle
 from tam570.show.scene import (
+    GREY,
     Array,
     Panel,
     Scene,
     Shape,
     TimePlot,
-    drift_plot,
+    drift_note,
     frame_times,
     plot_samples,
     value_plot,
@@ -61,18 +63,47 @@ def _one(times: Array, states: Array, energy: Any, parameters: Mapping[str, floa
         "blade, turns round, and goes on straight with its centre of mass ahead. However fast it is, it turns by one "
         "angle.",
         times,
-        [Panel(shapes)],
+        [Panel(shapes), Panel(_phase_plane(states, parameters), "phase plane", ruler=False)],
         [
             _turn(times[shown], states[shown], parameters),
-            drift_plot("energy, change", times[shown], {"": energies}, energies[0] or 1.0, "itself"),
+            value_plot(
+                "speed, and k times yaw rate",
+                times[shown],
+                {"speed": states[shown, 3], "k yaw rate": _gyration(parameters) * states[shown, 4]},
+                "m/s",
+                *drift_note({"energy": energies}, energies[0] or 1.0, "the energy"),
+            ),
         ],
         still_time=0.5,
     )
 
 
+def _gyration(parameters: Mapping[str, float]) -> float:
+    return sqrt(parameters["inertia"] / parameters["mass"] + parameters["offset"] ** 2)
+
+
+def _phase_plane(states: Array, parameters: Mapping[str, float]) -> list[Shape]:
+    """Speed and yaw rate: each motion runs on an ellipse of its energy, from going straight backwards to forwards."""
+    k = _gyration(parameters)
+    V = float(np.hypot(states[0, 3], k * states[0, 4])) or 1.0
+    levels = V * np.array([0.4, 0.7, 1.0, 1.3])[:, None, None] * unit_circle(61) / [1.0, k]
+    axes, to_points = graph(levels[..., 0], levels[..., 1], ("speed", "yaw rate"))
+    ahead, back = (to_points(levels[:, i, 0], 0.0) for i in (0, 30))  # straight motion: the yaw rate stays 0
+    stable, unstable = (ahead, back) if parameters["offset"] >= 0 else (back, ahead)
+    way = to_points(states[:, 3], states[:, 4])[:, None]
+    return [
+        *axes,
+        *(Shape("path", to_points(*level.T), GREY, width=1) for level in levels),
+        Shape("dot", stable, 2, "straight, G ahead: stable", width=5),
+        Shape("dot", unstable, 3, "straight, G behind: unstable", width=5),
+        Shape("trail", way, 1, width=2.5),
+        Shape("dot", way, 0, "now", width=7),
+    ]
+
+
 def _turn(times: Array, states: Array, parameters: Mapping[str, float]) -> TimePlot:
-    mass, inertia, offset = (parameters[name] for name in ("mass", "inertia", "offset"))
+    offset = parameters["offset"]
     turned = np.degrees(states[:, 2] - states[0, 2])
-    whole = 180.0 * sqrt(inertia / mass + offset**2) / abs(offset) if offset else float("inf")
+    whole = 180.0 * _gyration(parameters) / abs(offset) if offset else float("inf")
     note = f"at most pi k/offset = {whole:.4g} degrees" if offset else "G at the blade: it turns for ever"
     return value_plot("turned", times, {"": turned}, "degrees", note)

@@ -1,0 +1,149 @@
+"""26 Oct: Motion seen from a turntable, and Foucault's pendulum.
+
+The turntable turns counter-clockwise at `spin` W, its axes along those of space at t = 0; a spring of zero rest length
+pulls a particle to its centre. Differentiating components leaves out W x: v_space = v + W x r, and once more a_space =
+a + 2 W x v + W x (W x r). So an observer on the table adds -2 m W x v, Coriolis' force, and m W^2 r, the centrifugal
+one, to F = m a. No body exerts them. Energy with the second one's potential, m (v^2 - W^2 r^2)/2 + k r^2/2, is Jacobi's
+integral. The Earth turns at W sin(latitude) about the vertical of a place, and a pendulum's plane at as much the other
+way (Goldstein, Classical Mechanics, sections 4.9 and 4.10).
+"""
+
+from collections.abc import Mapping, Sequence
+from math import hypot, sin, sqrt
+from types import SimpleNamespace
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from tam570.given import array, finite, nonnegative, numbers, positive, sequence
+from tam570.show.scene import Array, Scene
+
+__all__ = [
+    "angular_momentum",
+    "centrifugal",
+    "coriolis",
+    "exact",
+    "film",
+    "foucault",
+    "foucault_path",
+    "from_space",
+    "jacobi_integral",
+    "rates",
+    "to_space",
+]
+
+STATE = {"x": "m", "y": "m", "vx": "m/s", "vy": "m/s"}  # as seen from the turntable
+EXAMPLE = {"mass": 1.0, "stiffness": 0.5, "spin": 1.5}  # kg, N/m, rad/s
+START = (1.0, 0.0, -0.6, -1.2)
+SECONDS = 12.0
+
+Complex = NDArray[np.complex128]  # x + i y
+
+
+def rates(t: float, state: Sequence[float], *, mass: float, stiffness: float, spin: float) -> tuple[float, ...]:
+    """(4,) velocity, m/s, and acceleration, m/s^2, as seen from the turntable."""
+    _check(mass, stiffness, spin)
+    sequence(4, state=state)
+    x, y, vx, vy = state
+    outward = spin * spin - stiffness / mass
+    return vx, vy, outward * x + 2 * spin * vy, outward * y - 2 * spin * vx
+
+
+def coriolis(state: ArrayLike, *, mass: float, stiffness: float, spin: float) -> Array:
+    """(2,) N, -2 m W x v: to the right of the velocity where the table turns counter-clockwise."""
+    _check(mass, stiffness, spin)
+    _, _, vx, vy = numbers(4, state=state)
+    return 2 * mass * spin * np.array([vy, -vx])
+
+
+def centrifugal(state: ArrayLike, *, mass: float, stiffness: float, spin: float) -> Array:
+    """(2,) N, m W^2 r: away from the centre."""
+    _check(mass, stiffness, spin)
+    return mass * spin**2 * numbers(4, state=state)[:2]
+
+
+def to_space(t: ArrayLike, state: ArrayLike, *, spin: float) -> Array:
+    """(4,) state in space of one seen from the turntable at the time t, s; or (n, 4) of (n, 4) at t (n,)."""
+    finite(spin=spin)
+    r, v = _complex(state)
+    turned = np.exp(1j * spin * array(np.shape(state)[:-1], t=t))
+    return _real(turned * r, turned * (v + 1j * spin * r))
+
+
+def from_space(t: ArrayLike, state: ArrayLike, *, spin: float) -> Array:
+    """(4,) state seen from the turntable of one in space at the time t, s; or (n, 4) of (n, 4) at t (n,)."""
+    finite(spin=spin)
+    r, v = _complex(state)
+    turned = np.exp(-1j * spin * array(np.shape(state)[:-1], t=t))
+    return _real(turned * r, turned * (v - 1j * spin * r))
+
+
+def exact(t: ArrayLike, state: ArrayLike, *, mass: float, stiffness: float, spin: float) -> Array:
+    """(n, 4) states at the times t (n,), s, of the motion that has `state` at t[0]; in space an ellipse or a line."""
+    _check(mass, stiffness, spin)
+    times, start = numbers(t=t), numbers(4, state=state)
+    since, w = times - times[:1], sqrt(stiffness / mass)
+    r, v = start[:2], to_space(0.0, start, spin=spin)[2:]
+    c, s = np.cos(w * since)[:, None], (since * np.sinc(w * since / np.pi))[:, None]
+    return from_space(since, np.hstack([c * r + s * v, c * v - w**2 * s * r]), spin=spin)
+
+
+def jacobi_integral(state: ArrayLike, *, mass: float, stiffness: float, spin: float) -> float:
+    """J: kinetic energy on the turntable, the spring's, and that of the centrifugal force."""
+    _check(mass, stiffness, spin)
+    x, y, vx, vy = numbers(4, state=state)
+    return float(mass * (vx**2 + vy**2) + (stiffness - mass * spin**2) * (x**2 + y**2)) / 2
+
+
+def angular_momentum(state: ArrayLike, *, mass: float, stiffness: float, spin: float) -> float:
+    """kg m^2/s, in space, about the centre."""
+    _check(mass, stiffness, spin)
+    x, y, vx, vy = numbers(4, state=state)
+    return float(mass * (x * vy - y * vx + spin * (x**2 + y**2)))
+
+
+INVARIANTS = {"jacobi_integral": jacobi_integral, "angular_momentum": angular_momentum}
+
+
+def foucault(t: ArrayLike, *, length: float, gravity: float, latitude: float, spin: float) -> Array:
+    """rad, by which a pendulum's plane has turned at the times t, s, counter-clockwise seen from above.
+
+    length, gravity : m, m/s^2; they set how fast it swings, and not how fast its plane turns
+    latitude        : rad, north positive
+    spin            : rad/s, of the Earth
+    """
+    positive(length=length, gravity=gravity)
+    finite(latitude=latitude, spin=spin)
+    return -spin * sin(latitude) * array(np.shape(t), t=t)
+
+
+def foucault_path(t: ArrayLike, *, length: float, gravity: float, latitude: float, spin: float) -> Array:
+    """(n, 2) east and north of a bob let go at rest, on Earth, 1 to the east, at the times t (n,), s; small swings."""
+    plane = foucault(t, length=length, gravity=gravity, latitude=latitude, spin=spin)
+    rate = spin * sin(latitude)
+    w = hypot(sqrt(gravity / length), rate)
+    swing = np.cos(w * numbers(t=t)) + 1j * rate / w * np.sin(w * numbers(t=t))
+    bob = np.exp(1j * plane) * swing
+    return np.column_stack([bob.real, bob.imag])
+
+
+def _complex(state: ArrayLike) -> tuple[Complex, Complex]:
+    x, y, vx, vy = np.moveaxis(array((*np.shape(state)[:-1], 4), state=state), -1, 0)
+    return x + 1j * y, vx + 1j * vy
+
+
+def _real(r: Complex, v: Complex) -> Array:
+    return np.stack([r.real, r.imag, v.real, v.imag], axis=-1)
+
+
+def _check(mass: float, stiffness: float, spin: float) -> None:
+    positive(mass=mass)
+    nonnegative(stiffness=stiffness)
+    finite(spin=spin)
+
+
+def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
+    """The same motion from both sides, and a pendulum on a small fast Earth."""
+    from tam570.show.scenes import frames
+
+    return frames.film(SimpleNamespace(**globals()), parameters, start, seconds)

@@ -1,0 +1,118 @@
+"""The lecture `frames`: one motion seen from space and from a turntable, and Foucault's pendulum."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from tam570.show.drawing import unit_circle
+from tam570.show.scene import (
+    GREY,
+    INK,
+    Array,
+    Panel,
+    Scene,
+    Shape,
+    TimePlot,
+    drift_note,
+    frame_times,
+    moving,
+    plot_samples,
+    value_plot,
+)
+
+__all__ = ["film"]
+
+EARTH = {"length": 1.0, "gravity": 9.81, "latitude": 0.741, "spin": 0.4}  # m, m/s^2, rad (Ithaca), rad/s: a fast Earth
+SPOKES = np.arange(6) * np.pi / 3  # rad
+
+
+def film(frames: Any, parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
+    """A spring pulls a particle to the centre of a turntable, on which nothing rubs.
+
+    frames : the lecture's functions
+    """
+    times = frame_times(seconds)
+    seen = frames.exact(times, start, **parameters)
+    space = frames.to_space(times, seen, spin=parameters["spin"])
+    rim = 1.1 * float(np.hypot(*seen[:, :2].T).max())
+    return Scene(
+        "Turntable and Foucault's pendulum",
+        "A particle slides over a turntable. Seen from space it runs on an ellipse or a straight line. Seen from the "
+        "turntable its path winds, bent by the forces of Coriolis and of the rotation. Beside it the plane of a "
+        "pendulum turns against the Earth's rotation.",
+        times,
+        [
+            Panel(_table(times, space, parameters, rim, turning=True), "seen from space"),
+            Panel(
+                [*_table(times, seen, parameters, rim, turning=False), *_forces(frames, seen, parameters, rim)],
+                "seen from the turntable",
+            ),
+            Panel(_pendulum(frames, times), "Foucault's pendulum, from above", ruler=False),
+        ],
+        [_energies(frames, times, seen, parameters), _plane(frames, times)],
+        still_time=0.4,
+    )
+
+
+def _table(times: Array, states: Array, parameters: Mapping[str, float], rim: float, turning: bool) -> list[Shape]:
+    angles = SPOKES + (parameters["spin"] * times if turning else 0.0 * times)[:, None]
+    ends = rim * np.stack([np.cos(angles), np.sin(angles)], axis=-1)
+    particle = states[:, :2]
+    spring = (
+        [Shape("lines", moving(np.zeros(2), particle), INK, "spring", width=1.5)] if parameters["stiffness"] else []
+    )
+    return [
+        Shape("path", rim * unit_circle(61), GREY, width=2),
+        Shape("lines", np.stack([np.zeros_like(ends), ends], axis=2).reshape(len(times), -1, 2), GREY, width=1),
+        Shape("trail", particle[:, None], 2, "path", width=2),
+        *spring,
+        Shape("dot", particle[:, None], 0, "particle", width=8),
+    ]
+
+
+def _forces(frames: Any, seen: Array, parameters: Mapping[str, float], rim: float) -> list[Shape]:
+    """The forces that only the observer on the turntable adds."""
+    forces = {
+        name: np.array([force(state, **parameters) for state in seen])
+        for name, force in (("Coriolis", frames.coriolis), ("centrifugal", frames.centrifugal))
+    }
+    unit = 0.6 * rim / (max(float(np.linalg.norm(force, axis=1).max()) for force in forces.values()) or 1.0)  # m/N
+    return [
+        Shape("arrow", moving(seen[:, :2], seen[:, :2] + unit * force), color, name, width=2.5)
+        for color, (name, force) in zip((1, 3), forces.items(), strict=True)
+    ]
+
+
+def _pendulum(frames: Any, times: Array) -> list[Shape]:
+    bob, plane = frames.foucault_path(times, **EARTH), frames.foucault(times, **EARTH)
+    along = 1.1 * np.column_stack([np.cos(plane), np.sin(plane)])
+    ends = 1.1 * np.array([[1.0, 0.0], [0.0, 1.0]])
+    return [
+        Shape("path", 1.1 * unit_circle(61), GREY, width=2),
+        *(Shape("text", end[None], GREY, words=name) for end, name in zip(ends, ("east", "north"), strict=True)),
+        Shape("trail", bob[:, None], 2, width=1.2),
+        Shape("lines", moving(-along, along), 4, "plane, turned by -spin sin(latitude) t", width=1.5),
+        Shape("dot", bob[:, None], 5, "bob", width=8),
+    ]
+
+
+def _energies(frames: Any, times: Array, seen: Array, parameters: Mapping[str, float]) -> TimePlot:
+    shown = plot_samples(times)
+    mass, stiffness, spin = (parameters[name] for name in ("mass", "stiffness", "spin"))
+    squares = (seen[shown, :2] ** 2).sum(axis=1) / 2
+    curves = {
+        "kinetic": mass * (seen[shown, 2:] ** 2).sum(axis=1) / 2,
+        "spring": stiffness * squares,
+        "centrifugal": -mass * spin**2 * squares,
+        "Jacobi's integral": np.array([frames.jacobi_integral(state, **parameters) for state in seen[shown]]),
+    }
+    kept = {"": curves["Jacobi's integral"]}
+    note = drift_note(kept, float(curves["kinetic"].max()) or 1.0, "the largest kinetic energy")
+    return value_plot("energies on the turntable", times[shown], curves, "J", *note)
+
+
+def _plane(frames: Any, times: Array) -> TimePlot:
+    shown = plot_samples(times)
+    plane = np.degrees(frames.foucault(times[shown], **EARTH))
+    return value_plot("Foucault: angle of the plane", times[shown], {"": plane}, "degrees")

@@ -1,0 +1,116 @@
+"""The lecture `stiff_impact`: a ball on a floor that yields, ever stiffer floors, and a rod on two of them."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from tam570.integrate import solve
+from tam570.show.drawing import coil, graph, unit_circle
+from tam570.show.scene import (
+    GREY,
+    INK,
+    Array,
+    Panel,
+    Scene,
+    Shape,
+    energy_plot,
+    frame_times,
+    moving,
+    plot_samples,
+    value_plot,
+)
+
+__all__ = ["film"]
+
+RADIUS, DEPTH = 0.08, 0.35  # m, of the ball, and of the floor's spring
+STIFFER = (1.0, 4.0, 16.0)  # times the stiffness
+ROD: dict[str, Any] = {"mass": 1.0, "inertia": 0.12, "arms": (-0.5, 0.3), "speed": 1.0}  # kg, kg m^2, m, m/s
+RATIOS = (0.05, 1.0, 20.0)  # of the second spring's stiffness to the first
+
+
+def film(lecture: Any, parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
+    """The ball bounces in its own time; beside it is what does not depend on time.
+
+    lecture : its functions
+    """
+    times = frame_times(seconds)
+    states = solve(lecture.rates, times, start, parameters=parameters, rtol=1e-9)
+    shown = plot_samples(times)
+    total = np.array([lecture.energy(state, **parameters) for state in states[shown]])
+    kinetic = parameters["mass"] * states[shown, 1] ** 2 / 2
+    pushes = np.array([lecture.push(state, **parameters) for state in states[shown]])
+    return Scene(
+        "Collisions as stiff springs",
+        "A ball bounces on a plate that a spring holds. Beside it are the pushes of ever stiffer springs, higher and "
+        "shorter, with one area below each. A rod falls on two springs: all impulses that keep the energy are on an "
+        "ellipse, and the ratio of the springs chooses one.",
+        times,
+        [
+            Panel(_ball(states[:, 0]), "ball"),
+            Panel(_pushes(lecture, parameters, abs(start[1]) or 1.0), "push over time: one area", ruler=False),
+            Panel(_impulses(lecture), "impulses of a rod's two contacts", ruler=False),
+        ],
+        [
+            energy_plot(times[shown], total, total - kinetic),
+            value_plot("push of the floor", times[shown], {"": pushes}, "N"),
+        ],
+        still_time=0.04,
+    )
+
+
+def _ball(x: Array) -> list[Shape]:
+    plate = np.column_stack([np.zeros_like(x), np.minimum(x, 0.0)])
+    ball = np.column_stack([np.zeros_like(x), x + RADIUS])
+    rim = RADIUS * unit_circle(33)
+    return [
+        Shape("lines", np.array([[-0.3, -DEPTH], [0.3, -DEPTH]]), GREY, width=3),
+        Shape("path", coil(np.broadcast_to([0.0, -DEPTH], plate.shape), plate, 0.04), GREY, "spring", width=2),
+        Shape("lines", moving(plate - [0.15, 0.0], plate + [0.15, 0.0]), INK, width=3),
+        Shape("fill", ball[:, None] + rim, 0, "ball"),
+    ]
+
+
+def _pushes(lecture: Any, parameters: Mapping[str, float], speed: float) -> list[Shape]:
+    mass, gravity = parameters["mass"], parameters["gravity"]
+    curves = []
+    for times in STIFFER:
+        k = times * parameters["stiffness"]
+        _, duration = lecture.rebound(k, mass=mass, speed=speed, gravity=gravity)
+        t = np.linspace(0.0, duration, 60)
+        states = solve(
+            lecture.rates, t, [0.0, -speed], parameters={"mass": mass, "stiffness": k, "gravity": gravity}, rtol=1e-9
+        )
+        curves.append((t, k * np.maximum(-states[:, 0], 0.0), k))
+    axes, to_points = graph([0.0, curves[0][0][-1]], [0.0, curves[-1][1].max()], ("t", "push"))
+    labels = [
+        Shape("text", to_points([t[push.argmax()]], [push.max()]), color, words=f"{k:g} N/m")
+        for color, (t, push, k) in enumerate(curves)
+    ]
+    return [*axes, *labels, *(Shape("path", to_points(t, p), i, width=2.5) for i, (t, p, _) in enumerate(curves))]
+
+
+def _impulses(lecture: Any) -> list[Shape]:
+    """The plane of both impulses: the ellipse that keeps the energy, and the way there for each ratio."""
+    ways = [lecture.rod_states((1.0, ratio), **ROD)[:, 4:] for ratio in RATIOS]
+    ellipse = _ellipse()
+    both = np.concatenate([ellipse, *ways])
+    axes, to_points = graph(both[:, 0], both[:, 1], ("impulse 1", "impulse 2"))
+    shapes = [*axes, Shape("path", to_points(*ellipse.T), GREY, "weak rigidity: all that keep the energy", width=1.5)]
+    for color, (ratio, way) in enumerate(zip(RATIOS, ways, strict=True), 3):
+        shapes += [
+            Shape("path", to_points(*way.T), color, f"springs 1 : {ratio:g}", width=2.5),
+            Shape("dot", to_points(*way[-1:].T), color, width=5),
+        ]
+    return shapes
+
+
+def _ellipse() -> Array:
+    """(n, 2) impulses J with J.S J/2 = speed (J1 + J2): what the rod gains equals what it had."""
+    arms = np.array(ROD["arms"])
+    S = 1.0 / ROD["mass"] + np.outer(arms, arms) / ROD["inertia"]
+    middle = np.linalg.solve(S, ROD["speed"] * np.ones(2))
+    values, axes = np.linalg.eigh(S)
+    size = np.sqrt(middle @ S @ middle / values)
+    points: Array = middle + unit_circle(91) * size @ axes.T
+    return points

@@ -1,0 +1,266 @@
+"""Laws of the lectures on frames, rigid kinematics, systems of particles and inertia."""
+
+import math
+
+import numpy as np
+import pytest
+
+from tam570.integrate import solve
+from tam570.lectures import bearings, frames, inertia, many, rigid_kinematics
+from tam570.rotations import matrix_from_axis_angle
+
+DRAW = np.random.default_rng(571)
+
+
+# Frames
+
+
+def table():
+    return {"mass": DRAW.uniform(0.5, 3), "stiffness": DRAW.uniform(0, 5), "spin": DRAW.uniform(-3, 3)}
+
+
+def test_seen_from_space_only_the_spring_acts():
+    """The state's rate, carried to space by differences, is F = m a with the spring alone."""
+    for _ in range(10):
+        known, t, state, h = table(), DRAW.uniform(-2, 2), DRAW.normal(size=4), 1e-6
+        rate = np.array(frames.rates(t, state, **known))
+        before, after = (frames.to_space(t + s, state + s * rate, spin=known["spin"]) for s in (-h, h))
+        r, v = np.split(frames.to_space(t, state, spin=known["spin"]), 2)
+        assert (after - before) / (2 * h) == pytest.approx([*v, *(-known["stiffness"] / known["mass"] * r)], abs=1e-7)
+
+
+def test_the_observer_on_the_table_adds_two_forces():
+    for _ in range(5):
+        known, state = table(), DRAW.normal(size=4)
+        added = frames.coriolis(state, **known) + frames.centrifugal(state, **known)
+        felt = known["mass"] * np.array(frames.rates(0.0, state, **known)[2:])
+        assert felt == pytest.approx(added - known["stiffness"] * state[:2], abs=1e-12)
+        assert frames.coriolis(state, **known) @ state[2:] == pytest.approx(0.0, abs=1e-12)
+
+
+def test_without_a_spring_it_goes_straight_on_in_space():
+    known, times = {"mass": 2.0, "stiffness": 0.0, "spin": 1.7}, np.linspace(0.5, 4.5, 30)
+    seen = solve(frames.rates, times, [1.0, 0.2, -0.4, 0.3], parameters=known, rtol=1e-12)
+    space = frames.to_space(times, seen, spin=1.7)
+    straight = space[0, :2] + np.outer(times - times[0], space[0, 2:])
+    assert space[:, :2] == pytest.approx(straight, abs=1e-9)
+    assert seen == pytest.approx(frames.exact(times, seen[0], **known), abs=1e-9)
+
+
+def test_to_space_and_back():
+    times, states = DRAW.uniform(-9, 9, 7), DRAW.normal(size=(7, 4))
+    there = frames.to_space(times, states, spin=-0.8)
+    assert frames.from_space(times, there, spin=-0.8) == pytest.approx(states, abs=1e-13)
+    assert frames.to_space(times[3], states[3], spin=-0.8) == pytest.approx(there[3], abs=1e-14)
+    assert frames.to_space(0.0, [1.0, 0.0, 0.0, 0.0], spin=2.0) == pytest.approx([1.0, 0.0, 0.0, 2.0])
+
+
+def test_a_swing_on_the_turning_earth_keeps_to_foucaults_plane():
+    """The linear equations with Coriolis' force, solved; the bob comes to rest in the plane, a period apart."""
+    earth = {"length": 4.0, "gravity": 9.81, "latitude": 0.7, "spin": 0.3}
+    rate = earth["spin"] * math.sin(earth["latitude"])
+
+    def swing(t, state):
+        x, y, vx, vy = state
+        return vx, vy, -9.81 / 4.0 * x + 2 * rate * vy, -9.81 / 4.0 * y - 2 * rate * vx
+
+    times = np.linspace(0.0, 20.0, 50)
+    solved = solve(swing, times, [1.0, 0.0, 0.0, 0.0], rtol=1e-12)
+    assert frames.foucault_path(times, **earth) == pytest.approx(solved[:, :2], abs=1e-9)
+    period = 2 * math.pi / math.hypot(math.sqrt(9.81 / 4.0), rate)
+    x, y = frames.foucault_path([3 * period], **earth)[0]
+    assert math.atan2(y, x) == pytest.approx(float(frames.foucault(3 * period, **earth)), abs=1e-12)
+    assert frames.foucault(
+        86164.0, **{**earth, "latitude": math.pi / 2, "spin": 2 * math.pi / 86164.0}
+    ) == pytest.approx(-2 * math.pi)
+
+
+def test_frames_refuse_by_name():
+    for name, value in {"length": 0.0, "gravity": -1.0, "latitude": math.nan, "spin": math.inf}.items():
+        with pytest.raises(ValueError, match=name):
+            frames.foucault(1.0, **{"length": 1.0, "gravity": 9.81, "latitude": 0.7, "spin": 0.1, name: value})
+    with pytest.raises(ValueError, match="state"):
+        frames.to_space(0.0, [1.0, 2.0, 3.0], spin=1.0)
+    with pytest.raises(ValueError, match=r"\bt\b"):
+        frames.to_space([0.0, 1.0], [1.0, 2.0, 3.0, 4.0], spin=1.0)
+
+
+# Kinematics of a rigid body
+
+
+def wandering(t, coefficients):
+    """Value, first and second derivative of a cubic in t."""
+    a, b, c, d = coefficients
+    return a + b * t + c * t**2 + d * t**3, b + 2 * c * t + 3 * d * t**2, 2 * c + 6 * d * t
+
+
+def moving_point(t, way, axis, speeds, slide):
+    """A, R, omega, alpha, and the point in the body with its rates, of a body that turns unevenly about an axis."""
+    angle, rate, quicker = wandering(t, speeds)
+    R = matrix_from_axis_angle(axis, angle)
+    return wandering(t, way), R, rate * axis, quicker * axis, wandering(t, slide)
+
+
+def test_velocity_and_acceleration_are_those_of_differences():
+    for _ in range(5):
+        axis = DRAW.normal(size=3)
+        axis /= np.linalg.norm(axis)
+        known = DRAW.normal(size=(4, 3)), axis, DRAW.normal(size=4), DRAW.normal(size=(4, 3))
+        t, h = DRAW.uniform(-1, 1), 1e-4
+
+        def place(t, still=None, known=known):
+            (A, _, _), R, _, _, (p, _, _) = moving_point(t, *known)
+            return A + R @ (p if still is None else still)
+
+        (_, v_a, a_a), R, omega, alpha, (p, v, a) = moving_point(t, *known)
+        around = [place(t + s) for s in (-h, 0, h)]
+        fixed = [place(t + s, p) for s in (-h, 0, h)]
+        assert rigid_kinematics.velocity(v_a, omega, R @ p) == pytest.approx((fixed[2] - fixed[0]) / (2 * h), abs=1e-5)
+        second = (fixed[0] - 2 * fixed[1] + fixed[2]) / h**2
+        assert rigid_kinematics.acceleration(a_a, omega, alpha, R @ p) == pytest.approx(second, abs=1e-4)
+        terms = rigid_kinematics.five_terms(a_a, omega, alpha, R @ p, R @ v, R @ a)
+        assert len(terms) == 5 and all(term.shape == (3,) for term in terms.values())
+        assert sum(terms.values()) == pytest.approx((around[0] - 2 * around[1] + around[2]) / h**2, abs=1e-4)
+
+
+def test_a_turning_vector_keeps_its_length():
+    omega, e = DRAW.normal(size=(2, 3))
+    rate = rigid_kinematics.turning_vector(omega, e)
+    turned = [matrix_from_axis_angle(omega, s * np.linalg.norm(omega)) @ e for s in (-1e-5, 1e-5)]
+    assert rate == pytest.approx((turned[1] - turned[0]) / 2e-5, abs=1e-8) and rate @ e == pytest.approx(0.0, abs=1e-14)
+    with pytest.raises(ValueError, match="omega"):
+        rigid_kinematics.velocity([0, 0, 0], [1, 2], [0, 0, 0])
+    with pytest.raises(ValueError, match="arm"):
+        rigid_kinematics.acceleration([0, 0, 0], [0, 0, 1], [0, 0, 1], [math.nan, 0, 0])
+
+
+# Systems of particles
+
+
+def particles(n=4):
+    return DRAW.uniform(0.3, 3, n), DRAW.normal(size=(n, 3)), DRAW.normal(size=(n, 3))
+
+
+def test_koenigs_theorems():
+    m, r, v = particles()
+    state = np.concatenate([r, v]).ravel()
+    assert sum(many.kinetic(state, masses=m)) == pytest.approx(m @ (v**2).sum(axis=1) / 2)
+    of_G, about_G = many.kinetic(state, masses=m)
+    assert of_G == pytest.approx((m @ v) @ (m @ v) / (2 * m.sum())) and about_G > 0
+    about = DRAW.normal(size=3)
+    of_G, about_G = many.angular_momentum(state, about, masses=m)
+    assert of_G + about_G == pytest.approx(m @ np.cross(r - about, v))
+    at_G = many.angular_momentum(state, m @ r / m.sum(), masses=m)
+    assert at_G[0] == pytest.approx(np.zeros(3), abs=1e-13) and at_G[1] == pytest.approx(about_G)
+
+
+def test_balances_need_forces_that_are_opposite_and_central():
+    m, r, v = particles()
+    state, apart = np.concatenate([r, v]).ravel(), r[:, None] - r
+    sizes = DRAW.normal(size=(4, 4))
+    central = (sizes + sizes.T)[..., None] * apart
+    linear, angular, power = many.balances(state, central, masses=m)
+    assert linear == pytest.approx(np.zeros(3), abs=1e-12) and angular == pytest.approx(np.zeros(3), abs=1e-12)
+    assert power == pytest.approx(0.0, abs=1e-12)
+    sideways = np.cross(central, [0.0, 0.0, 1.0])
+    linear, angular, power = many.balances(state, sideways, masses=m)
+    assert linear == pytest.approx(np.zeros(3), abs=1e-12)
+    assert np.abs(angular).max() > 0.1 and abs(power) > 0.1
+    one_sided = np.triu(sizes, 1)[..., None] * apart
+    assert np.abs(many.balances(state, one_sided, masses=m)[0]).max() > 0.1
+
+
+def test_the_balances_are_the_rates_of_the_momenta():
+    m, r, v = particles(3)
+    forces = DRAW.normal(size=(3, 3, 3)) * (1 - np.eye(3))[..., None]
+    a, h = forces.sum(axis=1) / m[:, None], 1e-6
+    ends = [np.concatenate([r + s * v, v + s * a]).ravel() for s in (-h, h)]
+    linear, angular, power = many.balances(np.concatenate([r, v]).ravel(), forces, masses=m)
+    momenta = [sum(many.angular_momentum(end, np.zeros(3), masses=m)) for end in ends]
+    assert linear == pytest.approx(m @ a) and angular == pytest.approx((momenta[1] - momenta[0]) / (2 * h), abs=1e-6)
+    apart, parting = r[:, None] - r, v[:, None] - v
+    square = (apart**2).sum(axis=2) + np.eye(3)
+    tensions = ((forces * apart).sum(axis=2) * (parting * apart).sum(axis=2) / square).sum() / 2
+    kinetic = [sum(many.kinetic(end, masses=m)) for end in ends]
+    assert power == pytest.approx((kinetic[1] - kinetic[0]) / (2 * h) - tensions, abs=1e-6)
+
+
+def test_many_refuses_by_name():
+    with pytest.raises(ValueError, match="masses"):
+        many.kinetic(np.zeros(12), masses=[1.0, 0.0])
+    with pytest.raises(ValueError, match="state"):
+        many.kinetic(np.zeros(13), masses=[1.0, 1.0])
+    with pytest.raises(ValueError, match="forces"):
+        many.balances(np.zeros(12), np.ones((2, 2, 3)), masses=[1.0, 1.0])
+
+
+# Inertia
+
+
+def cloud(n=6):
+    return DRAW.normal(size=(n, 3)), DRAW.uniform(0.2, 2, n)
+
+
+def test_kinetic_energy_and_angular_momentum_of_a_turning_cloud():
+    points, masses = cloud()
+    matrix, omega = inertia.inertia(points, masses), DRAW.normal(size=3)
+    r = points - masses @ points / masses.sum()
+    v = np.cross(omega, r)
+    assert matrix @ omega == pytest.approx(masses @ np.cross(r, v))
+    assert omega @ matrix @ omega == pytest.approx(masses @ (v**2).sum(axis=1))
+    R = matrix_from_axis_angle(DRAW.normal(size=3), 1.1)
+    assert inertia.inertia(points @ R.T + 5.0, masses) == pytest.approx(R @ matrix @ R.T, abs=1e-11)
+
+
+def test_the_shift_to_a_parallel_axis():
+    points, masses = cloud()
+    arm = DRAW.normal(size=3)
+    r = points - masses @ points / masses.sum() - arm
+    there = (masses @ (r**2).sum(axis=1)) * np.eye(3) - (masses * r.T) @ r
+    assert inertia.parallel_axis(inertia.inertia(points, masses), masses.sum(), arm) == pytest.approx(there)
+
+
+def test_principal_axes():
+    points, masses = cloud()
+    matrix = inertia.inertia(points, masses)
+    moments, axes = inertia.principal(matrix)
+    assert matrix @ axes == pytest.approx(axes * moments, abs=1e-12)
+    assert (np.diff(moments) >= 0).all() and moments[0] > 0 and moments[2] <= moments[0] + moments[1]
+    assert axes.T @ axes == pytest.approx(np.eye(3), abs=1e-13) and np.linalg.det(axes) == pytest.approx(1.0)
+
+
+def test_box_and_disk_are_the_limits_of_many_particles():
+    size = np.array([0.6, 1.0, 1.7])
+    middles = (np.arange(30) + 0.5) / 30 - 0.5
+    grid = np.stack(np.meshgrid(middles, middles, middles), axis=-1).reshape(-1, 3) * size
+    assert inertia.of_box(2.0, size) == pytest.approx(
+        inertia.inertia(grid, np.full(27000, 2.0 / 27000)), rel=2e-3, abs=1e-12
+    )
+    flat = grid[(grid[:, :2] / size[:2] @ np.eye(2)).__pow__(2).sum(axis=1) <= 0.25] / size * [2, 2, 0]
+    assert inertia.of_disk(3.0, 1.0) == pytest.approx(
+        inertia.inertia(flat, np.full(len(flat), 3.0 / len(flat))), rel=2e-2, abs=1e-2
+    )
+    assert inertia.principal(inertia.of_disk(3.0, 1.0))[0] == pytest.approx([0.75, 0.75, 1.5])
+
+
+def test_off_diagonal_terms_are_what_bearings_feel():
+    points, masses = cloud()
+    matrix = inertia.inertia(points, masses)
+    assert bearings.moment(matrix, 2.0, 0.0) == pytest.approx([-4 * matrix[1, 2], 4 * matrix[0, 2], 0.0])
+    moments, axes = inertia.principal(matrix)
+    balanced = axes.T @ matrix @ axes
+    assert bearings.moment((balanced + balanced.T) / 2, 2.0, 0.0) == pytest.approx(np.zeros(3), abs=1e-12)
+
+
+def test_what_no_body_has_is_refused_by_name():
+    for wrong in (np.diag([1.0, 1.0, 3.0]), np.diag([-1.0, 1.0, 1.0]), [[1, 2, 0], [0, 1, 0], [0, 0, 1]], np.eye(2)):
+        with pytest.raises(ValueError, match=r"\bI\b"):
+            inertia.principal(wrong)
+    with pytest.raises(ValueError, match="masses"):
+        inertia.inertia(np.zeros((2, 3)), [1.0, 0.0])
+    with pytest.raises(ValueError, match="points"):
+        inertia.inertia(np.zeros((3, 3)), [1.0, 1.0])
+    with pytest.raises(ValueError, match="size"):
+        inertia.of_box(1.0, [1.0, 0.0, 1.0])
+    with pytest.raises(ValueError, match="radius"):
+        inertia.of_disk(1.0, -1.0)
