@@ -15,7 +15,7 @@ from tam570_grader.grading.command import add_grade
 from tam570_grader.grading.replay import add_replay
 from tam570_grader.lms.command import add_alike, add_collect, add_export, add_lms, add_report
 from tam570_grader.lms.points import add_points
-from tam570_grader.release.command import add_course, add_gradescope, add_kit, add_stubs
+from tam570_grader.release.command import add_course, add_gradescope, add_kit, add_stubs, add_trust
 
 __all__ = ["main"]
 
@@ -26,6 +26,7 @@ COMMANDS = (
     add_points,
     add_replay,
     add_stubs,
+    add_trust,
     add_kit,
     add_course,
     add_gradescope,
@@ -85,7 +86,7 @@ def _complete(parser: argparse.ArgumentParser, shell: str) -> int:
 
 def _add_root(parser: argparse.ArgumentParser, default: str | None) -> None:
     """--root, before the command and after it."""
-    where = "the course (default: the checkout you are in, else the one that is installed)"
+    where = "the course (default: $TAM570_COURSE, the trusted course you are in, the one that is installed)"
     parser.add_argument("--root", metavar="DIR", default=default, help=where)
 
 

@@ -63,7 +63,7 @@ def _audit(arguments: argparse.Namespace) -> int:
     from tam570_grader.release import course_config
     from tam570_grader.writing import assignments
 
-    course = course_config.course(arguments.root)
+    course = course_config.course_of(arguments)
     question = _question(arguments)
     if not arguments.cluster:
         warn_of_isolation()

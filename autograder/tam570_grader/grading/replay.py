@@ -82,7 +82,7 @@ def _again(arguments: argparse.Namespace, slug: str, why: Failure) -> str:
     from tam570_grader.writing import assignments
     from tam570_grader.writing.expect import Failed, NotWritten
 
-    root = course_config.course(arguments.root)
+    root = course_config.course_of(arguments, [arguments.file])
     assignment = assignments.assignment(root, slug)
     try:
         source = read(Submission(arguments.student, slug, arguments.file, arguments.file))

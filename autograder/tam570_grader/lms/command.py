@@ -2,6 +2,7 @@
 
 import argparse
 import contextlib
+from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
 
@@ -104,14 +105,14 @@ def add_report(commands: Commands) -> argparse.ArgumentParser:
 def _collect(arguments: argparse.Namespace) -> int:
     from tam570_grader.lms import submission_import
 
-    _, known, given = _known_and_given(arguments)
+    _, known, given = _known_and_given(arguments, [arguments.source, arguments.to])
     return submission_import.run(arguments.source, arguments.system, arguments.roster, arguments.to, known, given)
 
 
 def _export(arguments: argparse.Namespace) -> int:
     from tam570_grader.lms import similarity_export
 
-    course, known, given = _known_and_given(arguments)
+    course, known, given = _known_and_given(arguments, arguments.paths)
     return similarity_export.run(course, arguments.paths, arguments.tool, arguments.to, known, given)
 
 
@@ -129,12 +130,13 @@ def _share(text: str) -> float:
 def _alike(arguments: argparse.Namespace) -> int:
     from tam570_grader.lms import similarity
 
-    course, known, given = _known_and_given(arguments)
+    course, known, given = _known_and_given(arguments, arguments.paths)
     return similarity.run(course, arguments.paths, known, given, arguments.least)
 
 
 def _lms(arguments: argparse.Namespace) -> int:
     from tam570_grader.lms import feedback_export, score_export
+    from tam570_grader.release import course_config
 
     grades = arguments.grades / "grades.csv" if arguments.grades.is_dir() else arguments.grades
     if bool(arguments.pages) != bool(arguments.collected):
@@ -143,23 +145,23 @@ def _lms(arguments: argparse.Namespace) -> int:
     if arguments.pages:
         pages = grades.parent / "feedback"
         lacking = feedback_export.run(pages, arguments.collected, arguments.to, arguments.pages, arguments.only)
-    for line in filter(None, [*lacking, _terms(grades.parent, arguments.root)]):
+    for line in filter(None, [*lacking, _terms(grades.parent, course_config.course_of(arguments))]):
         warn(line)
     fields = ("roster", "identity", "out", "only", "absent")
     code = score_export.run(grades, arguments.to, **{name: getattr(arguments, name) for name in fields})
     return code or bool(lacking)
 
 
-def _terms(folder: Path, root: Path | None) -> str:
+def _terms(folder: Path, course: Path) -> str:
     """What to say if course.toml has other terms for late work than the results in a folder."""
-    from tam570_grader.release import course_config, late_policy
+    from tam570_grader.release import late_policy
     from tam570_grader.results import by_hand
     from tam570_grader.results.journal import results
 
     if not (folder / "results.jsonl").is_file():  # nbgrader's table, say
         return ""
     with contextlib.closing(results(folder)) as found:
-        return late_policy.stale(folder, by_hand.read(folder), course_config.course(root), {slug for _, slug in found})
+        return late_policy.stale(folder, by_hand.read(folder), course, {slug for _, slug in found})
 
 
 def _report(arguments: argparse.Namespace) -> int:
@@ -168,17 +170,18 @@ def _report(arguments: argparse.Namespace) -> int:
     from tam570_grader.release import course_config
 
     feedback.must_write_pages()
-    if line := _terms(arguments.folder, arguments.root):
+    course = course_config.course_of(arguments)
+    if line := _terms(arguments.folder, course):
         warn(line)
     everyone = partial(roster.students, arguments.roster) if arguments.roster else None
-    return report.run(arguments.folder, course_config.course(arguments.root), everyone, arguments.out)
+    return report.run(arguments.folder, course, everyone, arguments.out)
 
 
-def _known_and_given(arguments: argparse.Namespace) -> tuple[Path, list[str], str | None]:
+def _known_and_given(arguments: argparse.Namespace, graded: Sequence[Path]) -> tuple[Path, list[str], str | None]:
     """The checkout, its assignments, and the one that --assignment names."""
     from tam570_grader.release import course_config
     from tam570_grader.writing import assignments
 
-    course = course_config.course(arguments.root)
+    course = course_config.course_of(arguments, graded)
     known = assignments.slugs(course)
     return course, known, assignments.one_named(arguments.assignment, known)

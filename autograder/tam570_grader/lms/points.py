@@ -69,7 +69,7 @@ def _points(arguments: argparse.Namespace) -> int:
     from tam570_grader.release import course_config
     from tam570_grader.writing import assignments
 
-    course, folder = course_config.course(arguments.root), arguments.folder
+    course, folder = course_config.course_of(arguments), arguments.folder
     if not (folder / "results.jsonl").is_file():
         raise UsageError(f"there are no results in {folder}; make them with: tam570-grader grade ... --out {folder}")
     with contextlib.closing(results(folder)) as found:

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from tam570_grader.options import Commands
 
-__all__ = ["add_course", "add_gradescope", "add_kit", "add_stubs"]
+__all__ = ["add_course", "add_gradescope", "add_kit", "add_stubs", "add_trust"]
 
 
 def _told(commands: Commands, name: str, says: str) -> argparse.ArgumentParser:
@@ -47,16 +47,30 @@ def _folder_and_slugs(parser: argparse.ArgumentParser) -> argparse.ArgumentParse
     return parser
 
 
+def add_trust(commands: Commands) -> argparse.ArgumentParser:
+    trust = _told(commands, "trust", "use this course from now on, in its folder and below")
+    trust.set_defaults(command=_trust)
+    trust.add_argument("folder", type=Path, nargs="?", default=Path(), metavar="DIR", help="default: this folder")
+    return trust
+
+
+def _trust(arguments: argparse.Namespace) -> int:
+    from tam570_grader.release import course_config
+
+    course_config.trust(arguments.folder)
+    return 0
+
+
 def _stubs(arguments: argparse.Namespace) -> int:
     from tam570_grader.release import course_config, stubs
 
-    return stubs.run(course_config.course(arguments.root), check=arguments.check)
+    return stubs.run(course_config.course_of(arguments), check=arguments.check)
 
 
 def _kit(arguments: argparse.Namespace) -> int:
     from tam570_grader.release import course_config, kit
 
-    return kit.run(course_config.course(arguments.root), arguments.folder)
+    return kit.run(course_config.course_of(arguments), arguments.folder)
 
 
 def _course(arguments: argparse.Namespace) -> int:
@@ -76,5 +90,5 @@ def _course_and_slugs(arguments: argparse.Namespace) -> tuple[Path, Path, list[s
     from tam570_grader.release import course_config
     from tam570_grader.writing import assignments
 
-    course = course_config.course(arguments.root)
+    course = course_config.course_of(arguments)
     return course, arguments.folder, assignments.named(arguments.assignments, assignments.slugs(course))

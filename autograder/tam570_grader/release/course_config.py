@@ -5,17 +5,19 @@ what an assignment is stands in one place still, and nothing else needs to know 
 two changes, another folder is made. The old ones stay, for a command that still runs may use them.
 """
 
+import argparse
 import hashlib
 import os
 import re
+import shlex
 import shutil
 import tempfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Any
 
-from tam570_grader.errors import writing
+from tam570_grader.errors import UsageError, warn, writing
 from tam570_grader.release import late_policy
 from tam570_grader.release.course_toml import COPY, FILE, by_slug, must, no_other, toml
 from tam570_grader.release.stubs import contract
@@ -23,9 +25,11 @@ from tam570_grader.results.tables import written
 from tam570_grader.writing import assignments
 from tam570_grader.writing.assignments import ADAPTED, OWN, Assignment
 
-__all__ = ["FILE", "PLACE", "course", "limits", "root_of"]
+__all__ = ["FILE", "PLACE", "course", "course_of", "limits", "root_of", "trust"]
 
 PLACE = ".course"
+VARIABLE = "TAM570_COURSE"  # of the environment: names a course, as --root does
+REMEDY = "no autograder/checks and solutions; name a checkout of the course"
 SHARED = ("shared", "autograder/tam570_grader", "pyproject.toml", "README.md", "LICENSE", "NOTATION.md")
 ROW = re.compile(r"^(\| `(\w+)\(.*?` *\| *)([\d.]+)( *\|)", re.MULTILINE)
 TIMES = "One call may take {call} s of processor time, the whole submission {cpu} s."
@@ -43,17 +47,94 @@ class Part:
     checks: str = ""  # a file with checks of one's own, beside course.toml
 
 
-def course(given: str | Path | None = None) -> Path:
-    """The course that a command is about: the checkout, or what a course.toml makes of it.
+def course_of(arguments: argparse.Namespace, graded: Iterable[Path] = ()) -> Path:
+    """Find the course that a command is about, and print which one it is.
 
-    given : a folder of either; default: the nearest above the working directory, else the editable install
+    graded : what the command reads of students; the course may not come from there
     """
-    near = assignments.places(given)
-    base = next(filter(assignments.is_checkout, [*near, *assignments.INSTALLED]), None)
-    place = next((one for one in near if assignments.is_checkout(one) or base and (one / FILE).is_file()), None)
-    if place and base and (place / FILE).is_file():
-        return root_of(place / FILE, base)
-    return assignments.find(given)
+    place, why = _located(arguments.root, [path.resolve() for path in graded])
+    base = _base_of(place)
+    warn(f"course: {place / FILE if (place / FILE).is_file() else place} ({why})", "")
+    return _made(place, base)
+
+
+def course(given: str | Path | None = None) -> Path:
+    """Find a course without a command line: at `given`, else as `course_of` does."""
+    place, _ = _located(given, [])
+    return _made(place, _base_of(place))
+
+
+def trust(place: Path) -> None:
+    """Remember a course: commands that are run in it, or below, use it from now on."""
+    place = place.resolve()
+    if not _holds_course(place):
+        raise UsageError(f"{place} holds no course: neither {FILE} nor autograder/checks and solutions are in it")
+    path = _trusted_file()
+    with writing(path):
+        path.parent.mkdir(parents=True, exist_ok=True)
+        written(path, "".join(f"{one}\n" for one in sorted({*_trusted(), str(place)})))
+
+
+def _trusted_file() -> Path:
+    return Path(os.environ.get("TAM570_HOME") or os.path.expanduser("~/.tam570")) / "trusted"
+
+
+def _trusted() -> set[str]:
+    """The folders that `trust` remembers, and the editable install, which the grader itself comes from."""
+    path = _trusted_file()
+    said = path.read_text(encoding="utf-8").splitlines() if path.is_file() else []
+    return {*said, *map(str, assignments.INSTALLED)}
+
+
+def _located(given: str | Path | None, graded: Sequence[Path]) -> tuple[Path, str]:
+    """Where the course is, and who says so: an option, the environment, trust, or the install."""
+    for named, why in ((given, "--root"), (os.environ.get(VARIABLE), VARIABLE)):
+        if named:
+            place = Path(named).resolve()
+            if not _holds_course(place):
+                raise UsageError(f"{named} does not hold a course: {REMEDY}")
+            if any(map(place.is_relative_to, graded)):
+                raise UsageError(f"{place}, which {why} names, lies in what is graded: name a course outside of it")
+            return place, why
+    return _around(graded) or (assignments.find(), "installed")
+
+
+def _around(graded: Sequence[Path]) -> tuple[Path, str] | None:
+    """The nearest course above the working directory, if it is trusted; UsageError for one that is not.
+
+    A course that lies in what is graded is a student's, and passed by.
+    """
+    trusted = _trusted()
+    for place in filter(_holds_course, (Path.cwd(), *Path.cwd().parents)):
+        if any(map(place.is_relative_to, graded)):
+            if str(place) in trusted:
+                raise UsageError(f"the course {place} lies in what is graded: name the folder of the submissions alone")
+            warn(f"{place} holds a course of its own, and lies in what is graded: it is not used")
+        elif str(place) in trusted:
+            return place, "installed" if place in assignments.INSTALLED else "trusted"
+        else:
+            raise UsageError(
+                f"the course {place} is not trusted, and its checks would run as you; if you wrote it, give once: "
+                f"tam570-grader trust {shlex.quote(str(place))}; if it came with a submission, name yours with --root"
+            )
+    return None
+
+
+def _holds_course(place: Path) -> bool:
+    return (place / FILE).is_file() or assignments.is_checkout(place)
+
+
+def _base_of(place: Path) -> Path:
+    """The checkout that a course.toml changes: at its own place, above it and trusted, or the installed one."""
+    if assignments.is_checkout(place):
+        return place
+    trusted = _trusted()
+    above = (one for one in place.parents if str(one) in trusted and assignments.is_checkout(one))
+    return next(above, None) or assignments.find()
+
+
+def _made(place: Path, base: Path) -> Path:
+    return root_of(place / FILE, base) if (place / FILE).is_file() else place
 
 
 def root_of(path: Path, base: Path) -> Path:

@@ -34,7 +34,6 @@ __all__ = [
     "is_checkout",
     "named",
     "one_named",
-    "places",
     "slug_of",
     "slugs",
     "solution",
@@ -78,16 +77,12 @@ class Assignment:
 
 
 def find(given: str | Path | None = None) -> Path:
-    """The checkout: as given, else one above the working directory, else that of an editable install."""
-    if found := next(filter(is_checkout, places(given)), None):
+    """The checkout: as given, else that of an editable install."""
+    places = INSTALLED if given is None else (Path(given).resolve(),)
+    if found := next(filter(is_checkout, places), None):
         return found
-    where = f"{given} does not hold a course" if given is not None else "there is no course here"
+    where = f"{given} does not hold a course" if given is not None else "no course is installed"
     raise UsageError(f"{where}: no autograder/checks and solutions; name a checkout of the course with --root")
-
-
-def places(given: str | Path | None = None) -> list[Path]:
-    """Where a course may be, the nearest first: at the place that is given alone."""
-    return [Path.cwd(), *Path.cwd().parents, *INSTALLED] if given is None else [Path(given).resolve()]
 
 
 def is_checkout(place: Path) -> bool:

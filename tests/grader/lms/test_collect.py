@@ -281,7 +281,7 @@ def test_a_table_that_gradescope_did_not_write_is_refused(course, tmp_path, caps
     (tmp_path / "a.zip").write_bytes(packed(files))
     command = ["collect", str(tmp_path / "a.zip"), "--from", "gradescope", "--to", str(tmp_path / "submitted")]
     assert cli.main(["--root", str(course), *command]) == 2
-    (line,) = capsys.readouterr().err.splitlines()
+    _, line = capsys.readouterr().err.splitlines()
     assert says in line and "submission_metadata.yml" in line and "Gradescope" in line
     assert not (tmp_path / "submitted").exists()
 

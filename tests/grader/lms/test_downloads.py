@@ -249,7 +249,7 @@ def test_a_login_that_could_be_a_formula_is_matched_as_it_is_and_warned_of(grade
 def test_names_without_a_sign_are_not_warned_of(grades, capsys):
     grades.write_text(grades.read_text().replace("'+1", "ben"))
     assert cli.main(["lms", str(grades), "--to", "moodle"]) == 0
-    assert capsys.readouterr().err == ""
+    assert "warning" not in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("row", ["ann,hw07_x", "ann,hw07_x,9,10,"])

@@ -49,6 +49,8 @@ def desk(tmp_path, monkeypatch, graded):
     (tmp_path / "results").mkdir()
     (tmp_path / "results" / "results.jsonl").write_bytes(graded.read_bytes())
     (tmp_path / "course.toml").write_text(COURSE)
+    monkeypatch.setenv("TAM570_HOME", str(tmp_path / "home"))
+    assert cli.main(["trust"]) == 0
     collected([(who, when, "") for who, (when, _) in CAME.items()])
     return tmp_path
 
@@ -80,7 +82,7 @@ def test_tables_and_pages_obey(desk, capsys):
     capsys.readouterr()
     assert cli.main(["report", "results"]) == 0
     assert cli.main(["lms", "results/grades.csv", "--to", "moodle", "--out", "up.csv"]) == 0
-    assert "fay,7.5" in (desk / "up.csv").read_text() and capsys.readouterr().err == ""
+    assert "fay,7.5" in (desk / "up.csv").read_text() and "warning" not in capsys.readouterr().err
 
 
 def test_changed_terms_are_told_until_they_are_obeyed(desk, capsys):
@@ -91,7 +93,7 @@ def test_changed_terms_are_told_until_they_are_obeyed(desk, capsys):
     capsys.readouterr()
     for command in (["report", "results"], ["lms", "results/grades.csv", "--to", "moodle"]):
         assert cli.main(command) == 0
-        (line,) = capsys.readouterr().err.splitlines()
+        _, line = capsys.readouterr().err.splitlines()
         assert line.endswith("tam570-grader points results --collected collected.csv")
     assert points() == 0 and scores() == {"ann": 10, "ben": 10, "cas": 8, "dan": 10, "eve": 10, "fay": 7.5}
     (desk / "course.toml").write_text("")
@@ -108,7 +110,7 @@ def test_a_row_by_hand_counts_in_the_place_of_the_time(desk):
 @pytest.mark.parametrize("row", ["*,hw08,off a day,.5,", "cas,hw08,extension,1,"])
 def test_what_disagrees_is_named_and_nothing_is_written(desk, capsys, row):
     assert points(row) == 2
-    (line,) = capsys.readouterr().err.splitlines()
+    _, line = capsys.readouterr().err.splitlines()
     assert "in course.toml" in line and "by hand" in line and "change one" in line
     assert not (desk / "results" / "by_hand.csv").exists()
 

@@ -51,7 +51,9 @@ HALF = "\n\ndef rotate(r, axis, angle):\n    return np.asarray(r, float)\n"
 def desk(tmp_path, monkeypatch, solution_text):
     """A folder with course.toml and the work of ann, who is right, and ben, whose vectors stay where they are."""
     monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("TAM570_HOME", str(tmp_path / "home"))
     (tmp_path / "course.toml").write_text(COURSE)
+    assert cli.main(["trust"]) == 0
     (tmp_path / "mine.py").write_text(MINE)
     for student, more in (("ann", ""), ("ben", HALF)):
         folder = tmp_path / "submitted" / student / SLUG
@@ -176,6 +178,7 @@ def test_in_the_root_of_a_checkout_it_is_obeyed_too(desk, checkout, monkeypatch,
     (checkout / "course.toml").write_text(f"{COURSE}[hw07.extension]\nann = 2\n")
     (checkout / "docs").mkdir()
     monkeypatch.chdir(checkout / where)
+    assert run("trust", checkout) == 0
     assert run("grade", desk / "submitted", "--out", desk / "results", "--seed", "1") == 0
     assert '"max_score": 13.0' in (desk / "results" / "results.jsonl").read_text()
     root = course_config.course()
