@@ -197,14 +197,16 @@ def _shard(text: str) -> tuple[int, int]:
 
 
 def _submissions(arguments: argparse.Namespace, known: list[str]) -> list[Any]:
+    from tam570_grader.grading import roster
     from tam570_grader.grading.overlooked import not_handed_in, overlooked
     from tam570_grader.grading.submissions import submissions
     from tam570_grader.writing import assignments
 
     given = assignments.one_named(arguments.assignment, known)
     only = assignments.named(arguments.only or (), known)
-    everything = submissions(arguments.paths, known, given)
-    for sentence in overlooked(arguments.paths, everything, known):
+    students = roster.folders(arguments.roster) if arguments.roster else ()
+    everything = submissions(arguments.paths, known, given, students)
+    for sentence in overlooked(arguments.paths, everything, known, students):
         warn(sentence)
     found = [one for one in everything if one.slug in only]
     if not found:

@@ -1,12 +1,21 @@
 """Nobody vanishes: what lies in a class's folder and is not graded is named, and who handed in nothing gets a row."""
 
 import os
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from pathlib import Path
 
 from tam570_grader.errors import printable
 from tam570_grader.grading import roster
-from tam570_grader.grading.submissions import GIVEN, MOST_NAMES, WORK, BadPath, Submission, entries, of_name
+from tam570_grader.grading.submissions import (
+    GIVEN,
+    MOST_NAMES,
+    BadPath,
+    Submission,
+    entries,
+    form,
+    holds_students,
+    of_name,
+)
 from tam570_grader.writing.assignments import slug_of
 
 __all__ = ["not_handed_in", "overlooked"]
@@ -15,17 +24,24 @@ PACKED = (".zip", ".txt", ".gz", ".7z", ".rar", ".tar")  # forms in which work i
 REMEDY = "name it after its assignment, as hw08.py, or name the assignment with --assignment"
 
 
-def overlooked(paths: Iterable[Path], found: Sequence[Submission], known: Sequence[str]) -> Iterator[str]:
-    """A sentence for everything at these paths that no submission accounts for; it names the remedy."""
+def overlooked(
+    paths: Iterable[Path], found: Sequence[Submission], known: Sequence[str], students: Collection[str] = ()
+) -> Iterator[str]:
+    """A sentence for everything at these paths that no submission accounts for; it names the remedy.
+
+    students : names of folders that are students', by a roster
+    """
     trees, graded = {one.tree for one in found}, {one.path for one in found}
     for folder in paths:
         if not folder.is_dir() or folder.resolve() in trees:
             continue
+        is_class = holds_students(folder.absolute(), known, students)
         for entry, is_folder in entries(folder.absolute()):
-            if entry not in trees and entry not in graded and not _names_another(entry, known):
-                yield f"{_shown(entry)}{_holding(entry)} is not graded: no name in it tells the assignment; {REMEDY}"
-            elif entry in trees and is_folder and not slug_of(entry.name, known):
+            is_students = is_folder and (is_class or not slug_of(entry.name, known))
+            if entry in trees and is_students:
                 yield from _beside(entry, graded, known)
+            elif entry not in trees and entry not in graded and (is_students or not _names_another(entry, known)):
+                yield f"{_shown(entry)}{_holding(entry)} is not graded: no name in it tells the assignment; {REMEDY}"
 
 
 def _beside(own: Path, graded: set[Path | None], known: Sequence[str]) -> Iterator[str]:
@@ -37,14 +53,14 @@ def _beside(own: Path, graded: set[Path | None], known: Sequence[str]) -> Iterat
     for entry, is_folder in held:
         if entry in graded or GIVEN.fullmatch(entry.stem) or _names_another(entry, known):
             continue
-        if is_folder or entry.suffix in (*WORK, *PACKED):
+        if is_folder or form(entry.name) or entry.suffix.lower() in PACKED:
             yield f"{_shown(entry)} is not graded; {REMEDY}"
 
 
 def _names_another(entry: Path, known: Sequence[str]) -> bool:
     """Whether it is work on an assignment that was not asked for, or that has a row."""
     return bool(
-        slug_of(entry.name, known) or (not os.path.isdir(entry) and entry.suffix in WORK and of_name(entry.name, known))
+        slug_of(entry.name, known) or (not os.path.isdir(entry) and form(entry.name) and of_name(entry.name, known))
     )
 
 

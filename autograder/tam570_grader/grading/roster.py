@@ -12,7 +12,7 @@ from pathlib import Path
 from tam570_grader.grading.submissions import folder_of
 from tam570_grader.results.tables import table
 
-__all__ = ["NOT_PEOPLE", "Person", "by_id", "people", "students", "table"]
+__all__ = ["NOT_PEOPLE", "Person", "by_id", "folders", "people", "students", "table"]
 
 # columns that tell people apart, the login first: what their folders are named after;
 # the number of a participant is last, for it is another in every course
@@ -80,3 +80,8 @@ def students(path: Path, known: Collection[str] = ()) -> list[str]:
     """The students on a roster, as their folders are named: by the id that is known already, else by their login."""
     names = [[*map(folder_of, one.ids)] for one in people(path)]
     return [next((name for name in own if name in known), own[0]) for own in names]
+
+
+def folders(path: Path) -> set[str]:
+    """The names that the folders of the students on a roster may have."""
+    return {folder_of(key) for one in people(path) for key in one.ids}

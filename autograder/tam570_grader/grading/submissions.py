@@ -6,7 +6,8 @@ import itertools
 import os
 import re
 import stat
-from collections.abc import Callable, Iterable, Iterator, Sequence
+import unicodedata
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -25,6 +26,8 @@ __all__ = [
     "Submission",
     "entries",
     "folder_of",
+    "form",
+    "holds_students",
     "of_folder",
     "of_name",
     "read",
@@ -61,17 +64,20 @@ class Submission:
     note: str = ""
 
 
-def submissions(paths: Iterable[Path], known: Sequence[str], given: str | None = None) -> list[Submission]:
+def submissions(
+    paths: Iterable[Path], known: Sequence[str], given: str | None = None, students: Collection[str] = ()
+) -> list[Submission]:
     """All submissions at these paths: modules, notebooks, their folders, or trees `<student>/<assignment>/`.
 
-    known : the course's assignments
-    given : the assignment, where names do not tell
+    known    : the course's assignments
+    given    : the assignment, where names do not tell
+    students : names of folders that are students', by a roster; without it the shape of a tree decides
     """
     found: list[Submission] = []
     for path in paths:
         if not path.exists():
             raise BadPath(f"{path} does not exist")
-        here = [_of_file(path, known, given)] if path.is_file() else _in_folder(path.absolute(), known, given)
+        here = [_of_file(path, known, given)] if path.is_file() else _in_folder(path.absolute(), known, given, students)
         if not here:
             raise BadPath(f"{path} holds no submission: there is no folder or file named like {known[0][:4]} in it")
         found += here
@@ -84,7 +90,7 @@ def read(submission: Submission) -> Source:
     if submission.note:
         raise CannotRead(submission.note)
     name = printable(submission.path.name)
-    if submission.path.suffix not in WORK:
+    if not form(submission.path.name):
         raise CannotRead(f"{name} is neither a module (.py) nor a notebook (.ipynb): unpack it, or rename it")
     if not _own(submission.path, submission.tree):
         raise CannotRead(f"{name} is a link to a place outside of the submission")
@@ -100,7 +106,7 @@ def read(submission: Submission) -> Source:
         raise CannotRead(
             f"{name} is larger than {LARGEST // 2**20} MiB: is it the right file? clear the outputs of a notebook"
         )
-    return Source(text, notebook=submission.path.suffix == ".ipynb")
+    return Source(text, notebook=form(submission.path.name) == ".ipynb")
 
 
 def _own(path: Path, tree: Path) -> bool:
@@ -123,7 +129,7 @@ def _is_plainly_in(path: str, tree: str) -> bool:
 
 
 def _of_file(path: Path, known: Sequence[str], given: str | None) -> Submission:
-    if path.suffix not in WORK:
+    if not form(path.name):
         raise BadPath(f"{path} is neither a Python module (.py) nor a notebook (.ipynb)")
     slug = given or slug_of(path.stem, known) or slug_of(path.absolute().parent.name, known)
     if slug is None:
@@ -131,18 +137,29 @@ def _of_file(path: Path, known: Sequence[str], given: str | None) -> Submission:
     return Submission(_name(path.stem), slug, path, path.resolve())
 
 
-def _in_folder(folder: Path, known: Sequence[str], given: str | None) -> list[Submission]:
-    slug = given or slug_of(folder.name, known)
-    holds_work = any(entry.suffix in WORK for entry, _ in entries(folder))
-    found = [] if slug and holds_work else _trees(folder, known, given)
+def form(name: str) -> str:
+    """Which of WORK a file is by its name, in any case and with the ending .txt that browsers add; "" for none."""
+    plain = name.lower()
+    plain = plain.removesuffix(".txt") if plain.endswith(".py.txt") else plain
+    return next((ending for ending in WORK if plain.endswith(ending)), "")
+
+
+def _in_folder(folder: Path, known: Sequence[str], given: str | None, students: Collection[str]) -> list[Submission]:
+    is_students = _name(folder.name) in students
+    slug = None if is_students else given or slug_of(folder.name, known)
+    if is_students:
+        return list(_of_student(folder, known, given))
+    holds_work = any(form(entry.name) for entry, is_folder in entries(folder) if not is_folder)
+    found = [] if slug and holds_work else _trees(folder, known, given, students)
     return found or ([of_folder(folder, folder.parent.name, slug, folder.resolve())] if slug else [])
 
 
-def _trees(folder: Path, known: Sequence[str], given: str | None) -> list[Submission]:
+def _trees(folder: Path, known: Sequence[str], given: str | None, students: Collection[str]) -> list[Submission]:
     """Submissions in `<student>/<assignment>/`, `<student>/<assignment>.py`, `<assignment>/` and `<assignment>.py`."""
     found, closed, own_folders = [], {}, collections.defaultdict(list)
+    is_class = holds_students(folder, known, students)
     for entry, is_folder in entries(folder):
-        slug = _chosen(entry, is_folder, known, given)
+        slug = None if is_folder and is_class else _chosen(entry, is_folder, known, given)
         if slug and is_folder:
             own_folders[slug].append(entry)
         elif slug:
@@ -158,6 +175,28 @@ def _trees(folder: Path, known: Sequence[str], given: str | None) -> list[Submis
     slugs = sorted({one.slug for one in found})  # what the others have handed in
     lost = [Submission(_name(own.name), slug, None, own, note) for own, note in closed.items() for slug in slugs]
     return _modules_first(found) + lost
+
+
+def holds_students(folder: Path, known: Sequence[str], students: Collection[str]) -> bool:
+    """Whether the folders in a folder are students', not the assignments of one: a login may be named hw7.
+
+    The roster tells; without one, whether at least as many of them hold assignments as are named like one.
+    """
+    named = [entry for entry, is_folder in entries(folder) if is_folder]
+    if any(_name(entry.name) in students for entry in named):
+        return True
+    like = [slug_of(entry.name, known) is not None for entry in named]
+    holding = [_holds_assignments(entry, known, files=not own) for entry, own in zip(named, like, strict=True)]
+    return any(holding) and sum(holding) >= sum(own and not holds for own, holds in zip(like, holding, strict=True))
+
+
+def _holds_assignments(folder: Path, known: Sequence[str], *, files: bool) -> bool:
+    """Whether a folder holds folders, or files too, that are named like assignments."""
+    try:
+        held = entries(folder, MOST_FILES)
+    except BadPath:
+        return False
+    return any((is_folder or files) and _chosen(entry, is_folder, known, None) for entry, is_folder in held)
 
 
 def _of_student(own: Path, known: Sequence[str], given: str | None) -> Iterator[Submission]:
@@ -180,7 +219,7 @@ def _of_student(own: Path, known: Sequence[str], given: str | None) -> Iterator[
         if is_folder and not others:
             yield of_folder(first, own.name, slug, own)
         else:
-            yield _of_files([entry for entry, _ in own_work], own.name, slug, own)
+            yield _of_files(own_work, own.name, slug, own)
 
 
 def entries(folder: Path, most: int | None = None) -> list[tuple[Path, bool]]:
@@ -203,11 +242,12 @@ def _is_folder(entry: os.DirEntry[str]) -> bool:
 
 def _name(text: str) -> str:
     """A student by the name of a folder or file: text that can be printed, and unlike any other's."""
-    return _shortened(printable(text.replace("\\", "\\\\")))
+    return _shortened(printable(unicodedata.normalize("NFC", text).replace("\\", "\\\\")))
 
 
 def folder_of(student: str) -> str:
     """The name of the folder of a student who is known by an id: itself where it can be one, unlike any other's."""
+    student = unicodedata.normalize("NFC", student)
     plain = "".join(c if c.isprintable() and c not in NO_NAME else "_" for c in student)
     plain = HIDDEN.sub("_", plain) or "_"
     return _shortened(plain if plain == student else f"{plain[:MOST_KEPT]}-{_mark(student)}")
@@ -229,7 +269,7 @@ def _mark(name: str) -> str:
 def _chosen(entry: Path, is_folder: bool, known: Sequence[str], given: str | None) -> str | None:
     """The assignment that a folder, module or notebook in a tree is work on."""
     name_of = slug_of if is_folder else of_name
-    slug = name_of(entry.name, known) if is_folder or entry.suffix in WORK else None
+    slug = name_of(entry.name, known) if is_folder or form(entry.name) else None
     return slug if given in (None, slug) else None
 
 
@@ -244,7 +284,7 @@ def of_folder(folder: Path, student: str, slug: str, tree: Path) -> Submission:
     """What is in a student's folder of one assignment."""
     try:
         if _own(folder, tree):
-            return _of_files([entry for entry, _ in entries(folder, MOST_FILES)], student, slug, tree)
+            return _of_files(entries(folder, MOST_FILES), student, slug, tree)
         note = f"{printable(folder.name)} is a link to a place outside of the submission"
     except BadPath as unreadable:
         note = str(unreadable)
@@ -255,26 +295,26 @@ def _of_folders(folders: Sequence[Path], student: Path, slug: str) -> Submission
     """What is in the only folder of an assignment that a student has; of several a note."""
     if len(folders) == 1:
         return of_folder(folders[0], student.name, slug, folders[0])
-    return _of_files(folders, student.name, slug, student)
+    return _of_files([(one, True) for one in folders], student.name, slug, student)
 
 
-def _of_files(held: Iterable[Path], student: str, slug: str, tree: Path) -> Submission:
+def _of_files(held: Sequence[tuple[Path, bool]], student: str, slug: str, tree: Path) -> Submission:
     """The module among them, or the notebook where no module is written; a note where it is not clear which."""
-    files = [entry for entry in held if entry.suffix in WORK]
+    files = [entry for entry, is_folder in held if form(entry.name) and not is_folder]
     if f"{slug}.ipynb" in {entry.name for entry in files}:
         files = [entry for entry in files if entry.name != f"{slug}.py" or not _untouched(entry, tree)]
     fits: tuple[Callable[[Path], bool], ...] = (
         lambda entry: entry.name == f"{slug}.py",
         lambda entry: entry.name == f"{slug}.ipynb",
-        lambda entry: entry.suffix == ".py" and bool(slug_of(entry.stem, [slug])),
-        lambda entry: entry.suffix == ".ipynb" and bool(slug_of(entry.stem, [slug])),
-        lambda entry: entry.suffix == ".ipynb",
-        lambda entry: entry.suffix == ".py" and not GIVEN.fullmatch(entry.stem),
+        lambda entry: form(entry.name) == ".py" and bool(slug_of(entry.stem, [slug])),
+        lambda entry: form(entry.name) == ".ipynb" and bool(slug_of(entry.stem, [slug])),
+        lambda entry: form(entry.name) == ".ipynb",
+        lambda entry: form(entry.name) == ".py" and not GIVEN.fullmatch(entry.stem),
     )
     chosen = next(filter(None, ([*filter(one, files)] for one in fits)), [])
     if len(chosen) == 1:
         return Submission(_name(student), slug, chosen[0], tree)
-    note = f"there is no {slug}.py in the folder; it holds {_listed(held) or 'no file'}"
+    note = f"there is no {slug}.py in the folder; it holds {_listed(entry for entry, _ in held) or 'no file'}"
     return Submission(_name(student), slug, None, tree, note)
 
 
@@ -299,10 +339,12 @@ def _untouched(module: Path, tree: Path) -> bool:
 
 def _modules_first(found: list[Submission]) -> list[Submission]:
     """Of a module and a notebook side by side, the module."""
-    modules = {(one.student, one.slug) for one in found if one.path and one.path.suffix == ".py"}
-    return [
-        one for one in found if (one.student, one.slug) not in modules or one.path is None or one.path.suffix == ".py"
-    ]
+
+    def is_module(one: Submission) -> bool:
+        return one.path is not None and form(one.path.name) == ".py"
+
+    modules = {(one.student, one.slug) for one in found if is_module(one)}
+    return [one for one in found if (one.student, one.slug) not in modules or one.path is None or is_module(one)]
 
 
 def _told_apart(found: list[Submission]) -> list[Submission]:

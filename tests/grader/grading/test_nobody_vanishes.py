@@ -15,8 +15,10 @@ GRADED = (
     "dan/axis_angle.py",
     "eve/homework8/hw08_final.py",
     "fay/Axis_Angle-2.ipynb",
+    "hal/hw08_axis_angle.py.txt",
+    "ivy/HW08.PY",
 )
-ROWS_THAT_SAY_WHY = {"gus/hw08.zip": "unpack it", "hal/hw08_axis_angle.py.txt": "rename it"}
+ROWS_THAT_SAY_WHY = {"gus/hw08.zip": "unpack it", "joe/hw08.txt": "rename it"}
 
 
 @pytest.fixture
