@@ -1,80 +1,35 @@
-"""What the grader itself may spend on one submission: processor time and memory, of the thread that grades it.
+"""What the grader itself may spend on one check: steps of hidden code, which are counted, and memory.
 
-A submission chooses what is compared, so it chooses how long that takes. Where it takes too much, the submission ends
-like one that has used its own time, and the class is graded on.
+A submission chooses what is compared. Where that takes too much, the check fails, and the next ones run.
 """
 
-import ctypes
 import threading
-import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from tam570_grader.sandbox.student import BudgetSpent
+from tam570_grader.writing.effort import limited
 
-__all__ = ["MEMORY", "SECONDS", "budget"]
+__all__ = ["MEMORY", "STEPS", "budget"]
 
-SECONDS = 60.0  # of processor time; an honest submission takes about one
+STEPS = 20_000_000  # of a check, and of the search for what is wrong; an honest submission takes a hundredth
 MEMORY = 2**31  # bytes, besides what is there before; a reply of 64 MiB is held a few times
-GLANCE = 0.25  # s between two looks at the clock
 SIZE = Path("/proc/self/statm")  # in pages
 LIMIT = threading.Lock()  # held by the thread that has set the process's limit of memory
 
 
-class _Overdue(BudgetSpent):
-    def __init__(self) -> None:
-        super().__init__("to judge what it returned took the grader too much processor time")
-
-
 @contextmanager
-def budget(seconds: float = SECONDS, memory: int = MEMORY) -> Iterator[None]:
-    """Raise BudgetSpent in this block, at its next step in Python, when this thread has spent so much in it.
+def budget(steps: int = STEPS, memory: int = MEMORY) -> Iterator[None]:
+    """Raise Exhausted in this block when it has spent so many steps, MemoryError when it needs more memory.
 
     The limit of memory is the process's: of blocks in several threads at a time, the first sets it.
     """
-    thread, clock, done = threading.get_ident(), _clock(), threading.Event()
-    watch = threading.Thread(target=_watch, args=(thread, clock, clock() + seconds, done), daemon=True)
-    watch.start()
-    try:
-        with _limited(memory):
-            yield
-    except MemoryError:
-        raise BudgetSpent("to judge what it returned took the grader too much memory") from None
-    finally:
-        _ended(watch, done)
-        _raise_in(thread, None)  # what has not arrived yet does not
-
-
-def _ended(watch: threading.Thread, done: threading.Event) -> None:
-    """End the watch, even where it speaks in this very moment."""
-    while watch.is_alive():
-        with suppress(_Overdue):
-            done.set()
-            watch.join()
-
-
-def _watch(thread: int, clock: Callable[[], float], end: float, done: threading.Event) -> None:
-    """Raise _Overdue in the thread while it is beyond the end: a block that swallows it is told again."""
-    while not done.wait(GLANCE):
-        if clock() > end:
-            _raise_in(thread, _Overdue)
-
-
-def _raise_in(thread: int, kind: type[BudgetSpent] | None) -> None:
-    ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(thread), kind and ctypes.py_object(kind))
-
-
-def _clock() -> Callable[[], float]:
-    """The processor time of this thread, for any other; that of the whole process where threads have none."""
-    if not hasattr(time, "pthread_getcpuclockid"):
-        return time.process_time
-    number = time.pthread_getcpuclockid(threading.get_ident())
-    return lambda: time.clock_gettime(number)
+    with limited(steps), _limited_memory(memory):
+        yield
 
 
 @contextmanager
-def _limited(memory: int) -> Iterator[None]:
+def _limited_memory(memory: int) -> Iterator[None]:
     """No more than so many bytes besides those that are there, where the system tells and keeps that."""
     if not SIZE.exists() or not LIMIT.acquire(blocking=False):
         yield

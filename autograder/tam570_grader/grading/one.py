@@ -19,14 +19,16 @@ from tam570_grader.sandbox.warm import ONLY, Attempt
 from tam570_grader.sandbox.worker import Worker
 from tam570_grader.writing.assignments import Assignment
 from tam570_grader.writing.check import Check
+from tam570_grader.writing.effort import Exhausted
 from tam570_grader.writing.expect import LONGEST_FAULT, Failed, NotWritten, trial
+from tam570_grader.writing.failures import Failure
 from tam570_grader.writing.general import general
-from tam570_grader.writing.mistakes import Called, known
+from tam570_grader.writing.mistakes import known
 
 __all__ = ["Judging", "Mark", "Recorder", "Result", "failed_by_us", "generator", "graded", "not_graded"]
 
 OUR_FAULT = "The grader failed here, not you; your teacher has been told."
-SEARCH = 0.5  # s of processor time, for a mistake that nobody has written down; .3 is the most that found one
+TOO_MUCH = "what it returns takes the grader too much {} to judge"
 Recorder = Callable[[str, float], None]
 
 
@@ -63,13 +65,12 @@ def graded(
     marks: dict[str, Mark] = {}
     status, note, speed = "graded", "", None
     try:
-        with budget():
-            student.load()
-            for check in assignment.checks:
-                if not asked.enough or sum(mark.outcome == "failed" for mark in marks.values()) < asked.enough:
-                    marks[check.name] = _mark(check, student, assignment, seed, marks, asked)
-            note = _skipped(student.skipped)
-            speed = yardstick.speed(student, assignment, worker) if yardstick else None
+        student.load()
+        for check in assignment.checks:
+            if not asked.enough or sum(mark.outcome == "failed" for mark in marks.values()) < asked.enough:
+                marks[check.name] = _mark(check, student, assignment, seed, marks, asked)
+        note = _skipped(student.skipped)
+        speed = yardstick.speed(student, assignment, worker) if yardstick else None
     except (NotLoaded, BudgetSpent) as ended:
         status, note = ended.status, str(ended)
     finally:
@@ -115,14 +116,18 @@ def _mark(
     draw = generator(seed, assignment.slug, check)
     try:
         listens = asked.recorder and partial(asked.recorder, check.name)
-        with np.errstate(all="ignore"), trial(recorder=listens, aside=student.aside):
+        with budget(), np.errstate(all="ignore"), trial(recorder=listens, aside=student.aside):
             check.judge(student, draw)
     except NotWritten as unwritten:
         return _not_run(check, student.lacks(str(unwritten)), unwritten=str(unwritten))
     except Failed as failed:
         suspect, fault = _suspect(check, student, assignment) if asked.naming else (None, "")
         return _failed(check, failed, suspect, fault)
-    except (Over, MemoryError):
+    except (Exhausted, MemoryError) as spent:
+        what = "memory" if isinstance(spent, MemoryError) else "work"
+        failure = Failure(says=TOO_MUCH.format(what), at=student.calls[-1].given if student.calls else None)
+        return _failed(check, Failed(**vars(failure)), None, "")
+    except Over:
         raise
     except Exception as error:
         return _grader_error(check, repr(error))
@@ -132,9 +137,12 @@ def _mark(
 def _suspect(check: Check, student: Student, assignment: Assignment) -> tuple[str | None, str]:
     """The mistake that explains the calls of a failed check, and what went wrong on our side in the search."""
     try:
-        suspect = known(assignment.solution, assignment.suspects(check.name), student.calls)
-        return suspect or _unwritten(assignment.solution, student.calls), ""
-    except (Over, MemoryError):
+        with budget():
+            suspect = known(assignment.solution, assignment.suspects(check.name), student.calls)
+            return suspect or general(assignment.solution, student.calls), ""
+    except (Exhausted, MemoryError):
+        return None, ""
+    except Over:
         raise
     except Exception as error:  # a mistake without a name is no reason to lose a grade
         return None, repr(error)[:LONGEST_FAULT]
@@ -144,15 +152,6 @@ def _failed(check: Check, failed: Failed, suspect: str | None, fault: str) -> Ma
     points = round(failed.share * check.points, 6)
     failure = failed.failure.named(suspect, fault or failed.failure.fault)
     return Mark(check.name, check.part, points, check.points, "failed", whole(failure), suspect, failure)
-
-
-def _unwritten(solution: str, calls: Sequence[Called]) -> str | None:
-    """A mistake that nobody has written down, if it is found in a moment: a variant may take long."""
-    try:
-        with budget(SEARCH):
-            return general(solution, calls)
-    except BudgetSpent:
-        return None
 
 
 def _not_run(check: Check, note: str, unwritten: str = "") -> Mark:

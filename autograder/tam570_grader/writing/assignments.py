@@ -17,6 +17,7 @@ import tam570
 import tam570_grader
 from tam570_grader.errors import UsageError
 from tam570_grader.writing.check import Check
+from tam570_grader.writing.effort import Finder
 from tam570_grader.writing.mistakes import Mistake, mistakes
 from tam570_grader.writing.returns import Promise
 
@@ -40,6 +41,8 @@ __all__ = [
 ]
 
 INSTALLED = tuple(Path(tam570.__file__).resolve().parents[1:3])  # where an editable install has the course
+PACKAGES = "_checks_"  # how the names of the packages of checks begin
+sys.meta_path.insert(0, Finder(PACKAGES))  # what they spend is counted
 ADAPTED, OWN = "adapted", "own"  # modules beside `checks` in a course of one's own: what it changes, what it adds
 
 
@@ -195,7 +198,7 @@ def _digest(*folders: Path) -> bytes:
 
 def _checks(folder: Path) -> ModuleType:
     """The module `checks` of a folder, loaded as part of a package of a private name: it may import its neighbours."""
-    name = f"_checks_{folder.name}"
+    name = f"{PACKAGES}{folder.name}"
     package = ModuleType(name)
     package.__path__ = [str(folder)]
     for loaded in [key for key in sys.modules if key == name or key.startswith(f"{name}.")]:

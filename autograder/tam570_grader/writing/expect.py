@@ -15,6 +15,7 @@ import numpy as np
 from tam570_grader.errors import Over
 from tam570_grader.writing.check import Given
 from tam570_grader.writing.curves import Curve, curve
+from tam570_grader.writing.effort import Exhausted
 from tam570_grader.writing.failures import Failure
 
 __all__ = [
@@ -172,7 +173,7 @@ def _said(hint: Hint, running: Trial) -> tuple[str, str]:
             return hint(), ""
     except (Over, MemoryError):
         raise
-    except (Failed, NotWritten):  # what the student's function does then is not judged
+    except (Failed, NotWritten, Exhausted):  # what the student's function does then is not judged
         return "", ""
     except Exception as error:
         return "", repr(error)[:LONGEST_FAULT]

@@ -16,6 +16,7 @@ from typing import Any
 
 import numpy as np
 
+from tam570_grader.writing.effort import Exhausted, compile_counted, count, limited
 from tam570_grader.writing.judged import Judged, judged, telling
 from tam570_grader.writing.mistakes import WITHIN, Called, parts, right_answer
 from tam570_grader.writing.slips import Slip, reached, slips
@@ -24,7 +25,9 @@ from tam570_grader.writing.variants import other_arguments, other_products, othe
 __all__ = ["general"]
 
 FEWEST = 2  # wrong answers: one may agree by chance
-TURNS = 200  # of a loop: a bisection to the last digit takes 60, and a slip may go round for ever
+MOST = 1_000_000  # steps of all variants, about a second; what is named takes a third of them
+OF_ONE = 100_000  # steps of one variant in one call: a slip may go round for ever
+ELEMENTS = 1000  # of a result, that are compared in a step
 
 
 def general(solution: str, calls: Sequence[Called]) -> str | None:
@@ -32,6 +35,14 @@ def general(solution: str, calls: Sequence[Called]) -> str | None:
 
     Formulas are left out: to evaluate one takes long.
     """
+    try:
+        with limited(MOST):
+            return _general(solution, calls)
+    except Exhausted:
+        return None
+
+
+def _general(solution: str, calls: Sequence[Called]) -> str | None:
     if any(call.result is None or _symbolic(call) for call in calls):
         return None
     expected = [right_answer(solution, call) for call in calls]
@@ -71,10 +82,11 @@ def _explains(variant: Callable[[Judged], Any], calls: Sequence[Judged]) -> bool
 
 def _quietly(variant: Callable[[Judged], Any], call: Judged) -> Any:
     """The answer of a variant; None where it has none, whatever is in its way."""
+    count(1 + sum(map(np.size, parts(call.right))) // ELEMENTS)
     try:
-        with np.errstate(all="ignore"):
+        with np.errstate(all="ignore"), limited(OF_ONE):
             return variant(call)
-    except (ArithmeticError, LookupError, TypeError, ValueError, AttributeError, NameError, np.linalg.LinAlgError):
+    except (Exhausted, ArithmeticError, LookupError, TypeError, ValueError, AttributeError, NameError):
         return None
 
 
@@ -142,20 +154,7 @@ def _slips(solution: str) -> list[tuple[str, str, set[str], str]]:
 
 @functools.cache
 def _code(text: str) -> CodeType:
-    """Code in which every loop ends."""
-    if "while" not in text:  # to make a tree of it takes six times as long as to compile it
-        return compile(text, "<slip>", "exec")
-    return compile(ast.fix_missing_locations(_Turns().visit(ast.parse(text))), "<slip>", "exec")
-
-
-class _Turns(ast.NodeTransformer):
-    """Gives a loop so many turns, and IndexError after them."""
-
-    def visit_While(self, loop: ast.While) -> list[ast.stmt]:  # noqa: N802
-        self.generic_visit(loop)
-        left = f"_turns_{loop.lineno}"
-        loop.test = ast.BoolOp(ast.And(), [ast.parse(f"{left}.pop()", mode="eval").body, loop.test])
-        return [*ast.parse(f"{left} = [True] * {TURNS}").body, loop]
+    return compile_counted(text, "<slip>", in_python=True)
 
 
 def _words(slip: Slip) -> Iterator[tuple[str, ast.expr]]:

@@ -20,7 +20,7 @@ import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from types import ModuleType
+from types import CodeType, ModuleType
 from typing import Any, Protocol
 
 import numpy as np
@@ -28,6 +28,7 @@ import numpy as np
 from tam570_grader.sandbox.inside.wire import packed
 from tam570_grader.writing.answers import shared
 from tam570_grader.writing.check import Given, Memory
+from tam570_grader.writing.effort import compile_counted
 
 __all__ = [
     "OF_MOTIONS",
@@ -209,8 +210,14 @@ def _values(formula: Any, points: list[dict[str, float]]) -> Any:
 def _module(solution: str, text: str) -> ModuleType:
     """The solution as a module of its own, with the definitions of the mistake in the place of its own."""
     module = ModuleType("_mistaken")
-    exec(compile(f"{solution}\n\n{text}", "<mistake>", "exec"), vars(module))
+    for part in (solution, text):
+        exec(_code(part), vars(module))
     return module
+
+
+@functools.lru_cache(maxsize=256)
+def _code(text: str) -> CodeType:
+    return compile_counted(text, "<mistake>")
 
 
 def _same(found: Any, wrong: Any, within: float) -> bool:

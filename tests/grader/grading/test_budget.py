@@ -1,4 +1,4 @@
-"""What the grader spends on one submission has limits, and ends as that submission's result."""
+"""What the grader spends on one check is counted: one that asks for too much fails alone, and the next ones run."""
 
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
@@ -8,18 +8,25 @@ import pytest
 
 from tam570_grader.grading import budget, one
 from tam570_grader.grading.one import graded
-from tam570_grader.sandbox.student import BudgetSpent, Source
+from tam570_grader.sandbox.student import Source
 from tam570_grader.sandbox.worker import Allowance
 from tam570_grader.writing import assignments
+from tam570_grader.writing.effort import Exhausted, compile_counted, limited
 
 SLUG = "hw08_axis_angle"
-BRIEF = 0.2  # s
+FEW = 100_000  # steps
 LITTLE = 2**28  # bytes
-
-
+ENDLESS = """
 def endless(*_):
     while True:
         pass
+"""
+
+
+def compiled(text):
+    names = {}
+    exec(compile_counted(text, "<text>"), names)
+    return names
 
 
 def grows(*_):
@@ -30,7 +37,7 @@ def grows(*_):
 def judged(course, workers, solution_text, monkeypatch):
     """`judged(judge, name)` -> the result where the check of this name does something else; right answers otherwise."""
     assignment = assignments.assignment(course, SLUG)
-    monkeypatch.setattr(one, "budget", lambda: budget.budget(BRIEF, LITTLE))
+    monkeypatch.setattr(one, "budget", lambda: budget.budget(FEW, LITTLE))
 
     def judged(judge=None, name="", text=""):
         checks = [replace(check, judge=judge) if check.name == name else check for check in assignment.checks]
@@ -40,43 +47,104 @@ def judged(course, workers, solution_text, monkeypatch):
     return judged
 
 
-@pytest.mark.parametrize(("judge", "says"), [(endless, "processor time"), (grows, "memory")])
-def test_a_check_that_does_not_end_is_one_submissions_result(judge, says, judged, course):
-    names = [check.name for check in assignments.assignment(course, SLUG).checks]
-    result = judged(judge, names[1])
-    assert (result.status, result.checks[0].outcome) == ("timeout", "passed") and says in result.message
-    assert result.score == result.checks[0].points
+@pytest.mark.parametrize(("judge", "says"), [(compiled(ENDLESS)["endless"], "work"), (grows, "memory")])
+def test_a_check_that_does_not_end_fails_alone(judge, says, judged, course):
+    check = assignments.assignment(course, SLUG).checks[-1]
+    result = judged(judge, check.name)
+    assert result.status == "graded" and result.score == 10 - check.points
+    assert says in result.checks[-1].message
     assert judged().score == 10
 
 
 def test_memory_is_limited_where_a_cluster_grades_in_a_thread_of_its_own(judged, course):
     assert judged().score == 10  # the worker has started, here: it ends with the thread that starts it
-    name = assignments.assignment(course, SLUG).checks[1].name
+    name = assignments.assignment(course, SLUG).checks[-1].name
     with ThreadPoolExecutor(1) as pool:
         result = pool.submit(judged, grows, name).result()
-    assert result.status == "timeout" and "memory" in result.message
+    assert "memory" in result.checks[-1].message
     assert judged().score == 10
 
 
-def test_what_takes_an_error_and_goes_on_is_told_again():
-    with pytest.raises(BudgetSpent), budget.budget(BRIEF):
-        try:
-            endless()
-        except BudgetSpent:
-            endless()
-
-
 def test_to_look_for_a_mistake_is_part_of_it(judged, solution_text, monkeypatch):
-    monkeypatch.setattr(one, "known", endless)
+    monkeypatch.setattr(one, "known", compiled(ENDLESS)["endless"])
     result = judged(text=solution_text(SLUG) + "\n\ndef skew(v): return np.eye(3)")
-    assert result.status == "timeout" and "to judge" in result.message
+    assert result.status == "graded"
+    assert {check.suspect for check in result.checks} == {None}
 
 
-def test_nothing_of_it_stays_behind():
-    """What is spent between two blocks, and what was spent in an earlier one, is not counted."""
-    for _ in range(3):
-        with budget.budget(1e9):
-            sum(range(10**6))
-    with pytest.raises(BudgetSpent), budget.budget(0.0):
-        endless()
-    assert sum(range(10**7))
+COUNTED = '''
+"""A module."""
+from __future__ import annotations
+
+def f(n):
+    "It is called."
+    return sum(map(lambda k: k, range(n)))
+
+def g(n):
+    for _ in range(n):
+        pass
+    while n:
+        n -= 1
+    return n
+'''
+
+
+@pytest.mark.parametrize(("call", "steps"), [("f(5)", 6), ("g(5)", 11), ("f(2) + g(0)", 4)])
+def test_calls_and_turns_are_counted(call, steps):
+    names = compiled(COUNTED)
+    with limited(1000) as meter:
+        eval(call, names)
+    assert 1000 - meter.left == steps
+    with limited(steps):
+        eval(call, names)
+    with pytest.raises(Exhausted), limited(steps - 1):
+        eval(call, names)
+    assert names["f"].__doc__ == "It is called."
+
+
+def test_what_an_inner_block_spends_counts_in_the_outer_one():
+    f = compiled(COUNTED)["f"]
+    with limited(10) as meter:
+        with limited(7):
+            f(5)
+        assert meter.left == 4
+        with pytest.raises(Exhausted), limited(1000):
+            f(5)
+    f(1000)  # and outside of them nothing is limited
+
+
+SPRING = """
+def simulate(n):
+    from tam570.integrate import solve
+    return solve(lambda t, y: (y[1], -n * y[0]), [0.0, 1.0], [1.0, 0.0])[-1]
+"""
+
+
+def test_every_evaluation_of_a_rate_is_counted_where_it_would_be_compiled():
+    names = {}
+    exec(compile_counted(SPRING, "<text>", in_python=True), names)
+    with limited(10**6) as slow:
+        names["simulate"](1.0)
+    with limited(10**6) as fast:
+        end = names["simulate"](1e4)
+    assert slow.left > fast.left + 1000
+    assert end[0] == pytest.approx(np.cos(100), abs=1e-6)
+
+
+@pytest.mark.parametrize("number", ["1e300", "-1e30", "1e6"])
+def test_rows_that_are_absurd_are_judged_by_every_check(number, grade, solution_text, course):
+    """To follow the right motion from such a row would take for ever."""
+    slug = "hw10_free_rigid_body"
+    absurd = "\n\ndef simulate(t, R, omega, *, inertia):\n" + "\n".join(
+        [
+            f"    omegas, rotations = np.full((len(t), 3), {number}), np.full((len(t), 3, 3), {number})",
+            "    omegas[0], rotations[0] = omega, R",
+            "    return omegas, rotations",
+        ]
+    )
+    result = grade(slug, solution_text(slug) + absurd, naming=False)
+    assert result.status == "graded"
+    assert not any(check.message and "to judge" in check.message for check in result.checks)
+    lines = {check.name: check.line for check in assignments.assignment(course, slug).checks}
+    of_motions = ("simulate", "plot_rim_paths")  # which calls it
+    assert all(check.outcome == "passed" for check in result.checks if not lines[check.name].startswith(of_motions))

@@ -5,7 +5,6 @@ import math
 import numpy as np
 import pytest
 
-from tam570_grader.grading.budget import budget
 from tam570_grader.sandbox.function import Call
 from tam570_grader.writing.check import given
 from tam570_grader.writing.general import general
@@ -262,8 +261,7 @@ def test_what_comes_near_a_motion_does_not_explain_it():
 def test_a_variant_that_never_ends_is_passed_over():
     """`stairs` with another sign in its step goes round for ever; the slip in the last line comes after that one."""
     calls = [Call("stairs", given(n, m), n * (n + 1) / 2 + m) for n, m in ((2, 3.0), (3, 5.0), (4, 7.0))]
-    with budget(5):
-        assert general(SOLUTION, calls) == "In stairs, an exponent with m is one too large or too small"
+    assert general(SOLUTION, calls) == "In stairs, an exponent with m is one too large or too small"
 
 
 QUARTER = """
