@@ -6,17 +6,19 @@ or why the block is not run, `% not run: REASON`.
 
 import doctest
 import importlib
+import json
 import os
 import re
 import runpy
 import subprocess
 import sys
+import tomllib
 from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
 
-from tam570 import lectures
+from tam570 import course, lectures
 from tam570_grader import cli
 from tam570_grader.writing import assignments
 
@@ -81,10 +83,10 @@ def run(block, folder, environment):
 
 
 @pytest.fixture
-def environment(course, tmp_path):
+def environment(tmp_path):
     """That of a reader: our commands on the path, a home and nothing in it."""
     path = f"{os.path.dirname(sys.executable)}{os.pathsep}{os.environ['PATH']}"
-    return {**os.environ, "PATH": path, "COURSE": str(course), "HOME": str(tmp_path / "home"), "MPLBACKEND": "Agg"}
+    return {**os.environ, "PATH": path, "COURSE": str(DOCS.parent), "HOME": str(tmp_path / "home"), "MPLBACKEND": "Agg"}
 
 
 @pytest.mark.every
@@ -160,3 +162,18 @@ def test_every_lecture_has_a_page_and_a_row_at_its_dates():
         *firsts, last = lecture.date.split(", ")
         month = last.split()[1]
         assert days == {*(day if " " in day else f"{day} {month}" for day in firsts), last}, f"docs/lectures.md: {name}"
+
+
+@pytest.mark.parametrize("slug", course.assignments())
+def test_the_outline_places_every_function_and_every_part_by_hand(slug):
+    _, _, rows = (DOCS / "instructors" / "outline.md").read_text().partition(f"{slug}.md")
+    rows = rows.partition("generated/problems")[0]
+    released = DOCS.parent / "assignments" / slug
+    functions = json.loads((released / "contract.json").read_text())["results"]
+    assert {name for name in functions if f"`{name}`" not in rows} == set()
+    rubric = (
+        tomllib.loads((released / "rubric.toml").read_text())["parts"] if (released / "rubric.toml").exists() else {}
+    )
+    by_hand = [row for row in rows.splitlines() if "you: " in row]
+    lettered = {letter for row in by_hand for letter in re.findall(r"\w+", row.split("|")[1])}
+    assert len(by_hand) >= len(rubric) and (set(rubric) <= lettered or not lettered & set("abcdefgh"))
