@@ -95,7 +95,7 @@ def _check_restitution(restitution: float) -> None:
 
 
 def film(parameters: Mapping[str, float]) -> Scene:
-    """Newton's cradle, and a rod that hits a corner."""
+    """Newton's cradle, and a rod that hits a peg."""
     from tam570.show.scenes.collisions import cradle_and_rod
 
     restitution = parameters["restitution"]

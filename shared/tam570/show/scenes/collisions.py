@@ -1,4 +1,4 @@
-"""The lecture on collisions: a cradle that hits whenever its balls hang straight down, and a rod that hits a corner."""
+"""The lecture on collisions: a cradle that hits whenever its balls hang straight down, and a rod that hits a peg."""
 
 from collections.abc import Callable
 from math import inf, pi, sqrt
@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from tam570.show.drawing import unit_circle
 from tam570.show.scene import (
     GREY,
     INK,
@@ -24,9 +25,10 @@ __all__ = ["cradle_and_rod"]
 
 SECONDS = 8.0
 BALLS, RADIUS, LENGTH, GRAVITY = 5, 0.12, 1.0, 9.81  # 1, m, m, m/s^2
-FIRST = np.array([1.6, 1.6, 0.0, 0.0, 0.0])  # m/s, as two balls come down
+FIRST = np.array([1.6, 1.6, 0.0, 0.0, 0.0])  # m/s, as two balls arrive straight below their hooks
 ROD = {"length": 1.0, "mass": 1.0}  # m, kg
-ARM, FALL, TURN, HIT = 0.3, 0.5, 0.4, 2.0  # m from G to the corner, m/s, rad/s, s
+PEG = 0.04  # m, radius
+ARM, FALL, TURN, HIT = 0.3, 0.5, 0.4, 2.0  # m from G to the peg, m/s, rad/s, s
 
 
 def cradle_and_rod(cradle: Callable[[Array], Array], collide: Callable[..., Any], restitution: float) -> Scene:
@@ -34,20 +36,18 @@ def cradle_and_rod(cradle: Callable[[Array], Array], collide: Callable[..., Any]
     times = frame_times(SECONDS)
     shown = plot_samples(times)
     angles, speeds = _swings(times, cradle)
-    places, about_corner, energies = _rod(times, collide)
-    scale = float(np.abs(about_corner).max())
+    places, about_peg, energies = _rod(times, collide)
+    scale = float(np.abs(about_peg).max())
     of_cradle = (speeds[shown] ** 2 + GRAVITY * LENGTH * angles[shown] ** 2).sum(axis=1) / 2
     loss = {"cradle": 100 * of_cradle / of_cradle[0], "rod": 100 * energies[shown] / energies[0]}
     return Scene(
         f"Collisions, restitution {restitution:g}",
         "Two balls of a cradle swing down, and two fly off at the other end, again and again. Beside it a rod without "
-        "weight comes down on a corner, which pushes it across its length: it flies off turning.",
+        "weight comes down on a peg, which pushes it across its length: it flies off turning.",
         times,
-        [Panel(_balls(angles), "cradle"), Panel(places, "rod on a corner")],
+        [Panel(_balls(angles), "cradle"), Panel(places, "rod on a peg")],
         [
-            drift_plot(
-                "rod: angular momentum about the corner", times[shown], {"": about_corner[shown]}, scale, "itself"
-            ),
+            drift_plot("rod: angular momentum about the peg", times[shown], {"": about_peg[shown]}, scale, "itself"),
             value_plot("energy, of that at the start", times[shown], loss, "%"),
         ],
         still_time=0.13,
@@ -62,7 +62,7 @@ def _swings(times: Array, cradle: Callable[[Array], Array]) -> tuple[Array, Arra
     for _ in range(rounds.max()):
         starts.append(now)
         now = cradle(-now)
-    phase = (w * times - pi * rounds)[:, None]
+    phase = (w * times - pi / 2 - pi * np.maximum(rounds - 1, 0))[:, None]  # from where they hang straight down
     amplitude = np.array(starts)[rounds]
     return amplitude * np.sin(phase) / (w * LENGTH), amplitude * np.cos(phase)
 
@@ -71,8 +71,7 @@ def _balls(angles: Array) -> list[Shape]:
     hooks = np.column_stack([2 * RADIUS * np.arange(BALLS), np.zeros(BALLS)])
     balls = hooks + LENGTH * np.stack([np.sin(angles), -np.cos(angles)], axis=-1)
     shapes = [Shape("lines", np.array([[-RADIUS, 0.0], [2 * RADIUS * BALLS - RADIUS, 0.0]]), INK, width=3)]
-    u = np.linspace(0.0, 2 * pi, 33)
-    rim = RADIUS * np.column_stack([np.cos(u), np.sin(u)])
+    rim = RADIUS * unit_circle(33)
     for i in range(BALLS):
         shapes += [
             Shape("lines", moving(hooks[i], balls[:, i]), GREY, width=1.5),
@@ -83,21 +82,19 @@ def _balls(angles: Array) -> list[Shape]:
 
 
 def _rod(times: Array, collide: Callable[..., Any]) -> tuple[list[Shape], Array, Array]:
-    """The picture, the angular momentum about the corner, kg m^2/s, and the energy, J, at the times."""
+    """The picture, the angular momentum about the peg, kg m^2/s, and the energy, J, at the times."""
     mass, inertia = ROD["mass"], ROD["mass"] * ROD["length"] ** 2 / 12
-    before = np.array([[0.2, -FALL, TURN], [0.0, 0.0, 0.0]])
-    arms = np.array([[ARM, 0.0], [0.0, 0.0]])  # the corner is the second body's own place
+    before = np.array([[-0.15, -FALL, TURN], [0.0, 0.0, 0.0]])
+    arms = np.array([[ARM, 0.0], [0.0, 0.0]])  # the peg is the second body's own place
     both, _ = collide(before, [0.0, -1.0], arms, masses=(mass, inf), inertias=(inertia, inf))
     late = times >= HIT
     velocities = np.where(late[:, None], both[0], before[0])
     moved = velocities * (times - HIT)[:, None]
-    G = moved[:, :2] - arms[0]  # the corner is the origin
+    G = moved[:, :2] - arms[0]  # the peg is the origin
     half = 0.5 * ROD["length"] * np.column_stack([np.cos(moved[:, 2]), np.sin(moved[:, 2])])
     across = G[:, 0] * velocities[:, 1] - G[:, 1] * velocities[:, 0]
-    corner = np.array([[0.0, 0.0], [0.0, -0.8], [1.2, -0.8], [1.2, -0.2]])
     shapes = [
-        Shape("fill", corner, GREY, "corner", faint=True),
-        Shape("path", corner[[3, 0, 1]], GREY, width=2),
+        Shape("fill", PEG * (unit_circle(33) - [0.0, 1.0]), GREY, "peg"),
         Shape("trail", G[:, None], 2, "centre of mass", width=1.5),
         Shape("lines", moving(G - half, G + half), 1, "rod", width=5),
         Shape("dot", G[:, None], 2, width=6),

@@ -1,0 +1,85 @@
+"""Laws over all scenes: nothing jumps from frame to frame, and no body is where another one is."""
+
+from itertools import combinations
+
+import numpy as np
+import pytest
+
+from tam570.course import assignments
+from tam570.lectures import load, names
+from tam570.show import show
+
+STEP, QUICKER = 0.02, 4.0  # of its panel's size, and of the steps before and after it: a jump is larger than both
+JUMPS = {  # what the physics has, by scene and shape
+    ("planet", "fill"): "the area since the last impulse begins anew",
+    ("rocket", "lines"): "the flame goes out",
+    ("chains", "arrow"): "the whole chain lies on the scale",
+}
+DEPTH = 1e-3  # of a panel's size, of a touch: half a pixel
+
+
+@pytest.fixture(params=[*assignments(), *names()])
+def scene(request, scenes):
+    return scenes(request.param) if request.param in assignments() else show(load(request.param)).scene
+
+
+def size(panel):
+    rows = np.concatenate([shape.points.reshape(-1, shape.points.shape[-1]) for shape in panel.shapes])
+    return float(np.ptp(rows, axis=0).max())
+
+
+def jumps(shape, largest):
+    """The frames at which a point of a moving shape goes much farther than just before and after."""
+    if shape.points.ndim == 2:
+        return []
+    steps = np.linalg.norm(np.diff(shape.points, axis=0), axis=2)
+    around = np.maximum(np.pad(steps, [(1, 0), (0, 0)])[:-1], np.pad(steps, [(0, 1), (0, 0)])[1:])
+    return np.argwhere((steps > STEP * largest) & (steps > QUICKER * around)).tolist()
+
+
+def test_nothing_jumps(scene, request):
+    name = request.node.callspec.params["scene"]
+    for one in scene.slider.scenes if scene.slider else [scene]:
+        for panel in one.panels:
+            for shape in panel.shapes:
+                if (name, shape.kind) not in JUMPS:
+                    assert not jumps(shape, size(panel)), (panel.title, shape.kind, shape.name)
+
+
+def test_no_body_is_where_another_is(scene):
+    for panel in scene.panels:
+        bodies = [shape for shape in panel.shapes if shape.kind == "fill" and shape.points.shape[-1] == 2]
+        for one, other in combinations(bodies, 2):
+            frames = range(0, len(scene.times), 5)
+            a, b = (np.broadcast_to(s.points, (len(scene.times), *s.points.shape[-2:])) for s in (one, other))
+            assert max(overlap(a[i], b[i]) for i in frames) < DEPTH * size(panel), (panel.title, one.name, other.name)
+
+
+def overlap(one, other):
+    """How deep a convex polygon is in another, by the axis along which they are farthest apart."""
+    deepest = np.inf
+    for polygon in (one, other):
+        sides = np.roll(polygon, -1, axis=0) - polygon
+        lengths = np.linalg.norm(sides, axis=1)
+        for x, y in [*np.eye(2), *(sides[lengths > 0] / lengths[lengths > 0][:, None])]:
+            along = [points @ [-y, x] for points in (one, other)]
+            deepest = min(deepest, min(along[0].max() - along[1].min(), along[1].max() - along[0].min()))
+    return deepest
+
+
+@pytest.mark.parametrize("restitution", [0.0, 0.3, 1.0])
+def test_the_rod_and_the_balls_collide_at_their_rims(restitution):
+    scene = load("collisions").film({"restitution": restitution})
+    cradle, rod = scene.panels
+    rims = [shape.points for shape in cradle.shapes if shape.kind == "fill"]
+    balls = np.stack([(rim.min(axis=1) + rim.max(axis=1)) / 2 for rim in rims], axis=1)
+    radius = np.ptp(rims[0][0, :, 1]) / 2
+    gaps = np.linalg.norm(np.diff(balls, axis=1), axis=2) - 2 * radius
+    assert -1e-2 * radius < gaps.min() < 1e-2 * radius
+    (bar,) = (shape.points for shape in rod.shapes if shape.kind == "lines")
+    (peg,) = (shape.points for shape in rod.shapes if shape.kind == "fill")
+    along = bar[:, 1] - bar[:, 0]
+    middle, reach = (peg.min(axis=0) + peg.max(axis=0)) / 2, np.ptp(peg[:, 1]) / 2
+    share = np.clip(((middle - bar[:, 0]) * along).sum(axis=1) / (along**2).sum(axis=1), 0, 1)
+    distance = np.linalg.norm(bar[:, 0] + share[:, None] * along - middle, axis=1)
+    assert distance.min() == pytest.approx(reach, abs=1e-9)
