@@ -5,6 +5,10 @@ counter-clockwise positive, so that the mass is at r = length (sin theta, -cos t
 first and second rates. The potential energy is zero at the lowest point.
 
 Off limits in this file: tam570.lagrange and tam570.lectures, which would answer it.
+
+Ways of my own
+--------------
+(Write them here before you go on: which law, about which point, with which unknowns?)
 """
 
 import numpy as np

@@ -14,8 +14,6 @@ from . import cases, right
 
 NEEDS = ("numpy", "matplotlib.figure", "matplotlib.backends.backend_agg")
 OFF_LIMITS = {"trajectory": ("scipy.integrate", "tam570.integrate")}  # a closed form is asked for
-MANUAL = {"b": (2, "the guess before the work; why the limit has the shape it has")}
-
 FORMULA = 1e-12  # a few roundings of the accelerations make 1e-15
 SIMULATED = 1e-6  # RK45, DOP853, LSODA at rtol 1e-9, atol 1e-9 are off by 1.3e-9 of the size, RK4 by 1e-8
 CLOSED = 1e-10  # 1e-15 with expm1; a Taylor series that takes over where five digits are lost, 1e-11

@@ -7,8 +7,6 @@ from tam570_grader import array, check, fail, given, group, law, refuse
 from . import cases, right, special
 
 NEEDS = ("numpy",)
-MANUAL = {"a": (2, "in words: which definitions have rate = moment in general, which in special cases, and why")}
-
 POINTWISE = 1e-8  # of its size; a few roundings make 1e-15, a rate by differences of a Taylor series 1e-11
 NEARLY = 1e-4  # off by less, a rate is right in principle, to choose the words
 

@@ -11,8 +11,6 @@ from . import cases, right
 
 NEEDS = ("numpy", "matplotlib.figure", "matplotlib.backends.backend_agg")
 OFF_LIMITS = {"*": ("tam570.lectures",)}
-MANUAL = {"b": (2, "the wildest motion found, with its plot"), "c": (2, "why nothing wild can happen")}
-
 POINTWISE = 1e-9  # a few roundings make 1e-14
 TRAJECTORY = 1e-5  # solve_ivp at rtol 1e-9, atol 1e-9 is off by less than 1e-6 after three periods
 ENERGY = 1e-5  # of itself; the same solvers lose less than 1e-6 of it in ten periods

@@ -11,8 +11,6 @@ from . import cases, right
 from .right import wheelbase
 
 NEEDS = ("numpy",)
-MANUAL = {"c": (2, "the definition of steering stability, with plots that answer the question by it")}
-
 FORMULA = 1e-9  # of the largest term: roundings make 1e-15, solving for the side force 1e-13; wrong terms .1
 GROWTH = 1e-6  # central differences are good to 1e-9, and an integral of them by rtol 1e-9; wrong terms are off by .1
 FOLLOWED = 1e-6  # solve_ivp at rtol = atol = 1e-9, whatever its method, stays below 8e-8 well before the stop

@@ -11,8 +11,6 @@ from . import cases, right
 from .equations import agree_in_equations
 
 NEEDS = ("numpy", "matplotlib.figure", "matplotlib.backends.backend_agg")
-MANUAL = {"c": (2, "the special cases checked, and what they showed")}
-
 FORMULA = 1e-8  # a few roundings make 1e-15, derivatives of energies by central differences 1e-9
 # Ten equations for unscaled unknowns, one bar 1e-9 of the other, are solved to 1e-14 by LU, to 6e-6 by least squares
 # or a pseudoinverse (the largest of 5000 draws); by the Schur complement of the constraints to 2e-6.

@@ -12,11 +12,6 @@ from . import cases, right
 
 NEEDS = ("numpy",)
 OFF_LIMITS = {"*": ("scipy.spatial.transform", "tam570.rotations", "tam570.lectures")}
-MANUAL = {
-    "c": (2, "the drawings of the book before and after both sequences"),
-    "e": (1, "the axes n on these drawings, and what shows that they stay where they are"),
-}
-
 WITHIN = 1e-13  # ways that divide by no small number lose 1e-15; where 1e-12 rad make no turn, 1e-12 are lost
 # of small angles and their axes: R - R^T and quaternions lose 5e-16, the null vector of R - I 6e-11 at 1e-8 rad
 RELATIVE = 1e-12

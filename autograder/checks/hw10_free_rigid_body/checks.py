@@ -13,11 +13,6 @@ from . import cases, right
 
 NEEDS = ("numpy", "matplotlib.figure", "matplotlib.backends.backend_agg")
 OFF_LIMITS = {"*": ("tam570.lectures",), "euler_rates_313": ("tam570.rotations", "scipy.spatial.transform")}
-MANUAL = {
-    "a": (2, "a simple explanation of the two tilted circles"),
-    "b": (2, "the prediction for (0, 1, eps), made before looking, and the plot that shows the instability"),
-}
-
 POINTWISE = 1e-8  # a few roundings make 1e-15; a derivative by central differences, 1e-9
 SINGULAR = 1e-2  # a pseudoinverse where a singular value is 1e-12 makes 1e-4; a sine kept from zero, 0.3
 # solve_ivp at rtol 1e-9, atol 1e-9 is off by 6e-8 at the most (LSODA), an explicit method of order 2 at a thousand

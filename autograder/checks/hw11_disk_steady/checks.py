@@ -9,8 +9,6 @@ from tam570_grader import absolute, by_kind, group, law, number
 from . import cases, right
 
 NEEDS = ("numpy",)
-MANUAL = {"d": (2, "which of these motions a shuddering coin follows, and why")}
-
 # Formulas agree to a few roundings, 1e-15; a root finder at its usual tolerance of 1e-12 loses two digits
 # where the root is flat. Wrong physics is off by a tenth.
 WITHIN = 1e-9

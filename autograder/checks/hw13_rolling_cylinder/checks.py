@@ -9,8 +9,6 @@ from tam570_grader.writing.returns import free_body_diagram
 from . import cases, right
 
 NEEDS = ("numpy",)
-MANUAL = {"b": (2, "why the two methods agree for the centred cylinder and not for the other")}
-
 FORMULA = 1e-9  # of the largest term: solving for the forces costs a few digits of 1e-16; wrong terms are off by .1
 # solve_ivp at rtol = atol = 1e-9, whatever its method, stays below 1e-7 on these runs; wrong physics is off by .1.
 TRAJECTORY = 1e-6

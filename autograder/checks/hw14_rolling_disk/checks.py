@@ -13,8 +13,6 @@ from . import cases, right
 NEEDS = ("numpy",)
 WAYS = "euler_state_derivative", "matrix_state_derivative", "multiplier_state_derivative"
 OFF_LIMITS = {way: tuple(other for other in WAYS if other != way) for way in WAYS}  # three derivations, not one
-MANUAL = {"e": (2, "the demonstration: derivations and animation, with every source of help acknowledged")}
-
 POINTWISE = 1e-9  # careful formulas agree to 1e-13, a numpy.linalg.solve of nine unknowns to 1e-12
 FLAT = 1e-8  # at a tilt of 1e-3 a linear system for the angles loses six of its sixteen digits
 LINEAR = 1e-7  # the five-point difference is good to 1e-11; a student's own difference to 1e-9

@@ -22,6 +22,7 @@ from tam570_grader.release import late_policy
 from tam570_grader.release.course_toml import COPY, FILE, by_slug, must, no_other, toml
 from tam570_grader.release.stubs import contract
 from tam570_grader.results.tables import written
+from tam570_grader.rubric import with_rubric
 from tam570_grader.writing import assignments
 from tam570_grader.writing.assignments import ADAPTED, OWN, Assignment
 
@@ -261,5 +262,6 @@ def _tell(path: Path, assignment: Assignment, part: Part, folder: Path) -> None:
     more += [f"In this course you may use `{name}`." for name in part.allow]
     says = " ".join([*more, f"The autograder gives {assignment.max_score:g} points"])
     readme = readme.replace(TIMES.format(**STANDARD), TIMES.format(**limits(assignment.root)))
-    written(folder / "README.md", SUM.sub(lambda _: says, readme, count=1))
+    readme = with_rubric(SUM.sub(lambda _: says, readme, count=1), assignment.rubric)
+    written(folder / "README.md", readme)
     written(folder / "contract.json", contract(assignment))

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from tam570_grader.results.tables import written
+from tam570_grader.rubric import ManualPart, rubric_table, without_rubric
 from tam570_grader.writing import assignments
 from tam570_grader.writing.assignments import Assignment
 
@@ -52,7 +53,10 @@ import {slug} as hw
 from tam570.show import show"""
 SCENE = "**What it looks like**, by your functions. Run the cell again when you have changed them."
 TESTS = "# Part ({part}): your visible tests. This cell is locked; it carries the points of the hidden ones.\n{call}"
-BY_HAND = "**By hand ({part}), {points:g} points:** {what}. Put plots into cells of their own above; words here."
+BY_HAND = (
+    "**By hand ({part}), {points:g} points:** {what}. Put plots into cells of their own above; words here.\n\n{claims}"
+)
+BEFORE = "**Before you look ({part}):** {before}"
 
 
 @dataclass(frozen=True)
@@ -79,7 +83,7 @@ def notebook(assignment: Assignment, readme: str, tests: str, pictures: str) -> 
     readme, tests : of the assignment, as students get them
     pictures      : Markdown with a code block under the letter of each part that has something to show
     """
-    given = problem(readme)
+    given = problem(without_rubric(readme))
     first = {"cell_type": "markdown", "id": "problem", "metadata": {}}
     cells: list[Cell] = [
         {**first, "source": f"{given.intro}\n\n{HOW.format(slug=assignment.slug)}"},
@@ -154,10 +158,14 @@ def _mentioned(node: ast.FunctionDef, definitions: Definitions) -> set[str]:
 def _part(assignment: Assignment, part: str, text: str, shown: str | None, tests: Iterable[str]) -> list[Cell]:
     """The cells of one part."""
     cells = [text_cell(f"text-{part}", text)]
+    manual = assignment.rubric.get(part)
+    if manual and manual.before:
+        cells.append(text_cell(f"before-{part}", BEFORE.format(part=part, before=manual.before)))
+        cells.append(text_cell(f"guess-{part}", "*Your prediction*"))
     if shown:
         cells.append(_code(f"picture-{part}", shown.rstrip()))
-    if part in assignment.manual:
-        cells += _by_hand(part, *assignment.manual[part])
+    if manual:
+        cells += _by_hand(part, manual)
     if part in part_points(assignment):
         cells.append(_locked(assignment, part, tests))
     return cells
@@ -169,11 +177,12 @@ def _used_in(assignment: Assignment, part: str) -> list[str]:
     return sorted(used & {*assignment.results})
 
 
-def _by_hand(part: str, points: float, what: str) -> list[Cell]:
+def _by_hand(part: str, manual: ManualPart) -> list[Cell]:
     """The task, a cell to compute in, and the answer's cell, which carries the points."""
-    answer = text_cell(f"manual-{part}", "*Your answer*")
-    answer["metadata"] = _nbgrader(f"manual-{part}", points, locked=False, solution=True)
-    task = BY_HAND.format(part=part, points=points, what=what)
+    answer = text_cell(f"manual-{part}", manual.prompt)
+    answer["metadata"] = _nbgrader(f"manual-{part}", manual.points, locked=False, solution=True)
+    claims = rubric_table(manual)
+    task = BY_HAND.format(part=part, points=manual.points, what=manual.asks, claims=claims)
     return [text_cell(f"task-{part}", task), _code(f"work-{part}", "# your plots and numbers\n"), answer]
 
 

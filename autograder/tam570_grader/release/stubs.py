@@ -10,6 +10,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
+from tam570_grader.rubric import load_rubric, with_rubric
 from tam570_grader.writing import assignments
 from tam570_grader.writing.assignments import Assignment
 from tam570_grader.writing.returns import Drawing, Formula, FreeBodyDiagram, Group, Promise
@@ -32,9 +33,11 @@ def run(course: Path, *, check: bool) -> int:
 
 
 def _made(course: Path, slug: str) -> dict[Path, str]:
-    """What is derived of an assignment: the stub, and the contract that the students' `check` reads."""
+    """What is derived of an assignment: the README's rubric, the stub, and the contract for the students' `check`."""
     released, solution = course / "assignments" / slug, course / "solutions" / f"{slug}.py"
+    readme, rubric = released / "README.md", load_rubric(released)
     return {
+        readme: with_rubric(readme.read_text(encoding="utf-8"), rubric),
         released / f"{slug}.py": stub(solution.read_text(encoding="utf-8")),
         released / "contract.json": contract(assignments.assignment(course, slug)),
     }

@@ -16,6 +16,7 @@ from typing import Any
 import tam570
 import tam570_grader
 from tam570_grader.errors import UsageError
+from tam570_grader.rubric import ManualPart, load_rubric
 from tam570_grader.writing.check import Check
 from tam570_grader.writing.effort import Finder
 from tam570_grader.writing.mistakes import Mistake, mistakes
@@ -56,7 +57,7 @@ class Assignment:
     needs: Sequence[str]
     off_limits: Mapping[str, Sequence[str]]
     source: bytes  # of the checks
-    manual: Mapping[str, tuple[float, str]]  # part: points given by hand, and for what
+    rubric: Mapping[str, ManualPart]  # what is graded by hand, by part
     root: Path = Path()
 
     @property
@@ -73,6 +74,11 @@ class Assignment:
         """The mistakes that a student who fails this check may have made."""
         known = mistakes(checks_folder(self.root, self.slug) / "mistakes")
         return [one for one in known if one.suspect and check in one.fails]
+
+    @property
+    def manual(self) -> Mapping[str, tuple[float, str]]:
+        """Points given by hand, and for what, by part."""
+        return {letter: (part.points, part.asks) for letter, part in self.rubric.items()}
 
     @property
     def max_score(self) -> float:
@@ -133,8 +139,8 @@ def assignment(root: Path, slug: str) -> Assignment:
     source = (folder / "checks.py").read_bytes()
     checks = _named_checks(module)
     off_limits: dict[str, Sequence[str]] = getattr(module, "OFF_LIMITS", {})
-    manual: dict[str, tuple[float, str]] = getattr(module, "MANUAL", {})
-    found = Assignment(slug, checks, module.RESULTS, module.NEEDS, off_limits, source, manual, root)
+    rubric = load_rubric(root / "assignments" / slug)
+    found = Assignment(slug, checks, module.RESULTS, module.NEEDS, off_limits, source, rubric, root)
     return _adapted(found, folder) if (folder / f"{ADAPTED}.py").exists() else found
 
 
@@ -156,18 +162,16 @@ def _adapted(given: Assignment, folder: Path) -> Assignment:
         ),
         results={**given.results, **getattr(own, "RESULTS", {})},
         off_limits={where: names for where, names in off_limits.items() if names},
-        manual={part: what for part, what in given.manual.items() if part not in change.LEAVE_OUT},
+        rubric={letter: part for letter, part in given.rubric.items() if letter not in change.LEAVE_OUT},
     )
 
 
 def by_hand(root: Path, slug: str) -> Mapping[str, tuple[float, str]]:
-    """The parts that are graded by hand, with their points and what they ask; the checks are read, not loaded."""
+    """The parts that are graded by hand, with their points and what they ask; no checks are loaded, if none change."""
     folder = checks_folder(root, slug)
     if (folder / f"{ADAPTED}.py").exists():
         return assignment(root, slug).manual
-    lines = ast.parse((folder / "checks.py").read_bytes()).body
-    said = [one.value for one in lines if isinstance(one, ast.Assign) and ast.unparse(one.targets[0]) == "MANUAL"]
-    return ast.literal_eval(said[0]) if said else {}
+    return {letter: (part.points, part.asks) for letter, part in load_rubric(root / "assignments" / slug).items()}
 
 
 def solution(slug: str, root: Path | None = None) -> Any:

@@ -1,0 +1,70 @@
+"""What is graded by hand: `rubric.toml` of an assignment, which students read too.
+
+    [parts.b]
+    asks = "your guess before the work, and why the limit has the shape that it has"
+    before = "Sketch the path before you compute anything."  # asked above the picture, without points
+    prompt = "**My guess:**"  # how the answer's cell begins
+    claims = [[0.5, "A guess is written down and stays as it was."], [1.5, "..."]]
+
+The points of a part are those of its claims. A claim says what an answer shows, not what it is.
+"""
+
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+__all__ = ["ManualPart", "load_rubric", "rubric_table", "with_rubric", "without_rubric"]
+
+FILE = "rubric.toml"
+HEADING = "## Graded by hand"
+HOW = "Your teacher gives these points, for each claim that your answer bears out."
+
+
+@dataclass(frozen=True)
+class ManualPart:
+    """A part that a teacher grades, claim by claim."""
+
+    asks: str
+    claims: tuple[tuple[float, str], ...] = ()  # points, and what an answer shows
+    before: str = ""
+    prompt: str = "*Your answer*"
+
+    @property
+    def points(self) -> float:
+        return round(sum(points for points, _ in self.claims), 6)
+
+
+def load_rubric(released: Path) -> dict[str, ManualPart]:
+    """The parts graded by hand, by letter, of the released folder of an assignment; {} if it has none.
+
+    Raises KeyError or TypeError where the file has another form.
+    """
+    path = released / FILE
+    parts = tomllib.loads(path.read_text(encoding="utf-8"))["parts"] if path.exists() else {}
+    claimed = {
+        letter: tuple((float(points), str(says)) for points, says in part.pop("claims", ()))
+        for letter, part in parts.items()
+    }
+    return {letter: ManualPart(claims=claimed[letter], **part) for letter, part in parts.items()}
+
+
+def rubric_table(part: ManualPart) -> str:
+    """The claims of a part as a Markdown table."""
+    rows = (f"| {points:g} | {says} |" for points, says in part.claims)
+    return "\n".join(["| points | your answer |", "|---|---|", *rows])
+
+
+def with_rubric(readme: str, rubric: Mapping[str, ManualPart]) -> str:
+    """A README whose last section is the rubric."""
+    sections = [
+        f"**Part ({letter})**, {part.points:g} points: {part.asks}.\n\n{rubric_table(part)}"
+        for letter, part in rubric.items()
+    ]
+    heading = [HEADING, HOW] if rubric else []
+    return "\n\n".join([without_rubric(readme), *heading, *sections]) + "\n"
+
+
+def without_rubric(readme: str) -> str:
+    """A README up to its rubric."""
+    return readme.partition(HEADING)[0].rstrip()
