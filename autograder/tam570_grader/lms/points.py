@@ -153,7 +153,7 @@ def _template(path: Path, found: Results, manual: Mapping[str, Manual], hand: Ha
         for part, (of, _) in manual[slug].items():
             known = hand.entries.get((student, slug, part))
             points = "" if known is None or known.points is None else known.points
-            writer.writerow(map(cell, (student, slug, part, points, of, known.comment if known else "")))
+            writer.writerow(map(cell, (student, slug, part, points, f"{of:g}", known.comment if known else "")))
     with writing(path):
         written(path, text.getvalue())
     print(f"{path}: fill in the points, then: tam570-grader points DIR {path}")
