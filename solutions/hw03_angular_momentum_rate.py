@@ -1,5 +1,7 @@
 """hw03: What does "rate of change of angular momentum" mean?
 
+figure.svg, beside this file, shows the axes, the names and the positive senses.
+
 A particle P moves, and so does a point C, in any way it likes, relative to a Newtonian frame F with origin O. All
 vectors have components in F: r from O, v and a as seen in F. Three definitions of the angular momentum about C:
 "a" r_{P/C'} x m v_P, where C' is fixed in F at the place where C is now;

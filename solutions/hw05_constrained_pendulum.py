@@ -1,5 +1,7 @@
 """hw05: The pendulum as a constrained particle.
 
+figure.svg, beside this file, shows the axes, the names and the positive senses.
+
 A particle in the plane is kept on the circle x^2 + y^2 = length^2 about a hinge at the origin by a radial force; x
 right, y up. A state is (x, y, vx, vy). States are consistent, on the circle and tangent to it, but for the argument of
 `consistent_state`. The potential energy is zero at y = 0.

@@ -1,5 +1,7 @@
 """hw07: Double pendulum of two uniform bars.
 
+figure.svg, beside this file, shows the axes, the names and the positive senses.
+
 x is to the right, y up; bar 1 hangs from the ceiling hinge at the origin, bar 2 from the end of bar 1, the elbow.
 theta = (th1, th2) are the bars' angles from straight down, both absolute, counter-clockwise positive:
 bar i points along (sin th_i, -cos th_i). Two independent equations of motion are

@@ -1,5 +1,7 @@
 """hw08: Axis and angle of a rotation, and its matrix.
 
+figure.svg, beside this file, shows the axes, the names and the positive senses.
+
 A rotation by the angle th about the unit vector n takes every r to
 
     r' = cos th r + (1 - cos th) (n . r) n + sin th n x r.

@@ -1,5 +1,7 @@
 """hw10: Free motion of a rigid body.
 
+figure.svg, beside this file, shows the axes, the names and the positive senses.
+
 inertia = (A, B, C) are the principal moments of inertia about the centre of mass (kg m^2); omega (3,) is the angular
 velocity in rad/s, in components along the body's principal axes; R (3, 3) takes body to space components. No moment
 acts. Axes 0, 1, 2 are those of A, B, C.

@@ -1,5 +1,7 @@
 """hw11: A disk on a level floor in steady circles: rolling, sliding, and both at once.
 
+figure.svg, beside this file, shows the axes, the names and the positive senses.
+
 The disk has `mass` (kg), `radius` a (m) and inertia = (A, C) (kg m^2): about a diameter and about the axle,
 both through the centre G, with 0 < C <= 2 A. The ground is level; `gravity` is a magnitude (m/s^2).
 

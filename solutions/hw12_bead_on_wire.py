@@ -1,5 +1,7 @@
 """hw12: A bead on the wire y = curvature x^2, without friction, gravity along -y.
 
+figure.svg, beside this file, shows the axes, the names and the positive senses.
+
 x is the generalised coordinate and v = dx/dt its rate, which is not the speed along the wire; curvature > 0.
 
 Off limits in this file: tam570.lagrange and tam570.lectures, which would answer it.

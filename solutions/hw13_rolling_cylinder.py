@@ -1,5 +1,7 @@
 """hw13: A cylinder rolls down a ramp; its centre of mass G need not be at its centre.
 
+figure.svg, beside this file, shows the axes, the names and the positive senses.
+
 x points down the ramp, y off it. The ramp goes down at the angle `slope` and the cylinder does not slip: phi is its
 rotation, rolling down positive, and its centre is at x = radius * phi, y = radius. G is at `offset` from the centre, at
 phi = 0 towards the contact: offset (-sin phi, -cos phi). `inertia` is the moment of inertia about G. C is the contact.

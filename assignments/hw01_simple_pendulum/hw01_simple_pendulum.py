@@ -1,5 +1,7 @@
 """hw01: The simple pendulum, derived as many ways as you can.
 
+figure.svg, beside this file, shows the axes, the names and the positive senses.
+
 A point mass on a massless rod. The hinge is the origin, x right, y up; theta is measured from straight down,
 counter-clockwise positive, so that the mass is at r = length (sin theta, -cos theta); omega and alpha are its
 first and second rates. The potential energy is zero at the lowest point.

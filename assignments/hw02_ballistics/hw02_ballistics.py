@@ -1,5 +1,7 @@
 """hw02: Ballistics with linear drag.
 
+figure.svg, beside this file, shows the axes, the names and the positive senses.
+
 The particle feels its weight, m g down, and the drag -c v. x is to the right, y up; it is launched from
 the origin at `angle` above the horizontal. There is no ground: it goes on below y = 0. A state is
 x, y, vx, vy in m and m/s.

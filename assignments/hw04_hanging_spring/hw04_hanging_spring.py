@@ -1,5 +1,7 @@
 """hw04: A mass that hangs on a zero-rest-length spring.
 
+figure.svg, beside this file, shows the axes, the names and the positive senses.
+
 The spring is hung at the origin and pulls the mass there with stiffness times distance; z points up and gravity acts
 along -z. A state is (x, y, z, vx, vy, vz). The potential energy is zero at the origin.
 

@@ -1,5 +1,7 @@
 """hw06: A car going straight ahead with the brakes of one axle locked: does it stay straight?
 
+figure.svg, beside this file, shows the axes, the names and the positive senses.
+
 The ground plane is x, y; heading is the angle from the x axis to the car's forward direction, counter-clockwise
 positive, never wrapped. G is on the centreline, at ground height, `front` behind the front axle and `rear` ahead of
 the rear one. The free axle rolls and does not slip sideways; the locked axle drags, as one point on the centreline,

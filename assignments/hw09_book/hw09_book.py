@@ -1,5 +1,7 @@
 """hw09: Finite rotations do not commute.
 
+figure.svg, beside this file, shows the axes, the names and the positive senses.
+
 A rotation matrix acts on column vectors, r' = R r; angles are in radians and right-handed about their axis.
 A sequence of rotations is a list of steps (axis, angle), first step first, where axis is "x", "y" or "z".
 

@@ -1,5 +1,7 @@
 """hw14: The rolling disk, three ways.
 
+figure.svg, beside this file, shows the axes, the names and the positive senses.
+
 The ground is z = 0, z up; `gravity` is a magnitude (m/s^2). The disk has `mass` (kg), `radius` a (m)
 and inertia = (A, C) (kg m^2): about a diameter and about the axle, both through the centre, 0 < C <= 2 A.
 

@@ -50,7 +50,7 @@ def _write_assignment(course: Path, slug: str, folder: Path) -> None:
         if not (released / name).is_file():
             raise UsageError(f"{released / name} is missing: the assignment cannot be released yet")
     with tempfile.TemporaryDirectory() as draft:
-        for name in names:
+        for name in (*names, *(path.name for path in released.glob("figure.svg"))):
             shutil.copyfile(released / name, Path(draft) / name)
         write_notebook(course, slug, Path(draft))
         with writing(folder):

@@ -1,6 +1,6 @@
 """Makes a student's stub from the reference solution: the bodies go, the signatures and docstrings stay.
 
-Beside it stands the contract: what each function returns, as the checks have it.
+Beside it stand the contract, what each function returns, as the checks have it, and the figure of the problem.
 """
 
 import ast
@@ -36,10 +36,12 @@ def _made(course: Path, slug: str) -> dict[Path, str]:
     """What is derived of an assignment: the README's rubric, the stub, and the contract for the students' `check`."""
     released, solution = course / "assignments" / slug, course / "solutions" / f"{slug}.py"
     readme, rubric = released / "README.md", load_rubric(released)
+    figure = assignments.figure(course, slug)
     return {
         readme: with_rubric(readme.read_text(encoding="utf-8"), rubric),
         released / f"{slug}.py": stub(solution.read_text(encoding="utf-8")),
         released / "contract.json": contract(assignments.assignment(course, slug)),
+        **({released / "figure.svg": figure.svg()} if figure else {}),
     }
 
 

@@ -19,6 +19,7 @@ from tam570_grader.errors import UsageError
 from tam570_grader.rubric import ManualPart, load_rubric
 from tam570_grader.writing.check import Check
 from tam570_grader.writing.effort import Finder
+from tam570_grader.writing.figures import Figure
 from tam570_grader.writing.mistakes import Mistake, mistakes
 from tam570_grader.writing.returns import Promise
 
@@ -32,6 +33,7 @@ __all__ = [
     "checks_digest",
     "checks_folder",
     "engine_digest",
+    "figure",
     "find",
     "is_checkout",
     "named",
@@ -180,6 +182,19 @@ def solution(slug: str, root: Path | None = None) -> Any:
 
 
 @functools.cache
+def figure(root: Path, slug: str, **parameters: Any) -> Figure | None:
+    """Draw the figure of an assignment by its reference functions, None where it has none.
+
+    parameters : other values of what the figure shows
+    """
+    folder = checks_folder(root, slug)
+    if not (folder / "figure.py").exists():
+        return None
+    _checks(folder)
+    drawn: Figure = importlib.import_module(f"_checks_{slug}.figure").figure(**parameters)
+    return drawn
+
+
 def checks_digest(root: Path, slug: str) -> bytes:
     """Of all that is hidden about one assignment; nothing of it is loaded."""
     return _digest(checks_folder(root, slug))

@@ -1,0 +1,30 @@
+"""The figure of hw05: the particle on its circle."""
+
+from tam570_grader.writing.figures import Figure, circle
+
+from . import right
+
+
+def figure(theta=0.8, omega=0.6, length=1.0):
+    """A consistent state of this angle and rate."""
+    state = right.on_circle(theta, omega, length)
+    place, velocity = state[:2], state[2:]
+    shown = Figure(
+        "The pendulum as a constrained particle",
+        "A particle m is at x to the right and y up from the hinge at the origin, on the circle of radius l: x "
+        "squared plus y squared is l squared. Its velocity (vx, vy) is along the circle. Gravity acts down.",
+        x=(-1.25, 1.75),
+        y=(-1.2, 1.2),
+    )
+    shown.line(circle((0, 0), length), "dash", closed=True)
+    shown.axes((0, 0), 0.5)
+    shown.segments(right.wireframe(state, length=length))
+    shown.line([(place[0], 0), place], "dash")
+    shown.label((place[0], place[1] / 2), "y", by=(12, 0))
+    shown.dimension((0, 0), (place[0], 0), "x", aside=16)
+    shown.label(place / 2, "ℓ", by=(-12, -8))
+    shown.arrow(place, place + velocity, "v")
+    shown.point("hinge", (0, 0), by=(-32, 0))
+    shown.point("m", place, by=(6, -21), size=9)
+    shown.arrow((1.55, 0.9), (1.55, 0.45), "g", "thin")
+    return shown

@@ -1,0 +1,36 @@
+"""The figure of hw10: a free body and its principal axes."""
+
+import numpy as np
+
+from tam570_grader.writing.figures import Figure, seen_from
+
+from . import right
+
+EYE = seen_from(-1.1, 0.35)
+SIZE = np.array([1.2, 0.8, 0.4])
+
+
+def figure(turn=(0.25, -0.35, 0.5), omega=(0.35, 0.9, 0.4)):
+    """The body turned by this rotation vector; omega in its axes."""
+    R = right.turned(np.array(turn))
+    shown = Figure(
+        "A free rigid body",
+        "A body that nothing touches turns about its centre of mass G. Its principal axes 1, 2, 3, with the moments "
+        "of inertia A, B, C, are fixed in it; R takes components along them to those along the axes x, y, z of "
+        "space. omega is the angular velocity.",
+        x=(-1.5, 1.9),
+        y=(-1.15, 1.35),
+    )
+    signs = 2 * np.array(list(np.ndindex(2, 2, 2))) - 1
+    for i, one in enumerate(signs):
+        for other in signs[:i]:
+            if np.count_nonzero(one != other) == 1:
+                shown.line(EYE(np.array([one, other]) * SIZE / 2 @ R.T), "body")
+    corner = np.array([-1.05, -0.75, -0.55])
+    for axis, name in zip(np.eye(3), "xyz", strict=True):
+        shown.arrow(EYE(corner), EYE(corner + 0.5 * axis), name, "thin")
+    for axis, name, far in zip(R.T, ("1, A", "2, B", "3, C"), (1.1, 1.0, 0.85), strict=True):
+        shown.arrow(EYE(0 * axis), EYE(far * axis), name, "angle")
+    shown.arrow(EYE(np.zeros(3)), EYE(R @ np.array(omega)), "ω")
+    shown.point("G", EYE(np.zeros(3)), by=(-13, -10))
+    return shown
