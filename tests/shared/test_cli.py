@@ -51,7 +51,12 @@ def test_a_name_of_none_or_of_several_is_refused_with_those_that_there_are(name)
 
 def test_start_gives_the_problem_the_stub_and_the_tests_and_overwrites_nothing(hw08):
     stub = hw08(None)
-    assert {path.name for path in stub.parent.glob("[!.]*")} == {"README.md", stub.name, f"test_{stub.name}"}
+    assert {path.name for path in stub.parent.glob("[!.]*")} == {
+        "README.md",
+        "figure.svg",
+        stub.name,
+        f"test_{stub.name}",
+    }
     stub.write_text("my work")
     (stub.parent / "README.md").unlink()
     assert cli.main(["start", "hw08"]) == 0

@@ -60,7 +60,7 @@ def test_a_test_waits_for_the_last_part_that_it_uses(course):
 
 def test_everything_that_a_student_gets_is_no_secret(course, tmp_path, made_course, slug):
     made, _ = made_course(tmp_path, [slug])
-    names = {f"{slug}.py", f"{slug}.ipynb", f"test_{slug}.py", "README.md", "lab.py"}
+    names = {f"{slug}.py", f"{slug}.ipynb", f"test_{slug}.py", "README.md", "figure.svg", "lab.py"}
     assert {path.name for path in (made / "source" / slug).iterdir()} == names
     assert (made / "source" / slug / f"{slug}.py").read_text() == stub(
         (course / "solutions" / f"{slug}.py").read_text()
