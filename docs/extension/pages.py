@@ -49,6 +49,7 @@ def _problem(slug):
         f":::{{include}} {readme}\n:relative-images:\n:::\n",
         f"## In symbols\n\n:::{{include}} ../../problems/{slug}.md\n:::\n",
         f"## Start\n\n`tam570 start {slug[:4]}` gives you this problem, the file to fill in, and the visible tests. "
+        "Put drawings, plots and words beside your code or into the notebook; `tam570 handin` packs them. "
         f"[The scene](../assignments.md#{slug[:4]}) shows the motion; it shows no code.\n",
     ]
     return "\n".join(parts)
