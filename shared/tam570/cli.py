@@ -5,6 +5,7 @@ import io
 import os
 import sys
 import textwrap
+import tomllib
 from collections.abc import Callable, Sequence
 from difflib import get_close_matches
 from pathlib import Path
@@ -226,12 +227,22 @@ def _show(arguments: argparse.Namespace) -> int:
             raise Unknown(f"there is no file {file}")
     else:
         file, slug = work.one(arguments.what, arguments.assignment)
+    _ask_before(slug)
     return command(file, slug, arguments.save)
 
 
-def _hint(arguments: argparse.Namespace) -> int:
-    import tomllib
+def _ask_before(slug: str) -> None:
+    """Ask for the predictions that come before the picture, and on a terminal wait for them."""
+    rubric = folder(slug) / "rubric.toml"
+    parts = tomllib.loads(rubric.read_text(encoding="utf-8"))["parts"] if rubric.exists() else {}
+    asked = [f"Before you look ({letter}): {part['before']}" for letter, part in parts.items() if "before" in part]
+    if asked:
+        print(*(textwrap.fill(one, 80) for one in asked), sep="\n")
+        if sys.stdin.isatty() and sys.stdout.isatty():
+            input("Press Enter when you have. ")
 
+
+def _hint(arguments: argparse.Namespace) -> int:
     released, function = _hinted(arguments.assignment, arguments.function)
     hints: dict[str, list[str]] = tomllib.loads((released / "hints.toml").read_text(encoding="utf-8"))
     if function is None:
