@@ -58,7 +58,7 @@ def rubric_table(part: ManualPart) -> str:
 def with_rubric(readme: str, rubric: Mapping[str, ManualPart]) -> str:
     """A README whose last section is the rubric."""
     sections = [
-        f"**Part ({letter})**, {part.points:g} points: {part.asks}.\n\n{rubric_table(part)}"
+        f"**Part ({letter})**, {part.points:g} point{'s' * (part.points != 1)}: {part.asks}.\n\n{rubric_table(part)}"
         for letter, part in rubric.items()
     ]
     heading = [HEADING, HOW] if rubric else []

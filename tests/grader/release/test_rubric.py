@@ -1,0 +1,46 @@
+"""What a teacher grades by hand: claims with points beside the README, in it, and in the notebook."""
+
+import json
+
+import pytest
+
+from tam570_grader.release.notebook import problem, write_notebook
+from tam570_grader.rubric import load_rubric, rubric_table, with_rubric, without_rubric
+
+
+@pytest.fixture
+def released(course, slug):
+    return course / "assignments" / slug
+
+
+def test_every_claim_has_points_and_every_part_is_one_of_the_problem(released):
+    rubric = load_rubric(released)
+    assert {*rubric} <= {*problem((released / "README.md").read_text()).parts} | {"a"}
+    for part in rubric.values():
+        assert len({says for _, says in part.claims}) == len(part.claims) >= 2
+        assert all(points > 0 for points, _ in part.claims)
+
+
+def test_a_readme_holds_its_rubric_once(released):
+    rubric, readme = load_rubric(released), (released / "README.md").read_text()
+    assert with_rubric(readme, rubric) == readme
+    assert with_rubric(readme, {}) == without_rubric(readme) + "\n"
+    for part in rubric.values():
+        assert readme.count(rubric_table(part)) == 1
+
+
+def test_a_notebook_asks_for_the_prediction_above_the_picture_and_shows_the_claims(course, slug, released, tmp_path):
+    write_notebook(course, slug, tmp_path)
+    cells = {cell["id"]: cell for cell in json.loads((tmp_path / f"{slug}.ipynb").read_text())["cells"]}
+    order = list(cells)
+    for letter, part in load_rubric(released).items():
+        assert rubric_table(part) in cells[f"task-{letter}"]["source"]
+        assert cells[f"manual-{letter}"]["metadata"]["nbgrader"]["points"] == part.points
+        if part.before:
+            assert order.index(f"guess-{letter}") < order.index(f"picture-{letter}") < order.index(f"manual-{letter}")
+
+
+def test_points_of_a_part_are_those_of_its_claims(tmp_path):
+    (tmp_path / "rubric.toml").write_text('[parts.c]\nasks = "why"\nclaims = [[0.5, "one"], [1, "other"]]\n')
+    assert load_rubric(tmp_path)["c"].points == 1.5
+    assert load_rubric(tmp_path / "none") == {}
