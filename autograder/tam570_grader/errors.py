@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-__all__ = ["Over", "UsageError", "counted", "printable", "warn", "writing"]
+__all__ = ["Over", "UsageError", "counted", "printable", "say", "warn", "writing"]
 
 
 class UsageError(Exception):
@@ -28,6 +28,11 @@ def printable(text: str) -> str:
 def warn(says: str, kind: str = "warning: ") -> None:
     """Tell the instructor a sentence; names of files and students in it may hold anything."""
     print(f"tam570-grader: {kind}{printable(says)}", file=sys.stderr)
+
+
+def say(text: str, *, error: bool = False) -> None:
+    """Print lines; names and results in them may hold anything, and no line moves the cursor."""
+    print("\n".join(map(printable, text.split("\n"))), file=sys.stderr if error else sys.stdout, flush=True)
 
 
 def counted(n: int, word: str) -> str:

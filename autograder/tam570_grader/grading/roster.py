@@ -1,87 +1,198 @@
-"""Who takes the course: the tables of students that Canvas, Moodle and Gradescope export, or a plain list.
+"""Who takes the course: tables of students that learning management systems export, or a plain list.
 
-Canvas: "How do I export grades in the Gradebook?" and "How do I import grades in the Gradebook?" (Canvas Instructor
-Guide). Moodle: "Grade export" and "Assignment settings", offline grading worksheet (docs.moodle.org). Gradescope:
-"Adding and editing your roster" (Gradescope Help Center).
+The layouts are those that the systems' own code writes: Canvas `lib/gradebook_exporter.rb`, Moodle
+`mod/assign/gradingtable.php` (the grading worksheet). Other headings are refused, not guessed.
 """
 
+import unicodedata
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 
+from tam570_grader.errors import UsageError
 from tam570_grader.grading.submissions import folder_of
 from tam570_grader.results.tables import table
 
-__all__ = ["NOT_PEOPLE", "Person", "by_id", "folders", "people", "students", "table"]
+__all__ = ["Directory", "Person", "folders", "groups", "people", "students", "table"]
 
-# columns that tell people apart, the login first: what their folders are named after;
-# the number of a participant is last, for it is another in every course
-IDS = (
-    "sis login id",
-    "username",
-    "login",
-    "student_id",
-    "id number",
-    "sis user id",
-    "sid",
-    "id",
-    "email address",
-    "email",
-    "identifier",
-)
+# Headings that tell people apart, and what kind of id each holds. Folders are named after the first that a row has,
+# so the login comes first; the number of a participant is last, for it is another in every assignment.
+IDS = {
+    "sis login id": "login",
+    "username": "login",
+    "login": "login",
+    "login_id": "login",
+    "student_id": "number",
+    "id number": "number",
+    "sis user id": "number",
+    "sid": "number",
+    "student id": "number",
+    "orgdefinedid": "number",
+    "user_id": "number",
+    "id": "id",
+    "canvas_user_id": "id",
+    "email address": "email",
+    "email": "email",
+    "github_username": "github",
+    "identifier": "participant",
+}
+KINDS = tuple(dict.fromkeys(IDS.values()))
 NAMES = ("student", "full name", "name")
-PARTS = (("first name", "last name"), ("first name", "surname"), ("first_name", "last_name"))
-NOT_PEOPLE = ("student, test",)  # Canvas makes this one to try things out; rows that are not students have no number
+PARTS = (("first name", "last name"), ("first name", "surname"), ("first_name", "last_name"), ("firstname", "lastname"))
+GROUPS = ("group", "group_name", "group name", "team")
+WHEN = "last modified (submission)"  # of Moodle's worksheet
+NOT_PEOPLE = "test student"  # Canvas makes this one to try things out
 PARTICIPANT = "Participant "  # before the number, in the column Identifier of Moodle's worksheet
 
 
 @dataclass(frozen=True)
 class Person:
-    """One student: all that the system knows them by, the login first, and their row in the table."""
+    """One student: (kind, id) pairs, the one that names their folder first, and their row in the table."""
 
-    ids: tuple[str, ...]
+    keys: tuple[tuple[str, str], ...]
     name: str
     row: Mapping[str, str]  # by the table's own headings
+    group: str = ""
+    when: str = ""  # the time of the submission, as the table has it
+
+    @property
+    def ids(self) -> tuple[str, ...]:
+        return tuple(dict.fromkeys(value for _, value in self.keys))
+
+    @property
+    def folder(self) -> str:
+        return folder_of(self.ids[0])
 
 
 def people(path: Path) -> list[Person]:
-    """The students in a table with a heading that Canvas, Moodle or Gradescope writes, or in a list, one a line."""
+    """The students in a table, or in a list of one name a line; UsageError for a table whose headings are unknown."""
     rows = table(path)
-    lower = [heading.strip().lower() for heading in rows[0]]
+    lower = [_heading(text) for text in rows[0]]
     known = {*IDS, *NAMES, *(part for pair in PARTS for part in pair)}
     if not known & set(lower):
-        return [Person((row[0].strip(),), row[0].strip(), {}) for row in rows if row[0].strip()]
+        if len(rows[0]) > 1:
+            raise UsageError(
+                f"{path} has the headings {', '.join(rows[0])[:300]}; none is known. Export it in English, or rename "
+                f"them: {', '.join(sorted(known))}"
+            )
+        lower, rows = ["login"], [["login"], *rows]
     padded = ([*row, *[""] * (len(lower) - len(row))] for row in rows[1:])
     found = [_person(dict(zip(rows[0], row, strict=False)), dict(zip(lower, row, strict=False))) for row in padded]
-    return [one for one in found if one.ids and one.name.lower() not in NOT_PEOPLE]
+    is_canvas = {"id", "section"} <= set(lower)
+    return [one for one in found if one.keys and not (is_canvas and letters(one.name) == letters(NOT_PEOPLE))]
+
+
+def _heading(text: str) -> str:
+    return unicodedata.normalize("NFC", text).strip().lower()
 
 
 def _person(row: Mapping[str, str], cells: Mapping[str, str]) -> Person:
-    """What a row tells, by its headings in small letters; a Canvas row without a number is not a student's."""
+    """What a row tells, by its headings in small letters; a row without an id is not a student's."""
     name = next((cells[key].strip() for key in NAMES if cells.get(key, "").strip()), "")
     joined = (" ".join(cells[part].strip() for part in pair) for pair in PARTS if set(pair) <= cells.keys())
     name = name or next(joined, "").strip()
-    own = ["student"] if "student" in cells and "section" not in cells else []  # in Canvas's table it is a name
-    columns = own + [key for key in IDS if key in cells]
-    ids = [cells[key].strip().removeprefix(PARTICIPANT) for key in columns] if columns else [name]
-    return Person(tuple(dict.fromkeys(filter(None, ids))), name, row)
+    own = [("login", "student")] if "student" in cells and "section" not in cells else []  # in Canvas's it is a name
+    if "github_username" in cells and "identifier" in cells:  # the roster of GitHub Classroom
+        own.append(("login", "identifier"))
+    columns = own + [(kind, key) for key, kind in IDS.items() if key in cells and key not in {used for _, used in own}]
+    found = [(kind, cells[key].strip().removeprefix(PARTICIPANT).lstrip("#")) for kind, key in columns]
+    keys = [pair for pair in found if pair[1]] if columns else [("login", name)] * bool(name)
+    group = next((cells[key].strip() for key in GROUPS if cells.get(key, "").strip()), "")
+    return Person(tuple(dict.fromkeys(keys)), name, row, group, cells.get(WHEN, "").strip())
 
 
-def by_id(found: Iterable[Person]) -> dict[str, Person]:
-    """Each student by each of their ids; an id shared by two is left out; a unique full name counts as an id."""
-    count: dict[str, list[Person]] = {}
-    for one in found:
-        for key in {*one.ids, one.name} - {""}:
-            count.setdefault(key, []).append(one)
-    return {key: owners[0] for key, owners in count.items() if len(owners) == 1}
+def letters(name: str) -> str:
+    """The letters of a name, sorted, without accents: systems exchange its parts and drop signs."""
+    plain = unicodedata.normalize("NFKD", name.casefold())
+    return "".join(sorted(filter(str.isalpha, plain)))
+
+
+def group_key(name: str) -> str:
+    """A group's name as systems write it into names of files, without blanks and signs."""
+    return "".join(filter(str.isalnum, unicodedata.normalize("NFKC", name.casefold())))
+
+
+class Directory:
+    """The people of a roster by their ids, each kind apart, and by their names."""
+
+    def __init__(self, everyone: Iterable[Person]) -> None:
+        self.people = list(everyone)
+        self._by: dict[tuple[str, str], list[Person]] = {}
+        self._names: dict[str, list[Person]] = {}
+        for one in self.people:
+            for kind, value in one.keys:
+                self._by.setdefault((kind, _plain(value)), []).append(one)
+            if letters(one.name):
+                self._names.setdefault(letters(one.name), []).append(one)
+        self.kinds = {kind for kind, _ in self._by}
+
+    def owner(self, keys: Iterable[tuple[str, str]], name: str, *, must_agree: bool) -> Person | str:
+        """Whose ids these are; else a sentence on why they are nobody's, empty if they are on no row.
+
+        A name counts only where the roster has no id of these kinds. An id of two people is nobody's.
+
+        must_agree : an id counts only if the name that comes with it is its owner's
+        """
+        keys = list(keys)
+        fits = list({id(one): one for key in keys for one in self._of(key)}.values())
+        if len(fits) > 1:
+            return f"its ids are those of {' and of '.join(sorted(one.ids[0] for one in fits))}: who is it?"
+        if fits and must_agree and letters(name) and letters(fits[0].name) not in ("", letters(name)):
+            return (
+                f"its number is {fits[0].ids[0]}'s, whose name is another; a group's work needs --groups, and Moodle's "
+                "numbers the worksheet of this assignment"
+            )
+        if fits:
+            return fits[0]
+        named = self._names.get(letters(name), []) if not self.kinds & {kind for kind, _ in keys} else []
+        return named[0] if len(named) == 1 else ""
+
+    def _of(self, key: tuple[str, str]) -> list[Person]:
+        return self._by.get((key[0], _plain(key[1])), [])
+
+    def number_of(self, keys: Iterable[tuple[str, str]]) -> list[Person]:
+        """Everyone whom these ids fit, whatever their names."""
+        return [one for key in keys for one in self._of(key)]
+
+    @cached_property
+    def by_folder(self) -> dict[str, Person]:
+        """The person of each name that a folder may have: a login goes before a number of somebody else."""
+        found: dict[str, Person | None] = {}
+        for kind in KINDS:
+            owners: dict[str, list[Person]] = {}
+            for (own, _), everyone in self._by.items():
+                for one in everyone if own == kind else ():
+                    for name in {folder_of(value) for key, value in one.keys if key == kind}:
+                        owners.setdefault(name, []).append(one)
+            for name, those in owners.items():
+                found.setdefault(name, those[0] if len({id(one) for one in those}) == 1 else None)
+        return {name: one for name, one in found.items() if one is not None}
+
+
+def _plain(value: str) -> str:
+    return unicodedata.normalize("NFC", value).casefold()
+
+
+def groups(path: Path, everyone: Directory) -> dict[str, list[Person]]:
+    """The members of each group, by `group_key`, from a table with a column of GROUPS and one of ids or names."""
+    found: dict[str, list[Person]] = {}
+    for row in people(path):
+        if row.group:
+            who = everyone.owner(row.keys, row.name, must_agree=False)
+            if isinstance(who, str):
+                raise UsageError(f"{path}: {row.name or row.ids[0]} of group {row.group} is on no row of the roster")
+            found.setdefault(group_key(row.group), []).append(who)
+    return found
 
 
 def students(path: Path, known: Collection[str] = ()) -> list[str]:
     """The students on a roster, as their folders are named: by the id that is known already, else by their login."""
-    names = [[*map(folder_of, one.ids)] for one in people(path)]
-    return [next((name for name in own if name in known), own[0]) for own in names]
+    everyone = Directory(people(path))
+    here = {id(everyone.by_folder[name]): name for name in known if name in everyone.by_folder}
+    return [here.get(id(one), one.folder) for one in everyone.people]
 
 
 def folders(path: Path) -> set[str]:
     """The names that the folders of the students on a roster may have."""
-    return {folder_of(key) for one in people(path) for key in one.ids}
+    return {folder_of(value) for one in people(path) for value in one.ids}

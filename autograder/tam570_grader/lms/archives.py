@@ -4,32 +4,51 @@ import io
 import os
 import stat
 import zipfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from datetime import datetime
 from functools import partial
 from pathlib import Path
 
 from tam570_grader.errors import UsageError, printable
-from tam570_grader.grading.submissions import LARGEST, WORK
+from tam570_grader.grading.submissions import LARGEST, form
 
-__all__ = ["File", "inside", "members"]
+__all__ = ["File", "Room", "inside", "members", "shortened"]
 
 MOST = 100_000  # files in a download
-MOST_INSIDE = 1000  # files in a student's own zip file
-MOST_UNPACKED = 2 * LARGEST  # bytes of all work in it: every student's is held until all are read
+MOST_INSIDE = 1000  # files of a student, in zip files of their own too
+MOST_UNPACKED = 2 * LARGEST  # bytes of all work of a student: every student's is held until all are read
+LONGEST_PATH = 1000  # characters
+ENTRY = 46  # bytes that a zip file's directory has for a file, at least
 METHODS = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)  # the others unpack a piece whole, however large it becomes
 SYSTEMS = ("__MACOSX", ".DS_Store")  # what systems put beside the files
 
 
 @dataclass(frozen=True)
 class File:
-    """A file of a download: its path there, its bytes, when it was changed, or why it is refused."""
+    """A file of a download: its path there, its bytes, or why it is refused."""
 
     path: str
     data: bytes
-    when: datetime | None
     refused: str = ""
+
+
+@dataclass
+class Room:
+    """What a student may still hand in: zip files within zip files, and many small ones, count together."""
+
+    files: int = MOST_INSIDE
+    data: int = MOST_UNPACKED
+
+    def takes(self, files: Sequence[zipfile.ZipInfo | File]) -> str:
+        """Take the room for these; why there is too little."""
+        size = sum(len(one.data) if isinstance(one, File) else one.file_size for one in files)
+        if len(files) > self.files:
+            return f"the student handed in more than {MOST_INSIDE} files"
+        if size > self.data:
+            return f"the student's modules and notebooks have more than {MOST_UNPACKED // 2**20} MiB together"
+        self.files -= len(files)
+        self.data -= size
+        return ""
 
 
 def members(source: Path) -> Iterator[File]:
@@ -46,16 +65,29 @@ def members(source: Path) -> Iterator[File]:
         ) from None
 
 
-def inside(packed: File) -> list[File]:
+def inside(packed: File, room: Room) -> list[File]:
     """The work in a student's own zip file; one file without a path that says why where it cannot be read."""
     try:
+        if _size_of_directory(packed.data) > MOST_INSIDE * (ENTRY + LONGEST_PATH):
+            raise UsageError(f"it holds more than {MOST_INSIDE} files")
         with zipfile.ZipFile(io.BytesIO(packed.data)) as archive:
-            infos = [one for one in _files(archive, MOST_INSIDE, packed.path) if one.filename.endswith(WORK)]
-            if sum(one.file_size for one in infos) > MOST_UNPACKED:
-                raise UsageError(f"its modules and notebooks have more than {MOST_UNPACKED // 2**20} MiB together")
+            infos = [one for one in _files(archive, MOST_INSIDE, "it") if form(one.filename)]
+            if full := room.takes(infos):
+                raise UsageError(full)
             return [replace(one, path=printable(one.path)) for one in map(partial(_member, archive), infos)]
     except Exception as error:  # zipfile raises many kinds, those of its parts among them
-        return [File("", b"", packed.when, f"it cannot be unpacked: {error}")]
+        return [File("", b"", f"it cannot be unpacked: {shortened(str(error))}")]
+
+
+def shortened(text: str) -> str:
+    """A text that is no longer than the path of a file may be."""
+    return text if len(text) <= LONGEST_PATH else f"{text[: LONGEST_PATH // 5]}..."
+
+
+def _size_of_directory(data: bytes) -> int:
+    """Bytes of a zip file's directory, by its end, before any of it is read: each entry costs time."""
+    end = data.rfind(b"PK\5\6")
+    return int.from_bytes(data[end + 12 : end + 16], "little") if end >= 0 else 0
 
 
 def _files(archive: zipfile.ZipFile, most: int, name: str) -> list[zipfile.ZipInfo]:
@@ -67,43 +99,40 @@ def _files(archive: zipfile.ZipFile, most: int, name: str) -> list[zipfile.ZipIn
 
 def _member(archive: zipfile.ZipFile, info: zipfile.ZipInfo) -> File:
     """One file, of which no more is ever unpacked than may be handed in, or than the zip file says it has."""
-    when = _when(info)
     parts = info.filename.replace("\\", "/").split("/")
+    if len(info.filename) > LONGEST_PATH:
+        return File(shortened(info.filename), b"", f"its name has more than {LONGEST_PATH} characters")
     if info.filename.startswith("/") or ".." in parts:
-        return File(info.filename, b"", when, "its path leads out of the zip file")
+        return File(info.filename, b"", "its path leads out of the zip file")
     if stat.S_ISLNK(info.external_attr >> 16):
-        return File(info.filename, b"", when, "it is a link")
+        return File(info.filename, b"", "it is a link")
     if info.compress_type not in METHODS:
-        return File(info.filename, b"", when, "it cannot be unpacked: make the zip file with the system's own program")
+        return File(info.filename, b"", "it cannot be unpacked: make the zip file with the system's own program")
     try:
         with archive.open(info) as file:
-            return _checked(info.filename, file.read(min(info.file_size, LARGEST) + 1), when)
+            return _checked(info.filename, file.read(min(info.file_size, LARGEST) + 1))
     except Exception as error:  # as above
-        return File(info.filename, b"", when, f"it cannot be unpacked: {error}")
-
-
-def _when(info: zipfile.ZipInfo) -> datetime | None:
-    """When it was changed; a zip file may tell no date, or one that does not exist."""
-    try:
-        return datetime(*info.date_time) if info.date_time > (1980, 1, 1, 0, 0, 0) else None
-    except ValueError:
-        return None
+        return File(info.filename, b"", f"it cannot be unpacked: {shortened(str(error))}")
 
 
 def _of_folder(path: Path, source: Path) -> File:
-    when = datetime.fromtimestamp(path.lstat().st_mtime).replace(microsecond=0)
     name = path.relative_to(source).as_posix()
     with open(path, "rb") as file:
-        return _checked(name, file.read(LARGEST + 1), when)
+        return _checked(name, file.read(LARGEST + 1))
 
 
 def _regular(source: Path) -> list[Path]:
-    """The regular files below a folder; links and devices are left out."""
-    found = [Path(folder) / name for folder, _, names in os.walk(source) for name in names if name not in SYSTEMS]
+    """The regular files below a folder; links and devices are left out, and what Git keeps for itself."""
+    found = [
+        Path(folder) / name
+        for folder, _, names in os.walk(source)
+        for name in names
+        if name not in SYSTEMS and "/.git/" not in f"{folder}/"
+    ]
     return sorted(path for path in found if stat.S_ISREG(path.lstat().st_mode))
 
 
-def _checked(name: str, data: bytes, when: datetime | None) -> File:
+def _checked(name: str, data: bytes) -> File:
     if len(data) > LARGEST:
-        return File(name, b"", when, f"it is larger than {LARGEST // 2**20} MiB")
-    return File(name, data, when)
+        return File(name, b"", f"it is larger than {LARGEST // 2**20} MiB")
+    return File(name, data)

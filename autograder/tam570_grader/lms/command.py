@@ -2,31 +2,40 @@
 
 import argparse
 import contextlib
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from functools import partial
 from pathlib import Path
 
 from tam570_grader.errors import UsageError, warn
+from tam570_grader.lms.systems import SYSTEMS
 from tam570_grader.options import Commands
 
 __all__ = ["add_alike", "add_collect", "add_export", "add_lms", "add_report"]
 
 
+def _titles(names: Iterable[str]) -> str:
+    """The systems of these names, as in a sentence."""
+    *first, last = (SYSTEMS[name].title for name in names)
+    return f"{', '.join(first)} or {last}"
+
+
 def add_collect(commands: Commands) -> argparse.ArgumentParser:
     collect: argparse.ArgumentParser = commands.add_parser(
         "collect",
-        help="collect what was downloaded from Canvas, Moodle or Gradescope",
-        description="Put a download into folders <student>/<assignment>/ that `grade` reads. Of modules, and of "
-        "notebooks, one is kept: named after the assignment before others, then the newest. A module goes before a "
-        "notebook.",
+        help="collect what was downloaded from a learning management system",
+        description=f"Put a download of {_titles(SYSTEMS)} into folders <student>/<assignment>/ that `grade` reads. A "
+        "download is of one assignment. Of modules, and of notebooks, one is kept: named after the assignment before "
+        "others, then the newest. A module goes before a notebook.",
         epilog="collected.csv, beside that folder, lists who handed in what and when, in all downloads. The exit code "
         "is 1 if a file, or its student, could not be placed, or one that is newer does not count: each is named.",
     )
     collect.set_defaults(command=_collect)
     add = collect.add_argument
     add("source", type=Path, metavar="ZIP", help="the zip file that you downloaded, or its folder")
-    add("--from", dest="system", choices=["canvas", "moodle", "gradescope"], required=True, help="the system")
+    add("--from", dest="system", choices=[*SYSTEMS], required=True, help="the system")
     add("--roster", type=Path, metavar="CSV", help="the gradebook or participants: folders are named by login")
+    add("--groups", type=Path, metavar="CSV", help="who is in which group: columns group, and login or another id")
+    add("--times", type=Path, metavar="CSV", help="when work came: Moodle's grading worksheet or log")
     add("--assignment", metavar="SLUG", help="which one it is, where the names of files do not tell")
     add("--to", type=Path, metavar="DIR", default=Path("submitted"), help="default: %(default)s")
     return collect
@@ -67,21 +76,27 @@ def add_alike(commands: Commands) -> argparse.ArgumentParser:
 
 
 def add_lms(commands: Commands) -> argparse.ArgumentParser:
+    importing = [name for name, system in SYSTEMS.items() if system.table]
     lms: argparse.ArgumentParser = commands.add_parser(
         "lms",
-        help="make a table that Canvas or Moodle imports",
-        description="Make a table of scores that Canvas or Moodle imports, and a zip file of pages that they hand out.",
-        epilog="With a roster the exit code is 1 if a score belongs to nobody on it, or somebody on it has none.",
+        help="make a table that a learning management system imports",
+        description=f"Make a table of scores that {_titles(importing)} imports, and a zip file of pages that some of "
+        "them hand out. Columns of the gradebook stay as they are; course.toml says which one an assignment has.",
+        epilog="With a roster the exit code is 1 if a score belongs to nobody on it, or somebody on it has none, if a "
+        "score was changed in the gradebook, or if nobody graded a part by hand.",
     )
     lms.set_defaults(command=_lms)
     add = lms.add_argument
     add("grades", type=Path, metavar="GRADES", help="what `grade --out` wrote, or the table of `nbgrader export`")
-    add("--to", choices=["canvas", "moodle"], required=True, help="the system")
-    add("--roster", type=Path, metavar="FILE", help="the gradebook of Canvas or Moodle's participants, to join by")
+    add("--to", choices=importing, required=True, help="the system")
+    add("--roster", type=Path, metavar="FILE", help="the gradebook or participants that the system exported")
     add("--identity", choices=["username", "idnumber", "email"], default="username", help="in Moodle")
-    add("--only", nargs="+", metavar="SLUG", help="these assignments alone")
+    add("--only", nargs="+", metavar="SLUG", default=[], help="these assignments alone")
     absent = "for who did not hand in what others did (default: %(default)s)"
     add("--absent", choices=["zero", "blank"], default="zero", help=absent)
+    add("--ungraded", choices=["stop", "zero"], default="stop", help="for parts by hand that nobody graded")
+    add("--new", action="store_true", help="make columns that the gradebook does not have")
+    add("--overwrite", action="store_true", help="replace scores that were changed in the gradebook")
     add("--pages", type=Path, metavar="ZIP", help="also a zip file of one assignment's pages, to hand back there")
     add("--collected", type=Path, metavar="CSV", help="for --pages: collected.csv, which `collect` wrote")
     add("--out", type=Path, metavar="FILE", help="default: print it")
@@ -106,7 +121,8 @@ def _collect(arguments: argparse.Namespace) -> int:
     from tam570_grader.lms import submission_import
 
     _, known, given = _known_and_given(arguments, [arguments.source, arguments.to])
-    return submission_import.run(arguments.source, arguments.system, arguments.roster, arguments.to, known, given)
+    tables = {name: getattr(arguments, name) for name in ("roster", "groups", "times")}
+    return submission_import.run(arguments.source, arguments.system, arguments.to, known, given, **tables)
 
 
 def _export(arguments: argparse.Namespace) -> int:
@@ -136,20 +152,50 @@ def _alike(arguments: argparse.Namespace) -> int:
 
 def _lms(arguments: argparse.Namespace) -> int:
     from tam570_grader.lms import feedback_export, score_export
-    from tam570_grader.release import course_config
+    from tam570_grader.release import course_config, course_toml
 
+    course = course_config.course_of(arguments)
     grades = arguments.grades / "grades.csv" if arguments.grades.is_dir() else arguments.grades
     if bool(arguments.pages) != bool(arguments.collected):
         raise UsageError("--pages and --collected go together: the names of the download tell whose a page is")
+    if ungraded := _ungraded(grades.parent, course, arguments.only) if arguments.ungraded == "stop" else []:
+        for line in ungraded:
+            warn(line)
+        return 1
     lacking = []
     if arguments.pages:
         pages = grades.parent / "feedback"
-        lacking = feedback_export.run(pages, arguments.collected, arguments.to, arguments.pages, arguments.only)
-    for line in filter(None, [*lacking, _terms(grades.parent, course_config.course_of(arguments))]):
+        told = (arguments.collected, arguments.to, arguments.pages, arguments.only, arguments.roster)
+        lacking = feedback_export.run(pages, *told)
+    for line in filter(None, [*lacking, _terms(grades.parent, course)]):
         warn(line)
-    fields = ("roster", "identity", "out", "only", "absent")
-    code = score_export.run(grades, arguments.to, **{name: getattr(arguments, name) for name in fields})
-    return code or bool(lacking)
+    fields = ("roster", "identity", "out", "only", "absent", "new", "overwrite")
+    columns = course_toml.columns(course, arguments.to)
+    options = {name: getattr(arguments, name) for name in fields}
+    return score_export.run(grades, arguments.to, columns=columns, **options) or bool(lacking)
+
+
+def _ungraded(folder: Path, course: Path, only: Sequence[str]) -> list[str]:
+    """Parts by hand of assignments with results that somebody has yet to grade: a sentence for each."""
+    from tam570_grader.results import by_hand
+    from tam570_grader.results.journal import results
+    from tam570_grader.writing import assignments
+
+    if not (folder / "results.jsonl").is_file():  # nbgrader's table, say, which formgrader fills
+        return []
+    hand, known, lines = by_hand.read(folder), assignments.slugs(course), []
+    with contextlib.closing(results(folder)) as found:
+        here = [(one["student"], one["assignment"]) for one in found.values() if one["status"] != "missing"]
+    for slug in assignments.named(only, sorted({slug for _, slug in here})):
+        for part in assignments.by_hand(course, slug) if slug in known else ():
+            left = [who for who, which in here if which == slug and hand.points_of(who, slug, part) is None]
+            if left:
+                everybody = "nobody has" if len(left) == sum(which == slug for _, which in here) else "these lack"
+                names = ", ".join(left[:5]) + (", ..." if len(left) > 5 else "")
+                lines.append(
+                    f"{everybody} points of part ({part}) of {slug} by hand: {names}; use points, or --ungraded zero"
+                )
+    return lines
 
 
 def _terms(folder: Path, course: Path) -> str:

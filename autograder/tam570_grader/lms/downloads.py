@@ -1,98 +1,129 @@
-"""The names that Canvas, Moodle and Gradescope give to what students handed in.
+"""Who handed in what, by the names that a system gives to files, by its table, or by folders."""
 
-Canvas: "How do I download all student submissions for an assignment?" (Canvas Instructor Guide): a file is
-`name_USER_ATTACHMENT_file`, with `LATE` after the name, and `-2` before the ending of a file handed in again.
-Moodle: "Using Assignment", Download all submissions (docs.moodle.org): `Name_12345_assignsubmission_file_`, as a folder
-or as the beginning of the file's name. Gradescope: "Exporting submissions" (Help Center): folders and
-`submission_metadata.yml`, which tells the submitters of each.
-"""
-
+import os
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from datetime import datetime
 from typing import Any
 
+from dateutil import parser as dates  # type: ignore[import-untyped]
+
+from tam570_grader.grading.submissions import form
 from tam570_grader.lms.archives import File
+from tam570_grader.lms.systems import SYSTEMS, System
 
-__all__ = ["READERS", "Handed", "named"]
+__all__ = ["Handed", "named", "read", "time_of"]
 
-# of a file or folder; the first that fits counts, for a student may name what is behind it like anybody's
-NAMES = {
-    "canvas": re.compile(
-        r"(?P<name>.+?)_(?P<late>LATE_)?(?P<user>[0-9]+)_"
-        r"(?:(?P<attachment>[0-9]+)_(?P<file>.+)|(?:text|link)\.html)",  # typed, or a link, on the page
-        re.IGNORECASE | re.DOTALL,
-    ),
-    "moodle": re.compile(
-        r"(?P<name>.+?)_(?P<user>[0-9]+)_assignsubmission_(?:file|onlinetext)_?(?P<file>.*)", re.DOTALL
-    ),
-}
-AGAIN = re.compile(r"-(\d+)(?=\.\w+$)")  # what Canvas puts into the name of a file that is handed in again
+AGAIN = re.compile(r"-(\d{1,9})(?=\.\w+$)")  # what Canvas puts into the name of a file that is handed in again
 
 
 @dataclass(frozen=True)
 class Handed:
-    """One file that one student handed in."""
+    """One file that one student, or group, handed in."""
 
-    ids: tuple[str, ...]  # of the student, by each of which a roster may know them
+    keys: tuple[tuple[str, str], ...]  # kinds of ids and ids, by which a roster may know the student
     name: str
     file: File
     title: str  # the file's own name
     when: str = ""
     late: bool = False
-    order: tuple[Any, ...] = ()  # the newest is the largest
+    order: tuple[Any, ...] = (0, 0, "")  # the newest is the largest
+
+    @property
+    def who(self) -> str:
+        """What tells the student without a roster."""
+        return self.keys[0][1] if self.keys else self.name
 
 
-def named(path: str, system: str) -> re.Match[str] | None:
-    """The first folder or file of a path that is named as Canvas or Moodle names submissions."""
-    return next(filter(None, map(NAMES[system].fullmatch, path.split("/"))), None)
+def read(files: Iterable[File], name: str) -> Iterator[Handed | File]:
+    """Who handed in what, as a system of SYSTEMS tells it; what it tells of nobody is given back."""
+    system, held = SYSTEMS[name], list(files)
+    if name == "gradescope":
+        return _of_table(held, system)
+    return _of_repositories(held, system) if system.download is None else _of_names(held, system)
 
 
-def canvas(files: Iterable[File]) -> Iterator[Handed | File]:
-    """Who handed in what; files that are not named as Canvas does are given back."""
-    for file in _unwrapped(list(files)):
-        if not (found := named(file.path, "canvas")):
+def named(path: str, system: System) -> dict[str, str] | None:
+    """What the first folder or file of a path tells that is named as the system names submissions.
+
+    A student may name what is behind it like anybody's.
+    """
+    for part in path.split("/"):
+        if system.download and (found := system.download.fullmatch(part)):
+            told = {key.rstrip("2"): text or "" for key, text in found.groupdict().items() if text is not None}
+            return {"name": "", **told, "whole": part}
+    return None
+
+
+def _of_names(files: Sequence[File], system: System) -> Iterator[Handed | File]:
+    for file in _unwrapped(files, system) if system is SYSTEMS["canvas"] else files:
+        told = named(file.path, system)
+        is_file = told is not None and file.path.endswith(told["whole"])
+        if told and is_file and file.path.endswith(".txt") and not told.get("file"):
+            continue  # Blackboard's own note on the submission beside it
+        if told is None or (is_file and not told.get("file") and not file.path.endswith(".html")):
             yield file
             continue
-        own = found["file"] if found["file"] and file.path.endswith(found.string) else file.path.rsplit("/", 1)[-1]
-        again = AGAIN.search(own)
-        order = int(found["attachment"] or 0), int(again[1]) if again else 0
-        title = AGAIN.sub("", own)
-        yield Handed((found["user"],), found["name"], file, title, "", bool(found["late"]), order)
+        own = told["file"] if is_file and told.get("file") else file.path.rsplit("/", 1)[-1]
+        again = AGAIN.search(own) if told.get("order") else None
+        when = _moment(told["when"]) if "when" in told else ""
+        order = (int(told.get("order") or 0), int(again[1]) if again else 0, when)
+        keys = tuple((kind, told[group]) for group, kinds in system.ids.items() if group in told for kind in kinds)
+        title = AGAIN.sub("", own) if again else own
+        yield Handed(keys, told["name"], file, title, when, bool(told.get("late")), order)
 
 
-def _unwrapped(files: Sequence[File]) -> Sequence[File]:
+def _moment(text: str) -> str:
+    """A time in a name, `2026-09-14-23-59-00` or `Sep 14, 2026 1159 PM`, as ISO has it; empty for none that exists."""
+    plain = re.sub(r"^(\d{4}-\d\d-\d\d)-(\d\d)-(\d\d)-(\d\d)$", r"\1 \2:\3:\4", text)
+    plain = re.sub(r"(\d{4}) (\d{1,2}):?(\d\d) ([AP]M)$", r"\1 \2:\3 \4", plain)
+    return time_of(plain)
+
+
+def time_of(text: str) -> str:
+    """A time as a table has it, in ISO's form; empty for what is none, in another language say."""
+    try:
+        found: datetime = dates.parse(text, dayfirst=not re.match(r"\d{4}", text))
+    except (ValueError, OverflowError):
+        return ""
+    return found.isoformat(" ")
+
+
+def _unwrapped(files: Sequence[File], system: System) -> Sequence[File]:
     """The files without one folder around them all, whose name and date may look like a student's: `hw_2026_09_14`."""
     inner = [replace(file, path=file.path.partition("/")[2]) for file in files]
     wrapped = len({file.path.partition("/")[0] for file in files}) == 1
-    return inner if wrapped and any(named(file.path, "canvas") for file in inner) else files
+    return inner if wrapped and any(named(file.path, system) for file in inner) else files
 
 
-def moodle(files: Iterable[File]) -> Iterator[Handed | File]:
-    """Who handed in what, by folders or by the beginnings of names."""
-    for file in files:
-        if not (found := named(file.path, "moodle")) or file.path.endswith(found.string) and not found["file"]:
+def _of_repositories(files: Sequence[File], system: System) -> Iterator[Handed | File]:
+    """Work in folders `assignment-user`: what all their names begin with is the assignment's."""
+    parts = [file.path.split("/") for file in files]
+    if len({path[0] for path in parts}) == 1 and all(len(path) > 2 for path in parts):
+        parts = [path[1:] for path in parts]  # the folder that the program made around them
+    start = os.path.commonprefix(sorted({path[0] for path in parts}))
+    start = start[: start.rfind("-") + 1]
+    for file, path in zip(files, parts, strict=True):
+        user = path[0].removeprefix(start)
+        if len(path) == 1 or not user:
             yield file
-            continue
-        when = file.when.isoformat(" ") if file.when else ""
-        title = found["file"] if file.path.endswith(found.string) else file.path.rsplit("/", 1)[-1]
-        yield Handed((found["user"], found["name"]), found["name"], file, title, when, False, (when,))
+        elif form(file.path) and not any(part.startswith(".") for part in path):
+            keys = tuple((kind, user) for kinds in system.ids.values() for kind in kinds)
+            yield Handed(keys, "", file, path[-1])
 
 
-def gradescope(files: Iterable[File]) -> Iterator[Handed | File]:
-    """Who handed in what, by the table of submissions; a group's file is each member's."""
+def _of_table(files: Sequence[File], system: System) -> Iterator[Handed | File]:
+    """By Gradescope's table of submissions; a group's file is each member's."""
     from tam570_grader.lms.gradescope_table import table_in
 
-    held = list(files)
-    table = table_in(held)
-    for file in held:
+    table = table_in(files)
+    for file in files:
         if file is table.file:
             continue
         people, when = table.of(file)
         if not people:
             yield file
-        for ids, name in people:
-            yield Handed(ids, name, file, file.path.rsplit("/", 1)[-1], when, False, (when,))
-
-
-READERS = {"canvas": canvas, "moodle": moodle, "gradescope": gradescope}
+        for told, name in people:
+            keys = tuple((kind, told[field]) for field, kinds in system.ids.items() if told[field] for kind in kinds)
+            yield Handed(keys, name, file, file.path.rsplit("/", 1)[-1], when, False, (0, 0, when))

@@ -1,18 +1,19 @@
-"""Pages of feedback in a zip file that Canvas or Moodle hands out, each to the student who handed the work in.
+"""Pages of feedback in a zip file that a system hands out, each to the student who handed the work in.
 
-Both know a file by the beginning of the name that they gave it in the download. Canvas: "How do I upload student
-submission comments in bulk?" (Canvas Instructor Guide), whose names hold the user and the attachment. Moodle: "Upload
-multiple feedback files in a zip" (docs.moodle.org, Using Assignment), whose names hold the participant.
+A system knows a page by the beginning of the name that it gave to the file in the download: Canvas by the user and the
+attachment, Moodle by the participant (`mod/assign/feedback/file/importziplib.php`).
 """
 
 import io
 import zipfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 from tam570_grader.errors import UsageError, printable, writing
+from tam570_grader.grading import roster as rosters
 from tam570_grader.lms.downloads import named
 from tam570_grader.lms.submission_import import listed
+from tam570_grader.lms.systems import SYSTEMS
 from tam570_grader.results.tables import written
 from tam570_grader.writing import assignments
 
@@ -21,47 +22,60 @@ __all__ = ["run"]
 NEEDED = ("student", "assignment", "file", "from")  # columns of collected.csv
 
 
-def run(pages: Path, collected: Path, system: str, out: Path, only: Sequence[str] | None = None) -> list[str]:
+def run(
+    pages: Path, collected: Path, system: str, out: Path, only: Sequence[str] = (), roster: Path | None = None
+) -> list[str]:
     """Write the zip file; a sentence for each of whom there is no page.
 
     pages     : the folder of feedback, which `grade --out` wrote
     collected : the table that `collect` wrote
     only      : names of assignments; a zip file holds the pages of one, for it is uploaded there
+    roster    : Moodle's worksheet: a member of a group gets a page of their own by it
     """
-    found = dict(_named(collected, system))
+    if SYSTEMS[system].page is None:
+        raise UsageError(f"{SYSTEMS[system].title} takes no zip file of pages: hand back the folder {pages}")
+    found = _named(listed(collected, NEEDED), system, rosters.Directory(rosters.people(roster) if roster else ()))
     slugs = sorted({slug for _, slug in found})
     if not found:
         raise UsageError(f"{collected} names no file as {system} does: is --to right?")
-    chosen = assignments.named(only or (), slugs)
+    chosen = assignments.named(only, slugs)
     if len(chosen) > 1:
         raise UsageError(f"the pages of one assignment make a zip file: choose with --only: {', '.join(chosen)}")
-    found = {key: name for key, name in found.items() if key[1] in chosen}
-    lacking, whole = [], io.BytesIO()
+    lacking, whole, there = [], io.BytesIO(), set()
     with zipfile.ZipFile(whole, "w", zipfile.ZIP_DEFLATED) as archive:
-        for (student, slug), name in sorted(found.items()):
+        for (student, slug), (name, is_collected) in sorted(found.items()):
             page = pages / student / f"{slug}.html"
-            if page.is_file():
+            if slug in chosen and page.is_file() and name not in there:  # a group's file is one, and so is its page
                 archive.write(page, printable(name))
-            else:
+                there.add(name)
+            elif slug in chosen and is_collected and not page.is_file():
                 lacking.append(f"{student} has no page of {slug}: grade it first")
     with writing(out):
         written(out, whole.getvalue())
     return lacking
 
 
-def _named(collected: Path, system: str) -> Iterator[tuple[tuple[str, str], str]]:
-    """Student and assignment, and the name of their page in the zip file."""
-    for cells in listed(collected, NEEDED):
-        start = _beginning(cells["from"], system) if cells["file"] else ""
-        if start:
-            yield (cells["student"], cells["assignment"]), f"{start}{cells['assignment']}.html"
+def _named(
+    rows: Sequence[Mapping[str, str]], system: str, everyone: rosters.Directory
+) -> dict[tuple[str, str], tuple[str, bool]]:
+    """Of student and assignment the name of their page in the zip file, and whether work was collected.
+
+    Who handed in nothing but a PDF has a page that says so, and gets it by the name of that.
+    """
+    found: dict[tuple[str, str], tuple[str, bool]] = {}
+    for cells in sorted(rows, key=lambda cells: not cells["file"]):
+        key = cells["student"], cells["assignment"]
+        for name in _page(cells, system, everyone) if key[1] else ():
+            found.setdefault(key, (name, bool(cells["file"])))
+    return found
 
 
-def _beginning(path: str, system: str) -> str:
-    """What the system put before the student's own name of the file."""
-    found = named(path, system)
-    if found is None:
-        return ""
-    if system == "moodle":
-        return f"{found['name']}_{found['user']}_assignsubmission_file_"
-    return found.string[: found.start("file")]  # a zip file of work is a folder there
+def _page(cells: Mapping[str, str], system: str, everyone: rosters.Directory) -> Iterator[str]:
+    told, page = named(cells["from"], SYSTEMS[system]), SYSTEMS[system].page
+    if told is None or page is None or (system == "canvas" and "start" not in told):
+        return
+    own = everyone.by_folder.get(cells["student"])
+    participant = dict(own.keys).get("participant") if own else None
+    if own and participant and system == "moodle":  # a group's number is no participant's
+        told |= {"name": own.name.replace("_", " ") or told["name"], "user": participant}
+    yield page.format(**told, slug=cells["assignment"])

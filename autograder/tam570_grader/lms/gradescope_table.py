@@ -15,7 +15,7 @@ __all__ = ["Table", "table_in"]
 NAME = "submission_metadata.yml"
 FOLDER = re.compile(r"submission_[0-9]+")  # of one submission
 AGAIN = "export the submissions again in Gradescope"
-People = tuple[tuple[tuple[str, ...], str], ...]  # the ids of each submitter, and the name
+People = tuple[tuple[dict[str, str], str], ...]  # the ids of each submitter, and the name
 
 
 @dataclass(frozen=True)
@@ -69,12 +69,12 @@ def _submission(given: Any, where: str) -> tuple[People, str]:
     return tuple(_person(who, where) for who in submitters), when
 
 
-def _person(who: Any, where: str) -> tuple[tuple[str, ...], str]:
-    """The ids of a submitter, the name as the last of them, and the name."""
-    told = [who.get(key) or "" for key in (":sid", ":email", ":name")] if isinstance(who, dict) else []
-    if not any(told) or not all(isinstance(one, str) for one in told):
+def _person(who: Any, where: str) -> tuple[dict[str, str], str]:
+    """The ids of a submitter, and the name."""
+    told = {key: who.get(f":{key}") or "" for key in ("sid", "email", "name")} if isinstance(who, dict) else {}
+    if not any(told.values()) or not all(isinstance(one, str) for one in told.values()):
         raise UsageError(f"{where}: a submitter has neither id nor email nor name; {AGAIN}")
-    return tuple(filter(None, told)), told[-1]
+    return told, told["name"]
 
 
 class _Plain(yaml.BaseLoader):  # type: ignore[misc]  # yaml has no types

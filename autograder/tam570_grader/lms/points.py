@@ -78,7 +78,7 @@ def _points(arguments: argparse.Namespace) -> int:
         here = {slug: assignments.assignment(course, slug) for slug in slugs if slug in known}
         manual = {slug: here[slug].manual if slug in here else {} for slug in slugs}
         checks = {slug: {check.name: check.points for check in one.checks} for slug, one in here.items()}
-        terms = late_policy.terms_of(course)
+        terms = late_policy.policies_of(course)
         if not arguments.table and (arguments.template or not (terms or arguments.collected)):
             raise UsageError("name the table, too: tam570-grader points DIR CSV")
         if arguments.template:
@@ -86,10 +86,10 @@ def _points(arguments: argparse.Namespace) -> int:
         new = list(_checked(arguments.table, found, manual, checks)) if arguments.table else []
     feedback.must_write_pages()
     with contextlib.closing(Book(folder)) as book:  # nobody else adds rows meanwhile
-        hand, open_ = late_policy.obeyed(by_hand.read(folder).with_(new), terms, book, arguments.collected)
+        hand, open_, notes = late_policy.obeyed(by_hand.read(folder).with_(new), terms, book, arguments.collected)
         by_hand.write(folder, hand)
         feedback.write_pages(folder / "feedback", book, course)
-    for line in open_:
+    for line in [*open_, *notes]:
         warn(line)
     count = sum(one.item == LATE for one in hand.entries.values())
     rows = counted(len({one.key for one in new if one.student != EVERYONE}), "row")

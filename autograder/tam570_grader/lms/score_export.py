@@ -1,29 +1,32 @@
-"""Scores for a learning management system: tables that Canvas and Moodle import.
+"""Scores for a learning management system: the table that it imports, made of the one that it exported."""
 
-Canvas: "How do I import grades in the Gradebook?" (Canvas Instructor Guide). Moodle: "Grade import" (docs.moodle.org).
-"""
-
-import csv
-import io
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from tam570_grader.errors import UsageError, warn, writing
 from tam570_grader.grading import roster as rosters
-from tam570_grader.grading.submissions import folder_of
-from tam570_grader.results.tables import FORMULA, cell, name_in, written
+from tam570_grader.grading.roster import Directory, Person
+from tam570_grader.lms.systems import SYSTEMS, Table
+from tam570_grader.results.tables import cell, name_in, table, write_table
 from tam570_grader.writing.assignments import named
 
-__all__ = ["canvas", "moodle", "moodle_of", "run"]
+__all__ = ["Export", "Scores", "export", "read_scores", "run"]
 
-# (student, assignment): score and largest score, as in the file
+# (student, assignment): score and largest score, as in the file; EXCUSED in the place of a score
 Scores = Mapping[tuple[str, str], tuple[str, str]]
 
-# what Canvas knows a student by, in its order
-CANVAS = ("Student", "ID", "SIS User ID", "SIS Login ID", "Section")
-POSSIBLE = "    Points Possible"  # the name, with its blanks, of the row below the heading
-# as Moodle's own export says
-MOODLE = {"username": "Username", "idnumber": "ID number", "email": "Email address"}
+EXCUSED = "EX"
+KEPT = (EXCUSED, "N/A")  # in Canvas's gradebook: excused, and not assigned to this student
+
+
+@dataclass
+class Export:
+    """A table to import, what is left of the gradebook in it, and what needs the instructor."""
+
+    rows: list[list[str]]
+    kept: list[str] = field(default_factory=list)
+    troubles: list[str] = field(default_factory=list)
 
 
 def run(
@@ -32,37 +35,202 @@ def run(
     roster: Path | None,
     identity: str,
     out: Path | None,
-    only: Sequence[str] | None = None,
+    only: Sequence[str] = (),
     absent: str = "zero",
+    *,
+    columns: Mapping[str, str] | None = None,
+    new: bool = False,
+    overwrite: bool = False,
 ) -> int:
-    """Write the table for Canvas or Moodle; the exit code.
+    """Write the table for a system; the exit code.
 
-    grades   : grades.csv, of `tam570-grader grade --out` or of `nbgrader export`
-    roster   : a gradebook exported from Canvas, or a table of Moodle's participants: students are joined by their ids
-    identity : what Moodle shall know students by: username, idnumber or email
-    only     : names of assignments, hw07 say; default: all
-    absent   : zero, or blank, for who did not hand in what others did
+    grades    : grades.csv, of `tam570-grader grade --out` or of `nbgrader export`
+    roster    : the gradebook or the participants that the system exported: students are joined by their ids
+    identity  : what Moodle shall know students by: username, idnumber or email
+    only      : names of assignments, hw07 say; default: all
+    absent    : zero, or blank, for who did not hand in what others did
+    columns   : the heading, or id, of an assignment's column in the gradebook, by course.toml
+    new       : make columns that the gradebook does not have
+    overwrite : put our scores in the place of others that the gradebook has
 
     With a roster the exit code is 1 if a score belongs to nobody on it, or somebody on it has no score.
     """
-    found = _only(_scores(grades, absent), only or ())
-    people = rosters.people(roster) if roster else []
-    if system == "moodle":
-        table = moodle_of(found, people, identity) if roster else moodle(found, identity)
-    else:
-        table = canvas(found, rosters.table(roster) if roster else None)
-    _warn_of_formulas(table)
-    text = io.StringIO()
-    csv.writer(text).writerows(table)
+    scores = _only(read_scores(grades, absent), only)
+    layout = SYSTEMS[system].table
+    assert layout is not None
+    made = export(scores, layout, roster, identity, columns or {}, new=new, overwrite=overwrite)
     if out:
         with writing(out):
-            written(out, text.getvalue())
+            write_table(out, made.rows, exact=True)
     else:
-        print(text.getvalue(), end="")
-    left = _left(found, people) if roster else []
-    for line in left:
+        write_table(None, made.rows, exact=True)
+    for line in [*made.kept, *made.troubles]:
         warn(line)
-    return 1 if left else 0
+    return 1 if made.troubles else 0
+
+
+def export(
+    scores: Scores,
+    layout: Table,
+    roster: Path | None,
+    identity: str = "username",
+    columns: Mapping[str, str] | None = None,
+    *,
+    new: bool = False,
+    overwrite: bool = False,
+) -> Export:
+    """The table of these scores, for the rows of a roster, else for whoever has a score; options as of `run`."""
+    slugs = sorted({slug for _, slug in scores})
+    keys = (layout.identities[identity],) if layout.identities else layout.keys
+    if roster is None:
+        return _without_roster(scores, slugs, layout, keys)
+    heading, *below = rosters.table(roster)
+    heading = [name.strip() for name in heading]
+    own = [name for name in heading if name in keys]
+    if not own or (layout.identities and keys[0] not in heading):
+        choose = ", or choose another --identity" if layout.identities else ""
+        raise UsageError(f"the roster has no column {' or '.join(keys)}: export it with that column{choose}")
+    found = {slug: _column(layout, heading, slug, (columns or {}).get(slug, ""), new=new) for slug in slugs}
+    everyone = Directory(rosters.people(roster))
+    made = Export([[*own, *found.values(), *_end(layout, 0)]])
+    if layout.possible:
+        first = next((row for row in below if row and row[0].strip() == layout.possible), None)
+        made.rows.append(_possible_row(first, heading, own, found, scores, made))
+    joined = _joined(scores, everyone, made)
+    for one in everyone.people:
+        cells = [_cell(joined, one, slug, found[slug], made, overwrite=overwrite) for slug in slugs]
+        made.rows.append([*(one.row.get(name, "") for name in own), *cells, *_end(layout, 1)])
+    return made
+
+
+def _without_roster(scores: Scores, slugs: Sequence[str], layout: Table, keys: Sequence[str]) -> Export:
+    """A row for each student, known by the login that their folder is named after."""
+    headings = [layout.heading.format(slug=slug) for slug in slugs]
+    made = Export([[*_default(keys), *headings, *_end(layout, 0)]])
+    if layout.possible:
+        blanks = [""] * (len(_default(keys)) - 1)
+        made.rows.append([f"    {layout.possible}", *blanks, *(_possible(scores, slug) for slug in slugs)])
+    for student in sorted({student for student, _ in scores}):
+        marked = f"{layout.mark}{student}"  # quoted where it stands for a name, for no name is matched
+        own = {name: cell(marked) if name == "Student" else marked for name in layout.login}
+        who = [own.get(name, marked if len(keys) == 1 else "") for name in _default(keys)]
+        points = [_written(scores.get((student, slug), ("", ""))[0], layout) for slug in slugs]
+        made.rows.append([*who, *points, *_end(layout, 1)])
+    return made
+
+
+def _default(keys: Sequence[str]) -> list[str]:
+    """The headings of a table that nobody exported."""
+    rare = ("LastName", "FirstName", "Integration ID", "Root Account", "Last Name", "First Name", "Student ID")
+    return [name for name in keys if name not in (*rare, "OrgDefinedId")]
+
+
+def _end(layout: Table, which: int) -> list[str]:
+    return [layout.end[which]] if layout.end else []
+
+
+def _column(layout: Table, heading: Sequence[str], slug: str, given: str, *, new: bool) -> str:
+    """The heading of an assignment's column: by course.toml, or named as we name it; UsageError if there is none."""
+    if not layout.must_match:
+        return given or slug
+    others = [name for name in heading if name not in layout.keys and layout.column.fullmatch(name)]
+    wanted = given or slug
+    fits = [name for name in others if wanted in (name, *_tells(layout, name))]
+    if len(fits) == 1:
+        return fits[0]
+    listed = "; ".join(others[:40]) or "none"
+    if fits:
+        raise UsageError(
+            f"{len(fits)} columns of the gradebook fit {slug}: write the id of one into course.toml: {listed}"
+        )
+    if new and not given:
+        return layout.heading.format(slug=slug)
+    raise UsageError(
+        f"the gradebook has no column {wanted}. Its columns: {listed}. Write which one is {slug}'s into course.toml, "
+        f'as [{slug[:4]}] canvas = "Title (id)", or make a new assignment with --new'
+    )
+
+
+def _tells(layout: Table, name: str) -> list[str]:
+    """What a heading is known by: its title, and its id."""
+    told = layout.column.fullmatch(name)
+    return [told[key] for key in ("title", "id") if told and key in told.groupdict()]
+
+
+def _possible_row(
+    first: Sequence[str] | None,
+    heading: Sequence[str],
+    own: Sequence[str],
+    columns: Mapping[str, str],
+    scores: Scores,
+    made: Export,
+) -> list[str]:
+    """The row of the points possible, as the gradebook has them; those that differ from ours are named."""
+    there = dict(zip(heading, first or [], strict=False))
+    points = []
+    for slug, name in columns.items():
+        ours, theirs = _possible(scores, slug), there.get(name, "").strip()
+        if theirs and _number(theirs) != _number(ours):
+            made.troubles.append(f"{name} has {theirs} points possible in the gradebook, and {slug} has {ours}")
+        points.append(theirs or ours)
+    blanks = [there.get(name, "") for name in own[1:]]
+    return [there.get(own[0], "") or "    Points Possible", *blanks, *points]
+
+
+def _joined(scores: Scores, everyone: Directory, made: Export) -> dict[tuple[int, str], str]:
+    """The scores by person, whatever id their folder is named after; who is left out is named."""
+    found: dict[tuple[int, str], str] = {}
+    strangers = sorted({student for student, _ in scores} - everyone.by_folder.keys())
+    for (student, slug), (score, _) in scores.items():
+        if one := everyone.by_folder.get(student):
+            key = id(one), slug
+            if key in found and found[key] != score:
+                raise UsageError(f"two folders are {one.ids[0]}'s and have other scores in {slug}: keep one of them")
+            found[key] = score
+    made.troubles += [
+        f"{name} has scores and is on no row of the roster: add a row, or rename the folder" for name in strangers
+    ]
+    made.troubles += [
+        f"{one.name or one.ids[0]} ({one.ids[0]}) has no score in {slug}"
+        for one in everyone.people
+        for slug in sorted({slug for _, slug in scores})
+        if not found.get((id(one), slug))
+    ]
+    return found
+
+
+def _cell(
+    scores: Mapping[tuple[int, str], str], one: Person, slug: str, column: str, made: Export, *, overwrite: bool
+) -> str:
+    """A score, or what the gradebook has in its place: excused, not assigned, or changed there."""
+    ours, theirs = scores.get((id(one), slug), ""), one.row.get(column, "").strip()
+    if theirs.upper() in KEPT:
+        if ours not in ("", theirs.upper()):
+            made.kept.append(f"{one.name or one.ids[0]} is {theirs} in {column}, and stays so: the grader has {ours}")
+        return theirs
+    if not ours or not theirs or overwrite or _number(theirs) == _number(ours):
+        return ours or theirs
+    made.troubles.append(
+        f"{one.name or one.ids[0]} keeps {theirs} in {column}; the grader has {ours}, which --overwrite takes"
+    )
+    return theirs
+
+
+def _number(text: str) -> float | str:
+    """A number as the gradebook rounds it, with a point or a comma; another text as it is."""
+    try:
+        return round(float(text.replace(",", ".")), 2)
+    except ValueError:
+        return text
+
+
+def _written(score: str, layout: Table) -> str:
+    """An excused score, for a system that does not know the word, is none."""
+    return score if score != EXCUSED or layout.possible else ""
+
+
+def _possible(scores: Scores, slug: str) -> str:
+    return next(largest for (_, one), (_, largest) in scores.items() if one == slug)
 
 
 def _only(scores: Scores, names: Sequence[str]) -> Scores:
@@ -71,69 +239,12 @@ def _only(scores: Scores, names: Sequence[str]) -> Scores:
     return {key: score for key, score in scores.items() if key[1] in chosen}
 
 
-def _left(scores: Scores, people: Sequence[rosters.Person]) -> list[str]:
-    """Scores without a student and students without a score: a sentence for each."""
-    ids = {folder_of(key) for one in people for key in one.ids}
-    strangers = sorted({student for student, _ in scores} - ids)
-    scored = {key for key, (score, _) in scores.items() if score}
-    slugs = sorted({slug for _, slug in scores})
-    lacking = [
-        f"{one.name or one.ids[0]} ({one.ids[0]}) has no score in {slug}"
-        for one in people
-        for slug in slugs
-        if not any((folder_of(key), slug) in scored for key in one.ids)
-    ]
-    return [
-        f"{name} has scores and is on no row of the roster: add a row, or rename the folder" for name in strangers
-    ] + lacking
-
-
-def _warn_of_formulas(table: Sequence[Sequence[str]]) -> None:
-    """A login is matched only as it is, so none is quoted."""
-    if found := sorted({text for row in table for text in row if text.startswith(FORMULA)}):
-        names = ", ".join(map(repr, found))
-        says = "import the table without opening it in a spreadsheet, which may take these for formulas"
-        warn(f"{says}: {names}")
-
-
-def canvas(scores: Scores, roster: Sequence[Sequence[str]] | None = None) -> list[list[str]]:
-    """The table for Canvas: its five columns, one for each assignment; a column that Canvas knows keeps its number."""
-    slugs = sorted({slug for _, slug in scores})
-    heading, people = _people(roster) if roster else ([*CANVAS], _unknown(scores))
-    columns = [next((name for name in heading[5:] if name.split(" (")[0] == slug), slug) for slug in slugs]
-    possible = [POSSIBLE, "", "", "", "", *(_possible(scores, slug) for slug in slugs)]
-    rows = [[*person[:5], *(_score(scores, person, slug) for slug in slugs)] for person in people]
-    return [[*CANVAS, *columns], possible, *rows]
-
-
-def moodle(scores: Scores, identity: str = "username") -> list[list[str]]:
-    """The table for Moodle: who it is by one of Moodle's fields, and a column for each assignment."""
-    slugs = sorted({slug for _, slug in scores})
-    students = sorted({student for student, _ in scores})
-    rows = [[student, *(scores.get((student, slug), ("", ""))[0] for slug in slugs)] for student in students]
-    return [[MOODLE[identity], *slugs], *rows]
-
-
-def moodle_of(scores: Scores, people: Sequence[rosters.Person], identity: str) -> list[list[str]]:
-    """The table for Moodle with a row for each participant, by the field that the import is mapped to.
-
-    Moodle: "Grade import" (docs.moodle.org): one column identifies the user, the others are grade items.
-    """
-    slugs, heading = sorted({slug for _, slug in scores}), MOODLE[identity]
-    if any(heading not in one.row for one in people):
-        raise UsageError(
-            f"the roster has no column {heading}: export it with that column, or choose another --identity"
-        )
-    rows = [[one.row[heading].strip(), *(_first(scores, one.ids, slug) for slug in slugs)] for one in people]
-    return [[heading, *slugs], *rows]
-
-
-def _scores(grades: Path, absent: str) -> Scores:
+def read_scores(grades: Path, absent: str) -> Scores:
     """The scores in our table or nbgrader's; empty where the grader itself failed, or, if asked for, of the absent.
 
     nbgrader has zeros for everybody on what was released and not collected: nobody handed that in, and none is scored.
     """
-    heading, *rows = rosters.table(grades)
+    heading, *rows = table(grades)
     name = "student" if "student" in heading else "student_id"
     if not {name, "assignment", "score", "max_score"} <= set(heading):
         raise UsageError(f"{grades} is not a grades.csv of tam570-grader or nbgrader")
@@ -154,35 +265,4 @@ def _scores(grades: Path, absent: str) -> Scores:
 def _is_absent(row: Mapping[str, str]) -> bool:
     """Whether nothing was handed in, and nothing given by hand."""
     nothing = row["status"] == "missing" if "status" in row else not row.get("timestamp", "unknown")
-    return nothing and not float(row["score"] or 0)
-
-
-def _people(roster: Sequence[Sequence[str]]) -> tuple[list[str], list[Sequence[str]]]:
-    """The heading of Canvas's export and the rows of students in it, without its notes."""
-    heading = list(roster[0])
-    if tuple(heading[:5]) != CANVAS:
-        raise UsageError(f"the roster is not a gradebook of Canvas: its columns must begin with {', '.join(CANVAS)}")
-    return heading, [row for row in roster[1:] if len(row) >= 5 and _is_student(row)]
-
-
-def _is_student(row: Sequence[str]) -> bool:
-    return any(cell.strip() for cell in row[1:4]) and row[0].strip().lower() not in rosters.NOT_PEOPLE
-
-
-def _unknown(scores: Scores) -> list[Sequence[str]]:
-    """Students of whom we know no more than the name of their folder, taken for their login."""
-    return [[cell(student), "", "", student, ""] for student in sorted({student for student, _ in scores})]
-
-
-def _score(scores: Scores, person: Sequence[str], slug: str) -> str:
-    """A person's score, by login or numbers; "" leaves what Canvas has."""
-    return _first(scores, [name.strip() for name in (person[3], person[2], person[1]) if name.strip()], slug)
-
-
-def _first(scores: Scores, names: Sequence[str], slug: str) -> str:
-    """The score of whoever goes by one of these names."""
-    return next((scores[name, slug][0] for name in map(folder_of, names) if (name, slug) in scores), "")
-
-
-def _possible(scores: Scores, slug: str) -> str:
-    return next(largest for (_, one), (_, largest) in scores.items() if one == slug)
+    return nothing and row["score"] != EXCUSED and not float(row["score"] or 0)

@@ -4,9 +4,6 @@ Dolos: "Adding metadata" (its documentation): `info.csv` lists the files, `--ign
 a folder for each submission, `-bc` for the base code. Moss: its script: `-d` for folders, `-b` for the base file.
 """
 
-import csv
-import io
-import os
 import random
 import shutil
 from collections import defaultdict
@@ -15,7 +12,7 @@ from pathlib import Path
 
 from tam570_grader.errors import UsageError, warn, writing
 from tam570_grader.grading.submissions import CannotRead, Submission, read, submissions
-from tam570_grader.results.tables import cell, written
+from tam570_grader.results.tables import write_table
 from tam570_grader.sandbox.notebooks import Unshown, python_of
 
 __all__ = ["code", "run"]
@@ -79,17 +76,10 @@ def _write(course: Path, slug: str, modules: Mapping[str, str], folder: Path, to
         (place / f"{slug}.py").write_text(text, encoding="utf-8")
     if tool == "dolos":
         rows = [(f"submissions/{number}/{slug}.py", number) for number in sorted(modules)]
-        written(folder / "info.csv", _table([("filename", "full_name"), *rows]))
+        write_table(folder / "info.csv", [("filename", "full_name"), *rows])
 
 
 def _write_names(numbers: Mapping[str, str], path: Path) -> None:
     """Whose number it is, for the instructor alone to read."""
-    rows = sorted((number, cell(student)) for student, number in numbers.items())
-    with open(os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600), "w", encoding="utf-8", newline="") as file:
-        file.write(_table([("number", "student"), *rows]))
-
-
-def _table(rows: Sequence[Sequence[str]]) -> str:
-    text = io.StringIO()
-    csv.writer(text).writerows(rows)
-    return text.getvalue()
+    write_table(path, [("number", "student"), *sorted((number, student) for student, number in numbers.items())])
+    path.chmod(0o600)

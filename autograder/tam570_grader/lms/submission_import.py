@@ -1,35 +1,39 @@
-"""Puts what was downloaded from Canvas, Moodle or Gradescope into `submitted/<student>/<assignment>/`."""
+"""Puts a download of a learning management system into `submitted/<student>/<assignment>/`: `tam570-grader collect`."""
 
-import csv
-import io
-from collections import defaultdict
+from collections import Counter, defaultdict
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
 
-from tam570_grader.errors import UsageError, counted, warn, writing
-from tam570_grader.grading import roster
-from tam570_grader.grading.submissions import GIVEN, WORK, folder_of, of_folder, of_name
-from tam570_grader.lms.archives import File, inside, members
-from tam570_grader.lms.downloads import READERS, Handed
-from tam570_grader.results.tables import cell, name_in, table, written
+from tam570_grader.errors import UsageError, counted, say, warn, writing
+from tam570_grader.grading import roster as rosters
+from tam570_grader.grading.roster import Directory, Person
+from tam570_grader.grading.submissions import GIVEN, folder_of, form, of_folder, of_name
+from tam570_grader.lms.archives import File, Room, inside, members
+from tam570_grader.lms.downloads import Handed, read, time_of
+from tam570_grader.lms.systems import SYSTEMS
+from tam570_grader.results.tables import name_in, table, write_table, written
 
 __all__ = ["listed", "run"]
 
 COLUMNS = ("student", "name", "assignment", "file", "when", "late", "from", "note")
 TABLE = "collected.csv"
-NAMELESS = "cannot tell the assignment: give it with --assignment"
 NOT_WORK = "neither a module (.py) nor a notebook (.ipynb): ask the student for one"
+NAMELESS = "cannot tell the assignment: give it with --assignment"
 OLDER, RELEASED = "older", "came with the assignment"  # why a file is left, where all is well
 OTHER = "another file counts: see which one, and name that after the assignment"
+ELSEWHERE = "it is named after {other}, and this download is of {slug}: ask which one it is"
 TWO = "another in the download goes to the same student: who is who on the roster?"
-STRAY = {
-    "canvas": "is not named as canvas names submissions",
-    "moodle": "is not named as moodle names submissions",
-    "gradescope": "is nobody's by submission_metadata.yml",
-}
+TAKEN = "its folder would be that of another student on the roster: give a roster that knows it"
 STRANGER = "is on no row of the roster"
+MOST_WARNINGS = 10  # of a student
+SUBMITTED = (
+    "a submission has been submitted.",
+    "submission created.",
+    "submission updated.",
+    "a file has been uploaded.",
+)
+TIME, WHO, EVENT = "time", "user full name", "event name"  # columns of Moodle's log
 
 
 @dataclass(frozen=True)
@@ -37,6 +41,7 @@ class Taken:
     """One file with its student, its assignment and the name that it gets; without one `note` says why."""
 
     student: str
+    person: Person | None
     handed: Handed
     slug: str
     target: str
@@ -52,65 +57,146 @@ def listed(path: Path, needed: Collection[str] = COLUMNS) -> list[dict[str, str]
 
 
 def run(
-    source: Path, system: str, students: Path | None, out: Path, known: Sequence[str], given: str | None = None
+    source: Path,
+    system: str,
+    out: Path,
+    known: Sequence[str],
+    given: str | None = None,
+    *,
+    roster: Path | None = None,
+    groups: Path | None = None,
+    times: Path | None = None,
 ) -> int:
-    """Collect a download; the exit code is 1 if anything is left that needs the instructor."""
+    """Collect a download; the exit code is 1 if anything is left that needs the instructor.
+
+    given  : the assignment, where names of files do not tell; a download is of one
+    roster : all students, by whose logins folders are named
+    groups : who is in which group, where one member hands in for all; a roster with a column Group does, too
+    times  : when work came, where the download does not tell: Moodle's worksheet or log
+    """
     if not source.exists():
-        raise UsageError(f"{source} does not exist: name the zip file that {system} gave you, or its folder")
-    people = roster.by_id(roster.people(students)) if students else {}
-    found = list(READERS[system](members(source)))
+        raise UsageError(f"{source} does not exist: name the zip file that {SYSTEMS[system].title} gave you")
+    everyone = Directory(rosters.people(path) if (path := roster or groups) else ())
+    teams = {name: who for path in (roster, groups) if path for name, who in rosters.groups(path, everyone).items()}
+    found = list(read(members(source), system))
     strays = [one for one in found if isinstance(one, File)]
-    unpacked = [each for one in found if isinstance(one, Handed) for each in _unpacked(one)]
+    unpacked = _unpacked([one for one in found if isinstance(one, Handed)])
     if not unpacked:
         raise UsageError(f"{source} holds nothing that is named as {system} names submissions: is --from right?")
-    rows = _newest(_told_apart([_taken(one, people, known, given) for one in unpacked]))
-    _write(rows, out)
-    troubles = _newer_notebooks(rows, out)
-    troubles += [_told(row) for row in rows if row.note and row.note not in (OLDER, RELEASED)]
-    troubles += [f"{stray.path} {stray.refused or STRAY[system]}" for stray in strays]
-    troubles += [f"{row} {STRANGER}" for row in _strangers(rows, people)] if students else []
-    for line in troubles:
-        warn(line)
-    _say(rows, out, people)
+    slug = given or _assignment_of(unpacked, known)
+    rows = [row for one in unpacked for row in _taken(one, system, everyone, teams, slug, known, given)]
+    rows = _newest(_told_apart(rows, everyone))
+    rows = _timed(rows, times, everyone)
+    replaced = _write(rows, out)
+    troubles = [(row.student, _told(row)) for row in rows if row.note and row.note not in (OLDER, RELEASED)]
+    troubles += [(row.student, message) for row, message in _newer_notebooks(rows, out)]
+    why = (
+        "is nobody's by submission_metadata.yml"
+        if system == "gradescope"
+        else f"is not named as {system} names submissions"
+    )
+    troubles += [("", f"{stray.path} {stray.refused or why}") for stray in strays]
+    troubles += [(row.student, f"{row.student} ({row.handed.name}) {STRANGER}") for row in _strangers(rows, everyone)]
+    _warn(troubles)
+    for line in replaced:
+        say(line)
+    _say(rows, out, everyone, slug)
     return 1 if troubles else 0
 
 
-def _unpacked(handed: Handed) -> list[Handed]:
-    """The file itself, or the work that a zip file holds."""
-    if handed.file.refused or not handed.title.lower().endswith(".zip"):
-        return [handed]
-    held = inside(handed.file)
-    work = [one for one in held if one.refused or one.path.endswith(WORK)]
-    outer = handed.file.path  # by its name a page is handed back
-    named = [(replace(one, path=f"{outer}/{one.path}".rstrip("/")), one.path.rsplit("/", 1)[-1]) for one in work]
-    return [replace(handed, file=file, title=title) for file, title in named] or [handed]
+def _assignment_of(unpacked: Sequence[Handed], known: Sequence[str]) -> str:
+    """The assignment that a download is of: the one that most names of files tell; empty if none does."""
+    told = {(one.who, slug) for one in unpacked if (slug := of_name(_title(one), known))}
+    ranked = Counter(slug for _, slug in told).most_common(2)
+    if len(ranked) == 2 and ranked[0][1] == ranked[1][1]:
+        names = " and ".join(slug for slug, _ in ranked)
+        raise UsageError(f"as many names tell {names}; a download is of one: give it with --assignment")
+    return ranked[0][0] if ranked else ""
 
 
-def _taken(handed: Handed, people: Mapping[str, roster.Person], known: Sequence[str], given: str | None) -> Taken:
-    person = next((people[key] for key in handed.ids if key in people), None)
-    student = folder_of(person.ids[0] if person else handed.ids[0])
-    title = handed.title.removesuffix(".txt") if handed.title.endswith(".py.txt") else handed.title
-    slug = given or of_name(title, known) or ""
-    suffix = Path(title).suffix.lower()
+def _title(handed: Handed) -> str:
+    title = handed.title
+    return title[:-4] if title.lower().endswith(".py.txt") else title
+
+
+def _unpacked(handed: Sequence[Handed]) -> list[Handed]:
+    """The files themselves, and the work that zip files hold; no student fills the memory."""
+    rooms: dict[str, Room] = defaultdict(Room)
+    return [each for one in handed for each in _unpack(one, rooms[one.who])]
+
+
+def _unpack(handed: Handed, room: Room) -> list[Handed]:
+    file = handed.file
+    if file.refused or not handed.title.lower().endswith(".zip"):
+        if form(handed.title) and (full := room.takes([file])):
+            return [replace(handed, file=File(file.path, b"", full))]
+        return [replace(handed, file=file if form(handed.title) else replace(file, data=b""))]
+    held = inside(file, room)
+    outer = file.path  # by its name a page is handed back
+    found = [(replace(one, path=f"{outer}/{one.path}".rstrip("/")), one.path.rsplit("/", 1)[-1]) for one in held]
+    return [replace(handed, file=one, title=title) for one, title in found] or [
+        replace(handed, file=replace(file, data=b""))
+    ]
+
+
+def _taken(
+    handed: Handed,
+    system: str,
+    everyone: Directory,
+    teams: Mapping[str, Sequence[Person]],
+    slug: str,
+    known: Sequence[str],
+    given: str | None,
+) -> list[Taken]:
+    """A row for the student, or for each member of the group, to whom a file goes."""
+    owners, why = _owners(handed, system, everyone, teams)
+    title = _title(handed)
+    other = of_name(title, known)
     if handed.file.refused:
-        return Taken(student, handed, slug, "", handed.file.refused)
-    if suffix not in WORK:
-        return Taken(student, handed, slug, "", NOT_WORK)
-    if GIVEN.fullmatch(Path(title).stem):
-        return Taken(student, handed, slug, "", RELEASED)
-    return Taken(student, handed, slug, f"{slug}{suffix}", "") if slug else Taken(student, handed, "", "", NAMELESS)
+        target, note = "", handed.file.refused
+    elif not (ending := form(title)):
+        target, note = "", NOT_WORK
+    elif GIVEN.fullmatch(Path(title).stem):
+        target, note = "", RELEASED
+    elif not (other or given):
+        target, note = "", NAMELESS
+    elif other not in (None, slug):
+        target, note = "", ELSEWHERE.format(other=other, slug=slug)
+    else:
+        target, note = ("", why) if why else (f"{slug}{ending}", "")
+    if not owners:
+        return [Taken(folder_of(handed.who), None, handed, slug, target, note)]
+    return [Taken(one.folder, one, handed, slug, target, note) for one in owners]
 
 
-def _told_apart(rows: Sequence[Taken]) -> list[Taken]:
+def _owners(
+    handed: Handed, system: str, everyone: Directory, teams: Mapping[str, Sequence[Person]]
+) -> tuple[Sequence[Person], str]:
+    """The students whose a file is; none and a sentence if somebody has to say whose."""
+    who = everyone.owner(handed.keys, handed.name, must_agree=SYSTEMS[system].must_agree)
+    if isinstance(who, Person):
+        return [who], ""
+    team = teams.get(rosters.group_key(handed.name), []) if handed.name else []
+    if system == "canvas" and team and not any(one in team for one in everyone.number_of(handed.keys)):
+        return [], f"its number is of nobody in the group {handed.name}"
+    return (team, "") if team else ([], who)
+
+
+def _told_apart(rows: Sequence[Taken], everyone: Directory) -> list[Taken]:
     """The rows, none with a place where two people would be one student: a name may be anybody's."""
-    who = defaultdict[str, set[tuple[str, ...]]](set)
+    who = defaultdict[str, set[tuple[object, ...]]](set)
     for row in rows:
-        who[row.student].add(row.handed.ids)
-    return [replace(row, target="", note=TWO) if row.target and len(who[row.student]) > 1 else row for row in rows]
+        who[row.student].add((row.handed.keys, row.handed.name))
+    own = {one.folder for one in everyone.people}
+    found = []
+    for row in rows:
+        note = TWO if len(who[row.student]) > 1 else TAKEN if row.person is None and row.student in own else ""
+        found.append(replace(row, target="", note=note) if row.target and note else row)
+    return found
 
 
 def _newest(rows: Sequence[Taken]) -> list[Taken]:
-    """All rows, of which the best of each student, assignment and form alone keeps its place."""
+    """All rows, of which the best of each student and form alone keeps its place."""
     best: dict[tuple[str, str], Taken] = {}
     for row in rows:
         key = row.student, row.target
@@ -120,9 +206,9 @@ def _newest(rows: Sequence[Taken]) -> list[Taken]:
     return sorted(found, key=lambda row: (row.student, row.slug, row.handed.order))
 
 
-def _rank(row: Taken) -> tuple[bool, tuple[Any, ...]]:
+def _rank(row: Taken) -> tuple[bool, tuple[object, ...]]:
     """A file that is named after its assignment goes before scratch, then the newest."""
-    return of_name(row.handed.title, [row.slug]) is not None, row.handed.order
+    return of_name(_title(row.handed), [row.slug]) is not None, row.handed.order
 
 
 def _passed_over(row: Taken, best: Taken) -> Taken:
@@ -132,18 +218,50 @@ def _passed_over(row: Taken, best: Taken) -> Taken:
     return replace(row, target="", note=OLDER if row.handed.order < best.handed.order else OTHER)
 
 
-def _write(rows: Sequence[Taken], out: Path) -> None:
-    """The files in their folders, and the table of who, what and when."""
-    path, text = out.parent / TABLE, io.StringIO()
-    csv.writer(text).writerows(map(cell, row) for row in [COLUMNS, *_all_rows(path, rows)])
+def _timed(rows: Sequence[Taken], path: Path | None, everyone: Directory) -> list[Taken]:
+    """The rows with the times that a worksheet or a log tells, where the download tells none."""
+    logged = _times(path, everyone) if path else {}
+
+    def when(row: Taken) -> str:
+        own = row.person
+        return row.handed.when or (own and (logged.get(own.folder, "") or time_of(own.when))) or ""
+
+    return [replace(row, handed=replace(row.handed, when=when(row))) for row in rows]
+
+
+def _times(path: Path, everyone: Directory) -> dict[str, str]:
+    """When each student's work came last, by folder, by Moodle's worksheet or its log; UsageError for other tables."""
+    heading, *rows = table(path)
+    lower = [name.strip().lower() for name in heading]
+    if rosters.WHEN in lower:
+        pairs = [(one.keys, one.name, one.when) for one in rosters.people(path)]
+    elif {TIME, WHO, EVENT} <= {*lower}:
+        cells = [dict(zip(lower, row, strict=False)) for row in rows]
+        pairs = [((), one[WHO], one[TIME]) for one in cells if one.get(EVENT, "").strip().lower() in SUBMITTED]
+    else:
+        raise UsageError(f"{path} is neither Moodle's worksheet ({rosters.WHEN}) nor its log ({TIME}, {WHO}, {EVENT})")
+    found: dict[str, str] = {}
+    for keys, name, text in pairs:
+        who, when = everyone.owner(keys, name, must_agree=True), time_of(text)
+        if isinstance(who, Person) and when:
+            found[who.folder] = max(when, found.get(who.folder, ""))
+    return found
+
+
+def _write(rows: Sequence[Taken], out: Path) -> list[str]:
+    """The files in their folders, and the table of who, what and when; a sentence for each file that is replaced."""
+    path, replaced = out.parent / TABLE, []
     with writing(out):
         for row in rows:
             if row.target:
-                place = out / row.student / row.slug
-                place.mkdir(parents=True, exist_ok=True)
-                written(place / row.target, row.handed.file.data)
+                place = out / row.student / row.slug / row.target
+                place.parent.mkdir(parents=True, exist_ok=True)
+                if place.is_file() and place.read_bytes() != row.handed.file.data:
+                    replaced.append(f"{place} is replaced by {row.handed.file.path}")
+                written(place, row.handed.file.data)
         out.mkdir(parents=True, exist_ok=True)
-        written(path, text.getvalue())
+        write_table(path, [COLUMNS, *_all_rows(path, rows)])
+    return replaced
 
 
 def _all_rows(path: Path, rows: Sequence[Taken]) -> list[tuple[str, ...]]:
@@ -164,8 +282,20 @@ def _told(row: Taken) -> str:
     return f"{row.handed.file.path} of {row.student} is not collected: {row.note}"
 
 
-def _newer_notebooks(rows: Iterable[Taken], out: Path) -> list[str]:
-    """Notebooks that came after the module that counts: a sentence for each."""
+def _warn(troubles: Iterable[tuple[str, str]]) -> None:
+    """What needs the instructor; of a student no more than a few lines, for the table has all."""
+    count = Counter[str]()
+    for student, line in troubles:
+        count[student] += 1
+        if not student or count[student] <= MOST_WARNINGS:
+            warn(line)
+    for student, number in count.items():
+        if student and number > MOST_WARNINGS:
+            warn(f"{number - MOST_WARNINGS} more of {student}: {TABLE} lists them")
+
+
+def _newer_notebooks(rows: Iterable[Taken], out: Path) -> list[tuple[Taken, str]]:
+    """Notebooks that came after the module that counts, with a sentence for each."""
     kept = [row for row in rows if row.target]
     modules = {(row.student, row.slug): row.handed.order for row in kept if row.target.endswith(".py")}
     found = []
@@ -175,22 +305,26 @@ def _newer_notebooks(rows: Iterable[Taken], out: Path) -> list[str]:
         counts = of_folder(folder, row.student, row.slug, folder).path if newer else None
         if counts and counts.suffix == ".py":
             remedy = "delete the module if the notebook should count"
-            found.append(f"{row.handed.file.path} of {row.student} is newer than {counts}, which counts: {remedy}")
+            found.append(
+                (row, f"{row.handed.file.path} of {row.student} is newer than {counts}, which counts: {remedy}")
+            )
     return found
 
 
-def _strangers(rows: Iterable[Taken], people: Mapping[str, roster.Person]) -> list[str]:
-    known = {key for one in rows for key in one.handed.ids if key in people}
-    return sorted({f"{one.student} ({one.handed.name})" for one in rows if not known & {*one.handed.ids}})
+def _strangers(rows: Iterable[Taken], everyone: Directory) -> list[Taken]:
+    """A row of each student who is on no row of the roster."""
+    return list({row.student: row for row in rows if everyone.people and row.person is None and row.target}.values())
 
 
-def _say(rows: Sequence[Taken], out: Path, people: Mapping[str, roster.Person]) -> None:
-    """How many were collected, how many late, and who on the roster handed in nothing."""
+def _say(rows: Sequence[Taken], out: Path, everyone: Directory, slug: str) -> None:
+    """How many were collected, how many late, whose time is unknown, and who on the roster handed in nothing."""
     kept = [row for row in rows if row.target]
     late = sum(row.handed.late for row in kept)
     count = f"{counted(len(kept), 'file')} of {counted(len({row.student for row in kept}), 'student')}"
     count += f", {late} late" if late else ""
-    print(f"{out}: {count}; {out.parent / TABLE} lists them")
-    absent = sorted({folder_of(one.ids[0]) for one in people.values()} - {row.student for row in rows})
+    say(f"{out}: {count}, of {slug}; {out.parent / TABLE} lists them")
+    if unknown := sum(not row.handed.when and not row.handed.late for row in kept):
+        say(f"the download does not tell when {counted(unknown, 'file')} came; --times adds it, for Moodle")
+    absent = sorted({one.folder for one in everyone.people} - {row.student for row in rows})
     if absent:
-        print(f"{len(absent)} on the roster handed in nothing: {', '.join(absent)}")
+        say(f"{len(absent)} on the roster handed in nothing: {', '.join(absent)}")

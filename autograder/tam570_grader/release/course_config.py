@@ -19,7 +19,7 @@ from typing import Any
 
 from tam570_grader.errors import UsageError, warn, writing
 from tam570_grader.release import late_policy
-from tam570_grader.release.course_toml import COPY, FILE, by_slug, must, no_other, toml
+from tam570_grader.release.course_toml import COLUMNS, COPY, FILE, by_slug, must, no_other, toml
 from tam570_grader.release.stubs import contract
 from tam570_grader.results.tables import written
 from tam570_grader.rubric import with_rubric
@@ -216,15 +216,19 @@ def _parts(path: Path, given: Mapping[str, Any], known: Sequence[str]) -> dict[s
     for slug, (key, _) in changed.items():
         must(path, slug in chosen, f"[{key}] is not among the assignments: add it there, or leave it out")
     parts = {slug: _part(path, *changed[slug]) if slug in changed else Part({}) for slug in chosen}
-    late_policy.terms(path, given, chosen)
+    late_policy.policies(path, given, chosen)
     return parts
 
 
 def _part(path: Path, key: str, table: Any) -> Part:
     must(path, isinstance(table, dict), f"{key} must be a table: write [{key}] above its lines")
-    no_other(path, f"[{key}] ", table, [*(one.name for one in fields(Part)), *late_policy.KEYS])
+    no_other(path, f"[{key}] ", table, [*(one.name for one in fields(Part)), *late_policy.KEYS, *COLUMNS])
     for name in ("leave_out", "allow"):
         must(path, _are_texts(table.get(name, [])), f"[{key}] {name} must be a list of texts")
+    for name in COLUMNS:
+        column = table.get(name, "")
+        good = isinstance(column, str | int) and not isinstance(column, bool)
+        must(path, good, f"[{key}] {name} is {column!r}; write the heading of a column, or its id")
     points, own = table.get("points", {}), table.get("checks", "")
     must(path, isinstance(points, dict), f"[{key}] points is a table of checks: write [{key}.points]")
     for check, value in points.items():

@@ -9,9 +9,10 @@ from typing import Any
 from tam570_grader.errors import UsageError
 from tam570_grader.writing.assignments import slug_of
 
-__all__ = ["COPY", "FILE", "by_slug", "must", "no_other", "toml"]
+__all__ = ["COLUMNS", "COPY", "FILE", "by_slug", "columns", "must", "no_other", "toml"]
 
 FILE = "course.toml"
+COLUMNS = ("canvas", "blackboard", "brightspace")  # systems with a gradebook: which column is an assignment's there
 COPY = "made-by-course.toml"  # what it said, in the course that was made by it: no command makes another of that
 
 
@@ -45,3 +46,12 @@ def by_slug(path: Path, given: Mapping[str, Any], known: Sequence[str]) -> dict[
             must(path, slug not in found, f"[{found.get(slug, [''])[0]}] and [{key}] are the same assignment: keep one")
             found[slug] = key, table
     return found
+
+
+def columns(course: Path, system: str) -> dict[str, str]:
+    """The heading, or id, that each assignment's column has in the gradebook of a system."""
+    from tam570_grader.writing import assignments
+
+    path = course / COPY
+    tables = by_slug(path, toml(path), assignments.slugs(course)) if path.is_file() else {}
+    return {slug: str(table[system]) for slug, (_, table) in tables.items() if system in table}

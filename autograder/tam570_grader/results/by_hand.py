@@ -6,8 +6,6 @@ the score, `late` counts days, `extension` grants days, and `off a day` is the s
 row of the student `*` is everybody's.
 """
 
-import csv
-import io
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import astuple, dataclass, replace
@@ -17,7 +15,7 @@ from typing import Any
 
 from tam570_grader.errors import UsageError
 from tam570_grader.results.records import Result
-from tam570_grader.results.tables import cell, lines, name_in, written
+from tam570_grader.results.tables import lines, name_in, write_table
 
 __all__ = [
     "ADJUST",
@@ -92,6 +90,11 @@ class Hand:
     def touches(self, key: Key) -> bool:
         """Whether anything was added to a result."""
         return key in self._of or (EVERYONE, key[1]) in self._of
+
+    def points_of(self, student: str, slug: str, item: str) -> float | None:
+        """What a row gives; None where there is no row, or one without points."""
+        one = self.entries.get((student, slug, item))
+        return one.points if one else None
 
     def counts_parts(self, slug: str) -> bool:
         """Whether everybody's score is of a most that has the parts by hand."""
@@ -206,10 +209,8 @@ def join(folder: Path, others: Iterable[Path]) -> None:
 
 def write(folder: Path, hand: Hand) -> None:
     """Put the table in place of the one that is there, whole or not at all."""
-    text = io.StringIO()
-    writer = csv.writer(text)
-    writer.writerow(COLUMNS)
-    for one in sorted(hand.entries.values(), key=lambda one: one.key):
-        plain = replace(one, points="" if one.points is None else one.points, of="" if one.of is None else one.of)  # type: ignore[arg-type]
-        writer.writerow(map(cell, astuple(plain)))
-    written(folder / FILE, text.getvalue())
+    rows = [
+        ["" if value is None else value for value in astuple(one)]
+        for one in sorted(hand.entries.values(), key=lambda one: one.key)
+    ]
+    write_table(folder / FILE, [COLUMNS, *rows])

@@ -1,18 +1,24 @@
 """Files of text and tables: read from any spreadsheet, written whole or not at all, with no cell that is a formula."""
 
 import csv
+import io
 import os
+import re
 from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
-from tam570_grader.errors import UsageError
+from tam570_grader.errors import UsageError, say, warn
 
-__all__ = ["FORMULA", "cell", "lines", "name_in", "table", "written"]
+__all__ = ["cell", "lines", "name_in", "table", "write_table", "written"]
 
 DELIMITERS = ",;\t"
 # how formulas begin; spreadsheets take the wide forms for the narrow ones
-FORMULA = "=", "+", "-", "@", "\t", "\r", "\n", "\uff1d", "\uff0b", "\uff0d", "\uff20"
+FORMULA = "=+\\-@\t\r\n\uff1d\uff0b\uff0d\uff20"
+# where a cell begins: at the start, or where a spreadsheet of another language splits; quotes of its own are counted
+START = r"(?:\A|(?<=[;\t\r\n]))"
+BEFORE_FORMULA = re.compile(rf"{START}(?='*[{FORMULA}])")
+QUOTED = re.compile(rf"({START})'(?='*[{FORMULA}])")
 
 
 def written(path: Path, whole: str | bytes | Iterable[str]) -> None:
@@ -30,19 +36,35 @@ def written(path: Path, whole: str | bytes | Iterable[str]) -> None:
         raise
 
 
+def write_table(path: Path | None, rows: Iterable[Iterable[Any]], *, exact: bool = False) -> None:
+    """Write a table of cells, whole or not at all, or print it.
+
+    exact : leave cells as they are, for a system that matches names; warn of what could be a formula
+    """
+    rows = [list(row) for row in rows]
+    if exact and (odd := sorted({text for row in rows for text in row if text != cell(text)})):
+        warn(
+            "import the table without opening it in a spreadsheet, which may take these for formulas: "
+            f"{', '.join(map(repr, odd[:20]))}"
+        )
+    text = io.StringIO()
+    csv.writer(text, lineterminator="\r\n" if path else "\n").writerows(
+        rows if exact else [[cell(one) for one in row] for row in rows]
+    )
+    if path is None:
+        say(text.getvalue().removesuffix("\n"))
+    else:
+        written(path, text.getvalue())
+
+
 def cell(value: Any) -> Any:
-    """A value that no spreadsheet takes for a formula: a quote stands before what could be one."""
-    return f"'{value}" if isinstance(value, str) and _could_be_formula(value) else value
+    """A value that no spreadsheet takes for a formula, wherever it splits: a quote stands before what could be one."""
+    return BEFORE_FORMULA.sub(r"\g<0>'", value) if isinstance(value, str) else value
 
 
 def name_in(cell: str) -> str:
     """The text that was made into a cell."""
-    return cell[1:] if cell.startswith("'") and _could_be_formula(cell) else cell
-
-
-def _could_be_formula(text: str) -> bool:
-    """By how it begins, quotes aside, so that a quote of its own is told from ours."""
-    return text.lstrip("'").startswith(FORMULA)
+    return QUOTED.sub(r"\1", cell)
 
 
 def table(path: Path, errors: str = "strict") -> list[list[str]]:

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tam570_grader.grading.roster import by_id, people, students
+from tam570_grader.grading.roster import Directory, people, students
 
 CANVAS = """Student,ID,SIS User ID,SIS Login ID,Section,hw07_double_pendulum (4711),Final Score
 ,,,,,Manual Posting,
@@ -35,7 +35,9 @@ def test_students_are_rows_and_nobody_else_is(tmp_path, text):
 
 def test_a_worksheet_is_joined_by_participant(tmp_path):
     (tmp_path / "roster.csv").write_text(WORKSHEET)
-    assert by_id(people(tmp_path / "roster.csv"))["18"].name == "Bo Brown"
+    found = Directory(people(tmp_path / "roster.csv"))
+    assert found.owner([("participant", "18")], "Bo Brown", must_agree=True).name == "Bo Brown"
+    assert "whose name is another" in found.owner([("participant", "18")], "Team 18", must_agree=True)
 
 
 def test_a_student_goes_by_the_id_that_is_known(tmp_path):
@@ -45,5 +47,6 @@ def test_a_student_goes_by_the_id_that_is_known(tmp_path):
 
 def test_what_two_share_tells_neither(tmp_path):
     (tmp_path / "roster.csv").write_text("Username,First name,Surname\nli1,Li,Wu\nli2,Li,Wu\n")
-    found = by_id(people(tmp_path / "roster.csv"))
-    assert set(found) == {"li1", "li2"}
+    found = Directory(people(tmp_path / "roster.csv"))
+    assert found.owner([("participant", "5")], "Li Wu", must_agree=True) == ""
+    assert found.owner([("login", "li2")], "Li Wu", must_agree=True).folder == "li2"

@@ -20,7 +20,6 @@ due = 2026-09-07T23:59:00
 [hw8]
 due = 2026-09-14T23:59:00
 """
-NUMBERS = {"ann": 17, "ben": 18}  # as Moodle has them, and the folders
 STUB = "def rotate(r, axis, angle):\n    raise NotImplementedError\n"
 NOTEBOOK = '{"cells": [{"cell_type": "code", "source": ["def rotate(r, axis, angle):\\n"]}], "nbformat": 4}'
 
@@ -36,12 +35,11 @@ def desk(tmp_path, monkeypatch):
 
 
 def collect(*came, more=()):
-    """Collect a download of Moodle's, of (student, file, day of September, text); the exit code."""
+    """Collect a download of Blackboard's, of (student, file, day of September, text); the exit code."""
     with zipfile.ZipFile("download.zip", "w") as archive:
         for who, file, day, *text in came:
-            name = f"{who}_{NUMBERS[who]}_assignsubmission_file_/{file}"
-            archive.writestr(zipfile.ZipInfo(name, (2026, 9, day, 12, 0, 0)), "".join(text))
-    return cli.main(["collect", "download.zip", "--from", "moodle", *more])
+            archive.writestr(f"HW_{who}_attempt_2026-09-{day:02}-12-00-00_{file}", "".join(text))
+    return cli.main(["collect", "download.zip", "--from", "blackboard", *more])
 
 
 def without_the_course(capsys):
@@ -56,7 +54,7 @@ def rows(path):
 
 
 def collected():
-    return [(row["name"], row["assignment"][:4], row["when"][:10]) for row in rows("collected.csv")]
+    return [(row["student"], row["assignment"][:4], row["when"][:10]) for row in rows("collected.csv")]
 
 
 def scores():
@@ -74,25 +72,25 @@ def scores():
 
 def test_the_next_homework_leaves_the_rows_and_late_days_of_the_last(desk):
     assert collect(("ann", "hw07.py", 6), ("ben", "hw07.py", 9)) == 0
-    assert scores() == {("17", "hw07"): 10, ("18", "hw07"): 8}
+    assert scores() == {("ann", "hw07"): 10, ("ben", "hw07"): 8}
     assert collect(("ann", "hw08.py", 16), ("ben", "hw08.py", 13)) == 0
     assert len(collected()) == 4
-    assert scores() == {("17", "hw07"): 10, ("17", "hw08"): 8, ("18", "hw07"): 8, ("18", "hw08"): 10}
+    assert scores() == {("ann", "hw07"): 10, ("ann", "hw08"): 8, ("ben", "hw07"): 8, ("ben", "hw08"): 10}
 
 
 def test_a_table_of_one_homework_leaves_the_late_days_of_the_others(desk):
     collect(("ann", "hw07.py", 9))
-    assert scores() == {("17", "hw07"): 8}
+    assert scores() == {("ann", "hw07"): 8}
     (desk / "collected.csv").unlink()
     collect(("ann", "hw08.py", 13))
-    assert scores() == {("17", "hw07"): 8, ("17", "hw08"): 10}
+    assert scores() == {("ann", "hw07"): 8, ("ann", "hw08"): 10}
 
 
 def test_what_is_collected_again_replaces_its_row_and_no_other(desk):
     collect(("ann", "hw07.py", 6, "first"), ("ben", "hw07.py", 6))
     collect(("ann", "hw07.py", 9, "second"))
     assert collected() == [("ann", "hw07", "2026-09-09"), ("ben", "hw07", "2026-09-06")]
-    assert [path.read_text() for path in desk.glob("submitted/17/*/*")] == ["second"]
+    assert [path.read_text() for path in desk.glob("submitted/ann/*/*")] == ["second"]
 
 
 def test_another_table_of_that_name_is_not_written_over(desk, capsys):
@@ -108,7 +106,7 @@ def test_another_table_of_that_name_is_not_written_over(desk, capsys):
 def test_a_notebook_that_came_after_the_module_that_counts_is_named(desk, capsys, module, day, code):
     assert collect(("ann", "hw08.py", day, module), ("ann", "hw08.ipynb", 13, NOTEBOOK)) == code
     err = without_the_course(capsys)
-    assert bool(err) == bool(code) and ("hw08.ipynb of 17 is newer than submitted/17/" in err) == bool(code)
+    assert bool(err) == bool(code) and ("hw08.ipynb of ann is newer than submitted/ann/" in err) == bool(code)
 
 
 def test_a_notebook_after_a_module_of_an_earlier_download_is_named(desk, capsys):
@@ -117,7 +115,7 @@ def test_a_notebook_after_a_module_of_an_earlier_download_is_named(desk, capsys)
     assert "delete the module if the notebook should count" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize(("module", "late"), [("x = 1\n", ["18"]), (STUB, ["17", "18"])])
+@pytest.mark.parametrize(("module", "late"), [("x = 1\n", ["ben"]), (STUB, ["ann", "ben"])])
 def test_the_time_of_what_is_graded_counts(desk, module, late):
     """A notebook that comes late beside a module costs days only where it is the one that is graded."""
     collect(("ann", "hw08.py", 12, module), ("ann", "hw08.ipynb", 16, NOTEBOOK), ("ben", "hw08.py", 16, "x = 1\n"))
@@ -131,9 +129,9 @@ def test_scratch_that_comes_late_is_not_taken_for_the_module(desk, capsys):
     came = (("ann", "hw08.py", 12, "mine"), ("ann", "scratch.py", 16, "scratch"), ("ben", "work.py", 12, "by my name"))
     assert collect(*came, more=["--assignment", "hw08"]) == 1
     texts = {path.parts[-3]: path.read_text() for path in desk.glob("submitted/*/*/*")}
-    assert texts == {"17": "mine", "18": "by my name"}
+    assert texts == {"ann": "mine", "ben": "by my name"}
     (line,) = without_the_course(capsys).splitlines()
-    assert "scratch.py of 17 is not collected: another file counts" in line
+    assert "scratch.py of ann is not collected: another file counts" in line
     assert [row["when"][:10] for row in rows("collected.csv") if row["file"]] == ["2026-09-12", "2026-09-12"]
 
 

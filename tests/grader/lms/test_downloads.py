@@ -15,6 +15,7 @@ from tam570_grader import cli
 from tam570_grader.gradescope import autograder
 from tam570_grader.grading.one import failed_by_us
 from tam570_grader.lms import score_export
+from tam570_grader.lms.systems import SYSTEMS
 from tam570_grader.release.stubs import stub
 from tam570_grader.results import journal, tables
 from tam570_grader.writing import assignments, failures
@@ -169,27 +170,36 @@ ROSTER = [
 ]
 
 
-def test_canvas_without_a_roster_knows_students_by_login():
-    table = score_export.canvas(SCORES)
+def export(tmp_path, system, scores=SCORES, roster=None, **options):
+    """The table for a system, with a roster of these rows or without one."""
+    path = tmp_path / "roster.csv" if roster else None
+    if path:
+        tables.write_table(path, roster, exact=True)
+    return score_export.export(scores, SYSTEMS[system].table, path, **options)
+
+
+def test_canvas_without_a_roster_knows_students_by_login(tmp_path):
+    table = export(tmp_path, "canvas").rows
     assert table[0] == ["Student", "ID", "SIS User ID", "SIS Login ID", "Section", "hw07_x", "hw08_y"]
     assert table[1] == ["    Points Possible", "", "", "", "", "10.0", "10.0"]
     assert table[2:] == [["ann", "", "", "ann", "", "9.5", "10.0"], ["ben", "", "", "ben", "", "", ""]]
 
 
-def test_canvas_with_a_roster_keeps_its_names_numbers_and_columns():
-    table = score_export.canvas(SCORES, ROSTER)
+def test_canvas_with_a_roster_keeps_its_names_numbers_and_columns(tmp_path):
+    table = export(tmp_path, "canvas", roster=ROSTER, new=True).rows
     assert table[0][5:] == ["hw07_x (4711)", "hw08_y"]
     assert table[2:] == [["Lee, Ann", "17", "A1", "ann", "570", "9.5", "10.0"], [*ROSTER[3][:5], "", ""]]
 
 
 @pytest.mark.parametrize("name", ["17", "A1"])
-def test_canvas_finds_a_student_by_any_of_its_numbers(name):
-    assert score_export.canvas({(name, "hw07_x"): ("9.5", "10.0")}, ROSTER)[2][5:] == ["9.5"]
+def test_canvas_finds_a_student_by_any_of_its_numbers(tmp_path, name):
+    made = export(tmp_path, "canvas", {(name, "hw07_x"): ("9.5", "10.0")}, ROSTER)
+    assert made.rows[2][5:] == ["9.5"]
 
 
-def test_moodle_knows_students_by_the_field_that_is_named():
-    assert score_export.moodle(SCORES, "email")[0] == ["Email address", "hw07_x", "hw08_y"]
-    assert score_export.moodle(SCORES)[1:] == [["ann", "9.5", "10.0"], ["ben", "", ""]]
+def test_moodle_knows_students_by_the_field_that_is_named(tmp_path):
+    assert export(tmp_path, "moodle", identity="email").rows[0] == ["Email address", "hw07_x", "hw08_y"]
+    assert export(tmp_path, "moodle").rows[1:] == [["ann", "9.5", "10.0"], ["ben", "", ""]]
 
 
 @pytest.mark.parametrize("system, who", [("canvas", 3), ("moodle", 0)])

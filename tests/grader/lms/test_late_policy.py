@@ -5,7 +5,7 @@ import csv
 import pytest
 
 from tam570_grader import cli
-from tam570_grader.release.late_policy import terms
+from tam570_grader.release.late_policy import policies
 
 SLUG = "hw08_axis_angle"
 COURSE = """
@@ -149,10 +149,10 @@ def test_a_name_without_results_is_told(desk, capsys):
 
 @pytest.mark.parametrize("key", ["hw7", "HW07", "homework 7"])
 def test_an_assignment_has_the_names_that_it_has_elsewhere(tmp_path, key):
-    found = terms(tmp_path / "course.toml", {key: {"extension": {"ann": 1}}}, ["hw07_double_pendulum", SLUG])
+    found = policies(tmp_path / "course.toml", {key: {"extension": {"ann": 1}}}, ["hw07_double_pendulum", SLUG])
     assert [dict(one.extension) for one in found.values()] == [{"ann": 1}, {}]
 
 
 def test_hw1_is_not_hw10(tmp_path):
-    found = terms(tmp_path / "course.toml", {"hw1": {"extension": {"ann": 1}}}, ["hw01_pendulum", "hw10_disk"])
+    found = policies(tmp_path / "course.toml", {"hw1": {"extension": {"ann": 1}}}, ["hw01_pendulum", "hw10_disk"])
     assert [dict(one.extension) for one in found.values()] == [{"ann": 1}, {}]

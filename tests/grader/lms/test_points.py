@@ -60,7 +60,7 @@ def test_everything_has_the_points(results, capsys):
     assert cli.main(["report", str(results)]) == 0
     assert re.search(r"1\.5\b", (results / "report.html").read_text())
     capsys.readouterr()
-    assert cli.main(["lms", str(results / "grades.csv"), "--to", "canvas"]) == 0
+    assert cli.main(["lms", "--ungraded", "zero", str(results / "grades.csv"), "--to", "canvas"]) == 0
     assert "12.0" in capsys.readouterr().out
 
 

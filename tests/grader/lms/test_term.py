@@ -74,10 +74,10 @@ def test_sixty_students_from_canvas_to_canvas_and_moodle(desk, tmp_path):
         download(tmp_path / "download.zip", slug, late=(7,))
         assert desk("collect", "download.zip", "--from", "canvas", "--roster", "canvas.csv") == 0
     graded(tmp_path)
-    lms = "lms", "results/grades.csv"
+    lms = "lms", "results/grades.csv", "--ungraded", "zero"
     assert desk(*lms, "--to", "canvas", "--roster", "canvas.csv", "--out", "up.csv") == 0
     heading, possible, *people = rows(tmp_path / "up.csv")
-    assert heading == rows(tmp_path / "canvas.csv")[0] and possible[5:] == ["10.0"] * 3
+    assert heading == rows(tmp_path / "canvas.csv")[0] and possible[5:] == ["10"] * 3
     points = [[str(score(n, k)) for k in range(3)] for n in CLASS]
     assert people == [[f"Last{n}, First", str(1000 + n), f"S{n}", login(n), "570", *points[n]] for n in CLASS]
     for identity, who in (("username", login), ("idnumber", "S{}".format), ("email", lambda n: f"{login(n)}@x.edu")):

@@ -111,6 +111,20 @@ def test_sixty_students_from_zip_files_to_uploads(tmp_path, rosters, texts, scor
     scores[11] = [round(score * (1 - LATE * 0.1), 6) for score in scores[11]]
 
     for system in ("canvas", "moodle"):
-        assert ours("lms", "results/grades.csv", "--to", system, "--roster", f"{system}.csv", "--out", "up.csv") == 0
+        assert (
+            ours(
+                "lms",
+                "results/grades.csv",
+                "--ungraded",
+                "zero",
+                "--to",
+                system,
+                "--roster",
+                f"{system}.csv",
+                "--out",
+                "up.csv",
+            )
+            == 0
+        )
         uploaded = {who: [float(score) for score in row] for who, row in people(tmp_path / "up.csv").items()}
         assert uploaded == {login(n): scores[n] for n in CLASS}

@@ -184,7 +184,7 @@ def test_in_the_root_of_a_checkout_it_is_obeyed_too(desk, checkout, monkeypatch,
     root = course_config.course()
     assert root.parent == checkout / ".course" and course_config.course(root) == root
     assert course_config.limits(root)["call"] == 5
-    assert late_policy.terms_of(root)["hw07_double_pendulum"].extension == {"ann": 2}
+    assert late_policy.policies_of(root)["hw07_double_pendulum"].extension == {"ann": 2}
     (checkout / "course.toml").write_text("[limits]\ncalls = 5\n")
     assert run("grade", desk / "submitted", "--out", desk / "results") == 2
 
