@@ -34,6 +34,11 @@ class ManualPart:
     def points(self) -> float:
         return round(sum(points for points, _ in self.claims), 6)
 
+    @property
+    def worth(self) -> str:
+        """Its points in words: "1 point", "1.5 points"."""
+        return f"{self.points:g} point{'s' * (self.points != 1)}"
+
 
 def load_rubric(released: Path) -> dict[str, ManualPart]:
     """The parts graded by hand, by letter, of the released folder of an assignment; {} if it has none.
@@ -58,8 +63,7 @@ def rubric_table(part: ManualPart) -> str:
 def with_rubric(readme: str, rubric: Mapping[str, ManualPart]) -> str:
     """A README whose last section is the rubric."""
     sections = [
-        f"**Part ({letter})**, {part.points:g} point{'s' * (part.points != 1)}: {part.asks}.\n\n{rubric_table(part)}"
-        for letter, part in rubric.items()
+        f"**Part ({letter})**, {part.worth}: {part.asks}.\n\n{rubric_table(part)}" for letter, part in rubric.items()
     ]
     heading = [HEADING, HOW] if rubric else []
     return "\n\n".join([without_rubric(readme), *heading, *sections]) + "\n"

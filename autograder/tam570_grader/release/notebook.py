@@ -53,9 +53,7 @@ import {slug} as hw
 from tam570.show import show"""
 SCENE = "**What it looks like**, by your functions. Run the cell again when you have changed them."
 TESTS = "# Part ({part}): your visible tests. This cell is locked; it carries the points of the hidden ones.\n{call}"
-BY_HAND = (
-    "**By hand ({part}), {points:g} points:** {what}. Put plots into cells of their own above; words here.\n\n{claims}"
-)
+BY_HAND = "**By hand ({part}), {worth}:** {what}. Put plots into cells of their own above; words here.\n\n{claims}"
 BEFORE = "**Before you look ({part}):** {before}"
 
 
@@ -182,7 +180,7 @@ def _by_hand(part: str, manual: ManualPart) -> list[Cell]:
     answer = text_cell(f"manual-{part}", manual.prompt)
     answer["metadata"] = _nbgrader(f"manual-{part}", manual.points, locked=False, solution=True)
     claims = rubric_table(manual)
-    task = BY_HAND.format(part=part, points=manual.points, what=manual.asks, claims=claims)
+    task = BY_HAND.format(part=part, worth=manual.worth, what=manual.asks, claims=claims)
     return [text_cell(f"task-{part}", task), _code(f"work-{part}", "# your plots and numbers\n"), answer]
 
 
