@@ -21,7 +21,7 @@ from grading import CLASSES, COURSE, _nbgrader, _notebook, class_of
 
 from tam570_grader.nbgrader.course import run as make_course
 
-RESULTS = Path(__file__).parent / "results" / "autograde.json"
+RETURNS = Path(__file__).parent / "results" / "autograde.json"
 OWN = ("Execute", "IgnorePattern", "LimitOutput", "SaveAutoGrades", "AssignLatePenalties", "CheckCellMetadata")
 HANGS = """
 
@@ -138,11 +138,11 @@ def shown(rows):
 
 def kept(rows):
     """Put the rows into the file in place of those of the same class."""
-    old = json.loads(RESULTS.read_text()) if RESULTS.exists() else []
+    old = json.loads(RETURNS.read_text()) if RETURNS.exists() else []
     new = {(row["assignment"], row["endless_loop"]) for row in rows}
     rest = [row for row in old if (row["assignment"], row["endless_loop"]) not in new]
     both = sorted(rest + rows, key=lambda row: (row["assignment"], row["endless_loop"]))
-    RESULTS.write_text(json.dumps(both, indent=1) + "\n")
+    RETURNS.write_text(json.dumps(both, indent=1) + "\n")
 
 
 def main():

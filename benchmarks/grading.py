@@ -21,13 +21,13 @@ from pathlib import Path
 
 from tqdm import tqdm
 
-from tam570_grader.grading.many import Plan, records
+from tam570_grader.checks import assignments
+from tam570_grader.grading.batch import RunConfig, records
 from tam570_grader.grading.submissions import submissions
 from tam570_grader.sandbox.launch import isolation
-from tam570_grader.sandbox.worker import Allowance, Cell
-from tam570_grader.writing import assignments
+from tam570_grader.sandbox.zygote import Cell, ResourceLimits
 
-RESULTS = Path(__file__).parent / "results" / "grading.json"
+RETURNS = Path(__file__).parent / "results" / "grading.json"
 COURSE = assignments.find(Path(__file__).parents[1])
 CLASSES = {  # what everybody in the class hands in
     "hw08_axis_angle": "solutions/hw08_axis_angle.py",
@@ -80,9 +80,9 @@ def graded(slug, count, jobs):
     watch = Stopwatch() if jobs == 1 else contextlib.nullcontext()  # its looks would be the head's own time
     with tempfile.TemporaryDirectory() as folder, watch:
         found = submissions([class_of(slug, count, Path(folder))], [slug])
-        plan = Plan(COURSE, found, 570, jobs, Allowance(), [COURSE])
+        config = RunConfig(COURSE, found, 570, jobs, ResourceLimits(), [COURSE])
         started, head = time.perf_counter(), head_seconds()
-        done = list(tqdm(records(plan), total=count, desc=slug, leave=False, disable=None))
+        done = list(tqdm(records(config), total=count, desc=slug, leave=False, disable=None))
         seconds, head = time.perf_counter() - started, head_seconds() - head
     assert all(record["score"] == record["max_score"] for record in done)
     if jobs == 1:  # all in this process
@@ -217,8 +217,8 @@ def main():
         )
     for slug, its_runs in runs.items():
         told_of_jobs(slug, its_runs)
-    RESULTS.parent.mkdir(exist_ok=True)
-    RESULTS.write_text(json.dumps(rows, indent=1) + "\n")
+    RETURNS.parent.mkdir(exist_ok=True)
+    RETURNS.write_text(json.dumps(rows, indent=1) + "\n")
 
 
 if __name__ == "__main__":

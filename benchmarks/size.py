@@ -21,14 +21,14 @@ from pathlib import Path
 
 from tqdm import tqdm
 
+from tam570_grader.checks import assignments
 from tam570_grader.grading import many
 from tam570_grader.grading.submissions import submissions
 from tam570_grader.release.stubs import stub
 from tam570_grader.results.records import read
-from tam570_grader.sandbox.worker import Allowance
-from tam570_grader.writing import assignments
+from tam570_grader.sandbox.zygote import ResourceLimits
 
-RESULTS = Path(__file__).parent / "results" / "size.json"
+RETURNS = Path(__file__).parent / "results" / "size.json"
 COURSE = assignments.find(Path(__file__).parents[1])
 SLUGS = assignments.slugs(COURSE)
 WORKS = 4  # on each assignment
@@ -62,16 +62,16 @@ def class_of(size, folder):
         path = folder / f"student{student:04}" / slug / f"{slug}.py"
         path.parent.mkdir(parents=True)
         path.write_text(texts[slug][student % WORKS])
-    return many.Plan(
-        COURSE, submissions([folder], SLUGS), SEED, 1, Allowance(cpu=60, call=10)
+    return many.RunConfig(
+        COURSE, submissions([folder], SLUGS), SEED, 1, ResourceLimits(cpu=60, call=10)
     )  # integers, as on the command line
 
 
 def graded():
     """The results of the works, by their assignment and number."""
     with tempfile.TemporaryDirectory() as folder:
-        plan = class_of(WORKS * len(SLUGS), Path(folder))
-        lines = tqdm(many.records(plan), total=len(plan.submissions), desc="grading", leave=False, disable=None)
+        config = class_of(WORKS * len(SLUGS), Path(folder))
+        lines = tqdm(many.records(config), total=len(config.submissions), desc="grading", leave=False, disable=None)
         return {work_of(one.student, one.assignment): one for one in map(read, lines)}
 
 
@@ -79,11 +79,11 @@ def work_of(student, slug):
     return slug, int(student.removeprefix("student")) % WORKS
 
 
-def write_journal(plan, known, folder):
+def write_journal(config, known, folder):
     """`results.jsonl` as a run leaves it."""
     folder.mkdir()
     with open(folder / "results.jsonl", "w") as file:
-        for student, slug, digest in many.digests(plan):
+        for student, slug, digest in many.digests(config):
             result = replace(known[work_of(student, slug)], student=student, digest=digest)
             file.write(json.dumps(result.record()) + "\n")
 
@@ -138,7 +138,7 @@ def told(rows):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--sizes", type=int, nargs="+", default=[1000, 10000, 70000], metavar="N")
-    parser.add_argument("--out", type=Path, default=RESULTS)
+    parser.add_argument("--out", type=Path, default=RETURNS)
     options = parser.parse_args()
     known, rows = graded(), []
     for size in tqdm(sorted(options.sizes), desc="classes", leave=False, disable=None):

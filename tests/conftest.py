@@ -15,11 +15,11 @@ import numpy as np
 import pytest
 
 from tam570_grader import cli
-from tam570_grader.grading.one import Judging, graded
+from tam570_grader.checks import assignments
+from tam570_grader.grading.one import CheckOptions, graded
 from tam570_grader.sandbox.preload import imported
 from tam570_grader.sandbox.student import Source
-from tam570_grader.sandbox.worker import Allowance, Worker
-from tam570_grader.writing import assignments
+from tam570_grader.sandbox.zygote import ResourceLimits, Zygote
 
 COURSE = assignments.find()
 SLUGS = assignments.slugs(COURSE)
@@ -136,30 +136,30 @@ def course():
 
 
 @pytest.fixture(scope="session")
-def workers():
+def zygotes():
     """A warm worker for each assignment, what a text imports, and allowance, started when it is first asked for."""
     started = {}
 
-    def worker(slug, allowance, text=b""):
+    def zygote(slug, limits, text=b""):
         needs = tuple(sorted({*assignments.assignment(COURSE, slug).needs, *imported(text)}))
-        if (needs, allowance) not in started:
-            started[needs, allowance] = Worker(needs, allowance)
-        return started[needs, allowance]
+        if (needs, limits) not in started:
+            started[needs, limits] = Zygote(needs, limits)
+        return started[needs, limits]
 
-    yield worker
+    yield zygote
     for one in started.values():
         one.close()
 
 
 @pytest.fixture
-def grade(workers):
+def grade(zygotes):
     """`grade(slug, text, seed=0)` -> the Result of a submission with this text; the names of mistakes if asked for."""
 
-    def grade(slug, text, seed=0, *, allowance=None, notebook=False, naming=True):
+    def grade(slug, text, seed=0, *, limits=None, notebook=False, naming=True):
         source = Source(text.encode() if isinstance(text, str) else text, notebook)
-        worker = workers(slug, allowance or Allowance(), source.text)
+        zygote = zygotes(slug, limits or ResourceLimits(), source.text)
         return graded(
-            "someone", source, assignments.assignment(COURSE, slug), worker, seed, asked=Judging(naming=naming)
+            "someone", source, assignments.assignment(COURSE, slug), zygote, seed, asked=CheckOptions(naming=naming)
         )
 
     return grade

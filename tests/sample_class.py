@@ -10,8 +10,8 @@ import argparse
 from collections.abc import Iterator
 from pathlib import Path
 
+from tam570_grader.checks import assignments
 from tam570_grader.release.stubs import stub
-from tam570_grader.writing import assignments
 
 TESTS = Path(__file__).parent
 REPLACED = """

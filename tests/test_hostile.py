@@ -12,12 +12,12 @@ from pathlib import Path
 
 import pytest
 
+from tam570_grader.checks import assignments
 from tam570_grader.grading import one
-from tam570_grader.sandbox.cell import PATIENCE, CellLost
 from tam570_grader.sandbox.launch import isolation
+from tam570_grader.sandbox.process import PATIENCE, ProcessLost
 from tam570_grader.sandbox.student import Student
-from tam570_grader.sandbox.worker import Allowance
-from tam570_grader.writing import assignments
+from tam570_grader.sandbox.zygote import ResourceLimits
 
 COURSE = assignments.find()
 SLUG = "hw08_axis_angle"
@@ -31,7 +31,7 @@ def skew(v): return [[0.0] * 3] * 3
 def rotation_matrix(axis, angle): return [[0.0] * 3] * 3
 def rotate(r, axis, angle): return [0.0] * 3
 """
-BRIEF = Allowance(cpu=4, call=1)
+BRIEF = ResourceLimits(cpu=4, call=1)
 FORTY = 40
 A_CHECK = 2.0  # s of the supervisor, in which it judges what is honest
 
@@ -44,7 +44,7 @@ def attacked(grade):
 
     def attacked(path, *, honest):
         text = (HONEST.read_text() if honest else JUNK) + "\n\n" + path.read_text()
-        return grade(SLUG, text, seed=2, allowance=BRIEF)
+        return grade(SLUG, text, seed=2, limits=BRIEF)
 
     return attacked
 
@@ -61,7 +61,7 @@ def test_an_attack_gains_nothing(path, attacked):
 
 @pytest.mark.parametrize("path", ATTACKS, ids=lambda path: path.stem)
 def test_the_honest_part_keeps_its_points_and_the_next_student_notices_nothing(
-    path, attacked, grade, solution_text, workers
+    path, attacked, grade, solution_text, zygotes
 ):
     deserves = re.search(r"^deserves: (.+)$", ast.get_docstring(ast.parse(path.read_text())), re.MULTILINE)[1]
     result = attacked(path, honest=True)
@@ -69,35 +69,35 @@ def test_the_honest_part_keeps_its_points_and_the_next_student_notices_nothing(
         assert result.score == float(deserves), said(result)
     else:
         assert result.score is not None and result.score < result.max_score, said(result)
-    after = grade(SLUG, solution_text(SLUG), seed=2, allowance=BRIEF)
+    after = grade(SLUG, solution_text(SLUG), seed=2, limits=BRIEF)
     assert after.score == after.max_score, said(after)
-    assert not processes(workers(SLUG, BRIEF).limits["user"]), "left running"
+    assert not processes(zygotes(SLUG, BRIEF).limits["user"]), "left running"
     assert not planted(), "left lying about"
 
 
 @pytest.mark.every
-def test_a_class_of_attackers_costs_their_allowances_and_no_more(grade, solution_text, workers, monkeypatch):
+def test_a_class_of_attackers_costs_their_allowances_and_no_more(grade, solution_text, zygotes, monkeypatch):
     """Forty attacks and an honest one between them on one worker, which outlives them all."""
     spent = []
 
     class Counted(Student):
         def leave(self):
             cells = self._cells.values()
-            with contextlib.suppress(CellLost):
+            with contextlib.suppress(ProcessLost):
                 spent.append((self.seconds(), self._lasted + sum(cell.lasted for cell in cells)))
             super().leave()
 
     monkeypatch.setattr(one, "Student", Counted)
-    worker, allowance = workers(SLUG, BRIEF), BRIEF
+    zygote, limits = zygotes(SLUG, BRIEF), BRIEF
     for path in FILES[: 2 * FORTY : 2]:
         before = time.thread_time()
-        grade(SLUG, HONEST.read_text() + "\n\n" + path.read_text(), seed=2, allowance=BRIEF)
+        grade(SLUG, HONEST.read_text() + "\n\n" + path.read_text(), seed=2, limits=BRIEF)
         ours = time.thread_time() - before
-        assert ours <= allowance.cpu + A_CHECK, f"{path.stem} cost the supervisor {ours} s"
-    honest = grade(SLUG, solution_text(SLUG), seed=2, allowance=BRIEF)
-    assert honest.score == honest.max_score and workers(SLUG, BRIEF) is worker
-    assert max(cpu for cpu, _ in spent) <= allowance.cpu + 1  # the kernel counts in seconds
-    assert max(lasted for _, lasted in spent) <= PATIENCE * (allowance.cpu + allowance.call)
+        assert ours <= limits.cpu + A_CHECK, f"{path.stem} cost the supervisor {ours} s"
+    honest = grade(SLUG, solution_text(SLUG), seed=2, limits=BRIEF)
+    assert honest.score == honest.max_score and zygotes(SLUG, BRIEF) is zygote
+    assert max(cpu for cpu, _ in spent) <= limits.cpu + 1  # the kernel counts in seconds
+    assert max(lasted for _, lasted in spent) <= PATIENCE * (limits.cpu + limits.call)
 
 
 @pytest.mark.full

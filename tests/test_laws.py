@@ -9,14 +9,14 @@ import numpy as np
 import pytest
 
 from tam570_grader.audit.diagnosis import ENOUGH, diagnosis
+from tam570_grader.checks import assignments
+from tam570_grader.checks.expect import check_context
+from tam570_grader.checks.mistakes import known, mistake, mistakes
+from tam570_grader.checks.returns import Array, Drawing, Formula, FreeBodyDiagram, Group
 from tam570_grader.release import course_config
 from tam570_grader.release.stubs import stub
 from tam570_grader.sandbox.student import Source, Student
-from tam570_grader.sandbox.worker import Allowance
-from tam570_grader.writing import assignments
-from tam570_grader.writing.expect import trial
-from tam570_grader.writing.mistakes import known, mistake, mistakes
-from tam570_grader.writing.returns import Array, Drawing, Formula, FreeBodyDiagram, Group
+from tam570_grader.sandbox.zygote import ResourceLimits
 
 COURSE = assignments.find()
 CHECKS = [(slug, check) for slug in assignments.slugs(COURSE) for check in assignments.assignment(COURSE, slug).checks]
@@ -133,9 +133,9 @@ def test_right_answers_in_other_styles_have_full_marks(slug, path, seed, grade):
 
 
 @pytest.mark.parametrize(("slug", "path"), **sampled(overlays("mistakes")))
-def test_a_wrong_submission_fails_its_checks_and_no_other_whatever_the_draw(slug, path, draw, grade, solution_text):
+def test_a_wrong_submission_fails_its_checks_and_no_other_whatever_the_draw(slug, path, rng, grade, solution_text):
     slip = mistake(path.stem, path.read_text())
-    result = grade(slug, f"{solution_text(slug)}\n\n{slip.text}", seed=draw)
+    result = grade(slug, f"{solution_text(slug)}\n\n{slip.text}", seed=rng)
     assert outcomes(result, "failed") == slip.fails, failures(result)
     assert not outcomes(result, "grader_error"), failures(result)
     found = diagnosis(result, slip.text, {one.says for one in mistakes(path.parent)})
@@ -157,10 +157,10 @@ def test_every_check_has_a_mistake_that_it_catches(slug, check):
 
 @pytest.mark.sample(50)
 @pytest.mark.parametrize(("slug", "check"), **named(CHECKS))
-def test_the_inputs_of_a_check_tell_its_mistakes_from_the_truth(slug, check, workers, solution_text):
+def test_the_inputs_of_a_check_tell_its_mistakes_from_the_truth(slug, check, zygotes, solution_text):
     assignment = assignments.assignment(COURSE, slug)
-    student = Student(Source(solution_text(slug).encode()), assignment, workers(slug, Allowance()))
-    with trial():
+    student = Student(Source(solution_text(slug).encode()), assignment, zygotes(slug, ResourceLimits()))
+    with check_context():
         check.judge(student, np.random.default_rng(5))
     student.leave()
     assert known(solution_text(slug), assignment.suspects(check.name), student.calls) is None
@@ -195,8 +195,8 @@ EMPTY = {
 def test_what_says_nothing_scores_nothing(slug, what, grade, course):
     results = assignments.assignment(course, slug).results
     text = "\n".join(
-        EMPTY[what].format(f=name, zeros=filled(promise, "0."), nan=filled(promise, "float('nan')"))
-        for name, promise in results.items()
+        EMPTY[what].format(f=name, zeros=filled(returns, "0."), nan=filled(returns, "float('nan')"))
+        for name, returns in results.items()
     )
     result = grade(slug, text, naming=False)
     assert result.score == 0, failures(result)
@@ -212,21 +212,21 @@ def test_the_untouched_stub_scores_nothing(slug, grade, course):
 def test_an_endless_loop_scores_nothing(slug, grade, course):
     names = assignments.assignment(course, slug).results
     text = "\n".join(f"def {name}(*args, **kwargs):\n    while True: pass" for name in names)
-    result = grade(slug, text, allowance=Allowance(cpu=1, call=0.5), naming=False)
+    result = grade(slug, text, limits=ResourceLimits(cpu=1, call=0.5), naming=False)
     assert (result.status, result.score) == ("timeout", 0)
 
 
 @pytest.fixture(scope="module")
-def called(workers, solution_text):
+def called(zygotes, solution_text):
     """`called(slug)` -> {check: the functions that it calls}, as the record of the sandbox has them."""
 
     @cache
     def called(slug):
         assignment = assignments.assignment(COURSE, slug)
-        student, names = Student(Source(solution_text(slug).encode()), assignment, workers(slug, Allowance())), {}
+        student, names = Student(Source(solution_text(slug).encode()), assignment, zygotes(slug, ResourceLimits())), {}
         for check in assignment.checks:
             student.calls.clear()
-            with trial():
+            with check_context():
                 check.judge(student, np.random.default_rng(5))
             names[check.name] = {call.name for call in student.calls}
         student.leave()
@@ -238,7 +238,7 @@ def called(workers, solution_text):
 @pytest.mark.sample(6)
 def test_every_check_calls_what_is_recorded(slug, called):
     promises = assignments.assignment(COURSE, slug).results
-    undrawn = {name for name, promise in promises.items() if not isinstance(promise, Drawing)}
+    undrawn = {name for name, returns in promises.items() if not isinstance(returns, Drawing)}
     silent = {name for name, names in called(slug).items() if not names and "refuse" not in name}
     assert undrawn <= set().union(*called(slug).values()), "a function that no check calls"
     assert len(silent) <= len(promises) - len(undrawn), f"they call nothing but what draws: {silent}"
@@ -256,7 +256,7 @@ WRAPPERS = {
 @pytest.mark.parametrize("what", WRAPPERS)
 def test_right_numbers_in_a_wrong_form_score_nothing(slug, what, grade, course, solution_text, called):
     results = assignments.assignment(course, slug).results
-    numeric = {name for name, promise in results.items() if isinstance(promise, Array | Group)}
+    numeric = {name for name, returns in results.items() if isinstance(returns, Array | Group)}
     result = grade(slug, solution_text(slug) + wrapped(results, WRAPPERS[what]), naming=False)
     kept = {mark.name for mark in result.checks if mark.points}
     assert not {name for name in kept if called(slug)[name] & numeric}, failures(result)
@@ -271,7 +271,7 @@ def test_right_numbers_in_any_form_that_asarray_takes_have_full_marks(slug, form
 
 def wrapped(results, wrapper):
     """Code that changes what the grader gets of each function whose result is numbers, not what another one gets."""
-    numeric = [name for name, promise in results.items() if isinstance(promise, Array | Group)]
+    numeric = [name for name, returns in results.items() if isinstance(returns, Array | Group)]
     return f"""
 import numpy as np
 _callers = []
@@ -291,17 +291,17 @@ for _name in {list(results)}:
 """
 
 
-def filled(promise, number):
+def filled(returns, number):
     """Code of a result of the promised form, with the same number everywhere."""
-    if isinstance(promise, Group):
-        return "(" + ", ".join(filled(member, number) for member in promise.members) + ",)"
-    if isinstance(promise, Drawing):
+    if isinstance(returns, Group):
+        return "(" + ", ".join(filled(member, number) for member in returns.members) + ",)"
+    if isinstance(returns, Drawing):
         return "None"
-    if isinstance(promise, FreeBodyDiagram):
-        return f"[(({number},) * {promise.dimension}, None)]"
-    if isinstance(promise, Formula):
+    if isinstance(returns, FreeBodyDiagram):
+        return f"[(({number},) * {returns.dimension}, None)]"
+    if isinstance(returns, Formula):
         return f"__import__('sympy').sympify({number})"
-    sizes = ["len(args[0])" if size == "n" else "2" if size is None else str(size) for size in promise.shape]
+    sizes = ["len(args[0])" if size == "n" else "2" if size is None else str(size) for size in returns.shape]
     return f"__import__('numpy').full(({', '.join(sizes)}{',' if sizes else ''}), {number})"
 
 

@@ -6,7 +6,7 @@ from functools import cache
 
 import pytest
 
-from tam570_grader.writing import assignments
+from tam570_grader.checks import assignments
 
 COURSE = assignments.find()
 NOTATION = (COURSE / "NOTATION.md").read_text()
@@ -43,11 +43,11 @@ def test_every_parameter_is_explained(slug):
     assert not unexplained(NOTATION, slug), "add a row to NOTATION.md, or the assignment to that of its meaning"
 
 
-RESULTS = {"angular_momentum", "kinetic", "lagrangian", "yaw"}  # the rows that explain no parameter, by a name
+RETURNS = {"angular_momentum", "kinetic", "lagrangian", "yaw"}  # the rows that explain no parameter, by a name
 
 
 @pytest.mark.parametrize("row", list(ROW.finditer(NOTATION)), ids=lambda row: row["names"].strip(" `"))
 def test_a_row_that_is_left_out_is_missed(row):
     without = NOTATION.replace(row[0] + "\n", "")
     missed = any(unexplained(without, slug) for slug in assignments.slugs(COURSE))
-    assert missed == (not RESULTS & set(re.findall(r"`(\w+)`", row["names"])))
+    assert missed == (not RETURNS & set(re.findall(r"`(\w+)`", row["names"])))

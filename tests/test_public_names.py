@@ -4,7 +4,7 @@ import ast
 
 import pytest
 
-from tam570_grader.writing import assignments
+from tam570_grader.checks import assignments
 
 COURSE = assignments.find()
 MODULES = {
@@ -54,7 +54,7 @@ def functions(module):
 def test_what_is_taken_is_told_from_what_is_exported():
     assert ("tam570.integrate.adaptive_loop", "let_pass") in taken("tam570.integrate.ensemble")
     assert ("tam570.integrate.adaptive_loop", "State") in taken("tam570.integrate.adaptive")
-    assert ("tam570_grader.sandbox.inside.wire", "portable") in taken("tam570_grader.sandbox.inside.answer")
+    assert ("tam570_grader.protocol.wire", "portable") in taken("tam570_grader.protocol.answer")
     assert "rhs" not in exported("tam570.integrate.adaptive_loop") and exported("tam570") is None
 
 

@@ -2,7 +2,7 @@
 
 import re
 
-from tam570_grader.writing import assignments
+from tam570_grader.checks import assignments
 
 COURSE = assignments.find()
 TEXT = (COURSE / "autograder" / "TRUST.md").read_text()

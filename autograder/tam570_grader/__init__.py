@@ -9,38 +9,32 @@ if os.name != "posix":
 # before NumPy is there: a second thread for matrices this small costs more processor time than all the rest
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
-from tam570_grader.writing.agree import Column, absolute, agree, agree_by_columns, by_kind, largest, refuse
-from tam570_grader.writing.check import check, given, once
-from tam570_grader.writing.curves import kept
-from tam570_grader.writing.drawings import (
-    curves_seen,
-    distances,
-    exchanged,
-    judge_axes_of_lengths,
-    judge_boxes,
-    path_drawn,
-)
-from tam570_grader.writing.expect import Failed, current, expect, expect_that, fail
-from tam570_grader.writing.follow import Invariant, follow, stays
-from tam570_grader.writing.formulas import from_own_lagrangian, in_symbols
-from tam570_grader.writing.laws import law
-from tam570_grader.writing.returns import array, drawing, formula, group, number, rows
-from tam570_grader.writing.times import SOME_TIMES, in_turn, uneven
+from tam570_grader.checks.case import Case
+from tam570_grader.checks.check import check, once
+from tam570_grader.checks.compare import Column, absolute, by_kind, check_raises, compare, compare_columns, largest
+from tam570_grader.checks.curves import kept
+from tam570_grader.checks.expect import Failed, expect, expect_that, fail, get_context
+from tam570_grader.checks.formulas import from_own_lagrangian, in_symbols
+from tam570_grader.checks.laws import law
+from tam570_grader.checks.plots import curves_seen, distances, exchanged, judge_axes_of_lengths, judge_boxes, path_drawn
+from tam570_grader.checks.returns import array, drawing, formula, group, number, rows
+from tam570_grader.checks.times import SOME_TIMES, repeated_calls, uneven
+from tam570_grader.checks.trajectory import Invariant, check_conserved, compare_trajectory
 
 __all__ = [
     "absolute",
     "by_kind",
-    "agree_by_columns",
-    "current",
+    "compare_columns",
+    "get_context",
     "path_drawn",
     "in_symbols",
-    "in_turn",
+    "repeated_calls",
     "Column",
     "Invariant",
-    "follow",
-    "stays",
-    "agree",
-    "refuse",
+    "compare_trajectory",
+    "check_conserved",
+    "compare",
+    "check_raises",
     "SOME_TIMES",
     "Failed",
     "fail",
@@ -54,7 +48,7 @@ __all__ = [
     "expect_that",
     "formula",
     "from_own_lagrangian",
-    "given",
+    "Case",
     "group",
     "judge_axes_of_lengths",
     "judge_boxes",

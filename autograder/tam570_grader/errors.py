@@ -25,9 +25,9 @@ def printable(text: str) -> str:
     )
 
 
-def warn(says: str, kind: str = "warning: ") -> None:
+def warn(message: str, kind: str = "warning: ") -> None:
     """Tell the instructor a sentence; names of files and students in it may hold anything."""
-    print(f"tam570-grader: {kind}{printable(says)}", file=sys.stderr)
+    print(f"tam570-grader: {kind}{printable(message)}", file=sys.stderr)
 
 
 def say(text: str, *, error: bool = False) -> None:

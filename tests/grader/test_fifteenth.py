@@ -9,7 +9,7 @@ import sys
 import pytest
 
 from tam570_grader import cli
-from tam570_grader.writing import assignments
+from tam570_grader.checks import assignments
 
 SLUG = "hw15_damped_spring"
 SOLUTION = '''"""hw15: A mass on a damped spring."""
@@ -180,7 +180,7 @@ NOTATION = """| x, v | `x`, `v` | m, m/s | displacement of a mass on a damped sp
 HINTS = 'energy = ["Whose energies?"]\nsimulate = ["What is the acceleration?"]\n'
 FILES = {
     f"solutions/{SLUG}.py": SOLUTION,
-    f"autograder/checks/{SLUG}/right.py": RIGHT,
+    f"autograder/checks/{SLUG}/reference.py": RIGHT,
     f"autograder/checks/{SLUG}/cases.py": CASES,
     f"autograder/checks/{SLUG}/checks.py": CHECKS,
     f"autograder/checks/{SLUG}/mistakes/growing.py": MISTAKE,

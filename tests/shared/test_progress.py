@@ -4,7 +4,7 @@ import itertools
 
 from tam570.checking.changes import calls
 from tam570.progress import progress, rows
-from tam570_grader.writing import assignments
+from tam570_grader.checks import assignments
 
 SLUG = "hw08_axis_angle"
 

@@ -20,7 +20,7 @@ import pytest
 
 from tam570 import course, lectures
 from tam570_grader import cli
-from tam570_grader.writing import assignments
+from tam570_grader.checks import assignments
 
 DOCS = assignments.find() / "docs"
 PAGES = sorted(page.relative_to(DOCS).as_posix() for page in DOCS.glob("*/*.md") if page.parent.name != "generated")
@@ -174,5 +174,5 @@ def test_the_outline_places_every_function_and_every_part_by_hand(slug):
         tomllib.loads((released / "rubric.toml").read_text())["parts"] if (released / "rubric.toml").exists() else {}
     )
     by_hand = [row for row in rows.splitlines() if "you: " in row]
-    lettered = {letter for row in by_hand for letter in re.findall(r"\w+", row.split("|")[1])}
-    assert len(by_hand) >= len(rubric) and (set(rubric) <= lettered or not lettered & set("abcdefgh"))
+    lettered = {letter for row in manual_points for letter in re.findall(r"\w+", row.split("|")[1])}
+    assert len(manual_points) >= len(rubric) and (set(rubric) <= lettered or not lettered & set("abcdefgh"))

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from tam570_grader.writing import assignments
+from tam570_grader.checks import assignments
 
 hw = assignments.solution("hw06_braking")
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import sympy
 
-from tam570_grader.writing import assignments
+from tam570_grader.checks import assignments
 
 hw = assignments.solution("hw01_simple_pendulum")
 DRAW = np.random.default_rng(1)
@@ -185,8 +185,8 @@ def test_backwards_and_mirrored_it_is_the_same_motion(start):
     t = np.linspace(0.0, 2.0, 7)
     states = hw.simulate(t, *start, **PENDULUM)
     back = hw.simulate(t, states[-1, 0], -states[-1, 1], **PENDULUM)
-    within = 1e-11 * max(map(abs, start))
-    np.testing.assert_allclose(back[::-1] * [1, -1], states, rtol=0, atol=within)
+    tolerance = 1e-11 * max(map(abs, start))
+    np.testing.assert_allclose(back[::-1] * [1, -1], states, rtol=0, atol=tolerance)
     np.testing.assert_allclose(
         hw.simulate(t, -start[0], -start[1], **PENDULUM), -states, rtol=0, atol=1e-12 * max(map(abs, start))
     )

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 import sympy
 
-from tam570_grader.writing import assignments
-from tam570_grader.writing.expect import Failed
+from tam570_grader.checks import assignments
+from tam570_grader.checks.expect import Failed
 
 hw = assignments.solution("hw03_angular_momentum_rate")
 CHECKS = {

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import sympy
 
-from tam570_grader.writing import assignments
+from tam570_grader.checks import assignments
 
 hw = assignments.solution("hw04_hanging_spring")
 DRAW = np.random.default_rng(4)
@@ -176,8 +176,8 @@ def test_every_point_is_on_the_ellipse(position, velocity):
         length = np.linalg.norm(axis)
         if length > 1e-12 * SAG:
             components[:, i] = from_centre @ axis / length**2
-    within = 1e-13 * (size + SAG)
-    np.testing.assert_allclose(components @ [a, b], from_centre, rtol=0, atol=within)
+    tolerance = 1e-13 * (size + SAG)
+    np.testing.assert_allclose(components @ [a, b], from_centre, rtol=0, atol=tolerance)
     if np.linalg.norm(b) > 1e-6:
         np.testing.assert_allclose(np.sum(components**2, axis=1), 1, rtol=1e-12)
 
@@ -197,8 +197,8 @@ def test_the_axes_are_eigenvectors_of_the_tensor():
 
 
 def test_a_line_has_one_axis_and_a_point_none():
-    for kind, zero in (("line", 1), ("line through the centre", 1), ("vertical line", 1), ("point", 2)):
-        _, axes = hw.orbit(*ORBITS[kind], **SPRING)
+    for label, zero in (("line", 1), ("line through the centre", 1), ("vertical line", 1), ("point", 2)):
+        _, axes = hw.orbit(*ORBITS[label], **SPRING)
         assert np.sum(np.linalg.norm(axes, axis=1) < 1e-15 * SAG) == zero
 
 

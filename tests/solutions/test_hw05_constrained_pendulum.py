@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import sympy
 
-from tam570_grader.writing import assignments
+from tam570_grader.checks import assignments
 
 hw = assignments.solution("hw05_constrained_pendulum")
 DRAW = np.random.default_rng(5)
@@ -224,13 +224,13 @@ def test_sampling_mirror_and_time_reversal(start):
     t, turn, mirror = np.array([-2.0, -1.7, 0.1, 1.0]), np.array([1, 1, -1, -1]), np.array([-1, 1, -1, 1])
     states = hw.simulate(t, state, **PENDULUM)
     assert np.all(states[0] == state)
-    within = 1e-10 * np.max(np.abs(states))
+    tolerance = 1e-10 * np.max(np.abs(states))
     few = hw.simulate(t[[0, -1]], state, **PENDULUM)
-    np.testing.assert_allclose(few, states[[0, -1]], rtol=0, atol=within)
+    np.testing.assert_allclose(few, states[[0, -1]], rtol=0, atol=tolerance)
     back = hw.simulate(-t[::-1], states[-1] * turn, **PENDULUM)
-    np.testing.assert_allclose(back[::-1] * turn, states, rtol=0, atol=within)
+    np.testing.assert_allclose(back[::-1] * turn, states, rtol=0, atol=tolerance)
     mirrored = hw.simulate(t, state * mirror, **PENDULUM)
-    np.testing.assert_allclose(mirrored, states * mirror, rtol=0, atol=within)
+    np.testing.assert_allclose(mirrored, states * mirror, rtol=0, atol=tolerance)
 
 
 def test_the_rod_is_one_segment():

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from cars import BODY, DIGITS, DRAW, LOCKED, car, free_and_dragging, hw, motion, only, usual, wheelbase
 
-from tam570_grader.writing import assignments
+from tam570_grader.checks import assignments
 
 
 def growth(speed, locked, c):
@@ -88,9 +88,9 @@ def test_small_yaw_rate_is_what_a_simulation_of_a_tiny_one_shows(locked):
         yaw_rates = hw.simulate(t, start, locked, **c)[:, 4]
         expected = [hw.small_yaw_rate(start[3] - slowing * s, start[3], start[4], locked, **c) for s in t]
         # the square of the yaw rate, 1e-16, grows to what its largest value makes it
-        within = 1e-11 + 10 * (np.abs(expected).max() * wheelbase(c) / usual(c)) ** 2
+        tolerance = 1e-11 + 10 * (np.abs(expected).max() * wheelbase(c) / usual(c)) ** 2
         # the integrator's errors are relative to the largest yaw rate so far
-        np.testing.assert_allclose(yaw_rates, expected, rtol=within, atol=1e-14 * np.abs(expected).max())
+        np.testing.assert_allclose(yaw_rates, expected, rtol=tolerance, atol=1e-14 * np.abs(expected).max())
 
 
 @pytest.mark.parametrize(

@@ -11,7 +11,7 @@ import pytest
 import sympy as sp
 from scipy.special import ellipj, ellipk
 
-from tam570_grader.writing import assignments
+from tam570_grader.checks import assignments
 
 pendulum = assignments.solution("hw07_double_pendulum")
 
@@ -46,10 +46,10 @@ def lagrange():
 
 def random_calls(n=30):
     """States and pendulums with masses and lengths over four decades."""
-    draw = np.random.default_rng(7)
+    rng = np.random.default_rng(7)
     for _ in range(n):
-        bars = {"masses": 10 ** draw.uniform(-2, 2, 2), "lengths": 10 ** draw.uniform(-2, 2, 2)}
-        yield draw.uniform(-9, 9, 2), draw.normal(size=2) * 3, bars, draw.uniform(0, 30)
+        bars = {"masses": 10 ** rng.uniform(-2, 2, 2), "lengths": 10 ** rng.uniform(-2, 2, 2)}
+        yield rng.uniform(-9, 9, 2), rng.normal(size=2) * 3, bars, rng.uniform(0, 30)
 
 
 def test_every_term_is_lagranges():
@@ -211,8 +211,8 @@ def test_the_tip_path_is_that_of_the_wireframe():
 @pytest.mark.full
 @pytest.mark.parametrize("number", range(20))
 def test_energy_over_a_minute_of_chaos(number):
-    draw = np.random.default_rng(number)
-    known = {"masses": 10 ** draw.uniform(-0.5, 0.5, 2), "lengths": 10 ** draw.uniform(-0.5, 0.5, 2), "gravity": 9.81}
-    states = pendulum.simulate(np.linspace(0.0, 60.0, 601), draw.uniform(-3, 3, 2), STILL, **known)
+    rng = np.random.default_rng(number)
+    known = {"masses": 10 ** rng.uniform(-0.5, 0.5, 2), "lengths": 10 ** rng.uniform(-0.5, 0.5, 2), "gravity": 9.81}
+    states = pendulum.simulate(np.linspace(0.0, 60.0, 601), rng.uniform(-3, 3, 2), STILL, **known)
     scale = 9.81 * np.sum(known["masses"]) * np.sum(known["lengths"])
     assert np.ptp(energies(states, known)) <= 1e-11 * scale

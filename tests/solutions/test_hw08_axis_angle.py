@@ -4,7 +4,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from tam570_grader.writing import assignments
+from tam570_grader.checks import assignments
 
 hw = assignments.solution("hw08_axis_angle")
 

@@ -6,7 +6,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from tam570_grader.writing import assignments
+from tam570_grader.checks import assignments
 
 hw = assignments.solution("hw09_book")
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from tam570.invariants import drift, rotation_defect
-from tam570_grader.writing import assignments
+from tam570_grader.checks import assignments
 
 hw = assignments.solution("hw10_free_rigid_body")
 

@@ -6,7 +6,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from tam570_grader.writing import assignments
+from tam570_grader.checks import assignments
 
 hw = assignments.solution("hw11_disk_steady")
 rolling_disk = assignments.solution("hw14_rolling_disk")
@@ -17,11 +17,11 @@ DIGITS = 1e-13  # relative; a closed form of a dozen operations in doubles
 SHAPES = {"disk": (0.25, 0.5), "hoop": (0.5, 1.0), "wheel": (0.61, 0.87), "roller": (4.0, 0.5)}
 
 
-def disk_of(shape, draw=DRAW):
-    mass, radius = (float(x) for x in 10 ** draw.uniform(-6, 6, 2))
+def disk_of(shape, rng=DRAW):
+    mass, radius = (float(x) for x in 10 ** rng.uniform(-6, 6, 2))
     size = mass * radius**2
     inertia = tuple(k * size for k in SHAPES[shape])
-    return {"mass": mass, "radius": radius, "inertia": inertia, "gravity": float(10 ** draw.uniform(-3, 3))}
+    return {"mass": mass, "radius": radius, "inertia": inertia, "gravity": float(10 ** rng.uniform(-3, 3))}
 
 
 def usual(disk):

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import sympy
 
-from tam570_grader.writing import assignments
+from tam570_grader.checks import assignments
 
 hw = assignments.solution("hw12_bead_on_wire")
 DRAW = np.random.default_rng(1)

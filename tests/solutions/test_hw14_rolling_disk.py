@@ -9,7 +9,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from tam570_grader.writing import assignments
+from tam570_grader.checks import assignments
 
 hw = assignments.solution("hw14_rolling_disk")
 
@@ -29,10 +29,10 @@ def disk_of(shape, mass=1.7, radius=0.45, gravity=9.81):
 
 def states(seed, count, tilts=(0.1, 3.0), rates=5.0):
     """Random Euler states; rates in rad/s."""
-    draw = np.random.default_rng(seed)
+    rng = np.random.default_rng(seed)
     for _ in range(count):
-        place, angles = draw.uniform(-3, 3, 2), draw.uniform(-5, 5, 2)
-        yield np.array([*place, angles[0], draw.uniform(*tilts), angles[1], *draw.normal(0, rates, 3)])
+        place, angles = rng.uniform(-3, 3, 2), rng.uniform(-5, 5, 2)
+        yield np.array([*place, angles[0], rng.uniform(*tilts), angles[1], *rng.normal(0, rates, 3)])
 
 
 def frame(state):

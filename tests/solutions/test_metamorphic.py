@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from numpy.linalg import qr
 
-from tam570_grader.writing import assignments
+from tam570_grader.checks import assignments
 
 COURSE = assignments.find()
 CLOSED = 1e-11  # formulas: rounding, some thousand times over

@@ -5,9 +5,9 @@ from functools import partial
 
 import numpy as np
 
-from tam570_grader import SOME_TIMES, given, in_symbols, in_turn, once, uneven
+from tam570_grader import SOME_TIMES, Case, in_symbols, once, repeated_calls, uneven
 
-from . import right
+from . import reference
 
 ANY = "a random pendulum"
 WEAK = 0.05  # gravity, m/s^2
@@ -16,12 +16,12 @@ PLAIN = {0.0: "at the bottom"} | dict.fromkeys((math.pi / 2, -math.pi / 2), "lev
 PLAIN |= dict.fromkeys((math.pi, -math.pi), "at the top")  # angle: what to call it
 
 
-def rod(draw, gravity=None):
-    return {"length": 10 ** draw.uniform(-0.6, 0.8), "gravity": draw.uniform(1.0, 25.0) if gravity is None else gravity}
+def rod(rng, gravity=None):
+    return {"length": 10 ** rng.uniform(-0.6, 0.8), "gravity": rng.uniform(1.0, 25.0) if gravity is None else gravity}
 
 
-def parameters(draw, gravity=None):
-    return {"mass": 10 ** draw.uniform(-1, 1), **rod(draw, gravity)}
+def parameters(rng, gravity=None):
+    return {"mass": 10 ** rng.uniform(-1, 1), **rod(rng, gravity)}
 
 
 def rate_of(known):
@@ -36,72 +36,72 @@ def kind_of(theta, omega, gravity):
 
 
 def named(calls):
-    return [call.on(kind_of(call.args[0], call.args[1], call.kwargs["gravity"])) for call in calls]
+    return [call.labelled(kind_of(call.args[0], call.args[1], call.kwargs["gravity"])) for call in calls]
 
 
-def states(draw):
+def states(rng):
     """Random states, the last of them without gravity; named angles with this speed either way; whole numbers."""
-    angles, rates = draw.uniform(-9, 9, 18), draw.uniform(1, 6, 18) * draw.choice([-1, 1], 18)
-    pendulums = [parameters(draw, gravity) for gravity in [None] * 14 + [WEAK] + [0.0] * 3]
-    calls = [given(th, om, **pendulum) for th, om, pendulum in zip(angles, rates, pendulums, strict=True)]
+    angles, rates = rng.uniform(-9, 9, 18), rng.uniform(1, 6, 18) * rng.choice([-1, 1], 18)
+    pendulums = [parameters(rng, gravity) for gravity in [None] * 14 + [WEAK] + [0.0] * 3]
+    calls = [Case(th, om, **pendulum) for th, om, pendulum in zip(angles, rates, pendulums, strict=True)]
     first, speed = calls[0], abs(rates[0])
     for angle in PLAIN:
-        calls += [first.but(angle, speed), first.but(angle, -speed), first.but(angle, speed, gravity=0.0)]
+        calls += [first.replace(angle, speed), first.replace(angle, -speed), first.replace(angle, speed, gravity=0.0)]
     whole = {"mass": 1.0, "length": 1.0, "gravity": 1.0}
-    return named(calls + [given(*state, **whole) for state in ((1.0, 1.0), (-1.0, 2.0), (0.01, -1.0))])
+    return named(calls + [Case(*state, **whole) for state in ((1.0, 1.0), (-1.0, 2.0), (0.01, -1.0))])
 
 
-def at_rest(draw):
+def at_rest(rng):
     """At rest anywhere and at the angles that have a name; with gravity and without."""
-    angles = [*draw.uniform(0.3, 2.8, 5), *draw.uniform(-2.8, -0.3, 2), *PLAIN, 1.0]
-    return named([given(th, 0.0, **parameters(draw, pull)) for th in angles for pull in (None, 0.0)])
+    angles = [*rng.uniform(0.3, 2.8, 5), *rng.uniform(-2.8, -0.3, 2), *PLAIN, 1.0]
+    return named([Case(th, 0.0, **parameters(rng, pull)) for th in angles for pull in (None, 0.0)])
 
 
-def symbols(draw):
+def symbols(rng):
     """The same values for symbols."""
-    return in_symbols(states(draw) + at_rest(draw), *SYMBOLS)
+    return in_symbols(states(rng) + at_rest(rng), *SYMBOLS)
 
 
 # Motions
 
 
-def swing(draw, gravity=None):
+def swing(rng, gravity=None):
     """A start that swings back and forth far from small angles, and its pendulum."""
-    known, sign = rod(draw, gravity), draw.choice([-1, 1], 2)
-    return (draw.uniform(1.2, 2.2) * sign[0], draw.uniform(0.2, 0.6) * rate_of(known) * sign[1]), known
+    known, sign = rod(rng, gravity), rng.choice([-1, 1], 2)
+    return (rng.uniform(1.2, 2.2) * sign[0], rng.uniform(0.2, 0.6) * rate_of(known) * sign[1]), known
 
 
-def small(draw):
+def small(rng):
     """After six periods the linear motion is 40 A^3/16 behind, 3e-4 rad and more."""
-    return draw.uniform((0.05, 0.02), 0.09) * draw.choice([-1, 1], 2), rod(draw)
+    return rng.uniform((0.05, 0.02), 0.09) * rng.choice([-1, 1], 2), rod(rng)
 
 
-def turning(draw):
+def turning(rng):
     """A short rod that goes over the top, from an angle a little beyond a full turn: g/l is not near g l there."""
-    known, sign = {**rod(draw), "length": draw.uniform(0.25, 0.6)}, draw.choice([-1, 1])
-    return (-sign * draw.uniform(6.5, 7.3), sign * draw.uniform(2.3, 3) * rate_of(known)), known
+    known, sign = {**rod(rng), "length": rng.uniform(0.25, 0.6)}, rng.choice([-1, 1])
+    return (-sign * rng.uniform(6.5, 7.3), sign * rng.uniform(2.3, 3) * rate_of(known)), known
 
 
-def quick(draw):
+def quick(rng):
     """At 20 to 30 rad/s: steps of a millisecond follow it, those of ten do not."""
-    (angle, rate), known = swing(draw)
-    faster, length = draw.uniform(20, 30), draw.uniform(0.01, 0.03)
+    (angle, rate), known = swing(rng)
+    faster, length = rng.uniform(20, 30), rng.uniform(0.01, 0.03)
     return (angle, rate * faster / rate_of(known)), {"length": length, "gravity": faster**2 * length}
 
 
-def motion(draw, start, turns, count, kind):
+def motion(rng, start, turns, count, label):
     """A motion for `turns` over the rate of small motions."""
-    state, known = start(draw)
-    return given(uneven(draw, turns / rate_of(known), count), *state, **known).on(kind)
+    state, known = start(rng)
+    return Case(uneven(rng, turns / rate_of(known), count), *state, **known).labelled(label)
 
 
 def motions(*settings):
-    return lambda draw: [motion(draw, *settings)]
+    return lambda rng: [motion(rng, *settings)]
 
 
-def few_times(draw):
+def few_times(rng):
     """Motions of a few times, of which nothing may depend on the times or on other calls."""
-    far = motion(draw, swing, 15, 4, "few times, far apart")
+    far = motion(rng, swing, 15, 4, "few times, far apart")
     t, angle, rate = far.args
     starts = {
         "let go at rest": [(angle, 0.0), (-angle, 0.0)],
@@ -110,37 +110,37 @@ def few_times(draw):
         "at rest at the bottom": [(0.0, 0.0)],
     }
     plain = [
-        far.but(uneven(draw, (t[-1] - t[0]) / 3, 2), *start).on(f"two times, {kind}")
-        for kind, states in starts.items()
+        far.replace(uneven(rng, (t[-1] - t[0]) / 3, 2), *start).labelled(f"two times, {label}")
+        for label, states in starts.items()
         for start in states
     ]
-    short = motion(draw, quick, 8, 3, "three times, a rod of few centimetres")
-    again = motion(draw, swing, 5, 3, "a large swing")
+    short = motion(rng, quick, 8, 3, "three times, a rod of few centimetres")
+    again = motion(rng, swing, 5, 3, "a large swing")
     _, angle, rate = again.args
-    weak = motion(draw, partial(swing, gravity=WEAK), 5, 3, "a large swing where gravity is weak")
-    return [far, *plain, short, weak, again, *in_turn(draw, again, start=(0.8 * angle, -rate))]
+    weak = motion(rng, partial(swing, gravity=WEAK), 5, 3, "a large swing where gravity is weak")
+    return [far, *plain, short, weak, again, *repeated_calls(rng, again, start=(0.8 * angle, -rate))]
 
 
-def over_the_top(draw):
+def over_the_top(rng):
     """Turning round and round either way, from next to the bottom and far from it; at rest at the top."""
-    turns = motion(draw, turning, 15, 100, "a pendulum that goes over the top")
+    turns = motion(rng, turning, 15, 100, "a pendulum that goes over the top")
     t, angle, rate = turns.args
-    still = [turns.but(t[:4], top, 0.0).on("a pendulum at rest at the top") for top in (math.pi, -math.pi)]
-    return [turns, turns.but(t, -1.2 * angle, -rate), *still]
+    still = [turns.replace(t[:4], top, 0.0).labelled("a pendulum at rest at the top") for top in (math.pi, -math.pi)]
+    return [turns, turns.replace(t, -1.2 * angle, -rate), *still]
 
 
-def weightless(draw):
+def weightless(rng):
     """Turning evenly, and at rest anywhere, without gravity."""
-    known, t, rate = rod(draw, gravity=0.0), uneven(draw, 8.0, 30), draw.uniform(-0.4, -0.3)
-    turns = given(t, draw.uniform(0.5, 1), rate, **known).on("gravity 0")
-    still = [turns.but(t[:2], angle, 0.0).on("gravity 0, at rest") for angle in (0.0, 1.0, -1.0)]
-    return [turns, turns.but(t, 0.0).on("gravity 0, from the bottom"), *still]
+    known, t, rate = rod(rng, gravity=0.0), uneven(rng, 8.0, 30), rng.uniform(-0.4, -0.3)
+    turns = Case(t, rng.uniform(0.5, 1), rate, **known).labelled("gravity 0")
+    still = [turns.replace(t[:2], angle, 0.0).labelled("gravity 0, at rest") for angle in (0.0, 1.0, -1.0)]
+    return [turns, turns.replace(t, 0.0).labelled("gravity 0, from the bottom"), *still]
 
 
-def small_angles(draw):
+def small_angles(rng):
     """The closed form for any times and starts, and for another rod."""
-    (angle, rate), known = swing(draw)
-    t = uneven(draw, 20 / rate_of(known), 50, -7 / rate_of(known))
+    (angle, rate), known = swing(rng)
+    t = uneven(rng, 20 / rate_of(known), 50, -7 / rate_of(known))
     starts = {
         "times that start before zero": (t, angle, rate),
         "two times, the first of them zero": (t[:2] - t[0], angle, rate),
@@ -149,11 +149,13 @@ def small_angles(draw):
         "a pendulum that starts at the bottom": (t, 0.0, rate),
         "a pendulum at rest at the bottom": (t, 0.0, 0.0),
         "a pendulum that starts level with the hinge": (t, math.copysign(math.pi / 2, angle), rate),
-        **{kind: (t[some], angle, rate) for kind, some in SOME_TIMES.items()},
+        **{label: (t[some], angle, rate) for label, some in SOME_TIMES.items()},
     }
-    calls = [given(*start, **known).on(kind) for kind, start in starts.items()]
+    calls = [Case(*start, **known).labelled(label) for label, start in starts.items()]
     others = [{name: 1.4 * value} for name, value in known.items()] + [{"gravity": WEAK}]
-    return calls + [calls[0].but(**one).on("the pendulum before with another rod or gravity") for one in others]
+    return calls + [
+        calls[0].replace(**one).labelled("the pendulum before with another rod or gravity") for one in others
+    ]
 
 
 # Paths
@@ -165,59 +167,61 @@ def wave(s, start, end, height):
 
 
 @once
-def varied_paths(draw, amount):
+def varied_paths(rng, amount):
     """Pairs of calls, a path varied to both sides by smooth functions that vanish at both ends; the right variation."""
     cases = []
     s = np.linspace(0, 1, 2001)
     changes = [np.sin(np.pi * s), np.sin(2 * np.pi * s) * np.exp(-s), s * (1 - s) * (2 + np.cos(5 * s))]
     starts = (swing, "a motion that swings"), (turning, "a motion that goes round"), (swing, "another path")
-    for start, kind in starts:
-        state, known = start(draw)
-        t = s * 2 * np.pi * draw.uniform(1.2, 1.5) / rate_of(known)
-        path = right.simulate(t, *state, **known)[:, 0]
-        if kind == "another path":
-            path = wave(s, state[0], state[0] + draw.uniform(1, 2), draw.uniform(0.3, 0.6))
-        call = given(path, t[1], mass=10 ** draw.uniform(-1, 1), **known).on(kind)
+    for start, label in starts:
+        state, known = start(rng)
+        t = s * 2 * np.pi * rng.uniform(1.2, 1.5) / rate_of(known)
+        path = reference.simulate(t, *state, **known)[:, 0]
+        if label == "another path":
+            path = wave(s, state[0], state[0] + rng.uniform(1, 2), rng.uniform(0.3, 0.6))
+        call = Case(path, t[1], mass=10 ** rng.uniform(-1, 1), **known).labelled(label)
         for change in changes:
-            both = call.but(path + amount * change), call.but(path - amount * change)
-            high, low = (right.action(*one.args, **one.kwargs) for one in both)
+            both = call.replace(path + amount * change), call.replace(path - amount * change)
+            high, low = (reference.action(*one.args, **one.kwargs) for one in both)
             cases.append((both, (high - low) / (2 * amount)))
     return cases
 
 
-def paths(draw):
+def paths(rng):
     """Paths between different heights, with gravity and without."""
     s, calls = np.linspace(0, 1, 4001), []
-    for share, kind in ((1, "a smooth path"), (1, "a smooth path"), (0, "a smooth path without gravity")):
-        known = parameters(draw)
-        span = draw.uniform(3, 4) / rate_of(known)
-        path = wave(s, draw.uniform(-0.3, 0.3), draw.uniform(2.6, 3.4) * draw.choice([-1, 1]), draw.uniform(0.3, 0.6))
-        calls.append(given(path, span * s[1], **known).but(gravity=share * known["gravity"]).on(kind))
+    for share, label in ((1, "a smooth path"), (1, "a smooth path"), (0, "a smooth path without gravity")):
+        known = parameters(rng)
+        span = rng.uniform(3, 4) / rate_of(known)
+        path = wave(s, rng.uniform(-0.3, 0.3), rng.uniform(2.6, 3.4) * rng.choice([-1, 1]), rng.uniform(0.3, 0.6))
+        calls.append(Case(path, span * s[1], **known).replace(gravity=share * known["gravity"]).labelled(label))
     return calls
 
 
-def plain_paths(draw):
+def plain_paths(rng):
     """At rest anywhere and at the named angles; turning evenly without gravity; two samples and more."""
     calls = []
-    for theta in (draw.uniform(0.3, 2.8), *PLAIN):
-        samples, step = 2 * int(draw.integers(200, 300)), 10 ** draw.uniform(-3, -1)
-        calls.append(given(np.full(samples, theta), step, **parameters(draw)).on(kind_of(theta, 0.0, 1.0)))
+    for theta in (rng.uniform(0.3, 2.8), *PLAIN):
+        samples, step = 2 * int(rng.integers(200, 300)), 10 ** rng.uniform(-3, -1)
+        calls.append(Case(np.full(samples, theta), step, **parameters(rng)).labelled(kind_of(theta, 0.0, 1.0)))
     # chords for arcs are second order too: off by (omega step)^2/12, a tenth of the limit
-    known, omega, step = parameters(draw, gravity=0.0), draw.uniform(-3, -1), 1e-3
+    known, omega, step = parameters(rng, gravity=0.0), rng.uniform(-3, -1), 1e-3
     for samples, few in ((5000, ""), (2, ", two samples"), (3, ", three samples")):
-        kind = f"a pendulum that turns evenly, without gravity{few}"
-        calls.append(given(omega * step * np.arange(samples), step, **known).on(kind))
+        label = f"a pendulum that turns evenly, without gravity{few}"
+        calls.append(Case(omega * step * np.arange(samples), step, **known).labelled(label))
     return calls
 
 
-def periods(kind, *edges, below=None):
+def periods(label, *edges, below=None):
     """An amplitude between each of these edges and the next, or so far below an angle; of a rod of 1 m at last."""
 
-    def drawn(draw):
-        rods = [*(rod(draw) for _ in edges[2:]), {"length": 1.0, "gravity": 1.0}]
-        sizes = draw.uniform(edges[:-1], edges[1:])
+    def drawn(rng):
+        rods = [*(rod(rng) for _ in edges[2:]), {"length": 1.0, "gravity": 1.0}]
+        sizes = rng.uniform(edges[:-1], edges[1:])
         amplitudes = sizes if below is None else below - sizes
-        return [given(one, **known).on(f"an amplitude {kind}") for one, known in zip(amplitudes, rods, strict=True)]
+        return [
+            Case(one, **known).labelled(f"an amplitude {label}") for one, known in zip(amplitudes, rods, strict=True)
+        ]
 
     return drawn
 

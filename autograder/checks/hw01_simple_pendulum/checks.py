@@ -2,14 +2,14 @@
 
 import math
 
-from tam570_grader import Column, Invariant, absolute, agree, by_kind, check, expect, from_own_lagrangian, law
-from tam570_grader.writing.diagrams import compare_diagrams
-from tam570_grader.writing.returns import formula, free_body_diagram, group, number, rows
+from tam570_grader import Column, Invariant, absolute, by_kind, check, compare, expect, from_own_lagrangian, law
+from tam570_grader.checks.diagrams import compare_diagrams
+from tam570_grader.checks.returns import formula, free_body_diagram, group, number, rows
 
-from . import cases, right
+from . import cases, reference
 
 NEEDS = ("numpy", "sympy")
-OFF_LIMITS = {"*": ("tam570.lagrange", "tam570.lectures")}
+FORBIDDEN = {"*": ("tam570.lagrange", "tam570.lectures")}
 
 FORMULA = 1e-8  # a few roundings make 1e-15, a derivative by central differences 1e-10
 TRAJECTORY = 2e-5  # LSODA at rtol 1e-9, atol 1e-9 is off by 1.4e-6 after three periods, RK45 and DOP853 by less
@@ -43,7 +43,7 @@ MOMENTUM, MOMENT, POWER = power_of_rate(1, 1, 2), power_of_rate(2, 1, 2), power_
 
 def size_of_action(case, _):
     """The integral of T + V, whose sign of V is that of an inverted gravity."""
-    return abs(right.action(*case.args, **{**case.kwargs, "gravity": -case.kwargs["gravity"]}))
+    return abs(reference.action(*case.args, **{**case.kwargs, "gravity": -case.kwargs["gravity"]}))
 
 
 def fastest(case, _):
@@ -52,92 +52,115 @@ def fastest(case, _):
 
 
 MOTION = (Column("theta", "rad", [0], turns=True, scale=absolute), Column("omega", "rad/s", [1], scale=fastest))
-KEPT = Invariant("the energy", "of its start", right.energy_of_rows, None, ENERGY)
-ALPHA = number.called("alpha", "rad/s^2", RATE2)
-RESULTS = {
-    "linear_momentum_balance": group(ALPHA, number.called("the tension", "N", FORCE)),
+KEPT = Invariant("the energy", "of its start", reference.energy_of_rows, None, ENERGY)
+ALPHA = number.described("alpha", "rad/s^2", RATE2)
+RETURNS = {
+    "linear_momentum_balance": group(ALPHA, number.described("the tension", "N", FORCE)),
     "angular_momentum_balance": group(
-        ALPHA, number.called("the angular momentum", "kg m^2/s", MOMENTUM), number.called("the moment", "N m", MOMENT)
+        ALPHA,
+        number.described("the angular momentum", "kg m^2/s", MOMENTUM),
+        number.described("the moment", "N m", MOMENT),
     ),
     "energy_balance": group(
-        ALPHA, number.called("the kinetic energy", "J", MOMENT), number.called("the potential energy", "J", MOMENT)
+        ALPHA,
+        number.described("the kinetic energy", "J", MOMENT),
+        number.described("the potential energy", "J", MOMENT),
     ),
-    "power_balance": group(ALPHA, number.called("the power", "W", POWER)),
-    "virtual_work": group(ALPHA, number.called("the generalized force", "N m", MOMENT)),
-    "lagrangian": formula(*cases.SYMBOLS).called("the Lagrangian", "J", MOMENT),
-    "lagrange_equation": formula("theta", "l", "g").called("alpha", "rad/s^2", RATE2),
-    "action": number.called("the action", "J s", size_of_action),
+    "power_balance": group(ALPHA, number.described("the power", "W", POWER)),
+    "virtual_work": group(ALPHA, number.described("the generalized force", "N m", MOMENT)),
+    "lagrangian": formula(*cases.SYMBOLS).described("the Lagrangian", "J", MOMENT),
+    "lagrange_equation": formula("theta", "l", "g").described("alpha", "rad/s^2", RATE2),
+    "action": number.described("the action", "J s", size_of_action),
     "small_angle_solution": rows(2, columns=MOTION),
-    "period": number.called("the period", "s"),
+    "period": number.described("the period", "s"),
     "simulate": rows(2, columns=MOTION),
     "free_body_diagram": free_body_diagram(2),
 }
 
 
 @check(points=0.5, part="a")
-def forces_on_the_mass(student, draw):
+def forces_on_the_mass(student, rng):
     """free_body_diagram: every force on the mass, where it acts and along what."""
-    compare_diagrams(student.free_body_diagram, right, [*cases.states(draw), *cases.at_rest(draw)])
+    compare_diagrams(student.free_body_diagram, reference, [*cases.states(rng), *cases.at_rest(rng)])
 
 
 STATES = cases.states, cases.at_rest
 newton_gives_the_acceleration = law("linear_momentum_balance: alpha, along the circle.", points=0.5, part="a").agrees(
-    right.linear_momentum_balance, *STATES, within=FORMULA, only=0, hint="What of each force is along the circle?"
+    reference.linear_momentum_balance,
+    *STATES,
+    tolerance=FORMULA,
+    only=0,
+    hint="What of each force is along the circle?",
 )
 newton_gives_the_tension = law("linear_momentum_balance: the tension, along the rod.", points=0.5, part="a").agrees(
-    right.linear_momentum_balance, *STATES, within=FORMULA, only=1, hint="Which way along the rod does m a point?"
+    reference.linear_momentum_balance,
+    *STATES,
+    tolerance=FORMULA,
+    only=1,
+    hint="Which way along the rod does m a point?",
 )
 moments_give_the_acceleration = law("angular_momentum_balance: alpha, by M = dH/dt.", points=0.5, part="a").agrees(
-    right.angular_momentum_balance, *STATES, within=FORMULA, only=0, hint="Which way does the weight turn it?"
+    reference.angular_momentum_balance, *STATES, tolerance=FORMULA, only=0, hint="Which way does the weight turn it?"
 )
 ARM = "How far from the hinge do momentum and weight act?"
 momentum_and_moment_are_about_the_hinge = law(
     "angular_momentum_balance: r x m v and the moment of the weight, about the hinge.", points=0.5, part="a"
-).agrees(right.angular_momentum_balance, *STATES, within=FORMULA, only=(1, 2), hint=ARM)
+).agrees(reference.angular_momentum_balance, *STATES, tolerance=FORMULA, only=(1, 2), hint=ARM)
 energies_are_right = law("energy_balance: T, and V, which is zero at the lowest point.", points=0.5, part="a").agrees(
-    right.energy_balance, cases.states, within=FORMULA, only=(1, 2), hint="How fast is the mass, and how high?"
+    reference.energy_balance, cases.states, tolerance=FORMULA, only=(1, 2), hint="How fast is the mass, and how high?"
 )
 energy_gives_the_acceleration = law(
     "energy_balance: alpha, from the constancy of the energy.", points=0.25, part="a"
-).agrees(right.energy_balance, cases.states, within=FORMULA, only=0, hint="The terms of dE/dt have a factor in common.")
+).agrees(
+    reference.energy_balance,
+    cases.states,
+    tolerance=FORMULA,
+    only=0,
+    hint="The terms of dE/dt have a factor in common.",
+)
 CANCELLED = "Do you divide by omega? Cancel it on paper."
 energy_gives_the_acceleration_at_rest = energy_gives_the_acceleration.then(
     "energy_balance: alpha where omega is zero, too.", points=0.25, part="a"
-).agrees(right.energy_balance, cases.at_rest, within=FORMULA, only=(0, 1), hint=CANCELLED)
+).agrees(reference.energy_balance, cases.at_rest, tolerance=FORMULA, only=(0, 1), hint=CANCELLED)
 power_gives_the_acceleration = law(
     "power_balance: the power of gravity, and alpha from it.", points=0.25, part="a"
-).agrees(right.power_balance, cases.states, within=FORMULA, hint="Power is F . v: when does gravity speed the mass up?")
+).agrees(
+    reference.power_balance,
+    cases.states,
+    tolerance=FORMULA,
+    hint="Power is F . v: when does gravity speed the mass up?",
+)
 power_gives_the_acceleration_at_rest = power_gives_the_acceleration.then(
     "power_balance: alpha where omega is zero, too.", points=0.25, part="a"
-).agrees(right.power_balance, cases.at_rest, within=FORMULA, hint=CANCELLED)
+).agrees(reference.power_balance, cases.at_rest, tolerance=FORMULA, hint=CANCELLED)
 virtual_work_gives_the_acceleration = law(
     "virtual_work: the generalized force of gravity, and alpha from it.", points=0.5, part="a"
-).agrees(right.virtual_work, *STATES, within=FORMULA, hint="dr is l dtheta, across the rod.")
+).agrees(reference.virtual_work, *STATES, tolerance=FORMULA, hint="dr is l dtheta, across the rod.")
 AT_REST = "Put numbers in: at rest at the lowest point it is zero, at rest elsewhere negative."
 lagrangian_is_kinetic_less_potential = law(
     "lagrangian: T - V in theta, omega, m, l, g, with V zero at the lowest point.", points=0.75, part="a"
-).agrees(right.lagrangian, cases.symbols, within=FORMULA, hint=AT_REST)
+).agrees(reference.lagrangian, cases.symbols, tolerance=FORMULA, hint=AT_REST)
 
 
 @check(points=0.75, part="a")
-def lagrange_gives_the_acceleration(student, draw):
+def lagrange_gives_the_acceleration(student, rng):
     """lagrange_equation: alpha in theta, l, g alone."""
-    calls = cases.symbols(draw)
+    calls = cases.symbols(rng)
     hint = from_own_lagrangian(student, calls[:5], "It is the alpha of the other balances.")
-    agree(student.lagrange_equation, right, calls, within=FORMULA, hint=hint)
+    compare(student.lagrange_equation, reference, calls, tolerance=FORMULA, hint=hint)
 
 
 @check(points=0.5, part="a")
-def action_is_stationary_on_motions(student, draw):
+def action_is_stationary_on_motions(student, rng):
     """action: its first variation vanishes on true motions, and on other paths it does not."""
-    paths = cases.varied_paths(draw, SMALL)
+    paths = cases.varied_paths(rng, SMALL)
     hint = "Is it the integral of T - V, by a quadrature of second order that counts both ends as it must?"
-    known = {"of": "the first variation", "unit": "J s/rad", "hint": hint, "gradual": False}
+    known = {"quantity": "the first variation", "unit": "J s/rad", "hint": hint, "near_miss_credit": False}
     found = student.action.each([case for both, _ in paths for case in both])
     for _, expected in paths:
         (case, high), (_, low) = next(found), next(found)
         size = math.prod(case.kwargs.values()) * case.args[1] * (len(case.args[0]) - 1)  # m g l times the duration
-        expect((high - low) / (2 * SMALL), expected, within=VARIATION * size, **known)
+        expect((high - low) / (2 * SMALL), expected, tolerance=VARIATION * size, **known)
 
 
 action_is_the_integral = law(
@@ -145,33 +168,40 @@ action_is_the_integral = law(
     points=0.5,
     part="a",
     after=action_is_stationary_on_motions,
-).agrees(right.action, cases.paths, cases.plain_paths, within=ACTION, hint="Half the step must quarter the error.")
+).agrees(
+    reference.action, cases.paths, cases.plain_paths, tolerance=ACTION, hint="Half the step must quarter the error."
+)
 AT_ZERO = by_kind({"with another": "Is anything kept between calls?"}, "Put t = 0 in. Is omega the rate of theta?")
 small_angle_solution_is_harmonic = law(
     "small_angle_solution: theta and omega of theta'' + (g/l) theta = 0, from the state at t = 0.", points=0.5, part="a"
-).agrees_by_columns(right.small_angle_solution, cases.small_angles, within=TRAJECTORY, hint=AT_ZERO)
+).agrees_by_columns(reference.small_angle_solution, cases.small_angles, tolerance=TRAJECTORY, hint=AT_ZERO)
 TO_ZERO = "What becomes of sin(w t)/w, w = sqrt(g/l), as w goes to zero?"
 small_angle_solution_without_gravity = small_angle_solution_is_harmonic.then(
     "small_angle_solution: without gravity the pendulum turns uniformly.", points=0.25, part="a"
-).agrees_by_columns(right.small_angle_solution, cases.weightless, within=TRAJECTORY, hint=TO_ZERO)
+).agrees_by_columns(reference.small_angle_solution, cases.weightless, tolerance=TRAJECTORY, hint=TO_ZERO)
 period_is_exact = law("period: exact at large amplitudes.", points=0.5, part="a").agrees(
-    right.period, cases.usual_periods, within=PERIOD, hint="The energy gives omega at theta, and dt = dtheta/omega."
+    reference.period,
+    cases.usual_periods,
+    tolerance=PERIOD,
+    hint="The energy gives omega at theta, and dt = dtheta/omega.",
 )
 TOO_SMALL = "No amplitude is small enough for the period of small angles."
 COSINES = "Do you subtract nearly equal cosines? cos a - cos b is a product of sines."
 LONGER = "A series in the amplitude, or a quadrature of fixed order, does not reach this far."
 period_grows_towards_the_top = (
     period_is_exact.then("period: exact from tiny amplitudes to pi, where it has no bound.", points=0.25, part="a")
-    .agrees(right.period, cases.least_periods, within=PERIOD, hint=TOO_SMALL)
-    .also.agrees(right.period, cases.small_periods, within=PERIOD, hint=COSINES)
-    .also.agrees(right.period, cases.next_to_top, within=NEXT_TO_TOP, hint=LONGER)
-    .also.agrees(right.period, cases.smaller_periods, cases.larger_periods, within=PERIOD, hint=LONGER)
-    .also.agrees(right.period, cases.tiny_periods, within=AT_THE_ENDS, hint=COSINES)
-    .also.agrees(right.period, cases.at_the_top, within=AT_THE_ENDS, hint="Do you subtract nearly equal numbers?")
+    .agrees(reference.period, cases.least_periods, tolerance=PERIOD, hint=TOO_SMALL)
+    .also.agrees(reference.period, cases.small_periods, tolerance=PERIOD, hint=COSINES)
+    .also.agrees(reference.period, cases.next_to_top, tolerance=NEXT_TO_TOP, hint=LONGER)
+    .also.agrees(reference.period, cases.smaller_periods, cases.larger_periods, tolerance=PERIOD, hint=LONGER)
+    .also.agrees(reference.period, cases.tiny_periods, tolerance=AT_THE_ENDS, hint=COSINES)
+    .also.agrees(
+        reference.period, cases.at_the_top, tolerance=AT_THE_ENDS, hint="Do you subtract nearly equal numbers?"
+    )
 )
 SWING = cases.motions(cases.swing, 15, 1000, "a large swing, t[0] not 0")
 simulate_swings = law("simulate: large swings, row i at t[i], row 0 the given state.", points=0.5, part="a").follows(
-    right.simulate, SWING, within=TRAJECTORY, hint="Is omega the rate of theta, and is alpha right?", keeps=KEPT
+    reference.simulate, SWING, tolerance=TRAJECTORY, hint="Is omega the rate of theta, and is alpha right?", keeps=KEPT
 )
 TWO_TIMES = cases.motions(cases.swing, 100, 2, "two times, many periods apart")
 SMALL_SWING = cases.motions(cases.small, 40, 2, "a small swing, two times many periods apart")
@@ -179,19 +209,19 @@ STEPS = "A fixed number of steps, or a fixed step, does not do for every pendulu
 LINEAR = "No swing is so small that sin theta is theta: the difference adds up."
 simulate_needs_no_dense_times = (
     simulate_swings.then("simulate: the same at a few times, whatever was asked before.", points=0.25, part="a")
-    .follows(right.simulate, cases.few_times, within=TRAJECTORY, hint=STEPS)
-    .also.follows(right.simulate, TWO_TIMES, within=FAR, hint=STEPS)
-    .also.follows(right.simulate, SMALL_SWING, within=TRAJECTORY, hint=LINEAR, loose=False)
+    .follows(reference.simulate, cases.few_times, tolerance=TRAJECTORY, hint=STEPS)
+    .also.follows(reference.simulate, TWO_TIMES, tolerance=FAR, hint=STEPS)
+    .also.follows(reference.simulate, SMALL_SWING, tolerance=TRAJECTORY, hint=LINEAR, loose_tolerance_credit=False)
 )
 simulate_turns_over_the_top = simulate_swings.then(
     "simulate: a pendulum that turns round and round; theta goes on growing.", points=0.25, part="a"
-).follows(right.simulate, cases.over_the_top, within=TRAJECTORY, hint="Is alpha right at every angle?")
+).follows(reference.simulate, cases.over_the_top, tolerance=TRAJECTORY, hint="Is alpha right at every angle?")
 simulate_without_gravity = simulate_swings.then(
     "simulate: without gravity it turns uniformly.", points=0.25, part="a"
-).follows(right.simulate, cases.weightless, within=TRAJECTORY, hint="Is anything divided by gravity?")
+).follows(reference.simulate, cases.weightless, tolerance=TRAJECTORY, hint="Is anything divided by gravity?")
 MANY = cases.motions(cases.swing, 180, 300, "many periods")
 LOSSES = {1e-4: 0.6, 1e-2: 0.3}
 FIXED = "Tighten rtol and atol; a step of fixed length does not do for every duration."
 simulate_keeps_the_energy = simulate_swings.then(
     "simulate: the energy stays what it was over many periods.", points=0.25, part="a"
-).keeps(KEPT, right=right.simulate, cases=MANY, coarsely=COARSELY, partial=LOSSES, hint=FIXED)
+).keeps(KEPT, reference=reference.simulate, cases=MANY, coarsely=COARSELY, partial=LOSSES, hint=FIXED)

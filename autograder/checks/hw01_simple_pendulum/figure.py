@@ -2,14 +2,14 @@
 
 import math
 
-from tam570_grader.writing.figures import Figure
+from tam570_grader.checks.figures import Figure
 
-from . import right
+from . import reference
 
 
 def figure(theta=0.65, length=1.0):
     """The hinge is the origin."""
-    r = right.vectors(theta, 0.0, 1.0, length, 1.0)[0]
+    r = reference.vectors(theta, 0.0, 1.0, length, 1.0)[0]
     bob = r.real, r.imag
     shown = Figure(
         "The simple pendulum",

@@ -6,14 +6,14 @@ from functools import partial
 import numpy as np
 
 from tam570_grader import Column, Failed, absolute, by_kind, check, expect_that, law
-from tam570_grader.writing.diagrams import compare_diagrams
-from tam570_grader.writing.drawings import curves_seen, judge_axes_of_lengths, path_drawn
-from tam570_grader.writing.returns import array, drawing, free_body_diagram, number, rows
+from tam570_grader.checks.diagrams import compare_diagrams
+from tam570_grader.checks.plots import curves_seen, judge_axes_of_lengths, path_drawn
+from tam570_grader.checks.returns import array, drawing, free_body_diagram, number, rows
 
-from . import cases, right
+from . import cases, reference
 
 NEEDS = ("numpy", "matplotlib.figure", "matplotlib.backends.backend_agg")
-OFF_LIMITS = {"trajectory": ("scipy.integrate", "tam570.integrate")}  # a closed form is asked for
+FORBIDDEN = {"trajectory": ("scipy.integrate", "tam570.integrate")}  # a closed form is asked for
 FORMULA = 1e-12  # a few roundings of the accelerations make 1e-15
 SIMULATED = 1e-6  # RK45, DOP853, LSODA at rtol 1e-9, atol 1e-9 are off by 1.3e-9 of the size, RK4 by 1e-8
 CLOSED = 1e-10  # 1e-15 with expm1; a Taylor series that takes over where five digits are lost, 1e-11
@@ -50,111 +50,122 @@ def of_rates(case, _):
 def largest_of(columns, case, states):
     """On the way, too: at two times alone a particle may be next to where it was launched."""
     t, *start = case.args
-    way = right.trajectory(np.linspace(0.0, np.ptp(t), 9), *start, **case.kwargs)
+    way = reference.trajectory(np.linspace(0.0, np.ptp(t), 9), *start, **case.kwargs)
     return np.abs(np.vstack([states, way]))[:, columns].max()
 
 
 def of_range(case, distance):
     """The range; straight up it is zero, but for rounding."""
     speed, angle = case.args
-    return speed * right.flight_time(speed, angle, **case.kwargs) if angle == math.pi / 2 else distance
+    return speed * reference.flight_time(speed, angle, **case.kwargs) if angle == math.pi / 2 else distance
 
 
 PLACE, VELOCITY = partial(largest_of, [0, 1]), partial(largest_of, [2, 3])
 COLUMNS = ("x", "m", PLACE), ("y", "m", PLACE), ("vx", "m/s", VELOCITY), ("vy", "m/s", VELOCITY)
-MOTION = [Column(of, unit, [place], scale=scale) for place, (of, unit, scale) in enumerate(COLUMNS)]
-RESULTS = {
-    "state_derivative": array(4).called("the state's derivative", "m/s or m/s^2", of_rates),
+MOTION = [Column(quantity, unit, [place], scale=scale) for place, (quantity, unit, scale) in enumerate(COLUMNS)]
+RETURNS = {
+    "state_derivative": array(4).described("the state's derivative", "m/s or m/s^2", of_rates),
     "simulate": rows(4, columns=MOTION),
     "trajectory": rows(4, columns=MOTION),
-    "flight_time": number.called("the flight time", "s"),
-    "horizontal_range": number.called("the range", "m", of_range),
-    "best_angle": number.called("the best angle", "rad", absolute),
-    "limit_shape": array(3, 2).called("a corner", "of m v/c", absolute),
+    "flight_time": number.described("the flight time", "s"),
+    "horizontal_range": number.described("the range", "m", of_range),
+    "best_angle": number.described("the best angle", "rad", absolute),
+    "limit_shape": array(3, 2).described("a corner", "of m v/c", absolute),
     "plot_comparison": drawing,
     "free_body_diagram": free_body_diagram(2),
 }
 
 
 @check(points=0.5, part="a")
-def forces_on_the_particle(student, draw):
+def forces_on_the_particle(student, rng):
     """free_body_diagram: every force on the particle, where it acts and along what."""
-    compare_diagrams(student.free_body_diagram, right, cases.without_time(draw))
+    compare_diagrams(student.free_body_diagram, reference, cases.without_time(rng))
 
 
-SIMULATION = {"within": SIMULATED, "restart": lambda row: (row, None)}
+SIMULATION = {"tolerance": SIMULATED, "restart": lambda row: (row, None)}
 FORCES = "Draw the two forces on the particle: which way does each point when it falls?"
 rates_are_newtons = law(
     "state_derivative is the velocity and (weight + drag)/mass, for velocities in any direction.", points=0.75, part="a"
-).agrees(right.state_derivative, cases.states, within=FORMULA, hint=by_kind(HINTS, FORCES))
+).agrees(reference.state_derivative, cases.states, tolerance=FORMULA, hint=by_kind(HINTS, FORCES))
 NO_DIVISION = "Do you divide by drag or gravity?"
 rates_without_drag_or_gravity = rates_are_newtons.then(
     "state_derivative holds where drag or gravity, or both, are zero.", points=0.25, part="a"
-).agrees(right.state_derivative, cases.states_without, within=FORMULA, hint=NO_DIVISION)
+).agrees(reference.state_derivative, cases.states_without, tolerance=FORMULA, hint=NO_DIVISION)
 NO_GROUND = "Is your state_derivative right? There is no ground: the path goes on below y = 0."
 simulation_follows_the_motion = law(
     "simulate gives the states at uneven times, launched at t[0], whatever t[0] is.", points=0.75, part="d"
-).follows(right.simulate, cases.flights, hint=NO_GROUND, **SIMULATION)
+).follows(reference.simulate, cases.flights, hint=NO_GROUND, **SIMULATION)
 simulation_without_drag_or_gravity = simulation_follows_the_motion.then(
     "simulate goes straight without gravity, a parabola without drag, whatever was asked before.", points=0.5, part="d"
-).follows(right.simulate, cases.flights_without, hint=by_kind(HINTS, NO_DIVISION), **SIMULATION)
+).follows(reference.simulate, cases.flights_without, hint=by_kind(HINTS, NO_DIVISION), **SIMULATION)
 LINEAR = "The equations of vx and vy are linear, of first order and apart; then x and y."
 trajectory_is_the_motion = law("trajectory gives the states in closed form.", points=0.75, part="c").agrees_by_columns(
-    right.trajectory, cases.flights_from_zero, within=CLOSED, hint=by_kind(HINTS, LINEAR)
+    reference.trajectory, cases.flights_from_zero, tolerance=CLOSED, hint=by_kind(HINTS, LINEAR)
 )
 trajectory_counts_time_from_the_launch = trajectory_is_the_motion.then(
     "trajectory is launched at t = 0, at whatever times: later ones, a single one, backwards.", points=0.25, part="c"
 ).agrees_by_columns(
-    right.trajectory, cases.late_flights, within=CLOSED, hint="The launch is at t = 0, and row i is the state at t[i]."
+    reference.trajectory,
+    cases.late_flights,
+    tolerance=CLOSED,
+    hint="The launch is at t = 0, and row i is the state at t[i].",
 )
 EXPM1 = "1 - e^-s is a difference of nearly equal numbers (see numpy.expm1); so is y."
 trajectory_with_any_drag = trajectory_is_the_motion.then(
     "trajectory keeps its digits at drag 1e-12, at none, and long after e^(-c t/m) is nothing.", points=0.75, part="c"
-).agrees_by_columns(right.trajectory, cases.flights_with_any_drag, within=CLOSED, hint=by_kind(HINTS, EXPM1))
+).agrees_by_columns(reference.trajectory, cases.flights_with_any_drag, tolerance=CLOSED, hint=by_kind(HINTS, EXPM1))
 flight_ends_at_launch_height = law("flight_time is when y is zero again.", points=0.75, part="c").agrees(
-    right.flight_time, cases.landings, within=ROOT, hint="Put the time into the y of your closed form: is it zero?"
+    reference.flight_time,
+    cases.landings,
+    tolerance=ROOT,
+    hint="Put the time into the y of your closed form: is it zero?",
 )
 BRANCH_POINT = (
     "Very little drag is not none. Near its branch point Lambert's W loses digits; a Newton step restores them."
 )
 flight_time_with_hardly_any_drag = flight_ends_at_launch_height.then(
     "flight_time goes over into 2 v sin(angle)/g without losing its digits.", points=0.5, part="c"
-).agrees(right.flight_time, cases.landings_of_little_drag, within=ROOT, hint=BRANCH_POINT)
+).agrees(reference.flight_time, cases.landings_of_little_drag, tolerance=ROOT, hint=BRANCH_POINT)
 SHORT = by_kind(HINTS, "Does a search for the root step over a flight that is short, or end at t = 0?")
 flight_time_with_great_drag_and_straight_up = flight_ends_at_launch_height.then(
     "flight_time holds straight up, nearly flat, at drag a thousand times the weight.", points=0.25, part="c"
-).agrees(right.flight_time, cases.flat_landings, cases.landings_of_great_drag, within=ROOT, hint=SHORT)
+).agrees(reference.flight_time, cases.flat_landings, cases.landings_of_great_drag, tolerance=ROOT, hint=SHORT)
 range_is_where_it_lands = law("horizontal_range is x at the flight time.", points=0.5, part="c").agrees(
-    right.horizontal_range, cases.landings, within=ROOT, hint="Put the flight time into the x of your closed form."
+    reference.horizontal_range,
+    cases.landings,
+    tolerance=ROOT,
+    hint="Put the flight time into the x of your closed form.",
 )
 DIGITS = by_kind(HINTS, "Very little drag is not none: is it the time or x that has lost its digits?")
 range_with_hardly_any_drag = range_is_where_it_lands.then(
     "horizontal_range becomes v^2 sin(2 angle)/g, no digits lost; it holds with great drag, too.", points=0.5, part="c"
-).agrees(right.horizontal_range, cases.landings_of_little_drag, cases.landings_of_great_drag, within=ROOT, hint=DIGITS)
+).agrees(
+    reference.horizontal_range, cases.landings_of_little_drag, cases.landings_of_great_drag, tolerance=ROOT, hint=DIGITS
+)
 FLAT = "Does horizontal_range pass? Near its largest it is flat, and a search stops early: set its derivative to zero."
 best_angle_has_the_largest_range = law(
     "best_angle maximises the range, for speeds below and above the terminal speed.", points=0.75, part="a"
-).agrees(right.best_angle, cases.usual_speeds, within=ANGLE, partial=SEARCHED, hint=FLAT)
+).agrees(reference.best_angle, cases.usual_speeds, tolerance=ANGLE, partial=SEARCHED, hint=FLAT)
 STILL = by_kind(HINTS, "Does your equation for the angle still hold when drag is zero?")
 best_angle_is_45_degrees_without_drag = best_angle_has_the_largest_range.then(
     "best_angle is 45 degrees at no drag, and leaves them as the drag grows beside the weight.", points=0.25, part="a"
-).agrees(right.best_angle, cases.slow_speeds, within=ANGLE, partial=SEARCHED, hint=STILL)
+).agrees(reference.best_angle, cases.slow_speeds, tolerance=ANGLE, partial=SEARCHED, hint=STILL)
 VERY_FLAT = "The largest range is very flat there: solve for where its derivative vanishes, on a logarithmic scale."
 best_angle_at_a_huge_speed = best_angle_has_the_largest_range.then(
     "best_angle goes to zero as the speed grows, and stays good to 1 % of itself.", points=0.5, part="a"
-).agrees(right.best_angle, cases.huge_speeds, within=SWIFT, scale=lambda _, angle: angle, hint=VERY_FLAT)
+).agrees(reference.best_angle, cases.huge_speeds, tolerance=SWIFT, scale=lambda _, angle: angle, hint=VERY_FLAT)
 CORNERS = "Plot your closed form at 10, 100 and 1000 times the terminal speed; launch and landing are corners, too."
 path_at_a_huge_speed_has_the_limit_shape = law(
     "limit_shape has the corners that a path has at a speed of 1e12 terminal speeds.", points=1, part="b"
-).agrees(right.limit_shape, cases.angles, within=CORNER, hint=CORNERS)
+).agrees(reference.limit_shape, cases.angles, tolerance=CORNER, hint=CORNERS)
 
 
 @check(points=0.5, part="e")
-def both_paths_are_drawn(student, draw):
+def both_paths_are_drawn(student, rng):
     """plot_comparison draws both paths from t[0] to t[-1] on the same axes, at the same scale."""
-    case = cases.picture(draw)
+    case = cases.picture(rng)
     t, *start = case.args
-    path = right.trajectory(np.linspace(0.0, t[-1], FINE), *start, **case.kwargs)[:, :2]
+    path = reference.trajectory(np.linspace(0.0, t[-1], FINE), *start, **case.kwargs)[:, :2]
     others = {
         "A path is y over x, not over the time.": np.array([[0.0, 0.0], [t[-1], path[-1, 1]]]),
         "x and y are swapped: x is to the right, y up.": path[:, ::-1],
@@ -162,7 +173,16 @@ def both_paths_are_drawn(student, draw):
     picture, hint = student.plot_comparison.drawn(case), "Do simulate and trajectory pass? Draw from t[0] to t[-1]."
     curves = curves_seen(picture, 2)
     for line in curves:
-        path_drawn(line, path, within=DRAWN, fewer=FEWER, of="a curve", others=others, hint=hint, gradual=False)
+        path_drawn(
+            line,
+            path,
+            tolerance=DRAWN,
+            fewer=FEWER,
+            quantity="a curve",
+            others=others,
+            hint=hint,
+            near_miss_credit=False,
+        )
     judge_axes_of_lengths(picture)
     judge_twins(student, case, curves)
 

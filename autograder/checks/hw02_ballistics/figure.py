@@ -4,19 +4,19 @@ import math
 
 import numpy as np
 
-from tam570_grader.writing.figures import Figure
+from tam570_grader.checks.figures import Figure
 
-from . import right
+from . import reference
 
 
 def figure(angle=0.9, speed=1.0, drag=1.6):
     """The path for m = g = 1 and this drag."""
     known = {"mass": 1.0, "drag": drag, "gravity": 1.0}
-    end = right.flight_time(speed, angle, **known)
-    path = right.trajectory(np.linspace(0.0, 1.12 * end, 60), speed, angle, **known)[:, :2]
+    end = reference.flight_time(speed, angle, **known)
+    path = reference.trajectory(np.linspace(0.0, 1.12 * end, 60), speed, angle, **known)[:, :2]
     now, reach = (
-        right.trajectory(np.array([0.62 * end]), speed, angle, **known)[0],
-        right.horizontal_range(speed, angle, **known),
+        reference.trajectory(np.array([0.62 * end]), speed, angle, **known)[0],
+        reference.horizontal_range(speed, angle, **known),
     )
     shown = Figure(
         "A projectile with drag",

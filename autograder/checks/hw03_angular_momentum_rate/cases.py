@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from tam570_grader import given
+from tam570_grader import Case
 
 NAMES = "r_p", "v_p", "a_p", "r_c", "v_c", "a_c"
 # vectors that are zero together: P or C at the origin, at rest, without acceleration, fixed
@@ -10,17 +10,17 @@ ZERO = "r_p", "r_c", "v_p", "v_c", "v_c a_c", "a_p", "a_c", "v_p v_c", "r_p v_p 
 LETTERS_ALIKE = "A", "C", " b", "abc"  # no definitions, though they hold a letter of one
 
 
-def motions(draw):
+def motions(rng):
     """(state, mass) of random sizes; with zeros; P at C, P along with C, in a plane, whole numbers."""
-    random = [(draw.normal(size=(6, 3)) * draw.uniform(0.3, 3, (6, 1)), 10 ** draw.uniform(-1, 1)) for _ in range(8)]
-    zero = [(draw.normal(size=(6, 3)) * [[name not in names.split()] for name in NAMES], 1.0) for names in ZERO]
-    state = draw.normal(size=(6, 3))
+    random = [(rng.normal(size=(6, 3)) * rng.uniform(0.3, 3, (6, 1)), 10 ** rng.uniform(-1, 1)) for _ in range(8)]
+    zero = [(rng.normal(size=(6, 3)) * [[name not in names.split()] for name in NAMES], 1.0) for names in ZERO]
+    state = rng.normal(size=(6, 3))
     at_c, along = state.copy(), state.copy()
     at_c[0], along[1] = state[3], state[4]
     return [*random, *zero, (at_c, 2.0), (along, 2.0), (state * [1, 1, 0], 1.0), (np.round(3 * state), 1.0)]
 
 
-def kind(state, what):
+def label(state, what):
     """What to call a state: which of its vectors are zero, or which two are the same."""
     zero = [name for name, vector in zip(NAMES, state, strict=True) if not np.any(vector)]
     same = [k for k in (0, 1) if np.array_equal(state[k], state[k + 3]) and np.any(state[k])]
@@ -28,16 +28,16 @@ def kind(state, what):
     return what + (f", {' and '.join(zero)} zero" if zero else "")
 
 
-def moments(draw):
-    return [given(s[0], s[2], s[3], mass=mass).on(kind(s, "random vectors")) for s, mass in motions(draw)]
+def moments(rng):
+    return [Case(s[0], s[2], s[3], mass=mass).labelled(label(s, "random vectors")) for s, mass in motions(rng)]
 
 
 def rates(definitions, vectors=slice(None)):
     """Arguments of rate by each of these definitions; with fewer of the vectors, of another function."""
-    return lambda draw: [
-        given(definition, *s[vectors], mass=mass).on(kind(s, f"definition {definition}"))
+    return lambda rng: [
+        Case(definition, *s[vectors], mass=mass).labelled(label(s, f"definition {definition}"))
         for definition in definitions
-        for s, mass in motions(draw)
+        for s, mass in motions(rng)
     ]
 
 
@@ -48,8 +48,11 @@ def momenta(definitions):
 def letters(drawn):
     """The first of these cases, then the same call with strings that name no definition."""
 
-    def calls(draw):
-        case = drawn(draw)[0]
-        return [case, *(case.but(name).on(f'the definition "{name}"') for name in ("d", "ab", "", *LETTERS_ALIKE))]
+    def calls(rng):
+        case = drawn(rng)[0]
+        return [
+            case,
+            *(case.replace(name).labelled(f'the definition "{name}"') for name in ("d", "ab", "", *LETTERS_ALIKE)),
+        ]
 
     return calls

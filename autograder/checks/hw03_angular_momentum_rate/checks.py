@@ -2,13 +2,13 @@
 
 import numpy as np
 
-from tam570_grader import array, check, fail, given, group, law, refuse
+from tam570_grader import Case, array, check, check_raises, fail, group, law
 
-from . import cases, right, special
+from . import cases, reference, special
 
 NEEDS = ("numpy",)
 POINTWISE = 1e-8  # of its size; a few roundings make 1e-15, a rate by differences of a Taylor series 1e-11
-NEARLY = 1e-4  # off by less, a rate is right in principle, to choose the words
+NEAR_MISS = 1e-4  # off by less, a rate is right in principle, to choose the words
 
 
 def sizes(state):
@@ -26,13 +26,13 @@ def moment_size(case, _=None):
     return case.kwargs["mass"] * (r * a + v**2)
 
 
-RESULTS = {
-    "moment": array(3).called("the moment", "N m", moment_size),
-    "angular_momentum": array(3).called(
+RETURNS = {
+    "moment": array(3).described("the moment", "N m", moment_size),
+    "angular_momentum": array(3).described(
         "the angular momentum", "kg m^2/s", lambda case, _: case.kwargs["mass"] * np.prod(sizes(case.args[1:]))
     ),
-    "rate": array(3).called("the rate", "N m", moment_size),
-    "discrepancy": array(3).called("the discrepancy", "N m", moment_size),
+    "rate": array(3).described("the rate", "N m", moment_size),
+    "discrepancy": array(3).described("the discrepancy", "N m", moment_size),
     "special_motion": group(array(None, 3), array(None, 3)),
 }
 QUOTIENT = "It is nearly right: is it a difference quotient? Differentiate the product on paper."
@@ -43,7 +43,7 @@ SAME = "At one instant, can definitions a and b differ?"
 def by_difference(hint):
     """The hint, but for a rate that is nearly right, as a difference quotient is."""
     return lambda case, found, expected: (
-        QUOTIENT if np.abs(found - expected).max() <= NEARLY * moment_size(case) else hint
+        QUOTIENT if np.abs(found - expected).max() <= NEAR_MISS * moment_size(case) else hint
     )
 
 
@@ -62,52 +62,52 @@ def left_over(case, found, expected):
 
 
 moment_is_about_C = law("moment: of the total force on P, about C.", points=1, part="a").agrees(
-    right.moment, cases.moments, within=POINTWISE, hint=ARM
+    reference.moment, cases.moments, tolerance=POINTWISE, hint=ARM
 )
 momentum_with_the_velocity_in_F = law(
     "angular_momentum by definitions a and b: the lever arm from C, the velocity as F sees it.", points=1, part="a"
-).agrees(right.angular_momentum, cases.momenta("ab"), within=POINTWISE, hint=SAME)
+).agrees(reference.angular_momentum, cases.momenta("ab"), tolerance=POINTWISE, hint=SAME)
 momentum_with_the_velocity_relative_to_C = law(
     "angular_momentum by definition c: the velocity as one sees it who moves along with C.", points=0.75, part="a"
-).agrees(right.angular_momentum, cases.momenta("c"), within=POINTWISE, hint="Whose velocity, seen from where?")
+).agrees(reference.angular_momentum, cases.momenta("c"), tolerance=POINTWISE, hint="Whose velocity, seen from where?")
 BOTH_MOMENTA = momentum_with_the_velocity_in_F, momentum_with_the_velocity_relative_to_C
 momentum_refuses_other_definitions = law(
     "angular_momentum raises ValueError for another definition.", points=0.25, part="a", after=BOTH_MOMENTA
-).refuses(right.angular_momentum, cases.letters(cases.momenta("b")), within=POINTWISE, hint=LETTERS)
+).refuses(reference.angular_momentum, cases.letters(cases.momenta("b")), tolerance=POINTWISE, hint=LETTERS)
 rate_about_a_fixed_point = law(
     "rate by definition a: the derivative while C' stays where it is.", points=0.5, part="a"
-).agrees(right.rate, cases.rates("a"), within=POINTWISE, hint=by_difference(FIXED))
+).agrees(reference.rate, cases.rates("a"), tolerance=POINTWISE, hint=by_difference(FIXED))
 rate_with_the_velocity_in_F = law(
     "rate by definition b: the derivative of its angular momentum along any motion of P and C.", points=1, part="a"
-).agrees(right.rate, cases.rates("b"), within=POINTWISE, hint=PRODUCT)
+).agrees(reference.rate, cases.rates("b"), tolerance=POINTWISE, hint=PRODUCT)
 rate_with_the_velocity_relative_to_C = law(
     "rate by definition c: the derivative of its angular momentum along any motion of P and C.", points=0.75, part="a"
-).agrees(right.rate, cases.rates("c"), within=POINTWISE, hint=PRODUCT)
+).agrees(reference.rate, cases.rates("c"), tolerance=POINTWISE, hint=PRODUCT)
 BOTH_RATES = rate_about_a_fixed_point, rate_with_the_velocity_in_F
 rate_refuses_other_definitions = law(
     "rate raises ValueError for another definition.", points=0.25, part="a", after=BOTH_RATES
-).refuses(right.rate, cases.letters(cases.rates("b")), within=POINTWISE, hint=LETTERS)
+).refuses(reference.rate, cases.letters(cases.rates("b")), tolerance=POINTWISE, hint=LETTERS)
 discrepancy_with_the_velocity_in_F = law(
     "discrepancy by definition b: its rate less the moment.", points=0.5, part="a"
-).agrees(right.discrepancy, cases.rates("b"), within=POINTWISE, hint=left_over)
+).agrees(reference.discrepancy, cases.rates("b"), tolerance=POINTWISE, hint=left_over)
 discrepancy_with_the_velocity_relative_to_C = law(
     "discrepancy by definition c: its rate less the moment.", points=0.5, part="a"
-).agrees(right.discrepancy, cases.rates("c"), within=POINTWISE, hint=left_over)
+).agrees(reference.discrepancy, cases.rates("c"), tolerance=POINTWISE, hint=left_over)
 no_discrepancy_about_a_fixed_point = discrepancy_with_the_velocity_in_F.then(
     "discrepancy by definition a.", points=0.25, part="a"
-).agrees(right.discrepancy, cases.rates("a"), within=POINTWISE, hint=FIXED)
+).agrees(reference.discrepancy, cases.rates("a"), tolerance=POINTWISE, hint=FIXED)
 discrepancy_refuses_other_definitions = discrepancy_with_the_velocity_in_F.then(
     "discrepancy raises ValueError for another definition.", points=0.25, part="a"
-).refuses(right.discrepancy, cases.letters(cases.rates("b")), within=POINTWISE, hint=LETTERS)
+).refuses(reference.discrepancy, cases.letters(cases.rates("b")), tolerance=POINTWISE, hint=LETTERS)
 
 
 def motion_of(definition, other, points):
     """The check of one special motion: it must have no flaw; if it has none in another order, the student is told."""
 
-    def judge(student, draw):
+    def judge(student, rng):
         p, c = student.special_motion(definition)
-        for says, hint in special.flaws(definition, p, c):
-            fail(says, hint=special.order_hint(definition, p, c) or hint)
+        for message, hint in special.flaws(definition, p, c):
+            fail(message, hint=special.order_hint(definition, p, c) or hint)
 
     holds = f"for which definition {definition} holds at every t, and {other} does not."
     judge.__doc__ = f"special_motion of {definition}: a motion in which C accelerates, {holds}"
@@ -118,7 +118,7 @@ special_motion_of_b, special_motion_of_c = motion_of("b", "c", 1.5), motion_of("
 
 
 @check(points=0.25, part="a", after=(special_motion_of_b, special_motion_of_c))
-def special_motion_refuses_other_definitions(student, draw):
+def special_motion_refuses_other_definitions(student, rng):
     """special_motion raises ValueError for another definition."""
-    calls = [given(name).on(f'the definition "{name}"') for name in ("d", "bc", "", "a", *cases.LETTERS_ALIKE)]
-    refuse(student.special_motion, calls, hint='Raise ValueError for anything but "b" and "c".')
+    calls = [Case(name).labelled(f'the definition "{name}"') for name in ("d", "bc", "", "a", *cases.LETTERS_ALIKE)]
+    check_raises(student.special_motion, calls, hint='Raise ValueError for anything but "b" and "c".')

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from tam570_grader.writing.figures import Figure
+from tam570_grader.checks.figures import Figure
 
-from . import right
+from . import reference
 
 
 def figure(r_p=(2.4, 1.7, 0.0), v_p=(0.5, -0.7, 0.0), r_c=(1.0, 0.45, 0.0), v_c=(0.8, 0.35, 0.0)):
@@ -22,7 +22,7 @@ def figure(r_p=(2.4, 1.7, 0.0), v_p=(0.5, -0.7, 0.0), r_c=(1.0, 0.45, 0.0), v_c=
     bends = ((-0.5, -0.9, 0.0), (0.3, 1.0, 0.0))
     for r, v, a in ((r_p, v_p, bends[0]), (r_c, v_c, bends[1])):
         powers = t[:, None] ** np.arange(3)
-        shown.line(powers @ np.array(right.path(r, v, a))[:, :2], "dash")
+        shown.line(powers @ np.array(reference.path(r, v, a))[:, :2], "dash")
     P, C = np.array(r_p[:2]), np.array(r_c[:2])
     shown.arrow((0, 0), P, "r_P", "thin", by=(-120, -66))
     shown.arrow((0, 0), C, "r_C", "thin", by=(-30, 6))

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from .right import cross, derivative, difference
+from .reference import cross, derivative, difference
 
 IDENTITY = 1e-12  # relative, of a coefficient: those of a motion, and so their products, are rounded to 1e-16 each
 FAR_OFF = 1e-6  # the same of a motion far from O: 1e7 m away from it one metre is rounded to 1e-9
@@ -82,4 +82,4 @@ def order_hint(definition, p, c):
     orders = {"Are P and C swapped? The motion of P comes first": (c, p)}
     if definition == "c" or np.any(p[:-1]) or not np.any(c[-1]):
         orders["The sum starts at j = 0: p[0] and c[0] are the positions at t = 0"] = (p[::-1], c[::-1])
-    return next((says for says, pair in orders.items() if next(flaws(definition, *pair), None) is None), "")
+    return next((message for message, pair in orders.items() if next(flaws(definition, *pair), None) is None), "")

@@ -3,14 +3,14 @@
 import numpy as np
 
 from tam570_grader import Column, Invariant, absolute, by_kind, check, expect, expect_that, law
-from tam570_grader.writing.diagrams import compare_diagrams
-from tam570_grader.writing.drawings import curves_seen, judge_axes_of_lengths, path_drawn
-from tam570_grader.writing.returns import array, drawing, free_body_diagram, group, number, rows
+from tam570_grader.checks.diagrams import compare_diagrams
+from tam570_grader.checks.plots import curves_seen, judge_axes_of_lengths, path_drawn
+from tam570_grader.checks.returns import array, drawing, free_body_diagram, group, number, rows
 
-from . import cases, right
+from . import cases, reference
 
 NEEDS = ("numpy", "matplotlib.figure", "matplotlib.backends.backend_agg")
-OFF_LIMITS = {"*": ("tam570.lectures",)}
+FORBIDDEN = {"*": ("tam570.lectures",)}
 POINTWISE = 1e-9  # a few roundings make 1e-14
 TRAJECTORY = 1e-5  # solve_ivp at rtol 1e-9, atol 1e-9 is off by less than 1e-6 after three periods
 ENERGY = 1e-5  # of itself; the same solvers lose less than 1e-6 of it in ten periods
@@ -27,50 +27,50 @@ DRAWN = 1e-3  # of the picture; chords of the 401 points that it is compared wit
 
 def length(case, _=None):
     """The size of the motion, m; of a mass at rest for good at the origin, 1."""
-    k = right.rate_of(**case.kwargs)
+    k = reference.rate_of(**case.kwargs)
     state = case.args[-1] if len(case.args[-1]) == 6 else np.hstack(case.args[-2:])
     return np.linalg.norm(state[:3]) + np.linalg.norm(state[3:]) / k + case.kwargs["gravity"] / k**2 or 1.0
 
 
 def speed(case, _=None):
-    return right.rate_of(**case.kwargs) * length(case)
+    return reference.rate_of(**case.kwargs) * length(case)
 
 
 def rate_size(case, _):
-    return right.rate_of(**case.kwargs) * np.repeat([length(case), speed(case)], 3)
+    return reference.rate_of(**case.kwargs) * np.repeat([length(case), speed(case)], 3)
 
 
 MOTION = Column("the position", "m", [0, 1, 2], scale=length), Column("the velocity", "m/s", [3, 4, 5], scale=speed)
-KEPT = Invariant("the energy", "of its start", right.energies, None, ENERGY)
-RESULTS = {
-    "state_derivative": array(6).called("a rate", "of its size", rate_size),
+KEPT = Invariant("the energy", "of its start", reference.energies, None, ENERGY)
+RETURNS = {
+    "state_derivative": array(6).described("a rate", "of its size", rate_size),
     "simulate": rows(6, columns=MOTION),
     "solution": rows(6, columns=MOTION),
-    "energy": number.called("the energy", "J", lambda case, _: case.kwargs["stiffness"] * length(case) ** 2),
-    "orbit": group(array(3).called("the centre", "m", length), array(2, 3)),
-    "project": array("n", 2).called("a point of the picture", "m", absolute),
+    "energy": number.described("the energy", "J", lambda case, _: case.kwargs["stiffness"] * length(case) ** 2),
+    "orbit": group(array(3).described("the centre", "m", length), array(2, 3)),
+    "project": array("n", 2).described("a point of the picture", "m", absolute),
     "plot_projection": drawing,
     "free_body_diagram": free_body_diagram(3),
 }
 
 
 @check(points=0.5, part="a")
-def forces_on_the_mass(student, draw):
+def forces_on_the_mass(student, rng):
     """free_body_diagram: every force on the mass, where it acts and along what."""
-    compare_diagrams(student.free_body_diagram, right, cases.states(draw))
+    compare_diagrams(student.free_body_diagram, reference, cases.states(rng))
 
 
 BELOW = "Which two forces act on the mass, and which way, when it is below the origin?"
 derivative_is_velocity_and_force_over_mass = law(
     "state_derivative: the velocity, and the acceleration by the spring and the weight.", points=1.5, part="a"
-).agrees(right.state_derivative, cases.states_at_times, within=POINTWISE, hint=BELOW)
+).agrees(reference.state_derivative, cases.states_at_times, tolerance=POINTWISE, hint=BELOW)
 energy_is_that_of_motion_spring_and_weight = law(
     "energy: kinetic, of the spring, of the weight; zero at rest at the origin.", points=1, part="a"
-).agrees(right.energy, cases.states, within=POINTWISE, hint="Three terms: speed, stretch, height.")
+).agrees(reference.energy, cases.states, tolerance=POINTWISE, hint="Three terms: speed, stretch, height.")
 WHERE = "About which point does it oscillate, and how fast? The velocities are the rates of the positions."
 solution_is_the_motion = law(
     "solution: position and velocity in closed form, given those at t = 0.", points=1.25, part="a"
-).agrees_by_columns(right.solution, cases.with_gravity, within=POINTWISE, hint=WHERE)
+).agrees_by_columns(reference.solution, cases.with_gravity, tolerance=POINTWISE, hint=WHERE)
 BEFORE = {"before": "Is anything kept between calls?"}
 AT_ZERO = by_kind(
     {"gravity": "Do you divide by gravity?"} | BEFORE, "Row i is the state at t[i], the given one that at t = 0."
@@ -78,24 +78,24 @@ AT_ZERO = by_kind(
 ON_IT = by_kind(BEFORE, "Do r and v/sqrt(k/m) lie on your ellipse, as seen from its centre?")
 solution_holds_without_gravity_and_from_any_time = solution_is_the_motion.then(
     "solution: without gravity too, and at times of which none is zero.", points=0.5, part="a"
-).agrees_by_columns(right.solution, cases.from_any_time, within=POINTWISE, hint=AT_ZERO)
+).agrees_by_columns(reference.solution, cases.from_any_time, tolerance=POINTWISE, hint=AT_ZERO)
 AT_THE_FIRST = "Does state_derivative pass? Row i is the state at t[i], the given one that at t[0]."
 simulate_moves_as_it_must = law(
     "simulate: the state at few and uneven times, the first of which is not 0.", points=0.75, part="a"
-).follows(right.simulate, cases.moving, within=TRAJECTORY, hint=AT_THE_FIRST, keeps=KEPT)
+).follows(reference.simulate, cases.moving, tolerance=TRAJECTORY, hint=AT_THE_FIRST, keeps=KEPT)
 STEPS = "Steps between the times must be as short as the motion asks for."
 FIXED = "A step of fixed length does not do for every spring."
 simulate_does_not_depend_on_the_sampling = (
     simulate_moves_as_it_must.then(
         "simulate: the same with only two times, many periods apart, whatever was asked before.", points=0.5, part="a"
     )
-    .follows(right.simulate, cases.far_apart, within=3 * TRAJECTORY, hint=STEPS)
-    .also.follows(right.simulate, cases.at_two_times, cases.alike, within=TRAJECTORY, hint=AT_THE_FIRST)
-    .also.follows(right.simulate, cases.stiff, within=TRAJECTORY, hint=FIXED)
+    .follows(reference.simulate, cases.far_apart, tolerance=3 * TRAJECTORY, hint=STEPS)
+    .also.follows(reference.simulate, cases.at_two_times, cases.alike, tolerance=TRAJECTORY, hint=AT_THE_FIRST)
+    .also.follows(reference.simulate, cases.stiff, tolerance=TRAJECTORY, hint=FIXED)
 )
 energy_stays = simulate_moves_as_it_must.then(
     "simulate: after ten periods the energy has its first value.", points=0.5, part="a"
-).keeps(KEPT, right=right.simulate, cases=cases.ten_periods, coarsely=COARSELY, partial={1e-3: 0.6, 1e-2: 0.3})
+).keeps(KEPT, reference=reference.simulate, cases=cases.ten_periods, coarsely=COARSELY, partial={1e-3: 0.6, 1e-2: 0.3})
 
 
 # The ellipse
@@ -108,13 +108,13 @@ def where_it_rests(case, found, expected):
 
 orbit_has_its_centre_at_the_equilibrium = law(
     "orbit: the centre is where the mass can rest.", points=0.5, part="c"
-).agrees(right.orbit, cases.orbits, within=POINTWISE, only=0, hint=where_it_rests)
+).agrees(reference.orbit, cases.orbits, tolerance=POINTWISE, only=0, hint=where_it_rests)
 
 
 def judge_axes(orbit, calls):
     """Semi-axes a, b are perpendicular, a the larger, and a a^T + b b^T is Fradkin's tensor."""
     for case, (_, (a, b)) in orbit.each(calls):
-        (_, whole), found = right.orbit(*case.args, **case.kwargs), np.outer(a, a) + np.outer(b, b)
+        (_, whole), found = reference.orbit(*case.args, **case.kwargs), np.outer(a, a) + np.outer(b, b)
         square = np.trace(whole) + (NOUGHT * length(case)) ** 2
         known = {"scale": square, "unit": "of the square of its size"}
         known_ones = {
@@ -123,10 +123,12 @@ def judge_axes(orbit, calls):
             "The semi-axes have the squares of their lengths.": whole @ whole,
             "The semi-axes are unit vectors: give them their lengths.": found @ found if found.any() else whole,
         }
-        near = [says for says, one in known_ones.items() if np.allclose(found, one, rtol=1e-6, atol=TENSOR * square)]
-        expect(found, whole, within=TENSOR, of="the ellipse", hint=[*near, ON_IT(case)][0], **known)
+        near = [
+            message for message, one in known_ones.items() if np.allclose(found, one, rtol=1e-6, atol=TENSOR * square)
+        ]
+        expect(found, whole, tolerance=TENSOR, quantity="the ellipse", hint=[*near, ON_IT(case)][0], **known)
         hint = "Two radii that give the ellipse need not be its axes."
-        expect(a @ b, 0.0, within=RIGHT_ANGLE, of="the product of the axes", hint=hint, **known)
+        expect(a @ b, 0.0, tolerance=RIGHT_ANGLE, quantity="the product of the axes", hint=hint, **known)
         expect_that(a @ a >= b @ b - RIGHT_ANGLE * square, "the larger axis is not the first")
 
 
@@ -140,18 +142,18 @@ orbit_may_be_a_line_or_a_point = orbit_is_the_ellipse_of_the_motion.then(
 # The picture
 
 projection_is_orthographic = law("project: what an eye far away sees, right and up.", points=1, part="a").agrees(
-    right.project, cases.views, within=POINTWISE, hint="Try one axis at a time: where does (0, 0, 1) go?"
+    reference.project, cases.views, tolerance=POINTWISE, hint="Try one axis at a time: where does (0, 0, 1) go?"
 )
 
 
 @check(points=0.5, part="a", after=projection_is_orthographic)
-def the_path_is_drawn(student, draw):
+def the_path_is_drawn(student, rng):
     """plot_projection draws the projected path from t[0] to t[-1], with labels and equal scales."""
-    case = cases.drawn(draw)
+    case = cases.drawn(rng)
     t, r, v, *view = case.args
-    places = right.simulate(t, r, v, **case.kwargs)[:, :3]
+    places = reference.simulate(t, r, v, **case.kwargs)[:, :3]
     picture = student.plot_projection.drawn(case)
     (line,) = curves_seen(picture, 1)
     others = {"These are x and y, not right and up.": places[:, :2]}
-    path_drawn(line, right.project(places, *view), within=DRAWN, of="the curve", others=others)
+    path_drawn(line, reference.project(places, *view), tolerance=DRAWN, quantity="the curve", others=others)
     judge_axes_of_lengths(picture, "right horizontal", "up vertical")

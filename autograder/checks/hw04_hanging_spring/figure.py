@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from tam570_grader.writing.figures import Figure
+from tam570_grader.checks.figures import Figure
 
-from . import right
+from . import reference
 
 AZIMUTH, ELEVATION = -0.9, 0.3
 
@@ -13,7 +13,7 @@ def figure(position=(0.75, 0.35, -1.1)):
     """Seen by the projection of the problem."""
 
     def seen(point):
-        return right.project(np.atleast_2d(np.asarray(point, float)), AZIMUTH, ELEVATION)[0]
+        return reference.project(np.atleast_2d(np.asarray(point, float)), AZIMUTH, ELEVATION)[0]
 
     shown = Figure(
         "A mass on a spring",

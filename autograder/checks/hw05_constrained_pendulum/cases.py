@@ -4,38 +4,38 @@ import math
 
 import numpy as np
 
-from tam570_grader import given, in_turn, uneven
+from tam570_grader import Case, repeated_calls, uneven
 
-from .right import on_circle
+from .reference import on_circle
 
 PLACES = {"the bottom": (0.0, -1.0), "the top": (0.0, 1.0), "the right": (1.0, 0.0), "the left": (-1.0, 0.0)}
 UNIT = {"mass": 1.0, "length": 1.0, "gravity": 1.0}
 
 
-def parameters(draw, **fixed):
+def parameters(rng, **fixed):
     """A random mass, length and gravity."""
-    known = {"mass": 10 ** draw.uniform(-1, 1), "length": 10 ** draw.uniform(-0.5, 0.8), "gravity": draw.uniform(2, 25)}
+    known = {"mass": 10 ** rng.uniform(-1, 1), "length": 10 ** rng.uniform(-0.5, 0.8), "gravity": rng.uniform(2, 25)}
     return {**known, **fixed}
 
 
-def states(draw):
+def states(rng):
     """Consistent states, moving and at rest, with gravity and without; of exact zeros at plain places."""
-    for kind in ["a random state"] * 10 + ["a particle at rest"] * 3 + ["no gravity"] * 4:
-        known = parameters(draw, **({"gravity": 0.0} if kind == "no gravity" else {}))
-        omega = draw.uniform(1, 5) * draw.choice([-1, 1]) * (kind != "a particle at rest")
-        yield given(on_circle(draw.uniform(-3, 3), omega, known["length"]), **known).on(kind)
+    for label in ["a random state"] * 10 + ["a particle at rest"] * 3 + ["no gravity"] * 4:
+        known = parameters(rng, **({"gravity": 0.0} if label == "no gravity" else {}))
+        omega = rng.uniform(1, 5) * rng.choice([-1, 1]) * (label != "a particle at rest")
+        yield Case(on_circle(rng.uniform(-3, 3), omega, known["length"]), **known).labelled(label)
     for place, (x, y) in PLACES.items():
-        pendulums = {"": parameters(draw), ", no gravity": parameters(draw, gravity=0.0), ", all parameters 1": UNIT}
+        pendulums = {"": parameters(rng), ", no gravity": parameters(rng, gravity=0.0), ", all parameters 1": UNIT}
         for rest, known in pendulums.items():
-            speed = 1.0 if known is UNIT else draw.uniform(1, 5)
+            speed = 1.0 if known is UNIT else rng.uniform(1, 5)
             for v, how in ((speed, "moving"), (-speed, "moving"), (0.0, "at rest")):
                 state = np.array([x * known["length"], y * known["length"], -y * v, x * v])
-                yield given(state, **known).on(f"a particle at {place}, {how}{rest}")
+                yield Case(state, **known).labelled(f"a particle at {place}, {how}{rest}")
 
 
-def off_circle(draw):
+def off_circle(rng):
     """States that are not consistent, random and on an axis, on the circle and just off it; at 1e-8 of the origin."""
-    some = [(draw.normal(size=4) * draw.uniform(0.5, 4), 10 ** draw.uniform(-0.5, 0.8)) for _ in range(12)]
+    some = [(rng.normal(size=4) * rng.uniform(0.5, 4), 10 ** rng.uniform(-0.5, 0.8)) for _ in range(12)]
     state, length = some[0]
     speed = math.hypot(*state[2:])
     some += [
@@ -47,7 +47,7 @@ def off_circle(draw):
     some += [((*place, *state[2:]), 0.5) for place in ((3e-9, -4e-9), (0.0, 5e-9))]  # np.allclose takes them for zero
     whole = (1.0, 0.0, 0.0, 1.0), (0.0, -2.0, 1.0, 1.0), (3.0, 4.0, 0.0, 0.0), (-3.0, 4.0, -3.0, 4.0)
     some += [(numbers, 1.0) for numbers in whole]
-    return [given(np.array(state), length=length).on(_where(state, length)) for state, length in some]
+    return [Case(np.array(state), length=length).labelled(_where(state, length)) for state, length in some]
 
 
 def _where(state, length):
@@ -56,10 +56,10 @@ def _where(state, length):
     return "a particle " + next((where for place, limit, where in near if abs(far - place) < limit), "off the circle")
 
 
-def origin(draw):
+def origin(rng):
     """What is allowed first."""
-    allowed, state = given(np.array([0.0, -2.0, 1.0, 1.0]), length=1.0), np.append([0.0, 0.0], draw.normal(size=2))
-    return [allowed, given(state, length=draw.uniform(0.5, 2)).on("a particle at the origin")]
+    allowed, state = Case(np.array([0.0, -2.0, 1.0, 1.0]), length=1.0), np.append([0.0, 0.0], rng.normal(size=2))
+    return [allowed, Case(state, length=rng.uniform(0.5, 2)).labelled("a particle at the origin")]
 
 
 # Motions: kind, angle, its rate in sqrt(g/l) or 1/s, what is not random
@@ -81,59 +81,59 @@ def pace(known):
     return math.sqrt(known["gravity"] / known["length"]) or 1.0  # 1/s
 
 
-def moved(draw, kind, turns, count, start, known, signs=(1,)):
+def moved(rng, label, turns, count, start, known, signs=(1,)):
     """A motion of so many turns at uneven times, which begin after t = 0, or before as well."""
     span = turns * 2 * math.pi / pace(known)
-    t = uneven(draw, span, count, span * draw.uniform(0.2, 0.8) * draw.choice(signs))
+    t = uneven(rng, span, count, span * rng.uniform(0.2, 0.8) * rng.choice(signs))
     theta, omega = start
     state = on_circle(theta, omega * pace(known), known["length"])
     state[np.abs(state) < 1e-15 * np.abs(state).max()] = 0.0  # sin pi and cos pi/2
-    return given(t, state, **known).on(f"{kind}, t[0] {'<' if t[0] < 0 else '>'} 0")
+    return Case(t, state, **known).labelled(f"{label}, t[0] {'<' if t[0] < 0 else '>'} 0")
 
 
-def plain(draw, weight):
+def plain(rng, weight):
     """Two or three times, from exact places, at rest or moving either way; with gravity or without."""
-    for kind, theta, omega, fixed in [start for start in STARTS if (start[3].get("gravity") != 0.0) == weight]:
-        side = draw.choice([-1, 1])
+    for label, theta, omega, fixed in [start for start in STARTS if (start[3].get("gravity") != 0.0) == weight]:
+        side = rng.choice([-1, 1])
         for count, sign in ((2, side), (3, -side)):
-            known, turns = parameters(draw, **fixed), draw.uniform(0.3, 0.8)
+            known, turns = parameters(rng, **fixed), rng.uniform(0.3, 0.8)
             start = theta * sign, omega * sign
-            yield moved(draw, f"a particle {kind}, at {count} times", turns, count, start, known, (-1, 1))
+            yield moved(rng, f"a particle {label}, at {count} times", turns, count, start, known, (-1, 1))
 
 
-def swinging(draw, turns, count):
-    start = draw.uniform((0.8, 0.2), (2.2, 0.6)) * draw.choice([-1, 1], 2)
-    return moved(draw, "a particle that swings", turns, count, start, parameters(draw))
+def swinging(rng, turns, count):
+    start = rng.uniform((0.8, 0.2), (2.2, 0.6)) * rng.choice([-1, 1], 2)
+    return moved(rng, "a particle that swings", turns, count, start, parameters(rng))
 
 
-def with_gravity(draw):
-    round_the_top = draw.uniform((0, 2.3), 3) * draw.choice([-1, 1], 2)
-    again, far = swinging(draw, 1.8, 5), swinging(draw, 1.8, 9)
+def with_gravity(rng):
+    round_the_top = rng.uniform((0, 2.3), 3) * rng.choice([-1, 1], 2)
+    again, far = swinging(rng, 1.8, 5), swinging(rng, 1.8, 9)
     return [
-        swinging(draw, 1.8, 9),
-        moved(draw, "a particle that goes over the top", 1.8, 9, round_the_top, parameters(draw), (-1, 1)),
-        *in_turn(draw, again, start=(again.args[1] * [-1, 1, -1, 1],), length=None),
-        far.but(far.args[0][[0, -1]]).on("two times far apart"),
-        *plain(draw, True),
+        swinging(rng, 1.8, 9),
+        moved(rng, "a particle that goes over the top", 1.8, 9, round_the_top, parameters(rng), (-1, 1)),
+        *repeated_calls(rng, again, start=(again.args[1] * [-1, 1, -1, 1],), length=None),
+        far.replace(far.args[0][[0, -1]]).labelled("two times far apart"),
+        *plain(rng, True),
     ]
 
 
-def without_gravity(draw):
-    known, omega = parameters(draw, gravity=0.0), draw.uniform(1, 4) * draw.choice([-1, 1])
-    return [moved(draw, "no gravity", 2.3 / abs(omega), 12, (draw.uniform(-3, 3), omega), known), *plain(draw, False)]
+def without_gravity(rng):
+    known, omega = parameters(rng, gravity=0.0), rng.uniform(1, 4) * rng.choice([-1, 1])
+    return [moved(rng, "no gravity", 2.3 / abs(omega), 12, (rng.uniform(-3, 3), omega), known), *plain(rng, False)]
 
 
-def long(draw):
+def long(rng):
     """About ten to twenty swings in 100 s, below the hinge.
 
     Where g y > v^2, beside and above it, errors of the steps grow if the force is m (v^2 - g y)/l^2 by the given l.
     """
-    start = draw.uniform((0.8, 0.2), (1.2, 0.4)) * draw.choice([-1, 1], 2)
-    known = parameters(draw, gravity=draw.uniform(3, 6), length=draw.uniform(3, 6))
-    return [moved(draw, "100 s", 1, 2, start, known).but(np.linspace(0.0, 100.0, 60)).on("a motion of 100 s")]
+    start = rng.uniform((0.8, 0.2), (1.2, 0.4)) * rng.choice([-1, 1], 2)
+    known = parameters(rng, gravity=rng.uniform(3, 6), length=rng.uniform(3, 6))
+    return [moved(rng, "100 s", 1, 2, start, known).replace(np.linspace(0.0, 100.0, 60)).labelled("a motion of 100 s")]
 
 
-def at_the_top(draw):
-    known = parameters(draw)
+def at_the_top(rng):
+    known = parameters(rng)
     t = np.linspace(0.0, 20 / pace(known), 9)
-    return [given(t, np.array([0.0, known["length"], 0.0, 0.0]), **known).on("a start at rest at the very top")]
+    return [Case(t, np.array([0.0, known["length"], 0.0, 0.0]), **known).labelled("a start at rest at the very top")]

@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from tam570_grader import Column, Invariant, absolute, array, check, expect, follow, law, number, rows
-from tam570_grader.writing.diagrams import compare_diagrams
-from tam570_grader.writing.returns import free_body_diagram
+from tam570_grader import Column, Invariant, absolute, array, check, compare_trajectory, expect, law, number, rows
+from tam570_grader.checks.diagrams import compare_diagrams
+from tam570_grader.checks.returns import free_body_diagram
 
-from . import cases, right
+from . import cases, reference
 
 NEEDS = ("numpy",)
 
@@ -46,22 +46,24 @@ MOTION = (
     Column("the place", "m", [0, 1], scale=lambda case, _: case.kwargs["length"]),
     Column("the velocity", "m/s", [2, 3], scale=speed),
 )
-KEPT = Invariant("the energy", "of m g l", right.energies, absolute, ENERGY)
-RESULTS = {
-    "constraint_force": array(2).called("the constraint force", "N", lambda case, _: case.kwargs["mass"] * pull(case)),
-    "acceleration": array(2).called("the acceleration", "m/s^2", pull),
-    "consistent_state": array(4).called("the state", "of its size", state_size),
-    "energy": number.called("the energy", "J", heat),
+KEPT = Invariant("the energy", "of m g l", reference.energies, absolute, ENERGY)
+RETURNS = {
+    "constraint_force": array(2).described(
+        "the constraint force", "N", lambda case, _: case.kwargs["mass"] * pull(case)
+    ),
+    "acceleration": array(2).described("the acceleration", "m/s^2", pull),
+    "consistent_state": array(4).described("the state", "of its size", state_size),
+    "energy": number.described("the energy", "J", heat),
     "simulate": rows(4, columns=MOTION),
-    "wireframe": array(1, 2, 2).called("an end of the rod", "m"),
+    "wireframe": array(1, 2, 2).described("an end of the rod", "m"),
     "free_body_diagram": free_body_diagram(2),
 }
 
 
 @check(points=0.5, part="a")
-def forces_on_the_particle(student, draw):
+def forces_on_the_particle(student, rng):
     """free_body_diagram: every force on the particle, where it acts and along what."""
-    compare_diagrams(student.free_body_diagram, right, cases.states(draw))
+    compare_diagrams(student.free_body_diagram, reference, cases.states(rng))
 
 
 def of_mending(case, found, expected):
@@ -72,59 +74,70 @@ def of_mending(case, found, expected):
 TWICE = "Differentiate x^2 + y^2 = l^2 twice: which unknown does F = m a leave?"
 force_keeps_the_particle_on_the_circle = law(
     "constraint_force: radial, and such that F = m a keeps x^2 + y^2 as it is.", points=2, part="a"
-).agrees(right.constraint_force, cases.states, within=FORMULA, hint=TWICE)
+).agrees(reference.constraint_force, cases.states, tolerance=FORMULA, hint=TWICE)
 acceleration_is_that_of_both_forces = law(
     "acceleration: by the weight and the constraint force.", points=1.5, part="a"
-).agrees(right.acceleration, cases.states, within=FORMULA, hint="Do both forces act, and what is r . a?")
+).agrees(reference.acceleration, cases.states, tolerance=FORMULA, hint="Do both forces act, and what is r . a?")
 consistent_state_is_the_nearest = law(
     "consistent_state: the place goes along its radius onto the circle, v loses its radial part.", points=1.25, part="a"
-).agrees(right.consistent_state, cases.off_circle, within=FORMULA, hint=of_mending)
+).agrees(reference.consistent_state, cases.off_circle, tolerance=FORMULA, hint=of_mending)
 NEAREST = "Which point of the circle is nearest to its centre?"
 consistent_state_refuses_the_origin = consistent_state_is_the_nearest.then(
     "consistent_state raises ValueError where no point of the circle is the nearest.", points=0.25, part="a"
-).refuses(right.consistent_state, cases.origin, within=FORMULA, hint=NEAREST)
+).refuses(reference.consistent_state, cases.origin, tolerance=FORMULA, hint=NEAREST)
 energy_is_kinetic_and_potential = law(
     "energy: m v^2/2 and the potential energy of the weight, zero at y = 0.", points=1, part="a"
-).agrees(right.energy, cases.states, within=FORMULA, hint="How high is it above y = 0, and how fast?")
+).agrees(reference.energy, cases.states, tolerance=FORMULA, hint="How high is it above y = 0, and how fast?")
 WEIGHTLESS = "What changes the velocity when there is no weight?"
 without_gravity_it_goes_round_uniformly = law(
     "simulate: uniform motion around the circle where there is no gravity.", points=0.5, part="a"
-).follows(right.simulate, cases.without_gravity, within=FOLLOWED, hint=WEIGHTLESS, keeps=KEPT)
+).follows(reference.simulate, cases.without_gravity, tolerance=FOLLOWED, hint=WEIGHTLESS, keeps=KEPT)
 with_gravity_it_swings_or_goes_round = law(
     "simulate: the state at few and uneven times, the first of which is not 0.", points=0.75, part="a"
-).follows(right.simulate, cases.with_gravity, within=FOLLOWED, hint="Does acceleration pass?", keeps=KEPT)
+).follows(reference.simulate, cases.with_gravity, tolerance=FOLLOWED, hint="Does acceleration pass?", keeps=KEPT)
 
 
 LEAVES = "Do place and velocity leave the circle: what corrects the errors of the steps?"
 
 
 @check(points=1, part="a", after=with_gravity_it_swings_or_goes_round)
-def it_stays_on_the_circle(student, draw):
+def it_stays_on_the_circle(student, rng):
     """simulate: after 100 s the particle is still on the circle, and its velocity tangent to it."""
-    (motion,) = follow(student.simulate, right, cases.long(draw), within=COARSELY, hint=LEAVES, gradual=False)
+    (motion,) = compare_trajectory(
+        student.simulate, reference, cases.long(rng), tolerance=COARSELY, hint=LEAVES, near_miss_credit=False
+    )
     (x, y, vx, vy), length = motion.found.T, motion.case.kwargs["length"]
     off = (x**2 + y**2) / length**2 - 1
     out = (x * vx + y * vy) / (length * speed(motion.case, motion.expected))
     known = {**drift(off, out), "unit": "of its size", "t": motion.t, "partial": {1e-7: 0.5, 1e-5: 0.25}}
-    expect(np.column_stack([off, out]), 0.0, within=CONSTRAINT, **known)
+    expect(np.column_stack([off, out]), 0.0, tolerance=CONSTRAINT, **known)
 
 
 def drift(off, out):
     """What leaves the circle, and what nothing takes back."""
     if np.abs(off).max() <= ROUNDED:
-        return {"of": "the constraint r . v = 0", "hint": "The place is put back: is the velocity made tangent?"}
+        return {"quantity": "the constraint r . v = 0", "hint": "The place is put back: is the velocity made tangent?"}
     if np.abs(out).max() <= ROUNDED:
-        return {"of": "the constraint x^2 + y^2 = l^2", "hint": "The velocity is made tangent: is the place put back?"}
-    return {"of": "the constraint x^2 + y^2 = l^2 or r . v = 0", "hint": LEAVES}
+        return {
+            "quantity": "the constraint x^2 + y^2 = l^2",
+            "hint": "The velocity is made tangent: is the place put back?",
+        }
+    return {"quantity": "the constraint x^2 + y^2 = l^2 or r . v = 0", "hint": LEAVES}
 
 
 TIGHTEN, LOSSES = "Tighten rtol and atol: does it leave the circle between the samples?", {1e-3: 0.6, 1e-2: 0.3}
 energy_stays = with_gravity_it_swings_or_goes_round.then(
     "simulate: after 100 s the energy has its first value.", points=0.25, part="a"
-).keeps(KEPT, right=right.simulate, cases=cases.long, coarsely=COARSELY, partial=LOSSES, hint=TIGHTEN)
+).keeps(KEPT, reference=reference.simulate, cases=cases.long, coarsely=COARSELY, partial=LOSSES, hint=TIGHTEN)
 at_the_very_top_it_stays = with_gravity_it_swings_or_goes_round.then(
     "simulate: at rest straight above the hinge it is in equilibrium.", points=0.5, part="a"
-).follows(right.simulate, cases.at_the_top, within=TOP, hint="What do the two forces add up to there?", loose=False)
+).follows(
+    reference.simulate,
+    cases.at_the_top,
+    tolerance=TOP,
+    hint="What do the two forces add up to there?",
+    loose_tolerance_credit=False,
+)
 wireframe_is_the_rod = law("wireframe: one segment, from the hinge to the particle.", points=0.5, part="a").agrees(
-    right.wireframe, cases.states, within=FORMULA, hint="Its first end is the hinge, its second the particle."
+    reference.wireframe, cases.states, tolerance=FORMULA, hint="Its first end is the hinge, its second the particle."
 )

@@ -1,13 +1,13 @@
 """The figure of hw05: the particle on its circle."""
 
-from tam570_grader.writing.figures import Figure, circle
+from tam570_grader.checks.figures import Figure, circle
 
-from . import right
+from . import reference
 
 
 def figure(theta=0.8, omega=0.6, length=1.0):
     """A consistent state of this angle and rate."""
-    state = right.on_circle(theta, omega, length)
+    state = reference.on_circle(theta, omega, length)
     place, velocity = state[:2], state[2:]
     shown = Figure(
         "The pendulum as a constrained particle",
@@ -18,7 +18,7 @@ def figure(theta=0.8, omega=0.6, length=1.0):
     )
     shown.line(circle((0, 0), length), "dash", closed=True)
     shown.axes((0, 0), 0.5)
-    shown.segments(right.wireframe(state, length=length))
+    shown.segments(reference.wireframe(state, length=length))
     shown.line([(place[0], 0), place], "dash")
     shown.label((place[0], place[1] / 2), "y", by=(12, 0))
     shown.dimension((0, 0), (place[0], 0), "x", aside=16)

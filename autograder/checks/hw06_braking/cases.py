@@ -5,9 +5,9 @@ from itertools import chain
 
 import numpy as np
 
-from tam570_grader import given, in_turn, uneven
+from tam570_grader import Case, repeated_calls, uneven
 
-from .right import stopped, wheelbase
+from .reference import stopped, wheelbase
 
 AXLES = ("front", "rear")
 OTHERS = ("both", "", "Front", "r", "front rear", None)
@@ -33,13 +33,13 @@ WAYS = {
     "straight motion in reverse": (REVERSE, NONE),
     REST: (NONE, NONE),
 }
-MOVING = [kind for kind in WAYS if kind != REST]
+MOVING = [label for label in WAYS if label != REST]
 
 
-def car(draw, **fixed):
+def car(rng, **fixed):
     """yaw_inertia is drawn as a share of mass front rear."""
-    mass = 10 ** draw.uniform(0.5, 3.3)
-    known = {name: draw.uniform(*limits) for name, limits in LIMITS.items()} | fixed
+    mass = 10 ** rng.uniform(0.5, 3.3)
+    known = {name: rng.uniform(*limits) for name, limits in LIMITS.items()} | fixed
     known["yaw_inertia"] *= mass * known["front"] * known["rear"]
     return {"mass": mass, **known, **fixed}
 
@@ -60,64 +60,64 @@ def speed_of(case):
     return abs(state[3]) + abs(state[4]) * wheelbase(case.kwargs)
 
 
-def state(draw, car, speed, yaw):
+def state(rng, car, speed, yaw):
     """Anywhere, a heading not within a turn of zero; speed and yaw, either way, in the car's usual ones."""
-    heading = draw.choice([draw.uniform(-10, -3.3), draw.uniform(6.5, 10)])  # wrapped, it is another
-    rates = draw.uniform(*speed) * usual(car), draw.choice([-1, 1]) * draw.uniform(*yaw) * usual(car) / wheelbase(car)
-    return np.array([*draw.uniform(-5, 5, 2), heading, *rates])
+    heading = rng.choice([rng.uniform(-10, -3.3), rng.uniform(6.5, 10)])  # wrapped, it is another
+    rates = rng.uniform(*speed) * usual(car), rng.choice([-1, 1]) * rng.uniform(*yaw) * usual(car) / wheelbase(car)
+    return np.array([*rng.uniform(-5, 5, 2), heading, *rates])
 
 
 # Cases of functions of a state, for all of them: (state, locked, **car)
 
 
-def call(kind, known, locked, *first):
-    return given(*first, locked, **known).on(f"{kind}, a locked {locked} axle")
+def call(label, known, locked, *first):
+    return Case(*first, locked, **known).labelled(f"{label}, a locked {locked} axle")
 
 
-def moving(draw, kind, locked, way, **fixed):
-    known = car(draw, **fixed)
-    return call(kind, known, locked, state(draw, known, *way))
+def moving(rng, label, locked, way, **fixed):
+    known = car(rng, **fixed)
+    return call(label, known, locked, state(rng, known, *way))
 
 
 def ways(*kinds, count=3, **fixed):
     """States that move in these ways, of cars with either axle locked."""
-    return lambda draw: [moving(draw, kind, locked, WAYS[kind], **fixed) for kind in kinds for locked in AXLES * count]
+    return lambda rng: [moving(rng, label, locked, WAYS[label], **fixed) for label in kinds for locked in AXLES * count]
 
 
-def odd_cars(draw):
-    kinds = [kind for kind in WAYS if "reverse" not in kind]
+def odd_cars(rng):
+    kinds = [label for label in WAYS if "reverse" not in label]
     return [
-        case.on(f"{odd}, {case.kind}")
+        case.labelled(f"{odd}, {case.label}")
         for odd, fixed in ODD_CARS.items()
-        for case in ways(*kinds, count=1, **fixed)(draw)
+        for case in ways(*kinds, count=1, **fixed)(rng)
     ]
 
 
-def headings(draw):
+def headings(rng):
     """Along the axes and beyond a turn, with G at the origin."""
     return [
-        case.but(np.array([0, 0, heading, *case.args[0][3:]])).on(
-            f"G at the origin, heading {heading:.3g}, {case.kind}"
+        case.replace(np.array([0, 0, heading, *case.args[0][3:]])).labelled(
+            f"G at the origin, heading {heading:.3g}, {case.label}"
         )
         for heading in (0.0, math.pi / 2, math.pi, -math.pi / 2, 9.0, -20.0)
-        for case in ways(TURN, "straight motion in reverse", count=1)(draw)
+        for case in ways(TURN, "straight motion in reverse", count=1)(rng)
     ]
 
 
-def of_diagrams(draw):
+def of_diagrams(rng):
     """Every way to move, odd cars, every heading."""
-    return [*ways(*WAYS, count=2)(draw), *odd_cars(draw), *headings(draw)]
+    return [*ways(*WAYS, count=2)(rng), *odd_cars(rng), *headings(rng)]
 
 
-def creeping(kind, *speeds):
+def creeping(label, *speeds):
     """The locked axle moves at these speeds, m/s, any way."""
 
-    def one(draw, locked, speed):
-        known, way = car(draw), draw.uniform(-3, 3)
+    def one(rng, locked, speed):
+        known, way = car(rng), rng.uniform(-3, 3)
         rates = speed * math.cos(way), speed * math.sin(way) / wheelbase(known)
-        return call(kind, known, locked, state(draw, known, NONE, NONE) + [0, 0, 0, *rates])
+        return call(label, known, locked, state(rng, known, NONE, NONE) + [0, 0, 0, *rates])
 
-    return lambda draw: [one(draw, locked, speed) for locked in AXLES for speed in speeds]
+    return lambda rng: [one(rng, locked, speed) for locked in AXLES for speed in speeds]
 
 
 slow = creeping("a locked axle at 1 mm/s or less", 1e-6, 3e-5, 1e-3)
@@ -126,65 +126,69 @@ hardly_moving = creeping("speed and yaw rate below 1e-8, which are not zero", 5e
 
 def timed(*drawn):
     """The same with a time before the state."""
-    return lambda draw: [case.behind(float(t)) for t, case in enumerate(chain(*(one(draw) for one in drawn)))]
+    return lambda rng: [case.with_leading(float(t)) for t, case in enumerate(chain(*(one(rng) for one in drawn)))]
 
 
 # Functions without a state
 
 
-def parked(draw):
+def parked(rng):
     """(locked, **car): random cars, and odd ones."""
-    cars = [("a random car", car(draw)) for _ in range(6)]
-    cars += [(kind, car(draw, **fixed)) for kind, fixed in ODD_CARS.items()]
-    return [call(kind, known, locked) for kind, known in cars for locked in AXLES]
+    cars = [("a random car", car(rng)) for _ in range(6)]
+    cars += [(label, car(rng, **fixed)) for label, fixed in ODD_CARS.items()]
+    return [call(label, known, locked) for label, known in cars for locked in AXLES]
 
 
-def at_speeds(draw):
+def at_speeds(rng):
     """(speed, locked, **car): low and high speeds."""
-    return [case.behind(draw.uniform(0.3, 3) * usual(case.kwargs)) for case in parked(draw)]
+    return [case.with_leading(rng.uniform(0.3, 3) * usual(case.kwargs)) for case in parked(rng)]
 
 
-def slowing(draw):
+def slowing(rng):
     """(speed, speed0, yaw_rate0, locked, **car): any speeds, and speeds that have not fallen yet, no yaw rate."""
     cases = []
-    for one in parked(draw):
-        v, fall = usual(one.kwargs), draw.uniform(0.1, 0.7)
-        falls = [(draw.uniform(0.7, 1.8), fall, draw.uniform(0.01, 2)), (1.0, draw.uniform(0.1, 0.7), -1.0)]
-        if "random" not in one.kind:
+    for one in parked(rng):
+        v, fall = usual(one.kwargs), rng.uniform(0.1, 0.7)
+        falls = [(rng.uniform(0.7, 1.8), fall, rng.uniform(0.01, 2)), (1.0, rng.uniform(0.1, 0.7), -1.0)]
+        if "random" not in one.label:
             falls += [(1.0, 1.0, 0.3), (1.0, 0.4, 0.0), (1.0, 1.0, 0.0), (0.8, 0.625, 1.0)]
         for fast, share, yaw in falls if one.kwargs["friction"] * one.kwargs["gravity"] else ():
-            says = f"speed/speed0 = {share:.2g}{', a negative yaw rate' if yaw < 0 else ''}"
-            cases.append(one.behind(share * fast * v, fast * v, yaw).on(f"{one.kind}, {says}"))
+            message = f"speed/speed0 = {share:.2g}{', a negative yaw rate' if yaw < 0 else ''}"
+            cases.append(one.with_leading(share * fast * v, fast * v, yaw).labelled(f"{one.label}, {message}"))
     return cases
 
 
-def of_mechanics(draw):
+def of_mechanics(rng):
     """(function, call), moving and at rest, for another `locked` in the place of the last argument."""
-    for kind in (TURN, REST):
-        one, t = moving(draw, kind, "front", WAYS[kind]).on(kind), np.array([0.0, 1e-3])
-        yield from (("axle_load", given("front", **one.kwargs).on(kind)), ("friction_force", one))
-        yield from (("kinetic_energy", one), ("state_derivative", one.behind(0.0)), ("simulate", one.behind(t)))
+    for label in (TURN, REST):
+        one, t = moving(rng, label, "front", WAYS[label]).labelled(label), np.array([0.0, 1e-3])
+        yield from (("axle_load", Case("front", **one.kwargs).labelled(label)), ("friction_force", one))
+        yield from (
+            ("kinetic_energy", one),
+            ("state_derivative", one.with_leading(0.0)),
+            ("simulate", one.with_leading(t)),
+        )
 
 
-def of_stability(draw):
+def of_stability(rng):
     before = {"yaw_growth_rate": (2.0,), "critical_speed": (), "small_yaw_rate": (1.0, 2.0, 0.1)}
-    return [(name, given(*first, "front", **car(draw)).on("a random car")) for name, first in before.items()]
+    return [(name, Case(*first, "front", **car(rng)).labelled("a random car")) for name, first in before.items()]
 
 
 # Motions
 
 
-def run(draw, kind, locked, way, share, count, fixed=None):
+def run(rng, label, locked, way, share, count, fixed=None):
     """For this share of the time to the stop; without friction until it has gone so many wheelbases."""
-    case = moving(draw, kind, locked, way, **fixed or {})
+    case = moving(rng, label, locked, way, **fixed or {})
     start, known = case.args[0], case.kwargs
     brakes = known["friction"] * known["gravity"]
     latest = stopped(start, locked, known)[0] if brakes else wheelbase(known) / speed_of(case)
-    return case.behind(uneven(draw, share * latest, count))
+    return case.with_leading(uneven(rng, share * latest, count))
 
 
 def runs(*settings):
-    return lambda draw: [run(draw, *one) for one in settings]
+    return lambda rng: [run(rng, *one) for one in settings]
 
 
 def braking(count):
@@ -196,34 +200,34 @@ def braking(count):
     )
 
 
-def plain(draw, share, **fixed):
+def plain(rng, share, **fixed):
     """Two times: straight on, or turning on the spot, from the origin along x or from anywhere."""
-    kinds = [kind for kind, (speed, yaw) in WAYS.items() if (speed == NONE) != (yaw == NONE)]
-    cases = [run(draw, kind, locked, WAYS[kind], share, 2, fixed) for kind in kinds for locked in AXLES]
+    kinds = [label for label, (speed, yaw) in WAYS.items() if (speed == NONE) != (yaw == NONE)]
+    cases = [run(rng, label, locked, WAYS[label], share, 2, fixed) for label in kinds for locked in AXLES]
     for case in cases:
-        case.args[1][:3] *= draw.integers(0, 2)
+        case.args[1][:3] *= rng.integers(0, 2)
     return cases
 
 
-def few_times(draw):
+def few_times(rng):
     """Few times, plain runs at two times, a small yaw rate above the critical speed, what is kept between calls."""
     growing = (1.5, 1.8), (1e-4, 1.5e-4)  # it turns the car by 1e-4 and more
-    ones = [run(draw, "all parameters 1", locked, BRAKING, 0.3, 2, ONES) for locked in AXLES]
-    cases = [*braking(4)(draw), *plain(draw, 0.3), *ones, run(draw, "a small yaw rate", "rear", growing, 0.7, 2)]
-    first = run(draw, "friction above 1", "rear", BRAKING, 0.2, 4, {"friction": draw.uniform(1.2, 2)})
-    other = state(draw, first.kwargs, *BRAKING)
-    return [*cases, first, *in_turn(draw, first, start=(other, "front"), mass=None, front=None, rear=None)]
+    ones = [run(rng, "all parameters 1", locked, BRAKING, 0.3, 2, ONES) for locked in AXLES]
+    cases = [*braking(4)(rng), *plain(rng, 0.3), *ones, run(rng, "a small yaw rate", "rear", growing, 0.7, 2)]
+    first = run(rng, "friction above 1", "rear", BRAKING, 0.2, 4, {"friction": rng.uniform(1.2, 2)})
+    other = state(rng, first.kwargs, *BRAKING)
+    return [*cases, first, *repeated_calls(rng, first, start=(other, "front"), mass=None, front=None, rear=None)]
 
 
-def gliding(draw):
+def gliding(rng):
     """Without friction or gravity, with the free axle behind at first, and plain ones."""
-    behind = run(draw, "friction 0", "front", (REVERSE, (0.1, 0.3)), 10, 60, NO_FRICTION)
-    ahead = run(draw, "gravity 0", "rear", (FORWARDS, (0.1, 0.3)), 10, 60, NO_GRAVITY)
-    return [behind, ahead, *plain(draw, 1.0, **NO_FRICTION), *plain(draw, 1.0, **NO_GRAVITY)]
+    behind = run(rng, "friction 0", "front", (REVERSE, (0.1, 0.3)), 10, 60, NO_FRICTION)
+    ahead = run(rng, "gravity 0", "rear", (FORWARDS, (0.1, 0.3)), 10, 60, NO_GRAVITY)
+    return [behind, ahead, *plain(rng, 1.0, **NO_FRICTION), *plain(rng, 1.0, **NO_GRAVITY)]
 
 
-def at_rest(draw):
-    return [moving(draw, REST, locked, WAYS[REST]).behind(uneven(draw, 3.0, 10)) for locked in AXLES]
+def at_rest(rng):
+    return [moving(rng, REST, locked, WAYS[REST]).with_leading(uneven(rng, 3.0, 10)) for locked in AXLES]
 
 
 # at some mm/s, above what may be called rest where there is friction

@@ -2,13 +2,13 @@
 
 import numpy as np
 
-from tam570_grader import Column, agree, array, by_kind, check, expect_that, largest, law, number, refuse, rows
-from tam570_grader.writing.agree import taken
-from tam570_grader.writing.diagrams import compare_diagrams
-from tam570_grader.writing.returns import free_body_diagram
+from tam570_grader import Column, array, by_kind, check, check_raises, compare, expect_that, largest, law, number, rows
+from tam570_grader.checks.compare import taken
+from tam570_grader.checks.diagrams import compare_diagrams
+from tam570_grader.checks.returns import free_body_diagram
 
-from . import cases, right
-from .right import wheelbase
+from . import cases, reference
+from .reference import wheelbase
 
 NEEDS = ("numpy",)
 FORMULA = 1e-9  # of the largest term: roundings make 1e-15, solving for the side force 1e-13; wrong terms .1
@@ -28,13 +28,13 @@ def pace(case, _=None):
 def turning(case, _):
     """The size of yaw accelerations."""
     known = case.kwargs
-    return right.ease_of_turning(case.args[-1], **known) * (pace(case) / wheelbase(known)) ** 2
+    return reference.ease_of_turning(case.args[-1], **known) * (pace(case) / wheelbase(known)) ** 2
 
 
 def of_growth(case, _):
     known, (speed, locked) = case.kwargs, case.args
     rates = speed / wheelbase(known) + known["friction"] * known["gravity"] / speed
-    return right.ease_of_turning(locked, **known) * rates
+    return reference.ease_of_turning(locked, **known) * rates
 
 
 RATES = (
@@ -68,24 +68,26 @@ def columns(far, off=1.0):
 
 MOTION, SLOWLY = columns(lambda case, _=None: max(way(case), wheelbase(case.kwargs))), columns(gone)
 TO_REST = columns(MOTION[0].scale, AT_REST / STOPPED)
-RESULTS = {
-    "axle_load": number.called("the load", "N"),
-    "friction_force": array(2).called("the force", "N", lambda case, _: case.kwargs["mass"] * cases.drag(case.kwargs)),
+RETURNS = {
+    "axle_load": number.described("the load", "N"),
+    "friction_force": array(2).described(
+        "the force", "N", lambda case, _: case.kwargs["mass"] * cases.drag(case.kwargs)
+    ),
     "state_derivative": array(5, columns=RATES),
     "simulate": rows(5, columns=MOTION),
-    "kinetic_energy": number.called("the kinetic energy", "J"),
-    "yaw_growth_rate": number.called("the growth rate", "1/s", of_growth),
-    "critical_speed": array(infinite=True).called("the critical speed", "m/s"),
-    "small_yaw_rate": number.called("the yaw rate", "rad/s"),
+    "kinetic_energy": number.described("the kinetic energy", "J"),
+    "yaw_growth_rate": number.described("the growth rate", "1/s", of_growth),
+    "critical_speed": array(infinite=True).described("the critical speed", "m/s"),
+    "small_yaw_rate": number.described("the yaw rate", "rad/s"),
     "free_body_diagram": free_body_diagram(2),
 }
 
 
 @check(points=0.5, part="a")
-def forces_on_the_car(student, draw):
+def forces_on_the_car(student, rng):
     """free_body_diagram: every force on the car, seen from above, where it acts and along what."""
-    calls = cases.of_diagrams(draw)
-    compare_diagrams(student.free_body_diagram, right, calls)
+    calls = cases.of_diagrams(rng)
+    compare_diagrams(student.free_body_diagram, reference, calls)
     judge_refusals(student, [("free_body_diagram", calls[0])])
 
 
@@ -102,10 +104,10 @@ def of_friction(case, found, expected):
 
 
 def of_rates(case, found, expected):
-    unbraked = right.state_derivative(*case.args, **{**case.kwargs, "friction": 0.0})
+    unbraked = reference.state_derivative(*case.args, **{**case.kwargs, "friction": 0.0})
     if np.allclose(found, unbraked, rtol=1e-4, atol=0) and not np.allclose(expected, unbraked, rtol=1e-4, atol=0):
         return AS_AT_REST
-    if "1 mm/s" in case.kind or "1e-8" in case.kind:
+    if "1 mm/s" in case.label or "1e-8" in case.label:
         return "Friction is as large at any speed, however low: is yours smoothed there?"
     if np.allclose(found[:3], expected[:3]) and not np.allclose(found[3], expected[3]):
         return "In axes that turn, does the rate of speed have a term with the yaw rate squared?"
@@ -133,59 +135,65 @@ def of_run(motion):
 
 
 EVERY_WAY = cases.ways(*cases.WAYS), cases.odd_cars, cases.headings
-DERIVATIVE = {"within": FORMULA, "hint": of_rates}
-HARDLY = {"within": SOME, "hint": of_friction, "gradual": False, "scale": largest}
-OWN = [Column(one.of, one.unit, one.where) for one in RATES[2:]]  # of the scale of its own number
-HARDLY_RATES = {"columns": OWN, "within": SOME, "hint": of_rates, "gradual": False}
-RUN = {"within": FOLLOWED, "hint": of_run}
-A_SLOW_RUN = {"columns": SLOWLY, "within": SLOW, "hint": of_run}
+DERIVATIVE = {"tolerance": FORMULA, "hint": of_rates}
+HARDLY = {"tolerance": SOME, "hint": of_friction, "near_miss_credit": False, "scale": largest}
+OWN = [Column(one.quantity, one.unit, one.where) for one in RATES[2:]]  # of the scale of its own number
+HARDLY_RATES = {"columns": OWN, "tolerance": SOME, "hint": of_rates, "near_miss_credit": False}
+RUN = {"tolerance": FOLLOWED, "hint": of_run}
+A_SLOW_RUN = {"columns": SLOWLY, "tolerance": SLOW, "hint": of_run}
 
 axle_load_balances_the_weight = law("axle_load: what the locked axle carries at rest.", points=0.75, part="a").agrees(
-    right.axle_load, cases.parked, within=FORMULA, hint="Which axle carries more, the one near G or the other?"
+    reference.axle_load, cases.parked, tolerance=FORMULA, hint="Which axle carries more, the one near G or the other?"
 )
 friction_opposes_the_sliding = law(
     "friction_force: against the velocity of the axle that drags, in proportion to its load.", points=1, part="a"
-).agrees(right.friction_force, cases.ways(cases.TURN, count=8), within=FORMULA, hint=WHICH_WAY)
+).agrees(reference.friction_force, cases.ways(cases.TURN, count=8), tolerance=FORMULA, hint=WHICH_WAY)
 friction_in_any_motion_and_at_rest = (
     friction_opposes_the_sliding.then("friction_force: any motion, however slow; zero at rest.", points=0.5, part="a")
-    .agrees(right.friction_force, *EVERY_WAY, within=FORMULA, hint=of_friction)
-    .also.agrees(right.friction_force, cases.slow, within=SLOW, hint=of_friction)
-    .also.agrees(right.friction_force, cases.hardly_moving, **HARDLY)
+    .agrees(reference.friction_force, *EVERY_WAY, tolerance=FORMULA, hint=of_friction)
+    .also.agrees(reference.friction_force, cases.slow, tolerance=SLOW, hint=of_friction)
+    .also.agrees(reference.friction_force, cases.hardly_moving, **HARDLY)
 )
 equations_of_motion = law(
     "state_derivative: the balances of momentum; the free axle does not slip sideways.", points=1.25, part="a"
-).agrees_by_columns(right.state_derivative, cases.timed(cases.ways(cases.TURN, count=10)), **DERIVATIVE)
+).agrees_by_columns(reference.state_derivative, cases.timed(cases.ways(cases.TURN, count=10)), **DERIVATIVE)
 equations_in_any_motion = (
     equations_of_motion.then("state_derivative: in reverse, on the spot, straight, slow.", points=0.5, part="a")
-    .agrees_by_columns(right.state_derivative, cases.timed(cases.ways(*cases.MOVING), cases.headings), **DERIVATIVE)
-    .also.agrees_by_columns(right.state_derivative, cases.timed(cases.slow), within=SLOW, hint=of_rates)
-    .also.agrees_by_columns(right.state_derivative, cases.timed(cases.hardly_moving), **HARDLY_RATES)
+    .agrees_by_columns(reference.state_derivative, cases.timed(cases.ways(*cases.MOVING), cases.headings), **DERIVATIVE)
+    .also.agrees_by_columns(reference.state_derivative, cases.timed(cases.slow), tolerance=SLOW, hint=of_rates)
+    .also.agrees_by_columns(reference.state_derivative, cases.timed(cases.hardly_moving), **HARDLY_RATES)
 )
 equations_without_friction_and_at_rest = equations_of_motion.then(
     "state_derivative: without friction, without gravity; all zero at rest.", points=0.5, part="a"
-).agrees_by_columns(right.state_derivative, cases.timed(cases.ways(cases.REST), cases.odd_cars), **DERIVATIVE)
+).agrees_by_columns(reference.state_derivative, cases.timed(cases.ways(cases.REST), cases.odd_cars), **DERIVATIVE)
 kinetic_energy_of_G_and_of_turning = law("kinetic_energy: of G, and of turning about it.", points=0.5, part="a").agrees(
-    right.kinetic_energy, *EVERY_WAY, within=FORMULA, hint="What is the velocity of G?"
+    reference.kinetic_energy, *EVERY_WAY, tolerance=FORMULA, hint="What is the velocity of G?"
 )
 simulate_brakes = law(
     "simulate: braking with either axle locked, row i at t[i], row 0 the given state.", points=0.75, part="a"
-).follows(right.simulate, cases.braking(100), **RUN)
+).follows(reference.simulate, cases.braking(100), **RUN)
 simulate_needs_no_dense_times = simulate_brakes.then(
     "simulate: the same motion when only a few times are asked for.", points=0.25, part="a"
-).follows(right.simulate, cases.few_times, **RUN)
+).follows(reference.simulate, cases.few_times, **RUN)
 simulate_glides_without_friction = (
     simulate_brakes.then("simulate: without friction or gravity it glides, however slow.", points=0.25, part="a")
-    .follows(right.simulate, cases.gliding, **RUN)
-    .also.follows(right.simulate, cases.gliding_slowly, **A_SLOW_RUN)
+    .follows(reference.simulate, cases.gliding, **RUN)
+    .also.follows(reference.simulate, cases.gliding_slowly, **A_SLOW_RUN)
 )
 growth_rate_is_the_slope = law("yaw_growth_rate: d(yaw acceleration)/d(yaw rate).", points=0.75, part="a").agrees(
-    right.yaw_growth_rate, cases.at_speeds, within=GROWTH, hint="At yaw rate 0, is friction's sideways part in it?"
+    reference.yaw_growth_rate,
+    cases.at_speeds,
+    tolerance=GROWTH,
+    hint="At yaw rate 0, is friction's sideways part in it?",
 )
 critical_speed_is_where_growth_begins = law(
     "critical_speed: that at which the growth rate is zero; math.inf where it never is.", points=0.5, part="a"
-).agrees(right.critical_speed, cases.parked, within=FORMULA, hint=WHERE_ZERO)
+).agrees(reference.critical_speed, cases.parked, tolerance=FORMULA, hint=WHERE_ZERO)
 small_yaw_rate_is_the_linear_solution = law("small_yaw_rate: exact by linear theory.", points=0.75, part="d").agrees(
-    right.small_yaw_rate, cases.slowing, within=GROWTH, hint="What is d(yaw rate)/d(speed)? Integrate over the speed."
+    reference.small_yaw_rate,
+    cases.slowing,
+    tolerance=GROWTH,
+    hint="What is d(yaw rate)/d(speed)? Integrate over the speed.",
 )
 
 
@@ -193,31 +201,31 @@ def judge_refusals(student, calls):
     """ValueError for another `locked`, from functions that take "front" and "rear"."""
     for name, call in calls:
         function, (*first, _) = getattr(student, name), call.args
-        (call,) = taken(getattr(right, name), [call])
-        for good, refused in function.refusals([call.but(*first, locked) for locked in cases.AXLES]):
+        (call,) = taken(getattr(reference, name), [call])
+        for good, refused in function.refusals([call.replace(*first, locked) for locked in cases.AXLES]):
             expect_that(not refused, f"{name} raises ValueError for a {good.args[-1]} axle")
-        bad = [call.but(*first, locked).on(f"locked={locked!r}, {call.kind}") for locked in cases.OTHERS]
-        refuse(function, bad, hint='Only "front" and "rear" are axles.')
+        bad = [call.replace(*first, locked).labelled(f"locked={locked!r}, {call.label}") for locked in cases.OTHERS]
+        check_raises(function, bad, hint='Only "front" and "rear" are axles.')
 
 
 @check(points=0.25, part="a")
-def mechanics_refuses_other_axles(student, draw):
+def mechanics_refuses_other_axles(student, rng):
     """axle_load, friction_force, state_derivative, kinetic_energy, simulate: ValueError for another `locked`."""
-    agree(student.axle_load, right, cases.parked(draw)[:2], within=FORMULA)
-    judge_refusals(student, cases.of_mechanics(draw))
+    compare(student.axle_load, reference, cases.parked(rng)[:2], tolerance=FORMULA)
+    judge_refusals(student, cases.of_mechanics(rng))
 
 
 @check(points=0.25, part="a")
-def stability_refuses_other_axles(student, draw):
+def stability_refuses_other_axles(student, rng):
     """critical_speed, yaw_growth_rate, small_yaw_rate: ValueError for another `locked`."""
-    agree(student.critical_speed, right, cases.parked(draw)[1:2], within=FORMULA)
-    judge_refusals(student, cases.of_stability(draw))
+    compare(student.critical_speed, reference, cases.parked(rng)[1:2], tolerance=FORMULA)
+    judge_refusals(student, cases.of_stability(rng))
 
 
 # Last: a student whose integrator never gets past the stop shall lose nothing else by it.
 simulate_comes_to_rest_and_stays = (
     simulate_brakes.then("simulate: it stops, and stays; a car at rest does not start.", points=0.75, part="a")
-    .follows(right.simulate, cases.braking_slowly, **A_SLOW_RUN)
-    .also.follows(right.simulate, cases.stops, columns=TO_REST, within=STOPPED, hint=of_run)
-    .also.follows(right.simulate, cases.at_rest, within=FORMULA, hint=of_run)
+    .follows(reference.simulate, cases.braking_slowly, **A_SLOW_RUN)
+    .also.follows(reference.simulate, cases.stops, columns=TO_REST, tolerance=STOPPED, hint=of_run)
+    .also.follows(reference.simulate, cases.at_rest, tolerance=FORMULA, hint=of_run)
 )

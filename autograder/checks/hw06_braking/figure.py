@@ -5,9 +5,9 @@ import math
 
 import numpy as np
 
-from tam570_grader.writing.figures import Figure
+from tam570_grader.checks.figures import Figure
 
-from . import right
+from . import reference
 
 HALF_TRACK, WHEEL = 0.75, 0.55  # m, of the drawn car
 
@@ -35,7 +35,7 @@ def figure(heading=0.55, front=1.5, rear=1.1):
         "solid",
         closed=True,
     )
-    for axle in right.axles("rear", front, rear):
+    for axle in reference.axles("rear", front, rear):
         shown.line([at(axle, HALF_TRACK), at(axle, -HALF_TRACK)], "body")
         for side in (HALF_TRACK, -HALF_TRACK):
             shown.line([at(axle - WHEEL / 2, side), at(axle + WHEEL / 2, side)], "thick")

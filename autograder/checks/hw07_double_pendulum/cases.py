@@ -5,7 +5,7 @@ import math
 
 import numpy as np
 
-from tam570_grader import given, in_turn, uneven
+from tam570_grader import Case, repeated_calls, uneven
 
 RIGHT_ANGLE = math.pi / 2
 ANY = "a random pendulum"
@@ -21,28 +21,28 @@ PLACES = {
 }
 
 
-def pendulum(draw, **fixed):
+def pendulum(rng, **fixed):
     """Random masses, lengths and gravity; unequal, and not of size one."""
-    masses, lengths = 10 ** draw.uniform(-0.5, 0.7, 2), 10 ** draw.uniform(-0.4, 0.4, 2)
-    return {"masses": masses, "lengths": lengths, "gravity": draw.uniform(1.5, 25.0), **fixed}
+    masses, lengths = 10 ** rng.uniform(-0.5, 0.7, 2), 10 ** rng.uniform(-0.4, 0.4, 2)
+    return {"masses": masses, "lengths": lengths, "gravity": rng.uniform(1.5, 25.0), **fixed}
 
 
-def thrown(count, kind=ANY, **fixed):
+def thrown(count, label=ANY, **fixed):
     """Any angles and rates."""
 
-    def drawn(draw):
-        rates = [draw.uniform(0.5, 5, 2) * draw.choice([-1, 1], 2) for _ in range(count)]
-        return [given(draw.uniform(-5, 5, 2), rate, **pendulum(draw, **fixed)).on(kind) for rate in rates]
+    def drawn(rng):
+        rates = [rng.uniform(0.5, 5, 2) * rng.choice([-1, 1], 2) for _ in range(count)]
+        return [Case(rng.uniform(-5, 5, 2), rate, **pendulum(rng, **fixed)).labelled(label) for rate in rates]
 
     return drawn
 
 
-def states(draw):
+def states(rng):
     """And others like the first: exact angles and rates, equal bars, unit bars, no gravity."""
-    random = thrown(8)(draw)
+    random = thrown(8)(rng)
     plain = _places(random[0]) + _alike(random[0])
-    weightless = [case.but(gravity=0.0).on(f"{case.kind}, no gravity") for case in plain[:7]]
-    return [*random, *plain, *_rates(random[0]), *weightless, *thrown(3, "no gravity", gravity=0.0)(draw)]
+    weightless = [case.replace(gravity=0.0).labelled(f"{case.label}, no gravity") for case in plain[:7]]
+    return [*random, *plain, *_rates(random[0]), *weightless, *thrown(3, "no gravity", gravity=0.0)(rng)]
 
 
 def _places(case):
@@ -57,13 +57,13 @@ def _places(case):
         "bar 1 horizontal to the left": (-RIGHT_ANGLE, th2),
         "bars in line": (th1, th1 + math.pi),
     }
-    return [case.but(np.array(place)).on(kind) for kind, place in places.items()]
+    return [case.replace(np.array(place)).labelled(label) for label, place in places.items()]
 
 
 def _alike(case):
     equal = {name: np.full(2, case.kwargs[name][0]) for name in ("masses", "lengths")}
     bars = {f"equal {name}": {name: one} for name, one in equal.items()} | {"equal bars": equal, "all 1": UNIT}
-    return [case.but(**fixed).on(kind) for kind, fixed in bars.items()]
+    return [case.replace(**fixed).labelled(label) for label, fixed in bars.items()]
 
 
 def _rates(case):
@@ -72,35 +72,35 @@ def _rates(case):
     paces["om1, om2 < 0"] = (-abs(om1), -abs(om2))
     moved = [((th1, other), pace, how) for how, pace in paces.items() for other in (th2, th1)]
     still = (((0.0, th2), "bar 1 straight down"), ((RIGHT_ANGLE, RIGHT_ANGLE), "both bars horizontal"))
-    moved += [(place, (0.0, 0.0), f"{kind}, at rest") for place, kind in still]
-    return [case.but(np.array(place), np.array(pace)).on(how) for place, pace, how in moved]
+    moved += [(place, (0.0, 0.0), f"{label}, at rest") for place, label in still]
+    return [case.replace(np.array(place), np.array(pace)).labelled(how) for place, pace, how in moved]
 
 
-def free_bars(draw):
+def free_bars(rng):
     """(bar, theta, omega), bar 1 and bar 2."""
-    return [case.behind(bar) for case in states(draw) for bar in (1, 2)]
+    return [case.with_leading(bar) for case in states(rng) for bar in (1, 2)]
 
 
-def nearly_massless(draw):
+def nearly_massless(rng):
     """One bar of a mass 1e-9 of the other's."""
     for name, ratio in (("lower", [1.0, 1e-9]), ("upper", [1e-9, 1.0])):
-        for heavy in draw.uniform(0.5, 4, 3):
-            yield from thrown(1, f"a nearly massless {name} bar", masses=heavy * np.array(ratio))(draw)
+        for heavy in rng.uniform(0.5, 4, 3):
+            yield from thrown(1, f"a nearly massless {name} bar", masses=heavy * np.array(ratio))(rng)
 
 
-def straight_down(draw):
+def straight_down(rng):
     """Both bars straight down, at rest and moving: nothing accelerates."""
-    (case,) = thrown(1)(draw)
-    still, moves = case.but(np.zeros(2), np.zeros(2)), case.but(np.zeros(2))
-    return [still.on("hanging at rest"), moves.on("hanging straight down, moving")]
+    (case,) = thrown(1)(rng)
+    still, moves = case.replace(np.zeros(2), np.zeros(2)), case.replace(np.zeros(2))
+    return [still.labelled("hanging at rest"), moves.labelled("hanging straight down, moving")]
 
 
-def special(draw):
+def special(rng):
     """Equal bars, no gravity, a nearly massless bar, by name."""
-    (case,) = thrown(1)(draw)
+    (case,) = thrown(1)(rng)
     alike = _alike(case)
-    weightless = [one.but(gravity=0.0).on(f"{one.kind}, no gravity") for one in (case, alike[2])]
-    return [*alike, *weightless, *nearly_massless(draw)]
+    weightless = [one.replace(gravity=0.0).labelled(f"{one.label}, no gravity") for one in (case, alike[2])]
+    return [*alike, *weightless, *nearly_massless(rng)]
 
 
 # Motions: theta and omega over the usual rate of a motion from there
@@ -120,39 +120,41 @@ def pace(known):
     return math.sqrt(np.max(known["lengths"]) / known["gravity"])  # s
 
 
-def motions(draw):
+def motions(rng):
     """Random starts at uneven times, t[0] zero and not; plain ones at two or three times; one thing changed in turn."""
     for origin in (0.0, 2.3, -1.7):
-        known = pendulum(draw)
+        known = pendulum(rng)
         turns = 2 * math.pi * np.sign(origin) * np.array([1, -1])  # an angle beyond pi stays there
-        t = uneven(draw, draw.uniform(4, 6) * pace(known), 40, origin)
-        start = draw.uniform(-2, 2, 2) + turns, draw.uniform(-1, 1, 2) / pace(known)
-        random = given(t, *start, **known).on("t[0] not 0" if origin else "t[0] = 0")
+        t = uneven(rng, rng.uniform(4, 6) * pace(known), 40, origin)
+        start = rng.uniform(-2, 2, 2) + turns, rng.uniform(-1, 1, 2) / pace(known)
+        random = Case(t, *start, **known).labelled("t[0] not 0" if origin else "t[0] = 0")
         yield random
-    for (kind, (theta, omega, fixed)), count in itertools.product(STARTS.items(), (2, 3)):
-        known = pendulum(draw, **fixed)
-        times = uneven(draw, draw.uniform(1.5, 2.5) * pace(known), count, draw.uniform(-3, 3))
-        yield given(times, np.array(theta), np.array(omega) / pace(known), **known).on(f"{kind}, at {count} times")
-    yield from in_turn(draw, random.but(t[:4]))
+    for (label, (theta, omega, fixed)), count in itertools.product(STARTS.items(), (2, 3)):
+        known = pendulum(rng, **fixed)
+        times = uneven(rng, rng.uniform(1.5, 2.5) * pace(known), count, rng.uniform(-3, 3))
+        yield Case(times, np.array(theta), np.array(omega) / pace(known), **known).labelled(
+            f"{label}, at {count} times"
+        )
+    yield from repeated_calls(rng, random.replace(t[:4]))
 
 
-def from_horizontal(draw):
-    known = pendulum(draw, masses=draw.uniform(0.5, 2.0, 2), lengths=draw.uniform(0.7, 1.3, 2), gravity=9.81)
-    t = uneven(draw, 10.0, 101, 0.0)
-    return [given(t, np.full(2, RIGHT_ANGLE), np.zeros(2), **known).on("a start at rest, both bars horizontal")]
+def from_horizontal(rng):
+    known = pendulum(rng, masses=rng.uniform(0.5, 2.0, 2), lengths=rng.uniform(0.7, 1.3, 2), gravity=9.81)
+    t = uneven(rng, 10.0, 101, 0.0)
+    return [Case(t, np.full(2, RIGHT_ANGLE), np.zeros(2), **known).labelled("a start at rest, both bars horizontal")]
 
 
-def weightless(draw):
+def weightless(rng):
     """Moving, and at rest, without gravity."""
-    (case,) = thrown(1, gravity=0.0)(draw)
-    moves = case.behind(uneven(draw, 3.0, 40, 0.0)).on("a pendulum without gravity")
-    still = moves.but(moves.args[0][[0, -1]], case.args[0], np.zeros(2))
-    return [moves, still.on("a pendulum at rest without gravity, two times")]
+    (case,) = thrown(1, gravity=0.0)(rng)
+    moves = case.with_leading(uneven(rng, 3.0, 40, 0.0)).labelled("a pendulum without gravity")
+    still = moves.replace(moves.args[0][[0, -1]], case.args[0], np.zeros(2))
+    return [moves, still.labelled("a pendulum at rest without gravity, two times")]
 
 
-def tip_path(draw):
+def tip_path(rng):
     """A call whose path goes to and fro, not from t = 0: a path from there has another end."""
-    known = pendulum(draw)
-    theta, omega = draw.uniform(1, 2, 2) * draw.choice([-1, 1], 2), draw.uniform(-1, 1, 2) / pace(known)
-    t = (draw.choice([-1, 1]) * draw.uniform(1, 3) + np.linspace(0.0, 8.0, 601)) * pace(known)
-    return given(t, theta, omega, **known).on("t[0] not 0")
+    known = pendulum(rng)
+    theta, omega = rng.uniform(1, 2, 2) * rng.choice([-1, 1], 2), rng.uniform(-1, 1, 2) / pace(known)
+    t = (rng.choice([-1, 1]) * rng.uniform(1, 3) + np.linspace(0.0, 8.0, 601)) * pace(known)
+    return Case(t, theta, omega, **known).labelled("t[0] not 0")

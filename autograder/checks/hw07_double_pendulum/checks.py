@@ -2,12 +2,22 @@
 
 import numpy as np
 
-from tam570_grader import Column, Invariant, check, curves_seen, judge_axes_of_lengths, law, once, path_drawn, refuse
-from tam570_grader.writing.agree import taken
-from tam570_grader.writing.diagrams import compare_diagrams
-from tam570_grader.writing.returns import array, drawing, free_body_diagram, group, number, rows
+from tam570_grader import (
+    Column,
+    Invariant,
+    check,
+    check_raises,
+    curves_seen,
+    judge_axes_of_lengths,
+    law,
+    once,
+    path_drawn,
+)
+from tam570_grader.checks.compare import taken
+from tam570_grader.checks.diagrams import compare_diagrams
+from tam570_grader.checks.returns import array, drawing, free_body_diagram, group, number, rows
 
-from . import cases, right
+from . import cases, reference
 from .equations import agree_in_equations
 
 NEEDS = ("numpy", "matplotlib.figure", "matplotlib.backends.backend_agg")
@@ -35,31 +45,33 @@ def power_of_rate(n, mass=1, length=2):
 INERTIA, SPIN, MOMENT = power_of_rate(0), power_of_rate(1), power_of_rate(2)
 FORCE, RATE2 = power_of_rate(2, length=1), power_of_rate(2, mass=0, length=0)
 MOTION = (Column("an angle", "rad", [0, 1], turns=True), Column("an angular velocity", "rad/s", [2, 3]))
-KEPT_ENERGY = Invariant("the energy", "of m g l", right.energies, MOMENT, ENERGY)
-KEPT_MOMENTUM = Invariant("the angular momentum", "of m l^2 omega", right.momenta, SPIN, ENERGY)
-RESULTS = {
-    "mass_matrix": array(2, 2).called("[M]", "kg m^2", INERTIA),
-    "velocity_terms": array(2).called("{f}", "N m", MOMENT),
-    "gravity_terms": array(2).called("{g}", "N m", MOMENT),
-    "angular_acceleration": array(2).called("alpha", "rad/s^2", RATE2),
-    "on_the_fly": group(array(2).called("alpha", "rad/s^2", RATE2), array(2, 2).called("a hinge force", "N", FORCE)),
-    "energy": number.called("the energy", "J", MOMENT),
-    "angular_momentum": number.called("the angular momentum", "kg m^2/s", SPIN),
+KEPT_ENERGY = Invariant("the energy", "of m g l", reference.energies, MOMENT, ENERGY)
+KEPT_MOMENTUM = Invariant("the angular momentum", "of m l^2 omega", reference.momenta, SPIN, ENERGY)
+RETURNS = {
+    "mass_matrix": array(2, 2).described("[M]", "kg m^2", INERTIA),
+    "velocity_terms": array(2).described("{f}", "N m", MOMENT),
+    "gravity_terms": array(2).described("{g}", "N m", MOMENT),
+    "angular_acceleration": array(2).described("alpha", "rad/s^2", RATE2),
+    "on_the_fly": group(
+        array(2).described("alpha", "rad/s^2", RATE2), array(2, 2).described("a hinge force", "N", FORCE)
+    ),
+    "energy": number.described("the energy", "J", MOMENT),
+    "angular_momentum": number.described("the angular momentum", "kg m^2/s", SPIN),
     "simulate": rows(4, columns=MOTION),
-    "small_oscillation_frequencies": array(2).called("a frequency", "rad/s"),
-    "wireframe": array(2, 2, 2).called("an end of a bar", "m"),
+    "small_oscillation_frequencies": array(2).described("a frequency", "rad/s"),
+    "wireframe": array(2, 2, 2).described("an end of a bar", "m"),
     "plot_tip_path": drawing,
     "free_body_diagram": free_body_diagram(2),
 }
 
 
 @check(points=0.5, part="a")
-def forces_on_each_bar(student, draw):
+def forces_on_each_bar(student, rng):
     """free_body_diagram: every force on each bar, where it acts and along what."""
-    calls = cases.free_bars(draw)
-    compare_diagrams(student.free_body_diagram, right, calls)
-    bad = [call.but(bar).on("another bar") for call in calls[:1] for bar in (0, 3, -1)]
-    refuse(student.free_body_diagram, taken(right.free_body_diagram, bad), hint="Only 1 and 2 are bars.")
+    calls = cases.free_bars(rng)
+    compare_diagrams(student.free_body_diagram, reference, calls)
+    bad = [call.replace(bar).labelled("another bar") for call in calls[:1] for bar in (0, 3, -1)]
+    check_raises(student.free_body_diagram, taken(reference.free_body_diagram, bad), hint="Only 1 and 2 are bars.")
 
 
 def in_equations(case, found, _):
@@ -88,73 +100,75 @@ DOWN = "An angle of zero is down, a positive one to the right"
 
 mass_matrix_makes_the_kinetic_energy = law(
     "mass_matrix: [M] of Lagrange's equations, or of the two that your {f} and {g} belong to.", points=1, part="a"
-).judged(agree_in_equations, "mass_matrix", cases.states, within=FORMULA, hint=VELOCITIES)
+).judged(agree_in_equations, "mass_matrix", cases.states, tolerance=FORMULA, hint=VELOCITIES)
 velocity_terms_are_centripetal = law(
     "velocity_terms: {f} of Lagrange's equations, or of the two that your [M] and {g} belong to.", points=1, part="a"
-).judged(agree_in_equations, "velocity_terms", cases.states, within=FORMULA, hint=CENTRIPETAL)
+).judged(agree_in_equations, "velocity_terms", cases.states, tolerance=FORMULA, hint=CENTRIPETAL)
 gravity_terms_are_moments_of_the_weights = law(
     "gravity_terms: {g} of Lagrange's equations, or of the two that your [M] and {f} belong to.", points=0.75, part="a"
-).judged(agree_in_equations, "gravity_terms", cases.states, within=FORMULA, hint=HEIGHTS)
+).judged(agree_in_equations, "gravity_terms", cases.states, tolerance=FORMULA, hint=HEIGHTS)
 accelerations_obey_the_equations = law(
     "angular_acceleration: [M]{alpha} + {f} + {g} = 0, without gravity too.", points=0.75, part="a"
-).agrees(right.angular_acceleration, cases.states, within=FORMULA, hint=in_equations)
+).agrees(reference.angular_acceleration, cases.states, tolerance=FORMULA, hint=in_equations)
 accelerations_with_a_nearly_massless_bar = accelerations_obey_the_equations.then(
     "angular_acceleration keeps its digits when one bar has 1e-9 of the other's mass.", points=0.25, part="a"
-).agrees(right.angular_acceleration, cases.nearly_massless, within=MASSLESS, hint=SCALED)
+).agrees(reference.angular_acceleration, cases.nearly_massless, tolerance=MASSLESS, hint=SCALED)
 free_bars_accelerate_as_lagranges = law(
     "on_the_fly: alpha from two free bars and two hinge constraints.", points=0.5, part="a"
-).agrees(right.on_the_fly, cases.states, within=FORMULA, only=0, hint=TEN)
+).agrees(reference.on_the_fly, cases.states, tolerance=FORMULA, only=0, hint=TEN)
 hinge_forces_balance = free_bars_accelerate_as_lagranges.then(
     "on_the_fly: with the hinge forces and the weights each bar obeys Newton's law.", points=0.75, part="a"
-).agrees(right.on_the_fly, cases.states, within=FORMULA, only=1, hint=HANGING)
+).agrees(reference.on_the_fly, cases.states, tolerance=FORMULA, only=1, hint=HANGING)
 free_bars_with_a_nearly_massless_one = (
     free_bars_accelerate_as_lagranges.then(
         "on_the_fly keeps its digits with a bar of 1e-9 of the other's mass, and straight down.", points=0.25, part="a"
     )
-    .agrees(right.on_the_fly, cases.nearly_massless, within=MASSLESS, only=0, hint=SCALED)
-    .also.agrees(right.on_the_fly, cases.straight_down, within=FORMULA, only=0)
+    .agrees(reference.on_the_fly, cases.nearly_massless, tolerance=MASSLESS, only=0, hint=SCALED)
+    .also.agrees(reference.on_the_fly, cases.straight_down, tolerance=FORMULA, only=0)
 )
 energy_is_kinetic_and_potential = law(
     "energy: kinetic of turning bars, potential of their mass centres, zero at the ceiling.", points=0.75, part="a"
-).agrees(right.energy, cases.states, within=FORMULA, hint=BELOW)
+).agrees(reference.energy, cases.states, tolerance=FORMULA, hint=BELOW)
 angular_momentum_is_about_the_ceiling = law(
     "angular_momentum: r x m v and I omega of both bars, about the ceiling hinge.", points=0.75, part="a"
-).agrees(right.angular_momentum, cases.states, within=FORMULA, hint=BOTH_PARTS)
+).agrees(reference.angular_momentum, cases.states, tolerance=FORMULA, hint=BOTH_PARTS)
 simulation_follows_the_equations = law(
     "simulate: angles and angular velocities at uneven times, whatever t[0] is.", points=0.5, part="a"
-).follows(right.simulate, cases.motions, within=FOLLOWED, keeps=KEPT_ENERGY, hint=TIGHT)
+).follows(reference.simulate, cases.motions, tolerance=FOLLOWED, keeps=KEPT_ENERGY, hint=TIGHT)
 SHARES = {1e-4: 0.75, 1e-3: 0.5, 1e-2: 0.25}
 ROUGHLY = 0.08  # of the scale: in ten seconds errors grow a thousandfold, careful ones to 2e-3; rest is off by 1
 energy_is_conserved_from_horizontal = simulation_follows_the_equations.then(
     "simulate: from (pi/2, pi/2) at rest the energy stays for ten seconds.", points=0.25, part="a"
-).keeps(KEPT_ENERGY, right=right.simulate, cases=cases.from_horizontal, coarsely=ROUGHLY, partial=SHARES)
+).keeps(KEPT_ENERGY, reference=reference.simulate, cases=cases.from_horizontal, coarsely=ROUGHLY, partial=SHARES)
 momentum_is_conserved_without_gravity = simulation_follows_the_equations.then(
     "simulate: without gravity energy and angular momentum stay.", points=0.25, part="a"
-).keeps(KEPT_MOMENTUM, KEPT_ENERGY, right=right.simulate, cases=cases.weightless, coarsely=FOLLOWED, hint=DIVIDED)
+).keeps(
+    KEPT_MOMENTUM, KEPT_ENERGY, reference=reference.simulate, cases=cases.weightless, coarsely=FOLLOWED, hint=DIVIDED
+)
 small_oscillations_have_two_frequencies = law(
     "small_oscillation_frequencies: of [M]{th}'' + [K]{th} = 0 about hanging straight down.", points=0.5, part="a"
-).agrees(right.small_oscillation_frequencies, cases.thrown(10), within=FREQUENCY, hint=in_order)
+).agrees(reference.small_oscillation_frequencies, cases.thrown(10), tolerance=FREQUENCY, hint=in_order)
 frequencies_in_special_cases = small_oscillations_have_two_frequencies.then(
     "small_oscillation_frequencies: equal bars, a nearly massless bar, no gravity.", points=0.25, part="a"
-).agrees(right.small_oscillation_frequencies, cases.special, within=FREQUENCY, hint=in_order)
+).agrees(reference.small_oscillation_frequencies, cases.special, tolerance=FREQUENCY, hint=in_order)
 wireframe_shows_the_bars = law("wireframe: ceiling hinge to elbow, elbow to tip.", points=0.5, part="a").agrees(
-    right.wireframe, cases.states, within=FORMULA, hint=DOWN
+    reference.wireframe, cases.states, tolerance=FORMULA, hint=DOWN
 )
 
 
 @once
-def tip_path(draw):
+def tip_path(rng):
     """A case, with the paths of the elbow and of the tip."""
-    case = cases.tip_path(draw)
-    motion = right.simulate(*case.args, **case.kwargs)
-    elbows, tips = np.swapaxes([right.wireframe(row[:2], case.kwargs["lengths"])[:, 1] for row in motion], 0, 1)
+    case = cases.tip_path(rng)
+    motion = reference.simulate(*case.args, **case.kwargs)
+    elbows, tips = np.swapaxes([reference.wireframe(row[:2], case.kwargs["lengths"])[:, 1] for row in motion], 0, 1)
     return case, elbows, tips
 
 
 @check(points=0.5, part="d")
-def tip_path_is_drawn(student, draw):
+def tip_path_is_drawn(student, rng):
     """plot_tip_path draws the tip's path from t[0] to t[-1], at equal scales."""
-    case, elbows, tips = tip_path(draw)
+    case, elbows, tips = tip_path(rng)
     others = {
         "It is the elbow's path": elbows,
         "It is the path of bar 2's mass centre": (elbows + tips) / 2,
@@ -162,5 +176,5 @@ def tip_path_is_drawn(student, draw):
     }
     picture = student.plot_tip_path.drawn(case)
     (line,) = curves_seen(picture, 1)
-    path_drawn(line, tips, within=DRAWN, of="the curve", others=others)
+    path_drawn(line, tips, tolerance=DRAWN, quantity="the curve", others=others)
     judge_axes_of_lengths(picture)

@@ -10,14 +10,14 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from tam570_grader.checks.case import Case
 
 from tam570_grader import Failed, current, expect
-from tam570_grader.writing.agree import taken
-from tam570_grader.writing.answers import answer
-from tam570_grader.writing.check import Given
-from tam570_grader.writing.expect import NotWritten
+from tam570_grader.checks.compare import taken
+from tam570_grader.checks.expect import NotWritten
+from tam570_grader.checks.expected import answer
 
-from . import right
+from . import reference
 
 Array = NDArray[np.float64]
 M, F, G = TERMS = ("mass_matrix", "velocity_terms", "gravity_terms")
@@ -27,10 +27,10 @@ SAME_TWO = "Your other two terms belong to two equations that are not Lagrange's
 CONTRADICTED = "It contradicts your third term: are all three from the same two equations, on the same side?"
 
 
-def agree_in_equations(function: Any, cases: Sequence[Given], *, within: float, hint: str) -> None:
+def agree_in_equations(function: Any, cases: Sequence[Case], *, tolerance: float, hint: str) -> None:
     """Fail unless a term is Lagrange's, or belongs to the student's own two others."""
     student, words = function.student, function.promise.words
-    own = Equations(student, cases, within)
+    own = Equations(student, cases, tolerance)
     found, calls = own.asked(function.name), len(student.calls)
     back, hint = own.back(function.name, hint)
     true = own.lagranges(function.name)
@@ -43,25 +43,25 @@ def agree_in_equations(function: Any, cases: Sequence[Given], *, within: float, 
         case = student.calls[calls - len(cases) + index].given
         current().judge(function.name, case)
         size = words.scale(case)
-        expect(result, true[index], within=within * size, of=words.of, unit=words.unit, hint=hint)
+        expect(result, true[index], tolerance=tolerance * size, quantity=words.quantity, unit=words.unit, hint=hint)
 
 
 class Equations:
     """The student's two equations of motion in some cases, beside Lagrange's. Vectors are (n, 2, 1)."""
 
-    def __init__(self, student: Any, cases: Sequence[Given], within: float) -> None:
-        self._student, self._cases, self._within = student, cases, within
+    def __init__(self, student: Any, cases: Sequence[Case], tolerance: float) -> None:
+        self._student, self._cases, self._within = student, cases, tolerance
         self._asked = dict[str, Array | None]()
 
     def asked(self, name: str) -> Array:
         """(n, 2, k) a term of the student's; Failed or NotWritten if the function gives none."""
-        results = getattr(self._student, name).many(taken(getattr(right, name), self._cases))
+        results = getattr(self._student, name).many(taken(getattr(reference, name), self._cases))
         self._asked[name] = _columns(results)
         return _columns(results)
 
     def lagranges(self, name: str) -> Array:
         """(n, 2) or (n, 2, 2)"""
-        true = getattr(right, name)
+        true = getattr(reference, name)
         return np.array([answer(true, case) for case in taken(true, self._cases)])
 
     def back(self, name: str, hint: str) -> tuple[Array, str]:
@@ -91,11 +91,11 @@ class Equations:
 
     def _back_of_rates(self) -> Array | None:
         """{f} of Lagrange's is (k om2^2, -k om1^2): at unit rates {f} is k times a column of W."""
-        at_rates = [[case.but(case.args[0], unit) for case in self._cases] for unit in np.eye(2)]
+        at_rates = [[case.replace(case.args[0], unit) for case in self._cases] for unit in np.eye(2)]
         first, second = (self._tried(F, cases) for cases in at_rates)
         if first is None or second is None:
             return None
-        k = [answer(right.velocity_terms, case)[0] for case in taken(right.velocity_terms, at_rates[1])]
+        k = [answer(reference.velocity_terms, case)[0] for case in taken(reference.velocity_terms, at_rates[1])]
         columns = np.concatenate([second, -first], axis=2) / np.reshape(k, (-1, 1, 1))
         theta = np.array([case.args[0] for case in self._cases])
         columns[np.abs(np.sin(theta[:, 0] - theta[:, 1])) < OBLIQUE] = np.nan
@@ -107,7 +107,7 @@ class Equations:
         if mine is None:
             return False
         size = getattr(self._student, name).promise.words.scale
-        scale = [size(case) for case in taken(getattr(right, name), self._cases)]
+        scale = [size(case) for case in taken(getattr(reference, name), self._cases)]
         error = np.abs(back @ mine - _columns(self.lagranges(name))).max((1, 2))
         known = np.isfinite(back).all((1, 2))
         return bool((error[known] <= self._within * np.array(scale)[known]).all())
@@ -118,11 +118,11 @@ class Equations:
             self._asked[name] = self._tried(name, self._cases)
         return self._asked[name]
 
-    def _tried(self, name: str, cases: Sequence[Given]) -> Array | None:
+    def _tried(self, name: str, cases: Sequence[Case]) -> Array | None:
         """Results of calls that are not judged here."""
         calls = len(self._student.calls)
         try:
-            return _columns(getattr(self._student, name).many(taken(getattr(right, name), cases)))
+            return _columns(getattr(self._student, name).many(taken(getattr(reference, name), cases)))
         except (Failed, NotWritten):
             return None
         finally:

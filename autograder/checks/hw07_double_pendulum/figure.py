@@ -4,15 +4,15 @@ import math
 
 import numpy as np
 
-from tam570_grader.writing.figures import Figure
+from tam570_grader.checks.figures import Figure
 
-from . import right
+from . import reference
 
 
 def figure(th1=0.5, th2=1.15, l1=1.0, l2=1.0):
     """The ceiling hinge is the origin."""
     theta, lengths = np.array([th1, th2]), np.array([l1, l2])
-    bars = right.wireframe(theta, lengths=lengths)
+    bars = reference.wireframe(theta, lengths=lengths)
     (ceiling, elbow), (_, tip) = bars
     shown = Figure(
         "The double pendulum",

@@ -2,12 +2,12 @@
 
 import numpy as np
 
-from tam570_grader import absolute, agree, array, expect, law
+from tam570_grader import absolute, array, compare, expect, law
 
-from . import cases, right
+from . import cases, reference
 
 NEEDS = ("numpy",)
-OFF_LIMITS = {"*": ("scipy.spatial.transform", "tam570.rotations", "tam570.lectures"), "rotate": ("rotation_matrix",)}
+FORBIDDEN = {"*": ("scipy.spatial.transform", "tam570.rotations", "tam570.lectures"), "rotate": ("rotation_matrix",)}
 
 # a few roundings of numbers of size 1 make 1e-15; quaternions and products of matrices, 1e-14
 POINTWISE = 1e-12
@@ -15,22 +15,22 @@ TINY = 1e-14  # the rounding of the cosine; an angle of 1e-12 for which 0 is put
 # 1e6 rad, reduced modulo 2 pi by hand, is off by 2e-10; R^T R of a matrix exponential by 2e-8
 HUGE_ANGLE = 5e-8
 BY_SIZE = TINY, POINTWISE, POINTWISE, HUGE_ANGLE  # of cases.angles_by_size
-NEARLY = 1e-5  # of the result; a pi of few digits loses less, wrong physics more
+NEAR_MISS = 1e-5  # of the result; a pi of few digits loses less, wrong physics more
 
 
 def length(case, _):
     return np.linalg.norm(case.args[0])
 
 
-RESULTS = {
-    "skew": array(3, 3).called("skew(v)", scale=length),
-    "rotation_matrix": array(3, 3).called("the matrix", scale=absolute),
-    "rotate": array(3).called("the turned vector", "m", scale=length),
+RETURNS = {
+    "skew": array(3, 3).described("skew(v)", scale=length),
+    "rotation_matrix": array(3, 3).described("the matrix", scale=absolute),
+    "rotate": array(3).described("the turned vector", "m", scale=length),
 }
 
 
 def of_few_digits(case, found, expected):
-    if np.max(np.abs(found - expected)) <= NEARLY * np.max(np.abs(expected)):
+    if np.max(np.abs(found - expected)) <= NEAR_MISS * np.max(np.abs(expected)):
         return "It is nearly right: does a number have too few digits, or does an arccos lose them?"
     return "Try a quarter turn about z and a third of a turn about (1, 1, 1): both take x to y."
 
@@ -45,26 +45,26 @@ def of_which_term(case, found, expected):
 
 
 skew_is_the_cross_product = law("skew(v) r = v x r, for any v and r.", points=1, part="a").agrees(
-    right.skew, cases.vectors, within=POINTWISE, hint="Which columns are v x e, for the three unit vectors e?"
+    reference.skew, cases.vectors, tolerance=POINTWISE, hint="Which columns are v x e, for the three unit vectors e?"
 )
 matrix_turns_by_the_right_hand_rule = law(
     "rotation_matrix turns by the angle about the axis, right-handed, whatever the axis's length.", points=2, part="a"
-).agrees(right.rotation_matrix, cases.turns, cases.plain_turns, within=POINTWISE, hint=of_few_digits)
+).agrees(reference.rotation_matrix, cases.turns, cases.plain_turns, tolerance=POINTWISE, hint=of_few_digits)
 
 
 def rotations_by_size(function, sizes):
-    for within, calls in zip(BY_SIZE, sizes, strict=True):
+    for tolerance, calls in zip(BY_SIZE, sizes, strict=True):
         # an exponential of the matrix by scaling and squaring is off in its lengths, too, at 1e6 rad
-        matrices = agree(function, right, calls, within=within, hint=of_which_term)
+        matrices = compare(function, reference, calls, tolerance=tolerance, hint=of_which_term)
         for case, R in zip(calls, matrices, strict=True):
-            said = {"within": max(within, POINTWISE), "kind": case.kind, "at": case}
-            expect(R.T @ R, np.eye(3), of="R^T R", **said)
-            expect(np.linalg.det(R), 1.0, of="det R", **said)
+            said = {"tolerance": max(tolerance, POINTWISE), "label": case.label, "at": case}
+            expect(R.T @ R, np.eye(3), quantity="R^T R", **said)
+            expect(np.linalg.det(R), 1.0, quantity="det R", **said)
 
 
 def vectors_by_size(function, sizes):
-    for within, calls in zip(BY_SIZE, sizes, strict=True):
-        agree(function, right, calls, within=within)
+    for tolerance, calls in zip(BY_SIZE, sizes, strict=True):
+        compare(function, reference, calls, tolerance=tolerance)
 
 
 matrix_holds_for_every_angle = matrix_turns_by_the_right_hand_rule.then(
@@ -74,16 +74,21 @@ matrix_holds_for_every_angle = matrix_turns_by_the_right_hand_rule.then(
 ).judged(rotations_by_size, "rotation_matrix", cases.turns_by_size)
 matrix_depends_on_the_direction_alone = matrix_turns_by_the_right_hand_rule.then(
     "rotation_matrix: axes of length 1e-100 or 1e100 give the same matrix as the unit axis.", points=1, part="a"
-).agrees(right.rotation_matrix, cases.of_any_length, within=POINTWISE, hint="What becomes of the square of its length?")
+).agrees(
+    reference.rotation_matrix,
+    cases.of_any_length,
+    tolerance=POINTWISE,
+    hint="What becomes of the square of its length?",
+)
 matrix_refuses_what_is_no_axis = matrix_turns_by_the_right_hand_rule.then(
     "rotation_matrix raises ValueError for an axis that is zero or not finite, whatever the angle.", points=1, part="a"
-).refuses(right.rotation_matrix, cases.no_axes, within=POINTWISE)
+).refuses(reference.rotation_matrix, cases.no_axes, tolerance=POINTWISE)
 vector_turns_by_the_right_hand_rule = law(
     "rotate turns r as the matrix would, whatever the axis's length.", points=2, part="a"
-).agrees(right.rotate, cases.turned_vectors, within=POINTWISE, hint=of_few_digits)
+).agrees(reference.rotate, cases.turned_vectors, tolerance=POINTWISE, hint=of_few_digits)
 vector_turns_by_every_angle = vector_turns_by_the_right_hand_rule.then(
     "rotate holds for angles from 1e-12 to 1e6 and axes from 1e-100 to 1e100 long.", points=1, part="a"
 ).judged(vectors_by_size, "rotate", cases.vectors_by_size)
 rotate_refuses_what_is_no_axis = vector_turns_by_the_right_hand_rule.then(
     "rotate raises ValueError for an axis that is zero or not finite, whatever angle and vector.", points=1, part="a"
-).refuses(right.rotate, cases.vectors_about_no_axes, within=POINTWISE)
+).refuses(reference.rotate, cases.vectors_about_no_axes, tolerance=POINTWISE)

@@ -5,13 +5,13 @@ from functools import partial
 
 import numpy as np
 
-from tam570_grader import absolute, agree, check, expect, expect_that, given, judge_boxes, largest, law, refuse
-from tam570_grader.writing.returns import array, group, number
+from tam570_grader import Case, absolute, check, check_raises, compare, expect, expect_that, judge_boxes, largest, law
+from tam570_grader.checks.returns import array, group, number
 
-from . import cases, right
+from . import cases, reference
 
 NEEDS = ("numpy",)
-OFF_LIMITS = {"*": ("scipy.spatial.transform", "tam570.rotations", "tam570.lectures")}
+FORBIDDEN = {"*": ("scipy.spatial.transform", "tam570.rotations", "tam570.lectures")}
 WITHIN = 1e-13  # ways that divide by no small number lose 1e-15; where 1e-12 rad make no turn, 1e-12 are lost
 # of small angles and their axes: R - R^T and quaternions lose 5e-16, the null vector of R - I 6e-11 at 1e-8 rad
 RELATIVE = 1e-12
@@ -19,7 +19,7 @@ MANY_TURNS = 1e-10  # by S = R A R^T, R <- S R, roundings grow threefold a turn:
 # of a matrix sheared by 7e-7: its parts' axes differ by as much, that by eigh of R + R^T by 3.5e-6 (in 4000 draws)
 SHEARED = 2e-5
 STRETCHED = 2e-3  # rad: the identity times 1 + 4.5e-7 has a cosine of 1 + 6.8e-7: no angle, or 1.2e-3 rad by its size
-NEARLY = 1e-5  # of a result, or rad; a pi of few digits loses less
+NEAR_MISS = 1e-5  # of a result, or rad; a pi of few digits loses less
 SAME = 1e-6
 
 
@@ -28,22 +28,22 @@ def in_limits(case, _):
     return 1.0 if len(case.args[0]) < 5 else MANY_TURNS / WITHIN
 
 
-RESULTS = {
-    "axis_rotation": array(3, 3).called("the matrix", scale=absolute),
-    "space_sequence": array(3, 3).called("the matrix", scale=in_limits),
-    "body_sequence": array(3, 3).called("the matrix", scale=in_limits),
-    "book_rotations": group(*(array(3, 3).called(f"the matrix of ({part})", scale=absolute) for part in "ab")),
-    "axis_angle": group(array(3).called("the axis", scale=absolute), number.called("the angle", "rad", absolute)),
+RETURNS = {
+    "axis_rotation": array(3, 3).described("the matrix", scale=absolute),
+    "space_sequence": array(3, 3).described("the matrix", scale=in_limits),
+    "body_sequence": array(3, 3).described("the matrix", scale=in_limits),
+    "book_rotations": group(*(array(3, 3).described(f"the matrix of ({part})", scale=absolute) for part in "ab")),
+    "axis_angle": group(array(3).described("the axis", scale=absolute), number.described("the angle", "rad", absolute)),
     "book_edges": array(12, 2, 3),
 }
 
 
-def near(found, expected, within=SAME):
-    return np.abs(np.subtract(found, expected)).max() <= within
+def near(found, expected, tolerance=SAME):
+    return np.abs(np.subtract(found, expected)).max() <= tolerance
 
 
 def of_few_digits(case, found, expected, otherwise):
-    return "It is nearly right: which number has too few digits?" if near(found, expected, NEARLY) else otherwise
+    return "It is nearly right: which number has too few digits?" if near(found, expected, NEAR_MISS) else otherwise
 
 
 QUARTER_TURN = partial(of_few_digits, otherwise="Where does a quarter turn take each of the other two axes?")
@@ -52,25 +52,25 @@ THE_EDGES = partial(of_few_digits, otherwise="Turn a real book: where do its thr
 
 turns_about_the_coordinate_axes = law(
     "axis_rotation turns by the angle about x, y or z, by the right-hand rule.", points=1, part="a"
-).agrees(right.axis_rotation, cases.turns, within=WITHIN, hint=QUARTER_TURN)
+).agrees(reference.axis_rotation, cases.turns, tolerance=WITHIN, hint=QUARTER_TURN)
 other_axes_are_refused = turns_about_the_coordinate_axes.then(
     "axis_rotation raises ValueError for any other string.", points=0.5, part="a"
-).refuses(right.axis_rotation, cases.no_axes, within=WITHIN)
+).refuses(reference.axis_rotation, cases.no_axes, tolerance=WITHIN)
 space_sequence_takes_the_first_step_first = law(
     "space_sequence turns about axes fixed in space, first step first.", points=1, part="a"
-).agrees(right.space_sequence, cases.sequences, within=WITHIN, hint=WHICH_FIRST)
+).agrees(reference.space_sequence, cases.sequences, tolerance=WITHIN, hint=WHICH_FIRST)
 space_sequence_takes_few_steps = space_sequence_takes_the_first_step_first.then(
     "space_sequence of one step, and of none: the identity.", points=0.25, part="a"
-).agrees(right.space_sequence, cases.few_steps, within=WITHIN)
+).agrees(reference.space_sequence, cases.few_steps, tolerance=WITHIN)
 body_sequence_takes_the_axes_along = law(
     "body_sequence turns about the axes that the steps before have turned.", points=1, part="a"
-).agrees(right.body_sequence, cases.sequences, within=WITHIN, hint=WHICH_FIRST)
+).agrees(reference.body_sequence, cases.sequences, tolerance=WITHIN, hint=WHICH_FIRST)
 body_sequence_takes_few_steps = body_sequence_takes_the_axes_along.then(
     "body_sequence of one step, and of none: the identity.", points=0.25, part="a"
-).agrees(right.body_sequence, cases.few_steps, within=WITHIN)
+).agrees(reference.body_sequence, cases.few_steps, tolerance=WITHIN)
 the_book_is_turned_in_both_orders = law(
     "book_rotations: 90 degrees about z then x, and about x then z, axes fixed in space.", points=1, part="a"
-).agrees(right.book_rotations, lambda draw: [given()], within=WITHIN, hint=THE_EDGES)
+).agrees(reference.book_rotations, lambda rng: [Case()], tolerance=WITHIN, hint=THE_EDGES)
 
 
 # (d, e) Axis and angle
@@ -84,7 +84,7 @@ SMALL_ONES = "Only its small components are off: is that a square root of a smal
 SIGNS = "The sizes of its components are right, their signs are not: R + R^T has the products n_x n_y."
 
 
-def of_pairs(case, found, expected, otherwise, nearly=""):
+def of_pairs(case, found, expected, otherwise, near_miss=""):
     """What is wrong with an axis and its angle, if the numbers tell, else where to look."""
     (axis, angle), (n, right_angle) = found, expected
     small, same_axis = np.abs(n) < 1e-4, near(axis, n)
@@ -101,13 +101,13 @@ def of_pairs(case, found, expected, otherwise, nearly=""):
         SMALL_ONES: same_axis and only_small,
         OPPOSITE: near(-axis, n) and near(angle, right_angle),
         SIGNS: near(np.abs(axis), np.abs(n)) and not same_axis,
-        nearly: near(axis, n, NEARLY) and near(angle, right_angle, NEARLY),
+        near_miss: near(axis, n, NEAR_MISS) and near(angle, right_angle, NEAR_MISS),
     }
-    return next((says for says, holds in tells.items() if holds and says), otherwise)
+    return next((message for message, holds in tells.items() if holds and message), otherwise)
 
 
 LOST = "It is nearly right: where are digits lost?"
-WHAT_STAYS = partial(of_pairs, otherwise="Which vector does R keep, and what is the trace of R?", nearly=LOST)
+WHAT_STAYS = partial(of_pairs, otherwise="Which vector does R keep, and what is the trace of R?", near_miss=LOST)
 FLAT = partial(of_pairs, otherwise="How flat is the cosine there, and the sine?")
 FLAT_AT_PI = "An arccos of the trace loses half of the digits there, and so does the arcsine of half of the angle."
 WHICH_PART = "Which part of R is large there: R - R^T or R + R^T?"
@@ -121,56 +121,56 @@ axis_and_angle_are_those_of_the_matrix = law(
     "axis_angle gives the unit axis and the angle of a rotation, of the book's two and of a quarter turn too.",
     points=1,
     part="a",
-).agrees(right.axis_angle, cases.generic, within=WITHIN, hint=WHAT_STAYS)
+).agrees(reference.axis_angle, cases.generic, tolerance=WITHIN, hint=WHAT_STAYS)
 small_angles_keep_their_digits = axis_and_angle_are_those_of_the_matrix.then(
     "axis_angle keeps all digits of axis and angle for angles from 1e-12 to 1e-2.", points=0.75, part="a"
-).agrees(right.axis_angle, cases.small, within=RELATIVE, scale=largest, hint=FLAT)
+).agrees(reference.axis_angle, cases.small, tolerance=RELATIVE, scale=largest, hint=FLAT)
 angles_near_pi_keep_their_digits = (
     axis_and_angle_are_those_of_the_matrix.then(
         "axis_angle keeps all digits 1e-12 to 1e-2 from a half turn, and at a quarter turn.", points=0.75, part="a"
     )
-    .agrees(right.axis_angle, cases.near_pi, within=WITHIN, hint=near_half_turns)
-    .also.agrees(right.axis_angle, cases.near_quarters, within=WITHIN, hint=FLAT)
+    .agrees(reference.axis_angle, cases.near_pi, tolerance=WITHIN, hint=near_half_turns)
+    .also.agrees(reference.axis_angle, cases.near_quarters, tolerance=WITHIN, hint=FLAT)
 )
 axes_with_small_components_keep_their_digits = angles_near_pi_keep_their_digits.then(
     "axis_angle keeps all digits near pi where a component of the axis is very small.", points=0.25, part="a"
-).agrees(right.axis_angle, cases.small_components, within=WITHIN, hint=near_half_turns)
+).agrees(reference.axis_angle, cases.small_components, tolerance=WITHIN, hint=near_half_turns)
 
 
 @check(points=0.25, part="a", after=axis_and_angle_are_those_of_the_matrix)
-def half_turns_have_their_axis(student, draw):
+def half_turns_have_their_axis(student, rng):
     """axis_angle of a half turn: the angle pi and the axis, of either sign."""
-    for case, (axis, angle) in student.axis_angle.each(cases.half_turns(draw)):
-        expect(angle, math.pi, within=WITHIN, of="the angle", unit="rad", hint=FLAT_AT_PI)
+    for case, (axis, angle) in student.axis_angle.each(cases.half_turns(rng)):
+        expect(angle, math.pi, tolerance=WITHIN, quantity="the angle", unit="rad", hint=FLAT_AT_PI)
         squares = (case.args[0] + np.eye(3)) / 2
         hint = SIGNS if near(axis**2, np.diag(squares)) else "What is R + I there?"
-        expect(np.outer(axis, axis), squares, within=WITHIN, of="the product n n^T of the axis", hint=hint)
+        expect(np.outer(axis, axis), squares, tolerance=WITHIN, quantity="the product n n^T of the axis", hint=hint)
 
 
 @check(points=0.25, part="a", after=axis_and_angle_are_those_of_the_matrix)
-def no_turn_has_a_unit_axis(student, draw):
+def no_turn_has_a_unit_axis(student, rng):
     """axis_angle of the identity: the angle 0 and any unit axis."""
-    for _, (axis, angle) in student.axis_angle.each([given(np.eye(3)).on("the identity")]):
-        expect(angle, 0.0, within=WITHIN, of="the angle", unit="rad")
+    for _, (axis, angle) in student.axis_angle.each([Case(np.eye(3)).labelled("the identity")]):
+        expect(angle, 0.0, tolerance=WITHIN, quantity="the angle", unit="rad")
         expect_that(np.any(axis), "the axis is the zero vector")
-        expect(np.linalg.norm(axis), 1.0, within=WITHIN, of="the length of the axis")
+        expect(np.linalg.norm(axis), 1.0, tolerance=WITHIN, quantity="the length of the axis")
 
 
 @check(points=0.25, part="a", after=axis_and_angle_are_those_of_the_matrix)
-def what_is_no_rotation_is_refused(student, draw):
+def what_is_no_rotation_is_refused(student, rng):
     """axis_angle refuses matrices that are not rotations, and accepts one with R^T R wrong by 9e-7."""
-    agree(student.axis_angle, right, cases.nearly_rotations(draw), within=SHEARED)
-    stretched = given((1 + 4.5e-7) * np.eye(3)).on("the identity times 1 + 4.5e-7")
+    compare(student.axis_angle, reference, cases.nearly_rotations(rng), tolerance=SHEARED)
+    stretched = Case((1 + 4.5e-7) * np.eye(3)).labelled("the identity times 1 + 4.5e-7")
     for _, (axis, angle) in student.axis_angle.each([stretched]):
-        expect(np.linalg.norm(axis), 1.0, within=SHEARED, of="the length of the axis")
-        expect(angle, 0.0, within=STRETCHED, of="the angle", unit="rad")
-    refuse(student.axis_angle, cases.no_rotations(draw))
+        expect(np.linalg.norm(axis), 1.0, tolerance=SHEARED, quantity="the length of the axis")
+        expect(angle, 0.0, tolerance=STRETCHED, quantity="the angle", unit="rad")
+    check_raises(student.axis_angle, cases.no_rotations(rng))
     hint = "Do you use np.allclose? Its rtol allows 1e-5 beside a one."
-    refuse(student.axis_angle, cases.stretched_along_z(draw), hint=hint)
+    check_raises(student.axis_angle, cases.stretched_along_z(rng), hint=hint)
 
 
 # (c) The book
 
 the_book_has_its_twelve_edges = law(
     "book_edges are the edges of the turned book, in any order and direction.", points=1.5, part="c"
-).judged(judge_boxes, "book_edges", cases.books, within=WITHIN)
+).judged(judge_boxes, "book_edges", cases.books, tolerance=WITHIN)

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from tam570_grader.writing.figures import Figure, seen_from
+from tam570_grader.checks.figures import Figure, seen_from
 
-from . import right
+from . import reference
 
 EYE = seen_from(0.55, 0.4)
 
@@ -31,7 +31,7 @@ def figure(size=(1.1, 1.5, 0.3), angle=1.3):
         shown.arrow(EYE(0 * axis), EYE(far), name, "thin")
         start = np.roll(axis, 1) * 0.28 + 1.15 * axis
         turns = np.linspace(0.0, angle, 20)
-        shown.curve(EYE(np.array([right.axis_rotation(name, turn) @ start for turn in turns])), "+", by=(14, 10))
+        shown.curve(EYE(np.array([reference.axis_rotation(name, turn) @ start for turn in turns])), "+", by=(14, 10))
     places = ([0, -1, 1], (-36, 12)), ([1, 0.4, -1], (10, -18)), ([1, -1, 0], (-36, 0))
     for number, (at, by) in enumerate(places):
         shown.label(EYE(np.array(at) * half), f"size[{number}]", by=by, style="soft")

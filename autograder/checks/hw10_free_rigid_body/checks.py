@@ -6,13 +6,13 @@ from functools import partial
 import numpy as np
 
 from tam570_grader import Column, Invariant, absolute, by_kind, check, law
-from tam570_grader.writing.drawings import along, curves_seen, exchanged, judge_axes_of_lengths, judge_boxes, path_drawn
-from tam570_grader.writing.returns import array, drawing, group, number, rows
+from tam570_grader.checks.plots import along, curves_seen, exchanged, judge_axes_of_lengths, judge_boxes, path_drawn
+from tam570_grader.checks.returns import array, drawing, group, number, rows
 
 from . import cases, right
 
 NEEDS = ("numpy", "matplotlib.figure", "matplotlib.backends.backend_agg")
-OFF_LIMITS = {"*": ("tam570.lectures",), "euler_rates_313": ("tam570.rotations", "scipy.spatial.transform")}
+FORBIDDEN = {"*": ("tam570.lectures",), "euler_rates_313": ("tam570.rotations", "scipy.spatial.transform")}
 POINTWISE = 1e-8  # a few roundings make 1e-15; a derivative by central differences, 1e-9
 SINGULAR = 1e-2  # a pseudoinverse where a singular value is 1e-12 makes 1e-4; a sine kept from zero, 0.3
 # solve_ivp at rtol 1e-9, atol 1e-9 is off by 6e-8 at the most (LSODA), an explicit method of order 2 at a thousand
@@ -33,17 +33,17 @@ def last_length(case, _):
     return np.linalg.norm(case.args[-1])
 
 
-RESULTS = {
-    "euler_equations": array(3).called("omega'", "rad/s^2", lambda case, _: np.sum(case.args[0] ** 2)),
-    "attitude_rate": array(3, 3).called("dR/dt", "rad/s", last_length),
-    "euler_rates_313": array(3).called("a rate", "rad/s"),
-    "energy": number.called("the energy", "J"),
-    "angular_momentum": array(3).called("H", "kg m^2/s"),
+RETURNS = {
+    "euler_equations": array(3).described("omega'", "rad/s^2", lambda case, _: np.sum(case.args[0] ** 2)),
+    "attitude_rate": array(3, 3).described("dR/dt", "rad/s", last_length),
+    "euler_rates_313": array(3).described("a rate", "rad/s"),
+    "energy": number.described("the energy", "J"),
+    "angular_momentum": array(3).described("H", "kg m^2/s"),
     "simulate": group(rows(3), rows(3, 3)),
-    "symmetric_solution": rows(3).called("omega", "rad/s", last_length),
-    "wobble_rate": number.called("the rate", "rad/s"),
-    "growth_rate_squared": number.called("the square of the rate", "1/s^2", lambda case, _: case.args[1] ** 2),
-    "tumble_period": array(infinite=True).called("the period", "s"),
+    "symmetric_solution": rows(3).described("omega", "rad/s", last_length),
+    "wobble_rate": number.described("the rate", "rad/s"),
+    "growth_rate_squared": number.described("the square of the rate", "1/s^2", lambda case, _: case.args[1] ** 2),
+    "tumble_period": array(infinite=True).described("the period", "s"),
     "wireframe": array(12, 2, 3),
     "plot_rim_paths": drawing,
 }
@@ -52,24 +52,27 @@ RESULTS = {
 
 euler_equations_keep_the_angular_momentum = law(
     "euler_equations: omega' of a body without moments, for any three inertias, equal ones too.", points=0.75, part="a"
-).agrees(right.euler_equations, cases.turning, within=POINTWISE, hint="In body components H changes by -omega x H.")
+).agrees(right.euler_equations, cases.turning, tolerance=POINTWISE, hint="In body components H changes by -omega x H.")
 attitude_follows_omega = law("attitude_rate: dR/dt for omega in body components.", points=0.5, part="a").agrees(
-    right.attitude_rate, cases.turning_in_space, within=POINTWISE, hint="The columns of R move at omega x themselves."
+    right.attitude_rate,
+    cases.turning_in_space,
+    tolerance=POINTWISE,
+    hint="The columns of R move at omega x themselves.",
 )
 energy_is_half_omega_h = law("energy: half of omega . H.", points=0.5, part="a").agrees(
-    right.energy, cases.turning, within=POINTWISE
+    right.energy, cases.turning, tolerance=POINTWISE
 )
 angular_momentum_is_in_space_axes = law(
     "angular_momentum: the vector H in space components.", points=0.5, part="a"
-).agrees(right.angular_momentum, cases.turning_in_space, within=POINTWISE)
+).agrees(right.angular_momentum, cases.turning_in_space, tolerance=POINTWISE)
 THREE_TURNS = "omega is psi' along space z, theta' along the line of nodes, and phi' along body z."
 SINE = {"negative theta": "The sine of theta is negative there: do you compute it as a square root?"}
 euler_rates_make_omega = law(
     "euler_rates_313: the rates of psi, theta, phi that make this omega, for theta of any sign.", points=0.75, part="a"
-).agrees(right.euler_rates_313, cases.euler_angles, within=POINTWISE, hint=by_kind(SINE, THREE_TURNS))
+).agrees(right.euler_rates_313, cases.euler_angles, tolerance=POINTWISE, hint=by_kind(SINE, THREE_TURNS))
 euler_rates_are_refused_where_undetermined = euler_rates_make_omega.then(
     "euler_rates_313 raises ValueError where abs(sin theta) < 1e-12, and nowhere else.", points=0.25, part="a"
-).refuses(right.euler_rates_313, cases.undetermined, within=SINGULAR, allowed=4, hint="sin theta may be negative.")
+).refuses(right.euler_rates_313, cases.undetermined, tolerance=SINGULAR, allowed=4, hint="sin theta may be negative.")
 
 # Motions
 
@@ -93,13 +96,15 @@ def wrong_attitude(motion):
     rotations, expected = rotations_of(motion.found), rotations_of(motion.expected)
     transposes = rotations.transpose(0, 2, 1)
     told = {
-        SHORT: motion.case.kind == cases.FAST_AND_FAR,
+        SHORT: motion.case.label == cases.FAST_AND_FAR,
         "The three axes are left-handed: the determinant is -1.": np.linalg.det(rotations).min() < 0,
         "These are the transposes, from space to body.": np.abs(transposes - expected).max() < 1e-3,
         "R is not kept orthogonal: R^T R is no longer I.": np.abs(transposes @ rotations - np.eye(3)).max() > 1e-4,
         "Does euler_equations pass, for such a body too?": not np.allclose(motion.found[:, :3], motion.expected[:, :3]),
     }
-    return next((says for says, holds in told.items() if holds), "Does attitude_rate pass? omega has body components.")
+    return next(
+        (message for message, holds in told.items() if holds), "Does attitude_rate pass? omega has body components."
+    )
 
 
 def squares(states, inertia):
@@ -119,7 +124,7 @@ ROTATES = Invariant("R^T R", "", squares, absolute, INVARIANT)
 KEEPS_MOMENTUM = Invariant("H in space", "of its start", momenta, None, INVARIANT)
 KEEPS_ENERGY = Invariant("the energy", "of its start", energies, None, INVARIANT)
 SHARES = {1e-4: 0.5, 1e-2: 0.25}  # of the drift of the energy
-FOLLOWED = {"within": TRAJECTORY, "restart": restart, "name": "simulate"}
+FOLLOWED = {"tolerance": TRAJECTORY, "restart": restart, "name": "simulate"}
 TURNS = {"cases": cases.many_turns, "columns": BOTH, "name": "simulate", "coarsely": 3e-2, "hint": SHORT}
 
 omega_follows_elliptic_functions = law(
@@ -142,24 +147,26 @@ special_bodies_move_too = law(
 
 symmetric_bodies_precess = law(
     "symmetric_solution: omega in body components at all times, from omega at t[0].", points=0.75, part="a"
-).agrees(right.symmetric_solution, cases.precessing, within=POINTWISE, hint="Compare with euler_equations at t[0].")
+).agrees(right.symmetric_solution, cases.precessing, tolerance=POINTWISE, hint="Compare with euler_equations at t[0].")
 wobble_goes_round_the_angular_momentum = law(
     "wobble_rate: the rate at which the symmetry axis goes round H, at any angle between them.", points=0.5, part="a"
-).agrees(right.wobble_rate, cases.wobbling, within=POINTWISE, hint="Split omega along H and along the symmetry axis.")
+).agrees(
+    right.wobble_rate, cases.wobbling, tolerance=POINTWISE, hint="Split omega along H and along the symmetry axis."
+)
 
 # (b) Stability and tumbling
 
 small_deviations_grow_at_this_rate = law(
     "growth_rate_squared: positive where the spin is unstable, else minus the frequency squared.", points=0.75, part="b"
-).agrees(right.growth_rate_squared, cases.spins, within=POINTWISE, hint="Keep what is linear in small deviations.")
+).agrees(right.growth_rate_squared, cases.spins, tolerance=POINTWISE, hint="Keep what is linear in small deviations.")
 BACK = "After what time is omega back, sign and all?"
 
 
 def period_round(which, sign):
     """The check of the period on one side of the separatrix."""
-    kind = f"omega round the axis of the {which} inertia"
-    return law(f"tumble_period for {kind}.", points=0.375, part="b").agrees(
-        right.tumble_period, partial(cases.on_side, kind=kind, sign=sign), within=PERIOD, hint=BACK
+    label = f"omega round the axis of the {which} inertia"
+    return law(f"tumble_period for {label}.", points=0.375, part="b").agrees(
+        right.tumble_period, partial(cases.on_side, label=label, sign=sign), tolerance=PERIOD, hint=BACK
     )
 
 
@@ -167,13 +174,16 @@ period_round_the_last_axis, period_round_the_first_axis = period_round("largest"
 PERIODS = period_round_the_last_axis, period_round_the_first_axis
 period_of_pure_spin_is_that_of_small_oscillations = law(
     "tumble_period for pure spin about axis 0 or 2, by small oscillations.", points=0.25, part="b", after=PERIODS
-).agrees(right.tumble_period, cases.pure_spins, within=PERIOD, hint="There the modulus k is 0.")
+).agrees(right.tumble_period, cases.pure_spins, tolerance=PERIOD, hint="There the modulus k is 0.")
 period_grows_to_infinity_at_the_separatrix = (
     law("tumble_period near the separatrix, and math.inf on it.", points=0.25, part="b", after=PERIODS)
     .agrees(
-        right.tumble_period, cases.near_separatrix, within=NEAR_PERIOD, hint="How near 1 is a modulus k that is not 1?"
+        right.tumble_period,
+        cases.near_separatrix,
+        tolerance=NEAR_PERIOD,
+        hint="How near 1 is a modulus k that is not 1?",
     )
-    .also.agrees(right.tumble_period, cases.on_separatrix, within=PERIOD, hint="What is K(k) for k = 1?")
+    .also.agrees(right.tumble_period, cases.on_separatrix, tolerance=PERIOD, hint="What is K(k) for k = 1?")
 )
 
 # Drawing
@@ -182,7 +192,7 @@ AXES = "y horizontal", "z height vertical"
 
 the_box_has_its_twelve_edges = law(
     "wireframe: the edges of the turned box, in any order and direction.", points=0.5, part="b"
-).judged(judge_boxes, "wireframe", cases.boxes, within=POINTWISE)
+).judged(judge_boxes, "wireframe", cases.boxes, tolerance=POINTWISE)
 
 
 def seen_along_x(rotations):
@@ -204,20 +214,20 @@ def mistaken(rotations):
 
 
 @check(points=0.5, part="a")
-def rim_paths_are_drawn(student, draw):
+def rim_paths_are_drawn(student, rng):
     """plot_rim_paths: both paths as seen along x, from t[0] to t[-1], with labels and equal scales."""
     points = "Does simulate pass and get the inertia? Draw y and z of (radius, 0, 0), (0, radius, 0) in space at all t"
-    for case in cases.pictures(draw):
+    for case in cases.pictures(rng):
         picture, (t, R, omega), radius = student.plot_rim_paths.drawn(case), case.args, case.kwargs["radius"]
         _, rotations = right.motion(np.linspace(t[0], t[-1], 801), R, omega, inertia=case.kwargs["inertia"])
         paths = [radius * path for path in seen_along_x(rotations)]
-        others = {says: [radius * path for path in both] for says, both in mistaken(rotations).items()}
+        others = {message: [radius * path for path in both] for message, both in mistaken(rotations).items()}
         others["These are the paths for a radius of 1 m"] = seen_along_x(rotations)
         behind = all(exchanged(picture, *AXES))  # seen from there: z to the right and y up
         found = [replace(line, points=line.points[:, ::-1]) if behind else line for line in curves_seen(picture, 2)]
         for line, path in zip(in_order(found, paths[0]), paths, strict=True):
-            known = {"within": DRAWN * radius / np.ptp(path, axis=0).max(), "fewer": COARSELY / DRAWN}
-            path_drawn(line, path, **known, of="a path", others=others, hint=points, gradual=False)
+            known = {"tolerance": DRAWN * radius / np.ptp(path, axis=0).max(), "fewer": COARSELY / DRAWN}
+            path_drawn(line, path, **known, quantity="a path", others=others, hint=points, near_miss_credit=False)
         judge_axes_of_lengths(picture, *AXES, from_below=True)
 
 

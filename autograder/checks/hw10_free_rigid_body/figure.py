@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from tam570_grader.writing.figures import Figure, seen_from
+from tam570_grader.checks.figures import Figure, seen_from
 
 from . import right
 

@@ -4,94 +4,105 @@ import math
 
 import numpy as np
 
-from tam570_grader import given, in_turn, uneven
+from tam570_grader import Case, repeated_calls, uneven
 
 ANY = "a random bead and wire"
 NEXT_TO_BOTTOM = 1e-5  # times 1/c: whoever takes the wire for level there leaves a term out
 
 
-def bead(draw, weight=1):
+def bead(rng, weight=1):
     """A call at a random state on a flat or a steep place; without gravity if the weight is zero."""
-    curvature, gravity = 10 ** draw.uniform(-1, 1), draw.uniform(1, 25)
-    x = 10 ** draw.uniform(-2, 0.6) / curvature * draw.choice([-1, 1])
-    v = draw.uniform(0.4, 2) * math.sqrt(gravity / curvature) * draw.choice([-1, 1])
-    known = {"mass": 10 ** draw.uniform(-1, 1), "curvature": curvature, "gravity": gravity * weight}
-    return given(x, v, **known).on(_weighed(ANY, weight))
+    curvature, gravity = 10 ** rng.uniform(-1, 1), rng.uniform(1, 25)
+    x = 10 ** rng.uniform(-2, 0.6) / curvature * rng.choice([-1, 1])
+    v = rng.uniform(0.4, 2) * math.sqrt(gravity / curvature) * rng.choice([-1, 1])
+    known = {"mass": 10 ** rng.uniform(-1, 1), "curvature": curvature, "gravity": gravity * weight}
+    return Case(x, v, **known).labelled(_weighed(ANY, weight))
 
 
-def usual(draw):
+def usual(rng):
     """Random ones and whole numbers; nothing is zero, for a right formula may be 0/0 there."""
-    whole = given(1.0, 1.0, mass=1.0, curvature=1.0, gravity=1.0).on(ANY)
-    return [*(bead(draw) for _ in range(15)), whole, whole.but(-1.0), whole.but(1.0, -1.0)]
+    whole = Case(1.0, 1.0, mass=1.0, curvature=1.0, gravity=1.0).labelled(ANY)
+    return [*(bead(rng) for _ in range(15)), whole, whole.replace(-1.0), whole.replace(1.0, -1.0)]
 
 
-def beads(draw):
+def beads(rng):
     """At rest, at the bottom, or both; random ones; all of them without gravity too."""
-    calls = usual(draw)
+    calls = usual(rng)
     x, v = map(abs, calls[0].args)
     places = {
         "a bead at rest": [(x, 0.0), (-x, 0.0)],
         "a bead at the bottom": [(0.0, v), (0.0, -v)],
         "a bead at rest at the bottom": [(0.0, 0.0)],
     }
-    placed = [calls[0].but(*state).on(kind) for kind, states in places.items() for state in states]
-    return [*placed, *calls, *(one.but(gravity=0.0).on(_weighed(one.kind, 0)) for one in (*placed, *calls[:3]))]
+    placed = [calls[0].replace(*state).labelled(label) for label, states in places.items() for state in states]
+    return [
+        *placed,
+        *calls,
+        *(one.replace(gravity=0.0).labelled(_weighed(one.label, 0)) for one in (*placed, *calls[:3])),
+    ]
 
 
-def places(draw):
+def places(rng):
     """For the function of the place alone; on steep wires, too."""
-    steep = bead(draw)
-    far = steep.but(steep.args[0] * 1e3, steep.args[1])
-    return [*beads(draw), *next_to_bottom(draw), far.on("a steep place"), far.but(-far.args[0]).on("a steep place")]
+    steep = bead(rng)
+    far = steep.replace(steep.args[0] * 1e3, steep.args[1])
+    return [
+        *beads(rng),
+        *next_to_bottom(rng),
+        far.labelled("a steep place"),
+        far.replace(-far.args[0]).labelled("a steep place"),
+    ]
 
 
-def next_to_bottom(draw):
-    call = bead(draw)
+def next_to_bottom(rng):
+    call = bead(rng)
     small = NEXT_TO_BOTTOM / call.kwargs["curvature"]
-    return [one for x in (small, -small) for one in _with_and_without_gravity(call.but(x), "a bead next to the bottom")]
+    return [
+        one for x in (small, -small) for one in _with_and_without_gravity(call.replace(x), "a bead next to the bottom")
+    ]
 
 
-def nearly_at_rest(draw):
+def nearly_at_rest(rng):
     """Next to the bottom, and as slow: the energy is tiny, and not zero."""
-    call = bead(draw)
+    call = bead(rng)
     x, v = NEXT_TO_BOTTOM / call.kwargs["curvature"], NEXT_TO_BOTTOM * call.args[1]
-    return [call.but(x, v).on("a bead next to the bottom")]
+    return [call.replace(x, v).labelled("a bead next to the bottom")]
 
 
-def _with_and_without_gravity(call, kind):
-    return [call.but(gravity=g).on(_weighed(kind, g)) for g in (call.kwargs["gravity"], 0.0)]
+def _with_and_without_gravity(call, label):
+    return [call.replace(gravity=g).labelled(_weighed(label, g)) for g in (call.kwargs["gravity"], 0.0)]
 
 
-def _weighed(kind, gravity):
-    return kind if gravity else f"{kind}, without gravity"
+def _weighed(label, gravity):
+    return label if gravity else f"{label}, without gravity"
 
 
-def ride(draw, low, high, count, turns, kind, start=None, decade=0.7):
+def ride(rng, low, high, count, turns, label, start=None, decade=0.7):
     """A motion of an amplitude of low to high, in units of 1/c, for `turns` over the rate of small motions.
 
     start : the place, of the amplitude, and the speed, of the largest; random by default
     """
-    wire = {"curvature": 10 ** draw.uniform(-decade, decade), "gravity": draw.uniform(1, 25)}
-    size, rate = draw.uniform(low, high) / wire["curvature"], math.sqrt(2 * wire["gravity"] * wire["curvature"])
+    wire = {"curvature": 10 ** rng.uniform(-decade, decade), "gravity": rng.uniform(1, 25)}
+    size, rate = rng.uniform(low, high) / wire["curvature"], math.sqrt(2 * wire["gravity"] * wire["curvature"])
     if start is None:
-        angle = draw.uniform(0.5, 1.2) * draw.choice([-1, 1])
-        start = math.sin(angle), math.cos(angle) * draw.choice([-1, 1])
+        angle = rng.uniform(0.5, 1.2) * rng.choice([-1, 1])
+        start = math.sin(angle), math.cos(angle) * rng.choice([-1, 1])
     x = size * start[0]
     v = size * rate * start[1] / math.hypot(1, 2 * wire["curvature"] * x)
-    return given(uneven(draw, turns / rate, count), x, v, **wire).on(kind)
+    return Case(uneven(rng, turns / rate, count), x, v, **wire).labelled(label)
 
 
 def rides(*settings):
-    return lambda draw: [ride(draw, *settings)]
+    return lambda rng: [ride(rng, *settings)]
 
 
 # The oscillation of small amplitudes is off by 2e-3; an absolute tolerance of 1e-9 m is good to 1e-6.
 close = rides(0.02, 0.025, 2, 5.0, "two times, the bead let go at rest, close to the bottom", (1.0, 0.0), 0.3)
 
 
-def few_times(draw):
+def few_times(rng):
     """Three times, most of the run and its sharp turns between two; two times, let go at rest and at the bottom."""
-    sharp = ride(draw, 4.3, 5.0, 2, 21.0, "a few times, far apart")
+    sharp = ride(rng, 4.3, 5.0, 2, 21.0, "a few times, far apart")
     first, last = sharp.args[0]
     between = last - 1.5 / math.sqrt(2 * sharp.kwargs["gravity"] * sharp.kwargs["curvature"])
     starts = {
@@ -99,24 +110,24 @@ def few_times(draw):
         "the bead let go at the bottom": [(0.0, 1.0), (0.0, -1.0)],
         "a bead at rest at the bottom, where it stays": [(0.0, 0.0)],
     }
-    plain = [(f"two times, {kind}", start) for kind, known in starts.items() for start in known]
-    return [sharp.but(np.array([first, between, last])), *(ride(draw, 0.4, 1.0, 2, 5.0, *one) for one in plain)]
+    plain = [(f"two times, {label}", start) for label, known in starts.items() for start in known]
+    return [sharp.replace(np.array([first, between, last])), *(ride(rng, 0.4, 1.0, 2, 5.0, *one) for one in plain)]
 
 
-def weightless(draw):
+def weightless(rng):
     """The same with gravity and without: motions that are kept from call to call are wrong then."""
-    case = ride(draw, 0.4, 1.0, 100, 6.0, "an amplitude near 1/c")
-    return [case, case.but(gravity=0.0).on("gravity 0"), *in_turn(draw, case.but(case.args[0][:5]))]
+    case = ride(rng, 0.4, 1.0, 100, 6.0, "an amplitude near 1/c")
+    return [case, case.replace(gravity=0.0).labelled("gravity 0"), *repeated_calls(rng, case.replace(case.args[0][:5]))]
 
 
-def periods(kind, low, high, count, decades=(-1, 1)):
+def periods(label, low, high, count, decades=(-1, 1)):
     """Amplitudes in units of 1/c, by their powers of ten; decades of the curvature."""
 
-    def one(draw):
-        curvature, size = 10 ** draw.uniform(*decades), 10 ** draw.uniform(low, high)
-        return given(size / curvature, curvature=curvature, gravity=draw.uniform(1, 25)).on(kind)
+    def one(rng):
+        curvature, size = 10 ** rng.uniform(*decades), 10 ** rng.uniform(low, high)
+        return Case(size / curvature, curvature=curvature, gravity=rng.uniform(1, 25)).labelled(label)
 
-    return lambda draw: [one(draw) for _ in range(count)]
+    return lambda rng: [one(rng) for _ in range(count)]
 
 
 usual_periods = periods("an amplitude near 1/c", -0.7, -0.2, 8)

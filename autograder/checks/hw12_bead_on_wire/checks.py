@@ -4,14 +4,14 @@ import math
 
 import numpy as np
 
-from tam570_grader import Column, Invariant, agree, by_kind, check, expect, from_own_lagrangian, in_symbols, law
-from tam570_grader.writing.diagrams import compare_diagrams
-from tam570_grader.writing.returns import array, formula, free_body_diagram, number, rows
+from tam570_grader import Column, Invariant, by_kind, check, compare, expect, from_own_lagrangian, in_symbols, law
+from tam570_grader.checks.diagrams import compare_diagrams
+from tam570_grader.checks.returns import array, formula, free_body_diagram, number, rows
 
-from . import cases, right
+from . import cases, reference
 
 NEEDS = ("numpy", "sympy")
-OFF_LIMITS = {"*": ("tam570.lagrange", "tam570.lectures")}
+FORBIDDEN = {"*": ("tam570.lagrange", "tam570.lectures")}
 
 FORMULA = 1e-8  # a few roundings make 1e-15, a derivative by central differences 1e-10
 FEW_DIGITS = 1e-4  # of x'' next to the bottom; differences of energies are good to 5e-6 of what is nearly zero
@@ -32,7 +32,7 @@ def largest_term(case, found):
 def size(case, states):
     """The amplitude; without gravity the farthest place."""
     _, x, v = case.args
-    return right.amplitude(x, v, **case.kwargs) if case.kwargs["gravity"] else np.max(np.abs(states[:, 0]))
+    return reference.amplitude(x, v, **case.kwargs) if case.kwargs["gravity"] else np.max(np.abs(states[:, 0]))
 
 
 def pace(case, states):
@@ -41,43 +41,43 @@ def pace(case, states):
 
 
 MOTION = (Column("x", "m", [0], scale=size), Column("v", "m/s", [1], scale=pace))
-KEPT = Invariant("the energy", "of its start", right.energy_of_rows, None, ENERGY)
+KEPT = Invariant("the energy", "of its start", reference.energy_of_rows, None, ENERGY)
 SYMBOLS = ("x", "v", "m", "c", "g")
-RESULTS = {
+RETURNS = {
     "lagrangian": formula(*SYMBOLS),
-    "lagrange_equation": formula("x", "v", "c", "g").called("x''", "m/s^2", largest_term),
-    "acceleration_newton": number.called("x''", "m/s^2", largest_term),
-    "constraint_force": array(2).called("the force", "N", lambda _, force: math.hypot(*force)),
-    "energy": number.called("the energy", "J"),
+    "lagrange_equation": formula("x", "v", "c", "g").described("x''", "m/s^2", largest_term),
+    "acceleration_newton": number.described("x''", "m/s^2", largest_term),
+    "constraint_force": array(2).described("the force", "N", lambda _, force: math.hypot(*force)),
+    "energy": number.described("the energy", "J"),
     "simulate": rows(2, columns=MOTION),
-    "period": number.called("the period", "s"),
+    "period": number.described("the period", "s"),
     "free_body_diagram": free_body_diagram(2),
 }
 
 
 @check(points=0.5, part="a")
-def forces_on_the_bead(student, draw):
+def forces_on_the_bead(student, rng):
     """free_body_diagram: every force on the bead, where it acts and along what."""
-    compare_diagrams(student.free_body_diagram, right, cases.places(draw))
+    compare_diagrams(student.free_body_diagram, reference, cases.places(rng))
 
 
 @check(points=1, part="a")
-def lagrangian_is_kinetic_less_potential(student, draw):
+def lagrangian_is_kinetic_less_potential(student, rng):
     """lagrangian: T - V in x, v, m, c, g, V up to a constant."""
-    calls = in_symbols(cases.usual(draw), *SYMBOLS)
+    calls = in_symbols(cases.usual(rng), *SYMBOLS)
     levels = student.lagrangian.at([{**case.kwargs, "x": 0.0, "v": 0.0} for case in calls])
-    known = {"of": "the Lagrangian", "unit": "J", "hint": "How fast is the bead along the wire, and how high?"}
+    known = {"quantity": "the Lagrangian", "unit": "J", "hint": "How fast is the bead along the wire, and how high?"}
     for level, (case, value) in zip(levels, student.lagrangian.each(calls), strict=True):
-        within = FORMULA * (right.energy(*case.kwargs.values()) or 1.0)
-        expect(value - level, right.lagrangian(**case.kwargs), within=within, **known)
+        tolerance = FORMULA * (reference.energy(*case.kwargs.values()) or 1.0)
+        expect(value - level, reference.lagrangian(**case.kwargs), tolerance=tolerance, **known)
 
 
 @check(points=1.5, part="a")
-def lagrange_gives_the_acceleration(student, draw):
+def lagrange_gives_the_acceleration(student, rng):
     """lagrange_equation: x'' in x, v, c, g alone."""
-    calls = in_symbols(cases.usual(draw), *SYMBOLS)
+    calls = in_symbols(cases.usual(rng), *SYMBOLS)
     hint = from_own_lagrangian(student, calls[:5], "dT/dv depends on x: its rate has a term with v. dT/dx is not zero.")
-    agree(student.lagrange_equation, right, calls, within=FORMULA, hint=hint)
+    compare(student.lagrange_equation, reference, calls, tolerance=FORMULA, hint=hint)
 
 
 TWICE = by_kind(
@@ -86,8 +86,8 @@ TWICE = by_kind(
 )
 newton_gives_the_acceleration = (
     law("acceleration_newton: x'' by F = m a along the tangent, as Lagrange has it.", points=1.5, part="b")
-    .agrees(right.acceleration_newton, cases.beads, within=FORMULA, hint=TWICE)
-    .also.agrees(right.acceleration_newton, cases.next_to_bottom, within=FEW_DIGITS, hint=TWICE)
+    .agrees(reference.acceleration_newton, cases.beads, tolerance=FORMULA, hint=TWICE)
+    .also.agrees(reference.acceleration_newton, cases.next_to_bottom, tolerance=FEW_DIGITS, hint=TWICE)
 )
 
 
@@ -95,12 +95,14 @@ BEND = by_kind({"at rest": "How much of the weight does a slope carry?"}, "How s
 
 
 @check(points=0.75, part="b")
-def force_has_the_right_size(student, draw):
+def force_has_the_right_size(student, rng):
     """constraint_force: as large as carrying and turning the bead takes."""
-    for case, force in student.constraint_force.each(cases.beads(draw) + cases.next_to_bottom(draw)):
-        size = math.hypot(*right.constraint_force(*case.args, **case.kwargs))
-        within = FORMULA * (size or 1.0)
-        expect(math.hypot(*force), size, within=within, of="the size of the force", unit="N", hint=BEND(case))
+    for case, force in student.constraint_force.each(cases.beads(rng) + cases.next_to_bottom(rng)):
+        size = math.hypot(*reference.constraint_force(*case.args, **case.kwargs))
+        tolerance = FORMULA * (size or 1.0)
+        expect(
+            math.hypot(*force), size, tolerance=tolerance, quantity="the size of the force", unit="N", hint=BEND(case)
+        )
 
 
 TANGENT = "Dot it with the tangent (1, 2 c x): is that zero, and does the force act on the bead?"
@@ -109,42 +111,46 @@ force_and_weight_make_the_acceleration = law(
     points=0.5,
     part="b",
     after=force_has_the_right_size,
-).agrees(right.constraint_force, cases.beads, cases.next_to_bottom, within=FORMULA, hint=TANGENT)
+).agrees(reference.constraint_force, cases.beads, cases.next_to_bottom, tolerance=FORMULA, hint=TANGENT)
 SPEED = by_kind({"at rest": "At rest it is potential: how high is the bead?"}, "How fast is the bead along the wire?")
 energy_is_kinetic_and_potential = law(
     "energy: of the speed along the wire and of the height above the bottom.", points=1, part="b"
-).agrees(right.energy, cases.beads, cases.next_to_bottom, cases.nearly_at_rest, within=FORMULA, hint=SPEED)
+).agrees(reference.energy, cases.beads, cases.next_to_bottom, cases.nearly_at_rest, tolerance=FORMULA, hint=SPEED)
 WIDE = cases.rides(0.4, 1.0, 1000, 15.0, "an amplitude near 1/c")
 simulate_slides = law("simulate: large motions, row i at t[i], row 0 the given state.", points=0.75, part="b").follows(
-    right.simulate, WIDE, within=TRAJECTORY, hint="Is v the rate of x, and x'' as in part (a)?", keeps=KEPT
+    reference.simulate, WIDE, tolerance=TRAJECTORY, hint="Is v the rate of x, and x'' as in part (a)?", keeps=KEPT
 )
 SMALL = "Do you leave terms out at small amplitudes, or is atol too loose for them?"
 simulate_needs_no_dense_times = (
     simulate_slides.then("simulate: the same motion when only a few times are asked for.", points=0.25, part="b")
-    .follows(right.simulate, cases.few_times, within=TRAJECTORY, hint="Is the tolerance tight over long steps of t?")
-    .also.follows(right.simulate, cases.close, within=TRAJECTORY, hint=SMALL, gradual=False)
+    .follows(
+        reference.simulate, cases.few_times, tolerance=TRAJECTORY, hint="Is the tolerance tight over long steps of t?"
+    )
+    .also.follows(reference.simulate, cases.close, tolerance=TRAJECTORY, hint=SMALL, near_miss_credit=False)
 )
 simulate_without_gravity = simulate_slides.then(
     "simulate: without gravity the bead keeps its speed, whatever was asked before.", points=0.25, part="b"
-).follows(right.simulate, cases.weightless, within=TRAJECTORY, hint="Is anything divided by gravity?")
+).follows(reference.simulate, cases.weightless, tolerance=TRAJECTORY, hint="Is anything divided by gravity?")
 STEEP = cases.rides(5.0, 8.0, 60, 60.0, "an amplitude of several 1/c")
 simulate_slides_down_steep_wires = simulate_slides.then(
     "simulate: an amplitude of many 1/c, where the bead turns sharply at the bottom.", points=0.25, part="b"
-).follows(right.simulate, STEEP, within=SHARP_TURN, hint="Are the steps short enough for the turn at the bottom?")
+).follows(
+    reference.simulate, STEEP, tolerance=SHARP_TURN, hint="Are the steps short enough for the turn at the bottom?"
+)
 MANY_PERIODS = cases.rides(0.4, 1.0, 300, 180.0, "many periods")
 LOSSES, DURATION = {1e-3: 0.6, 1e-2: 0.3}, "Do your steps grow with the duration, or is the tolerance loose?"
 simulate_keeps_the_energy = simulate_slides.then(
     "simulate: the energy stays what it was over many periods.", points=0.25, part="b"
-).keeps(KEPT, right=right.simulate, cases=MANY_PERIODS, coarsely=COARSELY, partial=LOSSES, hint=DURATION)
+).keeps(KEPT, reference=reference.simulate, cases=MANY_PERIODS, coarsely=COARSELY, partial=LOSSES, hint=DURATION)
 EXACT = "Does the energy give v at every x, dt = dx/v, and is the quadrature exact where v is zero?"
 period_is_exact = law("period: exact for amplitudes near 1/c.", points=1, part="b").agrees(
-    right.period, cases.usual_periods, within=PERIOD, hint=EXACT
+    reference.period, cases.usual_periods, tolerance=PERIOD, hint=EXACT
 )
 ROOT = "Do you add a small number under a root, or use an absolute tolerance? 1e-15 m^2 is not small here."
 REACH = "Does your series or quadrature reach amplitudes of a hundred times 1/c?"
 period_of_small_and_of_huge_amplitudes = (
     period_is_exact.then("period: exact on almost flat and on almost upright wires.", points=0.5, part="b")
-    .agrees(right.period, cases.tiny_periods, within=TINY, hint=ROOT)
-    .also.agrees(right.period, cases.small_periods, within=PERIOD, hint="Do you subtract nearly equal heights?")
-    .also.agrees(right.period, cases.large_periods, cases.largest_period, within=PERIOD, hint=REACH)
+    .agrees(reference.period, cases.tiny_periods, tolerance=TINY, hint=ROOT)
+    .also.agrees(reference.period, cases.small_periods, tolerance=PERIOD, hint="Do you subtract nearly equal heights?")
+    .also.agrees(reference.period, cases.large_periods, cases.largest_period, tolerance=PERIOD, hint=REACH)
 )

@@ -2,17 +2,17 @@
 
 import numpy as np
 
-from tam570_grader.writing.figures import Figure
+from tam570_grader.checks.figures import Figure
 
-from . import right
+from . import reference
 
 
 def figure(x=0.75, curvature=1.0, v=-0.45):
     """The bottom of the wire is the origin."""
     places = np.linspace(-1.15, 1.15, 41)
     # the height by the potential energy of 1 kg at g = 1
-    height = [right.energy(place, 0.0, 1.0, curvature, 1.0) for place in places]
-    bead = np.array([x, right.energy(x, 0.0, 1.0, curvature, 1.0)])
+    height = [reference.energy(place, 0.0, 1.0, curvature, 1.0) for place in places]
+    bead = np.array([x, reference.energy(x, 0.0, 1.0, curvature, 1.0)])
     shown = Figure(
         "A bead on a wire",
         "The wire has the shape y = c x squared, x to the right and y up, its lowest point at the origin. The bead "

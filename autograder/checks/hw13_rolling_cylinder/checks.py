@@ -3,10 +3,10 @@
 import numpy as np
 
 from tam570_grader import Column, Invariant, by_kind, check, group, law, number, rows
-from tam570_grader.writing.diagrams import compare_diagrams
-from tam570_grader.writing.returns import free_body_diagram
+from tam570_grader.checks.diagrams import compare_diagrams
+from tam570_grader.checks.returns import free_body_diagram
 
-from . import cases, right
+from . import cases, reference
 
 NEEDS = ("numpy",)
 FORMULA = 1e-9  # of the largest term: solving for the forces costs a few digits of 1e-16; wrong terms are off by .1
@@ -38,30 +38,32 @@ MOTION = (
     Column("phi", "rad", [0], turns=True, scale=rolled),
     Column("phi_dot", "rad/s", [1], scale=lambda case, states: cases.usual(case.kwargs) * rolled(case, states)),
 )
-SMALL = {"columns": (Column("phi", "rad", [0]), Column("phi_dot", "rad/s", [1])), "within": ROCKING}
+SMALL = {"columns": (Column("phi", "rad", [0]), Column("phi_dot", "rad/s", [1])), "tolerance": ROCKING}
 KEPT = Invariant(
     "the energy",
     "of m r^2 (g/r + phi_dot^2)",
-    lambda rows, **cylinder: right.energy(*rows.T, **cylinder),
-    lambda case, states: moment(case.but(*states[0], *case.args[2:])),
+    lambda rows, **cylinder: reference.energy(*rows.T, **cylinder),
+    lambda case, states: moment(case.replace(*states[0], *case.args[2:])),
     ENERGY,
 )
-RESULTS = {
-    "acceleration": number.called("phi''", "rad/s^2", rate2),
-    "contact_inertia": number.called("I^C", "kg m^2"),
-    "naive_contact_acceleration": number.called("phi'' from M_C = I^C phi''", "rad/s^2", rate2),
-    "missing_moment": number.called("the missing moment", "N m", moment),
-    "contact_force": group(*(number.called(of, "N", force) for of in ("the force along the ramp", "the normal force"))),
-    "energy": number.called("the energy", "J", lambda case, _: 9 * moment(case)),
+RETURNS = {
+    "acceleration": number.described("phi''", "rad/s^2", rate2),
+    "contact_inertia": number.described("I^C", "kg m^2"),
+    "naive_contact_acceleration": number.described("phi'' from M_C = I^C phi''", "rad/s^2", rate2),
+    "missing_moment": number.described("the missing moment", "N m", moment),
+    "contact_force": group(
+        *(number.described(quantity, "N", force) for quantity in ("the force along the ramp", "the normal force"))
+    ),
+    "energy": number.described("the energy", "J", lambda case, _: 9 * moment(case)),
     "simulate": rows(2, columns=MOTION),
     "free_body_diagram": free_body_diagram(2),
 }
 
 
 @check(points=0.5, part="a")
-def forces_on_the_cylinder(student, draw):
+def forces_on_the_cylinder(student, rng):
     """free_body_diagram: every force on the cylinder, where it acts and along what."""
-    compare_diagrams(student.free_body_diagram, right, cases.diagrams(draw))
+    compare_diagrams(student.free_body_diagram, reference, cases.diagrams(rng))
 
 
 def part_of_force(case, found, expected):
@@ -95,45 +97,51 @@ AT_REST = cases.at_rest(cases.plain), cases.at_rest(cases.level)
 
 centred_cylinder_rolls_by_both_methods = (
     law("With G at the centre, acceleration and naive_contact_acceleration are both right.", points=0.5, part="a")
-    .agrees(right.acceleration, cases.centred(8), within=FORMULA, hint=BOTH)
-    .also.agrees(right.naive_contact_acceleration, cases.centred(8), within=FORMULA)
+    .agrees(reference.acceleration, cases.centred(8), tolerance=FORMULA, hint=BOTH)
+    .also.agrees(reference.naive_contact_acceleration, cases.centred(8), tolerance=FORMULA)
 )
 acceleration_balances_momentum_about_G = law(
     "acceleration: the force that G's acceleration needs has, about G, the moment I^G phi''.", points=1.5, part="a"
-).agrees(right.acceleration, AT_REST[0], cases.rolling(20), cases.plain, within=FORMULA, hint=REST_OR_RATES)
+).agrees(reference.acceleration, AT_REST[0], cases.rolling(20), cases.plain, tolerance=FORMULA, hint=REST_OR_RATES)
 acceleration_level_and_without_gravity = acceleration_balances_momentum_about_G.then(
     "acceleration: on level ground, and without gravity.", points=0.5, part="a"
-).agrees(right.acceleration, cases.flat(5), cases.weightless(5), cases.level, within=FORMULA, hint=NO_WEIGHT)
+).agrees(reference.acceleration, cases.flat(5), cases.weightless(5), cases.level, tolerance=FORMULA, hint=NO_WEIGHT)
 contact_inertia_by_the_parallel_axis_theorem = law(
     "contact_inertia: I^G plus the mass times the distance from C to G squared.", points=1, part="a"
-).agrees(right.contact_inertia, cases.rolling(12), cases.centred(3), *AT_REST, within=FORMULA, hint=DISTANCE)
+).agrees(reference.contact_inertia, cases.rolling(12), cases.centred(3), *AT_REST, tolerance=FORMULA, hint=DISTANCE)
 naive_acceleration_is_the_moment_over_the_inertia = law(
     "naive_contact_acceleration: the moment of the weight about C over I^C, at any angle.", points=0.75, part="a"
-).agrees(right.naive_contact_acceleration, cases.rolling(10), *AT_REST, within=FORMULA, hint=WEIGHT_ACTS_AT_G)
+).agrees(reference.naive_contact_acceleration, cases.rolling(10), *AT_REST, tolerance=FORMULA, hint=WEIGHT_ACTS_AT_G)
 missing_moment_makes_it_right = law(
     "missing_moment: with it, I^C phi'' + missing_moment = M_C has the phi'' of the balances.", points=1.25, part="b"
-).agrees(right.missing_moment, cases.rolling(20), cases.plain, within=FORMULA, hint=CONTACT_POINT)
+).agrees(reference.missing_moment, cases.rolling(20), cases.plain, tolerance=FORMULA, hint=CONTACT_POINT)
 contact_force_accelerates_G = law(
     "contact_force: with the weight it is the mass times the acceleration of G; (along, normal).", points=1.25, part="b"
-).agrees(right.contact_force, cases.slow, within=FORMULA, hint=part_of_force)
+).agrees(reference.contact_force, cases.slow, tolerance=FORMULA, hint=part_of_force)
 contact_force_may_pull = contact_force_accelerates_G.then(
     "contact_force: contact is kept where the ramp must pull, and without gravity.", points=0.25, part="b"
-).agrees(right.contact_force, cases.pulled, cases.weightless(5), cases.level, within=FORMULA, hint=CONTACT_IS_KEPT)
+).agrees(
+    reference.contact_force, cases.pulled, cases.weightless(5), cases.level, tolerance=FORMULA, hint=CONTACT_IS_KEPT
+)
 energy_of_G_and_of_turning = law(
     "energy: of the motion of G, of the turning, and of the height of G.", points=1, part="b"
-).agrees(right.energy, cases.rolling(12), cases.weightless(3), cases.plain, cases.level, within=FORMULA, hint=HEIGHT)
+).agrees(
+    reference.energy, cases.rolling(12), cases.weightless(3), cases.plain, cases.level, tolerance=FORMULA, hint=HEIGHT
+)
 simulate_rolls_and_rocks = law(
     "simulate: rolling down and rocking, row i at t[i], row 0 the given state.", points=0.75, part="b"
-).follows(right.simulate, lambda draw: cases.runs(draw, 200), within=TRAJECTORY, hint=GOES_ON, keeps=KEPT)
+).follows(reference.simulate, lambda rng: cases.runs(rng, 200), tolerance=TRAJECTORY, hint=GOES_ON, keeps=KEPT)
 simulate_needs_no_dense_times = (
     simulate_rolls_and_rocks.then("simulate: the same motion when few times are asked for.", points=0.25, part="b")
-    .follows(right.simulate, cases.few_times, within=TRAJECTORY, hint=OWN_STEPS)
-    .also.follows(right.simulate, cases.near_lowest, within=TRAJECTORY, hint=HOWEVER_SMALL, gradual=False)
+    .follows(reference.simulate, cases.few_times, tolerance=TRAJECTORY, hint=OWN_STEPS)
+    .also.follows(
+        reference.simulate, cases.near_lowest, tolerance=TRAJECTORY, hint=HOWEVER_SMALL, near_miss_credit=False
+    )
 )
 simulate_rocks_at_the_linear_frequency = simulate_rolls_and_rocks.then(
     "simulate: small rocking on level ground has the frequency of the linear equation.", points=0.25, part="b"
-).follows(right.small_rocking, cases.small_rocking, name="simulate", **SMALL, hint=ABSOLUTE)
+).follows(reference.small_rocking, cases.small_rocking, name="simulate", **SMALL, hint=ABSOLUTE)
 SHARES = {1e-4: 0.6, 1e-2: 0.3}  # of the drift of the energy
 simulate_keeps_the_energy = simulate_rolls_and_rocks.then(
     "simulate: the energy stays what it was over many turns, with and without gravity.", points=0.25, part="b"
-).keeps(KEPT, right=right.simulate, cases=cases.many_turns, partial=SHARES, hint=ANY_DURATION)
+).keeps(KEPT, reference=reference.simulate, cases=cases.many_turns, partial=SHARES, hint=ANY_DURATION)

@@ -4,9 +4,9 @@ import math
 
 import numpy as np
 
-from tam570_grader.writing.figures import Figure, circle
+from tam570_grader.checks.figures import Figure, circle
 
-from . import right
+from . import reference
 
 
 def figure(phi=0.9, radius=1.0, offset=0.5, slope=0.4):
@@ -17,7 +17,7 @@ def figure(phi=0.9, radius=1.0, offset=0.5, slope=0.4):
         """Of the ramp's coordinates from the contact."""
         return x * down_the_ramp + y * off_it
 
-    C, centre, G = place(0, 0), place(0, radius), place(*right.arms(phi, radius, offset)[0])
+    C, centre, G = place(0, 0), place(0, radius), place(*reference.arms(phi, radius, offset)[0])
     shown = Figure(
         "A cylinder on a ramp",
         "The ramp goes down to the right at the angle slope from the horizontal. The cylinder of radius r touches it"

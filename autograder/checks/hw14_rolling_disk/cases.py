@@ -5,9 +5,9 @@ import math
 
 import numpy as np
 
-from tam570_grader import given, in_turn, once, uneven
+from tam570_grader import Case, once, repeated_calls, uneven
 
-from . import right
+from . import reference
 
 SHAPES = {"a thin uniform disk": (0.25, 0.5), "a hoop": (0.5, 1.0), "a wheel": None}
 AGAIN = "the same motion of another disk"
@@ -21,57 +21,57 @@ PLAIN = {  # of the rates of yaw, tilt, roll
 }
 
 
-def a_disk(draw, shape="a wheel"):
-    mass, radius = 10 ** draw.uniform(-1, 1), 10 ** draw.uniform(-1, 0)
-    C = draw.uniform(0.2, 1.1)
-    A, C = SHAPES[shape] or (C * draw.uniform(0.6, 1.3), C)
+def a_disk(rng, shape="a wheel"):
+    mass, radius = 10 ** rng.uniform(-1, 1), 10 ** rng.uniform(-1, 0)
+    C = rng.uniform(0.2, 1.1)
+    A, C = SHAPES[shape] or (C * rng.uniform(0.6, 1.3), C)
     size = mass * radius**2
-    return {"mass": mass, "radius": radius, "inertia": (A * size, C * size), "gravity": draw.uniform(1.6, 25.0)}
+    return {"mass": mass, "radius": radius, "inertia": (A * size, C * size), "gravity": rng.uniform(1.6, 25.0)}
 
 
-def a_state(draw, disk, tilt, rates=()):
+def a_state(rng, disk, tilt, rates=()):
     """An Euler state; without rates, which are of the usual size, they are random."""
-    place, (yaw, roll) = draw.uniform(-2, 2, 2), draw.uniform(-4, 4, 2)
-    return np.array([*place, yaw, tilt, roll, *(right.usual(disk) * np.array(rates or draw.uniform(-2, 2, 3)))])
+    place, (yaw, roll) = rng.uniform(-2, 2, 2), rng.uniform(-4, 4, 2)
+    return np.array([*place, yaw, tilt, roll, *(reference.usual(disk) * np.array(rates or rng.uniform(-2, 2, 3)))])
 
 
-def instants(draw):
+def instants(rng):
     """Euler states of any motion, and plain ones: at rest, upright, without yaw or roll, whole numbers, far away."""
-    disks = ((shape, a_disk(draw, shape)) for shape in [*SHAPES] * 4)
-    cases = [given(a_state(draw, disk, draw.uniform(0.3, 2.8)), **disk).on(shape) for shape, disk in disks]
-    cases.append(cases[-1].but(gravity=0.0).on("no gravity"))
-    disk, rates = a_disk(draw), draw.uniform(0.5, 2, 3) * draw.choice([-1, 1], 3)
-    for kind, some in PLAIN.items():
-        for tilt, how in ((right.RIGHT, "upright"), (draw.uniform(0.4, 1.4), "tilted"), (2.0, "tilted")):
-            state = a_state(draw, disk, tilt, (*rates * some,))
-            cases.append(given(state + 0.0, **disk).on(f"{kind}, {how}"))
-    far = given(a_state(draw, disk, 1.0) + [300, -200, 0, 0, 0, 0, 0, 0], **disk).on("a disk far from the origin")
+    disks = ((shape, a_disk(rng, shape)) for shape in [*SHAPES] * 4)
+    cases = [Case(a_state(rng, disk, rng.uniform(0.3, 2.8)), **disk).labelled(shape) for shape, disk in disks]
+    cases.append(cases[-1].replace(gravity=0.0).labelled("no gravity"))
+    disk, rates = a_disk(rng), rng.uniform(0.5, 2, 3) * rng.choice([-1, 1], 3)
+    for label, some in PLAIN.items():
+        for tilt, how in ((reference.RIGHT, "upright"), (rng.uniform(0.4, 1.4), "tilted"), (2.0, "tilted")):
+            state = a_state(rng, disk, tilt, (*rates * some,))
+            cases.append(Case(state + 0.0, **disk).labelled(f"{label}, {how}"))
+    far = Case(a_state(rng, disk, 1.0) + [300, -200, 0, 0, 0, 0, 0, 0], **disk).labelled("a disk far from the origin")
     whole = np.array([0, 0, 0, math.pi / 4, 0, 1, 1, 1])
-    ones = given(whole, mass=1.0, radius=1.0, inertia=(0.25, 0.5), gravity=1.0).on("whole numbers, at the origin")
+    ones = Case(whole, mass=1.0, radius=1.0, inertia=(0.25, 0.5), gravity=1.0).labelled("whole numbers, at the origin")
     return [*cases, ones, far]
 
 
-def resting_first(draw):
-    return sorted(instants(draw), key=lambda case: "at rest" not in case.kind)
+def resting_first(rng):
+    return sorted(instants(rng), key=lambda case: "at rest" not in case.label)
 
 
-def flat_and_upright(draw):
+def flat_and_upright(rng):
     """Nearly flat disks, and one that spins upright on a point."""
-    disk = a_disk(draw)
-    flat = [given(a_state(draw, disk, tilt), **disk).on("a nearly flat disk") for tilt in (1e-3, math.pi - 1e-3)]
-    upright = given(a_state(draw, disk, right.RIGHT, (draw.uniform(0.5, 2), 0, 0)), **disk)
-    return [*flat, upright.on("an upright disk that spins on a point")]
+    disk = a_disk(rng)
+    flat = [Case(a_state(rng, disk, tilt), **disk).labelled("a nearly flat disk") for tilt in (1e-3, math.pi - 1e-3)]
+    upright = Case(a_state(rng, disk, reference.RIGHT, (rng.uniform(0.5, 2), 0, 0)), **disk)
+    return [*flat, upright.labelled("an upright disk that spins on a point")]
 
 
 def timed(cases):
     """For the functions that are given a time, too."""
-    return lambda draw: [one.behind(0.0) for one in cases(draw)]
+    return lambda rng: [one.with_leading(0.0) for one in cases(rng)]
 
 
 def by_matrix(cases):
     """The same with matrix states in the place of Euler states, the last argument."""
-    return lambda draw: [
-        one.but(*one.args[:-1], right.matrix_state(one.args[-1], one.kwargs["radius"])) for one in cases(draw)
+    return lambda rng: [
+        one.replace(*one.args[:-1], reference.matrix_state(one.args[-1], one.kwargs["radius"])) for one in cases(rng)
     ]
 
 
@@ -79,56 +79,56 @@ def by_matrix(cases):
 
 
 @once
-def motions(draw, count, span, samples):
+def motions(rng, count, span, samples):
     """Motions that stay away from the flat, a wheel's and, of two, a hoop's without gravity; span of sqrt(a/g)."""
     found: list[object] = []
     while len(found) < count:
-        disk = a_disk(draw, ["a wheel", "a hoop"][len(found)])
+        disk = a_disk(rng, ["a wheel", "a hoop"][len(found)])
         disk["gravity"] *= not found
-        state = a_state(draw, disk, draw.uniform(0.8, 2.3))
-        state[7] += 2 * right.usual(disk) * np.sign(state[7])
+        state = a_state(rng, disk, rng.uniform(0.8, 2.3))
+        state[7] += 2 * reference.usual(disk) * np.sign(state[7])
         # what needs t[0] > 0 gives one result
-        t = uneven(draw, span / right.usual(disk), samples, draw.uniform(-3, -0.5) if found else draw.uniform(0.5, 3))
+        t = uneven(rng, span / reference.usual(disk), samples, rng.uniform(-3, -0.5) if found else rng.uniform(0.5, 3))
         if stays_up(t, state, disk):
-            found.append(given(t, state, **disk).on("a motion without gravity" if found else "a general motion"))
+            found.append(Case(t, state, **disk).labelled("a motion without gravity" if found else "a general motion"))
     return found
 
 
-def long_motion(draw):
+def long_motion(rng):
     """The same each time that a check asks for it."""
-    return motions(copy.deepcopy(draw), 1, 6.0, 4)
+    return motions(copy.deepcopy(rng), 1, 6.0, 4)
 
 
 def stays_up(t, state, disk):
     try:
-        states = right.simulate_euler(np.linspace(t[0], t[-1], 100), state, rtol=1e-5, **disk)
+        states = reference.simulate_euler(np.linspace(t[0], t[-1], 100), state, rtol=1e-5, **disk)
     except ArithmeticError:
         return False
     return np.sin(states[:, 3]).min() > 0.4
 
 
-def simulated(draw):
+def simulated(rng):
     """Motions; few times, let go to fall almost flat, rolling or spinning upright, at rest; one argument changed."""
-    general, disk, found = motions(draw, 2, 3.0, 60), a_disk(draw, "a thin uniform disk"), []
-    for tilt, rates, kind in (
+    general, disk, found = motions(rng, 2, 3.0, 60), a_disk(rng, "a thin uniform disk"), []
+    for tilt, rates, label in (
         (0.2, (0, 0, 0), "let go at rest and nearly flat"),
-        (right.RIGHT, (0, 0, 3), "rolling straight, upright"),
-        (right.RIGHT, (3, 0, 0), "spinning upright on a point"),
+        (reference.RIGHT, (0, 0, 3), "rolling straight, upright"),
+        (reference.RIGHT, (3, 0, 0), "spinning upright on a point"),
     ):
-        t = draw.uniform(0.5, 3) + np.array([0.0, 0.2, 0.6]) / right.usual(disk)
-        found.append(given(t, a_state(draw, disk, tilt, rates), **disk).on(f"few times, a disk {kind}"))
-    still = found[0].but(gravity=0.0).on("few times, a disk at rest without gravity, where it stays")
-    return [*general, *found, still, *in_turn(draw, found[0], gravity=0.8 * disk["gravity"])]
+        t = rng.uniform(0.5, 3) + np.array([0.0, 0.2, 0.6]) / reference.usual(disk)
+        found.append(Case(t, a_state(rng, disk, tilt, rates), **disk).labelled(f"few times, a disk {label}"))
+    still = found[0].replace(gravity=0.0).labelled("few times, a disk at rest without gravity, where it stays")
+    return [*general, *found, still, *repeated_calls(rng, found[0], gravity=0.8 * disk["gravity"])]
 
 
 # Steady and nearly upright
 
 
-def steady(draw):
+def steady(rng):
     """Leans, precessions and spins, steady or not, and some with a zero."""
-    disks = ((shape, a_disk(draw, shape)) for shape in [*SHAPES] * 4)
+    disks = ((shape, a_disk(rng, shape)) for shape in [*SHAPES] * 4)
     cases = [
-        given(draw.uniform(-1.4, 1.4), *(right.usual(disk) * draw.uniform(-2, 2, 2)), **disk).on(shape)
+        Case(rng.uniform(-1.4, 1.4), *(reference.usual(disk) * rng.uniform(-2, 2, 2)), **disk).labelled(shape)
         for shape, disk in disks
     ]
     first, second = cases[:2]
@@ -141,28 +141,32 @@ def steady(draw):
         "straight rolling upright": (0.0, 0.0, spin),
         "spinning upright on a point": (0.0, precession, 0.0),
     }
-    cases += [first.but(*motion).on(kind) for kind, motion in plain.items()]
-    return [*cases, first.but(gravity=0.0).on("no gravity"), first.but(**second.kwargs).on(AGAIN)]
+    cases += [first.replace(*motion).labelled(label) for label, motion in plain.items()]
+    return [*cases, first.replace(gravity=0.0).labelled("no gravity"), first.replace(**second.kwargs).labelled(AGAIN)]
 
 
-def wheels(draw):
+def wheels(rng):
     """Disks alone."""
-    cases = [given(**a_disk(draw, shape)).on(shape) for shape in [*SHAPES] * 2]
-    return [*cases, cases[-1].but(gravity=0.0).on("a wheel without gravity")]
+    cases = [Case(**a_disk(rng, shape)).labelled(shape) for shape in [*SHAPES] * 2]
+    return [*cases, cases[-1].replace(gravity=0.0).labelled("a wheel without gravity")]
 
 
-def speeds(draw):
+def speeds(rng):
     """From rest to four times the critical speed; one without gravity."""
     cases = []
-    for disk, ratio in zip(wheels(draw)[:-1], (0.0, 0.5, 0.95, 1.05, 2.0, 4.0), strict=True):
+    for disk, ratio in zip(wheels(rng)[:-1], (0.0, 0.5, 0.95, 1.05, 2.0, 4.0), strict=True):
         pace = f"{'slower' if ratio < 1 else 'faster'} than the critical speed" if ratio else "at rest"
-        cases.append(disk.but(ratio * right.critical_speed(**disk.kwargs)).on(f"{disk.kind}, {pace}"))
-    return [*cases, cases[4].but(gravity=0.0).on("a hoop without gravity"), cases[5].but(**cases[1].kwargs).on(AGAIN)]
+        cases.append(disk.replace(ratio * reference.critical_speed(**disk.kwargs)).labelled(f"{disk.label}, {pace}"))
+    return [
+        *cases,
+        cases[4].replace(gravity=0.0).labelled("a hoop without gravity"),
+        cases[5].replace(**cases[1].kwargs).labelled(AGAIN),
+    ]
 
 
-def pictures(draw):
+def pictures(rng):
     """Cases of the same disk and number of sides; five always, for a star of five sides is as regular."""
-    for sides in (int(draw.integers(7, 30)), 3, 4, 5, 6):
-        disk, kind = a_disk(draw), f"{sides} sides" if sides < 7 else "many sides"
-        states = [a_state(draw, disk, tilt) for tilt in (0.7, 1.3, 2.5, right.RIGHT)]
-        yield [given(state, radius=disk["radius"], sides=sides).on(kind) for state in states]
+    for sides in (int(rng.integers(7, 30)), 3, 4, 5, 6):
+        disk, label = a_disk(rng), f"{sides} sides" if sides < 7 else "many sides"
+        states = [a_state(rng, disk, tilt) for tilt in (0.7, 1.3, 2.5, reference.RIGHT)]
+        yield [Case(state, radius=disk["radius"], sides=sides).labelled(label) for state in states]

@@ -5,14 +5,14 @@ from functools import partial
 import numpy as np
 
 from tam570_grader import Column, Invariant, absolute, array, by_kind, check, expect, expect_that, law, number, rows
-from tam570_grader.writing.diagrams import compare_diagrams
-from tam570_grader.writing.returns import free_body_diagram
+from tam570_grader.checks.diagrams import compare_diagrams
+from tam570_grader.checks.returns import free_body_diagram
 
-from . import cases, right
+from . import cases, reference
 
 NEEDS = ("numpy",)
 WAYS = "euler_state_derivative", "matrix_state_derivative", "multiplier_state_derivative"
-OFF_LIMITS = {way: tuple(other for other in WAYS if other != way) for way in WAYS}  # three derivations, not one
+FORBIDDEN = {way: tuple(other for other in WAYS if other != way) for way in WAYS}  # three derivations, not one
 POINTWISE = 1e-9  # careful formulas agree to 1e-13, a numpy.linalg.solve of nine unknowns to 1e-12
 FLAT = 1e-8  # at a tilt of 1e-3 a linear system for the angles loses six of its sixteen digits
 LINEAR = 1e-7  # the five-point difference is good to 1e-11; a student's own difference to 1e-9
@@ -27,7 +27,7 @@ ENERGY = 5e-6  # 4.3e-7, over 20 sqrt(a/g)
 
 def euler_of(case):
     state = case.args[-1]
-    return right.euler_state(state, case.kwargs["radius"]) if len(state) == 15 else state
+    return reference.euler_state(state, case.kwargs["radius"]) if len(state) == 15 else state
 
 
 def rate(case, _=None):
@@ -57,18 +57,18 @@ def speed(case, _):
 
 
 def size(case, growth):
-    return right.growth_rate_squared(0.0, **case.kwargs) + abs(growth)
+    return reference.growth_rate_squared(0.0, **case.kwargs) + abs(growth)
 
 
-def by_largest(of, unit, where, least=absolute, turns=False):
+def by_largest(quantity, unit, where, least=absolute, turns=False):
     """A column of a state or a motion, its scale the largest number there, and no less than this."""
-    return Column(of, unit, where, turns, lambda case, states: max(np.abs(states[..., where]).max(), least(case)))
+    return Column(quantity, unit, where, turns, lambda case, states: max(np.abs(states[..., where]).max(), least(case)))
 
 
 MATRIX_STATE = (
-    by_largest("the centre", "m", right.CENTRE, radius),
-    Column("R, row by row,", "", right.MATRIX, scale=absolute),
-    by_largest("omega in space axes", "rad/s", right.OMEGA),
+    by_largest("the centre", "m", reference.CENTRE, radius),
+    Column("R, row by row,", "", reference.MATRIX, scale=absolute),
+    by_largest("omega in space axes", "rad/s", reference.OMEGA),
 )
 EULER_RATES = (
     Column("the contact's velocity", "m/s", slice(0, 2), scale=speed),
@@ -76,9 +76,9 @@ EULER_RATES = (
     *(Column(f"{angle}''", "rad/s^2", [k], scale=second) for k, angle in enumerate(("yaw", "tilt", "roll"), 5)),
 )
 MATRIX_RATES = (
-    Column("the centre's velocity", "m/s", right.CENTRE, scale=speed),
-    Column("dR/dt", "1/s", right.MATRIX, scale=rate),
-    Column("omega'", "rad/s^2", right.OMEGA, scale=second),
+    Column("the centre's velocity", "m/s", reference.CENTRE, scale=speed),
+    Column("dR/dt", "1/s", reference.MATRIX, scale=rate),
+    Column("omega'", "rad/s^2", reference.OMEGA, scale=second),
 )
 EULER = (
     by_largest("the contact", "m", [0, 1], radius),
@@ -87,34 +87,34 @@ EULER = (
     by_largest("roll", "rad", [4], turns=True),
     by_largest("an angle's rate", "rad/s", [5, 6, 7]),
 )
-RESULTS = {
+RETURNS = {
     "euler_state_derivative": array(8, columns=EULER_RATES),
     "matrix_state_derivative": array(15, columns=MATRIX_RATES),
     "multiplier_state_derivative": array(15, columns=MATRIX_RATES),
     "matrix_state": array(15, columns=MATRIX_STATE),
     "simulate_euler": rows(8, columns=EULER),
     "simulate_matrix": rows(15, columns=MATRIX_STATE),
-    "energy": number.called("the energy", "J", moment),
-    "contact_force": array(3).called("the force", "N", force),
-    "steady_residual": number.called("tilt''", "rad/s^2", lambda case, _: right.usual(case.kwargs) ** 2),
-    "critical_speed": number.called("the critical speed", "m/s"),
-    "growth_rate_squared": number.called("the square of the rate", "1/s^2", size),
+    "energy": number.described("the energy", "J", moment),
+    "contact_force": array(3).described("the force", "N", force),
+    "steady_residual": number.described("tilt''", "rad/s^2", lambda case, _: reference.usual(case.kwargs) ** 2),
+    "critical_speed": number.described("the critical speed", "m/s"),
+    "growth_rate_squared": number.described("the square of the rate", "1/s^2", size),
     "wireframe": array(None, 2, 3),
     "free_body_diagram": free_body_diagram(3),
 }
 
 
 @check(points=0.5, part="a")
-def forces_on_the_disk(student, draw):
+def forces_on_the_disk(student, rng):
     """free_body_diagram: every force on the disk, where it acts and along what."""
-    compare_diagrams(student.free_body_diagram, right, [*cases.instants(draw), *cases.flat_and_upright(draw)])
+    compare_diagrams(student.free_body_diagram, reference, [*cases.instants(rng), *cases.flat_and_upright(rng)])
 
 
-ROTATES = Invariant("R^T R", "", right.not_a_rotation, absolute, ROTATION)
-HEIGHT = Invariant("the centre's height", "m", right.above_the_ground, radius, KEPT)
-ENERGY_KEPT = Invariant("the energy", "J", lambda rows, **disk: right.energy(rows.T, **disk), None, ENERGY)
+ROTATES = Invariant("R^T R", "", reference.not_a_rotation, absolute, ROTATION)
+HEIGHT = Invariant("the centre's height", "m", reference.above_the_ground, radius, KEPT)
+ENERGY_KEPT = Invariant("the energy", "J", lambda rows, **disk: reference.energy(rows.T, **disk), None, ENERGY)
 CARRIED = "omega along e2 or e3, carried to the upright disk by the tilt,"
-INTEGRALS = Invariant(CARRIED, "rad/s", right.two_integrals, rate, KEPT)
+INTEGRALS = Invariant(CARRIED, "rad/s", reference.two_integrals, rate, KEPT)
 
 
 # (a) Three derivations
@@ -122,71 +122,71 @@ INTEGRALS = Invariant(CARRIED, "rad/s", right.two_integrals, rate, KEPT)
 PLACED = "The centre is contact + a e2, R is Rz(yaw) Rx(tilt) Rz(roll), omega is yaw' z + tilt' e1 + roll' e3."
 matrix_state_places_the_disk = law(
     "matrix_state has the centre, R row by row, and the total omega in space axes.", points=0.5, part="a"
-).agrees_by_columns(right.matrix_state, cases.instants, within=POINTWISE, hint=PLACED)
+).agrees_by_columns(reference.matrix_state, cases.instants, tolerance=POINTWISE, hint=PLACED)
 
 
-def along(of, off, state, limit):
+def along(quantity, off, state, limit):
     """Along which of e1, e2, e3 a vector is off, if it is not along all of them; "" if it is."""
-    wrong = np.abs(right.frame(state) @ off) > limit
+    wrong = np.abs(reference.frame(state) @ off) > limit
     names = [name for name, is_off in zip(("e1", "e2", "e3"), wrong, strict=True) if is_off]
-    return f"{of} is wrong along {' and '.join(names)} only." if 0 < len(names) < 3 else ""
+    return f"{quantity} is wrong along {' and '.join(names)} only." if 0 < len(names) < 3 else ""
 
 
 def wrong_turning(otherwise, case, found, expected):
     """Where omega' is off, to which the second derivatives of the angles contribute."""
     state, off = euler_of(case), found - expected
-    e1, _, e3 = right.frame(state)
-    turning = off[right.OMEGA] if len(off) == 15 else off[5] * right.Z + off[6] * e1 + off[7] * e3
+    e1, _, e3 = reference.frame(state)
+    turning = off[reference.OMEGA] if len(off) == 15 else off[5] * reference.Z + off[6] * e1 + off[7] * e3
     return along("omega'", turning, state, POINTWISE * second(case)) or otherwise
 
 
 TEST_IT = partial(wrong_turning, "Test it on straight rolling, then on hw11's circles.")
 IN_SPACE = partial(wrong_turning, "Find dR/dt from omega, then write the balances in space axes.")
 ARM = partial(wrong_turning, "Space axes need I = R diag(A, A, C) R^T; differentiate the constraint with its arm.")
-NEXT_TO_FLAT = {"within": FLAT, "hint": "No tilt but 0 and pi is singular."}
+NEXT_TO_FLAT = {"tolerance": FLAT, "hint": "No tilt but 0 and pi is singular."}
 INSTANTS, FLAT_AND_UPRIGHT = cases.timed(cases.instants), cases.timed(cases.flat_and_upright)
 BY_MATRIX, FLAT_BY_MATRIX = cases.by_matrix(INSTANTS), cases.by_matrix(FLAT_AND_UPRIGHT)
 
 euler_equations_hold = law(
     "euler_state_derivative balances momentum and angular momentum of disk, hoop and wheel.", points=1.25, part="a"
-).agrees_by_columns(right.euler_state_derivative, INSTANTS, within=POINTWISE, hint=TEST_IT)
+).agrees_by_columns(reference.euler_state_derivative, INSTANTS, tolerance=POINTWISE, hint=TEST_IT)
 euler_equations_hold_next_to_flat_and_upright = euler_equations_hold.then(
     "euler_state_derivative holds at a tilt of 1e-3, and for a disk spinning upright on a point.", points=0.25, part="a"
-).agrees_by_columns(right.euler_state_derivative, FLAT_AND_UPRIGHT, **NEXT_TO_FLAT)
+).agrees_by_columns(reference.euler_state_derivative, FLAT_AND_UPRIGHT, **NEXT_TO_FLAT)
 matrix_equations_hold = (
     law("matrix_state_derivative: the balances hold, and omega in space axes turns R.", points=0.75, part="a")
-    .agrees_by_columns(right.matrix_state_derivative, BY_MATRIX, within=POINTWISE, hint=IN_SPACE)
-    .also.agrees_by_columns(right.matrix_state_derivative, FLAT_BY_MATRIX, **NEXT_TO_FLAT)
+    .agrees_by_columns(reference.matrix_state_derivative, BY_MATRIX, tolerance=POINTWISE, hint=IN_SPACE)
+    .also.agrees_by_columns(reference.matrix_state_derivative, FLAT_BY_MATRIX, **NEXT_TO_FLAT)
 )
 multiplier_equations_hold = (
     law("multiplier_state_derivative: the balances hold, with multipliers for the contact.", points=0.75, part="a")
-    .agrees_by_columns(right.multiplier_state_derivative, BY_MATRIX, within=POINTWISE, hint=ARM)
-    .also.agrees_by_columns(right.multiplier_state_derivative, FLAT_BY_MATRIX, **NEXT_TO_FLAT)
+    .agrees_by_columns(reference.multiplier_state_derivative, BY_MATRIX, tolerance=POINTWISE, hint=ARM)
+    .also.agrees_by_columns(reference.multiplier_state_derivative, FLAT_BY_MATRIX, **NEXT_TO_FLAT)
 )
 
 
 # (b) Simulation, (c) both ways
 
-FOLLOWED = {"within": TRAJECTORY, "hint": "If the derivatives are right, is the tolerance tight?"}
+FOLLOWED = {"tolerance": TRAJECTORY, "hint": "If the derivatives are right, is the tolerance tight?"}
 TWO = partial(cases.motions, count=2, span=6.0, samples=4)
 LONGER = partial(cases.motions, count=1, span=20.0, samples=6)
 
 euler_simulation_follows_the_motion = law(
     "simulate_euler follows the motion from any start, row i at t[i], row 0 the given state.", points=0.5, part="b"
-).follows(right.simulate_euler, cases.simulated, keeps=ENERGY_KEPT, **FOLLOWED)
+).follows(reference.simulate_euler, cases.simulated, keeps=ENERGY_KEPT, **FOLLOWED)
 euler_simulation_keeps_two_integrals = euler_simulation_follows_the_motion.then(
     "simulate_euler: omega along e2 and e3 depends only on the tilt, at any times.", points=0.5, part="b"
-).keeps(INTEGRALS, right=right.simulate_euler, cases=TWO, partial={1e-4: 0.5})
+).keeps(INTEGRALS, reference=reference.simulate_euler, cases=TWO, partial={1e-4: 0.5})
 matrix_simulation_follows_the_motion = law(
     "simulate_matrix follows the motion from any start, row i at t[i], row 0 the given state.", points=0.5, part="b"
-).follows(right.simulate_matrix, cases.by_matrix(cases.simulated), **FOLLOWED)
+).follows(reference.simulate_matrix, cases.by_matrix(cases.simulated), **FOLLOWED)
 
 BOTH = euler_simulation_follows_the_motion, matrix_simulation_follows_the_motion
 both_simulations_agree = (
     law("simulate_matrix, simulate_euler: a long motion on the ground, R a rotation.", points=0.5, part="c", after=BOTH)
-    .keeps(ROTATES, HEIGHT, right=right.simulate_matrix, cases=cases.by_matrix(cases.long_motion))
-    .also.follows(right.simulate_matrix, cases.by_matrix(cases.long_motion), within=AGREED)
-    .also.follows(right.simulate_euler, cases.long_motion, within=AGREED)
+    .keeps(ROTATES, HEIGHT, reference=reference.simulate_matrix, cases=cases.by_matrix(cases.long_motion))
+    .also.follows(reference.simulate_matrix, cases.by_matrix(cases.long_motion), tolerance=AGREED)
+    .also.follows(reference.simulate_euler, cases.long_motion, tolerance=AGREED)
 )
 
 
@@ -194,39 +194,43 @@ both_simulations_agree = (
 
 steady_residual_is_the_tilt_acceleration = law(
     "steady_residual is tilt'' at this lean, precession and total spin, steady or not.", points=0.75, part="d"
-).agrees(right.steady_residual, cases.steady, within=POINTWISE, hint="Use tilt = lean + pi/2 and tilt' = 0.")
+).agrees(reference.steady_residual, cases.steady, tolerance=POINTWISE, hint="Use tilt = lean + pi/2 and tilt' = 0.")
 
 
 # (e) The picture
 
 
 @check(points=0.5, part="e")
-def wireframe_is_a_rolling_disk(student, draw):
+def wireframe_is_a_rolling_disk(student, rng):
     """wireframe is a closed regular polygon on the rim, and two perpendicular diameters that roll with the disk."""
-    for calls in cases.pictures(draw):
+    for calls in cases.pictures(rng):
         places = [judge_wireframe(case, lines) for case, lines in student.wireframe.each(calls)]
-        apart, hint = right.turned(np.diff(places, axis=0), np.pi), "Do they roll with the disk?"
-        expect(apart, 0.0, within=POINTWISE * 10, of="the diameters' place in the disk", unit="rad", hint=hint)
+        apart, hint = reference.turned(np.diff(places, axis=0), np.pi), "Do they roll with the disk?"
+        expect(apart, 0.0, tolerance=POINTWISE * 10, quantity="the diameters' place in the disk", unit="rad", hint=hint)
 
 
 def judge_wireframe(case, lines):
     """Where the diameters are in the disk, rad."""
     (state,), size, sides = case.args, case.kwargs["radius"], case.kwargs["sides"]
-    expect(len(lines), sides + 2, within=0, of="the number of segments")
-    angles, off = right.in_the_disk(lines, state, size)
-    on_the_rim = partial(expect, expected=0.0, within=POINTWISE * size, unit="m")
-    on_the_rim(off[:sides], of="the distance from the rim of an end of a side", hint="What are the centre and R?")
+    expect(len(lines), sides + 2, tolerance=0, quantity="the number of segments")
+    angles, off = reference.in_the_disk(lines, state, size)
+    on_the_rim = partial(expect, expected=0.0, tolerance=POINTWISE * size, unit="m")
+    on_the_rim(off[:sides], quantity="the distance from the rim of an end of a side", hint="What are the centre and R?")
     radii = "A diameter goes from rim to rim." if off[sides:].min() <= POINTWISE * size else ""
-    on_the_rim(off[sides:], of="the distance from the rim of an end of a diameter", hint=radii)
-    angle = partial(expect, within=10 * POINTWISE, unit="rad")  # of points that are off by POINTWISE
-    across = right.turned(angles[:, 1] - angles[:, 0], 2 * np.pi)
+    on_the_rim(off[sides:], quantity="the distance from the rim of an end of a diameter", hint=radii)
+    angle = partial(expect, tolerance=10 * POINTWISE, unit="rad")  # of points that are off by POINTWISE
+    across = reference.turned(angles[:, 1] - angles[:, 0], 2 * np.pi)
     step = 2 * np.pi / sides
     spans = [step] * sides + [np.pi] * 2
-    angle(np.abs(across), spans, of="the angle that a segment spans", hint="Is the polygon closed and regular?")
+    angle(np.abs(across), spans, quantity="the angle that a segment spans", hint="Is the polygon closed and regular?")
     middles = np.diff(np.sort((angles[:sides, 0] + across[:sides] / 2) % (2 * np.pi)))
     expect_that(middles.min() > step / 2, "Two sides are drawn in one place, and one is missing")
-    angle(middles, step, of="the angle from side to side", hint="The polygon is closed.")
-    angle(abs(right.turned(angles[-1, 0] - angles[-2, 0], np.pi)), np.pi / 2, of="the angle between the diameters")
+    angle(middles, step, quantity="the angle from side to side", hint="The polygon is closed.")
+    angle(
+        abs(reference.turned(angles[-1, 0] - angles[-2, 0], np.pi)),
+        np.pi / 2,
+        quantity="the angle between the diameters",
+    )
     return angles[sides:, 0]
 
 
@@ -238,16 +242,16 @@ REST_OR_RATES = by_kind(
 )
 energy_is_kinetic_and_potential = law(
     "energy adds what moves, what turns and what is high.", points=0.5, part="f"
-).agrees(right.energy, cases.resting_first, within=POINTWISE, hint=REST_OR_RATES)
+).agrees(reference.energy, cases.resting_first, tolerance=POINTWISE, hint=REST_OR_RATES)
 NEEDED = euler_simulation_follows_the_motion, energy_is_kinetic_and_potential
 energy_is_conserved = law(
     "The energy of simulate_euler's motion stays what it was, over a long time.", points=0.25, part="f", after=NEEDED
-).keeps(ENERGY_KEPT, right=right.simulate_euler, cases=LONGER, partial={1e-4: 0.6, 1e-3: 0.3})
+).keeps(ENERGY_KEPT, reference=reference.simulate_euler, cases=LONGER, partial={1e-4: 0.6, 1e-3: 0.3})
 
 
 def wrong_force(case, found, expected):
     """What is wrong with the force, if it can be told."""
-    weight = case.kwargs["mass"] * case.kwargs["gravity"] * right.Z
+    weight = case.kwargs["mass"] * case.kwargs["gravity"] * reference.Z
     limit = POINTWISE * force(case)
     if abs(np.linalg.norm(found - weight) - np.linalg.norm(expected - weight)) <= limit:
         return "m a of G has the right size: are its sign and its components those along space x, y, z?"
@@ -257,14 +261,14 @@ def wrong_force(case, found, expected):
 
 contact_force_moves_the_centre = law(
     "contact_force is what the centre's acceleration and the weight ask for, in space axes.", points=0.75, part="f"
-).agrees(right.contact_force, cases.instants, within=POINTWISE, hint=wrong_force)
+).agrees(reference.contact_force, cases.instants, tolerance=POINTWISE, hint=wrong_force)
 
 
 # (g) and (h) Stability
 
 critical_speed_parts_stable_from_unstable = law(
     "critical_speed is the centre's speed at which a small lean neither grows nor swings.", points=0.5, part="g"
-).agrees(right.critical_speed, cases.wheels, within=LINEAR, hint="Linearise: what is yaw' to first order?")
+).agrees(reference.critical_speed, cases.wheels, tolerance=LINEAR, hint="Linearise: what is yaw' to first order?")
 growth_rate_is_that_of_a_small_lean = law(
     "growth_rate_squared is the lean's, below and above the critical speed, and at rest.", points=0.75, part="h"
-).agrees(right.growth_rate_squared, cases.speeds, within=LINEAR, hint="Linearise about upright.")
+).agrees(reference.growth_rate_squared, cases.speeds, tolerance=LINEAR, hint="Linearise about upright.")

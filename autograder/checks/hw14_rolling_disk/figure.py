@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from tam570_grader.writing.figures import Figure, seen_from
+from tam570_grader.checks.figures import Figure, seen_from
 
-from . import right
+from . import reference
 
 EYE = seen_from(-1.75, 0.4)
 X, Y, Z = np.eye(3)
@@ -13,8 +13,8 @@ X, Y, Z = np.eye(3)
 def figure(yaw=0.6, tilt=1.95, roll=0.6, radius=1.0):
     """The contact is at (0.9, 0.6)."""
     state = np.array([0.9, 0.6, yaw, tilt, roll, 0.0, 0.0, 0.0])
-    contact, placed = np.array([0.9, 0.6, 0.0]), right.matrix_state(state, radius)
-    centre, R, (e1, e2, e3) = placed[right.CENTRE], placed[right.MATRIX].reshape(3, 3), right.frame(state)
+    contact, placed = np.array([0.9, 0.6, 0.0]), reference.matrix_state(state, radius)
+    centre, R, (e1, e2, e3) = placed[reference.CENTRE], placed[reference.MATRIX].reshape(3, 3), reference.frame(state)
     heading = np.array([-e1[1], e1[0], 0.0])  # of the disk's ground side
     shown = Figure(
         "The rolling disk",

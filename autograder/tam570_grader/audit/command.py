@@ -59,9 +59,9 @@ def _add_questions(add: Callable[..., Any]) -> None:
 
 def _audit(arguments: argparse.Namespace) -> int:
     """Print what is asked for, an assignment at a time; 1 if there is a fault."""
-    from tam570_grader.grading.command import crew_of, warn_of_isolation
+    from tam570_grader.checks import assignments
+    from tam570_grader.grading.command import executor_of, warn_of_isolation
     from tam570_grader.release import course_config
-    from tam570_grader.writing import assignments
 
     course = course_config.course_of(arguments)
     question = _question(arguments)
@@ -70,9 +70,9 @@ def _audit(arguments: argparse.Namespace) -> int:
     faults = 0
     slugs = assignments.named(arguments.assignments, assignments.slugs(course))
     slugs = _with_functions(course, slugs, arguments.function) if arguments.function else slugs
-    with crew_of(arguments, course, slugs) as crew:
+    with executor_of(arguments, course, slugs) as executor:
         for slug in slugs:
-            data, lines, found = question(course, slug, crew, arguments)
+            data, lines, found = question(course, slug, executor, arguments)
             print(*([json.dumps(data)] if arguments.json else lines), sep="\n", flush=True)
             faults += found
     return 1 if faults else 0
@@ -89,7 +89,7 @@ def _question(arguments: argparse.Namespace) -> Question:
 
 def _with_functions(course: Path, slugs: Sequence[str], names: Sequence[str]) -> list[str]:
     """The assignments that have functions of these names; UsageError for a name that none has."""
-    from tam570_grader.writing.slips import reached
+    from tam570_grader.checks.slips import reached
 
     texts = {slug: (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8") for slug in slugs}
     there = {slug: set(reached(text)) for slug, text in texts.items()}
@@ -99,33 +99,33 @@ def _with_functions(course: Path, slugs: Sequence[str], names: Sequence[str]) ->
     return [slug for slug in slugs if there[slug] & set(names)]
 
 
-def _mutation(course: Path, slug: str, crew: Any, arguments: argparse.Namespace) -> Answer:
+def _mutation(course: Path, slug: str, executor: Any, arguments: argparse.Namespace) -> Answer:
     from tam570_grader.audit import mutation
 
-    found = mutation.fates(course, slug, crew, arguments.quick, arguments.function)
+    found = mutation.fates(course, slug, executor, arguments.quick, arguments.function)
     return mutation.as_json(found), mutation.report(found), found.faults
 
 
-def _fairness(course: Path, slug: str, crew: Any, arguments: argparse.Namespace) -> Answer:
+def _fairness(course: Path, slug: str, executor: Any, arguments: argparse.Namespace) -> Answer:
     from tam570_grader.audit import fairness
 
     seeds = QUICK_SEEDS if arguments.quick else arguments.fairness
-    lines = fairness.fair(course, slug, seeds, crew, arguments.keep)
+    lines = fairness.fair(course, slug, seeds, executor, arguments.keep)
     found = fairness.as_json(slug, lines)
     return found, fairness.report(lines), found["false_fails"]
 
 
-def _diagnosis(course: Path, slug: str, crew: Any, arguments: argparse.Namespace) -> Answer:
+def _diagnosis(course: Path, slug: str, executor: Any, arguments: argparse.Namespace) -> Answer:
     from tam570_grader.audit import diagnosis
 
-    found = diagnosis.diagnoses(course, slug, crew, arguments.quick)
+    found = diagnosis.diagnoses(course, slug, executor, arguments.quick)
     return diagnosis.as_json(slug, found), diagnosis.report(slug, found), diagnosis.faults(found)
 
 
-def _margins(course: Path, slug: str, crew: Any, arguments: argparse.Namespace) -> Answer:
+def _margins(course: Path, slug: str, executor: Any, arguments: argparse.Namespace) -> Answer:
     from tam570_grader.audit import margins
 
-    found = margins.margins(course, slug, QUICK_SEEDS if arguments.quick else margins.SEEDS, crew)
+    found = margins.margins(course, slug, QUICK_SEEDS if arguments.quick else margins.SEEDS, executor)
     return margins.as_json(slug, found), margins.report(slug, found), margins.faults(found)
 
 

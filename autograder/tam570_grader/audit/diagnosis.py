@@ -14,14 +14,14 @@ from pathlib import Path
 from typing import Any
 
 from tam570_grader.audit.gradings import Grading, progress, submissions, tried
+from tam570_grader.checks import assignments
+from tam570_grader.checks.mistakes import header, mistakes
+from tam570_grader.checks.slips import reached
 from tam570_grader.errors import UsageError
+from tam570_grader.grading.executor import TaskExecutor, in_order
 from tam570_grader.grading.one import Result
-from tam570_grader.grading.processes import Crew, in_order
 from tam570_grader.release.stubs import exported
-from tam570_grader.results.records import Mark
-from tam570_grader.writing import assignments
-from tam570_grader.writing.mistakes import header, mistakes
-from tam570_grader.writing.slips import reached
+from tam570_grader.results.records import CheckResult
 
 __all__ = ["ENOUGH", "Diagnosis", "as_json", "diagnoses", "diagnosis", "faults", "report"]
 
@@ -50,7 +50,7 @@ class Diagnosis:
     misled: bool  # a known mistake was named that is not what the header says
 
 
-def diagnoses(course: Path, slug: str, crew: Crew, quick: bool) -> list[Diagnosis]:
+def diagnoses(course: Path, slug: str, executor: TaskExecutor, quick: bool) -> list[Diagnosis]:
     """The diagnosis of each wrong submission of an assignment, or of a fixed sample."""
     solution = (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8")
     wrong = submissions(course, slug, "mistakes")
@@ -63,7 +63,7 @@ def diagnoses(course: Path, slug: str, crew: Crew, quick: bool) -> list[Diagnosi
     tasks = [Grading(course, slug, name, f"{solution}\n\n{text}", SEED, naming=True) for name, text in wrong.items()]
     for (name, text), (style, other) in zip(wrong.items(), cycle(styles.items())):
         tasks.append(Grading(course, slug, f"{name}{ON}{style}", other + _taken(solution, text), SEED, naming=True))
-    results = progress(in_order(crew, tried, tasks), len(tasks), "submission")
+    results = progress(in_order(executor, tried, tasks), len(tasks), "submission")
     known = {one.says for one in mistakes(assignments.checks_folder(course, slug) / "mistakes")}
     found = [diagnosis(result, wrong[result.student.partition(ON)[0]], known) for result in results]
     return [one for one in found if one.messages or ON not in one.name]  # another style may not call what is wrong
@@ -83,23 +83,23 @@ def diagnosis(result: Result, text: str, known: Container[str]) -> Diagnosis:
     known : what known mistakes say; what is found by trying says what the numbers are, and misleads nobody
     """
     own, says = header(text)
-    failed = [mark for mark in result.checks if mark.outcome == "failed"]
-    suspects = tuple(mark.suspect for mark in failed if mark.suspect)
-    messages = tuple(mark.message for mark in failed)
+    failed = [check_result for check_result in result.checks if check_result.outcome == "failed"]
+    suspects = tuple(check_result.suspect for check_result in failed if check_result.suspect)
+    messages = tuple(check_result.message for check_result in failed)
     fragment = says.get("names", "")
     expected = " | ".join(filter(None, ["" if fragment else own, says.get("also", "")]))
     by_suspect = any(_in(one, expected) for one in suspects)
-    by_message = any(_names(mark, one) for mark in failed for one in fragment.split(" | "))
+    by_message = any(_names(check_result, one) for check_result in failed for one in fragment.split(" | "))
     misled = any(one in known and not _in(one, expected) for one in suspects)
     return Diagnosis(result.student, expected, by_suspect or by_message, suspects, messages, misled)
 
 
-def _names(mark: Mark, fragment: str) -> bool:
+def _names(check_result: CheckResult, fragment: str) -> bool:
     """Whether a check says a fragment of the mistake; of a wrong number its hint alone, or its suspect, says what."""
-    why = mark.failure
+    why = check_result.failure
     if not why or _in(f" for {why.kind}", fragment):
         return False
-    return _in(mark.message if why.says else why.suspect or why.hint, fragment)
+    return _in(check_result.message if why.says else why.suspect or why.hint, fragment)
 
 
 def _in(says: str, expected: str) -> bool:

@@ -15,8 +15,8 @@ from collections.abc import Container, Mapping
 from pathlib import Path
 
 from tam570_grader.audit.mutate import Mutant
+from tam570_grader.checks import assignments
 from tam570_grader.errors import UsageError
-from tam570_grader.writing import assignments
 
 __all__ = ["Slip", "entry", "equivalents", "idle"]
 

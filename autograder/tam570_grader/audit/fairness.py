@@ -9,9 +9,9 @@ from pathlib import Path
 from typing import Any
 
 from tam570_grader.audit.gradings import Grading, progress, submissions, tried
+from tam570_grader.checks import assignments
 from tam570_grader.errors import UsageError, writing
-from tam570_grader.grading.processes import Crew, in_order
-from tam570_grader.writing import assignments
+from tam570_grader.grading.executor import TaskExecutor, in_order
 
 __all__ = ["as_json", "fair", "report", "upper_bound"]
 
@@ -32,7 +32,7 @@ class Class:
     digests: Mapping[str, str]
 
 
-def fair(course: Path, slug: str, seeds: int, crew: Crew, keep: Path | None = None) -> list[Line]:
+def fair(course: Path, slug: str, seeds: int, executor: TaskExecutor, keep: Path | None = None) -> list[Line]:
     """A line for each right submission and seed; what the file `keep` has is not graded again, the rest is added."""
     texts = {
         "solution": (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8"),
@@ -51,7 +51,7 @@ def fair(course: Path, slug: str, seeds: int, crew: Crew, keep: Path | None = No
         if fresh:
             tasks.append(Class(course, slug, seed, fresh, digests))
     lines = [*known.values()]
-    for graded in progress(in_order(crew, _graded, tasks), len(tasks), "seed"):
+    for graded in progress(in_order(executor, _graded, tasks), len(tasks), "seed"):
         _add(keep, graded)
         lines += graded
     return lines
@@ -61,7 +61,11 @@ def _graded(group: Class) -> list[Line]:
     lines = []
     for name, text in group.texts.items():
         result = tried(Grading(group.course, group.slug, name, text, group.seed))
-        fails = [[mark.name, mark.message] for mark in result.checks if mark.outcome != "passed"]
+        fails = [
+            [check_result.name, check_result.message]
+            for check_result in result.checks
+            if check_result.outcome != "passed"
+        ]
         lines.append(
             {
                 "assignment": group.slug,

@@ -5,12 +5,12 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TypeVar
 
-from tam570_grader.grading.one import Judging, Recorder, Result, graded
+from tam570_grader.checks import assignments
+from tam570_grader.grading.one import CheckOptions, Recorder, Result, graded
 from tam570_grader.sandbox import warm
 from tam570_grader.sandbox.preload import imported
 from tam570_grader.sandbox.student import Source
-from tam570_grader.sandbox.worker import Allowance
-from tam570_grader.writing import assignments
+from tam570_grader.sandbox.zygote import ResourceLimits
 
 __all__ = ["Grading", "progress", "submissions", "tried"]
 
@@ -26,7 +26,7 @@ class Grading:
     name: str
     text: str
     seed: int
-    allowance: Allowance = Allowance()
+    limits: ResourceLimits = ResourceLimits()
     checks: frozenset[str] | None = None  # None: all
     enough: int | None = None  # failed checks after which the rest is not run
     naming: bool = False  # look for the mistakes behind failed checks
@@ -41,11 +41,11 @@ def tried(grading: Grading, recorder: Recorder | None = None) -> Result:
         assignment = replace(assignment, checks=tuple(free))
     source = Source(grading.text.encode())
     needs = sorted({*assignment.needs, *imported(source.text)})
-    asked = Judging(grading.enough, recorder, grading.naming)
+    asked = CheckOptions(grading.enough, recorder, grading.naming)
     return warm.tried(
-        lambda worker, _: graded(grading.name, source, assignment, worker, grading.seed, asked=asked),
+        lambda zygote, _: graded(grading.name, source, assignment, zygote, grading.seed, asked=asked),
         needs,
-        grading.allowance,
+        grading.limits,
         [grading.course],
     )
 

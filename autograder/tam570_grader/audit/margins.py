@@ -13,10 +13,10 @@ import numpy as np
 
 from tam570_grader.audit.gradings import Grading, progress, submissions, tried
 from tam570_grader.audit.mutation import calls_of_checks
-from tam570_grader.grading.processes import Crew, in_order
-from tam570_grader.writing import assignments
-from tam570_grader.writing.mistakes import header
-from tam570_grader.writing.slips import reached
+from tam570_grader.checks import assignments
+from tam570_grader.checks.mistakes import header
+from tam570_grader.checks.slips import reached
+from tam570_grader.grading.executor import TaskExecutor, in_order
 
 __all__ = ["ENOUGH", "SEEDS", "Margin", "as_json", "faults", "margin", "margins", "report"]
 
@@ -64,13 +64,13 @@ def _largest(grading: Grading) -> float | None:
     found: list[float] = []
     result = tried(grading, lambda _, error: found.append(error))
     largest = max(found, default=0.0)
-    passed = all(mark.outcome == "passed" for mark in result.checks)
+    passed = all(check_result.outcome == "passed" for check_result in result.checks)
     if not found and passed:
         return None
     return largest if passed or largest > 1 else np.inf
 
 
-def margins(course: Path, slug: str, seeds: int, crew: Crew) -> list[Margin]:
+def margins(course: Path, slug: str, seeds: int, executor: TaskExecutor) -> list[Margin]:
     """The margins of the checks that compare what an integration gave."""
     text = (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8")
     checks = _simulating(course, slug, text)
@@ -85,7 +85,7 @@ def margins(course: Path, slug: str, seeds: int, crew: Crew) -> list[Margin]:
         if asked
         for seed in range(FIRST_SEED, FIRST_SEED + seeds)
     ]
-    errors = progress(in_order(crew, _errors, tasks), len(tasks), "grading")
+    errors = progress(in_order(executor, _errors, tasks), len(tasks), "grading")
     found = [(grading.name, one) for grading, one in zip(tasks, errors, strict=True)]
     order = [check.name for check in assignments.assignment(course, slug).checks]
     return [one for check in order if (one := margin(check, found, wrong))]

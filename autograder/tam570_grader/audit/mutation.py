@@ -11,14 +11,14 @@ from typing import Any
 from tam570_grader.audit.equivalents import Slip, entry, equivalents, idle
 from tam570_grader.audit.gradings import Grading, progress, tried
 from tam570_grader.audit.mutate import Mutant, mutants
+from tam570_grader.checks import assignments
+from tam570_grader.checks.case import Case
+from tam570_grader.checks.slips import reached
 from tam570_grader.errors import counted
+from tam570_grader.grading.executor import TaskExecutor, in_order
 from tam570_grader.grading.one import Result, generator
-from tam570_grader.grading.processes import Crew, in_order
 from tam570_grader.sandbox.student import Source, Student
-from tam570_grader.sandbox.worker import Allowance, Worker
-from tam570_grader.writing import assignments
-from tam570_grader.writing.check import Given
-from tam570_grader.writing.slips import reached
+from tam570_grader.sandbox.zygote import ResourceLimits, Zygote
 
 __all__ = ["Fates", "as_json", "calls_of_checks", "fates", "report"]
 
@@ -55,7 +55,7 @@ class Fates:
         return len(self.survivors) + len(self.crashing) + len(self.in_vain)
 
 
-def fates(course: Path, slug: str, crew: Crew, quick: bool, functions: Sequence[str]) -> Fates:
+def fates(course: Path, slug: str, executor: TaskExecutor, quick: bool, functions: Sequence[str]) -> Fates:
     """Grade the mutants of an assignment: all, or a fixed sample; of all functions, or of some."""
     text = (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8")
     made, listed = mutants(slug, text), equivalents(course, slug)
@@ -64,7 +64,7 @@ def fates(course: Path, slug: str, crew: Crew, quick: bool, functions: Sequence[
     calls, longest = calls_of_checks(course, slug, text)
     call = max(SHORTEST, SLOWER * longest)
     # a second failure tells that the first check is not needed
-    grading = partial(Grading, course, slug, seed=SEED, allowance=Allowance(cpu=CALLS * call, call=call), enough=2)
+    grading = partial(Grading, course, slug, seed=SEED, limits=ResourceLimits(cpu=CALLS * call, call=call), enough=2)
     within = reached(text)
     tasks = [grading(mutant.name, mutant.text, checks=_concerned(calls, within, mutant.function)) for mutant in chosen]
     tasks += [
@@ -72,7 +72,7 @@ def fates(course: Path, slug: str, crew: Crew, quick: bool, functions: Sequence[
         for mutant in chosen
         if _is_shared(mutant.function, calls, within)
     ]
-    results = {result.student: result for result in progress(in_order(crew, tried, tasks), len(tasks), "mutant")}
+    results = {result.student: result for result in progress(in_order(executor, tried, tasks), len(tasks), "mutant")}
     slips = {mutant.name: (mutant.function, mutant.slip) for mutant in chosen}
     fate = {
         name: _fate([results[one] for one in (name, f"{name} alone") if one in results], slip in listed)
@@ -115,7 +115,7 @@ def _is_shared(function: str, calls: Mapping[str, set[str]], within: Mapping[str
 
 
 def _failed(result: Result) -> list[str]:
-    return [mark.name for mark in result.checks if mark.outcome == "failed"]
+    return [check_result.name for check_result in result.checks if check_result.outcome == "failed"]
 
 
 class _Watched(Student):
@@ -126,7 +126,7 @@ class _Watched(Student):
         self.asked: set[str] = set()
         self.longest = 0.0  # s
 
-    def replies(self, name: str, calls: Sequence[Given], mode: str = "value", **more: Any) -> list[dict[str, Any]]:
+    def replies(self, name: str, calls: Sequence[Case], mode: str = "value", **more: Any) -> list[dict[str, Any]]:
         started = time.perf_counter()
         try:
             return super().replies(name, calls, mode, **more)
@@ -138,8 +138,8 @@ class _Watched(Student):
 def calls_of_checks(course: Path, slug: str, text: str) -> tuple[dict[str, set[str]], float]:
     """The functions that each check calls, and the longest call in s, by running them on the solution."""
     assignment = assignments.assignment(course, slug)
-    worker = Worker(list(assignment.needs), Allowance(), [course])
-    student = _Watched(Source(text.encode()), assignment, worker)
+    zygote = Zygote(list(assignment.needs), ResourceLimits(), [course])
+    student = _Watched(Source(text.encode()), assignment, zygote)
     calls = {}
     try:
         for check in assignment.checks:
@@ -148,7 +148,7 @@ def calls_of_checks(course: Path, slug: str, text: str) -> tuple[dict[str, set[s
             calls[check.name] = student.asked
     finally:
         student.leave()
-        worker.close()
+        zygote.close()
     return calls, student.longest
 
 

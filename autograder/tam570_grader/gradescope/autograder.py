@@ -10,9 +10,9 @@ from string import Template
 from typing import Any
 
 from tam570_grader.errors import counted, writing
-from tam570_grader.pages.feedback import overall
 from tam570_grader.release.course_toml import COPY
-from tam570_grader.results.journal import Record
+from tam570_grader.reports.feedback import overall
+from tam570_grader.results.store import Record
 from tam570_grader.results.tables import written
 
 __all__ = ["results", "run"]

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from tam570_grader.writing.effort import limited
+from tam570_grader.checks.effort import limited
 
 __all__ = ["MEMORY", "STEPS", "budget"]
 

@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import Any
 
 from tam570_grader.errors import UsageError
-from tam570_grader.grading.processes import AHEAD, Crew
+from tam570_grader.grading.executor import PREFETCH, TaskExecutor
 from tam570_grader.sandbox.launch import isolation
 
 __all__ = ["Cluster"]
@@ -59,7 +59,7 @@ class Cluster:
         return isolation() if self.unconfined else "bubblewrap"
 
     @contextlib.contextmanager
-    def crew(self, course: Path, slugs: Sequence[str], jobs: int) -> Iterator[Crew]:
+    def executor(self, course: Path, slugs: Sequence[str], jobs: int) -> Iterator[TaskExecutor]:
         """The cluster's workers, each with these assignments."""
         from distributed.scheduler import KilledWorker
 
@@ -74,9 +74,9 @@ class Cluster:
             client.register_plugin(sent, name=sent.name)
             _must_fit(client, sent.name, self.address)
             try:
-                yield Crew(
+                yield TaskExecutor(
                     client.get_executor(pure=False),
-                    _ahead(client),
+                    _prefetch(client),
                     (KilledWorker,),
                     lambda work: functools.partial(there, sent.name, work),
                 )
@@ -131,14 +131,14 @@ def _must_fit(client: Any, name: str, address: str) -> None:
             raise UsageError(f"the worker {worker} cannot grade: {why}")
 
 
-def _ahead(client: Any) -> Callable[[], int]:
+def _prefetch(client: Any) -> Callable[[], int]:
     """Tasks to hand out, by the number of workers now."""
     seen = {"at": float("-inf"), "most": 0}
 
-    def ahead() -> int:
+    def prefetch() -> int:
         if time.monotonic() - seen["at"] > ASKED:
             threads = sum(client.nthreads().values())
-            seen.update(at=time.monotonic(), most=max(LEAST, AHEAD * threads))
+            seen.update(at=time.monotonic(), most=max(LEAST, PREFETCH * threads))
         return int(seen["most"])
 
-    return ahead
+    return prefetch

@@ -12,10 +12,10 @@ from typing import Any
 
 from distributed import Worker, WorkerPlugin
 
+from tam570_grader.checks import assignments
 from tam570_grader.errors import UsageError
 from tam570_grader.sandbox.launch import isolation
-from tam570_grader.sandbox.warm import sandboxes
-from tam570_grader.writing import assignments
+from tam570_grader.sandbox.pool import sandboxes
 
 __all__ = ["Course", "course_for", "refusal", "there"]
 

@@ -10,10 +10,10 @@ from pathlib import Path
 from typing import Any
 
 from tam570_grader.errors import UsageError, counted, warn
-from tam570_grader.grading.run import Seen, whole_run
+from tam570_grader.grading.run import RunSummary, whole_run
 from tam570_grader.options import Commands, add_cluster, cores, natural, positive
 
-__all__ = ["add_grade", "crew_of", "warn_of_isolation"]
+__all__ = ["add_grade", "executor_of", "warn_of_isolation"]
 
 
 def add_grade(commands: Commands) -> argparse.ArgumentParser:
@@ -57,9 +57,9 @@ def add_grade(commands: Commands) -> argparse.ArgumentParser:
 
 
 def _grade(arguments: argparse.Namespace) -> int:
-    from tam570_grader.pages import feedback
+    from tam570_grader.checks import assignments
     from tam570_grader.release import course_config
-    from tam570_grader.writing import assignments
+    from tam570_grader.reports import feedback
 
     gc.set_threshold(100_000)  # a large class is many records without circles, which would be sought again and again
     course = course_config.course_of(arguments, arguments.paths)
@@ -70,54 +70,54 @@ def _grade(arguments: argparse.Namespace) -> int:
         feedback.must_write_pages()
     if not arguments.cluster:
         warn_of_isolation()
-    seen = Seen()
+    summary = RunSummary()
     try:
-        plan = whole_run(arguments, course, partial(_plan, arguments, course, found), seen)
+        config = whole_run(arguments, course, partial(_config, arguments, course, found), summary)
     except BrokenPipeError:
         raise
     except KeyboardInterrupt:
-        raise KeyboardInterrupt(_what_is_kept(arguments.out, seen)) from None
+        raise KeyboardInterrupt(_what_is_kept(arguments.out, summary)) from None
     except OSError as error:
-        warn(f"{error}; {_what_is_kept(arguments.out, seen)}", "error: ")
+        warn(f"{error}; {_what_is_kept(arguments.out, summary)}", "error: ")
         return 1
-    return _print_results(arguments, course, plan, seen)
+    return _print_results(arguments, course, config, summary)
 
 
-def _what_is_kept(out: Path | None, seen: Seen) -> str:
+def _what_is_kept(out: Path | None, summary: RunSummary) -> str:
     """What there is of a run that was ended."""
     if out is None:
         return "nothing is kept without --out"
-    return f"{counted(len(seen.book or ()), 'result')} kept in {out}; the same command goes on from there"
+    return f"{counted(len(summary.store or ()), 'result')} kept in {out}; the same command goes on from there"
 
 
-def _print_results(arguments: argparse.Namespace, course: Path, plan: Any, seen: Seen) -> int:
+def _print_results(arguments: argparse.Namespace, course: Path, config: Any, summary: RunSummary) -> int:
     """Print what was asked for; the exit code."""
     from tam570_grader.grading import regrade
 
     if arguments.format == "gradescope":
-        return _print_gradescope(course, seen)
+        return _print_gradescope(course, summary)
     if not arguments.json:
-        _print_tables(seen, plan)
+        _print_tables(summary, config)
         if arguments.against:
-            print("\n" + regrade.table(seen.changes, seen.compared))
-    return _warn_of_faults(seen)
+            print("\n" + regrade.table(summary.changes, summary.compared))
+    return _warn_of_faults(summary)
 
 
-def _plan(arguments: argparse.Namespace, course: Path, found: list[Any], earlier: list[Any]) -> Any:
+def _config(arguments: argparse.Namespace, course: Path, found: list[Any], earlier: list[Any]) -> Any:
     """What is graded and how; of the results that are there it takes the seed."""
     from tam570_grader.grading import seeds
-    from tam570_grader.grading.many import Plan
+    from tam570_grader.grading.batch import RunConfig
     from tam570_grader.release import course_config
-    from tam570_grader.sandbox.worker import Allowance
+    from tam570_grader.sandbox.zygote import ResourceLimits
 
     key = seeds.key(arguments.vary, any(earlier)) if arguments.vary else None
     seed = seeds.seed(arguments.seed, earlier, key)
     limits = {name: vars(arguments)[name] or usual for name, usual in course_config.limits(course).items()}
-    allowance = Allowance(limits["memory"] * 2**20, limits["cpu"], limits["call"], arguments.processes)
+    limits = ResourceLimits(limits["memory"] * 2**20, limits["cpu"], limits["call"], arguments.processes)
     ours = [*arguments.paths, *arguments.join, *filter(None, (arguments.out, arguments.against, arguments.vary))]
     hidden = [*_folders(course), *(path.resolve() for path in ours)]
     cluster = _cluster(arguments)
-    return Plan(course, found, seed, arguments.jobs, allowance, hidden, arguments.speed, key=key, cluster=cluster)
+    return RunConfig(course, found, seed, arguments.jobs, limits, hidden, arguments.speed, key=key, cluster=cluster)
 
 
 def _folders(course: Path) -> list[Path]:
@@ -141,45 +141,45 @@ def _cluster(arguments: argparse.Namespace) -> Any:
     return Cluster(arguments.cluster, arguments.certificates, arguments.unconfined)
 
 
-def crew_of(arguments: argparse.Namespace, course: Path, slugs: Sequence[str]) -> Any:
+def executor_of(arguments: argparse.Namespace, course: Path, slugs: Sequence[str]) -> Any:
     """Who does the work, by the options --jobs and --cluster."""
-    from tam570_grader.grading.processes import crew
+    from tam570_grader.grading.executor import executor
 
     cluster = _cluster(arguments)
-    return cluster.crew(course, slugs, arguments.jobs) if cluster else crew(arguments.jobs)
+    return cluster.executor(course, slugs, arguments.jobs) if cluster else executor(arguments.jobs)
 
 
-def _print_tables(seen: Seen, plan: Any) -> None:
-    from tam570_grader.pages import feedback
+def _print_tables(summary: RunSummary, config: Any) -> None:
+    from tam570_grader.reports import feedback
 
-    print(feedback.table(sorted(seen.rows, key=lambda row: (row[1], row[0]))))
-    inputs = "the same key" if plan.key else f"seed {plan.seed}; the same seed"
+    print(feedback.table(sorted(summary.rows, key=lambda row: (row[1], row[0]))))
+    inputs = "the same key" if config.key else f"seed {config.seed}; the same seed"
     print(f"\n{inputs} gives the same hidden inputs and the same scores")
-    if lacking := _by_hand(seen, plan):
+    if lacking := _by_hand(summary, config):
         print(f"the points that you give by hand are not in it yet: {lacking}")
 
 
-def _by_hand(seen: Seen, plan: Any) -> str:
+def _by_hand(summary: RunSummary, config: Any) -> str:
     """How many points of which assignments were not given by hand yet."""
-    from tam570_grader.writing import assignments
+    from tam570_grader.checks import assignments
 
-    parts = {slug: assignments.by_hand(plan.course, slug) for slug in sorted({row[1] for row in seen.rows})}
+    parts = {slug: assignments.manual_parts(config.course, slug) for slug in sorted({row[1] for row in summary.rows})}
     lacking = {slug: sum(of for of, _ in manual.values()) for slug, manual in parts.items() if manual}
-    given = {slug for slug in lacking if seen.hand and seen.hand.counts_parts(slug)}
+    given = {slug for slug in lacking if summary.hand and summary.hand.counts_parts(slug)}
     return ", ".join(f"{most:g} of {slug}" for slug, most in lacking.items() if slug not in given)
 
 
-def _print_gradescope(course: Path, seen: Seen) -> int:
+def _print_gradescope(course: Path, summary: RunSummary) -> int:
     """results.json of the one submission, or nothing if the grader failed on it; the exit code."""
+    from tam570_grader.checks import assignments
     from tam570_grader.gradescope import autograder
-    from tam570_grader.writing import assignments
 
-    if len(seen.rows) != 1:
-        raise UsageError(f"--format gradescope is for one submission; there are {len(seen.rows)} at these paths")
-    if code := _warn_of_faults(seen):
+    if len(summary.rows) != 1:
+        raise UsageError(f"--format gradescope is for one submission; there are {len(summary.rows)} at these paths")
+    if code := _warn_of_faults(summary):
         return code
-    checks = assignments.assignment(course, seen.last["assignment"]).checks
-    print(json.dumps(autograder.results(seen.last, {check.name: check.line for check in checks}), indent=1))
+    checks = assignments.assignment(course, summary.last["assignment"]).checks
+    print(json.dumps(autograder.results(summary.last, {check.name: check.line for check in checks}), indent=1))
     return 0
 
 
@@ -197,16 +197,16 @@ def _shard(text: str) -> tuple[int, int]:
 
 
 def _submissions(arguments: argparse.Namespace, known: list[str]) -> list[Any]:
+    from tam570_grader.checks import assignments
     from tam570_grader.grading import roster
-    from tam570_grader.grading.overlooked import not_handed_in, overlooked
+    from tam570_grader.grading.skipped_files import not_handed_in, skipped_files
     from tam570_grader.grading.submissions import submissions
-    from tam570_grader.writing import assignments
 
     given = assignments.one_named(arguments.assignment, known)
     only = assignments.named(arguments.only or (), known)
     students = roster.folders(arguments.roster) if arguments.roster else ()
     everything = submissions(arguments.paths, known, given, students)
-    for sentence in overlooked(arguments.paths, everything, known, students):
+    for sentence in skipped_files(arguments.paths, everything, known, students):
         warn(sentence)
     found = [one for one in everything if one.slug in only]
     if not found:
@@ -216,11 +216,11 @@ def _submissions(arguments: argparse.Namespace, known: list[str]) -> list[Any]:
     return [one for one in everyone if _shard_of(one.student, n) == k]
 
 
-def _warn_of_faults(seen: Seen) -> int:
+def _warn_of_faults(summary: RunSummary) -> int:
     """Say what the grader failed on; the exit code."""
-    for fault in seen.faults:
+    for fault in summary.faults:
         warn(fault, "")
-    return 1 if seen.faults else 0
+    return 1 if summary.faults else 0
 
 
 def warn_of_isolation() -> None:

@@ -8,24 +8,24 @@ from functools import partial
 
 import numpy as np
 
+from tam570_grader.checks.assignments import Assignment
+from tam570_grader.checks.check import Check
+from tam570_grader.checks.effort import Exhausted
+from tam570_grader.checks.expect import LONGEST_FAULT, Failed, NotWritten, check_context
+from tam570_grader.checks.failure import Failure
+from tam570_grader.checks.general import general
+from tam570_grader.checks.mistakes import known
 from tam570_grader.errors import Over
 from tam570_grader.grading.budget import budget
 from tam570_grader.grading.speed import Yardstick
-from tam570_grader.pages.sentences import whole
-from tam570_grader.results.records import Mark, Result
+from tam570_grader.reports.sentences import full_message
+from tam570_grader.results.records import CheckResult, Result
 from tam570_grader.sandbox.launch import isolation
+from tam570_grader.sandbox.pool import ONLY, Attempt
 from tam570_grader.sandbox.student import BudgetSpent, NotLoaded, Source, Student
-from tam570_grader.sandbox.warm import ONLY, Attempt
-from tam570_grader.sandbox.worker import Worker
-from tam570_grader.writing.assignments import Assignment
-from tam570_grader.writing.check import Check
-from tam570_grader.writing.effort import Exhausted
-from tam570_grader.writing.expect import LONGEST_FAULT, Failed, NotWritten, trial
-from tam570_grader.writing.failures import Failure
-from tam570_grader.writing.general import general
-from tam570_grader.writing.mistakes import known
+from tam570_grader.sandbox.zygote import Zygote
 
-__all__ = ["Judging", "Mark", "Recorder", "Result", "failed_by_us", "generator", "graded", "not_graded"]
+__all__ = ["CheckOptions", "CheckResult", "Recorder", "Result", "failed_by_us", "generator", "graded", "not_graded"]
 
 OUR_FAULT = "The grader failed here, not you; your teacher has been told."
 TOO_MUCH = "what it returns takes the grader too much {} to judge"
@@ -33,7 +33,7 @@ Recorder = Callable[[str, float], None]
 
 
 @dataclass(frozen=True)
-class Judging:
+class CheckOptions:
     """What is asked of the checks; what judges the grader asks for less than a student is told.
 
     enough   : failed checks after which the rest is not run
@@ -50,45 +50,48 @@ def graded(
     name: str,
     source: Source,
     assignment: Assignment,
-    worker: Worker,
+    zygote: Zygote,
     seed: int,
     yardstick: Yardstick | None = None,
     attempt: Attempt = ONLY,
-    asked: Judging = Judging(),  # noqa: B008  it is frozen
+    asked: CheckOptions = CheckOptions(),  # noqa: B008  it is frozen
 ) -> Result:
     """Grade one submission of the student `name`; the same submission and seed give the same score.
 
     yardstick : measures the speed of the simulation too, when all is graded
     """
     started = time.perf_counter()
-    student = Student(source, assignment, worker, attempt)
-    marks: dict[str, Mark] = {}
+    student = Student(source, assignment, zygote, attempt)
+    check_results: dict[str, CheckResult] = {}
     status, note, speed = "graded", "", None
     try:
         student.load()
         for check in assignment.checks:
-            if not asked.enough or sum(mark.outcome == "failed" for mark in marks.values()) < asked.enough:
-                marks[check.name] = _mark(check, student, assignment, seed, marks, asked)
+            if (
+                not asked.enough
+                or sum(check_result.outcome == "failed" for check_result in check_results.values()) < asked.enough
+            ):
+                check_results[check.name] = _check_result(check, student, assignment, seed, check_results, asked)
         note = _skipped(student.skipped)
-        speed = yardstick.speed(student, assignment, worker) if yardstick else None
+        speed = yardstick.speed(student, assignment, zygote) if yardstick else None
     except (NotLoaded, BudgetSpent) as ended:
         status, note = ended.status, str(ended)
     finally:
         student.leave()
-    rest = tuple(marks.get(check.name) or _not_run(check, note) for check in assignment.checks)
+    rest = tuple(check_results.get(check.name) or _not_run(check, note) for check in assignment.checks)
     return replace(_result(name, assignment, status, seed, rest, note, time.perf_counter() - started), speed=speed)
 
 
 def not_graded(name: str, assignment: Assignment, status: str, note: str, seed: int) -> Result:
     """The result of a submission that is missing or cannot be read: score 0, no check run."""
-    marks = tuple(_not_run(check, note) for check in assignment.checks)
-    return _result(name, assignment, status, seed, marks, note)
+    check_results = tuple(_not_run(check, note) for check in assignment.checks)
+    return _result(name, assignment, status, seed, check_results, note)
 
 
 def failed_by_us(name: str, assignment: Assignment, error: str, seed: int) -> Result:
     """The result where the grader could not do its work: no score."""
-    marks = tuple(_grader_error(check, error) for check in assignment.checks)
-    return _result(name, assignment, "graded", seed, marks, OUR_FAULT)
+    check_results = tuple(_grader_error(check, error) for check in assignment.checks)
+    return _result(name, assignment, "graded", seed, check_results, OUR_FAULT)
 
 
 def generator(seed: int, slug: str, check: Check) -> np.random.Generator:
@@ -97,29 +100,40 @@ def generator(seed: int, slug: str, check: Check) -> np.random.Generator:
 
 
 def _result(
-    name: str, assignment: Assignment, status: str, seed: int, marks: tuple[Mark, ...], note: str, seconds: float = 0.0
+    name: str,
+    assignment: Assignment,
+    status: str,
+    seed: int,
+    check_results: tuple[CheckResult, ...],
+    note: str,
+    seconds: float = 0.0,
 ) -> Result:
-    points = [mark.points for mark in marks]
+    points = [check_result.points for check_result in check_results]
     score = None if None in points else round(sum(p for p in points if p is not None), 6)
     most, taken = assignment.max_score, round(seconds, 3)
-    return Result(name, assignment.slug, status, score, most, seed, taken, isolation(), marks, note)
+    return Result(name, assignment.slug, status, score, most, seed, taken, isolation(), check_results, note)
 
 
-def _mark(
-    check: Check, student: Student, assignment: Assignment, seed: int, marks: dict[str, Mark], asked: Judging
-) -> Mark:
+def _check_result(
+    check: Check,
+    student: Student,
+    assignment: Assignment,
+    seed: int,
+    check_results: dict[str, CheckResult],
+    asked: CheckOptions,
+) -> CheckResult:
     """Run one check, unless one that it builds on is wrong or missing."""
-    missing = [other.name for other in check.after if not marks[other.name].opens]
+    missing = [other.name for other in check.after if not check_results[other.name].unlocks_dependents]
     if missing:
         return _not_run(check, f"Not run: it needs “{_line(assignment.checks, missing[0])}” to pass first.")
     student.calls.clear()
-    draw = generator(seed, assignment.slug, check)
+    rng = generator(seed, assignment.slug, check)
     try:
         listens = asked.recorder and partial(asked.recorder, check.name)
-        with budget(), np.errstate(all="ignore"), trial(recorder=listens, aside=student.aside):
-            check.judge(student, draw)
+        with budget(), np.errstate(all="ignore"), check_context(recorder=listens, aside=student.aside):
+            check.judge(student, rng)
     except NotWritten as unwritten:
-        return _not_run(check, student.lacks(str(unwritten)), unwritten=str(unwritten))
+        return _not_run(check, student.describe_missing(str(unwritten)), unwritten=str(unwritten))
     except Failed as failed:
         suspect, fault = _suspect(check, student, assignment) if asked.naming else (None, "")
         return _failed(check, failed, suspect, fault)
@@ -131,7 +145,7 @@ def _mark(
         raise
     except Exception as error:
         return _grader_error(check, repr(error))
-    return Mark(check.name, check.part, check.points, check.points, "passed", check.line)
+    return CheckResult(check.name, check.part, check.points, check.points, "passed", check.line)
 
 
 def _suspect(check: Check, student: Student, assignment: Assignment) -> tuple[str | None, str]:
@@ -148,18 +162,20 @@ def _suspect(check: Check, student: Student, assignment: Assignment) -> tuple[st
         return None, repr(error)[:LONGEST_FAULT]
 
 
-def _failed(check: Check, failed: Failed, suspect: str | None, fault: str) -> Mark:
+def _failed(check: Check, failed: Failed, suspect: str | None, fault: str) -> CheckResult:
     points = round(failed.share * check.points, 6)
     failure = failed.failure.named(suspect, fault or failed.failure.fault)
-    return Mark(check.name, check.part, points, check.points, "failed", whole(failure), suspect, failure)
+    return CheckResult(check.name, check.part, points, check.points, "failed", full_message(failure), suspect, failure)
 
 
-def _not_run(check: Check, note: str, unwritten: str = "") -> Mark:
-    return Mark(check.name, check.part, 0.0, check.points, "not_run", note, unwritten=unwritten)
+def _not_run(check: Check, note: str, unwritten: str = "") -> CheckResult:
+    return CheckResult(check.name, check.part, 0.0, check.points, "not_run", note, unwritten=unwritten)
 
 
-def _grader_error(check: Check, error: str) -> Mark:
-    return Mark(check.name, check.part, None, check.points, "grader_error", OUR_FAULT, error=error[:LONGEST_FAULT])
+def _grader_error(check: Check, error: str) -> CheckResult:
+    return CheckResult(
+        check.name, check.part, None, check.points, "grader_error", OUR_FAULT, error=error[:LONGEST_FAULT]
+    )
 
 
 def _line(checks: Sequence[Check], name: str) -> str:

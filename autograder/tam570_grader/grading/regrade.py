@@ -4,9 +4,9 @@ from collections.abc import Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from tam570_grader.checks.assignments import slug_of
 from tam570_grader.grading.submissions import Submission
-from tam570_grader.results.journal import Key, Record, key_of
-from tam570_grader.writing.assignments import slug_of
+from tam570_grader.results.store import Key, Record, key_of
 
 __all__ = ["Change", "change", "gone", "table"]
 
@@ -54,26 +54,28 @@ def gone(
 
 
 def _marks(record: Record) -> dict[str, Record]:
-    return {mark["name"]: mark for mark in record["checks"]}
+    return {check_result["name"]: check_result for check_result in record["checks"]}
 
 
 def _because(old: Mapping[str, Record], new: Mapping[str, Record]) -> tuple[str, ...]:
     """The checks whose points differ, those that are new or gone among them."""
     return tuple(
-        f"{name}: {_mark(old.get(name))} -> {_mark(new.get(name))}"
+        f"{name}: {_check_result(old.get(name))} -> {_check_result(new.get(name))}"
         for name in {**old, **new}
         if _points(old.get(name)) != _points(new.get(name))
     )
 
 
-def _points(mark: Record | None) -> tuple[float | None, float] | None:
-    return (mark["points"], mark["max_points"]) if mark else None
+def _points(check_result: Record | None) -> tuple[float | None, float] | None:
+    return (check_result["points"], check_result["max_points"]) if check_result else None
 
 
-def _mark(mark: Record | None) -> str:
-    if mark is None:
+def _check_result(check_result: Record | None) -> str:
+    if check_result is None:
         return "no such check"
-    return f"{mark['outcome'].replace('_', ' ')} {_number(mark['points'])}/{mark['max_points']:g}"
+    return (
+        f"{check_result['outcome'].replace('_', ' ')} {_number(check_result['points'])}/{check_result['max_points']:g}"
+    )
 
 
 def table(changes: Iterable[Change], compared: int) -> str:

@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
+from tam570_grader.checks.failure import Failure
 from tam570_grader.errors import Over, UsageError
 from tam570_grader.options import Commands
-from tam570_grader.writing.failures import Failure
 
 __all__ = ["add_replay"]
 
@@ -31,10 +31,10 @@ def add_replay(commands: Commands) -> argparse.ArgumentParser:
 
 
 def _replay(arguments: argparse.Namespace) -> int:
-    from tam570_grader.pages.sentences import message
+    from tam570_grader.reports.sentences import describe_failure
 
     slug, why = _failure(arguments.results, arguments.student, arguments.check, arguments.assignment)
-    print(f"{arguments.student}, {slug}, {arguments.check}: {message(why)}")
+    print(f"{arguments.student}, {slug}, {arguments.check}: {describe_failure(why)}")
     if why.function:
         given: dict[str, Any] = why.at
         named = [f"{name}={_digits(_numbers(value))}" for name, value in given["kwargs"].items()]
@@ -47,23 +47,36 @@ def _replay(arguments: argparse.Namespace) -> int:
 
 def _failure(results: Path, student: str, check: str, given: str | None) -> tuple[str, Failure]:
     """The assignment and the failure; UsageError where there is none, or more than one."""
+    from tam570_grader.checks.assignments import named
     from tam570_grader.results import journal, records
-    from tam570_grader.writing.assignments import named
 
     lines = [line for line in journal.read(results) if line["student"] == student]
     if not lines:
         raise UsageError(f"{results} has no result of {student}")
     slugs = named([given] if given else [], [line["assignment"] for line in lines])
-    marks = [(one.assignment, mark) for one in map(records.read, lines) for mark in one.checks]
-    marks = [(slug, mark) for slug, mark in marks if slug in slugs]
-    found = [(slug, mark.failure) for slug, mark in marks if mark.name == check and mark.failure]
+    check_results = [(one.assignment, check_result) for one in map(records.read, lines) for check_result in one.checks]
+    check_results = [(slug, check_result) for slug, check_result in check_results if slug in slugs]
+    found = [
+        (slug, check_result.failure)
+        for slug, check_result in check_results
+        if check_result.name == check and check_result.failure
+    ]
     if len(found) == 1:
         return found[0]
     if found:
         both = _listed((slug, check) for slug, _ in found)
         raise UsageError(f"{student} failed {check} of several assignments: {both}; choose one with --assignment")
-    failed = _listed((slug, mark.name) for slug, mark in marks if mark.failure) or "none"
-    why = next((f" ({mark.outcome}: {mark.message})" for _, mark in marks if mark.name == check), "")
+    failed = (
+        _listed((slug, check_result.name) for slug, check_result in check_results if check_result.failure) or "none"
+    )
+    why = next(
+        (
+            f" ({check_result.outcome}: {check_result.message})"
+            for _, check_result in check_results
+            if check_result.name == check
+        ),
+        "",
+    )
     raise UsageError(f"{student} did not fail {check}{why}; failed checks: {failed}")
 
 
@@ -74,13 +87,13 @@ def _listed(failed: Iterable[tuple[str, str]]) -> str:
 
 def _again(arguments: argparse.Namespace, slug: str, why: Failure) -> str:
     """What the function of the file gives at this input, in the sandbox; or why it gives nothing."""
+    from tam570_grader.checks import assignments
+    from tam570_grader.checks.expect import Failed, NotWritten
     from tam570_grader.grading.submissions import CannotRead, Submission, read
-    from tam570_grader.pages.sentences import message
     from tam570_grader.release import course_config
+    from tam570_grader.reports.sentences import describe_failure
     from tam570_grader.sandbox.student import Student
-    from tam570_grader.sandbox.worker import Allowance, Worker
-    from tam570_grader.writing import assignments
-    from tam570_grader.writing.expect import Failed, NotWritten
+    from tam570_grader.sandbox.zygote import ResourceLimits, Zygote
 
     root = course_config.course_of(arguments, [arguments.file])
     assignment = assignments.assignment(root, slug)
@@ -88,31 +101,31 @@ def _again(arguments: argparse.Namespace, slug: str, why: Failure) -> str:
         source = read(Submission(arguments.student, slug, arguments.file, arguments.file))
     except CannotRead as unread:
         raise UsageError(str(unread)) from None
-    worker = Worker(sorted(assignment.needs), Allowance(), [root])
-    student = Student(source, assignment, worker)
+    zygote = Zygote(sorted(assignment.needs), ResourceLimits(), [root])
+    student = Student(source, assignment, zygote)
     try:
         student.load()
         return _result(getattr(student, why.function), why.at) if why.function else "the check names no call"
     except Failed as failed:
-        return message(failed.failure)
+        return describe_failure(failed.failure)
     except NotWritten as unwritten:
-        return student.lacks(str(unwritten))
+        return student.describe_missing(str(unwritten))
     except Over as over:
         return f"{over}."
     finally:
         student.leave()
-        worker.close()
+        zygote.close()
 
 
 def _result(function: Any, at: dict[str, Any]) -> str:
     """What a function gives: numbers, the values of a formula, or the curves of a drawing."""
-    from tam570_grader.writing.check import given
-    from tam570_grader.writing.returns import Drawing, Formula
+    from tam570_grader.checks.check import given
+    from tam570_grader.checks.returns import Drawing, Formula
 
     args, kwargs = [_numbers(one) for one in at["args"]], {name: _numbers(one) for name, one in at["kwargs"].items()}
-    if isinstance(function.promise, Formula):
+    if isinstance(function.returns, Formula):
         return _digits(function.at(args[0] if args else [kwargs]))
-    if isinstance(function.promise, Drawing):
+    if isinstance(function.returns, Drawing):
         curves = function.drawn(given(*args, **kwargs)).lines
         return (
             "\n".join(f"{line.label or 'a curve'}: {_digits(line.points)}" for line in curves)

@@ -9,95 +9,99 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
 
-__all__ = ["Seen", "whole_run"]
+__all__ = ["RunSummary", "whole_run"]
 
 Record = dict[str, Any]  # a result line
 
 
 @dataclass
-class Seen:
+class RunSummary:
     """What is kept of the results of a run until its end: not the results."""
 
     rows: list[tuple[str, ...]] = field(default_factory=list)  # of the table
-    hand: Any = None  # what was added by hand
+    adjustments: Any = None  # what was added by hand
     faults: list[str] = field(default_factory=list)
     changes: list[Any] = field(default_factory=list)
     compared: int = 0
     last: Record = field(default_factory=dict)
-    book: Any = None  # the results in --out
+    store: Any = None  # the results in --out
 
 
-def whole_run(arguments: argparse.Namespace, course: Path, plan_of: Callable[[list[Any]], Any], seen: Seen) -> Any:
+def whole_run(
+    arguments: argparse.Namespace, course: Path, config_of: Callable[[list[Any]], Any], summary: RunSummary
+) -> Any:
     """Grade all, write the pages, and note what the end of the run needs; the plan, made of earlier results."""
-    from tam570_grader.pages import feedback
-    from tam570_grader.results import by_hand
-    from tam570_grader.results.journal import Book, results
+    from tam570_grader.reports import feedback
+    from tam570_grader.results import manual_points
+    from tam570_grader.results.store import ResultStore, results
 
     with contextlib.ExitStack() as stack:
         earlier = [*arguments.join, *filter(None, [arguments.against])]
         old = [stack.enter_context(contextlib.closing(results(place, feedback.row))) for place in earlier]
-        book = None
+        store = None
         if arguments.out:
-            book = seen.book = stack.enter_context(contextlib.closing(Book(arguments.out, note=feedback.row)))
-        plan = plan_of([*old, *filter(None, [book])])
-        if book is not None:
-            by_hand.join(arguments.out, arguments.join)
-        _run(plan, book, old, seen, arguments)
+            store = summary.store = stack.enter_context(
+                contextlib.closing(ResultStore(arguments.out, summary_row=feedback.row))
+            )
+        config = config_of([*old, *filter(None, [store])])
+        if store is not None:
+            manual_points.join(arguments.out, arguments.join)
+        _run(config, store, old, summary, arguments)
         if arguments.against and not arguments.json:
-            gone = _gone(old[-1], plan, arguments)
-            seen.changes += gone
-            seen.compared += len(gone)
-        if book is not None:  # the pages of all results that are there; of a finished run, of those that changed
-            feedback.write_pages(arguments.out / "feedback", book, course, _with_progress)
-            seen.hand = by_hand.read(arguments.out)
-            seen.rows = feedback.with_hand(seen.rows, book, seen.hand)
-    return plan
+            gone = _gone(old[-1], config, arguments)
+            summary.changes += gone
+            summary.compared += len(gone)
+        if store is not None:  # the pages of all results that are there; of a finished run, of those that changed
+            feedback.write_pages(arguments.out / "feedback", store, course, _with_progress)
+            summary.adjustments = manual_points.read(arguments.out)
+            summary.rows = feedback.with_hand(summary.rows, store, summary.adjustments)
+    return config
 
 
-def _run(plan: Any, book: Any, old: list[Any], seen: Seen, arguments: argparse.Namespace) -> None:
+def _run(config: Any, store: Any, old: list[Any], summary: RunSummary, arguments: argparse.Namespace) -> None:
     """Grade, and note of each result what the end of the run will need."""
-    from tam570_grader.grading.many import Known, outcomes
-    from tam570_grader.pages.feedback import row
+    from tam570_grader.grading.batch import CachedResult, outcomes
+    from tam570_grader.reports.feedback import row
 
     is_read = arguments.json or arguments.against or arguments.format == "gradescope"
-    for outcome in _with_progress(outcomes(plan, book, old), len(plan.submissions)):
-        if isinstance(outcome, Known) and not is_read:
-            seen.rows.append(outcome.note)
+    for outcome in _with_progress(outcomes(config, store, old), len(config.submissions)):
+        if isinstance(outcome, CachedResult) and not is_read:
+            summary.rows.append(outcome.summary_row)
             continue
-        record = outcome.record if isinstance(outcome, Known) else outcome
-        seen.rows.append(row(record))
-        seen.faults += _faults(record)
-        seen.last = record
-        change = _change(old[-1], record, seen) if arguments.against else {}
+        record = outcome.record if isinstance(outcome, CachedResult) else outcome
+        summary.rows.append(row(record))
+        summary.faults += _faults(record)
+        summary.last = record
+        change = _change(old[-1], record, summary) if arguments.against else {}
         if arguments.json:
             print(json.dumps({**record, **change}, allow_nan=False), flush=True)
 
 
-def _change(old: Any, record: Record, seen: Seen) -> dict[str, Any]:
+def _change(old: Any, record: Record, summary: RunSummary) -> dict[str, Any]:
     """What became of the old score, as `--json` has it."""
     from tam570_grader.grading import regrade
-    from tam570_grader.results.journal import key_of
+    from tam570_grader.results.store import key_of
 
     change = regrade.change(old.get(key_of(record)), record)
-    seen.changes += [change] if change else []
-    seen.compared += 1
+    summary.changes += [change] if change else []
+    summary.compared += 1
     return {"change": change and asdict(change)}
 
 
-def _gone(old: Any, plan: Any, arguments: argparse.Namespace) -> list[Any]:
+def _gone(old: Any, config: Any, arguments: argparse.Namespace) -> list[Any]:
     """The changes of those who are no longer there; they count among what is compared."""
+    from tam570_grader.checks import assignments
     from tam570_grader.grading import regrade
-    from tam570_grader.writing import assignments
 
     names = arguments.only or filter(None, [arguments.assignment])
-    asked = assignments.named(names, assignments.slugs(plan.course))
-    return regrade.gone(old, plan.submissions, arguments.paths, asked)
+    asked = assignments.named(names, assignments.slugs(config.course))
+    return regrade.gone(old, config.submissions, arguments.paths, asked)
 
 
 def _faults(record: Record) -> list[str]:
     if record["score"] is not None:
         return []
-    errors = {mark["error"] for mark in record["checks"] if mark["outcome"] == "grader_error"}
+    errors = {check_result["error"] for check_result in record["checks"] if check_result["outcome"] == "grader_error"}
     return [f"the grader failed on {record['student']} {record['assignment']}: {'; '.join(errors)}"]
 
 

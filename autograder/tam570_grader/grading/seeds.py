@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from tam570_grader.errors import UsageError, warn, writing
-from tam570_grader.results.journal import common_seed
+from tam570_grader.results.store import common_seed
 
 __all__ = ["key", "seed"]
 

@@ -6,12 +6,12 @@ from typing import Any
 
 import numpy as np
 
+from tam570_grader.checks.assignments import Assignment
+from tam570_grader.checks.expect import Failed, NotWritten
 from tam570_grader.results.run_time import Speed, scenes, time_to
-from tam570_grader.sandbox.cell import CellLost
+from tam570_grader.sandbox.process import ProcessLost
 from tam570_grader.sandbox.student import BudgetSpent, NotLoaded, Source, Student
-from tam570_grader.sandbox.worker import Worker
-from tam570_grader.writing.assignments import Assignment
-from tam570_grader.writing.expect import Failed, NotWritten
+from tam570_grader.sandbox.zygote import Zygote
 
 __all__ = ["Yardstick"]
 
@@ -28,11 +28,11 @@ class Yardstick:
         self._machine: dict[str, float | None] = {}
         self._lock = threading.Lock()
 
-    def speed(self, student: Student, assignment: Assignment, worker: Worker) -> Speed | None:
+    def speed(self, student: Student, assignment: Assignment, zygote: Zygote) -> Speed | None:
         """The student's point among the methods; None where there is no scene, or no motion to speak of."""
         scene = scenes().get(assignment.slug)
         point = _point(student, scene) if scene else None
-        machine = self._scale(assignment, worker) if point else None
+        machine = self._scale(assignment, zygote) if point else None
         if scene is None or point is None or machine is None:
             return None
         seconds, error = (float(f"{number:.2g}") for number in point)
@@ -44,16 +44,16 @@ class Yardstick:
             "machine": float(f"{machine:.2g}"),
         }
 
-    def _scale(self, assignment: Assignment, worker: Worker) -> float | None:
+    def _scale(self, assignment: Assignment, zygote: Zygote) -> float | None:
         """How many times as long as on the machine of the curves the reference solution takes here."""
         with self._lock:
             if assignment.slug not in self._machine:
-                self._machine[assignment.slug] = self._measured(assignment, worker)
+                self._machine[assignment.slug] = self._measured(assignment, zygote)
             return self._machine[assignment.slug]
 
-    def _measured(self, assignment: Assignment, worker: Worker) -> float | None:
+    def _measured(self, assignment: Assignment, zygote: Zygote) -> float | None:
         text = (self._course / "solutions" / f"{assignment.slug}.py").read_bytes()
-        reference, scene = Student(Source(text), assignment, worker), scenes()[assignment.slug]
+        reference, scene = Student(Source(text), assignment, zygote), scenes()[assignment.slug]
         try:
             _point(reference, scene)  # what is made once for a system is not counted
             point = _point(reference, scene)
@@ -74,7 +74,7 @@ def _point(student: Student, scene: dict[str, Any]) -> tuple[float, float] | Non
         before = student.seconds()
         states = getattr(student, scene["function"])(*arguments, **keywords)
         seconds = student.seconds() - before
-    except (Failed, NotWritten, NotLoaded, BudgetSpent, CellLost):
+    except (Failed, NotWritten, NotLoaded, BudgetSpent, ProcessLost):
         return None
     end = np.array(scene["end"])
     error = float(np.abs(states[-1] - end).max() / np.abs(end).max())

@@ -11,9 +11,9 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from tam570_grader.checks.assignments import slug_of
 from tam570_grader.errors import UsageError, printable
 from tam570_grader.sandbox.student import Source
-from tam570_grader.writing.assignments import slug_of
 
 __all__ = [
     "GIVEN",

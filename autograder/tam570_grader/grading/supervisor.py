@@ -5,25 +5,25 @@ import json
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from tam570_grader.checks import answers, assignments
 from tam570_grader.errors import UsageError
 from tam570_grader.grading.one import Result, failed_by_us, graded, not_graded
 from tam570_grader.grading.speed import Yardstick
 from tam570_grader.grading.submissions import CannotRead
+from tam570_grader.sandbox.pool import Attempt, tried
 from tam570_grader.sandbox.student import Source
-from tam570_grader.sandbox.warm import Attempt, tried
-from tam570_grader.sandbox.worker import Allowance, NotConfined, Worker, WorkerLost
-from tam570_grader.writing import answers, assignments
+from tam570_grader.sandbox.zygote import NotConfined, ResourceLimits, Zygote, ZygoteLost
 
-__all__ = ["Conditions", "Task", "line", "lost", "result"]
+__all__ = ["WorkerConfig", "GradeTask", "line", "lost", "result"]
 
 NO_JAIL = "submissions cannot be confined on this machine, and without that none is graded: {why}"
 
 
 @dataclass(frozen=True)
-class Conditions:
+class WorkerConfig:
     """What all submissions of a run have in common."""
 
-    allowance: Allowance
+    limits: ResourceLimits
     hidden: tuple[Path, ...] = ()
     preload: tuple[str, ...] = ()  # besides what the assignment needs
     speed: bool = False
@@ -31,7 +31,7 @@ class Conditions:
 
 
 @dataclass(frozen=True)
-class Task:
+class GradeTask:
     """A submission as a supervisor gets it; `source` is its bytes, or why there are none."""
 
     course: Path
@@ -41,26 +41,26 @@ class Task:
     source: Source | CannotRead
     digest: str = ""
     missing: bool = False
-    conditions: Conditions = Conditions(Allowance())
+    conditions: WorkerConfig = WorkerConfig(ResourceLimits())
 
 
-def line(task: Task) -> bytes:
+def line(task: GradeTask) -> bytes:
     """The result line of a submission."""
     return _line(task, result(task))
 
 
-def lost(task: Task, error: str) -> bytes:
+def lost(task: GradeTask, error: str) -> bytes:
     """The result line of a submission whose supervisors died."""
     return _line(task, failed_by_us(task.student, assignments.assignment(task.course, task.slug), error, task.seed))
 
 
-def _line(task: Task, result: Result) -> bytes:
+def _line(task: GradeTask, result: Result) -> bytes:
     notebook = isinstance(task.source, Source) and task.source.notebook
     whole = replace(result, digest=task.digest, notebook=notebook)
     return json.dumps(whole.record(), allow_nan=False).encode() + b"\n"
 
 
-def result(task: Task) -> Result:
+def result(task: GradeTask) -> Result:
     """The result of a submission; what goes wrong with us is this submission's alone."""
     assignment = assignments.assignment(task.course, task.slug)
     if isinstance(task.source, CannotRead):
@@ -68,26 +68,26 @@ def result(task: Task) -> Result:
         return not_graded(task.student, assignment, status, str(task.source), task.seed)
     asked = task.conditions
     hidden = [*dict.fromkeys([task.course, *asked.hidden])]
-    preload = sorted({*assignment.needs, *asked.preload}.difference(assignment.off_limits.get("*", ())))
+    preload = sorted({*assignment.needs, *asked.preload}.difference(assignment.forbidden.get("*", ())))
     try:
         with answers.sharing(asked.shared):
-            return tried(functools.partial(_graded, task), preload, asked.allowance, hidden)
+            return tried(functools.partial(_graded, task), preload, asked.limits, hidden)
     except NotConfined as why:
         raise UsageError(NO_JAIL.format(why=why)) from None
     except UsageError:
         raise
     except Exception as fault:
-        error = str(fault) if isinstance(fault, WorkerLost) else repr(fault)
+        error = str(fault) if isinstance(fault, ZygoteLost) else repr(fault)
         return failed_by_us(task.student, assignment, error, task.seed)
 
 
-def _graded(task: Task, worker: Worker, attempt: Attempt) -> Result:
+def _graded(task: GradeTask, zygote: Zygote, attempt: Attempt) -> Result:
     assert isinstance(task.source, Source)
     return graded(
         task.student,
         task.source,
         assignments.assignment(task.course, task.slug),
-        worker,
+        zygote,
         task.seed,
         _yardstick(task.course) if task.conditions.speed else None,
         attempt,

@@ -177,17 +177,17 @@ def _lms(arguments: argparse.Namespace) -> int:
 
 def _ungraded(folder: Path, course: Path, only: Sequence[str]) -> list[str]:
     """Parts by hand of assignments with results that somebody has yet to grade: a sentence for each."""
-    from tam570_grader.results import by_hand
-    from tam570_grader.results.journal import results
-    from tam570_grader.writing import assignments
+    from tam570_grader.checks import assignments
+    from tam570_grader.results import manual_points
+    from tam570_grader.results.store import results
 
     if not (folder / "results.jsonl").is_file():  # nbgrader's table, say, which formgrader fills
         return []
-    hand, known, lines = by_hand.read(folder), assignments.slugs(course), []
+    hand, known, lines = manual_points.read(folder), assignments.slugs(course), []
     with contextlib.closing(results(folder)) as found:
         here = [(one["student"], one["assignment"]) for one in found.values() if one["status"] != "missing"]
     for slug in assignments.named(only, sorted({slug for _, slug in here})):
-        for part in assignments.by_hand(course, slug) if slug in known else ():
+        for part in assignments.manual_parts(course, slug) if slug in known else ():
             left = [who for who, which in here if which == slug and hand.points_of(who, slug, part) is None]
             if left:
                 everybody = "nobody has" if len(left) == sum(which == slug for _, which in here) else "these lack"
@@ -201,19 +201,19 @@ def _ungraded(folder: Path, course: Path, only: Sequence[str]) -> list[str]:
 def _terms(folder: Path, course: Path) -> str:
     """What to say if course.toml has other terms for late work than the results in a folder."""
     from tam570_grader.release import late_policy
-    from tam570_grader.results import by_hand
-    from tam570_grader.results.journal import results
+    from tam570_grader.results import manual_points
+    from tam570_grader.results.store import results
 
     if not (folder / "results.jsonl").is_file():  # nbgrader's table, say
         return ""
     with contextlib.closing(results(folder)) as found:
-        return late_policy.stale(folder, by_hand.read(folder), course, {slug for _, slug in found})
+        return late_policy.stale(folder, manual_points.read(folder), course, {slug for _, slug in found})
 
 
 def _report(arguments: argparse.Namespace) -> int:
     from tam570_grader.grading import roster
-    from tam570_grader.pages import feedback, report
     from tam570_grader.release import course_config
+    from tam570_grader.reports import feedback, report
 
     feedback.must_write_pages()
     course = course_config.course_of(arguments)
@@ -225,8 +225,8 @@ def _report(arguments: argparse.Namespace) -> int:
 
 def _known_and_given(arguments: argparse.Namespace, graded: Sequence[Path]) -> tuple[Path, list[str], str | None]:
     """The checkout, its assignments, and the one that --assignment names."""
+    from tam570_grader.checks import assignments
     from tam570_grader.release import course_config
-    from tam570_grader.writing import assignments
 
     course = course_config.course_of(arguments, graded)
     known = assignments.slugs(course)

@@ -11,8 +11,8 @@ from pathlib import Path
 from tam570_grader.errors import UsageError, counted, warn, writing
 from tam570_grader.options import Commands
 from tam570_grader.release import late_policy
-from tam570_grader.results import by_hand
-from tam570_grader.results.by_hand import (
+from tam570_grader.results import manual_points
+from tam570_grader.results.manual_points import (
     ADJUST,
     COLUMNS,
     EVERYONE,
@@ -23,9 +23,9 @@ from tam570_grader.results.by_hand import (
     TOTAL,
     WORDS,
     Entry,
-    Hand,
+    ManualAdjustments,
 )
-from tam570_grader.results.journal import Book, Results, results
+from tam570_grader.results.store import Results, ResultStore, results
 from tam570_grader.results.tables import cell, written
 
 __all__ = ["add_points"]
@@ -65,9 +65,9 @@ def add_points(commands: Commands) -> argparse.ArgumentParser:
 
 
 def _points(arguments: argparse.Namespace) -> int:
-    from tam570_grader.pages import feedback
+    from tam570_grader.checks import assignments
     from tam570_grader.release import course_config
-    from tam570_grader.writing import assignments
+    from tam570_grader.reports import feedback
 
     course, folder = course_config.course_of(arguments), arguments.folder
     if not (folder / "results.jsonl").is_file():
@@ -82,12 +82,12 @@ def _points(arguments: argparse.Namespace) -> int:
         if not arguments.table and (arguments.template or not (terms or arguments.collected)):
             raise UsageError("name the table, too: tam570-grader points DIR CSV")
         if arguments.template:
-            return _template(arguments.table, found, manual, by_hand.read(folder))
+            return _template(arguments.table, found, manual, manual_points.read(folder))
         new = list(_checked(arguments.table, found, manual, checks)) if arguments.table else []
     feedback.must_write_pages()
-    with contextlib.closing(Book(folder)) as book:  # nobody else adds rows meanwhile
-        hand, open_, notes = late_policy.obeyed(by_hand.read(folder).with_(new), terms, book, arguments.collected)
-        by_hand.write(folder, hand)
+    with contextlib.closing(ResultStore(folder)) as book:  # nobody else adds rows meanwhile
+        hand, open_, notes = late_policy.obeyed(manual_points.read(folder).with_(new), terms, book, arguments.collected)
+        manual_points.write(folder, hand)
         feedback.write_pages(folder / "feedback", book, course)
     for line in [*open_, *notes]:
         warn(line)
@@ -99,11 +99,11 @@ def _points(arguments: argparse.Namespace) -> int:
 
 def _checked(path: Path, found: Results, manual: Mapping[str, Manual], checks: Mapping[str, Checks]) -> Iterator[Entry]:
     """The entries of a table, each part with its most; UsageError for the first row that is wrong."""
-    from tam570_grader.writing.assignments import slug_of
+    from tam570_grader.checks.assignments import slug_of
 
     students = {student for student, _ in found} | {EVERYONE}
     touched = set()
-    for line, one in by_hand.rows_of(path):
+    for line, one in manual_points.rows_of(path):
         slug = slug_of(one.slug, [*manual])
         if slug is None:
             raise UsageError(f"{path}, line {line}: there are no results of an assignment {one.slug!r}")
@@ -142,7 +142,7 @@ def _wrong(one: Entry, students: set[str], parts: Manual, checks: Checks) -> str
     return ""
 
 
-def _template(path: Path, found: Results, manual: Mapping[str, Manual], hand: Hand) -> int:
+def _template(path: Path, found: Results, manual: Mapping[str, Manual], hand: ManualAdjustments) -> int:
     """Write a table with a row for each student and part; what is known is filled in."""
     if path.exists():
         raise UsageError(f"{path} is there already, and may hold points that you typed; name a new file")

@@ -4,12 +4,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from tam570_grader.checks.assignments import named
 from tam570_grader.errors import UsageError, warn, writing
 from tam570_grader.grading import roster as rosters
 from tam570_grader.grading.roster import Directory, Person
 from tam570_grader.lms.systems import SYSTEMS, Table
 from tam570_grader.results.tables import cell, name_in, table, write_table
-from tam570_grader.writing.assignments import named
 
 __all__ = ["Export", "Scores", "export", "read_scores", "run"]
 

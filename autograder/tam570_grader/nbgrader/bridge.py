@@ -23,7 +23,8 @@ from nbgrader.preprocessors import NbGraderPreprocessor  # type: ignore[import-u
 from nbgrader.utils import find_all_files  # type: ignore[import-untyped]
 from traitlets import Bool, Dict, Integer, Unicode
 
-from tam570_grader.grading.many import Plan, records
+from tam570_grader.checks import assignments
+from tam570_grader.grading.batch import Plan, records
 from tam570_grader.grading.submissions import (
     LARGEST,
     MOST_FILES,
@@ -37,13 +38,12 @@ from tam570_grader.grading.submissions import (
 from tam570_grader.nbgrader.cells import Notebook, grade_id, marked, node, note, pictures_only, rebuilt, safe
 from tam570_grader.nbgrader.gradebook import OpenGradebook, keep_gradebooks_open
 from tam570_grader.options import cores
-from tam570_grader.pages.feedback import Sheet, sheet
 from tam570_grader.release import course_config
 from tam570_grader.release.notebook import FORMAT, part_of, part_points, text_cell
-from tam570_grader.results.journal import Book, Record
+from tam570_grader.reports.feedback import AssignmentInfo, sheet
+from tam570_grader.results.store import Record, ResultStore
 from tam570_grader.sandbox.notebooks import Unshown, cells_of
-from tam570_grader.sandbox.worker import Allowance
-from tam570_grader.writing import assignments
+from tam570_grader.sandbox.zygote import ResourceLimits
 
 __all__ = ["ForgivingExporter", "KeepPictures", "RestoreMetadata", "SandboxGrades", "markdown_without_html"]
 
@@ -76,7 +76,7 @@ class ForgivingExporter(NotebookExporter):
         slugs = fnmatch.filter(assignments.slugs(grades.found_checkout()), place.assignment_id)
         with contextlib.ExitStack() as still:
             for slug in slugs:
-                book = Book(Path(place.root) / grades.results / slug, self.log.warning)
+                book = ResultStore(Path(place.root) / grades.results / slug, self.log.warning)
                 self.books[slug] = still.enter_context(contextlib.closing(book))
             still.enter_context(_copying(functools.partial(_own_files, self._submitted())))
             convert()
@@ -208,8 +208,8 @@ class SandboxGrades(NbGraderPreprocessor):  # type: ignore[misc]
     def found_checkout(self) -> Path:
         return course_config.course(self.checkout or None)
 
-    def _sheet(self, slug: str) -> Sheet:
-        sheets: dict[str, Sheet] = self.parent.sheets
+    def _sheet(self, slug: str) -> AssignmentInfo:
+        sheets: dict[str, AssignmentInfo] = self.parent.sheets
         if slug not in sheets:
             sheets[slug] = sheet(self.found_checkout(), slug)
         return sheets[slug]
@@ -220,19 +220,19 @@ class SandboxGrades(NbGraderPreprocessor):  # type: ignore[misc]
         if (slug, student) not in known:
             place = self.parent.parent.coursedir
             everyone = _class(place, slug)
-            book: Book = self.parent.books[slug]
+            book: ResultStore = self.parent.books[slug]
             found = {one["student"]: one for one in records(self._plan(place, book, everyone), book)}
             known.update({(slug, one.student): (one, found[one.student]) for one in everyone})
         return known[slug, student]
 
-    def _plan(self, place: Any, book: Book, everyone: Sequence[Submission]) -> Plan:
+    def _plan(self, place: Any, book: ResultStore, everyone: Sequence[Submission]) -> Plan:
         seed = secrets.randbelow(2**31) if book.seed is None else book.seed
         mine = {"memory": self.memory, "cpu": self.cpu, "call": self.call}
         limits = {name: mine[name] or usual for name, usual in course_config.limits(self.found_checkout()).items()}
-        allowance = Allowance(limits["memory"] * 2**20, limits["cpu"], limits["call"])
+        limits = ResourceLimits(limits["memory"] * 2**20, limits["cpu"], limits["call"])
         jobs = self.jobs or cores()
         hidden = [self.found_checkout(), Path(place.root).resolve()]
-        return Plan(self.found_checkout(), everyone, seed, jobs, allowance, hidden)
+        return Plan(self.found_checkout(), everyone, seed, jobs, limits, hidden)
 
 
 def _class(place: Any, slug: str) -> list[Submission]:

@@ -8,9 +8,9 @@ import nbformat
 
 from tam570_grader.errors import printable
 from tam570_grader.grading.submissions import Submission
-from tam570_grader.pages.feedback import SIGNS, Sheet, overall, pictures, template
 from tam570_grader.release.notebook import FORMAT
-from tam570_grader.results.journal import Record
+from tam570_grader.reports.feedback import SIGNS, AssignmentInfo, overall, pictures, template
+from tam570_grader.results.store import Record
 
 __all__ = ["Notebook", "grade_id", "marked", "node", "note", "pictures_only", "rebuilt", "safe"]
 
@@ -45,7 +45,7 @@ def note(submission: Submission, record: Record) -> str:
     return " ".join(filter(None, (found, overall(record["status"], record.get("message", "")))))
 
 
-def marked(marks: Iterable[Mapping[str, Any]], sheet: Sheet, note: str) -> list[Notebook]:
+def marked(marks: Iterable[Mapping[str, Any]], sheet: AssignmentInfo, note: str) -> list[Notebook]:
     """The messages and pictures of a part, and its points as nbgrader reads them: the number that a cell ends with."""
     shown = [_shown(mark, sheet) for mark in marks]
     earned = round(sum(mark["points"] for mark in shown), 6)
@@ -57,7 +57,7 @@ def marked(marks: Iterable[Mapping[str, Any]], sheet: Sheet, note: str) -> list[
     ]
 
 
-def _shown(mark: Mapping[str, Any], sheet: Sheet) -> dict[str, Any]:
+def _shown(mark: Mapping[str, Any], sheet: AssignmentInfo) -> dict[str, Any]:
     """A mark without its detail, which is the instructor's."""
     return {
         "name": mark["name"],

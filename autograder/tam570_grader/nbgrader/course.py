@@ -7,11 +7,11 @@ from collections.abc import Sequence
 from pathlib import Path
 from string import Template
 
+from tam570_grader.checks import assignments
 from tam570_grader.errors import UsageError, counted, writing
 from tam570_grader.release import course_config
 from tam570_grader.release.notebook import write_notebook
 from tam570_grader.results.tables import written
-from tam570_grader.writing import assignments
 
 __all__ = ["run"]
 

@@ -87,8 +87,8 @@ def _gradescope(arguments: argparse.Namespace) -> int:
 
 def _course_and_slugs(arguments: argparse.Namespace) -> tuple[Path, Path, list[str]]:
     """The checkout, the folder to write to, the assignments."""
+    from tam570_grader.checks import assignments
     from tam570_grader.release import course_config
-    from tam570_grader.writing import assignments
 
     course = course_config.course_of(arguments)
     return course, arguments.folder, assignments.named(arguments.assignments, assignments.slugs(course))

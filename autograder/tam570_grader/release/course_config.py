@@ -17,14 +17,14 @@ from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Any
 
+from tam570_grader.checks import assignments
+from tam570_grader.checks.assignments import ADAPTED, OWN, Assignment
 from tam570_grader.errors import UsageError, warn, writing
 from tam570_grader.release import late_policy
 from tam570_grader.release.course_toml import COLUMNS, COPY, FILE, by_slug, must, no_other, toml
 from tam570_grader.release.stubs import contract
 from tam570_grader.results.tables import written
 from tam570_grader.rubric import with_rubric
-from tam570_grader.writing import assignments
-from tam570_grader.writing.assignments import ADAPTED, OWN, Assignment
 
 __all__ = ["FILE", "PLACE", "course", "course_of", "limits", "root_of", "trust"]
 
@@ -243,10 +243,10 @@ def _part(path: Path, key: str, table: Any) -> Part:
 def _check(path: Path, assignment: Assignment, part: Part) -> None:
     """Whether the assignment has what is changed."""
     key, parts = assignment.slug[:4], sorted({check.part for check in assignment.checks} | {*assignment.manual})
-    off_limits = sorted({name for names in assignment.off_limits.values() for name in names})
+    forbidden = sorted({name for names in assignment.forbidden.values() for name in names})
     no_other(path, f"[{key}.points] ", part.points, [check.name for check in assignment.checks])
     no_other(path, f"[{key}] leave_out: ", part.leave_out, parts)
-    no_other(path, f"[{key}] allow: ", part.allow, off_limits)
+    no_other(path, f"[{key}] allow: ", part.allow, forbidden)
 
 
 def _are_texts(value: Any) -> bool:

@@ -6,8 +6,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from tam570_grader.checks.assignments import slug_of
 from tam570_grader.errors import UsageError
-from tam570_grader.writing.assignments import slug_of
 
 __all__ = ["COLUMNS", "COPY", "FILE", "by_slug", "columns", "must", "no_other", "toml"]
 
@@ -50,7 +50,7 @@ def by_slug(path: Path, given: Mapping[str, Any], known: Sequence[str]) -> dict[
 
 def columns(course: Path, system: str) -> dict[str, str]:
     """The heading, or id, that each assignment's column has in the gradebook of a system."""
-    from tam570_grader.writing import assignments
+    from tam570_grader.checks import assignments
 
     path = course / COPY
     tables = by_slug(path, toml(path), assignments.slugs(course)) if path.is_file() else {}

@@ -12,10 +12,10 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
+from tam570_grader.checks import assignments
 from tam570_grader.errors import UsageError, writing
 from tam570_grader.release.notebook import write_notebook
 from tam570_grader.results.tables import written
-from tam570_grader.writing import assignments
 
 __all__ = ["run"]
 

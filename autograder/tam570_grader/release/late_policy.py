@@ -15,8 +15,8 @@ from zoneinfo import ZoneInfo
 
 from tam570_grader.errors import UsageError, counted
 from tam570_grader.release.course_toml import COPY, FILE, by_slug, must, no_other, toml
-from tam570_grader.results.by_hand import EVERYONE, EXTENSION, LATE, MOST, OFF, Entry, Hand
-from tam570_grader.results.journal import Results
+from tam570_grader.results.manual_points import EVERYONE, EXTENSION, LATE, MOST, OFF, Entry, ManualAdjustments
+from tam570_grader.results.store import Results
 
 __all__ = ["KEYS", "LatePolicy", "obeyed", "stale", "policies", "policies_of"]
 
@@ -42,7 +42,7 @@ class LatePolicy:
 
 def policies_of(course: Path) -> dict[str, LatePolicy]:
     """The terms of a course, by the names of its assignments; those that no course.toml made have none."""
-    from tam570_grader.writing import assignments
+    from tam570_grader.checks import assignments
 
     path = course / COPY
     return policies(path, toml(path), assignments.slugs(course)) if path.is_file() else {}
@@ -91,8 +91,8 @@ def _is_number(value: Any) -> bool:
 
 
 def obeyed(
-    hand: Hand, known: Mapping[str, LatePolicy], found: Results, collected: Path | None
-) -> tuple[Hand, list[str], list[str]]:
+    hand: ManualAdjustments, known: Mapping[str, LatePolicy], found: Results, collected: Path | None
+) -> tuple[ManualAdjustments, list[str], list[str]]:
     """What was added by hand with the rows that the terms make, sentences on what they leave open, and notes.
 
     found     : the results, which tell what was graded: of a module and a notebook the time of one counts
@@ -119,7 +119,7 @@ def obeyed(
                 "change one, or take the row back by one without points"
             )
     late = [one for one in days if one.slug in slugs and one.key not in own]  # a row by hand knows better than a clock
-    return Hand(own.values()).with_([*rows, *late]), open_, notes
+    return ManualAdjustments(own.values()).with_([*rows, *late]), open_, notes
 
 
 def _graded(table: Iterable[Mapping[str, str]], found: Results) -> Iterator[Mapping[str, str]]:
@@ -133,7 +133,7 @@ def _graded(table: Iterable[Mapping[str, str]], found: Results) -> Iterator[Mapp
         yield rows.get(".ipynb" if is_notebook else ".py") or next(iter(rows.values()))
 
 
-def stale(folder: Path, hand: Hand, course: Path, slugs: Collection[str]) -> str:
+def stale(folder: Path, hand: ManualAdjustments, course: Path, slugs: Collection[str]) -> str:
     """A sentence if the results do not have what course.toml says of late work; else empty."""
     known = {slug: one for slug, one in policies_of(course).items() if slug in slugs}
     made = [one for one in hand.entries.values() if one.slug in slugs]
@@ -157,7 +157,7 @@ def _rows(known: Mapping[str, LatePolicy]) -> Iterator[Entry]:
 
 
 def _days(
-    known: Mapping[str, LatePolicy], hand: Hand, table: Sequence[Mapping[str, str]], collected: Path | None
+    known: Mapping[str, LatePolicy], hand: ManualAdjustments, table: Sequence[Mapping[str, str]], collected: Path | None
 ) -> tuple[list[Entry], list[str]]:
     """Rows with the days of whom collected.csv shows late, and a sentence for each whose time it does not tell.
 
@@ -175,7 +175,7 @@ def _days(
     return [Entry(*one) for one in found if one[3] > 0], open_
 
 
-def _by_hand(hand: Hand) -> set[tuple[str, str]]:
+def _by_hand(hand: ManualAdjustments) -> set[tuple[str, str]]:
     """Whose late days somebody wrote down."""
     return {(one.student, one.slug) for one in hand.entries.values() if one.item == LATE and _source(one) != BY_TABLE}
 

@@ -9,10 +9,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from tam570_grader.checks import assignments
+from tam570_grader.checks.assignments import Assignment
 from tam570_grader.results.tables import written
 from tam570_grader.rubric import ManualPart, rubric_table, without_rubric
-from tam570_grader.writing import assignments
-from tam570_grader.writing.assignments import Assignment
 
 __all__ = [
     "FORMAT",

@@ -10,10 +10,10 @@ import sys
 from pathlib import Path
 from typing import Any
 
+from tam570_grader.checks import assignments
+from tam570_grader.checks.assignments import Assignment
+from tam570_grader.checks.returns import Drawing, Formula, FreeBodyDiagram, Group, ReturnSpec
 from tam570_grader.rubric import load_rubric, with_rubric
-from tam570_grader.writing import assignments
-from tam570_grader.writing.assignments import Assignment
-from tam570_grader.writing.returns import Drawing, Formula, FreeBodyDiagram, Group, Promise
 
 __all__ = ["contract", "exported", "run", "stub"]
 
@@ -47,22 +47,22 @@ def _made(course: Path, slug: str) -> dict[Path, str]:
 
 def contract(assignment: Assignment) -> str:
     """The forms of the results, and what is off limits, as JSON: a line for each."""
-    results = [f'  "{name}": {json.dumps(_plain(promise))}' for name, promise in assignment.results.items()]
-    banned = json.dumps({name: list(modules) for name, modules in assignment.off_limits.items()})
+    results = [f'  "{name}": {json.dumps(_plain(returns))}' for name, returns in assignment.results.items()]
+    banned = json.dumps({name: list(modules) for name, modules in assignment.forbidden.items()})
     return '{\n "results": {\n' + ",\n".join(results) + '\n },\n "off_limits": ' + banned + "\n}\n"
 
 
-def _plain(promise: Promise) -> dict[str, Any]:
+def _plain(returns: ReturnSpec) -> dict[str, Any]:
     """A promise as plain data."""
-    if isinstance(promise, Group):
-        return {"group": [_plain(member) for member in promise.members]}
-    if isinstance(promise, Formula):
-        return {"formula": list(promise.symbols)}
-    if isinstance(promise, Drawing):
+    if isinstance(returns, Group):
+        return {"group": [_plain(member) for member in returns.members]}
+    if isinstance(returns, Formula):
+        return {"formula": list(returns.symbols)}
+    if isinstance(returns, Drawing):
         return {"drawing": True}
-    if isinstance(promise, FreeBodyDiagram):
-        return {"diagram": promise.dimension}
-    return {"array": list(promise.shape), **({"infinite": True} if promise.infinite else {})}
+    if isinstance(returns, FreeBodyDiagram):
+        return {"diagram": returns.dimension}
+    return {"array": list(returns.shape), **({"infinite": True} if returns.infinite else {})}
 
 
 def stub(source: str) -> str:

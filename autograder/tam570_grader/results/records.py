@@ -8,17 +8,17 @@ from typing import Any
 
 import numpy as np
 
-from tam570_grader.writing.check import Given
-from tam570_grader.writing.failures import Failure
+from tam570_grader.checks.case import Case
+from tam570_grader.checks.failure import Failure
 
-__all__ = ["FORMAT", "Mark", "Result", "failure", "numbers", "read", "write"]
+__all__ = ["FORMAT", "CheckResult", "Result", "failure", "numbers", "read", "write"]
 
 FORMAT = 2  # of a result line; those of another format are refused
 WRITTEN_OUT = 64  # elements of an array; longer ones are kept as their bytes
 
 
 @dataclass(frozen=True)
-class Mark:
+class CheckResult:
     """The outcome of one check."""
 
     name: str
@@ -33,9 +33,9 @@ class Mark:
     error: str = ""  # ours
 
     @property
-    def opens(self) -> bool:
+    def unlocks_dependents(self) -> bool:
         """Whether the checks that build on this one are run."""
-        return self.outcome == "passed" or bool(self.failure and self.failure.nearly)
+        return self.outcome == "passed" or bool(self.failure and self.failure.near_miss)
 
 
 @dataclass(frozen=True)
@@ -50,7 +50,7 @@ class Result:
     seed: int
     seconds: float
     isolation: str
-    checks: tuple[Mark, ...]
+    checks: tuple[CheckResult, ...]
     message: str = ""
     speed: dict[str, Any] | None = None
     digest: str = ""  # of all that the result depends on
@@ -63,23 +63,28 @@ class Result:
 
 def write(result: Result) -> dict[str, Any]:
     """The result line as plain data; what is empty is left out where it may be."""
-    line = {**asdict(result), "checks": [_mark(mark) for mark in result.checks]}
+    line = {**asdict(result), "checks": [_check_result(check_result) for check_result in result.checks]}
     return {key: value for key, value in line.items() if value or key not in ("message", "speed", "digest", "notebook")}
 
 
-def _mark(mark: Mark) -> dict[str, Any]:
-    line = {one.name: getattr(mark, one.name) for one in fields(mark) if one.name != "failure"}
+def _check_result(check_result: CheckResult) -> dict[str, Any]:
+    line = {one.name: getattr(check_result, one.name) for one in fields(check_result) if one.name != "failure"}
     line = {key: value for key, value in line.items() if value or key not in ("unwritten", "error")}
-    if mark.failure:
-        given = [(one.name, getattr(mark.failure, one.name), one.default) for one in fields(mark.failure)]
+    if check_result.failure:
+        given = [
+            (one.name, getattr(check_result.failure, one.name), one.default) for one in fields(check_result.failure)
+        ]
         line["failure"] = dict((name, numbers(value)) for name, value, usual in given if value is not usual)
     return line
 
 
 def read(line: dict[str, Any]) -> Result:
     """The result in a line. KeyError or TypeError if there is none."""
-    marks = tuple(Mark(**{**mark, "failure": failure(mark.get("failure"))}) for mark in line["checks"])
-    return Result(**{**line, "checks": marks})
+    check_results = tuple(
+        CheckResult(**{**check_result, "failure": failure(check_result.get("failure"))})
+        for check_result in line["checks"]
+    )
+    return Result(**{**line, "checks": check_results})
 
 
 def failure(line: dict[str, Any] | None) -> Failure | None:
@@ -97,7 +102,7 @@ def numbers(value: Any) -> Any:
         return value.tolist() if value.size <= WRITTEN_OUT and np.isfinite(value).all() else _packed(value)
     if isinstance(value, np.generic):
         return numbers(value.item())
-    if isinstance(value, Given):
+    if isinstance(value, Case):
         return {"args": numbers(value.args), "kwargs": numbers(value.kwargs)}
     if isinstance(value, Mapping):
         return {str(key): numbers(item) for key, item in value.items()}

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tam570_grader.checks.failure import Failure
 from tam570_grader.results.records import Result
-from tam570_grader.writing.failures import Failure
 
 __all__ = ["Notes", "Shared"]
 
@@ -56,10 +56,10 @@ class Notes:
 
 
 def _signs(result: Result) -> Iterator[Sign]:
-    for mark in result.checks:
-        unknown = mark.failure and not mark.suspect and not mark.failure.nearly
-        if unknown and (digest := _digest(mark.failure)):
-            yield result.assignment, mark.name, result.seed, digest
+    for check_result in result.checks:
+        unknown = check_result.failure and not check_result.suspect and not check_result.failure.near_miss
+        if unknown and (digest := _digest(check_result.failure)):
+            yield result.assignment, check_result.name, result.seed, digest
 
 
 def _digest(failure: Failure | None) -> bytes:

@@ -8,12 +8,12 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from tam570_grader.checks.case import Case
+from tam570_grader.checks.expect import Failed, NotWritten, get_context
+from tam570_grader.checks.plots import readable
+from tam570_grader.checks.returns import Drawing, Formula, FreeBodyDiagram, result
 from tam570_grader.sandbox.imports import misdeed, misused, python_class
 from tam570_grader.sandbox.replies import error_of, strings
-from tam570_grader.writing.check import Given, given
-from tam570_grader.writing.drawings import readable
-from tam570_grader.writing.expect import Failed, NotWritten, current
-from tam570_grader.writing.returns import Drawing, Formula, FreeBodyDiagram, result
 
 __all__ = ["Call", "Function"]
 
@@ -28,7 +28,7 @@ class Call:
     """A call that a check made and the result that came back."""
 
     name: str
-    given: Given
+    given: Case
     result: Any  # None where the call raised, or returned what was not promised
 
 
@@ -41,7 +41,7 @@ class Asked(Protocol):
     @property
     def text(self) -> str: ...
 
-    def replies(self, name: str, calls: Sequence[Given], mode: str = "value", **more: Any) -> list[dict[str, Any]]: ...
+    def replies(self, name: str, calls: Sequence[Case], mode: str = "value", **more: Any) -> list[dict[str, Any]]: ...
 
     def takes(self, name: str) -> str: ...
 
@@ -54,44 +54,44 @@ class Function:
 
     student: Asked
     name: str
-    promise: Any
+    returns: Any
     banned: Sequence[str] = ()  # what is off limits in it
 
     def __call__(self, *args: Any, **kwargs: Any) -> Any:
         """The result of one call, in the promised form."""
-        return self.many([given(*args, **kwargs)])[0]
+        return self.many([Case(*args, **kwargs)])[0]
 
-    def each(self, calls: Iterable[Given]) -> Iterator[tuple[Given, Any]]:
+    def each(self, calls: Iterable[Case]) -> Iterator[tuple[Case, Any]]:
         """Every call with its result; the one at hand is the trial's case, for what `expect` says of it.
 
         Of a formula the value, where the call's keywords are the symbols.
         """
         calls = list(calls)
-        symbolic = isinstance(self.promise, Formula)
+        symbolic = isinstance(self.returns, Formula)
         results = self.at([call.kwargs for call in calls]).tolist() if symbolic else self.many(calls)
         for call, found in zip(calls, results, strict=True):
-            current().judge(self.name, call)
+            get_context().judge(self.name, call)
             yield call, found
 
-    def many(self, calls: Sequence[Given]) -> list[Any]:
+    def many(self, calls: Sequence[Case]) -> list[Any]:
         """The results of many calls, made in one round trip."""
         results = []
         for call, reply in zip(calls, self.student.replies(self.name, calls), strict=False):
             self.student.calls.append(Call(self.name, call, None))
             with self._judging(call):
                 self._must_be_fair(reply)
-                results.append(result(self.promise, reply["value"], self.name, call))
+                results.append(result(self.returns, reply["value"], self.name, call))
             self.student.worked.add(self.name)
-            if not isinstance(self.promise, FreeBodyDiagram):  # it has no numbers that a mistake could have, too
+            if not isinstance(self.returns, FreeBodyDiagram):  # it has no numbers that a mistake could have, too
                 self.student.calls[-1] = Call(self.name, call, results[-1])
         return results
 
-    def aside(self, call: Given) -> Any:
+    def aside(self, call: Case) -> Any:
         """The result of a call that is made to choose the words: see `Student.aside`."""
         with self.student.aside():
             return self(*call.args, **call.kwargs)
 
-    def refusals(self, calls: Iterable[Given]) -> Iterator[tuple[Given, bool]]:
+    def refusals(self, calls: Iterable[Case]) -> Iterator[tuple[Case, bool]]:
         """Every call, and whether it raises ValueError; another exception is Failed."""
         calls = list(calls)
         for call, reply in zip(calls, self.student.replies(self.name, calls, every=True), strict=True):
@@ -103,12 +103,12 @@ class Function:
 
     def at(self, points: Sequence[Mapping[str, float]]) -> np.ndarray:
         """Values of the formula that the function returns, at each of these points: {symbol's name: number}."""
-        if not isinstance(self.promise, Formula):
+        if not isinstance(self.returns, Formula):
             raise TypeError(f"{self.name} does not promise a formula")
-        symbols = list(self.promise.symbols)
+        symbols = list(self.returns.symbols)
         asked = {"symbols": symbols, "points": [dict(point) for point in points]}
-        reply = self.student.replies(self.name, [given()], "formula", **asked)[0]
-        with self._judging(case := given(list(points))):
+        reply = self.student.replies(self.name, [Case()], "formula", **asked)[0]
+        with self._judging(case := Case(list(points))):
             self._must_be_fair(reply)
             numbers = self._values(reply["value"], len(points))
         self.student.calls.append(Call(self.name, case, numbers))
@@ -118,8 +118,8 @@ class Function:
         """The real numbers that a formula has at so many points, or Failed."""
         if not isinstance(values, list) or len(values) != count:
             strange = _strangers(values, self.student.text)
-            says = f"{self.name} does not return a SymPy expression in {', '.join(self.promise.symbols)} alone"
-            raise Failed(says, hint=strange and f"It has {strange} in it.")
+            message = f"{self.name} does not return a SymPy expression in {', '.join(self.returns.symbols)} alone"
+            raise Failed(message, hint=strange and f"It has {strange} in it.")
         try:
             numbers = np.array([complex(value) for value in values])
         except (TypeError, ValueError):
@@ -128,7 +128,7 @@ class Function:
             raise Failed(f"the expression of {self.name} is not real and finite at some numbers", actual=numbers)
         return numbers.real
 
-    def drawn(self, call: Given, moved: str | None = None) -> Drawing:
+    def drawn(self, call: Case, moved: str | None = None) -> Drawing:
         """The curves that the plot function draws in a case, where the results of one function may be moved by one."""
         reply = self.student.replies(self.name, [call], "drawing", moved=moved)[0]
         with self._judging(call):
@@ -139,17 +139,17 @@ class Function:
         return readable(reply["value"])
 
     @contextmanager
-    def _judging(self, call: Given, any_input: bool = False) -> Iterator[None]:
+    def _judging(self, call: Case, any_input: bool = False) -> Iterator[None]:
         """Judge the result of a call: a failure says which call it was, and its kind if the function works for another.
 
         any_input : its kind in any case, whatever else the function does
         """
-        current().judge(self.name, call)
+        get_context().judge(self.name, call)
         try:
             yield
         except Failed as failed:
-            kind = call.kind if any_input or self.name in self.student.worked else ""
-            failed.failure = replace(failed.failure, function=self.name, kind=kind, at=call)
+            label = call.label if any_input or self.name in self.student.worked else ""
+            failed.failure = replace(failed.failure, function=self.name, label=label, at=call)
             raise
 
     def _must_be_fair(self, reply: dict[str, Any], promised: str = "") -> None:

@@ -10,9 +10,9 @@ import re
 from collections.abc import Sequence
 from typing import Any
 
+from tam570_grader.checks.assignments import Assignment
 from tam570_grader.errors import Over, printable
 from tam570_grader.sandbox.replies import error_of
-from tam570_grader.writing.assignments import Assignment
 
 __all__ = ["NotLoaded", "misdeed", "misused", "not_compiled", "not_imported", "python_class", "skipped_cells"]
 
@@ -73,7 +73,7 @@ def not_imported(reply: Any, text: bytes, assignment: Assignment, again: bool) -
     error = error_of(reply)
     if again:
         return NotLoaded("unreadable", "Your file could not be imported a second time: what does it do at import?")
-    if "Forbidden" in error["kinds"] and (used := misused(error, assignment.off_limits.get("*", ()))):
+    if "Forbidden" in error["kinds"] and (used := misused(error, assignment.forbidden.get("*", ()))):
         return NotLoaded("unreadable", f"Your file was not graded: it imports {used}, which is off limits")
     line = error["line"] if error["line"] <= text.count(b"\n") + 1 else 0
     if "SystemExit" in error["kinds"]:

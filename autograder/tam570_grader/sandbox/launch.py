@@ -12,7 +12,7 @@ from pathlib import Path
 
 import tam570
 from tam570_grader.errors import UsageError
-from tam570_grader.sandbox.inside.jail import SCRATCH
+from tam570_grader.protocol.jail import SCRATCH
 
 __all__ = ["environment", "isolation", "jailed_command", "other_packages", "plain_command"]
 

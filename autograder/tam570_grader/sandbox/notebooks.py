@@ -4,14 +4,14 @@ import atexit
 import functools
 from typing import Any
 
-from tam570_grader.sandbox.cell import CellLost, CellTimeout
 from tam570_grader.sandbox.imports import python_class
+from tam570_grader.sandbox.process import ProcessLost, ProcessTimeout
 from tam570_grader.sandbox.replies import error_of
-from tam570_grader.sandbox.worker import Allowance, Worker, WorkerLost
+from tam570_grader.sandbox.zygote import ResourceLimits, Zygote, ZygoteLost
 
 __all__ = ["Unshown", "cells_of", "python_of", "statements_of"]
 
-READING = Allowance(memory=2**30, cpu=10, call=10)
+READING = ResourceLimits(memory=2**30, cpu=10, call=10)
 
 
 class Unshown(Exception):
@@ -37,15 +37,15 @@ def statements_of(text: bytes) -> str:
 def _read(request: dict[str, Any]) -> dict[str, Any]:
     try:
         cell = _reader().cell(READING.cpu)
-    except WorkerLost:
+    except ZygoteLost:
         _reader.cache_clear()  # the next one has a new reader
         raise
     try:
         cell.send(request)
         reply: dict[str, Any] = cell.receive(lambda reply: reply)
-    except CellTimeout:
+    except ProcessTimeout:
         raise Unshown("it takes too long to read") from None
-    except CellLost:
+    except ProcessLost:
         raise Unshown("it takes too much memory to read") from None
     finally:
         cell.end()
@@ -55,7 +55,7 @@ def _read(request: dict[str, Any]) -> dict[str, Any]:
 
 
 @functools.cache
-def _reader() -> Worker:
-    worker = Worker([], READING)
-    atexit.register(worker.close)
-    return worker
+def _reader() -> Zygote:
+    zygote = Zygote([], READING)
+    atexit.register(zygote.close)
+    return zygote

@@ -11,10 +11,10 @@ from typing import Any
 
 import numpy as np
 
+from tam570_grader.checks.returns import Drawing, Line
 from tam570_grader.errors import printable
-from tam570_grader.sandbox.cell import CellLost
-from tam570_grader.sandbox.inside.wire import DEEPEST, Foreign
-from tam570_grader.writing.returns import Drawing, Line
+from tam570_grader.protocol.wire import DEEPEST, Foreign
+from tam570_grader.sandbox.process import ProcessLost
 
 __all__ = ["checked", "error_of", "imported", "strings"]
 
@@ -34,18 +34,18 @@ NO_ERROR: Reply = {"kinds": [], "text": "", "line": 0}
 def checked(reply: Any, mode: str) -> Reply:
     """The reply, made of nothing but what this mode promises; else CellLost: it is not from our part of the process."""
     if not isinstance(reply, dict) or not isinstance(reply.get("changed", False), bool):
-        raise CellLost
+        raise ProcessLost
     if "error" in reply:
         return {"error": error_of(reply)}
     if "value" not in reply:
-        raise CellLost
+        raise ProcessLost
     return {"value": FORMS[mode](reply["value"]), "changed": reply.get("changed", False)}
 
 
 def imported(reply: Any) -> Reply:
     """A reply to the text of a submission: {"names": [...], "skipped": [...]} or {"error": ...}, of short strings."""
     if not isinstance(reply, dict) or not ("error" in reply or strings(reply.get("names"))):
-        raise CellLost
+        raise ProcessLost
     if "error" in reply:
         return {"error": error_of(reply)}
     return {"names": reply["names"], "skipped": reply["skipped"] if strings(reply.get("skipped")) else []}
@@ -81,7 +81,7 @@ def _numbers(value: Any, depth: int = 0) -> Any:
         return value if value.size or math.prod(filter(None, value.shape)) <= MOST_EMPTY else np.empty(0)
     if isinstance(value, list) and depth <= DEEPEST:
         return [_numbers(item, depth + 1) for item in value]
-    raise CellLost
+    raise ProcessLost
 
 
 def _values(value: Any) -> Any:

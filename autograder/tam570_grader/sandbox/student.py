@@ -5,17 +5,17 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any
 
+from tam570_grader.checks.assignments import Assignment
+from tam570_grader.checks.case import Case
+from tam570_grader.checks.expect import Failed, NotWritten, get_context
 from tam570_grader.errors import Over, printable
-from tam570_grader.sandbox.cell import PATIENCE, Cell, CellLost, CellTimeout
+from tam570_grader.protocol.wire import request
 from tam570_grader.sandbox.function import Call, Function
 from tam570_grader.sandbox.imports import NotLoaded, not_compiled, not_imported, skipped_cells
-from tam570_grader.sandbox.inside.wire import request
+from tam570_grader.sandbox.pool import ONLY, Attempt
+from tam570_grader.sandbox.process import PATIENCE, ProcessLost, ProcessTimeout, SandboxProcess
 from tam570_grader.sandbox.replies import checked, imported
-from tam570_grader.sandbox.warm import ONLY, Attempt
-from tam570_grader.sandbox.worker import Worker, WorkerLost
-from tam570_grader.writing.assignments import Assignment
-from tam570_grader.writing.check import Given
-from tam570_grader.writing.expect import Failed, NotWritten, current
+from tam570_grader.sandbox.zygote import Zygote, ZygoteLost
 
 __all__ = ["BudgetSpent", "NotLoaded", "Source", "Student"]
 
@@ -37,12 +37,12 @@ class BudgetSpent(Over):
 class Student:
     """One submission in the sandbox. `student.f` is the function f of the contract."""
 
-    def __init__(self, source: Source, assignment: Assignment, worker: Worker, attempt: Attempt = ONLY) -> None:
+    def __init__(self, source: Source, assignment: Assignment, zygote: Zygote, attempt: Attempt = ONLY) -> None:
         self._forgiving, self._informed = attempt.forgiving, attempt.again
         self.calls: list[Call] = []  # of the check that is running
         self.skipped: list[str] = []  # notebook cells
-        self._source, self._assignment, self._worker = source, assignment, worker
-        self._cells: dict[tuple[str, ...], Cell] = {}  # by what may not be called in it
+        self._source, self._assignment, self._zygote = source, assignment, zygote
+        self._processes: dict[tuple[str, ...], SandboxProcess] = {}  # by what may not be called in it
         self._defined: set[str] = set()
         self._broken: dict[str, dict[str, Any]] = {}  # functions that hung or crashed, and how
         self.worked: set[str] = set()  # functions that have returned what was promised: it depends on the input
@@ -51,13 +51,13 @@ class Student:
     def __getattr__(self, name: str) -> "Function":
         if name not in self._assignment.results:
             raise AttributeError(f"the contract of {self._assignment.slug} has no function {name}")
-        banned = [*self._assignment.off_limits.get(name, ()), *self._assignment.off_limits.get("*", ())]
+        banned = [*self._assignment.forbidden.get(name, ()), *self._assignment.forbidden.get("*", ())]
         return Function(self, name, self._assignment.results[name], banned)
 
     @contextmanager
     def aside(self) -> Iterator[None]:
         """What is called in this block chooses words: it is not judged, and no function is given up for it."""
-        running = current()
+        running = get_context()
         calls, broken, function, case = list(self.calls), dict(self._broken), running.function, running.case
         try:
             yield
@@ -66,13 +66,13 @@ class Student:
 
     def load(self) -> None:
         """Import the submission, or raise NotLoaded."""
-        self._cell(())
+        self._process(())
 
     def seconds(self) -> float:
         """CPU seconds that the submission has used."""
-        return self._cpu + sum(cell.seconds() for cell in self._cells.values())
+        return self._cpu + sum(process.seconds() for process in self._processes.values())
 
-    def lacks(self, name: str) -> str:
+    def describe_missing(self, name: str) -> str:
         """What is missing of a function that is not there, or is still the stub."""
         return f"{name} is not written yet." if name in self._defined else f"Your file has no function {name}."
 
@@ -82,38 +82,38 @@ class Student:
 
     def leave(self) -> None:
         """End the submission's processes."""
-        for cell in self._cells.values():
-            cell.drop()
-        self._cells.clear()
+        for process in self._processes.values():
+            process.drop()
+        self._processes.clear()
 
     @property
     def text(self) -> str:
         """What was handed in, as far as it is text."""
         return self._source.text.decode("utf-8", "replace")
 
-    def replies(self, name: str, calls: Sequence[Given], mode: str = "value", **more: Any) -> list[dict[str, Any]]:
+    def replies(self, name: str, calls: Sequence[Case], mode: str = "value", **more: Any) -> list[dict[str, Any]]:
         """One reply for each call up to the first error; Failed if the function hangs or ends its process.
 
         more : fields of the request; every=True asks for the calls behind an error, too
         """
         if name in self._broken:
             raise Failed(**self._broken[name])
-        banned, results = self._assignment.off_limits.get(name, ()), self._assignment.results
+        banned, results = self._assignment.forbidden.get(name, ()), self._assignment.results
         refused = [one for one in banned if one in results]  # functions of the file; the rest are modules
         uncallable = tuple(one for one in banned if one not in results)
-        cell = self._cell(uncallable)
+        process = self._process(uncallable)
         if name not in self._defined:
             raise NotWritten(name)
         replies: list[dict[str, Any]] = []
         try:
-            cell.send(request([one.message for one in calls], function=name, mode=mode, refused=refused, **more))
+            process.send(request([one.message for one in calls], function=name, mode=mode, refused=refused, **more))
             while len(replies) < len(calls) and (more.get("every") or not (replies and "error" in replies[-1])):
-                replies.append(cell.receive(lambda reply: checked(reply, mode)))
+                replies.append(process.receive(lambda reply: checked(reply, mode)))
                 self._must_end()
-        except CellTimeout:
-            slow = f"{name} did not return within {self._worker.allowance.call:g} s"
+        except ProcessTimeout:
+            slow = f"{name} did not return within {self._zygote.limits.call:g} s"
             self._end(uncallable, name, slow, calls[len(replies)])
-        except CellLost:
+        except ProcessLost:
             how = "it exited, crashed or used too much memory"
             self._end(uncallable, name, f"{name} ended its process: {how}", calls[len(replies)])
         return replies
@@ -123,65 +123,65 @@ class Student:
 
         The processor time of a call is its cell's to limit.
         """
-        read = self._cpu + sum(cell.read for cell in self._cells.values())
-        if read > (most := self._worker.allowance.cpu):
+        read = self._cpu + sum(process.read for process in self._processes.values())
+        if read > (most := self._zygote.limits.cpu):
             raise BudgetSpent(f"the submission has used its {most:g} s of processor time")
-        lasted = self._lasted + sum(cell.lasted for cell in self._cells.values())
-        if lasted > (most := PATIENCE * self._worker.allowance.cpu):
+        lasted = self._lasted + sum(process.lasted for process in self._processes.values())
+        if lasted > (most := PATIENCE * self._zygote.limits.cpu):
             raise BudgetSpent(f"the submission has taken {most:g} s, and used little processor time")
 
-    def _end(self, uncallable: tuple[str, ...], name: str, says: str, call: Given) -> None:
+    def _end(self, uncallable: tuple[str, ...], name: str, message: str, call: Case) -> None:
         """End a cell: the function fails from now on, the others get a new cell while there is CPU time."""
-        self._end_cell(self._cells.pop(uncallable))
-        kind = call.kind if name in self.worked else ""
-        why: dict[str, Any] = {"says": says, "kind": kind, "at": call, "function": name}
+        self._end_process(self._processes.pop(uncallable))
+        label = call.label if name in self.worked else ""
+        why: dict[str, Any] = {"message": message, "label": label, "at": call, "function": name}
         self._broken[name] = why
         self._must_end()
-        if self._cpu >= (most := self._worker.allowance.cpu) - 0.5:
+        if self._cpu >= (most := self._zygote.limits.cpu) - 0.5:
             raise BudgetSpent(f"the submission has used its {most:g} s of processor time")
         raise Failed(**why)
 
-    def _end_cell(self, cell: Cell) -> None:
+    def _end_process(self, process: SandboxProcess) -> None:
         """End a cell and count its CPU time; WorkerLost if it died with its worker, or by another's hand."""
-        self._cpu += cell.end() + cell.read
-        self._lasted += cell.lasted
-        if not cell.guarded:
-            self._worker.must_live()
-        if self._forgiving and (cell.killed_from_outside or not cell.guarded):
-            raise WorkerLost("the submission was killed by another process")
+        self._cpu += process.end() + process.read
+        self._lasted += process.lasted
+        if not process.monitored:
+            self._zygote.must_live()
+        if self._forgiving and (process.killed_from_outside or not process.monitored):
+            raise ZygoteLost("the submission was killed by another process")
 
-    def _cell(self, uncallable: tuple[str, ...]) -> Cell:
+    def _process(self, uncallable: tuple[str, ...]) -> SandboxProcess:
         """The cell for functions that may not call these modules, with the submission loaded."""
-        if uncallable not in self._cells:
-            hidden = [*self._assignment.off_limits.get("*", ()), *uncallable]
-            cell = self._worker.cell(self._worker.allowance.cpu - self._cpu, hidden)
+        if uncallable not in self._processes:
+            hidden = [*self._assignment.forbidden.get("*", ()), *uncallable]
+            process = self._zygote.process(self._zygote.limits.cpu - self._cpu, hidden)
             try:
-                self._load(cell, uncallable)
+                self._load(process, uncallable)
             except NotLoaded:
-                self._end_cell(cell)
+                self._end_process(process)
                 raise
-            self._cells[uncallable] = cell
+            self._processes[uncallable] = process
             self._must_end()
-        return self._cells[uncallable]
+        return self._processes[uncallable]
 
-    def _load(self, cell: Cell, uncallable: tuple[str, ...]) -> None:
+    def _load(self, process: SandboxProcess, uncallable: tuple[str, ...]) -> None:
         try:
-            cell.send(
+            process.send(
                 {
                     "source": self._source.text,
                     "notebook": self._source.notebook,
                     "name": self._assignment.slug,
                     "functions": list(self._assignment.results),
                     "uncallable": list(uncallable),
-                    "forbidden": list(self._assignment.off_limits.get("*", ())),
+                    "forbidden": list(self._assignment.forbidden.get("*", ())),
                 }
             )
-            compiled = cell.receive(imported)
-            reply = compiled if "error" in compiled else cell.receive(imported)
-        except CellTimeout:
+            compiled = process.receive(imported)
+            reply = compiled if "error" in compiled else process.receive(imported)
+        except ProcessTimeout:
             slow = "Your file takes too long to import: does it run a simulation by itself?"
             raise NotLoaded("timeout", slow) from None
-        except CellLost:
+        except ProcessLost:
             how = "it exited, crashed or used too much memory"
             raise NotLoaded("crashed", f"Your file ended its process at import: {how}") from None
         text, again = self._source.text, self._informed

@@ -12,12 +12,12 @@ from tam570_grader.audit import diagnosis, fairness, margins, mutation
 from tam570_grader.audit.equivalents import equivalents
 from tam570_grader.audit.margins import Margin
 from tam570_grader.audit.mutate import mutants
+from tam570_grader.checks import assignments
+from tam570_grader.checks.failure import Failure
 from tam570_grader.errors import UsageError
-from tam570_grader.grading.processes import crew
-from tam570_grader.pages import sentences
-from tam570_grader.results.records import Mark, Result
-from tam570_grader.writing import assignments
-from tam570_grader.writing.failures import Failure
+from tam570_grader.grading.executor import executor
+from tam570_grader.reports import sentences
+from tam570_grader.results.records import CheckResult, Result
 
 SLUG = "hw08_axis_angle"
 
@@ -184,7 +184,7 @@ def test_what_is_kept_of_a_submission_is_not_that_of_another_name(tmp_path, monk
     keep = tmp_path / "fair.jsonl"
     texts = {"a": "def skew(v): return None", "b": "def skew(v): return v"}
     monkeypatch.setattr(fairness, "submissions", lambda course, kind, slug: texts)
-    with crew(1) as here:
+    with executor(1) as here:
         before = fairness.fair(assignments.find(), SLUG, 1, here, keep)
         texts.update(a=texts["b"], b=texts["a"])
         after = fairness.fair(assignments.find(), SLUG, 1, here, keep)
@@ -230,7 +230,7 @@ def test_nothing_that_grades_imports_the_audit(course, room):
 
 def test_a_diagnosis_tells_named_from_unnamed_and_misled():
     def said(mistake, suspect, known=("the transpose",)):
-        mark = Mark("a", "a", 0.0, 1.0, "failed", "It is off by 1.", suspect, Failure())
+        mark = CheckResult("a", "a", 0.0, 1.0, "failed", "It is off by 1.", suspect, Failure())
         return diagnosis.diagnosis(
             Result("s", "hw", "graded", 0.0, 1.0, 1, 0.1, "", (mark,)), f'"""{mistake}"""', known
         )
@@ -256,7 +256,7 @@ def test_a_diagnosis_tells_named_from_unnamed_and_misled():
     ],
 )
 def test_a_mistake_is_named_by_what_is_said_of_it_and_not_by_the_input(names, why, named):
-    mark = Mark("a", "a", 0.0, 1.0, "failed", sentences.whole(why), why.suspect, why)
+    mark = CheckResult("a", "a", 0.0, 1.0, "failed", sentences.whole(why), why.suspect, why)
     result = Result("s", "hw", "graded", 0.0, 1.0, 1, 0.1, "", (mark,))
     assert diagnosis.diagnosis(result, f'"""An arm.\n\nnames: {names}\n"""', ()).named == named
 

@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 from tam570_grader import cli
+from tam570_grader.checks import assignments
 from tam570_grader.grading import submissions
-from tam570_grader.writing import assignments
 
 SLUG = "hw08_axis_angle"
 NOTHING = "def skew(v): return None\n"

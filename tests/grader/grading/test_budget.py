@@ -6,12 +6,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from tam570_grader.checks import assignments
+from tam570_grader.checks.effort import Exhausted, compile_counted, limited
 from tam570_grader.grading import budget, one
 from tam570_grader.grading.one import graded
 from tam570_grader.sandbox.student import Source
-from tam570_grader.sandbox.worker import Allowance
-from tam570_grader.writing import assignments
-from tam570_grader.writing.effort import Exhausted, compile_counted, limited
+from tam570_grader.sandbox.zygote import ResourceLimits
 
 SLUG = "hw08_axis_angle"
 FEW = 100_000  # steps
@@ -34,7 +34,7 @@ def grows(*_):
 
 
 @pytest.fixture
-def judged(course, workers, solution_text, monkeypatch):
+def judged(course, zygotes, solution_text, monkeypatch):
     """`judged(judge, name)` -> the result where the check of this name does something else; right answers otherwise."""
     assignment = assignments.assignment(course, SLUG)
     monkeypatch.setattr(one, "budget", lambda: budget.budget(FEW, LITTLE))
@@ -42,7 +42,7 @@ def judged(course, workers, solution_text, monkeypatch):
     def judged(judge=None, name="", text=""):
         checks = [replace(check, judge=judge) if check.name == name else check for check in assignment.checks]
         source = Source((text or solution_text(SLUG)).encode())
-        return graded("ada", source, replace(assignment, checks=tuple(checks)), workers(SLUG, Allowance()), 1)
+        return graded("ada", source, replace(assignment, checks=tuple(checks)), zygotes(SLUG, ResourceLimits()), 1)
 
     return judged
 

@@ -150,7 +150,7 @@ def test_a_scheduler_that_hears_no_goodbye_hides_no_error(course, monkeypatch):
     client = MagicMock()
     client.run.return_value, client.close.side_effect = {}, TimeoutError
     monkeypatch.setattr(Cluster, "_client", lambda *_: client)
-    with pytest.raises(ConnectionError, match="was lost"), Cluster("local").crew(course, [SLUG], 1):
+    with pytest.raises(ConnectionError, match="was lost"), Cluster("local").executor(course, [SLUG], 1):
         raise CancelledError
 
 

@@ -3,7 +3,7 @@
 import pytest
 
 from tam570_grader import cli
-from tam570_grader.grading.overlooked import overlooked
+from tam570_grader.grading.skipped_files import skipped_files
 from tam570_grader.grading.submissions import submissions
 
 SLUG = "hw08_axis_angle"
@@ -64,13 +64,13 @@ def test_two_folders_of_one_assignment_are_one_row(class_of):
 @pytest.mark.parametrize("name", ["ida/work.py", "ida/final.zip", "ida/mine/a.py", "loose.zip", "ida/notes.pdf"])
 def test_what_tells_no_assignment_is_warned_of(class_of, name):
     tree = class_of([GRADED[0], name])
-    (says,) = overlooked([tree], submissions([tree], KNOWN), KNOWN)
+    (says,) = skipped_files([tree], submissions([tree], KNOWN), KNOWN)
     assert all(part in says for part in name.split("/")[:2]) and "--assignment" in says
 
 
 def test_a_file_beside_a_graded_one_is_warned_of(class_of):
     tree = class_of(["ada/hw08.py", "ada/scratch.py", "ada/test_mine.py", "ada/notes.md"])
-    (says,) = overlooked([tree], submissions([tree], KNOWN), KNOWN)
+    (says,) = skipped_files([tree], submissions([tree], KNOWN), KNOWN)
     assert says.startswith("ada/scratch.py is not graded")
 
 

@@ -8,8 +8,8 @@ from itertools import pairwise
 import pytest
 
 from tam570_grader import cli
+from tam570_grader.checks import assignments
 from tam570_grader.grading import many, regrade, supervisor
-from tam570_grader.writing import assignments
 
 SLUG, OTHER = "hw08_axis_angle", "hw03_angular_momentum_rate"
 WRONG = "def skew(v): return [[0.0] * 3] * 3\n"
@@ -247,12 +247,12 @@ def test_what_is_no_key_is_refused(tree, tmp_path, capsys, arguments, says):
 def test_solutions_have_full_marks_for_a_thousand_students(slug, tmp_path, course, solution_text):
     from tam570_grader.grading.submissions import Submission
     from tam570_grader.sandbox.student import Source
-    from tam570_grader.sandbox.worker import Allowance
+    from tam570_grader.sandbox.zygote import ResourceLimits
 
     source = Source(solution_text(slug).encode())
-    plan = many.Plan(course, [], 0, 2, Allowance(), key=b"the key of the thousand students")
+    config = many.RunConfig(course, [], 0, 2, ResourceLimits(), key=b"the key of the thousand students")
     everyone = [Submission(f"s{i:03}", slug, None, course) for i in range(1000)]
-    class_ = (supervisor.Task(course, one.student, slug, plan.seed_of(one), source) for one in everyone)
-    results = map(json.loads, many.lines(plan, class_, len(everyone)))
+    class_ = (supervisor.GradeTask(course, one.student, slug, config.seed_of(one), source) for one in everyone)
+    results = map(json.loads, many.lines(config, class_, len(everyone)))
     lost = [result["student"] for result in results if result["score"] != 10]
     assert lost == []

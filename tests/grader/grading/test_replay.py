@@ -6,7 +6,7 @@ import re
 import pytest
 
 from tam570_grader import cli
-from tam570_grader.writing import assignments
+from tam570_grader.checks import assignments
 
 SLUG = "hw08_axis_angle"
 
@@ -20,7 +20,7 @@ def results(tmp_path_factory, course):
     solution = (course / "solutions" / f"{SLUG}.py").read_text()
     slip = (assignments.checks_folder(course, SLUG) / "mistakes" / "transposed.py").read_text()
     (work / f"{SLUG}.py").write_text(f"{solution}\n\n{slip}")
-    (folder / "right.py").write_text(solution)
+    (folder / "reference.py").write_text(solution)
     arguments = ["grade", str(folder / "submitted"), "--out", str(folder / "out"), "--seed", "3", "--jobs", "1"]
     assert cli.main(["--root", str(course), *arguments]) == 0
     return folder
@@ -47,7 +47,7 @@ def test_the_call_is_printed_whole_and_made_again(results, course, capsys):
 
 def test_what_is_right_gives_what_is_expected(results, course, capsys):
     capsys.readouterr()
-    right = str(results / "right.py")
+    right = str(results / "reference.py")
     assert cli.main(["--root", str(course), "replay", str(results / "out"), "ada", failed(course), right]) == 0
     said = capsys.readouterr().out
     expected, _, now = (numbers(re.search(rf"^{what}: +(.+)$", said, re.MULTILINE)[1]) for what in WHAT)

@@ -6,10 +6,10 @@ from pathlib import Path
 
 import pytest
 
+from tam570_grader.checks import assignments
+from tam570_grader.checks.assignments import slug_of
 from tam570_grader.grading import command
 from tam570_grader.sandbox.launch import isolation
-from tam570_grader.writing import assignments
-from tam570_grader.writing.assignments import slug_of
 
 SLUG = "hw08_axis_angle"
 NOTHING = "def skew(v): return None\n"

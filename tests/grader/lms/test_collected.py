@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from tam570_grader import cli
-from tam570_grader.results.journal import RESULT, Book
 from tam570_grader.results.records import FORMAT
+from tam570_grader.results.store import RESULT, ResultStore
 
 COURSE = """
 [late]
@@ -59,7 +59,7 @@ def collected():
 
 def scores():
     """What students have by collected.csv and course.toml, where all is right."""
-    book = Book(Path("results"))
+    book = ResultStore(Path("results"))
     for row in rows("collected.csv"):
         known = {"student": row["student"], "assignment": row["assignment"], "status": "graded", "seed": 1}
         book.add(

@@ -12,13 +12,13 @@ import zipfile
 import pytest
 
 from tam570_grader import cli
+from tam570_grader.checks import assignments, failures
 from tam570_grader.gradescope import autograder
 from tam570_grader.grading.one import failed_by_us
 from tam570_grader.lms import score_export
 from tam570_grader.lms.systems import SYSTEMS
 from tam570_grader.release.stubs import stub
 from tam570_grader.results import journal, tables
-from tam570_grader.writing import assignments, failures
 
 ONE = "hw08_axis_angle"
 FORMATS = {"text", "html", "simple_format", "md", "ansi"}
@@ -122,7 +122,7 @@ def test_two_submissions_are_not_one(course, tmp_path, submission, capsys):
 
 def test_a_failure_of_ours_leaves_no_results(course, submission, capsys, monkeypatch):
     broken = failed_by_us("s", assignments.assignment(course, ONE), "a bug", 3).record()
-    monkeypatch.setattr("tam570_grader.grading.many.outcomes", lambda plan, book, old: iter([broken]))
+    monkeypatch.setattr("tam570_grader.grading.batch.outcomes", lambda plan, book, old: iter([broken]))
     grade = ["grade", str(submission()), "--assignment", ONE, "--format", "gradescope"]
     assert cli.main(["--root", str(course), *grade]) == 1
     assert capsys.readouterr().out == ""

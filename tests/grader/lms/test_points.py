@@ -8,9 +8,9 @@ import pytest
 
 from tam570_grader import cli
 from tam570_grader.lms import points as command
-from tam570_grader.results import by_hand
-from tam570_grader.results.by_hand import Entry, Hand
-from tam570_grader.results.journal import Book
+from tam570_grader.results import manual_points
+from tam570_grader.results.manual_points import Entry, ManualAdjustments
+from tam570_grader.results.store import ResultStore
 
 SLUG = "hw07_double_pendulum"
 HEADING = "student,assignment,item,points,comment\n"
@@ -121,8 +121,8 @@ def test_a_wrong_row_is_named_and_nothing_is_written(results, capsys, row, says)
 def test_a_row_that_somebody_else_adds_meanwhile_stays(results, monkeypatch):
     def opened(folder):
         """The book, which another command has just closed."""
-        by_hand.write(folder, Hand([Entry("ben", SLUG, "adjust", 2.0, None, "It came by mail.")]))
-        return Book(folder)
+        manual_points.write(folder, ManualAdjustments([Entry("ben", SLUG, "adjust", 2.0, None, "It came by mail.")]))
+        return ResultStore(folder)
 
     monkeypatch.setattr(command, "Book", opened)
     assert points(results, "ann,hw07,c,1,") == 0
@@ -179,7 +179,7 @@ def test_the_template_has_a_row_for_each_part_with_what_is_known(results):
 
 def settlement(score, **items):
     entries = [Entry("ann", SLUG, item.replace("_", " "), points, None, "why") for item, points in items.items()]
-    return Hand(entries).settled(("ann", SLUG), score, 10.0, dict)
+    return ManualAdjustments(entries).settled(("ann", SLUG), score, 10.0, dict)
 
 
 def settled(score, **items):
@@ -205,5 +205,5 @@ def test_a_total_stands_in_the_place_of_all_else():
 def test_everybodys_rows_are_for_those_without_their_own():
     rows = [Entry("*", SLUG, "extension", 2.0), Entry("ann", SLUG, "extension", 5.0)]
     late = [Entry(who, SLUG, "late", 4.0) for who in ("ann", "ben")]
-    hand = Hand([*rows, *late, Entry("*", SLUG, "off a day", 0.1)])
+    hand = ManualAdjustments([*rows, *late, Entry("*", SLUG, "off a day", 0.1)])
     assert [hand.settled((who, SLUG), 10.0, 10.0, dict).score for who in ("ann", "ben")] == [10.0, 8.0]

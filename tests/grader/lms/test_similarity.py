@@ -7,7 +7,7 @@ import time
 import pytest
 
 from tam570_grader import cli
-from tam570_grader.writing import assignments
+from tam570_grader.checks import assignments
 
 SLUG = "hw07_double_pendulum"
 

@@ -6,8 +6,8 @@ import zipfile
 import pytest
 
 from tam570_grader import cli
-from tam570_grader.results.journal import RESULT, Book
 from tam570_grader.results.records import FORMAT
+from tam570_grader.results.store import RESULT, ResultStore
 
 SLUGS = "hw03_angular_momentum_rate", "hw08_axis_angle", "hw09_book"
 CLASS = range(60)
@@ -53,7 +53,7 @@ def rows(path):
 
 def graded(folder):
     """Results as `grade` writes them, made from what was collected."""
-    book = Book(folder / "results")
+    book = ResultStore(folder / "results")
     for path in sorted((folder / "submitted").glob("*/*/*.py")):
         n, slug = int(path.parts[-3].removeprefix("net")), path.parts[-2]
         assert path.read_text() == (f"# {n}, again\n" if n % 3 == 0 else f"# {n}\n")

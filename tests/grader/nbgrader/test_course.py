@@ -8,10 +8,10 @@ import sys
 import pytest
 
 from tam570_grader import cli
+from tam570_grader.checks import assignments
 from tam570_grader.release.notebook import functions_by_part, notebook, part_points, problem, visible_by_part
 from tam570_grader.release.stubs import stub
-from tam570_grader.sandbox.worker import Allowance
-from tam570_grader.writing import assignments
+from tam570_grader.sandbox.zygote import ResourceLimits
 
 ONE = "hw08_axis_angle"
 MISSING = ("is not written", "comes from a cell above that shows nothing yet")
@@ -69,7 +69,7 @@ def test_everything_that_a_student_gets_is_no_secret(course, tmp_path, made_cour
 
 def test_it_says_how_long_a_call_may_take(course, slug):
     told = (course / "assignments" / slug / "README.md").read_text()
-    limits = Allowance()
+    limits = ResourceLimits()
     assert f"{limits.call:g} s of processor time, the whole submission {limits.cpu:g} s" in told
 
 

@@ -10,8 +10,8 @@ import warnings
 import pytest
 
 from tam570_grader import cli
-from tam570_grader.writing import assignments
-from tam570_grader.writing.failures import WHOLE
+from tam570_grader.checks import assignments
+from tam570_grader.checks.failure import WHOLE
 
 IN_CI = {  # assignment: the slip in what the second student hands in
     "hw07_double_pendulum": "too_few_steps",

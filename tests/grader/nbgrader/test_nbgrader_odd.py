@@ -6,7 +6,7 @@ import shutil
 
 import pytest
 
-from tam570_grader.writing import assignments
+from tam570_grader.checks import assignments
 
 pytestmark = pytest.mark.every  # a minute of nbgrader
 ONE = "hw08_axis_angle"

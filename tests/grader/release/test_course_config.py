@@ -9,8 +9,8 @@ import zipfile
 import pytest
 
 from tam570_grader import cli
+from tam570_grader.checks import assignments
 from tam570_grader.release import course_config, late_policy
-from tam570_grader.writing import assignments
 
 SLUG = "hw08_axis_angle"
 COURSE = """

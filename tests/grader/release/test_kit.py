@@ -9,8 +9,8 @@ import zipfile
 
 import pytest
 
+from tam570_grader.checks import assignments
 from tam570_grader.release.kit import run as make_kit
-from tam570_grader.writing import assignments
 
 SLUG = "hw08_axis_angle"
 

@@ -19,7 +19,7 @@ NOTHING = "def skew(v): return None\n"
 
 
 def test_scores_do_not_depend_on_jobs_and_runs(run, tree, monkeypatch):
-    monkeypatch.setattr("tam570_grader.grading.many.FEW", 1)  # a process each
+    monkeypatch.setattr("tam570_grader.grading.batch.FEW", 1)  # a process each
 
     def stable(lines):
         return sorted(json.dumps({k: v for k, v in line.items() if k != "seconds"}) for line in lines)
@@ -82,10 +82,10 @@ def test_results_of_another_format_are_refused_and_stay(run, tree, tmp_path, cap
 
 
 def strict(text):
-    def refuse(word):
+    def check_raises(word):
         raise AssertionError(word)
 
-    return json.loads(text, parse_constant=refuse)
+    return json.loads(text, parse_constant=check_raises)
 
 
 def test_what_is_not_finite_is_strict_json_and_read_back(run, tree, tmp_path):
@@ -103,7 +103,7 @@ def test_what_is_not_finite_is_strict_json_and_read_back(run, tree, tmp_path):
 @pytest.mark.parametrize("value", [np.inf, -np.inf, np.nan, np.float64("nan"), [1.0, np.inf], np.array([np.nan, 2.0])])
 def test_any_number_of_a_failure_is_read_back(value):
     why = records.Failure(error=value, at={"args": [value]}, limit=0.1)
-    mark = records.Mark("a", "a", 0.0, 1.0, "failed", "", failure=why)
+    mark = records.CheckResult("a", "a", 0.0, 1.0, "failed", "", failure=why)
     result = records.Result("ann", SLUG, "graded", 0.0, 1.0, 1, 0.1, "", (mark,))
     (again,) = records.read(strict(json.dumps(result.record()))).checks
     np.testing.assert_equal(again.failure.error, value)
@@ -174,7 +174,7 @@ def test_without_a_folder_nothing_is_said_to_be_kept(tree, monkeypatch, capsys, 
     def broken(*_):
         raise fault
 
-    monkeypatch.setattr("tam570_grader.pages.feedback.row", broken)
+    monkeypatch.setattr("tam570_grader.reports.feedback.row", broken)
     assert cli.main(["grade", str(tree), "--seed", "1"]) == code
     assert capsys.readouterr().err.strip().endswith("; nothing is kept without --out")
 

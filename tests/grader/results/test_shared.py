@@ -6,17 +6,17 @@ import numpy as np
 import pytest
 
 from tam570_grader import cli
-from tam570_grader.results.records import Mark, Result
+from tam570_grader.checks.failure import Failure
+from tam570_grader.results.records import CheckResult, Result
 from tam570_grader.results.shared import Notes
-from tam570_grader.writing.failures import Failure
 
 SLUG = "hw08_axis_angle"
 ODD = np.array([0.123456789012345, -2.0, 0.7])
 
 
-def result(student, actual, *, suspect=None, nearly=False, seed=1, check="skew_is_the_cross_product"):
-    failure = Failure(of="skew(v)", error=1.0, limit=1e-12, nearly=nearly, actual=actual)
-    mark = Mark(check, "a", 0.0, 1.0, "failed", "wrong", suspect, failure)
+def result(student, actual, *, suspect=None, near_miss=False, seed=1, check="skew_is_the_cross_product"):
+    failure = Failure(quantity="skew(v)", error=1.0, limit=1e-12, near_miss=near_miss, actual=actual)
+    mark = CheckResult(check, "a", 0.0, 1.0, "failed", "wrong", suspect, failure)
     return Result(student, SLUG, "graded", 9.0, 10.0, seed, 0.1, "bubblewrap", (mark,))
 
 
@@ -49,7 +49,7 @@ def test_the_newest_result_counts_and_checks_of_one_group_stand_together():
         (None, {}),
         ("text", {}),
         (ODD, {"suspect": "The sign is wrong."}),
-        (ODD, {"nearly": True}),
+        (ODD, {"near_miss": True}),
     ],
 )
 def test_what_anybody_may_come_by_is_not_told(actual, more):

@@ -8,15 +8,15 @@ from pathlib import Path
 import pytest
 
 from tam570_grader import cli
+from tam570_grader.checks import assignments
 from tam570_grader.grading import submissions
 from tam570_grader.grading.one import graded
-from tam570_grader.grading.supervisor import Conditions, Task, result
-from tam570_grader.sandbox import worker
+from tam570_grader.grading.supervisor import Task, WorkerConfig, result
+from tam570_grader.sandbox import zygote
 from tam570_grader.sandbox.launch import isolation, other_packages
+from tam570_grader.sandbox.pool import sandboxes
 from tam570_grader.sandbox.student import Source
-from tam570_grader.sandbox.warm import sandboxes
-from tam570_grader.sandbox.worker import Allowance, Worker
-from tam570_grader.writing import assignments
+from tam570_grader.sandbox.zygote import ResourceLimits, Zygote
 
 SLUG = "hw08_axis_angle"
 
@@ -74,8 +74,8 @@ def test_of_an_import_the_interpreters_own_words_are_told_about_words_of_the_fil
     ],
 )
 def test_what_a_file_does_at_import_is_named(grade, course, text, status, says):
-    found, off_limits = grade(SLUG, text), assignments.assignment(course, SLUG).off_limits["*"]
-    assert found.status == status and found.message.startswith("Your file " + says.format(all=" or ".join(off_limits)))
+    found, forbidden = grade(SLUG, text), assignments.assignment(course, SLUG).forbidden["*"]
+    assert found.status == status and found.message.startswith("Your file " + says.format(all=" or ".join(forbidden)))
 
 
 @pytest.mark.skipif(isolation() != "bubblewrap", reason="elsewhere they may be started")
@@ -91,14 +91,14 @@ def test_what_a_file_does_at_import_is_named(grade, course, text, status, says):
     ],
 )
 def test_who_starts_a_thread_or_a_process_is_told_that_it_may_not(grade, run, tmp_path, solution_text, starting):
-    off_limits = "starts a thread or a process{}, which is off limits"
-    assert grade(SLUG, starting).message == f"Your file {off_limits.format(' at line 2')}"
+    forbidden = "starts a thread or a process{}, which is off limits"
+    assert grade(SLUG, starting).message == f"Your file {forbidden.format(' at line 2')}"
     called = "\n    ".join(starting.replace("*", "ThreadPoolExecutor", 1).split("\n"))
     said = [mark.message for mark in grade(SLUG, f"{solution_text(SLUG)}\ndef skew(v):\n    {called}").checks]
-    assert any(one.startswith(f"skew {off_limits.format('')}") for one in said), said
+    assert any(one.startswith(f"skew {forbidden.format('')}") for one in said), said
     (tmp_path / "hw08.ipynb").write_text(notebook(solution_text(SLUG), starting))
     (line,) = run(tmp_path / "hw08.ipynb")
-    assert line["score"] == 10.0 and off_limits.format("") in line["message"]
+    assert line["score"] == 10.0 and forbidden.format("") in line["message"]
 
 
 def test_of_the_cells_that_were_skipped_three_are_named(run, tmp_path, solution_text):
@@ -155,7 +155,7 @@ def test_a_shells_own_limits_cost_nobody_points(tmp_path, solution_text, limit, 
 def test_a_worker_that_fails_the_canary_grades_nobody(solution_text, tmp_path, monkeypatch, capsys, fault):
     """A jail in which right calls fail, or endless ones are not stopped."""
     was, becomes = {"right": (b"2 * x", b"3 * x"), "endless": (b"while True:", b"if True:")}[fault]
-    monkeypatch.setattr(worker, "CANARY", worker.CANARY.replace(was, becomes))
+    monkeypatch.setattr(zygote, "CANARY", zygote.CANARY.replace(was, becomes))
     (tmp_path / "hw08.py").write_text(solution_text(SLUG))
     assert cli.main(["grade", str(tmp_path / "hw08.py")]) == 2
     assert "without that none is graded" in capsys.readouterr().err
@@ -181,10 +181,10 @@ def test_what_is_hidden_is_empty_and_takes_no_notes(course, solution_text):
     looks = (
         f"for place in {places}:\n    assert not os.listdir(place) and os.statvfs(place).f_flag & os.ST_RDONLY, place\n"
     )
-    worker = Worker(["numpy"], Allowance(), [hidden])
+    zygote = Zygote(["numpy"], ResourceLimits(), [hidden])
     source = Source(f"import os\n{looks}{solution_text(SLUG)}".encode())
-    outcome = graded("eve", source, assignments.assignment(course, SLUG), worker, 1)
-    worker.close()
+    outcome = graded("eve", source, assignments.assignment(course, SLUG), zygote, 1)
+    zygote.close()
     assert outcome.score == 10, (outcome.message, places)
 
 
@@ -198,7 +198,7 @@ if any(str(one.__module__).startswith("tam570.rotations") for one in found):
 
 
 def test_what_is_off_limits_is_not_in_a_workers_memory_though_others_import_it(course, solution_text):
-    asked = Conditions(Allowance(), preload=("tam570.rotations",))
+    asked = WorkerConfig(ResourceLimits(), preload=("tam570.rotations",))
     with sandboxes():
         outcome = result(Task(course, "eve", SLUG, 1, Source((DIGS + solution_text(SLUG)).encode()), conditions=asked))
     assert outcome.score == 10, outcome.message

@@ -5,7 +5,7 @@ import os
 
 import pytest
 
-from tam570_grader.sandbox.inside import cells as inside
+from tam570_grader.protocol import cells as inside
 from tam570_grader.sandbox.notebooks import Unshown, cells_of
 
 

@@ -7,13 +7,13 @@ import numpy as np
 import pytest
 
 from tam570_grader import cli
+from tam570_grader.checks.plots import readable
+from tam570_grader.checks.returns import Drawing
 from tam570_grader.grading import supervisor
+from tam570_grader.protocol.wire import DEEPEST, Foreign
 from tam570_grader.sandbox import replies
-from tam570_grader.sandbox.cell import CellLost
-from tam570_grader.sandbox.inside.wire import DEEPEST, Foreign
-from tam570_grader.sandbox.worker import Allowance
-from tam570_grader.writing.drawings import readable
-from tam570_grader.writing.returns import Drawing
+from tam570_grader.sandbox.process import ProcessLost
+from tam570_grader.sandbox.zygote import ResourceLimits
 
 SLUG = "hw08_axis_angle"
 LINE = {"points": np.zeros((12, 2)), "label": "path", "scatter": False, "shows": 1.0, "within": 1.0, "extent": 0.5}
@@ -44,7 +44,7 @@ def drawing(**other):
 
 @pytest.mark.parametrize("sent", ["text", b"bytes", {"a": 1.0}, ["x" * 10**6, ""], [[b""]], 3, nested(DEEPEST + 2)])
 def test_what_is_no_number_is_no_reply_of_a_call(sent):
-    with pytest.raises(CellLost):
+    with pytest.raises(ProcessLost):
         value(sent)
 
 
@@ -62,7 +62,7 @@ def test_an_array_of_no_number_stands_for_few_lists(shape):
 def test_a_formula_has_numbers_alone(sent):
     try:
         found = value(sent, "formula")
-    except CellLost:
+    except ProcessLost:
         return
     kinds = (float, Foreign, np.ndarray)
     assert found == {"strangers": []} or all(isinstance(one, kinds) for one in found)
@@ -126,9 +126,9 @@ def test_a_formula_nested_a_thousand_deep_is_one_submissions_result(grade):
 def test_reading_replies_counts_as_the_submissions_time(grade, solution_text, monkeypatch):
     """A clock that goes on by half a second each time that it is read."""
     ticks = itertools.count(step=0.5)
-    monkeypatch.setattr("tam570_grader.sandbox.cell.time.thread_time", lambda: next(ticks))
-    monkeypatch.setattr("tam570_grader.sandbox.cell.SHORT", 0)
-    result = grade(SLUG, solution_text(SLUG), allowance=Allowance(cpu=3))
+    monkeypatch.setattr("tam570_grader.sandbox.process.time.thread_time", lambda: next(ticks))
+    monkeypatch.setattr("tam570_grader.sandbox.process.SHORT", 0)
+    result = grade(SLUG, solution_text(SLUG), limits=ResourceLimits(cpu=3))
     assert result.status == "timeout" and "processor time" in result.message
 
 

@@ -6,16 +6,16 @@ import sys
 
 import numpy as np
 import pytest
+from tam570_grader.checks.case import Case
 
+from tam570_grader.checks import assignments
+from tam570_grader.checks.expect import Failed, check_context, expect
 from tam570_grader.grading.one import graded
-from tam570_grader.sandbox.cell import Cell
 from tam570_grader.sandbox.launch import isolation
+from tam570_grader.sandbox.pool import ATTEMPTS
+from tam570_grader.sandbox.process import SandboxProcess
 from tam570_grader.sandbox.student import Source, Student
-from tam570_grader.sandbox.warm import ATTEMPTS
-from tam570_grader.sandbox.worker import Allowance
-from tam570_grader.writing import assignments
-from tam570_grader.writing.check import given
-from tam570_grader.writing.expect import Failed, expect, trial
+from tam570_grader.sandbox.zygote import ResourceLimits
 
 SLUG = "hw08_axis_angle"
 STOPPER = """
@@ -40,10 +40,10 @@ for sign, wait in ((signal.SIGSTOP, 4), (signal.SIGCONT, 0)):
 
 @pytest.mark.every
 @pytest.mark.skipif(sys.platform != "linux", reason="finds the sandbox's processes in /proc")
-def test_who_is_suspended_with_the_grader_is_not_late(course, workers):
+def test_who_is_suspended_with_the_grader_is_not_late(course, zygotes):
     text = "def skew(v):\n    import time\n    time.sleep(0.8)\n    return [[0.0] * 3] * 3\n"
-    allowance = Allowance(call=2.0)
-    student = Student(Source(text.encode()), assignments.assignment(course, SLUG), workers(SLUG, allowance))
+    limits = ResourceLimits(call=2.0)
+    student = Student(Source(text.encode()), assignments.assignment(course, SLUG), zygotes(SLUG, limits))
     student.load()
     with subprocess.Popen([sys.executable, "-c", STOPPER, str(os.getpid())]):
         assert np.array_equal(student.skew([1.0, 2.0, 3.0]), np.zeros((3, 3)))
@@ -51,20 +51,20 @@ def test_who_is_suspended_with_the_grader_is_not_late(course, workers):
 
 
 def test_a_function_that_hangs_fails_alone(grade, solution_text):
-    from tam570_grader.sandbox.worker import Allowance
+    from tam570_grader.sandbox.zygote import ResourceLimits
 
     text = solution_text(SLUG) + "\ndef rotate(r, axis, angle):\n    while True: pass\n"
-    outcome = grade(SLUG, text, allowance=Allowance(call=1))
+    outcome = grade(SLUG, text, limits=ResourceLimits(call=1))
     assert outcome.score == 6.0 and outcome.status == "graded"
     assert any("did not return within 1 s" in mark.message for mark in outcome.checks)
 
 
 def test_one_that_sleeps_through_its_calls_is_ended(grade, solution_text, monkeypatch):
     monkeypatch.setattr("tam570_grader.sandbox.student.PATIENCE", 1)
-    received, receive = [], Cell.receive
-    monkeypatch.setattr(Cell, "receive", lambda *given: received.append(receive(*given)) or received[-1])
+    received, receive = [], SandboxProcess.receive
+    monkeypatch.setattr(SandboxProcess, "receive", lambda *given: received.append(receive(*given)) or received[-1])
     text = solution_text(SLUG) + "\n_skew = skew\ndef skew(v):\n    time.sleep(0.3)\n    return _skew(v)\nimport time\n"
-    outcome = grade(SLUG, text, allowance=Allowance(cpu=2, call=1))
+    outcome = grade(SLUG, text, limits=ResourceLimits(cpu=2, call=1))
     assert outcome.status == "timeout" and outcome.score < 10 and "little processor time" in outcome.message
     assert len(received) < 20, "it is ended within a batch of calls"
 
@@ -76,7 +76,7 @@ def test_one_that_sleeps_at_every_import_and_call_is_ended(grade, solution_text,
     slow = "import time\ntime.sleep(0.8)\n" + solution_text("hw02_ballistics")
     asleep = "import time\nskew = rotate = rotation_matrix = lambda *_, **__: time.sleep(9)\n"
     for slug, text in (("hw02_ballistics", slow), (SLUG, asleep)):
-        outcome = grade(slug, text, allowance=Allowance(cpu=1.5, call=1))
+        outcome = grade(slug, text, limits=ResourceLimits(cpu=1.5, call=1))
         assert outcome.status == "timeout" and "little processor time" in outcome.message
 
 
@@ -85,21 +85,21 @@ def test_a_submission_has_a_process_group_of_its_own(grade, solution_text):
     assert grade(SLUG, text).score == 10
 
 
-def test_one_that_is_tried_again_is_not_quoted(course, workers):
+def test_one_that_is_tried_again_is_not_quoted(course, zygotes):
     source = Source(b"1 / 0")
-    assignment, worker = assignments.assignment(course, SLUG), workers(SLUG, Allowance())
-    first, second = (graded("dan", source, assignment, worker, 1, attempt=attempt) for attempt in ATTEMPTS[:2])
+    assignment, zygote = assignments.assignment(course, SLUG), zygotes(SLUG, ResourceLimits())
+    first, second = (graded("dan", source, assignment, zygote, 1, attempt=attempt) for attempt in ATTEMPTS[:2])
     assert "division" in first.message and "second time" in second.message and "division" not in second.message
 
 
 def test_a_worker_that_dies_is_replaced(solution_text, course):
     from tam570_grader.grading.supervisor import Task, result
-    from tam570_grader.sandbox.warm import sandboxes
-    from tam570_grader.sandbox.worker import Worker
+    from tam570_grader.sandbox.pool import sandboxes
+    from tam570_grader.sandbox.zygote import Zygote
 
     started = []
 
-    class Mortal(Worker):
+    class Mortal(Zygote):
         """The first worker is killed before it is ready, the second once it is."""
 
         def __init__(self, *arguments):
@@ -112,44 +112,44 @@ def test_a_worker_that_dies_is_replaced(solution_text, course):
                 self.kill()
 
     with pytest.MonkeyPatch.context() as patch, sandboxes():
-        patch.setattr("tam570_grader.sandbox.warm.Worker", Mortal)
+        patch.setattr("tam570_grader.sandbox.pool.Worker", Mortal)
         outcome = result(Task(course, "ada", SLUG, 1, Source(solution_text(SLUG).encode())))
     assert outcome.score == 10.0 and len(started) == 3
 
 
 @pytest.mark.parametrize("body", ["raise ValueError", "return float('nan')", "return None", "v[0] = 0.0"])
-def test_a_call_that_fails_says_which_it_was_and_of_what_kind_where_another_works(body, course, workers):
+def test_a_call_that_fails_says_which_it_was_and_of_what_kind_where_another_works(body, course, zygotes):
     text = f"def skew(v):\n    if v[0] != 1: return [[0.0] * 3] * 3\n    {body}\n"
-    student = Student(Source(text.encode()), assignments.assignment(course, SLUG), workers(SLUG, Allowance()))
-    call = given(np.ones(3)).on("a short v")
+    student = Student(Source(text.encode()), assignments.assignment(course, SLUG), zygotes(SLUG, ResourceLimits()))
+    call = Case(np.ones(3)).labelled("a short v")
     with pytest.raises(Failed) as failed:
         student.skew.many([call])
-    assert not failed.value.failure.kind, "it may be so for any input"
+    assert not failed.value.failure.label, "it may be so for any input"
     student.skew(np.zeros(3))
     with pytest.raises(Failed) as failed:
         student.skew.many([call])
-    assert (failed.value.failure.kind, failed.value.failure.at) == ("a short v", call)
+    assert (failed.value.failure.label, failed.value.failure.at) == ("a short v", call)
     assert failed.value.failure.function == "skew"
     student.leave()
 
 
 def test_a_hint_that_fails_is_our_fault_and_no_grader_error():
     with pytest.raises(Failed) as failed:
-        expect(1.0, 0.0, within=1e-3, hint=lambda: {}["hint"])
+        expect(1.0, 0.0, tolerance=1e-3, hint=lambda: {}["hint"])
     assert (failed.value.failure.hint, failed.value.failure.fault) == ("", "KeyError('hint')")
 
 
-def test_what_is_called_for_the_words_ends_no_function_and_is_not_judged(course, workers):
+def test_what_is_called_for_the_words_ends_no_function_and_is_not_judged(course, zygotes):
     """A function that exits for two times, of which a hint asks, is still judged at three."""
     text = "import os\ndef skew(v):\n    return np.zeros((3, 3)) if v[0] else os._exit(1)\nimport numpy as np\n"
-    student = Student(Source(text.encode()), assignments.assignment(course, SLUG), workers(SLUG, Allowance()))
+    student = Student(Source(text.encode()), assignments.assignment(course, SLUG), zygotes(SLUG, ResourceLimits()))
 
     def hint():
         return f"It gives {student.skew(np.zeros(3))}"
 
-    with pytest.raises(Failed) as failed, trial(aside=student.aside):
+    with pytest.raises(Failed) as failed, check_context(aside=student.aside):
         found = student.skew(np.ones(3))
-        expect(found, np.ones((3, 3)), within=1e-9, hint=hint)
+        expect(found, np.ones((3, 3)), tolerance=1e-9, hint=hint)
     assert failed.value.failure.hint == "" and failed.value.failure.fault == ""
     assert len(student.calls) == 1 and student.skew(np.ones(3)).shape == (3, 3)
     student.leave()
@@ -189,7 +189,7 @@ def test_what_was_not_run_names_the_line_that_it_needs(grade, course):
     marks = {mark.name: mark for mark in grade("hw01_simple_pendulum", "def period(*_, **__): return 0.0").checks}
     for check in assignments.assignment(course, "hw01_simple_pendulum").checks:
         if check.after and not marks[check.name].unwritten:
-            needed = next(one.line.rstrip(".") for one in check.after if not marks[one.name].opens)
+            needed = next(one.line.rstrip(".") for one in check.after if not marks[one.name].unlocks_dependents)
             assert marks[check.name].message == f"Not run: it needs “{needed}” to pass first."
 
 
@@ -251,9 +251,9 @@ def ticks():
 @pytest.mark.every
 @pytest.mark.skipif(isolation() != "bubblewrap", reason="a process can kill itself elsewhere")
 @pytest.mark.parametrize("death", DEATHS.values(), ids=DEATHS)
-def test_who_looks_as_if_killed_by_others_is_not_tried_again(death, course, workers, solution_text):
+def test_who_looks_as_if_killed_by_others_is_not_tried_again(death, course, zygotes, solution_text):
     """The kernel counts processor time by ticks of 4 ms where it ends a process for it."""
     source = Source(f"{solution_text(SLUG)}{TICKS}\ndef skew(v):\n    {death}\n".encode())
-    worker = workers(SLUG, Allowance(cpu=2, call=1.5))
-    outcome = graded("eve", source, assignments.assignment(course, SLUG), worker, 1, attempt=ATTEMPTS[0])
+    zygote = zygotes(SLUG, ResourceLimits(cpu=2, call=1.5))
+    outcome = graded("eve", source, assignments.assignment(course, SLUG), zygote, 1, attempt=ATTEMPTS[0])
     assert outcome.score < 10

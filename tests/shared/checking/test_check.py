@@ -7,7 +7,7 @@ import time
 import pytest
 
 from tam570.checking import deadline
-from tam570_grader.sandbox.worker import Allowance
+from tam570_grader.sandbox.zygote import ResourceLimits
 
 TOP = {
     "import scipy.spatial.transform": "Line 1: import scipy.spatial.transform\n",
@@ -64,7 +64,7 @@ def test_what_stops_the_import_where_work_is_graded_stops_it_here(hw08, desk, ta
 @pytest.mark.parametrize("above", TOP)
 def test_the_grader_gives_what_is_said(grade, solution_text, above):
     """No points for a file that check says has none; a library that is not promised may be there."""
-    result = grade(HW08, f"{above}\n{solution_text(HW08)}", allowance=Allowance(call=2))
+    result = grade(HW08, f"{above}\n{solution_text(HW08)}", limits=ResourceLimits(call=2))
     assert result.status != "graded" and result.score == 0
 
 
@@ -73,7 +73,7 @@ def test_the_grader_gives_what_is_said(grade, solution_text, above):
 def test_the_grader_refuses_the_function(grade, solution_text, body):
     """And the others have their points."""
     result = grade(
-        HW08, f"{solution_text(HW08)}\n\ndef rotate(r, axis, angle):\n    {body}\n", allowance=Allowance(call=2)
+        HW08, f"{solution_text(HW08)}\n\ndef rotate(r, axis, angle):\n    {body}\n", limits=ResourceLimits(call=2)
     )
     assert result.status == "graded" and 0 < result.score < 10
 

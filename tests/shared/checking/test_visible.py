@@ -4,7 +4,7 @@ import shutil
 
 import pytest
 
-from tam570_grader.writing import assignments
+from tam570_grader.checks import assignments
 
 EXACT = """
 import runpy

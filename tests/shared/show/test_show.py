@@ -21,7 +21,7 @@ from tam570.show.compact import PIXELS, STEPS, kept_samples, packed
 from tam570.show.page import page
 from tam570.show.scene import Panel, Scene, Shape, drift_plot, frame_times
 from tam570.show.scenes import hw11, hw13
-from tam570_grader.writing import assignments
+from tam570_grader.checks import assignments
 
 CHECKS = assignments.find() / "autograder" / "checks"
 HW07 = "hw07_double_pendulum"

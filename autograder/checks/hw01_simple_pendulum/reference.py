@@ -1,0 +1,114 @@
+"""What is right in hw01, by another route than the solution's: vectors of the plane, an elliptic integral, splines."""
+
+import cmath
+import math
+
+import numpy as np
+from scipy.integrate import odeint
+from scipy.interpolate import make_interp_spline
+from scipy.special import ellipkm1
+
+from tam570_grader.checks.diagrams import CENTRIFUGAL, INERTIAL, NEGLIGIBLE, Force, FreeBody, NotAForce, weight
+
+
+def vectors(theta, omega, mass, length, gravity):
+    """r, v, the weight, and a unit vector across the rod, as complex numbers x + iy."""
+    along = -1j * cmath.exp(1j * theta)
+    return length * along, 1j * omega * length * along, -1j * mass * gravity, 1j * along
+
+
+def dot(a, b):
+    return (a.conjugate() * b).real
+
+
+def cross(a, b):
+    return (a.conjugate() * b).imag
+
+
+def alpha(theta, omega, mass, length, gravity):
+    *_, weight, across = vectors(theta, omega, mass, length, gravity)
+    return dot(across, weight) / (mass * length)
+
+
+def linear_momentum_balance(*state, **pendulum):
+    r, v, weight, _ = vectors(*state, **pendulum)
+    m, length = pendulum["mass"], pendulum["length"]
+    return alpha(*state, **pendulum), dot(r, weight) / length + m * dot(v, v) / length
+
+
+def angular_momentum_balance(*state, **pendulum):
+    r, v, weight, _ = vectors(*state, **pendulum)
+    return alpha(*state, **pendulum), pendulum["mass"] * cross(r, v), cross(r, weight)
+
+
+def energy_balance(*state, **pendulum):
+    r, v, weight, _ = vectors(*state, **pendulum)
+    return alpha(*state, **pendulum), pendulum["mass"] * dot(v, v) / 2, abs(weight) * (r.imag + pendulum["length"])
+
+
+def power_balance(*state, **pendulum):
+    _, v, weight, _ = vectors(*state, **pendulum)
+    return alpha(*state, **pendulum), dot(weight, v)
+
+
+def virtual_work(*state, **pendulum):
+    *_, weight, across = vectors(*state, **pendulum)
+    return alpha(*state, **pendulum), pendulum["length"] * dot(across, weight)
+
+
+def lagrangian(theta, omega, m, l, g):  # noqa: E741  the contract's symbol
+    _, kinetic, potential = energy_balance(theta, omega, mass=m, length=l, gravity=g)
+    return kinetic - potential
+
+
+def lagrange_equation(theta, l, g):  # noqa: E741
+    return alpha(theta, 0.0, 1.0, l, g)
+
+
+def action(theta, step, mass, length, gravity):
+    """By splines of the fifth degree, whose error is of the order step^6; few samples are joined by straight lines."""
+    t, degree = step * np.arange(len(theta)), 5 if len(theta) > 5 else 1
+    omega = make_interp_spline(t, theta, k=degree)(t, 1)
+    values = mass * length * (length * omega**2 / 2 - 2 * gravity * np.sin(theta / 2) ** 2)
+    return float(make_interp_spline(t, values, k=degree).integrate(t[0], t[-1]))
+
+
+def small_angle_solution(t, theta0, omega0, length, gravity):
+    """By a complex exponential, or at an even rate."""
+    k = math.sqrt(gravity / length)
+    if k == 0:
+        return np.column_stack([theta0 + omega0 * t, np.full(len(t), omega0)])
+    z = (theta0 - 1j * omega0 / k) * np.exp(1j * k * t)
+    return np.column_stack([z.real, -k * z.imag])
+
+
+def period(amplitude, length, gravity):
+    """By Legendre's complete integral of the first kind; next to pi ellipkm1(1 - m) has digits that ellipk(m) lost."""
+    return 4 * ellipkm1(math.cos(amplitude / 2) ** 2) * math.sqrt(length / gravity)
+
+
+def simulate(t, theta0, omega0, length, gravity):
+    """(n, 2) states."""
+
+    def rates(_, state):
+        return state[1], alpha(state[0], state[1], 1.0, length, gravity)
+
+    return odeint(rates, (theta0, omega0), t, tfirst=True, rtol=1e-12, atol=1e-12, mxstep=100_000)
+
+
+def energy_of_rows(rows, length, gravity):
+    """Of 1 kg m^2, zero at the lowest point, along a motion."""
+    theta, omega = rows.T
+    return omega**2 / 2 + 2 * gravity / length * np.sin(theta / 2) ** 2
+
+
+def free_body_diagram(theta, omega, mass, length, gravity):
+    """Of the mass; m a is drawn whole, or as its parts across and along the rod."""
+    r, v, pull, across = vectors(theta, omega, mass, length, gravity)
+    tension = linear_momentum_balance(theta, omega, mass=mass, length=length, gravity=gravity)[1]
+    strains = abs(tension) > NEGLIGIBLE * (abs(pull) + mass * abs(v) ** 2 / length)
+    swing, inward = alpha(theta, omega, mass, length, gravity) * length * across, -(omega**2) * r
+    point, down, rod, *parts = ([z.real, z.imag] for z in (r, pull, r, swing + inward, swing, inward))
+    forces = weight(point, "the mass", gravity), Force("the force of the rod", point, "the mass", rod, acts=strains)
+    wrong = NotAForce(CENTRIFUGAL, point, rod, sense=True), *(NotAForce(INERTIAL, point, part) for part in parts)
+    return FreeBody("the mass", forces, wrong=wrong, outline=[[[0.0, 0.0], point]])

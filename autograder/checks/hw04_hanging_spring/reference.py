@@ -1,0 +1,80 @@
+"""What is right in hw04: a matrix exponential, the oscillator's (Fradkin's) tensor, and turned coordinates."""
+
+import math
+
+import numpy as np
+from scipy.linalg import expm
+
+from tam570_grader.checks.diagrams import INERTIAL, Force, FreeBody, NotAForce, weight
+
+Z = np.array([0.0, 0.0, 1.0])
+
+
+def rate_of(mass, stiffness, gravity):
+    return math.sqrt(stiffness / mass)
+
+
+def generator(mass, stiffness, gravity):
+    """The matrix of the linear equation for (r, v, 1)."""
+    matrix = np.zeros((7, 7))
+    matrix[:3, 3:6] = np.eye(3)
+    matrix[3:6, :3] = -stiffness / mass * np.eye(3)
+    matrix[5, 6] = -gravity
+    return matrix
+
+
+def state_derivative(t, state, **known):
+    return (generator(**known) @ [*state, 1.0])[:6]
+
+
+def energy(state, mass, stiffness, gravity):
+    matrix = np.diag([stiffness] * 3 + [mass] * 3)
+    return state @ matrix @ state / 2 + mass * gravity * state[2]
+
+
+def solution(t, position, velocity, **known):
+    """(n, 6) states, position and velocity being those at t = 0."""
+    start = [*position, *velocity, 1.0]
+    return (expm(generator(**known) * np.reshape(t, (-1, 1, 1))) @ start)[:, :6]
+
+
+def simulate(t, position, velocity, **known):
+    """(n, 6) states, position and velocity being those at t[0]."""
+    return solution(t - t[0], position, velocity, **known)
+
+
+def centre(mass, stiffness, gravity):
+    return -mass * gravity / stiffness * Z
+
+
+def energies(states, mass, stiffness, gravity):
+    """(n,) J, from the place of rest."""
+    places = states[:, :3] - centre(mass, stiffness, gravity)
+    return (stiffness * np.sum(places**2, axis=1) + mass * np.sum(states[:, 3:] ** 2, axis=1)) / 2
+
+
+def orbit(position, velocity, **known):
+    """The centre, and Fradkin's tensor over stiffness/2: its eigenvalues are the squares of the axes, which give it."""
+    place = position - centre(**known)
+    return centre(**known), np.outer(place, place) + np.outer(velocity, velocity) / rate_of(**known) ** 2
+
+
+def project(points, azimuth, elevation):
+    """The points in coordinates turned by the azimuth about z, then by the elevation about the y axis."""
+    plane = (points[:, 0] + 1j * points[:, 1]) * np.exp(-1j * azimuth)
+    tilted = (plane.real + 1j * points[:, 2]) * np.exp(-1j * elevation)
+    return np.column_stack([plane.imag, tilted.imag])
+
+
+PUSHES = "You let the spring push. Its rest length is zero: it always pulls towards the origin."
+
+
+def free_body_diagram(state, mass, stiffness, gravity):
+    """Of the mass."""
+    point = np.asarray(state[:3], float)
+    spring = Force("the force of the spring", point, "the mass", -point, sense=True, acts=point.any(), reversed=PUSHES)
+    acceleration = -stiffness / mass * point - gravity * Z
+    wrong = (NotAForce(INERTIAL, point, acceleration),)
+    return FreeBody(
+        "the mass", (weight(point, "the mass", gravity, -Z), spring), wrong=wrong, outline=[[0 * point, point]]
+    )

@@ -1,0 +1,79 @@
+"""What is right in hw05: acceleration and constraint force from one linear system, motions from the angle."""
+
+import math
+
+import numpy as np
+from scipy.integrate import odeint
+
+from tam570_grader.checks.diagrams import CENTRIFUGAL, INERTIAL, NEGLIGIBLE, Force, FreeBody, NotAForce, weight
+
+
+def on_circle(theta, omega, length):
+    """The state (..., 4) at an angle from straight down."""
+    s, c, speed = np.sin(theta), np.cos(theta), length * np.asarray(omega)
+    return np.stack([length * s, -length * c, speed * c, speed * s], axis=-1)
+
+
+def together(state, mass, length, gravity):
+    """Acceleration and constraint force: m a - N r = (0, -m g), r . a = -v . v."""
+    r, v = state[:2], state[2:]
+    matrix = np.block([[mass * np.eye(2), -r[:, None]], [r, np.zeros(1)]])
+    *a, pull = np.linalg.solve(matrix, [0.0, -mass * gravity, -v @ v])
+    return np.array(a), pull * r
+
+
+def acceleration(state, **known):
+    return together(state, **known)[0]
+
+
+def constraint_force(state, **known):
+    return together(state, **known)[1]
+
+
+def angle_and_rate(state, length):
+    """The angle from straight down, and its rate on the circle, of what of the velocity is across the radius."""
+    x, y, vx, vy = state
+    return math.atan2(x, -y), (x * vy - y * vx) / (math.hypot(x, y) * length)
+
+
+def consistent_state(state, length):
+    theta, omega = angle_and_rate(state, length)
+    return on_circle(theta, omega, length)
+
+
+def energy(state, mass, gravity):
+    _, y, vx, vy = state
+    return mass * ((vx**2 + vy**2) / 2 + gravity * y)
+
+
+def wireframe(state, length):
+    return np.array([[[0.0, 0.0], state[:2]]])
+
+
+def simulate(t, state, mass, length, gravity):
+    """(n, 4) states at the times t, by the angle from straight down."""
+
+    def rates(_, angle):
+        return angle[1], -gravity / length * math.sin(angle[0])
+
+    angles = odeint(rates, angle_and_rate(state, length), t, tfirst=True, rtol=1e-12, atol=1e-12, mxstep=100_000)
+    return np.vstack([state, on_circle(angles[1:, 0], angles[1:, 1], length)])  # good to 4e-9 after 100 s
+
+
+def energies(rows, mass, length, gravity):
+    """Energy along a motion, over m g l, or m l^2/s^2 without gravity."""
+    return energy(rows.T, 1.0, gravity) / ((gravity or 1.0) * length)
+
+
+def free_body_diagram(state, mass, length, gravity):
+    """Of the particle."""
+    point, velocity = np.split(np.asarray(state, float), 2)
+    tension = np.linalg.norm(constraint_force(state, mass=mass, length=length, gravity=gravity))
+    strains = tension > NEGLIGIBLE * mass * (gravity + velocity @ velocity / length)
+    rod = Force("the force of the rod", point, "the particle", point, acts=strains)
+    wrong = (
+        NotAForce(CENTRIFUGAL, point, point, sense=True),
+        NotAForce(INERTIAL, point, acceleration(state, mass=mass, length=length, gravity=gravity)),
+    )
+    forces = weight(point, "the particle", gravity), rod
+    return FreeBody("the particle", forces, wrong=wrong, outline=[[0 * point, point]])

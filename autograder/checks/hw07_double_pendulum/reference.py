@@ -1,0 +1,124 @@
+"""What is right in hw07, by another route than the solution's: the motion of the two mass centres as complex numbers,
+x + iy, and d'Alembert's principle.
+"""
+
+import math
+
+import numpy as np
+
+from tam570.integrate import solve
+from tam570_grader.checks.diagrams import Force, FreeBody, NotAForce, weight
+
+REACH = np.array([[0.5, 0.0], [1.0, 0.5]])  # how much of each bar there is from the ceiling to each mass centre
+
+
+def kinematics(theta, omega, lengths):
+    """Of each mass centre: its place, the velocities per unit of om1 and om2, the acceleration without alpha."""
+    bars = -1j * lengths * np.exp(np.multiply(1j, theta))
+    return REACH @ bars, REACH * 1j * bars, -REACH @ (np.square(omega) * bars)
+
+
+def terms(theta, omega, masses, lengths, gravity):
+    """M, f, g: inertia forces and weights dotted with the velocities per unit of om1 and om2."""
+    _, levers, rest = kinematics(theta, omega, lengths)
+    weighted = masses * levers.conj().T
+    M = (weighted @ levers).real + np.diag(masses * lengths**2 / 12)
+    return M, (weighted @ rest).real, gravity * (weighted @ [1j, 1j]).real
+
+
+def angular_acceleration(theta, omega, masses, lengths, gravity):
+    M, f, g = terms(theta, omega, masses, lengths, gravity)
+    return np.linalg.solve(M, -f - g)
+
+
+def mass_matrix(theta, masses, lengths):
+    return terms(theta, (0.0, 0.0), masses, lengths, 0.0)[0]
+
+
+def velocity_terms(theta, omega, masses, lengths):
+    return terms(theta, omega, masses, lengths, 0.0)[1]
+
+
+def gravity_terms(theta, masses, lengths, gravity):
+    return terms(theta, (0.0, 0.0), masses, lengths, gravity)[2]
+
+
+def on_the_fly(theta, omega, masses, lengths, gravity):
+    """The hinge forces by Newton's law for both bars together, and for bar 2."""
+    alpha = angular_acceleration(theta, omega, masses, lengths, gravity)
+    _, levers, rest = kinematics(theta, omega, lengths)
+    moved = masses * (levers @ alpha + rest + 1j * gravity)
+    return alpha, np.array([[force.real, force.imag] for force in (moved.sum(), moved[1])])
+
+
+def energy(theta, omega, masses, lengths, gravity):
+    places, M = kinematics(theta, omega, lengths)[0], mass_matrix(theta, masses, lengths)
+    return omega @ M @ omega / 2 + gravity * masses @ places.imag
+
+
+def angular_momentum(theta, omega, masses, lengths):
+    """Sum of r x m v and I omega."""
+    places, levers, _ = kinematics(theta, omega, lengths)
+    orbital = (places.conj() * (levers @ omega)).imag
+    return masses @ (orbital + lengths**2 * omega / 12)
+
+
+def rates(_, state, masses, lengths, gravity):
+    """The derivative of a state: angular_acceleration in real numbers, of which the integrator makes a fast program."""
+    th1, th2, om1, om2 = state
+    (m1, m2), (l1, l2) = masses, lengths
+    both, lower, coupling = (m1 / 3 + m2) * l1**2, m2 * l2**2 / 3, m2 * l1 * l2 / 2
+    between = coupling * np.cos(th1 - th2)
+    pull1 = -coupling * np.sin(th1 - th2) * om2**2 - gravity * l1 * (m1 / 2 + m2) * np.sin(th1)
+    pull2 = coupling * np.sin(th1 - th2) * om1**2 - gravity * l2 * m2 / 2 * np.sin(th2)
+    determinant = both * lower - between**2
+    return om1, om2, (lower * pull1 - between * pull2) / determinant, (both * pull2 - between * pull1) / determinant
+
+
+def simulate(t, theta, omega, **known):
+    """(n, 4) states at the times t; tests hold it to angular_acceleration, and to solve_ivp."""
+    return solve(rates, t, np.concatenate([theta, omega]), parameters=known, rtol=1e-12, method="python")
+
+
+def small_oscillation_frequencies(masses, lengths, gravity):
+    """By a symmetric eigenvalue problem: M^(-1/2) K M^(-1/2)."""
+    stiffness = gravity_terms((math.pi / 2, math.pi / 2), masses, lengths, gravity)  # sin = 1
+    inverse = np.linalg.inv(np.linalg.cholesky(mass_matrix((0.0, 0.0), masses, lengths)))
+    return np.sqrt(np.linalg.eigvalsh(inverse @ np.diag(stiffness) @ inverse.T))
+
+
+def wireframe(theta, lengths):
+    elbow, tip = (lengths * np.exp(1j * (theta - math.pi / 2))).cumsum()
+    return np.array([[[0, 0], [elbow.real, elbow.imag]], [[elbow.real, elbow.imag], [tip.real, tip.imag]]])
+
+
+def energies(rows, **known):
+    return np.array([energy(row[:2], row[2:], **known) for row in rows])
+
+
+def momenta(rows, gravity, **bars):
+    return np.array([angular_momentum(row[:2], row[2:], **bars) for row in rows])
+
+
+OF_THE_CEILING = "You drew the force of the ceiling on bar 2. The ceiling touches only bar 1."
+OF_BAR_2 = "You drew the weight of bar 2 on bar 1. The earth pulls bar 2; bar 1 feels only the force at the elbow."
+OF_BAR_1 = "You drew the weight of bar 1 on bar 2. The earth pulls bar 1; bar 2 feels only the force at the elbow."
+AT_THE_TIP = "You drew a force at the tip of bar 2. No other body touches it there."
+DOWN = (0.0, -1.0)
+
+
+def free_body_diagram(bar, theta, masses, lengths, gravity):
+    """Of bar 1 or bar 2."""
+    bars = -1j * lengths * np.exp(np.multiply(1j, theta))
+    ceiling, elbow, tip, *middles = (
+        [z.real, z.imag] for z in (0j, bars[0], bars.sum(), bars[0] / 2, bars[0] + bars[1] / 2)
+    )
+    at_ceiling = Force("the force of the ceiling", ceiling, "the ceiling hinge")
+    at_elbow = Force(f"the force of bar {3 - bar}", elbow, "the elbow")
+    down = weight(middles[bar - 1], f"the middle of bar {bar}", gravity)
+    forces = (down, at_ceiling, at_elbow) if bar == 1 else (down, at_elbow)
+    of_other = OF_BAR_2 if bar == 1 else OF_BAR_1
+    wrong = [NotAForce(of_other, point, DOWN, sense=True) for point in (middles[2 - bar], elbow)]
+    if bar == 2:
+        wrong += [NotAForce(OF_THE_CEILING, ceiling), NotAForce(AT_THE_TIP, tip)]
+    return FreeBody(f"bar {bar}", forces, wrong=wrong, outline=[[ceiling, elbow] if bar == 1 else [elbow, tip]])

@@ -1,0 +1,189 @@
+"""What is right in hw14, from the angular momentum about the contact; w1, w2, w3 is omega along e1, e2, e3."""
+
+import math
+
+import numpy as np
+from scipy.integrate import solve_ivp
+
+from tam570.integrate import solve
+from tam570_grader.checks.diagrams import Force, FreeBody, weight
+
+Z = np.array([0.0, 0.0, 1.0])
+RIGHT = math.pi / 2
+CENTRE, MATRIX, OMEGA = slice(0, 3), slice(3, 12), slice(12, 15)
+
+
+def frame(state):
+    """Rows e1, e2, e3."""
+    yaw, tilt = state[2:4]
+    e1 = np.array([math.cos(yaw), math.sin(yaw), 0.0])
+    across = np.array([-e1[1], e1[0], 0.0])
+    c, s = math.cos(tilt), math.sin(tilt)
+    return np.array([e1, s * Z + c * across, c * Z - s * across])
+
+
+def components(state):
+    """w1, w2, w3; of columns, too."""
+    _, _, _, tilt, _, yaw_rate, tilt_rate, roll_rate = state
+    return tilt_rate, yaw_rate * np.sin(tilt), roll_rate + yaw_rate * np.cos(tilt)
+
+
+def matrix_state(state, radius):
+    E, roll = frame(state), state[4]
+    centre = np.array([state[0], state[1], 0.0]) + radius * E[1]
+    c, s = math.cos(roll), math.sin(roll)
+    R = np.array([[c, s, 0.0], [-s, c, 0.0], Z]) @ E
+    return np.concatenate([centre, R.T.ravel(), components(state) @ E])
+
+
+def euler_state(state, radius):
+    """The Euler state of a matrix state."""
+    R, w = np.reshape(state[MATRIX], (3, 3)), np.asarray(state[OMEGA])
+    s = math.hypot(*R[:2, 2])
+    yaw, tilt = math.atan2(R[0, 2], -R[1, 2]), math.atan2(s, R[2, 2])
+    e1, e2, e3 = frame([0, 0, yaw, tilt])
+    x, y, _ = state[CENTRE] - radius * e2
+    yaw_rate = w @ e2 / s
+    roll = math.atan2(-R[:, 1] @ e1, R[:, 0] @ e1)
+    return np.array([x, y, yaw, tilt, roll, yaw_rate, w @ e1, w @ e3 - yaw_rate * e3[2]])
+
+
+def component_rates(state, *, mass, radius, inertia, gravity):
+    """w1', w2', w3': the contact, about which the weight alone has a moment, moves along -e1 at a roll'."""
+    (A, C), m = inertia, mass * radius**2
+    w1, w2, w3 = components(state)
+    tilt, roll_rate = state[3], state[7]
+    H1, H2, H3, turn = (A + m) * w1, A * w2, (C + m) * w3, w3 - roll_rate  # the frame turns at w1, w2, turn
+    moment = -mass * gravity * radius * math.cos(tilt)
+    about_e2 = w1 * H3 - turn * H1 - m * roll_rate * w1
+    return (moment + turn * H2 - w2 * H3) / (A + m), about_e2 / A, (w2 * H1 - w1 * H2) / (C + m)
+
+
+def euler_state_derivative(_, state, **disk):
+    _, _, yaw, tilt, _, yaw_rate, tilt_rate, roll_rate = state
+    c, s, speed = math.cos(tilt), math.sin(tilt), -disk["radius"] * roll_rate
+    tilt_second, w2_rate, w3_rate = component_rates(state, **disk)
+    yaw_second = (w2_rate - yaw_rate * tilt_rate * c) / s
+    roll_second = w3_rate - yaw_second * c + yaw_rate * tilt_rate * s
+    velocity = speed * math.cos(yaw), speed * math.sin(yaw)
+    return *velocity, yaw_rate, tilt_rate, roll_rate, yaw_second, tilt_second, roll_second
+
+
+def accelerations(state, **disk):
+    """omega' and the acceleration of the centre, which is at a e2 from the contact, in space axes."""
+    omega, arm, E = np.array(components(state)), [0.0, disk["radius"], 0.0], frame(state)
+    turning = omega - [0.0, 0.0, state[7]]
+    omega_rate = component_rates(state, **disk) + np.cross(turning, omega)
+    return omega_rate @ E, (np.cross(omega_rate, arm) + np.cross(omega, np.cross(turning, arm))) @ E
+
+
+def matrix_state_derivative(_, state, **disk):
+    euler, omega = euler_state(state, disk["radius"]), state[OMEGA]
+    velocity = np.cross(omega, disk["radius"] * frame(euler)[1])
+    R_rate = np.cross(omega, np.reshape(state[MATRIX], (3, 3)).T).T
+    return np.concatenate([velocity, R_rate.ravel(), accelerations(euler, **disk)[0]])
+
+
+def multiplier_state_derivative(t, state, **disk):
+    return matrix_state_derivative(t, state, **disk)
+
+
+def energy(state, *, mass, radius, inertia, gravity):
+    """Of columns, too."""
+    (A, C), (w1, w2, w3) = inertia, components(state)
+    moving, turning = mass * radius**2 * (w1**2 + w3**2), A * (w1**2 + w2**2) + C * w3**2
+    return (moving + turning) / 2 + mass * gravity * radius * np.sin(state[3])
+
+
+def contact_force(state, **disk):
+    return disk["mass"] * (accelerations(state, **disk)[1] + disk["gravity"] * Z)
+
+
+def simulate_euler(t, state, rtol=1e-12, **disk):
+    """(n, 8) Euler states; ArithmeticError where the disk falls flat."""
+    return solve(euler_state_derivative, t, state, parameters=disk, rtol=rtol, method="python")
+
+
+def simulate_matrix(t, state, **disk):
+    """(n, 15) matrix states."""
+    radius = disk["radius"]
+    return np.array([matrix_state(row, radius) for row in simulate_euler(t, euler_state(state, radius), **disk)])
+
+
+def two_integrals(rows, *, mass, radius, inertia, gravity):
+    """(n, 2): w2 and w3 carried to the upright disk by their linear equations in the tilt (Appell, Korteweg)."""
+    (A, C), m = inertia, mass * radius**2
+
+    def rates(tilt, w):
+        return C / A * w[1] - w[0] / math.tan(tilt), m / (C + m) * w[0]
+
+    known = {"method": "DOP853", "rtol": 1e-11, "atol": 1e-12}
+    return np.array([solve_ivp(rates, (row[3], RIGHT), components(row)[1:], **known).y[:, -1] for row in rows])
+
+
+def not_a_rotation(rows, **_):
+    """(n, 3, 3): R^T R."""
+    R = rows[:, MATRIX].reshape(-1, 3, 3)
+    return R.transpose(0, 2, 1) @ R
+
+
+def above_the_ground(rows, *, radius, **_):
+    """(n,) m: the height of the centre over that of a disk on the ground."""
+    return rows[:, 2] - radius * np.hypot(rows[:, 5], rows[:, 8])
+
+
+# Steady and nearly upright
+
+
+def steady_residual(lean, precession, spin, **disk):
+    """Of hw11's motion."""
+    state = np.array([0, 0, 0, lean + RIGHT, 0, precession, 0, spin + precession * math.sin(lean)])
+    return euler_state_derivative(0, state, **disk)[6]
+
+
+def growth_rate_squared(speed, **disk):
+    """d(tilt'')/d(tilt) at w2 = C/A spin d(tilt), the balance about e2; by a five-point difference."""
+    spin, h = speed / disk["radius"], 1e-3
+
+    def second(lean):
+        yaw_rate = disk["inertia"][1] / disk["inertia"][0] * spin * lean / math.cos(lean)
+        return steady_residual(lean, yaw_rate, spin, **disk)
+
+    return (8 * (second(h) - second(-h)) - second(2 * h) + second(-2 * h)) / (12 * h)
+
+
+def critical_speed(**disk):
+    """Where growth, linear in the square of the speed, is zero."""
+    still, moving = growth_rate_squared(0.0, **disk), growth_rate_squared(1.0, **disk)
+    return math.sqrt(still / (still - moving))
+
+
+def usual(disk):
+    """Size of angular rates, rad/s."""
+    return math.sqrt((disk["gravity"] or 10.0) / disk["radius"])
+
+
+# The picture
+
+
+def turned(angles, by):
+    """Angles less a whole number of `by`, between -by/2 and by/2."""
+    return (angles + by / 2) % by - by / 2
+
+
+def in_the_disk(points, state, radius):
+    """Angles of points in the body's plane, and how far the points are from the rim, m."""
+    placed = matrix_state(state, radius)
+    x, y, z = np.moveaxis((points - placed[CENTRE]) @ placed[MATRIX].reshape(3, 3), -1, 0)
+    return np.arctan2(y, x), np.hypot(np.hypot(x, y) - radius, z)
+
+
+def free_body_diagram(state, mass, radius, gravity):
+    """Of the disk; a disk at rest without gravity is not pushed by the ground."""
+    contact = np.array([state[0], state[1], 0.0])
+    centre = contact + radius * frame(state)[1]
+    ground = Force("the force of the ground", contact, "the contact", acts=gravity != 0 or bool(np.any(state[5:])))
+    turns = np.linspace(0.0, 2 * np.pi, 25)[:, None]
+    rim = centre + radius * (np.cos(turns) * frame(state)[0] + np.sin(turns) * frame(state)[1])
+    forces = weight(centre, "the centre", gravity, -Z), ground
+    return FreeBody("the disk", forces, outline=np.stack([rim[:-1], rim[1:]], axis=1))

@@ -1,0 +1,244 @@
+"""Where the course is: the checkout with its assignments, solutions and checks, and what is loaded from it by path."""
+
+import ast
+import functools
+import hashlib
+import importlib
+import importlib.util
+import re
+import sys
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import tam570
+import tam570_grader
+from tam570_grader.checks.check import Check
+from tam570_grader.checks.effort import Finder
+from tam570_grader.checks.figures import Figure
+from tam570_grader.checks.mistakes import Mistake, mistakes
+from tam570_grader.checks.returns import ReturnSpec
+from tam570_grader.errors import UsageError
+from tam570_grader.rubric import ManualPart, load_rubric
+
+__all__ = [
+    "ADAPTED",
+    "INSTALLED",
+    "OWN",
+    "Assignment",
+    "assignment",
+    "manual_parts",
+    "checks_digest",
+    "checks_folder",
+    "engine_digest",
+    "figure",
+    "find",
+    "is_checkout",
+    "named",
+    "one_named",
+    "slug_of",
+    "slugs",
+    "solution",
+]
+
+INSTALLED = tuple(Path(tam570.__file__).resolve().parents[1:3])  # where an editable install has the course
+PACKAGES = "_checks_"  # how the names of the packages of checks begin
+sys.meta_path.insert(0, Finder(PACKAGES))  # what they spend is counted
+ADAPTED, OWN = "adapted", "own"  # modules beside `checks` in a course of one's own: what it changes, what it adds
+
+
+@dataclass(frozen=True)
+class Assignment:
+    """An assignment as the grader needs it."""
+
+    slug: str
+    checks: tuple[Check, ...]
+    results: Mapping[str, ReturnSpec]
+    needs: Sequence[str]
+    forbidden: Mapping[str, Sequence[str]]
+    source: bytes  # of the checks
+    rubric: Mapping[str, ManualPart]  # what is graded by hand, by part
+    root: Path = Path()
+
+    @property
+    def solution(self) -> str:
+        """The text of the reference solution."""
+        return (self.root / "solutions" / f"{self.slug}.py").read_text(encoding="utf-8")
+
+    def signature(self, name: str) -> str:
+        """What a function of the contract must take: `amplitude, *, length, gravity`."""
+        defined = (node for node in ast.parse(self.solution).body if isinstance(node, ast.FunctionDef))
+        return next((ast.unparse(node.args) for node in defined if node.name == name), "...")
+
+    def suspects(self, check: str) -> list[Mistake]:
+        """The mistakes that a student who fails this check may have made."""
+        known = mistakes(checks_folder(self.root, self.slug) / "mistakes")
+        return [one for one in known if one.suspect and check in one.fails]
+
+    @property
+    def manual(self) -> Mapping[str, tuple[float, str]]:
+        """Points given by hand, and for what, by part."""
+        return {letter: (part.points, part.asks) for letter, part in self.rubric.items()}
+
+    @property
+    def max_score(self) -> float:
+        return round(sum(check.points for check in self.checks), 6)
+
+
+def find(given: str | Path | None = None) -> Path:
+    """The checkout: as given, else that of an editable install."""
+    places = INSTALLED if given is None else (Path(given).resolve(),)
+    if found := next(filter(is_checkout, places), None):
+        return found
+    where = f"{given} does not hold a course" if given is not None else "no course is installed"
+    raise UsageError(f"{where}: no autograder/checks and solutions; name a checkout of the course with --root")
+
+
+def is_checkout(place: Path) -> bool:
+    """Whether a folder holds checks and solutions."""
+    return (place / "autograder" / "checks").is_dir() and (place / "solutions").is_dir()
+
+
+def slugs(root: Path) -> list[str]:
+    """The assignments that have checks, in order."""
+    return sorted(path.parent.name for path in (root / "autograder" / "checks").glob("hw*/checks.py"))
+
+
+def checks_folder(root: Path, slug: str) -> Path:
+    """All that is hidden about one assignment."""
+    return root / "autograder" / "checks" / slug
+
+
+def slug_of(name: str, known: Sequence[str]) -> str | None:
+    """The assignment that a file's or folder's name stands for: hw07, HW7, homework 7, hw07-final, ..."""
+    if name in known:
+        return name
+    number = re.match(r"(?:hw|homework)[ _-]*(\d{1,2})(?!\d)", name, re.IGNORECASE)
+    return next((slug for slug in known if number and slug.startswith(f"hw{int(number[1]):02}_")), None)
+
+
+def named(names: Iterable[str], known: Sequence[str]) -> list[str]:
+    """The assignments that these names on the command line stand for; all that are known if there are no names."""
+    found = [(name, slug_of(name, known)) for name in names]
+    if unknown := [name for name, slug in found if slug is None]:
+        raise UsageError(f"there is no assignment {unknown[0]!r}; there are: {', '.join(known)}")
+    return [slug for _, slug in found if slug] or list(known)
+
+
+def one_named(name: str | None, known: Sequence[str]) -> str | None:
+    """The assignment that the option --assignment names; None without it."""
+    return named([name], known)[0] if name else None
+
+
+@functools.cache
+def assignment(root: Path, slug: str) -> Assignment:
+    """The assignment's checks and promises, loaded from its checks file."""
+    (slug,) = named([slug], slugs(root))
+    folder = checks_folder(root, slug)
+    module = _checks(folder)
+    source = (folder / "checks.py").read_bytes()
+    checks = _named_checks(module)
+    forbidden: dict[str, Sequence[str]] = getattr(module, "FORBIDDEN", {})
+    rubric = load_rubric(root / "assignments" / slug)
+    found = Assignment(slug, checks, module.RETURNS, module.NEEDS, forbidden, source, rubric, root)
+    return _adapted(found, folder) if (folder / f"{ADAPTED}.py").exists() else found
+
+
+def _adapted(given: Assignment, folder: Path) -> Assignment:
+    """An assignment with the points, parts and checks of a course of one's own."""
+    change = importlib.import_module(f"_checks_{folder.name}.{ADAPTED}")
+    own = importlib.import_module(f"_checks_{folder.name}.{OWN}") if (folder / f"{OWN}.py").exists() else None
+    checks = {check.name: replace(check, points=change.POINTS.get(check.name, check.points)) for check in given.checks}
+    kept = {name: check for name, check in checks.items() if check.part not in change.LEAVE_OUT and check.points}
+    kept |= {check.name: check for check in (_named_checks(own) if own else ())}
+    forbidden = {
+        where: [name for name in names if name not in change.ALLOW] for where, names in given.forbidden.items()
+    }
+    return replace(
+        given,
+        checks=tuple(
+            replace(check, after=tuple(kept[one.name] for one in check.after if one.name in kept))
+            for check in kept.values()
+        ),
+        results={**given.results, **getattr(own, "RETURNS", {})},
+        forbidden={where: names for where, names in forbidden.items() if names},
+        rubric={letter: part for letter, part in given.rubric.items() if letter not in change.LEAVE_OUT},
+    )
+
+
+def manual_parts(root: Path, slug: str) -> Mapping[str, tuple[float, str]]:
+    """The parts that are graded by hand, with their points and what they ask; no checks are loaded, if none change."""
+    folder = checks_folder(root, slug)
+    if (folder / f"{ADAPTED}.py").exists():
+        return assignment(root, slug).manual
+    return {letter: (part.points, part.asks) for letter, part in load_rubric(root / "assignments" / slug).items()}
+
+
+def solution(slug: str, root: Path | None = None) -> Any:
+    """The reference solution as a module of its own."""
+    return _loaded((root or find()) / "solutions" / f"{slug}.py", f"_solution_{slug}")
+
+
+@functools.cache
+def figure(root: Path, slug: str, **parameters: Any) -> Figure | None:
+    """Draw the figure of an assignment by its reference functions, None where it has none.
+
+    parameters : other values of what the figure shows
+    """
+    folder = checks_folder(root, slug)
+    if not (folder / "figure.py").exists():
+        return None
+    _checks(folder)
+    drawn: Figure = importlib.import_module(f"_checks_{slug}.figure").figure(**parameters)
+    return drawn
+
+
+def checks_digest(root: Path, slug: str) -> bytes:
+    """Of all that is hidden about one assignment; nothing of it is loaded."""
+    return _digest(checks_folder(root, slug))
+
+
+@functools.cache
+def engine_digest() -> bytes:
+    """Of the code of the grader and of the utilities that students call: a result may change if it does."""
+    return _digest(Path(tam570_grader.__file__).parent, Path(tam570.__file__).parent)
+
+
+def _digest(*folders: Path) -> bytes:
+    """Of the names and contents of all Python files below these folders, stubs in an installed course aside."""
+    digest = hashlib.sha256()
+    for folder in folders:
+        for path in sorted(path for path in folder.rglob("*.py") if path.relative_to(folder).parts[0] != "assignments"):
+            digest.update(f"{path.relative_to(folder)}\0".encode() + path.read_bytes())
+    return digest.digest()
+
+
+def _checks(folder: Path) -> ModuleType:
+    """The module `checks` of a folder, loaded as part of a package of a private name: it may import its neighbours."""
+    name = f"{PACKAGES}{folder.name}"
+    package = ModuleType(name)
+    package.__path__ = [str(folder)]
+    for loaded in [key for key in sys.modules if key == name or key.startswith(f"{name}.")]:
+        del sys.modules[loaded]
+    sys.modules[name] = package
+    return importlib.import_module(f"{name}.checks")
+
+
+def _named_checks(module: ModuleType) -> tuple[Check, ...]:
+    """The checks of a module, in order; a law has the name that it is bound to."""
+    found = {name: value for name, value in vars(module).items() if isinstance(value, Check)}
+    for name, one in found.items():
+        one.judge.__name__ = name
+    return tuple(found.values())
+
+
+def _loaded(path: Path, name: str) -> ModuleType:
+    spec = importlib.util.spec_from_file_location(name, path)
+    if spec is None or spec.loader is None:
+        raise UsageError(f"{path} cannot be loaded")
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[name] = module
+    spec.loader.exec_module(module)
+    return module

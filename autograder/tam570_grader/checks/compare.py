@@ -1,0 +1,236 @@
+"""A student's function against the right one, over cases."""
+
+import functools
+import inspect
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+
+from tam570_grader.checks.case import Case
+from tam570_grader.checks.expect import expect, expect_that, fail
+from tam570_grader.checks.expected import expected_result
+from tam570_grader.checks.returns import Description, Scale
+
+__all__ = [
+    "Column",
+    "Reference",
+    "absolute",
+    "compare",
+    "compare_columns",
+    "call_cases",
+    "by_kind",
+    "largest",
+    "find_reference",
+    "check_raises",
+    "trim_to_signature",
+]
+
+
+@dataclass(frozen=True)
+class Column:
+    """Numbers of a result, or columns of a motion, that share a unit and a scale."""
+
+    quantity: str  # "the angles"
+    unit: str
+    where: slice | Sequence[int]
+    turns: bool = False  # angles, which are never wrapped
+    scale: Callable[[Case, Any], float] | None = None  # scale(case, right result); default: the largest number
+
+
+PLACES = range(2, 13)  # after the point, to which people round; what has two or fewer may be exact
+PLACED, ARGUMENTS, KEYWORDS = (  # f(name, *args, **known)
+    inspect.Parameter.POSITIONAL_OR_KEYWORD,
+    inspect.Parameter.VAR_POSITIONAL,
+    inspect.Parameter.VAR_KEYWORD,
+)
+SINGLE = 1e-6  # of the largest number; single precision loses 6e-8
+
+DESCRIPTIONS = ("quantity", "unit", "scale")  # of a result, in RESULTS
+
+Only = int | Sequence[int] | None
+Reference = Callable[..., Any] | ModuleType
+
+
+def compare(
+    function: Any,
+    reference: Reference,
+    cases: Iterable[Case],
+    *,
+    tolerance: float,
+    quantity: str | Sequence[str] | None = None,
+    unit: str | Sequence[str] | None = None,
+    scale: Scale | Sequence[Scale] | None = None,
+    hint: str | Callable[[Case, Any, Any], str] = "",
+    partial: Mapping[float, float] | None = None,
+    only: Only = None,
+    near_miss_credit: bool = True,
+) -> list[Any]:
+    """Fail unless the student's `function` gives what `reference` gives, in every case; its results, for further checks.
+
+    right  : the right function, or the module in which it has the name of the student's
+    within : of the scale, by default the largest number of the right result
+    of, unit, scale : one for each member where the result is a tuple; left out, as RESULTS has them
+    hint   : where to look; a function of the case, the result and the right one is asked on failure alone
+    only   : the member of a tuple that is judged, or several
+    gradual : False where an error of a few limits is no sign that the physics is right
+    """
+    said = (quantity, unit, scale)
+    words = [describe(function, name) if one is None else one for name, one in zip(DESCRIPTIONS, said, strict=True)]
+    results = []
+    for case, found, whole in call_cases(function, reference, cases):
+        results.append(found)
+        for one, expected, what, its_unit, size in _members(found, whole, words, case, only):
+            told = functools.partial(_hint, hint, case, found, whole, one, expected)
+            limits = _limits(size, tolerance, partial or {})
+            _infinite_alike(one, expected, what, told)
+            expect(one, expected, quantity=what, unit=its_unit, hint=told, near_miss_credit=near_miss_credit, **limits)
+    return results
+
+
+def _limits(size: Any, tolerance: float, partial: Mapping[float, float]) -> dict[str, Any]:
+    """In the unit of the result; where its numbers have scales of their own, relative to these."""
+    if np.ndim(size):
+        return {"tolerance": tolerance, "scale": size, "partial": partial}
+    size = float(size)
+    return {"tolerance": tolerance * size, "partial": {limit * size: share for limit, share in partial.items()}}
+
+
+def _infinite_alike(found: Any, expected: Any, what: str, hint: Callable[[], str]) -> None:
+    """Of infinity nothing is wrong by some limit."""
+    if np.isfinite(found).all() and np.isfinite(expected).all():
+        return
+    message = f"{what} is not infinite" if np.isinf(expected).any() else f"{what} is infinite"
+    expect_that(np.array_equal(np.isinf(found), np.isinf(expected)), message, hint=hint)
+
+
+def absolute(*_: Any) -> float:
+    """The scale of what is judged in its own unit."""
+    return 1.0
+
+
+def largest(_: Any, expected: Any) -> float:
+    """The scale of what is judged by its largest number, as all is that has no other scale."""
+    return float(np.max(np.abs(np.asarray(expected, float)), initial=0.0))
+
+
+def by_kind(hints: Mapping[str, str], otherwise: str) -> Callable[..., str]:
+    """A hint, of a case or of a motion, that is the first whose words are in the kind of input."""
+
+    def hint(one: Any, *_: Any) -> str:
+        label = getattr(one, "case", one).label
+        return next((message for words, message in hints.items() if words in label), otherwise)
+
+    return hint
+
+
+def call_cases(function: Any, reference: Reference, cases: Iterable[Case]) -> Iterator[tuple[Case, Any, Any]]:
+    """Each case, cut to what the right function takes, with the student's result and the right one."""
+    true = find_reference(reference, function)
+    for case, found in function.each(trim_to_signature(true, cases)):
+        yield case, found, expected_result(true, case)
+
+
+def find_reference(reference: Reference, function: Any) -> Callable[..., Any]:
+    """The right function; of a module, the one that has the name of the student's."""
+    found: Callable[..., Any] = reference if callable(reference) else getattr(reference, function.name)
+    return found
+
+
+def trim_to_signature(reference: Callable[..., Any], cases: Iterable[Case]) -> list[Case]:
+    """The cases without the parameters that the right function has not, and without the last arguments beyond its own.
+
+    So the same cases serve functions that are given more or less of the same thing.
+    """
+    known = _signature(reference).parameters
+    kinds = [one.label for one in known.values()]
+
+    def cut(case: Case) -> Case:
+        named = {name: case.kwargs[name] for name in case.kwargs if name in known or KEYWORDS in kinds}
+        places = sum(name not in named and label is PLACED for name, label in zip(known, kinds, strict=True))
+        args = case.args if ARGUMENTS in kinds else case.args[:places]
+        whole = len(args) == len(case.args) and len(named) == len(case.kwargs)
+        return case if whole else Case(args, named, case.label)
+
+    return [cut(case) for case in cases]
+
+
+_signature = functools.lru_cache(maxsize=256)(inspect.signature)
+
+
+def describe(function: Any, name: str) -> Any:
+    """One of the words in which RESULTS speaks of a result, or of each member of a tuple."""
+    words = getattr(getattr(function, "returns", None), "words", Description())
+    return [getattr(one, name) for one in words] if isinstance(words, list) else getattr(words, name)
+
+
+def _hint(hint: Any, case: Case, found: Any, reference: Any, one: Any, expected: Any) -> str:
+    """What right numbers have lost, else the hint."""
+    return digits_lost(one, expected) or (hint(case, found, reference) if callable(hint) else hint)
+
+
+def digits_lost(found: Any, expected: Any) -> str:
+    """A sentence for the right numbers in single precision, or rounded; numbers that have few digits do not tell."""
+    found, expected = np.asarray(found, float), np.asarray(expected, float)
+    off = float(np.max(np.abs(found - expected), initial=0.0))
+    exact = [places for places in PLACES if np.array_equal(found, np.round(found, places))]
+    if exact and exact[0] != PLACES[0] and off <= 10.0 ** -exact[0]:
+        return f"The numbers are rounded to {exact[0]} places: return all digits"
+    if not exact and off <= SINGLE * np.max(np.abs(expected)) and np.array_equal(found, found.astype(np.float32)):
+        return "The numbers are in single precision: use float64"
+    return ""
+
+
+def compare_columns(
+    function: Any,
+    reference: Reference,
+    cases: Iterable[Case],
+    columns: Sequence[Column] = (),
+    *,
+    tolerance: float,
+    hint: str | Callable[[Case, Any, Any], str] = "",
+    near_miss_credit: bool = True,
+) -> None:
+    """As `compare`, for a state or rows of them, whose numbers have different units: each column is judged in its own.
+
+    columns : left out, as RESULTS has them
+    """
+    for case, found, true in call_cases(function, reference, cases):
+        expected, t = np.asarray(true, float), case.args[0] if found.ndim == 2 else None
+        for column in columns or function.returns.columns:
+            one, other = found[..., column.where], expected[..., column.where]
+            size = (column.scale(case, expected) if column.scale else np.max(np.abs(other))) or 1.0
+            told = functools.partial(_hint, hint, case, found, expected, one, other)
+            known: dict[str, Any] = {
+                "quantity": column.quantity,
+                "unit": column.unit,
+                "t": t,
+                "hint": told,
+                "near_miss_credit": near_miss_credit,
+            }
+            expect(one, other, tolerance=tolerance * size, **known)
+
+
+def _members(found: Any, expected: Any, words: Any, case: Case, only: Only) -> Iterable[tuple[Any, ...]]:
+    """(found, expected, of, unit, scale) of each member of a result."""
+    several = isinstance(found, tuple)
+    pairs = list(zip(found, expected, strict=True)) if several else [(found, expected)]
+    for index, (one, other) in enumerate(pairs):
+        if only is not None and index not in np.atleast_1d(only):
+            continue
+        what, its_unit, its_scale = (_of(index, said) for said in words)
+        size = (its_scale or largest)(case, other)
+        yield one, other, what, its_unit, np.where(np.asarray(size) == 0, 1.0, size) if np.ndim(size) else size or 1.0
+
+
+def _of(index: int, said: Any) -> Any:
+    return said[index] if isinstance(said, list | tuple) else said
+
+
+def check_raises(function: Any, cases: Iterable[Case], *, hint: str = "") -> None:
+    """Fail unless the function raises ValueError in every case."""
+    for case, refused in function.refusals(cases):
+        if not refused:
+            fail(f"{function.name} does not raise ValueError", label=case.label, hint=hint, at=case)

@@ -1,0 +1,264 @@
+"""Free body diagrams: the forces on a body, and what is wrong with the arrows that a student drew.
+
+    def free_body_diagram(theta, omega, mass, length, gravity):
+        r = length * np.array([math.sin(theta), -math.cos(theta)])
+        rod = Force("the force of the rod", r, "the mass", along=r)
+        return FreeBody("the mass", (weight(r, "the mass", gravity), rod))
+
+A diagram is right if each force is drawn once, at its point, along its line, in its sense where that is known, and
+nothing else is. The order and the lengths of the arrows are free.
+"""
+
+import itertools
+import math
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from tam570_grader.checks.case import Case
+from tam570_grader.checks.compare import call_cases
+from tam570_grader.checks.expect import fail
+from tam570_grader.checks.returns import Arrow
+
+__all__ = ["CENTRIFUGAL", "INERTIAL", "Force", "FreeBody", "NotAForce", "compare_diagrams", "complaint", "weight"]
+
+Vector = NDArray[np.float64]
+
+# Directions, in rad, and points, of the largest distance from the origin. Single precision is off by 6e-8.
+SAME = 1e-6
+NEGLIGIBLE = 1e-9  # of the forces on the body: a force that cancels to rounding may be left out
+
+INERTIAL = "You drew m a as a force; no other body exerts it. Write it on the other side of F = m a."
+CENTRIFUGAL = (
+    "You drew a second force along the rod, outwards. No other body exerts a centrifugal force, and the pull of the "
+    "mass acts on the rod."
+)
+
+
+@dataclass(frozen=True)
+class Force:
+    """A force of another body on this one.
+
+    name  : "the weight"
+    point : (d,) where it acts
+    where : the point in words, "G"
+    along : (d,) its line of action; None where no component is known
+    sense : whether the force points along `along`, and not against it, by what is known beforehand
+    acts  : whether its size can be other than zero in this state; it may be left out else, or drawn anyhow
+    push  : of an unknown force of a surface: the direction in which it can push; no arrow is drawn straight against it
+    reversed : what a student reads who draws it in the other sense
+    """
+
+    name: str
+    point: ArrayLike
+    where: str
+    along: ArrayLike | None = None
+    sense: bool = False
+    acts: bool = True
+    push: ArrayLike | None = None
+    reversed: str = ""
+
+    def drawn_by(self, arrows: Sequence[Arrow], near: float) -> bool:
+        """Whether these arrows, and they alone, draw this force."""
+        if not self.acts and not arrows:
+            return True
+        if not arrows or any(math.dist(arrow.point, np.asarray(self.point, float)) > near for arrow in arrows):
+            return False
+        if len(arrows) > 1:
+            pulls = self.push is not None and any(_opposite(arrow, self.push) for arrow in arrows)
+            return self.along is None and _perpendicular(arrows) and not pulls
+        (direction,) = (arrow.direction for arrow in arrows)
+        if not self.acts or self.along is None:
+            return not self.acts or direction is None
+        return direction is not None and _parallel(direction, self.along, self.sense)
+
+
+@dataclass(frozen=True)
+class NotAForce:
+    """An arrow that students draw and no other body exerts on this one.
+
+    along : its line, or with `sense` its direction; None for any arrow at this point
+    """
+
+    message: str
+    point: ArrayLike
+    along: ArrayLike | None = None
+    sense: bool = False
+
+    def drawn_by(self, arrow: Arrow, near: float) -> bool:
+        if math.dist(arrow.point, np.asarray(self.point, float)) > near:
+            return False
+        return self.along is None or (
+            arrow.direction is not None and _parallel(arrow.direction, self.along, self.sense)
+        )
+
+
+@dataclass(frozen=True)
+class FreeBody:
+    """A body, and all forces of other bodies on it.
+
+    others  : the same forces, otherwise divided: a contact as one unknown force, not as normal and friction
+    wrong   : arrows that students draw, the more special first
+    outline : (k, 2, d) lines of the body, for the picture of what a student drew
+    """
+
+    name: str
+    forces: Sequence[Force]
+    others: Sequence[Sequence[Force]] = ()
+    wrong: Sequence[NotAForce] = ()
+    outline: ArrayLike = ()
+
+
+def weight(point: ArrayLike, where: str, gravity: float, down: ArrayLike = (0.0, -1.0)) -> Force:
+    """The weight, straight down; without gravity it may be left out."""
+    reversed = "You drew the weight upwards: this is the force that the body exerts on the earth."
+    return Force("the weight", point, where, down, sense=True, acts=gravity != 0, reversed=reversed)
+
+
+def compare_diagrams(function: Any, reference: Any, cases: Iterable[Case]) -> None:
+    """Fail unless the student draws, in every case, the forces of the `FreeBody` that `reference` returns."""
+    for _, arrows, body in call_cases(function, reference, cases):
+        if message := complaint(body, arrows):
+            fail(f"the free body diagram of {body.name} is wrong", hint=message)
+
+
+def complaint(body: FreeBody, arrows: Sequence[Arrow]) -> str:
+    """What is wrong with a diagram; empty if it is right."""
+    near = SAME * max(float(np.linalg.norm(np.asarray(force.point, float))) for force in body.forces)
+    match = _best_match(body, arrows, near)
+    if not any(match):
+        return ""
+    named = _misplaced(*match, near), _not_a_force(body, arrows, match, near), *_general(body, *match, near)
+    return next(filter(None, named))
+
+
+Match = tuple[list[Force], list[Arrow]]  # what is missing, and the arrows that draw no force
+
+
+def _faults(match: Match) -> int:
+    missing, extra = match
+    return len(missing) + len(extra)
+
+
+def _best_match(body: FreeBody, arrows: Sequence[Arrow], near: float) -> Match:
+    """The match that leaves the least, of all divisions into forces."""
+    return min((_match(forces, arrows, near) for forces in (body.forces, *body.others)), key=_faults)
+
+
+def _match(forces: Sequence[Force], arrows: Sequence[Arrow], near: float) -> Match:
+    ways = [[*_ways(force, arrows, near)] for force in forces]
+    best = max(itertools.product(*ways), key=partial(_worth, forces))
+    used = set(itertools.chain.from_iterable(filter(None, best)))
+    missing = [force for force, way in zip(forces, best, strict=True) if way is None]
+    return missing, [arrow for number, arrow in enumerate(arrows) if number not in used]
+
+
+def _worth(forces: Sequence[Force], ways: Sequence[tuple[int, ...] | None]) -> tuple[int, int]:
+    """How many forces are drawn, by how many arrows; no arrow may draw two."""
+    used = [*itertools.chain.from_iterable(filter(None, ways))]
+    if len(set(used)) < len(used):
+        return -1, 0
+    return sum(way is not None for way in ways), len(used)
+
+
+def _ways(force: Force, arrows: Sequence[Arrow], near: float) -> Iterator[tuple[int, ...] | None]:
+    """The numbers of arrows that together draw a force; None where it is missing."""
+    yield None
+    sizes = {0, 1, np.size(force.point)}
+    for numbers in itertools.chain.from_iterable(itertools.combinations(range(len(arrows)), n) for n in sizes):
+        if force.drawn_by([arrows[number] for number in numbers], near):
+            yield numbers
+
+
+def _misplaced(missing: Sequence[Force], extra: Sequence[Arrow], near: float) -> str:
+    """A force of known sense that is drawn in the other one, at another point, or by its components."""
+    for force, arrow in itertools.product([one for one in missing if one.sense], extra):
+        here = [one for one in extra if one is not arrow and _at(force, one, near)]
+        if _at(force, arrow, near) and any(_perpendicular([arrow, one]) for one in here):
+            return f"You drew components of {force.name}; draw the force as one arrow."
+        if _at(force, arrow, near) and _same_line(force, arrow):
+            return force.reversed or f"You drew {force.name} in the wrong sense."
+        if _same_line(force, arrow, sense=True):
+            return _elsewhere(force)
+    return ""
+
+
+def _elsewhere(force: Force) -> str:
+    return f"You drew {force.name} at the wrong point; it acts at {force.where}."
+
+
+def _not_a_force(body: FreeBody, arrows: Sequence[Arrow], match: Match, near: float) -> str:
+    """An arrow that is no force on this body: without it the diagram is better."""
+    for wrong, arrow in itertools.product(body.wrong, arrows):
+        others = [other for other in arrows if other is not arrow]
+        if wrong.drawn_by(arrow, near) and _faults(_best_match(body, others, near)) < _faults(match):
+            return wrong.message
+    return ""
+
+
+def _general(body: FreeBody, missing: Sequence[Force], extra: Sequence[Arrow], near: float) -> Iterator[str]:
+    """Mistakes that can be made with any body, the more special first."""
+    for force, arrow in itertools.product(missing, extra):
+        yield _instead(force, arrow, near)
+    if missing:
+        yield f"You left out {missing[0].name}; it acts at {missing[0].where}."
+    for force, arrow in itertools.product(itertools.chain(body.forces, *body.others), extra):
+        if _at(force, arrow, near) and (force.along is None or _same_line(force, arrow)):
+            yield f"You drew {force.name} twice."
+    yield f"You drew a force on {body.name} that no other body exerts. Nothing exerts m a or a centrifugal force."
+
+
+def _instead(force: Force, arrow: Arrow, near: float) -> str:
+    """What is wrong with an arrow, if it is meant to be a force that is missing."""
+    if not _at(force, arrow, near):
+        return (
+            f"You drew {force.name} at the wrong point; it acts at {force.where}." if _same_line(force, arrow) else ""
+        )
+    if force.along is None:
+        return f"You drew a part of {force.name}; no component of it is known. Write None for its direction."
+    if arrow.direction is None:
+        return f"You wrote None for the direction of {force.name}; its line is known."
+    return ""
+
+
+def _at(force: Force, arrow: Arrow, near: float) -> bool:
+    return math.dist(arrow.point, np.asarray(force.point, float)) <= near
+
+
+def _same_line(force: Force, arrow: Arrow, sense: bool = False) -> bool:
+    if force.along is None or arrow.direction is None:
+        return force.along is None and arrow.direction is None
+    return _parallel(arrow.direction, force.along, sense)
+
+
+def _parallel(direction: Vector, along: ArrayLike, sense: bool) -> bool:
+    """Whether two vectors have the same direction; without `sense`, or the opposite one."""
+    one, other = _unit(direction), _unit(along)
+    apart = math.dist(one, other) if sense else min(math.dist(one, other), math.dist(one, -other))
+    return apart <= SAME
+
+
+def _opposite(arrow: Arrow, push: ArrayLike) -> bool:
+    return arrow.direction is not None and _parallel(-arrow.direction, push, sense=True)
+
+
+def _perpendicular(arrows: Sequence[Arrow]) -> bool:
+    """Whether arrows, as many as there are dimensions, are perpendicular to each other."""
+    if any(arrow.direction is None for arrow in arrows):
+        return False
+    units = np.array([_unit(arrow.direction) for arrow in arrows])
+    return len(units) == units.shape[1] and bool(np.abs(units @ units.T - np.eye(len(units))).max() <= SAME)
+
+
+def _unit(vector: ArrayLike | None) -> Vector:
+    """Of any size: not even its square need be a number of the machine. Zero stays zero, and is along nothing."""
+    vector = np.asarray(vector, float)
+    size = float(np.abs(vector).max())
+    if not size:
+        return vector
+    vector = vector / size
+    return np.asarray(vector / np.linalg.norm(vector))

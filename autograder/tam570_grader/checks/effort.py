@@ -1,0 +1,138 @@
+"""What hidden code may spend, counted: calls of its functions and turns of its loops.
+
+A submission chooses what is compared, and from which rows a reference motion is integrated once more. A clock would let
+the speed of a machine choose the grade and its words; a count is the same everywhere. It is raised where it runs out,
+in the code that counts, and nowhere else.
+
+    with limited(1000):
+        function()  # raises Exhausted at its 1001st step, if it has been compiled by `compile_counted`
+"""
+
+import ast
+import importlib.machinery
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
+from types import CodeType, ModuleType
+from typing import Any
+
+__all__ = ["Exhausted", "Finder", "Meter", "compile_counted", "count", "limited"]
+
+INTEGRATE = "tam570.integrate"  # its compiled loops count nothing
+PROLOGUE = "from tam570_grader.checks.effort import count as _count"
+
+
+class Exhausted(Exception):
+    """So much is not spent on one submission."""
+
+
+class Meter:
+    """Steps that are left."""
+
+    __slots__ = ("left",)
+
+    def __init__(self, left: int) -> None:
+        self.left = left
+
+
+_meter: ContextVar[Meter | None] = ContextVar("meter", default=None)
+
+
+@contextmanager
+def limited(steps: int) -> Iterator[Meter]:
+    """Raise Exhausted in this block beyond so many steps; they also count in a block around it."""
+    outer = _meter.get()
+    most = min(steps, outer.left) if outer else steps
+    meter = Meter(most)
+    token = _meter.set(meter)
+    try:
+        yield meter
+    finally:
+        _meter.reset(token)
+        if outer:
+            outer.left -= most - meter.left
+
+
+def count(steps: int = 1) -> None:
+    """Spend steps of the innermost block."""
+    if meter := _meter.get():
+        meter.left -= steps
+        if meter.left < 0:
+            raise Exhausted
+
+
+def compile_counted(text: str | bytes, name: str, *, in_python: bool = False) -> CodeType:
+    """Compile a module whose functions and loops count their steps.
+
+    in_python : let `tam570.integrate.solve` run in Python, where it calls what counts
+    """
+    tree = _Counted(in_python).visit(ast.parse(text))
+    place = next((i for i, node in enumerate(tree.body) if not _is_head(node)), len(tree.body))
+    tree.body[place:place] = ast.parse(PROLOGUE).body
+    return compile(ast.fix_missing_locations(tree), name, "exec", dont_inherit=True)
+
+
+def _is_head(node: ast.stmt) -> bool:
+    """Whether it must be before all else: the docstring, and imports from the future."""
+    return (isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)) or (
+        isinstance(node, ast.ImportFrom) and node.module == "__future__"
+    )
+
+
+class _Counted(ast.NodeTransformer):
+    def __init__(self, in_python: bool) -> None:
+        self.in_python = in_python
+
+    def _with_count(self, node: Any) -> Any:
+        self.generic_visit(node)
+        place = 1 if isinstance(node, ast.FunctionDef) and ast.get_docstring(node) else 0
+        node.body.insert(place, ast.parse("_count()").body[0])
+        return node
+
+    def visit_FunctionDef(self, node: ast.FunctionDef) -> Any:  # noqa: N802
+        return self._with_count(node)
+
+    def visit_While(self, node: ast.While) -> Any:  # noqa: N802
+        return self._with_count(node)
+
+    def visit_For(self, node: ast.For) -> Any:  # noqa: N802
+        return self._with_count(node)
+
+    def visit_Lambda(self, node: ast.Lambda) -> Any:  # noqa: N802
+        self.generic_visit(node)
+        node.body = ast.BoolOp(ast.Or(), [ast.parse("_count()", mode="eval").body, node.body])
+        return node
+
+    def visit_ImportFrom(self, node: ast.ImportFrom) -> Any:  # noqa: N802
+        if self.in_python and node.module == INTEGRATE:
+            node.module = __name__
+        return node
+
+
+def solve(rhs: Callable[..., Any], *args: Any, **known: Any) -> Any:
+    """`tam570.integrate.solve`, which calls `rhs` at every stage."""
+    from tam570.integrate import solve
+
+    def rates(t: float, y: Any, **parameters: Any) -> Any:
+        count()
+        return rhs(float(t), y, **parameters)  # a symbol is no number: it is not traced
+
+    return solve(rates, *args, **known)
+
+
+class _Loader(importlib.machinery.SourceFileLoader):
+    def get_code(self, fullname: str) -> CodeType:
+        return compile_counted(self.get_data(self.path), self.path)
+
+
+class Finder:
+    """Finds the modules of packages of ours, whose names begin alike."""
+
+    def __init__(self, prefix: str) -> None:
+        self.prefix = prefix
+
+    def find_spec(self, name: str, path: Sequence[str] | None = None, target: ModuleType | None = None) -> Any:
+        spec = importlib.machinery.PathFinder.find_spec(name, path) if name.startswith(self.prefix) else None
+        if spec and isinstance(spec.loader, importlib.machinery.SourceFileLoader):
+            spec.loader = _Loader(name, spec.loader.path)
+        return spec

@@ -1,0 +1,215 @@
+"""What a check says of a result: `expect` compares numbers, `expect_that` takes any condition.
+
+Both speak to the trial that is running: it knows the input at hand and its kind, so that a check need not repeat them,
+and it goes on behind an error that leaves a share of the points, for the smallest share of all cases counts.
+"""
+
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import AbstractContextManager, contextmanager, nullcontext
+from contextvars import ContextVar
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+
+from tam570_grader.checks.case import Case
+from tam570_grader.checks.curves import Curve, curve
+from tam570_grader.checks.effort import Exhausted
+from tam570_grader.checks.failure import Failure
+from tam570_grader.errors import Over
+
+__all__ = [
+    "LONGEST_FAULT",
+    "NEAR_MISS",
+    "NEAR_MISS_SHARE",
+    "UNLOCKING_SHARE",
+    "Failed",
+    "NotWritten",
+    "CheckContext",
+    "get_context",
+    "expect",
+    "expect_that",
+    "fail",
+    "check_context",
+]
+
+NEAR_MISS = 10  # limits: wrong physics lies further off, a loose tolerance is often nearer
+NEAR_MISS_SHARE = 0.9  # of the points, for what is right but for a loose tolerance
+UNLOCKING_SHARE = (
+    0.5  # the share from which on a function has told that the physics is right: what builds on it is judged
+)
+LONGEST_FAULT = 400  # characters of an exception of ours
+Hint = str | Callable[[], str]
+
+
+class Failed(Exception):
+    """The student's result is wrong; a share of the points may be left."""
+
+    def __init__(self, message: str = "", *, share: float = 0.0, **fields: Any) -> None:
+        super().__init__(message or fields.get("quantity", ""))
+        self.failure, self.share = Failure(message=message, **fields), share
+
+
+class NotWritten(Exception):
+    """The function is not there, or is still the stub."""
+
+
+@dataclass
+class CheckContext:
+    """A check as it runs: the case at hand, the failures that leave a share of the points, who listens to errors."""
+
+    case: Case | None = None
+    function: str = ""  # that the case was given to
+    failures: list[tuple[Failed, Hint]] = field(default_factory=list)
+    recorder: Callable[[float], None] | None = None  # told every error over its limit; nothing fails then
+    aside: Callable[[], AbstractContextManager[None]] = nullcontext  # in which calls are made that choose the words
+
+    def judge(self, function: str, case: Case) -> None:
+        """From now on the result of this call is judged."""
+        self.function, self.case = function, case
+
+    def fail(self, failed: Failed, hint: Hint) -> None:
+        """Keep a failure that leaves a share, else end the check with it."""
+        if failed.share <= 0:
+            raise self._explained(failed, hint)
+        self.failures.append((failed, hint))
+
+    def end(self) -> None:
+        """Raise the failure that leaves the smallest share."""
+        if self.failures:
+            raise self._explained(*min(self.failures, key=lambda one: one[0].share))
+
+    def _explained(self, failed: Failed, hint: Hint) -> Failed:
+        """The one failure that is told, with its hint, which may take long to find."""
+        said, fault = _said(hint, self)
+        failed.failure = replace(failed.failure, hint=said, fault=fault)
+        return failed
+
+
+_current: ContextVar[CheckContext] = ContextVar("trial")
+
+
+def get_context() -> CheckContext:
+    """The trial that is running; one of its own for a check that is called by hand."""
+    return _current.get(CheckContext())
+
+
+@contextmanager
+def check_context(**known: Any) -> Iterator[CheckContext]:
+    """Run a check; at its end the smallest share of the points counts. `known` are fields of the Trial."""
+    running = CheckContext(**known)
+    token = _current.set(running)
+    try:
+        yield running
+        running.end()
+    finally:
+        _current.reset(token)
+
+
+def expect(
+    actual: Any,
+    expected: Any,
+    *,
+    tolerance: float,
+    quantity: str = "the result",
+    unit: str = "",
+    hint: Hint = "",
+    scale: Any = 1.0,
+    t: Any = None,
+    partial: Mapping[float, float] | Callable[[float], float] | None = None,
+    label: str = "",
+    at: Any = None,
+    keeps: Callable[[], Curve | None] | None = None,
+    near_miss_credit: bool = True,
+) -> None:
+    """Fail unless every abs(actual - expected) / scale is at most `tolerance`; a NaN fails.
+
+    of, unit : what is compared and its unit, for the message; with a scale the unit says of what ("of the energy")
+    hint     : where to look; a function is asked on failure alone
+    t        : times along the first axis of actual; the message names the time of the largest error
+    partial  : {limit: share of the points} for larger errors, or a function of the error; up to ten limits
+               NEARLY_SHARE is left
+    kind, at : the kind of input and the input, where they are not those of the call that was judged last
+    gradual  : False where an error of a few limits is no sign that the physics is right
+    keeps    : `kept(...)`, asked for on failure: what becomes of an invariant along the student's motion
+    """
+    actual, expected = np.asarray(actual, float), np.asarray(expected, float)
+    errors = _off(actual, expected) / scale
+    worst = int(np.argmax(errors)) if errors.size else 0  # the first NaN, if there is one
+    error = float(errors.flat[worst]) if errors.size else np.nan
+    if recorder := get_context().recorder:
+        recorder(np.inf if np.isnan(error) else error / tolerance)
+    elif not error <= tolerance:
+        numbers = {"error": error, "limit": tolerance, "expected": expected, "actual": actual}
+        numbers["time"] = _time(t, errors, worst)
+        numbers["curve"] = _curve(t, actual, expected, scale, tolerance, quantity, unit, keeps)
+        share = _share(error, tolerance if near_miss_credit else 0.0, partial)
+        numbers["near_miss"] = near_miss_credit and (
+            error <= NEAR_MISS * tolerance or (callable(partial) and share >= UNLOCKING_SHARE)
+        )
+        fail("", quantity=quantity, unit=unit, hint=hint, label=label, at=at, share=share, **numbers)
+
+
+def expect_that(
+    holds: Any, message: str, *, hint: Hint = "", label: str | None = "", at: Any = None, share: float = 0.0
+) -> None:
+    """Fail with `message` (what is wrong) unless the condition holds; a kind of None says that it is so for any input."""
+    if not holds:
+        fail(message, hint=hint, label=label, at=at, share=share)
+
+
+def fail(
+    message: str, *, hint: Hint = "", label: str | None = "", at: Any = None, share: float = 0.0, **fields: Any
+) -> None:
+    """Fail with `message`; with a share the check goes on."""
+    running = get_context()
+    known = running.case
+    fields |= {"label": (known.label if known and label == "" else label) or "", "at": known if at is None else at}
+    running.fail(Failed(message, function=running.function, share=share, **fields), hint)
+
+
+def _said(hint: Hint, running: CheckContext) -> tuple[str, str]:
+    """Where to look, and what went wrong on our side in choosing it: no reason to lose a grade."""
+    if not callable(hint):
+        return hint, ""
+    try:
+        with running.aside():
+            return hint(), ""
+    except (Over, MemoryError):
+        raise
+    except (Failed, NotWritten, Exhausted):  # what the student's function does then is not judged
+        return "", ""
+    except Exception as error:
+        return "", repr(error)[:LONGEST_FAULT]
+
+
+def _off(actual: Any, expected: Any) -> Any:
+    """Zero where both are infinite: infinity may be right."""
+    with np.errstate(invalid="ignore"):
+        return np.where(actual == expected, 0.0, np.abs(actual - expected))
+
+
+def _share(error: float, tolerance: float, partial: Mapping[float, float] | Callable[[float], float] | None) -> float:
+    """Of the points, for an error beyond the limit."""
+    if callable(partial):
+        return NEAR_MISS_SHARE if error <= NEAR_MISS * tolerance else partial(error)
+    known = {**(partial or {}), NEAR_MISS * tolerance: NEAR_MISS_SHARE}
+    return max((share for limit, share in known.items() if error <= limit), default=0.0)
+
+
+def _curve(
+    t: Any, actual: Any, expected: Any, scale: Any, tolerance: float, quantity: str, unit: str, keeps: Any
+) -> Any:
+    if t is None:
+        return None
+    found = curve(t, actual, expected, scale, tolerance=tolerance, quantity=quantity, unit=unit)
+    if found and keeps:
+        found["keeps"] = keeps()
+    return found
+
+
+def _time(t: Any, errors: Any, worst: int) -> float | None:
+    if t is None:
+        return None
+    row = int(np.unravel_index(worst, errors.shape)[0])
+    return float(f"{t[row]:.2g}")

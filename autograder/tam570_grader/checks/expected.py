@@ -1,0 +1,107 @@
+"""What is right at an input, computed a single time for a class that is given the same inputs.
+
+What took long is left in a folder that the supervisors of a run share, as data: the others wait for it and read it.
+"""
+
+import contextlib
+import fcntl
+import hashlib
+import os
+import sys
+import time
+from collections.abc import Callable, Iterator
+from contextvars import ContextVar
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from tam570_grader.checks.case import Case
+from tam570_grader.checks.check import Memory
+from tam570_grader.protocol.wire import packed, unpacked
+
+__all__ = ["expected_result", "shared", "sharing"]
+
+MOST_KNOWN = 3000  # answers; with inputs of its own for each student a run makes thousands
+EXPENSIVE = 0.05  # s of processor time, from which an answer is shared
+
+_known = Memory(MOST_KNOWN)
+_place: ContextVar[Path | None] = ContextVar("place", default=None)  # the folder, while there is one
+_expensive = set[str]()  # functions that have given a dear answer here; of the others nobody is asked
+
+
+def expected_result(reference: Callable[..., Any], case: Case) -> Any:
+    """right(*args, **kwargs) of a case; it is shared, and not to be changed."""
+    inputs = case.message
+
+    def computed() -> Any:
+        return shared(reference.__name__, _name(reference), inputs, lambda: reference(*case.args, **case.kwargs))
+
+    return _known.value((reference, inputs), computed)
+
+
+@contextlib.contextmanager
+def sharing(folder: Path | None) -> Iterator[None]:
+    """Share what is dear with the processes that name the same folder, which must be ours alone."""
+    token = _place.set(folder)
+    try:
+        yield
+    finally:
+        _place.reset(token)
+
+
+def shared(function: str, name: str, inputs: bytes, compute: Callable[[], Any]) -> Any:
+    """What `compute` gives, from whoever computed it first where that took long.
+
+    function : whose other answers are likely to be as dear
+    name     : tells the computation from all others; "" where that cannot be
+    """
+    folder = _place.get()
+    if not name or not folder:
+        return compute()
+    digest = hashlib.sha256(name.encode() + b"\0" + inputs).hexdigest()
+    path, expensive = folder / digest, function in _expensive
+    with _only_one(folder / digest[:3]) if expensive else contextlib.nullcontext():
+        if expensive and path.exists():
+            return _restored(unpacked(path.read_bytes()))
+        began = time.thread_time()
+        value = compute()
+        if time.thread_time() - began > EXPENSIVE and _is_data(value):
+            _expensive.add(function)
+            _keep(path, value)
+    return value
+
+
+def _keep(path: Path, value: Any) -> None:
+    """Leave a value where the others look; a full disk costs them the time to compute it."""
+    with contextlib.suppress(OSError):
+        draft = path.with_suffix(f".{os.getpid()}")
+        draft.write_bytes(packed(_written(value)))
+        draft.rename(path)
+
+
+def _name(reference: Callable[..., Any]) -> str:
+    """A function's, if the module holds it by this name: a closure may be another in the next process."""
+    module, name = reference.__module__, getattr(reference, "__qualname__", "")
+    return f"{module}.{name}" if getattr(sys.modules.get(module), name, None) is reference else ""
+
+
+@contextlib.contextmanager
+def _only_one(path: Path) -> Iterator[None]:
+    """One process at a time computes; those that need the same answer wait for it."""
+    with open(path, "ab") as file:
+        fcntl.flock(file, fcntl.LOCK_EX)
+        yield
+
+
+def _is_data(value: Any) -> bool:
+    parts = value if type(value) is tuple else (value,)
+    return all(type(part) is np.ndarray and part.dtype == np.float64 for part in parts)
+
+
+def _written(value: Any) -> Any:
+    return {"parts": [*value]} if type(value) is tuple else value
+
+
+def _restored(value: Any) -> Any:
+    return tuple(part.copy() for part in value["parts"]) if isinstance(value, dict) else value.copy()

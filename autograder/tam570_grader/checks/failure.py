@@ -1,0 +1,38 @@
+"""Why a check failed, as a record that travels from the check to the page."""
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+__all__ = ["WHOLE", "Failure"]
+
+WHOLE = ("expected", "actual", "at")  # of a failure: what the instructor alone sees
+
+
+@dataclass(frozen=True)
+class Failure:
+    """Why a check failed, as data: a page makes a sentence of it.
+
+    A quantity `quantity` is wrong by `error`, in `unit`, beyond a `limit`, at a `time` in s; or `message` tells what is wrong.
+    `expected`, `actual` and `at`, the very input, are the instructor's; the rest is the student's.
+    """
+
+    quantity: str = ""
+    error: float | None = None
+    unit: str = ""
+    limit: float | None = None
+    time: float | None = None
+    message: str = ""
+    label: str = ""  # of input, in words that give no input away
+    hint: str = ""
+    suspect: str | None = None  # the known mistake
+    near_miss: bool = False  # off by a loose tolerance, at most: what builds on it is judged all the same
+    curve: dict[str, Any] | None = None  # the error along a motion
+    expected: Any = None
+    actual: Any = None
+    at: Any = None
+    function: str = ""  # that was called at this input
+    fault: str = ""  # of ours, in looking for a name
+
+    def named(self, suspect: str | None, fault: str = "") -> "Failure":
+        """The same failure with the known mistake, or with what kept us from finding one."""
+        return replace(self, suspect=suspect, fault=fault)

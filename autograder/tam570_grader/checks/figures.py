@@ -1,0 +1,205 @@
+"""A small vocabulary for figures of mechanics: arrows, angles, dimensions, springs, ground, as SVG.
+
+    figure = Figure("Pendulum", "A mass on a rod ...", x=(-1, 1), y=(-1.4, 0.3))
+    figure.ground((0.4, 0), (-0.4, 0))
+    figure.line([(0, 0), bob], "body")
+    figure.angle((0, 0), 0.4, -math.pi / 2, theta - math.pi / 2, "θ")
+    figure.point("m", bob)
+    figure.svg()
+
+Coordinates are those of the problem, in m; distances on paper (`by`) are in pixels, x to the right and y up.
+A figure brings its own background and has two sets of colours, so that it can be read on light and dark pages.
+"""
+
+import math
+import re
+from collections.abc import Callable, Sequence
+from html import escape
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["Figure", "circle", "seen_from"]
+
+Vector = NDArray[np.float64]
+
+WIDTH = 520  # px
+HEAD, SLIM = 11.0, 0.3  # px, length of an arrowhead; half its width over its length
+HATCH, COIL = 9.0, 7.0  # px
+SUBSCRIPT = re.compile(r"_(\S+)")
+STYLE = (
+    ":root{--ink:#1c2024;--soft:#6a737d;--paper:#fff;--body:#1f5fbf;--fill:#1f5fbf22;--vector:#c0392b;--angle:#1a7f4b}"
+    "@media(prefers-color-scheme:dark){:root{--ink:#e6e8eb;--soft:#98a2ad;--paper:#16191d;--body:#7fb0ff;"
+    "--fill:#7fb0ff2e;--vector:#ff8a7a;--angle:#6fd39b}}"
+    "path{fill:none;stroke-linecap:round;stroke-linejoin:round}"
+    ".body{stroke:var(--body);stroke-width:3.2}.solid{stroke:var(--body);stroke-width:2.4;fill:var(--fill)}"
+    ".thick{stroke:var(--body);stroke-width:7}.plane{stroke:var(--soft);stroke-width:1;fill:#8881}"
+    ".thin{stroke:var(--ink);stroke-width:1.3}.dash{stroke:var(--soft);stroke-width:1.3;stroke-dasharray:5 5}"
+    ".soft{stroke:var(--soft);stroke-width:1.3}.vector{stroke:var(--vector);stroke-width:2.4}"
+    ".angle{stroke:var(--angle);stroke-width:1.8}"
+    ".h{stroke:none}.h.thin{fill:var(--ink)}.h.soft{fill:var(--soft)}.h.vector{fill:var(--vector)}"
+    ".h.angle{fill:var(--angle)}.h.body{fill:var(--body)}"
+    "circle{fill:var(--ink)}rect{fill:var(--paper)}"
+    "text,text.thin,text.soft,text.angle,text.vector,text.body{stroke:var(--paper);stroke-width:4px}"
+    "text{font:italic 18px 'STIX Two Text','Cambria Math',Cambria,'DejaVu Serif',Georgia,serif;fill:var(--ink);"
+    "text-anchor:middle;dominant-baseline:central;paint-order:stroke}"
+    "text.angle{fill:var(--angle)}text.vector{fill:var(--vector)}text.soft{fill:var(--soft)}text.body{fill:var(--body)}"
+)
+
+
+class Figure:
+    """A drawing of the part of the plane x[0] to x[1], y[0] to y[1]."""
+
+    def __init__(self, title: str, description: str, *, x: tuple[float, float], y: tuple[float, float]) -> None:
+        self.title, self.description = title, description
+        self.scale = WIDTH / (x[1] - x[0])  # px/m
+        self.height = round(self.scale * (y[1] - y[0]))
+        self._corner, self._parts = np.array([x[0], y[1]]), list[str]()
+
+    def svg(self) -> str:
+        """The drawing as SVG, with its title and description."""
+        head = (
+            f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {self.height}" width="{WIDTH}" '
+            f'height="{self.height}" role="img" aria-labelledby="t d">\n'
+            f'<title id="t">{escape(self.title)}</title>\n<desc id="d">{escape(self.description)}</desc>\n'
+            f"<style>{STYLE}</style>\n"
+            f'<rect width="{WIDTH}" height="{self.height}" rx="8"/>\n'
+        )
+        return head + "\n".join(self._parts) + "\n</svg>\n"
+
+    # Vocabulary
+
+    def line(self, points: ArrayLike, style: str = "thin", *, closed: bool = False) -> None:
+        """Join points, (n, 2); a closed line of style "solid" is filled."""
+        self._path(self._on_paper(points), style, closed)
+
+    def segments(self, pairs: ArrayLike, style: str = "body") -> None:
+        """Draw line segments (k, 2, 2), as a `wireframe` returns them."""
+        for pair in np.asarray(pairs, float):
+            self.line(pair, style)
+
+    def curve(self, points: ArrayLike, label: str = "", style: str = "angle", by: tuple[float, float] = (0, 0)) -> None:
+        """Join points, with an arrowhead at the last; the label is at the middle."""
+        places = self._on_paper(points)
+        self._path(places, style)
+        before = next((p for p in places[::-1] if math.dist(p, places[-1]) > HEAD / 2), places[0])
+        self._head(before, places[-1], style)
+        self._text(places[len(places) // 2], label, by, style)
+
+    def arrow(
+        self, tail: ArrayLike, tip: ArrayLike, label: str = "", style: str = "vector", by: tuple[float, float] = (0, 0)
+    ) -> None:
+        """Draw an arrow; the label is at its tip, by default a little beyond."""
+        start, end = self._on_paper([tail, tip])
+        along = (end - start) / max(math.dist(start, end), 1e-9)
+        self._path([start, end - HEAD * 0.7 * along], style)
+        self._head(start, end, style)
+        beyond = 15 * along
+        self._text(end, label, by if any(by) else (beyond[0], -beyond[1]), style)
+
+    def angle(
+        self,
+        centre: ArrayLike,
+        radius: float,
+        start: float,
+        end: float,
+        label: str,
+        by: tuple[float, float] | None = None,
+    ) -> None:
+        """Draw the arc from one direction to another, in rad, with its head at the end: the positive sense."""
+        turns = np.linspace(start, end, 25)
+        around = np.asarray(centre) + radius * np.column_stack([np.cos(turns), np.sin(turns)])
+        outwards = 16 * math.cos(turns[12]), 16 * math.sin(turns[12])
+        self.curve(around, label, by=by or outwards)
+
+    def dimension(self, a: ArrayLike, b: ArrayLike, label: str, aside: float = 0.0) -> None:
+        """Mark the distance from a to b by a line beside it, `aside` px to the left of the way from a to b."""
+        start, end = self._on_paper([a, b])
+        along = (end - start) / math.dist(start, end)
+        left = aside * np.array([along[1], -along[0]])
+        for place in (start, end) if aside else ():
+            self._path([place + left * 0.15, place + left * 1.12], "soft")
+        self._path([start + left, end + left], "soft")
+        self._head(start + left, end + left, "soft")
+        self._head(end + left, start + left, "soft")
+        side = math.copysign(14.0, aside or 1.0) * np.array([along[1], -along[0]])
+        middle = (start + end) / 2 + left
+        self._text(middle, label, (side[0], -side[1]), "thin")
+
+    def point(self, name: str, at: ArrayLike, by: tuple[float, float] = (13, 12), size: float = 4.0) -> None:
+        """Draw a point with its name, which the SVG has as data-name."""
+        (place,) = self._on_paper([at])
+        self._parts.append(f'<circle cx="{place[0]:.2f}" cy="{place[1]:.2f}" r="{size:g}" data-name="{escape(name)}"/>')
+        self._text(place, name, by, "thin")
+
+    def label(self, at: ArrayLike, text: str, by: tuple[float, float] = (0, 0), style: str = "thin") -> None:
+        """Write a text."""
+        self._text(self._on_paper([at])[0], text, by, style)
+
+    def spring(self, a: ArrayLike, b: ArrayLike, turns: int = 9) -> None:
+        """Draw a spring from a to b."""
+        start, end = self._on_paper([a, b])
+        along = (end - start) / math.dist(start, end)
+        side = COIL * np.array([-along[1], along[0]])
+        stops = np.linspace(0.12, 0.88, 2 * turns + 1)
+        zigzag = [
+            start + s * (end - start) + side * (0 if i in (0, 2 * turns) else (-1) ** i) for i, s in enumerate(stops)
+        ]
+        self._path([start, *zigzag, end], "body")
+
+    def ground(self, a: ArrayLike, b: ArrayLike) -> None:
+        """Draw a surface from a to b, hatched on the right of that way."""
+        start, end = self._on_paper([a, b])
+        length = math.dist(start, end)
+        along = (end - start) / length
+        reference = np.array([-along[1], along[0]])
+        self._path([start, end], "thin")
+        marks = np.arange(HATCH / 2, length, HATCH)
+        lines = [
+            f"M{_xy(start + s * along)}L{_xy(start + s * along + HATCH * (reference - 0.7 * along))}" for s in marks
+        ]
+        self._parts.append(f'<path class="soft" d="{"".join(lines)}"/>')
+
+    def axes(self, origin: ArrayLike, length: float, names: Sequence[str] = ("x", "y"), turned: float = 0.0) -> None:
+        """Draw two axes, turned by an angle in rad."""
+        for name, way in zip(names, (turned, turned + math.pi / 2), strict=True):
+            tip = np.asarray(origin) + length * np.array([math.cos(way), math.sin(way)])
+            self.arrow(origin, tip, name, "thin")
+
+    # Paper
+
+    def _on_paper(self, points: ArrayLike | Sequence[ArrayLike]) -> Vector:
+        """Pixels to the right and down."""
+        return np.asarray((np.array(points, float) - self._corner) * [self.scale, -self.scale])
+
+    def _path(self, places: Sequence[Vector] | Vector, style: str, closed: bool = False) -> None:
+        ways = "L".join(_xy(place) for place in places)
+        self._parts.append(f'<path class="{style}" d="M{ways}{"Z" if closed else ""}"/>')
+
+    def _head(self, before: Vector, tip: Vector, style: str) -> None:
+        along = (tip - before) / max(math.dist(before, tip), 1e-9)
+        side, base = SLIM * HEAD * np.array([-along[1], along[0]]), tip - HEAD * along
+        self._parts.append(f'<path class="h {style}" d="M{_xy(tip)}L{_xy(base + side)}L{_xy(base - side)}Z"/>')
+
+    def _text(self, place: Vector, text: str, by: tuple[float, float], style: str) -> None:
+        if text:
+            x, y = place[0] + by[0], place[1] - by[1]
+            words = SUBSCRIPT.sub(r'<tspan dy="6" font-size="13">\1</tspan>', escape(text))
+            self._parts.append(f'<text class="{style}" x="{x:.1f}" y="{y:.1f}">{words}</text>')
+
+
+def circle(centre: ArrayLike, radius: float, count: int = 48) -> Vector:
+    """Return points (n, 2) of a circle, to be joined and closed."""
+    turns = np.linspace(0.0, 2 * math.pi, count, endpoint=False)
+    return np.asarray(np.asarray(centre, float) + radius * np.column_stack([np.cos(turns), np.sin(turns)]))
+
+
+def seen_from(azimuth: float, elevation: float) -> Callable[[ArrayLike], Vector]:
+    """Return the orthographic projection (..., 3) -> (..., 2) for an eye in this direction, in rad, z up."""
+    ca, sa, ce, se = math.cos(azimuth), math.sin(azimuth), math.cos(elevation), math.sin(elevation)
+    right_and_up = np.array([[-sa, ca, 0.0], [-se * ca, -se * sa, ce]])
+    return lambda points: np.asarray(np.asarray(points, float) @ right_and_up.T)
+
+
+def _xy(place: Vector) -> str:
+    return f"{place[0]:.1f} {place[1]:.1f}"

@@ -1,0 +1,55 @@
+"""Formulas in plain symbols: their values, and whether an equation of motion follows from one's own Lagrangian."""
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tam570_grader.checks.case import Case
+from tam570_grader.checks.expect import Failed, NotWritten
+
+__all__ = ["from_own_lagrangian", "in_symbols"]
+
+Point = Mapping[str, float]
+
+STEP = 1e-3  # of x and of v: differences of a formula's doubles are good to 1e-6
+FOLLOWS = 1e-4  # another term changes more
+
+
+def in_symbols(cases: Iterable[Case], *symbols: str) -> list[Case]:
+    """The same values as keywords, which are the symbols of a formula."""
+    return [
+        Case((), dict(zip(symbols, (*case.args, *case.kwargs.values()), strict=True)), case.label) for case in cases
+    ]
+
+
+def from_own_lagrangian(student: Any, cases: Sequence[Case], otherwise: str) -> Callable[..., str]:
+    """A hint for `lagrange_equation`: whether a wrong x'' is that of the student's own `lagrangian` of x, v and more.
+
+    cases : whose keywords are the Lagrangian's symbols, x and v not zero
+    """
+    equation, lagrangian, points = student.lagrange_equation, student.lagrangian, [dict(case.kwargs) for case in cases]
+
+    def hint(*_: Any) -> str:
+        try:
+            found = equation.at([{name: point[name] for name in equation.returns.symbols} for point in points])
+            own = _accelerations(lagrangian, points, *lagrangian.returns.symbols[:2])
+        except (Failed, NotWritten):
+            return otherwise
+        follows = np.max(np.abs(found - own) / np.abs(own)) <= FOLLOWS
+        return "It follows from your Lagrangian, which is wrong." if follows else otherwise
+
+    return hint
+
+
+def _accelerations(lagrangian: Any, points: list[dict[str, float]], x: str, v: str) -> NDArray[np.float64]:
+    """x'' = (L_x - L_vx v) / L_vv by central differences."""
+    shifts = [(i, j) for i in (-1, 0, 1) for j in (-1, 0, 1)]
+    moved = [{**p, x: p[x] * (1 + i * STEP), v: p[v] * (1 + j * STEP)} for p in points for i, j in shifts]
+    values = np.reshape(lagrangian.at(moved), (len(points), 3, 3))
+    rates, steps = np.array([p[v] for p in points]), STEP * np.array([[p[x], p[v]] for p in points])
+    by_x = (values[:, 2, 1] - values[:, 0, 1]) / (2 * steps[:, 0])
+    by_both = (values[:, 2, 2] - values[:, 2, 0] - values[:, 0, 2] + values[:, 0, 0]) / (4 * steps[:, 0] * steps[:, 1])
+    by_v_twice = (values[:, 1, 2] - 2 * values[:, 1, 1] + values[:, 1, 0]) / steps[:, 1] ** 2
+    return np.asarray((by_x - by_both * rates) / by_v_twice)

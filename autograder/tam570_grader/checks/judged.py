@@ -1,0 +1,96 @@
+"""A student's answer beside the right one, and whether another wrong answer explains it."""
+
+import functools
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from tam570_grader.checks.case import Case
+from tam570_grader.checks.mistakes import OF_MOTIONS, Called, agrees, is_motion, parts
+
+__all__ = ["Judged", "judged", "telling"]
+
+TELLING = 1e-3  # of the right answer: what is smaller may be what cancels
+CLEARLY = 0.03  # of the size of a column: where a motion is off by so much, its later rows need not be compared
+FEW = 3  # rows of a motion that is right
+# Of the error of a column: two accurate integrations of one wrong equation differ by less, and another equation that
+# happens to be near it for these numbers by more. A column that is off by less than a tenth tells no more than that.
+EXPLAINED, HARDLY = 3e-4, 0.1
+
+
+@dataclass(frozen=True)
+class Judged:
+    """A call, what came back, and the right answer."""
+
+    name: str
+    given: Case
+    result: Any
+    right: Any
+
+    def fits(self, answer: Any) -> bool:
+        """Whether an answer has the student's numbers."""
+        return agrees(self.result, answer)
+
+    def numbers(self) -> set[bytes]:
+        """What is to be explained, where it is more than rounding beside the right answer: zeros tell nothing."""
+        found, expected = (np.concatenate([np.ravel(one) for one in parts(each)]) for each in (self.result, self.right))
+        tells = np.abs(found).max(initial=0.0) > TELLING * np.abs(expected).max(initial=0.0)
+        return {found.tobytes()} if tells else set()
+
+
+class Rows(Judged):
+    """The first rows of a motion, to where it is clearly wrong: what comes later tells no more, and takes longer."""
+
+    def fits(self, answer: Any) -> bool:
+        """Whether it explains what is wrong in every column; a motion that is nearly right, it must leave so."""
+        if answer is None or _shapes(answer) != _shapes(self.right):
+            return False
+        return bool((_off(self.result, answer) <= self._left).all())
+
+    @functools.cached_property
+    def _left(self) -> Any:
+        """(columns,) what may be left of the error."""
+        off = _off(self.result, self.right).max(axis=0)
+        if off.max() <= OF_MOTIONS:
+            return OF_MOTIONS
+        return np.minimum(OF_MOTIONS, EXPLAINED * np.maximum(off, HARDLY * off.max()))
+
+    def numbers(self) -> set[bytes]:
+        return {row.tobytes() for row in _table(self.result)}
+
+
+def judged(call: Called, right: Any) -> Judged:
+    """A call beside the right answer; of a motion the rows that tell."""
+    if not is_motion(call) or _shapes(call.result) != _shapes(right):
+        return Judged(call.name, call.case, call.result, right)
+    t, off = call.case.args[0], _off(call.result, right).max(axis=1)
+    clear = np.flatnonzero(off > CLEARLY)
+    count = clear[0] + 2 if len(clear) else FEW if off.max() <= OF_MOTIONS else len(t)
+    first = [[part[:count] for part in parts(one)] for one in (call.result, right)]
+    found, expected = (tuple(one) if len(one) > 1 else one[0] for one in first)
+    return Rows(call.name, call.case.replace(t[:count]), found, expected)
+
+
+def telling(calls: Sequence[Judged]) -> int:
+    """How many different things they give to be explained."""
+    return len(set().union(*(call.numbers() for call in calls)))
+
+
+def _shapes(answer: Any) -> list[tuple[int, ...]]:
+    return [np.shape(one) for one in parts(answer)]
+
+
+def _table(motion: Any) -> Any:
+    """(rows, columns)"""
+    return np.hstack([np.reshape(one, (len(one), -1)) for one in parts(motion)])
+
+
+def _off(found: Any, expected: Any) -> Any:
+    """(rows, columns) how far a motion is off, of the size of each column; infinite where it is no number."""
+    found, expected = _table(found), _table(expected)
+    size = np.abs(expected).max(axis=0)
+    with np.errstate(all="ignore"):
+        off = np.abs(found - expected) / np.where(size > 0, size, 1.0)
+    return np.where(np.isfinite(off), off, np.inf)

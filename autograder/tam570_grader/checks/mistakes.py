@@ -1,0 +1,250 @@
+"""Known mistakes: wrong submissions, each written once, that prove the checks and are what feedback names.
+
+A mistake is a file `mistakes/<name>.py` beside the checks: definitions that replace the solution's, and a docstring
+whose first paragraph is what a student reads. Lines `key: value` follow it:
+
+    fails: a, b      the checks that must fail, on which the student's numbers are compared with the mistake's
+    within: 1e-2     how closely they must agree, of the largest number (1e-6; rows of a motion 1e-3)
+    where: FRAGMENT  only calls whose kind of input has these words are compared: it may be one mistake of several
+    also: A | B      other names that the feedback may give it
+    names: FRAGMENT  the check says it, or its hint, in these words, not in the kind of input; no number is compared
+    numerics: WHY    its physics is right, and integrated inaccurately
+    unnamed: WHY     the feedback cannot name it; no number is compared
+"""
+
+import ast
+import functools
+import hashlib
+import math
+import re
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from types import CodeType, ModuleType
+from typing import Any, Protocol
+
+import numpy as np
+
+from tam570_grader.checks.case import Case
+from tam570_grader.checks.check import Memory
+from tam570_grader.checks.effort import compile_counted
+from tam570_grader.checks.expected import shared
+from tam570_grader.protocol.wire import packed
+
+__all__ = [
+    "OF_MOTIONS",
+    "WITHIN",
+    "Called",
+    "Mistake",
+    "agrees",
+    "header",
+    "is_motion",
+    "known",
+    "mistake",
+    "mistakes",
+    "parts",
+    "right_answer",
+]
+
+CANCELLED = 1e-14  # what rounding leaves where numbers of order one cancel, and a wrong answer is exactly zero
+WITHIN = 1e-6  # random inputs tell mistakes further apart
+OF_MOTIONS = 1e-3  # two integrations of one wrong equation differ by their tolerances
+MOST_ANSWERS = 2**26  # bytes; those of a class are the same
+MOST_CHANGES = 2**17  # of an answer by a mistake
+OF_AN_ANSWER = 1000  # bytes besides its numbers
+
+
+class Called(Protocol):
+    """A call that a check made, and the result that came back."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def given(self) -> Case: ...
+    @property
+    def result(self) -> Any: ...  # None where the call raised, or returned what was not promised
+
+
+@dataclass(frozen=True)
+class Mistake:
+    """A wrong submission and what is known of it."""
+
+    name: str
+    says: str
+    fails: frozenset[str]
+    within: float | None
+    names: str
+    numerics: str
+    unnamed: str
+    text: str
+    where: str = ""
+
+    @property
+    def suspect(self) -> bool:
+        """Whether the numbers of a student are compared with its own."""
+        return not (self.names or self.unnamed)
+
+
+def header(text: str) -> tuple[str, dict[str, str]]:
+    """The first paragraph of a docstring on one line, and its lines `key: value`."""
+    docstring = ast.get_docstring(ast.parse(text)) or ""
+    says = " ".join(docstring.split("\n\n")[0].split())
+    return says, dict(re.findall(r"^(\w+): (.+)$", docstring, re.MULTILINE))
+
+
+def mistake(name: str, text: str) -> Mistake:
+    """The mistake in a file's text."""
+    says, known = header(text)
+    fails = frozenset(filter(None, known.get("fails", "").split(", ")))
+    within = float(known["within"]) if "within" in known else None
+    words = {key: known.get(key, "") for key in ("names", "numerics", "unnamed", "where")}
+    return Mistake(name, says, fails, within, text=text, **words)
+
+
+@functools.cache
+def mistakes(folder: Path) -> tuple[Mistake, ...]:
+    """The mistakes in a folder, in order of their names."""
+    return tuple(mistake(path.stem, path.read_text(encoding="utf-8")) for path in sorted(folder.glob("*.py")))
+
+
+def known(solution: str, suspects: Iterable[Mistake], calls: Sequence[Called]) -> str | None:
+    """What to say of the first mistake that the calls agree with; None if there is none.
+
+    Of each function that the mistake changes, every result must be the mistake's, and one must be numbers.
+    """
+    short_first = sorted(calls, key=lambda call: len(call.case.message))  # most are told by a motion of a few rows
+    groups = {call.name: [one for one in short_first if one.name == call.name] for call in calls}
+    return next((one.says for one in suspects if _agrees(solution, one, groups)), None)
+
+
+def _agrees(solution: str, one: Mistake, groups: dict[str, list[Called]]) -> bool:
+    told = False
+    alike = ([call for call in group if one.where in call.case.kind] for group in groups.values())
+    for group in filter(None, alike):
+        within = one.within or _within(group[0])
+        changed = (_changed(solution, one.text, call, within) for call in group)
+        if all(_same(call.result, _answer(solution, one.text, call), within) for call in group):
+            told = told or (any(changed) and any(call.result is not None for call in group))
+        elif any(changed):
+            return False
+    return told
+
+
+def _within(call: Called) -> float:
+    return OF_MOTIONS if is_motion(call) else WITHIN
+
+
+def is_motion(call: Called) -> bool:
+    """Whether the result has a row for each of the times; what is square is the matrix of a vector."""
+    times, shape = (call.case.args or (None,))[0], np.shape(parts(call.result)[0])
+    return isinstance(times, np.ndarray) and len(shape) > 1 and shape[0] == len(times) != shape[-1]
+
+
+def agrees(found: Any, wrong: Any) -> bool:
+    """Whether a result has a variant's numbers; None has none."""
+    return found is not None and wrong is not None and _same(found, wrong, WITHIN)
+
+
+def right_answer(solution: str, call: Called) -> Any:
+    """The solution's answer to a call; None where it has none."""
+    found = _answer(solution, "", call)
+    return None if found is _NoValue else found
+
+
+class _NoValue:
+    """In the place of an answer: a wrong formula may have none where the right one has one."""
+
+
+def _bytes(answer: Any) -> int:
+    return OF_AN_ANSWER + sum(int(np.size(part)) * 8 for part in parts(answer))
+
+
+_answers = Memory(MOST_ANSWERS, _bytes)
+_changes = Memory(MOST_CHANGES)
+
+
+def _answer(solution: str, text: str, call: Called) -> Any:
+    """The answer of the solution with a mistake, computed a single time for all who are given the same input."""
+    name, message = _named(solution, text), call.case.message
+
+    def compute() -> Any:
+        return shared(call.name, name, packed(call.name) + message, lambda: _computed(_module(solution, text), call))
+
+    return _answers.value((name, call.name, message), compute)
+
+
+def _changed(solution: str, text: str, call: Called, within: float) -> bool:
+    """Whether the mistake changes the answer to a call."""
+    key = _named(solution, text), call.name, call.case.message, within
+
+    def compute() -> bool:
+        return not _same(_answer(solution, "", call), _answer(solution, text, call), within)
+
+    return bool(_changes.value(key, compute))
+
+
+@functools.lru_cache(maxsize=256)
+def _named(solution: str, text: str) -> str:
+    return hashlib.sha256(f"{solution}\0{text}".encode()).hexdigest()
+
+
+def _computed(module: ModuleType, call: Called) -> Any:
+    function, asked = getattr(module, call.name), call.case
+    try:
+        with np.errstate(all="ignore"):
+            if call.case.args and isinstance(asked.args[0], list) and isinstance(asked.args[0][0], dict):
+                return _values(function(), asked.args[0])
+            return function(*asked.args, **asked.kwargs)
+    except (ArithmeticError, ValueError, np.linalg.LinAlgError):
+        return _NoValue
+
+
+def _values(formula: Any, points: list[dict[str, float]]) -> Any:
+    """Of a formula in plain symbols, at each of the points."""
+    import sympy
+
+    value = sympy.lambdify([sympy.Symbol(name) for name in points[0]], formula, "numpy")
+    return np.array([value(*point.values()) for point in points], float)
+
+
+@functools.lru_cache(maxsize=256)
+def _module(solution: str, text: str) -> ModuleType:
+    """The solution as a module of its own, with the definitions of the mistake in the place of its own."""
+    module = ModuleType("_mistaken")
+    for part in (solution, text):
+        exec(_code(part), vars(module))
+    return module
+
+
+@functools.lru_cache(maxsize=256)
+def _code(text: str) -> CodeType:
+    return compile_counted(text, "<mistake>")
+
+
+def _same(found: Any, wrong: Any, within: float) -> bool:
+    if found is None or found is _NoValue or wrong is _NoValue:
+        return (found is None or found is _NoValue) and (wrong is _NoValue or not _finite(wrong))
+    if isinstance(wrong, tuple) and not isinstance(found, tuple):
+        wrong = np.asarray(wrong, float)  # the numbers of an array may be returned one by one
+    pairs = list(zip(parts(found), parts(wrong), strict=False))
+    return len(parts(found)) == len(parts(wrong)) and all(_close(one, other, within) for one, other in pairs)
+
+
+def parts(result: Any) -> list[Any]:
+    """The results of a call."""
+    return list(result) if isinstance(result, tuple) else [result]
+
+
+def _finite(result: Any) -> bool:
+    return all(bool(np.all(np.isfinite(np.asarray(part, float)))) for part in parts(result))
+
+
+def _close(found: Any, expected: Any, within: float) -> bool:
+    found, expected = np.asarray(found, float), np.asarray(expected, float)
+    if found.shape != expected.shape:
+        return False
+    size = float(np.abs(expected).max(initial=0.0))
+    if not math.isfinite(size):
+        return bool(np.array_equal(found, expected))
+    with np.errstate(all="ignore"):
+        return bool((np.abs(found - expected) <= within * size + CANCELLED).all())

@@ -1,0 +1,277 @@
+"""What is wrong with a simulated motion, told by its rows: late, wrapped, kept from another call, joined, too loose."""
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tam570_grader.checks.case import Case
+from tam570_grader.checks.effort import Exhausted, limited
+from tam570_grader.checks.expect import Failed, NotWritten
+from tam570_grader.checks.expected import answer
+
+__all__ = ["ROUGHLY", "Motion", "diagnosed", "flat", "obeys"]
+
+Array = NDArray[np.float64]
+
+
+def flat(rows: Any) -> Array:
+    """(n, k) of rows, or of several arrays of them side by side."""
+    parts = rows if isinstance(rows, tuple) else (rows,)
+    return np.hstack([np.reshape(part, (len(part), -1)) for part in parts])
+
+
+ALIKE = 1e-3  # of the scale: two integrations of one motion differ by their tolerances
+DENSE = 1e-4  # of the scale: the interpolation of a solver at a loose tolerance is off by less, straight lines by more
+BETTER = 0.1  # of the error is left where other times are what matters
+DENSER = 400  # times that are asked for in the place of few
+ROUGHLY = 0.1  # of the scale: beyond it a small wrong term is as likely as a loose tolerance
+TRIED = 12  # rows at which the right equations are asked where they lead
+OBEYED = 0.03  # of the change between rows: a wrong term makes more, a loose tolerance less
+# Of the duration: in one so short no step has an error, and a wrong term has the same part in the rate as in any other.
+INSTANTS = 1e-8, 1e-7
+ASKED = 6  # rows, and right states, from which both set off for an instant
+ABSURD = 100  # scales: from what is off by more the right motion may take as long as it likes
+STEPS = 2_000_000  # of the right motion from a student's rows
+EXPLAINED, EXPLAINS = 0.03, 0.5  # of the errors' rate: right rates leave less of it, a wrong term makes more
+
+
+@dataclass(frozen=True)
+class Motion:
+    """A case, the student's rows, the right ones, the scale of each column."""
+
+    case: Case
+    found: Array
+    expected: Array
+    scales: Array
+    function: Any
+    right: Callable[..., Any]
+    restart: Callable[[Array], tuple[Any, ...]] | None = None
+
+    @property
+    def t(self) -> Array:
+        return np.asarray(self.case.args[0])
+
+    @cached_property
+    def errors(self) -> Array:
+        """(n, k) of the scales; a NaN is larger than any."""
+        errors = np.abs(self.found - self.expected) / self.scales
+        return np.where(np.isnan(errors), np.inf, errors)
+
+    @property
+    def error(self) -> float:
+        return float(self.errors.max())
+
+    def near(self, rows: Any, quantity: Any = None) -> bool:
+        """Whether the student's rows, or some of them, are these, and not as well the right ones."""
+        found, tolerance = self.found if quantity is None else quantity, min(ALIKE, BETTER * self.error)
+        return np.shape(rows) == found.shape and bool(np.max(np.abs(rows - found) / self.scales) <= tolerance)
+
+    def again(self, t: Array) -> Array | None:
+        """The student's rows when other times are asked for; None where there are none."""
+        try:
+            return flat(self.function.aside(self.case.replace(t)))
+        except (Failed, NotWritten):
+            return None
+
+    def truly(self, t: Array, *start: Any) -> Array:
+        """The right rows at other times, or from another start."""
+        case = self.case.replace(t, *start)
+        return flat(answer(self.right, case))
+
+
+def diagnosed(motion: Motion, motions: Sequence[Motion], turns: Sequence[int], near_miss: float) -> str:
+    """What a wrong motion is instead, in a sentence; empty if the rows do not tell.
+
+    nearly : the error, of the scale, up to which a loose tolerance is likely even where nothing moves
+    """
+    with np.errstate(all="ignore"):
+        moves = np.max(np.ptp(motion.expected, axis=0) / motion.scales) > ALIKE  # what rests is the same at any times
+        told = next((says for tells, says in _tells(motion, motions, turns) if moves and tells()), "")
+        if told or not (motion.error <= near_miss or obeys(motion)):
+            return told
+        share = _explained(motion)
+        if share >= EXPLAINS:
+            return ""
+        return TIGHT if share <= EXPLAINED and motion.error <= ROUGHLY else NEARLY_FOLLOWS
+
+
+TIGHT = "The physics is right: tighten rtol and atol, or take smaller steps"
+NEARLY_FOLLOWS = "Each row nearly follows from the row before: is a term wrong, or are rtol and atol loose?"
+Tell = tuple[Callable[[], bool], str]
+
+
+def _tells(motion: Motion, motions: Sequence[Motion], turns: Sequence[int]) -> list[Tell]:
+    """The questions in order: what is cheap and certain comes first."""
+    inner, expected = motion.found[1:-1], motion.expected
+    return [
+        (lambda: _still(motion), "Every row is the start"),
+        (lambda: not motion.found.any(), "Every number is zero"),
+        (lambda: len(inner) > 0 and motion.near(expected[2:], inner), AHEAD),
+        (lambda: len(inner) > 0 and motion.near(expected[:-2], inner), BEHIND),
+        (lambda: motion.errors[0].max() > ALIKE >= motion.errors[1:].max(), "Row 0 is not the start"),
+        (lambda: _turned(motion, turns), "Only whole turns are missing: never wrap angles"),
+        (lambda: _even(motion), "These are the rows at evenly spaced times: use the times in t"),
+        (lambda: _from_zero(motion), "The start is taken at t = 0: it is the state at t[0]"),
+        (lambda: _reordered(motion), "The columns are in another order"),
+        (lambda: _another(motion, motions), "This is the motion of an earlier call: is a result kept between calls?"),
+        (lambda: _joined(motion), JOINED),
+        (lambda: _denser(motion), SAMPLED),
+    ]
+
+
+AHEAD = "Row i is the state at t[i+1], not at t[i]"
+BEHIND = "Row i is the state at t[i-1], not at t[i]"
+JOINED = (
+    "This row is accurate when requested alone: do you interpolate linearly between steps, or at a loose tolerance?"
+)
+SAMPLED = "With more times in between the same rows are accurate: take smaller steps"
+
+
+def _still(motion: Motion) -> bool:
+    return bool((motion.found == motion.found[0]).all()) and bool(motion.errors[0].max() <= ALIKE)
+
+
+def _turned(motion: Motion, turns: Sequence[int]) -> bool:
+    off = np.zeros_like(motion.found)
+    columns = list(turns)
+    off[:, columns] = 2 * np.pi * np.round((motion.found - motion.expected)[:, columns] / (2 * np.pi))
+    return bool(off.any()) and motion.near(motion.expected, quantity=motion.found - off)
+
+
+def _even(motion: Motion) -> bool:
+    t = motion.t
+    return any(
+        motion.near(motion.truly(even))
+        for even in (np.linspace(t[0], t[-1], len(t)), t[0] + (t[1] - t[0]) * np.arange(len(t)))
+        if len(t) > 2
+    )
+
+
+def _from_zero(motion: Motion) -> bool:
+    """The right motion with its start at t = 0, at the times after both."""
+    t = motion.t
+    after = t > max(t[0], 0.0)
+    if t[0] == 0 or not after.any():
+        return False
+    try:
+        return motion.near(motion.truly(np.append(0.0, t[after]))[1:], quantity=motion.found[after])
+    except (ValueError, ArithmeticError):
+        return False
+
+
+def _reordered(motion: Motion) -> bool:
+    from scipy.optimize import linear_sum_assignment
+
+    columns = motion.found.T[:, :, None] - motion.expected[None]  # each of the student's less each of the right ones
+    off = np.fmin(np.abs(columns / motion.scales).max(axis=1), 1.0)  # a NaN, too, is as far off as can be
+    return motion.near(motion.expected[:, linear_sum_assignment(off)[1]])
+
+
+def _another(motion: Motion, motions: Sequence[Motion]) -> bool:
+    others = [one for one in motions if one is not motion and one.expected.shape == motion.expected.shape]
+    return any(motion.near(one.expected) and not motion.near(one.expected, quantity=motion.expected) for one in others)
+
+
+def _joined(motion: Motion) -> bool:
+    """Whether the worst row is right where its time is the last, at which every integrator ends a step."""
+    row = int(np.argmax(motion.errors.max(axis=1)))
+    if row == 0 or len(motion.t) < 3 or not DENSE < motion.error < 1:
+        return False
+    again = motion.again(motion.t[[0, row]])
+    return again is not None and _left(motion, again[-1:], row) <= BETTER * motion.error
+
+
+def _denser(motion: Motion) -> bool:
+    """Whether times in between bring the rows right, which cannot be the equation's fault."""
+    t, between = motion.t, max(2, DENSER // len(motion.t))
+    fine = np.append(np.linspace(t[:-1], t[1:], between, endpoint=False).T.ravel(), t[-1])
+    again = motion.again(fine)
+    if again is None:
+        return False
+    return bool(np.max(np.abs(again[::between] - motion.expected) / motion.scales) <= BETTER * motion.error)
+
+
+def _left(motion: Motion, rows: Array, row: int) -> float:
+    """The error of a row that was asked for in another way."""
+    return float(np.max(np.abs(rows - motion.expected[row]) / motion.scales))
+
+
+def obeys(motion: Motion, *, everywhere: bool = False) -> bool:
+    """Whether each row nearly follows from the one before by the right equations: then only the steps are coarse.
+
+    everywhere : ask at every row, and allow no exception; else at some
+    """
+    if not motion.error <= ABSURD or motion.errors[0].max() > ALIKE:
+        return False
+    rows = np.arange(len(motion.t) - 1) if everywhere else _some(motion)
+    try:
+        with limited(STEPS):
+            off = _lost(motion, rows)
+    except (ValueError, ArithmeticError, Exhausted):
+        return False
+    moved = np.abs(motion.found[rows + 1] - motion.found[rows]) / motion.scales
+    return bool(np.quantile(off, 1.0 if everywhere else 0.9) <= OBEYED * np.median(moved.max(axis=1)))
+
+
+def _some(motion: Motion, count: int = TRIED) -> NDArray[np.int_]:
+    """Numbers of rows, but for the last."""
+    return np.unique(np.linspace(0, len(motion.t) - 2, count).astype(int))
+
+
+def _lost(motion: Motion, rows: NDArray[np.int_]) -> Array:
+    """How far the right motion from each of these rows passes from the row after it, of the scale."""
+    led = [motion.truly(motion.t[row : row + 2], *_restart(motion, motion.found[row]))[-1] for row in rows]
+    return np.asarray(np.max(np.abs(np.array(led) - motion.found[rows + 1]) / motion.scales, axis=1))
+
+
+def _explained(motion: Motion) -> float:
+    """The share of the errors that wrong rates make: near zero where the physics is right, NaN where none can tell."""
+    rows, shares = _some(motion), list[float]()
+    try:
+        made = _lost(motion, rows) / (motion.t[rows + 1] - motion.t[rows])
+        starts = list(_worst(motion, rows[np.argsort(-made)]))
+        for instant in INSTANTS:
+            shares.append(_apart(motion, starts, instant) / made.max())
+            if shares[-1] <= EXPLAINED:
+                return shares[-1]
+    except (Failed, NotWritten, ValueError, ArithmeticError, Exhausted):
+        return np.nan
+    return min(shares) if max(shares) <= 2 * min(shares) else np.nan  # rounding, or how an integrator starts
+
+
+def _worst(motion: Motion, rows: NDArray[np.int_]) -> Iterator[tuple[float, Array]]:
+    """Times and states where most of the error is made: rows, the worst first, and right states behind the first.
+
+    A row that breaks a constraint is taken as the right motion takes it.
+    """
+    for row in rows[:ASKED]:
+        yield motion.t[row], motion.truly(motion.t[row : row + 2], *_restart(motion, motion.found[row]))[0]
+    times = np.linspace(motion.t[rows[0]], motion.t[rows[0] + 1], ASKED + 1)
+    yield from zip(times[1:], motion.truly(times, *_restart(motion, motion.found[rows[0]]))[1:], strict=True)
+
+
+def _apart(motion: Motion, starts: Sequence[tuple[float, Array]], instant: float) -> float:
+    """The largest rate, of the scale, at which the student's function leaves the right one."""
+    rates = list[float]()
+    for at, state in starts:
+        t, start = at + (motion.t[-1] - motion.t[0]) * np.array([0, instant]), _restart(motion, state)
+        found = flat(motion.function.aside(motion.case.replace(t, *start)))
+        off = np.diff((found - motion.truly(t, *start)) / motion.scales, axis=0)
+        rates.append(float(np.max(np.abs(off)) / np.ptp(t)))
+    return max(rates)
+
+
+def _restart(motion: Motion, row: Array) -> tuple[Any, ...]:
+    """The arguments behind t that begin the motion at a row; ValueError where the row does not tell them."""
+    if motion.restart:
+        return motion.restart(row)
+    starts = [one for one in motion.case.args[1:] if not isinstance(one, str)]
+    ends = np.cumsum([np.size(one) for one in starts])
+    if not starts or ends[-1] != len(row):
+        raise ValueError("the row is not a start")
+    pairs = zip(np.split(row, ends[:-1]), starts, strict=True)
+    return tuple(part.reshape(np.shape(one)) if np.ndim(one) else float(part[0]) for part, one in pairs)

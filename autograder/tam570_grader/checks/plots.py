@@ -1,0 +1,248 @@
+"""What students draw: curves, whatever their corners are, the edges of boxes in any order, labels in many forms."""
+
+import re
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
+from functools import partial
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from tam570_grader.checks.case import Case
+from tam570_grader.checks.expect import expect, expect_that, fail
+from tam570_grader.checks.returns import Drawing, Line
+
+__all__ = [
+    "along",
+    "curves_seen",
+    "distances",
+    "exchanged",
+    "judge_axes_of_lengths",
+    "judge_boxes",
+    "path_drawn",
+    "readable",
+]
+
+Array = NDArray[np.float64]
+
+SEEN, WITHIN, EXTENT = 0.5, 0.9, 0.02  # of a curve's points, of them, of the figure: a curve with less is not seen
+STRAIGHT = 1e-3  # of the axes: a logarithmic one over a tenth of a decade is bent by .03
+LARGEST = 1e100  # of what a student draws, which is cut to this
+FEWEST = 10  # points of a curve; fewer are a marker, a line for reference or an entry of the legend
+# In a label, by Matplotlib's mathtext: fonts and sizes of brackets, and spaces.
+FONTS = r"\\(?:(?:math|text)[a-z]*|(?:rm|it|bf|sf|tt|boldsymbol|operatorname|left|right|[bB]igg?[lr]?)(?![A-Za-z]))"
+SPACES = r"\\(?:[ ,:;/>]|(?:quad|qquad|enspace|thinspace)(?![A-Za-z])|hspace\{[^{}]*\})|~"
+MOST_POINTS, MOST_CORNERS = 400, 4000  # a picture of a million points costs no more than one that looks alike
+
+
+def readable(picture: Drawing) -> Drawing:
+    """What a student draws, its labels without TeX's fonts and spaces, and of its lines those that are curves."""
+    xlabel, ylabel = (re.sub(SPACES, " ", re.sub(FONTS, "", label)) for label in (picture.xlabel, picture.ylabel))
+    lines = (replace(line, points=_told_apart(line.points)) for line in picture.lines)
+    curves = tuple(line for line in lines if len(line.points) >= FEWEST)
+    return replace(picture, lines=curves, xlabel=xlabel, ylabel=ylabel)
+
+
+def _told_apart(points: Array) -> Array:
+    """The points without NaN, which lifts the pen, and without repetition of the one before."""
+    points = np.clip(points[np.isfinite(points).all(axis=1)], -LARGEST, LARGEST)
+    return points[np.insert(np.diff(points, axis=0).any(axis=1), 0, True)] if len(points) else points
+
+
+def along(line: Line, path: Array) -> Array:
+    """The points of a drawn line in its order; those of a scatter, which has none, in that of the path next to them."""
+    from scipy.spatial import cKDTree
+
+    if not line.scatter:
+        return line.points
+    tangents = np.gradient(path, axis=0)
+    nearest = cKDTree(path).query(line.points)[1]
+    beyond = np.sum((line.points - path[nearest]) * tangents[nearest], axis=1)
+    lengths2 = np.sum(tangents[nearest] ** 2, axis=1)
+    return line.points[np.argsort(nearest + beyond / np.maximum(lengths2, 1e-300))]
+
+
+def distances(points: ArrayLike, polygon: ArrayLike) -> Array:
+    """Distance from each of the points, or of every kth if there are many, to the nearest side of the polygon.
+
+    points, polygon : (n, 2) and (m, 2), m > 1; the polygon's kth corners alone are joined if there are many
+    """
+    places, corners = _some(points, MOST_POINTS), _some(polygon, MOST_CORNERS)
+    sides = np.diff(corners)
+    sides[sides == 0] = 1e-300
+    from_corners = places[:, None] - corners[:-1]
+    share = np.clip((from_corners / sides).real, 0, 1)
+    return np.asarray(np.abs(from_corners - share * sides).min(axis=1))
+
+
+def path_drawn(
+    line: Line,
+    path: Array,
+    *,
+    tolerance: float,
+    quantity: str,
+    others: Mapping[str, ArrayLike] | None = None,
+    fewer: float = 10,
+    hint: str = "Does simulate pass, and does it run from t[0] to t[-1]?",
+    near_miss_credit: bool = True,
+) -> None:
+    """Whether a line is the path, from its first point to its last and in its order.
+
+    within : of the path's extent, for the line's points
+    fewer  : how many times as much for the path between fewer points
+    others : {hint: path, or several} of what else a line is that has its ends
+    """
+    size, drawn = float(np.ptp(path, axis=0).max()), along(line, path)
+    told = partial(_other_path, drawn, path, others or {}, tolerance * size, hint)
+    for found, expected, what, room in (
+        (drawn[[0, -1]], path[[0, -1]], f"an end of {quantity}", 1),
+        (distances(drawn, path), 0.0, f"a point of {quantity}", 1),
+        (distances(path, drawn), 0.0, f"a point that {quantity} passes", fewer),  # the curve may have fewer points
+    ):
+        expect(
+            found,
+            expected,
+            tolerance=room * tolerance * size,
+            quantity=what,
+            unit="m",
+            hint=told,
+            near_miss_credit=near_miss_credit,
+        )
+    # a curve through the same points in another order is longer; one of fewer points is shorter
+    in_order = line.scatter or _arc_length(drawn) < 1.05 * _arc_length(path)
+    expect_that(
+        in_order, f"{quantity} goes to and fro between its points", hint="Draw the points in the order of time."
+    )
+
+
+def _other_path(drawn: Array, path: Array, others: Mapping[str, ArrayLike], near: float, hint: str) -> str:
+    """Which other path has the ends of the drawn one, if one has."""
+    for message, paths in others.items():
+        each = np.reshape(paths, (-1, *np.shape(paths)[-2:]))
+        if any(np.allclose(drawn[[0, -1]], one[[0, -1]], rtol=0, atol=near) for one in each):
+            return message
+    first, last = np.linalg.norm(drawn[[0, -1]] - path[[0, -1]], axis=1)
+    if first < near < last and distances(drawn, path).max() < near:
+        return "It is right as far as it goes, and ends too early."
+    return hint
+
+
+def _arc_length(path: Array) -> float:
+    return float(np.sum(np.linalg.norm(np.diff(path, axis=0), axis=1)))
+
+
+def _some(points: ArrayLike, most: int) -> NDArray[Any]:
+    """Every kth of the points, so that there are `most` or fewer, in the complex plane."""
+    points = np.asarray(points, float)
+    x, y = points[:: -(-len(points) // most)].T
+    return np.asarray(x + 1j * y)
+
+
+def curves_seen(picture: Drawing, count: int) -> tuple[Line, ...]:
+    """The curves that can be seen, of which there must be so many; those that cannot are no fault beside them."""
+    seen = tuple(line for line in picture.lines if not _unseen(line))
+    hidden = [line for line in picture.lines if _unseen(line)]
+    if len(seen) < count and hidden:
+        fail("a curve cannot be seen", hint=_unseen(hidden[0]))
+    message = f"the number of curves on the axes is {len(seen)}, not {count}"
+    expect_that(len(seen) == count, message, hint="A curve needs ten points or more.", label=None)
+    return seen
+
+
+def _unseen(line: Line) -> str:
+    """Why a curve cannot be seen; empty if it can."""
+    if not line.tolerance >= WITHIN:
+        return "It leaves the limits of the axes."
+    if not line.extent >= EXTENT:
+        return "It is as small as a point."
+    return "" if line.shows >= SEEN else "It is hidden, covered, too thin or too pale."
+
+
+def judge_axes_of_lengths(
+    picture: Drawing, across: str = "x horizontal", up: str = "y height vertical", *, from_below: bool = False
+) -> None:
+    """Whether both axes are lengths by their labels, the unit being a word of its own, evenly and at one scale.
+
+    across, up : the words that name either axis, the usual one first
+    from_below : whether the picture may be seen from behind the paper, one axis turned round or both exchanged
+    """
+    judge = partial(expect_that, label=None)
+    for label, shows, axis in zip((picture.xlabel, picture.ylabel), picture.labels_show, "xy", strict=True):
+        judge(METRES & words(label), "the axes are not labelled with their unit, as in x (m)")
+        judge(shows, f"the label of the axis of {axis} cannot be seen")
+    wrong, (one, other) = exchanged(picture, across, up), (names.split()[0] for names in (across, up))
+    judge(not any(wrong) or (from_below and all(wrong)), f"the label of {one} stands at the axis of {other}")
+    judge(picture.bent <= STRAIGHT, "the axes are not linear: equal lengths must look equal")
+    backwards = [scale < 0 for scale in picture.scales]
+    judge(not any(backwards) or (from_below and not all(backwards)), "the picture is upside down")
+    width, height = np.abs(picture.scales)
+    judge(abs(width - height) <= 0.01 * height, f"{one} and {other} are not drawn at the same scale")
+
+
+def exchanged(picture: Drawing, across: str = "x", up: str = "y") -> tuple[bool, bool]:
+    """Whether the label of x, and that of y, has a name of the other axis and none of its own."""
+    along_x, along_y = (set(re.findall("[a-z]+", label.lower())) for label in (picture.xlabel, picture.ylabel))
+    right, upwards = set(across.split()), set(up.split())
+    return not along_x & right and bool(along_x & upwards), not along_y & upwards and bool(along_y & right)
+
+
+METRES = {"m", "metre", "metres", "meter", "meters"}
+
+
+def words(label: str) -> set[str]:
+    """The words of a label, without punctuation around them, in lower case; a single letter keeps its case (M, m)."""
+    stripped = (word.strip("()[]{}$,;:.\\") for word in label.replace("(s)", "s").split())
+    return {word if len(word) == 1 else word.lower() for word in stripped}
+
+
+def judge_boxes(function: Any, cases: Iterable[tuple[Array, Array, str]], tolerance: float) -> None:
+    """Whether the function gives the twelve edges of boxes R, size=size around the origin, each of a kind in words."""
+    for R, size, label in cases:
+        (found,) = function.many([Case(R, size=size).labelled(label)])
+        expect(
+            _mismatch(found, _edges(R, size)),
+            0.0,
+            tolerance=tolerance,
+            scale=max(size),
+            quantity="an edge",
+            unit="of the longest edge",
+            hint=partial(_mistake, found, R, size, tolerance),
+        )
+
+
+def _edges(R: Array, size: Array) -> Array:
+    """The twelve edges: corners that differ in one sign."""
+    signs = 2 * np.array(list(np.ndindex(2, 2, 2))) - 1
+    pairs = [(i, j) for i in range(8) for j in range(i) if np.count_nonzero(signs[i] != signs[j]) == 1]
+    return np.asarray((signs[np.array(pairs)] * size / 2) @ R.T)
+
+
+def _astray(found: Array, right: Array) -> float:
+    """The largest distance of an edge that is there to the nearest right one, in any direction."""
+    both_ways = [np.abs(found[:, None] - one_way).max(axis=(2, 3)) for one_way in (right, right[:, ::-1])]
+    return float(np.minimum(*both_ways).min(axis=1).max())
+
+
+def _mismatch(found: Array, right: Array) -> float:
+    """How far two boxes' edges are apart, in any order and direction: no edge may be astray, nor be missing."""
+    return max(_astray(found, right), _astray(right, found))
+
+
+MISTAKEN_BOXES: dict[str, Callable[[Array, Array], Array]] = {
+    "The edges belong to the transpose": lambda R, size: _edges(R.T, size),
+    "The edges belong to a box of twice that size": lambda R, size: _edges(R, 2 * size),
+    "The edges belong to a box of half that size": lambda R, size: _edges(R, size / 2),
+    "The edges are along x, y, z: the size is turned, not the box": lambda R, size: _edges(np.eye(3), R @ size),
+    "The edges belong to a box with a corner at the origin": lambda R, size: _edges(R, size) + R @ size / 2,
+    "The edges are not turned": lambda R, size: _edges(np.eye(3), size),
+}
+
+
+def _mistake(found: Array, R: Array, size: Array, tolerance: float) -> str:
+    """What is wrong, if it is a known mistake, else what to look at."""
+    near = tolerance * max(size)
+    known = [message for message, box in MISTAKEN_BOXES.items() if _mismatch(found, box(R, size)) < near]
+    if not known and _astray(found, _edges(R, size)) < near:
+        return "Each drawn edge is an edge of the box: is one drawn twice, and another missing?"
+    return known[0] if known else "Three edges meet at each of the eight corners; the centre is the origin"

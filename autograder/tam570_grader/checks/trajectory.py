@@ -1,0 +1,204 @@
+"""A simulated motion against the right one: what is compared, and what a wrong one is called."""
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from functools import partial
+from itertools import product
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tam570_grader.checks.case import Case
+from tam570_grader.checks.compare import Column, Reference, call_cases, find_reference
+from tam570_grader.checks.curves import kept
+from tam570_grader.checks.expect import NEAR_MISS, NEAR_MISS_SHARE, UNLOCKING_SHARE, expect, get_context
+from tam570_grader.checks.motions import ROUGHLY, Motion, diagnosed, flat, obeys
+
+__all__ = ["Invariant", "compare_trajectory", "check_conserved"]
+
+Array = NDArray[np.float64]
+# Right physics at a loose tolerance keeps these shares of the points at these errors (of the scale), and in proportion
+# to the logarithm of the error between them and ten limits, so that no grade leaps with the seed.
+LOOSE_SHARES = {1e-3: UNLOCKING_SHARE, ROUGHLY: 0.25}
+
+
+@dataclass(frozen=True)
+class Invariant:
+    """What every right motion keeps: value(rows, **parameters) -> (n, ...), and the scale of its drift."""
+
+    quantity: str  # "the energy"
+    unit: str
+    value: Callable[..., Array]
+    scale: Callable[[Case, Array], float] | None  # scale(case, right rows); None: its value at the start, in size
+    tolerance: float
+
+    def size(self, case: Case, rows: Array) -> float:
+        """What its drift is relative to; 1 where that is zero."""
+        start = self.scale(case, rows) if self.scale else np.linalg.norm(self.value(rows[:1], **case.kwargs))
+        return float(start) or 1.0
+
+
+def compare_trajectory(
+    function: Any,
+    reference: Reference,
+    cases: Iterable[Case],
+    columns: Sequence[Column] = (),
+    *,
+    tolerance: float,
+    hint: str | Callable[[Motion], str] = "",
+    keeps: Invariant | None = None,
+    restart: Callable[[Array], tuple[Any, ...]] | None = None,
+    near_miss_credit: bool = True,
+    loose_tolerance_credit: bool = True,
+    chaotic: bool = False,
+) -> list[Motion]:
+    """Fail unless the student's simulation follows the right motion in every case; the motions, for further checks.
+
+    right   : right(t, *start, **parameters) -> rows, or several arrays of them; or the module, as for `compare`
+    columns : left out, as RESULTS has them
+    within  : of the scale of each column
+    hint    : where to look, or a function of the motion that says it, if the rows themselves tell nothing
+    keeps   : an invariant whose course the student's page draws beside the error
+    restart : restart(row) -> the arguments behind t that begin the motion there; default: the row, cut as these are
+    gradual : False where an error of a few limits is no sign that the physics is right
+    loose   : False where wrong physics, too, nearly obeys the equations: a tenth of an error is then no sign
+    chaotic : a motion in which each row leads to the next has followed, too, however far its errors have grown
+    """
+    columns = columns or function.returns.columns
+    hopeless = (
+        np.inf if chaotic else max(ROUGHLY, NEAR_MISS * tolerance)
+    )  # no share is left, whatever the other motions are
+    motions = _motions(function, reference, cases, columns, restart, hopeless)
+    width = motions[0].expected.shape[1]
+    turns = [index for column in columns if column.turns for index in np.arange(width)[column.where]]
+    # the worst first; of those beyond hope the longest, of which there is most to draw
+    order, near_miss = partial(_telling, tolerance), NEAR_MISS * tolerance if near_miss_credit else 0.0
+    for motion in sorted(motions, key=order, reverse=True):
+        if chaotic and motion.error > tolerance and obeys(motion, everywhere=True):
+            continue
+        get_context().judge(function.name, motion.case)
+        _compare(
+            motion,
+            columns,
+            tolerance,
+            partial(_hint, motion, motions, turns, near_miss, hint),
+            keeps,
+            near_miss_credit,
+            loose_tolerance_credit,
+        )
+    return motions
+
+
+def check_conserved(
+    function: Any,
+    reference: Reference,
+    cases: Iterable[Case],
+    *invariants: Invariant,
+    columns: Sequence[Column] = (),
+    coarsely: float = 1e-2,
+    partial: dict[float, float] | None = None,
+    hint: str = "Use a tighter tolerance, or a smaller step",
+) -> None:
+    """Fail unless invariants keep their values at the start along motions that are followed coarsely.
+
+    coarsely : of the scale of each column; where errors grow fast, it is enough that each row leads to the next
+    """
+    motions = compare_trajectory(
+        function, reference, cases, columns, tolerance=coarsely, hint=hint, near_miss_credit=False, chaotic=True
+    )
+    for invariant, motion in product(invariants, motions):
+        case = motion.case
+        start = invariant.value(motion.expected[:1], **case.kwargs)
+        get_context().judge(function.name, case)
+        expect(
+            invariant.value(motion.found, **case.kwargs),
+            np.broadcast_to(start, (len(motion.found), *np.shape(start)[1:])),
+            tolerance=invariant.tolerance,
+            scale=invariant.size(case, motion.expected),
+            quantity=invariant.quantity,
+            unit=invariant.unit,
+            t=case.args[0],
+            partial=partial,
+            hint=hint,
+        )
+
+
+def _motions(
+    function: Any, reference: Reference, cases: Iterable[Case], columns: Sequence[Column], restart: Any, hopeless: float
+) -> list[Motion]:
+    """The student's motions, the longest first; where its error is hopeless, the others are not asked for."""
+    motions, true = list[Motion](), find_reference(reference, function)
+    first, *rest = sorted(cases, key=lambda case: -len(case.args[0]))
+    for some in filter(None, ([first], rest)):
+        for case, found, rows in call_cases(function, reference, some):
+            expected = flat(rows)
+            scales = _scales(columns, case, expected)
+            motions.append(Motion(case, flat(found), expected, scales, function, true, restart))
+        if motions[0].error > hopeless and not get_context().recorder:
+            break
+    return motions
+
+
+def _telling(tolerance: float, motion: Motion) -> tuple[bool, int, float]:
+    hopeless = motion.error > NEAR_MISS * tolerance
+    return hopeless, len(motion.found) if hopeless else 0, motion.error
+
+
+def _scales(columns: Sequence[Column], case: Case, expected: Array) -> Array:
+    """(k,) the scale of each column; 1 where all is zero."""
+    scales = np.ones(expected.shape[1])
+    for column in columns:
+        largest = np.max(np.abs(expected[:, column.where]))
+        scales[column.where] = (column.scale(case, expected) if column.scale else largest) or 1.0
+    return scales
+
+
+def _compare(
+    motion: Motion,
+    columns: Sequence[Column],
+    tolerance: float,
+    hint: Any,
+    keeps: Invariant | None,
+    near_miss_credit: bool,
+    loose_tolerance_credit: bool,
+) -> None:
+    """Judge the column that is off most, in its own unit."""
+    where = [column.where for column in columns]
+    worst = int(np.argmax([np.max(motion.errors[:, place], initial=0.0) for place in where]))
+    size, column = float(np.max(motion.scales[where[worst]])), columns[worst]
+    expect(
+        motion.found[:, column.where],
+        motion.expected[:, column.where],
+        tolerance=tolerance * size,
+        quantity=column.quantity,
+        unit=column.unit,
+        t=motion.case.args[0],
+        partial=partial(loose_tolerance_share, motion, tolerance, size)
+        if near_miss_credit and loose_tolerance_credit
+        else None,
+        near_miss_credit=near_miss_credit,
+        hint=hint,
+        keeps=partial(_along, keeps, motion) if keeps else None,
+    )
+
+
+def loose_tolerance_share(motion: Motion, tolerance: float, size: float, error: float) -> float:
+    """Right physics at a loose tolerance keeps a share that falls with the error; a NaN keeps nothing."""
+    if not (error <= ROUGHLY * size and obeys(motion)):
+        return 0.0
+    known = {NEAR_MISS * tolerance: NEAR_MISS_SHARE} | {
+        limit: share for limit, share in LOOSE_SHARES.items() if limit > NEAR_MISS * tolerance
+    }
+    return round(float(np.interp(np.log(error / size), np.log(list(known)), list(known.values()))), 2)
+
+
+def _hint(motion: Motion, motions: Sequence[Motion], turns: Sequence[int], near_miss: float, hint: Any) -> str:
+    return diagnosed(motion, motions, turns, near_miss) or (hint(motion) if callable(hint) else hint)
+
+
+def _along(invariant: Invariant, motion: Motion) -> Any:
+    values = invariant.value(motion.found, **motion.case.kwargs) / invariant.size(motion.case, motion.expected)
+    return kept(
+        motion.case.args[0], values, tolerance=invariant.tolerance, quantity=invariant.quantity, unit=invariant.unit
+    )

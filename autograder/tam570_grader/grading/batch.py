@@ -1,0 +1,208 @@
+"""A run of the grader: hands submissions to supervisors, and writes down what they give back.
+
+The head reads bytes, hands out and writes; whatever takes time is done by the supervisors. What is known already is
+not graded again.
+"""
+
+import hashlib
+import hmac
+import json
+import platform
+import sys
+import tempfile
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import ExitStack
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from tam570_grader.checks import assignments
+from tam570_grader.grading import supervisor
+from tam570_grader.grading.cluster import Cluster
+from tam570_grader.grading.executor import WorkerLost, finished
+from tam570_grader.grading.executor import executor as crew_here
+from tam570_grader.grading.submissions import CannotRead, Submission, read
+from tam570_grader.grading.supervisor import GradeTask, WorkerConfig
+from tam570_grader.results.store import Key, Record, Results, ResultStore
+from tam570_grader.sandbox.launch import isolation
+from tam570_grader.sandbox.preload import imported
+from tam570_grader.sandbox.student import Source
+from tam570_grader.sandbox.zygote import ResourceLimits
+
+__all__ = ["CachedResult", "RunConfig", "digests", "lines", "outcomes", "records"]
+
+FEW = 4  # submissions a process, for which to start one repays
+HELD = 2**26  # bytes of submissions that are held until they are handed out; others are read twice
+
+
+@dataclass(frozen=True)
+class RunConfig:
+    """What is graded and how."""
+
+    course: Path
+    submissions: Sequence[Submission]
+    seed: int
+    jobs: int
+    limits: ResourceLimits
+    hidden: Sequence[Path] = ()
+    speed: bool = False  # measure run time against error too
+    key: bytes | None = None  # varies the hidden inputs from student to student; `seed` is then not used
+    cluster: Cluster | None = None  # None: this machine
+
+    def seed_of(self, submission: Submission) -> int:
+        """The seed of a submission's hidden inputs: the class's, else one that only the key tells."""
+        if self.key is None:
+            return self.seed
+        name = f"{submission.student}\n{submission.slug}".encode()
+        return int.from_bytes(hmac.digest(self.key, name, "sha256")[:4]) >> 1
+
+
+@dataclass(frozen=True)
+class CachedResult:
+    """A result that is there already; it is read if it is asked for."""
+
+    place: Results
+    key: Key
+
+    @property
+    def summary_row(self) -> Any:
+        """What was noted of it when its file was read."""
+        return self.place.lines[self.key].summary_row
+
+    @property
+    def record(self) -> Record:
+        return self.place[self.key]
+
+
+def records(config: RunConfig, store: ResultStore | None = None, old: Sequence[Results] = ()) -> Iterator[Record]:
+    """The result lines, each as soon as it is there and written into the book; what `old` knows is not run again.
+
+    Where the grader itself failed, it tries again.
+    """
+    for outcome in outcomes(config, store, old):
+        yield outcome.record if isinstance(outcome, CachedResult) else outcome
+
+
+def outcomes(
+    config: RunConfig, store: ResultStore | None = None, old: Sequence[Results] = ()
+) -> Iterator[CachedResult | Record]:
+    """The same as `records`, but what is known is not read."""
+    places = (*old, *([store] if store is not None else ()))
+    known = {
+        line.digest: CachedResult(place, key) for place in places for key, line in place.lines.items() if line.scored
+    }
+    engine = _engine_digest(config)
+    fresh, held, users = list[tuple[Submission, GradeTask | None]](), 0, Counter[str]()
+    for submission in config.submissions:
+        task = _task(config, engine, submission)
+        if task.digest in known:
+            yield _noted(known[task.digest], store)
+            continue
+        text = task.source.text if isinstance(task.source, Source) else b""
+        users.update(imported(text))
+        held += len(text)
+        fresh.append((submission, task if held < HELD else None))
+    # a worker's import of a package pays off from the second submission that uses it
+    preload = [name for name, count in users.items() if count >= 2 * config.jobs]
+    tasks = (task or _task(config, engine, submission) for submission, task in fresh)
+    for line in lines(config, tasks, len(fresh), preload):
+        record = json.loads(line)
+        if store is not None:
+            store.add(record, line)
+        yield record
+
+
+def digests(config: RunConfig) -> Iterator[tuple[str, str, str]]:
+    """Student, assignment and digest of each submission: of all that its result depends on."""
+    engine = _engine_digest(config)
+    for submission in config.submissions:
+        yield submission.student, submission.slug, _task(config, engine, submission).digest
+
+
+def _noted(known: CachedResult, store: ResultStore | None) -> CachedResult:
+    """A result that is known already, in the book too."""
+    if store is not None and known.place is not store:
+        store.add(known.record)
+    return known
+
+
+def lines(config: RunConfig, tasks: Iterable[GradeTask], count: int, preload: Sequence[str] = ()) -> Iterator[bytes]:
+    """The result lines of these tasks, as soon as each is there; an interrupt ends all supervisors."""
+    jobs = max(1, min(config.jobs, count // FEW))
+    with ExitStack() as stack:
+        if not count:
+            return
+        if config.cluster:
+            slugs = sorted({one.slug for one in config.submissions})
+            executor = stack.enter_context(config.cluster.executor(config.course, slugs, config.jobs))
+        else:
+            executor = stack.enter_context(crew_here(jobs))
+        conditions = WorkerConfig(
+            config.limits, _hidden(config), tuple(preload), config.speed, _shared(config, jobs, stack)
+        )
+        asked = (replace(task, conditions=conditions) for task in tasks)
+        for _, task, line in finished(executor, supervisor.line, asked, count):
+            yield supervisor.lost(task, str(line)) if isinstance(line, WorkerLost) else line
+
+
+def _hidden(config: RunConfig) -> tuple[Path, ...]:
+    """What must not be seen here; on a cluster nothing of ours is there but the course."""
+    return () if config.cluster else tuple(config.hidden)
+
+
+def _shared(config: RunConfig, jobs: int, stack: ExitStack) -> Path | None:
+    """A folder for dear answers, where several processes of this machine need the same."""
+    if config.key is not None or jobs == 1 or (config.cluster and not config.cluster.is_local):
+        return None
+    return Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="tam570-", ignore_cleanup_errors=True)))
+
+
+def _task(config: RunConfig, engine: bytes, submission: Submission) -> GradeTask:
+    source = _source(submission)
+    digest = _digest(engine, config, submission, source)
+    seed = config.seed_of(submission)
+    return GradeTask(config.course, submission.student, submission.slug, seed, source, digest, submission.path is None)
+
+
+def _source(submission: Submission) -> Source | CannotRead:
+    if submission.path is None:
+        return CannotRead(submission.note)
+    try:
+        return read(submission)
+    except CannotRead as error:
+        return error
+
+
+def _digest(engine: bytes, config: RunConfig, submission: Submission, source: Source | CannotRead) -> str:
+    """A name for all that the result depends on."""
+    text = source.text if isinstance(source, Source) else str(source).encode()
+    kind = type(source).__name__ + (".ipynb" if isinstance(source, Source) and source.notebook else "")
+    parts = (  # each with its length: no two lists of them are the same text
+        kind.encode(),
+        submission.student.encode(),
+        submission.slug.encode(),
+        text,
+        assignments.checks_digest(config.course, submission.slug),
+        str(config.seed_of(submission)).encode(),
+        engine,
+    )
+    return hashlib.sha256(b"".join(len(part).to_bytes(8) + part for part in parts)).hexdigest()
+
+
+def _engine_digest(config: RunConfig) -> bytes:
+    """Of the limits, of what keeps submissions apart, and of all code but the assignment's."""
+    asked = (
+        config.limits,
+        config.cluster.isolation if config.cluster else isolation(),
+        sys.version,
+        platform.machine(),
+        _installed(),
+        *(("speed",) if config.speed else ()),
+    )
+    return hashlib.sha256(repr(asked).encode() + assignments.engine_digest()).digest()
+
+
+def _installed() -> list[str]:
+    """Names and versions of the libraries, by their folders: importlib.metadata takes longer."""
+    return sorted(found.name for folder in sys.path if folder for found in Path(folder).glob("*-info"))

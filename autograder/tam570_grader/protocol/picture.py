@@ -1,0 +1,204 @@
+"""What a plot function draws, as numbers: the points of its curves, its labels, and what of these shows on the paper.
+
+    print    the figure as pixels (rows, columns, 3), from 0 to 255, on white paper
+    ink      the pixels (rows, columns) in which two prints differ
+
+A curve shows where the paper changes when it alone is drawn: no list of colours, widths and limits says as much.
+"""
+
+import builtins
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import numpy as np
+
+from .wire import LARGEST_ARRAY
+
+__all__ = ["picture"]
+
+__builtins__ = dict(vars(builtins))  # type: ignore[assignment]  # as in wire
+
+LONGEST_TEXT = 300
+MOST_LINES = 500
+MOST_PRINTED = 12  # artists that are looked at one by one; no picture asks for as many curves
+FEWEST = 10  # points of a curve
+LOOKED_AT = 400  # points of a curve
+PRINTED = 480  # pixels of the figure's longer side
+CONTRAST = 12  # of 255, black on white; a line of half a point in light grey has 15
+SMALLEST = 2  # points, of a letter's lower side
+BLOCK = 12  # pixels; dots and dashes leave smaller gaps
+
+
+def picture(
+    function: Callable[..., Any], args: list[Any], kwargs: dict[str, Any], *, looked_at: bool = True
+) -> dict[str, Any]:
+    """What the function draws on the Axes it is given; nothing of it shows where nobody looks.
+
+    lines          : of each its points (n, 2), label, whether it is a scatter; the shares of its points that show and
+                     that lie within the limits, its extent as a share of the figure's
+    xlabel, ylabel : the labels, and labels_show whether they can be seen
+    scales         : lengths on paper of a unit of x to the right and of y up
+    bent           : how far these are from even, as a share of the axes
+    """
+    from matplotlib.figure import Figure
+
+    axes = Figure().subplots()
+    function(axes, *args, **kwargs)
+    drawn = list(_drawn(axes))
+    if sum(np.size(points) for _, pieces, _ in drawn for points in pieces) * 8 > LARGEST_ARRAY:
+        return {"stranger": True}
+    labels = {"xlabel": _text(axes.get_xlabel()), "ylabel": _text(axes.get_ylabel())}
+    names = [_text(artist.get_label()) for artist, _, _ in drawn]
+    curves = [artist for artist, pieces, _ in drawn if _is_curve(pieces)]
+    prints = _prints(axes, curves) if looked_at else {}
+    empty = prints.get(None)
+    lines = [
+        {"points": points, "label": name, "scatter": scatter, **_shown(axes, points, prints.get(artist), empty)}
+        for name, (artist, pieces, scatter) in zip(names, drawn, strict=True)
+        for points in pieces
+    ]
+    return {"lines": lines, **labels, "labels_show": _labels_show(axes, prints), **_scales(axes)}
+
+
+def _drawn(axes: Any) -> Iterator[tuple[Any, list[Any], bool]]:
+    """Every artist of curves, its curves as points, whether it is a scatter."""
+    from matplotlib.collections import PathCollection
+
+    for line in axes.lines[:MOST_LINES]:
+        yield line, [_real(line.get_xydata())], False
+    for collection in axes.collections[:MOST_LINES]:
+        if hasattr(collection, "get_segments"):
+            yield collection, [_real(piece) for piece in _joined(collection.get_segments())[:MOST_LINES]], False
+        elif isinstance(collection, PathCollection):
+            yield collection, [_real(collection.get_offsets())], True
+
+
+def _joined(pieces: list[Any]) -> list[Any]:
+    """One line of pieces that each begin where the last one ends, as a line of many colours has them."""
+    compare_trajectory = zip(pieces[1:], pieces, strict=False)
+    if len(pieces) < 2 or not all(len(b) and len(a) and np.array_equal(b[0], a[-1]) for b, a in compare_trajectory):
+        return pieces
+    return [np.concatenate([pieces[0], *(piece[1:] for piece in pieces[1:])])]
+
+
+def _real(points: Any) -> Any:
+    return np.ma.filled(np.ma.asarray(points, float), np.nan).reshape(-1, 2)
+
+
+def _is_curve(pieces: list[Any]) -> bool:
+    return any(len(points) >= FEWEST and len(np.unique(points, axis=0)) >= FEWEST for points in pieces)
+
+
+def _text(text: Any) -> str:
+    return str(text)[:LONGEST_TEXT]
+
+
+def _prints(axes: Any, curves: list[Any]) -> dict[Any, Any]:
+    """The print of the picture by its axes, of the same without curves and labels by None, of a curve alone by it."""
+    from matplotlib import rc_context
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+    figure, labels = axes.figure, (axes.xaxis.label, axes.yaxis.label)
+    figure.dpi = PRINTED / max(figure.get_size_inches())
+    _without_words(figure, labels)
+    canvas = FigureCanvasAgg(figure)
+    with rc_context({"agg.path.chunksize": 10_000}), np.errstate(all="ignore"):
+        prints = {axes: _printed(canvas)}
+        figure.set_layout_engine("none")  # what is drawn later stays where it is
+        visible = {artist: artist.get_visible() for artist in curves}
+        for artist in (*curves, *labels):
+            artist.set_visible(False)
+        prints[None] = _printed(canvas)
+        for artist in [artist for artist in curves if visible[artist]][:MOST_PRINTED]:
+            artist.set_visible(True)
+            prints[artist] = _printed(canvas)
+            artist.set_visible(False)
+    return prints
+
+
+def _without_words(figure: Any, labels: tuple[Any, Any]) -> None:
+    """Take away what takes long to draw, or needs TeX; of the two labels an x stays, like them in all but the words."""
+    from matplotlib.text import Text
+    from matplotlib.ticker import NullLocator
+
+    for axes in figure.axes:
+        axes.get_xlim(), axes.get_ylim()  # these are found now, while the axis has its ticks
+        for axis in (axes.xaxis, axes.yaxis):
+            axis.set_major_locator(NullLocator())
+            axis.set_minor_locator(NullLocator())
+    for text in figure.findobj(Text):
+        text.set(usetex=False, text="x" if text in labels and text.get_text().strip() else "")
+
+
+def _printed(canvas: Any) -> Any:
+    canvas.draw()
+    colours = np.array(canvas.buffer_rgba(), np.int16)
+    opaque = colours[..., 3:]
+    if opaque.min() < 255:
+        colours[..., :3] = 255 + (colours[..., :3] - 255) * (opaque / 255)
+    return colours[..., :3]
+
+
+def _ink(one: Any, other: Any) -> Any:
+    red, green, blue = np.moveaxis(np.abs(one - other) > CONTRAST, 2, 0)
+    return red | green | blue
+
+
+def _shown(axes: Any, points: Any, alone: Any, empty: Any) -> dict[str, float]:
+    """Of the points, or of every kth: the shares that have ink near them and that lie within the limits, the extent."""
+    points = points[np.isfinite(points).all(axis=1)]
+    points = points[:: max(1, len(points) // LOOKED_AT)]
+    nothing = {"shows": 0.0, "within": 0.0, "extent": 0.0}
+    if alone is None or not len(points):
+        return nothing
+    with np.errstate(all="ignore"):
+        places = axes.transData.transform(points)
+    places = places[np.isfinite(places).all(axis=1)]
+    box, one = axes.bbox, 1.0  # pixel
+    within = (places >= [box.x0 - one, box.y0 - one]) & (places <= [box.x1 + one, box.y1 + one])
+    inside = places[within.all(axis=1)]
+    if not len(inside):
+        return nothing
+    near = _near(_ink(alone, empty), inside)
+    extent = np.ptp(inside, axis=0).max() / PRINTED
+    return {"shows": float(near.sum() / len(points)), "within": len(inside) / len(points), "extent": float(extent)}
+
+
+def _near(ink: Any, places: Any) -> Any:
+    """Whether there is ink in the block of each of the places, or in one beside it."""
+    rows, columns = (-(-size // BLOCK) for size in ink.shape)
+    blocks = np.zeros((rows * BLOCK, columns * BLOCK), bool)
+    blocks[: ink.shape[0], : ink.shape[1]] = ink
+    blocks = np.pad(blocks.reshape(rows, BLOCK, columns, BLOCK).any(axis=(1, 3)), 1)
+    down, across = np.nonzero(blocks)
+    near = np.zeros_like(blocks)
+    for step in np.ndindex(3, 3):
+        near[np.clip(down + step[0] - 1, 0, rows + 1), np.clip(across + step[1] - 1, 0, columns + 1)] = True
+    row = np.clip((ink.shape[0] - places[:, 1]) // BLOCK, 0, rows - 1).astype(int)
+    column = np.clip(places[:, 0] // BLOCK, 0, columns - 1).astype(int)
+    return near[row + 1, column + 1]
+
+
+def _labels_show(axes: Any, prints: dict[Any, Any]) -> list[bool]:
+    """Of the labels of x and of y."""
+    if not prints:
+        return [False, False]
+    shown, ink = [], _ink(prints[axes], prints[None])
+    for label in (axes.xaxis.label, axes.yaxis.label):
+        label.set_visible(True)
+        box = label.get_window_extent().get_points()
+        (left, bottom), (right, top) = np.clip(box, 0, max(ink.shape)).astype(int)
+        there = ink[max(0, len(ink) - top - 1) : max(0, len(ink) - bottom + 1), left : right + 1].any()
+        shown.append(bool(there and np.ptp(box, axis=0).min() * 72 / axes.figure.dpi >= SMALLEST))
+    return shown
+
+
+def _scales(axes: Any) -> dict[str, Any]:
+    """Pixels to a unit of x and of y, negative where an axis runs backwards; and whether units are evenly long."""
+    (left, right), (bottom, top) = sorted(axes.get_xlim()), sorted(axes.get_ylim())
+    middle = (left + right) / 2, (bottom + top) / 2
+    with np.errstate(all="ignore"):
+        corners = axes.transData.transform([(left, bottom), (right, bottom), (left, top), (right, top), middle])
+        sides = np.array([corners[1, 0] - corners[0, 0], corners[2, 1] - corners[0, 1]])
+        bent = np.abs((corners[4] - corners[:4].mean(axis=0)) / sides).max()
+        return {"scales": [float(side) for side in sides / [right - left, top - bottom]], "bent": float(bent)}

@@ -1,0 +1,208 @@
+"""The warm worker: imports once what the assignments need, then forks a guard and a prisoner for each submission.
+
+It is told of a submission only by two sockets, the channel to the prisoner and the leash of the guard; the
+submission itself goes through the channel, so that no later fork can find an earlier student's work in memory.
+"""
+
+import builtins
+import gc
+import importlib
+import json
+import os
+import shutil
+import signal
+import socket
+import struct
+import sys
+import tempfile
+import time
+import traceback
+from collections.abc import Callable
+from typing import Any
+
+from . import jail
+from .answer import answer, error_report, seed_generators
+from .cells import plain_cells, python, statements
+from .load import compiled, load
+from .refusals import program
+from .wire import packed, unpacked
+
+__all__ = ["main"]
+
+__builtins__ = dict(vars(builtins))  # type: ignore[assignment]  # as in wire
+
+LENGTH = struct.Struct(">I")
+LONGEST_ORDER = 2**14  # bytes
+LONGEST_TEXT, MOST_TOLD = 300, 50  # of what is told of a notebook's cells
+HOLD = 0.02  # s that a reply may wait for the next one
+
+
+def main() -> None:
+    """Serve the supervisor at the other end of the socket that the first argument names."""
+    settings = json.loads(sys.argv[1])
+    control = socket.socket(fileno=settings["control"])
+    gc.disable()  # nothing is garbage yet, and looking for it takes a fifth of the time of the imports
+    for name in settings["preload"]:
+        importlib.import_module(name)
+    program()
+    jail.hidden_from_debuggers()
+    signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # guards are reaped by the kernel
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the supervisor decides what an interrupt ends
+    gc.freeze()
+    gc.enable()
+    lifeline, held = os.pipe()
+    control.sendall(b"ready")
+    while True:
+        order, files, _, _ = socket.recv_fds(control, LONGEST_ORDER, 2)
+        if not order:
+            return
+        if os.fork() == 0:
+            control.close()
+            os.close(held)
+            _monitor(files, lifeline, jail.Limits(**settings["limits"], **json.loads(order)))
+        for file in files:
+            os.close(file)
+
+
+def _monitor(files: list[int], lifeline: int, limits: jail.Limits) -> None:
+    """Fork the prisoner and watch it; never returns."""
+    channel, leash = (socket.socket(fileno=file) for file in files)
+    signal.signal(signal.SIGCHLD, signal.SIG_DFL)
+    folder = jail.SCRATCH if limits.namespaces else tempfile.mkdtemp(prefix="tam570-")
+    try:
+        if limits.namespaces:
+            jail.secede(limits)
+        elif limits.user is not None:
+            os.chown(folder, limits.user, limits.user)
+        child = os.fork()
+        if child == 0:
+            _serve(channel, limits, folder)
+        channel.close()
+        jail.watch(child, leash, lifeline, limits)
+    except Exception:
+        traceback.print_exc()
+    finally:
+        if not limits.namespaces:
+            shutil.rmtree(folder, ignore_errors=True)
+        os._exit(0)
+
+
+def _serve(channel: socket.socket, limits: jail.Limits, folder: str) -> None:
+    """Be the prisoner: load the submission, then answer calls; never returns."""
+    try:
+        _confined(limits, channel, folder)
+        seed_generators()
+        module = None
+        while True:
+            request = _received()
+            if "book" in request:
+                _send(_read("cells", plain_cells, request["book"]))
+            elif "code" in request:
+                _send(_read("code", python, request["code"]))
+            elif "module" in request:
+                _send(_read("code", statements, request["module"]))
+            elif "source" in request:
+                module = _loaded(request)
+            else:
+                _answer_all(module, request)
+    except Exception:
+        traceback.print_exc()  # a fault of ours; after the jail is shut nobody hears it
+    finally:
+        os._exit(0)
+
+
+def _confined(limits: jail.Limits, channel: socket.socket, folder: str) -> None:
+    """Confine this process and say so before it is sent a submission; or say what was in the way, and end."""
+    try:
+        jail.confine(limits, channel.detach(), folder)
+    except Exception as error:
+        _send({"confined": str(error)})
+        os._exit(0)
+    _send({"confined": True})
+
+
+def _read(name: str, reading: Callable[[bytes], Any], text: bytes) -> dict[str, Any]:
+    """What is read of a notebook or a module, nothing of which is run."""
+    try:
+        return {name: reading(text)}
+    except Exception as error:
+        return {"error": error_report(error)}
+
+
+def _loaded(request: dict[str, Any]) -> Any:
+    """Import the submission, and report the contract's functions that it defines.
+
+    The first reply, on whether it is Python, is sent before any of it runs.
+    """
+    notebook, uncallable = request["notebook"], request["uncallable"]
+    try:
+        pieces, broken = compiled(request["source"], request["name"], notebook=notebook, piecewise=bool(uncallable))
+        _send({"names": [text[:LONGEST_TEXT] for text in broken[:MOST_TOLD]]})
+        module, skipped = load(
+            pieces, request["name"], notebook=notebook, forbidden=request["forbidden"], uncallable=uncallable
+        )
+        defined = [name for name in request["functions"] if callable(getattr(module, name, None))]
+        _send({"names": defined, "skipped": [text[:LONGEST_TEXT] for text in skipped[:MOST_TOLD]]})
+        return module
+    except BaseException as error:
+        _send({"error": error_report(error)})
+        return None
+
+
+def _answer_all(module: Any, request: dict[str, Any]) -> None:
+    """One reply for each call; after an error the rest is not computed, unless every one is asked for.
+
+    Replies to quick calls travel together.
+    """
+    unsent, sent = bytearray(), time.monotonic()
+    for args, kwargs in request["calls"]:
+        reply = answer(module, request, [_own(arg) for arg in args], {key: _own(arg) for key, arg in kwargs.items()})
+        unsent += _framed(reply)
+        if "error" in reply and not request.get("every"):
+            break
+        if time.monotonic() - sent > HOLD:
+            _write(unsent)
+            unsent, sent = bytearray(), time.monotonic()
+    _write(unsent)
+
+
+def _own(argument: Any) -> Any:
+    """A writable copy of an array; a list of tuples of a list of lists."""
+    if isinstance(argument, list):
+        return [tuple(item) if isinstance(item, list) else item for item in argument]
+    return argument.copy() if hasattr(argument, "copy") else argument
+
+
+def _received() -> dict[str, Any]:
+    (size,) = LENGTH.unpack(_exactly(LENGTH.size))
+    request: dict[str, Any] = unpacked(_exactly(size))
+    return request
+
+
+def _exactly(size: int) -> bytes:
+    data = bytearray()
+    while len(data) < size:
+        chunk = os.read(jail.CHANNEL, size - len(data))
+        if not chunk:
+            os._exit(0)  # the supervisor has gone
+        data += chunk
+    return bytes(data)
+
+
+def _send(reply: dict[str, Any]) -> None:
+    _write(_framed(reply))
+
+
+def _framed(reply: dict[str, Any]) -> bytes:
+    data = packed(reply)
+    return LENGTH.pack(len(data)) + data
+
+
+def _write(data: bytes | bytearray) -> None:
+    unsent = memoryview(data)
+    while unsent:
+        unsent = unsent[os.write(jail.CHANNEL, unsent) :]
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,291 @@
+"""What a student reads of a result, and what a teacher reads of a class; nothing of the hidden inputs."""
+
+import functools
+import importlib.util
+import json
+import os
+import zlib
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from tam570_grader.checks.assignments import checks_digest, engine_digest
+from tam570_grader.errors import UsageError
+from tam570_grader.reports.sentences import capitalized, describe_failure, known_mistake, points, sentence, typeset
+from tam570_grader.results import manual_points
+from tam570_grader.results.manual_points import AdjustedScore, ManualAdjustments
+from tam570_grader.results.records import CheckResult, Result, read
+from tam570_grader.results.store import Key, Record, Results
+from tam570_grader.results.tables import written
+
+__all__ = [
+    "SIGNS",
+    "AssignmentInfo",
+    "must_write_pages",
+    "overall",
+    "page",
+    "pictures",
+    "row",
+    "load_assignment_info",
+    "table",
+    "template",
+    "with_hand",
+    "write_pages",
+]
+
+SIGNS = {"passed": "+", "failed": "-", "not_run": "o", "grader_error": "!"}
+HEADINGS: tuple[str, ...] = ("student", "assignment", "score", "status", "time", "what to look at first")
+NOTES = {
+    "missing": "Nothing was found.",
+    "unreadable": "Your file could not be read.",
+    "timeout": "Your file took too long.",
+    "crashed": "Your file ended the process.",
+}
+STOPPED = ("unreadable", "timeout", "crashed")  # what the visible tests would have told
+
+
+Progress = Callable[[Iterable[Any], int], Iterable[Any]]
+
+
+@dataclass(frozen=True)
+class AssignmentInfo:
+    """What a page says of an assignment, whoever handed it in."""
+
+    title: str
+    lines: Mapping[str, str]  # what each check tests
+    functions: Mapping[str, str]  # what each check is about: there are hints for it
+    manual: Mapping[str, tuple[float, str]]  # part: points given by hand, and for what
+
+
+def load_assignment_info(course: Path, slug: str) -> AssignmentInfo:
+    """The sheet of an assignment; of one that is no longer in the course, its name."""
+    from tam570_grader.checks import assignments
+
+    if slug not in assignments.slugs(course):
+        return AssignmentInfo(slug, {}, {}, {})
+    assignment = assignments.assignment(course, slug)
+    lines = {check.name: check.line for check in assignment.checks}
+    functions = {check.name: check.function(assignment.results) for check in assignment.checks}
+    return AssignmentInfo(_title(course / "assignments" / slug, slug), lines, functions, assignment.manual)
+
+
+def _title(folder: Path, slug: str) -> str:
+    try:
+        with open(folder / "README.md", encoding="utf-8") as file:
+            return file.readline().partition(": ")[2].strip() or slug
+    except OSError:
+        return slug
+
+
+def page(result: Result, info: AssignmentInfo, adjusted: AdjustedScore | None = None) -> str:
+    """A student's feedback on one assignment: one HTML file that needs nothing else.
+
+    settled : the score with what was added by hand
+    """
+    adjusted = adjusted or AdjustedScore(result.score, result.max_score)
+    parts = [_part(letter, result, info) for letter in sorted({check_result.part for check_result in result.checks})]
+    check_results = [check_result for part in parts for check_result in part["marks"]]
+    wrong = [check_result for check_result in check_results if check_result["stuck"]]
+    wrong.sort(key=lambda check_result: (not check_result["suspect"], check_result["outcome"] != "failed"))
+    text: str = template("feedback.html").render(
+        slug=result.assignment,
+        student=result.student,
+        title=info.title,
+        score=points(adjusted.score, adjusted.most),
+        max_score=points(adjusted.most),
+        note=overall(result.status, result.message),
+        again=result.status in STOPPED,
+        parts=parts,
+        manual=[
+            (letter, points(most), what) for letter, (most, what) in info.manual.items() if letter not in adjusted.parts
+        ],
+        by_hand=adjusted.says,
+        first=next(iter(wrong), None),
+        among=_among(result),
+    )
+    return text
+
+
+def overall(status: str, message: str) -> str:
+    """What is said of a submission as a whole; empty where nothing is."""
+    return sentence(capitalized(message)) or NOTES.get(status, "")
+
+
+def must_write_pages() -> None:
+    """Say before grading, not after it, that pages cannot be written."""
+    if importlib.util.find_spec("jinja2") is None:
+        raise UsageError("the pages of feedback and the report need Jinja2: pip install 'tam570[grader]'")
+
+
+@functools.cache
+def template(name: str) -> Any:
+    """A page's template; whatever is put into it is escaped."""
+    import jinja2
+
+    loader = jinja2.FileSystemLoader(Path(__file__).parent / "templates")
+    pages = jinja2.Environment(
+        loader=loader, autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True
+    )
+    pages.filters |= {"typeset": typeset, "points": points}
+    return pages.get_template(name)
+
+
+def _part(letter: str, result: Result, info: AssignmentInfo) -> dict[str, Any]:
+    check_results = [check_result for check_result in result.checks if check_result.part == letter]
+    each = [check_result.points for check_result in check_results]
+    earned = None if None in each else sum(filter(None, each))
+    most = sum(check_result.max_points for check_result in check_results)
+    return {
+        "letter": letter,
+        "points": points(earned, most),
+        "max_points": points(most),
+        "share": round(100 * (earned or 0) / most, 1) if most else 0,
+        "marks": [_shown(check_result, info, result.message) for check_result in check_results],
+    }
+
+
+def _shown(check_result: CheckResult, info: AssignmentInfo, note: str) -> dict[str, Any]:
+    """A mark as the page shows it, but for what the note says of all; never its detail, which is the instructor's."""
+    stuck = check_result.outcome == "failed" or bool(check_result.unwritten)
+    function = (
+        (check_result.failure.function if check_result.failure else "")
+        or check_result.unwritten
+        or info.functions.get(check_result.name)
+    )
+    return {
+        "name": check_result.name,
+        "outcome": check_result.outcome,
+        "line": info.lines.get(check_result.name, check_result.name),
+        "stuck": stuck,
+        "points": points(check_result.points, check_result.max_points),
+        "max_points": points(check_result.max_points),
+        "says": describe_failure(check_result.failure)
+        if check_result.failure
+        else ""
+        if check_result.message == note
+        else check_result.message,
+        "suspect": check_result.suspect and known_mistake(check_result.suspect),
+        "pictures": pictures(check_result.failure.curve if check_result.failure else None),
+        "hint": function if stuck else None,
+    }
+
+
+def pictures(curve: Any) -> list[Any]:
+    """The drawings of a failure: the error, and what becomes of an invariant; results of an older run have none."""
+    if not curve:
+        return []
+    from tam570_grader.reports.pictures import picture
+
+    return [picture(one) for one in (curve, curve.get("keeps")) if one]
+
+
+def _among(result: Result) -> Any:
+    """The student's run time among the methods, if it was measured."""
+    if not result.speed:
+        return None
+    from tam570_grader.reports.pictures import among
+
+    return among(result.assignment, result.speed)
+
+
+def write_pages(folder: Path, results: Results, course: Path, told: Progress = lambda keys, total: keys) -> None:
+    """Write the page of each student and assignment, `<student>/<assignment>.html`, unless it is up to date.
+
+    A file beside the folder, not in it, says from what each page was made: the folder is for students.
+    """
+    version = _version()
+    check_results = {slug: _mark_of_sheet(course, slug, version) for slug in {slug for _, slug in results.lines}}
+    adjustments = manual_points.read(folder.parent)
+    adjusted = _settled(adjustments, results)
+    made = {key: f"{line.check_result} {check_results[key[1]]}" for key, line in results.lines.items()}
+    for key, one in adjusted.items():
+        made[key] += f" {zlib.crc32(repr(one).encode())}"
+    notes = folder.with_name(f".{folder.name}-made.json")
+    known = _known(notes)
+    stale = [key for key in results if known.get("/".join(key)) != made[key] or not os.path.exists(_path(folder, key))]
+    if stale:
+        notes.unlink(missing_ok=True)  # what it says is no longer so
+    infos = {slug: load_assignment_info(course, slug) for slug in {slug for _, slug in stale}}
+    for key in told(stale, len(stale)):
+        path, text = Path(_path(folder, key)), page(read(results[key]), infos[key[1]], adjusted.get(key))
+        if not path.exists() or path.read_text(encoding="utf-8") != text:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, encoding="utf-8")  # no fsync: it is made again from the results
+    if stale:
+        written(notes, json.dumps({"/".join(key): check_result for key, check_result in made.items()}))
+
+
+def _settled(adjustments: ManualAdjustments, results: Results) -> dict[Key, AdjustedScore]:
+    """The scores to which something was added by hand."""
+    scores = {key: line.graded[-2:] for key, line in results.lines.items() if adjustments.touches(key)}
+    return {key: adjustments.adjusted(key, score, most, results.earned(key)) for key, (score, most) in scores.items()}
+
+
+def _path(folder: Path, key: Key) -> str:
+    return f"{folder}/{key[0]}/{key[1]}.html"
+
+
+def _known(notes: Path) -> dict[str, str]:
+    """What the pages were made from; nothing where that cannot be read."""
+    try:
+        known = json.loads(notes.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return {}
+    return known if isinstance(known, dict) else {}
+
+
+def _mark_of_sheet(course: Path, slug: str, version: int) -> int:
+    """Of all that a sheet is made of, which is not loaded for that."""
+    title = _title(course / "assignments" / slug, slug)
+    return zlib.crc32(title.encode() + checks_digest(course, slug), version)
+
+
+def _version() -> int:
+    """Of all that makes a page of a result."""
+    templates = sorted((Path(__file__).parent / "templates").iterdir())
+    return zlib.crc32(engine_digest() + b"".join(one.read_bytes() for one in templates if one.is_file()))
+
+
+def table(rows: Sequence[tuple[str, ...]]) -> str:
+    """The class at a glance: a line for each submission with what to say about it first."""
+    rows = [HEADINGS, *rows]
+    widths = [max(len(row[column]) for row in rows) for column in range(5)]
+    return "\n".join("  ".join([*map(str.ljust, row[:5], widths), row[5]]).rstrip() for row in rows)
+
+
+def with_hand(
+    rows: Iterable[tuple[str, ...]], results: Results, adjustments: ManualAdjustments
+) -> list[tuple[str, ...]]:
+    """The rows with the scores that points by hand made of theirs."""
+    made = {key: _score(one.score, one.most) for key, one in _settled(adjustments, results).items()}
+    return [(*one[:2], made.get((one[0], one[1]), one[2]), *one[3:]) for one in rows]
+
+
+def _score(score: float | None, most: float) -> str:
+    return f"{points(score, most):>5} / {points(most)}"
+
+
+def row(record: Record) -> tuple[str, ...]:
+    """A result in the table."""
+    score = _score(record["score"], record["max_score"])
+    seconds = f"{record['seconds']:.2f} s"
+    return record["student"], record["assignment"], score, record["status"], seconds, _remark(record)
+
+
+def _remark(record: Record) -> str:
+    """The most telling thing about a result: the known mistake, else the first failure."""
+    check_results = [
+        check_result for check_result in record["checks"] if check_result["outcome"] not in ("passed", "not_run")
+    ]
+    named = next((check_result["suspect"] for check_result in check_results if check_result["suspect"]), None)
+    if named:
+        return f"numbers match: {sentence(named)}"
+    unwritten = [check_result["message"] for check_result in record["checks"] if check_result.get("unwritten")]
+    first = [f"{check_result['name']}: {check_result['message']}" for check_result in check_results]
+    return _short(record.get("message") or next(iter([*first, *unwritten]), ""))
+
+
+def _short(text: str) -> str:
+    text = " ".join(text.split())
+    return text if len(text) <= 90 else text[:89] + "…"

@@ -1,0 +1,206 @@
+"""Curves as drawings for a page: places in a frame, ticks, and the words that say the same."""
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from tam570_grader.checks.curves import Curve
+from tam570_grader.reports.sentences import quantity
+from tam570_grader.results.run_time import Speed, scenes, time_to
+
+__all__ = ["Among", "Picture", "among", "picture"]
+
+LEFT, RIGHT, TOP, BOTTOM = 52, 350, 10, 166  # of the frame, in a drawing of 360 by 200: a phone's pixels
+DOT = 20  # up to so many samples are marked one by one
+LAST = 268  # of the frame where the names of curves stand to the right of it
+NARROW = 3  # of the frame's height, units: a band below that is a line
+
+
+@dataclass(frozen=True)
+class Picture:
+    """A drawing; what a template puts between its svg tags."""
+
+    caption: str
+    says: str  # the same in words, for those who do not see it
+    path: str
+    dots: Sequence[tuple[float, float]]
+    band: tuple[float, float]  # top and height of what is allowed
+    limit: str
+    x: Sequence[tuple[float, str]]  # ticks
+    y: Sequence[tuple[float, str]]
+    along: str = "t (s)"
+
+
+@dataclass(frozen=True)
+class Among:
+    """A student's point among the curves of the methods, run time over error."""
+
+    caption: str
+    says: str
+    paths: Sequence[tuple[str, str]]  # name and path
+    names: Sequence[tuple[float, str]]  # where the names stand
+    point: tuple[float, float]
+    machine: float  # this machine's time over that of the curves
+    x: Sequence[tuple[float, str]]
+    y: Sequence[tuple[float, str]]
+
+
+def among(slug: str, speed: Speed) -> Among:
+    """The picture of run time against error; smaller errors to the right, as in the benchmark's."""
+    curves = {
+        name: [(machine_seconds * speed["machine"], error) for machine_seconds, error in curve]
+        for name, curve in scenes()[slug]["curves"].items()
+    }
+    everything = [(speed["seconds"], speed["error"]), *(point for curve in curves.values() for point in curve)]
+    seconds, errors = ([math.log10(numbers) for numbers in column] for column in zip(*everything, strict=True))
+    x0, x1, y0, y1 = (
+        math.floor(min(errors)),
+        math.ceil(max(errors)),
+        math.floor(min(seconds)),
+        math.ceil(max(seconds)),
+    )
+
+    def place(point: tuple[float, float]) -> tuple[float, float]:
+        across = (x1 - math.log10(point[1])) / (x1 - x0)
+        return round(LEFT + (LAST - LEFT) * across, 1), round(_up(math.log10(point[0]), y0, y1), 1)
+
+    known = {name: [place(point) for point in curve] for name, curve in curves.items() if curve}
+    own = place((speed["seconds"], speed["error"]))
+    decades = range(x1, x0 - 1, -max(1, math.ceil((x1 - x0) / 6)))
+    return Among(
+        caption=f"Run time against error of {speed['function']}, scene: {speed['scene']}.",
+        says=_compared(speed, curves),
+        paths=[(name, _path(places)) for name, places in known.items()],
+        names=_spread([(places[-1][1], name) for name, places in known.items()]),
+        point=own,
+        machine=speed["machine"],
+        x=[(LEFT + (LAST - LEFT) * (x1 - k) / (x1 - x0), f"1e{k}") for k in decades],
+        y=[(round(_up(k, y0, y1), 1), f"1e{k}") for k in range(y0, y1 + 1)],
+    )
+
+
+def _compared(speed: Speed, curves: Mapping[str, Sequence[tuple[float, float]]]) -> str:
+    """The student's numbers and what the methods take to the same error."""
+    times = {name: time_to(speed["error"], curve) for name, curve in curves.items()}
+    others = [f"{name} {time:.2g} s" if time else f"{name} does not get there" for name, time in times.items()]
+    return (
+        f"Yours takes {speed['seconds']:.2g} s of processor time to an error of {speed['error']:.0e} at the end. "
+        f"To the same error: {', '.join(others)}."
+    )
+
+
+def _spread(names: Sequence[tuple[float, str]]) -> list[tuple[float, str]]:
+    """The names from the top down, each clear of the one above."""
+    found: list[tuple[float, str]] = []
+    for place, name in sorted(names):
+        found.append((max(place, found[-1][0] + 12 if found else TOP + 4), name))
+    return found
+
+
+def _path(places: Sequence[tuple[float, float]]) -> str:
+    return "M" + " L".join(f"{x:.1f} {y:.1f}" for x, y in places)
+
+
+def picture(curve: Curve) -> Picture:
+    """The drawing of a curve."""
+    return _drift(curve) if curve["scale"] == "linear" else _error(curve)
+
+
+def _error(curve: Curve) -> Picture:
+    """The size of an error by decades, with the limit as a line, all below it allowed."""
+    values, limit = curve["values"], math.log10(curve["tolerance"])
+    known = [value for value in values if value is not None]
+    low, high = math.floor(min(*known, 0) + limit - 0.2), math.ceil(max(*known, 0) + limit + 0.2)
+    places = _places([None if v is None else v + limit for v in values], low, high)
+    decades = range(low, high + 1, max(1, math.ceil((high - low) / 5)))
+    line = _up(limit, low, high)
+    return _picture(
+        curve,
+        f"The error of {curve['of']} along your motion",
+        f"{_course(curve)} {_crossing(curve)}",
+        places,
+        (line, BOTTOM - line),
+        [(_up(decade, low, high), f"1e{decade}") for decade in decades],
+    )
+
+
+def _drift(curve: Curve) -> Picture:
+    """What should stay, with its sign, from what it should be."""
+    values, within = curve["values"], curve["tolerance"]
+    known = [value for value in values if value is not None]
+    low, high = min(*known, -within), max(*known, within)
+    low, high = low - (high - low) / 20, high + (high - low) / 20
+    places = _places(values, low, high)
+    top, bottom = _up(within, low, high), _up(-within, low, high)
+    last = known[-1]
+    ends = f"It ends {'above' if last > 0 else 'below' if last < 0 else 'at'} what it should be"
+    says = f"{ends}, off by {quantity(abs(last))}; the largest drift is {quantity(max(known, key=abs))}."
+    return _picture(
+        curve,
+        f"What becomes of {curve['of']} along your motion",
+        says,
+        places,
+        (top, max(bottom - top, 0.0)),
+        [(_up(value, low, high), text) for value, text in _ticks(low, high)],
+    )
+
+
+def _picture(
+    curve: Curve,
+    caption: str,
+    says: str,
+    places: Sequence[tuple[float, float]],
+    band: tuple[float, float],
+    ticks: Sequence[tuple[float, str]],
+) -> Picture:
+    first, last = curve["span"]
+    unit = f", {curve['unit']}" if curve["unit"] else ""
+    allowed = f"allowed up to {quantity(curve['within'])}"
+    return Picture(
+        caption=f"{caption}{unit}.",
+        says=f"From t = {first:g} s to {last:g} s. {says} {allowed.capitalize()}.",
+        path=_path(places),
+        dots=[(round(x, 1), round(y, 1)) for x, y in places] if len(places) <= DOT else [],
+        band=(round(band[0], 1), round(band[1], 1)),
+        limit=allowed if band[1] >= NARROW else f"{allowed}, too narrow to see",
+        x=[(LEFT + (RIGHT - LEFT) * (t - first) / (last - first), text) for t, text in _ticks(first, last)],
+        y=[(round(place, 1), text) for place, text in ticks],
+    )
+
+
+def _ticks(low: float, high: float) -> list[tuple[float, str]]:
+    """Three to eight round numbers from low to high, with their texts."""
+    rough = (high - low) / 7.5
+    power = 10.0 ** math.floor(math.log10(rough))
+    step = next(factor * power for factor in (1, 2, 5, 10) if factor * power >= rough)
+    digits = max(0, math.ceil(math.log10(max(abs(low), abs(high)) / step) - 1e-9)) + 1
+    counts = range(math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9) + 1)
+    return [(k * step, f"{k * step:.{digits}g}") for k in counts]
+
+
+def _places(heights: Sequence[Any], low: float, high: float) -> list[tuple[float, float]]:
+    """Where the known values are in the frame; the first and the last at its sides."""
+    known = [k for k, height in enumerate(heights) if height is not None]
+    across = (RIGHT - LEFT) / max(len(heights) - 1, 1)
+    return [(LEFT + across * k, _up(heights[k], low, high)) for k in known]
+
+
+def _up(value: float, low: float, high: float) -> float:
+    return BOTTOM - (BOTTOM - TOP) * (value - low) / (high - low)
+
+
+def _course(curve: Curve) -> str:
+    """Begins and ends: a start that is wrong is another mistake than one that grows."""
+    known = [value for value in curve["values"] if value is not None]
+    first, last = (curve["tolerance"] * 10**value for value in (known[0], known[-1]))
+    return f"It begins at about {first:.0e} and ends at about {last:.0e}."
+
+
+def _crossing(curve: Curve) -> str:
+    """When the limit is first passed, by the slots of the duration."""
+    values, (first, last) = curve["values"], curve["span"]
+    slot = next((k for k, value in enumerate(values) if value is not None and value > 0), None)
+    if not slot:
+        return "It is beyond the limit from the first sample on." if slot == 0 else ""
+    return f"It passes the limit about t = {first + (last - first) * slot / (len(values) - 1):.2g} s."

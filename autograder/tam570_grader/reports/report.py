@@ -1,0 +1,206 @@
+"""The instructor's page on a class: one file made from the results, that sorts, filters and turns its tables' pages."""
+
+import base64
+import hashlib
+import heapq
+import statistics
+from collections import defaultdict
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from tam570_grader.errors import UsageError, writing
+from tam570_grader.reports.feedback import AssignmentInfo, load_assignment_info, template
+from tam570_grader.reports.sentences import points
+from tam570_grader.results import manual_points
+from tam570_grader.results.records import CheckResult, Result
+from tam570_grader.results.shared import Notes, Shared
+from tam570_grader.results.store import Key, stream
+from tam570_grader.results.tables import written
+
+__all__ = ["newest", "report", "results", "run"]
+
+SLOWEST = 20  # submissions that are listed
+BINS = 10  # of a distribution of scores
+OUTCOMES = ("passed", "failed", "not_run", "grader_error")
+SCRIPT = Path(__file__).parent / "templates" / "report.js"
+Everyone = Callable[[Collection[str]], Iterable[str]]
+Class = Mapping[Key, Result]  # the newest result of every student and assignment, in order
+
+
+@dataclass(frozen=True)
+class Tally:
+    """How one check went in the class."""
+
+    slug: str
+    part: str
+    line: str
+    points: str
+    counts: Mapping[str, int]  # by outcome
+
+    @property
+    def share(self) -> float:
+        """Of those who handed in, in percent."""
+        return round(100 * self.counts["passed"] / max(sum(self.counts.values()), 1), 1)
+
+
+def run(folder: Path, course: Path, everyone: Everyone | None, out: Path | None) -> int:
+    """Write the report on the results in the folder; the exit code.
+
+    everyone : who takes the course, told whom there are results of
+    """
+    notes = Notes()
+    found = results(folder, notes)
+    place = out or folder / "report.html"
+    names = everyone({student for student, _ in found}) if everyone else ()
+    text = report(found, {slug: load_assignment_info(course, slug) for slug in _slugs(found)}, names, notes.groups())
+    with writing(place):
+        written(place, text)
+    print(place)
+    return 0
+
+
+def results(folder: Path, notes: Notes | None = None) -> Class:
+    """The newest results in a folder; a last line that is being written is left out. The notes see each pass by."""
+    if not (folder / "results.jsonl").is_file():
+        raise UsageError(f"there are no results in {folder}; make them with: tam570-grader grade ... --out {folder}")
+    found = newest((notes or Notes()).passing(stream(folder / "results.jsonl")))
+    if not found:
+        raise UsageError(f"{folder / 'results.jsonl'} is empty; nothing has been graded yet")
+    adjustments = manual_points.read(folder)
+    return {key: adjustments.applied(result) for key, result in found.items()}
+
+
+def newest(found: Iterable[Result]) -> Class:
+    """The newest results, without what the page does not show; of equal marks one alone is kept."""
+    shared = dict[CheckResult, CheckResult]()
+    kept = dict[Key, Result]()
+    for result in found:
+        bare = (replace(check_result, message="", failure=None) for check_result in result.checks)
+        checks = tuple(shared.setdefault(check_result, check_result) for check_result in bare)
+        kept[result.student, result.assignment] = replace(result, checks=checks, speed=None, digest="")
+    return dict(sorted(kept.items()))
+
+
+def report(
+    found: Class, infos: Mapping[str, AssignmentInfo], roster: Iterable[str] = (), shared: Sequence[Shared] = ()
+) -> str:
+    """The page, one HTML file that needs nothing else but, for its links, the feedback beside it."""
+    script = SCRIPT.read_text(encoding="utf-8")
+    students = sorted({student for student, _ in found} | set(roster))
+    everything = found.values()
+    text: str = template("report.html").render(
+        slugs=_slugs(found),
+        infos=infos,
+        students=len(students),
+        handed_in=sum(map(_here, everything)),
+        seeds=sorted({result.seed for result in everything}),
+        isolation=sorted({result.isolation for result in everything}),
+        assignments=_assignments(found, infos),
+        scores=_scores(found, students),
+        tallies=_tallies(everything, infos),
+        suspects=_suspects(everything),
+        shared=shared,
+        slowest=heapq.nlargest(SLOWEST, everything, key=lambda result: result.seconds),
+        faults=[
+            (result, check_result)
+            for result in everything
+            for check_result in result.checks
+            if check_result.outcome == "grader_error"
+        ],
+        absent=_absent(found, students),
+        script=script,
+        script_hash=base64.b64encode(hashlib.sha256(script.encode()).digest()).decode(),
+    )
+    return text
+
+
+def _slugs(found: Class) -> list[str]:
+    return sorted({slug for _, slug in found})
+
+
+def _here(result: Result) -> bool:
+    return result.status != "missing"
+
+
+def _assignments(found: Class, infos: Mapping[str, AssignmentInfo]) -> list[dict[str, Any]]:
+    """Each assignment at a glance."""
+    handed_in: dict[str, list[Result]] = {slug: [] for slug in _slugs(found)}
+    for result in filter(_here, found.values()):
+        handed_in[result.assignment].append(result)
+    return [{"slug": slug, "title": infos[slug].title, **_spread(mine)} for slug, mine in handed_in.items()]
+
+
+def _spread(handed_in: Sequence[Result]) -> dict[str, Any]:
+    """The middle of the scores, the spread, how many have all."""
+    scores = [result.score for result in handed_in if result.score is not None]
+    most = handed_in[0].max_score if handed_in else 0.0
+    bins = [0] * BINS
+    for score in scores:
+        bins[min(int(BINS * score / most), BINS - 1)] += 1
+    return {
+        "count": len(handed_in),
+        "mean": statistics.fmean(scores) if scores else None,
+        "median": statistics.median(scores) if scores else None,
+        "full": sum(score == most for score in scores),
+        "most": most,
+        "bins": bins,
+        "highest": max(bins) or 1,
+    }
+
+
+def _scores(found: Class, students: Sequence[str]) -> Iterable[dict[str, Any]]:
+    """A row for each student: a cell for each assignment, and the sum."""
+    slugs = _slugs(found)
+    for student in students:
+        mine = [found.get((student, slug)) for slug in slugs]
+        total = sum(result.score or 0 for result in mine if result)
+        yield {"student": student, "cells": [_cell(result) for result in mine], "total": points(total)}
+
+
+def _cell(result: Result | None) -> str:
+    if result is None or not (_here(result) or result.score):  # by hand, a score may be theirs who sent no file
+        return ""
+    return "error" if result.score is None else points(result.score, result.max_score)
+
+
+def _tallies(found: Iterable[Result], infos: Mapping[str, AssignmentInfo]) -> list[Tally]:
+    """Of every check, in the order of the assignments, how many passed it, of those who handed in."""
+    counts: dict[tuple[str, str], dict[str, int]] = defaultdict(lambda: dict.fromkeys(OUTCOMES, 0))
+    check_results = dict[tuple[str, str], CheckResult]()
+    for result in filter(_here, found):
+        for check_result in result.checks:
+            key = result.assignment, check_result.name
+            counts[key][check_result.outcome] += 1
+            check_results[key] = check_result
+    return [
+        Tally(
+            slug,
+            check_result.part,
+            infos[slug].lines.get(name, name),
+            points(check_result.max_points),
+            counts[slug, name],
+        )
+        for (slug, name), check_result in sorted(check_results.items(), key=lambda item: item[0][0])
+    ]
+
+
+def _suspects(found: Iterable[Result]) -> list[dict[str, Any]]:
+    """The known mistakes, those of most students first."""
+    who: dict[tuple[str, str], set[str]] = defaultdict(set)
+    for result in found:
+        for check_result in result.checks:
+            if check_result.suspect:
+                who[result.assignment, check_result.suspect].add(result.student)
+    told = [{"slug": slug, "says": says, "who": sorted(names)} for (slug, says), names in who.items()]
+    return sorted(told, key=lambda it: (-len(it["who"]), it["slug"]))
+
+
+def _absent(found: Class, students: Sequence[str]) -> list[dict[str, Any]]:
+    """For each assignment, who has handed in nothing."""
+    here = {key for key, result in found.items() if _here(result)}
+    return [
+        {"slug": slug, "who": [student for student in students if (student, slug) not in here]}
+        for slug in _slugs(found)
+    ]

@@ -1,0 +1,99 @@
+"""Where a failure becomes a sentence: the quantity, the error with its unit, the limit, the time, the kind of input."""
+
+import re
+from decimal import ROUND_HALF_UP, Decimal
+from math import inf, isfinite
+
+from tam570_grader.checks.failure import Failure
+
+__all__ = [
+    "capitalized",
+    "known_mistake",
+    "describe_failure",
+    "points",
+    "quantity",
+    "sentence",
+    "typeset",
+    "full_message",
+]
+
+DIGITS = range(2, 17)  # of a number: two, or as many as tell an error from its limit
+
+EQUAL = 1e-9  # points: sums of the same ones differ by less
+
+# a number with an exponent, as a terminal has it; in rtol=1e-9 it is code
+EXPONENT = re.compile(r"(?<![\w.=])(\d+(?:\.\d+)?)e([-+]?)0*(\d+)\b")
+RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def describe_failure(failure: Failure) -> str:
+    """What a student reads of a failure, without the known mistake; where there is one, no hint, which is a guess."""
+    message = failure.message or _off(failure)
+    where = f" at t = {failure.time:g} s" if failure.time is not None else ""
+    label = f" for {failure.label}" if failure.label else ""
+    told = capitalized(f"{message}{where}{label}", "an?|the")
+    return " ".join(filter(None, [sentence(told), "" if failure.suspect else sentence(failure.hint)]))
+
+
+def full_message(failure: Failure) -> str:
+    """What a student reads of a failure where there is one line for all of it."""
+    return " ".join(
+        filter(None, [describe_failure(failure), known_mistake(failure.suspect) if failure.suspect else ""])
+    )
+
+
+def known_mistake(suspect: str) -> str:
+    """What a student reads of a known mistake."""
+    return f"Your numbers match this mistake: {sentence(suspect)}"
+
+
+def quantity(value: float, digits: int = DIGITS[0]) -> str:
+    """A number to two digits or more, as people write it: 2.7, 0.031, 340, 1.1e-13."""
+    if not isfinite(value):
+        return "more than any number"
+    short = float(f"{value:.{digits}g}")
+    if value == 0 or 1e-3 <= abs(short) < 1e4:
+        return f"{short:.{max(digits, 4)}g}"
+    number, _, exponent = f"{value:.{digits - 1}e}".partition("e")
+    return f"{float(number):.{digits}g}e{int(exponent)}"
+
+
+def points(earned: float | None, most: float = inf) -> str:
+    """Points with two decimals at most; all of them are shown for nothing less."""
+    if earned is None:
+        return "?"
+    shown = _hundredths(earned)
+    return f"{(min(shown, _hundredths(most) - 1) if earned < most - EQUAL else shown) / 100:g}"
+
+
+def _hundredths(number: float) -> float:
+    return float(Decimal(repr(number)).scaleb(2).to_integral_value(ROUND_HALF_UP))
+
+
+def typeset(text: str) -> str:
+    """The text with its numbers as a page has them: 1.1·10⁻¹³ for 1.1e-13, and 10⁻⁴ for 1e-4."""
+    return EXPONENT.sub(_typeset, text)
+
+
+def _typeset(found: re.Match[str]) -> str:
+    factor = "" if found[1] == "1" else f"{found[1]}·"
+    return f"{factor}10{f'{found[2]}{found[3]}'.replace('+', '').translate(RAISED)}"
+
+
+def _off(failure: Failure) -> str:
+    error, limit = (float("nan") if one is None else one for one in (failure.error, failure.limit))
+    unit = f" {failure.unit}" if failure.unit else ""
+    pairs = ([quantity(one, digits) for one in (error, limit)] for digits in DIGITS)
+    shown, allowed = next((pair for pair in pairs if pair[0] != pair[1]), (quantity(error), quantity(limit)))
+    return f"{failure.quantity} is wrong by {shown}{unit}" + (f" (limit {allowed})" if isfinite(limit) else "")
+
+
+def capitalized(text: str, words: str = "[a-z]+") -> str:
+    """The text with a capital, where it begins with one of these words; a file's name, or a function's, is none."""
+    return re.sub(f"^({words}) ", lambda found: found[0].capitalize(), text)
+
+
+def sentence(text: str) -> str:
+    """The text with a stop; who wrote it has chosen between a capital and a name that keeps its letters."""
+    text = text.strip()
+    return text if not text or text[-1] in ".?!" else text + "."

@@ -1,0 +1,219 @@
+"""What an instructor adds to results: points for parts in words, changes with a reason, late days, extensions.
+
+`manual_points.csv` beside `results.jsonl` holds a row for each student, assignment and item. An item is the letter of a part
+that is graded by hand, the name of a check, whose points it replaces, or a word: `adjust` adds points, `total` replaces
+the score, `late` counts days, `extension` grants days, and `off a day` is the share of the score that a day costs. A
+row of the student `*` is everybody's.
+"""
+
+import math
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import astuple, dataclass, replace
+from itertools import zip_longest
+from pathlib import Path
+from typing import Any
+
+from tam570_grader.errors import UsageError
+from tam570_grader.results.records import Result
+from tam570_grader.results.tables import lines, name_in, write_table
+
+__all__ = [
+    "ADJUST",
+    "COLUMNS",
+    "EVERYONE",
+    "EXTENSION",
+    "LATE",
+    "MOST",
+    "OFF",
+    "TOTAL",
+    "WORDS",
+    "Earned",
+    "Entry",
+    "ManualAdjustments",
+    "AdjustedScore",
+    "join",
+    "read",
+    "rows_of",
+    "write",
+]
+
+Key = tuple[str, str]  # student, assignment
+Earned = Callable[[], Mapping[str, float | None]]  # the points of each check, asked for where a row names one
+
+FILE = "by_hand.csv"
+COLUMNS = ("student", "assignment", "item", "points", "of", "comment")
+EVERYONE = "*"
+ADJUST, TOTAL, LATE, EXTENSION, OFF, MOST = "adjust", "total", "late", "extension", "off a day", "most off"
+WORDS = (ADJUST, TOTAL, LATE, EXTENSION, OFF, MOST)
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One row: points, days or a share, and why."""
+
+    student: str
+    slug: str
+    item: str
+    points: float | None  # None: not given yet
+    of: float | None = None  # the most that a part by hand may earn
+    comment: str = ""
+
+    @property
+    def key(self) -> tuple[str, str, str]:
+        return self.student, self.slug, self.item
+
+
+@dataclass(frozen=True)
+class AdjustedScore:
+    """A score with all that was added by hand, and the sentences that tell it."""
+
+    score: float | None
+    most: float
+    message: tuple[str, ...] = ()
+    parts: tuple[str, ...] = ()  # letters of the parts that are counted
+
+
+class ManualAdjustments:
+    """All that was added by hand to some results."""
+
+    def __init__(self, entries: Iterable[Entry] = ()) -> None:
+        self.entries = {one.key: one for one in entries}
+        self._of: dict[Key, dict[str, Entry]] = {}
+        for one in self.entries.values():
+            self._of.setdefault((one.student, one.slug), {})[one.item] = one
+
+    def with_(self, entries: Iterable[Entry]) -> "ManualAdjustments":
+        """The same, but for newer entries; one without points or a most takes back what there was."""
+        newest = {**self.entries, **{one.key: one for one in entries}}
+        return ManualAdjustments(one for one in newest.values() if one.points is not None or one.of is not None)
+
+    def touches(self, key: Key) -> bool:
+        """Whether anything was added to a result."""
+        return key in self._of or (EVERYONE, key[1]) in self._of
+
+    def points_of(self, student: str, slug: str, item: str) -> float | None:
+        """What a row gives; None where there is no row, or one without points."""
+        one = self.entries.get((student, slug, item))
+        return one.points if one else None
+
+    def counts_parts(self, slug: str) -> bool:
+        """Whether everybody's score is of a most that has the parts by hand."""
+        return any(one.of is not None for one in self._of.get((EVERYONE, slug), {}).values())
+
+    def adjust(self, key: Key, score: float | None, most: float, earned_of: Earned) -> AdjustedScore:
+        """What a score of `most` becomes."""
+        mine = {**self._of.get((EVERYONE, key[1]), {}), **self._of.get(key, {})}
+        if not mine:
+            return AdjustedScore(score, most)
+        parts = [one for one in mine.values() if one.of is not None]
+        added = [one.points for one in parts if one.points is not None]
+        most += sum(one.of or 0.0 for one in parts)
+        message = [_part(one) for one in sorted(parts, key=lambda one: one.item)]
+        if checks := {item: one for item, one in mine.items() if one.of is None and item not in WORDS}:
+            score, replaced = _checks(score, checks, earned_of())
+            message += replaced
+        if adjusted := mine.get(ADJUST):
+            added.append(adjusted.points or 0.0)
+            message.append(f"{adjusted.points:+g} points by hand: {adjusted.comment}")
+        earned = None if score is None else max(0.0, score + sum(added))
+        earned, late = _late(earned, {item: one.points or 0.0 for item, one in mine.items()})
+        if total := mine.get(TOTAL):
+            earned = total.points
+            late.append(f"{earned:g} points in all, by hand: {total.comment}")
+        letters = tuple(one.item for one in parts)
+        return AdjustedScore(None if earned is None else round(earned, 6), most, (*message, *late), letters)
+
+    def applied(self, result: Result) -> Result:
+        """A result with its score settled."""
+        if not self.touches((result.student, result.assignment)):
+            return result
+        key, earned = (
+            (result.student, result.assignment),
+            {check_result.name: check_result.points for check_result in result.checks},
+        )
+        found = self.adjusted(key, result.score, result.max_score, lambda: earned)
+        return replace(result, score=found.score, max_score=found.most)
+
+    def row(self, graded: tuple[Any, ...], earned_of: Earned) -> tuple[Any, ...]:
+        """A row of the table of grades with its score settled."""
+        student, slug, status, score, most = graded
+        if not self.touches((student, slug)):
+            return graded
+        found = self.adjusted((student, slug), score, most, earned_of)
+        return student, slug, status, found.score, found.most
+
+
+def _part(one: Entry) -> str:
+    if one.points is None:
+        return f"Part ({one.item}): up to {one.of:g} points are given by hand, not yet."
+    return f"Part ({one.item}): {one.points:g} of {one.of:g} points, by hand. {one.comment}".strip()
+
+
+def _checks(
+    score: float | None, rows: Mapping[str, Entry], earned: Mapping[str, float | None]
+) -> tuple[float | None, list[str]]:
+    """The score with these points for checks in the place of what they earned; a check that is gone changes nothing."""
+    here = {item: one for item, one in rows.items() if item in earned}
+    if not here:
+        return score, []
+    points = [*{**earned, **{item: one.points for item, one in here.items()}}.values()]
+    message = [f"{item.replace('_', ' ')}: {one.points:g} points, by hand: {one.comment}" for item, one in here.items()]
+    return None if None in points else sum(one for one in points if one is not None), message
+
+
+def _late(earned: float | None, items: Mapping[str, float]) -> tuple[float | None, list[str]]:
+    """What days beyond the extension leave of a score, and the sentence that tells it."""
+    days = math.ceil(max(0.0, items.get(LATE, 0.0) - items.get(EXTENSION, 0.0)))
+    off = min(items.get(MOST, 1.0), days * items.get(OFF, 0.0))
+    if not items.get(LATE):
+        return earned, []
+    allowed = f", {items[EXTENSION]:g} of them allowed" if items.get(EXTENSION) else ""
+    word = "day" if items[LATE] == 1 else "days"
+    message = f"{items[LATE]:g} {word} late{allowed}: {100 * off:g} % of the points are taken off."
+    return None if earned is None else earned * (1 - off), [message]
+
+
+def read(folder: Path) -> ManualAdjustments:
+    """What was added by hand to the results in a folder, or in its `results.jsonl`; nothing where nothing was."""
+    path = (folder.parent if folder.is_file() else folder) / FILE
+    return ManualAdjustments().with_(entry for _, entry in rows_of(path)) if path.exists() else ManualAdjustments()
+
+
+def rows_of(path: Path) -> Iterator[tuple[int, Entry]]:
+    """The rows of a table with the columns `COLUMNS`, in any order, and their line numbers."""
+    (_, heading), *rows = lines(path)
+    names = [name.strip().lower() for name in heading]
+    if lacking := {"student", "assignment", "item", "points"} - set(names):
+        raise UsageError(f"{path} has no column {', '.join(sorted(lacking))}; its heading is: {','.join(COLUMNS)}")
+    for line, row in rows:
+        cells = {name: text.strip() for name, text in zip_longest(names, row[: len(names)], fillvalue="")}
+        where = f"{path}, line {line}"
+        points, of = (_number(cells.get(name, ""), f"{where}: {name}") for name in ("points", "of"))
+        student, item, comment = name_in(cells["student"]), cells["item"], name_in(cells.get("comment", ""))
+        yield line, Entry(student, cells["assignment"], item, points, None if item in WORDS else of, comment)
+
+
+def _number(text: str, where: str) -> float | None:
+    try:
+        number = float(text) if text else None
+    except ValueError:
+        number = math.nan
+    if number is not None and not math.isfinite(number):
+        raise UsageError(f"{where} is {text!r}, not a number; write 1.5, say, or leave it empty")
+    return number
+
+
+def join(folder: Path, others: Iterable[Path]) -> None:
+    """Take over what was added to other results; what was added to these goes first."""
+    theirs = [entry for other in others for entry in read(other).entries.values()]
+    if theirs:
+        write(folder, ManualAdjustments(theirs).with_(read(folder).entries.values()))
+
+
+def write(folder: Path, adjustments: ManualAdjustments) -> None:
+    """Put the table in place of the one that is there, whole or not at all."""
+    rows = [
+        ["" if value is None else value for value in astuple(one)]
+        for one in sorted(adjustments.entries.values(), key=lambda one: one.key)
+    ]
+    write_table(folder / FILE, [COLUMNS, *rows])

@@ -1,0 +1,254 @@
+"""The results of a run on disk: one line each, safe from a kill at any moment, found again by the next run."""
+
+import contextlib
+import csv
+import fcntl
+import hashlib
+import io
+import json
+import os
+import sys
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, BinaryIO
+
+from tam570_grader.errors import UsageError
+from tam570_grader.results import manual_points, records
+from tam570_grader.results.records import Result
+from tam570_grader.results.tables import cell, written
+
+__all__ = ["ResultStore", "Key", "Line", "Record", "Results", "common_seed", "key_of", "read", "results", "stream"]
+
+Key = tuple[str, str]  # student, assignment
+Record = dict[str, Any]  # a result line, with "digest": of all that the result depends on
+SummaryRow = Callable[[Record], Any]
+# what every result has, and every mark in its "checks"
+RESULT_FIELDS = {"student", "assignment", "status", "score", "max_score", "seed", "seconds", "isolation", "checks"}
+CHECK_FIELDS = {"name", "part", "points", "max_points", "outcome", "message", "suspect"}
+COLUMNS = ("student", "assignment", "status", "score", "max_score")  # of the table of grades
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """Where a result is in its file, and what is asked of it most."""
+
+    start: int
+    length: int
+    digest: str  # of all that the result depends on
+    check_result: str  # of the line itself
+    seed: int
+    graded: tuple[Any, ...]  # its row in the table of grades
+    summary_row: Any = None  # what a run asks of each result, so that none is read twice
+
+    @property
+    def scored(self) -> bool:
+        return self.graded[COLUMNS.index("score")] is not None
+
+
+class Results(Mapping[Key, Record]):
+    """The newest result of every student and assignment in a file, in order; each is read when it is asked for."""
+
+    def __init__(self, file: BinaryIO, path: Path, summary_row: SummaryRow = lambda record: None) -> None:
+        self._file, self._path, self._note = file, path, summary_row
+        self.lines = dict[Key, Line]()
+        self._end, self._count = 0, 0  # of the whole lines that were read
+        try:
+            self._look()
+        except UsageError:
+            file.close()
+            raise
+
+    def __getitem__(self, key: Key) -> Record:
+        record: Record = json.loads(self.text(key))
+        return record
+
+    def __iter__(self) -> Iterator[Key]:
+        return iter(sorted(self.lines))
+
+    def __len__(self) -> int:
+        return len(self.lines)
+
+    def text(self, key: Key) -> bytes:
+        """The line of a result."""
+        line = self.lines[key]
+        return os.pread(self._file.fileno(), line.length, line.start)
+
+    def earned(self, key: Key) -> manual_points.Earned:
+        """The points of each check of a result, read when they are asked for."""
+        return lambda: {check_result["name"]: check_result["points"] for check_result in self[key]["checks"]}
+
+    @property
+    def seed(self) -> int | None:
+        """The seed of the results; None if there are none."""
+        return common_seed(line.seed for line in self.lines.values())
+
+    def close(self) -> None:
+        self._file.close()
+
+    def _look(self) -> None:
+        """Read the lines that are new; a last one that is being written is left out."""
+        self._file.seek(self._end)
+        for text in self._file:
+            if text.endswith(b"\n"):
+                self._put(_record(text, self._path, self._count + 1), text)
+
+    def _put(self, record: Record, text: bytes) -> None:
+        check_result = hashlib.blake2b(text, digest_size=12).hexdigest()
+        graded = tuple(map(_kept_once, map(record.get, COLUMNS)))
+        digest = str(record.get("digest"))
+        line = Line(self._end, len(text), digest, check_result, record["seed"], graded, self._note(record))
+        self.lines[_kept_once(str(record["student"])), _kept_once(str(record["assignment"]))] = line
+        self._end += len(text)
+        self._count += 1
+
+
+class ResultStore(Results):
+    """`results.jsonl` and `grades.csv` in a folder, open for one run alone.
+
+    waits : told in a sentence that another run is at work there, whose end is then waited for; default: UsageError
+    """
+
+    def __init__(
+        self, folder: Path, waits: Callable[[str], None] | None = None, summary_row: SummaryRow = lambda record: None
+    ) -> None:
+        self._folder = folder
+        super().__init__(_locked(folder, waits), folder / "results.jsonl", summary_row)
+        self._file.truncate(self._end)  # what a kill cut short
+
+    def add(self, record: Record, text: bytes | None = None) -> None:
+        """Write a result down, if it is new; when this returns, it is on the disk.
+
+        text : the line, where it is there already
+        """
+        if self.get(key_of(record)) == record:
+            return
+        text = text or json.dumps(record, allow_nan=False).encode() + b"\n"
+        self._file.write(text)
+        self._file.flush()
+        os.fsync(self._file.fileno())
+        self._put(record, text)
+
+    def close(self) -> None:
+        """Write the table of grades; put the lines in order, and drop those that newer ones have replaced."""
+        self._look()  # an interrupt may have come between a line and its record
+        adjustments = manual_points.read(self._folder)
+        written(
+            self._folder / "grades.csv",
+            grades(adjustments.row(self.lines[key].graded, self.earned(key)) for key in self),
+        )
+        starts = [self.lines[key].start for key in self]
+        if self._count > len(self) or starts != sorted(starts):  # last: the lock is on the file that goes
+            written(self._folder / "results.jsonl", (self.text(key).decode() for key in self))
+        self._file.close()
+
+
+def _locked(folder: Path, waits: Callable[[str], None] | None) -> BinaryIO:
+    """The `results.jsonl` of a folder, open and ours alone."""
+    while True:
+        file = _opened(folder)
+        try:
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError:
+            if not waits:
+                file.close()
+                raise UsageError(f"another run is writing to {folder}") from None
+            waits(f"Another run is writing to {folder}: this one waits for its end.")
+            fcntl.flock(file, fcntl.LOCK_EX)
+        if _is_at(file, folder / "results.jsonl"):
+            return file
+        file.close()
+
+
+def _is_at(file: BinaryIO, path: Path) -> bool:
+    """Whether an open file is the one of that name: a run that ends may have put another in its place."""
+    return path.exists() and os.path.samestat(os.fstat(file.fileno()), os.stat(path))
+
+
+def _opened(folder: Path) -> BinaryIO:
+    path = folder / "results.jsonl"
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        if path.exists() and not path.is_file():
+            raise UsageError(f"cannot write results to {folder}: {path} is not a regular file; move it away")
+        return open(path, "a+b")
+    except OSError as error:
+        raise UsageError(f"cannot write results to {folder}: {error.strerror}; name another folder") from None
+
+
+def results(path: Path, summary_row: SummaryRow = lambda record: None) -> Results:
+    """The results in a folder, or in its `results.jsonl`."""
+    path = path / "results.jsonl" if path.is_dir() else path
+    try:
+        return Results(open(path, "rb"), path, summary_row)  # noqa: SIM115  closed with the results
+    except OSError as error:
+        raise UsageError(f"cannot read results from {path}: {error.strerror}") from None
+
+
+def read(path: Path) -> list[Record]:
+    """The newest result of every student and assignment, in a folder of results or its `results.jsonl`."""
+    with contextlib.closing(results(path)) as found:
+        return list(found.values())
+
+
+def stream(path: Path) -> Iterator[Result]:
+    """The results in a `results.jsonl` as they stand there, in one pass: of two for the same work the later counts."""
+    with open(path, "rb") as file:
+        for number, text in enumerate(file, 1):
+            if text.endswith(b"\n"):
+                try:
+                    yield records.read(_record(text, path, number))
+                except (ValueError, TypeError, KeyError, AttributeError):
+                    raise _not_a_result(path, number) from None
+
+
+def common_seed(seeds: Iterable[int]) -> int | None:
+    """The seed that results have in common; None if there are none."""
+    known = set(seeds)
+    if len(known) > 1:
+        raise UsageError(
+            "these results have more than one seed: give the key that they were varied by (--vary), or a --seed"
+        )
+    return next(iter(known), None)
+
+
+def _record(line: bytes, path: Path, number: int) -> Record:
+    """The result in a line; UsageError if it is none, or one of another format, whose fields mean something else."""
+    try:
+        record: Record = json.loads(line)
+        whole = record.keys() >= RESULT_FIELDS and all(
+            check_result.keys() >= CHECK_FIELDS for check_result in record["checks"]
+        )
+    except (ValueError, TypeError, AttributeError):
+        whole = False
+    if not whole:
+        raise _not_a_result(path, number)
+    if record.get("format") != records.FORMAT:
+        raise UsageError(
+            f"{path} holds a result of another version of the grader (line {number}); grade again, into a new folder"
+        )
+    return record
+
+
+def _not_a_result(path: Path, number: int) -> UsageError:
+    return UsageError(f"{path} holds a line that is not a result (line {number}); move the file away")
+
+
+def _kept_once(value: Any) -> Any:
+    """The same, but of equal texts one alone is kept: a class has few names, and many results."""
+    return sys.intern(value) if type(value) is str else value
+
+
+def grades(rows: Iterable[tuple[Any, ...]]) -> str:
+    """A table for a spreadsheet: a row for each student and assignment."""
+    table = io.StringIO()
+    writer = csv.writer(table)
+    writer.writerow(COLUMNS)
+    for row in rows:
+        writer.writerow(map(cell, row))
+    return table.getvalue()
+
+
+def key_of(record: Record) -> Key:
+    """Whose result it is, on what."""
+    return str(record["student"]), str(record["assignment"])

@@ -1,0 +1,67 @@
+"""The warm workers of this process, one for each thread and kind of submission; one that dies is replaced."""
+
+import threading
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, TypeVar
+
+from tam570_grader.sandbox.zygote import ResourceLimits, Zygote, ZygoteLost
+
+__all__ = ["ATTEMPTS", "ONLY", "TRIES", "Attempt", "sandboxes", "tried"]
+
+TRIES = 3  # workers, or supervisors, that a submission may see die under it before we give up
+MOST = 12  # workers of a thread that are kept
+T = TypeVar("T")
+_warm: dict[tuple[Any, ...], Zygote] = {}
+
+
+@dataclass(frozen=True)
+class Attempt:
+    """One try of a submission.
+
+    forgiving : another one follows: WorkerLost where the submission is killed from outside, as for want of memory
+    again     : one went before: the submission may know hidden inputs, and what it says at import is not quoted
+    """
+
+    forgiving: bool = False
+    again: bool = False
+
+
+ONLY = Attempt()
+ATTEMPTS = tuple(Attempt(forgiving=number < TRIES, again=number > 1) for number in range(1, TRIES + 1))
+
+
+def tried(
+    work: Callable[[Zygote, Attempt], T], preload: Sequence[str], limits: ResourceLimits, hidden: Sequence[Path] = ()
+) -> T:
+    """work(worker, attempt) on a warm worker, on another where that one is lost; WorkerLost from the last attempt."""
+    key = (threading.get_ident(), *preload, limits, *hidden)
+    for attempt in ATTEMPTS:
+        if key not in _warm:
+            _make_room(key[0])
+            _warm[key] = Zygote(preload, limits, hidden)
+        try:
+            return work(_warm[key], attempt)
+        except ZygoteLost:
+            _warm.pop(key).close()
+            if not attempt.forgiving:
+                raise
+    raise AssertionError("the last try returns or raises")
+
+
+def _make_room(thread: Any) -> None:
+    mine = [key for key in _warm if key[0] == thread]
+    for key in mine[: len(mine) + 1 - MOST]:
+        _warm.pop(key).close()
+
+
+@contextmanager
+def sandboxes() -> Iterator[None]:
+    """Ends the workers of this process."""
+    try:
+        yield
+    finally:
+        while _warm:
+            _warm.popitem()[1].close()

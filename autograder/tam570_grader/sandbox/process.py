@@ -1,0 +1,196 @@
+"""One submission's process, as the supervisor holds it: requests in, replies out, each with a limit."""
+
+import select
+import socket
+import struct
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any, TypeVar
+
+from tam570_grader.protocol.wire import ItemBudget, Unreadable, packed, unpacked
+
+__all__ = ["PATIENCE", "SandboxProcess", "ProcessLost", "ProcessTimeout"]
+
+LENGTH = struct.Struct(">I")
+LARGEST_REPLY = 2**26  # bytes, of all replies to one request
+SHORT = 1000  # bytes of a reply, which takes some microseconds to read
+GLANCE = 0.5  # s of a wait in one piece
+RECONSIDER = 0.25  # s at most between looks at a call that is late on the wall's clock
+# a call that for so long as its limit uses less than this share of a core is asleep, not slow
+IDLE_SHARE = 0.02
+PATIENCE = 6  # a call, and a submission, may take this many times its limit in wall time on a busy machine
+T = TypeVar("T")
+
+
+class ProcessLost(Exception):
+    """The prisoner ended in the middle of a call, or sent what is no reply."""
+
+
+class ProcessTimeout(Exception):
+    """A call took longer than it may."""
+
+
+class SandboxProcess:
+    """One submission's prisoner: requests in, replies out, each with a limit."""
+
+    def __init__(self, channel: socket.socket, leash: socket.socket, call_limit: float) -> None:
+        self._channel, self._leash, self.limit = channel, leash, call_limit
+        self._ended = False  # the prisoner has closed its end
+        self._channel.setblocking(False)
+        self._leash.settimeout(5)  # s; the guard answers within a few hundredths
+        self._received = bytearray()
+        self._budget, self._room = ItemBudget(), LARGEST_REPLY  # for the replies to the request before us
+        self._waited = 0.0  # s, in earlier calls: no less than the CPU time they took
+        self.lasted = 0.0  # s on the wall's clock, of all calls and of reading what they sent
+        self.read = 0.0  # s of our own, in reading what it sent
+        self._cpu = 0.0  # s, at the end
+        # when we last asked for the CPU time to see whether it grows, and what it was
+        self._looked_at = (0.0, 0.0)
+        self._stood_still = 0.0  # s, in which this process was not run: suspended, or the whole machine was
+        self.monitored = True  # until the guard does not answer
+        self.killed_from_outside = False  # at the end, by its guard's word
+
+    def send(self, request: Any) -> None:
+        """Send a request, of bytes or to be packed, or raise CellLost or CellTimeout."""
+        data = request if isinstance(request, bytes) else packed(request)
+        self._budget, self._room = ItemBudget(), LARGEST_REPLY
+        unsent = memoryview(LENGTH.pack(len(data)) + data)
+        asked, started = time.monotonic(), self._clock()
+        try:
+            while unsent:
+                if not self._ready(select.POLLOUT, self.limit):
+                    raise ProcessTimeout
+                unsent = unsent[self._channel.send(unsent) :]
+        except OSError:
+            self._ended = True
+            raise ProcessLost from None
+        finally:
+            self.lasted += self._clock() - started
+        self._waited += time.monotonic() - asked
+
+    def receive(self, form: Callable[[Any], T]) -> T:
+        """The next reply in its form, or raise CellLost or CellTimeout.
+
+        What it costs us to read it is counted as the submission's own time: a class waits for no forged reply.
+        """
+        started = self._clock()
+        try:
+            data = self._awaited(started)
+            with self._counted(len(data)):
+                return form(unpacked(data, self._budget))
+        except (Unreadable, MemoryError, RecursionError):
+            raise ProcessLost from None
+        finally:
+            self.lasted += self._clock() - started
+
+    @contextmanager
+    def _counted(self, size: int) -> Iterator[None]:
+        """Count our time for a reply; one that is short takes less than it takes to ask for the time."""
+        began = time.thread_time() if size > SHORT else 0.0
+        try:
+            yield
+        finally:
+            self.read += time.thread_time() - began if size > SHORT else 0.0
+
+    def _awaited(self, started: float) -> bytes:
+        """The bytes of the next reply."""
+        asked, patience = time.monotonic(), self.limit
+        while (data := self._message()) is None:
+            if self._ready(select.POLLIN, started + patience - self._clock()):
+                self._read()
+            elif self._overdue(started):
+                raise ProcessTimeout
+            else:
+                patience += min(RECONSIDER, self.limit)
+        self._waited += time.monotonic() - asked
+        return data
+
+    def seconds(self) -> float:
+        """The CPU seconds that the prisoner has used so far, by the kernel's clock; CellLost if its guard has gone."""
+        try:
+            self._leash.sendall(b"c")
+            return float(self._leash_line().split()[0])
+        except (OSError, IndexError):
+            raise ProcessLost from None
+
+    def end(self) -> float:
+        """Kill the prisoner; the CPU seconds it has used. A guard that does not answer has died with its worker."""
+        try:
+            self._leash.sendall(b"e" if self._ended else b"k")
+            while len(words := self._leash_line().split()) == 1:
+                pass  # the answer to an earlier question
+            self._cpu, self.killed_from_outside = float(words[0]), words[1] == "1"
+        except OSError:
+            self.monitored, self._cpu = False, max(self._cpu, self._waited)
+        self.drop()
+        return self._cpu
+
+    def drop(self) -> None:
+        """Let the guard kill the prisoner, without waiting for it."""
+        self._channel.close()
+        self._leash.close()
+
+    def _ready(self, event: int, seconds: float) -> bool:
+        """Whether it can be read or written within these seconds of our clock, which stands where a wait ends late."""
+        poll, end = select.poll(), self._clock() + seconds
+        poll.register(self._channel, event)
+        while True:
+            wait, started = min(max(0.0, end - self._clock()), GLANCE), time.monotonic()
+            if poll.poll(wait * 1000):
+                return True
+            self._stood_still += max(0.0, time.monotonic() - started - wait)
+            if self._clock() >= end:
+                return False
+
+    def _clock(self) -> float:
+        """Seconds that have passed for this process: a submission that stood still with it is not late."""
+        return time.monotonic() - self._stood_still
+
+    def _read(self) -> None:
+        try:
+            chunk = self._channel.recv(2**20)
+        except OSError:
+            chunk = b""
+        if not chunk:
+            self._ended = True
+            raise ProcessLost
+        self._received += chunk
+
+    def _message(self) -> bytes | None:
+        """The first whole message received, taken out of the buffer."""
+        if len(self._received) < LENGTH.size:
+            return None
+        (size,) = LENGTH.unpack_from(self._received)
+        if size > self._room:
+            raise ProcessLost
+        if len(self._received) < LENGTH.size + size:
+            return None
+        self._room -= size
+        data = bytes(self._received[LENGTH.size : LENGTH.size + size])
+        del self._received[: LENGTH.size + size]
+        return data
+
+    def _overdue(self, started: float) -> bool:
+        """Whether a call has had its CPU time, or uses none: on a busy machine its time on the wall says little."""
+        try:
+            cpu = self.seconds()
+        except ProcessLost:
+            return True
+        now = self._clock()
+        since, cpu_then = max(self._looked_at, (started, 0.0))
+        idle = cpu - cpu_then < IDLE_SHARE * self.limit
+        if now - since >= self.limit:
+            self._looked_at = now, cpu
+        else:
+            idle = False
+        return idle or cpu - self._waited >= self.limit or now - started > PATIENCE * self.limit
+
+    def _leash_line(self) -> str:
+        line = b""
+        while not line.endswith(b"\n"):
+            chunk = self._leash.recv(64)
+            if not chunk:
+                raise OSError("the guard has gone")
+            line += chunk
+        return line.decode()

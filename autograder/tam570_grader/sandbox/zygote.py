@@ -1,0 +1,206 @@
+"""The supervisor's side of the sandbox: starts a warm worker, tries it out, opens a cell for a submission."""
+
+import contextlib
+import itertools
+import json
+import math
+import os
+import signal
+import socket
+import subprocess
+import tempfile
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from tam570_grader.errors import Over
+from tam570_grader.sandbox.launch import environment, isolation, jailed_command, plain_command
+from tam570_grader.sandbox.process import ProcessLost, ProcessTimeout, SandboxProcess
+
+__all__ = ["ResourceLimits", "NotConfined", "Zygote", "ZygoteLost"]
+
+FILE_SIZE = 2**25  # bytes a submission may write into its scratch folder
+LOWEST_USER, USERS = 20_000, 40_000  # ids that belong to nobody, within what most containers map
+CANARY = b"""
+def right(x):
+    return [x, 2 * x]
+
+def endless():
+    while True:
+        pass
+"""
+ASKED = {"mode": "value", "refused": []}
+STOPPED_AFTER = 0.02  # s that the endless call gets
+
+_serial = itertools.count(os.getpid() * 16)  # a user id for each worker
+
+
+@dataclass(frozen=True)
+class ResourceLimits:
+    """What a submission may use, as the teacher set it."""
+
+    memory: int = 2**30  # bytes
+    cpu: float = 60.0  # s, the whole submission
+    call: float = 10.0  # s of CPU, one call
+    processes: int = 1
+
+
+class ZygoteLost(Over):
+    """The worker itself has died, through no fault of a submission."""
+
+
+class NotConfined(ZygoteLost):
+    """The worker works, and cannot do with a submission what it must; the message says what."""
+
+
+class Zygote:
+    """A warm process, in bubblewrap where there is one, that forks a cell for each submission."""
+
+    def __init__(self, preload: Sequence[str], limits: ResourceLimits, hidden: Sequence[Path] = ()) -> None:
+        self.limits = limits
+        self._errors = tempfile.TemporaryFile()  # noqa: SIM115  closed with the worker
+        self._control, inside = socket.socketpair()
+        self.limits = _limits(limits)
+        settings = {"limits": self.limits, "control": inside.fileno(), "preload": list(preload)}
+        command, path = jailed_command(hidden) if isolation() == "bubblewrap" else plain_command()
+        self._process = subprocess.Popen(
+            [*command, json.dumps(settings), json.dumps(path)],
+            pass_fds=[inside.fileno()],
+            env=environment(),
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.DEVNULL,
+            stderr=self._errors,
+            start_new_session=True,
+        )
+        inside.close()
+        self._ready = False
+
+    def process(self, cpu: float, hidden: Sequence[str] = ()) -> SandboxProcess:
+        """A new cell with nothing loaded, for so many seconds of CPU, without sight of the hidden modules."""
+        if not self._ready:
+            self._await_ready()
+            self._try_out()
+            self._ready = True
+        return self._opened(cpu, hidden)
+
+    def _opened(self, cpu: float, hidden: Sequence[str] = ()) -> SandboxProcess:
+        channel, prisoner_end = socket.socketpair()
+        leash, guard_end = socket.socketpair()
+        ends = [prisoner_end.fileno(), guard_end.fileno()]
+        most = max(1, math.ceil(cpu))
+        order = {"cpu": most, "hidden": list(hidden)}
+        try:
+            socket.send_fds(self._control, [json.dumps(order).encode()], ends)
+        except OSError:
+            channel.close()
+            leash.close()
+            raise ZygoteLost("the worker died") from None
+        finally:
+            prisoner_end.close()
+            guard_end.close()
+        process = SandboxProcess(channel, leash, self.limits.call)
+        self._must_be_confined(process)
+        return process
+
+    def _must_be_confined(self, process: SandboxProcess) -> None:
+        """Wait until it says so: one that ends before has not seen a submission, whose fault it cannot be."""
+        try:
+            reply = process.receive(lambda reply: reply)
+        except (ProcessLost, ProcessTimeout):
+            process.end()
+            raise ZygoteLost(f"a process ended before it was confined: {self._last_errors()}") from None
+        if reply != {"confined": True}:
+            process.end()
+            raise NotConfined(reply["confined"])
+
+    def _try_out(self) -> None:
+        """Grade a canary, before any submission: a right call must return, and an endless one must be stopped."""
+        process = self._opened(self.limits.cpu)
+        try:
+            names = ["right", "endless"]
+            load = {"source": CANARY, "notebook": False, "name": "canary", "functions": names}
+            process.send({**load, "uncallable": [], "forbidden": []})
+            told = [process.receive(lambda reply: reply) for _ in range(2)]
+            process.send({**ASKED, "function": "right", "calls": [[[1.5], {}]]})
+            told.append(process.receive(lambda reply: [*reply["value"]]))
+            as_it_must = told[2] == [1.5, 3.0]
+        except (ProcessLost, ProcessTimeout, LookupError, TypeError):
+            as_it_must = False
+        stopped = as_it_must and _is_stopped(process)
+        process.end()
+        if not process.monitored or process.killed_from_outside:
+            raise ZygoteLost("the worker was killed while it was tried out")
+        if not as_it_must:
+            raise NotConfined("a right submission does not get through")
+        if not stopped:
+            raise NotConfined("a call that does not end is not stopped")
+
+    def must_live(self) -> None:
+        """Raise WorkerLost if the worker is ending or has ended."""
+        try:
+            self._process.wait(timeout=1)
+        except subprocess.TimeoutExpired:
+            return
+        raise ZygoteLost("the worker died")
+
+    def close(self) -> None:
+        """End the worker and everything in it."""
+        self._control.close()
+        self.kill()
+        self._process.wait()
+        self._errors.close()
+
+    def kill(self) -> None:
+        """Kill the worker at once: its whole group, for a half-started bubblewrap's child outlives its parent."""
+        with contextlib.suppress(ProcessLookupError, PermissionError):  # macOS refuses for one that has ended
+            os.killpg(self._process.pid, signal.SIGKILL)
+
+    def _await_ready(self) -> None:
+        try:
+            said = self._control.recv(5)
+        except OSError:
+            said = b""
+        if said != b"ready":
+            self._process.wait()
+            raise ZygoteLost(f"the sandbox did not start: {self._last_errors()}")
+
+    def _last_errors(self) -> str:
+        """What the worker has written to its errors last."""
+        self._errors.seek(0)
+        return self._errors.read()[-500:].decode(errors="replace")
+
+
+def _limits(limits: ResourceLimits) -> dict[str, Any]:
+    """inside.jail.Limits, but for what comes with each cell."""
+    return {
+        "memory": limits.memory,
+        "file_size": FILE_SIZE,
+        "processes": limits.processes,
+        "namespaces": isolation() == "bubblewrap",
+        "user": LOWEST_USER + next(_serial) % USERS if os.geteuid() == 0 and _maps_users() else None,
+    }
+
+
+def _is_stopped(process: SandboxProcess) -> bool:
+    """Whether a call that does not end is late when its time is over."""
+    process.limit = STOPPED_AFTER
+    try:
+        process.send({**ASKED, "function": "endless", "calls": [[[], {}]]})
+        process.receive(lambda reply: reply)
+    except ProcessTimeout:
+        return True
+    except ProcessLost:
+        return False
+    return False
+
+
+def _maps_users() -> bool:
+    """Whether root here can become the users that submissions run as: in a rootless container it may be alone."""
+    maps = (Path("/proc/self/uid_map"), Path("/proc/self/gid_map"))
+    return all(not one.exists() or any(_holds(line) for line in one.read_text().splitlines()) for one in maps)
+
+
+def _holds(line: str) -> bool:
+    first, _, count = map(int, line.split())
+    return first <= LOWEST_USER and first + count >= LOWEST_USER + USERS

@@ -1,0 +1,67 @@
+"""What messages call a result: RESULTS says it once, and a check may say it otherwise."""
+
+from types import ModuleType, SimpleNamespace
+
+import numpy as np
+import pytest
+from tam570_grader.checks.case import Case
+
+from tam570_grader.checks.compare import Column, compare, compare_columns
+from tam570_grader.checks.expect import Failed, check_context, expect
+from tam570_grader.checks.returns import array, group, number, rows
+from tam570_grader.reports.sentences import describe_failure
+
+
+def student(returns, result, name="height"):
+    """A student's function that always gives this result."""
+    return SimpleNamespace(name=name, returns=returns, each=lambda cases: ((case, result) for case in cases))
+
+
+def said(compare, *args, **known):
+    with check_context(), pytest.raises(Failed) as failed:
+        compare(*args, tolerance=1e-9, **known)
+    return describe_failure(failed.value.failure)
+
+
+def reference(**functions):
+    """A module of right functions."""
+    module = ModuleType("right")
+    vars(module).update(functions)
+    return module
+
+
+HEIGHT = number.described("the height", "m", lambda case, _: 1e3)
+
+
+def test_results_and_the_module_of_what_is_right_say_what_is_compared():
+    message = said(compare, student(HEIGHT, 3.0), reference(height=lambda x: x), [Case(1.0)])
+    assert message == "The height is wrong by 2 m (limit 1e-6)."
+
+
+def test_each_member_of_a_tuple_has_words_of_its_own():
+    pair = group(array(2).described("the place", "m"), HEIGHT)
+    one = student(pair, (np.ones(2), 3.0))
+    assert "height is wrong by 1 m" in said(compare, one, lambda: (np.ones(2), 2.0), [Case()])
+    assert "place is wrong by 5 m" in said(compare, one, lambda: (np.full(2, 6.0), 3.0), [Case()])
+
+
+def test_a_check_may_use_other_words():
+    message = said(
+        compare, student(HEIGHT, 3.0), lambda: 1.0, [Case()], quantity="a flight", unit="km", scale=lambda *_: 1.0
+    )
+    assert "flight is wrong by 2 km (limit 1e-9)" in message
+
+
+def test_rows_are_judged_by_the_columns_of_results_and_tell_the_time():
+    motion = rows(2, columns=(Column("x", "m", [0]), Column("v", "m/s", [1])))
+    t, found = np.array([0.0, 1.0, 2.5]), np.array([[1.0, 2.0], [1.0, 2.0], [1.0, 9.0]])
+    message = said(compare_columns, student(motion, found), lambda t: np.tile([1.0, 2.0], (3, 1)), [Case(t)])
+    assert "v is wrong by 7 m/s (limit 2e-9) at t = 2.5 s" in message
+
+
+def test_a_hint_is_asked_for_the_one_failure_that_is_told():
+    call_cases = []
+    with pytest.raises(Failed) as failed, check_context():
+        for error in (2.0, 3.0):  # both keep a share
+            expect(error, 0.0, tolerance=1.0, hint=lambda error=error: call_cases.append(error) or f"by {error:g}")
+    assert call_cases == [2.0] and failed.value.failure.hint == "by 2"

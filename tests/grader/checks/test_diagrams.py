@@ -1,0 +1,113 @@
+"""Free body diagrams: every right way to draw one passes, and what is wrong with another is named."""
+
+import math
+
+import numpy as np
+import pytest
+from tam570_grader.checks.case import Case
+
+from tam570_grader.checks.diagrams import Force, FreeBody, complaint, weight
+from tam570_grader.checks.expect import Failed
+from tam570_grader.checks.returns import free_body_diagram, result
+from tam570_grader.protocol.wire import packed, portable, unpacked
+from tam570_grader.sandbox.replies import checked
+
+G, C, RAMP = (-0.3, 0.2), (0.0, -1.0), math.radians(20)
+DOWN = math.sin(RAMP), -math.cos(RAMP)
+PULL = weight(G, "G", 9.81, DOWN)
+CYLINDER = FreeBody(
+    "the cylinder",
+    (PULL, Force("the normal force", C, "C", (0, 1), sense=True), Force("the friction", C, "C", (1, 0))),
+    others=[(PULL, Force("the force of the ramp", C, "C", push=(0, 1)))],
+)
+LINK = FreeBody("the link", (weight((0, 0), "G", 9.81), Force("a", (-1, 0), "A"), Force("b", (1, 0), "B")))
+DISK = FreeBody("the disk", (weight((0, 0, 1), "G", 9.81, (0, 0, -1)), Force("ground", (0, 0, 0), "C")))
+
+
+def arrows(drawn, dimension=2):
+    """What a student returns, carried across the sandbox's border."""
+    reply = checked(unpacked(packed({"value": portable(drawn)})), "value")
+    return result(free_body_diagram(dimension), reply["value"], "free_body_diagram", Case())
+
+
+def wrong(body, drawn, dimension=2):
+    return complaint(body, arrows(drawn, dimension))
+
+
+UP_THE_RAMP, LEVEL = (-7.0, 0.0), (math.cos(RAMP), math.sin(RAMP))
+RIGHT_CYLINDERS = {
+    "tuples": [(G, DOWN), (C, (0, 1)), (C, (1, 0))],
+    "lists, another order, other lengths, the other sense": [[list(C), [-3, 0]], [list(C), [0, 1e-200]], [G, DOWN]],
+    "an array of pairs": np.array([(G, DOWN), (C, (0, 5)), (C, UP_THE_RAMP)]),
+    "an array of objects": np.array([[np.array(G), np.array(DOWN)], [np.array(C), None]], dtype=object),
+    "unknown at the contact": [(G, DOWN), (C, None)],
+    "level and upright components": [(C, LEVEL), (C, (-LEVEL[1], LEVEL[0])), (np.array(G), 9.81 * np.array(DOWN))],
+    "huge arrows": [(G, 1e200 * np.array(DOWN)), (C, (0, 1e300)), (C, (1e300, 0))],
+    "three components of which the last is zero": [((*G, 0), (*DOWN, 0)), ((*C, 0), None)],
+    "no component known": [(G, DOWN), (C, (None, None))],
+    "a force of length zero beside it": [(G, DOWN), (C, None), (G, (0.0, 0.0))],
+}
+
+
+@pytest.mark.parametrize("way", RIGHT_CYLINDERS)
+def test_every_right_way_to_draw_passes(way):
+    assert not wrong(CYLINDER, RIGHT_CYLINDERS[way])
+
+
+WRONG_CYLINDERS = {
+    "You drew the weight at the wrong point": [((0, 0), DOWN), (C, (0, 1)), (C, (1, 0))],
+    "You drew the weight upwards": [(G, np.negative(DOWN)), (C, None)],
+    "components of the weight": [(G, (DOWN[0], 0)), (G, (0, DOWN[1])), (C, None)],
+    "the normal force in the wrong sense": [(G, DOWN), (C, (0, -1)), (C, (1, 0))],
+    "You left out the friction": [(G, DOWN), (C, (0, 1))],
+    "You left out the weight": [(C, (0, 1)), (C, (1, 0))],
+    "You drew the weight twice": [(G, DOWN), (G, DOWN), (C, None)],
+    "You drew the normal force twice": [(G, DOWN), (C, None), (C, (0, 1))],
+    "no other body exerts": [(G, DOWN), (C, None), (G, (1, 0.2))],
+}
+
+
+@pytest.mark.parametrize("message", WRONG_CYLINDERS)
+def test_what_is_wrong_is_named(message):
+    assert message in wrong(CYLINDER, WRONG_CYLINDERS[message])
+
+
+def test_two_unknown_forces_each_have_both_components():
+    both = [((1, 0), (1, 1)), ((1, 0), (2, -2))]
+    assert not wrong(LINK, [((0, 0), (0, -2)), ((-1, 0), None), *both])
+    assert "no component of it is known" in wrong(LINK, [((0, 0), (0, -2)), ((-1, 0), None), both[0]])
+    oblique = [((1, 0), (1, 1)), ((1, 0), (2, -1.9))]
+    assert wrong(LINK, [((0, 0), (0, -2)), ((-1, 0), None), *oblique])
+
+
+def test_an_unknown_force_in_space_has_three_components():
+    down, axes = ((0, 0, 1), (0, 0, -1)), np.linalg.qr(np.array([[1, 2, 3], [0, 1, 4], [5, 6, 0]], float))[0]
+    assert not wrong(DISK, [down, ((0, 0, 0), None)], 3)
+    assert not wrong(DISK, [down, *(((0, 0, 0), axis) for axis in axes)], 3)
+    assert wrong(DISK, [down, *(((0, 0, 0), axis) for axis in axes[:2])], 3)
+
+
+@pytest.mark.parametrize("drawn", [[], [((1, 2), (0, -1))], [((1, 2), (0, 1))], [((1, 2), None)], [((1, 2), (0, 0))]])
+def test_a_force_of_size_zero_may_be_left_out_or_drawn(drawn):
+    assert not wrong(FreeBody("a particle", [weight((1, 2), "it", gravity=0.0)]), drawn)
+    assert wrong(FreeBody("a particle", [weight((1, 2), "it", gravity=0.0)]), [*drawn, ((0, 0), (1, 0))])
+
+
+def test_forces_in_line_are_not_one_force():
+    """A mass straight below its hinge: weight and rod are along one line, and both are drawn."""
+    body = FreeBody("the mass", (weight((0, -1), "it", 9.81), Force("rod", (0, -1), "it", (0, -1))))
+    assert not wrong(body, [((0, -1), (0, 1)), ((0, -1), (0, -1))])
+    assert not wrong(body, [((0, -1), (0, -2)), ((0, -1), (0, -1))])
+    assert wrong(body, [((0, -1), (0, -1))])
+
+
+NO_DIAGRAMS = [None, 3.0, "down", [1, 2], [(1, 2, 3)], [((0, 0), (0, -1), 5)], [((0, 0), "down")], {(0, 0): (0, -1)}]
+NO_DIAGRAMS += [[((0, 0), (0, math.nan))], [((0, 0, 1), (0, 0, -1))], [(None, (0, -1))], [((0, 0), (0, 1j))]]
+NO_DIAGRAMS += [[((0, 0), (0, -1))] * 100, [((0, 0), [None, 1.0])], [((0, 0), [[0, -1]])]]
+
+
+@pytest.mark.parametrize("drawn", NO_DIAGRAMS, ids=str)
+def test_what_is_no_diagram_fails_with_a_message(drawn):
+    with pytest.raises(Failed) as failed:
+        arrows(drawn)
+    assert failed.value.failure.message

@@ -1,0 +1,191 @@
+"""What a student draws: decorations beside the curves, few points, scatters in any order, labels in TeX."""
+
+import importlib.util
+import sys
+import types
+
+import numpy as np
+import pytest
+
+from tam570_grader.checks import assignments
+from tam570_grader.checks.expect import Failed, check_context
+from tam570_grader.checks.plots import along, readable
+from tam570_grader.checks.returns import Drawing, Line
+from tam570_grader.sandbox.student import Source, Student
+from tam570_grader.sandbox.zygote import ResourceLimits
+
+DRAWN = {  # assignment: the function that draws, its check, its visible test
+    "hw02_ballistics": ("plot_comparison", "both_paths_are_drawn", "two_curves_are_drawn"),
+    "hw04_hanging_spring": ("plot_projection", "the_path_is_drawn", "the_picture_has_one_curve_and_names_on_its_axes"),
+    "hw07_double_pendulum": ("plot_tip_path", "tip_path_is_drawn", "the_tip_path_is_drawn"),
+    "hw10_free_rigid_body": ("plot_rim_paths", "rim_paths_are_drawn", "two_paths_are_drawn"),
+}
+REDRAWN = """
+right = {name}
+
+def {name}(ax, *args, **kwargs):
+    right(ax, *args, **kwargs)
+    x, y = ax.lines[-1].get_data()
+    mixed = np.random.default_rng(1).permutation([x, y], axis=1)
+    right_is, up_is = ax.get_xlabel()[0], ax.get_ylabel()[0]
+    {code}
+"""
+RIGHT = {
+    "a dark page": "ax.figure.set_facecolor('k'); ax.set_facecolor('0.1'); ax.lines[-1].set_color('w');"
+    " ax.xaxis.label.set_color('w'); ax.yaxis.label.set_color('w')",
+    "no paper": "ax.figure.patch.set_alpha(0); ax.patch.set_alpha(0)",
+    "thin light grey": "ax.lines[-1].set(color='lightgrey', linewidth=0.5)",
+    "half transparent dots": "ax.lines[-1].set(linestyle='', marker='.', markersize=1, alpha=0.5)",
+    "dots far apart": "ax.lines[-1].set_linestyle((0, (1, 10)))",
+    "a grid in front, a legend": "ax.grid(zorder=9); ax.legend(['path'], framealpha=1)",
+    "a frame around it": "ax.figure.set_layout_engine('constrained'); ax.set_title(r'$\\undefined{$')",
+    "words set by TeX": "ax.xaxis.label.set_usetex(True)",
+    "a wide page": "ax.figure.set_size_inches(30, 12)",
+    "limits of its own": "ax.margins(0.3); ax.set_aspect('equal', adjustable='datalim')",
+    "another axis beside": "ax.secondary_xaxis('top'); ax.inset_axes([0.4, 0.4, 0.2, 0.2]).plot(y, x)",
+    "hidden helpers": "ax.plot(x + y, y, visible=False); ax.figure.add_axes([0, 0, 1, 1], visible=False)",
+    "a start marker and an origin": "ax.plot(x[0], y[0], 'o'); ax.plot(0, 0, '+'); ax.scatter(x[:1], y[:1])",
+    "lines for reference": "ax.axhline(0); ax.axvline(0); ax.plot(x[:9], y[:9])",
+    "a hinge drawn at every time": "ax.plot(0 * x, 0 * y, 'o')",
+    "entries of a legend": "ax.plot([], [], label='path'); ax.scatter([], [], label='path')",
+    "colours behind": "ax.contourf(*np.meshgrid(x[:12], y[:12]), np.eye(12)); ax.fill_between(x, y, alpha=0.1)",
+    "arrows": "ax.quiver(x[::5], y[::5], np.gradient(x)[::5], np.gradient(y)[::5])",
+    "fewer points": "k = np.linspace(0, len(x) - 1, len(x) // 5).astype(int); ax.lines[-1].set_data(x[k], y[k])",
+    "a scatter": "ax.lines[-1].remove(); ax.scatter(x, y)",
+    "a scatter from its end": "ax.lines[-1].remove(); ax.scatter(x[::-1], y[::-1])",
+    "a shuffled scatter": "ax.lines[-1].remove(); ax.scatter(*mixed)",
+    "a lift of the pen": "ax.lines[-1].set_data(*(np.concatenate([c[:30], [np.nan], c[29:]]) for c in (x, y)))",
+    "text in TeX": r"ax.set(xlabel=rf'${right_is}$ $(\text{{m}})$', ylabel=rf'${up_is}\ \left[\mathbf{{m}}\right]$')",
+    "spaces in TeX": r"ax.set(xlabel=rf'${right_is}\,(\mathrm{{m}})$', ylabel=rf'${up_is}\ [\mathrm{{m}}]$')",
+}
+WRONG = {
+    "a hidden curve": "ax.lines[-1].set_visible(False)",
+    "hidden axes": "ax.set_visible(False)",
+    "a hidden figure": "ax.figure.set_visible(False)",
+    "a clear curve": "ax.lines[-1].set_alpha(0.01)",
+    "a curve without width": "ax.lines[-1].set_linewidth(0)",
+    "white on white": "ax.lines[-1].set_color('w')",
+    "nearly white on white": "ax.lines[-1].set_color('#fdfdfd')",
+    "black on black": "ax.lines[-1].set_color('k'); ax.set_facecolor('k')",
+    "a scatter in white": "ax.lines[-1].remove(); ax.scatter(x, y, color='w')",
+    "a covered curve": "ax.axvspan(-1e6, 1e6, zorder=9)",
+    "a curve cut off": "ax.lines[-1].set_clip_box(__import__('matplotlib').transforms.Bbox.unit())",
+    "a curve elsewhere": "ax.lines[-1].set_transform(ax.transAxes)",
+    "half a curve": "ax.set_xlim((x.min() + x.max()) / 2, x.max() + 1)",
+    "limits elsewhere": "ax.set(xlim=(1e7, 2e7), ylim=(1e7, 2e7))",
+    "limits so wide": "ax.set(xlim=(-1e7, 1e7), ylim=(-1e7, 1e7))",
+    "axes like a dot": "ax.set_position([0.5, 0.5, 0.01, 0.01])",
+    "turned round": "ax.invert_xaxis(); ax.invert_yaxis()",
+    "logarithmic": "ax.set_xscale('symlog', linthresh=1e-3); ax.set_yscale('symlog', linthresh=1e-3)",
+    "a logarithmic scale": "ax.set_yscale('symlog', linthresh=1e-3)",
+    "no axis": "ax.axis('off')",
+    "a white label": "ax.xaxis.label.set_color('w')",
+    "a label like a dot": "ax.yaxis.label.set_fontsize(0.1)",
+    "a hidden label": "ax.yaxis.label.set_visible(False)",
+    "one label twice": "ax.set_ylabel(ax.get_xlabel())",
+    "no curve": "ax.lines[-1].remove()",
+    "another curve": "ax.plot(x + y, y)",
+    "few points": "ax.lines[-1].set_data(np.linspace(x[0], x[-1], 9), np.linspace(y[0], y[-1], 9))",
+    "a scatter without its last quarter": "ax.lines[-1].remove(); n = len(x) * 3 // 4; ax.scatter(x[:n], y[:n])",
+    "a scatter of another curve": "ax.lines[-1].remove(); ax.scatter(y, x)",
+    "unordered points, joined": "ax.lines[-1].set_data(*mixed)",
+    "another unit": r"ax.set(xlabel=r'$x\,(\mathrm{mm})$')",
+}
+SEEN = {"no curve", "another curve", "few points", "another unit"}  # by the visible tests too
+
+
+def redrawn(slug, code, text):
+    """The solution with another picture."""
+    return text + "\nimport numpy as np\n" + REDRAWN.format(name=DRAWN[slug][0], code=code)
+
+
+def judged(slug, text, course, zygotes):
+    """Judge the picture by the hidden check."""
+    assignment = assignments.assignment(course, slug)
+    (check,) = (check for check in assignment.checks if check.name == DRAWN[slug][1])
+    student = Student(Source(text.encode()), assignment, zygotes(slug, ResourceLimits()))
+    try:
+        with check_context():
+            check.judge(student, np.random.default_rng(3))
+    finally:
+        student.leave()
+
+
+def tried(slug, text, course, monkeypatch):
+    """Run the visible test of the picture."""
+    module = types.ModuleType(slug)
+    exec(text, vars(module))
+    monkeypatch.setitem(sys.modules, slug, module)
+    path = course / "assignments" / slug / f"test_{slug}.py"
+    spec = importlib.util.spec_from_file_location(f"visible_{slug}", path)
+    visible = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(visible)
+    getattr(visible, f"test_{DRAWN[slug][2]}")()
+
+
+def pictures(known):
+    """Every picture of every assignment, each of one assignment in the quick form."""
+    return [
+        pytest.param(what, slug, marks=[] if (row + column) % len(DRAWN) == 0 else [pytest.mark.every])
+        for row, what in enumerate(known)
+        for column, slug in enumerate(DRAWN)
+    ]
+
+
+@pytest.mark.sample(8)
+@pytest.mark.parametrize(("what", "slug"), pictures(RIGHT))
+def test_a_right_picture_is_one_however_it_is_drawn(what, slug, course, zygotes, solution_text, monkeypatch):
+    text = redrawn(slug, RIGHT[what], solution_text(slug))
+    judged(slug, text, course, zygotes)
+    tried(slug, text, course, monkeypatch)
+
+
+@pytest.mark.sample(8)
+@pytest.mark.parametrize(("what", "slug"), pictures(WRONG))
+def test_a_curve_that_is_missing_or_one_too_many_is_seen(what, slug, course, zygotes, solution_text, monkeypatch):
+    text = redrawn(slug, WRONG[what], solution_text(slug))
+    with pytest.raises(Failed):
+        judged(slug, text, course, zygotes)
+    if what in SEEN:
+        with pytest.raises(AssertionError):
+            tried(slug, text, course, monkeypatch)
+
+
+SEEN_FROM_BEHIND = """
+right = plot_rim_paths
+
+def plot_rim_paths(ax, *args, **kwargs):
+    right(ax, *args, **kwargs)
+    for line in ax.lines:
+        line.set_data(*line.get_data()[::-1])
+    ax.relim()
+    ax.autoscale_view()
+    {code}
+"""
+
+
+def test_rim_paths_may_be_seen_from_behind_if_the_labels_say_so(course, zygotes, solution_text):
+    slug, labels = "hw10_free_rigid_body", "ax.set(xlabel='z (m)', ylabel='y (m)')"
+    judged(slug, solution_text(slug) + SEEN_FROM_BEHIND.format(code=labels), course, zygotes)
+    with pytest.raises(Failed, match="a path"):
+        judged(slug, solution_text(slug) + SEEN_FROM_BEHIND.format(code="pass"), course, zygotes)
+
+
+def test_a_scatter_is_put_in_the_order_of_the_path_and_a_line_keeps_its_own():
+    turn = np.linspace(0, 6, 3001)
+    circle = np.column_stack([np.cos(turn), np.sin(turn)])
+    mixed = np.random.default_rng(0).permutation(circle)
+    np.testing.assert_array_equal(along(Line(mixed, "", scatter=True), circle[::10]), circle)
+    np.testing.assert_array_equal(along(Line(mixed, "", scatter=False), circle), mixed)
+
+
+def test_a_scatter_that_has_left_for_infinity_is_in_some_order():
+    path = np.column_stack([np.arange(20.0), np.zeros(20)])
+    swings = 1e160 * np.column_stack([(-1) ** np.arange(20), np.ones(20)])
+    (line,) = readable(Drawing((Line(swings, "", True),))).lines
+    assert along(line, path).shape == path.shape
+
+
+def test_nothing_drawn_is_no_curve():
+    empty = [Line(np.full((size, 2), np.nan), "", scatter=False) for size in (0, 1, 400)]
+    assert readable(Drawing(tuple(empty), "x", "y")).lines == ()

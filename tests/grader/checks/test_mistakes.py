@@ -1,0 +1,87 @@
+"""Known mistakes: what agrees with one, and what does not."""
+
+import math
+
+import pytest
+from tam570_grader.checks.case import Case
+
+from tam570_grader.checks.mistakes import _module, known, mistake
+from tam570_grader.sandbox.function import Call
+
+SOLUTION = "import math\n\nimport numpy as np\n\n\ndef f(x):\n    return 2.0 * x\n\n\ndef g(x):\n    return 3.0 * x\n"
+
+
+def wrong(body, extra=""):
+    return mistake("one", f'"""A wrong formula.\n\nfails: a_check\n{extra}"""\n\n\ndef f(x):\n    return {body}\n')
+
+
+def named(slip, *calls):
+    """Whether calls (function, input, the student's result) agree with a mistake."""
+    return known(SOLUTION, [slip], [Call(name, Case(x), result) for name, x, result in calls]) == slip.message
+
+
+@pytest.mark.parametrize("body", ["1 / x", "math.sqrt(x - 1)", "np.linalg.inv([[x]])"])
+def test_a_mistake_without_a_value_does_not_agree(body):
+    assert not named(wrong(body), ("f", 0.0, 1.0))
+
+
+def test_a_call_that_failed_agrees_with_no_value():
+    calls = ("f", 1.0, 1.0), ("f", 0.0, None)
+    assert not named(wrong("x"), *calls)
+    assert named(wrong("1 / x"), *calls)
+    assert named(wrong("1 / x if x else math.nan"), *calls)
+    assert not named(wrong("x"), calls[1])
+
+
+def test_rounding_agrees_with_a_mistake_that_is_zero():
+    assert named(wrong("0.0"), ("f", 1.0, 1e-17))
+    assert not named(wrong("0.0"), ("f", 1.0, 1e-12))
+
+
+def test_what_the_mistake_does_not_change_is_not_asked():
+    assert named(wrong("x"), ("f", 1.0, 1.0), ("g", 1.0, math.pi))
+    assert not named(wrong("x"), ("g", 1.0, 1.0))
+
+
+def test_a_right_result_is_no_mistake():
+    assert not named(wrong("2.0 * x"), ("f", 1.0, 2.0))
+    assert not named(wrong("2.0 * abs(x)"), ("f", 1.0, 2.0))
+
+
+def test_every_call_must_agree():
+    assert named(wrong("2.0 * abs(x)"), ("f", 1.0, 2.0), ("f", -1.0, 2.0))
+    assert not named(wrong("2.0 * abs(x)"), ("f", -1.0, 2.0), ("f", -2.0, -4.0))
+
+
+def test_how_closely_is_said_by_the_mistake():
+    assert not named(wrong("x"), ("f", 1.0, 1.001))
+    assert named(wrong("x", "within: 1e-2\n"), ("f", 1.0, 1.001))
+
+
+def test_a_slip_in_a_mistake_is_not_hidden():
+    with pytest.raises(TypeError):
+        named(wrong("math.sin()"), ("f", 1.0, 1.0))
+
+
+def test_an_answer_is_computed_once_for_the_same_input():
+    """A wrong function that counts its calls."""
+    counted = wrong("(calls.append(1), x)[1]")
+    text = counted.text.replace("def f", "calls = []\n\n\ndef f")
+    counted = mistake("one", text)
+    for x in (5.0, 5.0, 6.0, 5.0):
+        known(SOLUTION, [counted], [Call("f", Case(x), x)])
+    assert len(_module(SOLUTION, text).calls) == 2
+
+
+def test_one_mistake_of_several_is_told_by_the_inputs_that_show_it_alone():
+    thin, thick = Case(1.0).labelled("a thin disk"), Case(2.0).labelled("a hoop")
+    calls = [Call("f", thin, 1.0), Call("f", thick, 7.0)]
+    told, untold = wrong("x", "where: thin\n"), wrong("x")
+    assert known(SOLUTION, [untold, told], calls) == told.message
+    assert known(SOLUTION, [untold], calls) is None
+    assert known(SOLUTION, [wrong("x", "where: thick\n")], calls) is None
+
+
+@pytest.mark.parametrize(("extra", "suspect"), [("", True), ("names: a hint\n", False), ("unnamed: chance\n", False)])
+def test_a_mistake_that_its_numbers_do_not_tell_is_no_suspect(extra, suspect):
+    assert wrong("x", extra).suspect == suspect

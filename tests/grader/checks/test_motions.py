@@ -1,0 +1,203 @@
+"""A chaotic motion with small errors has followed its equations; one that leaves them in a single row has not."""
+
+from functools import partial
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+from tam570_grader.checks.case import Case
+
+from tam570_grader.checks.expect import Failed
+from tam570_grader.checks.motions import AHEAD, BEHIND, NEARLY_FOLLOWS, TIGHT, Motion, diagnosed, obeys
+from tam570_grader.checks.trajectory import loosely
+
+LOOSE = """
+
+def solve(rhs, t, y0, *, parameters=None, **_):
+    from scipy.integrate import solve_ivp
+    given = parameters or {}
+    return solve_ivp(lambda s, y: rhs(s, y, **given), (t[0], t[-1]), y0, t_eval=t, rtol=1e-7, atol=1e-7).y.T
+"""
+TIMES = np.linspace(0, 30, 601)
+START = np.array([1.0, 1.0, 20.0])
+
+
+def lorenz(t, start, tolerance=1e-11):
+    def rate(_, u):
+        x, y, z = u
+        return 10 * (y - x), x * (28 - z) - y, x * y - 8 / 3 * z
+
+    return solve_ivp(rate, (t[0], t[-1]), start, "DOP853", t, rtol=tolerance, atol=tolerance).y.T
+
+
+def motion(rows):
+    return Motion(Case(TIMES, START), rows, lorenz(TIMES, START), np.full(3, 20.0), None, lorenz)
+
+
+def leads(rows):
+    return obeys(motion(rows), everywhere=True)
+
+
+@pytest.fixture(scope="module")
+def loose():
+    return lorenz(TIMES, START, 1e-5)
+
+
+def test_errors_that_chaos_makes_large_break_no_equation(loose):
+    assert np.abs(loose - lorenz(TIMES, START)).max() > 10
+    assert leads(loose)
+
+
+@pytest.mark.parametrize("row", [1, 300, 600])
+def test_one_row_of_another_time_breaks_them(loose, row):
+    loose = loose.copy()
+    loose[row] = loose[(row + 100) % 601]
+    assert not leads(loose)
+
+
+def test_rows_in_another_order_or_at_rest_break_them(loose):
+    assert not leads(loose[::-1])
+    assert not leads(np.vstack([loose[:1], loose[:0:-1]]))
+    assert not leads(np.tile(loose[0], (601, 1)))
+
+
+@pytest.mark.full
+def test_no_grade_leaps_between_ten_limits_and_a_tenth(loose):
+    errors = np.geomspace(10, 1e5, 101)[1:] * 1e-6 * 20.0
+    shares = np.array([loosely(motion(loose), 1e-6, 20.0, error) for error in errors])
+    assert shares[0] == pytest.approx(0.9, abs=0.03)
+    assert shares[-1] == 0.25
+    assert np.all((np.diff(shares) >= -0.03) & (np.diff(shares) <= 0))
+    assert [loosely(motion(loose), 1e-6, 20.0, error) for error in (2.1, np.nan, np.inf)] == [0.0, 0.0, 0.0]
+    assert loosely(motion(loose[::-1]), 1e-6, 20.0, 1e-3) == 0.0
+
+
+@pytest.mark.parametrize("number", [0, 2])
+def test_the_energy_of_a_double_pendulum_is_judged_at_a_loose_tolerance(grade, solution_text, number):
+    slug = "hw07_double_pendulum"
+    marks = {mark.name: mark for mark in grade(slug, solution_text(slug) + LOOSE, number, naming=False).checks}
+    assert marks["energy_is_conserved_from_horizontal"].points >= 0.9 * 0.5
+
+
+# What a motion is called
+
+T = np.linspace(1, 7, 200)
+RESTED = np.array([1.0, 0.0])
+
+
+def swings(t, start, tolerance=1e-10, damping=0.0):
+    """A pendulum of unit frequency."""
+
+    def rate(_, y):
+        return y[1], -np.sin(y[0]) - damping * y[1]
+
+    return solve_ivp(rate, (t[0], t[-1]), start, "RK45", t, rtol=tolerance, atol=tolerance).y.T
+
+
+class Asked:
+    """A student's function that is asked aside, which may be another than the rows are of."""
+
+    def __init__(self, simulate):
+        self.simulate = simulate
+
+    def aside(self, case):
+        return self.simulate(*case.args)
+
+
+def told(simulate, t=T, start=RESTED, reference=swings, rows=None, near_miss=0.0):
+    found = simulate(t, start) if rows is None else rows
+    one = Motion(Case(t, start), found, reference(t, start), np.ones(found.shape[1]), Asked(simulate), reference)
+    return diagnosed(one, [one], [], near_miss)
+
+
+@pytest.mark.parametrize("tolerance", [1e-4, 1e-5, 1e-6])
+@pytest.mark.parametrize("t", [T, T[[0, 199]]])
+def test_a_loose_tolerance_is_told_from_a_small_term(tolerance, t):
+    assert told(partial(swings, tolerance=tolerance), t) == TIGHT
+    assert told(partial(swings, damping=tolerance), t, near_miss=1e-3) == ""
+    assert told(partial(swings, tolerance=1e-6, damping=tolerance), t, near_miss=1e-3) != TIGHT
+
+
+def test_where_the_function_cannot_be_asked_nobody_is_told_that_the_physics_is_right():
+    def once(t, start):
+        if len(t) != len(T):
+            raise Failed("it raised")
+        return swings(t, start, 1e-5)
+
+    assert told(once) == NEARLY_FOLLOWS
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        (lambda rows: np.vstack([rows[1:], rows[-1:]]), AHEAD),
+        (lambda rows: np.vstack([rows[:1], rows[2:], rows[-1:]]), AHEAD),
+        (lambda rows: np.vstack([rows[:1], rows[:-1]]), BEHIND),
+        (lambda rows: rows[:, ::-1], "The columns are in another order"),
+        (lambda rows: 0 * rows, "Every number is zero"),
+        (lambda rows: 0 * rows + rows[0], "Every row is the start"),
+        (lambda rows: np.vstack([rows[:1] + 1, rows[1:]]), "Row 0 is not the start"),
+    ],
+)
+def test_rows_of_another_order_are_told(change, message):
+    t = T[::20]
+    assert told(lambda t, start: change(swings(t, start)), t) == message
+
+
+def test_columns_that_stay_zero_hide_no_order():
+    def flat(t, start):
+        return np.column_stack([swings(t, start), np.zeros((len(t), 2))])
+
+    assert told(lambda t, start: flat(t, start)[:, [1, 2, 0, 3]], reference=flat) == "The columns are in another order"
+
+
+def test_rows_that_are_alike_anyway_are_not_told_to_be_in_another_order():
+    twice = lambda t, start: swings(t, start)[:, [0, 0]]  # noqa: E731
+    assert "columns" not in told(lambda t, start: 1.01 * twice(t, start) - 0.01 * start[0], reference=twice)
+    assert "t[i+1]" not in told(partial(swings, damping=1e-5), np.linspace(1, 7, 20000), near_miss=1e-3)
+
+
+def test_rows_at_rest_at_zero_are_the_start():
+    def falls(t, start):
+        return start + np.subtract(t, t[0])[:, None]
+
+    assert (
+        told(lambda t, start: np.tile(start, (len(t), 1)), start=0 * RESTED, reference=falls)
+        == "Every row is the start"
+    )
+
+
+DAMPED = """
+
+def simulate(t, phi, phi_dot, **cylinder):
+    from scipy.integrate import solve_ivp
+    def rates(_, y):
+        return y[1], acceleration(*y, **cylinder) - {damping} * y[1]
+    return solve_ivp(rates, (t[0], t[-1]), (phi, phi_dot), t_eval=t, rtol={tolerance}, atol={tolerance}).y.T
+"""
+CREEPING = """
+
+def simulate(t, state, locked, **car):
+    from scipy.integrate import solve_ivp
+    arm = _axles(locked, car["front"], car["rear"])[1]
+    def rates(s, y):
+        sliding = math.hypot(y[3], arm * y[4])
+        free = np.array(state_derivative(s, y, locked, **{**car, "friction": 0.0}))
+        return free + sliding / math.hypot(sliding, 1e-2) * (np.array(state_derivative(s, y, locked, **car)) - free)
+    return solve_ivp(rates, (t[0], t[-1]), state, "LSODA", t_eval=t, rtol=1e-9, atol=1e-9).y.T
+"""
+
+
+@pytest.mark.parametrize(
+    ("slug", "text", "right"),
+    [
+        ("hw13_rolling_cylinder", DAMPED.format(damping=1e-3, tolerance=1e-9), False),
+        ("hw13_rolling_cylinder", DAMPED.format(damping=1e-5, tolerance=1e-9), False),
+        ("hw13_rolling_cylinder", DAMPED.format(damping=0, tolerance=1e-5), True),
+        ("hw06_braking", CREEPING, False),
+    ],
+)
+def test_wrong_physics_of_small_effect_is_not_called_right(grade, solution_text, slug, text, reference):
+    said = " ".join(mark.message for mark in grade(slug, solution_text(slug) + text).checks if mark.failure)
+    assert ("The physics is right" in said) == reference
+    assert "is wrong by" in said

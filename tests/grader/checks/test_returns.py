@@ -1,0 +1,74 @@
+"""What a function promised to return, and what `expect` and a formula make of it."""
+
+import math
+
+import numpy as np
+import pytest
+from tam570_grader.checks.case import Case
+
+from tam570_grader.checks import assignments
+from tam570_grader.checks.expect import Failed, expect
+from tam570_grader.checks.returns import array, group, number, result, rows
+from tam570_grader.reports.sentences import describe_failure
+from tam570_grader.sandbox.student import Source, Student
+from tam570_grader.sandbox.zygote import ResourceLimits
+
+
+@pytest.mark.parametrize(
+    ("returns", "value", "message"),
+    [
+        (number, np.ones(1), "not a single number"),
+        (number, float("nan"), "NaN or infinity"),
+        (number, float("inf"), "NaN or infinity"),
+        (number, np.array(1j), "complex numbers"),
+        (number, None, "None"),
+        (array(3), np.ones((3, 1)), "shape (3, 1)"),
+        (array(3), [1.0, [2.0, 3.0]], "differ in length"),
+        (array(None, 2), np.ones((0, 2)), "shape (k, 2)"),
+        (rows(2), np.ones((4, 2)), "not an array of shape (5, 2)"),
+        (rows(2), np.ones((2, 2)), "shape (5, 2). Rows are missing: did the integration stop early?"),
+        (group(number, array(2)), 1.0, "tuple of 2"),
+        (group(number, array(2)), [1.0, [2.0]], "result 2"),
+    ],
+)
+def test_a_result_that_breaks_its_promise_says_how(returns, value, message):
+    with pytest.raises(Failed) as failed:
+        result(returns, value, "f", Case(np.zeros(5)))
+    assert message in describe_failure(failed.value.failure)
+
+
+def test_infinity_is_a_number_where_it_is_promised():
+    assert result(array(infinite=True), np.inf, "f", Case()) == np.inf
+
+
+@pytest.mark.parametrize("actual", [np.nan, np.inf, [1.0, np.nan], []])
+def test_expect_lets_nothing_through_that_is_no_number(actual):
+    with pytest.raises(Failed):
+        expect(actual, np.ones_like(actual), tolerance=1e300)
+
+
+@pytest.mark.parametrize(
+    ("expression", "right"),
+    [
+        ("(m * l - m * g * sympy.sin(theta)) / (m * l) - 1", True),  # SymPy leaves it so
+        ("-g * sympy.sin(theta) / l + m - sympy.sqrt(m**2)", True),  # as a mass is positive
+        ("(sympy.exp(-sympy.I * theta) - sympy.exp(sympy.I * theta)) * g / (2 * sympy.I * l)", True),
+        ("-g * sympy.sin(theta) / l + sympy.I * g / 10**9", False),
+        ("-g * sympy.sin(theta) / (l * m**1e-9)", False),
+        ("-g * sympy.sin(theta) / l / sympy.Function('f')(theta)", False),
+    ],
+)
+def test_what_cancels_may_stand_in_a_formula(expression, reference, course, zygotes):
+    slug = "hw01_simple_pendulum"
+    lines = ["import sympy", "def lagrange_equation():", f"    return {expression}"]
+    lines.insert(2, "    m, theta, l, g = sympy.symbols('m theta l g')")
+    source = Source("\n".join(lines).encode())
+    student = Student(source, assignments.assignment(course, slug), zygotes(slug, ResourceLimits()))
+    points = [{"theta": 0.3, "l": 2.0, "g": 9.0}, {"theta": 2.0, "l": 0.5, "g": 3.0}]
+    if reference:
+        sought = [-p["g"] * math.sin(p["theta"]) / p["l"] for p in points]
+        assert student.lagrange_equation.at(points) == pytest.approx(sought, rel=1e-14)
+    else:
+        with pytest.raises(Failed, match="theta, l, g alone|not real"):
+            student.lagrange_equation.at(points)
+    student.leave()

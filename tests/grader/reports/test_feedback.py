@@ -1,0 +1,333 @@
+"""The students' pages: they say what is wrong, and nothing of what is hidden."""
+
+import contextlib
+import html
+import json
+import math
+import re
+import subprocess
+import sys
+from dataclasses import replace
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+from hypothesis import Case, settings
+from hypothesis import strategies as st
+
+from tam570_grader.checks import assignments
+from tam570_grader.checks.curves import SLOTS, curve
+from tam570_grader.checks.expect import Failed, expect
+from tam570_grader.checks.failure import WHOLE
+from tam570_grader.reports import feedback
+from tam570_grader.reports.pictures import BOTTOM, LEFT, RIGHT, TOP, picture
+from tam570_grader.reports.sentences import describe_failure, typeset
+from tam570_grader.results.records import numbers, read
+from tam570_grader.results.store import ResultStore, key_of
+
+CHECKS = assignments.find() / "autograder" / "checks"
+NUMBER = re.compile(r"-?\d+\.\d{3,}(?:e[-+]?\d+)?")  # more digits than a message has
+
+
+@pytest.fixture(scope="module")
+def page(course):
+    """`page(result)` -> its page, as a student opens it."""
+    return lambda result: feedback.page(read(result.record()), feedback.info(course, result.assignment))
+
+
+def failing(slug, grade, solution_text, count=None):
+    """Results of wrong submissions of an assignment."""
+    for path in sorted((CHECKS / slug / "mistakes").glob("*.py"))[:count]:
+        yield grade(slug, solution_text(slug) + "\n\n" + path.read_text(), seed=1)
+
+
+def wrong(slug, name, grade, solution_text):
+    return grade(slug, solution_text(slug) + "\n\n" + (CHECKS / slug / "mistakes" / f"{name}.py").read_text(), seed=1)
+
+
+def texts(page):
+    return html.unescape(re.sub(r"<style>.*?</style>", "", page, flags=re.DOTALL))
+
+
+@pytest.mark.sample(2)
+def test_a_page_says_every_line_message_and_suspect_and_no_detail(slug, page, grade, solution_text, course):
+    lines = feedback.info(course, slug).lines
+    shown = 0
+    for result in failing(slug, grade, solution_text, 3):
+        text = texts(page(result))
+        for mark in result.checks:
+            message = describe_failure(mark.failure) if mark.failure else mark.message
+            read = [lines[mark.name], mark.suspect or "", message if mark.outcome != "passed" else ""]
+            assert all(typeset(one) in text for one in read)
+            hidden = secrets(mark)
+            told = "".join([*lines.values(), *(one.message for one in result.checks)])
+            assert not {number for number in hidden if number in text and number not in told}
+            shown += len(hidden)
+    assert shown, "there was something to hide"
+
+
+def secrets(mark):
+    """The numbers of a failure that are the instructor's, with three digits or more."""
+    line = json.dumps({key: numbers(getattr(mark.failure, key, None)) for key in WHOLE})
+    return set(NUMBER.findall(line))
+
+
+def test_the_detail_would_be_found_if_it_were_there(page, grade, solution_text):
+    slug = "hw07_double_pendulum"
+    result = wrong(slug, "point_masses", grade, solution_text)
+    record = result.record()
+    number = next(number for mark in result.checks for number in secrets(mark))
+    leaking = json.loads(json.dumps(record).replace('"of": "', f'"of": "{number} ', 1))
+    assert number in texts(feedback.page(read(leaking), feedback.AssignmentInfo(slug, {}, {}, {})))
+
+
+def test_what_a_student_calls_things_is_text_and_no_markup(page, grade):
+    evil = "<script>alert(1)</script><img src=x onerror=alert(2)>\"'&</style>{{ 7 * 7 }}{% include '/etc/passwd' %}"
+    result = grade("hw08_axis_angle", f"raise ValueError({evil!r})")
+    made = feedback.page(replace(result, student=evil), feedback.AssignmentInfo(evil, {}, {}, {"a": (1, evil)}))
+    assert "<script" not in made and "<img" not in made
+    assert texts(made).count("<script>alert(1)</script>") >= 3 and texts(made).count("{{ 7 * 7 }}{% include") >= 3
+    assert "default-src 'none'" in made
+
+
+def test_what_a_function_raises_in_a_hidden_call_is_not_on_the_page(page, grade, solution_text):
+    text = solution_text("hw08_axis_angle") + (
+        "\ndef skew(v):\n    print('LEAK', v)\n    raise ValueError(f'LEAK {v}')\n"
+    )
+    result = grade("hw08_axis_angle", text)
+    made = page(result)
+    assert "skew raised ValueError" in made and "LEAK" not in made
+
+
+def test_a_page_needs_no_other_file(page, grade, solution_text):
+    result = wrong("hw07_double_pendulum", "point_masses", grade, solution_text)
+    assert not re.search(r"(?:src|href)=\"(?!#)|url\(|@import|<script", page(result))
+
+
+def test_a_page_of_an_older_run_has_no_picture_and_is_whole(page, grade, solution_text, course):
+    result = wrong("hw07_double_pendulum", "too_few_steps", grade, solution_text)
+    record = json.loads(json.dumps(result.record()))
+    assert "<figure" in feedback.page(read(record), feedback.info(course, result.assignment))
+    for mark in record["checks"]:
+        mark.get("failure", {}).pop("curve", None)
+    old = feedback.page(read(record), feedback.info(course, result.assignment))
+    assert "<figure" not in old and "9.5 of 10 points" in old
+
+
+@pytest.mark.sample(1)
+@pytest.mark.parametrize(
+    ("slug", "mistake", "stays"),
+    [
+        ("hw01_simple_pendulum", "upside_down", False),
+        ("hw05_constrained_pendulum", "gravity_up", False),
+        ("hw05_constrained_pendulum", "from_time_zero", True),
+        ("hw07_double_pendulum", "sign_of_the_sine_term", False),
+        ("hw07_double_pendulum", "uniform_times_assumed", True),
+    ],
+)
+def test_beside_a_wrong_motion_is_what_becomes_of_the_energy_along_it(
+    slug, mistake, check_conserved, grade, solution_text, page
+):
+    """A mistake in the forces changes the energy; one in the times alone does not."""
+    result = wrong(slug, mistake, grade, solution_text)
+    drawn = [mark.failure.curve for mark in result.checks if mark.failure and mark.failure.curve]
+    curves = [curve["keeps"] for curve in drawn if curve.get("keeps")]
+    assert curves
+    largest = max(abs(value) for one in curves for value in one["values"] if value is not None)
+    assert (largest <= curves[0]["tolerance"]) == check_conserved
+    assert page(result).count("<figure") == len(curves) + len(drawn)
+
+
+# Curves
+
+
+def test_the_curve_of_an_error_tells_when_it_grows_and_passes_the_limit():
+    t = np.linspace(2.0, 12.0, 501)
+    error = 1e-8 * np.exp(2 * (t - 2))
+    found = curve(
+        t, np.column_stack([t, t + error]), np.column_stack([t, t]), 1.0, tolerance=1e-4, quantity="x", unit="m"
+    )
+    levels = np.array(found["values"])
+    assert found["scale"] == "log" and found["span"] == [2.0, 12.0]
+    slope = np.polyfit(np.linspace(0, 10, SLOTS)[12:], levels[12:], 1)[0]  # beyond the floor of the levels
+    assert slope == pytest.approx(2 / math.log(10), rel=0.02)
+    crossed = 2 + math.log(1e4) / 2
+    message = picture(found).message
+    assert float(re.search(r"passes the limit about t = ([\d.]+)", message)[1]) == pytest.approx(crossed, abs=0.3)
+
+
+@pytest.mark.parametrize(("rate", "word"), [(1e-3, "above"), (-1e-3, "below")])
+def test_the_curve_of_an_invariant_keeps_its_sign(rate, word):
+    t = np.linspace(0, 10, 101)
+    found = curve(t, 1 + rate * t, np.ones(101), 1.0, tolerance=1e-5, quantity="the energy", unit="of its start")
+    assert found["scale"] == "linear"
+    assert np.sign(found["values"][-1]) == np.sign(rate) and word in picture(found).message
+
+
+def test_of_several_motions_in_a_row_the_worst_is_drawn():
+    t = np.concatenate([np.linspace(0, 4, 9), np.linspace(3, 7, 9)])
+    wrong = np.where(np.arange(18) > 8, 1.0, 0.1)[:, None] * np.ones(2)
+    assert curve(t, wrong, np.zeros((18, 2)), 1.0, tolerance=1e-3, quantity="x", unit="")["span"] == [3.0, 7.0]
+
+
+@pytest.mark.parametrize(
+    ("t", "actual"), [([0.0, 1.0], [1.0, 2.0]), ([0.0, 1.0, 2.0], [1.0, np.nan, 2.0]), ([0.0, 1.0, 2.0], 1.0), ([], [])]
+)
+def test_what_has_no_course_is_not_drawn(t, actual):
+    with np.errstate(all="ignore"):
+        assert curve(t, np.asarray(actual), np.zeros(np.shape(actual)), 1.0, tolerance=1, quantity="x", unit="") is None
+
+
+def test_a_curve_says_too_little_to_carry_an_input_out():
+    """Each value is one of few levels, and the times are told to two digits."""
+    rng = np.random.default_rng(3)
+    t = np.cumsum(rng.uniform(0.1, 1.0, 1000))
+    found = curve(
+        t, 10 ** rng.uniform(-9, 3, (1000, 2)), np.zeros((1000, 2)), 1.0, tolerance=1e-5, quantity="x", unit=""
+    )
+    assert len(found["values"]) == SLOTS and all((8 * level).is_integer() for level in found["values"])
+    assert found["span"] == [float(f"{time:.2g}") for time in (t[0], t[-1])]
+    invariant = curve(t, rng.normal(size=1000), np.zeros(1000), 1.0, tolerance=1e-5, quantity="x", unit="")
+    assert len(set(map(abs, invariant["values"]))) <= 41
+
+
+def test_the_failure_of_an_expect_with_times_carries_its_curve():
+    t = np.linspace(0, 1, 20)
+    with pytest.raises(Failed) as failure:
+        expect(t + 1, t, tolerance=1e-3, t=t)
+    assert failure.value.failure.curve["tolerance"] == 1e-3
+    with pytest.raises(Failed) as failure:
+        expect(1.0, 0.0, tolerance=1e-3)
+    assert failure.value.failure.curve is None
+
+
+@settings(max_examples=100, deadline=None)
+@Case(
+    rows=st.lists(st.floats(allow_nan=False, allow_infinity=False), min_size=3, max_size=200),
+    check_conserved=st.booleans(),
+    steps=st.floats(1e-6, 1e6),
+)
+def test_whatever_numbers_come_back_they_can_be_drawn(rows, check_conserved, steps):
+    t = steps * np.arange(len(rows))
+    actual = np.array(rows) if check_conserved else np.column_stack([rows, rows])
+    with np.errstate(all="ignore"):
+        found = curve(t, actual, np.ones_like(actual), 1.0, tolerance=1e-6, quantity="x", unit="m")
+    if found is not None:
+        drawn = picture(json.loads(json.dumps(found)))
+        places = np.array(re.findall(r"([-\w.+]+) ([-\w.+]+)", drawn.path[1:].replace("L", "")), float)
+        assert len(places) and np.isfinite(places).all() and (places >= 0).all() and "nan" not in drawn.message
+
+
+@pytest.mark.parametrize("scale", ["log", "linear"])
+@pytest.mark.parametrize("largest", [1e-4, 1.0, 1e9])
+def test_every_place_of_a_picture_is_in_its_frame(scale, largest):
+    rng = np.random.default_rng(1)
+    values = rng.uniform(-3, 12, 30) if scale == "log" else rng.uniform(-1, 1, 30) * largest
+    drawn = picture(
+        {
+            "quantity": "x",
+            "unit": "m",
+            "tolerance": 1e-5,
+            "span": [0, 3],
+            "scale": scale,
+            "values": [None, *values.tolist(), None],
+        }
+    )
+    places = np.array(re.findall(r"([-\d.]+) ([-\d.]+)", drawn.path), float)
+    assert len(places) == 30
+    assert places[:, 0].min() >= LEFT and places[:, 0].max() <= RIGHT
+    assert places[:, 1].min() >= TOP and places[:, 1].max() <= BOTTOM
+    heights = sorted(y for y, _ in drawn.y)
+    assert heights[0] >= TOP and heights[-1] <= BOTTOM and min(np.diff(heights)) > 10
+
+
+def test_every_picture_has_a_text_alternative(page, grade, solution_text):
+    pages = [page(result) for result in failing("hw05_constrained_pendulum", grade, solution_text, count=6)]
+    drawn = [ElementTree.fromstring(svg) for text in pages for svg in re.findall(r"<svg.*?</svg>", text, re.DOTALL)]
+    pictures = [svg for svg in drawn if svg.get("role") == "img"]
+    assert len(pictures) >= 3 and all(len(svg.find("title").text) > 60 for svg in pictures)
+    assert all(svg.get("aria-hidden") == "true" for svg in drawn if svg not in pictures)
+
+
+@pytest.fixture
+def written(tmp_path, course, monkeypatch):
+    """`written(*records)` -> the pages that were made of these results; the others were left as they are."""
+    made, page = [], feedback.page
+
+    def noted(result, info, adjusted):
+        made.append(key_of(result.record()))
+        return page(result, info, adjusted)
+
+    monkeypatch.setattr(feedback, "page", noted)
+
+    def written(*records):
+        made.clear()
+        with contextlib.closing(ResultStore(tmp_path)) as book:
+            for record in records:
+                book.add(record)
+            feedback.write_pages(tmp_path / "feedback", book, course)
+        return [*made]
+
+    return written
+
+
+def test_only_pages_of_results_that_changed_are_made_again(tmp_path, grade, course, solution_text, written):
+    slug = "hw08_axis_angle"
+    one = grade(slug, solution_text(slug)).record()
+    both = [{**one, "student": student} for student in ("ada", "ben")]
+    assert written(*both) == [("ada", slug), ("ben", slug)]
+    paths = sorted((tmp_path / "feedback").rglob("*"))
+    assert [path.name for path in paths] == ["ada", f"{slug}.html", "ben", f"{slug}.html"]
+    assert written(*both) == []
+    assert written({**both[1], "score": 3.0}) == [("ben", slug)] and "3 of 10" in paths[3].read_text()
+    paths[1].unlink()
+    assert written() == [("ada", slug)] and paths[1].exists()
+
+
+def test_a_page_that_was_begun_when_the_run_was_killed_is_made_again(tmp_path, grade, solution_text, written):
+    slug = "hw08_axis_angle"
+    record = {**grade(slug, solution_text(slug)).record(), "student": "ada"}
+    written(record)
+    with pytest.MonkeyPatch.context() as patch, pytest.raises(KeyboardInterrupt):
+        patch.setattr(feedback, "written", lambda *_: (_ for _ in ()).throw(KeyboardInterrupt))
+        written({**record, "score": 3.0})
+    (tmp_path / "feedback" / "ada" / f"{slug}.html").write_text("half a page")
+    assert written(record) == [("ada", slug)]
+
+
+@pytest.mark.sample(1)
+@pytest.mark.parametrize(
+    ("options", "right", "needed"),
+    [
+        ([], False, set()),
+        (["--out", "out"], True, {"jinja2"}),
+        (["--out", "out"], False, {"jinja2", "tam570_grader.reports.pictures"}),
+    ],
+)
+def test_what_draws_is_imported_where_something_is_drawn(options, right, needed, tmp_path, course, solution_text):
+    slug = "hw07_double_pendulum"
+    mistake = "" if right else (CHECKS / slug / "mistakes" / "too_few_steps.py").read_text()
+    (tmp_path / f"{slug}.py").write_text(solution_text(slug) + "\n\n" + mistake)
+    code = (
+        "import sys\nfrom tam570_grader.cli import main\n"
+        f"assert main(['--root', {str(course)!r}, 'grade', '{slug}.py', *{options}]) == 0\n"
+        "print(*sys.modules, file=sys.stderr)"
+    )
+    done = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, check=True)
+    assert set(done.stderr.split()) & {"jinja2", "tam570_grader.reports.pictures", "matplotlib.pyplot"} == needed
+
+
+def test_a_result_of_an_assignment_that_is_gone_still_has_a_page(course):
+    assert feedback.info(course, "hw99_gone").title == "hw99_gone"
+
+
+@pytest.mark.parametrize(
+    ("plain", "pretty"),
+    [
+        ("wrong by 1.1e-13 m (limit 1e-9)", "wrong by 1.1·10⁻¹³ m (limit 10⁻⁹)"),
+        ("2e-04, 3e12, 1e+00", "2·10⁻⁴, 3·10¹², 10⁰"),
+        ("use rtol=1e-9, 0.031, hw1e2, 2.7 rad", "use rtol=1e-9, 0.031, hw1e2, 2.7 rad"),
+    ],
+)
+def test_a_page_has_its_numbers_as_people_write_them(plain, pretty):
+    assert typeset(plain) == pretty

@@ -1,0 +1,253 @@
+"""The pages in headless Chromium: wide and narrow, light and dark, by mouse and by keyboard."""
+
+import contextlib
+import json
+
+import pytest
+
+from tam570_grader.checks import assignments
+from tam570_grader.reports import feedback, report
+
+pytestmark = pytest.mark.every  # half a minute of Chromium
+CHECKS = assignments.find() / "autograder" / "checks"
+SHOWN = {"hw07_double_pendulum": "too_few_steps", "hw05_constrained_pendulum": "differentiated_once"}
+WIDTHS = {"desktop": 1280, "phone": 390}
+CONTRAST = 4.5  # of text, WCAG 2 AA
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory, course, zygotes):
+    """The results of a small class with its pages and its report."""
+    from tam570_grader.checks import assignments
+    from tam570_grader.grading.one import graded, not_graded
+    from tam570_grader.grading.speed import Yardstick
+    from tam570_grader.results import journal
+    from tam570_grader.sandbox.student import Source
+    from tam570_grader.sandbox.zygote import ResourceLimits
+
+    folder = tmp_path_factory.mktemp("class")
+    records, yardstick = [], Yardstick(course)
+    for slug, mistake in SHOWN.items():
+        right = (course / "solutions" / f"{slug}.py").read_text()
+        wrong = (CHECKS / slug / "mistakes" / f"{mistake}.py").read_text()
+        assignment = assignments.assignment(course, slug)
+        for student, text in {"ada": right, "ben": f"{right}\n\n{wrong}", "cora": ""}.items():
+            source = Source(text.encode())
+            records.append(graded(student, source, assignment, zygotes(slug, ResourceLimits()), 1, yardstick).record())
+    for slug in ("hw03_angular_momentum_rate", assignment.slug):  # one with a long title
+        records.append(not_graded("dan", assignments.assignment(course, slug), "missing", "no file", 1).record())
+    (folder / "results.jsonl").write_text("".join(json.dumps(one) + "\n" for one in records))
+    with contextlib.closing(journal.results(folder)) as results:
+        feedback.write_pages(folder / "feedback", results, course)
+    assert report.run(folder, course, None, None) == 0
+    return folder
+
+
+@pytest.fixture
+def opened(browser, folder):
+    """`opened(file, width, scheme)` -> the page; at the end it must not have complained."""
+    contexts, complaints = [], []
+
+    def opened(file, width=1280, scheme="light", **options):
+        contexts.append(browser.new_context(viewport={"width": width, "height": 800}, color_scheme=scheme, **options))
+        page = contexts[-1].new_page()
+        page.set_default_timeout(5000)  # ms
+        page.on("console", lambda message: complaints.append(message.text))
+        page.on("pageerror", lambda error: complaints.append(str(error)))
+        page.goto((folder / file).as_uri())
+        return page
+
+    yield opened
+    for context in contexts:
+        context.close()
+    assert not complaints
+
+
+FILES = ["report.html", "feedback/ada/hw07_double_pendulum.html", *(f"feedback/ben/{slug}.html" for slug in SHOWN)]
+
+
+@pytest.mark.parametrize("width", WIDTHS.values(), ids=WIDTHS)
+@pytest.mark.parametrize("file", FILES)
+def test_a_page_fits_the_width_and_nothing_is_cut_off(opened, file, width):
+    page = opened(file, width)
+    assert page.evaluate("document.documentElement.scrollWidth") <= width
+    for figure in page.locator("figure svg").all():
+        box = figure.bounding_box()
+        assert box["x"] >= 0 and box["x"] + box["width"] <= width and box["height"] > 100
+        inside = figure.evaluate("""svg => [...svg.querySelectorAll('text')].every(text => {
+            const [t, s] = [text.getBoundingClientRect(), svg.getBoundingClientRect()];
+            return t.left >= s.left - 1 && t.right <= s.right + 1 && t.bottom <= s.bottom + 1; })""")
+        assert inside
+
+
+# The contrast of every text with what is behind it, by the colours that the browser computes.
+CONTRASTS = """() => {
+  const part = v => (v /= 255) <= 0.03928 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4;
+  const light = c => 0.2126 * part(c[0]) + 0.7152 * part(c[1]) + 0.0722 * part(c[2]);
+  const numbers = text => text.match(/[\\d.]+/g).map(Number);
+  const behind = element => {
+    for (let e = element; e; e = e.parentElement) {
+      const c = numbers(getComputedStyle(e).backgroundColor);
+      if (c.length < 4 || c[3] > 0) return c;
+    }
+    return [255, 255, 255];
+  };
+  return [...document.querySelectorAll('main *')]
+    .filter(e => e.getClientRects().length && [...e.childNodes].some(n => n.nodeType === 3 && n.data.trim()))
+    .filter(e => !e.closest('title'))
+    .map(e => {
+      const style = getComputedStyle(e), svg = e instanceof SVGElement;
+      const [a, b] = [light(numbers(svg ? style.fill : style.color)), light(behind(svg ? e.closest('figure') : e))];
+      return [(Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05), e.textContent.slice(0, 40)];
+    });
+}"""
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("file", FILES)
+def test_every_text_can_be_read_in_light_and_dark(opened, file, scheme):
+    found = opened(file, scheme=scheme).evaluate(CONTRASTS)
+    assert len(found) > 20
+    assert not [(ratio, text) for ratio, text in found if ratio < CONTRAST]
+
+
+def test_pictures_have_a_name_for_those_who_do_not_see_them(opened):
+    page = opened("feedback/ben/hw07_double_pendulum.html")
+    named = page.get_by_role("img", name="From t = 0 s to 10 s.")
+    assert named.count() == 1 and "along your motion" in named.locator("title").text_content()
+
+
+def test_the_first_thing_to_look_at_is_a_link_to_it(opened):
+    page = opened("feedback/ben/hw07_double_pendulum.html")
+    page.get_by_text("Look at this first").get_by_role("link").click()
+    assert page.evaluate("document.querySelector(':target').className") == "failed"
+
+
+def names(page, section):
+    return page.locator(f"#{section} tbody tr:visible th[scope=row]").all_inner_texts()
+
+
+def test_the_report_sorts_by_mouse_numbers_from_the_largest(opened):
+    page = opened("report.html")
+    heading = page.locator("#scores").get_by_role("button", name="sum")
+    column = page.locator("#scores thead th").last
+    assert column.get_attribute("aria-sort") == "none"
+    heading.click()
+    assert column.get_attribute("aria-sort") == "descending" and names(page, "scores")[0] == "ada"
+    sums = [float(text) for text in page.locator("#scores tbody td:last-child").all_inner_texts()]
+    assert sums == sorted(sums, reverse=True) and sums[0] > sums[-1]
+    heading.click()
+    assert column.get_attribute("aria-sort") == "ascending" and names(page, "scores")[-1] == "ada"
+    assert "sorted by sum, ascending" in page.get_by_role("status").inner_text()
+
+
+def test_one_heading_at_a_time_says_that_it_sorts(opened):
+    page = opened("report.html")
+    for name in ("sum", "student"):
+        page.locator("#scores").get_by_role("button", name=name).click()
+    assert page.locator("#scores thead th:not([aria-sort=none])").count() == 1
+    assert names(page, "scores") == ["ada", "ben", "cora", "dan"]
+
+
+def test_who_has_no_score_comes_last_either_way(opened):
+    page = opened("report.html")
+    heading = page.locator("#scores").get_by_role("button", name="hw07")
+    for _ in range(2):
+        heading.click()
+        assert names(page, "scores")[-1] == "dan"
+
+
+def test_the_report_is_sorted_and_filtered_by_keyboard_alone(opened):
+    page = opened("report.html")
+    for _ in range(60):
+        page.keyboard.press("Tab")
+        if page.evaluate("document.activeElement.id") == "words":
+            break
+    page.keyboard.type("cora")
+    assert names(page, "scores") == ["cora"]
+    for _ in range(60):
+        page.keyboard.press("Tab")
+        if page.evaluate("!!document.activeElement.closest('#scores thead')"):
+            break
+    outline = page.evaluate("getComputedStyle(document.activeElement).outlineStyle")
+    page.keyboard.press("Enter")
+    assert outline == "solid" and page.locator("#scores th").first.get_attribute("aria-sort") == "ascending"
+
+
+def test_the_filter_narrows_every_table_and_says_how_much_is_left(opened):
+    from playwright.sync_api import expect
+
+    page = opened("report.html")
+    everything = page.locator("tbody tr:visible").count()
+    page.get_by_role("combobox", name="Assignment").select_option("hw05_constrained_pendulum")
+    assert set(page.locator("#checks tbody tr:visible td:first-child").all_inner_texts()) == {"hw05"}
+    page.get_by_role("searchbox").fill("energy after")
+    shown = page.locator("tbody tr:visible").count()
+    assert 0 < shown < everything and page.get_by_role("status").inner_text() == f"{shown} of {everything} rows"
+    assert page.locator("#scores .none").is_visible()
+    page.get_by_role("button", name="Show all").click()
+    expect(page.get_by_role("status")).to_have_text(f"{everything} of {everything} rows")
+    assert page.locator("tbody tr:visible").count() == everything
+
+
+def test_a_score_leads_to_the_page_of_the_student(opened):
+    page = opened("report.html")
+    page.locator("#scores tbody tr", has_text="ben").get_by_role("link").last.click()
+    assert "ben" in page.title()
+
+
+def test_without_scripts_the_report_is_whole_and_offers_no_filter(opened):
+    page = opened("report.html", java_script_enabled=False)
+    assert page.locator("#scores tbody tr").count() == 4 and not page.locator("#filter").is_visible()
+
+
+def test_known_mistakes_lead_to_those_who_made_them(opened):
+    page = opened("report.html")
+    row = page.locator("#lecture tbody tr", has_text="hw05").first
+    row.locator("summary").click()
+    row.get_by_role("link", name="ben").click()
+    assert "ben" in page.title()
+
+
+@pytest.fixture
+def crowd(opened, folder):
+    """The report on 250 students who handed in hw05, with another point each."""
+    from tam570_grader.results.records import CheckResult, Result
+
+    slug = "hw05_constrained_pendulum"
+    marks = (CheckResult("one", "a", 0.0, 250.0, "failed", "", "degrees"),)
+    found = [Result(f"s{k:03}, x", slug, "graded", float(k), 250.0, 1, 0.1, "bubblewrap", marks) for k in range(250)]
+    text = report.report(report.newest(found), {slug: feedback.AssignmentInfo("", {}, {}, {})})
+    (folder / "crowd.html").write_text(text, encoding="utf-8")
+    return opened("crowd.html")
+
+
+def test_a_long_table_turns_its_pages(crowd):
+    scores = crowd.locator("#scores")
+    assert len(names(crowd, "scores")) == 100 and "rows 1 to 100 of 250" in scores.inner_text()
+    for _ in range(2):
+        scores.get_by_role("button", name="Next").click()
+    assert names(crowd, "scores")[-1] == "s249, x" and "rows 201 to 250 of 250" in scores.inner_text()
+    assert scores.get_by_role("button", name="Next").is_disabled()
+    crowd.get_by_role("searchbox").fill("s123")
+    assert names(crowd, "scores") == ["s123, x"] and "Next" not in scores.inner_text()
+    assert scores.get_by_role("link").get_attribute("href") == "feedback/s123%2C%20x/hw05_constrained_pendulum.html"
+    crowd.get_by_role("button", name="Show all").click()
+    scores.get_by_role("button", name="sum").click()
+    assert names(crowd, "scores")[0] == "s249, x"
+
+
+def test_a_name_with_a_comma_in_it_is_one_name(crowd):
+    from playwright.sync_api import expect
+
+    crowd.locator("#lecture summary").click()
+    links = crowd.locator("#lecture").get_by_role("link")
+    expect(links).to_have_count(250)
+    assert links.first.inner_text() == "s000, x"
+
+
+def test_all_rows_are_printed(crowd):
+    crowd.evaluate("window.dispatchEvent(new Event('beforeprint'))")
+    assert len(names(crowd, "scores")) == 250
+    crowd.evaluate("window.dispatchEvent(new Event('afterprint'))")
+    assert len(names(crowd, "scores")) == 100

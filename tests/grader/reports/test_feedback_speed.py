@@ -1,0 +1,140 @@
+"""Run time against error on a student's page: what is measured, where the point is drawn, what it is compared with."""
+
+import importlib.util
+import json
+import re
+
+import numpy as np
+import pytest
+
+from tam570_grader import cli
+from tam570_grader.checks import assignments
+from tam570_grader.grading.one import graded
+from tam570_grader.grading.speed import SHORTEST, Yardstick
+from tam570_grader.reports import feedback
+from tam570_grader.reports.pictures import BOTTOM, LAST, LEFT, TOP, among
+from tam570_grader.results.run_time import scenes, time_to
+from tam570_grader.sandbox.student import Source
+from tam570_grader.sandbox.zygote import ResourceLimits
+
+SLUG = "hw07_double_pendulum"
+SPEED = {"function": "simulate", "scene": "double pendulum", "seconds": 0.1, "error": 1e-6, "machine": 0.5}
+STEPS = """
+def simulate(t, theta, omega, *, masses, lengths, gravity):
+    from scipy.integrate import solve_ivp
+    def rates(_, y):
+        return [*y[2:], *angular_acceleration(y[:2], y[2:], masses=masses, lengths=lengths, gravity=gravity)]
+    return solve_ivp(rates, (t[0], t[-1]), [*theta, *omega], t_eval=t, rtol=RTOL, atol=RTOL, method="DOP853").y.T
+"""
+
+
+@pytest.fixture(scope="module")
+def measured(course, zygotes):
+    """`measured(slug, text)` -> the result with its speed."""
+    yardstick = Yardstick(course)
+
+    def measured(slug, text):
+        zygote = zygotes(slug, ResourceLimits())
+        return graded("someone", Source(text.encode()), assignments.assignment(course, slug), zygote, 1, yardstick)
+
+    return measured
+
+
+def test_what_the_pages_know_of_run_times_is_made_from_the_benchmark(course):
+    path = course / "benchmarks" / "run_time_for_pages.py"
+    spec = importlib.util.spec_from_file_location("run_time_for_pages", path)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    kept = json.loads(module.PLACE.read_text())
+    assert json.loads(json.dumps(module.shared())) == kept, f"run: python {path.relative_to(course)}"
+    assert set(kept) <= set(assignments.slugs(course)) and len(kept) > 4
+
+
+def test_the_right_end_of_a_scene_is_what_another_integrator_finds():
+    from scipy.integrate import solve_ivp
+
+    scene = scenes()[SLUG]
+    (t0, t1), theta, omega = scene["arguments"]
+    module = assignments.solution(SLUG)
+    known = {name: np.array(value) for name, value in scene["keywords"].items()}
+
+    def rates(_, y):
+        return [*y[2:], *module.angular_acceleration(y[:2], y[2:], **known)]
+
+    found = solve_ivp(rates, (t0, t1), [*theta, *omega], method="DOP853", rtol=1e-12, atol=1e-12).y[:, -1]
+    np.testing.assert_allclose(found, scene["end"], rtol=1e-7)
+
+
+@pytest.mark.every
+def test_a_looser_tolerance_has_a_larger_error_and_its_score_is_the_same(measured, grade, solution_text):
+    results = [measured(SLUG, solution_text(SLUG) + STEPS.replace("RTOL", tol)) for tol in ("1e-8", "1e-11")]
+    loose, tight = (result.speed for result in results)
+    assert 1e-2 > loose["error"] > 10 * tight["error"] > 0
+    assert loose["seconds"] > 0 and loose["machine"] == tight["machine"] > 0
+    assert results[1].score == grade(SLUG, solution_text(SLUG) + STEPS.replace("RTOL", "1e-11"), 1).score == 10.0
+
+
+@pytest.mark.parametrize("what", ["return t", "raise NotImplementedError", "import os; os._exit(0)"])
+def test_a_simulation_that_is_none_has_no_point(measured, solution_text, what):
+    text = solution_text(SLUG) + f"\n\ndef simulate(t, *args, **kwargs):\n    {what}\n"
+    assert measured(SLUG, text).speed is None
+
+
+def test_where_nothing_is_simulated_there_is_no_point(measured, solution_text):
+    assert measured("hw08_axis_angle", solution_text("hw08_axis_angle")).speed is None
+
+
+def test_times_are_interpolated_in_logarithms():
+    curve = [(10**-k, 100.0 * 10 ** (-2 * (3 - k))) for k in (3, 2, 1)]  # seconds = 1e-3 (error/100)^(-1/2)
+    for error in (90.0, 3.0, 0.02):
+        assert time_to(error, curve) == pytest.approx(1e-3 * (error / 100) ** -0.5)
+    assert time_to(1e-9, curve) is None and time_to(1e4, curve) == curve[0][0]
+
+
+@pytest.mark.parametrize(("seconds", "error"), [(1e-4, 1e-15), (0.1, 1e-6), (30.0, 9e-3)])
+@pytest.mark.parametrize("slug", scenes())
+def test_the_point_is_in_the_frame_where_its_numbers_say(slug, seconds, error):
+    drawn = among(slug, {**SPEED, "seconds": seconds, "error": error})
+    x, y = drawn.point
+    assert LEFT <= x <= LAST and TOP <= y <= BOTTOM
+    for position, ticks, value in ((x, drawn.x, error), (y, drawn.y, seconds)):
+        places, decades = zip(*[(place, float(text[2:])) for place, text in ticks], strict=True)
+        order = np.argsort(places)
+        found = np.polyfit(np.array(places)[order], np.array(decades)[order], 1)
+        assert np.polyval(found, position) == pytest.approx(np.log10(value), abs=0.05)
+    heights = [place for place, _ in drawn.names]
+    assert np.all(np.diff(heights) >= 12 - 1e-9)  # lines of text, to rounding
+
+
+def test_the_words_compare_at_the_same_error_and_on_this_machine():
+    drawn = among(SLUG, SPEED)
+    time = SPEED["machine"] * time_to(SPEED["error"], scenes()[SLUG]["curves"]["SciPy DOP853"])
+    assert f"SciPy DOP853 {time:.2g} s" in drawn.says and "Yours takes 0.1 s" in drawn.says
+
+
+def test_it_is_measured_when_asked_for_and_stands_on_the_page(tmp_path, solution_text, capsys):
+    (tmp_path / "in" / "ada" / SLUG).mkdir(parents=True)
+    (tmp_path / "in" / "ada" / SLUG / f"{SLUG}.py").write_text(solution_text(SLUG))
+    pages, found = [], []
+    for options in ([], ["--speed"]):
+        command = ["grade", str(tmp_path / "in"), "--out", str(tmp_path / "out"), "--seed", "1", "--json", *options]
+        assert cli.main(command) == 0
+        found.append(json.loads(capsys.readouterr().out))
+        pages.append((tmp_path / "out" / "feedback" / "ada" / f"{SLUG}.html").read_text())
+    assert ["speed" in line for line in found] == [False, True]
+    assert ["Run time against error" in page for page in pages] == [False, True]
+    assert re.search(r"Measured: the processor time", pages[1])
+
+
+def test_the_reference_is_timed_only_where_the_call_itself_is_short_beside_it(measured, solution_text):
+    """The ballistic flight takes a thousandth of a second: the way into the sandbox would be what is measured."""
+    assert measured(SLUG, solution_text(SLUG)).speed is not None
+    curve = scenes()["hw02_ballistics"]["curves"]["tam570, Python"]
+    assert max(seconds for seconds, _ in curve) < SHORTEST
+    assert measured("hw02_ballistics", solution_text("hw02_ballistics")).speed is None
+
+
+def test_a_page_of_a_run_without_speeds_has_no_such_picture(grade, solution_text, course):
+    result = grade(SLUG, solution_text(SLUG))
+    assert "speed" not in result.record()
+    assert 'id="run-time"' not in feedback.page(result, feedback.info(course, SLUG))

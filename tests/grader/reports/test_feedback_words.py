@@ -1,0 +1,70 @@
+"""What a page says of a result: where to look first, what to do next, points, and nothing twice."""
+
+import html
+import re
+
+import pytest
+
+from tam570_grader.checks.failure import Failure
+from tam570_grader.reports import feedback
+from tam570_grader.results.records import CheckResult, Result
+
+
+def shown(*marks, message="", status="graded", info=None):
+    """What stands on the page of a result."""
+    result = Result("ada", "hw08_axis_angle", status, 9.7675, 10.0, 1, 0.1, "", marks, message)
+    page = html.unescape(feedback.page(result, info or feedback.AssignmentInfo("", {}, {}, {})))
+    return re.sub(r"<[^>]+>", "", page)
+
+
+def mark(name, outcome="failed", message="", points=0.0, **more):
+    return CheckResult(name, "a", points, 1.0, outcome, message, **more)
+
+
+def test_the_hint_is_for_the_function_that_failed_not_for_the_first_in_the_line():
+    info = feedback.AssignmentInfo("", {}, dict.fromkeys(["one", "two", "three"], "skew"), {})
+    failed = mark("one", failure=Failure(says="rotate did not return", function="rotate"))
+    missing = mark("two", "not_run", unwritten="rotation_matrix")
+    page = shown(failed, missing, mark("three"), info=info)
+    assert re.findall(r"tam570 hint hw08 (\w+)", page) == ["rotate", "rotation_matrix", "skew"]
+
+
+def test_what_is_said_of_the_whole_file_stands_once_and_with_a_next_step():
+    says = "Your file cannot be imported: NameError at line 1"
+    page = shown(*(mark(name, "not_run", says) for name in "abc"), message=says, status="unreadable")
+    assert page.count(says) == 1 and f"{says}. Run tam570 check hw08 before you hand in." in page
+    assert "before you hand in" not in shown(message="there is no file", status="missing")
+
+
+@pytest.mark.parametrize(
+    ("message", "message"),
+    [
+        ("there is no file", "There is no file."),
+        ("hw08.py is too large", "hw08.py is too large."),
+        ("does it run by itself?", "Does it run by itself?"),
+        ("", "Nothing was found."),
+    ],
+)
+def test_what_is_said_of_the_whole_file_is_a_sentence(message, says):
+    assert feedback.overall("missing", message) == says
+
+
+def test_where_nothing_failed_the_first_thing_to_look_at_is_what_is_not_written():
+    passed, blocked = mark("one", "passed", points=1.0), mark("two", "not_run", "Not run")
+    missing, failed = mark("three", "not_run", unwritten="skew"), mark("four")
+    assert "Look at this first: three" in shown(passed, blocked, missing)
+    assert "Look at this first: four" in shown(passed, blocked, missing, failed)
+    assert "Look at this first" not in shown(passed, blocked)
+
+
+def test_a_mistake_that_was_found_by_trying_is_not_called_a_known_one():
+    guess = mark("one", suspect="In energy, a term is missing", failure=Failure(says="energy is wrong"))
+    assert "Your numbers match this mistake: In energy, a term is missing.\n" in shown(guess)
+    row = feedback.row(Result("ada", "hw07", "graded", 9.7675, 10.0, 1, 0.1, "", (guess,)).record())
+    assert row[5] == "numbers match: In energy, a term is missing."
+
+
+def test_scores_have_two_decimals(grade):
+    assert "9.77 of 10 points" in shown(mark("one", points=0.9675))
+    record = Result("ada", "hw07", "graded", 9.9975, 10.0, 1, 0.1, "", ()).record()
+    assert [feedback.row({**record, "score": score})[2] for score in (9.9975, 10.0)] == [" 9.99 / 10", "   10 / 10"]

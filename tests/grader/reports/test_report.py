@@ -1,0 +1,231 @@
+"""The instructor's page on a class: its numbers, its limits, and no script of a student in it."""
+
+import base64
+import hashlib
+import json
+import re
+from html.parser import HTMLParser
+
+import pytest
+
+from tam570_grader import cli
+from tam570_grader.errors import UsageError
+from tam570_grader.grading.roster import students
+from tam570_grader.reports import report
+from tam570_grader.reports.feedback import AssignmentInfo
+from tam570_grader.results import journal, records
+
+SLUGS = ("hw07_double_pendulum", "hw08_axis_angle")
+SHEETS = {slug: AssignmentInfo(f"Title of {slug[:4]}", {}, {}, {}) for slug in SLUGS}
+
+
+def mark(name, outcome="passed", suspect=None, points=5.0):
+    earned = {"passed": points, "grader_error": None}.get(outcome, 0.0)
+    return {
+        "name": name,
+        "part": "a",
+        "points": earned,
+        "max_points": points,
+        "outcome": outcome,
+        "message": "",
+        "suspect": suspect,
+        "error": "a fault of ours",
+    }
+
+
+def record(student, slug, *marks, status="graded", seconds=0.1):
+    points = [one["points"] for one in marks]
+    score = None if None in points else sum(points)
+    return {
+        "student": student,
+        "assignment": slug,
+        "status": status,
+        "score": score,
+        "max_score": 10.0,
+        "seed": 1,
+        "seconds": seconds,
+        "isolation": "bubblewrap",
+        "checks": list(marks),
+        "format": records.FORMAT,
+    }
+
+
+CLASS = [
+    record("ada", SLUGS[0], mark("first"), mark("second"), seconds=0.5),
+    record("ada", SLUGS[1], mark("third"), mark("fourth", "failed", "degrees for radians")),
+    record("ben", SLUGS[0], mark("first"), mark("second", "failed", "the wrong sign"), seconds=9.0),
+    record("ben", SLUGS[1], mark("third", "failed", "degrees for radians"), mark("fourth", "not_run")),
+    record("cora", SLUGS[0], mark("first", "grader_error"), mark("second", "grader_error")),
+    record("dan", SLUGS[0], mark("first", "not_run"), mark("second", "not_run"), status="missing"),
+]
+
+
+class Tables(HTMLParser):
+    """The text of the cells of the tables, by the section that they are in."""
+
+    def __init__(self):
+        super().__init__()
+        self.tables, self._section, self._cell = {}, None, None
+
+    def handle_starttag(self, tag, attrs):
+        if tag == "section":
+            self._section = self.tables.setdefault(dict(attrs)["id"], [])
+        elif tag == "tr":
+            self._section.append([])
+        elif tag in ("td", "th"):
+            self._section[-1].append("")
+            self._cell = True
+
+    def handle_endtag(self, tag):
+        if tag in ("td", "th"):
+            self._cell = None
+
+    def handle_data(self, data):
+        if self._cell:
+            self._section[-1][-1] += data.strip()
+
+
+def page(lines, infos, roster=()):
+    return report.report(report.newest(map(records.read, lines)), infos, roster)
+
+
+def tables(text):
+    parser = Tables()
+    parser.feed(re.sub(r"<title>.*?</title>", "", text))
+    return {name: rows[1:] for name, rows in parser.tables.items()}
+
+
+@pytest.fixture(scope="module")
+def rows():
+    return tables(page(CLASS, SHEETS, ["eve"]))
+
+
+def test_mistakes_are_counted_by_students(rows):
+    assert [row[:3] for row in rows["lecture"]] == [
+        ["2", "hw08", "degrees for radians"],
+        ["1", "hw07", "the wrong sign"],
+    ]
+
+
+def test_the_share_that_passed_a_check_is_of_those_who_handed_in(rows):
+    found = {row[2]: row[4:5] + row[6:] for row in rows["checks"]}
+    assert found == {
+        "first": ["66.7", "0", "0", "1"],
+        "second": ["33.3", "1", "0", "1"],
+        "third": ["50.0", "1", "0", "0"],
+        "fourth": ["0.0", "1", "1", "0"],
+    }
+
+
+def test_assignments_have_their_mean_and_median(rows):
+    assert [row[1:5] for row in rows["assignments"]] == [["3", "7.5", "7.5", "1"], ["2", "2.5", "2.5", "0"]]
+
+
+def test_every_student_has_a_row_of_scores(rows):
+    assert rows["scores"] == [
+        ["ada", "10", "5", "15"],
+        ["ben", "5", "0", "5"],
+        ["cora", "error", "", "0"],
+        ["dan", "", "", "0"],
+        ["eve", "", "", "0"],
+    ]
+
+
+def test_who_has_not_handed_in_is_named_those_on_the_roster_too(rows):
+    assert [row[1:] for row in rows["absent"]] == [["2", "dan, eve"], ["3", "cora, dan, eve"]]
+
+
+def test_the_slowest_come_first_and_errors_are_told(rows):
+    assert [row[1] for row in rows["slowest"]][:2] == ["ben", "ada"]
+    assert [row[0::2] for row in rows["errors"]] == [["cora", "first"], ["cora", "second"]]
+    assert "a fault of ours" in rows["errors"][0][3]
+
+
+def test_names_and_errors_are_text_and_only_our_script_may_run():
+    evil = "<script>alert(1)</script>\"'><img src=x onerror=alert(1)>"
+    bad = record(evil, SLUGS[0], mark("first", "grader_error", evil))
+    bad["checks"][0]["error"] = bad["message"] = evil
+    text = page([bad], {SLUGS[0]: AssignmentInfo(evil, {"first": evil}, {}, {})}, [evil])
+    scripts = re.findall(r"<script>(.*?)</script>", text, re.DOTALL)
+    assert len(scripts) == 1 and "<img" not in text
+    allowed = base64.b64encode(hashlib.sha256(scripts[0].encode()).digest()).decode()
+    assert f"default-src 'none'; style-src 'unsafe-inline'; script-src 'sha256-{allowed}'" in text
+
+
+def test_the_newest_result_counts_and_a_line_in_the_making_is_left_out(tmp_path):
+    lines = [json.dumps(one) for one in (CLASS[2], {**CLASS[2], "score": 7.0}, CLASS[0])]
+    (tmp_path / "results.jsonl").write_text("\n".join(lines) + '\n{"student": "zo')
+    found = report.results(tmp_path)
+    assert [(student, one.score) for (student, _), one in found.items()] == [("ada", 10.0), ("ben", 7.0)]
+
+
+@pytest.mark.parametrize("text", [None, "", "my notes\n", "[1]\n", '{"student": "a", "assignment": "b"}\n'])
+def test_what_holds_no_results_is_said_so(tmp_path, text, capsys):
+    if text is not None:
+        (tmp_path / "results.jsonl").write_text(text)
+    with pytest.raises(UsageError, match=re.escape(str(tmp_path))):
+        report.results(tmp_path)
+    assert cli.main(["report", str(tmp_path)]) == 2
+    assert "tam570-grader: error: " in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("field", ["status", "checks", "seed"])
+def test_a_line_that_lacks_a_field_is_told_by_its_number(tmp_path, field):
+    lacking = {name: value for name, value in CLASS[1].items() if name != field}
+    (tmp_path / "results.jsonl").write_text(f"{json.dumps(CLASS[0])}\n{json.dumps(lacking)}\n")
+    with pytest.raises(UsageError, match="not a result .line 2."):
+        report.results(tmp_path)
+
+
+def test_what_a_result_must_have_is_what_results_have(grade):
+    record = grade(SLUGS[1], "").record()
+    assert record.keys() >= journal.RESULT and all(mark.keys() >= journal.MARK for mark in record["checks"])
+
+
+def test_a_roster_that_is_no_text_is_refused(tmp_path, capsys):
+    (tmp_path / "results.jsonl").write_text(json.dumps(CLASS[0]) + "\n")
+    (tmp_path / "roster.xlsx").write_bytes(b"PK\xff\xfe")
+    assert cli.main(["report", str(tmp_path), "--roster", str(tmp_path / "roster.xlsx")]) == 2
+    assert "roster.xlsx is not text" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("text", ["ada\neve\n", 'student,mail\nada,a@b\n"eve",e@b\n', "\ufeffName\nada\neve"])
+def test_a_roster_is_names_or_the_first_column_of_a_table(tmp_path, text):
+    (tmp_path / "roster").write_text(text, encoding="utf-8")
+    assert students(tmp_path / "roster") == ["ada", "eve"]
+
+
+def test_the_command_writes_the_page_beside_the_feedback(tmp_path, capsys, solution_text):
+    slug = SLUGS[1]
+    (tmp_path / "in" / "ada" / slug).mkdir(parents=True)
+    (tmp_path / "in" / "ada" / slug / f"{slug}.py").write_text(solution_text(slug))
+    out = tmp_path / "out"
+    assert cli.main(["grade", str(tmp_path / "in"), "--out", str(out)]) == 0
+    assert cli.main(["report", str(out)]) == 0
+    assert capsys.readouterr().out.splitlines()[-1] == str(out / "report.html")
+    links = re.findall(r'href="([^"#]+)"', (out / "report.html").read_text())
+    assert links and all((out / link).is_file() for link in links)
+    assert cli.main(["report", str(tmp_path / "none")]) == 2
+
+
+def test_a_large_class_is_one_page_of_a_size_that_opens():
+    """Fourteen assignments: a student takes a row of scores, and a name where a mistake is told, and no more."""
+    slugs = [f"hw{k:02}_an_assignment" for k in range(1, 15)]
+    infos = {slug: AssignmentInfo(slug, {}, {}, {}) for slug in slugs}
+
+    def size(students):
+        names = (f"student{k:04}" for k in range(students))
+        marks = mark("first"), mark("second", "failed", "degrees for radians")
+        return len(page((record(name, slug, *marks) for name in names for slug in slugs), infos))
+
+    assert size(500) - size(100) < 400 * 14 * 25  # characters
+
+
+def test_of_results_nothing_is_kept_but_what_the_page_shows(tmp_path):
+    """A class of any size is read line by line: of each stays its score, and marks that it shares with others."""
+    failed = {**mark("second", "failed", "degrees for radians"), "failure": {"quantity": "skew", "at": [0.5] * 64}}
+    lines = [record(f"s{k}", SLUGS[0], mark("first"), failed) for k in range(50)]
+    (tmp_path / "results.jsonl").write_text("".join(json.dumps(line) + "\n" for line in lines))
+    found = report.results(tmp_path)
+    assert len({id(one) for result in found.values() for one in result.checks}) == 2
+    assert not any(one.failure for result in found.values() for one in result.checks)

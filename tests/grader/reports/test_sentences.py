@@ -1,0 +1,91 @@
+"""What a student reads of a failure: numbers as people write them, and one that says more than its limit."""
+
+import numpy as np
+import pytest
+
+from tam570_grader.checks.failure import Failure
+from tam570_grader.reports.sentences import describe_failure, full_message, points, quantity
+
+
+@pytest.mark.parametrize(
+    ("value", "message"),
+    [
+        (2.7, "2.7"),
+        (200.0, "200"),
+        (1234.0, "1200"),
+        (0.0312, "0.031"),
+        (0.084, "0.084"),
+        (0.69, "0.69"),
+        (9.3, "9.3"),
+        (6e-4, "6e-4"),
+        (1e-6, "1e-6"),
+        (1.13e-13, "1.1e-13"),
+        (9.99e-5, "1e-4"),
+        (23456.0, "2.3e4"),
+        (0.0, "0"),
+        (np.inf, "more than any number"),
+    ],
+)
+def test_numbers_are_as_people_write_them(value, message):
+    assert quantity(value) == message
+
+
+@pytest.mark.parametrize(
+    ("earned", "most", "message"),
+    [
+        (9.7675, 10.0, "9.77"),
+        (0.1925, 0.25, "0.19"),
+        (0.125, 0.25, "0.13"),
+        (9.9975, 10.0, "9.99"),
+        (10.0, 10.0, "10"),
+        (0.1 + 0.2, 0.3, "0.3"),
+        (0.3, 0.1 + 0.2, "0.3"),
+        (0.0, 10.0, "0"),
+        (12.0, 10.0, "12"),
+        (None, 10.0, "?"),
+    ],
+)
+def test_points_have_two_decimals_and_all_are_shown_for_nothing_less(earned, most, message):
+    assert points(earned, most) == message
+
+
+@pytest.mark.parametrize(
+    ("error", "limit", "message"),
+    [
+        (0.03, 1e-4, "is wrong by 0.03 m (limit 1e-4)"),
+        (2.9e-4, 2.6e-4, "is wrong by 2.9e-4 m (limit 2.6e-4)"),
+        (2.63e-4, 2.6e-4, "is wrong by 2.63e-4 m (limit 2.6e-4)"),
+        (1.00004, 1.0, "is wrong by 1.00004 m (limit 1)"),
+    ],
+)
+def test_an_error_is_seen_to_be_larger_than_its_limit(error, limit, message):
+    assert describe_failure(Failure(quantity="x", unit="m", error=error, limit=limit)) == f"x {message}."
+
+
+@pytest.mark.parametrize("error", np.random.default_rng(1).lognormal(-5, 9, 50))
+def test_no_error_reads_as_its_limit_or_less(error):
+    for limit in error / (1 + 10.0 ** -np.arange(1, 9)):
+        shown, allowed = (
+            describe_failure(Failure(quantity="x", error=error, limit=limit))
+            .split(" is wrong by ")[1]
+            .split(" (limit ")
+        )
+        assert float(shown) > float(allowed.rstrip(").")), (error, limit)
+
+
+def test_sentences_begin_as_they_are_written_and_articles_with_a_capital():
+    assert describe_failure(Failure(quantity="the energy", error=2.0, unit="J")) == "The energy is wrong by 2 J."
+    assert describe_failure(Failure(quantity="theta", error=2.0, unit="rad")) == "theta is wrong by 2 rad."
+    assert (
+        describe_failure(Failure(message="simulate raised KeyError", hint="Two rows?"))
+        == "simulate raised KeyError. Two rows?"
+    )
+
+
+def test_beside_a_known_mistake_no_guess_is_shown():
+    failure = Failure(quantity="x", error=2.0, unit="m", hint="Is anything kept between calls?")
+    assert "kept" in full_message(failure)
+    assert (
+        full_message(failure.named("It falls up."))
+        == "x is wrong by 2 m. Your numbers match this mistake: It falls up."
+    )
