@@ -22,7 +22,7 @@ from pathlib import Path
 from tqdm import tqdm
 
 from tam570_grader.checks import assignments
-from tam570_grader.grading import many
+from tam570_grader.grading import batch
 from tam570_grader.grading.submissions import submissions
 from tam570_grader.release.stubs import stub
 from tam570_grader.results.records import read
@@ -62,7 +62,7 @@ def class_of(size, folder):
         path = folder / f"student{student:04}" / slug / f"{slug}.py"
         path.parent.mkdir(parents=True)
         path.write_text(texts[slug][student % WORKS])
-    return many.RunConfig(
+    return batch.RunConfig(
         COURSE, submissions([folder], SLUGS), SEED, 1, ResourceLimits(cpu=60, call=10)
     )  # integers, as on the command line
 
@@ -71,7 +71,7 @@ def graded():
     """The results of the works, by their assignment and number."""
     with tempfile.TemporaryDirectory() as folder:
         config = class_of(WORKS * len(SLUGS), Path(folder))
-        lines = tqdm(many.records(config), total=len(config.submissions), desc="grading", leave=False, disable=None)
+        lines = tqdm(batch.records(config), total=len(config.submissions), desc="grading", leave=False, disable=None)
         return {work_of(one.student, one.assignment): one for one in map(read, lines)}
 
 
@@ -83,7 +83,7 @@ def write_journal(config, known, folder):
     """`results.jsonl` as a run leaves it."""
     folder.mkdir()
     with open(folder / "results.jsonl", "w") as file:
-        for student, slug, digest in many.digests(config):
+        for student, slug, digest in batch.digests(config):
             result = replace(known[work_of(student, slug)], student=student, digest=digest)
             file.write(json.dumps(result.record()) + "\n")
 

@@ -32,7 +32,7 @@ WHOLE = (
     "test_site_browser.py",
 )  # fixtures of up to a minute
 LONGEST_ID = 80  # characters
-SEEDS = {"seed": ([0], range(50)), "draw": ([1], range(4))}  # in the quick form, and in full
+SEEDS = {"seed": ([0], range(50)), "input_seed": ([1], range(4))}  # in the quick form, and in full
 NBGRADER = """
 import json, os, sys, warnings
 from nbgrader.apps import NbGraderApp
@@ -100,7 +100,7 @@ def pytest_make_parametrize_id(val):
 
 
 def pytest_generate_tests(metafunc):
-    """A test with `slug` runs for every assignment, one with `seed` or `draw` for every one of these."""
+    """A test with `slug` runs for every assignment, one with `seed` or `input_seed` for every one of these."""
     if "slug" in metafunc.fixturenames and not _parametrized(metafunc, "slug"):
         metafunc.parametrize("slug", SLUGS)
     for name, (quick, full) in SEEDS.items():

@@ -133,9 +133,11 @@ def test_right_answers_in_other_styles_have_full_marks(slug, path, seed, grade):
 
 
 @pytest.mark.parametrize(("slug", "path"), **sampled(overlays("mistakes")))
-def test_a_wrong_submission_fails_its_checks_and_no_other_whatever_the_draw(slug, path, rng, grade, solution_text):
+def test_a_wrong_submission_fails_its_checks_and_no_other_whatever_the_inputs(
+    slug, path, input_seed, grade, solution_text
+):
     slip = mistake(path.stem, path.read_text())
-    result = grade(slug, f"{solution_text(slug)}\n\n{slip.text}", seed=rng)
+    result = grade(slug, f"{solution_text(slug)}\n\n{slip.text}", seed=input_seed)
     assert outcomes(result, "failed") == slip.fails, failures(result)
     assert not outcomes(result, "grader_error"), failures(result)
     found = diagnosis(result, slip.text, {one.says for one in mistakes(path.parent)})

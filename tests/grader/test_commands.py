@@ -14,7 +14,7 @@ import tam570
 from tam570_grader import cli as grader
 from tam570_grader.errors import counted
 from tam570_grader.grading.command import warn_of_isolation
-from tam570_grader.results import journal
+from tam570_grader.results import store
 from tam570_grader.results.records import FORMAT
 
 SLUG = "hw08_axis_angle"
@@ -68,7 +68,7 @@ def graded(desk):
     """Results in a folder, beside a file."""
     (desk / "results").mkdir()
     record = {
-        **dict.fromkeys(journal.RESULT, 0),
+        **dict.fromkeys(store.RESULT_FIELDS, 0),
         "format": FORMAT,
         "student": "ada",
         "assignment": SLUG,

@@ -60,26 +60,26 @@ def motion(t, x, v, mass, stiffness, damping):
 '''
 CASES = '''"""Hidden inputs of hw15."""
 
-from tam570_grader import given, in_turn, uneven
+from tam570_grader import Case, repeated_calls, uneven
 
 
-def states(draw):
-    spring = [{"mass": draw.uniform(1, 3), "stiffness": draw.uniform(2, 9)} for _ in range(5)]
-    return [given(*draw.uniform(-2, 2, 2), **known).on("a random spring") for known in spring]
+def states(rng):
+    spring = [{"mass": rng.uniform(1, 3), "stiffness": rng.uniform(2, 9)} for _ in range(5)]
+    return [Case(*rng.uniform(-2, 2, 2), **parameters).labelled("a random spring") for parameters in spring]
 
 
-def motions(draw):
-    known = {"mass": draw.uniform(1, 3), "stiffness": draw.uniform(2, 9), "damping": draw.uniform(0.1, 0.4)}
-    first = given(uneven(draw, 9.0, 30), draw.uniform(1, 2), draw.uniform(1, 2), **known).on("a random start")
-    return [first, *in_turn(draw, first)]
+def motions(rng):
+    parameters = {"mass": rng.uniform(1, 3), "stiffness": rng.uniform(2, 9), "damping": rng.uniform(0.1, 0.4)}
+    first = Case(uneven(rng, 9.0, 30), rng.uniform(1, 2), rng.uniform(1, 2), **parameters).labelled("a random start")
+    return [first, *repeated_calls(rng, first)]
 '''
 CHECKS = '''"""Hidden checks of hw15."""
 
-from tam570_grader import Column, agree, check, follow, number, rows
+from tam570_grader import Column, compare, check, compare_trajectory, number, rows
 
-from . import cases, right
+from . import cases, reference
 
-RESULTS = {"energy": number, "simulate": rows(2)}
+RETURNS = {"energy": number, "simulate": rows(2)}
 NEEDS = ("numpy",)
 
 FORMULA = 1e-9  # roundings make 1e-15
@@ -88,15 +88,15 @@ MOTION = (Column("the place", "m", [0]), Column("the velocity", "m/s", [1]))
 
 
 @check(points=4, part="a")
-def energy_is_kinetic_and_elastic(student, draw):
+def energy_is_kinetic_and_elastic(student, rng):
     """energy: of the mass and of the spring."""
-    agree(student.energy, right.energy, cases.states(draw), within=FORMULA, of="the energy", unit="J")
+    compare(student.energy, reference.energy, cases.states(rng), tolerance=FORMULA, quantity="the energy", unit="J")
 
 
 @check(points=6, part="b")
-def simulation_follows_the_motion(student, draw):
+def simulation_follows_the_motion(student, rng):
     """simulate: place and velocity at uneven times."""
-    follow(student.simulate, right.motion, cases.motions(draw), MOTION, within=FOLLOWED)
+    compare_trajectory(student.simulate, reference.motion, cases.motions(rng), MOTION, tolerance=FOLLOWED)
 '''
 MISTAKE = '''"""The damping has the wrong sign.
 

@@ -3,7 +3,7 @@
 import numpy as np
 
 from tam570_grader import Column, array, by_kind, check, check_raises, compare, expect_that, largest, law, number, rows
-from tam570_grader.checks.compare import taken
+from tam570_grader.checks.compare import trim_to_signature
 from tam570_grader.checks.diagrams import compare_diagrams
 from tam570_grader.checks.returns import free_body_diagram
 
@@ -201,7 +201,7 @@ def judge_refusals(student, calls):
     """ValueError for another `locked`, from functions that take "front" and "rear"."""
     for name, call in calls:
         function, (*first, _) = getattr(student, name), call.args
-        (call,) = taken(getattr(reference, name), [call])
+        (call,) = trim_to_signature(getattr(reference, name), [call])
         for good, refused in function.refusals([call.replace(*first, locked) for locked in cases.AXLES]):
             expect_that(not refused, f"{name} raises ValueError for a {good.args[-1]} axle")
         bad = [call.replace(*first, locked).labelled(f"locked={locked!r}, {call.label}") for locked in cases.OTHERS]

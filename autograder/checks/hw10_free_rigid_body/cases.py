@@ -7,7 +7,7 @@ import numpy as np
 
 from tam570_grader import Case, repeated_calls, uneven
 
-from . import right
+from . import reference
 
 
 def a_body(rng):
@@ -44,13 +44,13 @@ def plain_omegas(rng):
 
 
 def an_attitude(rng):
-    return right.turned(rng.uniform(0.4, 1.2, 3) * rng.choice([-1, 1], 3))
+    return reference.turned(rng.uniform(0.4, 1.2, 3) * rng.choice([-1, 1], 3))
 
 
 def attitudes(rng):
     """(R, kind): a random one, and the body's axes along those of space, after a quarter turn and a half turn, too."""
     axis, turns = rng.permutation(np.eye(3))[0], {"R = I": 0, "R of a quarter turn": 1, "R of a half turn": 2}
-    plain = [(np.round(right.turned(turn * math.pi / 2 * axis)) + 0.0, label) for label, turn in turns.items()]
+    plain = [(np.round(reference.turned(turn * math.pi / 2 * axis)) + 0.0, label) for label, turn in turns.items()]
     return [(an_attitude(rng), "a random R"), *plain]
 
 

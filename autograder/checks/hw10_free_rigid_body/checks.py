@@ -9,7 +9,7 @@ from tam570_grader import Column, Invariant, absolute, by_kind, check, law
 from tam570_grader.checks.plots import along, curves_seen, exchanged, judge_axes_of_lengths, judge_boxes, path_drawn
 from tam570_grader.checks.returns import array, drawing, group, number, rows
 
-from . import cases, right
+from . import cases, reference
 
 NEEDS = ("numpy", "matplotlib.figure", "matplotlib.backends.backend_agg")
 FORBIDDEN = {"*": ("tam570.lectures",), "euler_rates_313": ("tam570.rotations", "scipy.spatial.transform")}
@@ -52,27 +52,31 @@ RETURNS = {
 
 euler_equations_keep_the_angular_momentum = law(
     "euler_equations: omega' of a body without moments, for any three inertias, equal ones too.", points=0.75, part="a"
-).agrees(right.euler_equations, cases.turning, tolerance=POINTWISE, hint="In body components H changes by -omega x H.")
+).agrees(
+    reference.euler_equations, cases.turning, tolerance=POINTWISE, hint="In body components H changes by -omega x H."
+)
 attitude_follows_omega = law("attitude_rate: dR/dt for omega in body components.", points=0.5, part="a").agrees(
-    right.attitude_rate,
+    reference.attitude_rate,
     cases.turning_in_space,
     tolerance=POINTWISE,
     hint="The columns of R move at omega x themselves.",
 )
 energy_is_half_omega_h = law("energy: half of omega . H.", points=0.5, part="a").agrees(
-    right.energy, cases.turning, tolerance=POINTWISE
+    reference.energy, cases.turning, tolerance=POINTWISE
 )
 angular_momentum_is_in_space_axes = law(
     "angular_momentum: the vector H in space components.", points=0.5, part="a"
-).agrees(right.angular_momentum, cases.turning_in_space, tolerance=POINTWISE)
+).agrees(reference.angular_momentum, cases.turning_in_space, tolerance=POINTWISE)
 THREE_TURNS = "omega is psi' along space z, theta' along the line of nodes, and phi' along body z."
 SINE = {"negative theta": "The sine of theta is negative there: do you compute it as a square root?"}
 euler_rates_make_omega = law(
     "euler_rates_313: the rates of psi, theta, phi that make this omega, for theta of any sign.", points=0.75, part="a"
-).agrees(right.euler_rates_313, cases.euler_angles, tolerance=POINTWISE, hint=by_kind(SINE, THREE_TURNS))
+).agrees(reference.euler_rates_313, cases.euler_angles, tolerance=POINTWISE, hint=by_kind(SINE, THREE_TURNS))
 euler_rates_are_refused_where_undetermined = euler_rates_make_omega.then(
     "euler_rates_313 raises ValueError where abs(sin theta) < 1e-12, and nowhere else.", points=0.25, part="a"
-).refuses(right.euler_rates_313, cases.undetermined, tolerance=SINGULAR, allowed=4, hint="sin theta may be negative.")
+).refuses(
+    reference.euler_rates_313, cases.undetermined, tolerance=SINGULAR, allowed=4, hint="sin theta may be negative."
+)
 
 # Motions
 
@@ -129,36 +133,40 @@ TURNS = {"cases": cases.many_turns, "columns": BOTH, "name": "simulate", "coarse
 
 omega_follows_elliptic_functions = law(
     "simulate: omega against Jacobi's elliptic functions, on both sides of the separatrix.", points=0.75, part="a"
-).follows(right.tumble, cases.tumbles, columns=[OMEGA], hint="Does euler_equations pass?", **FOLLOWED)
+).follows(reference.tumble, cases.tumbles, columns=[OMEGA], hint="Does euler_equations pass?", **FOLLOWED)
 attitude_follows_the_motion = law(
     "simulate: the rotations along a general motion, from any attitude at the start.", points=0.75, part="a"
-).follows(right.motion, cases.general_motions, columns=[ATTITUDE], hint=wrong_attitude, **FOLLOWED)
+).follows(reference.motion, cases.general_motions, columns=[ATTITUDE], hint=wrong_attitude, **FOLLOWED)
 FOLLOWS = omega_follows_elliptic_functions, attitude_follows_the_motion
 invariants_stay_over_many_turns = (
     law("simulate: R^T R = I, H in space and the energy over many fast turns.", points=0.5, part="a", after=FOLLOWS)
-    .keeps(ROTATES, KEEPS_MOMENTUM, right=right.motion, **TURNS)
-    .also.keeps(KEEPS_ENERGY, right=right.motion, partial=SHARES, **TURNS)
+    .keeps(ROTATES, KEEPS_MOMENTUM, reference=reference.motion, **TURNS)
+    .also.keeps(KEEPS_ENERGY, reference=reference.motion, partial=SHARES, **TURNS)
 )
 special_bodies_move_too = law(
     "simulate: equal inertias, rest, pure spin, two times, starts at half turns.", points=0.5, part="a", after=FOLLOWS
-).follows(right.motion, cases.special_motions, columns=BOTH, hint=wrong_attitude, **FOLLOWED)
+).follows(reference.motion, cases.special_motions, columns=BOTH, hint=wrong_attitude, **FOLLOWED)
 
 # (a) A = B
 
 symmetric_bodies_precess = law(
     "symmetric_solution: omega in body components at all times, from omega at t[0].", points=0.75, part="a"
-).agrees(right.symmetric_solution, cases.precessing, tolerance=POINTWISE, hint="Compare with euler_equations at t[0].")
+).agrees(
+    reference.symmetric_solution, cases.precessing, tolerance=POINTWISE, hint="Compare with euler_equations at t[0]."
+)
 wobble_goes_round_the_angular_momentum = law(
     "wobble_rate: the rate at which the symmetry axis goes round H, at any angle between them.", points=0.5, part="a"
 ).agrees(
-    right.wobble_rate, cases.wobbling, tolerance=POINTWISE, hint="Split omega along H and along the symmetry axis."
+    reference.wobble_rate, cases.wobbling, tolerance=POINTWISE, hint="Split omega along H and along the symmetry axis."
 )
 
 # (b) Stability and tumbling
 
 small_deviations_grow_at_this_rate = law(
     "growth_rate_squared: positive where the spin is unstable, else minus the frequency squared.", points=0.75, part="b"
-).agrees(right.growth_rate_squared, cases.spins, tolerance=POINTWISE, hint="Keep what is linear in small deviations.")
+).agrees(
+    reference.growth_rate_squared, cases.spins, tolerance=POINTWISE, hint="Keep what is linear in small deviations."
+)
 BACK = "After what time is omega back, sign and all?"
 
 
@@ -166,7 +174,7 @@ def period_round(which, sign):
     """The check of the period on one side of the separatrix."""
     label = f"omega round the axis of the {which} inertia"
     return law(f"tumble_period for {label}.", points=0.375, part="b").agrees(
-        right.tumble_period, partial(cases.on_side, label=label, sign=sign), tolerance=PERIOD, hint=BACK
+        reference.tumble_period, partial(cases.on_side, label=label, sign=sign), tolerance=PERIOD, hint=BACK
     )
 
 
@@ -174,16 +182,16 @@ period_round_the_last_axis, period_round_the_first_axis = period_round("largest"
 PERIODS = period_round_the_last_axis, period_round_the_first_axis
 period_of_pure_spin_is_that_of_small_oscillations = law(
     "tumble_period for pure spin about axis 0 or 2, by small oscillations.", points=0.25, part="b", after=PERIODS
-).agrees(right.tumble_period, cases.pure_spins, tolerance=PERIOD, hint="There the modulus k is 0.")
+).agrees(reference.tumble_period, cases.pure_spins, tolerance=PERIOD, hint="There the modulus k is 0.")
 period_grows_to_infinity_at_the_separatrix = (
     law("tumble_period near the separatrix, and math.inf on it.", points=0.25, part="b", after=PERIODS)
     .agrees(
-        right.tumble_period,
+        reference.tumble_period,
         cases.near_separatrix,
         tolerance=NEAR_PERIOD,
         hint="How near 1 is a modulus k that is not 1?",
     )
-    .also.agrees(right.tumble_period, cases.on_separatrix, tolerance=PERIOD, hint="What is K(k) for k = 1?")
+    .also.agrees(reference.tumble_period, cases.on_separatrix, tolerance=PERIOD, hint="What is K(k) for k = 1?")
 )
 
 # Drawing
@@ -219,7 +227,7 @@ def rim_paths_are_drawn(student, rng):
     points = "Does simulate pass and get the inertia? Draw y and z of (radius, 0, 0), (0, radius, 0) in space at all t"
     for case in cases.pictures(rng):
         picture, (t, R, omega), radius = student.plot_rim_paths.drawn(case), case.args, case.kwargs["radius"]
-        _, rotations = right.motion(np.linspace(t[0], t[-1], 801), R, omega, inertia=case.kwargs["inertia"])
+        _, rotations = reference.motion(np.linspace(t[0], t[-1], 801), R, omega, inertia=case.kwargs["inertia"])
         paths = [radius * path for path in seen_along_x(rotations)]
         others = {message: [radius * path for path in both] for message, both in mistaken(rotations).items()}
         others["These are the paths for a radius of 1 m"] = seen_along_x(rotations)

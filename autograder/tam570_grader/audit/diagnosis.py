@@ -97,9 +97,9 @@ def diagnosis(result: Result, text: str, known: Container[str]) -> Diagnosis:
 def _names(check_result: CheckResult, fragment: str) -> bool:
     """Whether a check says a fragment of the mistake; of a wrong number its hint alone, or its suspect, says what."""
     why = check_result.failure
-    if not why or _in(f" for {why.kind}", fragment):
+    if not why or _in(f" for {why.label}", fragment):
         return False
-    return _in(check_result.message if why.says else why.suspect or why.hint, fragment)
+    return _in(check_result.message if why.message else why.suspect or why.hint, fragment)
 
 
 def _in(says: str, expected: str) -> bool:

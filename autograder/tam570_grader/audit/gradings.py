@@ -7,7 +7,7 @@ from typing import TypeVar
 
 from tam570_grader.checks import assignments
 from tam570_grader.grading.one import CheckOptions, Recorder, Result, graded
-from tam570_grader.sandbox import warm
+from tam570_grader.sandbox import pool
 from tam570_grader.sandbox.preload import imported
 from tam570_grader.sandbox.student import Source
 from tam570_grader.sandbox.zygote import ResourceLimits
@@ -42,7 +42,7 @@ def tried(grading: Grading, recorder: Recorder | None = None) -> Result:
     source = Source(grading.text.encode())
     needs = sorted({*assignment.needs, *imported(source.text)})
     asked = CheckOptions(grading.enough, recorder, grading.naming)
-    return warm.tried(
+    return pool.tried(
         lambda zygote, _: graded(grading.name, source, assignment, zygote, grading.seed, asked=asked),
         needs,
         grading.limits,

@@ -6,7 +6,7 @@
         for case, R in student.rotation_matrix.each(axes_and_angles(draw, 50)):
             expect(R.T @ R, np.eye(3), within=1e-12, of="R^T R")
 
-`student.f(...)` calls the student's function in the sandbox and returns what RESULTS promises, as float64 arrays, or
+`student.f(...)` calls the student's function in the sandbox and returns what RETURNS promises, as float64 arrays, or
 ends the check with a message; `student.f.each([Case(...), ...])` makes many calls in one round trip. `rng` is a
 random generator that belongs to the check and is the same for every student of a run.
 """
@@ -14,15 +14,13 @@ random generator that belongs to the check and is the same for every student of 
 import functools
 import re
 import threading
-from collections.abc import Callable, Container, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Container, Sequence
+from dataclasses import dataclass
 from typing import Any, TypeVar
 
 import numpy as np
 
-from tam570_grader.protocol.wire import packed
-
-__all__ = ["Check", "Case", "Memory", "check", "Case", "needed", "once"]
+__all__ = ["Check", "Memory", "check", "needed", "once"]
 
 T = TypeVar("T")
 MOST_KNOWN = 64  # values that `once` keeps; with inputs of its own for each student a run makes thousands
@@ -86,50 +84,6 @@ def check(
 def needed(after: Check | Sequence[Check]) -> tuple[Check, ...]:
     """The checks that another builds on: one or several."""
     return (after,) if isinstance(after, Check) else tuple(after)
-
-
-@dataclass(frozen=True)
-class Case:
-    """The arguments of one call, and the kind of input that they are."""
-
-    args: tuple[Any, ...] = ()
-    kwargs: Mapping[str, Any] = field(default_factory=dict)
-    label: str = ""
-
-    @functools.cached_property
-    def message(self) -> bytes:
-        """The arguments as they are sent: packed once for a class that shares them."""
-        return packed([[*map(_sent, self.args)], {key: _sent(value) for key, value in self.kwargs.items()}])
-
-    def labelled(self, label: str) -> "Case":
-        """The same arguments, of which the student is told the kind."""
-        return Case(self.args, self.kwargs, label)
-
-    def replace(self, *args: Any, **kwargs: Any) -> "Case":
-        """The same call with other leading arguments, or other parameters."""
-        return Case((*args, *self.args[len(args) :]), {**self.kwargs, **kwargs}, self.label)
-
-    def with_leading(self, *args: Any) -> "Case":
-        """The same arguments behind others, of a function that takes more."""
-        return Case((*args, *self.args), self.kwargs, self.label)
-
-
-def _sent(value: Any) -> Any:
-    """An argument as it is sent: any sequence of numbers is a float64 array, as the contract promises."""
-    if isinstance(value, np.generic):
-        return value.item()
-    if isinstance(value, np.ndarray):
-        return value.astype(float)
-    if isinstance(value, list | tuple) and value:
-        if all(isinstance(item, int | float | np.number) for item in value):
-            return np.array(value, float)
-        return [_sent(item) for item in value]
-    return list(value) if isinstance(value, tuple) else value
-
-
-def Case(*args: Any, **kwargs: Any) -> Case:
-    """The arguments of one call."""
-    return Case(args, kwargs)
 
 
 def once(compute: Callable[..., T], most: int = MOST_KNOWN) -> Callable[..., T]:

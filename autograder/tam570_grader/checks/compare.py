@@ -48,7 +48,7 @@ PLACED, ARGUMENTS, KEYWORDS = (  # f(name, *args, **known)
 )
 SINGLE = 1e-6  # of the largest number; single precision loses 6e-8
 
-DESCRIPTIONS = ("quantity", "unit", "scale")  # of a result, in RESULTS
+DESCRIPTIONS = ("quantity", "unit", "scale")  # of a result, in RETURNS
 
 Only = int | Sequence[int] | None
 Reference = Callable[..., Any] | ModuleType
@@ -68,11 +68,11 @@ def compare(
     only: Only = None,
     near_miss_credit: bool = True,
 ) -> list[Any]:
-    """Fail unless the student's `function` gives what `reference` gives, in every case; its results, for further checks.
+    """Fail unless the student's `function` gives what `reference` gives, in every case; return its results.
 
     right  : the right function, or the module in which it has the name of the student's
     within : of the scale, by default the largest number of the right result
-    of, unit, scale : one for each member where the result is a tuple; left out, as RESULTS has them
+    of, unit, scale : one for each member where the result is a tuple; left out, as RETURNS has them
     hint   : where to look; a function of the case, the result and the right one is asked on failure alone
     only   : the member of a tuple that is judged, or several
     gradual : False where an error of a few limits is no sign that the physics is right
@@ -145,14 +145,14 @@ def trim_to_signature(reference: Callable[..., Any], cases: Iterable[Case]) -> l
     So the same cases serve functions that are given more or less of the same thing.
     """
     known = _signature(reference).parameters
-    kinds = [one.label for one in known.values()]
+    kinds = [one.kind for one in known.values()]
 
     def cut(case: Case) -> Case:
         named = {name: case.kwargs[name] for name in case.kwargs if name in known or KEYWORDS in kinds}
-        places = sum(name not in named and label is PLACED for name, label in zip(known, kinds, strict=True))
+        places = sum(name not in named and kind is PLACED for name, kind in zip(known, kinds, strict=True))
         args = case.args if ARGUMENTS in kinds else case.args[:places]
         whole = len(args) == len(case.args) and len(named) == len(case.kwargs)
-        return case if whole else Case(args, named, case.label)
+        return case if whole else Case(*args, **named).labelled(case.label, case.hint)
 
     return [cut(case) for case in cases]
 
@@ -161,8 +161,8 @@ _signature = functools.lru_cache(maxsize=256)(inspect.signature)
 
 
 def describe(function: Any, name: str) -> Any:
-    """One of the words in which RESULTS speaks of a result, or of each member of a tuple."""
-    words = getattr(getattr(function, "returns", None), "words", Description())
+    """One of the words in which RETURNS speaks of a result, or of each member of a tuple."""
+    words = getattr(getattr(function, "returns", None), "description", Description())
     return [getattr(one, name) for one in words] if isinstance(words, list) else getattr(words, name)
 
 
@@ -195,7 +195,7 @@ def compare_columns(
 ) -> None:
     """As `compare`, for a state or rows of them, whose numbers have different units: each column is judged in its own.
 
-    columns : left out, as RESULTS has them
+    columns : left out, as RETURNS has them
     """
     for case, found, true in call_cases(function, reference, cases):
         expected, t = np.asarray(true, float), case.args[0] if found.ndim == 2 else None

@@ -153,7 +153,7 @@ def expect(
 def expect_that(
     holds: Any, message: str, *, hint: Hint = "", label: str | None = "", at: Any = None, share: float = 0.0
 ) -> None:
-    """Fail with `message` (what is wrong) unless the condition holds; a kind of None says that it is so for any input."""
+    """Fail with `message` (what is wrong) unless the condition holds; a label of None means: for any input."""
     if not holds:
         fail(message, hint=hint, label=label, at=at, share=share)
 

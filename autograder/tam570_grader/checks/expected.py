@@ -32,7 +32,7 @@ _expensive = set[str]()  # functions that have given a dear answer here; of the 
 
 def expected_result(reference: Callable[..., Any], case: Case) -> Any:
     """right(*args, **kwargs) of a case; it is shared, and not to be changed."""
-    inputs = case.message
+    inputs = case.packed
 
     def computed() -> Any:
         return shared(reference.__name__, _name(reference), inputs, lambda: reference(*case.args, **case.kwargs))

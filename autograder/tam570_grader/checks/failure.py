@@ -12,7 +12,7 @@ WHOLE = ("expected", "actual", "at")  # of a failure: what the instructor alone 
 class Failure:
     """Why a check failed, as data: a page makes a sentence of it.
 
-    A quantity `quantity` is wrong by `error`, in `unit`, beyond a `limit`, at a `time` in s; or `message` tells what is wrong.
+    A `quantity` is wrong by `error`, in `unit`, beyond a `limit`, at a `time` in s; or `message` tells what is wrong.
     `expected`, `actual` and `at`, the very input, are the instructor's; the rest is the student's.
     """
 

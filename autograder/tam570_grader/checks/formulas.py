@@ -20,7 +20,8 @@ FOLLOWS = 1e-4  # another term changes more
 def in_symbols(cases: Iterable[Case], *symbols: str) -> list[Case]:
     """The same values as keywords, which are the symbols of a formula."""
     return [
-        Case((), dict(zip(symbols, (*case.args, *case.kwargs.values()), strict=True)), case.label) for case in cases
+        Case(**dict(zip(symbols, (*case.args, *case.kwargs.values()), strict=True))).labelled(case.label, case.hint)
+        for case in cases
     ]
 
 

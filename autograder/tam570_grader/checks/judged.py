@@ -25,7 +25,7 @@ class Judged:
     """A call, what came back, and the right answer."""
 
     name: str
-    given: Case
+    case: Case
     result: Any
     right: Any
 

@@ -60,7 +60,7 @@ class Called(Protocol):
     @property
     def name(self) -> str: ...
     @property
-    def given(self) -> Case: ...
+    def case(self) -> Case: ...
     @property
     def result(self) -> Any: ...  # None where the call raised, or returned what was not promised
 
@@ -112,14 +112,14 @@ def known(solution: str, suspects: Iterable[Mistake], calls: Sequence[Called]) -
 
     Of each function that the mistake changes, every result must be the mistake's, and one must be numbers.
     """
-    short_first = sorted(calls, key=lambda call: len(call.case.message))  # most are told by a motion of a few rows
+    short_first = sorted(calls, key=lambda call: len(call.case.packed))  # most are told by a motion of a few rows
     groups = {call.name: [one for one in short_first if one.name == call.name] for call in calls}
     return next((one.says for one in suspects if _agrees(solution, one, groups)), None)
 
 
 def _agrees(solution: str, one: Mistake, groups: dict[str, list[Called]]) -> bool:
     told = False
-    alike = ([call for call in group if one.where in call.case.kind] for group in groups.values())
+    alike = ([call for call in group if one.where in call.case.label] for group in groups.values())
     for group in filter(None, alike):
         within = one.within or _within(group[0])
         changed = (_changed(solution, one.text, call, within) for call in group)
@@ -165,7 +165,7 @@ _changes = Memory(MOST_CHANGES)
 
 def _answer(solution: str, text: str, call: Called) -> Any:
     """The answer of the solution with a mistake, computed a single time for all who are given the same input."""
-    name, message = _named(solution, text), call.case.message
+    name, message = _named(solution, text), call.case.packed
 
     def compute() -> Any:
         return shared(call.name, name, packed(call.name) + message, lambda: _computed(_module(solution, text), call))
@@ -175,7 +175,7 @@ def _answer(solution: str, text: str, call: Called) -> Any:
 
 def _changed(solution: str, text: str, call: Called, within: float) -> bool:
     """Whether the mistake changes the answer to a call."""
-    key = _named(solution, text), call.name, call.case.message, within
+    key = _named(solution, text), call.name, call.case.packed, within
 
     def compute() -> bool:
         return not _same(_answer(solution, "", call), _answer(solution, text, call), within)

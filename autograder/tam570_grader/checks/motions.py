@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.effort import Exhausted, limited
 from tam570_grader.checks.expect import Failed, NotWritten
-from tam570_grader.checks.expected import answer
+from tam570_grader.checks.expected import expected_result
 
 __all__ = ["ROUGHLY", "Motion", "diagnosed", "flat", "obeys"]
 
@@ -80,7 +80,7 @@ class Motion:
     def truly(self, t: Array, *start: Any) -> Array:
         """The right rows at other times, or from another start."""
         case = self.case.replace(t, *start)
-        return flat(answer(self.right, case))
+        return flat(expected_result(self.right, case))
 
 
 def diagnosed(motion: Motion, motions: Sequence[Motion], turns: Sequence[int], near_miss: float) -> str:

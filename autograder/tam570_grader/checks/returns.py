@@ -1,10 +1,10 @@
-"""What a student's function returns, as the contract promises it: RESULTS of a checks file maps names to these.
+"""What a student's function returns, as the contract promises it: RETURNS of a checks file maps names to these.
 
-    RESULTS = {"rotation_matrix": array(3, 3), "simulate": rows(4), "energy_balance": group(number, number, number),
+    RETURNS = {"rotation_matrix": array(3, 3), "simulate": rows(4), "energy_balance": group(number, number, number),
                "lagrangian": formula("theta", "omega", "m", "l", "g"), "plot_tip_path": drawing}
 
-`number.described("the energy", "J", size)` says once what messages call it, its unit, and what its error is relative to;
-`rows(4, columns=MOTION)` says that of columns.
+`number.described("the energy", "J", size)` names a result in messages, its unit and what its error is relative to;
+`rows(4, columns=MOTION)` does so for columns.
 
 A result that is not of this form ends the check with a message that says what came instead. What is
 accepted is what `numpy.asarray` turns into that shape: lists, tuples and NumPy scalars too.
@@ -61,11 +61,11 @@ class Array:
     shape: tuple[int | str | None, ...]
     infinite: bool = False  # may be math.inf
     columns: Sequence[Any] = field(default=(), compare=False)  # each a `Column`
-    words: Description = field(default=Description(), compare=False)
+    description: Description = field(default=Description(), compare=False)
 
     def described(self, quantity: str, unit: str = "", scale: Scale | None = None) -> "Array":
         """The same promise, with what messages call its result."""
-        return replace(self, words=Description(quantity, unit, scale))
+        return replace(self, description=Description(quantity, unit, scale))
 
 
 @dataclass(frozen=True)
@@ -75,7 +75,7 @@ class Group:
     members: tuple["Array | Group", ...]
 
     @property
-    def words(self) -> list[Any]:
+    def description(self) -> list[Any]:
         return [member.description for member in self.members]
 
 
@@ -84,11 +84,11 @@ class Formula:
     """A SymPy expression in these symbols; `student.f.at([{"theta": .3, ...}, ...])` gives its values."""
 
     symbols: tuple[str, ...]
-    words: Description = field(default=Description(), compare=False)
+    description: Description = field(default=Description(), compare=False)
 
     def described(self, quantity: str, unit: str = "", scale: Scale | None = None) -> "Formula":
         """The same promise, with what messages call its value."""
-        return replace(self, words=Description(quantity, unit, scale))
+        return replace(self, description=Description(quantity, unit, scale))
 
 
 @dataclass(frozen=True)
@@ -105,7 +105,7 @@ class Line:
 
 @dataclass(frozen=True)
 class Drawing:
-    """What a plot function drew on its Axes; in RESULTS, the instance `drawing` promises one."""
+    """What a plot function drew on its Axes; in RETURNS, the instance `drawing` promises one."""
 
     lines: tuple[Line, ...] = ()
     xlabel: str = ""

@@ -112,13 +112,13 @@ def _changes(found: Any, numbers: Sequence[str]) -> Iterator[tuple[str, Callable
             yield f"should be {says} by {key}", partial(_times, key, power)
             yield f"should be {says} by {key} squared", partial(_times, key, 2 * power)
     if found.ndim == 2 and found.shape[0] == found.shape[1]:
-        yield "is transposed", lambda value, given: np.transpose(value)
+        yield "is transposed", lambda value, case: np.transpose(value)
     for says, change in _components(found):
         yield says, partial(_changed, change)
 
 
 def _constants(found: Any, right: Any) -> Iterator[tuple[str, Callable[[Any, Case], Any]]]:
-    """What one result is of the right one, in case it is so for any input."""
+    """What one result is of the right one, given that it is so for any input."""
     if found.shape == right.shape and right.any():
         largest = np.unravel_index(np.argmax(np.abs(right)), right.shape)
         ratio, shift = (float(one[largest]) for one in (found / right[largest], found - right))
@@ -127,15 +127,15 @@ def _constants(found: Any, right: Any) -> Iterator[tuple[str, Callable[[Any, Cas
             yield f"is off by {shift:.4g} for any input", partial(_changed, partial(np.add, shift))
 
 
-def _scaled(factor: float, value: Any, given: Case) -> Any:
+def _scaled(factor: float, value: Any, case: Case) -> Any:
     return value * factor
 
 
-def _times(key: str, power: int, value: Any, given: Case) -> Any:
-    return value * given.kwargs[key] ** power
+def _times(key: str, power: int, value: Any, case: Case) -> Any:
+    return value * case.kwargs[key] ** power
 
 
-def _changed(change: Callable[[Any], Any], value: Any, given: Case) -> Any:
+def _changed(change: Callable[[Any], Any], value: Any, case: Case) -> Any:
     return change(value)
 
 
@@ -220,5 +220,5 @@ def _exchanged(right: Callable[..., Any], taken: Sequence[str], one: str, other:
     return right(**{**values, one: values[other], other: values[one]})
 
 
-def _named(taken: Sequence[str], given: Case) -> dict[str, Any]:
-    return {**dict(zip(taken, given.args, strict=False)), **given.kwargs}
+def _named(taken: Sequence[str], case: Case) -> dict[str, Any]:
+    return {**dict(zip(taken, case.args, strict=False)), **case.kwargs}

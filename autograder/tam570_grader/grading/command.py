@@ -112,8 +112,8 @@ def _config(arguments: argparse.Namespace, course: Path, found: list[Any], earli
 
     key = seeds.key(arguments.vary, any(earlier)) if arguments.vary else None
     seed = seeds.seed(arguments.seed, earlier, key)
-    limits = {name: vars(arguments)[name] or usual for name, usual in course_config.limits(course).items()}
-    limits = ResourceLimits(limits["memory"] * 2**20, limits["cpu"], limits["call"], arguments.processes)
+    most = {name: vars(arguments)[name] or usual for name, usual in course_config.limits(course).items()}
+    limits = ResourceLimits(most["memory"] * 2**20, most["cpu"], most["call"], arguments.processes)
     ours = [*arguments.paths, *arguments.join, *filter(None, (arguments.out, arguments.against, arguments.vary))]
     hidden = [*_folders(course), *(path.resolve() for path in ours)]
     cluster = _cluster(arguments)
@@ -165,7 +165,7 @@ def _by_hand(summary: RunSummary, config: Any) -> str:
 
     parts = {slug: assignments.manual_parts(config.course, slug) for slug in sorted({row[1] for row in summary.rows})}
     lacking = {slug: sum(of for of, _ in manual.values()) for slug, manual in parts.items() if manual}
-    given = {slug for slug in lacking if summary.hand and summary.hand.counts_parts(slug)}
+    given = {slug for slug in lacking if summary.adjustments and summary.adjustments.counts_parts(slug)}
     return ", ".join(f"{most:g} of {slug}" for slug, most in lacking.items() if slug not in given)
 
 

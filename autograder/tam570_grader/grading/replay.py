@@ -48,9 +48,9 @@ def _replay(arguments: argparse.Namespace) -> int:
 def _failure(results: Path, student: str, check: str, given: str | None) -> tuple[str, Failure]:
     """The assignment and the failure; UsageError where there is none, or more than one."""
     from tam570_grader.checks.assignments import named
-    from tam570_grader.results import journal, records
+    from tam570_grader.results import records, store
 
-    lines = [line for line in journal.read(results) if line["student"] == student]
+    lines = [line for line in store.read(results) if line["student"] == student]
     if not lines:
         raise UsageError(f"{results} has no result of {student}")
     slugs = named([given] if given else [], [line["assignment"] for line in lines])
@@ -119,14 +119,14 @@ def _again(arguments: argparse.Namespace, slug: str, why: Failure) -> str:
 
 def _result(function: Any, at: dict[str, Any]) -> str:
     """What a function gives: numbers, the values of a formula, or the curves of a drawing."""
-    from tam570_grader.checks.check import given
+    from tam570_grader.checks.case import Case
     from tam570_grader.checks.returns import Drawing, Formula
 
     args, kwargs = [_numbers(one) for one in at["args"]], {name: _numbers(one) for name, one in at["kwargs"].items()}
     if isinstance(function.returns, Formula):
         return _digits(function.at(args[0] if args else [kwargs]))
     if isinstance(function.returns, Drawing):
-        curves = function.drawn(given(*args, **kwargs)).lines
+        curves = function.drawn(Case(*args, **kwargs)).lines
         return (
             "\n".join(f"{line.label or 'a curve'}: {_digits(line.points)}" for line in curves)
             or "no curve of ten points"

@@ -5,7 +5,7 @@ import json
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from tam570_grader.checks import answers, assignments
+from tam570_grader.checks import assignments, expected
 from tam570_grader.errors import UsageError
 from tam570_grader.grading.one import Result, failed_by_us, graded, not_graded
 from tam570_grader.grading.speed import Yardstick
@@ -70,7 +70,7 @@ def result(task: GradeTask) -> Result:
     hidden = [*dict.fromkeys([task.course, *asked.hidden])]
     preload = sorted({*assignment.needs, *asked.preload}.difference(assignment.forbidden.get("*", ())))
     try:
-        with answers.sharing(asked.shared):
+        with expected.sharing(asked.shared):
             return tried(functools.partial(_graded, task), preload, asked.limits, hidden)
     except NotConfined as why:
         raise UsageError(NO_JAIL.format(why=why)) from None

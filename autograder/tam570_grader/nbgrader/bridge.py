@@ -24,7 +24,7 @@ from nbgrader.utils import find_all_files  # type: ignore[import-untyped]
 from traitlets import Bool, Dict, Integer, Unicode
 
 from tam570_grader.checks import assignments
-from tam570_grader.grading.batch import Plan, records
+from tam570_grader.grading.batch import RunConfig, records
 from tam570_grader.grading.submissions import (
     LARGEST,
     MOST_FILES,
@@ -225,14 +225,14 @@ class SandboxGrades(NbGraderPreprocessor):  # type: ignore[misc]
             known.update({(slug, one.student): (one, found[one.student]) for one in everyone})
         return known[slug, student]
 
-    def _plan(self, place: Any, book: ResultStore, everyone: Sequence[Submission]) -> Plan:
+    def _plan(self, place: Any, book: ResultStore, everyone: Sequence[Submission]) -> RunConfig:
         seed = secrets.randbelow(2**31) if book.seed is None else book.seed
         mine = {"memory": self.memory, "cpu": self.cpu, "call": self.call}
-        limits = {name: mine[name] or usual for name, usual in course_config.limits(self.found_checkout()).items()}
-        limits = ResourceLimits(limits["memory"] * 2**20, limits["cpu"], limits["call"])
+        most = {name: mine[name] or usual for name, usual in course_config.limits(self.found_checkout()).items()}
+        limits = ResourceLimits(most["memory"] * 2**20, most["cpu"], most["call"])
         jobs = self.jobs or cores()
         hidden = [self.found_checkout(), Path(place.root).resolve()]
-        return Plan(self.found_checkout(), everyone, seed, jobs, limits, hidden)
+        return RunConfig(self.found_checkout(), everyone, seed, jobs, limits, hidden)
 
 
 def _class(place: Any, slug: str) -> list[Submission]:

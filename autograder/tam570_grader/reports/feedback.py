@@ -100,7 +100,7 @@ def page(result: Result, info: AssignmentInfo, adjusted: AdjustedScore | None = 
         manual=[
             (letter, points(most), what) for letter, (most, what) in info.manual.items() if letter not in adjusted.parts
         ],
-        by_hand=adjusted.says,
+        by_hand=adjusted.message,
         first=next(iter(wrong), None),
         among=_among(result),
     )
@@ -160,7 +160,7 @@ def _shown(check_result: CheckResult, info: AssignmentInfo, note: str) -> dict[s
         "stuck": stuck,
         "points": points(check_result.points, check_result.max_points),
         "max_points": points(check_result.max_points),
-        "says": describe_failure(check_result.failure)
+        "message": describe_failure(check_result.failure)
         if check_result.failure
         else ""
         if check_result.message == note
@@ -195,10 +195,10 @@ def write_pages(folder: Path, results: Results, course: Path, told: Progress = l
     A file beside the folder, not in it, says from what each page was made: the folder is for students.
     """
     version = _version()
-    check_results = {slug: _mark_of_sheet(course, slug, version) for slug in {slug for _, slug in results.lines}}
+    info_digests = {slug: _info_digest(course, slug, version) for slug in {slug for _, slug in results.lines}}
     adjustments = manual_points.read(folder.parent)
     adjusted = _settled(adjustments, results)
-    made = {key: f"{line.check_result} {check_results[key[1]]}" for key, line in results.lines.items()}
+    made = {key: f"{line.line_digest} {info_digests[key[1]]}" for key, line in results.lines.items()}
     for key, one in adjusted.items():
         made[key] += f" {zlib.crc32(repr(one).encode())}"
     notes = folder.with_name(f".{folder.name}-made.json")
@@ -213,13 +213,13 @@ def write_pages(folder: Path, results: Results, course: Path, told: Progress = l
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text, encoding="utf-8")  # no fsync: it is made again from the results
     if stale:
-        written(notes, json.dumps({"/".join(key): check_result for key, check_result in made.items()}))
+        written(notes, json.dumps({"/".join(key): digest for key, digest in made.items()}))
 
 
 def _settled(adjustments: ManualAdjustments, results: Results) -> dict[Key, AdjustedScore]:
     """The scores to which something was added by hand."""
     scores = {key: line.graded[-2:] for key, line in results.lines.items() if adjustments.touches(key)}
-    return {key: adjustments.adjusted(key, score, most, results.earned(key)) for key, (score, most) in scores.items()}
+    return {key: adjustments.adjust(key, score, most, results.earned(key)) for key, (score, most) in scores.items()}
 
 
 def _path(folder: Path, key: Key) -> str:
@@ -235,7 +235,7 @@ def _known(notes: Path) -> dict[str, str]:
     return known if isinstance(known, dict) else {}
 
 
-def _mark_of_sheet(course: Path, slug: str, version: int) -> int:
+def _info_digest(course: Path, slug: str, version: int) -> int:
     """Of all that a sheet is made of, which is not loaded for that."""
     title = _title(course / "assignments" / slug, slug)
     return zlib.crc32(title.encode() + checks_digest(course, slug), version)

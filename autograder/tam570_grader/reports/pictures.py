@@ -22,7 +22,7 @@ class Picture:
     """A drawing; what a template puts between its svg tags."""
 
     caption: str
-    says: str  # the same in words, for those who do not see it
+    alt_text: str  # the same in words, for those who do not see it
     path: str
     dots: Sequence[tuple[float, float]]
     band: tuple[float, float]  # top and height of what is allowed
@@ -37,7 +37,7 @@ class Among:
     """A student's point among the curves of the methods, run time over error."""
 
     caption: str
-    says: str
+    alt_text: str
     paths: Sequence[tuple[str, str]]  # name and path
     names: Sequence[tuple[float, str]]  # where the names stand
     point: tuple[float, float]
@@ -70,7 +70,7 @@ def among(slug: str, speed: Speed) -> Among:
     decades = range(x1, x0 - 1, -max(1, math.ceil((x1 - x0) / 6)))
     return Among(
         caption=f"Run time against error of {speed['function']}, scene: {speed['scene']}.",
-        says=_compared(speed, curves),
+        alt_text=_compared(speed, curves),
         paths=[(name, _path(places)) for name, places in known.items()],
         names=_spread([(places[-1][1], name) for name, places in known.items()]),
         point=own,
@@ -135,11 +135,11 @@ def _drift(curve: Curve) -> Picture:
     top, bottom = _up(within, low, high), _up(-within, low, high)
     last = known[-1]
     ends = f"It ends {'above' if last > 0 else 'below' if last < 0 else 'at'} what it should be"
-    says = f"{ends}, off by {quantity(abs(last))}; the largest drift is {quantity(max(known, key=abs))}."
+    alt_text = f"{ends}, off by {quantity(abs(last))}; the largest drift is {quantity(max(known, key=abs))}."
     return _picture(
         curve,
         f"What becomes of {curve['of']} along your motion",
-        says,
+        alt_text,
         places,
         (top, max(bottom - top, 0.0)),
         [(_up(value, low, high), text) for value, text in _ticks(low, high)],
@@ -149,7 +149,7 @@ def _drift(curve: Curve) -> Picture:
 def _picture(
     curve: Curve,
     caption: str,
-    says: str,
+    alt_text: str,
     places: Sequence[tuple[float, float]],
     band: tuple[float, float],
     ticks: Sequence[tuple[float, str]],
@@ -159,7 +159,7 @@ def _picture(
     allowed = f"allowed up to {quantity(curve['within'])}"
     return Picture(
         caption=f"{caption}{unit}.",
-        says=f"From t = {first:g} s to {last:g} s. {says} {allowed.capitalize()}.",
+        alt_text=f"From t = {first:g} s to {last:g} s. {alt_text} {allowed.capitalize()}.",
         path=_path(places),
         dots=[(round(x, 1), round(y, 1)) for x, y in places] if len(places) <= DOT else [],
         band=(round(band[0], 1), round(band[1], 1)),

@@ -1,6 +1,6 @@
 """What an instructor adds to results: points for parts in words, changes with a reason, late days, extensions.
 
-`manual_points.csv` beside `results.jsonl` holds a row for each student, assignment and item. An item is the letter of a part
+`by_hand.csv` beside `results.jsonl` holds a row for each student, assignment and item. An item is the letter of a part
 that is graded by hand, the name of a check, whose points it replaces, or a word: `adjust` adds points, `total` replaces
 the score, `late` counts days, `extension` grants days, and `off a day` is the share of the score that a day costs. A
 row of the student `*` is everybody's.
@@ -131,7 +131,7 @@ class ManualAdjustments:
             (result.student, result.assignment),
             {check_result.name: check_result.points for check_result in result.checks},
         )
-        found = self.adjusted(key, result.score, result.max_score, lambda: earned)
+        found = self.adjust(key, result.score, result.max_score, lambda: earned)
         return replace(result, score=found.score, max_score=found.most)
 
     def row(self, graded: tuple[Any, ...], earned_of: Earned) -> tuple[Any, ...]:
@@ -139,7 +139,7 @@ class ManualAdjustments:
         student, slug, status, score, most = graded
         if not self.touches((student, slug)):
             return graded
-        found = self.adjusted((student, slug), score, most, earned_of)
+        found = self.adjust((student, slug), score, most, earned_of)
         return student, slug, status, found.score, found.most
 
 

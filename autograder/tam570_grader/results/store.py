@@ -36,7 +36,7 @@ class Line:
     start: int
     length: int
     digest: str  # of all that the result depends on
-    check_result: str  # of the line itself
+    line_digest: str
     seed: int
     graded: tuple[Any, ...]  # its row in the table of grades
     summary_row: Any = None  # what a run asks of each result, so that none is read twice
@@ -94,10 +94,10 @@ class Results(Mapping[Key, Record]):
                 self._put(_record(text, self._path, self._count + 1), text)
 
     def _put(self, record: Record, text: bytes) -> None:
-        check_result = hashlib.blake2b(text, digest_size=12).hexdigest()
+        line_digest = hashlib.blake2b(text, digest_size=12).hexdigest()
         graded = tuple(map(_kept_once, map(record.get, COLUMNS)))
         digest = str(record.get("digest"))
-        line = Line(self._end, len(text), digest, check_result, record["seed"], graded, self._note(record))
+        line = Line(self._end, len(text), digest, line_digest, record["seed"], graded, self._note(record))
         self.lines[_kept_once(str(record["student"])), _kept_once(str(record["assignment"]))] = line
         self._end += len(text)
         self._count += 1

@@ -28,7 +28,7 @@ class Call:
     """A call that a check made and the result that came back."""
 
     name: str
-    given: Case
+    case: Case
     result: Any  # None where the call raised, or returned what was not promised
 
 

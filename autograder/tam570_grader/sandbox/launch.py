@@ -16,7 +16,18 @@ from tam570_grader.protocol.jail import SCRATCH
 
 __all__ = ["environment", "isolation", "jailed_command", "other_packages", "plain_command"]
 
-BOOT = "import json, sys; sys.path += json.loads(sys.argv[2]); from inside.worker import main; main()"
+# The package `protocol` alone is imported of what lies beside it.
+BOOT = """
+import importlib.util, json, sys
+*path, home = json.loads(sys.argv[2])
+sys.path += path
+spec = importlib.util.spec_from_file_location("protocol", home + "/protocol/__init__.py")
+sys.modules["protocol"] = package = importlib.util.module_from_spec(spec)
+spec.loader.exec_module(package)
+from protocol.zygote import main
+main()
+"""
+HOME = Path(__file__).parents[1]  # that holds the package `protocol`
 TRIALS = 3  # of bubblewrap: one may be killed, or come when memory is short
 SYSTEM_LINKS = ("/lib", "/lib64")  # into /usr on most systems
 VARIABLES = {
@@ -58,8 +69,8 @@ def _site_folders() -> list[str]:
 
 
 def plain_command() -> tuple[list[str], list[str]]:
-    """Command and search path of a worker without a jail."""
-    path = [*_site_folders(), str(Path(tam570.__file__).parents[1]), str(Path(__file__).parent)]
+    """Command and search path of a zygote without a jail; the last folder holds `protocol`."""
+    path = [*_site_folders(), str(Path(tam570.__file__).parents[1]), str(HOME)]
     if os.geteuid() == 0:
         _must_be_readable([sys.base_prefix, *path])
     return _python(), path
@@ -77,11 +88,11 @@ def _must_be_readable(folders: Sequence[str]) -> None:
 
 
 def jailed_command(hidden: Sequence[Path]) -> tuple[list[str], list[str]]:
-    """Command and search path of a worker in bubblewrap: it sees Python, its packages and the course's utilities."""
+    """Command and search path of a zygote in bubblewrap: it sees Python, its packages and the course's utilities."""
     sites = _site_folders()
-    course, inside = Path(tam570.__file__).parent, Path(__file__).parent / "inside"
+    course = Path(tam570.__file__).parent
     shown = {folder: folder for folder in [*sites, *_python_folders(), _python()[0]] if os.path.exists(folder)}
-    shown |= {"/opt/course/tam570": str(course), "/opt/grader/inside": str(inside)}
+    shown |= {"/opt/course/tam570": str(course), "/opt/grader/protocol": str(HOME / "protocol")}
     binds = [(Path(target), ["--ro-bind", os.path.realpath(source)]) for target, source in shown.items()]
     below = [path for path in hidden if any(path.is_relative_to(target) for target, _ in binds)]
     masks = [(path, ["--tmpfs"]) for path in dict.fromkeys([*below, *other_packages(sites)])]

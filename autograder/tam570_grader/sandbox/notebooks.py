@@ -36,19 +36,19 @@ def statements_of(text: bytes) -> str:
 
 def _read(request: dict[str, Any]) -> dict[str, Any]:
     try:
-        cell = _reader().cell(READING.cpu)
+        process = _reader().process(READING.cpu)
     except ZygoteLost:
         _reader.cache_clear()  # the next one has a new reader
         raise
     try:
-        cell.send(request)
-        reply: dict[str, Any] = cell.receive(lambda reply: reply)
+        process.send(request)
+        reply: dict[str, Any] = process.receive(lambda reply: reply)
     except ProcessTimeout:
         raise Unshown("it takes too long to read") from None
     except ProcessLost:
         raise Unshown("it takes too much memory to read") from None
     finally:
-        cell.end()
+        process.end()
     if "error" in reply:
         raise Unshown(python_class(error_of(reply)))
     return reply

@@ -106,7 +106,7 @@ class Student:
             raise NotWritten(name)
         replies: list[dict[str, Any]] = []
         try:
-            process.send(request([one.message for one in calls], function=name, mode=mode, refused=refused, **more))
+            process.send(request([case.packed for case in calls], function=name, mode=mode, refused=refused, **more))
             while len(replies) < len(calls) and (more.get("every") or not (replies and "error" in replies[-1])):
                 replies.append(process.receive(lambda reply: checked(reply, mode)))
                 self._must_end()

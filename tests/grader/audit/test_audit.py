@@ -246,13 +246,21 @@ def test_a_diagnosis_tells_named_from_unnamed_and_misled():
 @pytest.mark.parametrize(
     ("names", "why", "named"),
     [
-        ("a long arm", Failure(of="the moment", error=1.0, limit=0.1, kind="a long arm", hint="Which arm?"), False),
-        ("the moment is wrong", Failure(of="the moment", error=1.0, limit=0.1, hint="Which arm?"), False),
-        ("which arm", Failure(of="the moment", error=1.0, limit=0.1, kind="a long arm", hint="Which arm?"), True),
-        ("zero | which arm", Failure(of="the moment", error=1.0, limit=0.1, hint="Which arm?"), True),
-        ("which arm", Failure(of="the moment", error=1.0, limit=0.1, hint="Which arm?", suspect="A sign"), False),
-        ("for a long arm", Failure(says="moment raised ValueError", kind="a long arm"), False),
-        ("raised ValueError for a long arm", Failure(says="moment raised ValueError", kind="a long arm"), True),
+        (
+            "a long arm",
+            Failure(quantity="the moment", error=1.0, limit=0.1, label="a long arm", hint="Which arm?"),
+            False,
+        ),
+        ("the moment is wrong", Failure(quantity="the moment", error=1.0, limit=0.1, hint="Which arm?"), False),
+        (
+            "which arm",
+            Failure(quantity="the moment", error=1.0, limit=0.1, label="a long arm", hint="Which arm?"),
+            True,
+        ),
+        ("zero | which arm", Failure(quantity="the moment", error=1.0, limit=0.1, hint="Which arm?"), True),
+        ("which arm", Failure(quantity="the moment", error=1.0, limit=0.1, hint="Which arm?", suspect="A sign"), False),
+        ("for a long arm", Failure(message="moment raised ValueError", label="a long arm"), False),
+        ("raised ValueError for a long arm", Failure(message="moment raised ValueError", label="a long arm"), True),
     ],
 )
 def test_a_mistake_is_named_by_what_is_said_of_it_and_not_by_the_input(names, why, named):

@@ -3,8 +3,8 @@
 import math
 
 import pytest
-from tam570_grader.checks.case import Case
 
+from tam570_grader.checks.case import Case
 from tam570_grader.checks.mistakes import _module, known, mistake
 from tam570_grader.sandbox.function import Call
 
@@ -17,7 +17,7 @@ def wrong(body, extra=""):
 
 def named(slip, *calls):
     """Whether calls (function, input, the student's result) agree with a mistake."""
-    return known(SOLUTION, [slip], [Call(name, Case(x), result) for name, x, result in calls]) == slip.message
+    return known(SOLUTION, [slip], [Call(name, Case(x), result) for name, x, result in calls]) == slip.says
 
 
 @pytest.mark.parametrize("body", ["1 / x", "math.sqrt(x - 1)", "np.linalg.inv([[x]])"])
@@ -77,7 +77,7 @@ def test_one_mistake_of_several_is_told_by_the_inputs_that_show_it_alone():
     thin, thick = Case(1.0).labelled("a thin disk"), Case(2.0).labelled("a hoop")
     calls = [Call("f", thin, 1.0), Call("f", thick, 7.0)]
     told, untold = wrong("x", "where: thin\n"), wrong("x")
-    assert known(SOLUTION, [untold, told], calls) == told.message
+    assert known(SOLUTION, [untold, told], calls) == told.says
     assert known(SOLUTION, [untold], calls) is None
     assert known(SOLUTION, [wrong("x", "where: thick\n")], calls) is None
 

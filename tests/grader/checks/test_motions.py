@@ -5,11 +5,11 @@ from functools import partial
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
-from tam570_grader.checks.case import Case
 
+from tam570_grader.checks.case import Case
 from tam570_grader.checks.expect import Failed
 from tam570_grader.checks.motions import AHEAD, BEHIND, NEARLY_FOLLOWS, TIGHT, Motion, diagnosed, obeys
-from tam570_grader.checks.trajectory import loosely
+from tam570_grader.checks.trajectory import loose_tolerance_share
 
 LOOSE = """
 
@@ -64,12 +64,16 @@ def test_rows_in_another_order_or_at_rest_break_them(loose):
 @pytest.mark.full
 def test_no_grade_leaps_between_ten_limits_and_a_tenth(loose):
     errors = np.geomspace(10, 1e5, 101)[1:] * 1e-6 * 20.0
-    shares = np.array([loosely(motion(loose), 1e-6, 20.0, error) for error in errors])
+    shares = np.array([loose_tolerance_share(motion(loose), 1e-6, 20.0, error) for error in errors])
     assert shares[0] == pytest.approx(0.9, abs=0.03)
     assert shares[-1] == 0.25
     assert np.all((np.diff(shares) >= -0.03) & (np.diff(shares) <= 0))
-    assert [loosely(motion(loose), 1e-6, 20.0, error) for error in (2.1, np.nan, np.inf)] == [0.0, 0.0, 0.0]
-    assert loosely(motion(loose[::-1]), 1e-6, 20.0, 1e-3) == 0.0
+    assert [loose_tolerance_share(motion(loose), 1e-6, 20.0, error) for error in (2.1, np.nan, np.inf)] == [
+        0.0,
+        0.0,
+        0.0,
+    ]
+    assert loose_tolerance_share(motion(loose[::-1]), 1e-6, 20.0, 1e-3) == 0.0
 
 
 @pytest.mark.parametrize("number", [0, 2])
@@ -189,7 +193,7 @@ def simulate(t, state, locked, **car):
 
 
 @pytest.mark.parametrize(
-    ("slug", "text", "right"),
+    ("slug", "text", "reference"),
     [
         ("hw13_rolling_cylinder", DAMPED.format(damping=1e-3, tolerance=1e-9), False),
         ("hw13_rolling_cylinder", DAMPED.format(damping=1e-5, tolerance=1e-9), False),

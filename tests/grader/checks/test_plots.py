@@ -4,12 +4,12 @@ import contextlib
 
 import numpy as np
 import pytest
-from tam570_grader.checks.case import Case
-from tam570_grader.protocol.expected_result import MODES
 
+from tam570_grader.checks.case import Case
 from tam570_grader.checks.expect import Failed, check_context
 from tam570_grader.checks.plots import distances, judge_axes_of_lengths, readable
 from tam570_grader.checks.returns import Drawing
+from tam570_grader.protocol.answer import MODES
 
 
 @pytest.mark.parametrize(("shape", "equal"), [(1, True), (0.5, False), (None, False)])
@@ -45,7 +45,7 @@ def test_distances_from_a_polygon_are_those_to_its_sides_and_many_points_cost_no
 
 
 @pytest.mark.parametrize(
-    ("label", "right"),
+    ("label", "reference"),
     [
         *((label, True) for label in ("x (m)", "x [m]", "right, m", "$x$ (m)", r"$x$ $[\mathrm{m}]$", "x in metres")),
         *((label, True) for label in ("Horizontal Distance (Meters)", "X [METRES]", "length in metre(s)")),

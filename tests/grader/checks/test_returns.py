@@ -4,9 +4,9 @@ import math
 
 import numpy as np
 import pytest
-from tam570_grader.checks.case import Case
 
 from tam570_grader.checks import assignments
+from tam570_grader.checks.case import Case
 from tam570_grader.checks.expect import Failed, expect
 from tam570_grader.checks.returns import array, group, number, result, rows
 from tam570_grader.reports.sentences import describe_failure
@@ -15,7 +15,7 @@ from tam570_grader.sandbox.zygote import ResourceLimits
 
 
 @pytest.mark.parametrize(
-    ("returns", "value", "message"),
+    ("returns", "value", "fragment"),
     [
         (number, np.ones(1), "not a single number"),
         (number, float("nan"), "NaN or infinity"),
@@ -31,10 +31,10 @@ from tam570_grader.sandbox.zygote import ResourceLimits
         (group(number, array(2)), [1.0, [2.0]], "result 2"),
     ],
 )
-def test_a_result_that_breaks_its_promise_says_how(returns, value, message):
+def test_a_result_that_breaks_its_promise_says_how(returns, value, fragment):
     with pytest.raises(Failed) as failed:
         result(returns, value, "f", Case(np.zeros(5)))
-    assert message in describe_failure(failed.value.failure)
+    assert fragment in describe_failure(failed.value.failure)
 
 
 def test_infinity_is_a_number_where_it_is_promised():
@@ -48,7 +48,7 @@ def test_expect_lets_nothing_through_that_is_no_number(actual):
 
 
 @pytest.mark.parametrize(
-    ("expression", "right"),
+    ("expression", "reference"),
     [
         ("(m * l - m * g * sympy.sin(theta)) / (m * l) - 1", True),  # SymPy leaves it so
         ("-g * sympy.sin(theta) / l + m - sympy.sqrt(m**2)", True),  # as a mass is positive

@@ -17,9 +17,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tam570_grader.checks import answers, assignments
-from tam570_grader.checks.check import given
-from tam570_grader.grading import many
+from tam570_grader.checks import assignments, expected
+from tam570_grader.checks.case import Case
+from tam570_grader.grading import batch
 from tam570_grader.grading.cluster import Cluster
 from tam570_grader.grading.executor import TaskExecutor, WorkerLost, executor, finished, in_order
 from tam570_grader.grading.submissions import submissions
@@ -153,17 +153,17 @@ def motion(folder, seconds):
 @pytest.fixture
 def place(tmp_path):
     (tmp_path / "shared").mkdir()
-    with answers.sharing(tmp_path / "shared"):
+    with expected.sharing(tmp_path / "shared"):
         yield tmp_path
 
 
 @pytest.mark.parametrize(("seconds", "computed"), [(0.1, 1), (0.0, 2)])
 def test_what_is_dear_is_computed_once_a_run_and_is_the_same_to_the_last_bit(place, monkeypatch, seconds, computed):
-    case = given(str(place), seconds)
+    case = Case(str(place), seconds)
     found = []
     for _ in range(2):  # two processes, as far as the memory of one is concerned
-        monkeypatch.setattr(answers, "_known", answers.Memory(5))
-        found.append(answers.answer(motion, case))
+        monkeypatch.setattr(expected, "_known", expected.Memory(5))
+        found.append(expected.expected_result(motion, case))
     assert tries(place, "motion") == computed
     assert all(type(one) is tuple and all(np.array_equal(*pair) for pair in zip(*found, strict=True)) for one in found)
     found[1][0][0] = 0.0  # no read-only memory
@@ -172,12 +172,12 @@ def test_what_is_dear_is_computed_once_a_run_and_is_the_same_to_the_last_bit(pla
 def test_a_function_without_a_name_of_its_own_shares_nothing(place, monkeypatch):
     found = []
     for factor in (1.0, 2.0):
-        monkeypatch.setattr(answers, "_known", answers.Memory(5))
+        monkeypatch.setattr(expected, "_known", expected.Memory(5))
 
         def answer(seconds, factor=factor):
             return motion(place, seconds)[0] * factor
 
-        found.append(answers.answer(answer, given(0.06))[0])
+        found.append(expected.expected_result(answer, Case(0.06))[0])
     assert found[1] == 2 * found[0]
 
 
@@ -193,7 +193,7 @@ def class_of(folder, count, solution_text):
 
 
 def config_of(course, found, jobs):
-    return many.RunConfig(course, found, 570, jobs, ResourceLimits(), [course])
+    return batch.RunConfig(course, found, 570, jobs, ResourceLimits(), [course])
 
 
 def same(records):
@@ -227,11 +227,11 @@ def kill_at_random(over, kills, killed):
 @linux
 def test_scores_are_the_same_for_one_job_for_two_and_where_supervisors_are_killed(tmp_path, course, solution_text):
     found = class_of(tmp_path, 10, solution_text)
-    alone = same(many.records(config_of(course, found, 1)))
+    alone = same(batch.records(config_of(course, found, 1)))
     over, killed = threading.Event(), []
     hand = threading.Thread(target=kill_at_random, args=(over, 3, killed))
     hand.start()
-    records = list(many.records(config_of(course, found, 2)))
+    records = list(batch.records(config_of(course, found, 2)))
     over.set()
     hand.join()
     assert killed and same(records) == alone
@@ -255,14 +255,14 @@ def everything(tmp_path_factory, course, solution_text):
 
 @pytest.fixture(scope="module")
 def by_one_job(course, everything):
-    return list(many.records(config_of(course, everything, 1)))
+    return list(batch.records(config_of(course, everything, 1)))
 
 
 @pytest.mark.full
 @pytest.mark.parametrize("cluster", [False, True])
 def test_two_jobs_and_a_cluster_give_what_one_job_gives_and_nothing_twice(course, everything, by_one_job, cluster):
     config = replace(config_of(course, everything, 2), cluster=Cluster("local") if cluster else None)
-    assert not list(differences(many.records(config), by_one_job)) and len(by_one_job) == len(everything)
+    assert not list(differences(batch.records(config), by_one_job)) and len(by_one_job) == len(everything)
 
 
 @linux
@@ -275,14 +275,14 @@ def test_fifty_kills_change_nothing(tmp_path, course, everything, by_one_job):
     chance, config, hit = random.Random(570), config_of(course, everything, 2), [0]
     moments = set(chance.sample(range(len(everything) - 2), KILLS))
     with contextlib.closing(ResultStore(tmp_path)) as book:
-        for number, _ in enumerate(many.records(config, book)):
+        for number, _ in enumerate(batch.records(config, book)):
             if number in moments:
                 time.sleep(chance.uniform(0, 0.1))
                 hit.append(kill_another(hit[-1], is_sandbox=chance.random() < 0.5))
         scored = [record for record in book.values() if record["score"] is not None]
     assert len(hit) == 1 + KILLS and set(same(scored)) <= set(same(by_one_job)) and number + 1 == len(everything)
     with contextlib.closing(ResultStore(tmp_path)) as book:
-        assert not list(differences(many.records(config, book), by_one_job))
+        assert not list(differences(batch.records(config, book), by_one_job))
 
 
 def kill_another(last, is_sandbox):

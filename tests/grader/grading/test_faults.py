@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 
 from tam570_grader.errors import UsageError
-from tam570_grader.results import journal
+from tam570_grader.results import store
 from tam570_grader.results.records import FORMAT
 from tam570_grader.sandbox.launch import isolation
 
@@ -125,7 +125,7 @@ def test_no_process_that_dies_changes_a_result(tmp_path, solution_text):
 
 def result(student, score=1.0):
     return {
-        **dict.fromkeys(journal.RESULT),
+        **dict.fromkeys(store.RESULT_FIELDS),
         "format": FORMAT,
         "student": student,
         "assignment": SLUG,
@@ -135,7 +135,7 @@ def result(student, score=1.0):
 
 
 def test_who_opens_results_that_another_run_is_replacing_writes_into_the_new_ones(tmp_path, monkeypatch):
-    first = journal.ResultStore(tmp_path)
+    first = store.ResultStore(tmp_path)
     for score in (1.0, 2.0):
         first.add(result("ada", score))
     real, calls = fcntl.flock, []
@@ -148,9 +148,9 @@ def test_who_opens_results_that_another_run_is_replacing_writes_into_the_new_one
         real(file, how)
 
     monkeypatch.setattr(fcntl, "flock", late)
-    second = journal.ResultStore(tmp_path)
+    second = store.ResultStore(tmp_path)
     second.add(result("ben"))
-    assert [one["student"] for one in journal.read(tmp_path)] == ["ada", "ben"]
+    assert [one["student"] for one in store.read(tmp_path)] == ["ada", "ben"]
     second.close()
 
 
@@ -158,7 +158,7 @@ def test_a_run_that_ends_leaves_nothing_unlocked_before_it_is_done(tmp_path, mon
     """What replaces the results is the last that it writes."""
     replaced, real = [], os.replace
     monkeypatch.setattr(os, "replace", lambda draft, path: replaced.append(path.name) or real(draft, path))
-    with contextlib.closing(journal.ResultStore(tmp_path)) as one:
+    with contextlib.closing(store.ResultStore(tmp_path)) as one:
         for score in (1.0, 2.0):
             one.add(result("ada", score))
     assert replaced == ["grades.csv", "results.jsonl"]
@@ -168,7 +168,7 @@ def test_a_run_that_ends_leaves_nothing_unlocked_before_it_is_done(tmp_path, mon
 def test_results_are_written_into_a_regular_file_alone(tmp_path, make):
     make(tmp_path / "results.jsonl")
     with pytest.raises(UsageError, match="results.jsonl is not a regular file"):
-        journal.ResultStore(tmp_path)
+        store.ResultStore(tmp_path)
 
 
 def test_a_clock_that_jumps_changes_no_result(tmp_path, solution_text, monkeypatch):

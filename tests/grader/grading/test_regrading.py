@@ -9,7 +9,7 @@ import pytest
 
 from tam570_grader import cli
 from tam570_grader.checks import assignments
-from tam570_grader.grading import many, regrade, supervisor
+from tam570_grader.grading import batch, regrade, supervisor
 
 SLUG, OTHER = "hw08_axis_angle", "hw03_angular_momentum_rate"
 WRONG = "def skew(v): return [[0.0] * 3] * 3\n"
@@ -93,14 +93,14 @@ def test_a_changed_check_is_named_with_whose_score_it_changes(tree, tmp_path, ca
 def test_all_is_run_again_where_something_else_runs_it(what, tree, tmp_path, capsys, graded, monkeypatch):
     assert grade(tree, "--out", tmp_path / "old", "--jobs", 1) == 0
     graded.clear()
-    monkeypatch.setattr(many, what, lambda: "another")
+    monkeypatch.setattr(batch, what, lambda: "another")
     assert grade(tree, "--out", tmp_path / "old", "--jobs", 1) == 0
     assert len(graded) == 4
 
 
 def test_what_is_installed_is_known_by_name_and_version():
     for library in ("numpy", "scipy", "sympy", "matplotlib", "msgpack"):
-        assert any(one.startswith(f"{library}-{metadata.version(library)}.") for one in many._installed())
+        assert any(one.startswith(f"{library}-{metadata.version(library)}.") for one in batch._installed())
 
 
 def test_a_changed_submission_is_the_only_one_to_run(tree, tmp_path, capsys, graded, solution_text):
@@ -250,9 +250,9 @@ def test_solutions_have_full_marks_for_a_thousand_students(slug, tmp_path, cours
     from tam570_grader.sandbox.zygote import ResourceLimits
 
     source = Source(solution_text(slug).encode())
-    config = many.RunConfig(course, [], 0, 2, ResourceLimits(), key=b"the key of the thousand students")
+    config = batch.RunConfig(course, [], 0, 2, ResourceLimits(), key=b"the key of the thousand students")
     everyone = [Submission(f"s{i:03}", slug, None, course) for i in range(1000)]
     class_ = (supervisor.GradeTask(course, one.student, slug, config.seed_of(one), source) for one in everyone)
-    results = map(json.loads, many.lines(config, class_, len(everyone)))
+    results = map(json.loads, batch.lines(config, class_, len(everyone)))
     lost = [result["student"] for result in results if result["score"] != 10]
     assert lost == []

@@ -8,7 +8,7 @@ import pytest
 
 from tam570_grader import cli
 from tam570_grader.results.records import FORMAT
-from tam570_grader.results.store import RESULT, ResultStore
+from tam570_grader.results.store import RESULT_FIELDS, ResultStore
 
 COURSE = """
 [late]
@@ -63,7 +63,14 @@ def scores():
     for row in rows("collected.csv"):
         known = {"student": row["student"], "assignment": row["assignment"], "status": "graded", "seed": 1}
         book.add(
-            {**dict.fromkeys(RESULT, 0), "format": FORMAT, **known, "score": 10.0, "max_score": 10.0, "checks": []}
+            {
+                **dict.fromkeys(RESULT_FIELDS, 0),
+                "format": FORMAT,
+                **known,
+                "score": 10.0,
+                "max_score": 10.0,
+                "checks": [],
+            }
         )
     book.close()
     assert cli.main(["points", "results", "--collected", "collected.csv"]) == 0

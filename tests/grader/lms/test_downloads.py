@@ -12,13 +12,14 @@ import zipfile
 import pytest
 
 from tam570_grader import cli
-from tam570_grader.checks import assignments, failures
+from tam570_grader.checks import assignments
+from tam570_grader.checks import failure as failure_record
 from tam570_grader.gradescope import autograder
 from tam570_grader.grading.one import failed_by_us
 from tam570_grader.lms import score_export
 from tam570_grader.lms.systems import SYSTEMS
 from tam570_grader.release.stubs import stub
-from tam570_grader.results import journal, tables
+from tam570_grader.results import store, tables
 
 ONE = "hw08_axis_angle"
 FORMATS = {"text", "html", "simple_format", "md", "ansi"}
@@ -107,7 +108,8 @@ def test_results_hold_nothing_hidden(course, grade, solution_text):
     record = grade(ONE, solution_text(ONE) + wrong).record()
     failed = [mark["failure"] for mark in record["checks"] if "failure" in mark]
     hidden = re.findall(
-        r"\d\.\d{6,}|[A-Za-z0-9+/]{40,}", json.dumps([failure.get(key) for failure in failed for key in failures.WHOLE])
+        r"\d\.\d{6,}|[A-Za-z0-9+/]{40,}",
+        json.dumps([failure.get(key) for failure in failed for key in failure_record.WHOLE]),
     )
     page = json.dumps(autograder.results(record, {}))
     assert hidden and not any(json.dumps(text)[1:-1] in page for text in hidden)
@@ -237,7 +239,7 @@ def test_a_cell_is_no_formula_and_tells_the_name(name):
 def grades(tmp_path):
     """A table of grades of students with odd names."""
     rows = [(name, "hw07_x", "graded", 9.5, 10.0) for name in ("+1", "ann")]
-    (tmp_path / "grades.csv").write_text(journal.grades(rows))
+    (tmp_path / "grades.csv").write_text(store.grades(rows))
     return tmp_path / "grades.csv"
 
 

@@ -7,7 +7,7 @@ import pytest
 
 from tam570_grader import cli
 from tam570_grader.results.records import FORMAT
-from tam570_grader.results.store import RESULT, ResultStore
+from tam570_grader.results.store import RESULT_FIELDS, ResultStore
 
 SLUGS = "hw03_angular_momentum_rate", "hw08_axis_angle", "hw09_book"
 CLASS = range(60)
@@ -65,7 +65,7 @@ def graded(folder):
             "checks": [],
             "seed": 1,
         }
-        book.add({**dict.fromkeys(RESULT, 0), "format": FORMAT, **known, "score": score(n, SLUGS.index(slug))})
+        book.add({**dict.fromkeys(RESULT_FIELDS, 0), "format": FORMAT, **known, "score": score(n, SLUGS.index(slug))})
     book.close()
 
 

@@ -33,16 +33,16 @@ leave_out = ["c"]
 """
 MINE = '''
 """A check of my own."""
-from tam570_grader import check, expect, given
+from tam570_grader import Case, check, expect
 
 
 @check(points=2, part="b")
-def turning_back_undoes(student, draw):
+def turning_back_undoes(student, rng):
     """rotate: turning back undoes it."""
-    r, axis = draw.normal(size=3), draw.normal(size=3)
-    ((_, there),) = student.rotate.each([given(r, axis, 0.7)])
-    ((_, back),) = student.rotate.each([given(there, axis, -0.7)])
-    expect(back, r, within=1e-12, of="the vector", unit="m")
+    r, axis = rng.normal(size=3), rng.normal(size=3)
+    ((_, there),) = student.rotate.each([Case(r, axis, 0.7)])
+    ((_, back),) = student.rotate.each([Case(there, axis, -0.7)])
+    expect(back, r, tolerance=1e-12, quantity="the vector", unit="m")
 '''
 HALF = "\n\ndef rotate(r, axis, angle):\n    return np.asarray(r, float)\n"
 

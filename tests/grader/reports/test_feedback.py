@@ -12,7 +12,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
-from hypothesis import Case, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tam570_grader.checks import assignments
@@ -125,16 +125,14 @@ def test_a_page_of_an_older_run_has_no_picture_and_is_whole(page, grade, solutio
         ("hw07_double_pendulum", "uniform_times_assumed", True),
     ],
 )
-def test_beside_a_wrong_motion_is_what_becomes_of_the_energy_along_it(
-    slug, mistake, check_conserved, grade, solution_text, page
-):
+def test_beside_a_wrong_motion_is_what_becomes_of_the_energy_along_it(slug, mistake, stays, grade, solution_text, page):
     """A mistake in the forces changes the energy; one in the times alone does not."""
     result = wrong(slug, mistake, grade, solution_text)
     drawn = [mark.failure.curve for mark in result.checks if mark.failure and mark.failure.curve]
     curves = [curve["keeps"] for curve in drawn if curve.get("keeps")]
     assert curves
     largest = max(abs(value) for one in curves for value in one["values"] if value is not None)
-    assert (largest <= curves[0]["tolerance"]) == check_conserved
+    assert (largest <= curves[0]["tolerance"]) == stays
     assert page(result).count("<figure") == len(curves) + len(drawn)
 
 
@@ -202,14 +200,14 @@ def test_the_failure_of_an_expect_with_times_carries_its_curve():
 
 
 @settings(max_examples=100, deadline=None)
-@Case(
+@given(
     rows=st.lists(st.floats(allow_nan=False, allow_infinity=False), min_size=3, max_size=200),
-    check_conserved=st.booleans(),
+    stays=st.booleans(),
     steps=st.floats(1e-6, 1e6),
 )
-def test_whatever_numbers_come_back_they_can_be_drawn(rows, check_conserved, steps):
+def test_whatever_numbers_come_back_they_can_be_drawn(rows, stays, steps):
     t = steps * np.arange(len(rows))
-    actual = np.array(rows) if check_conserved else np.column_stack([rows, rows])
+    actual = np.array(rows) if stays else np.column_stack([rows, rows])
     with np.errstate(all="ignore"):
         found = curve(t, actual, np.ones_like(actual), 1.0, tolerance=1e-6, quantity="x", unit="m")
     if found is not None:

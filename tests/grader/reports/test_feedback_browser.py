@@ -21,7 +21,7 @@ def folder(tmp_path_factory, course, zygotes):
     from tam570_grader.checks import assignments
     from tam570_grader.grading.one import graded, not_graded
     from tam570_grader.grading.speed import Yardstick
-    from tam570_grader.results import journal
+    from tam570_grader.results import store
     from tam570_grader.sandbox.student import Source
     from tam570_grader.sandbox.zygote import ResourceLimits
 
@@ -37,7 +37,7 @@ def folder(tmp_path_factory, course, zygotes):
     for slug in ("hw03_angular_momentum_rate", assignment.slug):  # one with a long title
         records.append(not_graded("dan", assignments.assignment(course, slug), "missing", "no file", 1).record())
     (folder / "results.jsonl").write_text("".join(json.dumps(one) + "\n" for one in records))
-    with contextlib.closing(journal.results(folder)) as results:
+    with contextlib.closing(store.results(folder)) as results:
         feedback.write_pages(folder / "feedback", results, course)
     assert report.run(folder, course, None, None) == 0
     return folder

@@ -23,7 +23,7 @@ def mark(name, outcome="failed", message="", points=0.0, **more):
 
 def test_the_hint_is_for_the_function_that_failed_not_for_the_first_in_the_line():
     info = feedback.AssignmentInfo("", {}, dict.fromkeys(["one", "two", "three"], "skew"), {})
-    failed = mark("one", failure=Failure(says="rotate did not return", function="rotate"))
+    failed = mark("one", failure=Failure(message="rotate did not return", function="rotate"))
     missing = mark("two", "not_run", unwritten="rotation_matrix")
     page = shown(failed, missing, mark("three"), info=info)
     assert re.findall(r"tam570 hint hw08 (\w+)", page) == ["rotate", "rotation_matrix", "skew"]
@@ -37,7 +37,7 @@ def test_what_is_said_of_the_whole_file_stands_once_and_with_a_next_step():
 
 
 @pytest.mark.parametrize(
-    ("message", "message"),
+    ("message", "says"),
     [
         ("there is no file", "There is no file."),
         ("hw08.py is too large", "hw08.py is too large."),
@@ -58,7 +58,7 @@ def test_where_nothing_failed_the_first_thing_to_look_at_is_what_is_not_written(
 
 
 def test_a_mistake_that_was_found_by_trying_is_not_called_a_known_one():
-    guess = mark("one", suspect="In energy, a term is missing", failure=Failure(says="energy is wrong"))
+    guess = mark("one", suspect="In energy, a term is missing", failure=Failure(message="energy is wrong"))
     assert "Your numbers match this mistake: In energy, a term is missing.\n" in shown(guess)
     row = feedback.row(Result("ada", "hw07", "graded", 9.7675, 10.0, 1, 0.1, "", (guess,)).record())
     assert row[5] == "numbers match: In energy, a term is missing."

@@ -3,7 +3,7 @@
 import math
 
 import pytest
-from hypothesis import Case
+from hypothesis import given
 from hypothesis import strategies as st
 
 from tam570_grader.reports.pictures import BOTTOM, LEFT, RIGHT, TOP, picture
@@ -18,7 +18,7 @@ def mantissas(step):
     return step / 10 ** math.floor(math.log10(step) + 1e-9)
 
 
-@Case(
+@given(
     st.floats(-1e3, 1e3),
     st.floats(1e-2, 1e3),
     st.lists(st.floats(-1.0, 1.0), min_size=2, max_size=9),

@@ -13,7 +13,7 @@ from tam570_grader.errors import UsageError
 from tam570_grader.grading.roster import students
 from tam570_grader.reports import report
 from tam570_grader.reports.feedback import AssignmentInfo
-from tam570_grader.results import journal, records
+from tam570_grader.results import records, store
 
 SLUGS = ("hw07_double_pendulum", "hw08_axis_angle")
 SHEETS = {slug: AssignmentInfo(f"Title of {slug[:4]}", {}, {}, {}) for slug in SLUGS}
@@ -179,7 +179,7 @@ def test_a_line_that_lacks_a_field_is_told_by_its_number(tmp_path, field):
 
 def test_what_a_result_must_have_is_what_results_have(grade):
     record = grade(SLUGS[1], "").record()
-    assert record.keys() >= journal.RESULT and all(mark.keys() >= journal.MARK for mark in record["checks"])
+    assert record.keys() >= store.RESULT_FIELDS and all(mark.keys() >= store.CHECK_FIELDS for mark in record["checks"])
 
 
 def test_a_roster_that_is_no_text_is_refused(tmp_path, capsys):

@@ -11,7 +11,7 @@ from tam570_grader import cli
 from tam570_grader.checks import assignments
 from tam570_grader.grading import submissions
 from tam570_grader.grading.one import graded
-from tam570_grader.grading.supervisor import Task, WorkerConfig, result
+from tam570_grader.grading.supervisor import GradeTask, WorkerConfig, result
 from tam570_grader.sandbox import zygote
 from tam570_grader.sandbox.launch import isolation, other_packages
 from tam570_grader.sandbox.pool import sandboxes
@@ -200,5 +200,7 @@ if any(str(one.__module__).startswith("tam570.rotations") for one in found):
 def test_what_is_off_limits_is_not_in_a_workers_memory_though_others_import_it(course, solution_text):
     asked = WorkerConfig(ResourceLimits(), preload=("tam570.rotations",))
     with sandboxes():
-        outcome = result(Task(course, "eve", SLUG, 1, Source((DIGS + solution_text(SLUG)).encode()), conditions=asked))
+        outcome = result(
+            GradeTask(course, "eve", SLUG, 1, Source((DIGS + solution_text(SLUG)).encode()), conditions=asked)
+        )
     assert outcome.score == 10, outcome.message

@@ -5,7 +5,7 @@ import os
 
 import pytest
 
-from tam570_grader.protocol import cells as inside
+from tam570_grader.protocol import cells as protocol_cells
 from tam570_grader.sandbox.notebooks import Unshown, cells_of
 
 
@@ -35,11 +35,13 @@ def test_a_strange_notebook_is_told_and_harms_nobody(text):
 
 
 def test_many_cells_and_long_ones_are_cut():
-    assert len(cells_of(book(*[words("x")] * 60_000))) == inside.MOST_CELLS + 1
+    assert len(cells_of(book(*[words("x")] * 60_000))) == protocol_cells.MOST_CELLS + 1
     cells = cells_of(book(*[words(r"\begin{a} " * 16_000)] * 40, words("x" * 10**6, "code")))
-    shown = sum(len(cell["source"]) - len(inside.CUT) for cell in cells if cell["kind"] == "markdown")
-    assert shown <= inside.MOST_TEXT and len(cells[0]["source"]) <= inside.LONGEST_TEXT + len(inside.CUT)
-    assert len(cells[-1]["source"]) <= inside.LONGEST_CODE + len(inside.CUT)
+    shown = sum(len(cell["source"]) - len(protocol_cells.CUT) for cell in cells if cell["kind"] == "markdown")
+    assert shown <= protocol_cells.MOST_TEXT and len(cells[0]["source"]) <= protocol_cells.LONGEST_TEXT + len(
+        protocol_cells.CUT
+    )
+    assert len(cells[-1]["source"]) <= protocol_cells.LONGEST_CODE + len(protocol_cells.CUT)
 
 
 def test_a_pipe_in_place_of_a_notebook_is_told(tmp_path):

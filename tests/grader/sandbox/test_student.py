@@ -6,9 +6,9 @@ import sys
 
 import numpy as np
 import pytest
-from tam570_grader.checks.case import Case
 
 from tam570_grader.checks import assignments
+from tam570_grader.checks.case import Case
 from tam570_grader.checks.expect import Failed, check_context, expect
 from tam570_grader.grading.one import graded
 from tam570_grader.sandbox.launch import isolation
@@ -93,7 +93,7 @@ def test_one_that_is_tried_again_is_not_quoted(course, zygotes):
 
 
 def test_a_worker_that_dies_is_replaced(solution_text, course):
-    from tam570_grader.grading.supervisor import Task, result
+    from tam570_grader.grading.supervisor import GradeTask, result
     from tam570_grader.sandbox.pool import sandboxes
     from tam570_grader.sandbox.zygote import Zygote
 
@@ -112,8 +112,8 @@ def test_a_worker_that_dies_is_replaced(solution_text, course):
                 self.kill()
 
     with pytest.MonkeyPatch.context() as patch, sandboxes():
-        patch.setattr("tam570_grader.sandbox.pool.Worker", Mortal)
-        outcome = result(Task(course, "ada", SLUG, 1, Source(solution_text(SLUG).encode())))
+        patch.setattr("tam570_grader.sandbox.pool.Zygote", Mortal)
+        outcome = result(GradeTask(course, "ada", SLUG, 1, Source(solution_text(SLUG).encode())))
     assert outcome.score == 10.0 and len(started) == 3
 
 
