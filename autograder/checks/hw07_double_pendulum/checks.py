@@ -13,7 +13,7 @@ from tam570_grader import (
     once,
     path_drawn,
 )
-from tam570_grader.checks.compare import taken
+from tam570_grader.checks.compare import trim_to_signature
 from tam570_grader.checks.diagrams import compare_diagrams
 from tam570_grader.checks.returns import array, drawing, free_body_diagram, group, number, rows
 
@@ -71,7 +71,9 @@ def forces_on_each_bar(student, rng):
     calls = cases.free_bars(rng)
     compare_diagrams(student.free_body_diagram, reference, calls)
     bad = [call.replace(bar).labelled("another bar") for call in calls[:1] for bar in (0, 3, -1)]
-    check_raises(student.free_body_diagram, taken(reference.free_body_diagram, bad), hint="Only 1 and 2 are bars.")
+    check_raises(
+        student.free_body_diagram, trim_to_signature(reference.free_body_diagram, bad), hint="Only 1 and 2 are bars."
+    )
 
 
 def in_equations(case, found, _):

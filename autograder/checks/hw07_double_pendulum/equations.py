@@ -10,12 +10,12 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from tam570_grader.checks.case import Case
 
-from tam570_grader import Failed, current, expect
-from tam570_grader.checks.compare import taken
+from tam570_grader import Failed, expect, get_context
+from tam570_grader.checks.case import Case
+from tam570_grader.checks.compare import trim_to_signature
 from tam570_grader.checks.expect import NotWritten
-from tam570_grader.checks.expected import answer
+from tam570_grader.checks.expected import expected_result
 
 from . import reference
 
@@ -29,7 +29,7 @@ CONTRADICTED = "It contradicts your third term: are all three from the same two 
 
 def agree_in_equations(function: Any, cases: Sequence[Case], *, tolerance: float, hint: str) -> None:
     """Fail unless a term is Lagrange's, or belongs to the student's own two others."""
-    student, words = function.student, function.promise.words
+    student, words = function.student, function.returns.description
     own = Equations(student, cases, tolerance)
     found, calls = own.asked(function.name), len(student.calls)
     back, hint = own.back(function.name, hint)
@@ -40,8 +40,8 @@ def agree_in_equations(function: Any, cases: Sequence[Case], *, tolerance: float
         call = calls - len(cases) + index
         student.calls[call] = replace(student.calls[call], result=result)
     for index, result in brought.items():
-        case = student.calls[calls - len(cases) + index].given
-        current().judge(function.name, case)
+        case = student.calls[calls - len(cases) + index].case
+        get_context().judge(function.name, case)
         size = words.scale(case)
         expect(result, true[index], tolerance=tolerance * size, quantity=words.quantity, unit=words.unit, hint=hint)
 
@@ -55,14 +55,14 @@ class Equations:
 
     def asked(self, name: str) -> Array:
         """(n, 2, k) a term of the student's; Failed or NotWritten if the function gives none."""
-        results = getattr(self._student, name).many(taken(getattr(reference, name), self._cases))
+        results = getattr(self._student, name).many(trim_to_signature(getattr(reference, name), self._cases))
         self._asked[name] = _columns(results)
         return _columns(results)
 
     def lagranges(self, name: str) -> Array:
         """(n, 2) or (n, 2, 2)"""
         true = getattr(reference, name)
-        return np.array([answer(true, case) for case in taken(true, self._cases)])
+        return np.array([expected_result(true, case) for case in trim_to_signature(true, self._cases)])
 
     def back(self, name: str, hint: str) -> tuple[Array, str]:
         """(n, 2, 2) W^-1 of the equations that a term is judged in, NaN where it is not known; and where to look."""
@@ -95,7 +95,10 @@ class Equations:
         first, second = (self._tried(F, cases) for cases in at_rates)
         if first is None or second is None:
             return None
-        k = [answer(reference.velocity_terms, case)[0] for case in taken(reference.velocity_terms, at_rates[1])]
+        k = [
+            expected_result(reference.velocity_terms, case)[0]
+            for case in trim_to_signature(reference.velocity_terms, at_rates[1])
+        ]
         columns = np.concatenate([second, -first], axis=2) / np.reshape(k, (-1, 1, 1))
         theta = np.array([case.args[0] for case in self._cases])
         columns[np.abs(np.sin(theta[:, 0] - theta[:, 1])) < OBLIQUE] = np.nan
@@ -106,8 +109,8 @@ class Equations:
         mine = self._term(name)
         if mine is None:
             return False
-        size = getattr(self._student, name).promise.words.scale
-        scale = [size(case) for case in taken(getattr(reference, name), self._cases)]
+        size = getattr(self._student, name).returns.description.scale
+        scale = [size(case) for case in trim_to_signature(getattr(reference, name), self._cases)]
         error = np.abs(back @ mine - _columns(self.lagranges(name))).max((1, 2))
         known = np.isfinite(back).all((1, 2))
         return bool((error[known] <= self._within * np.array(scale)[known]).all())
@@ -122,7 +125,7 @@ class Equations:
         """Results of calls that are not judged here."""
         calls = len(self._student.calls)
         try:
-            return _columns(getattr(self._student, name).many(taken(getattr(reference, name), cases)))
+            return _columns(getattr(self._student, name).many(trim_to_signature(getattr(reference, name), cases)))
         except (Failed, NotWritten):
             return None
         finally:

@@ -40,7 +40,7 @@ from tam570_grader.nbgrader.gradebook import OpenGradebook, keep_gradebooks_open
 from tam570_grader.options import cores
 from tam570_grader.release import course_config
 from tam570_grader.release.notebook import FORMAT, part_of, part_points, text_cell
-from tam570_grader.reports.feedback import AssignmentInfo, sheet
+from tam570_grader.reports.feedback import AssignmentInfo, load_assignment_info
 from tam570_grader.results.store import Record, ResultStore
 from tam570_grader.sandbox.notebooks import Unshown, cells_of
 from tam570_grader.sandbox.zygote import ResourceLimits
@@ -211,7 +211,7 @@ class SandboxGrades(NbGraderPreprocessor):  # type: ignore[misc]
     def _sheet(self, slug: str) -> AssignmentInfo:
         sheets: dict[str, AssignmentInfo] = self.parent.sheets
         if slug not in sheets:
-            sheets[slug] = sheet(self.found_checkout(), slug)
+            sheets[slug] = load_assignment_info(self.found_checkout(), slug)
         return sheets[slug]
 
     def _graded(self, slug: str, student: str) -> tuple[Submission, Record]:

@@ -4,8 +4,8 @@ from types import ModuleType, SimpleNamespace
 
 import numpy as np
 import pytest
-from tam570_grader.checks.case import Case
 
+from tam570_grader.checks.case import Case
 from tam570_grader.checks.compare import Column, compare, compare_columns
 from tam570_grader.checks.expect import Failed, check_context, expect
 from tam570_grader.checks.returns import array, group, number, rows

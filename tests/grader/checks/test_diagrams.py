@@ -4,8 +4,8 @@ import math
 
 import numpy as np
 import pytest
-from tam570_grader.checks.case import Case
 
+from tam570_grader.checks.case import Case
 from tam570_grader.checks.diagrams import Force, FreeBody, complaint, weight
 from tam570_grader.checks.expect import Failed
 from tam570_grader.checks.returns import free_body_diagram, result

@@ -4,8 +4,8 @@ import math
 
 import numpy as np
 import pytest
-from tam570_grader.checks.case import Case
 
+from tam570_grader.checks.case import Case
 from tam570_grader.checks.general import general
 from tam570_grader.sandbox.function import Call
 

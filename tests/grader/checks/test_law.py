@@ -4,8 +4,8 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from tam570_grader.checks.case import Case
 
+from tam570_grader.checks.case import Case
 from tam570_grader.checks.check import check
 from tam570_grader.checks.compare import by_kind
 from tam570_grader.checks.expect import Failed, check_context
