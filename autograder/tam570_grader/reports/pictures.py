@@ -117,7 +117,7 @@ def _error(curve: Curve) -> Picture:
     line = _up(limit, low, high)
     return _picture(
         curve,
-        f"The error of {curve['of']} along your motion",
+        f"The error of {curve['quantity']} along your motion",
         f"{_course(curve)} {_crossing(curve)}",
         places,
         (line, BOTTOM - line),
@@ -127,18 +127,18 @@ def _error(curve: Curve) -> Picture:
 
 def _drift(curve: Curve) -> Picture:
     """What should stay, with its sign, from what it should be."""
-    values, within = curve["values"], curve["tolerance"]
+    values, limit = curve["values"], curve["tolerance"]
     known = [value for value in values if value is not None]
-    low, high = min(*known, -within), max(*known, within)
+    low, high = min(*known, -limit), max(*known, limit)
     low, high = low - (high - low) / 20, high + (high - low) / 20
     places = _places(values, low, high)
-    top, bottom = _up(within, low, high), _up(-within, low, high)
+    top, bottom = _up(limit, low, high), _up(-limit, low, high)
     last = known[-1]
     ends = f"It ends {'above' if last > 0 else 'below' if last < 0 else 'at'} what it should be"
     alt_text = f"{ends}, off by {quantity(abs(last))}; the largest drift is {quantity(max(known, key=abs))}."
     return _picture(
         curve,
-        f"What becomes of {curve['of']} along your motion",
+        f"What becomes of {curve['quantity']} along your motion",
         alt_text,
         places,
         (top, max(bottom - top, 0.0)),
@@ -156,7 +156,7 @@ def _picture(
 ) -> Picture:
     first, last = curve["span"]
     unit = f", {curve['unit']}" if curve["unit"] else ""
-    allowed = f"allowed up to {quantity(curve['within'])}"
+    allowed = f"allowed up to {quantity(curve['tolerance'])}"
     return Picture(
         caption=f"{caption}{unit}.",
         alt_text=f"From t = {first:g} s to {last:g} s. {alt_text} {allowed.capitalize()}.",

@@ -13,7 +13,7 @@ from tam570_grader.checks.failure import Failure
 
 __all__ = ["FORMAT", "CheckResult", "Result", "failure", "numbers", "read", "write"]
 
-FORMAT = 2  # of a result line; those of another format are refused
+FORMAT = 3  # of a result line; those of another format are refused
 WRITTEN_OUT = 64  # elements of an array; longer ones are kept as their bytes
 
 

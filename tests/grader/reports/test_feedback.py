@@ -32,7 +32,7 @@ NUMBER = re.compile(r"-?\d+\.\d{3,}(?:e[-+]?\d+)?")  # more digits than a messag
 @pytest.fixture(scope="module")
 def page(course):
     """`page(result)` -> its page, as a student opens it."""
-    return lambda result: feedback.page(read(result.record()), feedback.info(course, result.assignment))
+    return lambda result: feedback.page(read(result.record()), feedback.load_assignment_info(course, result.assignment))
 
 
 def failing(slug, grade, solution_text, count=None):
@@ -51,7 +51,7 @@ def texts(page):
 
 @pytest.mark.sample(2)
 def test_a_page_says_every_line_message_and_suspect_and_no_detail(slug, page, grade, solution_text, course):
-    lines = feedback.info(course, slug).lines
+    lines = feedback.load_assignment_info(course, slug).lines
     shown = 0
     for result in failing(slug, grade, solution_text, 3):
         text = texts(page(result))
@@ -77,7 +77,7 @@ def test_the_detail_would_be_found_if_it_were_there(page, grade, solution_text):
     result = wrong(slug, "point_masses", grade, solution_text)
     record = result.record()
     number = next(number for mark in result.checks for number in secrets(mark))
-    leaking = json.loads(json.dumps(record).replace('"of": "', f'"of": "{number} ', 1))
+    leaking = json.loads(json.dumps(record).replace('"quantity": "', f'"quantity": "{number} ', 1))
     assert number in texts(feedback.page(read(leaking), feedback.AssignmentInfo(slug, {}, {}, {})))
 
 
@@ -107,10 +107,10 @@ def test_a_page_needs_no_other_file(page, grade, solution_text):
 def test_a_page_of_an_older_run_has_no_picture_and_is_whole(page, grade, solution_text, course):
     result = wrong("hw07_double_pendulum", "too_few_steps", grade, solution_text)
     record = json.loads(json.dumps(result.record()))
-    assert "<figure" in feedback.page(read(record), feedback.info(course, result.assignment))
+    assert "<figure" in feedback.page(read(record), feedback.load_assignment_info(course, result.assignment))
     for mark in record["checks"]:
         mark.get("failure", {}).pop("curve", None)
-    old = feedback.page(read(record), feedback.info(course, result.assignment))
+    old = feedback.page(read(record), feedback.load_assignment_info(course, result.assignment))
     assert "<figure" not in old and "9.5 of 10 points" in old
 
 
@@ -150,7 +150,7 @@ def test_the_curve_of_an_error_tells_when_it_grows_and_passes_the_limit():
     slope = np.polyfit(np.linspace(0, 10, SLOTS)[12:], levels[12:], 1)[0]  # beyond the floor of the levels
     assert slope == pytest.approx(2 / math.log(10), rel=0.02)
     crossed = 2 + math.log(1e4) / 2
-    message = picture(found).message
+    message = picture(found).alt_text
     assert float(re.search(r"passes the limit about t = ([\d.]+)", message)[1]) == pytest.approx(crossed, abs=0.3)
 
 
@@ -159,7 +159,7 @@ def test_the_curve_of_an_invariant_keeps_its_sign(rate, word):
     t = np.linspace(0, 10, 101)
     found = curve(t, 1 + rate * t, np.ones(101), 1.0, tolerance=1e-5, quantity="the energy", unit="of its start")
     assert found["scale"] == "linear"
-    assert np.sign(found["values"][-1]) == np.sign(rate) and word in picture(found).message
+    assert np.sign(found["values"][-1]) == np.sign(rate) and word in picture(found).alt_text
 
 
 def test_of_several_motions_in_a_row_the_worst_is_drawn():
@@ -213,7 +213,7 @@ def test_whatever_numbers_come_back_they_can_be_drawn(rows, stays, steps):
     if found is not None:
         drawn = picture(json.loads(json.dumps(found)))
         places = np.array(re.findall(r"([-\w.+]+) ([-\w.+]+)", drawn.path[1:].replace("L", "")), float)
-        assert len(places) and np.isfinite(places).all() and (places >= 0).all() and "nan" not in drawn.message
+        assert len(places) and np.isfinite(places).all() and (places >= 0).all() and "nan" not in drawn.alt_text
 
 
 @pytest.mark.parametrize("scale", ["log", "linear"])
@@ -316,7 +316,7 @@ def test_what_draws_is_imported_where_something_is_drawn(options, right, needed,
 
 
 def test_a_result_of_an_assignment_that_is_gone_still_has_a_page(course):
-    assert feedback.info(course, "hw99_gone").title == "hw99_gone"
+    assert feedback.load_assignment_info(course, "hw99_gone").title == "hw99_gone"
 
 
 @pytest.mark.parametrize(

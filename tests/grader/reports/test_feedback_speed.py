@@ -109,7 +109,7 @@ def test_the_point_is_in_the_frame_where_its_numbers_say(slug, seconds, error):
 def test_the_words_compare_at_the_same_error_and_on_this_machine():
     drawn = among(SLUG, SPEED)
     time = SPEED["machine"] * time_to(SPEED["error"], scenes()[SLUG]["curves"]["SciPy DOP853"])
-    assert f"SciPy DOP853 {time:.2g} s" in drawn.says and "Yours takes 0.1 s" in drawn.says
+    assert f"SciPy DOP853 {time:.2g} s" in drawn.alt_text and "Yours takes 0.1 s" in drawn.says
 
 
 def test_it_is_measured_when_asked_for_and_stands_on_the_page(tmp_path, solution_text, capsys):
@@ -137,4 +137,4 @@ def test_the_reference_is_timed_only_where_the_call_itself_is_short_beside_it(me
 def test_a_page_of_a_run_without_speeds_has_no_such_picture(grade, solution_text, course):
     result = grade(SLUG, solution_text(SLUG))
     assert "speed" not in result.record()
-    assert 'id="run-time"' not in feedback.page(result, feedback.info(course, SLUG))
+    assert 'id="run-time"' not in feedback.page(result, feedback.load_assignment_info(course, SLUG))

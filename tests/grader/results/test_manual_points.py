@@ -24,7 +24,7 @@ def test_a_row_without_points_takes_back_what_there_was(tmp_path, item):
 def test_a_word_has_no_most_and_adds_none(tmp_path):
     edited(tmp_path, f"ada,{SLUG},adjust,1,10,why", f"ben,{SLUG},adjust,,10,why")
     hand = manual_points.read(tmp_path)
-    found = [hand.adjusted((who, SLUG), 8.0, 10.0, dict) for who in ("ada", "ben")]
+    found = [hand.adjust((who, SLUG), 8.0, 10.0, dict) for who in ("ada", "ben")]
     assert [(one.score, one.most) for one in found] == [(9.0, 10.0), (8.0, 10.0)]
 
 
