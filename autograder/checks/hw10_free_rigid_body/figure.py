@@ -4,7 +4,7 @@ import numpy as np
 
 from tam570_grader.checks.figures import Figure, seen_from
 
-from . import right
+from . import reference
 
 EYE = seen_from(-1.1, 0.35)
 SIZE = np.array([1.2, 0.8, 0.4])
@@ -12,7 +12,7 @@ SIZE = np.array([1.2, 0.8, 0.4])
 
 def figure(turn=(0.25, -0.35, 0.5), omega=(0.35, 0.9, 0.4)):
     """The body turned by this rotation vector; omega in its axes."""
-    R = right.turned(np.array(turn))
+    R = reference.turned(np.array(turn))
     shown = Figure(
         "A free rigid body",
         "A body that nothing touches turns about its centre of mass G. Its principal axes 1, 2, 3, with the moments "

@@ -139,7 +139,7 @@ def _check_result(
         return _failed(check, failed, suspect, fault)
     except (Exhausted, MemoryError) as spent:
         what = "memory" if isinstance(spent, MemoryError) else "work"
-        failure = Failure(says=TOO_MUCH.format(what), at=student.calls[-1].given if student.calls else None)
+        failure = Failure(message=TOO_MUCH.format(what), at=student.calls[-1].case if student.calls else None)
         return _failed(check, Failed(**vars(failure)), None, "")
     except Over:
         raise
