@@ -184,15 +184,18 @@ def _owners(
 
 def _told_apart(rows: Sequence[Taken], everyone: Directory) -> list[Taken]:
     """The rows, none with a place where two people would be one student: a name may be anybody's."""
+    own = {one.folder for one in everyone.people}
     who = defaultdict[str, set[tuple[object, ...]]](set)
     for row in rows:
-        who[row.student].add((row.handed.keys, row.handed.name))
-    own = {one.folder for one in everyone.people}
-    found = []
-    for row in rows:
-        note = TWO if len(who[row.student]) > 1 else TAKEN if row.person is None and row.student in own else ""
-        found.append(replace(row, target="", note=note) if row.target and note else row)
-    return found
+        if row.person or row.student not in own:
+            who[row.student].add((row.handed.keys, row.handed.name))
+
+    def note(row: Taken) -> str:
+        if row.person is None and row.student in own:
+            return TAKEN
+        return TWO if len(who[row.student]) > 1 else ""
+
+    return [replace(row, target="", note=note(row)) if row.target and note(row) else row for row in rows]
 
 
 def _newest(rows: Sequence[Taken]) -> list[Taken]:
