@@ -13,7 +13,17 @@ author = "The tam570 authors"
 copyright = author
 version = release = tam570.__version__
 
-extensions = ["myst_parser", "sphinx.ext.autodoc", "docstrings", "figures", "mathematics", "pages", "scenes", "trim"]
+extensions = [
+    "myst_parser",
+    "sphinx.ext.autodoc",
+    "docstrings",
+    "sphinx.ext.napoleon",
+    "figures",
+    "mathematics",
+    "pages",
+    "scenes",
+    "trim",
+]
 exclude_patterns = [
     "extension",
     "lectures",
@@ -30,6 +40,9 @@ templates_path = ["_templates"]
 myst_enable_extensions = ["colon_fence", "dollarmath", "attrs_inline"]
 myst_heading_anchors = 3
 autodoc_typehints = "none"
+napoleon_google_docstring = False
+napoleon_use_param = napoleon_use_rtype = False
+nitpick_ignore = [("py:exc", "Unknown")]
 autodoc_member_order = "bysource"
 add_module_names = False
 html_math_renderer = "mathml"

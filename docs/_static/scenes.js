@@ -18,4 +18,9 @@ function stop(figure) {
 const watched = new IntersectionObserver((entries) => {
   for (const {target, isIntersecting} of entries) (isIntersecting ? play : stop)(target);
 }, {rootMargin: "100px"});
+// The theme's menus open by an arrow that has no name.
+document.querySelectorAll("details > summary").forEach((summary) => {
+  const link = summary.closest("li")?.querySelector("a");
+  if (!summary.textContent.trim() && link) summary.setAttribute("aria-label", `Pages of ${link.textContent.trim()}`);
+});
 document.querySelectorAll("figure.scene").forEach((figure) => watched.observe(figure));

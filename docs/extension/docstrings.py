@@ -1,4 +1,4 @@
-"""Docstrings as the project writes them, for Sphinx: a run of lines `name : text` becomes a list, examples stay."""
+"""Docstrings without sections, for Sphinx: a run of lines `name : text` becomes a list, examples stay."""
 
 import re
 
@@ -14,7 +14,8 @@ def setup(app):
 
 
 def _process(app, what, name, obj, options, lines):
-    lines[:] = listed(lines)
+    if not any(line and set(line) == {"-"} for line in lines):  # sections of numpydoc are napoleon's
+        lines[:] = listed(lines)
 
 
 def listed(lines):

@@ -12,11 +12,23 @@ Array = NDArray[np.float64]
 
 
 def drift(invariant: Callable[[Any], Any], states: ArrayLike) -> Array:
-    """How far an invariant has moved from its first value, relative to its largest magnitude.
+    """Measure how far an invariant moves from its first value, relative to its largest magnitude.
 
-    invariant : of one state; a number (an energy) or a vector (a momentum)
-    states    : (n, k)
-    Returns (n,); absolute where the invariant is zero throughout.
+    Parameters
+    ----------
+    invariant : callable
+        Takes one state; returns a number (an energy) or a vector (a momentum).
+    states : (n, k) array_like
+
+    Returns
+    -------
+    (n,) ndarray
+        Absolute if the invariant is zero throughout.
+
+    Examples
+    --------
+    >>> drift(lambda state: state[0] ** 2 + state[1] ** 2, [[1.0, 0.0], [0.0, 1.1]]).round(3)
+    array([0.   , 0.174])
     """
     values = np.array([np.ravel(invariant(state)) for state in np.asarray(states)])
     largest = np.abs(values).max()
@@ -28,19 +40,42 @@ def drift(invariant: Callable[[Any], Any], states: ArrayLike) -> Array:
 
 
 def violation(constraint: Callable[[Any], Any], states: ArrayLike) -> Array:
-    """How far each state is from satisfying constraint(state) = 0, its largest component.
+    """Measure how far each state is from satisfying constraint(state) = 0, by its largest component.
 
-    states : (n, k)
-    Returns (n,), in the constraint's own unit.
+    Parameters
+    ----------
+    constraint : callable
+        Takes one state; returns a number or an array.
+    states : (n, k) array_like
+
+    Returns
+    -------
+    (n,) ndarray
+        In the unit of the constraint.
+
+    Examples
+    --------
+    >>> violation(lambda state: state[0] ** 2 + state[1] ** 2 - 1, [[1.0, 0.0], [0.0, 1.1]]).round(3)
+    array([0.  , 0.21])
     """
     return np.array([np.abs(constraint(state)).max() for state in np.asarray(states)])
 
 
 def rotation_defect(rotations: ArrayLike) -> Array:
-    """Largest element of R^T R - I, of each matrix.
+    """Return the largest element of R^T R - I of each matrix.
 
-    rotations : (..., 3, 3)
-    Returns (...).
+    Parameters
+    ----------
+    rotations : (..., 3, 3) array_like
+
+    Returns
+    -------
+    (...) ndarray
+
+    Examples
+    --------
+    >>> round(float(rotation_defect(1.01 * np.eye(3))), 4)
+    0.0201
     """
     R = np.asarray(rotations, dtype=float)
     defect: Array = np.abs(np.swapaxes(R, -1, -2) @ R - np.eye(3)).max(axis=(-1, -2))
@@ -48,20 +83,53 @@ def rotation_defect(rotations: ArrayLike) -> Array:
 
 
 def observed_order(steps: ArrayLike, errors: ArrayLike) -> float:
-    """p of error = C step^p, by least squares in the logarithms.
+    """Fit p of error = C step^p, by least squares in the logarithms.
 
-    steps, errors : (n,), positive, n >= 2; errors of rounding must not be among them
-    ValueError if a step or an error is not positive.
+    Parameters
+    ----------
+    steps, errors : (n,) array_like
+        Positive, n >= 2. Leave out errors that are only rounding.
+
+    Returns
+    -------
+    float
+
+    Raises
+    ------
+    ValueError
+        If a step or an error is not positive.
+
+    Examples
+    --------
+    >>> round(observed_order([0.1, 0.05, 0.025], [1e-4, 6.25e-6, 3.90625e-7]), 9)
+    4.0
     """
     return _slope("steps", steps, errors)
 
 
 def growth_exponent(times: ArrayLike, errors: ArrayLike) -> float:
-    """p of error = C t^p: 1/2 for accumulated rounding, 1 for a drift, 2 for the phase of a drifting energy.
+    """Fit p of error = C t^p: 1/2 for accumulated rounding, 1 for a drift, 2 for the phase of a drifting energy.
 
-    times  : (n,), positive
-    errors : (n,), of any sign; each counts as the largest so far, so that a lucky zero does not
-    ValueError if a time is not positive or all errors are zero at first.
+    Parameters
+    ----------
+    times : (n,) array_like
+        Positive.
+    errors : (n,) array_like
+        Of any sign. Each is replaced by the largest so far, so that a lucky zero does not disturb the fit.
+
+    Returns
+    -------
+    float
+
+    Raises
+    ------
+    ValueError
+        If a time is not positive, or the first error is zero.
+
+    Examples
+    --------
+    >>> round(growth_exponent([1.0, 2.0, 4.0], [1e-9, 2e-9, 4e-9]), 9)
+    1.0
     """
     return _slope("times", times, np.maximum.accumulate(np.abs(np.asarray(errors, dtype=float))))
 

@@ -4,6 +4,7 @@ import subprocess
 import sys
 
 import pytest
+from axe_playwright_python.sync_playwright import Axe
 
 pytestmark = pytest.mark.every
 
@@ -98,6 +99,22 @@ def test_every_page_is_quiet_and_fits_a_phone(opened, site, address):
         if words := tab.evaluate(CUT):
             cut[name] = words
     assert not wide and not cut
+
+
+@pytest.mark.parametrize("viewport", [PHONE, DESK], ids=["phone", "desk"])
+def test_axe_finds_no_fault_on_any_page(opened, site, address, viewport):
+    tab, faults = opened("index.html", viewport), {}
+    for file in sorted(site.rglob("*.html")):
+        if file.parent.name == "_static":
+            continue
+        name = file.relative_to(site).as_posix()
+        tab.goto(address + name)
+        for scheme in ("light", "dark"):
+            tab.emulate_media(color_scheme=scheme)
+            found = Axe().run(tab, options={"iframes": False, "resultTypes": ["violations"]}).response["violations"]
+            if found:
+                faults[name, scheme] = [(one["id"], one["nodes"][0]["html"]) for one in found]
+    assert not faults
 
 
 def test_the_first_page_is_small_and_so_is_the_site(opened, site, address):

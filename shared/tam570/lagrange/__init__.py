@@ -36,16 +36,40 @@ def source(
     forces: Sequence[Expression] = (),
     time: Symbol = None,
 ) -> str:
-    """Python text of the equations of motion.
+    """Write the equations of motion of a Lagrangian as Python text.
 
-    lagrangian  : expression in the coordinates, velocities, time and parameters, all plain symbols
-    coordinates : n symbols
-    velocities  : n symbols, their rates in the same order
-    constraints : expressions that vanish: of coordinates and time (holonomic), or linear in the velocities
-    forces      : n generalised forces that the Lagrangian does not hold; none if empty
-    time        : the symbol of time, "t" if not given
-    Parameters are the other symbols; they become keyword arguments. ValueError if a name cannot be one, if a
-    coordinate has no inertia of its own, or if the constraints are not linear in the velocities or not independent.
+    Parameters
+    ----------
+    lagrangian : expression
+        In the coordinates, velocities, time and parameters, all plain symbols. The other symbols are the parameters,
+        and become keyword arguments.
+    coordinates, velocities : sequences of n symbols
+        In the same order.
+    constraints : sequence of expressions
+        They vanish: of coordinates and time (holonomic), or linear in the velocities.
+    forces : sequence of n expressions
+        Generalised forces that the Lagrangian does not contain; empty for none.
+    time : symbol
+        "t" if not given.
+
+    Returns
+    -------
+    str
+        Pass it to `load`, or save it as a file.
+
+    Raises
+    ------
+    ValueError
+        If a name cannot be a parameter's, if a coordinate has no inertia of its own, or if the constraints are not
+        linear in the velocities or not independent.
+
+    Examples
+    --------
+    >>> import sympy
+    >>> s, v, k, m = sympy.symbols("s v k m")
+    >>> spring = load(source(m * v**2 / 2 - k * s**2 / 2, [s], [v]))
+    >>> spring.rhs(0.0, (1.0, 0.0), k=4.0, m=1.0)
+    (0.0, -4.0)
     """
     from tam570.lagrange import _derivation, _writing  # SymPy only where it is needed
 
@@ -54,7 +78,25 @@ def source(
 
 
 def load(text: str) -> ModuleType:
-    """A module with the functions of `source`'s text; its lines show in tracebacks and to `inspect`."""
+    """Make a module of the text of `source`; its lines appear in tracebacks and for `inspect`.
+
+    Parameters
+    ----------
+    text : str
+
+    Returns
+    -------
+    module
+        With `rhs`, `mass_matrix`, `forcing` and `energy`; with constraints also `constraint_matrix`, `multipliers` and
+        `constraint_errors`.
+
+    Examples
+    --------
+    >>> import sympy
+    >>> x, u = sympy.symbols("x u")
+    >>> load(source(u**2 / 2, [x], [u])).energy(0.0, (0.0, 3.0))
+    4.5
+    """
     name = f"equations_{hashlib.sha256(text.encode()).hexdigest()[:12]}"
     file = f"<{name}>"
     linecache.cache[file] = (len(text), None, text.splitlines(keepends=True), file)

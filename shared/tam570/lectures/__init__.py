@@ -35,12 +35,29 @@ class Lecture:
 
 
 def names() -> list[str]:
-    """The names of all lectures, by date."""
+    """List the names of all lectures, by date.
+
+    Examples
+    --------
+    >>> names()[-1]
+    'rocket'
+    """
     return list(catalogue())
 
 
 def load(name: str) -> ModuleType:
-    """The module of a lecture. Unknown, which says what there is, if there is none of that name."""
+    """Return the module of a lecture.
+
+    Raises
+    ------
+    Unknown
+        If there is no such lecture; the message lists all.
+
+    Examples
+    --------
+    >>> load("oscillator").EXAMPLE
+    {'mass': 1.0, 'stiffness': 4.0}
+    """
     if name not in catalogue():
         raise Unknown(f"there is no lecture {name!r}; the lectures are: {', '.join(names())}")
     return import_module(f"tam570.lectures.{name}")
@@ -48,13 +65,25 @@ def load(name: str) -> ModuleType:
 
 @cache
 def catalogue() -> dict[str, Lecture]:
-    """All lectures by name, in the order of their dates."""
+    """Return all lectures by name, in the order of their dates.
+
+    Examples
+    --------
+    >>> catalogue()["top"].date
+    '2 Nov'
+    """
     found = [lecture for file in Path(__file__).parent.glob("*.py") if (lecture := heading(file))]
     return {lecture.name: lecture for lecture in sorted(found, key=lambda lecture: (lecture.day, lecture.name))}
 
 
 def heading(file: Path) -> Lecture | None:
-    """What the first line of a file says; None if the file is neither a lecture nor a copy of one."""
+    """Read the first line of a file; None if the file is neither a lecture nor a copy of one.
+
+    Examples
+    --------
+    >>> heading(catalogue()["rod"].file).day
+    (1, 7)
+    """
     with open(file, encoding="utf-8", errors="replace") as text:
         found = HEADING.match(text.readline().rstrip())
     if found is None:

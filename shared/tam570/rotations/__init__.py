@@ -49,29 +49,76 @@ LOCK = 1e-12  # |sin b| ("313") or |cos b| ("312") below which the Euler rates a
 
 
 def skew(v: ArrayLike) -> Array:
-    """The matrix of v x: skew(v) r = v x r.
+    """Return the matrix of the cross product: skew(v) @ r is v x r.
 
-    v : (..., 3)
-    Raises ValueError if v is not finite.
+    Parameters
+    ----------
+    v : (..., 3) array_like
+
+    Returns
+    -------
+    (..., 3, 3) ndarray
+
+    Raises
+    ------
+    ValueError
+        If v is not finite.
+
+    Examples
+    --------
+    >>> skew([1, 2, 3]) @ [0, 0, 1]
+    array([ 2., -1.,  0.])
     """
     return evaluate(_formulas.skew_of_vector, _kinds.FINITE, (3, 3), ("v", _kinds.VECTOR, v))
 
 
 def unskew(S: ArrayLike) -> Array:
-    """The vector of a skew matrix; of any other matrix, that of its antisymmetric part (S - S^T)/2.
+    """Return the vector of a skew matrix; of any other matrix, that of its antisymmetric part (S - S^T)/2.
 
-    S : (..., 3, 3)
-    Raises ValueError if S is not finite.
+    Parameters
+    ----------
+    S : (..., 3, 3) array_like
+
+    Returns
+    -------
+    (..., 3) ndarray
+
+    Raises
+    ------
+    ValueError
+        If S is not finite.
+
+    Examples
+    --------
+    >>> unskew(skew([1, 2, 3]))
+    array([1., 2., 3.])
     """
     return evaluate(_formulas.vector_of_skew, _kinds.FINITE, (3,), ("S", _kinds.MATRIX, S))
 
 
 def matrix_from_axis_angle(axis: ArrayLike, angle: ArrayLike) -> Array:
-    """The matrix that turns by `angle` about `axis`.
+    """Return the matrix that turns by `angle` about `axis`.
 
-    axis  : (..., 3), any nonzero length
-    angle : (...), rad
-    Raises ValueError if the axis is zero, or either is not finite.
+    Parameters
+    ----------
+    axis : (..., 3) array_like
+        Of any nonzero length.
+    angle : (...) array_like
+        In rad, right-handed about the axis.
+
+    Returns
+    -------
+    (..., 3, 3) ndarray
+
+    Raises
+    ------
+    ValueError
+        If the axis is zero, or either is not finite.
+
+    Examples
+    --------
+    >>> (matrix_from_axis_angle([0, 0, 2], np.pi / 2) @ [1, 0, 0]).round(12)
+    array([0., 1., 0.])
     """
     formula = _formulas.matrix_of_axis_angle
     return evaluate(
@@ -85,39 +132,106 @@ def matrix_from_axis_angle(axis: ArrayLike, angle: ArrayLike) -> Array:
 
 
 def axis_angle_from_matrix(R: ArrayLike) -> tuple[Array, Array]:
-    """The unit axis (..., 3) and the angle (...) in [0, pi] of a rotation; full digits near 0 and pi.
+    """Return the unit axis and the angle of a rotation, with full digits near 0 and pi.
 
-    R : (..., 3, 3)
-    Raises ValueError if R is not a rotation.
+    Parameters
+    ----------
+    R : (..., 3, 3) array_like
+
+    Returns
+    -------
+    axis : (..., 3) ndarray
+        x at the angle 0, of either sign at pi.
+    angle : (...) ndarray, or float for one rotation
+        In rad, from 0 to pi.
+
+    Raises
+    ------
+    ValueError
+        If R is not a rotation.
+
+    Examples
+    --------
+    >>> axis, angle = axis_angle_from_matrix([[0, 0, 1], [1, 0, 0], [0, 1, 0]])
+    >>> axis.round(6), round(float(np.degrees(angle)), 9)
+    (array([0.57735, 0.57735, 0.57735]), 120.0)
     """
     axis_and_angle = evaluate(_formulas.axis_angle_of_matrix, _kinds.DEFECTS, (4,), ("R", _kinds.ROTATION, R))
     return axis_and_angle[..., :3], axis_and_angle[..., 3][()]  # of one rotation a float
 
 
 def matrix_from_quaternion(q: ArrayLike) -> Array:
-    """The matrix of a quaternion.
+    """Return the matrix of a quaternion.
 
-    q : (..., 4), scalar first, any nonzero length
-    Raises ValueError if q is zero or not finite.
+    Parameters
+    ----------
+    q : (..., 4) array_like
+        Scalar first, of any nonzero length.
+
+    Returns
+    -------
+    (..., 3, 3) ndarray
+
+    Raises
+    ------
+    ValueError
+        If q is zero or not finite.
+
+    Examples
+    --------
+    >>> matrix_from_quaternion([1, 0, 0, 1]) @ [1, 0, 0]
+    array([0., 1., 0.])
     """
     formula, stacked = _formulas.matrix_of_quaternion, _stacked.matrix_of_quaternion
     return evaluate(formula, _kinds.SQUARES, (3, 3), ("q", _kinds.QUATERNION, q), stacked=stacked)
 
 
 def quaternion_from_matrix(R: ArrayLike) -> Array:
-    """The unit quaternion (..., 4) of a rotation, scalar first and not negative.
+    """Return the unit quaternion of a rotation.
 
-    R : (..., 3, 3)
-    Raises ValueError if R is not a rotation.
+    Parameters
+    ----------
+    R : (..., 3, 3) array_like
+
+    Returns
+    -------
+    (..., 4) ndarray
+        Scalar first; the scalar is not negative.
+
+    Raises
+    ------
+    ValueError
+        If R is not a rotation.
+
+    Examples
+    --------
+    >>> quaternion_from_matrix(np.diag([1, -1, -1]))
+    array([0., 1., 0., 0.])
     """
     return evaluate(_formulas.quaternion_of_matrix, _kinds.DEFECTS, (4,), ("R", _kinds.ROTATION, R))
 
 
 def composition(p: ArrayLike, q: ArrayLike) -> Array:
-    """The quaternion product p q: the rotation q followed by p (about space-fixed axes).
+    """Return the quaternion product p q: the rotation q followed by p, about axes fixed in space.
 
-    p, q : (..., 4), scalar first; the length of the product is the product of the lengths
-    Raises ValueError if p or q is not finite.
+    Parameters
+    ----------
+    p, q : (..., 4) array_like
+        Scalar first. The length of the product is the product of the lengths.
+
+    Returns
+    -------
+    (..., 4) ndarray
+
+    Raises
+    ------
+    ValueError
+        If p or q is not finite.
+
+    Examples
+    --------
+    >>> composition([0, 1, 0, 0], [0, 0, 1, 0])
+    array([0., 0., 0., 1.])
     """
     return evaluate(
         _formulas.product_of_quaternions, _kinds.FINITE, (4,), ("p", _kinds.FACTOR, p), ("q", _kinds.FACTOR, q)
@@ -125,35 +239,88 @@ def composition(p: ArrayLike, q: ArrayLike) -> Array:
 
 
 def matrix_from_euler(sequence: str, angles: ArrayLike) -> Array:
-    """The matrix of three Euler angles about the body's axes in turn.
+    """Return the matrix of three Euler angles about the body's axes in turn.
 
-    sequence : "313", "312" or any other of the twelve
-    angles   : (..., 3), rad
-    Raises ValueError if there is no such sequence or an angle is not finite.
+    Parameters
+    ----------
+    sequence : str
+        "313", "312" or any other of the twelve.
+    angles : (..., 3) array_like
+        In rad.
+
+    Returns
+    -------
+    (..., 3, 3) ndarray
+
+    Raises
+    ------
+    ValueError
+        If there is no such sequence, or an angle is not finite.
+
+    Examples
+    --------
+    >>> matrix_from_euler("313", [np.pi / 6, 0, 0])[0].round(6)
+    array([ 0.866025, -0.5     ,  0.      ])
     """
     formula = _euler.matrix_of_angles(_order(sequence))
     return evaluate(formula, _kinds.FINITE, (3, 3), ("angles", _kinds.VECTOR, angles))
 
 
 def euler_from_matrix(sequence: str, R: ArrayLike) -> Array:
-    """The three Euler angles (..., 3) of a rotation; they rebuild R to the last digits in gimbal lock too.
+    """Return the three Euler angles of a rotation; they rebuild R to the last digits in gimbal lock too.
 
-    sequence : "313", "312" or any other of the twelve
-    R        : (..., 3, 3)
-    Raises ValueError if there is no such sequence or R is not a rotation.
+    Parameters
+    ----------
+    sequence : str
+        "313", "312" or any other of the twelve.
+    R : (..., 3, 3) array_like
+
+    Returns
+    -------
+    (..., 3) ndarray
+        In rad. In gimbal lock the first angle is 0.
+
+    Raises
+    ------
+    ValueError
+        If there is no such sequence, or R is not a rotation.
+
+    Examples
+    --------
+    >>> euler_from_matrix("312", matrix_from_euler("312", [0.1, 0.2, 0.3])).round(12)
+    array([0.1, 0.2, 0.3])
     """
     formula = _euler.angles_of_matrix(_order(sequence))
     return evaluate(formula, _kinds.DEFECTS, (3,), ("R", _kinds.ROTATION, R))
 
 
 def euler_rates(sequence: str, angles: ArrayLike, omega: ArrayLike) -> Array:
-    """The rates (..., 3) of three Euler angles of a body that turns at `omega`.
+    """Return the rates of three Euler angles of a body that turns at `omega`.
 
-    sequence : "313", "312" or any other of the twelve
-    angles   : (..., 3), rad
-    omega    : (..., 3), rad/s, components along the body's axes (for components in space give R^T omega)
-    Raises ValueError if there is no such sequence, an angle or omega is not finite, or in gimbal lock:
-    |sin b| < 1e-12 ("313"), |cos b| < 1e-12 ("312").
+    Parameters
+    ----------
+    sequence : str
+        "313", "312" or any other of the twelve.
+    angles : (..., 3) array_like
+        In rad.
+    omega : (..., 3) array_like
+        In rad/s, components along the body's axes; for components in space pass R^T omega.
+
+    Returns
+    -------
+    (..., 3) ndarray
+        In rad/s.
+
+    Raises
+    ------
+    ValueError
+        If there is no such sequence, an angle or omega is not finite, or in gimbal lock: abs(sin b) < 1e-12 ("313"),
+        abs(cos b) < 1e-12 ("312").
+
+    Examples
+    --------
+    >>> euler_rates("313", [0, np.pi / 2, 0], [0, 2, 1]).round(12)
+    array([2., 0., 1.])
     """
     formula = _euler.rates(_order(sequence))
     result = evaluate(formula, _kinds.FINITE, (4,), ("angles", _kinds.VECTOR, angles), ("omega", _kinds.VECTOR, omega))
@@ -163,29 +330,79 @@ def euler_rates(sequence: str, angles: ArrayLike, omega: ArrayLike) -> Array:
 
 
 def exp(v: ArrayLike) -> Array:
-    """The matrix of a rotation vector: exp(skew(v)), a turn by |v| about v.
+    """Return the matrix of a rotation vector: a turn by its length about its direction, exp(skew(v)).
 
-    v : (..., 3), rad
-    Raises ValueError if v is not finite.
+    Parameters
+    ----------
+    v : (..., 3) array_like
+        In rad.
+
+    Returns
+    -------
+    (..., 3, 3) ndarray
+
+    Raises
+    ------
+    ValueError
+        If v is not finite.
+
+    Examples
+    --------
+    >>> np.diag(exp([np.pi, 0, 0])).round(12)
+    array([ 1., -1., -1.])
     """
     formula, stacked = _formulas.matrix_of_vector, _stacked.matrix_of_vector
     return evaluate(formula, _kinds.TURNS, (3, 3), ("v", _kinds.TURN, v), stacked=stacked)
 
 
 def log(R: ArrayLike) -> Array:
-    """The rotation vector (..., 3) of a rotation, no longer than pi; exp(log(R)) = R.
+    """Return the rotation vector of a rotation; exp(log(R)) is R.
 
-    R : (..., 3, 3)
-    Raises ValueError if R is not a rotation.
+    Parameters
+    ----------
+    R : (..., 3, 3) array_like
+
+    Returns
+    -------
+    (..., 3) ndarray
+        In rad, no longer than pi.
+
+    Raises
+    ------
+    ValueError
+        If R is not a rotation.
+
+    Examples
+    --------
+    >>> log(exp([0.1, 0.2, 0.3])).round(12)
+    array([0.1, 0.2, 0.3])
     """
     return evaluate(_formulas.vector_of_matrix, _kinds.DEFECTS, (3,), ("R", _kinds.ROTATION, R))
 
 
 def nearest(M: ArrayLike) -> Array:
-    """The rotation nearest to M: the one with the smallest sum of squared differences.
+    """Return the rotation nearest to M: the one with the smallest sum of squared differences.
 
-    M : (..., 3, 3), any matrix, of either handedness
-    Raises ValueError if M is not finite or several rotations are equally near.
+    Parameters
+    ----------
+    M : (..., 3, 3) array_like
+        Any matrix, of either handedness.
+
+    Returns
+    -------
+    (..., 3, 3) ndarray
+
+    Raises
+    ------
+    ValueError
+        If M is not finite, or several rotations are equally near.
+
+    Examples
+    --------
+    >>> nearest(1.001 * np.eye(3))
+    array([[1., 0., 0.],
+           [0., 1., 0.],
+           [0., 0., 1.]])
     """
     return evaluate(_formulas.nearest_rotation, _kinds.STEPS, (3, 3), ("M", _kinds.NEAR_ONE, M))
 

@@ -49,13 +49,30 @@ class Shown:
 def show(
     what: Any, *, assignment: str | None = None, numbers: Mapping[str, Any] | None = None, height: int = 620
 ) -> Shown:
-    """The scene of an assignment, driven by the student's functions, or that of a lecture.
+    """Make the scene of an assignment from the student's functions, or the scene of a lecture.
 
-    what       : the student's module, or its file; in a notebook also `globals()`, with the assignment's name;
-                 or the module of a lecture, or the file of a copy
-    assignment : hw07, for example, where the name of the module does not tell
-    numbers    : other values for a lecture, {"mass": 2.0, "start.vx": 3.0}
-    height     : in a notebook, pixels
+    Parameters
+    ----------
+    what : module, path or dict
+        The student's module or its file; in a notebook also `globals()`, with the name of the assignment; or the
+        module of a lecture, or the file of a copy.
+    assignment : str, optional
+        Such as "hw07", if the name of the module does not tell.
+    numbers : mapping, optional
+        Other values for a lecture, such as {"mass": 2.0, "start.vx": 3.0}.
+    height : int
+        In pixels, in a notebook.
+
+    Returns
+    -------
+    Shown
+        It says what is wrong if there is no scene.
+
+    Examples
+    --------
+    >>> from tam570.lectures import top
+    >>> show(top, numbers={"seconds": 2.0})
+    <Heavy top: 2 s>
     """
     try:
         return Shown(_scene(what, assignment, numbers), height=height)
