@@ -39,6 +39,11 @@ class ManualPart:
         """Its points in words: "1 point", "1.5 points"."""
         return f"{self.points:g} point{'s' * (self.points != 1)}"
 
+    @property
+    def line(self) -> str:
+        """Its claims on one line: "0.5 gives a reason; 1 draws it"."""
+        return "; ".join(f"{points:g} {says}" for points, says in self.claims)
+
 
 def load_rubric(released: Path) -> dict[str, ManualPart]:
     """The parts graded by hand, by letter, of the released folder of an assignment; {} if it has none.

@@ -27,11 +27,13 @@ from tam570_grader.results.manual_points import (
 )
 from tam570_grader.results.store import Results, ResultStore, results
 from tam570_grader.results.tables import cell, written
+from tam570_grader.rubric import ManualPart
 
 __all__ = ["add_points"]
 
 NEED_A_REASON = (ADJUST, TOTAL)  # and a check
 Manual = Mapping[str, tuple[float, str]]  # part: points given by hand, and for what
+Rubric = Mapping[str, ManualPart]  # by part
 Checks = Mapping[str, float]  # check: its points
 
 
@@ -82,7 +84,8 @@ def _points(arguments: argparse.Namespace) -> int:
         if not arguments.table and (arguments.template or not (terms or arguments.collected)):
             raise UsageError("name the table, too: tam570-grader points DIR CSV")
         if arguments.template:
-            return _template(arguments.table, found, manual, manual_points.read(folder))
+            rubrics = {slug: one.rubric for slug, one in here.items()}
+            return _template(arguments.table, found, rubrics, manual_points.read(folder))
         new = list(_checked(arguments.table, found, manual, checks)) if arguments.table else []
     feedback.must_write_pages()
     with contextlib.closing(ResultStore(folder)) as book:  # nobody else adds rows meanwhile
@@ -142,18 +145,20 @@ def _wrong(one: Entry, students: set[str], parts: Manual, checks: Checks) -> str
     return ""
 
 
-def _template(path: Path, found: Results, manual: Mapping[str, Manual], hand: ManualAdjustments) -> int:
-    """Write a table with a row for each student and part; what is known is filled in."""
+def _template(path: Path, found: Results, rubrics: Mapping[str, Rubric], hand: ManualAdjustments) -> int:
+    """Write a table with a row for each student and part, beside the claims; what is known is filled in."""
     if path.exists():
         raise UsageError(f"{path} is there already, and may hold points that you typed; name a new file")
     text = io.StringIO()
     writer = csv.writer(text)
-    writer.writerow(COLUMNS)
+    writer.writerow([*COLUMNS, "claims"])  # the last is for the eye: it is not read back
     for student, slug in found:
-        for part, (of, _) in manual[slug].items():
+        for part, rubric in rubrics.get(slug, {}).items():
             known = hand.entries.get((student, slug, part))
             points = "" if known is None or known.points is None else known.points
-            writer.writerow(map(cell, (student, slug, part, points, f"{of:g}", known.comment if known else "")))
+            comment = known.comment if known else ""
+            row = student, slug, part, points, f"{rubric.points:g}", comment, rubric.line
+            writer.writerow(map(cell, row))
     with writing(path):
         written(path, text.getvalue())
     print(f"{path}: fill in the points, then: tam570-grader points DIR {path}")

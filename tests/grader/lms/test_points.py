@@ -173,6 +173,7 @@ def test_the_template_has_a_row_for_each_part_with_what_is_known(results):
         ("ann", "c", "1.5", "2"),
         ("ben", "c", "", "2"),
     ]
+    assert all("a motion against what it must conserve" in row["claims"] for row in rows)
     assert cli.main(["points", str(results), str(results / "fill.csv")]) == 0  # as it is, it changes nothing
     assert scores(results)["ann"] == ("1.5", "12.0")
 
