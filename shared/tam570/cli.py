@@ -228,7 +228,7 @@ def _show(arguments: argparse.Namespace) -> int:
     else:
         file, slug = work.one(arguments.what, arguments.assignment)
     _ask_before(slug)
-    return command(file, slug, arguments.save)
+    return command(file, slug, arguments.set, arguments.save)
 
 
 def _ask_before(slug: str) -> None:

@@ -151,13 +151,16 @@ import numpy as np
 from tam570.show.scene import INK, Panel, Scene, Shape, TimePlot, energy_plot, frame_times, moving, plot_samples
 from tam570.show.student import make_each
 
-SPRING = {"mass": 1.0, "stiffness": 4.0}  # kg, N/m
+EXAMPLE = {"mass": 1.0, "stiffness": 4.0}  # kg, N/m
+STATE = {"x": "m", "v": "m/s"}
+START = (1.0, 0.0)
+SECONDS = 10.0
 
 
-def film(student):
+def film(student, spring, start, seconds):
     """A swing from rest."""
-    times, notes = frame_times(10.0), []
-    x, v = student("simulate", times, 1.0, 0.0, **SPRING, damping=0.0, shape=(len(times), 2)).T
+    times, notes = frame_times(seconds), []
+    x, v = student("simulate", times, *start, **spring, damping=0.0, shape=(len(times), 2)).T
     mass = np.column_stack([x, 0 * x])
     shapes = [
         Shape("lines", moving(np.array([-2.0, 0.0]), mass), INK, "spring", width=2),
@@ -165,14 +168,14 @@ def film(student):
         Shape("dot", mass[:, None], 0, "mass", width=11),
     ]
     alt_text = "A mass on a spring swings along a line. Nothing damps it, so each swing is as far as the one before."
-    plots = make_each(notes, lambda: _energy(student, times, x, v))
+    plots = make_each(notes, lambda: _energy(student, times, x, v, spring))
     return Scene("Spring", alt_text, times, [Panel(shapes)], plots, notes=notes)
 
 
-def _energy(student, times, x, v):
+def _energy(student, times, x, v, spring):
     shown = plot_samples(times)
-    total = student.each("energy", x[shown], v[shown], **SPRING, shape=())
-    return energy_plot(times[shown], total, SPRING["stiffness"] * x[shown] ** 2 / 2)
+    total = student.each("energy", x[shown], v[shown], **spring, shape=())
+    return energy_plot(times[shown], total, spring["stiffness"] * x[shown] ** 2 / 2)
 '''
 NOTATION = """| x, v | `x`, `v` | m, m/s | displacement of a mass on a damped spring, and its rate (hw15) |
 | c | `damping` | kg/s | of a spring (hw15) |

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 
 from tam570.given import nonnegative, numbers, positives, sequence
 from tam570.integrate import solve
-from tam570.show.scene import Array, Panel, Scene, Shape, drift_plot, frame_times, plot_samples
+from tam570.show.scene import Array, Panel, Scene, Shape, energy_plot, frame_times, plot_samples
 
 __all__ = ["angular_momentum", "energy", "film", "momentum", "rates"]
 
@@ -114,13 +114,14 @@ def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) 
     shapes = [Shape("trail", places[:, [i]], i % 6, width=2) for i in range(n)]
     shapes += [Shape("dot", places[:, [i]], i % 6, f"body {i + 1}", width=8) for i in range(n)]
     shown = plot_samples(times)
-    energies = np.array([energy(state, **parameters) for state in states[shown]])
+    at_rest = states[shown] * np.repeat([1.0, 0.0], 3 * n)
+    total, potential = (np.array([energy(row, **parameters) for row in rows]) for rows in (states[shown], at_rest))
     return Scene(
         f"{n} bodies",
         "Bodies attract each other and move on paths that bend around each other. In the example three equal bodies "
         "chase each other on one curve in the shape of an eight.",
         times,
         [Panel(shapes)],
-        [drift_plot("energy, change", times[shown], {"": energies}, abs(energies[0]) or 1.0, "itself")],
+        [energy_plot(times[shown], total, potential)],
         still_time=0.2,
     )

@@ -75,8 +75,12 @@ def film(parameters: Mapping[str, Any]) -> Scene:
         *(Shape("arrow", np.array([origin, row]), GREY, "e1, e2, e3", width=1.5) for row in before),
         *(Shape("arrow", moving(origin, triads[:, i]), i, f"e{i + 1}'", width=3) for i in range(3)),
         *(Shape("lines", chain[:, i : i + 2], i, width=2, faint=True) for i in range(3)),
+        *(Shape("text", row[None], GREY, words=f"e{i + 1}") for i, row in enumerate(before)),
+        *(Shape("text", triads[:, [i]], i, words=f"e{i + 1}'") for i in range(3)),
+        Shape("text", vector[None], 5, words="r"),
+        Shape("text", turned[:, None], INK, words="R r"),
         Shape("trail", turned[:, None], 4, width=1.5),
-        Shape("arrow", np.array([origin, vector]), GREY, "r", width=2.5),
+        Shape("arrow", np.array([origin, vector]), 5, "r", width=2.5),
         Shape("arrow", moving(origin, turned), INK, "R r", width=3.5),
     ]
     shown = plot_samples(times)

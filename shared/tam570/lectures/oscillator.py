@@ -14,7 +14,19 @@ from numpy.typing import ArrayLike
 from tam570.given import numbers, positive, sequence
 from tam570.integrate import solve
 from tam570.show.drawing import axes, circle
-from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, drift_plot, frame_times, moving, plot_samples
+from tam570.show.scene import (
+    GREY,
+    INK,
+    Array,
+    Panel,
+    Scene,
+    Shape,
+    drift_note,
+    frame_times,
+    moving,
+    plot_samples,
+    value_plot,
+)
 
 __all__ = ["angular_momentum", "energy", "exact", "film", "orbit_tensor", "rates"]
 
@@ -87,13 +99,20 @@ def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float
     ]
     shown = plot_samples(times)
     tensors = np.array([orbit_tensor(state, **parameters) for state in states[shown]])
-    size = float(np.linalg.norm(tensors[0])) or 1.0
+    note = drift_note({"": tensors}, float(np.linalg.norm(tensors[0])) or 1.0, "itself")
+    squares = states[shown].reshape(-1, 2, 3) ** 2 @ np.ones(3) / 2
+    potential, kinetic = parameters["stiffness"] * squares[:, 0], parameters["mass"] * squares[:, 1]
+    parts = dict(zip(("xx", "yy", "zz", "yz", "zx", "xy"), tensors.T, strict=True))
+    energies = {"kinetic T": kinetic, "potential V": potential, "total E": tensors[:, :3].sum(axis=1) / 2}
     return Scene(
         "Oscillator in space",
         "A mass on a spring with no rest length goes round an ellipse in space. The centre of the ellipse is where the "
         "spring is held. The solved motion stays on the ellipse that its start prescribes.",
         times,
         [Panel(shapes)],
-        [drift_plot("tensor m v v + k r r, change", times[shown], {"": tensors}, size, "itself")],
+        [
+            value_plot("energy", times[shown], energies, "J"),
+            value_plot("m v v + k r r, a tensor", times[shown], parts, "J", *note),
+        ],
         still_time=0.25,
     )

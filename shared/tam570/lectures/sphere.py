@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike
 from tam570.given import numbers
 from tam570.rotations import exp
 from tam570.show.drawing import circle
-from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times
+from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times
 
 __all__ = ["compose", "film"]
 
@@ -62,7 +62,7 @@ def film(parameters: Mapping[str, Any]) -> Scene:
             for i in range(3)
         ),
         *(Shape("arrow", np.array([np.zeros(3), 1.25 * corner]), GREY, width=2) for corner in corners),
-        *(Shape("text", 1.25 * corner[None], GREY, words=name) for name, corner in zip("ABC", corners, strict=True)),
+        *(Shape("text", 1.33 * corner[None], INK, words=name) for name, corner in zip("ABC", corners, strict=True)),
         *(Shape("path", _arc(one, other), 3, "triangle of half angles", width=3) for one, other in _sides(corners)),
         *_mark(one_by_one, 0, "about A, then about B"),
         *_mark(at_once, 1, "once about C"),

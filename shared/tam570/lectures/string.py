@@ -15,7 +15,19 @@ from numpy.typing import ArrayLike
 from tam570.given import finite, numbers, positive, positives, sequence
 from tam570.integrate import solve
 from tam570.show.drawing import unit_circle
-from tam570.show.scene import GREY, INK, Panel, Scene, Shape, drift_plot, energy_plot, frame_times, moving, plot_samples
+from tam570.show.scene import (
+    GREY,
+    INK,
+    Panel,
+    Scene,
+    Shape,
+    drift_note,
+    energy_plot,
+    frame_times,
+    moving,
+    plot_samples,
+    value_plot,
+)
 
 __all__ = ["angular_momentum", "by_lagrange", "by_newton", "energy", "film", "rates"]
 
@@ -110,7 +122,7 @@ def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) 
         np.array([energy(row, **parameters) for row in rows]) for rows in (states[shown], states[shown] * [1, 1, 0, 0])
     )
     turning = np.array([angular_momentum(state, **parameters) for state in states[shown]])
-    size = abs(float(turning[0])) or 1.0
+    note, alarm = drift_note({"": turning}, abs(float(turning[0])) or 1.0, "itself")
     return Scene(
         "Two particles on a string",
         "A mass circles on a table. The string through the hole holds a second mass below the table. The circle's "
@@ -119,7 +131,7 @@ def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) 
         [Panel(shapes)],
         [
             energy_plot(times[shown], total, resting),
-            drift_plot("angular momentum about the hole, change", times[shown], {"": turning}, size, "itself"),
+            value_plot("distance from the hole", times[shown], {"": r[shown]}, "m", f"angular momentum: {note}", alarm),
         ],
         view=(0.6, 0.25),
         still_time=0.35,

@@ -13,7 +13,18 @@ from numpy.typing import ArrayLike
 
 from tam570.given import finite, numbers, one_of, positive, sequence
 from tam570.integrate import solve
-from tam570.show.scene import GREY, Array, Panel, Scene, Shape, drift_plot, frame_times, moving, plot_samples
+from tam570.show.scene import (
+    GREY,
+    Array,
+    Panel,
+    Scene,
+    Shape,
+    drift_note,
+    frame_times,
+    moving,
+    plot_samples,
+    value_plot,
+)
 
 __all__ = ["constraint_force", "energy", "film", "height", "rates"]
 
@@ -77,14 +88,15 @@ def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) 
     one_of(SIGNS, surface=parameters["surface"])
     times = frame_times(seconds)
     names = sorted(SIGNS, key=lambda name: name != parameters["surface"])
-    shown, panels, energies, largest = plot_samples(times), [], {}, 0.0
+    shown, panels, energies, kinetic = plot_samples(times), [], {}, {}
     for name in names:
         known = {**parameters, "surface": name}
         states = solve(rates, times, start, parameters=known)
         panels.append(Panel(_sliding(states, known), name))
         total = np.array([energy(state, **known) for state in states[shown]])
         resting = np.array([energy(state, **known) for state in states[shown] * [1, 1, 0, 0]])
-        energies[name], largest = total, max(largest, float(np.abs(total - resting).max()))
+        energies[name], kinetic[name] = total, total - resting
+    largest = max(float(one.max()) for one in kinetic.values())
     return Scene(
         "Particle on a surface",
         "A particle slides without friction in a bowl, on a saddle and on a level plane, each time from the same "
@@ -92,8 +104,12 @@ def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) 
         times,
         panels,
         [
-            drift_plot(
-                "energy, change since the start", times[shown], energies, largest or 1.0, "the largest kinetic energy"
+            value_plot(
+                "kinetic energy",
+                times[shown],
+                kinetic,
+                "J",
+                *drift_note(energies, largest or 1.0, "the largest kinetic energy"),
             )
         ],
         view=(0.9, 0.5),

@@ -95,6 +95,7 @@ def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float
     forces = np.array([hinge_force(state, **parameters) for state in states])
     force = forces[:, :1] * -down + forces[:, 1:] * aside
     arrow = 0.25 * length / (parameters["mass"] * parameters["gravity"]) * force
+    G, weight = length / 2 * down, np.array([0.0, -0.25 * length])
     shapes = [
         Shape(
             "path",
@@ -105,7 +106,9 @@ def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float
         ),
         Shape("lines", moving(np.zeros(2), length * down), 0, "bar", width=7),
         Shape("dot", (length / 2 * down)[:, None], 2, "G", width=5),
-        Shape("arrow", moving(np.zeros(2), arrow), 1, "force of the hinge", width=3),
+        Shape("arrow", moving(G, G + weight), 3, "weight", width=3),
+        Shape("arrow", moving(G + weight, G + weight + arrow), 1, "force of the hinge", width=3),
+        Shape("arrow", moving(G, G + weight + arrow), 4, "sum: m a of G", width=3),
         Shape("dot", np.zeros((1, 2)), INK, width=4),
     ]
     shown = plot_samples(times)
@@ -113,8 +116,8 @@ def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float
     still = np.array([energy(state, **parameters) for state in states[shown] * [1, 0]])
     return Scene(
         "Swinging bar",
-        "A bar swings about a hinge at its end. An arrow at the hinge shows its force on the bar, which is largest as "
-        "the bar passes straight down.",
+        "A bar swings about a hinge at its end. Arrows at its centre of mass G show the weight and the force of the "
+        "hinge, one after the other, and their sum, m a of G: the polygon closes.",
         times,
         [Panel(shapes)],
         [energy_plot(times[shown], total, still)],

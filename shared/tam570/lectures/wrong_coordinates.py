@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 from tam570.given import numbers, positives, sequence
 from tam570.integrate import solve
 from tam570.show.drawing import brick
-from tam570.show.scene import Array, Panel, Scene, Shape, drift_plot, frame_times, moving, plot_samples, value_plot
+from tam570.show.scene import Array, Panel, Scene, Shape, drift_note, frame_times, moving, plot_samples, value_plot
 
 __all__ = ["angular_momentum", "energy", "film", "rates", "wrong_rates"]
 
@@ -86,6 +86,8 @@ def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) 
         name: np.degrees(np.arccos(np.clip(H[shown] @ first / scale**2, -1.0, 1.0))) for name, H in momenta.items()
     }
     energies = {name: [energy(state, **parameters) for state in states[shown]] for name, states in both.items()}
+    note, alarm = drift_note(energies, energies["Euler"][0] or 1.0, "itself")
+    spins = {name: states[shown, 11] for name, states in both.items()}
     return Scene(
         "Wrong coordinates",
         "Two bodies are thrown alike. By Euler's equations the angular momentum stays where it is. By Lagrange's "
@@ -94,7 +96,7 @@ def film(parameters: Mapping[str, Any], start: Sequence[float], seconds: float) 
         panels,
         [
             value_plot("angular momentum from where it was", times[shown], across, "°"),
-            drift_plot("energy, change", times[shown], energies, energies["Euler"][0] or 1.0, "itself"),
+            value_plot("spin about the body's third axis", times[shown], spins, "rad/s", f"energy: {note}", alarm),
         ],
         still_time=0.35,
     )

@@ -1,12 +1,14 @@
 """Scenes that move: `show` runs the student's own functions and shows what they do."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from importlib import import_module
 from pathlib import Path
 from typing import Any
 
 from tam570.course import folder, named
+from tam570.show.lecture import filmed, lecture_module, scene_of_lecture, settings
 from tam570.show.scene import Scene
 from tam570.show.student import Student, Trouble, load_student
 
@@ -59,7 +61,7 @@ def show(
     assignment : str, optional
         Such as "hw07", if the name of the module does not tell.
     numbers : mapping, optional
-        Other values for a lecture, such as {"mass": 2.0, "start.vx": 3.0}.
+        Other values, such as {"mass": 2.0, "start.vx": 3.0}.
     height : int
         In pixels, in a notebook.
 
@@ -82,17 +84,15 @@ def show(
 
 def _scene(what: Any, assignment: str | None, numbers: Mapping[str, Any] | None) -> Scene:
     if assignment is None and (hasattr(what, "EXAMPLE") or _is_lecture(what)):
-        from tam570.show.lecture import lecture_module, scene_of_lecture
-
         return scene_of_lecture(lecture_module(str(what)) if isinstance(what, str | Path) else what, numbers)
     if isinstance(what, str | Path):
         slug = folder(assignment).name if assignment else named(Path(what))
-        return scene_of(load_student(Path(what), slug), slug)
+        return scene_of(load_student(Path(what), slug), slug, numbers)
     if isinstance(what, dict):
         from types import SimpleNamespace
 
         what = SimpleNamespace(**what)
-    return scene_of(what, folder(assignment or what.__name__).name)
+    return scene_of(what, folder(assignment or what.__name__).name, numbers)
 
 
 def _is_lecture(what: Any) -> bool:
@@ -101,23 +101,25 @@ def _is_lecture(what: Any) -> bool:
     return isinstance(what, str | Path) and commands.is_lecture(str(what))
 
 
-def scene_of(module: Any, slug: str) -> Scene:
-    """The scene of the assignment, by the functions of a module. Trouble if it cannot be made."""
+def scene_of(module: Any, slug: str, numbers: Mapping[str, Any] | None = None) -> Scene:
+    """Film an assignment by the functions of a module, with other numbers. Trouble says why it cannot be."""
     name = f"tam570.show.scenes.{slug[:4]}"
     try:
-        module_of_scene = import_module(name)
+        scene = import_module(name)
     except ModuleNotFoundError as error:
         if error.name != name:
             raise
         raise Trouble(f"{slug} has no scene; write shared/tam570/show/scenes/{slug[:4]}.py") from None
-    scene: Scene = module_of_scene.film(Student(module))
-    return scene
+    return filmed(scene, partial(scene.film, Student(module)), numbers)
 
 
-def command(file: Path, slug: str, where: Path | None) -> int:
-    """What `tam570 show` does: save the scene of a file, or open it in a browser; 0, or 1 if it cannot be."""
+def command(file: Path, slug: str, texts: Sequence[str], where: Path | None) -> int:
+    """Save the scene of a file, or open it in a browser; 0, or 1 if it cannot be.
+
+    texts : numbers to set, "mass=2"
+    """
     try:
-        scene = scene_of(load_student(file, slug), slug)
+        scene = scene_of(load_student(file, slug), slug, settings(texts))
     except Trouble as trouble:
         return report_trouble(trouble)
     return present(scene, where, slug)

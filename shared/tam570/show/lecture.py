@@ -1,11 +1,12 @@
-"""The scene of a lecture, with the numbers that someone wants to see it with.
+"""Scenes with the numbers that someone wants to see them with.
 
 A lecture has EXAMPLE, a dict of parameters, and `film(parameters)`. One that moves has START, SECONDS and STATE too,
-and `film(parameters, start, seconds)`.
+and `film(parameters, start, seconds)`. The scene of an assignment has the same, and `film(student, ...)`.
 """
 
 import ast
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -15,7 +16,7 @@ from tam570.lectures import catalogue, load
 from tam570.show.scene import Scene
 from tam570.show.student import Trouble, load_student
 
-__all__ = ["scene_of_lecture", "lecture_module", "settings"]
+__all__ = ["filmed", "lecture_module", "scene_of_lecture", "settings"]
 
 LONGEST = 600.0  # s, of a scene
 
@@ -50,25 +51,30 @@ def _value(text: str) -> Any:
 
 
 def scene_of_lecture(module: Any, numbers: Mapping[str, Any] | None = None) -> Scene:
-    """The scene of a lecture, its parameters and start changed. Trouble says what cannot be shown.
+    """Film a lecture, with other numbers. Trouble says what cannot be shown."""
+    return filmed(module, module.film, numbers)
+
+
+def filmed(source: Any, film: Callable[..., Scene], numbers: Mapping[str, Any] | None) -> Scene:
+    """Film with the source's EXAMPLE, START and SECONDS, some of their numbers changed.
 
     numbers : by parameter, by "start.speed" for a number of the start, or "seconds"
-    Unknown tells a wrong name with the right ones.
+    Unknown tells a wrong name with the right ones; Trouble says what cannot be shown.
     """
-    given: dict[str, Any] = dict(module.EXAMPLE)
-    moves = hasattr(module, "START")
+    values: dict[str, Any] = dict(source.EXAMPLE)
+    moves = hasattr(source, "START")
     if moves:
-        given |= {f"start.{name}": value for name, value in zip(module.STATE, module.START, strict=True)}
-        given["seconds"] = module.SECONDS
+        values |= {f"start.{name}": value for name, value in zip(source.STATE, source.START, strict=True)}
+        values["seconds"] = source.SECONDS
     for name in numbers or {}:
-        if name not in given:
-            raise Unknown(f"there is no number {name!r} to set; there are: {', '.join(given)}")
-    given |= numbers or {}
+        if name not in values:
+            raise Unknown(f"there is no number {name!r} to set; there are: {', '.join(values)}")
+    values |= numbers or {}
     try:
-        scene: Scene = module.film(*_arguments(given) if moves else (given,))
+        scene = film(*_arguments(dict(values)) if moves else (values,))
     except (TypeError, ValueError, ArithmeticError) as error:
         raise Trouble(str(error)) from error
-    return scene
+    return replace(scene, settings=values)
 
 
 def _arguments(given: dict[str, Any]) -> tuple[dict[str, Any], tuple[float, ...], float]:

@@ -2,6 +2,7 @@
 
 import html
 import json
+from collections.abc import Mapping
 from pathlib import Path
 from string import Template
 from typing import Any
@@ -20,12 +21,17 @@ def page(scene: Scene) -> str:
         title=html.escape(scene.title),
         alt_text=html.escape(scene.alt_text),
         notes="".join(f'<p class="note">{html.escape(note)}</p>' for note in scene.notes),
+        settings=html.escape(_listed(scene.settings)),
         style=_read("page.css"),
         view=_read("space.js" if scene.in_space else "plane.js"),
         time_plots=_read("time_plots.js"),
         player=_read("player.js"),
         data=_data(packed(scene)),
     )
+
+
+def _listed(settings: Mapping[str, Any]) -> str:
+    return ", ".join(f"{name} = {value}" for name, value in settings.items())
 
 
 def framed(document: str, title: str, height: int) -> str:

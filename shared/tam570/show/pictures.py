@@ -137,7 +137,7 @@ def _shape(ax: Axes, shape: Shape, points: Array, head: float) -> Update:
     style: dict[str, Any] = (
         {"marker": "o", "markersize": 1.5 * shape.width, "linestyle": ""} if shape.kind == "dot" else {}
     )
-    (line,) = ax.plot([], [], linewidth=0.8 * shape.width, label=shape.name or "_", **style, **look)
+    (line,) = ax.plot([], [], linewidth=0.8 * shape.width, label=shape.name or "_", clip_on=False, **style, **look)
     if shape.kind == "trail":
         so_far = np.concatenate([points, np.full((1, *points.shape[1:]), np.nan)])
         return lambda sample: line.set_data(*so_far[np.r_[0 : sample + 1, -1]].swapaxes(0, 1).reshape(-1, 2).T)

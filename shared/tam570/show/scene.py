@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -105,6 +106,7 @@ class Scene:
     poster : share of the time at which a single picture tells most
     notes : what could not be shown, and why
     slider : the same scene for other values of a number
+    settings : the numbers that `--set` changes, as they are
     """
 
     title: str
@@ -116,6 +118,7 @@ class Scene:
     still_time: float = 0.6
     notes: Sequence[str] = field(default_factory=list)
     slider: "Slider | None" = None
+    settings: Mapping[str, Any] = field(default_factory=dict)
 
     @property
     def in_space(self) -> bool:

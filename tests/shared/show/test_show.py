@@ -189,12 +189,12 @@ def test_without_an_energy_the_motion_is_shown_all_the_same(edited, tmp_path, ca
     where = tmp_path / "a.html"
     assert cli.main(["show", "hw07", str(edited(HW07, text)), "--save", str(where)]) == 0
     assert "energy" in capsys.readouterr().err
-    assert 'class="note">energy ' in where.read_text() and not data(where.read_text())["time_plots"]
+    assert 'class="note">energy ' in where.read_text() and len(data(where.read_text())["time_plots"]) == 1
 
 
 def test_wrong_physics_looks_wrong(edited):
     wrong = (CHECKS / HW07 / "mistakes" / "sign_of_the_sine_term.py").read_text()
-    (time_plot,) = show(edited(HW07, wrong)).scene.time_plots
+    time_plot, _ = show(edited(HW07, wrong)).scene.time_plots
     assert time_plot.alarm and "not conserved" in time_plot.note and time_plot.span[1] > 10.0  # %
 
 
@@ -347,9 +347,11 @@ def test_the_mark_of_a_rolling_coin_stands_still_on_the_ground(course):
     from tam570.show.student import Student
 
     times = np.linspace(0.0, 2.0, 40001)
-    for lean, track_radius in hw11.ROLLING.items():
-        coin = hw11._rolling(Student(solution), lean, track_radius)
-        mark = next(shape for shape in hw11._coin(times, coin, 0) if shape.kind == "lines").points[:, 1]
+    for lean, track_radius in zip(hw11.EXAMPLE["leans"], hw11.EXAMPLE["track_radii"], strict=True):
+        coin = hw11._rolling(Student(solution), lean, track_radius, {name: hw11.EXAMPLE[name] for name in hw11.ALL})
+        mark = next(
+            shape for shape in hw11._coin(times, coin, hw11.EXAMPLE["radius"], 0) if shape.kind == "lines"
+        ).points[:, 1]
         assert speed_at_the_ground(mark, mark[:, 2], times) < 1e-3  # a step of time from the ground itself
         assert abs(mark[:, 2].min()) < 1e-6
 
@@ -358,12 +360,24 @@ def test_the_spoke_of_a_rolling_cylinder_stands_still_on_the_ramp():
     times = np.linspace(0.0, 2.0, 40001)
     spoke = next(
         shape
-        for shape in hw13._rolling(5.0 * times - 1.0, 0, 9.0)
+        for shape in hw13._rolling(5.0 * times - 1.0, 0, 9.0, hw13.EXAMPLE)
         if shape.points.shape[1] == 2 and shape.points.ndim == 3
     )
-    end = spoke.points[:, 1]
-    assert speed_at_the_ground(end, end @ hw13.OFF, times) < 1e-3
-    assert abs((end @ hw13.OFF).min()) < 1e-6
+    end, slope = spoke.points[:, 1], hw13.EXAMPLE["slope"]
+    off = end @ [np.sin(slope), np.cos(slope)]
+    assert speed_at_the_ground(end, off, times) < 1e-3 and abs(off.min()) < 1e-6
+
+
+def test_an_assignment_is_shown_with_other_numbers(slug, course, tmp_path, capsys):
+    scene = importlib.import_module(f"tam570.show.scenes.{slug[:4]}")
+    file, where = course / "solutions" / f"{slug}.py", tmp_path / "a.html"
+    name = next(iter(scene.EXAMPLE))
+    value = np.multiply(1.05, scene.EXAMPLE[name]).tolist()
+    text = ",".join(map(str, value)) if isinstance(value, list) else str(value)
+    assert cli.main(["show", slug, str(file), "--set", f"{name}={text}", "--save", str(where)]) == 0
+    assert re.search(rf"{name} = \(?{str(value).strip('[]').split(',')[0]}", where.read_text())
+    assert cli.main(["show", slug, str(file), "--set", "nonsense=3", "--save", str(where)]) == 2
+    assert re.search(f"'nonsense'.*{name}", " ".join(capsys.readouterr().err.split()))
 
 
 def test_no_scene_integrates_equations_of_its_own(slug):

@@ -1,6 +1,6 @@
 // The plots beside the scene: axes on one layer, what has been so far on another.
 
-const PAD = 6;
+const PAD = 6, AXIS = 16; // px around the curves, and of the time axis below them
 function figure(plot) {
   const box = document.createElement("figure"), caption = document.createElement("figcaption");
   const title = document.createElement("b"), note = document.createElement("span"), now = document.createElement("span");
@@ -22,7 +22,7 @@ function figure(plot) {
 const plotX = (plot, time) => PAD + (plot.size.width - 2 * PAD) * time / duration;
 const plotY = (plot, value) => {
   const [low, high] = plot.span;
-  return PAD + (plot.size.height - 2 * PAD) * (high - value) / (high - low);
+  return PAD + (plot.size.height - 2 * PAD - AXIS) * (high - value) / (high - low);
 };
 const curveColor = (plot, i) => (plot.alarm && plot.curves.length === 1 ? colors.alarm : colors[`c${i}`]);
 const figures = (value) => Number(value.toPrecision(2)).toString();
@@ -38,7 +38,20 @@ function drawPlotAxes(plot) {
     context.stroke();
     if (!value || Math.abs(value) > 0.15 * (high - low)) context.fillText(`${figures(value)} ${plot.unit}`, 4, plotY(plot, value) + (value < high ? -3 : 13));
   }
+  drawTimes(context, plot);
   plot.curves.forEach((curve, i) => strokeCurve(context, plot, curve, i, plot.times.length - 1, 0.3));
+}
+// Ticks of the time below, 1, 2 or 5 times a power of ten apart, about four of them.
+function drawTimes(context, plot) {
+  const {width, height} = plot.size, power = 10 ** Math.floor(Math.log10(duration / 4)), step = [1, 2, 5, 10].map((n) => n * power).find((n) => duration / n <= 5);
+  context.textAlign = "center";
+  for (let time = 0; time <= duration * 1.0001; time += step) {
+    const x = plotX(plot, time), text = `${Number((scene.start + time).toPrecision(6))}${time + step > duration * 1.0001 ? " s" : ""}`;
+    line(context, [[x, height - AXIS], [x, height - AXIS + 4]]);
+    context.stroke();
+    context.fillText(text, Math.min(Math.max(x, 8), width - 12), height - 2);
+  }
+  context.textAlign = "start";
 }
 function strokeCurve(context, plot, curve, i, last, alpha) {
   context.globalAlpha = alpha;
@@ -56,7 +69,7 @@ function drawPlotNow(plot) {
   context.clearRect(0, 0, width, height);
   context.strokeStyle = colors.soft;
   context.lineWidth = 1;
-  line(context, [[plotX(plot, state.time), 0], [plotX(plot, state.time), height]]);
+  line(context, [[plotX(plot, state.time), 0], [plotX(plot, state.time), height - AXIS]]);
   context.stroke();
   const now = plot.curves.map((curve, i) => {
     strokeCurve(context, plot, curve, i, k, 1);

@@ -14,7 +14,7 @@ from tam570.show.scene import (
     Panel,
     Scene,
     Shape,
-    drift_plot,
+    drift_note,
     frame_times,
     moving,
     plot_samples,
@@ -37,7 +37,9 @@ def cradle_and_rod(cradle: Callable[[Array], Array], collide: Callable[..., Any]
     shown = plot_samples(times)
     angles, speeds = _swings(times, cradle)
     places, about_peg, energies = _rod(times, collide)
-    scale = float(np.abs(about_peg).max())
+    whole = about_peg[shown].sum(axis=1)
+    momenta = {"of G": about_peg[shown, 0], "about G": about_peg[shown, 1], "sum": whole}
+    note = drift_note({"": whole}, float(np.abs(about_peg).max()), "its largest part")
     of_cradle = (speeds[shown] ** 2 + GRAVITY * LENGTH * angles[shown] ** 2).sum(axis=1) / 2
     loss = {"cradle": 100 * of_cradle / of_cradle[0], "rod": 100 * energies[shown] / energies[0]}
     return Scene(
@@ -47,7 +49,7 @@ def cradle_and_rod(cradle: Callable[[Array], Array], collide: Callable[..., Any]
         times,
         [Panel(_balls(angles), "cradle"), Panel(places, "rod on a peg")],
         [
-            drift_plot("rod: angular momentum about the peg", times[shown], {"": about_peg[shown]}, scale, "itself"),
+            value_plot("rod: angular momentum about the peg", times[shown], momenta, "kg m²/s", *note),
             value_plot("energy, of that at the start", times[shown], loss, "%"),
         ],
         still_time=0.13,
@@ -82,7 +84,7 @@ def _balls(angles: Array) -> list[Shape]:
 
 
 def _rod(times: Array, collide: Callable[..., Any]) -> tuple[list[Shape], Array, Array]:
-    """The picture, the angular momentum about the peg, kg m^2/s, and the energy, J, at the times."""
+    """The picture, the angular momentum about the peg, of G and about G (n, 2), kg m^2/s, and the energy, J."""
     mass, inertia = ROD["mass"], ROD["mass"] * ROD["length"] ** 2 / 12
     before = np.array([[-0.15, -FALL, TURN], [0.0, 0.0, 0.0]])
     arms = np.array([[ARM, 0.0], [0.0, 0.0]])  # the peg is the second body's own place
@@ -100,4 +102,4 @@ def _rod(times: Array, collide: Callable[..., Any]) -> tuple[list[Shape], Array,
         Shape("dot", G[:, None], 2, width=6),
     ]
     energies = mass * (velocities[:, :2] ** 2).sum(axis=1) / 2 + inertia * velocities[:, 2] ** 2 / 2
-    return shapes, mass * across + inertia * velocities[:, 2], energies
+    return shapes, np.column_stack([mass * across, inertia * velocities[:, 2]]), energies

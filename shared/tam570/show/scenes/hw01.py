@@ -1,7 +1,11 @@
 """hw01: a large swing by the full equation, and what the small-angle solution makes of it."""
 
+from collections.abc import Mapping, Sequence
+from typing import Any
+
 import numpy as np
 
+from tam570.show.drawing import graph, unit_circle
 from tam570.show.scene import (
     GREY,
     INK,
@@ -14,53 +18,67 @@ from tam570.show.scene import (
     frame_times,
     moving,
     plot_samples,
+    value_plot,
 )
 from tam570.show.student import Student, make_each
 
 __all__ = ["film"]
 
-ROD = {"length": 1.0, "gravity": 9.81}  # m, m/s^2
-MASS = 1.0  # kg
-AMPLITUDE = 2.0  # rad, far from small
+EXAMPLE = {"length": 1.0, "gravity": 9.81}  # m, m/s^2
+STATE = {"theta": "rad", "omega": "rad/s"}
+START = (2.0, 0.0)  # far from small
 SECONDS = 12.0
+MASS = 1.0  # kg
 
 
-def film(student: Student) -> Scene:
-    """Both let go at rest from the same angle."""
-    times, notes = frame_times(SECONDS), list[str]()
+def film(student: Student, rod: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
+    """Both let go from the same angle."""
+    times, notes = frame_times(seconds), list[str]()
     shape = (len(times), 2)
-    full = student("simulate", times, AMPLITUDE, 0.0, **ROD, shape=shape)
-    small = student("small_angle_solution", times, AMPLITUDE, 0.0, **ROD, shape=shape)
+    full = student("simulate", times, *start, **rod, shape=shape)
+    small = student("small_angle_solution", times, *start, **rod, shape=shape)
+    length = rod["length"]
+    hang = np.array([[0.0, 0.0], [0.0, -1.1 * length]])
     shapes = [
-        Shape("lines", np.array([[-0.3, 0.0], [0.3, 0.0]]), GREY, width=3),
-        Shape("path", ROD["length"] * _direction(np.linspace(-AMPLITUDE, AMPLITUDE, 60)), GREY, faint=True),
-        *_pendulum(small[:, 0], 1, "small-angle solution"),
-        *_pendulum(full[:, 0], 0, "full equation"),
+        Shape("lines", np.array([[-0.3, 0.0], [0.3, 0.0]]) * length, GREY, width=3),
+        Shape("path", length * unit_circle(121), GREY, width=1, faint=True),
+        Shape("lines", hang, GREY, width=1),
+        *_pendulum(length, small[:, 0], 1, "small-angle solution"),
+        *_pendulum(length, full[:, 0], 0, "full equation"),
         Shape("dot", np.zeros((1, 2)), INK, width=4),
     ]
     return Scene(
         "Simple pendulum",
         "Two pendulums on one hinge are let go together from far out. The one of the full equation is slower than the "
-        "one of the small-angle solution and falls behind it.",
+        "one of the small-angle solution and falls behind it. Beside them both run round in the phase plane.",
         times,
-        [Panel(shapes)],
-        make_each(notes, lambda: _energy(student, times, full)),
+        [Panel(shapes), Panel(_phase_plane(full, small), "phase plane", ruler=False)],
+        [_angles(times, full, small), *make_each(notes, lambda: _energy(student, times, full, rod))],
         notes=notes,
         still_time=0.22,
     )
 
 
-def _direction(theta: Array) -> Array:
-    return np.column_stack([np.sin(theta), -np.cos(theta)])
-
-
-def _pendulum(theta: Array, color: int, name: str) -> list[Shape]:
-    bob = ROD["length"] * _direction(theta)
+def _pendulum(length: float, theta: Array, color: int, name: str) -> list[Shape]:
+    bob = length * np.column_stack([np.sin(theta), -np.cos(theta)])
     return [Shape("lines", moving(np.zeros(2), bob), color, name, width=4), Shape("dot", bob[:, None], color, width=11)]
 
 
-def _energy(student: Student, times: Array, states: Array) -> TimePlot:
+def _phase_plane(full: Array, small: Array) -> list[Shape]:
+    axes, to_points = graph([full[:, 0], small[:, 0]], [full[:, 1], small[:, 1]], ("θ", "ω"), height=1.0)
+    shapes = [*axes]
+    for states, color in ((small, 1), (full, 0)):
+        way = to_points(*states.T)[:, None]
+        shapes += [Shape("trail", way, color, width=1.5), Shape("dot", way, color, width=6)]
+    return shapes
+
+
+def _angles(times: Array, full: Array, small: Array) -> TimePlot:
     shown = plot_samples(times)
-    _, kinetic, potential = student.each("energy_balance", *states[shown].T, mass=MASS, **ROD, shape=(3,)).T
-    title = "energy of the full motion, change since the start"
-    return energy_plot(times[shown], kinetic + potential, potential, title)
+    return value_plot("angle θ", times[shown], {"full": full[shown, 0], "small-angle": small[shown, 0]}, "rad")
+
+
+def _energy(student: Student, times: Array, states: Array, rod: Mapping[str, Any]) -> TimePlot:
+    shown = plot_samples(times)
+    _, kinetic, potential = student.each("energy_balance", *states[shown].T, mass=MASS, **rod, shape=(3,)).T
+    return energy_plot(times[shown], kinetic + potential, potential, "energy of the full motion")

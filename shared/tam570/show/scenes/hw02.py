@@ -1,6 +1,7 @@
 """hw02: throws at several angles, by the numerical solution and by the closed form."""
 
 import math
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -10,20 +11,20 @@ from tam570.show.student import Student, Trouble
 
 __all__ = ["film"]
 
-SPEED = 50.0  # m/s
-BALL = {"mass": 1.0, "drag": 0.2, "gravity": 9.81}  # kg, kg/s, m/s^2
+EXAMPLE = {"speed": 50.0, "mass": 1.0, "drag": 0.2, "gravity": 9.81}  # m/s, kg, kg/s, m/s^2
 ANGLES = (15, 30, 60, 75)  # degrees, beside the best
 LONGEST = 100.0  # s, of a flight; this ball falls for 8 s at most
 LARGE = 1e-3  # of the range: a pixel
 
 
-def film(student: Student) -> Scene:
+def film(student: Student, parameters: Mapping[str, Any]) -> Scene:
     """Each ball flies until it is back at launch height."""
-    best = float(student("best_angle", SPEED, **BALL, shape=()))
+    speed, ball = parameters["speed"], {name: parameters[name] for name in ("mass", "drag", "gravity")}
+    best = float(student("best_angle", speed, **ball, shape=()))
     angles = sorted([*map(math.radians, ANGLES), best])
-    flights = [float(student("flight_time", SPEED, angle, **BALL, shape=())) for angle in angles]
+    flights = [float(student("flight_time", speed, angle, **ball, shape=())) for angle in angles]
     times = frame_times(1.1 * max(flights))
-    pairs = [_both(student, times, angle, flight) for angle, flight in zip(angles, flights, strict=True)]
+    pairs = [_both(student, times, angle, flight, speed, ball) for angle, flight in zip(angles, flights, strict=True)]
     shapes = [part for angle, pair in zip(angles, pairs, strict=True) for part in _throw(*pair, angle == best)]
     farthest = max(closed[:, 0].max() for _, closed in pairs)
     ground = Shape("lines", np.array([[0.0, 0.0], [1.02 * farthest, 0.0]]), GREY, width=2)
@@ -33,21 +34,23 @@ def film(student: Student) -> Scene:
         f"at {math.degrees(best):.1f} degrees. The numerical solution runs on the curve of the closed form.",
         times,
         [Panel([ground, *shapes])],
-        [_apart(times, pairs, farthest)],
+        [_heights(times, angles, pairs, farthest)],
         still_time=0.45,
     )
 
 
-def _both(student: Student, times: Array, angle: float, flight: float) -> tuple[Array, Array]:
+def _both(
+    student: Student, times: Array, angle: float, flight: float, speed: float, ball: Mapping[str, float]
+) -> tuple[Array, Array]:
     """(n, 2) paths by both solutions; where it has landed the ball stays."""
     if not 0.0 < flight < LONGEST:
-        raise Trouble(f"flight_time gives {flight} s at {math.degrees(angle):.0f} degrees and {SPEED} m/s")
+        raise Trouble(f"flight_time gives {flight} s at {math.degrees(angle):.0f} degrees and {speed} m/s")
     flown = np.append(times[times < flight], flight)
     landed = np.minimum(np.arange(len(times)), len(flown) - 1)
     shape = (len(flown), 4)
-    known: dict[str, Any] = {**BALL, "shape": shape}
-    numerical = student("simulate", flown, SPEED, angle, **known)
-    closed = student("trajectory", flown, SPEED, angle, **known)
+    known: dict[str, Any] = {**ball, "shape": shape}
+    numerical = student("simulate", flown, speed, angle, **known)
+    closed = student("trajectory", flown, speed, angle, **known)
     return numerical[landed, :2], closed[landed, :2]
 
 
@@ -61,17 +64,10 @@ def _throw(numerical: Array, closed: Array, best: bool) -> list[Shape]:
     ]
 
 
-def _apart(times: Array, pairs: list[tuple[Array, Array]], farthest: float) -> TimePlot:
+def _heights(times: Array, angles: list[float], pairs: list[tuple[Array, Array]], farthest: float) -> TimePlot:
     shown = plot_samples(times)
     gaps = np.max([np.linalg.norm(one - other, axis=1) for one, other in pairs], axis=0)[shown]
     largest = float(gaps.max()) / farthest
     note = f"{'they differ: ' if largest > LARGE else ''}at most {largest:.2g} of the range"
-    return value_plot(
-        "numerical from closed form, largest distance",
-        times[shown],
-        {"": gaps},
-        "m",
-        note,
-        alarm=largest > LARGE,
-        least=0.01 * farthest,
-    )
+    heights = {f"{math.degrees(a):.0f}°": numerical[shown, 1] for a, (numerical, _) in zip(angles, pairs, strict=True)}
+    return value_plot("height", times[shown], heights, "m", f"from the closed form: {note}", largest > LARGE)

@@ -1,5 +1,6 @@
 """hw03: what each definition's angular momentum does, as vectors at C, while P and C move."""
 
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -22,7 +23,7 @@ from tam570.show.student import Student, make_each
 
 __all__ = ["film"]
 
-MASS = 1.0  # kg
+EXAMPLE = {"mass": 1.0}  # kg
 SECONDS = 2 * np.pi
 # Harmonics of the two points: frequency, cosine and sine coefficients of x, y, z; rad/s, m
 P = [(1.0, (2.0, 0.0, 0.0), (0.0, 1.5, 0.5)), (2.0, (0.0, 0.0, 0.3), (0.2, 0.0, 0.0))]
@@ -33,16 +34,16 @@ LARGE = 1e-4  # of the largest rate; differences are good to 1e-7 of it
 STEP = 1e-4  # s, of the differences
 
 
-def film(student: Student) -> Scene:
+def film(student: Student, parameters: Mapping[str, Any]) -> Scene:
     """Two points go round, each its own way."""
-    times, notes = frame_times(SECONDS), list[str]()
+    times, notes, mass = frame_times(SECONDS), list[str](), parameters["mass"]
     motion = [*_moves(P, times), *_moves(C, times)]
     r_p, v_p, a_p, r_c, v_c, _ = motion
     momenta = {
-        d: student.each("angular_momentum", [d] * len(times), r_p, v_p, r_c, v_c, mass=MASS, shape=(3,)) for d in "bc"
+        d: student.each("angular_momentum", [d] * len(times), r_p, v_p, r_c, v_c, mass=mass, shape=(3,)) for d in "bc"
     }
-    rates = {d: student.each("rate", [d] * len(times), *motion, mass=MASS, shape=(3,)) for d in DEFINITIONS}
-    moment = student.each("moment", r_p, a_p, r_c, mass=MASS, shape=(3,))
+    rates = {d: student.each("rate", [d] * len(times), *motion, mass=mass, shape=(3,)) for d in DEFINITIONS}
+    moment = student.each("moment", r_p, a_p, r_c, mass=mass, shape=(3,))
     names = {"b": "(a) and (b): r_P/C × m v_P", "c": "(c): r_P/C × m v_P/C"}
     left = [_arrow(r_c, momenta[d], momenta, COLORS[d], names[d]) for d in "bc"]
     right = [_arrow(r_c, moment, rates, INK, "moment about C", width=6)]
@@ -57,7 +58,9 @@ def film(student: Student) -> Scene:
             Panel([*_points(r_p, r_c), *left], "angular momentum"),
             Panel([*_points(r_p, r_c), *right], "its rate, and the moment"),
         ],
-        make_each(notes, lambda: _discrepancies(student, times, motion), lambda: _checked(student, times, rates)),
+        make_each(
+            notes, lambda: _discrepancies(student, times, motion, mass), lambda: _checked(student, times, rates, mass)
+        ),
         view=(0.9, 0.5),
         notes=notes,
         still_time=0.3,
@@ -82,35 +85,35 @@ def _points(r_p: Array, r_c: Array) -> list[Shape]:
         Shape("path", np.vstack([r_c[::4], r_c[:1]]), GREY, width=1.5, faint=True),
         Shape("lines", moving(r_c, r_p), GREY, width=1),
         Shape("dot", r_p[:, None], 4, width=7),
-        Shape("text", r_p[:, None], 4, words="P"),
+        Shape("text", r_p[:, None] + [0.0, 0.0, 0.15], 4, words="P"),
         Shape("dot", r_c[:, None], INK, width=5),
-        Shape("text", r_c[:, None], INK, words="C"),
+        Shape("text", r_c[:, None] - [0.0, 0.0, 0.3], INK, words="C"),
     ]
 
 
 def _arrow(tail: Array, vector: Array, all_of_them: dict[str, Array], color: int, name: str, width: float = 3) -> Shape:
-    """An arrow; the longest of all of them has 2 m."""
+    """An arrow; the longest of all of them has 3 m."""
     longest = max(float(np.linalg.norm(one, axis=1).max()) for one in all_of_them.values()) or 1.0
-    return Shape("arrow", moving(tail, tail + 2.0 * vector / longest), color, name, width=width)
+    return Shape("arrow", moving(tail, tail + 3.0 * vector / longest), color, name, width=width)
 
 
-def _discrepancies(student: Student, times: Array, motion: list[Array]) -> TimePlot:
+def _discrepancies(student: Student, times: Array, motion: list[Array], mass: float) -> TimePlot:
     shown = plot_samples(times)
     sizes = {
         f"({d})": np.linalg.norm(
-            student.each("discrepancy", [d] * len(shown), *(x[shown] for x in motion), mass=MASS, shape=(3,)), axis=1
+            student.each("discrepancy", [d] * len(shown), *(x[shown] for x in motion), mass=mass, shape=(3,)), axis=1
         )
         for d in DEFINITIONS
     }
     return value_plot("rate less moment, size", times[shown], sizes, "N m")
 
 
-def _checked(student: Student, times: Array, rates: dict[str, Array]) -> TimePlot:
+def _checked(student: Student, times: Array, rates: dict[str, Array], mass: float) -> TimePlot:
     """The rates beside differences of the student's own angular momentum."""
     shown = plot_samples(times)
     scale = max(float(np.linalg.norm(one, axis=1).max()) for one in rates.values()) or 1.0
     off = {
-        f"({d})": 100 * np.linalg.norm(rates[d][shown] - _differences(student, d, times[shown]), axis=1) / scale
+        f"({d})": 100 * np.linalg.norm(rates[d][shown] - _differences(student, d, times[shown], mass), axis=1) / scale
         for d in DEFINITIONS
     }
     largest = max(float(one.max()) for one in off.values()) / 100
@@ -119,13 +122,13 @@ def _checked(student: Student, times: Array, rates: dict[str, Array]) -> TimePlo
     return value_plot(title, times[shown], off, "%", note, alarm=largest > LARGE, least=1.0)
 
 
-def _differences(student: Student, definition: str, times: Array) -> Array:
+def _differences(student: Student, definition: str, times: Array, mass: float) -> Array:
     """(m, 3) central differences of angular_momentum; by (a) C stays where it is meanwhile."""
 
     def momentum(shift: float) -> Array:
         r_p, v_p, _ = _moves(P, times + shift)
         r_c, v_c, _ = _moves(C, times + (0.0 if definition == "a" else shift))
-        moments = student.each("angular_momentum", [definition] * len(times), r_p, v_p, r_c, v_c, mass=MASS, shape=(3,))
+        moments = student.each("angular_momentum", [definition] * len(times), r_p, v_p, r_c, v_c, mass=mass, shape=(3,))
         return moments
 
     return (momentum(STEP) - momentum(-STEP)) / (2 * STEP)

@@ -1,5 +1,7 @@
-"""hw04: the mass on its spring in space, the ellipse, and the student's own projection of the path."""
+"""hw04: the mass on its spring in space, the ellipse, and the student's own projections of the path."""
 
+from collections.abc import Mapping, Sequence
+from math import pi
 from typing import Any
 
 import numpy as np
@@ -22,59 +24,60 @@ from tam570.show.student import Student, make_each
 
 __all__ = ["film"]
 
-SPRING: dict[str, Any] = {"mass": 1.0, "stiffness": 8.0, "gravity": 9.81}  # kg, N/m, m/s^2
-START = np.array([1.0, 0.2, -0.6])  # m
-VELOCITY = np.array([-0.6, 2.2, 1.5])  # m/s
-EYE = (0.6, 0.4)  # rad, azimuth and elevation of the projection
+EXAMPLE = {"mass": 1.0, "stiffness": 8.0, "gravity": 9.81}  # kg, N/m, m/s^2
+STATE = {"x": "m", "y": "m", "z": "m", "vx": "m/s", "vy": "m/s", "vz": "m/s"}
+START = (1.0, 0.2, -0.6, -0.6, 2.2, 1.5)  # in no special direction
 SECONDS = 8.0
+VIEWS = {"by project(), along x": (0.0, 0.0), "by project(), from above": (-pi / 2, pi / 2)}  # rad
 
 
-def film(student: Student) -> Scene:
-    """A start in no special direction."""
-    times, notes = frame_times(SECONDS), list[str]()
-    states = student("simulate", times, START, VELOCITY, **SPRING, shape=(len(times), 6))
+def film(student: Student, spring: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
+    """The mass in space, and two projections of it at right angles."""
+    times, notes = frame_times(seconds), list[str]()
+    r, v = np.array(start[:3]), np.array(start[3:])
+    states = student("simulate", times, r, v, **spring, shape=(len(times), 6))
     mass = states[:, :3]
     shapes = [
         *axes(0.5),
-        *make_each(notes, lambda: _ellipse(student)),
+        *make_each(notes, lambda: _ellipse(student, r, v, spring)),
         Shape("trail", mass[:, None], 2, "path", width=2),
         Shape("lines", moving(np.zeros(3), mass), 0, "spring", width=3),
         Shape("dot", np.zeros((1, 3)), INK, width=4),
         Shape("dot", mass[:, None], 1, "mass", width=9),
     ]
-    flat = make_each(notes, lambda: _projected(student, mass))
+    flat = make_each(notes, *(lambda title=title: _projected(student, mass, title) for title in VIEWS))
     return Scene(
         "Mass on a zero-rest-length spring",
         "A mass on a spring from the origin goes round an ellipse in space, again and again. Beside it the same path, "
-        "projected on a plane.",
+        "projected on two planes at right angles.",
         times,
         [Panel(shapes), *flat],
-        make_each(notes, lambda: _energy(student, times, states)),
-        view=EYE,
+        make_each(notes, lambda: _energy(student, times, states, spring)),
+        view=(0.6, 0.4),
         notes=notes,
         still_time=0.2,
     )
 
 
-def _ellipse(student: Student) -> Shape:
-    centre, semi_axes = student.group("orbit", START, VELOCITY, **SPRING, shapes=((3,), (2, 3)))
+def _ellipse(student: Student, r: Array, v: Array, spring: Mapping[str, Any]) -> Shape:
+    centre, semi_axes = student.group("orbit", r, v, **spring, shapes=((3,), (2, 3)))
     return Shape("path", circle(centre, *semi_axes), GREY, "ellipse of orbit()", width=5, faint=True)
 
 
-def _projected(student: Student, mass: Array) -> Panel:
-    path = student("project", mass, *EYE, shape=(len(mass), 2))
-    hook = student("project", np.zeros((1, 3)), *EYE, shape=(1, 2))
+def _projected(student: Student, mass: Array, title: str) -> Panel:
+    path = student("project", mass, *VIEWS[title], shape=(len(mass), 2))
+    hook = student("project", np.zeros((1, 3)), *VIEWS[title], shape=(1, 2))
     shapes = [
         Shape("trail", path[:, None], 2, width=2),
         Shape("lines", moving(hook[0], path), 0, width=3),
         Shape("dot", hook, INK, width=4),
         Shape("dot", path[:, None], 1, width=9),
     ]
-    return Panel(shapes, "by project()")
+    return Panel(shapes, title)
 
 
-def _energy(student: Student, times: Array, states: Array) -> TimePlot:
+def _energy(student: Student, times: Array, states: Array, spring: Mapping[str, Any]) -> TimePlot:
     shown = plot_samples(times)
-    total = student.each("energy", states[shown], **SPRING)
+    total = student.each("energy", states[shown], **spring)
     at_rest = states[shown] * [1, 1, 1, 0, 0, 0]
-    return energy_plot(times[shown], total, student.each("energy", at_rest, **SPRING))
+    return energy_plot(times[shown], total, student.each("energy", at_rest, **spring))

@@ -1,5 +1,7 @@
 """hw05: the particle on its circle, by Cartesian coordinates."""
 
+import math
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -13,33 +15,33 @@ from tam570.show.scene import (
     Scene,
     Shape,
     TimePlot,
-    drift_plot,
+    drift_note,
     energy_plot,
     frame_times,
     moving,
     plot_samples,
+    value_plot,
 )
 from tam570.show.student import Student, make_each
 
 __all__ = ["film"]
 
-MASS, LENGTH, GRAVITY = 1.0, 1.0, 9.81  # kg, m, m/s^2
-ABOVE = 0.1  # rad from the very top
+EXAMPLE = {"mass": 1.0, "length": 1.0, "gravity": 9.81}  # kg, m, m/s^2
+STATE = {"x": "m", "y": "m", "vx": "m/s", "vy": "m/s"}
+START = (math.sin(0.1), math.cos(0.1), 0.0, 0.0)  # .1 rad from the very top
 SECONDS = 12.0
-ARROW = 0.15  # m, of the weight
+ARROW = 0.15  # of the length, for the weight
 
 
-def film(student: Student) -> Scene:
+def film(student: Student, parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
     """Let go at rest next to the top."""
-    times, notes = frame_times(SECONDS), list[str]()
-    start = np.array([LENGTH * np.sin(ABOVE), LENGTH * np.cos(ABOVE), 0.0, 0.0])
-    known: dict[str, Any] = {"mass": MASS, "length": LENGTH, "gravity": GRAVITY}
-    states = student("simulate", times, start, **known, shape=(len(times), 4))
-    rod = student.each("wireframe", states, length=LENGTH, shape=(1, 2, 2))[:, 0]
+    times, notes, length = frame_times(seconds), list[str](), parameters["length"]
+    states = student("simulate", times, np.array(start), **parameters, shape=(len(times), 4))
+    rod = student.each("wireframe", states, length=length, shape=(1, 2, 2))[:, 0]
     shapes = [
-        Shape("path", LENGTH * unit_circle(121), GREY, "the circle", width=1.5),
+        Shape("path", length * unit_circle(121), GREY, "the circle", width=1.5),
         Shape("lines", rod, GREY, "rod", width=2),
-        *make_each(notes, lambda: _force(student, states, known)),
+        *(one for pair in make_each(notes, lambda: _forces(student, states, parameters)) for one in pair),
         Shape("dot", np.zeros((1, 2)), INK, width=5),
         Shape("dot", rod[:, 1:], 1, "particle", width=10),
     ]
@@ -49,26 +51,38 @@ def film(student: Student) -> Scene:
         "the top and returns. An arrow shows the force of the rod.",
         times,
         [Panel(shapes)],
-        make_each(notes, lambda: _energy(student, times, states), lambda: _radius(times, states)),
+        make_each(
+            notes, lambda: _energy(student, times, states, parameters), lambda: _rod(student, times, states, parameters)
+        ),
         notes=notes,
         still_time=0.13,
     )
 
 
-def _force(student: Student, states: Array, known: dict[str, Any]) -> Shape:
-    force = student.each("constraint_force", states, **known, shape=(2,)) / (MASS * GRAVITY)
-    return Shape("arrow", moving(states[:, :2], states[:, :2] + ARROW * force), 3, "constraint force", width=4)
+def _forces(student: Student, states: Array, parameters: Mapping[str, Any]) -> list[Shape]:
+    """The force of the rod, and the weight beside it."""
+    weight = parameters["mass"] * parameters["gravity"] * np.array([0.0, -1.0])
+    force = student.each("constraint_force", states, **parameters, shape=(2,))
+    unit, place = ARROW * parameters["length"] / (np.linalg.norm(weight) or 1.0), states[:, :2]  # m/N
+    return [
+        Shape("arrow", moving(place, place + unit * weight), 2, "weight", width=3),
+        Shape("arrow", moving(place, place + unit * force), 3, "force of the rod", width=4),
+    ]
 
 
-def _energy(student: Student, times: Array, states: Array) -> TimePlot:
+def _energy(student: Student, times: Array, states: Array, parameters: Mapping[str, Any]) -> TimePlot:
     shown = plot_samples(times)
     at_rest = states[shown] * [1, 1, 0, 0]
-    known: dict[str, Any] = {"mass": MASS, "gravity": GRAVITY}
+    known = {"mass": parameters["mass"], "gravity": parameters["gravity"]}
     total, potential = (student.each("energy", rows, **known) for rows in (states[shown], at_rest))
     return energy_plot(times[shown], total, potential)
 
 
-def _radius(times: Array, states: Array) -> TimePlot:
+def _rod(student: Student, times: Array, states: Array, parameters: Mapping[str, Any]) -> TimePlot:
+    """The pull of the rod, below 0 where it pushes; and whether the particle stays on its circle."""
     shown = plot_samples(times)
+    force = student.each("constraint_force", states[shown], **parameters, shape=(2,))
     distance = np.hypot(*states[shown, :2].T)
-    return drift_plot("distance from the hinge, change", times[shown], {"": distance}, LENGTH, "the length")
+    pull = -np.einsum("ni,ni->n", force, states[shown, :2]) / distance
+    note, alarm = drift_note({"": distance}, parameters["length"], "the length")
+    return value_plot("pull of the rod", times[shown], {"": pull}, "N", f"distance from the hinge: {note}", alarm)

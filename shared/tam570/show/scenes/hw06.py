@@ -1,46 +1,67 @@
 """hw06: two cars brake side by side, one with the front wheels locked, one with the rear wheels."""
 
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
-from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, drift_plot, frame_times, plot_samples
+from tam570.show.scene import (
+    GREY,
+    INK,
+    Array,
+    Panel,
+    Scene,
+    Shape,
+    TimePlot,
+    drift_note,
+    frame_times,
+    plot_samples,
+    value_plot,
+)
 from tam570.show.student import Student, Trouble, make_each
 
 __all__ = ["film"]
 
-CAR: dict[str, Any] = {"mass": 1200.0, "front": 1.2, "rear": 1.4}  # kg, m, m
-TURNING: dict[str, Any] = {"yaw_inertia": 1700.0}  # kg m^2
-ROAD: dict[str, Any] = {"friction": 0.7, "gravity": 9.81}  # -, m/s^2
-SPEED, YAW_RATE = 14.0, 0.05  # m/s, rad/s: almost straight
+EXAMPLE = {
+    "mass": 1200.0,  # kg
+    "yaw_inertia": 1700.0,  # kg m^2
+    "front": 1.2,  # m
+    "rear": 1.4,  # m
+    "friction": 0.7,
+    "gravity": 9.81,  # m/s^2
+}
+CAR = ("mass", "front", "rear")
+STATE = {"x": "m", "y": "m", "heading": "rad", "speed": "m/s", "yaw_rate": "rad/s"}
+START = (0.0, 0.0, 0.0, 14.0, 0.05)  # almost straight
 LANES = {"front": -3.5, "rear": 3.5}  # m
 SECONDS = 6.0
 HALF_WIDTH, OVERHANG, WHEEL = 0.8, 0.7, 0.32  # m
 
 
-def film(student: Student) -> Scene:
+def film(student: Student, parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
     """Both go straight ahead at the same speed, but for the same small yaw rate."""
-    times, notes = frame_times(SECONDS), list[str]()
-    motions = {locked: _motion(student, times, locked) for locked in LANES}
+    times, notes = frame_times(seconds), list[str]()
+    motions = {locked: _motion(student, times, start, locked, parameters) for locked in LANES}
     ends = max(float(states[:, 0].max()) for states in motions.values()) + 4.0
     shapes = [_road(y, ends) for y in LANES.values()]
     for locked, states in motions.items():
-        shapes += _car(states, locked, LANES[locked])
+        shapes += _car(states, locked, LANES[locked], parameters)
     return Scene(
         "Braking with one axle locked",
         "Two cars brake side by side. The one with locked front wheels comes to rest pointing ahead; the one with "
         "locked rear wheels swings round.",
         times,
         [Panel(shapes)],
-        make_each(notes, lambda: _energy(student, times, motions), lambda: _heading(times, motions)),
+        make_each(notes, lambda: _energy(student, times, motions, parameters), lambda: _heading(times, motions)),
         notes=notes,
         still_time=0.45,
     )
 
 
-def _motion(student: Student, times: Array, locked: str) -> Array:
-    start = np.array([0.0, 0.0, 0.0, SPEED, YAW_RATE])
-    return student("simulate", times, start, locked, **CAR, **TURNING, **ROAD, shape=(len(times), 5))
+def _motion(
+    student: Student, times: Array, start: Sequence[float], locked: str, parameters: Mapping[str, Any]
+) -> Array:
+    return student("simulate", times, np.array(start), locked, **parameters, shape=(len(times), 5))
 
 
 def _road(y: float, end: float) -> Shape:
@@ -56,11 +77,11 @@ def _placed(states: Array, outline: Array, y: float) -> Array:
     return placed
 
 
-def _car(states: Array, locked: str, y: float) -> list[Shape]:
-    nose, tail, side = CAR["front"] + OVERHANG, -CAR["rear"] - OVERHANG, HALF_WIDTH
+def _car(states: Array, locked: str, y: float, parameters: Mapping[str, Any]) -> list[Shape]:
+    nose, tail, side = parameters["front"] + OVERHANG, -parameters["rear"] - OVERHANG, HALF_WIDTH
     body = np.array([[nose - 0.5, side], [tail, side], [tail, -side], [nose - 0.5, -side], [nose, -0.5], [nose, 0.5]])
     color = 0 if locked == "front" else 1
-    axles = {"front": CAR["front"], "rear": -CAR["rear"]}
+    axles = {"front": parameters["front"], "rear": -parameters["rear"]}
     wheels = {name: _wheels(at) for name, at in axles.items()}
     free = "rear" if locked == "front" else "front"
     return [
@@ -78,33 +99,35 @@ def _wheels(at: float) -> Array:
     return np.array([(at + end, side) for side in (HALF_WIDTH - 0.1, 0.1 - HALF_WIDTH) for end in (-WHEEL, WHEEL)])
 
 
-def _energy(student: Student, times: Array, motions: dict[str, Array]) -> TimePlot:
-    """Kinetic energy less the work of friction along the way of the locked axle."""
+def _energy(student: Student, times: Array, motions: dict[str, Array], parameters: Mapping[str, Any]) -> TimePlot:
+    """Kinetic energy, and whether with what friction has taken along the way of the locked axle it stays."""
+    known = {name: value for name, value in parameters.items() if name in (*CAR, "yaw_inertia")}
     shown = plot_samples(times)
-    sums = {}
+    energies, sums = {}, {}
     for locked, states in motions.items():
-        energy = student.each("kinetic_energy", states[shown], [locked] * len(shown), **CAR, **TURNING)
-        sums[f"{locked} locked"] = energy - _work(student, states, locked)[shown]
+        energy = student.each("kinetic_energy", states[shown], [locked] * len(shown), **known)
+        energies[f"{locked} locked"] = energy / 1000
+        sums[locked] = energy - _work(student, states, locked, parameters)[shown]
     scale = max(abs(float(one[0])) for one in sums.values())
     if not scale:
         raise Trouble("kinetic_energy gives 0 for a car that moves")
-    return drift_plot("kinetic energy less work of friction", times[shown], sums, scale, "the energy at the start")
+    note, alarm = drift_note(sums, scale, "the energy at the start")
+    return value_plot("kinetic energy", times[shown], energies, "kJ", f"less work of friction: {note}", alarm)
 
 
-def _work(student: Student, states: Array, locked: str) -> Array:
+def _work(student: Student, states: Array, locked: str, parameters: Mapping[str, Any]) -> Array:
     """(n,) J, of friction up to each time, by the trapezoidal rule along the path of the axle."""
-    force = student.each("friction_force", states, [locked] * len(states), **CAR, **ROAD, shape=(2,))
+    known = {name: value for name, value in parameters.items() if name != "yaw_inertia"}
+    force = student.each("friction_force", states, [locked] * len(states), **known, shape=(2,))
     c, s = np.cos(states[:, 2]), np.sin(states[:, 2])
     in_space = np.column_stack([c * force[:, 0] - s * force[:, 1], s * force[:, 0] + c * force[:, 1]])
-    at = CAR["front"] if locked == "front" else -CAR["rear"]
+    at = parameters["front"] if locked == "front" else -parameters["rear"]
     steps = np.diff(_placed(states, np.array([[at, 0.0]]), 0.0)[:, 0], axis=0)
     middle = (in_space[1:] + in_space[:-1]) / 2
     return np.concatenate([[0.0], np.cumsum((middle * steps).sum(axis=1))])
 
 
 def _heading(times: Array, motions: dict[str, Array]) -> TimePlot:
-    from tam570.show.scene import value_plot
-
     shown = plot_samples(times)
     degrees = {f"{locked} locked": np.degrees(states[shown, 2]) for locked, states in motions.items()}
     return value_plot("heading", times[shown], degrees, "°", least=10.0)

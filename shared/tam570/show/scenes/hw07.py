@@ -1,6 +1,7 @@
 """hw07: the two bars, and the path of the tip."""
 
 import math
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -17,22 +18,26 @@ from tam570.show.scene import (
     frame_times,
     moving,
     plot_samples,
+    value_plot,
 )
 from tam570.show.student import Student, make_each
 
 __all__ = ["film"]
 
-BARS: dict[str, Any] = {"masses": np.array([1.0, 1.0]), "lengths": np.array([1.0, 1.0])}  # kg, m
-GRAVITY = 9.81  # m/s^2
-START = np.full(2, math.pi / 2)  # rad, part (d): at rest, both bars level
+EXAMPLE = {"masses": (1.0, 1.0), "lengths": (1.0, 1.0), "gravity": 9.81}  # kg, m, m/s^2
+STATE = {"theta1": "rad", "theta2": "rad", "omega1": "rad/s", "omega2": "rad/s"}
+START = (math.pi / 2, math.pi / 2, 0.0, 0.0)  # part (d): at rest, both bars level
 SECONDS = 20.0
 
 
-def film(student: Student) -> Scene:
+def film(student: Student, parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
     """The motion of part (d)."""
-    times, notes = frame_times(SECONDS), list[str]()
-    states = student("simulate", times, START, np.zeros(2), **BARS, gravity=GRAVITY, shape=(len(times), 4))
-    bars = student.each("wireframe", states[:, :2], lengths=BARS["lengths"], shape=(2, 2, 2))
+    times, notes = frame_times(seconds), list[str]()
+    known = {name: np.array(value) for name, value in parameters.items() if name != "gravity"}
+    known["gravity"] = parameters["gravity"]
+    theta, omega = np.array(start[:2]), np.array(start[2:])
+    states = student("simulate", times, theta, omega, **known, shape=(len(times), 4))
+    bars = student.each("wireframe", states[:, :2], lengths=known["lengths"], shape=(2, 2, 2))
     hinge, elbow, tip = bars[:, 0, 0], bars[:, 1, 0], bars[:, 1, 1]
     shapes = [
         Shape("lines", np.array([[-0.4, 0.0], [0.4, 0.0]]), GREY, width=3),
@@ -48,14 +53,18 @@ def film(student: Student) -> Scene:
         "shows the path of the tip.",
         times,
         [Panel(shapes)],
-        make_each(notes, lambda: _energy(student, times, states)),
+        [*make_each(notes, lambda: _energy(student, times, states, known)), _angles(times, states)],
         notes=notes,
     )
 
 
-def _energy(student: Student, times: Array, states: Array) -> TimePlot:
+def _energy(student: Student, times: Array, states: Array, known: Mapping[str, Any]) -> TimePlot:
     shown = plot_samples(times)
-    known: dict[str, Any] = {**BARS, "gravity": GRAVITY}
     theta, omega = states[shown, :2], states[shown, 2:]
     total = student.each("energy", theta, omega, **known)
     return energy_plot(times[shown], total, student.each("energy", theta, 0 * omega, **known))
+
+
+def _angles(times: Array, states: Array) -> TimePlot:
+    shown = plot_samples(times)
+    return value_plot("angles", times[shown], {"θ1": states[shown, 0], "θ2": states[shown, 1]}, "rad")

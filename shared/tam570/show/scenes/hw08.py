@@ -1,49 +1,56 @@
 """hw08: a box turned about an axis, by the matrix and by the formula for a vector."""
 
+from collections.abc import Mapping
+from typing import Any
+
 import numpy as np
 
+from tam570.given import array
 from tam570.show.drawing import axes
 from tam570.show.scene import Array, Panel, Scene, Shape, TimePlot, frame_times, plot_samples, value_plot
 from tam570.show.student import Student, make_each
 
 __all__ = ["film"]
 
-AXIS = np.array([1.0, 2.0, 2.0])
+EXAMPLE = {"axis": (1.0, 2.0, 2.0)}
 SIZE = np.array([1.6, 1.0, 0.5])  # m
 RATE = 1.0  # rad/s
 SECONDS = 2 * np.pi
 LARGE = 1e-9  # of the length; a few roundings make 1e-15
 
 
-def film(student: Student) -> Scene:
+def film(student: Student, parameters: Mapping[str, Any]) -> Scene:
     """One full turn."""
-    times, notes = frame_times(SECONDS), list[str]()
+    times, notes, axis = frame_times(SECONDS), list[str](), array((3,), axis=parameters["axis"])
     angles = RATE * times
-    rotations = student.each("rotation_matrix", [AXIS] * len(times), angles, shape=(3, 3))
+    rotations = student.each("rotation_matrix", [axis] * len(times), angles, shape=(3, 3))
     corners = SIZE / 2 * np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
     turned = corners @ np.swapaxes(rotations, 1, 2)
     ends = [(i, i | bit) for i in range(8) for bit in (1, 2, 4) if not i & bit]
-    n = AXIS / np.linalg.norm(AXIS)
+    n = axis / np.linalg.norm(axis)
     shapes = [
         *axes(0.8),
         Shape("lines", 1.3 * np.array([-n, n]), 3, "axis", width=2.5),
         Shape("fill", turned[:, [1, 3, 7, 5]], 0, faint=True),
         Shape("lines", turned[:, np.ravel(ends)], 0, "box by rotation_matrix()", width=2.5),
-        *make_each(notes, lambda: _corner(student, corners[-1], angles)),
+        *make_each(notes, lambda: _corner(student, corners[-1], axis, angles)),
     ]
     return Scene(
         "Axis and angle",
         "A box turns once about a fixed axis through its centre; one of its corners draws a circle.",
         times,
         [Panel(shapes, ruler=False)],
-        [_defect(times, rotations), *make_each(notes, lambda: _apart(student, times, turned[:, -1], corners[-1]))],
+        [
+            _defect(times, rotations),
+            *make_each(notes, lambda: _apart(student, times, axis, turned[:, -1], corners[-1])),
+        ],
         notes=notes,
     )
 
 
-def _corner(student: Student, corner: Array, angles: Array) -> Shape:
+def _corner(student: Student, corner: Array, axis: Array, angles: Array) -> Shape:
     count = len(angles)
-    path = student.each("rotate", [corner] * count, [AXIS] * count, angles, shape=(3,))
+    path = student.each("rotate", [corner] * count, [axis] * count, angles, shape=(3,))
     return Shape("trail", path[:, None], 1, "a corner by rotate()", width=2.5)
 
 
@@ -51,19 +58,17 @@ def _defect(times: Array, rotations: Array) -> TimePlot:
     shown = plot_samples(times)
     R = rotations[shown]
     off = np.abs(np.swapaxes(R, 1, 2) @ R - np.eye(3)).max(axis=(1, 2))
-    return _small("largest element of RᵀR - I", times[shown], off, "")
+    largest = float(off.max())
+    note = f"RᵀR - I is {'not zero: ' if largest > LARGE else ''}at most {largest:.2g}"
+    entries = {f"R{i + 1}{i + 1}": R[:, i, i] for i in range(3)}
+    return value_plot("on the diagonal of R", times[shown], entries, "", note, largest > LARGE)
 
 
-def _apart(student: Student, times: Array, by_matrix: Array, corner: Array) -> TimePlot:
+def _apart(student: Student, times: Array, axis: Array, by_matrix: Array, corner: Array) -> TimePlot:
     shown = plot_samples(times)
     count = len(shown)
-    path = student.each("rotate", [corner] * count, [AXIS] * count, RATE * times[shown], shape=(3,))
-    return _small(
-        "corner: rotate() from rotation_matrix()", times[shown], np.linalg.norm(path - by_matrix[shown], axis=1), "m"
-    )
-
-
-def _small(title: str, times: Array, values: Array, unit: str) -> TimePlot:
-    largest = float(values.max())
-    note = f"{'not zero: ' if largest > LARGE else ''}at most {largest:.2g}"
-    return value_plot(title, times, {"": values}, unit, note, alarm=largest > LARGE, least=0.01)
+    path = student.each("rotate", [corner] * count, [axis] * count, RATE * times[shown], shape=(3,))
+    largest = float(np.linalg.norm(path - by_matrix[shown], axis=1).max())
+    note = f"{'not' if largest > LARGE else 'as'} by rotation_matrix(): {largest:.2g} m apart"
+    curves = dict(zip("xyz", path.T, strict=True))
+    return value_plot("the corner by rotate()", times[shown], curves, "m", note, largest > LARGE)

@@ -1,35 +1,38 @@
 """hw09: the book, turned about z and x in one order and in the other, and the axis of the whole turn."""
 
 import math
+from collections.abc import Mapping
 from functools import partial
+from typing import Any
 
 import numpy as np
 
+from tam570.given import positives
 from tam570.show.drawing import axes, box_face
 from tam570.show.scene import GREY, Array, Panel, Scene, Shape, TimePlot, frame_times, plot_samples, value_plot
 from tam570.show.student import Student, make_each
 
 __all__ = ["film"]
 
-SIZE = np.array([1.2, 1.8, 0.3])  # m
+EXAMPLE = {"size": (1.2, 1.8, 0.3)}  # m
 ORDERS = {"(a) about z, then about x": "zx", "(b) about x, then about z": "xz"}
 BEGINS, LASTS = (0.7, 2.7), 1.5  # s, of the two turns
 SECONDS = 5.5
 LARGE = 1e-9
 
 
-def film(student: Student) -> Scene:
+def film(student: Student, parameters: Mapping[str, Any]) -> Scene:
     """Both orders side by side; the axes are fixed in space."""
-    times, notes = frame_times(SECONDS), list[str]()
+    times, notes, size = frame_times(SECONDS), list[str](), np.array(positives(3, size=parameters["size"]))
     turned = {title: _turns(student, times, order) for title, order in ORDERS.items()}
-    before = student("book_edges", np.eye(3), size=SIZE, shape=(12, 2, 3)).reshape(24, 3)
+    before = student("book_edges", np.eye(3), size=size, shape=(12, 2, 3)).reshape(24, 3)
     panels = []
     for i, (title, rotations) in enumerate(turned.items()):
-        edges = student.each("book_edges", rotations, size=SIZE, shape=(12, 2, 3)).reshape(-1, 24, 3)
+        edges = student.each("book_edges", rotations, size=size, shape=(12, 2, 3)).reshape(-1, 24, 3)
         shapes = [
             *axes(1.3),
             Shape("lines", before, GREY, "before", width=1.5),
-            Shape("fill", box_face(rotations, SIZE), i, faint=True),
+            Shape("fill", box_face(rotations, size), i, faint=True),
             Shape("lines", edges, i, f"book ({'ab'[i]})", width=2.5),
             *make_each(notes, partial(_axis, student, rotations[-1])),
         ]
@@ -40,7 +43,7 @@ def film(student: Student) -> Scene:
         "positions. Drawn through each is the axis about which one turn would bring it there.",
         times,
         panels,
-        [_defect(times, turned)],
+        [_angles(times, turned)],
         notes=notes,
         still_time=1.0,
     )
@@ -65,12 +68,13 @@ def _axis(student: Student, R: Array) -> Shape:
     return Shape("arrow", 1.4 * np.array([-n, n]), 2, "axis of the whole turn, by axis_angle()", width=2.5)
 
 
-def _defect(times: Array, turned: dict[str, Array]) -> TimePlot:
+def _angles(times: Array, turned: dict[str, Array]) -> TimePlot:
     shown = plot_samples(times)
-    off = {}
+    off, angles = {}, {}
     for title, rotations in turned.items():
         R = rotations[shown]
         off[title[:3]] = np.abs(np.swapaxes(R, 1, 2) @ R - np.eye(3)).max(axis=(1, 2))
+        angles[title[:3]] = np.degrees(np.arccos(np.clip((np.trace(R, axis1=1, axis2=2) - 1) / 2, -1.0, 1.0)))
     largest = max(float(one.max()) for one in off.values())
-    note = f"{'no rotation: ' if largest > LARGE else ''}at most {largest:.2g}"
-    return value_plot("largest element of RᵀR - I", times[shown], off, "", note, alarm=largest > LARGE, least=0.01)
+    note = f"{'no rotation: ' if largest > LARGE else ''}RᵀR - I is at most {largest:.2g}"
+    return value_plot("angle of the one turn that does the same", times[shown], angles, "°", note, largest > LARGE)

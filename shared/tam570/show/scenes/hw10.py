@@ -1,36 +1,55 @@
-"""hw10: a box that flips about its middle axis, its polhode, and a symmetric body with its two cones."""
+"""hw10: a box that flips, the curve of its angular velocity on two ellipsoids, and a disk that wobbles."""
 
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
-from tam570.show.drawing import box_face, cone
-from tam570.show.scene import GREY, Array, Panel, Scene, Shape, TimePlot, drift_plot, frame_times, moving, plot_samples
+from tam570.given import positive, positives
+from tam570.show.drawing import box_face, circle, cone
+from tam570.show.scene import (
+    GREY,
+    INK,
+    Array,
+    Panel,
+    Scene,
+    Shape,
+    TimePlot,
+    drift_note,
+    frame_times,
+    moving,
+    plot_samples,
+    value_plot,
+)
 from tam570.show.student import Student, Trouble, make_each
 
 __all__ = ["film"]
 
+EXAMPLE = {"mass": 1.0, "size": (2.4, 1.6, 0.4)}  # kg, m: the moments of inertia ascend
+STATE = {"omega_a": "rad/s", "omega_b": "rad/s", "omega_c": "rad/s"}
+START = (0.02, 2.5, 0.0)  # almost about the middle axis
 SECONDS = 16.0
-BOX = np.array([2.4, 1.6, 0.4])  # m: the moments of inertia ascend
-FLIP = np.array([0.02, 2.5, 0.0])  # rad/s: almost about the middle axis
-ROD = np.array([0.9, 0.9, 2.2])  # m: two moments are equal
-WOBBLE = np.array([1.0, 0.0, 2.5])  # rad/s
-MASS = 1.0  # kg
+RADIUS, DISK = 1.0, np.array([0.25, 0.25, 0.5])  # m, kg m^2: of 1 kg, two moments are equal
+WOBBLE = np.array([0.5, 0.0, 2.0])  # rad/s
 UP = np.eye(3)[2]
 
 
-def film(student: Student) -> Scene:
+def film(student: Student, parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
     """Both bodies are thrown at once."""
-    times, notes = frame_times(SECONDS), list[str]()
-    inertia = _inertia(BOX)
-    omegas, rotations = _motion(student, times, _attitude(FLIP, inertia), FLIP, inertia)
-    panels = [Panel(_box(student, notes, rotations, omegas, inertia), "box in space", ruler=False)]
-    panels += make_each(notes, lambda: _polhode(student, omegas, inertia), lambda: _cones(student, times))
+    times, notes, spin = frame_times(seconds), list[str](), np.array(start)
+    inertia = _inertia(parameters["mass"], parameters["size"])
+    if not spin.any():
+        raise Trouble("start: a body at rest shows nothing; set start.omega_b, say")
+    omegas, rotations = _motion(student, times, _attitude(spin, inertia), spin, inertia)
+    box = _box(student, notes, rotations, omegas, inertia, np.array(parameters["size"]))
+    panels = [Panel(box, "box in space", ruler=False)]
+    panels += make_each(notes, lambda: _ellipsoids(student, omegas, inertia), lambda: _disk(student, times))
     return Scene(
         "Free rigid body",
         "A box that spins about its middle axis flips over, and back, again and again, while its angular "
-        "momentum stays. Beside it the tip of its angular velocity, in axes of the body, runs along a curve on the "
-        "energy ellipsoid. The cone of a symmetric body rolls on the cone in space.",
+        "momentum stays. Beside it the tip of its angular velocity, in axes of the body, runs along the curve in which "
+        "two ellipsoids meet, those of energy and of angular momentum. A disk wobbles twice as fast as it spins, and "
+        "two points of its rim run on tilted circles.",
         times,
         panels,
         make_each(
@@ -44,10 +63,11 @@ def film(student: Student) -> Scene:
     )
 
 
-def _inertia(size: Array) -> Array:
+def _inertia(mass: float, size: Sequence[float]) -> Array:
     """(3,) kg m^2 of a uniform box."""
-    squares = size**2
-    moments: Array = MASS * (squares.sum() - squares) / 12.0
+    positive(mass=mass)
+    squares = np.array(positives(3, size=size)) ** 2
+    moments: Array = mass * (squares.sum() - squares) / 12.0
     return moments
 
 
@@ -66,16 +86,18 @@ def _motion(student: Student, times: Array, R: Array, omega: Array, inertia: Arr
     return omegas, rotations
 
 
-def _box(student: Student, notes: list[str], rotations: Array, omegas: Array, inertia: Array) -> list[Shape]:
-    edges = student.each("wireframe", rotations, size=BOX, shape=(12, 2, 3)).reshape(-1, 24, 3)
+def _box(
+    student: Student, notes: list[str], rotations: Array, omegas: Array, inertia: Array, size: Array
+) -> list[Shape]:
+    edges = student.each("wireframe", rotations, size=size, shape=(12, 2, 3)).reshape(-1, 24, 3)
     omega = _in_space(rotations, omegas)
-    reach = 1.5 / np.linalg.norm(FLIP)  # m per rad/s
+    reach = 1.5 / np.linalg.norm(omegas[0])  # m per rad/s
     return [
-        Shape("fill", box_face(rotations, BOX), 0, faint=True),
+        Shape("fill", box_face(rotations, size), 0, faint=True),
         Shape("lines", edges, 0, "box", width=2.5),
         *make_each(notes, lambda: _momentum_arrow(student, rotations, omegas, inertia)),
         Shape("arrow", moving(np.zeros(3), reach * omega), 1, "angular velocity", width=2.5),
-        Shape("trail", moving(rotations[:, :, 1] * BOX[1] / 2), 4, "end of the middle axis", width=1.2),
+        Shape("trail", moving(rotations[:, :, 1] * size[1] / 2), 4, "end of the middle axis", width=1.2),
     ]
 
 
@@ -90,17 +112,46 @@ def _in_space(rotations: Array, vectors: Array) -> Array:
     return turned
 
 
-def _polhode(student: Student, omegas: Array, inertia: Array) -> Panel:
+def _ellipsoids(student: Student, omegas: Array, inertia: Array) -> Panel:
+    """Energy and the size of H keep omega on one ellipsoid each, and so on the curve in which they meet."""
     energy = student.each("energy", omegas[:1], inertia=inertia)[0]
+    momentum = float(np.linalg.norm(inertia * omegas[0]))
     if energy <= 0.0:
         raise Trouble(f"energy gives {energy} J: there is no ellipsoid of it")
-    semi_axes = np.sqrt(2.0 * energy / inertia)
-    mesh = [Shape("path", line * semi_axes, GREY, width=1, faint=True) for line in _sphere()]
-    names = zip("ABC", 1.15 * np.diag(semi_axes), strict=True)
+    of_energy, of_momentum = np.sqrt(2.0 * energy / inertia), momentum / inertia
+    mesh = [Shape("path", line * of_energy, GREY, width=1, faint=True) for line in _sphere()]
+    mesh += [Shape("path", line * of_momentum, 3, width=1, faint=True) for line in _sphere()]
+    names = zip("ABC", 1.15 * np.diag(np.maximum(of_energy, of_momentum)), strict=True)
     mesh += [Shape("text", end[None], GREY, words=name) for name, end in names]
+    curves = [Shape("path", curve, INK, "both ellipsoids", width=1.5) for curve in _meeting(energy, momentum, inertia)]
     tip = Shape("dot", omegas[:, None], 1, width=6)
-    trail = Shape("trail", omegas[:, None], 1, "polhode", width=2.5)
-    return Panel([*mesh, trail, tip], "energy ellipsoid", ruler=False)
+    trail = Shape("trail", omegas[:, None], 5, "tip of the angular velocity", width=2.5)
+    return Panel([*mesh, *curves, trail, tip], "ellipsoids of energy and of momentum", ruler=False)
+
+
+def _meeting(energy: float, momentum: float, inertia: Array) -> list[Array]:
+    """The two closed curves (n, 3) on which omega has this energy and this |H|; in squares they are straight lines."""
+    order = np.argsort(inertia)
+    a, b, c = inertia[order]
+    if c - a < 1e-9 * c:
+        return []
+    u = np.linspace(0.0, 2.0 * np.pi, 181)
+    outer = c if momentum**2 > 2.0 * energy * b else a  # the axis that they go round
+    inner = a + c - outer
+    largest = max((momentum**2 - 2.0 * energy * inner) / (outer * (outer - inner)), 0.0)  # square of omega along it
+
+    def across(moment: float) -> float:
+        return float(np.sqrt(max((2.0 * energy * outer - momentum**2) / (moment * (outer - moment)), 0.0)))
+
+    one, other = across(inner) * np.cos(u), across(b) * np.sin(u)
+    along = np.sqrt(np.maximum((2.0 * energy - inner * one**2 - b * other**2) / outer, 0.0) if largest else 0.0 * u)
+    curves = []
+    for sign in (1.0, -1.0):
+        curve = np.zeros((len(u), 3))
+        curve[:, order[2 if outer == c else 0]] = sign * along
+        curve[:, order[0 if outer == c else 2]], curve[:, order[1]] = one, other
+        curves.append(curve)
+    return curves
 
 
 def _sphere() -> list[Array]:
@@ -115,26 +166,30 @@ def _sphere() -> list[Array]:
     ]
 
 
-def _cones(student: Student, times: Array) -> Panel:
-    """The body cone, of the directions that omega has in the body, and the space cone, of those it has in space."""
-    inertia = _inertia(ROD)
-    omegas, rotations = _motion(student, times, _attitude(WOBBLE, inertia), WOBBLE, inertia)
-    edges = student.each("wireframe", rotations, size=ROD, shape=(12, 2, 3)).reshape(-1, 24, 3)
+def _disk(student: Student, times: Array) -> Panel:
+    """Two points of the rim, a quarter of a turn apart; the cones of omega in the body and in space."""
+    omegas, rotations = _motion(student, times, _attitude(WOBBLE, DISK), WOBBLE, DISK)
     length = 1.6 / np.linalg.norm(WOBBLE)
     in_body, in_space = length * omegas, length * _in_space(rotations, omegas)
-    body_rim = _once_round(in_body, UP)
-    space_rim = _once_round(in_space, UP)
+    one, other = RADIUS * rotations[:, :, 0], RADIUS * rotations[:, :, 1]
+    rim = circle(np.zeros(3), one, other, 37)
     shapes = [
-        Shape("lines", edges, GREY, width=1.5),
-        *cone(space_rim, 2, "space cone"),
-        *cone(body_rim @ np.swapaxes(rotations, 1, 2), 0, "body cone"),
+        Shape("fill", rim, GREY, faint=True),
+        Shape("path", rim, GREY, "disk", width=2),
+        *cone(_once_round(in_space), 2, "space cone"),
+        *cone(_once_round(in_body) @ np.swapaxes(rotations, 1, 2), 3, "body cone"),
         Shape("arrow", moving(np.zeros(3), in_space), 1, width=2.5),
     ]
-    return Panel(shapes, "symmetric body, in space", ruler=False)
+    for point, color in ((one, 4), (other, 5)):
+        shapes += [
+            Shape("trail", point[:, None], color, "points of the rim", width=1.5),
+            Shape("dot", point[:, None], color, width=6),
+        ]
+    return Panel(shapes, "disk in space, C = 2 A", ruler=False)
 
 
-def _once_round(vectors: Array, axis: Array) -> Array:
-    """(m, 3) of the vectors (n, 3) as far as they first close a turn about the axis, or all."""
+def _once_round(vectors: Array) -> Array:
+    """(m, 3) of the vectors (n, 3) as far as they first close a turn about z, or all."""
     across = np.unwrap(np.arctan2(vectors[:, 1], vectors[:, 0]))
     beyond = np.flatnonzero(np.abs(across - across[0]) >= 2.0 * np.pi)
     last = beyond[0] if len(beyond) else len(vectors) - 1
@@ -145,11 +200,14 @@ def _once_round(vectors: Array, axis: Array) -> Array:
 def _energy(student: Student, times: Array, omegas: Array, inertia: Array) -> TimePlot:
     shown = plot_samples(times)
     energy = student.each("energy", omegas[shown], inertia=inertia)
-    return drift_plot("energy of the box, change", times[shown], {"": energy}, abs(energy[0]) or 1.0, "itself")
+    curves = {f"omega {name}": part for name, part in zip("ABC", omegas[shown].T, strict=True)}
+    note, alarm = drift_note({"": energy}, abs(energy[0]) or 1.0, "itself")
+    return value_plot("angular velocity in the body", times[shown], curves, "rad/s", f"energy: {note}", alarm)
 
 
-def _momentum(student: Student, times: Array, omegas: Array, rotations: Array, inertia: Any) -> TimePlot:
+def _momentum(student: Student, times: Array, omegas: Array, rotations: Array, inertia: Array) -> TimePlot:
     shown = plot_samples(times)
     H = student.each("angular_momentum", rotations[shown], omegas[shown], inertia=inertia, shape=(3,))
-    size = float(np.linalg.norm(H[0])) or 1.0
-    return drift_plot("angular momentum in space, change", times[shown], {"": H}, size, "itself")
+    curves = {f"H {name}": part for name, part in zip("ABC", (inertia * omegas[shown]).T, strict=True)}
+    note, alarm = drift_note({"": H}, float(np.linalg.norm(H[0])) or 1.0, "itself")
+    return value_plot("angular momentum in the body", times[shown], curves, "kg m²/s", f"in space: {note}", alarm)

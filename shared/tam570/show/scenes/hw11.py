@@ -1,5 +1,6 @@
 """hw11: coins in steady circles: two that roll, and one that shudders, rolling and sliding at once."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -11,11 +12,16 @@ from tam570.show.student import Student, make_each
 
 __all__ = ["film"]
 
-COIN: dict[str, Any] = {"mass": 0.02, "radius": 0.1}  # kg, m
-INERTIA = (0.02 * 0.1**2 / 4, 0.02 * 0.1**2 / 2)  # kg m^2, a thin uniform disk
-GRAVITY = 9.81  # m/s^2
-ROLLING = {0.35: 0.42, 0.8: 0.24}  # lean, rad: track radius, m
-SHUDDERING = 1.15  # rad, lean of the coin whose centre stays
+EXAMPLE = {
+    "mass": 0.02,  # kg
+    "radius": 0.1,  # m
+    "inertia": (0.02 * 0.1**2 / 4, 0.02 * 0.1**2 / 2),  # kg m^2, a thin uniform disk
+    "gravity": 9.81,  # m/s^2
+    "leans": (0.35, 0.8),  # rad, of those that roll
+    "track_radii": (0.42, 0.24),  # m
+    "settling_lean": 1.15,  # rad, of the coin whose centre stays
+}
+COIN, ALL = ("mass", "radius"), ("mass", "radius", "inertia", "gravity")
 SECONDS = 6.0
 LARGE = 1e-6  # of m g a; a few roundings make 1e-15
 UP = np.array([0.0, 0.0, 1.0])
@@ -32,46 +38,46 @@ class Circling:
     name: str
 
 
-def film(student: Student) -> Scene:
+def film(student: Student, parameters: Mapping[str, Any]) -> Scene:
     """Three coins on one floor about one centre."""
     times, notes = frame_times(SECONDS), list[str]()
-    coins = [_rolling(student, lean, radius) for lean, radius in ROLLING.items()]
-    coins += make_each(notes, lambda: _shuddering(student))
-    reach = max(abs(coin.track_radius) for coin in coins) + COIN["radius"]
+    known, radius = {name: parameters[name] for name in ALL}, parameters["radius"]
+    tracks = zip(parameters["leans"], parameters["track_radii"], strict=True)
+    coins = [_rolling(student, lean, track_radius, known) for lean, track_radius in tracks]
+    coins += make_each(notes, lambda: _settling(student, parameters["settling_lean"], known))
+    reach = max(abs(coin.track_radius) for coin in coins) + radius
     shapes = [floor((-reach, -reach), (reach, reach), 0.1)]
     for color, coin in enumerate(coins):
-        shapes += _coin(times, coin, color)
+        shapes += _coin(times, coin, radius, color)
     return Scene(
         "Coins in steady circles",
         "Coins roll in circles on a floor, leaning inwards. The more one leans, the faster it goes round; the one in "
         "the middle turns about a diameter, its centre at rest, like a coin that settles.",
         times,
         [Panel(shapes)],
-        make_each(notes, lambda: _residuals(student, times, coins)),
+        make_each(notes, lambda: _residuals(student, times, coins, known)),
         view=(0.5, 0.6),
         notes=notes,
         still_time=0.1,
     )
 
 
-def _rolling(student: Student, lean: float, track_radius: float) -> Circling:
-    known: dict[str, Any] = {**COIN, "inertia": INERTIA, "gravity": GRAVITY, "shape": ()}
-    precession = float(student("rolling_precession", lean, track_radius, **known))
-    spin = float(student("rolling_spin", lean, precession, **known))
+def _rolling(student: Student, lean: float, track_radius: float, known: Mapping[str, Any]) -> Circling:
+    precession = float(student("rolling_precession", lean, track_radius, **known, shape=()))
+    spin = float(student("rolling_spin", lean, precession, **known, shape=()))
     return Circling(lean, track_radius, precession, spin, f"rolling, lean {lean:g}")
 
 
-def _shuddering(student: Student) -> Circling:
-    known: dict[str, Any] = {**COIN, "inertia": INERTIA, "gravity": GRAVITY, "shape": ()}
-    precession = float(student("common_precession", SHUDDERING, **known))
-    spin = float(student("sliding_spin", SHUDDERING, precession, **known))
-    track_radius = float(student("sliding_track_radius", SHUDDERING, radius=COIN["radius"], shape=()))
-    return Circling(SHUDDERING, track_radius, precession, spin, f"rolling and sliding, lean {SHUDDERING:g}")
+def _settling(student: Student, lean: float, known: Mapping[str, Any]) -> Circling:
+    precession = float(student("common_precession", lean, **known, shape=()))
+    spin = float(student("sliding_spin", lean, precession, **known, shape=()))
+    track_radius = float(student("sliding_track_radius", lean, radius=known["radius"], shape=()))
+    return Circling(lean, track_radius, precession, spin, f"rolling and sliding, lean {lean:g}")
 
 
-def _coin(times: Array, coin: Circling, color: int) -> list[Shape]:
+def _coin(times: Array, coin: Circling, radius: float, color: int) -> list[Shape]:
     """Disk, a mark on it, its track. The spin is the total one: the precession has its share, -sin(lean), in it."""
-    radius, lean = COIN["radius"], coin.lean
+    lean = coin.lean
     turned = coin.precession * times
     outward = np.column_stack([np.cos(turned), np.sin(turned), 0.0 * turned])
     ahead = np.column_stack([-np.sin(turned), np.cos(turned), 0.0 * turned])
@@ -91,16 +97,17 @@ def _coin(times: Array, coin: Circling, color: int) -> list[Shape]:
     ]
 
 
-def _residuals(student: Student, times: Array, coins: list[Circling]) -> TimePlot:
+def _residuals(student: Student, times: Array, coins: list[Circling], known: Mapping[str, Any]) -> TimePlot:
     shown = plot_samples(times)[[0, -1]]  # steady: the same at any time
-    weight = COIN["mass"] * GRAVITY * COIN["radius"]
-    off = {f"lean {c.lean:g}": np.full(2, 100.0 * _residual(student, c) / weight) for c in coins}
+    weight = known["mass"] * known["gravity"] * known["radius"]
+    off = {f"lean {c.lean:g}": np.full(2, 100.0 * _residual(student, c, known) / weight) for c in coins}
     largest = max(float(np.abs(one).max()) for one in off.values()) / 100.0
     note = f"{'not steady: ' if largest > LARGE else ''}at most {largest:.2g} of m g a"
     return value_plot("moment_residual()", times[shown], off, "%", note, alarm=largest > LARGE, least=1.0)
 
 
-def _residual(student: Student, coin: Circling) -> float:
+def _residual(student: Student, coin: Circling, known: Mapping[str, Any]) -> float:
+    disk = {name: known[name] for name in COIN}
     motion = coin.lean, coin.precession, coin.spin
-    inward, normal = student("contact_force", *motion, **COIN, gravity=GRAVITY, shape=(2,))
-    return float(student("moment_residual", *motion, inward, normal, **COIN, inertia=INERTIA, shape=()))
+    inward, normal = student("contact_force", *motion, **disk, gravity=known["gravity"], shape=(2,))
+    return float(student("moment_residual", *motion, inward, normal, **disk, inertia=known["inertia"], shape=()))

@@ -1,56 +1,82 @@
 """hw12: the bead on the parabolic wire."""
 
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
-from tam570.show.scene import GREY, Array, Panel, Scene, Shape, TimePlot, energy_plot, frame_times, moving, plot_samples
+from tam570.show.scene import (
+    GREY,
+    Array,
+    Panel,
+    Scene,
+    Shape,
+    TimePlot,
+    energy_plot,
+    frame_times,
+    moving,
+    plot_samples,
+    value_plot,
+)
 from tam570.show.student import Student, make_each
 
 __all__ = ["film"]
 
-WIRE: dict[str, Any] = {"curvature": 0.8, "gravity": 9.81}  # 1/m, m/s^2
-MASS = 1.0  # kg
-START = 1.2  # m
+EXAMPLE = {"mass": 1.0, "curvature": 0.8, "gravity": 9.81}  # kg, 1/m, m/s^2
+STATE = {"x": "m", "v": "m/s"}
+START = (1.2, 0.0)
 SECONDS = 10.0
-ARROW = 0.25  # m, of the weight
+ARROW = 0.4  # m, of the weight
 
 
-def film(student: Student) -> Scene:
-    """Let go at rest."""
-    times, notes = frame_times(SECONDS), list[str]()
-    states = student("simulate", times, START, 0.0, **WIRE, shape=(len(times), 2))
-    bead = _on_wire(states[:, 0])
-    reach = max(1.15 * START, 1.02 * float(np.abs(states[:, 0]).max()))
+def film(student: Student, parameters: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
+    """The bead, and the forces on it as a polygon that closes with m a."""
+    times, notes = frame_times(seconds), list[str]()
+    wire = {name: parameters[name] for name in ("curvature", "gravity")}
+    states = student("simulate", times, *start, **wire, shape=(len(times), 2))
+    bead = _on_wire(states[:, 0], parameters["curvature"])
+    reach = max(1.15 * abs(start[0]), 1.02 * float(np.abs(states[:, 0]).max()))
     shapes = [
-        Shape("path", _on_wire(np.linspace(-reach, reach, 161)), GREY, "wire", width=3),
-        *make_each(notes, lambda: _force(student, states)),
-        Shape("dot", bead[:, None], 0, "bead", width=10),
+        Shape("path", _on_wire(np.linspace(-reach, reach, 161), parameters["curvature"]), GREY, "wire", width=3),
+        *(one for three in make_each(notes, lambda: _forces(student, states, parameters)) for one in three),
+        Shape("dot", bead[:, None], 0, "bead", width=8),
     ]
     return Scene(
         "Bead on a wire",
-        "A bead slides without friction on a wire in the shape of a parabola, from one side to the other and back. An "
-        "arrow, across the wire, shows the force of the wire.",
+        "A bead slides without friction on a wire in the shape of a parabola, from one side to the other and back. "
+        "Arrows show its weight, the force of the wire, which is across the wire, and their sum, m a.",
         times,
         [Panel(shapes)],
-        make_each(notes, lambda: _energy(student, times, states)),
+        make_each(notes, lambda: _energy(student, times, states, parameters), lambda: _phases(times, states)),
         notes=notes,
         still_time=0.03,
     )
 
 
-def _force(student: Student, states: Array) -> Shape:
-    force = student.each("constraint_force", *states.T, mass=MASS, **WIRE, shape=(2,)) / (MASS * WIRE["gravity"])
-    bead = _on_wire(states[:, 0])
-    return Shape("arrow", moving(bead, bead + ARROW * force), 3, "force of the wire", width=2.5)
+def _forces(student: Student, states: Array, parameters: Mapping[str, Any]) -> list[Shape]:
+    weight = parameters["mass"] * parameters["gravity"] * np.array([0.0, -1.0])
+    force = student.each("constraint_force", *states.T, **parameters, shape=(2,))
+    unit = ARROW / (np.linalg.norm(weight) or 1.0)  # m/N
+    bead = _on_wire(states[:, 0], parameters["curvature"])
+    return [
+        Shape("arrow", moving(bead, bead + unit * weight), 2, "weight", width=2.5),
+        Shape("arrow", moving(bead + unit * weight, bead + unit * (weight + force)), 3, "force of the wire", width=2.5),
+        Shape("arrow", moving(bead, bead + unit * (weight + force)), 1, "sum: m a", width=2.5),
+    ]
 
 
-def _on_wire(x: Array) -> Array:
-    return np.column_stack([x, WIRE["curvature"] * x**2])
+def _on_wire(x: Array, curvature: float) -> Array:
+    return np.column_stack([x, curvature * x**2])
 
 
-def _energy(student: Student, times: Array, states: Array) -> TimePlot:
+def _energy(student: Student, times: Array, states: Array, parameters: Mapping[str, Any]) -> TimePlot:
     shown = plot_samples(times)
     x, v = states[shown].T
-    total = student.each("energy", x, v, mass=MASS, **WIRE)
-    return energy_plot(times[shown], total, student.each("energy", x, 0 * v, mass=MASS, **WIRE))
+    return energy_plot(
+        times[shown], student.each("energy", x, v, **parameters), student.each("energy", x, 0 * v, **parameters)
+    )
+
+
+def _phases(times: Array, states: Array) -> TimePlot:
+    shown = plot_samples(times)
+    return value_plot("x and v", times[shown], {"x (m)": states[shown, 0], "v (m/s)": states[shown, 1]}, "")

@@ -1,6 +1,7 @@
 """hw14: the rolling disk on its plane, with the path of the contact point."""
 
 import math
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -11,18 +12,28 @@ from tam570.show.student import Student, make_each
 
 __all__ = ["film"]
 
-DISK: dict[str, Any] = {"mass": 1.0, "radius": 0.5, "inertia": (0.0625, 0.125), "gravity": 9.81}  # kg, m, kg m^2, m/s^2
-START = np.array([0.0, 0.0, 0.0, math.pi / 2 + 0.3, 0.0, 0.5, 0.0, -5.0])  # m, rad, rad/s: leaning and rolling
+EXAMPLE = {"mass": 1.0, "radius": 0.5, "inertia": (0.0625, 0.125), "gravity": 9.81}  # kg, m, kg m^2, m/s^2
+START = (0.0, 0.0, 0.0, math.pi / 2 + 0.3, 0.0, 0.5, 0.0, -5.0)  # m, rad, rad/s: leaning and rolling
+STATE = {
+    "x": "m",
+    "y": "m",
+    "yaw": "rad",
+    "tilt": "rad",
+    "roll": "rad",
+    "yaw_rate": "rad/s",
+    "tilt_rate": "rad/s",
+    "roll_rate": "rad/s",
+}
 SIDES = 36
 SECONDS = 12.0
 LARGE = 1e-3  # of the radius, between the two simulations
 
 
-def film(student: Student) -> Scene:
+def film(student: Student, disk: Mapping[str, Any], start: Sequence[float], seconds: float) -> Scene:
     """A disk that is rolled off with a lean."""
-    times, notes = frame_times(SECONDS), list[str]()
-    states = student("simulate_euler", times, START, **DISK, shape=(len(times), 8))
-    frame = student.each("wireframe", states, radius=DISK["radius"], sides=SIDES, shape=(SIDES + 2, 2, 3))
+    times, notes = frame_times(seconds), list[str]()
+    states = student("simulate_euler", times, np.array(start), **disk, shape=(len(times), 8))
+    frame = student.each("wireframe", states, radius=disk["radius"], sides=SIDES, shape=(SIDES + 2, 2, 3))
     rim, diameters = frame[:, :SIDES, 0], frame[:, SIDES:].reshape(-1, 4, 3)
     contact = np.column_stack([states[:, :2], 0.0 * times])
     shapes = [
@@ -39,26 +50,28 @@ def film(student: Student) -> Scene:
         "loops or waves.",
         times,
         [Panel(shapes)],
-        make_each(notes, lambda: _energy(student, times, states), lambda: _ways_apart(student, times, frame)),
+        make_each(
+            notes, lambda: _energy(student, times, states, disk), lambda: _tilt(student, times, states, frame, disk)
+        ),
         view=(0.4, 0.5),
         notes=notes,
     )
 
 
-def _energy(student: Student, times: Array, states: Array) -> TimePlot:
+def _energy(student: Student, times: Array, states: Array, disk: Mapping[str, Any]) -> TimePlot:
     shown = plot_samples(times)
-    total = student.each("energy", states[shown], **DISK)
+    total = student.each("energy", states[shown], **disk)
     at_rest = states[shown] * [1, 1, 1, 1, 1, 0, 0, 0]
-    return energy_plot(times[shown], total, student.each("energy", at_rest, **DISK))
+    return energy_plot(times[shown], total, student.each("energy", at_rest, **disk))
 
 
-def _ways_apart(student: Student, times: Array, frame: Array) -> TimePlot:
-    """The centre by the matrices beside that by the Euler angles, the middle of a diameter."""
-    start = student("matrix_state", START, radius=DISK["radius"], shape=(15,))
-    states = student("simulate_matrix", times, start, **DISK, shape=(len(times), 15))
+def _tilt(student: Student, times: Array, states_by_angles: Array, frame: Array, disk: Mapping[str, Any]) -> TimePlot:
+    """The tilt; and the centre by the matrices beside that by the Euler angles, the middle of a diameter."""
+    first = student("matrix_state", states_by_angles[0], radius=disk["radius"], shape=(15,))
+    states = student("simulate_matrix", times, first, **disk, shape=(len(times), 15))
     shown = plot_samples(times)
     off = np.linalg.norm(states[:, :3] - frame[:, -1].mean(axis=1), axis=1)[shown]
-    largest = float(off.max()) / DISK["radius"]
+    largest = float(off.max()) / disk["radius"]
     note = f"{'they differ: ' if largest > LARGE else ''}at most {largest:.2g} of the radius"
-    title = "centre, by matrices from by Euler angles"
-    return value_plot(title, times[shown], {"": off}, "m", note, alarm=largest > LARGE, least=0.01 * DISK["radius"])
+    tilt = {"": np.degrees(states_by_angles[shown, 3])}
+    return value_plot("tilt", times[shown], tilt, "°", f"by matrices and by Euler angles: {note}", largest > LARGE)

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving
+from tam570.show.scene import GREY, Array, Panel, Scene, Shape, frame_times, moving, plot_samples, value_plot
 
 __all__ = ["film"]
 
@@ -27,45 +27,62 @@ def film(by_one_point: Any, parameters: Mapping[str, Any]) -> Scene:
             notes.append(f"{locked} locked: {error}")
     slowest = min(d for d, _, _ in found.values())
     times = frame_times(min(1.2 * SPEED / slowest, 10.0) if slowest else 5.0)
-    size = 1.6 * (parameters["front"] + parameters["rear"])
-    shapes = []
-    for row, (locked, motion) in enumerate(found.items()):
-        shapes += _car(times, motion, parameters, locked, -row * size / 2 - row * parameters["height"])
+    panels = [Panel(_car(times, motion, parameters, locked), f"locked: {locked}") for locked, motion in found.items()]
+    shown = plot_samples(times)
+    speeds = {f"locked: {locked}": np.maximum(SPEED - d * times[shown], 0.0) for locked, (d, _, _) in found.items()}
     return Scene(
         "Stopping car",
-        "Cars brake side by side from one speed, with the front wheels, the rear wheels, or both locked. Upright "
-        "arrows show the loads on the axles; the front one carries more the harder the car brakes.",
+        "Cars brake side by side from one speed, with the front wheels, the rear wheels, or both locked. Arrows show "
+        "the forces of the ground, load and friction, and the weight. Where the lines of the ground forces meet is the "
+        "really nice point: about it only the weight and m a have moments.",
         times,
-        [Panel(shapes)],
+        panels,
+        [value_plot("speed", times[shown], speeds, "m/s")],
         notes=notes,
         still_time=0.2,
     )
 
 
-def _car(
-    times: Array, motion: tuple[float, float, float], parameters: Mapping[str, Any], locked: str, y: float
-) -> list[Shape]:
+def _car(times: Array, motion: tuple[float, float, float], parameters: Mapping[str, Any], locked: str) -> list[Shape]:
     deceleration, front_load, rear_load = motion
     moves = np.minimum(times, SPEED / deceleration) if deceleration else times
     x = SPEED * moves - deceleration * moves**2 / 2
-    at = np.column_stack([x, np.full_like(x, y)])  # below G
-    tips = {"front": np.array([parameters["front"], 0.0]), "rear": np.array([-parameters["rear"], 0.0])}
-    top = np.array([0.0, 2 * parameters["height"] + WHEEL])
+    at = np.column_stack([x, np.zeros_like(x)])  # below G
+    front, rear, height = (parameters[name] for name in ("front", "rear", "height"))
+    tips = {"front": np.array([front, 0.0]), "rear": np.array([-rear, 0.0])}
+    top = np.array([0.0, 2 * height + WHEEL])
     body = [at + tips["rear"] + [-0.5, WHEEL], at + tips["front"] + [0.5, WHEEL]]
     outline = moving(*body, body[1] + top / 2, at + top, body[0] + top)
     color = LOCKED.index(locked)
     loads = {"front": front_load, "rear": rear_load}
+    at_rest = {axle: parameters["gravity"] * arm / (front + rear) for axle, arm in (("front", rear), ("rear", front))}
+    unit, G = 2.0 / parameters["gravity"], at + [0.0, height]  # s^2
     shapes = [
-        Shape(
-            "lines", np.array([[-parameters["rear"] - 1.0, y], [x[-1] + parameters["front"] + 1.0, y]]), GREY, width=1
-        ),
+        Shape("lines", np.array([[-rear - 1.0, 0.0], [x[-1] + front + 1.0, 0.0]]), GREY, width=1),
         Shape("fill", outline, color, faint=True),
-        Shape("path", np.concatenate([outline, outline[:, :1]], axis=1), color, f"locked: {locked}", width=2),
-        Shape("dot", (at + [0.0, parameters["height"]])[:, None], 4, "G", width=4),
+        Shape("path", np.concatenate([outline, outline[:, :1]], axis=1), color, width=2),
+        Shape("arrow", moving(G, G - [0.0, 2.0]), 4, "weight", width=2.5),
+        Shape("dot", G[:, None], 4, "G", width=4),
     ]
     for axle, tip in tips.items():
-        width = 9 if locked in (axle, "both") else 5
-        shapes.append(Shape("dot", (at + tip + [0.0, WHEEL / 2])[:, None], color, width=width))
-        lift = np.array([0.0, 2.0 * loads[axle] / parameters["gravity"]])
-        shapes.append(Shape("arrow", moving(at + tip, at + tip + lift), 3, "load", width=2.5))
+        slides = locked in (axle, "both") and moves is not times
+        shapes.append(Shape("dot", (at + tip + [0.0, WHEEL / 2])[:, None], color, width=9 if slides else 5))
+        load = np.where(times < moves[-1], loads[axle], at_rest[axle])
+        friction = -parameters["friction"] * load * (times < moves[-1]) if slides else 0.0 * x
+        force = unit * np.column_stack([friction, load])
+        shapes.append(Shape("arrow", moving(at + tip, at + tip + force), 3, "force of the ground", width=2.5))
+    if locked != "both" and parameters["friction"]:
+        shapes += _nice_point(at, tips, locked, parameters["friction"])
     return shapes
+
+
+def _nice_point(at: Array, tips: Mapping[str, Array], locked: str, friction: float) -> list[Shape]:
+    """Where the line of the locked axle's force meets the upright one of the free axle's."""
+    free = "rear" if locked == "front" else "front"
+    height = (tips[locked][0] - tips[free][0]) / friction
+    point = at + tips[free] + [0.0, height]
+    lines = moving(at + tips[free], point, at + tips[locked], point)
+    return [
+        Shape("lines", lines, 3, "lines of the ground forces", width=1, faint=True),
+        Shape("dot", point[:, None], 5, "really nice point", width=6),
+    ]

@@ -5,7 +5,19 @@ from collections.abc import Callable, Mapping, Sequence
 import numpy as np
 
 from tam570.show.drawing import circle
-from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, drift_plot, frame_times, moving, plot_samples
+from tam570.show.scene import (
+    GREY,
+    INK,
+    Array,
+    Panel,
+    Scene,
+    Shape,
+    drift_note,
+    frame_times,
+    moving,
+    plot_samples,
+    value_plot,
+)
 
 __all__ = ["tops"]
 
@@ -39,6 +51,7 @@ def tops(
     precessing = [part for color, states in enumerate(both) for part in _top(states, color, ("slow", "fast")[color])]
     shown = plot_samples(times)
     changes = {name.replace("_", " "): _shares(law, free[shown]) for name, law in laws.items()}
+    note, alarm = drift_note(changes, 1.0, "energy and both momenta")
     return Scene(
         "Heavy top",
         "One top three times. Let go at rest it nods, and the end of its axis draws cusps. Started as it should be it "
@@ -49,7 +62,10 @@ def tops(
             Panel([*_ground(), *precessing], title, ruler=False),
             Panel(_top(asleep, 2, "almost upright"), "almost upright", ruler=False),
         ],
-        [drift_plot("let go: energy and both momenta, change", times[shown], changes, 1.0, "themselves")],
+        [
+            value_plot("let go: tilt", times[shown], {"": np.degrees(free[shown, 1])}, "°", least=90.0),
+            value_plot("let go: precession", times[shown], {"": free[shown, 3]}, "rad/s", note, alarm),
+        ],
         view=(0.5, 0.3),
         still_time=0.5,
     )
