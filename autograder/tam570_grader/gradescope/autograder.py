@@ -1,7 +1,6 @@
 """Gradescope: the results as its specification has them, and the archive that it runs."""
 
 import io
-import secrets
 import sys
 import zipfile
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -10,6 +9,7 @@ from string import Template
 from typing import Any
 
 from tam570_grader.errors import counted, writing
+from tam570_grader.grading.seeds import new_seed
 from tam570_grader.release.course_toml import COPY
 from tam570_grader.reports.feedback import overall
 from tam570_grader.results.store import Record
@@ -18,7 +18,7 @@ from tam570_grader.results.tables import written
 __all__ = ["results", "run"]
 
 TEMPLATES = Path(__file__).parent / "templates"
-EXECUTABLE = 0o755 << 16  # of a file in an archive
+EXECUTABLE, PRIVATE = 0o755 << 16, 0o600 << 16  # of a file in an archive
 ENGINE = ("pyproject.toml", "README.md", "LICENSE", "shared/tam570", "autograder/tam570_grader")
 
 
@@ -63,7 +63,7 @@ def run(course: Path, folder: Path, slugs: Sequence[str]) -> int:
 
 def _write_archive(course: Path, slug: str, path: Path) -> None:
     """setup.sh and run_autograder at the top, as Gradescope wants them, and what they need of the course."""
-    fields = {"slug": slug, "seed": secrets.randbelow(2**31)}  # one seed in an archive: the same inputs for the class
+    fields = {"slug": slug}
     whole = io.BytesIO()
     with zipfile.ZipFile(whole, "w", zipfile.ZIP_DEFLATED) as archive:
         for name in ("setup.sh", "run_autograder"):
@@ -71,6 +71,10 @@ def _write_archive(course: Path, slug: str, path: Path) -> None:
             entry = zipfile.ZipInfo(name)
             entry.external_attr = EXECUTABLE
             archive.writestr(entry, Template(text).substitute(fields))
+        # one seed in an archive, the same inputs for the class; for the eyes of its root alone, and on no command line
+        entry = zipfile.ZipInfo("seed")
+        entry.external_attr = PRIVATE
+        archive.writestr(entry, f"{new_seed()}\n")
         for file in _files(course, slug):
             archive.write(file, Path("course") / file.relative_to(course))
     with writing(path):

@@ -5,7 +5,6 @@ not graded again.
 """
 
 import hashlib
-import hmac
 import json
 import platform
 import sys
@@ -22,6 +21,7 @@ from tam570_grader.grading import supervisor
 from tam570_grader.grading.cluster import Cluster
 from tam570_grader.grading.executor import WorkerLost, finished
 from tam570_grader.grading.executor import executor as crew_here
+from tam570_grader.grading.seeds import derive
 from tam570_grader.grading.submissions import CannotRead, Submission, read
 from tam570_grader.grading.supervisor import GradeTask, WorkerConfig
 from tam570_grader.results.store import Key, Record, Results, ResultStore
@@ -54,8 +54,7 @@ class RunConfig:
         """The seed of a submission's hidden inputs: the class's, else one that only the key tells."""
         if self.key is None:
             return self.seed
-        name = f"{submission.student}\n{submission.slug}".encode()
-        return int.from_bytes(hmac.digest(self.key, name, "sha256")[:4]) >> 1
+        return derive(self.key, submission.student, submission.slug)
 
 
 @dataclass(frozen=True)

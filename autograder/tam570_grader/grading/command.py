@@ -29,7 +29,8 @@ def add_grade(commands: Commands) -> argparse.ArgumentParser:
     add("--out", type=Path, metavar="DIR", help="write results.jsonl, grades.csv and feedback there")
     add("--json", action="store_true", help="print a JSON object for each submission, one a line")
     add("--format", choices=["table", "gradescope"], default="table", help="of what is printed")
-    add("--seed", type=natural, metavar="S", help="of the hidden inputs (default: the one in --out, else random)")
+    seed = "seed of the hidden inputs, or a file that holds it (default: the one in --out, else random)"
+    add("--seed", type=_seed, metavar="S|@FILE", help=seed)
     vary = "give each student other inputs, by the key in this file; made if new"
     add("--vary", type=Path, metavar="KEYFILE", help=vary)
     against = "say which scores of these results change, and why; what is as it was is not run"
@@ -54,6 +55,16 @@ def add_grade(commands: Commands) -> argparse.ArgumentParser:
         add(name, type=positive, metavar=unit, help=f"{what} (default: as course.toml says, else {default})")
     add_cluster(add)
     return grade
+
+
+def _seed(text: str) -> int:
+    """A seed, or the one in a file, which no list of processes shows."""
+    if not text.startswith("@"):
+        return natural(text)
+    try:
+        return natural(Path(text[1:]).read_text(encoding="ascii").strip())
+    except (OSError, ValueError) as error:
+        raise argparse.ArgumentTypeError(f"cannot read a seed from {text[1:]}: {error}") from None
 
 
 def _grade(arguments: argparse.Namespace) -> int:

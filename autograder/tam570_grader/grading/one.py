@@ -1,7 +1,6 @@
 """Grades one submission: runs the checks of its assignment in order and makes the result."""
 
 import time
-import zlib
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
@@ -17,6 +16,7 @@ from tam570_grader.checks.general import general
 from tam570_grader.checks.mistakes import known
 from tam570_grader.errors import Over
 from tam570_grader.grading.budget import budget
+from tam570_grader.grading.seeds import derive
 from tam570_grader.grading.speed import Yardstick
 from tam570_grader.reports.sentences import full_message
 from tam570_grader.results.records import CheckResult, Result
@@ -96,7 +96,7 @@ def failed_by_us(name: str, assignment: Assignment, error: str, seed: int) -> Re
 
 def generator(seed: int, slug: str, check: Check) -> np.random.Generator:
     """What draws the hidden inputs of a check."""
-    return np.random.default_rng([seed, zlib.crc32(f"{slug}.{check.name}".encode())])
+    return np.random.default_rng(derive(seed, slug, check.name))
 
 
 def _result(

@@ -1,5 +1,6 @@
 """What the hidden inputs of a run are drawn from: a seed for the whole class, or a key that varies it by student."""
 
+import hmac
 import os
 import secrets
 from pathlib import Path
@@ -8,8 +9,9 @@ from typing import Any
 from tam570_grader.errors import UsageError, warn, writing
 from tam570_grader.results.store import common_seed
 
-__all__ = ["key", "seed"]
+__all__ = ["derive", "key", "new_seed", "seed"]
 
+BITS = 128  # of a seed: what pages tell of the inputs is far too little to find it by trying
 SHORTEST_KEY = 16  # bytes
 OTHERS = 0o077  # of a file's mode: what others may do with it
 
@@ -19,7 +21,22 @@ def seed(given: int | None, earlier: list[Any], key: bytes | None) -> int:
     if key is not None or given is not None:
         return given or 0
     found = common_seed(one.seed for one in earlier if one)
-    return secrets.randbelow(2**31) if found is None else found
+    return new_seed() if found is None else found
+
+
+def new_seed() -> int:
+    """A seed that nobody can guess."""
+    return secrets.randbits(BITS)
+
+
+def derive(secret: int | bytes, *names: str) -> int:
+    """The seed of what is named, an assignment's check or a student: it tells nothing of the secret, nor of others.
+
+    RFC 2104 (HMAC) with SHA-256, cut to as many bits as a seed has.
+    """
+    if isinstance(secret, int):
+        secret = secret.to_bytes(max(BITS, secret.bit_length()) // 8 + 1)
+    return int.from_bytes(hmac.digest(secret, "\n".join(names).encode(), "sha256")[: BITS // 8])
 
 
 def key(path: Path, needed: bool) -> bytes:

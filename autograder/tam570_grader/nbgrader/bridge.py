@@ -6,7 +6,6 @@ import functools
 import glob
 import os
 import re
-import secrets
 import stat
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
@@ -25,6 +24,7 @@ from traitlets import Bool, Dict, Integer, Unicode
 
 from tam570_grader.checks import assignments
 from tam570_grader.grading.batch import RunConfig, records
+from tam570_grader.grading.seeds import new_seed
 from tam570_grader.grading.submissions import (
     LARGEST,
     MOST_FILES,
@@ -226,7 +226,7 @@ class SandboxGrades(NbGraderPreprocessor):  # type: ignore[misc]
         return known[slug, student]
 
     def _plan(self, place: Any, book: ResultStore, everyone: Sequence[Submission]) -> RunConfig:
-        seed = secrets.randbelow(2**31) if book.seed is None else book.seed
+        seed = new_seed() if book.seed is None else book.seed
         mine = {"memory": self.memory, "cpu": self.cpu, "call": self.call}
         most = {name: mine[name] or usual for name, usual in course_config.limits(self.found_checkout()).items()}
         limits = ResourceLimits(most["memory"] * 2**20, most["cpu"], most["call"])

@@ -159,8 +159,11 @@ def test_the_archive_holds_one_assignment_and_shell_scripts_that_parse(container
         subprocess.run(["sh", "-n", str(source / name)], check=True)
 
 
-def test_an_archive_keeps_one_seed_for_the_class(container):
-    assert " --seed " in (container / "source" / "run_autograder").read_text()
+def test_an_archive_keeps_one_seed_for_the_class_and_shows_it_to_nobody(container, tmp_path):
+    seed = (container / "source" / "seed").read_text().strip()
+    assert int(seed) > 2**64 and seed not in (container / "source" / "run_autograder").read_text()
+    with zipfile.ZipFile(tmp_path / f"{ONE}.zip") as archive:
+        assert archive.getinfo("seed").external_attr >> 16 & 0o777 == 0o600
 
 
 SCORES = {("ann", "hw07_x"): ("9.5", "10.0"), ("ben", "hw07_x"): ("", "10.0"), ("ann", "hw08_y"): ("10.0", "10.0")}
