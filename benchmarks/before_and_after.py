@@ -18,6 +18,8 @@ from contextlib import contextmanager
 from itertools import cycle, islice
 from pathlib import Path
 
+from tam570_grader.diagnosis.mistakes import overlays
+
 COURSE = Path(__file__).resolve().parents[1]
 ASSIGNMENTS = "hw07_double_pendulum", "hw08_axis_angle", "hw14_rolling_disk"
 
@@ -25,8 +27,8 @@ ASSIGNMENTS = "hw07_double_pendulum", "hw08_axis_angle", "hw14_rolling_disk"
 def works(slug, kind):
     """What a class hands in, over and over."""
     solution = (COURSE / "solutions" / f"{slug}.py").read_text()
-    mistakes = sorted((COURSE / "autograder" / "checks" / slug / "mistakes").glob("*.py"))
-    slips = [f"\n\n{one.read_text()}" for one in mistakes] if kind == "wrong" else [""]
+    mistakes = overlays(COURSE / "autograder" / "checks" / slug).values()
+    slips = [f"\n\n{one}" for one in mistakes] if kind == "wrong" else [""]
     return cycle(solution + slip for slip in slips)
 
 

@@ -22,6 +22,7 @@ from pathlib import Path
 from tqdm import tqdm
 
 from tam570_grader.checks import assignments
+from tam570_grader.diagnosis.mistakes import overlays
 from tam570_grader.grading import batch
 from tam570_grader.grading.submissions import submissions
 from tam570_grader.release.stubs import stub
@@ -50,8 +51,8 @@ sys.exit(code)
 def works(slug):
     """The texts of the works on an assignment."""
     solution = (COURSE / "solutions" / f"{slug}.py").read_text()
-    wrong = sorted((assignments.checks_folder(COURSE, slug) / "mistakes").glob("*.py"))
-    return [solution, *(f"{solution}\n\n{path.read_text()}" for path in (wrong[0], wrong[-1])), stub(solution)]
+    wrong = list(overlays(assignments.checks_folder(COURSE, slug)).values())
+    return [solution, *(f"{solution}\n\n{text}" for text in (wrong[0], wrong[-1])), stub(solution)]
 
 
 def class_of(size, folder):

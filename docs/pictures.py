@@ -14,6 +14,7 @@ from pathlib import Path
 from playwright.sync_api import sync_playwright
 
 from tam570_grader import cli
+from tam570_grader.diagnosis.mistakes import overlays
 
 INTO = Path(__file__).parent / "pictures"
 COURSE = Path(__file__).resolve().parent.parent
@@ -36,9 +37,9 @@ def main(results):
 
 def feedback(folder):
     """The page of a student whose pendulum has a term with the wrong sign."""
-    mistake = COURSE / "autograder" / "checks" / SLUG / "mistakes" / f"{MISTAKE}.py"
+    mistake = overlays(COURSE / "autograder" / "checks" / SLUG)[MISTAKE]
     work = folder / f"{SLUG}.py"
-    work.write_text((COURSE / "solutions" / work.name).read_text() + "\n\n" + mistake.read_text())
+    work.write_text((COURSE / "solutions" / work.name).read_text() + "\n\n" + mistake)
     cli.main(["grade", str(work), "--out", str(folder / "out"), "--seed", "570"])
     (page,) = folder.glob("out/feedback/*/*.html")
     return page

@@ -10,6 +10,7 @@ import argparse
 from collections.abc import Iterator
 from pathlib import Path
 
+from tam570_grader.audit.gradings import submissions
 from tam570_grader.checks import assignments
 from tam570_grader.release.stubs import stub
 
@@ -31,14 +32,11 @@ def sample_class() -> Iterator[tuple[str, str, str]]:
     course = assignments.find(TESTS.parent)
     for slug in assignments.slugs(course):
         solution = (course / "solutions" / f"{slug}.py").read_text()
-        right, wrong = [
-            sorted((assignments.checks_folder(course, slug) / kind).glob("*.py"))
-            for kind in ("alternatives", "mistakes")
-        ]
-        for student, path in zip(("ada", "ben", "cho"), right, strict=False):
-            yield student, slug, path.read_text()
-        for student, path in zip(("dev", "eli", "fay"), wrong[::3], strict=False):
-            yield student, slug, f"{solution}\n\n{path.read_text()}"
+        right, wrong = (list(submissions(course, slug, kind).values()) for kind in ("alternatives", "mistakes"))
+        for student, text in zip(("ada", "ben", "cho"), right, strict=False):
+            yield student, slug, text
+        for student, text in zip(("dev", "eli", "fay"), wrong[::3], strict=False):
+            yield student, slug, f"{solution}\n\n{text}"
         yield "gus", slug, half_done(solution)
         yield "hal", slug, solution + HANGS
         yield "ida", slug, solution + CRASHES

@@ -8,11 +8,11 @@ from functools import cache
 import numpy as np
 import pytest
 
-from tam570_grader.audit.diagnosis import ENOUGH, diagnosis
+from tam570_grader.audit.diagnosis import diagnosis
 from tam570_grader.checks import assignments
 from tam570_grader.checks.expect import check_context
-from tam570_grader.checks.mistakes import known, mistake, mistakes
 from tam570_grader.checks.returns import Array, Drawing, Formula, FreeBodyDiagram, Group
+from tam570_grader.diagnosis.mistakes import candidates, known, mistakes
 from tam570_grader.release import course_config
 from tam570_grader.release.stubs import stub
 from tam570_grader.sandbox.student import Source, Student
@@ -22,18 +22,18 @@ COURSE = assignments.find()
 CHECKS = [(slug, check) for slug in assignments.slugs(COURSE) for check in assignments.assignment(COURSE, slug).checks]
 
 
-def overlays(kind):
-    """(assignment, file) of every wrong or right submission."""
-    return [(path.parents[1].name, path) for path in sorted((COURSE / "autograder" / "checks").glob(f"*/{kind}/*.py"))]
+FOLDERS = {slug: assignments.checks_folder(COURSE, slug) for slug in assignments.slugs(COURSE)}
+ALTERNATIVES = [(slug, path) for slug, folder in FOLDERS.items() for path in sorted(folder.glob("alternatives/*.py"))]
+MISTAKES = [(slug, one) for slug, folder in FOLDERS.items() for one in mistakes(folder)]
 
 
 def sampled(cases):
     """The cases of mistakes; the long form has those that are not needed for every check to catch one."""
-    fails = {path: {(slug, name) for name in mistake(path.stem, path.read_text()).fails} for slug, path in cases}
+    fails = {one: {(slug, name) for name in one.fails or [one.first_fails]} for slug, one in cases}
     missing, needed = {(slug, check.name) for slug, check in CHECKS}, set()
 
-    def rank(path):  # of two that are as much needed the shorter: what integrates by itself is long and slow
-        return len(fails[path] & missing), -path.stat().st_size
+    def rank(one):  # of two that are as much needed the shorter: what integrates by itself is long and slow
+        return len(fails[one] & missing), -len(one.text)
 
     while best := max(fails, key=rank) if missing else None:
         if not fails[best] & missing:
@@ -123,7 +123,7 @@ def test_the_solution_has_full_marks(slug, seed, grade, solution_text):
 
 
 @pytest.mark.sample(14)
-@pytest.mark.parametrize(("slug", "path"), **named(overlays("alternatives")))
+@pytest.mark.parametrize(("slug", "path"), **named(ALTERNATIVES))
 def test_right_answers_in_other_styles_have_full_marks(slug, path, seed, grade):
     result = grade(slug, path.read_text(), seed)
     assert result.score == result.max_score, failures(result)
@@ -132,29 +132,26 @@ def test_right_answers_in_other_styles_have_full_marks(slug, path, seed, grade):
 # Wrong answers lose points where they must
 
 
-@pytest.mark.parametrize(("slug", "path"), **sampled(overlays("mistakes")))
-def test_a_wrong_submission_fails_its_checks_and_no_other_whatever_the_inputs(
-    slug, path, input_seed, grade, solution_text
+@pytest.mark.parametrize(("slug", "mistake"), **sampled(MISTAKES))
+def test_a_wrong_submission_loses_points_at_its_check_whatever_the_inputs(
+    slug, mistake, input_seed, grade, solution_text
 ):
-    slip = mistake(path.stem, path.read_text())
-    result = grade(slug, f"{solution_text(slug)}\n\n{slip.text}", seed=input_seed)
-    assert outcomes(result, "failed") == slip.fails, failures(result)
+    result = grade(slug, f"{solution_text(slug)}\n\n{mistake.text}", seed=input_seed)
+    failed = [check for check in result.checks if check.outcome == "failed"]
     assert not outcomes(result, "grader_error"), failures(result)
-    found = diagnosis(result, slip.text, {one.says for one in mistakes(path.parent)})
-    assert found.named or slip.unnamed, failures(result)
+    assert not any(check.failure.fault for check in failed), "the search for a name raised"
+    if mistake.fails:
+        assert outcomes(result, "failed") == mistake.fails, failures(result)
+    else:
+        assert failed and failed[0].name == mistake.first_fails and result.score < 10, failures(result)
+    found = diagnosis(result, mistake, {one.message for one in mistakes(FOLDERS[slug])})
+    assert found.named or not mistake.compared, failures(result)
     assert not found.misled, failures(result)
-    assert not any(mark.failure.fault for mark in result.checks if mark.failure), "a suspect raised"
-
-
-def test_most_mistakes_are_named(slug):
-    slips = [mistake(path.stem, path.read_text()) for where, path in overlays("mistakes") if where == slug]
-    assert sum(not slip.unnamed for slip in slips) >= ENOUGH * len(slips)
 
 
 @pytest.mark.parametrize(("slug", "check"), **named(CHECKS))
 def test_every_check_has_a_mistake_that_it_catches(slug, check):
-    slips = [mistake(path.stem, path.read_text()) for where, path in overlays("mistakes") if where == slug]
-    assert any(check.name in slip.fails for slip in slips)
+    assert any(check.name == one.first_fails or check.name in one.fails for one in mistakes(FOLDERS[slug]))
 
 
 @pytest.mark.sample(50)
@@ -165,9 +162,10 @@ def test_the_inputs_of_a_check_tell_its_mistakes_from_the_truth(slug, check, zyg
     with check_context():
         check.judge(student, np.random.default_rng(5))
     student.leave()
-    assert known(solution_text(slug), assignment.suspects(check.name), student.calls) is None
-    assert check.function(assignment.results), "its line names no function"
     called = {call.name for call in student.calls}
+    suspects = candidates(solution_text(slug), FOLDERS[slug], check.name, called)
+    assert known(solution_text(slug), suspects, student.calls) is None
+    assert check.function(assignment.results), "its line names no function"
     assert not called or called & set(re.findall(r"\w+", check.line)), "its line names none that it calls"
 
 

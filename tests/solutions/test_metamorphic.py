@@ -12,6 +12,7 @@ import pytest
 from numpy.linalg import qr
 
 from tam570_grader.checks import assignments
+from tam570_grader.diagnosis.mistakes import overlays
 
 COURSE = assignments.find()
 CLOSED = 1e-11  # formulas: rounding, some thousand times over
@@ -316,11 +317,9 @@ WRONG = [
 @pytest.mark.parametrize("law, slug, mistake", **named(WRONG))
 def test_the_law_sees(law, slug, mistake):
     module = types.ModuleType(mistake)
-    solution, overlay = (
-        COURSE / "solutions" / f"{slug}.py",
-        COURSE / "autograder" / "checks" / slug / "mistakes" / f"{mistake}.py",
-    )
-    exec(solution.read_text() + "\n\n" + overlay.read_text(), vars(module))
+    solution = COURSE / "solutions" / f"{slug}.py"
+    overlay = overlays(COURSE / "autograder" / "checks" / slug)[mistake]
+    exec(solution.read_text() + "\n\n" + overlay, vars(module))
     assert disagreement(law, module, slug) > 100 * tolerance(law, slug)
 
 

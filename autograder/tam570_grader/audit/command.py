@@ -89,7 +89,7 @@ def _question(arguments: argparse.Namespace) -> Question:
 
 def _with_functions(course: Path, slugs: Sequence[str], names: Sequence[str]) -> list[str]:
     """The assignments that have functions of these names; UsageError for a name that none has."""
-    from tam570_grader.checks.slips import reached
+    from tam570_grader.diagnosis.mutants import reached
 
     texts = {slug: (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8") for slug in slugs}
     there = {slug: set(reached(text)) for slug, text in texts.items()}

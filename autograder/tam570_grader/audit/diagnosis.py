@@ -1,9 +1,7 @@
-"""Does the feedback name the mistake? Wrong submissions say in their headers what it must say of them.
+"""Does the feedback name the mistake?
 
-Its own first paragraph, or one of those after `also:`, must be the known mistake that is named; a fragment after
-`names:` must be in what a check says of it, or in its hint: the quantity and the kind of input stand in every message,
-and name nothing. One of several, `A | B`, is enough. Each mistake is made in the solution, and once more in a right
-submission of another style: there its name is not found by construction.
+Each known mistake whose numbers are compared must be named by its own sentence. It is made in the solution, and once
+more in a right submission of another style: there its name is not found by construction.
 """
 
 import ast
@@ -15,8 +13,8 @@ from typing import Any
 
 from tam570_grader.audit.gradings import Grading, progress, submissions, tried
 from tam570_grader.checks import assignments
-from tam570_grader.checks.mistakes import header, mistakes
-from tam570_grader.checks.slips import reached
+from tam570_grader.diagnosis.mistakes import Mistake, mistakes
+from tam570_grader.diagnosis.mutants import reached
 from tam570_grader.errors import UsageError
 from tam570_grader.grading.executor import TaskExecutor, in_order
 from tam570_grader.grading.one import Result
@@ -64,8 +62,9 @@ def diagnoses(course: Path, slug: str, executor: TaskExecutor, quick: bool) -> l
     for (name, text), (style, other) in zip(wrong.items(), cycle(styles.items())):
         tasks.append(Grading(course, slug, f"{name}{ON}{style}", other + _taken(solution, text), SEED, naming=True))
     results = progress(in_order(executor, tried, tasks), len(tasks), "submission")
-    known = {one.says for one in mistakes(assignments.checks_folder(course, slug) / "mistakes")}
-    found = [diagnosis(result, wrong[result.student.partition(ON)[0]], known) for result in results]
+    known = {one.name: one for one in mistakes(assignments.checks_folder(course, slug))}
+    messages = {one.message for one in known.values()}
+    found = [diagnosis(result, known[result.student.partition(ON)[0]], messages) for result in results]
     return [one for one in found if one.messages or ON not in one.name]  # another style may not call what is wrong
 
 
@@ -77,19 +76,19 @@ def _taken(solution: str, slip: str) -> str:
     return TAKEN.format(text=f"{solution}\n\n{slip}", names=wrong)
 
 
-def diagnosis(result: Result, text: str, known: Container[str]) -> Diagnosis:
-    """What the feedback of a wrong submission says, beside what its text says that it must.
+def diagnosis(result: Result, mistake: Mistake, known: Container[str]) -> Diagnosis:
+    """What the feedback of a wrong submission says, beside what it must say.
 
     known : what known mistakes say; what is found by trying says what the numbers are, and misleads nobody
     """
-    own, says = header(text)
     failed = [check_result for check_result in result.checks if check_result.outcome == "failed"]
     suspects = tuple(check_result.suspect for check_result in failed if check_result.suspect)
     messages = tuple(check_result.message for check_result in failed)
-    fragment = says.get("names", "")
-    expected = " | ".join(filter(None, ["" if fragment else own, says.get("also", "")]))
+    fragment = mistake.names
+    expected = " | ".join(filter(None, [mistake.message if mistake.compared else "", mistake.also]))
     by_suspect = any(_in(one, expected) for one in suspects)
     by_message = any(_names(check_result, one) for check_result in failed for one in fragment.split(" | "))
+    by_message |= not (mistake.compared or mistake.names or mistake.fails)  # its check says what it is
     misled = any(one in known and not _in(one, expected) for one in suspects)
     return Diagnosis(result.student, expected, by_suspect or by_message, suspects, messages, misled)
 

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import TypeVar
 
 from tam570_grader.checks import assignments
+from tam570_grader.diagnosis.mistakes import overlays
 from tam570_grader.grading.one import CheckOptions, Recorder, Result, graded
 from tam570_grader.sandbox import pool
 from tam570_grader.sandbox.preload import imported
@@ -59,5 +60,7 @@ def progress(outcomes: Iterable[Outcome], total: int, unit: str) -> Iterator[Out
 
 def submissions(course: Path, slug: str, kind: str) -> dict[str, str]:
     """The texts of the alternatives or mistakes of an assignment, by name."""
+    if kind == "mistakes":
+        return overlays(assignments.checks_folder(course, slug))
     paths = sorted((assignments.checks_folder(course, slug) / kind).glob("*.py"))
     return {path.stem: path.read_text(encoding="utf-8") for path in paths}

@@ -1,7 +1,7 @@
 """How far the limits of simulation checks lie from a careful student's errors, and from those of wrong physics.
 
-A wrong submission whose docstring says `numerics: WHY` has right physics, integrated inaccurately: its error can be
-as near to a limit as one likes. It is told apart.
+A known mistake of numerics has right physics, integrated inaccurately: its error can be as near to a limit as one
+likes. It is told apart.
 """
 
 from collections.abc import Mapping, Sequence
@@ -11,11 +11,11 @@ from typing import Any
 
 import numpy as np
 
-from tam570_grader.audit.gradings import Grading, progress, submissions, tried
+from tam570_grader.audit.gradings import Grading, progress, tried
 from tam570_grader.audit.mutation import calls_of_checks
 from tam570_grader.checks import assignments
-from tam570_grader.checks.mistakes import header
-from tam570_grader.checks.slips import reached
+from tam570_grader.diagnosis.mistakes import Mistake, mistakes
+from tam570_grader.diagnosis.mutants import reached
 from tam570_grader.grading.executor import TaskExecutor, in_order
 
 __all__ = ["ENOUGH", "SEEDS", "Margin", "as_json", "faults", "margin", "margins", "report"]
@@ -76,9 +76,11 @@ def margins(course: Path, slug: str, seeds: int, executor: TaskExecutor) -> list
     checks = _simulating(course, slug, text)
     if not checks:
         return []
-    wrong = submissions(course, slug, "mistakes")
+    wrong = {known.name: known for known in mistakes(assignments.checks_folder(course, slug))}
     sources = [(method, _careful(text, method), checks) for method in METHODS]
-    sources += [(name, f"{text}\n\n{slip}", checks & _not_passed(course, slug, slip)) for name, slip in wrong.items()]
+    sources += [
+        (name, f"{text}\n\n{known.text}", checks & _not_passed(course, slug, known)) for name, known in wrong.items()
+    ]
     tasks = [
         Grading(course, slug, name, source, seed, checks=asked)
         for name, source, asked in sources
@@ -91,17 +93,21 @@ def margins(course: Path, slug: str, seeds: int, executor: TaskExecutor) -> list
     return [one for check in order if (one := margin(check, found, wrong))]
 
 
-def _not_passed(course: Path, slug: str, slip: str) -> frozenset[str]:
-    """The checks that a wrong submission fails, and those that are not run for it because they come after."""
-    names = _failed(slip)
+def _not_passed(course: Path, slug: str, known: Mistake) -> frozenset[str]:
+    """The checks that a wrong submission may not pass: from the first that fails on."""
+    if not known.fails:
+        order = [check.name for check in assignments.assignment(course, slug).checks]
+        return frozenset(order[order.index(known.first_fails) :])
+    names = set(known.fails)
     for check in assignments.assignment(course, slug).checks:
         if names & {other.name for other in check.after}:
             names.add(check.name)
     return frozenset(names)
 
 
-def _failed(slip: str) -> set[str]:
-    return set(header(slip)[1]["fails"].split(", "))
+def _failed(known: Mistake) -> frozenset[str]:
+    """The checks that it must fail."""
+    return known.fails or frozenset([known.first_fails])
 
 
 def _careful(text: str, method: str) -> str:
@@ -117,7 +123,7 @@ def _simulating(course: Path, slug: str, text: str) -> frozenset[str]:
     return frozenset(name for name, asked in calls.items() if asked & within)
 
 
-def margin(check: str, found: Sequence[tuple[str, Mapping[str, float]]], slips: Mapping[str, str]) -> Margin | None:
+def margin(check: str, found: Sequence[tuple[str, Mapping[str, float]]], slips: Mapping[str, Mistake]) -> Margin | None:
     """The margin of a check; None if nothing that a careful student integrates is compared in it.
 
     A check that comes after a failed one need not tell that mistake, too: what passes it there is left out, and what
@@ -129,7 +135,7 @@ def margin(check: str, found: Sequence[tuple[str, Mapping[str, float]]], slips: 
         return None
     wrong = [(name, error) for name, error in errors if name in slips and error < np.inf]
     told = [(name, error) for name, error in wrong if error > 1 or check in _failed(slips[name])]
-    inaccurate = [one for one in told if "numerics" in header(slips[one[0]])[1]]
+    inaccurate = [one for one in told if slips[one[0]].numerics]
     physics = [one for one in told if one not in inaccurate]
     own = [one for one in physics if check in _failed(slips[one[0]])]
     return Margin(check, max(careful), _smallest(own or physics), _smallest(inaccurate))

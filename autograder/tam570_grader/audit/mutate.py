@@ -5,7 +5,7 @@ import collections
 import hashlib
 from dataclasses import dataclass
 
-from tam570_grader.checks.slips import made, replaced
+from tam570_grader.diagnosis.mutants import made, replaced
 
 __all__ = ["Mutant", "mutants"]
 

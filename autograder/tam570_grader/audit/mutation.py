@@ -13,7 +13,7 @@ from tam570_grader.audit.gradings import Grading, progress, tried
 from tam570_grader.audit.mutate import Mutant, mutants
 from tam570_grader.checks import assignments
 from tam570_grader.checks.case import Case
-from tam570_grader.checks.slips import reached
+from tam570_grader.diagnosis.mutants import reached
 from tam570_grader.errors import counted
 from tam570_grader.grading.executor import TaskExecutor, in_order
 from tam570_grader.grading.one import Result, generator

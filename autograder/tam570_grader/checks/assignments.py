@@ -18,7 +18,6 @@ import tam570_grader
 from tam570_grader.checks.check import Check
 from tam570_grader.checks.effort import Finder
 from tam570_grader.checks.figures import Figure
-from tam570_grader.checks.mistakes import Mistake, mistakes
 from tam570_grader.checks.returns import ReturnSpec
 from tam570_grader.errors import UsageError
 from tam570_grader.rubric import ManualPart, load_rubric
@@ -71,11 +70,6 @@ class Assignment:
         """What a function of the contract must take: `amplitude, *, length, gravity`."""
         defined = (node for node in ast.parse(self.solution).body if isinstance(node, ast.FunctionDef))
         return next((ast.unparse(node.args) for node in defined if node.name == name), "...")
-
-    def suspects(self, check: str) -> list[Mistake]:
-        """The mistakes that a student who fails this check may have made."""
-        known = mistakes(checks_folder(self.root, self.slug) / "mistakes")
-        return [one for one in known if one.suspect and check in one.fails]
 
     @property
     def manual(self) -> Mapping[str, tuple[float, str]]:

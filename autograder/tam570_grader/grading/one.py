@@ -7,13 +7,14 @@ from functools import partial
 
 import numpy as np
 
+from tam570_grader.checks import assignments
 from tam570_grader.checks.assignments import Assignment
 from tam570_grader.checks.check import Check
 from tam570_grader.checks.effort import Exhausted
 from tam570_grader.checks.expect import LONGEST_FAULT, Failed, NotWritten, check_context
 from tam570_grader.checks.failure import Failure
-from tam570_grader.checks.general import general
-from tam570_grader.checks.mistakes import known
+from tam570_grader.diagnosis.mistakes import candidates, known
+from tam570_grader.diagnosis.search import general
 from tam570_grader.errors import Over
 from tam570_grader.grading.budget import budget
 from tam570_grader.grading.seeds import derive
@@ -152,8 +153,10 @@ def _suspect(check: Check, student: Student, assignment: Assignment) -> tuple[st
     """The mistake that explains the calls of a failed check, and what went wrong on our side in the search."""
     try:
         with budget():
-            suspect = known(assignment.solution, assignment.suspects(check.name), student.calls)
-            return suspect or general(assignment.solution, student.calls), ""
+            solution, calls = assignment.solution, student.calls
+            folder = assignments.checks_folder(assignment.root, assignment.slug)
+            suspects = candidates(solution, folder, check.name, {call.name for call in calls})
+            return known(solution, suspects, calls) or general(solution, calls), ""
     except (Exhausted, MemoryError):
         return None, ""
     except Over:

@@ -3,6 +3,7 @@
 import dataclasses
 import json
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -14,6 +15,7 @@ from tam570_grader.audit.margins import Margin
 from tam570_grader.audit.mutate import mutants
 from tam570_grader.checks import assignments
 from tam570_grader.checks.failure import Failure
+from tam570_grader.diagnosis.mistakes import Mistake, old_mistake
 from tam570_grader.errors import UsageError
 from tam570_grader.grading.executor import executor
 from tam570_grader.reports import sentences
@@ -219,7 +221,7 @@ def test_a_false_fail_is_told_with_check_seed_and_message(capsys, monkeypatch):
     assert "seed 5000: skew_is_the_cross_product: " in capsys.readouterr().out
 
 
-ROOMS = ["sandbox", "writing", "grading", "results", "pages", "lms", "nbgrader", "gradescope", "release"]
+ROOMS = ["sandbox", "checks", "diagnosis", "grading", "results", "pages", "lms", "nbgrader", "gradescope", "release"]
 
 
 @pytest.mark.parametrize("room", ROOMS)
@@ -231,9 +233,8 @@ def test_nothing_that_grades_imports_the_audit(course, room):
 def test_a_diagnosis_tells_named_from_unnamed_and_misled():
     def said(mistake, suspect, known=("the transpose",)):
         mark = CheckResult("a", "a", 0.0, 1.0, "failed", "It is off by 1.", suspect, Failure())
-        return diagnosis.diagnosis(
-            Result("s", "hw", "graded", 0.0, 1.0, 1, 0.1, "", (mark,)), f'"""{mistake}"""', known
-        )
+        result = Result("s", "hw", "graded", 0.0, 1.0, 1, 0.1, "", (mark,))
+        return diagnosis.diagnosis(result, old_mistake("one", f'"""{mistake}"""'), known)
 
     right, silent = said("the transpose", "the transpose"), said("the transpose", None)
     wrong, found = said("a sign", "the transpose"), said("a sign", "the transpose", known=())
@@ -266,7 +267,8 @@ def test_a_diagnosis_tells_named_from_unnamed_and_misled():
 def test_a_mistake_is_named_by_what_is_said_of_it_and_not_by_the_input(names, why, named):
     mark = CheckResult("a", "a", 0.0, 1.0, "failed", sentences.whole(why), why.suspect, why)
     result = Result("s", "hw", "graded", 0.0, 1.0, 1, 0.1, "", (mark,))
-    assert diagnosis.diagnosis(result, f'"""An arm.\n\nnames: {names}\n"""', ()).named == named
+    mistake = old_mistake("one", f'"""An arm.\n\nnames: {names}\n"""')
+    assert diagnosis.diagnosis(result, mistake, ()).named == named
 
 
 @pytest.mark.every
@@ -291,20 +293,20 @@ def test_wrong_physics_is_judged_by_its_distance_and_inaccurate_numerics_is_not(
         ("another_check", {"energy": 0.5}),
         ("no_number", {"energy": np.inf}),
     ]
-    slips = {
-        "friction": '"""A force too many.\n\nfails: energy\n"""',
-        "coarse": '"""Few steps.\n\nfails: energy\nnumerics: a step of 0.1 s\n"""',
-        "another_check": '"""What this check need not tell.\n\nfails: path\n"""',
-        "no_number": '"""An exception.\n\nfails: energy\n"""',
+    known = {
+        "friction": Mistake("friction", "A force too many.", "energy", ""),
+        "coarse": Mistake("coarse", "Few steps.", "energy", "", numerics=True),
+        "another_check": Mistake("another_check", "What this check need not tell.", "path", ""),
+        "no_number": Mistake("no_number", "An exception.", "energy", ""),
     }
-    margin = margins.margin("energy", found, slips)
+    margin = margins.margin("energy", found, known)
     assert margin == Margin("energy", 0.01, ("friction", 50.0), ("coarse", 2.0)) and not margin.small
-    slips["coarse"] = slips["coarse"].replace("numerics", "remark")
-    assert margins.margin("energy", found, slips).small
+    known["coarse"] = replace(known["coarse"], numerics=False)
+    assert margins.margin("energy", found, known).small
 
 
 def test_a_mistake_that_fails_before_a_check_is_judged_in_it_only_where_none_fails_it_by_itself():
     found = [("DOP853", {"energy": 0.01}), ("behind", {"energy": 2.0}), ("own", {"energy": 50.0})]
-    slips = {name: f'"""A force.\n\nfails: {fails}\n"""' for name, fails in (("behind", "path"), ("own", "energy"))}
-    assert margins.margin("energy", found, slips).physics == ("own", 50.0)
-    assert margins.margin("energy", found[:2], slips).small
+    known = {name: Mistake(name, "A force.", check, "") for name, check in (("behind", "path"), ("own", "energy"))}
+    assert margins.margin("energy", found, known).physics == ("own", 50.0)
+    assert margins.margin("energy", found[:2], known).small

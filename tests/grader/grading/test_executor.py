@@ -17,6 +17,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from tam570_grader.audit.gradings import submissions as submissions_of
 from tam570_grader.checks import assignments, expected
 from tam570_grader.checks.case import Case
 from tam570_grader.grading import batch
@@ -245,11 +246,14 @@ def everything(tmp_path_factory, course, solution_text):
     """All that the tree holds of right and wrong work."""
     folder = tmp_path_factory.mktemp("everything")
     for slug in assignments.slugs(course):
-        for path in sorted(assignments.checks_folder(course, slug).glob("*s/*.py")):
-            is_mistake = path.parent.name == "mistakes"
-            place = folder / f"{path.parent.name}-{path.stem}" / slug
+        texts = {
+            name: f"{solution_text(slug)}\n\n{text}" for name, text in submissions_of(course, slug, "mistakes").items()
+        }
+        texts |= submissions_of(course, slug, "alternatives")
+        for name, text in texts.items():
+            place = folder / name / slug
             place.mkdir(parents=True)
-            (place / f"{slug}.py").write_text(f"{solution_text(slug) if is_mistake else ''}\n\n{path.read_text()}")
+            (place / f"{slug}.py").write_text(text)
     return submissions([folder], assignments.slugs(course))
 
 

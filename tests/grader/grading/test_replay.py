@@ -7,6 +7,7 @@ import pytest
 
 from tam570_grader import cli
 from tam570_grader.checks import assignments
+from tam570_grader.diagnosis.mistakes import mistakes, overlays
 
 SLUG = "hw08_axis_angle"
 
@@ -18,7 +19,7 @@ def results(tmp_path_factory, course):
     work = folder / "submitted" / "ada" / SLUG
     work.mkdir(parents=True)
     solution = (course / "solutions" / f"{SLUG}.py").read_text()
-    slip = (assignments.checks_folder(course, SLUG) / "mistakes" / "transposed.py").read_text()
+    slip = overlays(assignments.checks_folder(course, SLUG))["transposed"]
     (work / f"{SLUG}.py").write_text(f"{solution}\n\n{slip}")
     (folder / "reference.py").write_text(solution)
     arguments = ["grade", str(folder / "submitted"), "--out", str(folder / "out"), "--seed", "3", "--jobs", "1"]
@@ -27,8 +28,8 @@ def results(tmp_path_factory, course):
 
 
 def failed(course):
-    text = (assignments.checks_folder(course, SLUG) / "mistakes" / "transposed.py").read_text()
-    return re.search(r"^fails: (\w+)", text, re.MULTILINE)[1]
+    known = {one.name: one for one in mistakes(assignments.checks_folder(course, SLUG))}["transposed"]
+    return known.first_fails or min(known.fails)
 
 
 def numbers(line):

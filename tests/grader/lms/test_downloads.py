@@ -14,6 +14,7 @@ import pytest
 from tam570_grader import cli
 from tam570_grader.checks import assignments
 from tam570_grader.checks import failure as failure_record
+from tam570_grader.diagnosis.mistakes import overlays
 from tam570_grader.gradescope import autograder
 from tam570_grader.grading.one import failed_by_us
 from tam570_grader.lms import score_export
@@ -92,7 +93,7 @@ def test_the_schema_tells_right_from_wrong():
 @pytest.mark.parametrize("what", ["solution", "stub", "transposed", "no_syntax"])
 def test_results_are_what_gradescope_accepts(course, submission, solution_text, capsys, what):
     solution = solution_text(ONE)
-    wrong = (assignments.checks_folder(course, ONE) / "mistakes" / "transposed.py").read_text()
+    wrong = overlays(assignments.checks_folder(course, ONE))["transposed"]
     texts = {"solution": solution, "stub": stub(solution), "transposed": solution + wrong, "no_syntax": "def f(:"}
     grade = ["grade", str(submission(texts[what])), "--assignment", ONE, "--seed", "3", "--format", "gradescope"]
     assert cli.main(["--root", str(course), *grade]) == 0
@@ -104,7 +105,7 @@ def test_results_are_what_gradescope_accepts(course, submission, solution_text, 
 
 
 def test_results_hold_nothing_hidden(course, grade, solution_text):
-    wrong = (assignments.checks_folder(course, ONE) / "mistakes" / "transposed.py").read_text()
+    wrong = overlays(assignments.checks_folder(course, ONE))["transposed"]
     record = grade(ONE, solution_text(ONE) + wrong).record()
     failed = [mark["failure"] for mark in record["checks"] if "failure" in mark]
     hidden = re.findall(

@@ -10,6 +10,8 @@ import urllib.request
 
 import pytest
 
+from tam570_grader.diagnosis.mistakes import overlays
+
 pytestmark = pytest.mark.every  # half a minute of nbgrader
 SLUG, MANUAL = "hw07_double_pendulum", "manual-c"
 START = 60  # s, at most, until the server answers
@@ -25,7 +27,7 @@ def graded_course(course, tmp_path_factory, nbgrader, made_course):
     nbgrader(made, "generate_assignment", SLUG)
     folder = made / "submitted" / "ben" / SLUG
     shutil.copytree(made / "release" / SLUG, folder)
-    wrong = (course / "autograder" / "checks" / SLUG / "mistakes" / "too_few_steps.py").read_text()
+    wrong = overlays(course / "autograder" / "checks" / SLUG)["too_few_steps"]
     solution = (course / "solutions" / f"{SLUG}.py").read_text()
     (folder / f"{SLUG}.py").write_text(f"{solution}\n\n{wrong}")
     notebook = folder / f"{SLUG}.ipynb"

@@ -12,6 +12,7 @@ import pytest
 from tam570_grader import cli
 from tam570_grader.checks import assignments
 from tam570_grader.checks.failure import WHOLE
+from tam570_grader.diagnosis.mistakes import overlays
 
 IN_CI = {  # assignment: the slip in what the second student hands in
     "hw07_double_pendulum": "too_few_steps",
@@ -61,11 +62,7 @@ class Term:
         assert all(slug in listed for slug in self.slips)
         self.nbgrader(home, "fetch_assignment", *self.slips)
         for slug, slip in self.slips.items():
-            wrong = (
-                (assignments.checks_folder(self.checkout, slug) / "mistakes" / f"{slip}.py").read_text()
-                if name == "ben"
-                else ""
-            )
+            wrong = overlays(assignments.checks_folder(self.checkout, slug))[slip] if name == "ben" else ""
             solution = (self.checkout / "solutions" / f"{slug}.py").read_text()
             (home / slug / f"{slug}.py").write_text(f"{solution}\n\n{wrong}")
             answer_in_words(home / slug / f"{slug}.ipynb")
@@ -179,10 +176,7 @@ def test_three_assignments_by_nbgraders_commands(a_whole_term, nbgrader_grades, 
 
 @pytest.mark.full
 def test_all_fourteen_by_nbgraders_commands(course, a_whole_term, nbgrader_grades, tmp_path):
-    slips = {
-        slug: sorted((assignments.checks_folder(course, slug) / "mistakes").glob("*.py"))[0].stem
-        for slug in assignments.slugs(course)
-    }
+    slips = {slug: next(iter(overlays(assignments.checks_folder(course, slug)))) for slug in assignments.slugs(course)}
     term = a_whole_term({**slips, **IN_CI})
     assert_the_same_scores(term, nbgrader_grades, tmp_path / "out")
     assert_the_feedback_says_what_was_lost(term)

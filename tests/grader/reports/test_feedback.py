@@ -19,6 +19,7 @@ from tam570_grader.checks import assignments
 from tam570_grader.checks.curves import SLOTS, curve
 from tam570_grader.checks.expect import Failed, expect
 from tam570_grader.checks.failure import WHOLE
+from tam570_grader.diagnosis.mistakes import overlays
 from tam570_grader.reports import feedback
 from tam570_grader.reports.pictures import BOTTOM, LEFT, RIGHT, TOP, picture
 from tam570_grader.reports.sentences import describe_failure, typeset
@@ -37,12 +38,12 @@ def page(course):
 
 def failing(slug, grade, solution_text, count=None):
     """Results of wrong submissions of an assignment."""
-    for path in sorted((CHECKS / slug / "mistakes").glob("*.py"))[:count]:
-        yield grade(slug, solution_text(slug) + "\n\n" + path.read_text(), seed=1)
+    for text in list(overlays(CHECKS / slug).values())[:count]:
+        yield grade(slug, solution_text(slug) + "\n\n" + text, seed=1)
 
 
 def wrong(slug, name, grade, solution_text):
-    return grade(slug, solution_text(slug) + "\n\n" + (CHECKS / slug / "mistakes" / f"{name}.py").read_text(), seed=1)
+    return grade(slug, solution_text(slug) + "\n\n" + overlays(CHECKS / slug)[name], seed=1)
 
 
 def texts(page):
@@ -304,7 +305,7 @@ def test_a_page_that_was_begun_when_the_run_was_killed_is_made_again(tmp_path, g
 )
 def test_what_draws_is_imported_where_something_is_drawn(options, right, needed, tmp_path, course, solution_text):
     slug = "hw07_double_pendulum"
-    mistake = "" if right else (CHECKS / slug / "mistakes" / "too_few_steps.py").read_text()
+    mistake = "" if right else overlays(CHECKS / slug)["too_few_steps"]
     (tmp_path / f"{slug}.py").write_text(solution_text(slug) + "\n\n" + mistake)
     code = (
         "import sys\nfrom tam570_grader.cli import main\n"

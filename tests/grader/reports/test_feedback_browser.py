@@ -19,6 +19,7 @@ CONTRAST = 4.5  # of text, WCAG 2 AA
 def folder(tmp_path_factory, course, zygotes):
     """The results of a small class with its pages and its report."""
     from tam570_grader.checks import assignments
+    from tam570_grader.diagnosis.mistakes import overlays
     from tam570_grader.grading.one import graded, not_graded
     from tam570_grader.grading.speed import Yardstick
     from tam570_grader.results import store
@@ -29,7 +30,7 @@ def folder(tmp_path_factory, course, zygotes):
     records, yardstick = [], Yardstick(course)
     for slug, mistake in SHOWN.items():
         right = (course / "solutions" / f"{slug}.py").read_text()
-        wrong = (CHECKS / slug / "mistakes" / f"{mistake}.py").read_text()
+        wrong = overlays(CHECKS / slug)[mistake]
         assignment = assignments.assignment(course, slug)
         for student, text in {"ada": right, "ben": f"{right}\n\n{wrong}", "cora": ""}.items():
             source = Source(text.encode())

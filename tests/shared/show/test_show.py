@@ -22,6 +22,7 @@ from tam570.show.page import page
 from tam570.show.scene import Panel, Scene, Shape, drift_plot, frame_times
 from tam570.show.scenes import hw11, hw13
 from tam570_grader.checks import assignments
+from tam570_grader.diagnosis.mistakes import overlays
 
 CHECKS = assignments.find() / "autograder" / "checks"
 HW07 = "hw07_double_pendulum"
@@ -193,7 +194,7 @@ def test_without_an_energy_the_motion_is_shown_all_the_same(edited, tmp_path, ca
 
 
 def test_wrong_physics_looks_wrong(edited):
-    wrong = (CHECKS / HW07 / "mistakes" / "sign_of_the_sine_term.py").read_text()
+    wrong = overlays(CHECKS / HW07)["sign_of_the_sine_term"]
     time_plot, _ = show(edited(HW07, wrong)).scene.time_plots
     assert time_plot.alarm and "not conserved" in time_plot.note and time_plot.span[1] > 10.0  # %
 
@@ -201,12 +202,12 @@ def test_wrong_physics_looks_wrong(edited):
 @pytest.mark.full
 def test_no_wrong_file_breaks_a_page(edited, slug, capsys):
     """Each is shown, in numbers that JSON has, or it is said why not."""
-    files = sorted((CHECKS / slug / "mistakes").glob("*.py"))
-    assert len(files) > 5
-    for wrong in files:
+    texts = overlays(CHECKS / slug)
+    assert len(texts) > 5
+    for name, text in texts.items():
         with np.errstate(all="ignore"), warnings.catch_warnings(action="ignore"):
-            shown = show(edited(slug, wrong.read_text()))
-        assert data(page(shown.scene)) if shown.scene else shown.trouble, wrong.stem
+            shown = show(edited(slug, text))
+        assert data(page(shown.scene)) if shown.scene else shown.trouble, name
 
 
 def test_rounding_does_not_look_wrong():

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tam570_grader.checks.case import Case
-from tam570_grader.checks.general import general
+from tam570_grader.diagnosis.search import general
 from tam570_grader.sandbox.function import Call
 
 SOLUTION = """
@@ -111,7 +111,7 @@ def turned(v, angle):
 
 
 @pytest.mark.parametrize(
-    ("calls", "message"),
+    ("calls", "says"),
     [
         (
             lambda: weights(lambda mass, height, gravity, length: mass * gravity * height),
@@ -180,7 +180,7 @@ def turned(v, angle):
             "In tumble, component 1 of inertia has mass radius^2 too many",
         ),
         (
-            lambda: tables(lambda reference: reference + [[0.0, 0.0], [0.3, 0.0]] * reference**2),
+            lambda: tables(lambda right: right + [[0.0, 0.0], [0.3, 0.0]] * right**2),
             "The result of forces is wrong in row 2, column 1 alone",
         ),
         (lambda: pairs(lambda r, angle: (r, abs(angle))), "The second result of polar has lost its sign"),
@@ -224,8 +224,8 @@ def turned(v, angle):
         (lambda: products(lambda a, b: np.cross(a, b) * [1, -1, 1]), "has the opposite sign in component 2"),
     ],
 )
-def test_it_is_named_by_what_it_does(calls, message):
-    assert message in general(SOLUTION, calls())
+def test_it_is_named_by_what_it_does(calls, says):
+    assert says in general(SOLUTION, calls())
 
 
 @pytest.mark.parametrize(

@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 
 from tam570_grader.checks.case import Case
-from tam570_grader.checks.judged import Judged
-from tam570_grader.checks.mistakes import parts
+from tam570_grader.diagnosis.compared_call import Judged
+from tam570_grader.diagnosis.mistakes import parts
 
 __all__ = ["other_arguments", "other_products", "other_results"]
 

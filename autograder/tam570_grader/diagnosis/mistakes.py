@@ -1,15 +1,14 @@
 """Known mistakes: wrong submissions, each written once, that prove the checks and are what feedback names.
 
-A mistake is a file `mistakes/<name>.py` beside the checks: definitions that replace the solution's, and a docstring
-whose first paragraph is what a student reads. Lines `key: value` follow it:
+They are decorated functions in the file `mistakes.py` beside the checks:
 
-    fails: a, b      the checks that must fail, on which the student's numbers are compared with the mistake's
-    within: 1e-2     how closely they must agree, of the largest number (1e-6; rows of a motion 1e-3)
-    where: FRAGMENT  only calls whose kind of input has these words are compared: it may be one mistake of several
-    also: A | B      other names that the feedback may give it
-    names: FRAGMENT  the check says it, or its hint, in these words, not in the kind of input; no number is compared
-    numerics: WHY    its physics is right, and integrated inaccurately
-    unnamed: WHY     the feedback cannot name it; no number is compared
+    @mistake("You let gravity pull up; it pulls down.", first_fails=solution_is_the_motion)
+    def solution(reference, *args, gravity, **parameters):
+        return reference(*args, gravity=-gravity, **parameters)
+
+`reference` is the solution's own function of that name, which may be one of its helpers. The body sees the solution's
+names, and what `mistakes.py` imports or defines besides. The file is read, never imported: the solution with such a
+function in the place of its own is what the checks grade in the sandbox, and what diagnosis runs on a student's inputs.
 """
 
 import ast
@@ -17,18 +16,20 @@ import functools
 import hashlib
 import math
 import re
-from collections.abc import Iterable, Sequence
+from collections import Counter
+from collections.abc import Callable, Container, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from types import CodeType, ModuleType
-from typing import Any, Protocol
+from typing import Any, Protocol, TypeVar
 
 import numpy as np
 
 from tam570_grader.checks.case import Case
-from tam570_grader.checks.check import Memory
+from tam570_grader.checks.check import Check, Memory
 from tam570_grader.checks.effort import compile_counted
 from tam570_grader.checks.expected import shared
+from tam570_grader.diagnosis.mutants import reached
 from tam570_grader.protocol.wire import packed
 
 __all__ = [
@@ -37,11 +38,13 @@ __all__ = [
     "Called",
     "Mistake",
     "agrees",
-    "header",
+    "candidates",
     "is_motion",
     "known",
     "mistake",
     "mistakes",
+    "old_mistake",
+    "overlays",
     "parts",
     "right_answer",
 ]
@@ -67,44 +70,157 @@ class Called(Protocol):
 
 @dataclass(frozen=True)
 class Mistake:
-    """A wrong submission and what is known of it."""
+    """A wrong submission and what is known of it.
+
+    name        : of the function, with a number from the second of a function on; or as its decorator says
+    message     : the sentence for the student
+    first_fails : the first check, in their order, that fails
+    text        : the definitions behind the solution's own that make the mistake
+    tolerance   : how closely a student's numbers must agree, of the largest; None: 1e-6, rows of a motion 1e-3
+    label       : only inputs whose label has these words are compared
+    compared    : False where a check says what it is, or nothing can: no number is compared
+    numerics    : its physics is right, and integrated inaccurately
+    """
 
     name: str
-    says: str
-    fails: frozenset[str]
-    within: float | None
-    names: str
-    numerics: str
-    unnamed: str
+    message: str
+    first_fails: str
     text: str
-    where: str = ""
+    tolerance: float | None = None
+    label: str = ""
+    compared: bool = True
+    numerics: bool = False
+    fails: frozenset[str] = frozenset()  # of the old form: all checks that fail
+    also: str = ""  # of the old form
+    names: str = ""  # of the old form
 
-    @property
-    def suspect(self) -> bool:
-        """Whether the numbers of a student are compared with its own."""
-        return not (self.names or self.unnamed)
+    @functools.cached_property
+    def defined(self) -> frozenset[str]:
+        """The names that it defines."""
+        return frozenset(node.name for node in ast.parse(self.text).body if isinstance(node, ast.FunctionDef))
+
+
+Function = TypeVar("Function", bound=Callable[..., Any])
+
+
+def mistake(
+    message: str,
+    *,
+    first_fails: Check,
+    name: str = "",
+    tolerance: float | None = None,
+    label: str = "",
+    compared: bool = True,
+    numerics: bool = False,
+) -> Callable[[Function], Function]:
+    """Note a known mistake in a function of the solution.
+
+    Parameters
+    ----------
+    message : what a student reads: "You ...; ..."
+    first_fails : the first check that fails
+    name, tolerance, label, compared, numerics : see `Mistake`
+    """
+    return lambda function: function
+
+
+FILE, FOLDER = "mistakes.py", "mistakes"
+OVERLAY = """{besides}
+
+_reference = {function}
+
+
+{wrong}
+
+
+def {function}(*args, **parameters):
+    return _mistaken(_reference, *args, **parameters)
+"""
+
+
+@functools.cache
+def mistakes(folder: Path) -> tuple[Mistake, ...]:
+    """The known mistakes of the assignment with this folder of checks, in order."""
+    if (folder / FILE).exists():
+        return tuple(_decorated((folder / FILE).read_text(encoding="utf-8")))
+    paths = sorted((folder / FOLDER).glob("*.py"))
+    return tuple(old_mistake(path.stem, path.read_text(encoding="utf-8")) for path in paths)
+
+
+def overlays(folder: Path) -> dict[str, str]:
+    """The text of each mistake, by name: a wrong submission if it is appended to the solution."""
+    return {known.name: known.text for known in mistakes(folder)}
+
+
+def _decorated(text: str) -> Iterator[Mistake]:
+    tree, count = ast.parse(text), Counter[str]()
+    besides = "\n".join(ast.unparse(node) for node in tree.body if not (_decorator(node) or _is_of_the_grader(node)))
+    for node in tree.body:
+        if decorator := _decorator(node):
+            assert isinstance(node, ast.FunctionDef)
+            count[function := node.name] += 1
+            wrong = ast.unparse(ast.FunctionDef(**{**vars(node), "name": "_mistaken", "decorator_list": []}))
+            fields: dict[str, Any] = {str(one.arg): _value(one.value) for one in decorator.keywords}
+            fields["name"] = fields.get("name") or function + (f"_{count[function]}" if count[function] > 1 else "")
+            overlay = OVERLAY.format(besides=besides, function=function, wrong=wrong)
+            yield Mistake(message=ast.literal_eval(decorator.args[0]), text=overlay, **fields)
+
+
+def _decorator(node: ast.stmt) -> ast.Call | None:
+    """The call of `mistake` that decorates a function."""
+    decorators = node.decorator_list if isinstance(node, ast.FunctionDef) else []
+    calls = [one for one in decorators if isinstance(one, ast.Call)]
+    return next((one for one in calls if getattr(one.func, "id", "") == "mistake"), None)
+
+
+def _is_of_the_grader(node: ast.stmt) -> bool:
+    """Whether a statement is for the reader of the file alone: the docstring, and imports of checks and `mistake`."""
+    imported = isinstance(node, ast.ImportFrom) and (node.level > 0 or f"{node.module}".startswith("tam570_grader"))
+    return imported or (isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant))
+
+
+def _value(node: ast.expr) -> Any:
+    """A literal; a check by its name."""
+    return node.id if isinstance(node, ast.Name) else ast.literal_eval(node)
 
 
 def header(text: str) -> tuple[str, dict[str, str]]:
-    """The first paragraph of a docstring on one line, and its lines `key: value`."""
+    """Of the old form, the first paragraph of a docstring on one line, and its lines `key: value`."""
     docstring = ast.get_docstring(ast.parse(text)) or ""
     says = " ".join(docstring.split("\n\n")[0].split())
     return says, dict(re.findall(r"^(\w+): (.+)$", docstring, re.MULTILINE))
 
 
-def mistake(name: str, text: str) -> Mistake:
-    """The mistake in a file's text."""
-    says, known = header(text)
+def old_mistake(name: str, text: str) -> Mistake:
+    """The mistake in a file of the old form."""
+    message, known = header(text)
     fails = frozenset(filter(None, known.get("fails", "").split(", ")))
-    within = float(known["within"]) if "within" in known else None
-    words = {key: known.get(key, "") for key in ("names", "numerics", "unnamed", "where")}
-    return Mistake(name, says, fails, within, text=text, **words)
+    return Mistake(
+        name,
+        message,
+        "",
+        text,
+        tolerance=float(known["within"]) if "within" in known else None,
+        label=known.get("where", ""),
+        compared=not {"names", "unnamed"} & known.keys(),
+        numerics="numerics" in known,
+        fails=fails,
+        also=known.get("also", ""),
+        names=known.get("names", ""),
+    )
 
 
-@functools.cache
-def mistakes(folder: Path) -> tuple[Mistake, ...]:
-    """The mistakes in a folder, in order of their names."""
-    return tuple(mistake(path.stem, path.read_text(encoding="utf-8")) for path in sorted(folder.glob("*.py")))
+def candidates(solution: str, folder: Path, check: str, functions: Container[str]) -> list[Mistake]:
+    """The mistakes that a student who fails a check may have made, of those that change one of these functions."""
+    return [
+        known
+        for known in mistakes(folder)
+        if known.compared and (check in known.fails if known.fails else _changes_one(solution, known, functions))
+    ]
+
+
+def _changes_one(solution: str, known: Mistake, functions: Container[str]) -> bool:
+    return any(reach & known.defined for name, reach in reached(solution).items() if name in functions)
 
 
 def known(solution: str, suspects: Iterable[Mistake], calls: Sequence[Called]) -> str | None:
@@ -114,14 +230,14 @@ def known(solution: str, suspects: Iterable[Mistake], calls: Sequence[Called]) -
     """
     short_first = sorted(calls, key=lambda call: len(call.case.packed))  # most are told by a motion of a few rows
     groups = {call.name: [one for one in short_first if one.name == call.name] for call in calls}
-    return next((one.says for one in suspects if _agrees(solution, one, groups)), None)
+    return next((one.message for one in suspects if _agrees(solution, one, groups)), None)
 
 
 def _agrees(solution: str, one: Mistake, groups: dict[str, list[Called]]) -> bool:
     told = False
-    alike = ([call for call in group if one.where in call.case.label] for group in groups.values())
+    alike = ([call for call in group if one.label in call.case.label] for group in groups.values())
     for group in filter(None, alike):
-        within = one.within or _within(group[0])
+        within = one.tolerance or _within(group[0])
         changed = (_changed(solution, one.text, call, within) for call in group)
         if all(_same(call.result, _answer(solution, one.text, call), within) for call in group):
             told = told or (any(changed) and any(call.result is not None for call in group))

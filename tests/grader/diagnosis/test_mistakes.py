@@ -5,7 +5,8 @@ import math
 import pytest
 
 from tam570_grader.checks.case import Case
-from tam570_grader.checks.mistakes import _module, known, mistake
+from tam570_grader.diagnosis.mistakes import _module, known
+from tam570_grader.diagnosis.mistakes import old_mistake as mistake
 from tam570_grader.sandbox.function import Call
 
 SOLUTION = "import math\n\nimport numpy as np\n\n\ndef f(x):\n    return 2.0 * x\n\n\ndef g(x):\n    return 3.0 * x\n"
@@ -17,7 +18,7 @@ def wrong(body, extra=""):
 
 def named(slip, *calls):
     """Whether calls (function, input, the student's result) agree with a mistake."""
-    return known(SOLUTION, [slip], [Call(name, Case(x), result) for name, x, result in calls]) == slip.says
+    return known(SOLUTION, [slip], [Call(name, Case(x), result) for name, x, result in calls]) == slip.message
 
 
 @pytest.mark.parametrize("body", ["1 / x", "math.sqrt(x - 1)", "np.linalg.inv([[x]])"])
@@ -77,11 +78,11 @@ def test_one_mistake_of_several_is_told_by_the_inputs_that_show_it_alone():
     thin, thick = Case(1.0).labelled("a thin disk"), Case(2.0).labelled("a hoop")
     calls = [Call("f", thin, 1.0), Call("f", thick, 7.0)]
     told, untold = wrong("x", "where: thin\n"), wrong("x")
-    assert known(SOLUTION, [untold, told], calls) == told.says
+    assert known(SOLUTION, [untold, told], calls) == told.message
     assert known(SOLUTION, [untold], calls) is None
     assert known(SOLUTION, [wrong("x", "where: thick\n")], calls) is None
 
 
 @pytest.mark.parametrize(("extra", "suspect"), [("", True), ("names: a hint\n", False), ("unnamed: chance\n", False)])
 def test_a_mistake_that_its_numbers_do_not_tell_is_no_suspect(extra, suspect):
-    assert wrong("x", extra).suspect == suspect
+    assert wrong("x", extra).compared == suspect

@@ -17,10 +17,10 @@ from typing import Any
 import numpy as np
 
 from tam570_grader.checks.effort import Exhausted, compile_counted, count, limited
-from tam570_grader.checks.judged import Judged, judged, telling
-from tam570_grader.checks.mistakes import WITHIN, Called, parts, right_answer
-from tam570_grader.checks.slips import Slip, reached, slips
-from tam570_grader.checks.variants import other_arguments, other_products, other_results
+from tam570_grader.diagnosis.compared_call import Judged, judged, telling
+from tam570_grader.diagnosis.mistakes import WITHIN, Called, parts, right_answer
+from tam570_grader.diagnosis.mutants import Slip, reached, slips
+from tam570_grader.diagnosis.transforms import other_arguments, other_products, other_results
 
 __all__ = ["general"]
 
@@ -96,7 +96,7 @@ def _slip(solution: str, module: ModuleType, name: str, calls: Sequence[Judged])
     found: dict[str, set[str]] = {}
     for helper, kind, terms, text in _slips(solution):
         term = ", ".join(sorted(terms & public))
-        if helper in _reached(solution)[name] and term not in found.get(kind, ()):
+        if helper in reached(solution)[name] and term not in found.get(kind, ()):
             with _slipped(module, helper, _code(text)):
                 if _explains(partial(_called, module), calls):
                     found.setdefault(kind, set()).add(term)
@@ -134,11 +134,6 @@ def _slipped(module: ModuleType, helper: str, code: CodeType) -> Iterator[None]:
         yield
     finally:
         setattr(module, helper, right)
-
-
-@functools.cache
-def _reached(solution: str) -> dict[str, set[str]]:
-    return reached(solution)
 
 
 @functools.cache

@@ -7,6 +7,7 @@ wrong branch at the special case.
 
 import ast
 import copy
+import functools
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
@@ -82,6 +83,7 @@ def _everywhere(function: ast.FunctionDef) -> Iterator[Slip]:
             yield Slip("another function", ast.Tuple(calls), ast.Tuple(calls), ast.unparse(whole))
 
 
+@functools.lru_cache(maxsize=256)
 def reached(text: str) -> dict[str, set[str]]:
     """For each function of a module those that it may come to call, itself among them."""
     body = ast.parse(text).body
