@@ -22,6 +22,7 @@ from numpy.typing import ArrayLike, NDArray
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.compare import call_cases
 from tam570_grader.checks.expect import fail
+from tam570_grader.checks.figures import seen_from
 from tam570_grader.checks.returns import Arrow
 
 __all__ = ["CENTRIFUGAL", "INERTIAL", "Force", "FreeBody", "NotAForce", "compare_diagrams", "complaint", "weight"]
@@ -30,6 +31,8 @@ Vector = NDArray[np.float64]
 
 # Directions, in rad, and points, of the largest distance from the origin. Single precision is off by 6e-8.
 SAME = 1e-6
+SHEET, COARSE = 200, 5  # px, degrees, of the picture of what a student drew
+SEEN_FROM = -1.1, 0.35  # rad, what has three dimensions
 NEGLIGIBLE = 1e-9  # of the forces on the body: a force that cancels to rounding may be left out
 
 INERTIAL = "You drew m a as a force; no other body exerts it. Write it on the other side of F = m a."
@@ -123,7 +126,7 @@ def compare_diagrams(function: Any, reference: Any, cases: Iterable[Case]) -> No
     """Fail unless the student draws, in every case, the forces of the `FreeBody` that `reference` returns."""
     for _, arrows, body in call_cases(function, reference, cases):
         if message := complaint(body, arrows):
-            fail(f"the free body diagram of {body.name} is wrong", hint=message)
+            fail(f"the free body diagram of {body.name} is wrong", hint=message, sketch=_sketch(body, arrows))
 
 
 def complaint(body: FreeBody, arrows: Sequence[Arrow]) -> str:
@@ -134,6 +137,36 @@ def complaint(body: FreeBody, arrows: Sequence[Arrow]) -> str:
         return ""
     named = _misplaced(*match, near), _not_a_force(body, arrows, match, near), *_general(body, *match, near)
     return next(filter(None, named))
+
+
+def _sketch(body: FreeBody, arrows: Sequence[Arrow]) -> dict[str, Any]:
+    """What the student drew beside the body, as whole pixels and angles so coarse that they tell no input.
+
+    outline : lines [x1, y1, x2, y2], 0 to SHEET, y up
+    arrows  : [x, y, angle in degrees], None for an unknown direction
+    """
+    flat = seen_from(*SEEN_FROM) if np.size(body.forces[0].point) == 3 else np.asarray
+    outline = np.reshape(flat(body.outline), (-1, 2, 2)) if np.size(body.outline) else np.empty((0, 2, 2))
+    points = np.reshape([flat(arrow.point) for arrow in arrows], (-1, 2))
+    seen = outline.reshape(-1, 2) if len(outline) else points
+    middle = (seen.max(axis=0) + seen.min(axis=0)) / 2 if len(seen) else np.zeros(2)
+    size = max(float(np.ptp(seen, axis=0).max()) if len(seen) else 0.0, 1e-300)
+
+    def placed(at: ArrayLike) -> Any:
+        with np.errstate(all="ignore"):  # a student's point may be anywhere
+            share = np.nan_to_num((np.asarray(at) - middle) / size)
+        return np.rint(np.clip(share / 2 + 0.5, 0, 1) * SHEET).astype(int).tolist()
+
+    angles = [None if arrow.direction is None else _angle(flat(_unit(arrow.direction))) for arrow in arrows]
+    return {
+        "body": body.name,
+        "outline": [[*placed(one), *placed(other)] for one, other in outline],
+        "arrows": [[*placed(point), angle] for point, angle in zip(points, angles, strict=True)],
+    }
+
+
+def _angle(direction: Vector) -> int:
+    return round(math.degrees(math.atan2(direction[1], direction[0])) / COARSE) * COARSE
 
 
 Match = tuple[list[Force], list[Arrow]]  # what is missing, and the arrows that draw no force

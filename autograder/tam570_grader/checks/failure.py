@@ -27,6 +27,7 @@ class Failure:
     suspect: str | None = None  # the known mistake
     near_miss: bool = False  # off by a loose tolerance, at most: what builds on it is judged all the same
     curve: dict[str, Any] | None = None  # the error along a motion
+    sketch: dict[str, Any] | None = None  # a free body diagram as the student drew it
     expected: Any = None
     actual: Any = None
     at: Any = None

@@ -166,6 +166,7 @@ def _shown(check_result: CheckResult, info: AssignmentInfo, note: str) -> dict[s
         if check_result.message == note
         else check_result.message,
         "suspect": check_result.suspect and known_mistake(check_result.suspect),
+        "sketch": _sketch(check_result.failure.sketch if check_result.failure else None),
         "pictures": pictures(check_result.failure.curve if check_result.failure else None),
         "hint": function if stuck else None,
     }
@@ -178,6 +179,15 @@ def pictures(curve: Any) -> list[Any]:
     from tam570_grader.reports.pictures import picture
 
     return [picture(one) for one in (curve, curve.get("keeps")) if one]
+
+
+def _sketch(drawn: Any) -> Any:
+    """The free body diagram of a failure, if there is one."""
+    if not drawn:
+        return None
+    from tam570_grader.pages.pictures import sketch
+
+    return sketch(drawn)
 
 
 def _among(result: Result) -> Any:

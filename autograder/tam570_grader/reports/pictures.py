@@ -9,11 +9,12 @@ from tam570_grader.checks.curves import Curve
 from tam570_grader.reports.sentences import quantity
 from tam570_grader.results.run_time import Speed, scenes, time_to
 
-__all__ = ["Among", "Picture", "among", "picture"]
+__all__ = ["Among", "Picture", "Sketch", "among", "picture", "sketch"]
 
 LEFT, RIGHT, TOP, BOTTOM = 52, 350, 10, 166  # of the frame, in a drawing of 360 by 200: a phone's pixels
 DOT = 20  # up to so many samples are marked one by one
 LAST = 268  # of the frame where the names of curves stand to the right of it
+EDGE, SHEET, ARROW = 50, 200, 42  # of the picture of a free body diagram: room around it, its size, an arrow's length
 NARROW = 3  # of the frame's height, units: a band below that is a line
 
 
@@ -30,6 +31,42 @@ class Picture:
     x: Sequence[tuple[float, str]]  # ticks
     y: Sequence[tuple[float, str]]
     along: str = "t (s)"
+
+
+@dataclass(frozen=True)
+class Sketch:
+    """A free body diagram as a student drew it."""
+
+    caption: str
+    says: str
+    outline: str  # paths
+    arrows: str
+    unknown: Sequence[tuple[int, int]]  # points of forces of which no component is known
+
+
+def sketch(drawn: Mapping[str, Any]) -> Sketch:
+    """The picture of a free body diagram, beside the body; never what it should be."""
+    outline, arrows, unknown = "", "", []
+    for x1, y1, x2, y2 in drawn["outline"]:
+        outline += f"M{EDGE + x1} {EDGE + SHEET - y1}L{EDGE + x2} {EDGE + SHEET - y2}"
+    for x, y, angle in drawn["arrows"]:
+        place = EDGE + x, EDGE + SHEET - y
+        if angle is None:
+            unknown.append(place)
+        else:
+            arrows += _arrow(*place, math.radians(angle))
+    count = len(drawn["arrows"])
+    says = f"{count} {'force' if count == 1 else 'forces'}, {len(unknown)} of unknown direction."
+    return Sketch(f"What you drew on {drawn['body']}.", says, outline, arrows, unknown)
+
+
+def _arrow(x: float, y: float, angle: float) -> str:
+    """The path of an arrow from a place, y down, with its head."""
+    c, s = math.cos(angle), -math.sin(angle)
+    tip = x + ARROW * c, y + ARROW * s
+    back = [(tip[0] - 9 * c + side * s, tip[1] - 9 * s - side * c) for side in (4, -4)]
+    corners = [(x, y), tip, back[0], tip, back[1]]
+    return "M" + "L".join(f"{across:.0f} {down:.0f}" for across, down in corners)
 
 
 @dataclass(frozen=True)

@@ -6,10 +6,12 @@ import numpy as np
 import pytest
 
 from tam570_grader.checks.case import Case
-from tam570_grader.checks.diagrams import Force, FreeBody, complaint, weight
+from tam570_grader.checks.diagrams import Force, FreeBody, compare_diagrams, complaint, weight
 from tam570_grader.checks.expect import Failed
 from tam570_grader.checks.returns import free_body_diagram, result
 from tam570_grader.protocol.wire import packed, portable, unpacked
+from tam570_grader.reports.pictures import sketch
+from tam570_grader.results.records import failure, numbers
 from tam570_grader.sandbox.replies import checked
 
 G, C, RAMP = (-0.3, 0.2), (0.0, -1.0), math.radians(20)
@@ -111,3 +113,26 @@ def test_what_is_no_diagram_fails_with_a_message(drawn):
     with pytest.raises(Failed) as failed:
         arrows(drawn)
     assert failed.value.failure.message
+
+
+class Drawn:
+    """A student's function that draws one diagram."""
+
+    name = "free_body_diagram"
+
+    def __init__(self, drawn):
+        self.drawn = drawn
+
+    def each(self, calls):
+        return [(call, arrows(self.drawn)) for call in calls]
+
+
+@pytest.mark.parametrize("far", [0.5, 1e6, 1e308])
+def test_a_failure_has_a_picture_of_what_was_drawn_and_of_nothing_else(far):
+    with pytest.raises(Failed) as failed:
+        compare_diagrams(Drawn([(G, DOWN), ((far, -far), (3, 3.1)), (C, None)]), lambda: CYLINDER, [Case()])
+    drawn = numbers(failed.value.failure.sketch)
+    assert failure({"sketch": drawn}).sketch == drawn
+    assert [arrow[2] for arrow in drawn["arrows"]] == [-70, 45, None]  # to five degrees
+    assert len(sketch(drawn).unknown) == 1 and sketch(drawn).arrows.count("M") == 2
+    assert all(0 <= place <= 200 for arrow in drawn["arrows"] for place in arrow[:2])

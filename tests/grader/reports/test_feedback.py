@@ -112,7 +112,7 @@ def test_a_page_of_an_older_run_has_no_picture_and_is_whole(page, grade, solutio
     for mark in record["checks"]:
         mark.get("failure", {}).pop("curve", None)
     old = feedback.page(read(record), feedback.load_assignment_info(course, result.assignment))
-    assert "<figure" not in old and "9.5 of 10 points" in old
+    assert "<figure" not in old and "9.75 of 10 points" in old
 
 
 @pytest.mark.sample(1)
