@@ -185,7 +185,7 @@ def _sketch(drawn: Any) -> Any:
     """The free body diagram of a failure, if there is one."""
     if not drawn:
         return None
-    from tam570_grader.pages.pictures import sketch
+    from tam570_grader.reports.pictures import sketch
 
     return sketch(drawn)
 
