@@ -9,7 +9,7 @@ from collections.abc import Callable
 
 from tam570 import __version__
 from tam570_grader.audit.command import add_audit
-from tam570_grader.errors import UsageError, warn
+from tam570_grader.errors import UsageError, say, warn
 from tam570_grader.grading.certificates import add_certificates
 from tam570_grader.grading.command import add_grade
 from tam570_grader.grading.replay import add_replay
@@ -49,7 +49,7 @@ def main(argv: list[str] | None = None) -> int:
         return command(arguments)
     except KeyboardInterrupt as ended:
         signal.signal(signal.SIGINT, signal.SIG_DFL)  # a second one ends what is still being put away
-        print(file=sys.stderr)
+        say("", error=True)
         warn("; ".join(["interrupted", *map(str, ended.args)]), "")
         return INTERRUPTED
     except BrokenPipeError:
@@ -80,7 +80,7 @@ def _parser() -> argparse.ArgumentParser:
 def _complete(parser: argparse.ArgumentParser, shell: str) -> int:
     import shtab
 
-    print(shtab.complete(parser, shell))
+    sys.stdout.write(f"{shtab.complete(parser, shell)}\n")  # its tabs stay
     return 0
 
 

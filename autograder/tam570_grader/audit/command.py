@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
-from tam570_grader.errors import UsageError
+from tam570_grader.errors import UsageError, say
 from tam570_grader.options import Commands, add_cluster, cores, positive
 
 __all__ = ["add_audit"]
@@ -73,7 +73,7 @@ def _audit(arguments: argparse.Namespace) -> int:
     with executor_of(arguments, course, slugs) as executor:
         for slug in slugs:
             data, lines, found = question(course, slug, executor, arguments)
-            print(*([json.dumps(data)] if arguments.json else lines), sep="\n", flush=True)
+            say("\n".join([json.dumps(data)] if arguments.json else lines))
             faults += found
     return 1 if faults else 0
 

@@ -1,14 +1,13 @@
 """Gradescope: the results as its specification has them, and the archive that it runs."""
 
 import io
-import sys
 import zipfile
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from string import Template
 from typing import Any
 
-from tam570_grader.errors import counted, writing
+from tam570_grader.errors import counted, say, writing
 from tam570_grader.grading.seeds import new_seed
 from tam570_grader.release.course_toml import COPY
 from tam570_grader.reports.feedback import overall
@@ -57,7 +56,7 @@ def run(course: Path, folder: Path, slugs: Sequence[str]) -> int:
     for slug in slugs:
         _write_archive(course, slug, folder / f"{slug}.zip")
     says = "upload each to its assignment; they hold solutions and checks, so keep them to yourself"
-    print(f"{folder}: {counted(len(slugs), 'archive')}; {says}", file=sys.stderr)
+    say(f"{folder}: {counted(len(slugs), 'archive')}; {says}", error=True)
     return 0
 
 

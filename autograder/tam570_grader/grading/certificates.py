@@ -6,7 +6,7 @@ import importlib.util
 import os
 from pathlib import Path
 
-from tam570_grader.errors import UsageError, writing
+from tam570_grader.errors import UsageError, say, writing
 from tam570_grader.options import Commands
 
 __all__ = ["add_certificates", "files"]
@@ -16,7 +16,7 @@ NAMES = ("certificate.pem", "key.pem")
 NEXT = """\
 {folder}: a certificate and its key, good until {until}. Whoever has the key can run code on the cluster.
 Copy the folder to each machine by a safe way (scp), and start there:
-    dask scheduler --port 8786 {tls}
+    dask scheduler --no-dashboard --port 8786 {tls}
     dask worker tls://HOST:8786 --nworkers auto --nthreads 1 {tls}
 Then grade here:
     tam570-grader grade submitted/ --out results/ --cluster tls://HOST:8786 --certificates {folder}"""
@@ -53,7 +53,7 @@ def _certificates(arguments: argparse.Namespace) -> int:
                 file.write(content)
     paths = dict(zip(("cert", "key"), files(folder), strict=True))
     tls = f"--tls-ca-file {paths['cert']} --tls-cert {paths['cert']} --tls-key {paths['key']}"
-    print(NEXT.format(folder=folder, until=f"{until:%d %b %Y}", tls=tls))
+    say(NEXT.format(folder=folder, until=f"{until:%d %b %Y}", tls=tls))
     return 0
 
 

@@ -9,7 +9,6 @@ import functools
 import importlib
 import importlib.util
 import logging
-import sys
 import time
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import CancelledError
@@ -17,7 +16,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from tam570_grader.errors import UsageError
+from tam570_grader.errors import UsageError, say
 from tam570_grader.grading.executor import PREFETCH, TaskExecutor
 from tam570_grader.sandbox.launch import isolation
 
@@ -125,7 +124,7 @@ def _must_fit(client: Any, name: str, address: str) -> None:
 
     refusals = client.run(refusal, name)
     if not refusals:
-        print(f"tam570-grader: no worker has joined {address} yet; waiting for one", file=sys.stderr)
+        say(f"tam570-grader: no worker has joined {address} yet; waiting for one", error=True)
     for worker, why in refusals.items():
         if why:
             raise UsageError(f"the worker {worker} cannot grade: {why}")

@@ -9,7 +9,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from tam570_grader.errors import UsageError, counted, warn
+from tam570_grader.errors import UsageError, counted, say, warn
 from tam570_grader.grading.run import RunSummary, whole_run
 from tam570_grader.options import Commands, add_cluster, cores, natural, positive
 
@@ -110,7 +110,7 @@ def _print_results(arguments: argparse.Namespace, course: Path, config: Any, sum
     if not arguments.json:
         _print_tables(summary, config)
         if arguments.against:
-            print("\n" + regrade.table(summary.changes, summary.compared))
+            say("\n" + regrade.table(summary.changes, summary.compared))
     return _warn_of_faults(summary)
 
 
@@ -163,11 +163,11 @@ def executor_of(arguments: argparse.Namespace, course: Path, slugs: Sequence[str
 def _print_tables(summary: RunSummary, config: Any) -> None:
     from tam570_grader.reports import feedback
 
-    print(feedback.table(sorted(summary.rows, key=lambda row: (row[1], row[0]))))
+    say(feedback.table(sorted(summary.rows, key=lambda row: (row[1], row[0]))))
     inputs = "the same key" if config.key else f"seed {config.seed}; the same seed"
-    print(f"\n{inputs} gives the same hidden inputs and the same scores")
+    say(f"\n{inputs} gives the same hidden inputs and the same scores")
     if lacking := _by_hand(summary, config):
-        print(f"the points that you give by hand are not in it yet: {lacking}")
+        say(f"the points that you give by hand are not in it yet: {lacking}")
 
 
 def _by_hand(summary: RunSummary, config: Any) -> str:
@@ -190,7 +190,7 @@ def _print_gradescope(course: Path, summary: RunSummary) -> int:
     if code := _warn_of_faults(summary):
         return code
     checks = assignments.assignment(course, summary.last["assignment"]).checks
-    print(json.dumps(autograder.results(summary.last, {check.name: check.line for check in checks}), indent=1))
+    say(json.dumps(autograder.results(summary.last, {check.name: check.line for check in checks}), indent=1))
     return 0
 
 
@@ -211,11 +211,13 @@ def _submissions(arguments: argparse.Namespace, known: list[str]) -> list[Any]:
     from tam570_grader.checks import assignments
     from tam570_grader.grading import roster
     from tam570_grader.grading.skipped_files import not_handed_in, skipped_files
-    from tam570_grader.grading.submissions import submissions
+    from tam570_grader.grading.submissions import handed_in, submissions
 
     given = assignments.one_named(arguments.assignment, known)
     only = assignments.named(arguments.only or (), known)
     students = roster.folders(arguments.roster) if arguments.roster else ()
+    if given and arguments.format == "gradescope" and len(arguments.paths) == 1 and arguments.paths[0].is_dir():
+        return [handed_in(arguments.paths[0], given)]
     everything = submissions(arguments.paths, known, given, students)
     for sentence in skipped_files(arguments.paths, everything, known, students):
         warn(sentence)

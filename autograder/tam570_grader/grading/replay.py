@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from tam570_grader.checks.failure import Failure
-from tam570_grader.errors import Over, UsageError
+from tam570_grader.errors import Over, UsageError, say
 from tam570_grader.options import Commands
 
 __all__ = ["add_replay"]
@@ -34,14 +34,14 @@ def _replay(arguments: argparse.Namespace) -> int:
     from tam570_grader.reports.sentences import describe_failure
 
     slug, why = _failure(arguments.results, arguments.student, arguments.check, arguments.assignment)
-    print(f"{arguments.student}, {slug}, {arguments.check}: {describe_failure(why)}")
+    say(f"{arguments.student}, {slug}, {arguments.check}: {describe_failure(why)}")
     if why.function:
         given: dict[str, Any] = why.at
         named = [f"{name}={_digits(_numbers(value))}" for name, value in given["kwargs"].items()]
-        print(f"\n{why.function}({', '.join([*(_digits(_numbers(one)) for one in given['args']), *named])})")
-    print(f"\nexpected: {_digits(why.expected)}\nactual:   {_digits(why.actual)}")
+        say(f"\n{why.function}({', '.join([*(_digits(_numbers(one)) for one in given['args']), *named])})")
+    say(f"\nexpected: {_digits(why.expected)}\nactual:   {_digits(why.actual)}")
     if arguments.file:
-        print(f"now:      {_again(arguments, slug, why)}")
+        say(f"now:      {_again(arguments, slug, why)}")
     return 0
 
 

@@ -9,6 +9,8 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
 
+from tam570_grader.errors import say
+
 __all__ = ["RunSummary", "whole_run"]
 
 Record = dict[str, Any]  # a result line
@@ -74,7 +76,7 @@ def _run(config: Any, store: Any, old: list[Any], summary: RunSummary, arguments
         summary.last = record
         change = _change(old[-1], record, summary) if arguments.against else {}
         if arguments.json:
-            print(json.dumps({**record, **change}, allow_nan=False), flush=True)
+            say(json.dumps({**record, **change}, allow_nan=False))
 
 
 def _change(old: Any, record: Record, summary: RunSummary) -> dict[str, Any]:

@@ -27,6 +27,7 @@ __all__ = [
     "entries",
     "folder_of",
     "form",
+    "handed_in",
     "holds_students",
     "of_folder",
     "of_name",
@@ -42,6 +43,7 @@ HIDDEN = re.compile(r"^(?:[.-]|__)[._-]*")  # how folders begin that are passed 
 MOST_FILES = 1000  # in the folder of a student, or of an assignment
 WORK = (".py", ".ipynb")
 GIVEN = re.compile(r"test_.*|lab|conftest")  # modules beside the students' own
+DEEPEST = 4  # folders within one another that a student's work may lie in
 MOST_NAMES = 10  # of files, in a note on what was found
 
 
@@ -82,6 +84,20 @@ def submissions(
             raise BadPath(f"{path} holds no submission: there is no folder or file named like {known[0][:4]} in it")
         found += here
     return _told_apart(found)
+
+
+def handed_in(folder: Path, slug: str) -> Submission:
+    """What one student handed in of one assignment, with whatever else is there: the shallowest folder that has it."""
+    tree, deeper = folder.resolve(), [folder.absolute()]
+    first = of_folder(deeper[0], folder.name, slug, tree)
+    candidates = [first]
+    for _ in range(DEEPEST):
+        held = [entry for one in deeper for entry in entries(one, MOST_FILES)]
+        deeper = [entry for entry, is_folder in held if is_folder and not entry.is_symlink()][:MOST_FILES]
+        candidates += [of_folder(entry, folder.name, slug, tree) for entry in deeper]
+    there = [one for one in candidates if one.path]
+    named = [one for one in there if one.path and of_name(one.path.name, [slug])]
+    return next(iter(named or there), first)
 
 
 def read(submission: Submission) -> Source:

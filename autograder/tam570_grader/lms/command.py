@@ -24,8 +24,8 @@ def add_collect(commands: Commands) -> argparse.ArgumentParser:
         "collect",
         help="collect what was downloaded from a learning management system",
         description=f"Put a download of {_titles(SYSTEMS)} into folders <student>/<assignment>/ that `grade` reads. A "
-        "download is of one assignment. Of modules, and of notebooks, one is kept: named after the assignment before "
-        "others, then the newest. A module goes before a notebook.",
+        "download is of one assignment. Of modules, and of notebooks, the one that is named after the assignment goes "
+        "before others, then the newest. A module goes before a notebook.",
         epilog="collected.csv, beside that folder, lists who handed in what and when, in all downloads. The exit code "
         "is 1 if a file, or its student, could not be placed, or one that is newer does not count: each is named.",
     )

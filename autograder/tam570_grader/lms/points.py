@@ -2,13 +2,11 @@
 
 import argparse
 import contextlib
-import csv
 import difflib
-import io
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
-from tam570_grader.errors import UsageError, counted, warn, writing
+from tam570_grader.errors import UsageError, counted, say, warn, writing
 from tam570_grader.options import Commands
 from tam570_grader.release import late_policy
 from tam570_grader.results import manual_points
@@ -26,7 +24,7 @@ from tam570_grader.results.manual_points import (
     ManualAdjustments,
 )
 from tam570_grader.results.store import Results, ResultStore, results
-from tam570_grader.results.tables import cell, written
+from tam570_grader.results.tables import write_table
 from tam570_grader.rubric import ManualPart
 
 __all__ = ["add_points"]
@@ -96,7 +94,7 @@ def _points(arguments: argparse.Namespace) -> int:
         warn(line)
     count = sum(one.item == LATE for one in hand.entries.values())
     rows = counted(len({one.key for one in new if one.student != EVERYONE}), "row")
-    print(f"{folder}: {rows} added by hand, {count} late")
+    say(f"{folder}: {rows} added by hand, {count} late")
     return 1 if open_ else 0
 
 
@@ -149,17 +147,14 @@ def _template(path: Path, found: Results, rubrics: Mapping[str, Rubric], hand: M
     """Write a table with a row for each student and part, beside the claims; what is known is filled in."""
     if path.exists():
         raise UsageError(f"{path} is there already, and may hold points that you typed; name a new file")
-    text = io.StringIO()
-    writer = csv.writer(text)
-    writer.writerow([*COLUMNS, "claims"])  # the last is for the eye: it is not read back
+    rows: list[tuple[object, ...]] = [(*COLUMNS, "claims")]  # the last is for the eye: it is not read back
     for student, slug in found:
         for part, rubric in rubrics.get(slug, {}).items():
             known = hand.entries.get((student, slug, part))
             points = "" if known is None or known.points is None else known.points
             comment = known.comment if known else ""
-            row = student, slug, part, points, f"{rubric.points:g}", comment, rubric.line
-            writer.writerow(map(cell, row))
+            rows.append((student, slug, part, points, f"{rubric.points:g}", comment, rubric.line))
     with writing(path):
-        written(path, text.getvalue())
-    print(f"{path}: fill in the points, then: tam570-grader points DIR {path}")
+        write_table(path, rows)
+    say(f"{path}: fill in the points, then: tam570-grader points DIR {path}")
     return 0

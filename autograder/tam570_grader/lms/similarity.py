@@ -11,7 +11,7 @@ from itertools import combinations
 from pathlib import Path
 from typing import Any
 
-from tam570_grader.errors import UsageError, counted, warn
+from tam570_grader.errors import UsageError, counted, say, warn
 from tam570_grader.grading.submissions import CannotRead, submissions
 from tam570_grader.lms.similarity_export import code
 from tam570_grader.sandbox.notebooks import Unshown, statements_of
@@ -41,20 +41,22 @@ class Pair:
 def run(course: Path, paths: Sequence[Path], known: Sequence[str], given: str | None, least: float) -> int:
     """Print the pairs that share so much, most alike first; the exit code is 1 if a submission could not be read."""
     texts: dict[str, dict[str, str]] = defaultdict(dict)
-    unread = 0
+    unread = []
     for one in submissions(paths, known, given):
         try:
             texts[one.slug][one.student] = _statements(code(one))
         except (CannotRead, Unshown) as error:
-            unread += 1
+            unread.append(f"{one.student} {one.slug}")
             warn(f"{one.student} {one.slug} is left out: {error}")
     found = [pair for slug in sorted(texts) for pair in pairs(course, slug, texts[slug]) if pair.share >= least]
     for pair in sorted(found, key=lambda pair: (-pair.share, pair.slug, pair.one)):
         first, second = (f"{100 * share:3.0f} %" for share in pair.shares)
-        print(f"{pair.slug}  {pair.one} {first}  {pair.other} {second}")
+        say(f"{pair.slug}  {pair.one} {first}  {pair.other} {second}")
     count = sum(map(len, texts.values()))
     shared = f"{counted(len(found), 'pair')} of {counted(count, 'submission')}"
-    print(f"{shared} sharing {100 * least:g} % or more of the code of one of them")
+    say(f"{shared} sharing {100 * least:g} % or more of the code of one of them")
+    if unread:
+        say(f"not compared, read them yourself: {', '.join(unread)}")
     return 1 if unread else 0
 
 

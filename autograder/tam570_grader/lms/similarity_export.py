@@ -10,7 +10,7 @@ from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from tam570_grader.errors import UsageError, warn, writing
+from tam570_grader.errors import UsageError, say, warn, writing
 from tam570_grader.grading.submissions import CannotRead, Submission, read, submissions
 from tam570_grader.results.tables import write_table
 from tam570_grader.sandbox.notebooks import Unshown, python_of
@@ -46,7 +46,7 @@ def run(
         _write_names(numbers, out / NAMES)
         for slug, modules in sorted(texts.items()):
             _write(course, slug, modules, out / slug, tool)
-            print(f"cd {out / slug} && {COMMANDS[tool].format(slug=slug)}")
+            say(f"cd {out / slug} && {COMMANDS[tool].format(slug=slug)}")
     return 1 if unread else 0
 
 

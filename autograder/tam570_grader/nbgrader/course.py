@@ -1,14 +1,13 @@
 """Writes a course that plain nbgrader runs: sources of the assignments, its configuration, and a page of commands."""
 
 import shutil
-import sys
 import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 from string import Template
 
 from tam570_grader.checks import assignments
-from tam570_grader.errors import UsageError, counted, writing
+from tam570_grader.errors import UsageError, counted, say, writing
 from tam570_grader.release import course_config
 from tam570_grader.release.notebook import write_notebook
 from tam570_grader.results.tables import written
@@ -30,7 +29,7 @@ def run(course: Path, folder: Path, slugs: Sequence[str]) -> int:
         text = Template((TEMPLATES / template).read_text(encoding="utf-8")).substitute(fields)
         if not _is_the_teachers(folder / name, text.encode()):
             written(folder / name, text)
-    print(f"{folder}: {counted(len(slugs), 'assignment')}; README.md there says how to go on", file=sys.stderr)
+    say(f"{folder}: {counted(len(slugs), 'assignment')}; README.md there says how to go on", error=True)
     return 0
 
 
@@ -38,7 +37,7 @@ def _is_the_teachers(path: Path, ours: bytes) -> bool:
     """Whether there is a file that differs from ours; it is named."""
     if not path.exists() or path.read_bytes() == ours:
         return False
-    print(f"{path} left as you have it; to have it made anew, move it away", file=sys.stderr)
+    say(f"{path} left as you have it; to have it made anew, move it away", error=True)
     return True
 
 

@@ -2,6 +2,7 @@
 
 import functools
 import os
+import sqlite3
 import sys
 from pathlib import Path
 from typing import Any
@@ -11,10 +12,17 @@ from nbgrader.plugins import CsvExportPlugin  # type: ignore[import-untyped]
 from sqlalchemy import event
 from sqlalchemy.engine import Engine, ExceptionContext
 
+from tam570_grader.errors import say
+
 __all__ = ["Lost", "WholeTable", "end_in_one_line"]
 
 LOST = """nbgrader: error: the gradebook's server {url} does not answer ({why}). Start it, or mend \
 CourseDirectory.db_url in nbgrader_config.py; then give the same command again."""
+
+
+LOCKED = """nbgrader: error: the gradebook {url} is locked by another command for more than {wait} s ({why}); nothing \
+is lost: give the same command again."""
+WAIT = 60  # s; SQLite gives up after 5
 
 
 class Lost(KeyboardInterrupt):
@@ -31,13 +39,14 @@ def _ending(start: Any) -> Any:
     @functools.wraps(start)
     def started(app: Any) -> Any:
         event.listen(Engine, "handle_error", _tell)
+        event.listen(Engine, "connect", _wait)
         try:
             return start(app)
         except Lost as lost:
-            print(lost, file=sys.stderr)
+            say(str(lost), error=True)
             sys.exit(1)
         except KeyboardInterrupt:
-            print("nbgrader: interrupted; what is done is kept: give the same command again", file=sys.stderr)
+            say("nbgrader: interrupted; what is done is kept: give the same command again", error=True)
             sys.exit(130)
 
     return started
@@ -49,6 +58,15 @@ def _tell(context: ExceptionContext) -> None:
         why = str(context.original_exception).strip().partition("\n")[0]
         url = context.engine.url.render_as_string(hide_password=True)
         raise Lost(LOST.format(url=url, why=why)) from None
+    if context.engine and "database is locked" in str(context.original_exception):
+        url = context.engine.url.render_as_string(hide_password=True)
+        raise Lost(LOCKED.format(url=url, wait=WAIT, why=context.original_exception)) from None
+
+
+def _wait(connection: Any, _: Any) -> None:
+    """Let SQLite wait for another command that writes."""
+    if isinstance(connection, sqlite3.Connection):
+        connection.execute(f"PRAGMA busy_timeout = {round(1000 * WAIT)}")
 
 
 class WholeTable(CsvExportPlugin):  # type: ignore[misc]

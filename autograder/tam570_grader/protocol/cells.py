@@ -1,7 +1,8 @@
 """Reads what students hand in without running it: a notebook's cells as short plain text, a module's statements."""
 
-import ast
+import io
 import json
+import tokenize
 from collections.abc import Iterator
 from typing import Any
 
@@ -14,6 +15,7 @@ LONGEST_TEXT = 10_000  # characters of a text: the time to make a page of it may
 MOST_TEXT = 100_000  # characters of all texts
 LONGEST_CODE, LONGEST_OUTPUT, LONGEST_PICTURE = 50_000, 10_000, 3 * 2**20
 CUT = "\n\n(cut: this is too long to show)"
+SILENT = (tokenize.ENCODING, tokenize.COMMENT, tokenize.NL, tokenize.INDENT, tokenize.DEDENT)
 SHOWN = ("text/plain", "image/png", "image/jpeg")
 
 Cell = dict[str, Any]
@@ -40,8 +42,20 @@ def python(source: bytes) -> str:
 
 
 def statements(source: bytes) -> str:
-    """A module's statements in one form, without comments and blanks. SyntaxError where it is no Python."""
-    return ast.unparse(ast.parse(source))
+    """A module's tokens, a statement a line, without comments, blanks and texts that stand alone, as docstrings do.
+
+    SyntaxError where it is no Python; tokens, not trees, for a sum of a thousand terms is a deep tree.
+    """
+    lines: list[list[str]] = [[]]
+    try:
+        for token in tokenize.tokenize(io.BytesIO(source).readline):
+            if token.type in (tokenize.NEWLINE, tokenize.ENDMARKER):
+                lines += [[]] if lines[-1] else []
+            elif token.type not in SILENT:
+                lines[-1].append(token.string)
+    except tokenize.TokenError as error:
+        raise SyntaxError(str(error)) from None
+    return "".join(f"{' '.join(line)}\n" for line in lines if line and not (len(line) == 1 and line[0][-1] in "'\""))
 
 
 def _plain(cell: Any) -> Cell:

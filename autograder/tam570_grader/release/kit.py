@@ -6,14 +6,13 @@ The wheel's version ends in a digest of its content: pip installs a kit that has
 import hashlib
 import re
 import shutil
-import sys
 import tempfile
 import tomllib
 from pathlib import Path
 from typing import Any
 
 from tam570_grader.checks import assignments
-from tam570_grader.errors import UsageError, writing
+from tam570_grader.errors import UsageError, say, writing
 from tam570_grader.release.notebook import write_notebook
 from tam570_grader.results.tables import written
 
@@ -38,7 +37,7 @@ def run(course: Path, folder: Path) -> int:
     held = "\n".join(f"- {_title(course, slug)}" for slug in assignments.slugs(course))
     written(folder / "README.md", text.replace("{wheel}", wheel.name).replace("{assignments}", held))
     shutil.copyfile(course / "NOTATION.md", folder / "NOTATION.md")
-    print(f"{folder}: {wheel.name}, README.md and NOTATION.md, for your students", file=sys.stderr)
+    say(f"{folder}: {wheel.name}, README.md and NOTATION.md, for your students", error=True)
     return 0
 
 

@@ -6,13 +6,13 @@ Beside it stand the contract, what each function returns, as the checks have it,
 import ast
 import json
 import re
-import sys
 from pathlib import Path
 from typing import Any
 
 from tam570_grader.checks import assignments
 from tam570_grader.checks.assignments import Assignment
 from tam570_grader.checks.returns import Drawing, Formula, FreeBodyDiagram, Group, ReturnSpec
+from tam570_grader.errors import say
 from tam570_grader.rubric import load_rubric, with_rubric
 
 __all__ = ["contract", "exported", "run", "stub"]
@@ -28,7 +28,7 @@ def run(course: Path, *, check: bool) -> int:
         if not check:
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text, encoding="utf-8")
-        print(f"{path} {'is out of date: run tam570-grader stubs' if check else 'written'}", file=sys.stderr)
+        say(f"{path} {'is out of date: run tam570-grader stubs' if check else 'written'}", error=True)
     return 1 if check and stale else 0
 
 

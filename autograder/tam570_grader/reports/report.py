@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from tam570_grader.errors import UsageError, writing
+from tam570_grader.errors import UsageError, say, writing
 from tam570_grader.reports.feedback import AssignmentInfo, load_assignment_info, template
 from tam570_grader.reports.sentences import points
 from tam570_grader.results import manual_points
@@ -57,7 +57,7 @@ def run(folder: Path, course: Path, everyone: Everyone | None, out: Path | None)
     text = report(found, {slug: load_assignment_info(course, slug) for slug in _slugs(found)}, names, notes.groups())
     with writing(place):
         written(place, text)
-    print(place)
+    say(str(place))
     return 0
 
 

@@ -1,10 +1,8 @@
 """The results of a run on disk: one line each, safe from a kill at any moment, found again by the next run."""
 
 import contextlib
-import csv
 import fcntl
 import hashlib
-import io
 import json
 import os
 import sys
@@ -16,7 +14,7 @@ from typing import Any, BinaryIO
 from tam570_grader.errors import UsageError
 from tam570_grader.results import manual_points, records
 from tam570_grader.results.records import Result
-from tam570_grader.results.tables import cell, written
+from tam570_grader.results.tables import table_text, written
 
 __all__ = ["ResultStore", "Key", "Line", "Record", "Results", "common_seed", "key_of", "read", "results", "stream"]
 
@@ -241,12 +239,7 @@ def _kept_once(value: Any) -> Any:
 
 def grades(rows: Iterable[tuple[Any, ...]]) -> str:
     """A table for a spreadsheet: a row for each student and assignment."""
-    table = io.StringIO()
-    writer = csv.writer(table)
-    writer.writerow(COLUMNS)
-    for row in rows:
-        writer.writerow(map(cell, row))
-    return table.getvalue()
+    return table_text([COLUMNS, *rows])
 
 
 def key_of(record: Record) -> Key:

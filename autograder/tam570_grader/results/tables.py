@@ -10,7 +10,7 @@ from typing import Any
 
 from tam570_grader.errors import UsageError, say, warn
 
-__all__ = ["cell", "lines", "name_in", "table", "write_table", "written"]
+__all__ = ["cell", "lines", "name_in", "table", "table_text", "write_table", "written"]
 
 DELIMITERS = ",;\t"
 # how formulas begin; spreadsheets take the wide forms for the narrow ones
@@ -47,14 +47,18 @@ def write_table(path: Path | None, rows: Iterable[Iterable[Any]], *, exact: bool
             "import the table without opening it in a spreadsheet, which may take these for formulas: "
             f"{', '.join(map(repr, odd[:20]))}"
         )
-    text = io.StringIO()
-    csv.writer(text, lineterminator="\r\n" if path else "\n").writerows(
-        rows if exact else [[cell(one) for one in row] for row in rows]
-    )
+    text = table_text(rows, exact=exact)
     if path is None:
-        say(text.getvalue().removesuffix("\n"))
+        say(text.replace("\r\n", "\n").removesuffix("\n"))
     else:
-        written(path, text.getvalue())
+        written(path, text)
+
+
+def table_text(rows: Iterable[Iterable[Any]], *, exact: bool = False) -> str:
+    """The text of a table of cells."""
+    text = io.StringIO()
+    csv.writer(text).writerows(rows if exact else ([cell(one) for one in row] for row in rows))
+    return text.getvalue()
 
 
 def cell(value: Any) -> Any:

@@ -142,12 +142,26 @@ def container(course, tmp_path, submission):
     return tmp_path
 
 
+@pytest.mark.parametrize("more", ["", "hw08_axis_angle/notes.txt", "docs/plan.md", "hw07_double_pendulum/hw07.py"])
+@pytest.mark.parametrize("place", ["", "homework", "a/b"])
+def test_a_folder_beside_the_work_costs_no_result(course, submission, capsys, place, more):
+    folder = submission()
+    (folder / place).mkdir(parents=True, exist_ok=True)
+    (folder / f"{ONE}.py").rename(folder / place / f"{ONE}.py")
+    if more:
+        (folder / more).parent.mkdir(exist_ok=True)
+        (folder / more).write_text("x = 1\n")
+    grade = ["grade", str(folder), "--assignment", ONE, "--seed", "3", "--format", "gradescope"]
+    assert cli.main(["--root", str(course), *grade]) == 0
+    assert as_gradescope_reads_it(capsys.readouterr().out)["score"] == 10
+
+
 def test_the_archive_grades_by_itself(container):
     course = container / "source" / "course"
     ours = os.pathsep.join([str(course / "shared"), str(course / "autograder")])
     environment = {"PATH": os.environ["PATH"], "PYTHON": sys.executable, "PYTHONPATH": ours}
     run = ["sh", str(container / "source" / "run_autograder")]
-    done = subprocess.run(run, cwd=container, env=environment, capture_output=True, text=True)
+    done = subprocess.run(run, cwd="/", env=environment, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
     assert as_gradescope_reads_it((container / "results" / "results.json").read_text())["score"] == 10
 

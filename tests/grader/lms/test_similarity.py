@@ -68,3 +68,10 @@ def test_no_text_keeps_the_others_waiting(alike, solution_text, text):
     before = time.process_time()
     _, said = alike(copies, "--least", "0.9")
     assert "1 pair of" in said.out and time.process_time() - before < 60
+
+
+def test_a_long_sum_is_compared_and_what_is_not_is_told_at_the_end(alike, solution_text):
+    text = solution_text(SLUG) + "\n\nLONG = " + " + ".join(f"x{n}" for n in range(2000)) + "\n"
+    code, said = alike({"ann": ("py", text), "ben": ("py", renamed(text)), "eve": ("py", "(" * 1000)}, "--least", "0.9")
+    first, *_, last = said.out.splitlines()
+    assert code == 1 and "ann" in first and "ben" in first and last.endswith(f"eve {SLUG}")

@@ -2,6 +2,7 @@
 
 import json
 import shutil
+import sqlite3
 import subprocess
 import sys
 
@@ -183,3 +184,19 @@ def test_validate_says_whether_the_visible_tests_pass(course, tmp_path, nbgrader
     assert "Partial credit" in nbgrader(work, "validate", f"{ONE}.ipynb")
     shutil.copy(course / "solutions" / f"{ONE}.py", work)
     assert "Success" in nbgrader(work, "validate", f"{ONE}.ipynb")
+
+
+def test_a_locked_gradebook_is_waited_for_and_then_told_in_one_line(tmp_path, monkeypatch):
+    ending = pytest.importorskip("tam570_grader.nbgrader.ending")
+    from sqlalchemy import create_engine, event, text
+
+    monkeypatch.setattr(ending, "WAIT", 0.05)
+    engine = create_engine(f"sqlite:///{tmp_path / 'gradebook.db'}")
+    event.listen(engine, "connect", ending._wait)
+    event.listen(engine, "handle_error", ending._tell)
+    holder = sqlite3.connect(tmp_path / "gradebook.db")
+    holder.execute("BEGIN EXCLUSIVE")
+    with pytest.raises(ending.Lost, match="is locked by another command"), engine.connect() as here:
+        assert here.execute(text("PRAGMA busy_timeout")).scalar() == 50
+        here.execute(text("CREATE TABLE x (y INTEGER)"))
+    holder.close()
