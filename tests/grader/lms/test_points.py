@@ -124,7 +124,7 @@ def test_a_row_that_somebody_else_adds_meanwhile_stays(results, monkeypatch):
         manual_points.write(folder, ManualAdjustments([Entry("ben", SLUG, "adjust", 2.0, None, "It came by mail.")]))
         return ResultStore(folder)
 
-    monkeypatch.setattr(command, "Book", opened)
+    monkeypatch.setattr(command, "ResultStore", opened)
     assert points(results, "ann,hw07,c,1,") == 0
     assert scores(results) == {"ann": ("1.0", "12.0"), "ben": ("2.0", "12.0")}
 
@@ -180,7 +180,7 @@ def test_the_template_has_a_row_for_each_part_with_what_is_known(results):
 
 def settlement(score, **items):
     entries = [Entry("ann", SLUG, item.replace("_", " "), points, None, "why") for item, points in items.items()]
-    return ManualAdjustments(entries).settled(("ann", SLUG), score, 10.0, dict)
+    return ManualAdjustments(entries).adjust(("ann", SLUG), score, 10.0, dict)
 
 
 def settled(score, **items):
@@ -207,4 +207,4 @@ def test_everybodys_rows_are_for_those_without_their_own():
     rows = [Entry("*", SLUG, "extension", 2.0), Entry("ann", SLUG, "extension", 5.0)]
     late = [Entry(who, SLUG, "late", 4.0) for who in ("ann", "ben")]
     hand = ManualAdjustments([*rows, *late, Entry("*", SLUG, "off a day", 0.1)])
-    assert [hand.settled((who, SLUG), 10.0, 10.0, dict).score for who in ("ann", "ben")] == [10.0, 8.0]
+    assert [hand.adjust((who, SLUG), 10.0, 10.0, dict).score for who in ("ann", "ben")] == [10.0, 8.0]
