@@ -1,24 +1,28 @@
 """How an error or an invariant goes along a motion: what a page's picture is drawn from, kept with the result.
 
-It is coarse, so that code which knows the hidden inputs can write little of them into the shape of its own errors.
+It is coarse, so that code which knows the hidden inputs can write little of them into the shape of its own errors:
+at most BITS of them into one picture, and nothing about the times.
 """
 
+import math
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Curve", "curve", "kept"]
+__all__ = ["BITS", "Curve", "curve", "kept"]
 
-# plain data: of, unit, within, span, scale ("log" or "linear"), values; keeps: another
+# plain data: quantity, unit, tolerance, scale ("log" or "linear"), values along the motion; keeps: another
 Curve = dict[str, Any]
 Array = NDArray[np.float64]
 
-SLOTS = 64  # of the duration, the largest error in each
-LEVELS = 8  # to a decade of an error
-STEPS = 40  # to the largest drift of an invariant
-FLOOR, CEILING = -3, 12  # decades below and above the limit that are told apart
+SLOTS = 16  # of the duration, the largest error in each
+LEVELS = 2  # to a decade of an error
+STEPS = 7  # to the largest drift of an invariant, to either side
+FLOOR, CEILING = -1, 6  # decades below and above the limit that are told apart
 LARGEST = 1e100  # of a drift, which is cut to this
+# what a picture can tell: a level, or that it is empty, in each slot; and two digits and an exponent of the largest
+BITS = math.ceil(SLOTS * math.log2(max(LEVELS * (CEILING - FLOOR), 2 * STEPS) + 2) + math.log2(90 * 640))
 
 
 def curve(
@@ -41,9 +45,8 @@ def curve(
     stays = rows.shape[1] == 1 and np.ptp(np.broadcast_to(expected, signed.shape)[motion]) == 0
     slots = _slots(t, sizes)
     values = _steps(rows[:, 0], slots) if stays else _levels(sizes, slots, tolerance)
-    span = [float(f"{time:.2g}") for time in (t[0], t[-1])]
     scaled = "linear" if stays else "log"
-    return {"quantity": quantity, "unit": unit, "tolerance": tolerance, "span": span, "scale": scaled, "values": values}
+    return {"quantity": quantity, "unit": unit, "tolerance": tolerance, "scale": scaled, "values": values}
 
 
 def kept(t: Any, values: Any, *, tolerance: float, quantity: str, unit: str = "") -> Curve | None:
@@ -76,5 +79,5 @@ def _levels(sizes: Array, slots: list[int | None], tolerance: float) -> list[flo
 
 def _steps(drift: Array, slots: list[int | None]) -> list[float | None]:
     drift = drift.clip(-LARGEST, LARGEST)
-    step = np.abs(drift).max() / STEPS or 1.0
-    return [None if row is None else float(f"{round(drift[row] / step) * step:.2g}") for row in slots]
+    step = float(f"{np.abs(drift).max():.2g}") / STEPS or 1.0
+    return [None if row is None else round(drift[row] / step) * step for row in slots]

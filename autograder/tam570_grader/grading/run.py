@@ -54,7 +54,8 @@ def whole_run(
             summary.changes += gone
             summary.compared += len(gone)
         if store is not None:  # the pages of all results that are there; of a finished run, of those that changed
-            feedback.write_pages(arguments.out / "feedback", store, course, _with_progress)
+            failed = feedback.write_pages(arguments.out / "feedback", store, course, _with_progress)
+            summary.faults += [f"{' '.join(key)} has no page of feedback" for key in failed]
             summary.adjustments = manual_points.read(arguments.out)
             summary.rows = feedback.with_hand(summary.rows, store, summary.adjustments)
     return config

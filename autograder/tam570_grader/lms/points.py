@@ -89,13 +89,13 @@ def _points(arguments: argparse.Namespace) -> int:
     with contextlib.closing(ResultStore(folder)) as book:  # nobody else adds rows meanwhile
         hand, open_, notes = late_policy.obeyed(manual_points.read(folder).with_(new), terms, book, arguments.collected)
         manual_points.write(folder, hand)
-        feedback.write_pages(folder / "feedback", book, course)
+        failed = feedback.write_pages(folder / "feedback", book, course)
     for line in [*open_, *notes]:
         warn(line)
     count = sum(one.item == LATE for one in hand.entries.values())
     rows = counted(len({one.key for one in new if one.student != EVERYONE}), "row")
     say(f"{folder}: {rows} added by hand, {count} late")
-    return 1 if open_ else 0
+    return 1 if open_ or failed else 0
 
 
 def _checked(path: Path, found: Results, manual: Mapping[str, Manual], checks: Mapping[str, Checks]) -> Iterator[Entry]:

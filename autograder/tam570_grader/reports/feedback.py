@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from tam570_grader.checks.assignments import checks_digest, engine_digest
-from tam570_grader.errors import UsageError
+from tam570_grader.errors import UsageError, warn
 from tam570_grader.reports.sentences import capitalized, describe_failure, known_mistake, points, sentence, typeset
 from tam570_grader.results import manual_points
 from tam570_grader.results.manual_points import AdjustedScore, ManualAdjustments
@@ -199,8 +199,10 @@ def _among(result: Result) -> Any:
     return among(result.assignment, result.speed)
 
 
-def write_pages(folder: Path, results: Results, course: Path, told: Progress = lambda keys, total: keys) -> None:
+def write_pages(folder: Path, results: Results, course: Path, told: Progress = lambda keys, total: keys) -> list[Key]:
     """Write the page of each student and assignment, `<student>/<assignment>.html`, unless it is up to date.
+
+    A page that cannot be made says so to its student; which ones these are is returned.
 
     A file beside the folder, not in it, says from what each page was made: the folder is for students.
     """
@@ -217,13 +219,33 @@ def write_pages(folder: Path, results: Results, course: Path, told: Progress = l
     if stale:
         notes.unlink(missing_ok=True)  # what it says is no longer so
     infos = {slug: load_assignment_info(course, slug) for slug in {slug for _, slug in stale}}
+    failed = []
     for key in told(stale, len(stale)):
-        path, text = Path(_path(folder, key)), page(read(results[key]), infos[key[1]], adjusted.get(key))
-        if not path.exists() or path.read_text(encoding="utf-8") != text:
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(text, encoding="utf-8")  # no fsync: it is made again from the results
+        try:
+            text = page(read(results[key]), infos[key[1]], adjusted.get(key))
+        except Exception as error:  # of one student's page, which is no reason for the others to have none
+            warn(f"the page of {key[0]} {key[1]} could not be made: {error!r}")
+            text = template("no_page.html").render(slug=key[1], student=key[0])
+            failed.append(key)
+        _put(folder, key, text)
     if stale:
-        written(notes, json.dumps({"/".join(key): digest for key, digest in made.items()}))
+        written(notes, json.dumps({"/".join(key): digest for key, digest in made.items() if key not in failed}))
+    return failed
+
+
+def _put(folder: Path, key: Key, text: str) -> None:
+    """Put a page in its place, unless it is there; a link in its way is replaced, and never followed."""
+    path = Path(_path(folder, key))
+    for place in (folder, path.parent):
+        if place.is_symlink():
+            place.unlink()
+        place.mkdir(parents=True, exist_ok=True)
+    if path.is_symlink() or not path.exists() or path.read_text(encoding="utf-8") != text:
+        draft = path.with_name(f".{path.name}.new")
+        draft.unlink(missing_ok=True)
+        with open(os.open(draft, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o644), "w", encoding="utf-8") as file:
+            file.write(text)  # no fsync: it is made again from the results
+        os.replace(draft, path)
 
 
 def _settled(adjustments: ManualAdjustments, results: Results) -> dict[Key, AdjustedScore]:

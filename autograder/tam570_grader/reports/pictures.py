@@ -15,6 +15,7 @@ LEFT, RIGHT, TOP, BOTTOM = 52, 350, 10, 166  # of the frame, in a drawing of 360
 DOT = 20  # up to so many samples are marked one by one
 LAST = 268  # of the frame where the names of curves stand to the right of it
 EDGE, SHEET, ARROW = 50, 200, 42  # of the picture of a free body diagram: room around it, its size, an arrow's length
+QUARTERS = ("start", "1/4", "1/2", "3/4", "end")  # of the motion: which times it has is hidden
 NARROW = 3  # of the frame's height, units: a band below that is a line
 
 
@@ -30,7 +31,7 @@ class Picture:
     limit: str
     x: Sequence[tuple[float, str]]  # ticks
     y: Sequence[tuple[float, str]]
-    along: str = "t (s)"
+    along: str = "time along the motion"
 
 
 @dataclass(frozen=True)
@@ -91,12 +92,7 @@ def among(slug: str, speed: Speed) -> Among:
     }
     everything = [(speed["seconds"], speed["error"]), *(point for curve in curves.values() for point in curve)]
     seconds, errors = ([math.log10(numbers) for numbers in column] for column in zip(*everything, strict=True))
-    x0, x1, y0, y1 = (
-        math.floor(min(errors)),
-        math.ceil(max(errors)),
-        math.floor(min(seconds)),
-        math.ceil(max(seconds)),
-    )
+    (x0, x1), (y0, y1) = ((math.floor(min(logs)), math.floor(max(logs)) + 1) for logs in (errors, seconds))
 
     def place(point: tuple[float, float]) -> tuple[float, float]:
         across = (x1 - math.log10(point[1])) / (x1 - x0)
@@ -191,23 +187,22 @@ def _picture(
     band: tuple[float, float],
     ticks: Sequence[tuple[float, str]],
 ) -> Picture:
-    first, last = curve["span"]
     unit = f", {curve['unit']}" if curve["unit"] else ""
     allowed = f"allowed up to {quantity(curve['tolerance'])}"
     return Picture(
         caption=f"{caption}{unit}.",
-        alt_text=f"From t = {first:g} s to {last:g} s. {alt_text} {allowed.capitalize()}.",
+        alt_text=f"{alt_text} {allowed.capitalize()}.",
         path=_path(places),
         dots=[(round(x, 1), round(y, 1)) for x, y in places] if len(places) <= DOT else [],
         band=(round(band[0], 1), round(band[1], 1)),
         limit=allowed if band[1] >= NARROW else f"{allowed}, too narrow to see",
-        x=[(LEFT + (RIGHT - LEFT) * (t - first) / (last - first), text) for t, text in _ticks(first, last)],
+        x=[(LEFT + (RIGHT - LEFT) * quarter / 4, text) for quarter, text in enumerate(QUARTERS)],
         y=[(round(place, 1), text) for place, text in ticks],
     )
 
 
 def _ticks(low: float, high: float) -> list[tuple[float, str]]:
-    """Three to eight round numbers from low to high, with their texts."""
+    """Three to eight round numbers from low to high, with their texts; low is less than high."""
     rough = (high - low) / 7.5
     power = 10.0 ** math.floor(math.log10(rough))
     step = next(factor * power for factor in (1, 2, 5, 10) if factor * power >= rough)
@@ -235,9 +230,10 @@ def _course(curve: Curve) -> str:
 
 
 def _crossing(curve: Curve) -> str:
-    """When the limit is first passed, by the slots of the duration."""
-    values, (first, last) = curve["values"], curve["span"]
+    """When the limit is first passed, by the quarters of the duration."""
+    values = curve["values"]
     slot = next((k for k, value in enumerate(values) if value is not None and value > 0), None)
     if not slot:
         return "It is beyond the limit from the first sample on." if slot == 0 else ""
-    return f"It passes the limit about t = {first + (last - first) * slot / (len(values) - 1):.2g} s."
+    words = ("first", "second", "third", "last")
+    return f"It passes the limit in the {words[min(4 * slot // len(values), 3)]} quarter."
