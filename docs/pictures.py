@@ -3,7 +3,7 @@
     make demo
     python docs/pictures.py build/sample_results
 
-They are parts of the pages as Chromium shows them, in light. The feedback tells a known mistake in a motion.
+They are parts of the pages as Chromium shows them, in light. The feedback names a known mistake in a motion.
 """
 
 import shutil

@@ -176,3 +176,11 @@ def test_the_outline_places_every_function_and_every_part_by_hand(slug):
     by_hand = [row for row in rows.splitlines() if "you: " in row]
     lettered = {letter for row in by_hand for letter in re.findall(r"\w+", row.split("|")[1])}
     assert len(by_hand) >= len(rubric) and (set(rubric) <= lettered or not lettered & set("abcdefgh"))
+
+
+def test_the_walks_of_contributing_name_files_that_exist():
+    top = DOCS.parent
+    walks = (top / "CONTRIBUTING.md").read_text().partition("## Three walks")[2].partition("## Make a release")[0]
+    named = re.findall(r"`([\w/]+\.py|\w+/)`", walks.replace("`cases.py`", ""))
+    places = [top, top / "autograder" / "tam570_grader", top / "shared" / "tam570" / "integrate"]
+    assert named and [name for name in named if not any((place / name).exists() for place in places)] == []
