@@ -30,7 +30,12 @@ def _write(app):
     folder = Path(app.srcdir, "generated")
     pages = {f"problems/{slug}.md": _problem(slug) for slug in assignments()}
     pages |= {f"lectures/{name}.md": _lecture(lecture) for name, lecture in catalogue().items()}
-    pages |= {"assignments.md": _gallery(), "lectures.md": _lectures(), "stills.md": _stills()}
+    pages |= {
+        "assignments.md": _gallery(),
+        "lectures.md": _lectures(),
+        "all_problems.md": _all_problems(),
+        "stills.md": _stills(),
+    }
     for old in {*folder.glob("problems/*.md"), *folder.glob("lectures/*.md")} - {folder / name for name in pages}:
         old.unlink()
     for name, text in pages.items():
@@ -53,6 +58,17 @@ def _problem(slug):
         f"[The scene](../assignments.md#{slug[:4]}) shows the motion; it shows no code.\n",
     ]
     return "\n".join(parts)
+
+
+def _all_problems():
+    """One page of all problems, for those who print."""
+    includes = [
+        f":::{{include}} ../../assignments/{slug}/README.md\n:heading-offset: 1\n:relative-images:\n:::\n"
+        for slug in assignments()
+    ]
+    told = "Print this page, or save it as a PDF file: each problem begins on a new sheet.\n"
+    head = "---\nhtml_theme.sidebar_secondary.remove: true\nnosearch: true\n---\n# All problems on one page\n"
+    return "\n".join([head, told, *includes])
 
 
 def _gallery():
