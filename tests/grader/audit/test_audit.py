@@ -221,7 +221,7 @@ def test_a_false_fail_is_told_with_check_seed_and_message(capsys, monkeypatch):
     assert "seed 5000: skew_is_the_cross_product: " in capsys.readouterr().out
 
 
-ROOMS = ["sandbox", "checks", "diagnosis", "grading", "results", "pages", "lms", "nbgrader", "gradescope", "release"]
+ROOMS = ["sandbox", "checks", "diagnosis", "grading", "results", "reports", "lms", "nbgrader", "gradescope", "release"]
 
 
 @pytest.mark.parametrize("room", ROOMS)
@@ -265,7 +265,7 @@ def test_a_diagnosis_tells_named_from_unnamed_and_misled():
     ],
 )
 def test_a_mistake_is_named_by_what_is_said_of_it_and_not_by_the_input(names, why, named):
-    mark = CheckResult("a", "a", 0.0, 1.0, "failed", sentences.whole(why), why.suspect, why)
+    mark = CheckResult("a", "a", 0.0, 1.0, "failed", sentences.full_message(why), why.suspect, why)
     result = Result("s", "hw", "graded", 0.0, 1.0, 1, 0.1, "", (mark,))
     mistake = old_mistake("one", f'"""An arm.\n\nnames: {names}\n"""')
     assert diagnosis.diagnosis(result, mistake, ()).named == named
