@@ -31,7 +31,8 @@ Vector = NDArray[np.float64]
 
 # Directions, in rad, and points, of the largest distance from the origin. Single precision is off by 6e-8.
 SAME = 1e-6
-SHEET, COARSE = 200, 5  # px, degrees, of the picture of what a student drew
+SHEET, GRID, COARSE = 200, 10, 10  # px, px, degrees, of the picture of what a student drew
+SHOWN = 5  # arrows; no right diagram has more
 SEEN_FROM = -1.1, 0.35  # rad, what has three dimensions
 NEGLIGIBLE = 1e-9  # of the forces on the body: a force that cancels to rounding may be left out
 
@@ -140,10 +141,10 @@ def complaint(body: FreeBody, arrows: Sequence[Arrow]) -> str:
 
 
 def _sketch(body: FreeBody, arrows: Sequence[Arrow]) -> dict[str, Any]:
-    """What the student drew beside the body, as whole pixels and angles so coarse that they tell no input.
+    """What the student drew beside the body, so coarse that it can carry no hidden input: 14 bits an arrow.
 
     outline : lines [x1, y1, x2, y2], 0 to SHEET, y up
-    arrows  : [x, y, angle in degrees], None for an unknown direction
+    arrows  : [x, y, angle in degrees], None for an unknown direction; SHOWN at most
     """
     flat = seen_from(*SEEN_FROM) if np.size(body.forces[0].point) == 3 else np.asarray
     outline = np.reshape(flat(body.outline), (-1, 2, 2)) if np.size(body.outline) else np.empty((0, 2, 2))
@@ -152,16 +153,17 @@ def _sketch(body: FreeBody, arrows: Sequence[Arrow]) -> dict[str, Any]:
     middle = (seen.max(axis=0) + seen.min(axis=0)) / 2 if len(seen) else np.zeros(2)
     size = max(float(np.ptp(seen, axis=0).max()) if len(seen) else 0.0, 1e-300)
 
-    def placed(at: ArrayLike) -> Any:
+    def placed(at: ArrayLike, grid: int) -> Any:
         with np.errstate(all="ignore"):  # a student's point may be anywhere
             share = np.nan_to_num((np.asarray(at) - middle) / size)
-        return np.rint(np.clip(share / 2 + 0.5, 0, 1) * SHEET).astype(int).tolist()
+        return (grid * np.rint(np.clip(share / 2 + 0.5, 0, 1) * SHEET / grid)).astype(int).tolist()
 
     angles = [None if arrow.direction is None else _angle(flat(_unit(arrow.direction))) for arrow in arrows]
+    drawn = [[*placed(point, GRID), angle] for point, angle in zip(points, angles, strict=True)]
     return {
         "body": body.name,
-        "outline": [[*placed(one), *placed(other)] for one, other in outline],
-        "arrows": [[*placed(point), angle] for point, angle in zip(points, angles, strict=True)],
+        "outline": [[*placed(one, 1), *placed(other, 1)] for one, other in outline],
+        "arrows": sorted(drawn, key=str)[:SHOWN],
     }
 
 

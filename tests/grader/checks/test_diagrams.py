@@ -133,6 +133,19 @@ def test_a_failure_has_a_picture_of_what_was_drawn_and_of_nothing_else(far):
         compare_diagrams(Drawn([(G, DOWN), ((far, -far), (3, 3.1)), (C, None)]), lambda: CYLINDER, [Case()])
     drawn = numbers(failed.value.failure.sketch)
     assert failure({"sketch": drawn}).sketch == drawn
-    assert [arrow[2] for arrow in drawn["arrows"]] == [-70, 45, None]  # to five degrees
+    assert {arrow[2] for arrow in drawn["arrows"]} == {-70, 50, None}  # to ten degrees, from which it is 46
     assert len(sketch(drawn).unknown) == 1 and sketch(drawn).arrows.count("M") == 2
-    assert all(0 <= place <= 200 for arrow in drawn["arrows"] for place in arrow[:2])
+    assert all(place in range(0, 201, 10) for arrow in drawn["arrows"] for place in arrow[:2])
+
+
+def test_a_picture_tells_at_most_80_bits():
+    """Whatever a student draws to carry hidden numbers out."""
+    rng = np.random.default_rng(4)
+    drawn = [(tuple(rng.normal(size=2)), tuple(rng.normal(size=2))) for _ in range(8)]
+    with pytest.raises(Failed) as failed:
+        compare_diagrams(Drawn(drawn), lambda: CYLINDER, [Case()])
+    shown = failed.value.failure.sketch["arrows"]
+    assert len(shown) == 5 and shown == sorted(shown, key=str)  # their order tells nothing
+    places, angles = 21**2, 360 // 10 + 1 + 1  # -180 and 180 are two, and one is unknown
+    assert all(angle % 10 == 0 and x % 10 == y % 10 == 0 for x, y, angle in shown)
+    assert math.log2(6 * (places * angles) ** 5) < 80
