@@ -62,7 +62,7 @@ class Student:
 
     def each(self, name: str, *rows: Any, shape: Sequence[int] = (), **known: Any) -> Array:
         """(n, *shape) of the function called with row i of every argument in turn."""
-        results = self._guarded(name, lambda function: [function(*row, **known) for row in zip(*rows, strict=True)])
+        results = self.returned(name, *rows, **known)
         try:  # all at once: one by one takes longer than the student's function
             values = np.array(results)
         except ValueError:  # of different shapes
@@ -70,6 +70,11 @@ class Student:
         if values.shape[1:] != tuple(shape):
             numbers(name, results[0], shape)
         return self._finite(name, numbers(name, values, (len(results), *shape)))
+
+    def returned(self, name: str, *rows: Any, **known: Any) -> list[Any]:
+        """What the function returns for row i of every argument in turn, whatever it is."""
+        called = [*zip(*rows, strict=True)]
+        return [*self._guarded(name, lambda function: [function(*row, **known) for row in called])]
 
     def _guarded(self, name: str, use: Callable[[Callable[..., Any]], Any]) -> Any:
         function = getattr(self._module, name, None)

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from tam570.show.diagrams import force_shapes
 from tam570.show.scene import (
     GREY,
     INK,
@@ -46,6 +47,7 @@ def film(student: Student, parameters: Mapping[str, Any], start: Sequence[float]
         Shape("lines", bars[:, 1], 1, "bar 2", width=6),
         Shape("dot", moving(hinge, elbow), INK, width=5),
         Shape("dot", tip[:, None], 2, width=5),
+        *(one for shapes in make_each(notes, lambda: _forces(student, states, known)) for one in shapes),
     ]
     return Scene(
         "Double pendulum",
@@ -56,6 +58,15 @@ def film(student: Student, parameters: Mapping[str, Any], start: Sequence[float]
         [*make_each(notes, lambda: _energy(student, times, states, known)), _angles(times, states)],
         notes=notes,
     )
+
+
+def _forces(student: Student, states: Array, known: Mapping[str, Any]) -> list[Shape]:
+    """The forces that the student draws on either bar."""
+    length, shapes = 0.3 * float(np.mean(known["lengths"])), list[Shape]()
+    for bar in (1, 2):
+        rows = [bar] * len(states), states[:, :2]
+        shapes += force_shapes(student, *rows, length=length, color=bar + 2, label=f"forces on bar {bar}", **known)
+    return shapes
 
 
 def _energy(student: Student, times: Array, states: Array, known: Mapping[str, Any]) -> TimePlot:
