@@ -1,6 +1,6 @@
 """th2 is measured from bar 1; it should be from straight down.
 
-fails: mass_matrix_makes_the_kinetic_energy, velocity_terms_are_centripetal, gravity_terms_are_moments_of_the_weights, accelerations_obey_the_equations, energy_is_kinetic_and_potential, angular_momentum_is_about_the_ceiling, simulation_follows_the_equations, wireframe_shows_the_bars, tip_path_is_drawn
+fails: mass_matrix_makes_the_kinetic_energy, velocity_terms_are_centripetal, gravity_terms_are_moments_of_the_weights, accelerations_obey_the_equations, energy_is_kinetic_and_potential, angular_momentum_is_about_the_ceiling, simulation_follows_the_equations, wireframe_shows_the_bars, tip_path_is_drawn, forces_on_each_bar
 also: th2 is measured from bar 1, so that bar 2 is drawn at th1 + th2
 """
 
