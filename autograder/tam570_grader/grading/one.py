@@ -13,7 +13,8 @@ from tam570_grader.checks.check import Check
 from tam570_grader.checks.effort import Exhausted
 from tam570_grader.checks.expect import LONGEST_FAULT, Failed, NotWritten, check_context
 from tam570_grader.checks.failure import Failure
-from tam570_grader.diagnosis.mistakes import candidates, known
+from tam570_grader.checks.returns import FreeBodyDiagram
+from tam570_grader.diagnosis.mistakes import Called, candidates, known
 from tam570_grader.diagnosis.search import general
 from tam570_grader.errors import Over
 from tam570_grader.grading.budget import budget
@@ -153,7 +154,7 @@ def _suspect(check: Check, student: Student, assignment: Assignment) -> tuple[st
     """The mistake that explains the calls of a failed check, and what went wrong on our side in the search."""
     try:
         with budget():
-            solution, calls = assignment.solution, student.calls
+            solution, calls = assignment.solution, [call for call in student.calls if not _is_drawn(assignment, call)]
             folder = assignments.checks_folder(assignment.root, assignment.slug)
             suspects = candidates(solution, folder, check.name, {call.name for call in calls})
             return known(solution, suspects, calls) or general(solution, calls), ""
@@ -163,6 +164,11 @@ def _suspect(check: Check, student: Student, assignment: Assignment) -> tuple[st
         raise
     except Exception as error:  # a mistake without a name is no reason to lose a grade
         return None, repr(error)[:LONGEST_FAULT]
+
+
+def _is_drawn(assignment: Assignment, call: Called) -> bool:
+    """Whether a call gives a free body diagram: it has no numbers to compare."""
+    return isinstance(assignment.results[call.name], FreeBodyDiagram)
 
 
 def _failed(check: Check, failed: Failed, suspect: str | None, fault: str) -> CheckResult:

@@ -1,6 +1,6 @@
 """Bar 2 is drawn at th2 - th1; th2 is measured from straight down.
 
-fails: wireframe_shows_the_bars, tip_path_is_drawn
+fails: wireframe_shows_the_bars, tip_path_is_drawn, forces_on_each_bar
 """
 
 absolute = wireframe

@@ -1,6 +1,6 @@
 """th2 is measured from bar 1, so that bar 2 is drawn at th1 + th2.
 
-fails: wireframe_shows_the_bars, tip_path_is_drawn
+fails: wireframe_shows_the_bars, tip_path_is_drawn, forces_on_each_bar
 """
 
 absolute = wireframe

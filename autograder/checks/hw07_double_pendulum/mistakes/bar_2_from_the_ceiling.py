@@ -1,6 +1,6 @@
 """Bar 2 begins at the ceiling; it hangs from the elbow.
 
-fails: wireframe_shows_the_bars, tip_path_is_drawn
+fails: wireframe_shows_the_bars, tip_path_is_drawn, forces_on_each_bar
 """
 
 _right = wireframe

@@ -1,6 +1,6 @@
 """The tip is measured from the elbow; it should be from the ceiling.
 
-fails: wireframe_shows_the_bars, tip_path_is_drawn
+fails: wireframe_shows_the_bars, tip_path_is_drawn, forces_on_each_bar
 """
 
 _right = wireframe

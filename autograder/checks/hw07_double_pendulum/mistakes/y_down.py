@@ -1,6 +1,6 @@
 """The wireframe has y downwards; it should be upwards.
 
-fails: wireframe_shows_the_bars, tip_path_is_drawn
+fails: wireframe_shows_the_bars, tip_path_is_drawn, forces_on_each_bar
 """
 
 y_up = wireframe
