@@ -199,7 +199,7 @@ def test_a_total_stands_in_the_place_of_all_else():
     assert settled(8.0, late=3, off_a_day=0.5, adjust=1, total=9) == 9.0
     assert settled(None, total=9) == 9.0
     assert settled(0.5, adjust=-2) == 0.0
-    says = settlement(8.0, late=1, off_a_day=0.5, total=9).says
+    says = settlement(8.0, late=1, off_a_day=0.5, total=9).message
     assert [one[:10] for one in says] == ["1 day late", "9 points i"]  # what counts is said last
 
 
