@@ -117,7 +117,7 @@ def test_what_a_task_raises_is_raised_here(jobs):
 def test_no_process_outlives_a_run_that_is_ended(tmp_path, end):
     program = (
         "import time; from tam570_grader.grading.executor import *\n"
-        "with crew(2) as us:\n"
+        "with executor(2) as us:\n"
         "    print('on', flush=True); list(finished(us, time.sleep, [60, 60]))\n"
     )
     command = [sys.executable, "-c", program]
