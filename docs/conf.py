@@ -10,7 +10,7 @@ import tam570  # noqa: E402
 
 project = "tam570"
 author = "The tam570 authors"
-copyright = author
+copyright = f"{author}. MIT license. Version {tam570.__version__}"
 version = release = tam570.__version__
 
 extensions = [
