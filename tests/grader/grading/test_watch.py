@@ -1,0 +1,142 @@
+"""Feedback on arrival: order, attempts, restarts, and pages where students find them."""
+
+import hashlib
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+
+import pytest
+
+from tam570_grader import cli
+from tam570_grader.grading.watch import Arrival, Policy, Queue
+
+pytest.importorskip("watchfiles")
+SLUG = "hw08_axis_angle"
+HALF = "\n\ndef rotate(r, axis, angle):\n    return np.asarray(r, float)\n"
+
+
+@pytest.fixture
+def hand_in(tmp_path, solution_text):
+    def hand_in(student, more=""):
+        path = tmp_path / "submitted" / student / SLUG / f"{SLUG}.py"
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(solution_text(SLUG) + more)
+        return path
+
+    return hand_in
+
+
+@pytest.fixture
+def watch(course, tmp_path):
+    def watch(*options, source="submitted"):
+        out = tmp_path / "results"
+        command = ["--root", str(course), "watch", str(tmp_path / source), "--out", str(out), "--once", "--jobs", "1"]
+        assert cli.main([*command, *map(str, options)]) == 0
+        lines = [json.loads(line) for line in (out / "watch.jsonl").read_text().splitlines()]
+        return [line for line in lines if line["event"] == "graded"]
+
+    return watch
+
+
+def scores(tmp_path):
+    rows = (tmp_path / "results" / "grades.csv").read_text().splitlines()[1:]
+    return {row.split(",")[0]: float(row.split(",")[3]) for row in rows}
+
+
+def test_each_attempt_has_its_own_inputs_and_the_best_counts(watch, hand_in, tmp_path):
+    hand_in("ann", HALF)
+    hand_in("ben")
+    assert len(watch()) == 2
+    hand_in("ann")
+    hand_in("ben", HALF)
+    attempts = watch()
+    assert [(one["student"], one["attempt"]) for one in attempts[2:]] == [("ann", 2), ("ben", 2)]
+    assert len({one["record"]["seed"] for one in attempts}) == 4
+    assert scores(tmp_path) == {"ann": 10.0, "ben": 10.0}
+    assert len(watch()) == 4  # nothing new, nothing twice
+    page = (tmp_path / "submitted" / "ben" / SLUG / f"{SLUG}-feedback.html").read_text()
+    assert "Attempt 2; your best attempt counts, 10 points so far." in page
+    assert "ben" in (tmp_path / "results" / "status.html").read_text()
+
+
+def test_the_last_counts_and_no_more_attempts_than_allowed(watch, hand_in, tmp_path):
+    for n in range(4):
+        hand_in("ann", f"{HALF}# {n}\n" if n == 1 else f"\n# {n}\n")
+        attempts = watch("--attempts", 2, "--count", "last")
+    assert len(attempts) == 2 and scores(tmp_path)["ann"] < 10.0
+
+
+def test_who_has_to_wait_is_graded_later_and_the_newest_counts(watch, hand_in):
+    for n in range(3):
+        hand_in("ann", f"\n# {n}\n")
+        assert len(watch("--every", "1h")) == 1
+    assert len(watch()) == 2  # the second is replaced by the third
+
+
+def arrival(student, at):
+    return Arrival(student, SLUG, f"{student}{at}", at, "", "", "")
+
+
+def test_the_queue_keeps_the_order_over_a_restart_and_half_a_line(tmp_path):
+    queue = Queue(tmp_path, Policy())
+    for at, student in enumerate("cabca"):
+        queue.take(arrival(student, float(at)))
+    assert [one.student for one in queue.ready(9.0)] == ["c", "a", "b"]
+    with open(tmp_path / "watch.jsonl", "ab") as file:
+        file.write(b'{"event": "arr')
+    again = Queue(tmp_path, Policy())
+    assert again.arrivals == queue.arrivals and (tmp_path / "watch.jsonl").read_bytes().endswith(b"\n")
+    again.note("graded", again.arrivals[0], attempt=1, graded_at=9.0, waited=1.0, record={"score": 1.0})
+    assert [one.student for one in Queue(tmp_path, Policy()).ready(9.0)] == ["a", "b", "c"]
+    later = Queue(tmp_path, Policy(every=10.0))
+    assert [one.student for one in later.ready(10.0)] == ["a", "b"] and later.ready(19.0)[2].student == "c"
+
+
+def test_a_page_is_written_through_no_link(watch, hand_in, tmp_path):
+    path = hand_in("ann")
+    (tmp_path / "mine").write_text("mine")
+    (path.parent / f"{SLUG}-feedback.html").symlink_to(tmp_path / "mine")
+    watch()
+    assert (tmp_path / "mine").read_text() == "mine"
+    assert "Attempt 1" in (path.parent / f"{SLUG}-feedback.html").read_text()
+
+
+def test_an_exchange_of_nbgrader(watch, tmp_path, solution_text):
+    """As ExchangeSubmit.copy_files and ExchangeReleaseFeedback.copy_files of nbgrader 0.9 write them."""
+    for n, student in enumerate(("ann", "ben")):
+        folder = tmp_path / "exchange" / "inbound" / f"{student}+{SLUG}+2026-09-14 10:00:0{n} UTC+abc"
+        folder.mkdir(parents=True)
+        (folder / f"{SLUG}.py").write_text(solution_text(SLUG))
+        (folder / f"{SLUG}.ipynb").write_text('{"cells": [], "metadata": {}, "nbformat": 4, "nbformat_minor": 5}')
+        (folder / "timestamp.txt").write_text("2026-09-14 10:00:00 UTC")
+        if student == "ann":
+            (folder / "submission_secret.txt").write_text("secret")
+    (done,) = watch(source="exchange")
+    assert (done["student"], done["record"]["score"]) == ("ann", 10.0)
+    name = hashlib.md5(b"secret" + SLUG.encode()).hexdigest()
+    assert "Attempt 1" in (tmp_path / "exchange" / "feedback" / f"{name}.html").read_text()
+
+
+@pytest.mark.every
+def test_a_watch_that_is_killed_loses_nothing(course, tmp_path, hand_in):
+    (tmp_path / "submitted").mkdir()
+    out = tmp_path / "results"
+    command = [sys.executable, "-m", "tam570_grader.cli", "--root", str(course), "watch", str(tmp_path / "submitted")]
+    command += ["--out", str(out), "--jobs", "2"]
+    for kill in range(6):
+        process = subprocess.Popen(command, stderr=subprocess.DEVNULL)
+        for n in range(5):
+            hand_in(f"s{kill}{n}", f"\n# {kill}\n")
+        time.sleep(0.3 + 0.4 * kill)
+        process.send_signal(signal.SIGKILL)
+        process.wait()
+    assert subprocess.run([*command, "--once"], timeout=120).returncode == 0
+    lines = [json.loads(line) for line in (out / "watch.jsonl").read_text().splitlines()]
+    graded = [line["student"] for line in lines if line["event"] == "graded"]
+    everybody = {f"s{kill}{n}" for kill in range(6) for n in range(5)}
+    assert sorted(graded) == sorted(everybody) and scores(tmp_path) == dict.fromkeys(everybody, 10.0)
+    assert {path.parts[-3] for path in (tmp_path / "submitted").rglob("*-feedback.html")} == everybody
+    assert not os.path.exists(out / "watch.jsonl.new")
