@@ -66,6 +66,9 @@ FAINT = """() => {
 }"""
 
 
+AXE = {"iframes": False, "preload": False, "resultTypes": ["violations"]}  # a scene is a page by itself
+
+
 @pytest.fixture
 def opened(browser, address):
     """`opened(page, ...)` -> the tab; it must not complain, nor ask another server."""
@@ -108,7 +111,7 @@ def test_axe_finds_no_fault_on_any_page(opened, site, address, viewport, scheme)
     scenes = [name for name in pages if name.startswith("scenes/")]
     for name in [*(name for name in pages if not name.startswith(("scenes/", "_static/"))), *scenes[::10]]:
         tab.goto(address + name)
-        found = Axe().run(tab, options={"iframes": False, "resultTypes": ["violations"]}).response["violations"]
+        found = Axe().run(tab, options=AXE).response["violations"]
         if found:
             faults[name] = [(one["id"], one["nodes"][0]["html"]) for one in found]
     assert not faults
