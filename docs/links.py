@@ -22,9 +22,9 @@ class Page(HTMLParser):
         self.feed(file.read_text(encoding="utf-8"))
 
     def handle_starttag(self, tag, attributes):
-        known = dict(attributes)
-        self.anchors |= {known[name] for name in ("id", "name") if known.get(name)}
-        self.links += [(tag, known[name]) for name in ("href", "src", "data-page") if known.get(name)]
+        values = dict(attributes)
+        self.anchors |= {values[name] for name in ("id", "name") if values.get(name)}
+        self.links += [(tag, values[name]) for name in ("href", "src", "data-page") if values.get(name)]
 
 
 def broken(site):
@@ -49,6 +49,6 @@ def _problem(file, tag, link, pages):
 
 
 if __name__ == "__main__":
-    found = list(broken(Path(sys.argv[1])))
-    print("\n".join(found) or "all links lead to where they say")
-    sys.exit(bool(found))
+    problems = list(broken(Path(sys.argv[1])))
+    print("\n".join(problems) or "all links lead to where they say")
+    sys.exit(bool(problems))

@@ -20,14 +20,14 @@ def _process(app, what, name, obj, options, lines):
 
 def listed(lines):
     """The lines with each argument as an item of a list; other blocks that are indented are code."""
-    made, inside = [], ""
+    result, previous = [], ""
     for line in lines:
-        kind = _kind(line, inside)
-        if kind != inside:
-            made += ["", "::", ""] if kind == "code" else [""]
-        made.append(_written(line, kind))
-        inside = kind
-    return made
+        kind = _kind(line, previous)
+        if kind != previous:
+            result += ["", "::", ""] if kind == "code" else [""]
+        result.append(_written(line, kind))
+        previous = kind
+    return result
 
 
 def _kind(line, before):
@@ -42,9 +42,9 @@ def _kind(line, before):
 
 
 def _written(line, kind):
-    found = ARGUMENT.fullmatch(line)
-    if found:
-        return f"* ``{found['names']}`` : {_safe(found['text'])}"
+    match = ARGUMENT.fullmatch(line)
+    if match:
+        return f"* ``{match['names']}`` : {_safe(match['text'])}"
     if kind == "argument":
         return f"  {_safe(line.strip())}"
     return line if kind in ("code", "example") else _safe(line)

@@ -41,8 +41,8 @@ def _draw():
             _picture(name)
 
 
-def _newer(one, other):
-    return one.stat().st_mtime > other.stat().st_mtime
+def _newer(file, other):
+    return file.stat().st_mtime > other.stat().st_mtime
 
 
 def _results(name):
@@ -50,13 +50,13 @@ def _results(name):
 
 
 def _origin(name):
-    """The machine and the day of a measurement, as the results and their commit tell them."""
+    """The machine and the day of a measurement, from the results and their commit."""
     log = ["git", "-C", str(COURSE), "log", "-1", "--format=%as", "--", str(RESULTS / f"{name}.json")]
     day = subprocess.run(log, capture_output=True, text=True).stdout.strip() or "an unknown day"
-    known = _results(name)
-    told = known if isinstance(known, dict) else {}
-    told = {**told, **told.get("versions", {})}
-    machine = [told.get("machine", "2 cores"), *(f"Python {told[key]}" for key in ("python",) if key in told)]
+    results = _results(name)
+    facts = results if isinstance(results, dict) else {}
+    facts = {**facts, **facts.get("versions", {})}
+    machine = [facts.get("machine", "2 cores"), *(f"Python {facts[key]}" for key in ("python",) if key in facts)]
     return f"Measured on a shared machine ({', '.join(machine)}); recorded on {day}."
 
 
@@ -68,9 +68,9 @@ def _picture(name):
     import matplotlib.pyplot as plt
 
     scenes = _results(name)["scenes"]
-    chosen = list(scenes)[:: -(-len(scenes) // PANELS)]
-    figure, axes = plt.subplots(-(-len(chosen) // 3), 3, figsize=(11, 2.6 * -(-len(chosen) // 3)), squeeze=False)
-    for ax, scene in zip(axes.flat, chosen, strict=False):
+    drawn = list(scenes)[:: -(-len(scenes) // PANELS)]
+    figure, axes = plt.subplots(-(-len(drawn) // 3), 3, figsize=(11, 2.6 * -(-len(drawn) // 3)), squeeze=False)
+    for ax, scene in zip(axes.flat, drawn, strict=False):
         for method, curve in scenes[scene]["curves"].items():
             if curve and method in COLOURS:
                 ours = method.startswith("tam570")
@@ -85,7 +85,7 @@ def _picture(name):
                 )
         ax.set(title=scene, xlim=(10, 1e-18))
         ax.grid(alpha=0.3)
-    for ax in axes.flat[len(chosen) :]:
+    for ax in axes.flat[len(drawn) :]:
         ax.set_visible(False)
     for ax in axes[:, 0]:
         ax.set_ylabel("run time (s)")
@@ -107,90 +107,90 @@ def _grading(rows):
     by = {
         (row["assignment"], row["grader"].split(",")[0]): row["seconds_each"] for row in rows if row["submissions"] > 1
     }
-    told = {"hw08_axis_angle": "hw08, functions of a point", "hw07_double_pendulum": "hw07, simulations"}
-    made = []
-    for slug, words in told.items():
+    labels = {"hw08_axis_angle": "hw08, functions of a point", "hw07_double_pendulum": "hw07, simulations"}
+    lines = []
+    for slug, words in labels.items():
         ours, peer = by[slug, "tam570-grader"], by[slug, "nbgrader"]
-        made.append([words, f"{1e3 * ours:.0f} ms", f"{1e3 * peer:.0f} ms", f"{peer / ours:.0f}"])
-    return _table(["one submission", "tam570-grader, 2 jobs", "nbgrader", "ratio"], made)
+        lines.append([words, f"{1e3 * ours:.0f} ms", f"{1e3 * peer:.0f} ms", f"{peer / ours:.0f}"])
+    return _table(["one submission", "tam570-grader, 2 jobs", "nbgrader", "ratio"], lines)
 
 
 def _size(rows):
-    made = []
+    lines = []
     for row in rows:
         seconds = [f"{row[step]['cpu_seconds']:.1f} s" for step in ("resume", "late file", "report")]
         most = max(row[step]["mib"] for step in ("resume", "late file", "report"))
-        made.append([f"{row['submissions']:,}", *seconds, f"{most:.0f} MiB", f"{row['page_mb']:.1f} MB"])
-    return _table(["submissions", "resume", "one late file", "report", "most memory", "page"], made)
+        lines.append([f"{row['submissions']:,}", *seconds, f"{most:.0f} MiB", f"{row['page_mb']:.1f} MB"])
+    return _table(["submissions", "resume", "one late file", "report", "most memory", "page"], lines)
 
 
 def _autograde(rows):
     by = {(row["assignment"], row["way"], row["endless_loop"]): row["one_more"] for row in rows}
-    own = "nbgrader's own, the same notebooks"
-    asked = [
+    peer_name = "nbgrader's own, the same notebooks"
+    columns = [
         ("hw08", "hw08_axis_angle", "our preprocessors", False),
         ("hw07", "hw07_double_pendulum", "our preprocessors", False),
         ("hw08, 1 of 20 with an endless loop", "hw08_axis_angle", "our preprocessors", True),
         ("the same, 2 s for a call in place of 10", "hw08_axis_angle", "our preprocessors, 2 s a call", True),
     ]
-    made = []
-    for words, slug, way, hangs in asked:
-        ours, peer = by[slug, way, hangs], by[slug, own, hangs]
-        made.append([words, f"{1e3 * ours:.0f} ms", f"{1e3 * peer:.0f} ms", f"{peer / ours:.0f}"])
-    return _table(["one submission more", "our preprocessors", "nbgrader's own", "ratio"], made)
+    lines = []
+    for words, slug, way, hangs in columns:
+        ours, peer = by[slug, way, hangs], by[slug, peer_name, hangs]
+        lines.append([words, f"{1e3 * ours:.0f} ms", f"{1e3 * peer:.0f} ms", f"{peer / ours:.0f}"])
+    return _table(["one submission more", "our preprocessors", "nbgrader's own", "ratio"], lines)
 
 
 def _show(rows):
     by = {row["scene"]: row for row in rows}
     ours, peer = by["hw07_double_pendulum"], by["hw07_double_pendulum, matplotlib HTMLWriter"]
-    made = [
+    lines = [
         ["time", f"{ours['seconds']:.2f} s", f"{peer['seconds']:.1f} s"],
         ["size", f"{ours['bytes'] / 1e3:.0f} kB", f"{peer['bytes'] / 1e3:.0f} kB"],
     ]
-    return _table(["hw07's scene, 20 s", "tam570", "Matplotlib's HTMLWriter"], made)
+    return _table(["hw07's scene, 20 s", "tam570", "Matplotlib's HTMLWriter"], lines)
 
 
-def _rotations(found):
-    made = []
-    for batch in sorted({row["batch"] for row in found["timings"]}):
-        ratios = [row["ratio"] for row in found["timings"] if row["batch"] == batch and row["ratio"]]
-        made.append([f"{batch}", f"{min(ratios):.2f}", f"{median(ratios):.2f}", f"{max(ratios):.2f}"])
-    worst = max(row["eps"] for row in found["errors"])
-    scipy = max(row["scipy_eps"] or 0 for row in found["errors"])
-    text = _table(["rotations in a call", "smallest", "median", "largest"], made)
-    told = f"The largest error of a round trip is {worst:.1f} eps here. SciPy's is {scipy:.1g} eps, in gimbal lock."
-    return f"{text}\n\n{told}"
+def _rotations(results):
+    lines = []
+    for batch in sorted({row["batch"] for row in results["timings"]}):
+        ratios = [row["ratio"] for row in results["timings"] if row["batch"] == batch and row["ratio"]]
+        lines.append([f"{batch}", f"{min(ratios):.2f}", f"{median(ratios):.2f}", f"{max(ratios):.2f}"])
+    worst = max(row["eps"] for row in results["errors"])
+    scipy = max(row["scipy_eps"] or 0 for row in results["errors"])
+    text = _table(["rotations in a call", "smallest", "median", "largest"], lines)
+    note = f"The largest error of a round trip is {worst:.1f} eps here. SciPy's is {scipy:.1g} eps, in gimbal lock."
+    return f"{text}\n\n{note}"
 
 
-def _ratios(found):
+def _ratios(results):
     shown = ["tam570, Python", "tam570, compiled", "odeint", "CyRK", "heyoka"]
-    made = []
-    for target, rows in found["ratios"].items():
+    lines = []
+    for target, rows in results["ratios"].items():
         cells = [f"{rows[name]['median']:.2g} ({rows[name]['worst']:.2g})" for name in shown]
-        made.append([_power(target), *cells])
-    return _table(["error", *shown], made)
+        lines.append([_power(target), *cells])
+    return _table(["error", *shown], lines)
 
 
-def _against(found):
-    made, columns = [], [(ours, peer) for ours in ("prepared", "compiled") for peer in ("CyRK", "heyoka")]
-    for problems, rows in found["against"].items():
+def _against(results):
+    lines, columns = [], [(ours, peer) for ours in ("prepared", "compiled") for peer in ("CyRK", "heyoka")]
+    for problems, rows in results["against"].items():
         cells = {
             (target, ours.removeprefix("tam570, "), peer): f"{middle:.2f} ({worst:.2f}, {scene})"
             for ours, peer, target, (middle, worst, scene, _) in rows
         }
         for target in sorted({target for target, _, _ in cells}, reverse=True):
-            made.append([problems, _power(f"{target:g}"), *(cells[target, *column] for column in columns)])
+            lines.append([problems, _power(f"{target:g}"), *(cells[target, *column] for column in columns)])
     heads = [f"{'a prepared run' if ours == 'prepared' else '`solve`'} over {peer}" for ours, peer in columns]
-    return _table(["problems", "error", *heads], made)
+    return _table(["problems", "error", *heads], lines)
 
 
 def _ensembles(rows):
-    made = []
+    lines = []
     for tolerance in sorted({row["tolerance"] for row in rows}, reverse=True):
         ratios = {row["problem"]: row["ratio"] for row in rows if row["tolerance"] == tolerance}
         worst = max(ratios, key=ratios.get)
-        made.append([_power(f"{tolerance:g}"), f"{median(ratios.values()):.2f}", f"{ratios[worst]:.2f}, {worst}"])
-    return _table(["tolerance", "median", "worst"], made)
+        lines.append([_power(f"{tolerance:g}"), f"{median(ratios.values()):.2f}", f"{ratios[worst]:.2f}, {worst}"])
+    return _table(["tolerance", "median", "worst"], lines)
 
 
 def _power(number):

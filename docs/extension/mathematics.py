@@ -31,19 +31,19 @@ def mathml(text, display="inline"):
     return FUNCTION.sub(_apart, BOLD.sub(_bold, markup))
 
 
-def _apart(found):
+def _apart(match):
     """The name of a function with a space to a factor before it, and to an argument without parentheses."""
-    before, after = found.string[: found.start()], found.string[found.end() :]
+    before, after = match.string[: match.start()], match.string[match.end() :]
     left = "" if before.endswith(("</mo>", "row>", "<mfrac>", "<math>", "/>")) else THIN
-    return left + found[0] + ("" if re.match(r"<mo[^>]*>\(", after) else THIN)
+    return left + match[0] + ("" if re.match(r"<mo[^>]*>\(", after) else THIN)
 
 
-def _unescaped(found):
-    return found[0] if (character := chr(int(found[1], 16))) in "<>&" else character
+def _unescaped(match):
+    return match[0] if (character := chr(int(match[1], 16))) in "<>&" else character
 
 
-def _bold(found):
-    tag, style, letter = found.groups()
+def _bold(match):
+    tag, style, letter = match.groups()
     name = unicodedata.name(letter).replace(" LETTER", "").replace("LATIN ", "").replace("GREEK ", "")
     return f'<m{tag} mathvariant="normal">{unicodedata.lookup(f"{STYLES[style]} {name}")}</m{tag}>'
 

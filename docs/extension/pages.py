@@ -91,7 +91,7 @@ def _lectures():
 def _stills():
     """What the gallery's front page includes: a still for each scene."""
     tasks = [_card(slug, f"generated/assignments.html#{slug[:4]}", title(slug)) for slug in assignments()]
-    shown = [_card(name, f"generated/lectures/{name}.html", one.title) for name, one in catalogue().items()]
+    shown = [_card(name, f"generated/lectures/{name}.html", lecture.title) for name, lecture in catalogue().items()]
     return f"## Assignments\n\n{_grid(tasks)}\n\n## Lectures\n\n{_grid(shown)}\n"
 
 
@@ -150,10 +150,10 @@ def readable(text):
 
 
 def _pretty(text):
-    text = re.sub(LETTER, lambda found: GREEK[found[1]], text)
+    text = re.sub(LETTER, lambda match: GREEK[match[1]], text)
     text = re.sub(r"''", "″", text)
     text = re.sub(r"\b(\w)'(?![a-z])", "\\1′", text)
     text = re.sub(
-        r"\^(-?\d)(?!\d)", lambda found: found[1].translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")), text
+        r"\^(-?\d)(?!\d)", lambda match: match[1].translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")), text
     )
     return MARKUP.sub(r"\\\1", text)

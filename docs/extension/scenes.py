@@ -24,7 +24,7 @@ WIDTH, QUALITY = 800, 80  # pixels of a still, and of its WebP
 
 
 def setup(app):
-    app.connect("builder-inited", _made)
+    app.connect("builder-inited", _write_all)
     app.add_directive("scene", Scene)
     return {"parallel_read_safe": True}
 
@@ -37,7 +37,7 @@ def film(name):
     return scene_of(load_student(COURSE / "solutions" / f"{name}.py", name), name)
 
 
-def _made(app):
+def _write_all(app):
     if app.builder.format != "html":
         return
     folder = Path(app.outdir, "scenes")
@@ -51,9 +51,9 @@ def _write(folder, name):
     """Write the page of a scene and its still."""
     picture = folder / f"{name}.png"
     save(film(name), picture)
-    with Image.open(picture) as whole:
-        small = whole.convert("RGB").resize(
-            (WIDTH, round(whole.height * WIDTH / whole.width)), Image.Resampling.LANCZOS
+    with Image.open(picture) as image:
+        small = image.convert("RGB").resize(
+            (WIDTH, round(image.height * WIDTH / image.width)), Image.Resampling.LANCZOS
         )
         small.save(folder / f"{name}.webp", quality=QUALITY)
     picture.unlink()

@@ -51,13 +51,13 @@ def trimmed(sheet, words):
 
 def _kept(rule, words):
     if rule.type == "at-rule" and rule.lower_at_keyword in ("media", "supports") and rule.content is not None:
-        inside = "".join(_kept(one, words) for one in tinycss2.parse_rule_list(rule.content, True, True))
+        inside = "".join(_kept(rule, words) for rule in tinycss2.parse_rule_list(rule.content, True, True))
         return f"@{rule.at_keyword}{tinycss2.serialize(rule.prelude)}{{{inside}}}" if inside else ""
     if rule.type == "at-rule" and rule.lower_at_keyword == "font-face":
         return ""
     if rule.type != "qualified-rule":
         return rule.serialize()
-    selectors = [one for one in tinycss2.serialize(rule.prelude).split(",") if _met(one, words)]
+    selectors = [part for part in tinycss2.serialize(rule.prelude).split(",") if _met(part, words)]
     return f"{','.join(selectors)}{{{tinycss2.serialize(rule.content)}}}" if selectors else ""
 
 
