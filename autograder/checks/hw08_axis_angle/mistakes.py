@@ -1,0 +1,321 @@
+"""Known mistakes of hw08."""
+
+import math
+
+import numpy as np
+
+from tam570_grader.diagnosis.mistakes import mistake
+
+from .checks import (
+    matrix_depends_on_the_direction_alone,
+    matrix_holds_for_every_angle,
+    matrix_refuses_what_is_no_axis,
+    matrix_turns_by_the_right_hand_rule,
+    rotate_refuses_what_is_no_axis,
+    skew_is_the_cross_product,
+    vector_turns_by_every_angle,
+    vector_turns_by_the_right_hand_rule,
+)
+
+# The cross product
+
+
+@mistake(
+    "You return the matrix of r x v; it must be v x r.", first_fails=skew_is_the_cross_product, name="transposed_skew"
+)
+def skew(reference, v):
+    return reference(v).T
+
+
+@mistake("You return the identity for v = 0; it is the zero matrix.", first_fails=skew_is_the_cross_product)
+def skew(reference, v):
+    return reference(v) if np.any(v) else np.eye(3)
+
+
+# The axis
+
+
+@mistake("You use the axis as it is; divide it by its length.", first_fails=matrix_turns_by_the_right_hand_rule)
+def _unit(reference, axis):
+    return np.array(axis)
+
+
+@mistake(
+    "You divide the axis by the square of its length; divide it by its length.",
+    first_fails=matrix_turns_by_the_right_hand_rule,
+)
+def _unit(reference, axis):
+    return axis / np.dot(axis, axis)
+
+
+@mistake(
+    "You divide the axis by the sum of its components' sizes; divide it by its length.",
+    first_fails=matrix_turns_by_the_right_hand_rule,
+)
+def _unit(reference, axis):
+    return axis / np.abs(axis).sum() if np.any(axis) and np.isfinite(axis).all() else reference(axis)
+
+
+@mistake(
+    "You multiply the angle by the length of the axis; only the axis's direction matters.",
+    first_fails=matrix_turns_by_the_right_hand_rule,
+)
+def rotation_matrix(reference, axis, angle):
+    return reference(axis, angle * np.linalg.norm(axis))
+
+
+@mistake(
+    "You use a unit axis, but not in the term with sin(angle); divide the axis by its length there, too.",
+    first_fails=matrix_turns_by_the_right_hand_rule,
+)
+def rotation_matrix(reference, axis, angle):
+    return reference(axis, angle) + np.sin(angle) * skew(axis - _unit(axis))
+
+
+@mistake(
+    "You get the axis's polar angle from arccos, which rounds to 0 near the z axis; use arctan2 or no angle.",
+    first_fails=matrix_turns_by_the_right_hand_rule,
+    compared=False,
+)
+def rotation_matrix(reference, axis, angle):
+    x, y, z = _unit(axis)
+    polar, azimuth = math.acos(max(-1.0, min(1.0, z))), math.atan2(y, x)
+    n = [math.sin(polar) * math.cos(azimuth), math.sin(polar) * math.sin(azimuth), math.cos(polar)]
+    return reference(n if polar < 1e-6 else axis, angle)
+
+
+@mistake(
+    "You refuse a short axis; only the zero axis has no direction.", first_fails=matrix_depends_on_the_direction_alone
+)
+def _unit(reference, axis):
+    if np.linalg.norm(axis) < 1e-8:
+        raise ValueError("no axis")
+    return reference(axis)
+
+
+@mistake(
+    "You do not turn about a short axis; only its direction matters.", first_fails=matrix_depends_on_the_direction_alone
+)
+def rotation_matrix(reference, axis, angle):
+    return np.eye(3) if 0 < np.linalg.norm(axis) < 1e-8 else reference(axis, angle)
+
+
+@mistake(
+    "You test only the largest component of the axis; minus infinity is not the largest.",
+    first_fails=matrix_refuses_what_is_no_axis,
+    compared=False,
+)
+def _unit(reference, axis):
+    if np.isnan(axis).any() or np.max(axis) == np.inf or not np.any(axis):
+        raise ValueError("no axis")
+    finite = np.nan_to_num(axis) / np.max(np.abs(np.nan_to_num(axis)))
+    return finite / np.linalg.norm(finite)
+
+
+@mistake(
+    "You accept an axis that is not finite; raise ValueError.",
+    first_fails=matrix_refuses_what_is_no_axis,
+    compared=False,
+)
+def _unit(reference, axis):
+    length = np.max(np.abs(axis))
+    if length == 0:
+        raise ValueError("no axis")
+    return axis / length / np.linalg.norm(axis / length)
+
+
+@mistake(
+    "You return the identity for the zero axis; raise ValueError.",
+    first_fails=matrix_refuses_what_is_no_axis,
+    name="zero_axis_is_no_rotation",
+    compared=False,
+)
+def rotation_matrix(reference, axis, angle):
+    return reference(axis, angle) if np.any(axis) else np.eye(3)
+
+
+@mistake(
+    "You do not look at the axis where the angle is 0; raise ValueError for a zero axis there, too.",
+    first_fails=matrix_refuses_what_is_no_axis,
+    compared=False,
+)
+def rotation_matrix(reference, axis, angle):
+    return np.eye(3) if angle == 0 else reference(axis, angle)
+
+
+# The three terms
+
+
+@mistake(
+    "You multiply the identity by n . n; the term needs the dyad n n^T.",
+    first_fails=matrix_turns_by_the_right_hand_rule,
+)
+def rotation_matrix(reference, axis, angle):
+    return np.eye(3) + np.sin(angle) * skew(_unit(axis))
+
+
+@mistake(
+    "You multiply n * n element by element; np.outer(n, n) has all products n_x n_y.",
+    first_fails=matrix_turns_by_the_right_hand_rule,
+)
+def rotation_matrix(reference, axis, angle):
+    n = _unit(axis)
+    return np.cos(angle) * np.eye(3) + (1 - np.cos(angle)) * n * n + np.sin(angle) * skew(n)
+
+
+@mistake(
+    "You put only the squares of n on the diagonal; the term needs all products n_x n_y, the dyad n n^T.",
+    first_fails=matrix_turns_by_the_right_hand_rule,
+)
+def rotation_matrix(reference, axis, angle):
+    n, c = _unit(axis), np.cos(angle)
+    return c * np.eye(3) + (1 - c) * np.diag(n**2) + np.sin(angle) * skew(n)
+
+
+@mistake(
+    "You square each element of skew(n) by K ** 2; use K @ K, the product of the matrix with itself.",
+    first_fails=matrix_turns_by_the_right_hand_rule,
+)
+def rotation_matrix(reference, axis, angle):
+    K = skew(_unit(axis))
+    return np.eye(3) + np.sin(angle) * K + (1 - np.cos(angle)) * K**2
+
+
+@mistake("You subtract (1 - cos(angle)) skew(n)^2; add it.", first_fails=matrix_turns_by_the_right_hand_rule)
+def rotation_matrix(reference, axis, angle):
+    K = skew(_unit(axis))
+    return np.eye(3) - (1 - np.cos(angle)) * K @ K + np.sin(angle) * K
+
+
+@mistake(
+    "You use 1 - sin(angle) for 1 - cos(angle) in the term with n n^T.", first_fails=matrix_turns_by_the_right_hand_rule
+)
+def rotation_matrix(reference, axis, angle):
+    n, c, s = _unit(axis), np.cos(angle), np.sin(angle)
+    return c * np.eye(3) + (1 - s) * np.outer(n, n) + s * skew(n)
+
+
+# The angle
+
+
+@mistake(
+    "You return the transpose, which turns the other way.",
+    first_fails=matrix_turns_by_the_right_hand_rule,
+    name="transposed",
+)
+def rotation_matrix(reference, axis, angle):
+    return reference(axis, angle).T
+
+
+@mistake(
+    "You get sin(angle) from the root of 1 - cos(angle)^2, which has lost its sign; use the sine.",
+    first_fails=matrix_turns_by_the_right_hand_rule,
+)
+def rotation_matrix(reference, axis, angle):
+    n, c = _unit(axis), np.cos(angle)
+    return c * np.eye(3) + (1 - c) * np.outer(n, n) + np.sqrt(1 - c**2) * skew(n)
+
+
+@mistake("You drop the sign of the angle; keep it.", first_fails=matrix_turns_by_the_right_hand_rule)
+def rotation_matrix(reference, axis, angle):
+    return reference(axis, abs(angle))
+
+
+@mistake("You reduce the angle modulo 360; a turn is 2 pi radians.", first_fails=matrix_turns_by_the_right_hand_rule)
+def rotation_matrix(reference, axis, angle):
+    return reference(axis, angle % 360)
+
+
+@mistake("You reduce the angle modulo pi; a turn is 2 pi.", first_fails=matrix_turns_by_the_right_hand_rule)
+def rotation_matrix(reference, axis, angle):
+    return reference(axis, np.fmod(angle, np.pi))
+
+
+@mistake(
+    "You return the identity for a half turn; its sine is 0, but its cosine is -1.",
+    first_fails=matrix_turns_by_the_right_hand_rule,
+)
+def rotation_matrix(reference, axis, angle):
+    return reference(axis, 0.0 if abs(np.sin(angle)) < 1e-15 else angle)
+
+
+@mistake("You use single precision for large angles; use float64.", first_fails=matrix_holds_for_every_angle)
+def rotation_matrix(reference, axis, angle):
+    return reference(axis, np.float32(angle).item() if abs(angle) > 50 else angle)
+
+
+@mistake(
+    "You do not turn by angles below 1e-8; the term with sin(angle) counts there, too.",
+    first_fails=matrix_holds_for_every_angle,
+    tolerance=1e-14,
+)
+def rotation_matrix(reference, axis, angle):
+    return reference(axis, 0.0 if abs(angle) < 1e-8 else angle)
+
+
+@mistake(
+    "You cut off the series of the sine after its first term for small angles; use the sine.",
+    first_fails=matrix_holds_for_every_angle,
+    compared=False,
+)
+def rotation_matrix(reference, axis, angle):
+    K = skew(_unit(axis))
+    return np.eye(3) + angle * K + angle**2 / 2 * K @ K if abs(angle) < 0.001 else reference(axis, angle)
+
+
+# Vectors
+
+
+@mistake(
+    "You divide r by its length; the turned vector keeps the length of r.",
+    first_fails=vector_turns_by_the_right_hand_rule,
+)
+def rotate(reference, r, axis, angle):
+    return reference(r, axis, angle) / (np.linalg.norm(r) or 1.0)
+
+
+@mistake(
+    "You return zero for r along the axis, where n x r is zero; r stays as it is.",
+    first_fails=vector_turns_by_the_right_hand_rule,
+)
+def rotate(reference, r, axis, angle):
+    across = np.cross(_unit(axis), r)
+    return reference(r, axis, angle) if np.linalg.norm(across) > 1e-9 * np.linalg.norm(r) else across
+
+
+@mistake(
+    "You multiply r by the matrix; the formula needs no matrix.",
+    first_fails=vector_turns_by_the_right_hand_rule,
+    compared=False,
+)
+def rotate(reference, r, axis, angle):
+    return rotation_matrix(axis, angle) @ r
+
+
+@mistake(
+    "You change the given r; return a new vector.",
+    first_fails=vector_turns_by_the_right_hand_rule,
+    name="rotate_changes_r",
+    compared=False,
+)
+def rotate(reference, r, axis, angle):
+    r[:] = reference(r, axis, angle)
+    return r
+
+
+@mistake(
+    "You return the zero vector before you look at the axis; raise ValueError for a zero axis.",
+    first_fails=rotate_refuses_what_is_no_axis,
+    compared=False,
+)
+def rotate(reference, r, axis, angle):
+    return reference(r, axis, angle) if np.any(r) else np.zeros(3)
+
+
+@mistake(
+    "You do not turn r by angles below 1e-8; the term with sin(angle) counts there, too.",
+    first_fails=vector_turns_by_every_angle,
+    tolerance=1e-14,
+)
+def rotate(reference, r, axis, angle):
+    return reference(r, axis, 0.0 if abs(angle) < 1e-8 else angle)
