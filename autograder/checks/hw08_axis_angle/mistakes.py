@@ -199,15 +199,6 @@ def rotation_matrix(reference, axis, angle):
 
 
 @mistake(
-    "You return the transpose, which turns the other way.",
-    first_fails=matrix_turns_by_the_right_hand_rule,
-    name="transposed",
-)
-def rotation_matrix(reference, axis, angle):
-    return reference(axis, angle).T
-
-
-@mistake(
     "You get sin(angle) from the root of 1 - cos(angle)^2, which has lost its sign; use the sine.",
     first_fails=matrix_turns_by_the_right_hand_rule,
 )

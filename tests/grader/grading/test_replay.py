@@ -14,12 +14,12 @@ SLUG = "hw08_axis_angle"
 
 @pytest.fixture(scope="module")
 def results(tmp_path_factory, course):
-    """A class of one, whose rotation matrix is the transpose."""
+    """A class of one, whose rotation matrix has one term of the wrong sign."""
     folder = tmp_path_factory.mktemp("replay")
     work = folder / "submitted" / "ada" / SLUG
     work.mkdir(parents=True)
     solution = (course / "solutions" / f"{SLUG}.py").read_text()
-    slip = overlays(assignments.checks_folder(course, SLUG))["transposed"]
+    slip = overlays(assignments.checks_folder(course, SLUG))["square_subtracted"]
     (work / f"{SLUG}.py").write_text(f"{solution}\n\n{slip}")
     (folder / "reference.py").write_text(solution)
     arguments = ["grade", str(folder / "submitted"), "--out", str(folder / "out"), "--seed", "3", "--jobs", "1"]
@@ -28,7 +28,7 @@ def results(tmp_path_factory, course):
 
 
 def failed(course):
-    known = {one.name: one for one in mistakes(assignments.checks_folder(course, SLUG))}["transposed"]
+    known = {one.name: one for one in mistakes(assignments.checks_folder(course, SLUG))}["square_subtracted"]
     return known.first_fails or min(known.fails)
 
 

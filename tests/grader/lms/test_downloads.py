@@ -93,7 +93,7 @@ def test_the_schema_tells_right_from_wrong():
 @pytest.mark.parametrize("what", ["solution", "stub", "transposed", "no_syntax"])
 def test_results_are_what_gradescope_accepts(course, submission, solution_text, capsys, what):
     solution = solution_text(ONE)
-    wrong = overlays(assignments.checks_folder(course, ONE))["transposed"]
+    wrong = overlays(assignments.checks_folder(course, ONE))["square_subtracted"]
     texts = {"solution": solution, "stub": stub(solution), "transposed": solution + wrong, "no_syntax": "def f(:"}
     grade = ["grade", str(submission(texts[what])), "--assignment", ONE, "--seed", "3", "--format", "gradescope"]
     assert cli.main(["--root", str(course), *grade]) == 0
@@ -105,7 +105,7 @@ def test_results_are_what_gradescope_accepts(course, submission, solution_text, 
 
 
 def test_results_hold_nothing_hidden(course, grade, solution_text):
-    wrong = overlays(assignments.checks_folder(course, ONE))["transposed"]
+    wrong = overlays(assignments.checks_folder(course, ONE))["square_subtracted"]
     record = grade(ONE, solution_text(ONE) + wrong).record()
     failed = [mark["failure"] for mark in record["checks"] if "failure" in mark]
     hidden = re.findall(
