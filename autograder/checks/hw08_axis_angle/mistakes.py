@@ -181,7 +181,11 @@ def rotation_matrix(reference, axis, angle):
     return np.eye(3) + np.sin(angle) * K + (1 - np.cos(angle)) * K**2
 
 
-@mistake("You subtract (1 - cos(angle)) skew(n)^2; add it.", first_fails=matrix_turns_by_the_right_hand_rule)
+@mistake(
+    "You subtract (1 - cos(angle)) skew(n)^2; add it.",
+    first_fails=matrix_turns_by_the_right_hand_rule,
+    name="square_subtracted",
+)
 def rotation_matrix(reference, axis, angle):
     K = skew(_unit(axis))
     return np.eye(3) - (1 - np.cos(angle)) * K @ K + np.sin(angle) * K
