@@ -15,6 +15,7 @@ from tam570_grader.grading.command import add_grade
 from tam570_grader.grading.replay import add_replay
 from tam570_grader.grading.watch import add_watch
 from tam570_grader.lms.command import add_alike, add_collect, add_export, add_lms, add_report
+from tam570_grader.lms.mark import add_mark
 from tam570_grader.lms.points import add_points
 from tam570_grader.release.command import add_course, add_gradescope, add_kit, add_stubs, add_trust
 
@@ -26,6 +27,7 @@ COMMANDS = (
     add_grade,
     add_watch,
     add_points,
+    add_mark,
     add_replay,
     add_stubs,
     add_trust,

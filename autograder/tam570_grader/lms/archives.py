@@ -12,7 +12,7 @@ from pathlib import Path
 from tam570_grader.errors import UsageError, printable
 from tam570_grader.grading.submissions import LARGEST, form
 
-__all__ = ["File", "Room", "inside", "members", "shortened"]
+__all__ = ["File", "Room", "inside", "is_beside", "members", "shortened"]
 
 MOST = 100_000  # files in a download
 MOST_INSIDE = 1000  # files of a student, in zip files of their own too
@@ -20,6 +20,7 @@ MOST_UNPACKED = 2 * LARGEST  # bytes of all work of a student: every student's i
 LONGEST_PATH = 1000  # characters
 ENTRY = 46  # bytes that a zip file's directory has for a file, at least
 METHODS = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)  # the others unpack a piece whole, however large it becomes
+BESIDE = (".pdf", ".png", ".jpg", ".jpeg", ".gif", ".svg", ".md", ".txt", ".docx", ".tex")  # as `tam570 handin` packs
 SYSTEMS = ("__MACOSX", ".DS_Store")  # what systems put beside the files
 
 
@@ -71,12 +72,17 @@ def inside(packed: File, room: Room) -> list[File]:
         if _size_of_directory(packed.data) > MOST_INSIDE * (ENTRY + LONGEST_PATH):
             raise UsageError(f"it holds more than {MOST_INSIDE} files")
         with zipfile.ZipFile(io.BytesIO(packed.data)) as archive:
-            infos = [one for one in _files(archive, MOST_INSIDE, "it") if form(one.filename)]
+            infos = [one for one in _files(archive, MOST_INSIDE, "it") if form(one.filename) or is_beside(one.filename)]
             if full := room.takes(infos):
                 raise UsageError(full)
             return [replace(one, path=printable(one.path)) for one in map(partial(_member, archive), infos)]
     except Exception as error:  # zipfile raises many kinds, those of its parts among them
         return [File("", b"", f"it cannot be unpacked: {shortened(str(error))}")]
+
+
+def is_beside(name: str) -> bool:
+    """Whether a file holds drawings or words that go with the work, by its name."""
+    return name.lower().endswith(BESIDE)
 
 
 def shortened(text: str) -> str:

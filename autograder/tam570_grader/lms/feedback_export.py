@@ -12,6 +12,7 @@ from pathlib import Path
 from tam570_grader.checks import assignments
 from tam570_grader.errors import UsageError, printable, writing
 from tam570_grader.grading import roster as rosters
+from tam570_grader.grading.submissions import form
 from tam570_grader.lms.downloads import named
 from tam570_grader.lms.submission_import import listed
 from tam570_grader.lms.systems import SYSTEMS
@@ -63,10 +64,10 @@ def _named(
     Who handed in nothing but a PDF has a page that says so, and gets it by the name of that.
     """
     found: dict[tuple[str, str], tuple[str, bool]] = {}
-    for cells in sorted(rows, key=lambda cells: not cells["file"]):
+    for cells in sorted(rows, key=lambda cells: not form(cells["file"])):
         key = cells["student"], cells["assignment"]
         for name in _page(cells, system, everyone) if key[1] else ():
-            found.setdefault(key, (name, bool(cells["file"])))
+            found.setdefault(key, (name, bool(form(cells["file"]))))
     return found
 
 

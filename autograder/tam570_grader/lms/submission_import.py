@@ -9,7 +9,7 @@ from tam570_grader.errors import UsageError, counted, say, warn, writing
 from tam570_grader.grading import roster as rosters
 from tam570_grader.grading.roster import Directory, Person
 from tam570_grader.grading.submissions import GIVEN, folder_of, form, of_folder, of_name
-from tam570_grader.lms.archives import File, Room, inside, members
+from tam570_grader.lms.archives import File, Room, inside, is_beside, members
 from tam570_grader.lms.downloads import Handed, read, time_of
 from tam570_grader.lms.systems import SYSTEMS
 from tam570_grader.results.tables import name_in, table, write_table, written
@@ -85,7 +85,7 @@ def run(
         raise UsageError(f"{source} holds nothing that is named as {system} names submissions: is --from right?")
     slug = given or _assignment_of(unpacked, known)
     rows = [row for one in unpacked for row in _taken(one, system, everyone, teams, slug, known, given)]
-    rows = _newest(_told_apart(rows, everyone))
+    rows = _with_work(_newest(_told_apart(rows, everyone)))
     rows = _timed(rows, times, everyone)
     replaced = _write(rows, out)
     troubles = [(row.student, _told(row)) for row in rows if row.note and row.note not in (OLDER, RELEASED)]
@@ -128,9 +128,10 @@ def _unpacked(handed: Sequence[Handed]) -> list[Handed]:
 def _unpack(handed: Handed, room: Room) -> list[Handed]:
     file = handed.file
     if file.refused or not handed.title.lower().endswith(".zip"):
-        if form(handed.title) and (full := room.takes([file])):
+        is_kept = bool(form(handed.title)) or is_beside(handed.title)
+        if is_kept and (full := room.takes([file])):
             return [replace(handed, file=File(file.path, b"", full))]
-        return [replace(handed, file=file if form(handed.title) else replace(file, data=b""))]
+        return [replace(handed, file=file if is_kept else replace(file, data=b""))]
     held = inside(file, room)
     outer = file.path  # by its name a page is handed back
     found = [(replace(one, path=f"{outer}/{one.path}".rstrip("/")), one.path.rsplit("/", 1)[-1]) for one in held]
@@ -155,7 +156,7 @@ def _taken(
     if handed.file.refused:
         target, note = "", handed.file.refused
     elif not (ending := form(title)):
-        target, note = "", NOT_WORK
+        target, note = ("", NOT_WORK) if why or not is_beside(title) else (_plain(title), "")
     elif GIVEN.fullmatch(Path(title).stem):
         target, note = "", RELEASED
     elif not (other or given):
@@ -167,6 +168,23 @@ def _taken(
     if not owners:
         return [Taken(folder_of(handed.who), None, handed, slug, target, note)]
     return [Taken(one.folder, one, handed, slug, target, note) for one in owners]
+
+
+def _plain(title: str) -> str:
+    """The name of a drawing or a text beside the work: one that says nothing to a system or a terminal."""
+    plain = "".join(c if c.isalnum() or c in "-_." else "_" for c in title).lstrip(".")
+    return f"beside-{plain[-100:]}"
+
+
+def _with_work(rows: Sequence[Taken]) -> list[Taken]:
+    """The rows; drawings and words have a place where work has one, else they are all that came."""
+    working = {row.student for row in rows if form(row.target)}
+    return [
+        replace(row, target="", note=NOT_WORK)
+        if row.target and not form(row.target) and row.student not in working
+        else row
+        for row in rows
+    ]
 
 
 def _owners(
@@ -321,7 +339,7 @@ def _strangers(rows: Iterable[Taken], everyone: Directory) -> list[Taken]:
 
 def _say(rows: Sequence[Taken], out: Path, everyone: Directory, slug: str) -> None:
     """How many were collected, how many late, whose time is unknown, and who on the roster handed in nothing."""
-    kept = [row for row in rows if row.target]
+    kept = [row for row in rows if form(row.target)]
     late = sum(row.handed.late for row in kept)
     count = f"{counted(len(kept), 'file')} of {counted(len({row.student for row in kept}), 'student')}"
     count += f", {late} late" if late else ""

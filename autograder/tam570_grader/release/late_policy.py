@@ -14,6 +14,7 @@ from typing import Any
 from zoneinfo import ZoneInfo
 
 from tam570_grader.errors import UsageError, counted
+from tam570_grader.grading.submissions import form
 from tam570_grader.release.course_toml import COPY, FILE, by_slug, must, no_other, toml
 from tam570_grader.results.manual_points import EVERYONE, EXTENSION, LATE, MOST, OFF, Entry, ManualAdjustments
 from tam570_grader.results.store import Results
@@ -126,7 +127,7 @@ def _graded(table: Iterable[Mapping[str, str]], found: Results) -> Iterator[Mapp
     """The rows of the files that count: of a module and a notebook side by side the one that was graded."""
     forms = defaultdict[tuple[str, str], dict[str, Mapping[str, str]]](dict)
     for row in table:
-        if row["file"]:
+        if form(row["file"]):  # not a drawing beside it
             forms[row["student"], row["assignment"]][Path(row["file"]).suffix] = row
     for key, rows in forms.items():
         is_notebook = len(rows) > 1 and key in found and found[key].get("notebook")

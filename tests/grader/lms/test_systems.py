@@ -420,3 +420,15 @@ def test_what_a_system_lacks_is_a_sentence(desk, name):
         pages = ["--pages", "p.zip", "--collected", "collected.csv"]
         assert desk("lms", "grades.csv", "--to", name, *pages)[0] == 2
     assert (name in COLUMNS) == bool(system.table and system.table.must_match)
+
+
+def test_drawings_and_words_lie_beside_the_work(desk):
+    """As `tam570 handin` packs them; alone they are no work."""
+    files = {f"{SLUG}.py": "# Ann", "my plot.png": "png", "answers.md": "words", "../x.png": "no"}
+    desk.write(
+        "a.zip", packed({"leeann_17_5_hw08_axis_angle_handin.zip": packed(files), "leeann_18_6_hw08.pdf": "%PDF"})
+    )
+    code, said = desk("collect", "a.zip", "--from", "canvas")
+    there = {path.name: path.read_text() for path in (desk.place / "submitted" / "17" / SLUG).iterdir()}
+    assert there == {f"{SLUG}.py": "# Ann", "beside-my_plot.png": "png", "beside-answers.md": "words"}
+    assert code == 1 and not (desk.place / "submitted" / "18").exists() and "hw08.pdf of 18 is not collected" in said

@@ -1,0 +1,273 @@
+"""A page for those who grade by hand, `tam570-grader mark`: it answers this machine alone, to whoever has its address.
+
+It writes the rows that `points` takes from a table: of each part its points, and a comment that names the claims of the
+rubric that were given. Nothing else is kept.
+"""
+
+import argparse
+import contextlib
+import html
+import json
+import mimetypes
+import random
+import secrets
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from string import Template
+from threading import Lock
+from typing import Any
+
+from tam570_grader.errors import UsageError, say
+from tam570_grader.grading.submissions import CannotRead, Submission, entries, read, submissions
+from tam570_grader.options import Commands, natural
+from tam570_grader.results import manual_points
+from tam570_grader.results.manual_points import EVERYONE, Entry
+from tam570_grader.results.store import ResultStore, results
+from tam570_grader.rubric import ManualPart
+from tam570_grader.sandbox.notebooks import Unshown, cells_of
+
+__all__ = ["Desk", "Sheet", "add_mark", "serve"]
+
+TEMPLATES = Path(__file__).parent / "templates"
+SHOWN = (".png", ".jpg", ".jpeg", ".gif", ".svg")
+HANDED_IN = (*SHOWN, ".pdf", ".md", ".txt", ".docx", ".tex")
+HEADERS = {
+    "Content-Security-Policy": "default-src 'none'; img-src 'self' data:; style-src 'unsafe-inline'; "
+    "script-src 'nonce-{nonce}'; connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'",
+    "X-Content-Type-Options": "nosniff",
+    "Referrer-Policy": "no-referrer",
+    "Cache-Control": "no-store",
+}
+LARGEST = 100_000  # bytes of a request
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """One student's work on one assignment, with the parts that are graded by hand."""
+
+    student: str
+    slug: str
+    parts: Mapping[str, ManualPart]
+    work: Submission | None = None
+
+
+class Desk:
+    """All that is to be graded by hand in a folder of results."""
+
+    def __init__(self, folder: Path, sheets: Sequence[Sheet], *, anonymous: bool = False) -> None:
+        self.folder, self.sheets, self.anonymous = folder, list(sheets), anonymous
+        if anonymous:
+            random.SystemRandom().shuffle(self.sheets)
+        self._lock = Lock()
+
+    def name(self, number: int) -> str:
+        return f"Student {number + 1}" if self.anonymous else self.sheets[number].student
+
+    def given(self, number: int, part: str) -> Entry | None:
+        """What was given for a part before."""
+        sheet = self.sheets[number]
+        return manual_points.read(self.folder).entries.get((sheet.student, sheet.slug, part))
+
+    def save(self, number: int, part: str, claims: Sequence[int], points: float | None, comment: str) -> float:
+        """Write down the points of a part: those of the claims that are ticked, or others that somebody typed."""
+        sheet = self.sheets[number]
+        rubric = sheet.parts[part]
+        ticked = [rubric.claims[one] for one in sorted({*claims})]
+        earned = round(sum(worth for worth, _ in ticked), 6) if points is None else points
+        if not 0 <= earned <= rubric.points:
+            raise ValueError(f"part ({part}) has from 0 to {rubric.points:g} points")
+        text = "\n".join([*(f"+ {claim}" for _, claim in ticked), *([comment.strip()] if comment.strip() else [])])
+        rows = [
+            Entry(sheet.student, sheet.slug, part, earned, rubric.points, text),
+            *(Entry(EVERYONE, sheet.slug, letter, None, one.points) for letter, one in sheet.parts.items()),
+        ]
+        with self._lock, contextlib.closing(ResultStore(self.folder)):  # which writes grades.csv at its end
+            manual_points.write(self.folder, manual_points.read(self.folder).with_(rows))
+        return earned
+
+    def files(self, number: int) -> list[Path]:
+        """Drawings and words beside the work, links left out."""
+        work = self.sheets[number].work
+        if work is None or work.path is None:
+            return []
+        held = [path for path, is_folder in entries(work.path.parent) if not is_folder and not path.is_symlink()]
+        return [path for path in held if path.suffix.lower() in HANDED_IN and path.is_file()]
+
+    def code(self, number: int) -> list[tuple[str, str]]:
+        """The text of the work: the module, or a notebook's cells by kind."""
+        work = self.sheets[number].work
+        if work is None or work.path is None:
+            return [("note", work.note if work else "The work is not at hand: name its tree with --submitted.")]
+        try:
+            source = read(work)
+            if not source.notebook:
+                return [("code", source.text.decode("utf-8", "replace"))]
+            return [(str(cell["kind"]), str(cell["source"])) for cell in cells_of(source.text)]
+        except (CannotRead, Unshown) as why:
+            return [("note", str(why))]
+
+
+def add_mark(commands: Commands) -> argparse.ArgumentParser:
+    mark: argparse.ArgumentParser = commands.add_parser(
+        "mark",
+        help="open a page to grade parts by hand",
+        description="Open a page on this machine with each student's work beside the claims of the rubric. It writes "
+        "the points and comments into DIR/by_hand.csv, as `points` does.",
+        epilog="The address holds a secret: give it to nobody. Keys: n and p change the student, 1 to 9 tick claims.",
+    )
+    mark.set_defaults(command=_mark)
+    add = mark.add_argument
+    add("folder", type=Path, metavar="DIR", help="what `grade --out` wrote")
+    add("--submitted", type=Path, metavar="DIR", help="the tree of submissions, to show the work")
+    add("--only", nargs="+", metavar="SLUG", default=[], help="these assignments alone")
+    add("--anonymous", action="store_true", help="show numbers for names, in any order")
+    add("--port", type=natural, default=0, help="default: any that is free")
+    return mark
+
+
+def _mark(arguments: argparse.Namespace) -> int:
+    from tam570_grader.checks import assignments
+    from tam570_grader.release import course_config
+    from tam570_grader.reports import feedback
+
+    tree = [arguments.submitted] if arguments.submitted else []
+    course, folder = course_config.course_of(arguments, tree), arguments.folder
+    if not (folder / "results.jsonl").is_file():
+        raise UsageError(f"there are no results in {folder}; make them with: tam570-grader grade ... --out {folder}")
+    feedback.must_write_pages()
+    known = assignments.slugs(course)
+    with contextlib.closing(results(folder)) as found:
+        keys = sorted((record["assignment"], record["student"]) for record in found.values())
+    chosen = assignments.named(arguments.only, sorted({slug for slug, _ in keys}))
+    rubrics = {slug: assignments.assignment(course, slug).rubric for slug in chosen if slug in known}
+    work = {(one.student, one.slug): one for one in submissions(tree, known)} if tree else {}
+    sheets = [Sheet(who, slug, rubrics[slug], work.get((who, slug))) for slug, who in keys if rubrics.get(slug)]
+    if not sheets:
+        raise UsageError(f"no assignment in {folder} has a part that is graded by hand")
+    server, address = serve(Desk(folder, sheets, anonymous=arguments.anonymous), arguments.port)
+    say(f"open {address}\nCtrl-C ends it; what you gave is in {folder / manual_points.FILE}")
+    try:
+        server.serve_forever()
+    except KeyboardInterrupt:
+        pass
+    finally:
+        server.server_close()
+    with contextlib.closing(ResultStore(folder)) as store:
+        feedback.write_pages(folder / "feedback", store, course)
+    return 0
+
+
+def serve(desk: Desk, port: int = 0) -> tuple[ThreadingHTTPServer, str]:
+    """A server on this machine alone, and the address of the first page; nothing answers without its secret."""
+    token = secrets.token_urlsafe(24)
+    server = ThreadingHTTPServer(("127.0.0.1", port), type("Handler", (_Handler,), {"desk": desk, "token": token}))
+    server.daemon_threads = True
+    return server, f"http://127.0.0.1:{server.server_address[1]}/{token}/0"
+
+
+class _Handler(BaseHTTPRequestHandler):
+    desk: Desk
+    token: str
+    server: ThreadingHTTPServer
+
+    def do_GET(self) -> None:
+        """A page, or a file that belongs to one."""
+        path = self._path()
+        if path is None:
+            return self._send(404, "text/plain", b"not found")
+        number = int(path[0])
+        if len(path) == 1:
+            nonce = secrets.token_urlsafe(16)
+            return self._send(200, "text/html; charset=utf-8", page(self.desk, number, nonce).encode(), nonce)
+        files = self.desk.files(number)
+        if len(path) == 2 and path[1].isdecimal() and int(path[1]) < len(files):
+            file = files[int(path[1])]
+            kind = mimetypes.guess_type(file.name)[0] or "application/octet-stream"
+            is_shown = file.suffix.lower() in SHOWN
+            return self._send(200, kind if is_shown else "application/octet-stream", file.read_bytes())
+        return self._send(404, "text/plain", b"not found")
+
+    def do_POST(self) -> None:
+        """The points of a part."""
+        path = self._path()
+        length = int(self.headers.get("Content-Length") or 0)
+        if path is None or len(path) != 1 or length > LARGEST:
+            return self._send(404, "text/plain", b"not found")
+        try:
+            told: dict[str, Any] = json.loads(self.rfile.read(length))
+            points = None if told.get("points") in (None, "") else float(told["points"])
+            claims = [int(one) for one in told.get("claims", [])]
+            earned = self.desk.save(int(path[0]), str(told["part"]), claims, points, str(told.get("comment", "")))
+        except (ValueError, KeyError, IndexError, TypeError, UsageError) as error:
+            return self._send(400, "text/plain; charset=utf-8", str(error).encode())
+        return self._send(200, "application/json", json.dumps({"points": earned}).encode())
+
+    def _path(self) -> list[str] | None:
+        """What follows the secret; None for who does not have it, or asks by another name of this machine."""
+        _, token, *rest = [*self.path.split("?")[0].split("/"), ""]
+        rest = [one for one in rest if one]
+        host = f"127.0.0.1:{self.server.server_port}"
+        ours = secrets.compare_digest(token.encode(), self.token.encode()) and self.headers.get("Host") == host
+        right = bool(rest) and rest[0].isdecimal() and int(rest[0]) < len(self.desk.sheets)
+        return rest if ours and right else None
+
+    def _send(self, code: int, kind: str, body: bytes, nonce: str = "") -> None:
+        self.send_response(code)
+        for name, value in HEADERS.items():
+            self.send_header(name, value.format(nonce=nonce))
+        self.send_header("Content-Type", kind)
+        self.send_header("Content-Length", str(len(body)))
+        self.end_headers()
+        self.wfile.write(body)
+
+    def log_message(self, format: str, *args: Any) -> None:  # noqa: A002  its name is the library's
+        """Nothing: the address holds the secret."""
+
+
+def page(desk: Desk, number: int, nonce: str) -> str:
+    """One student's page."""
+    sheet, last = desk.sheets[number], len(desk.sheets) - 1
+    work = "".join(
+        f'<pre class="{"code" if kind == "code" else "words"}">{html.escape(text)}</pre>'
+        for kind, text in desk.code(number)
+    )
+    for place, file in enumerate(desk.files(number)):
+        name, where = html.escape(file.name), f"{number}/{place}"
+        work += (
+            f'<figure><img src="{where}" alt="{name}"><figcaption>{name}</figcaption></figure>'
+            if file.suffix.lower() in SHOWN
+            else f'<p><a href="{where}" download="{name}">{name}</a></p>'
+        )
+    return Template((TEMPLATES / "mark.html").read_text(encoding="utf-8")).substitute(
+        title=html.escape(f"{desk.name(number)}, {sheet.slug}"),
+        count=f"{number + 1} of {last + 1}",
+        previous=max(0, number - 1),
+        following=min(last, number + 1),
+        parts="".join(_part(desk, number, letter, one) for letter, one in sheet.parts.items()),
+        work=work,
+        nonce=nonce,
+    )
+
+
+def _part(desk: Desk, number: int, letter: str, rubric: ManualPart) -> str:
+    """The claims of a part to tick, what else it is worth, and a comment."""
+    given = desk.given(number, letter)
+    lines = given.comment.split("\n") if given else []
+    ticked = [f"+ {claim}" in lines for _, claim in rubric.claims]
+    others = "\n".join(line for line in lines if line not in {f"+ {claim}" for _, claim in rubric.claims})
+    of_claims = round(sum(worth for (worth, _), on in zip(rubric.claims, ticked, strict=True) if on), 6)
+    typed = "" if given is None or given.points in (None, of_claims) else f"{given.points:g}"
+    boxes = []
+    for place, ((worth, claim), on) in enumerate(zip(rubric.claims, ticked, strict=True)):
+        box = f'<input type="checkbox" value="{place}"{" checked" if on else ""}>'
+        boxes.append(f"<label>{box} {worth:g}: {html.escape(claim)}</label>")
+    state = "not graded yet" if given is None or given.points is None else f"{given.points:g} points"
+    number_input = f'<input type="number" step="any" min="0" max="{rubric.points:g}" value="{typed}">'
+    return (
+        f'<section data-part="{html.escape(letter)}"><h2>({html.escape(letter)}) {rubric.points:g} points</h2>'
+        f"<p>{html.escape(rubric.asks)}</p>{''.join(boxes)}<label>points, if others {number_input}</label>"
+        f'<textarea rows="3" placeholder="comment, which the student reads">{html.escape(others)}</textarea>'
+        f"<output>{state}</output></section>"
+    )

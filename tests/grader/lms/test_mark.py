@@ -1,0 +1,93 @@
+"""The page to grade by hand: it answers its address alone, and writes the rows of `points`."""
+
+import json
+import shutil
+import threading
+import urllib.error
+import urllib.request
+
+import pytest
+
+from tam570_grader import cli
+from tam570_grader.grading.submissions import submissions
+from tam570_grader.lms.mark import Desk, Sheet, serve
+from tam570_grader.results import manual_points
+from tam570_grader.rubric import ManualPart
+
+SLUG = "hw07_double_pendulum"
+RUBRIC = {"c": ManualPart("why", ((0.5, "It has a reason."), (1.5, "It draws <b>it</b>.")))}
+
+
+@pytest.fixture(scope="module")
+def graded(course, tmp_path_factory):
+    """The work of ann, with a picture and a script in it, graded; ben handed in nothing."""
+    tmp_path = tmp_path_factory.mktemp("graded")
+    folder = tmp_path / "submitted" / "ann" / SLUG
+    folder.mkdir(parents=True)
+    (folder / f"{SLUG}.py").write_text("# </pre><script>alert(1)</script>\n")
+    (folder / "a.png").write_bytes(b"\x89PNG")
+    (folder / "b.svg").symlink_to("/etc/passwd")
+    (tmp_path / "roster").write_text("ann\nben\n")
+    grade = ["grade", str(tmp_path / "submitted"), "--out", str(tmp_path / "results"), "--seed", "1"]
+    assert cli.main(["--root", str(course), *grade, "--roster", str(tmp_path / "roster")]) == 0
+    return tmp_path
+
+
+@pytest.fixture
+def desk(graded, tmp_path):
+    shutil.copytree(graded, tmp_path, symlinks=True, dirs_exist_ok=True)
+    (work,) = submissions([tmp_path / "submitted"], [SLUG])
+    made = Desk(tmp_path / "results", [Sheet("ann", SLUG, RUBRIC, work), Sheet("ben", SLUG, RUBRIC)])
+    server, address = serve(made)
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    yield made, address
+    server.shutdown()
+    server.server_close()
+
+
+def ask(address, told=None, **headers):
+    """Status, headers and text of an answer."""
+    data = None if told is None else json.dumps(told).encode()
+    try:
+        with urllib.request.urlopen(urllib.request.Request(address, data, headers)) as answer:
+            return answer.status, answer.headers, answer.read().decode(errors="replace")
+    except urllib.error.HTTPError as error:
+        return error.code, error.headers, error.read().decode()
+
+
+def test_the_page_shows_the_work_and_runs_nothing_of_it(desk):
+    _, address = desk
+    status, headers, text = ask(address)
+    assert status == 200 and "&lt;script&gt;" in text and "<script>alert" not in text and "draws &lt;b&gt;" in text
+    assert "default-src 'none'" in headers["Content-Security-Policy"] and "passwd" not in text
+    assert ask(f"{address}/0")[2].startswith("\ufffdPNG") and ask(f"{address}/1")[0] == 404
+
+
+def test_nobody_else_is_answered(desk):
+    _, address = desk
+    token = address.split("/")[3]
+    others = [address.replace(token, "x"), address.replace(f"/{token}", ""), f"{address}9", f"{address}/../../etc"]
+    assert [ask(one)[0] for one in others] == [404] * 4
+    assert ask(address, Host="evil.example")[0] == 404
+
+
+def test_points_are_rows_of_the_table(desk):
+    made, address = desk
+    told = {"part": "c", "claims": [1, 1], "points": "", "comment": "Well drawn."}
+    assert ask(address, told)[0] == 200
+    row = manual_points.read(made.folder).entries["ann", SLUG, "c"]
+    assert (row.points, row.of, row.comment) == (1.5, 2.0, "+ It draws <b>it</b>.\nWell drawn.")
+    assert "ann,hw07_double_pendulum,graded,1.5,12.0" in (made.folder / "grades.csv").read_text()
+    _, _, text = ask(address)
+    assert 'value="1" checked' in text and 'value="0" checked' not in text and ">Well drawn.</textarea>" in text
+    assert ask(address, {**told, "points": "1.75"})[0] == 200
+    assert manual_points.read(made.folder).entries["ann", SLUG, "c"].points == 1.75
+
+
+@pytest.mark.parametrize(
+    "change", [{"points": "3"}, {"points": "nan"}, {"claims": [7]}, {"part": "z"}, {"claims": "x"}]
+)
+def test_what_is_wrong_is_not_written(desk, change):
+    made, address = desk
+    assert ask(address, {"part": "c", "claims": [], "points": "", **change})[0] == 400
+    assert not manual_points.read(made.folder).entries
