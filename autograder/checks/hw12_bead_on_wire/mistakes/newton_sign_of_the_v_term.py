@@ -1,9 +1,0 @@
-"""The term 4 c^2 x v^2 has the wrong sign.
-
-fails: newton_gives_the_acceleration
-"""
-
-
-def acceleration_newton(x, v, *, curvature, gravity):
-    slope = 2 * curvature * x
-    return -slope * (gravity - 2 * curvature * v**2) / (1 + slope**2)
