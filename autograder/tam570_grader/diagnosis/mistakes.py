@@ -308,7 +308,7 @@ def _computed(module: ModuleType, call: Called) -> Any:
     function, asked = getattr(module, call.name), call.case
     try:
         with np.errstate(all="ignore"):
-            if call.case.args and isinstance(asked.args[0], list) and isinstance(asked.args[0][0], dict):
+            if asked.args and isinstance(asked.args[0], list) and asked.args[0] and isinstance(asked.args[0][0], dict):
                 return _values(function(), asked.args[0])
             return function(*asked.args, **asked.kwargs)
     except (ArithmeticError, ValueError, np.linalg.LinAlgError):

@@ -6,6 +6,7 @@ import zipfile
 import pytest
 
 from tam570_grader import cli
+from tam570_grader.diagnosis.mistakes import overlays
 
 pytestmark = pytest.mark.every  # 180 submissions in the sandbox
 SEED = 570
@@ -14,7 +15,7 @@ CLASS = range(60)
 MISTAKES = {
     "hw03_angular_momentum_rate": ("moment_about_the_origin", "acceleration_of_C_forgotten", "rate_b_by_c"),
     "hw08_axis_angle": ("transposed_skew", "zero_axis_is_no_rotation", "rotate_changes_r"),
-    "hw09_book": ("arccos", "no_steps", "angle_in_degrees"),
+    "hw09_book": ("axis_rotation", "space_sequence", "axis_angle"),
 }
 SLUGS = tuple(MISTAKES)
 
@@ -34,7 +35,7 @@ def texts(course, solution_text):
     found = {}
     for slug, names in MISTAKES.items():
         checks = course / "autograder" / "checks" / slug
-        wrong = [f"{solution_text(slug)}\n\n{(checks / 'mistakes' / f'{name}.py').read_text()}" for name in names]
+        wrong = [f"{solution_text(slug)}\n\n{overlays(checks)[name]}" for name in names]
         found[slug] = [(checks / "alternatives" / "independent.py").read_text(), *wrong]
     return found
 
