@@ -1,9 +1,0 @@
-"""The mass is left out of the centripetal term.
-
-fails: force_keeps_the_particle_on_the_circle
-"""
-
-
-def constraint_force(state, *, mass, length, gravity):
-    r, v = state[:2], state[2:]
-    return (mass * gravity * r[1] - v @ v) / length**2 * r
