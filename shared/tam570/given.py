@@ -13,21 +13,21 @@ __all__ = ["array", "finite", "nonnegative", "numbers", "one_of", "positive", "p
 def positive(**named: float) -> None:
     """Refuses what is not a finite number above 0, as in positive(mass=mass)."""
     for name, value in named.items():
-        if not (_is_real(value) and 0.0 < value < math.inf):
+        if not (_is_real(value) and 0.0 < value < math.inf or _is_symbol(value)):
             raise ValueError(f"{name}: must be a positive number, got {value!r}")
 
 
 def nonnegative(**named: float) -> None:
     """Refuses what is not a finite number of 0 or more."""
     for name, value in named.items():
-        if not (_is_real(value) and 0.0 <= value < math.inf):
+        if not (_is_real(value) and 0.0 <= value < math.inf or _is_symbol(value)):
             raise ValueError(f"{name}: must be a number of 0 or more, got {value!r}")
 
 
 def finite(**named: float) -> None:
     """Refuses what is not a finite number."""
     for name, value in named.items():
-        if not (_is_real(value) and math.isfinite(value)):
+        if not (_is_real(value) and math.isfinite(value) or _is_symbol(value)):
             raise ValueError(f"{name}: must be a finite number, got {value!r}")
 
 
@@ -60,7 +60,7 @@ def array(shape: tuple[int | None, ...], **named: ArrayLike) -> NDArray[np.float
         wanted = ", ".join("n" if n is None else str(n) for n in shape)
         raise ValueError(f"{name}: must have the shape ({wanted}), got {found}")
     values = _floats(name, value)
-    if not np.isfinite(values).all():
+    if values.dtype != object and not np.isfinite(values).all():
         raise ValueError(f"{name}: must be finite, got {values}")
     return values
 
@@ -69,7 +69,7 @@ def positives(count: int | None = None, **named: Sequence[float]) -> tuple[float
     """The one sequence that is named, of `count` positive floats."""
     ((name, value),) = named.items()
     values = numbers(count, **named)
-    if not (values > 0.0).all():
+    if values.dtype != object and not (values > 0.0).all():
         raise ValueError(f"{name}: must be positive numbers, got {value!r}")
     return tuple(values.tolist())
 
@@ -77,6 +77,11 @@ def positives(count: int | None = None, **named: Sequence[float]) -> tuple[float
 def numbers(count: int | None = None, **named: ArrayLike) -> NDArray[np.float64]:
     """The one flat array that is named, of `count` finite floats."""
     return array((count,), **named)
+
+
+def _is_symbol(value: Any) -> bool:
+    """Whether it stands for a number that a trace does not know yet."""
+    return hasattr(value, "tape")
 
 
 def _is_real(value: Any) -> bool:
@@ -94,6 +99,8 @@ def _floats(name: str, value: Any) -> NDArray[np.float64]:
     if np.iscomplexobj(value):
         raise ValueError(f"{name}: must be real, got {value!r}")
     try:
-        return np.array(value, dtype=float)
+        return np.array(value, dtype=np.float64)
     except (TypeError, ValueError):
+        if any(map(_is_symbol, np.ravel(value))):
+            return np.array(value)
         raise ValueError(f"{name}: must be numbers, got {value!r}") from None

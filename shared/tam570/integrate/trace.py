@@ -8,7 +8,7 @@ convergence, a compiled routine) cannot be written down like this and is called 
 import functools
 import math
 import types
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -23,6 +23,9 @@ __all__ = ["Graph", "traced"]
 ANSWERS = (TypeError, ValueError, AttributeError, ArithmeticError, LookupError, AssertionError, RuntimeError)
 
 
+BUILTINS = "built-in names"  # what a translation knows beside functions
+
+
 @dataclass(frozen=True, eq=False)
 class Graph:
     """What a right-hand side does to time and state: each operation after those whose results it takes.
@@ -35,12 +38,15 @@ class Graph:
     rates: tuple[Value, ...]
 
 
-def traced(rates: Callable[..., Any], size: int) -> Graph:
-    """What rates(t, y) computes. Raises Untraceable, with the reason."""
+def traced(rates: Callable[..., Any], size: int, stand_ins: Mapping[str, Any] | None = None) -> Graph:
+    """What rates(t, y) computes. Raises Untraceable, with the reason.
+
+    stand_ins : by name, what functions find in the place of built-in ones, such as `float`
+    """
     tape = Tape()
     time, state = tape.record("t"), [tape.record(f"s{i}") for i in range(size)]
     try:
-        values = _translated(rates, {})(time, np.array(state))
+        values = _translated(rates, {BUILTINS: stand_ins or {}})(time, np.array(state))
         found = tuple(v if isinstance(v, Symbol) else float(v) for v in values)
     except Exception as answer:
         raise _refusal(answer) from answer
@@ -78,7 +84,7 @@ def _symbolic(function: Any) -> Any:
     return either
 
 
-def _translated(value: Any, known: dict[int, Any]) -> Any:
+def _translated(value: Any, known: dict[int | str, Any]) -> Any:
     """`value` with math replaced by its symbolic kin, in all the functions that it calls."""
     if value is math:
         return _Mathematics()
@@ -93,8 +99,8 @@ def _translated(value: Any, known: dict[int, Any]) -> Any:
     return value
 
 
-def _translated_function(function: types.FunctionType, known: dict[int, Any]) -> types.FunctionType:
-    names = dict(function.__globals__)
+def _translated_function(function: types.FunctionType, known: dict[int | str, Any]) -> types.FunctionType:
+    names = {**known[BUILTINS], **function.__globals__}
     cells = tuple(types.CellType() for _ in function.__closure__ or ())
     twin = types.FunctionType(function.__code__, names, function.__name__, function.__defaults__, cells)
     twin.__kwdefaults__ = function.__kwdefaults__

@@ -70,7 +70,7 @@ def energy(state: ArrayLike, *, masses: Sequence[float], newton: float) -> float
     """Kinetic energy and that of all pairs, J."""
     m, r, v = _parts(state, masses, newton)
     first, second = np.triu_indices(len(m), 1)
-    distances = np.linalg.norm(r[first] - r[second], axis=1)
+    distances = np.sqrt(((r[first] - r[second]) ** 2).sum(axis=1))
     return float(m @ (v * v).sum(axis=1) / 2 - newton * (m[first] * m[second] / distances).sum())
 
 

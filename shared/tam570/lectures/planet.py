@@ -39,7 +39,7 @@ def rates(t: float, state: Sequence[float], *, gm: float) -> tuple[float, ...]:
 def energy(state: ArrayLike, *, gm: float) -> float:
     """Of a planet of 1 kg, J; 0 far away and at rest."""
     r, v = _halves(state, gm)
-    return float(v @ v / 2 - gm / np.linalg.norm(r))
+    return float(v @ v / 2 - gm / np.sqrt(r @ r))
 
 
 def angular_momentum(state: ArrayLike, *, gm: float) -> Array:

@@ -46,7 +46,7 @@ def energy(state: ArrayLike, *, mass: float, stiffness: float, gravity: float) -
     """J: of motion, of weight, from x = 0, and in the floor."""
     _check(mass, stiffness, gravity)
     x, v = numbers(2, state=state).tolist()
-    return float(mass * (v**2 / 2 + gravity * x) + stiffness * min(x, 0.0) ** 2 / 2)
+    return float(mass * (v**2 / 2 + gravity * x) + stiffness * ((x - abs(x)) / 2) ** 2 / 2)
 
 
 INVARIANTS = {"energy": energy}

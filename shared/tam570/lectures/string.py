@@ -67,7 +67,7 @@ def _accelerations(r: float, vr: float, om: float, pair: Sequence[float], gravit
 
 def energy(state: ArrayLike, *, masses: Sequence[float], gravity: float) -> float:
     """J, the hanging mass's potential energy from where r = 0."""
-    (m1, m2), (r, _, vr, om) = _on_the_table(numbers(4, state=state).tolist(), masses, gravity)
+    (m1, m2), (r, _, vr, om) = _checked(numbers(4, state=state).tolist(), masses, gravity)
     return (m1 + m2) * vr**2 / 2 + m1 * (r * om) ** 2 / 2 + m2 * gravity * r
 
 

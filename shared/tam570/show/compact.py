@@ -178,6 +178,7 @@ def _packed_panel(panel: Panel, frame: _Frame, points: _Points, in_space: bool) 
         "flat": frame.flat,
         "ruler": panel.ruler,
         "unit": frame.unit,
+        "middle": [_figures(number) for number in frame.middle],
         "size": [_figures(side, 6) for side in frame.size],
         "shapes": [_packed_shape(shape, at, points) for shape, at in zip(panel.shapes, scaled, strict=True)],
     }

@@ -8,6 +8,8 @@ from numpy.typing import ArrayLike
 
 from tam570.show.scene import GREY, Array, Shape
 
+TINY = 1e-300  # whose root is small beside every length, and not 0
+
 __all__ = ["axes", "box_face", "brick", "circle", "coil", "cone", "floor", "graph", "unit_circle"]
 
 
@@ -20,7 +22,7 @@ def unit_circle(count: int) -> Array:
 def circle(centre: ArrayLike, one: ArrayLike, other: ArrayLike, count: int = 61) -> Array:
     """Closed path of points about a centre, of the semi-axes given: (..., count, dim) of (..., dim) each."""
     c, s = unit_circle(count).T[..., None]
-    centre, one, other = (np.asarray(vector, dtype=float)[..., None, :] for vector in (centre, one, other))
+    centre, one, other = (np.asarray(vector)[..., None, :] for vector in (centre, one, other))
     path: Array = centre + c * one + s * other
     return path
 
@@ -31,8 +33,7 @@ def coil(start: Array, end: Array, width: float, turns: int = 8) -> Array:
     aside = np.concatenate([[0.0, 0.0], width * (-1.0) ** np.arange(2 * turns), [0.0, 0.0]])
     along = end - start
     across = np.stack([-along[:, 1], along[:, 0]], axis=-1)
-    length = np.linalg.norm(along, axis=1, keepdims=True)
-    across = across / np.where(length > 0.0, length, 1.0)
+    across = across / np.sqrt((along**2).sum(axis=1, keepdims=True) + TINY)
     path: Array = start[:, None] + share[:, None] * along[:, None] + aside[:, None] * across[:, None]
     return path
 
@@ -58,7 +59,7 @@ def floor(low: ArrayLike, high: ArrayLike, step: float, **look: Any) -> Shape:
 def box_face(rotations: Array, size: ArrayLike) -> Array:
     """(n, 4, 3) corners of the face at +z/2 of a box about the origin, turned by rotations (n, 3, 3)."""
     half = np.asarray(size, dtype=float) / 2.0
-    corners = half * np.array([[1, 1, 1], [-1, 1, 1], [-1, -1, 1], [1, -1, 1]])
+    corners = half * np.array([[1.0, 1, 1], [-1, 1, 1], [-1, -1, 1], [1, -1, 1]])
     turned: Array = corners @ np.swapaxes(rotations, -1, -2)
     return turned
 

@@ -52,7 +52,14 @@ def _value(text: str) -> Any:
 
 def scene_of_lecture(module: Any, numbers: Mapping[str, Any] | None = None) -> Scene:
     """Film a lecture, with other numbers. Trouble says what cannot be shown."""
-    return filmed(module, module.film, numbers)
+    scene = filmed(module, module.film, numbers)
+    if not hasattr(module, "START"):
+        return scene
+    from tam570.show.scenes.to_grab import live_lecture
+
+    parameters, start, _ = _arguments(dict(scene.settings))
+    name = module.__name__.rpartition(".")[2].removeprefix("copy_of_")
+    return replace(scene, live=live_lecture(module, name, parameters, start, scene))
 
 
 def filmed(source: Any, film: Callable[..., Scene], numbers: Mapping[str, Any] | None) -> Scene:

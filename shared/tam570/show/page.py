@@ -8,6 +8,7 @@ from string import Template
 from typing import Any
 
 from tam570.show.compact import packed
+from tam570.show.live import program as written
 from tam570.show.scene import Scene
 
 __all__ = ["HERE", "framed", "page"]
@@ -17,6 +18,8 @@ HERE = Path(__file__).parent / "player"
 
 def page(scene: Scene) -> str:
     """The page. What comes from a student is data in it, never markup or code."""
+    program = written(scene.live) if scene.live else None
+    data = {**packed(scene), "live": program.data if program else None}
     return Template(_read("page.html")).substitute(
         title=html.escape(scene.title),
         alt_text=html.escape(scene.alt_text),
@@ -24,9 +27,11 @@ def page(scene: Scene) -> str:
         settings=html.escape(_listed(scene.settings)),
         style=_read("page.css"),
         view=_read("space.js" if scene.in_space else "plane.js"),
+        program=program.code if program else "const program = null;",
+        live=_read("live.js"),
         time_plots=_read("time_plots.js"),
         player=_read("player.js"),
-        data=_data(packed(scene)),
+        data=_data(data),
     )
 
 

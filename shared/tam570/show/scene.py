@@ -3,12 +3,15 @@
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tam570.show.student import Trouble
+
+if TYPE_CHECKING:
+    from tam570.show.live import Live
 
 __all__ = [
     "GREY",
@@ -107,6 +110,7 @@ class Scene:
     notes : what could not be shown, and why
     slider : the same scene for other values of a number
     settings : the numbers that `--set` changes, as they are
+    live   : the scene as equations, where a hand can take hold of it
     """
 
     title: str
@@ -119,6 +123,7 @@ class Scene:
     notes: Sequence[str] = field(default_factory=list)
     slider: "Slider | None" = None
     settings: Mapping[str, Any] = field(default_factory=dict)
+    live: "Live | None" = None
 
     @property
     def in_space(self) -> bool:
@@ -163,8 +168,9 @@ def plot_samples(times: Array) -> NDArray[np.int64]:
 
 def moving(*points: ArrayLike) -> Array:
     """(n, m, dim) of m points that are (n, dim) each, or (dim,) if they stand still."""
-    arrays = np.broadcast_arrays(*(np.asarray(point, dtype=float) for point in points))
-    return np.stack(arrays, axis=-2)
+    arrays = np.broadcast_arrays(*(np.asarray(point) for point in points))
+    stacked = np.stack(arrays, axis=-2)
+    return stacked if stacked.dtype == object else stacked.astype(float)  # objects are symbols, of a live scene
 
 
 def drift_plot(

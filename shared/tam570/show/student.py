@@ -45,6 +45,13 @@ class Student:
         self._module = module
         self._file = str(getattr(module, "__file__", None) or "")
 
+    def function(self, name: str) -> Callable[..., Any]:
+        """The student's function itself. Trouble if there is none."""
+        function = getattr(self._module, name, None)
+        if not callable(function):
+            raise Trouble(f"there is no function {name}{f' in {self._file}' if self._file else ''}")
+        return function  # type: ignore[no-any-return]
+
     def __call__(self, name: str, *arguments: Any, shape: Sequence[int] | None = None, **known: Any) -> Array:
         """What the function returns, as an array of this shape. Trouble if it does not, or is not finite."""
         return self._finite(name, numbers(name, self._raw(name, *arguments, **known), shape))
@@ -77,9 +84,7 @@ class Student:
         return [*self._guarded(name, lambda function: [function(*row, **known) for row in called])]
 
     def _guarded(self, name: str, use: Callable[[Callable[..., Any]], Any]) -> Any:
-        function = getattr(self._module, name, None)
-        if not callable(function):
-            raise Trouble(f"there is no function {name}{f' in {self._file}' if self._file else ''}")
+        function = self.function(name)
         try:
             return use(function)
         except NotImplementedError as error:

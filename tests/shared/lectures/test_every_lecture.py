@@ -17,7 +17,7 @@ from tam570.lectures import catalogue, load, names
 from tam570.show import show
 from tam570.show.page import page
 
-LARGEST = 200_000  # bytes of a page
+LARGEST = 250_000  # bytes of a page
 LONGEST = 150  # lines of a module
 MOVING = [name for name in names() if hasattr(load(name), "rates")]
 EXACT = [name for name in names() if hasattr(load(name), "exact")]

@@ -27,7 +27,7 @@ from tam570_grader.diagnosis.mistakes import overlays
 CHECKS = assignments.find() / "autograder" / "checks"
 HW07 = "hw07_double_pendulum"
 IN_SPACE = {"hw03", "hw04", "hw08", "hw09", "hw10", "hw11", "hw14"}
-LARGEST = 200_000  # bytes of a page
+LARGEST = 250_000  # bytes of a page
 
 
 @pytest.fixture

@@ -1,5 +1,3 @@
-"use strict";
-const byId = (id) => document.getElementById(id);
 const shownFirst = JSON.parse(byId("data").textContent), {slider} = shownFirst;
 const sums = (steps) => { let sum = 0; return steps.map((step) => (sum += step)); };
 
@@ -68,16 +66,17 @@ const sizeNow = ({size, flat}) => (flat ? size : sizeSeen(size)).map((side) => s
 // The rectangles of the panels, in the grid of rows and columns in which they are largest.
 const MARGIN = 14, TITLE = 20;
 function layout(width, height) {
-  const titled = scene.panels.some((panel) => panel.title) ? TITLE : 0, count = scene.panels.length;
+  const panels = live.alone ? scene.panels.slice(0, grasped.panels.length) : scene.panels;
+  const titled = panels.some((panel) => panel.title) ? TITLE : 0, count = panels.length;
   let best = null;
   for (let columns = 1; columns <= count; columns++) {
     const w = width / columns, h = height / Math.ceil(count / columns);
-    const scales = scene.panels.map(sizeNow).map((size) => Math.min((w - 2 * MARGIN) / size[0], (h - titled - 2 * MARGIN) / size[1]));
+    const scales = panels.map(sizeNow).map((size) => Math.min((w - 2 * MARGIN) / size[0], (h - titled - 2 * MARGIN) / size[1]));
     const smallest = Math.min(...scales);
     if (!best || smallest > best.smallest) best = {smallest, scales, columns, w, h};
   }
-  return scene.panels.map((panel, i) => ({
-    panel, scale: best.scales[i], left: (i % best.columns) * best.w, top: Math.floor(i / best.columns) * best.h,
+  return panels.map((panel, i) => ({
+    panel, index: i, scale: best.scales[i], left: (i % best.columns) * best.w, top: Math.floor(i / best.columns) * best.h,
     width: best.w, bottom: (Math.floor(i / best.columns) + 1) * best.h,
     x: (i % best.columns + 0.5) * best.w, y: (Math.floor(i / best.columns) + 0.5) * best.h + titled / 2,
   }));
@@ -171,6 +170,7 @@ function drawStill() {
   Object.assign(stage, {still: fitted(byId("still")), live: fitted(byId("live"))});
   stage.frames = layout(stage.live.width, stage.live.height);
   const {context} = stage.still;
+  if (live.on) return drawLiveScene();
   for (const frame of stage.frames) {
     for (const shape of frame.panel.shapes) if (!moves(shape)) drawShape(context, frame, shape, 0, 0);
     context.fillStyle = colors.soft;
@@ -202,6 +202,7 @@ function drawLive() {
   for (const frame of stage.frames) {
     for (const shape of frame.panel.shapes) if (moves(shape)) drawShape(context, frame, shape, key, share);
   }
+  drawHandles();
   plots.forEach(drawPlotNow);
   showTime();
 }
@@ -216,6 +217,7 @@ function showTime() {
   byId("clock").textContent = text;
 }
 function goTo(time) {
+  if (live.on) return;
   state.time = Math.max(0, Math.min(duration, time));
   drawLive();
 }
@@ -223,7 +225,7 @@ function setPlaying(playing) {
   state.playing = playing;
   byId("play").textContent = playing ? "Pause" : "Play";
   if (playing) {
-    if (state.time >= duration) state.time = 0;
+    if (!live.on && state.time >= duration) state.time = 0;
     state.last = performance.now();
     requestAnimationFrame(advance);
   }
@@ -231,7 +233,9 @@ function setPlaying(playing) {
 function advance(now) {
   if (!state.playing) return;
   const time = state.time + state.speed * Math.max(0, now - state.last) / 1000;
+  const seconds = state.speed * Math.min(0.1, Math.max(0, now - state.last) / 1000);
   state.last = now;
+  if (live.on) { advanceLive(seconds); requestAnimationFrame(advance); return; }
   goTo(time > duration ? 0 : time);
   requestAnimationFrame(advance);
 }
@@ -243,7 +247,7 @@ function onKey(event) {
   else if (event.key === "ArrowRight") goTo(state.time + 1 / 30);
   else if (event.key === "Home") goTo(0);
   else if (event.key === "End") goTo(duration);
-  else if (slider && (event.key === "[" || event.key === "]")) choose(Number(byId("value").value) + (event.key === "]" ? 1 : -1));
+  else if (slider && !live.on && (event.key === "[" || event.key === "]")) choose(Number(byId("value").value) + (event.key === "]" ? 1 : -1));
   else return;
   event.preventDefault();
 }
@@ -260,7 +264,7 @@ function show(chosen) {
   read(chosen);
   byId("legend").replaceChildren();
   byId("plots").replaceChildren();
-  showLegend();
+  showLegend(scene.panels);
   plots.forEach(figure);
 }
 function beginSlider() {
@@ -270,8 +274,8 @@ function beginSlider() {
   byId("value").addEventListener("input", (event) => choose(Number(event.target.value)));
   choose(slider.chosen);
 }
-function showLegend() {
-  const named = scene.panels.flatMap((panel) => panel.shapes).filter((shape) => shape.name);
+function showLegend(panels) {
+  const named = panels.flatMap((panel) => panel.shapes).filter((shape) => shape.name);
   for (const shape of new Map(named.map((shape) => [shape.name, shape])).values()) {
     const item = document.createElement("li"), swatch = document.createElement("i");
     swatch.style.borderColor = shape.color < 0 ? `var(--${shape.color === -1 ? "ink" : "soft"})` : `var(--c${shape.color})`;
@@ -282,8 +286,10 @@ function showLegend() {
 function begin() {
   readColors();
   show(shownFirst);
+  beginLive();
+  beginLive();
   if (camera) camera.begin();
-  byId("keys").textContent = `Keys: space plays and pauses, ← → step, Home, End${camera ? camera.keys : ""}${slider ? `; [ and ] change ${slider.name}` : ""}.`;
+  byId("keys").textContent = `Keys: space plays and pauses, ← → step, Home, End${camera ? camera.keys : ""}${slider ? `; [ and ] change ${slider.name}` : ""}.${grasped && grasped.handles.length ? " Drag what has a ring to another start." : ""}`;
   byId("scrub").step = "any";
   byId("scrub").addEventListener("input", (event) => { setPlaying(false); goTo(Number(event.target.value)); });
   byId("play").addEventListener("click", () => setPlaying(!state.playing));

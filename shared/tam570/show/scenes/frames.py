@@ -43,11 +43,11 @@ def film(frames: Any, parameters: Mapping[str, float], start: Sequence[float], s
         "pendulum turns against the Earth's rotation.",
         times,
         [
-            Panel(_table(times, space, parameters, rim, turning=True), "seen from space"),
             Panel(
                 [*_table(times, seen, parameters, rim, turning=False), *_forces(frames, seen, parameters, rim)],
                 "seen from the turntable",
             ),
+            Panel(_table(times, space, parameters, rim, turning=True), "seen from space"),
             Panel(_pendulum(frames, times), "Foucault's pendulum, from above", ruler=False),
         ],
         [_energies(frames, times, seen, parameters), _plane(frames, times)],

@@ -1,11 +1,12 @@
 """hw01: a large swing by the full equation, and what the small-angle solution makes of it."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
 from tam570.show.drawing import graph, unit_circle
+from tam570.show.live import Handle, Live, live_if_written
 from tam570.show.scene import (
     GREY,
     INK,
@@ -56,7 +57,32 @@ def film(student: Student, rod: Mapping[str, Any], start: Sequence[float], secon
         [_angles(times, full, small), *make_each(notes, lambda: _energy(student, times, full, rod))],
         notes=notes,
         still_time=0.22,
+        live=live_if_written(lambda: _live(student, rod, start)),
     )
+
+
+def _live(student: Student, rod: Mapping[str, Any], start: Sequence[float]) -> Live:
+    """By the student's balance of angular momentum; kinetic and potential energy by that of energy."""
+    balance, energies = student.function("angular_momentum_balance"), student.function("energy_balance")
+
+    def rates(t: float, state: Any, **known: Any) -> list[Any]:
+        return [state[1], balance(*state, mass=MASS, **known)[0]]
+
+    def panels(states: Any, known: Mapping[str, Any]) -> list[Panel]:
+        hook = Shape("dot", np.zeros((1, 2)), INK, width=4)
+        return [Panel([*_pendulum(known["length"], states[:, 0], 0, "full equation"), hook])]
+
+    def bob(state: Any, **known: Any) -> list[Any]:
+        return [known["length"] * np.sin(state[0]), -known["length"] * np.cos(state[0])]
+
+    def grab(place: Any, state: Any, **known: Any) -> list[Any]:
+        return [np.arctan2(place[0], -place[1]), 0.0]
+
+    def measure(i: int) -> Callable[..., Any]:
+        return lambda state, **known: energies(*state, mass=MASS, **known)[i]
+
+    measures = {"kinetic T": measure(1), "potential V": measure(2)}
+    return Live(rates, rod, STATE, start, panels, [Handle(bob, grab)], measures)
 
 
 def _pendulum(length: float, theta: Array, color: int, name: str) -> list[Shape]:

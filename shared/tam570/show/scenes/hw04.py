@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from tam570.show.drawing import axes, circle
+from tam570.show.live import Handle, Live, live_if_written
 from tam570.show.scene import (
     GREY,
     INK,
@@ -56,7 +57,28 @@ def film(student: Student, spring: Mapping[str, Any], start: Sequence[float], se
         view=(0.6, 0.4),
         notes=notes,
         still_time=0.2,
+        live=live_if_written(lambda: _live(student, spring, start)),
     )
+
+
+def _live(student: Student, spring: Mapping[str, Any], start: Sequence[float]) -> Live:
+    def panels(states: Any, known: Mapping[str, Any]) -> list[Panel]:
+        mass = states[:, :3]
+        return [
+            Panel(
+                [
+                    *axes(0.5),
+                    Shape("trail", mass[:, None], 2, "path", width=2),
+                    Shape("lines", moving(np.zeros(3), mass), 0, "spring", width=3),
+                    Shape("dot", np.zeros((1, 3)), INK, width=4),
+                    Shape("dot", mass[:, None], 1, "mass", width=9),
+                ]
+            )
+        ]
+
+    mass = Handle(lambda state, **known: state[:3], lambda place, state, **known: [*place, *state[3:]])
+    measures = {"energy": student.function("energy")}
+    return Live(student.function("state_derivative"), spring, STATE, start, panels, [mass], measures)
 
 
 def _ellipse(student: Student, r: Array, v: Array, spring: Mapping[str, Any]) -> Shape:

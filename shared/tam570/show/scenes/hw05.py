@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from tam570.show.drawing import unit_circle
+from tam570.show.live import Handle, Live, live_if_written
 from tam570.show.scene import (
     GREY,
     INK,
@@ -56,7 +57,35 @@ def film(student: Student, parameters: Mapping[str, Any], start: Sequence[float]
         ),
         notes=notes,
         still_time=0.13,
+        live=live_if_written(lambda: _live(student, parameters, start)),
     )
+
+
+def _live(student: Student, parameters: Mapping[str, Any], start: Sequence[float]) -> Live:
+    acceleration, energy = student.function("acceleration"), student.function("energy")
+
+    def rates(t: float, state: Any, **known: Any) -> list[Any]:
+        return [*state[2:], *acceleration(state, **known)]
+
+    def panels(states: Any, known: Mapping[str, Any]) -> list[Panel]:
+        particle = states[:, :2]
+        shapes = [
+            Shape("path", known["length"] * unit_circle(121), GREY, "the circle", width=1.5),
+            Shape("lines", moving(np.zeros(2), particle), GREY, "rod", width=2),
+            Shape("dot", np.zeros((1, 2)), INK, width=5),
+            Shape("dot", particle[:, None], 1, "particle", width=10),
+        ]
+        return [Panel(shapes)]
+
+    def grab(place: Any, state: Any, **known: Any) -> list[Any]:
+        angle = np.arctan2(place[0], place[1])
+        return [known["length"] * np.sin(angle), known["length"] * np.cos(angle), 0.0, 0.0]
+
+    def total(state: Any, *, mass: Any, length: Any, gravity: Any) -> Any:
+        return energy(state, mass=mass, gravity=gravity)
+
+    handle = Handle(lambda state, **known: state[:2], grab)
+    return Live(rates, parameters, STATE, start, panels, [handle], {"energy": total})
 
 
 def _forces(student: Student, states: Array, parameters: Mapping[str, Any]) -> list[Shape]:

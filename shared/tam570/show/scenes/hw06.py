@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from tam570.show.live import Handle, Live, live_if_written
 from tam570.show.scene import (
     GREY,
     INK,
@@ -55,7 +56,36 @@ def film(student: Student, parameters: Mapping[str, Any], start: Sequence[float]
         make_each(notes, lambda: _energy(student, times, motions, parameters), lambda: _heading(times, motions)),
         notes=notes,
         still_time=0.45,
+        live=live_if_written(lambda: _live(student, parameters, start, shapes[:2])),
     )
+
+
+def _live(student: Student, parameters: Mapping[str, Any], start: Sequence[float], roads: list[Shape]) -> Live:
+    """Of the two cars the one that swings round; a hand moves it, and turns it at its nose."""
+    derivative, energy = student.function("state_derivative"), student.function("kinetic_energy")
+    lane = LANES["rear"]
+
+    def rates(t: float, state: Any, **known: Any) -> Any:
+        return derivative(t, state, "rear", **known)
+
+    def panels(states: Any, known: Mapping[str, Any]) -> list[Panel]:
+        return [Panel([*roads, *_car(states, "rear", lane, known)])]
+
+    def nose(state: Any, *, front: Any, **known: Any) -> list[Any]:
+        reach = front + OVERHANG
+        return [state[0] + reach * np.cos(state[2]), state[1] + lane + reach * np.sin(state[2])]
+
+    def turn(place: Any, state: Any, **known: Any) -> list[Any]:
+        return [*state[:2], np.arctan2(place[1] - lane - state[1], place[0] - state[0]), *start[3:]]
+
+    def move(place: Any, state: Any, **known: Any) -> list[Any]:
+        return [place[0], place[1] - lane, state[2], *start[3:]]
+
+    def kinetic(state: Any, *, friction: Any, gravity: Any, **known: Any) -> Any:
+        return energy(state, "rear", **known)
+
+    handles = [Handle(lambda state, **known: [state[0], state[1] + lane], move), Handle(nose, turn)]
+    return Live(rates, parameters, STATE, start, panels, handles, {"kinetic": kinetic})
 
 
 def _motion(

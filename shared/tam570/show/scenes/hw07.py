@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from tam570.show.diagrams import force_shapes
+from tam570.show.live import Handle, Live, live_if_written
 from tam570.show.scene import (
     GREY,
     INK,
@@ -57,6 +58,7 @@ def film(student: Student, parameters: Mapping[str, Any], start: Sequence[float]
         [Panel(shapes)],
         [*make_each(notes, lambda: _energy(student, times, states, known)), _angles(times, states)],
         notes=notes,
+        live=live_if_written(lambda: _live(student, parameters, start)),
     )
 
 
@@ -67,6 +69,53 @@ def _forces(student: Student, states: Array, known: Mapping[str, Any]) -> list[S
         rows = [bar] * len(states), states[:, :2]
         shapes += force_shapes(student, *rows, length=length, color=bar + 2, label=f"forces on bar {bar}", **known)
     return shapes
+
+
+def _live(student: Student, parameters: Mapping[str, Any], start: Sequence[float]) -> Live:
+    acceleration, energy = student.function("angular_acceleration"), student.function("energy")
+
+    def rates(t: float, state: Any, *, masses: Any, lengths: Any, gravity: Any) -> list[Any]:
+        known = {"masses": np.array(masses), "lengths": np.array(lengths), "gravity": gravity}
+        return [*state[2:], *acceleration(np.array(state[:2]), np.array(state[2:]), **known)]
+
+    def joints(theta: Any, lengths: Any) -> tuple[Any, Any]:
+        first, second = (
+            length * np.array([np.sin(th), -np.cos(th)]) for length, th in zip(lengths, theta, strict=True)
+        )
+        return first, first + second
+
+    def panels(states: Any, known: Mapping[str, Any]) -> list[Panel]:
+        elbow, tip = (end[None] for end in joints(states[0, :2], known["lengths"]))
+        shapes = [
+            Shape("lines", np.array([[-0.4, 0.0], [0.4, 0.0]]), GREY, width=3),
+            Shape("trail", tip[:, None], 2, "path of the tip", width=1.5),
+            Shape("lines", moving(np.zeros(2), elbow), 0, "bar 1", width=6),
+            Shape("lines", moving(elbow, tip), 1, "bar 2", width=6),
+            Shape("dot", moving(np.zeros(2), elbow), INK, width=5),
+            Shape("dot", tip[:, None], 2, width=5),
+        ]
+        return [Panel(shapes)]
+
+    def grab_elbow(place: Any, state: Any, **known: Any) -> list[Any]:
+        return [np.arctan2(place[0], -place[1]), state[1], 0.0, 0.0]
+
+    def grab_tip(place: Any, state: Any, **known: Any) -> list[Any]:
+        elbow, _ = joints(state[:2], known["lengths"])
+        return [state[0], np.arctan2(place[0] - elbow[0], elbow[1] - place[1]), 0.0, 0.0]
+
+    handles = [
+        Handle(lambda state, **known: joints(state[:2], known["lengths"])[0], grab_elbow),
+        Handle(lambda state, **known: joints(state[:2], known["lengths"])[1], grab_tip),
+    ]
+
+    def total(state: Any, *, masses: Any, lengths: Any, gravity: Any) -> Any:
+        known = {"masses": np.array(masses), "lengths": np.array(lengths), "gravity": gravity}
+        return energy(np.array(state[:2]), np.array(state[2:]), **known)
+
+    def at_rest(state: Any, **known: Any) -> Any:
+        return total([*state[:2], 0.0, 0.0], **known)
+
+    return Live(rates, parameters, STATE, start, panels, handles, {"total E": total, "potential V": at_rest})
 
 
 def _energy(student: Student, times: Array, states: Array, known: Mapping[str, Any]) -> TimePlot:

@@ -6,7 +6,8 @@ from typing import Any
 import numpy as np
 
 from tam570.given import positive, positives
-from tam570.show.drawing import box_face, circle, cone
+from tam570.show.drawing import box_face, brick, circle, cone
+from tam570.show.live import Handle, Live, live_if_written
 from tam570.show.scene import (
     GREY,
     INK,
@@ -60,7 +61,45 @@ def film(student: Student, parameters: Mapping[str, Any], start: Sequence[float]
         view=(0.6, 0.3),
         notes=notes,
         still_time=0.34,
+        live=live_if_written(lambda: _live(student, inertia, np.array(parameters["size"]), spin)),
     )
+
+
+def _live(student: Student, inertia: Array, size: Array, spin: Array) -> Live:
+    """The state is R, row by row, and omega in the body; a hand takes the tip of omega."""
+    euler, attitude, energy = (student.function(name) for name in ("euler_equations", "attitude_rate", "energy"))
+    reach = 1.5 / float(np.linalg.norm(spin))  # m per rad/s
+    names = [f"R{i}{j}" for i in (1, 2, 3) for j in (1, 2, 3)]
+    start = (*_attitude(spin, inertia).ravel().tolist(), *spin.tolist())
+
+    def rates(t: float, state: Any, *, inertia: Any) -> list[Any]:
+        R, omega = np.reshape(state[:9], (3, 3)), np.array(state[9:])
+        return [*np.ravel(attitude(R, omega)), *euler(omega, inertia=np.array(inertia))]
+
+    def tip(state: Any, **known: Any) -> Any:
+        return reach * (np.reshape(state[:9], (3, 3)) @ np.array(state[9:]))
+
+    def panels(states: Any, known: Mapping[str, Any]) -> list[Panel]:
+        R, omega = np.reshape(states[:, :9], (1, 3, 3)), states[0, 9:]
+        H = 0.7 * reach * (R[0] @ (np.array(known["inertia"]) / inertia.mean() * omega))
+        shapes = [
+            *brick(R, size, 0, "box"),
+            Shape("arrow", moving(np.zeros(3), H[None]), 2, "angular momentum", width=3),
+            Shape("arrow", moving(np.zeros(3), tip(states[0])[None]), 1, "angular velocity", width=2.5),
+            Shape("trail", tip(states[0])[None, None], 1, width=1.2),
+        ]
+        return [Panel(shapes, "box in space")]
+
+    def grab(place: Any, state: Any, **known: Any) -> list[Any]:
+        R = np.reshape(state[:9], (3, 3))
+        return [*state[:9], *(R.T @ np.array(place) / reach)]
+
+    def kinetic(state: Any, *, inertia: Any) -> Any:
+        return energy(np.array(state[9:]), inertia=np.array(inertia))
+
+    known = {"inertia": tuple(inertia.tolist())}
+    state = {**dict.fromkeys(names, "1"), **STATE}
+    return Live(rates, known, state, start, panels, [Handle(tip, grab)], {"energy": kinetic})
 
 
 def _inertia(mass: float, size: Sequence[float]) -> Array:

@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from tam570.show.live import Handle, Live, live_if_written
 from tam570.show.scene import (
     GREY,
     Array,
@@ -50,7 +51,31 @@ def film(student: Student, parameters: Mapping[str, Any], start: Sequence[float]
         make_each(notes, lambda: _energy(student, times, states, parameters), lambda: _phases(times, states)),
         notes=notes,
         still_time=0.03,
+        live=live_if_written(lambda: _live(student, parameters, start)),
     )
+
+
+def _live(student: Student, parameters: Mapping[str, Any], start: Sequence[float]) -> Live:
+    acceleration, energy = student.function("acceleration_newton"), student.function("energy")
+    xs = np.linspace(-1.15 * abs(start[0]), 1.15 * abs(start[0]), 81)
+
+    def rates(t: float, state: Any, *, mass: Any, curvature: Any, gravity: Any) -> list[Any]:
+        return [state[1], acceleration(*state, curvature=curvature, gravity=gravity)]
+
+    def panels(states: Any, known: Mapping[str, Any]) -> list[Panel]:
+        bead = _on_wire(states[:, 0], known["curvature"])
+        wire = Shape("path", _on_wire(xs, known["curvature"]), GREY, "wire", width=3)
+        return [Panel([wire, Shape("dot", bead[:, None], 0, "bead", width=8)])]
+
+    handle = Handle(
+        lambda state, **known: [state[0], known["curvature"] * state[0] ** 2],
+        lambda place, state, **known: [place[0], 0.0],
+    )
+    measures = {
+        "total E": lambda state, **known: energy(*state, **known),
+        "potential V": lambda state, **known: energy(state[0], 0.0, **known),
+    }
+    return Live(rates, parameters, STATE, start, panels, [handle], measures)
 
 
 def _forces(student: Student, states: Array, parameters: Mapping[str, Any]) -> list[Shape]:

@@ -8,6 +8,7 @@ import numpy as np
 
 from tam570.integrate import solve
 from tam570.show.drawing import circle
+from tam570.show.live import Handle, Live, live_if_written
 from tam570.show.scene import (
     GREY,
     INK,
@@ -58,7 +59,31 @@ def film(student: Student, parameters: Mapping[str, Any], start: Sequence[float]
         make_each(notes, lambda: _energy(student, times, right, wrong, parameters)),
         notes=notes,
         still_time=0.7,
+        live=live_if_written(lambda: _live(student, parameters, start, farthest)),
     )
+
+
+def _live(student: Student, parameters: Mapping[str, Any], start: Sequence[float], farthest: float) -> Live:
+    acceleration, energy = student.function("acceleration"), student.function("energy")
+
+    def rates(t: float, state: Any, **known: Any) -> list[Any]:
+        return [state[1], acceleration(*state, **known)]
+
+    def panels(states: Any, known: Mapping[str, Any]) -> list[Panel]:
+        return [Panel(_rolling(states[:, 0], 0, farthest, known), "by the balance about G")]
+
+    def centre(state: Any, *, radius: Any, slope: Any, **known: Any) -> list[Any]:
+        ahead = radius * state[0]
+        return [ahead * np.cos(slope) + radius * np.sin(slope), radius * np.cos(slope) - ahead * np.sin(slope)]
+
+    def grab(place: Any, state: Any, *, radius: Any, slope: Any, **known: Any) -> list[Any]:
+        return [(place[0] * np.cos(slope) - place[1] * np.sin(slope)) / radius, state[1]]
+
+    measures = {
+        "total E": lambda state, **known: energy(*state, **known),
+        "potential V": lambda state, **known: energy(state[0], 0.0, **known),
+    }
+    return Live(rates, parameters, STATE, start, panels, [Handle(centre, grab)], measures)
 
 
 def _naive(student: Student, times: Array, start: Sequence[float], parameters: Mapping[str, Any]) -> Array:
@@ -75,7 +100,7 @@ def _naive(student: Student, times: Array, start: Sequence[float], parameters: M
 
 def _rolling(phi: Array, color: int, farthest: float, parameters: Mapping[str, Any]) -> list[Shape]:
     radius, offset, slope = (parameters[name] for name in ("radius", "offset", "slope"))
-    ahead = np.array([math.cos(slope), -math.sin(slope)])
+    ahead = np.array([np.cos(slope), -np.sin(slope)])
     off = np.array([-ahead[1], ahead[0]])
     contact = radius * phi[:, None] * ahead
     centre = contact + radius * off

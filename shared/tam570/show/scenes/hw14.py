@@ -6,8 +6,20 @@ from typing import Any
 
 import numpy as np
 
-from tam570.show.drawing import floor
-from tam570.show.scene import Array, Panel, Scene, Shape, TimePlot, energy_plot, frame_times, plot_samples, value_plot
+from tam570.show.drawing import circle, floor
+from tam570.show.live import Handle, Live, live_if_written
+from tam570.show.scene import (
+    Array,
+    Panel,
+    Scene,
+    Shape,
+    TimePlot,
+    energy_plot,
+    frame_times,
+    moving,
+    plot_samples,
+    value_plot,
+)
 from tam570.show.student import Student, make_each
 
 __all__ = ["film"]
@@ -55,6 +67,46 @@ def film(student: Student, disk: Mapping[str, Any], start: Sequence[float], seco
         ),
         view=(0.4, 0.5),
         notes=notes,
+        live=live_if_written(lambda: _live(student, disk, start, [shapes[0]])),
+    )
+
+
+def _live(student: Student, disk: Mapping[str, Any], start: Sequence[float], still: list[Shape]) -> Live:
+    energy = student.function("energy")
+
+    def panels(states: Any, known: Mapping[str, Any]) -> list[Panel]:
+        x, y, yaw, tilt, roll = states[:, :5].T
+        contact = np.column_stack([x, y, 0 * x])
+        ahead = np.column_stack([np.cos(yaw), np.sin(yaw), 0 * yaw])
+        up = np.column_stack([-np.sin(yaw) * np.cos(tilt), np.cos(yaw) * np.cos(tilt), np.sin(tilt)])
+        centre = contact + known["radius"] * up
+        one, other = known["radius"] * ahead, known["radius"] * up
+        c, s = np.cos(roll)[:, None], np.sin(roll)[:, None]
+        spokes = [c * one + s * other, c * other - s * one]
+        rim = circle(centre, one, other, SIDES + 1)
+        ends = [centre + sign * spoke for spoke in spokes for sign in (1.0, -1.0)]
+        shapes = [
+            *still,
+            Shape("trail", contact[:, None], 1, "path of the contact", width=2),
+            Shape("fill", rim, 0, faint=True),
+            Shape("path", rim, 0, "disk", width=3),
+            Shape("lines", moving(*ends), 0, width=1.5),
+            Shape("dot", contact[:, None], 1, width=4),
+        ]
+        return [Panel(shapes)]
+
+    def top(state: Any, *, radius: Any, **known: Any) -> list[Any]:
+        x, y, yaw, tilt = state[:4]
+        across = 2 * radius * np.cos(tilt)
+        return [x - across * np.sin(yaw), y + across * np.cos(yaw), 2 * radius * np.sin(tilt)]
+
+    def grab(place: Any, state: Any, **known: Any) -> list[Any]:
+        x, y, yaw = state[:3]
+        aside = (y - place[1]) * -np.cos(yaw) + (x - place[0]) * np.sin(yaw)
+        return [x, y, yaw, np.arctan2(place[2], aside), *state[4:]]
+
+    return Live(
+        student.function("euler_state_derivative"), disk, STATE, start, panels, [Handle(top, grab)], {"energy": energy}
     )
 
 

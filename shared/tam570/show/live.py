@@ -1,0 +1,313 @@
+"""Scenes to grab: equations of motion, what is drawn and what a hand does to it, as JavaScript that runs in the page.
+
+All three are called once with symbols in the place of state, parameters and the hand's place; what they do is written
+down, as `tam570.integrate` does it for a compiler. A function that cannot be traced leaves the scene as a film.
+"""
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from tam570.integrate.symbols import Symbol, Untraceable, Value
+from tam570.integrate.trace import Graph, traced
+from tam570.show.scene import Panel
+from tam570.show.student import Trouble
+
+__all__ = ["Handle", "Live", "Program", "live_if_written", "program"]
+
+SAME_NAME = (
+    "sin cos tan asin acos atan atan2 sinh cosh tanh asinh acosh atanh exp expm1 log log1p log2 log10 sqrt cbrt hypot"
+)
+IN_JAVASCRIPT = {name: f"Math.{name}" for name in SAME_NAME.split()} | {"fabs": "Math.abs", "pow": "Math.pow"}
+NAMED = {"inf": "Infinity", "-inf": "-Infinity", "nan": "NaN"}
+LEAST, MOST = 0.25, 3.0  # of a parameter's value, of its slider
+CLOSE = 1e-9  # between the traced equations and the function: roundings
+
+
+@dataclass(frozen=True)
+class Handle:
+    """What a hand takes hold of.
+
+    place : place(state, **parameters) -> 2 or 3 numbers, m: where it is
+    grab  : grab(place, state, **parameters) -> the state that has it there
+    panel : the number of its panel
+    """
+
+    place: Callable[..., Any]
+    grab: Callable[..., Any]
+    panel: int = 0
+
+
+@dataclass(frozen=True)
+class Live:
+    """A scene as equations.
+
+    rates    : rates(t, state, **parameters) -> the state's rates
+    panels   : panels(states, parameters) -> Panels, as for a film of one sample, states (1, k)
+    handles  : what can be dragged
+    measures : by name, f(state, **parameters) -> a number to plot over time
+    unit     : of the measures
+    """
+
+    rates: Callable[..., Any]
+    parameters: Mapping[str, Any]
+    state: Mapping[str, str]
+    start: Sequence[float]
+    panels: Callable[[Any, Mapping[str, Any]], Sequence[Panel]]
+    handles: Sequence[Handle] = ()
+    measures: Mapping[str, Callable[..., Any]] = field(default_factory=dict)
+    unit: str = "J"
+
+
+def live_if_written(make: Callable[[], Live]) -> Live | None:
+    """The live scene; None if a function that it needs is not there."""
+    try:
+        return make()
+    except Trouble:
+        return None
+
+
+@dataclass(frozen=True)
+class Program:
+    """What the page needs: code that is made of our own words alone, and data."""
+
+    code: str
+    data: dict[str, Any]
+
+
+def program(live: Live) -> Program | None:
+    """Write a live scene as JavaScript; None if its functions cannot be traced.
+
+    If a function asks for the value of a parameter, the parameters stay what they are, without sliders.
+    """
+    sliders = _sliders(live.parameters)
+    for chosen in (sliders, [])[: 1 + bool(sliders)]:
+        try:
+            return _Writer(live, chosen).program()
+        except Untraceable:
+            continue
+    return None
+
+
+def _sliders(parameters: Mapping[str, Any]) -> list[tuple[str, int | None, float]]:
+    """Name, index in a tuple, value of each number that a slider can change."""
+    found: list[tuple[str, int | None, float]] = []
+    for name, value in parameters.items():
+        if isinstance(value, float):
+            found.append((name, None, value))
+        elif np.ndim(value) == 1 and np.asarray(value).dtype.kind == "f":
+            found += [(name, i, float(one)) for i, one in enumerate(value)]
+    return found
+
+
+class _Writer:
+    """Traces one live scene; the symbols are the state, then the parameters, then the place of the hand."""
+
+    def __init__(self, live: Live, sliders: Sequence[tuple[str, int | None, float]]) -> None:
+        self.live, self.sliders, self.k, self.m = live, sliders, len(live.start), len(sliders)
+
+    def program(self) -> Program:
+        rates, film = self.live.rates, self.live.panels  # a trace goes into the functions of a closure
+        of_rates = self._traced(lambda t, state, known, hand: rates(t, state, **known))
+        self._compare(of_rates)
+        panels: list[dict[str, Any]] = []
+        measures = {name: one for name, one in self.live.measures.items() if self._is_traceable(one)}
+        more = _in_turn([*(handle.place for handle in self.live.handles), *measures.values()])
+        grabs = _in_turn([handle.grab for handle in self.live.handles])
+
+        def drawn(t: Any, state: Any, known: Mapping[str, Any], hand: Any) -> list[Any]:
+            panels.clear()
+            points: list[Value] = []
+            for panel in film(np.reshape(state, (1, -1)), known):
+                panels.append({"title": panel.title, "shapes": [_shape(shape, points) for shape in panel.shapes]})
+            return points + more([], (state,), known)
+
+        def grabbed(t: Any, state: Any, known: Mapping[str, Any], hand: Any) -> list[Any]:
+            return grabs([], (hand, state), known)
+
+        graphs = {"rates": of_rates, "drawn": self._traced(drawn), "grab": self._traced(grabbed)}
+        code = "".join(f"{name}(t,s,p,q){{{_body(graph, self.k, self.m)}}}," for name, graph in graphs.items())
+        first = sum(len(shape["at"]) * shape["dim"] for panel in panels for shape in panel["shapes"])
+        count = len(graphs["drawn"].rates) - first - len(measures)
+        return Program(f"const program = {{{code}}};", self._data(panels, first, count, list(measures)))
+
+    def _is_traceable(self, measure: Callable[..., Any]) -> bool:
+        try:
+            self._traced(lambda t, state, known, hand: [measure(state, **known)])
+        except Untraceable:
+            return False
+        return True
+
+    def _data(self, panels: list[dict[str, Any]], first: int, count: int, measures: list[str]) -> dict[str, Any]:
+        dim = count // max(len(self.live.handles), 1)
+        return {
+            "state": list(self.live.state),
+            "start": [float(number) for number in self.live.start],
+            "parameters": [
+                {"name": name if i is None else f"{name} {i + 1}", "value": value, "range": _range(value)}
+                for name, i, value in self.sliders
+            ],
+            "panels": panels,
+            "handles": [
+                {"panel": handle.panel, "at": first + i * dim, "dim": dim} for i, handle in enumerate(self.live.handles)
+            ],
+            "measures": measures,
+            "first": first + count,
+            "unit": self.live.unit,
+        }
+
+    def _traced(self, function: Callable[..., Any]) -> Graph:
+        def flat(t: Any, symbols: Any) -> Any:
+            known = self._known(symbols[self.k : self.k + self.m])
+            return function(t, symbols[: self.k], known, symbols[self.k + self.m :])
+
+        return traced(flat, self.k + self.m + 3, {"float": _Float})
+
+    def _known(self, numbers: Sequence[Any]) -> dict[str, Any]:
+        """The parameters, those with sliders replaced."""
+        known = dict(self.live.parameters)
+        for (name, i, _), number in zip(self.sliders, numbers, strict=True):
+            if i is None:
+                known[name] = number
+            else:
+                known[name] = (*known[name][:i], number, *known[name][i + 1 :])
+        return known
+
+    def _compare(self, graph: Graph) -> None:
+        """Untraceable if the graph gives other numbers than the function that it is a trace of."""
+        for share in (1.0, 1.05):
+            state = [share * number + (share - 1.0) for number in self.live.start]
+            values = [value for _, _, value in self.sliders]
+            wanted = np.array([float(one) for one in self.live.rates(0.0, np.array(state), **self.live.parameters)])
+            found = np.array(_evaluated(graph, [*state, *values, 0.0, 0.0, 0.0]))
+            if not np.abs(found - wanted).max() <= CLOSE * (1.0 + np.abs(wanted).max()):
+                raise Untraceable("its formulas as traced give other numbers than it does")
+
+
+def _in_turn(functions: Sequence[Callable[..., Any]]) -> Callable[..., list[Any]]:
+    """One function that appends the numbers of each, called with the same arguments; a closure of closures."""
+
+    def none(found: list[Any], arguments: tuple[Any, ...], known: Mapping[str, Any]) -> list[Any]:
+        return found
+
+    def then(before: Callable[..., list[Any]], function: Callable[..., Any]) -> Callable[..., list[Any]]:
+        def both(found: list[Any], arguments: tuple[Any, ...], known: Mapping[str, Any]) -> list[Any]:
+            return [*before(found, arguments, known), *np.ravel(np.array(function(*arguments, **known))).tolist()]
+
+        return both
+
+    combined: Callable[..., list[Any]] = none
+    for function in functions:
+        combined = then(combined, function)
+    return combined
+
+
+class _OfFloats(type):
+    def __instancecheck__(cls, value: Any) -> bool:
+        return isinstance(value, float)
+
+
+class _Float(float, metaclass=_OfFloats):
+    """`float` as a trace has it: numbers that are not known yet stay what they are."""
+
+    def __new__(cls, value: Any = 0.0) -> Any:
+        return value if isinstance(value, Symbol) else float(value)
+
+
+def _range(value: float) -> tuple[float, float]:
+    if value == 0.0:
+        return -1.0, 1.0
+    low, high = sorted((LEAST * value, MOST * value))
+    return low, high
+
+
+def _shape(shape: Any, points: list[Value]) -> dict[str, Any]:
+    """One shape, its coordinates appended to the points."""
+    rows = shape.points[0] if shape.points.ndim == 3 else shape.points
+    at = []
+    for row in rows:
+        at.append(len(points))
+        points.extend(row.tolist())
+    found = {"kind": shape.kind, "at": at, "dim": rows.shape[-1], "color": shape.color, "width": shape.width}
+    optional = {"name": shape.name, "words": shape.words, "faint": shape.faint}
+    return found | {name: value for name, value in optional.items() if value}
+
+
+def _body(graph: Graph, k: int, m: int) -> str:
+    """Statements that end in a return of the graph's results."""
+    texts: dict[int, str] = {}
+
+    def text(value: Value) -> str:
+        if isinstance(value, Symbol):
+            return texts[value.number]
+        number = repr(float(value))
+        return NAMED.get(number, f"({number})" if number.startswith("-") else number)
+
+    needed = _needed(graph)
+    lines = []
+    for symbol in graph.operations:
+        if symbol.number not in needed:
+            continue
+        if not symbol.arguments:
+            texts[symbol.number] = _input(symbol.name, k, m)
+            continue
+        texts[symbol.number] = f"v{symbol.number}"
+        lines.append(f"const v{symbol.number}={_expression(symbol.name, [text(a) for a in symbol.arguments])};")
+    return f"{''.join(lines)}return[{','.join(map(text, graph.rates))}];"
+
+
+def _needed(graph: Graph) -> set[int]:
+    needed = {value.number for value in graph.rates if isinstance(value, Symbol)}
+    for symbol in reversed(graph.operations):
+        if symbol.number in needed:
+            needed |= {argument.number for argument in symbol.arguments if isinstance(argument, Symbol)}
+    return needed
+
+
+def _input(name: str, k: int, m: int) -> str:
+    if name == "t":
+        return "t"
+    i = int(name[1:])
+    return f"s[{i}]" if i < k else f"p[{i - k}]" if i < k + m else f"q[{i - k - m}]"
+
+
+def _expression(name: str, arguments: list[str]) -> str:
+    if name == "neg":
+        return f"-{arguments[0]}"
+    if name in ("+", "-", "*", "/"):
+        return f"{arguments[0]}{name}{arguments[1]}"
+    if name not in IN_JAVASCRIPT:
+        raise Untraceable(f"{name} is not in JavaScript")
+    return f"{IN_JAVASCRIPT[name]}({','.join(arguments)})"
+
+
+def _evaluated(graph: Graph, inputs: Sequence[float]) -> list[float]:
+    """The results at t = 0 and these numbers, by Python."""
+    values: dict[int, float] = {}
+
+    def number(value: Value) -> float:
+        return values[value.number] if isinstance(value, Symbol) else float(value)
+
+    for symbol in graph.operations:
+        if symbol.number not in _needed(graph):
+            continue
+        arguments = [number(a) for a in symbol.arguments]
+        if not arguments:
+            values[symbol.number] = 0.0 if symbol.name == "t" else inputs[int(symbol.name[1:])]
+        elif symbol.name in OPERATORS:
+            values[symbol.number] = OPERATORS[symbol.name](*arguments)
+        else:
+            values[symbol.number] = getattr(math, symbol.name)(*arguments)
+    return [number(value) for value in graph.rates]
+
+
+OPERATORS: dict[str, Callable[..., float]] = {
+    "+": lambda a, b: a + b,
+    "-": lambda a, b: a - b,
+    "*": lambda a, b: a * b,
+    "/": lambda a, b: a / b,
+    "neg": lambda a: -a,
+}

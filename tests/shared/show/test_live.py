@@ -1,0 +1,155 @@
+"""Live scenes: the equations in the page beside `solve`, dragged by a mouse and a finger, with other parameters."""
+
+import numpy as np
+import pytest
+
+from tam570.course import assignments
+from tam570.integrate import solve
+from tam570.lectures import load, names
+from tam570.show import load_student, scene_of, show
+from tam570.show.live import program
+from tam570.show.page import page
+
+HOMEWORK = [slug for slug in assignments() if slug[:4] in {f"hw{n:02}" for n in (1, 4, 5, 6, 7, 10, 12, 13, 14)}]
+LECTURES = [name for name in names() if hasattr(load(name), "START") and name != "rocket"]  # which asks for its mass
+LARGEST = 250_000  # bytes of a page
+SECONDS = 1.0
+SIZES = [(1280, 720), (390, 844)]
+
+
+@pytest.fixture
+def tab(browser, tmp_path):
+    """`tab(scene, size)` -> its page, which must not complain."""
+    contexts, complaints = [], []
+
+    def tab(scene, size=SIZES[0], **options):
+        file = tmp_path / "live.html"
+        file.write_text(page(scene), encoding="utf-8")
+        assert file.stat().st_size < LARGEST
+        context = browser.new_context(
+            viewport=dict(zip(("width", "height"), size, strict=True)), reduced_motion="reduce", **options
+        )
+        contexts.append(context)
+        opened = context.new_page()
+        opened.on("pageerror", lambda error: complaints.append(str(error)))
+        opened.on("console", lambda message: complaints.append(message.text))
+        opened.goto(file.as_uri())
+        opened.evaluate("() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
+        return opened
+
+    yield tab
+    for context in contexts:
+        context.close()
+    assert not complaints
+
+
+@pytest.fixture
+def scene_named(scenes):
+    return lambda name: scenes(name) if name in assignments() else show(load(name)).scene
+
+
+@pytest.mark.sample(8)
+@pytest.mark.parametrize("name", [*HOMEWORK, *LECTURES])
+def test_the_page_moves_as_solve_does(tab, scene_named, name):
+    scene = scene_named(name)
+    opened, live = tab(scene), scene.live
+    found = opened.evaluate(f"integrate(grasped.start, live.p, 0, {SECONDS})")
+    right = solve(live.rates, [0.0, SECONDS], live.start, parameters=live.parameters, rtol=1e-12)[-1]
+    assert np.abs(np.array(found) - right).max() < 1e-6 * (1 + np.abs(right).max())
+    places = opened.evaluate(
+        "grasped.handles.map(({at, dim}) => program.drawn(0, grasped.start, live.p).slice(at, at + dim))"
+    )
+    for place, handle in zip(places, live.handles, strict=True):
+        assert place == pytest.approx(np.ravel(handle.place(np.array(live.start), **live.parameters)), abs=1e-9)
+
+
+@pytest.mark.parametrize("name", [*HOMEWORK, *LECTURES])
+def test_what_a_hand_holds_is_where_the_hand_is(scene_named, name):
+    """By the functions themselves: grab the place where it is already, and it stays there."""
+    live = scene_named(name).live
+    state = np.array(live.start)
+    for handle in live.handles:
+        place = np.ravel(handle.place(state, **live.parameters)).astype(float)
+        grabbed = np.array(handle.grab([*place, 0.0][:3], state, **live.parameters), dtype=float)
+        assert len(grabbed) == len(live.state) == len(live.start)
+        assert np.ravel(handle.place(grabbed, **live.parameters)) == pytest.approx(place, abs=1e-9)
+
+
+def dragged(opened, by):
+    """Move the first handle by some pixels."""
+    box = opened.locator("#live").bounding_box()
+    x, y = opened.evaluate("() => { followFilm(); return handlePlace(grasped.handles[0]); }")
+    x, y = x + box["x"], y + box["y"]
+    opened.mouse.move(x, y)
+    opened.mouse.down()
+    opened.mouse.move(x + by[0], y + by[1], steps=4)
+    held = opened.evaluate("[live.on, live.s]")
+    opened.mouse.up()
+    return held
+
+
+@pytest.mark.parametrize("size", SIZES)
+def test_the_bob_goes_where_it_is_dragged_and_swings_on(tab, scenes, size):
+    opened = tab(scenes("hw01_simple_pendulum"), size)
+    before, hinge = opened.evaluate(
+        "() => { followFilm(); return [handlePlace(grasped.handles[0]), livePoint(stage.frames[0], [0, 0])]; }"
+    )
+    on, (theta, omega) = dragged(opened, (-40, 30))
+    assert on and omega == 0.0
+    wanted = np.array(before) + [-40, 30] - hinge
+    assert np.arctan2(wanted[0], wanted[1]) == pytest.approx(theta, abs=0.02)
+    opened.evaluate("advanceLive(0.5)")
+    known = {"length": 1.0, "gravity": 9.81}
+    now, state = opened.evaluate("[live.t, live.s]")
+    right = solve(scenes("hw01_simple_pendulum").live.rates, [0.0, now], [theta, 0.0], parameters=known)[-1]
+    assert state == pytest.approx(right.tolist(), abs=1e-6)
+    opened.get_by_role("button", name="Back to the film").click()
+    assert not opened.evaluate("live.on")
+
+
+def test_a_finger_and_a_slider(tab, scenes):
+    opened = tab(scenes("hw07_double_pendulum"), SIZES[1], has_touch=True)
+    x, y = opened.evaluate(
+        """() => { followFilm(); const {left, top} = byId("live").getBoundingClientRect();
+                   const [x, y] = handlePlace(grasped.handles[1]); return [x + left, y + top]; }"""
+    )
+    for kind, dx in (("pointerdown", 0), ("pointermove", -30), ("pointerup", -30)):
+        event = {
+            "pointerId": 1,
+            "pointerType": "touch",
+            "clientX": x + dx,
+            "clientY": y,
+            "bubbles": True,
+            "cancelable": True,
+        }
+        opened.evaluate(
+            """([kind, options]) => { const canvas = byId("live"); canvas.setPointerCapture = () => {};
+                                      canvas.dispatchEvent(new PointerEvent(kind, options)); }""",
+            [kind, event],
+        )
+    assert opened.evaluate("live.on")
+    sliders = opened.locator("#sliders input")
+    assert sliders.count() == 5
+    sliders.nth(4).evaluate("(slider) => { slider.value = 5; slider.dispatchEvent(new Event('input')); }")
+    assert opened.evaluate("live.p[4]") == 5.0
+
+
+def test_what_cannot_be_traced_stays_a_film(tab, tmp_path, solution_text):
+    text = solution_text("hw01_simple_pendulum")
+    asks = """
+
+_right = angular_momentum_balance
+
+
+def angular_momentum_balance(theta, omega, *, mass, length, gravity):
+    mass = 1.0 * mass if {condition} else mass
+    return _right(theta, omega, mass=mass, length=length, gravity=gravity)
+"""
+    file = tmp_path / "hw01_simple_pendulum.py"
+    for condition, sliders in (("length > 0", 0), ("theta > 100", None)):
+        file.write_text(text + asks.format(condition=condition))
+        scene = scene_of(load_student(file, file.stem), file.stem)
+        written = program(scene.live)
+        assert (written is None) == (sliders is None)
+        assert written is None or len(written.data["parameters"]) == sliders
+    assert tab(scene).evaluate("grasped === null && program === null && !live.on")
