@@ -25,6 +25,7 @@ class Failure:
     label: str = ""  # of input, in words that give no input away
     hint: str = ""
     suspect: str | None = None  # the known mistake
+    follows_from: str = ""  # the function with the mistake that explains this result
     near_miss: bool = False  # off by a loose tolerance, at most: what builds on it is judged all the same
     curve: dict[str, Any] | None = None  # the error along a motion
     sketch: dict[str, Any] | None = None  # a free body diagram as the student drew it
@@ -34,6 +35,6 @@ class Failure:
     function: str = ""  # that was called at this input
     fault: str = ""  # of ours, in looking for a name
 
-    def named(self, suspect: str | None, fault: str = "") -> "Failure":
-        """The same failure with the known mistake, or with what kept us from finding one."""
-        return replace(self, suspect=suspect, fault=fault)
+    def named(self, suspect: str | None, follows_from: str = "", fault: str = "") -> "Failure":
+        """The same failure with the known mistake, or where it was made, or with what kept us from finding one."""
+        return replace(self, suspect=suspect, follows_from=follows_from, fault=fault)

@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 
 from tam570_grader.checks.case import Case
-from tam570_grader.diagnosis.mistakes import OF_MOTIONS, Called, agrees, is_motion, parts
+from tam570_grader.diagnosis.cause import Called
+from tam570_grader.diagnosis.mistakes import OF_MOTIONS, agrees, is_motion, parts
 
 __all__ = ["Judged", "judged", "telling"]
 

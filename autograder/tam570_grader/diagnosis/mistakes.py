@@ -21,24 +21,26 @@ from collections.abc import Callable, Container, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from types import CodeType, ModuleType
-from typing import Any, Protocol, TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
 
-from tam570_grader.checks.case import Case
 from tam570_grader.checks.check import Check, Memory
 from tam570_grader.checks.effort import compile_counted
 from tam570_grader.checks.expected import shared
+from tam570_grader.diagnosis.cause import Answer, Called, Cause
 from tam570_grader.diagnosis.mutants import reached
 from tam570_grader.protocol.wire import packed
 
 __all__ = [
     "OF_MOTIONS",
     "WITHIN",
-    "Called",
     "Mistake",
     "agrees",
+    "answer",
     "candidates",
+    "computed",
+    "explains",
     "is_motion",
     "known",
     "mistake",
@@ -47,6 +49,7 @@ __all__ = [
     "overlays",
     "parts",
     "right_answer",
+    "solution_with",
 ]
 
 CANCELLED = 1e-14  # what rounding leaves where numbers of order one cancel, and a wrong answer is exactly zero
@@ -55,17 +58,6 @@ OF_MOTIONS = 1e-3  # two integrations of one wrong equation differ by their tole
 MOST_ANSWERS = 2**26  # bytes; those of a class are the same
 MOST_CHANGES = 2**17  # of an answer by a mistake
 OF_AN_ANSWER = 1000  # bytes besides its numbers
-
-
-class Called(Protocol):
-    """A call that a check made, and the result that came back."""
-
-    @property
-    def name(self) -> str: ...
-    @property
-    def case(self) -> Case: ...
-    @property
-    def result(self) -> Any: ...  # None where the call raised, or returned what was not promised
 
 
 @dataclass(frozen=True)
@@ -223,14 +215,36 @@ def _changes_one(solution: str, known: Mistake, functions: Container[str]) -> bo
     return any(reach & known.defined for name, reach in reached(solution).items() if name in functions)
 
 
-def known(solution: str, suspects: Iterable[Mistake], calls: Sequence[Called]) -> str | None:
-    """What to say of the first mistake that the calls agree with; None if there is none.
+def known(solution: str, suspects: Iterable[Mistake], calls: Sequence[Called]) -> Cause | None:
+    """The first mistake that the calls agree with; None if there is none.
 
     Of each function that the mistake changes, every result must be the mistake's, and one must be numbers.
     """
     short_first = sorted(calls, key=lambda call: len(call.case.packed))  # most are told by a motion of a few rows
     groups = {call.name: [one for one in short_first if one.name == call.name] for call in calls}
-    return next((one.message for one in suspects if _agrees(solution, one, groups)), None)
+    found = next((one for one in suspects if _agrees(solution, one, groups)), None)
+    if found is None:
+        return None
+    wrong = [call.name for call in calls if _changed(solution, found.text, call, _within(call))]
+    answers = (functools.partial(answer, solution, found.text),)
+    return Cause((wrong or [calls[0].name])[0], found.message, "known mistake", answers, tuple(calls))
+
+
+def explains(solution: str, given: Answer, calls: Sequence[Called]) -> bool:
+    """Whether what the solution answers with a mistake in it is what the student's functions returned in every call.
+
+    Some result must be wrong by it, and some number of it not zero: of nothing all kinds of nothing follow.
+    """
+    if not calls or any(call.result is None for call in calls):
+        return False
+    wrong = told = False
+    for call in sorted(calls, key=lambda call: len(call.case.packed)):
+        found, within = given(call), _within(call)
+        if found is None or not _same(call.result, found, within):
+            return False
+        wrong = wrong or not _same(found, answer(solution, "", call), within)
+        told = told or any(np.any(part) for part in parts(call.result))
+    return wrong and told
 
 
 def _agrees(solution: str, one: Mistake, groups: dict[str, list[Called]]) -> bool:
@@ -239,7 +253,7 @@ def _agrees(solution: str, one: Mistake, groups: dict[str, list[Called]]) -> boo
     for group in filter(None, alike):
         within = one.tolerance or _within(group[0])
         changed = (_changed(solution, one.text, call, within) for call in group)
-        if all(_same(call.result, _answer(solution, one.text, call), within) for call in group):
+        if all(_same(call.result, answer(solution, one.text, call), within) for call in group):
             told = told or (any(changed) and any(call.result is not None for call in group))
         elif any(changed):
             return False
@@ -263,11 +277,11 @@ def agrees(found: Any, wrong: Any) -> bool:
 
 def right_answer(solution: str, call: Called) -> Any:
     """The solution's answer to a call; None where it has none."""
-    found = _answer(solution, "", call)
-    return None if found is _NoValue else found
+    found = answer(solution, "", call)
+    return None if found is NoValue else found
 
 
-class _NoValue:
+class NoValue:
     """In the place of an answer: a wrong formula may have none where the right one has one."""
 
 
@@ -279,12 +293,14 @@ _answers = Memory(MOST_ANSWERS, _bytes)
 _changes = Memory(MOST_CHANGES)
 
 
-def _answer(solution: str, text: str, call: Called) -> Any:
+def answer(solution: str, text: str, call: Called) -> Any:
     """The answer of the solution with a mistake, computed a single time for all who are given the same input."""
     name, message = _named(solution, text), call.case.packed
 
     def compute() -> Any:
-        return shared(call.name, name, packed(call.name) + message, lambda: _computed(_module(solution, text), call))
+        return shared(
+            call.name, name, packed(call.name) + message, lambda: computed(solution_with(solution, text), call)
+        )
 
     return _answers.value((name, call.name, message), compute)
 
@@ -294,7 +310,7 @@ def _changed(solution: str, text: str, call: Called, within: float) -> bool:
     key = _named(solution, text), call.name, call.case.packed, within
 
     def compute() -> bool:
-        return not _same(_answer(solution, "", call), _answer(solution, text, call), within)
+        return not _same(answer(solution, "", call), answer(solution, text, call), within)
 
     return bool(_changes.value(key, compute))
 
@@ -304,7 +320,8 @@ def _named(solution: str, text: str) -> str:
     return hashlib.sha256(f"{solution}\0{text}".encode()).hexdigest()
 
 
-def _computed(module: ModuleType, call: Called) -> Any:
+def computed(module: ModuleType, call: Called) -> Any:
+    """The answer of a module's function to a call; `NoValue` where its formula has none."""
     function, asked = getattr(module, call.name), call.case
     try:
         with np.errstate(all="ignore"):
@@ -312,7 +329,7 @@ def _computed(module: ModuleType, call: Called) -> Any:
                 return _values(function(), asked.args[0])
             return function(*asked.args, **asked.kwargs)
     except (ArithmeticError, ValueError, np.linalg.LinAlgError):
-        return _NoValue
+        return NoValue
 
 
 def _values(formula: Any, points: list[dict[str, float]]) -> Any:
@@ -324,7 +341,7 @@ def _values(formula: Any, points: list[dict[str, float]]) -> Any:
 
 
 @functools.lru_cache(maxsize=256)
-def _module(solution: str, text: str) -> ModuleType:
+def solution_with(solution: str, text: str) -> ModuleType:
     """The solution as a module of its own, with the definitions of the mistake in the place of its own."""
     module = ModuleType("_mistaken")
     for part in (solution, text):
@@ -338,8 +355,8 @@ def _code(text: str) -> CodeType:
 
 
 def _same(found: Any, wrong: Any, within: float) -> bool:
-    if found is None or found is _NoValue or wrong is _NoValue:
-        return (found is None or found is _NoValue) and (wrong is _NoValue or not _finite(wrong))
+    if found is None or found is NoValue or wrong is NoValue:
+        return (found is None or found is NoValue) and (wrong is NoValue or not _finite(wrong))
     if isinstance(wrong, tuple) and not isinstance(found, tuple):
         wrong = np.asarray(wrong, float)  # the numbers of an array may be returned one by one
     pairs = list(zip(parts(found), parts(wrong), strict=False))

@@ -49,12 +49,16 @@ SYMMETRIC = {"dot", "hypot", "max", "maximum", "min", "minimum", "multiply"}  # 
 
 @dataclass(frozen=True)
 class Slip:
-    """One slip in a function: what it is, the expressions before and after, and the function's text with it."""
+    """One slip in a function: what it is, the expressions before and after, and the function's text with it.
+
+    product : the largest one that the expression is a factor of
+    """
 
     operator: str
     was: ast.expr
     now: ast.expr
     text: str
+    product: ast.expr
 
 
 def slips(source: str) -> dict[str, list[Slip]]:
@@ -63,11 +67,22 @@ def slips(source: str) -> dict[str, list[Slip]]:
     for function in (node for node in ast.parse(source).body if isinstance(node, ast.FunctionDef)):
         before = function.lineno - 1
         own = "\n" * before + "".join(lines[before : function.end_lineno])  # so that the lines keep their numbers
+        products = _products(function)
         found[function.name] = [
-            Slip(operator, node, slip, replaced(own, node, ast.unparse(slip)))
+            Slip(operator, node, slip, replaced(own, node, ast.unparse(slip)), products.get(id(node), node))
             for node, operator, slip in (*made(function), *made(function, MORE))
         ]
         found[function.name] += _everywhere(function)
+    return found
+
+
+def _products(function: ast.FunctionDef) -> dict[int, ast.expr]:
+    """For each factor, by its id, the largest product that it is in."""
+    found: dict[int, ast.expr] = {}
+    for node in ast.walk(function):  # from the outside in
+        if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Mult | ast.Div | ast.Pow):
+            for factor in (node.left, node.right):
+                found[id(factor)] = found.get(id(node), node)
     return found
 
 
@@ -80,7 +95,8 @@ def _everywhere(function: ast.FunctionDef) -> Iterator[Slip]:
                 node.func.attr = COUNTERPARTS[name]
                 calls.append(node)
         if len(calls) > 1:
-            yield Slip("another function", ast.Tuple(calls), ast.Tuple(calls), ast.unparse(whole))
+            whole_calls = ast.Tuple(calls)
+            yield Slip("another function", whole_calls, whole_calls, ast.unparse(whole), whole_calls)
 
 
 @functools.lru_cache(maxsize=256)
@@ -251,7 +267,14 @@ def _first_signs(node: ast.expr) -> Iterator[ast.expr]:
         yield _with(node, left=ast.UnaryOp(ast.USub(), node.left))
 
 
-MORE: dict[str, Operator] = {"a missing factor": _missing_factors, "a first sign": _first_signs}
+def _numbers(node: ast.expr) -> Iterator[ast.expr]:
+    """A number becomes another of those that formulas have: 1/3 for 1/12, 2/5 for 1/2."""
+    if isinstance(node, ast.Constant) and isinstance(node.value, int | float) and not isinstance(node.value, bool):
+        yield from (ast.Constant(node.value * ratio) for ratio in RATIOS if node.value)
+
+
+RATIOS = 2 / 3, 3 / 2, 1 / 3, 3, 1 / 4, 4, 1 / 6, 6
+MORE: dict[str, Operator] = {"a missing factor": _missing_factors, "a first sign": _first_signs, "a number": _numbers}
 
 
 def _with(node: Node, **fields: object) -> Node:

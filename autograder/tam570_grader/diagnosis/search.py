@@ -10,28 +10,32 @@ import functools
 import inspect
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from dataclasses import dataclass
 from functools import partial
 from types import CodeType, ModuleType
 from typing import Any
 
 import numpy as np
 
+from tam570_grader.checks.case import Case
 from tam570_grader.checks.effort import Exhausted, compile_counted, count, limited
+from tam570_grader.diagnosis.cause import Answer, Called, Cause
 from tam570_grader.diagnosis.compared_call import Judged, judged, telling
-from tam570_grader.diagnosis.mistakes import WITHIN, Called, parts, right_answer
+from tam570_grader.diagnosis.mistakes import WITHIN, answer, computed, parts, right_answer, solution_with
 from tam570_grader.diagnosis.mutants import Slip, reached, slips
-from tam570_grader.diagnosis.transforms import other_arguments, other_products, other_results
+from tam570_grader.diagnosis.transforms import WrongArgument, other_arguments, other_products, other_results
 
-__all__ = ["general"]
+__all__ = ["general", "wrong_arguments"]
 
 FEWEST = 2  # wrong answers: one may agree by chance
 MOST = 1_000_000  # steps of all variants, about a second; what is named takes a third of them
 OF_ONE = 100_000  # steps of one variant in one call: a slip may go round for ever
 ELEMENTS = 1000  # of a result, that are compared in a step
+Variant = Callable[[Judged], Any]
 
 
-def general(solution: str, calls: Sequence[Called]) -> str | None:
-    """What to say of the one variant of the right answers that has the student's numbers in every call, or None.
+def general(solution: str, calls: Sequence[Called]) -> Cause | None:
+    """The one variant of the right answers that has the student's numbers in every call, or None.
 
     Formulas are left out: to evaluate one takes long.
     """
@@ -42,7 +46,7 @@ def general(solution: str, calls: Sequence[Called]) -> str | None:
         return None
 
 
-def _general(solution: str, calls: Sequence[Called]) -> str | None:
+def _general(solution: str, calls: Sequence[Called]) -> Cause | None:
     if any(call.result is None or _symbolic(call) for call in calls):
         return None
     expected = [right_answer(solution, call) for call in calls]
@@ -54,7 +58,7 @@ def _general(solution: str, calls: Sequence[Called]) -> str | None:
     (name,) = names
     own = [call for call in known if call.name == name]
     if not any(np.any(part) for call in own for part in parts(call.result)):
-        return f"The result of {name} is zero"
+        return Cause(name, f"The result of {name} is zero", "transform")
     if telling(wrong) < FEWEST:
         return None
     module = ModuleType("_varied")  # its own, to make slips in
@@ -62,13 +66,104 @@ def _general(solution: str, calls: Sequence[Called]) -> str | None:
     right = getattr(module, name)
     known_for = {str(call.case.kwargs) for call in wrong}
     results = other_results(name, wrong[0], vary=len(known_for) >= FEWEST or not wrong[0].case.kwargs)
-    if said := next((says for says, variant in results if _explains(variant, own)), ""):
-        return said
+    if first := next(((says, variant) for says, variant in results if _explains(variant, own)), None):
+        return Cause(name, first[0], "transform", _with_variant(solution, name, first[1]), tuple(calls))
     for family in (other_arguments(name, right, own[0]), other_products(name, right, own[0])):
-        told = [says for says, variant in family if _explains(variant, own)]
+        told = [(says, variant) for says, variant in family if _explains(variant, own)]
         if len(told) == 1:
-            return told[0]
-    return _slip(solution, module, name, known) or _single_entry(name, own)
+            ((says, variant),) = told
+            return Cause(name, says, "transform", _with_variant(solution, name, variant), tuple(calls))
+    if found := _for_one_word(solution, name, right, known, calls):
+        return found
+    if slip := _slip(solution, module, name, known):
+        says, texts = slip
+        return Cause(name, says, "mutant", tuple(partial(answer, solution, text) for text in texts), tuple(calls))
+    place = _single_entry(name, own)
+    return Cause(name, place, "place") if place else None
+
+
+def _for_one_word(
+    solution: str, name: str, right: Any, calls: Sequence[Judged], whole: Sequence[Called]
+) -> Cause | None:
+    """The one wrong argument, where a function is wrong for one value alone of an argument that is a word."""
+    wrong, keys = [call for call in calls if not call.fits(call.right)], [*inspect.signature(right).parameters]
+    for place, word in enumerate(wrong[0].case.args):
+        if isinstance(word, str) and all(_word(call, place) == word for call in wrong):
+            family = [*other_arguments(name, right, wrong[0])]
+            told = [(says, variant) for says, variant in family if _explains(_Where(place, word, variant), calls)]
+            if len(told) == 1:
+                ((says, variant),) = told
+                answers = _with_variant(solution, name, _Where(place, word, variant))
+                return Cause(name, f"{says} where {keys[place]} is {word!r}", "transform", answers, tuple(whole))
+    return None
+
+
+def _word(call: Judged, place: int) -> Any:
+    return call.case.args[place] if place < len(call.case.args) else None
+
+
+@dataclass(frozen=True)
+class _Where:
+    """A variant for one word, the right answer for all others."""
+
+    place: int
+    word: str
+    variant: Variant
+
+    def __call__(self, call: Judged) -> Any:
+        return self.variant(call) if _word(call, self.place) == self.word else call.right
+
+
+def wrong_arguments(solution: str, calls: Sequence[Called]) -> Iterator[Cause]:
+    """Each wrong argument that explains all calls of a function: there may be several, of which one was made before."""
+    if not calls or any(call.result is None or _symbolic(call) for call in calls):
+        return
+    name, right = calls[0].name, getattr(solution_with(solution, ""), calls[0].name)
+    known = [judged(call, right_answer(solution, call)) for call in calls]
+    if any(call.name != name or call.right is None for call in known):
+        return
+    for says, variant in other_arguments(name, right, known[0]):
+        if isinstance(variant, WrongArgument) and _explains(variant, known):
+            yield Cause(name, says, "transform", _with_variant(solution, name, variant), tuple(calls))
+
+
+def _with_variant(solution: str, name: str, variant: Variant) -> tuple[Answer, ...]:
+    """What the solution answers with a variant of one of its functions, or with its wrong argument in all of them."""
+    if isinstance(variant, WrongArgument):
+        return partial(_everywhere, solution, variant), _InPlace(solution, name, variant)
+    return (_InPlace(solution, name, variant),)
+
+
+def _everywhere(solution: str, wrong: WrongArgument, call: Called) -> Any:
+    function = getattr(solution_with(solution, ""), call.name)
+    case = Case(**wrong.arguments(function, call.case))
+    return answer(solution, "", Judged(call.name, case, None, None))
+
+
+@dataclass(frozen=True)
+class _InPlace:
+    """What the solution answers with a variant in the place of one of its functions, whatever its others make of it."""
+
+    solution: str
+    name: str
+    variant: Variant
+
+    def __call__(self, call: Called) -> Any:
+        try:
+            return computed(self._module, call)
+        except (LookupError, TypeError, AttributeError):
+            return None
+
+    @functools.cached_property
+    def _module(self) -> ModuleType:
+        module = solution_with.__wrapped__(self.solution, "")  # its own
+        right = getattr(module, self.name)
+
+        def varied(*args: Any, **kwargs: Any) -> Any:
+            return self.variant(Judged(self.name, Case(*args, **kwargs), None, right(*args, **kwargs)))
+
+        setattr(module, self.name, varied)
+        return module
 
 
 def _symbolic(call: Called) -> bool:
@@ -76,11 +171,11 @@ def _symbolic(call: Called) -> bool:
     return bool(args) and isinstance(args[0], list) and isinstance(args[0][0], dict)
 
 
-def _explains(variant: Callable[[Judged], Any], calls: Sequence[Judged]) -> bool:
+def _explains(variant: Variant, calls: Sequence[Judged]) -> bool:
     return all(call.fits(_quietly(variant, call)) for call in calls)
 
 
-def _quietly(variant: Callable[[Judged], Any], call: Judged) -> Any:
+def _quietly(variant: Variant, call: Judged) -> Any:
     """The answer of a variant; None where it has none, whatever is in its way."""
     count(1 + sum(map(np.size, parts(call.right))) // ELEMENTS)
     try:
@@ -90,23 +185,26 @@ def _quietly(variant: Callable[[Judged], Any], call: Judged) -> Any:
         return None
 
 
-def _slip(solution: str, module: ModuleType, name: str, calls: Sequence[Judged]) -> str | None:
-    """What to say of the slips that explain all calls, if they are of one kind."""
+def _slip(solution: str, module: ModuleType, name: str, calls: Sequence[Judged]) -> tuple[str, list[str]] | None:
+    """What to say of the slips that explain all calls, if they are of one kind, and the functions with them."""
     public = set(inspect.signature(getattr(module, name)).parameters)
-    found: dict[str, set[str]] = {}
-    for helper, kind, terms, text in _slips(solution):
+    found: dict[str, dict[str, str]] = {}
+    numbers_last = sorted(_slips(solution), key=lambda slip: slip[1] == KINDS["a number"])
+    for helper, kind, terms, text in numbers_last:
+        if found and kind == KINDS["a number"]:
+            break
         term = ", ".join(sorted(terms & public))
         if helper in reached(solution)[name] and term not in found.get(kind, ()):
             with _slipped(module, helper, _code(text)):
                 if _explains(partial(_called, module), calls):
-                    found.setdefault(kind, set()).add(term)
+                    found.setdefault(kind, {})[term] = text
     if len(found) > 1:
         found.pop(KINDS["a factor"], None)  # a number is in the term that counts twice
     if len(found) != 1:
         return None
     ((kind, told),) = found.items()
     (term,) = told if len(told) == 1 else ("",)
-    return f"In {name}, {kind.format(f' with {term}' if term else '')}"
+    return f"In {name}, {kind.format(f' with {term}' if term else '')}", list(told.values())
 
 
 def _called(module: ModuleType, call: Judged) -> Any:
@@ -139,12 +237,33 @@ def _slipped(module: ModuleType, helper: str, code: CodeType) -> Iterator[None]:
 @functools.cache
 def _slips(solution: str) -> list[tuple[str, str, set[str], str]]:
     """Of each slip that has words: the function, the words, the names in the term, and the function's text with it."""
+    parameters = _unpacked(solution)
     return [
-        (function, words, {node.id for node in ast.walk(term) if isinstance(node, ast.Name)}, slip.text)
+        (
+            function,
+            words,
+            {parameters.get(name, name) for name in _names(slip.product if isinstance(term, ast.Constant) else term)},
+            slip.text,
+        )
         for function, known in slips(solution).items()
         for slip in known
         for words, term in _words(slip)
     ]
+
+
+def _unpacked(solution: str) -> dict[str, str]:
+    """What the parts of an argument are called: `m1, m2 = masses`."""
+    return {
+        part.id: node.value.id
+        for node in ast.walk(ast.parse(solution))
+        if isinstance(node, ast.Assign) and isinstance(node.value, ast.Name) and isinstance(node.targets[0], ast.Tuple)
+        for part in node.targets[0].elts
+        if isinstance(part, ast.Name)
+    }
+
+
+def _names(term: ast.expr) -> set[str]:
+    return {node.id for node in ast.walk(term) if isinstance(node, ast.Name)}
 
 
 @functools.cache
@@ -191,6 +310,7 @@ KINDS = {
     "a sign": "the sign of a term{} is reversed",
     "an exponent": "an exponent{} is one too large or too small",
     "a factor": "a number{} is twice or half the right one",
+    "a number": "a number{} is not the right one",
     "another function": "the wrong function is used{}, such as sine for cosine",
     "swapped arguments": "two quantities{} are exchanged",
     "an index": "the wrong component is used{}",

@@ -4,6 +4,7 @@ import inspect
 import math
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from functools import partial
 from itertools import combinations, permutations, product
 from typing import Any
@@ -14,7 +15,7 @@ from tam570_grader.checks.case import Case
 from tam570_grader.diagnosis.compared_call import Judged
 from tam570_grader.diagnosis.mistakes import parts
 
-__all__ = ["other_arguments", "other_products", "other_results"]
+__all__ = ["WrongArgument", "other_arguments", "other_products", "other_results"]
 
 SPACE = 3  # components of a vector
 ORDINALS = ("first ", "second ", "third ", "fourth ", "fifth ", "sixth ")  # results of a function
@@ -44,6 +45,23 @@ LENGTHS = ("radius", "length", "offset")  # from one point to the other, of a mo
 INERTIA = re.compile("inertia$")
 
 
+@dataclass(frozen=True)
+class WrongArgument:
+    """The right function with another value of one argument."""
+
+    right: Callable[..., Any]
+    key: str
+    change: Callable[[Any], Any]
+
+    def __call__(self, call: Judged) -> Any:
+        return self.right(**self.arguments(self.right, call.case))
+
+    def arguments(self, function: Callable[..., Any], case: Case) -> dict[str, Any]:
+        """What a function gets in its place; unchanged where it does not take this argument."""
+        values = _named(list(inspect.signature(function).parameters), case)
+        return {name: self.change(value) if name == self.key else value for name, value in values.items()}
+
+
 def other_results(name: str, example: Judged, vary: bool) -> Iterator[Variant]:
     """A result of the wrong sign, in another unit, by a factor too large, with parts exchanged.
 
@@ -69,10 +87,10 @@ def other_arguments(name: str, right: Callable[..., Any], example: Judged) -> It
     values = _named(taken, example.case)
     for key, value in values.items():
         for says, change in _other_values(np.asarray(value)):
-            yield f"In {name}, {says.format(key)}", partial(_with_argument, right, taken, key, change)
+            yield f"In {name}, {says.format(key)}", WrongArgument(right, key, change)
     if "gravity" in values:
         says = f"In {name}, gravity is ignored, as if it were {GRAVITY}"
-        yield says, partial(_with_argument, right, taken, "gravity", lambda value: GRAVITY)
+        yield says, WrongArgument(right, "gravity", lambda value: GRAVITY)
     yield from _other_points(name, right, taken, values)
     for one, other in combinations(values, 2):
         if np.shape(values[one]) == np.shape(values[other]):
@@ -192,11 +210,6 @@ def _with_result(which: int, count: int, change: Any, call: Judged) -> Any:
 
 def _reversed(call: Judged) -> Any:
     return tuple(np.negative(one) for one in parts(call.right))
-
-
-def _with_argument(right: Callable[..., Any], taken: Sequence[str], key: str, change: Any, call: Judged) -> Any:
-    values = _named(taken, call.case)
-    return right(**{**values, key: change(values[key])})
 
 
 def _with_product(

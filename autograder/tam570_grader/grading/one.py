@@ -1,9 +1,10 @@
 """Grades one submission: runs the checks of its assignment in order and makes the result."""
 
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Container, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
+from typing import Any
 
 import numpy as np
 
@@ -14,8 +15,8 @@ from tam570_grader.checks.effort import Exhausted
 from tam570_grader.checks.expect import LONGEST_FAULT, Failed, NotWritten, check_context
 from tam570_grader.checks.failure import Failure
 from tam570_grader.checks.returns import FreeBodyDiagram
-from tam570_grader.diagnosis.mistakes import Called, candidates, known
-from tam570_grader.diagnosis.search import general
+from tam570_grader.diagnosis.cause import Called, Cause
+from tam570_grader.diagnosis.diagnose import diagnose, follows
 from tam570_grader.errors import Over
 from tam570_grader.grading.budget import budget
 from tam570_grader.grading.seeds import derive
@@ -31,6 +32,7 @@ __all__ = ["CheckOptions", "CheckResult", "Recorder", "Result", "failed_by_us", 
 
 OUR_FAULT = "The grader failed here, not you; your teacher has been told."
 TOO_MUCH = "what it returns takes the grader too much {} to judge"
+FOLLOWING_SHARE = 2 / 3  # of the points, for what is right but for a mistake in another function
 Recorder = Callable[[str, float], None]
 
 
@@ -65,6 +67,7 @@ def graded(
     started = time.perf_counter()
     student = Student(source, assignment, zygote, attempt)
     check_results: dict[str, CheckResult] = {}
+    causes: dict[str, Cause] = {}
     status, note, speed = "graded", "", None
     try:
         student.load()
@@ -73,9 +76,13 @@ def graded(
                 not asked.enough
                 or sum(check_result.outcome == "failed" for check_result in check_results.values()) < asked.enough
             ):
-                check_results[check.name] = _check_result(check, student, assignment, seed, check_results, asked)
+                check_results[check.name] = _check_result(
+                    check, student, assignment, seed, check_results, causes, asked
+                )
         note = _skipped(student.skipped)
         speed = yardstick.speed(student, assignment, zygote) if yardstick else None
+        if not asked.enough:
+            _judge_consequences(student, assignment, seed, check_results, causes)
     except (NotLoaded, BudgetSpent) as ended:
         status, note = ended.status, str(ended)
     finally:
@@ -122,42 +129,56 @@ def _check_result(
     assignment: Assignment,
     seed: int,
     check_results: dict[str, CheckResult],
+    causes: dict[str, Cause],
     asked: CheckOptions,
 ) -> CheckResult:
     """Run one check, unless one that it builds on is wrong or missing."""
     missing = [other.name for other in check.after if not check_results[other.name].unlocks_dependents]
     if missing:
         return _not_run(check, f"Not run: it needs “{_line(assignment.checks, missing[0])}” to pass first.")
-    student.calls.clear()
-    rng = generator(seed, assignment.slug, check)
+    listens = asked.recorder and partial(asked.recorder, check.name)
     try:
-        listens = asked.recorder and partial(asked.recorder, check.name)
-        with budget(), np.errstate(all="ignore"), check_context(recorder=listens, aside=student.aside):
-            check.judge(student, rng)
+        _judge(check, student, assignment, seed, listens)
     except NotWritten as unwritten:
         return _not_run(check, student.describe_missing(str(unwritten)), unwritten=str(unwritten))
     except Failed as failed:
-        suspect, fault = _suspect(check, student, assignment) if asked.naming else (None, "")
-        return _failed(check, failed, suspect, fault)
+        cause, fault = _cause(check, student, assignment, seed, causes) if asked.naming else (None, "")
+        if cause:
+            causes[check.name] = cause
+        return _failed(check, failed, cause, fault)
     except (Exhausted, MemoryError) as spent:
         what = "memory" if isinstance(spent, MemoryError) else "work"
         failure = Failure(message=TOO_MUCH.format(what), at=student.calls[-1].case if student.calls else None)
-        return _failed(check, Failed(**vars(failure)), None, "")
+        return _failed(check, Failed(**vars(failure)), None)
     except Over:
         raise
     except Exception as error:
         return _grader_error(check, repr(error))
-    return CheckResult(check.name, check.part, check.points, check.points, "passed", check.line)
+    return _passed(check)
 
 
-def _suspect(check: Check, student: Student, assignment: Assignment) -> tuple[str | None, str]:
+def _judge(check: Check, student: Student, assignment: Assignment, seed: int, recorder: Any = None) -> None:
+    """Run a check; the student's calls are then its own."""
+    student.calls.clear()
+    with budget(), np.errstate(all="ignore"), check_context(recorder=recorder, aside=student.aside):
+        check.judge(student, generator(seed, assignment.slug, check))
+
+
+def _cause(
+    check: Check, student: Student, assignment: Assignment, seed: int, causes: Mapping[str, Cause]
+) -> tuple[Cause | None, str]:
     """The mistake that explains the calls of a failed check, and what went wrong on our side in the search."""
+    earlier = _earlier(causes)
     try:
         with budget():
             solution, calls = assignment.solution, [call for call in student.calls if not _is_drawn(assignment, call)]
             folder = assignments.checks_folder(assignment.root, assignment.slug)
-            suspects = candidates(solution, folder, check.name, {call.name for call in calls})
-            return known(solution, suspects, calls) or general(solution, calls), ""
+            cause = diagnose(solution, folder, check.name, calls, earlier)
+            if cause and cause.follows_from not in ("", cause.function):
+                common = _earlier({check.name: cause})
+                if not _following(check, student, assignment, seed, [*earlier, *common]):
+                    cause = diagnose(solution, folder, check.name, calls)
+            return cause, ""
     except (Exhausted, MemoryError):
         return None, ""
     except Over:
@@ -166,15 +187,86 @@ def _suspect(check: Check, student: Student, assignment: Assignment) -> tuple[st
         return None, repr(error)[:LONGEST_FAULT]
 
 
+def _earlier(causes: Mapping[str, Cause]) -> list[Cause]:
+    """The causes from which something may follow, by the functions in which they were named first."""
+    return [replace(one, function=one.follows_from or one.function) for one in causes.values() if one.answers]
+
+
+def _following(
+    check: Check, student: Student, assignment: Assignment, seed: int, earlier: Sequence[Cause]
+) -> Cause | None:
+    """The earlier mistake that explains every call of the check, when it is run to its end; None if there is none."""
+    with student.aside():
+        try:
+            _judge(check, student, assignment, seed, recorder=lambda error: None)
+        except (Failed, NotWritten, Exhausted, MemoryError):
+            return None
+        if any(_is_drawn(assignment, call) for call in student.calls):
+            return None
+        return follows(assignment.solution, student.calls, earlier)
+
+
+def _judge_consequences(
+    student: Student, assignment: Assignment, seed: int, check_results: dict[str, CheckResult], causes: dict[str, Cause]
+) -> None:
+    """Judge the checks that were not run for a mistake in another function, of which the name is known.
+
+    They are worth full points where that function is not used, and a share where they follow from the mistake.
+    """
+    for check in assignment.checks if causes else ():
+        before = {other.name: check_results[other.name] for other in check.after}
+        ready = all(one.unlocks_dependents or name in causes for name, one in before.items())
+        if check_results[check.name].outcome == "not_run" and ready and not check_results[check.name].unwritten:
+            functions = {causes[name].follows_from or causes[name].function for name in before if name in causes}
+            try:
+                with student.aside():
+                    result = _consequence(check, student, assignment, seed, causes, functions)
+            except BudgetSpent:
+                return
+            check_results[check.name] = result or check_results[check.name]
+
+
+def _consequence(
+    check: Check,
+    student: Student,
+    assignment: Assignment,
+    seed: int,
+    causes: dict[str, Cause],
+    functions: Container[str],
+) -> CheckResult | None:
+    """The result of a check that builds on wrong functions; None where it is about these, or fails by itself."""
+    try:
+        _judge(check, student, assignment, seed)
+    except Failed as failed:
+        cause = _following(check, student, assignment, seed, _earlier(causes))
+        if cause is None or cause.function in functions:
+            return None
+        causes[check.name] = cause
+        return _failed(check, failed, cause)
+    except Over:
+        raise
+    except Exception:  # it was not run before, and is not now
+        return None
+    called = {call.name for call in student.calls} or {check.function(assignment.results)}
+    return _passed(check) if any(name not in functions for name in called) else None
+
+
 def _is_drawn(assignment: Assignment, call: Called) -> bool:
     """Whether a call gives a free body diagram: it has no numbers to compare."""
     return isinstance(assignment.results[call.name], FreeBodyDiagram)
 
 
-def _failed(check: Check, failed: Failed, suspect: str | None, fault: str) -> CheckResult:
-    points = round(failed.share * check.points, 6)
-    failure = failed.failure.named(suspect, fault or failed.failure.fault)
-    return CheckResult(check.name, check.part, points, check.points, "failed", full_message(failure), suspect, failure)
+def _passed(check: Check) -> CheckResult:
+    return CheckResult(check.name, check.part, check.points, check.points, "passed", check.line)
+
+
+def _failed(check: Check, failed: Failed, cause: Cause | None, fault: str = "") -> CheckResult:
+    suspect, follows_from = (cause.message or None, cause.follows_from) if cause else (None, "")
+    own = cause is None or follows_from in ("", cause.function)
+    share = failed.share if own else max(failed.share, FOLLOWING_SHARE)
+    failure = failed.failure.named(suspect, follows_from, fault or failed.failure.fault)
+    points, message = round(share * check.points, 6), full_message(failure)
+    return CheckResult(check.name, check.part, points, check.points, "failed", message, suspect, failure)
 
 
 def _not_run(check: Check, note: str, unwritten: str = "") -> CheckResult:

@@ -28,11 +28,17 @@ RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 def describe_failure(failure: Failure) -> str:
     """What a student reads of a failure, without the known mistake; where there is one, no hint, which is a guess."""
+    if not failure.follows_from:
+        hint = failure.hint
+    elif failure.follows_from == failure.function:
+        hint = "You make the same mistake as before"
+    else:
+        hint = f"Your {failure.function} follows from {failure.follows_from}"
     message = failure.message or _off(failure)
     where = f" at t = {failure.time:g} s" if failure.time is not None else ""
     label = f" for {failure.label}" if failure.label else ""
     told = capitalized(f"{message}{where}{label}", "an?|the")
-    return " ".join(filter(None, [sentence(told), "" if failure.suspect else sentence(failure.hint)]))
+    return " ".join(filter(None, [sentence(told), "" if failure.suspect else sentence(hint)]))
 
 
 def full_message(failure: Failure) -> str:

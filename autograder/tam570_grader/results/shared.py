@@ -57,8 +57,9 @@ class Notes:
 
 def _signs(result: Result) -> Iterator[Sign]:
     for check_result in result.checks:
-        unknown = check_result.failure and not check_result.suspect and not check_result.failure.near_miss
-        if unknown and (digest := _digest(check_result.failure)):
+        failure = check_result.failure
+        unknown = failure and not (failure.suspect or failure.follows_from or failure.near_miss)
+        if unknown and (digest := _digest(failure)):
             yield result.assignment, check_result.name, result.seed, digest
 
 

@@ -46,6 +46,7 @@ class Student:
         self._defined: set[str] = set()
         self._broken: dict[str, dict[str, Any]] = {}  # functions that hung or crashed, and how
         self.worked: set[str] = set()  # functions that have returned what was promised: it depends on the input
+        self._asides = 0  # blocks of `aside` that are open
         self._cpu, self._lasted = 0.0, 0.0  # s of CPU and on the wall's clock, of the cells that have ended
 
     def __getattr__(self, name: str) -> "Function":
@@ -56,12 +57,17 @@ class Student:
 
     @contextmanager
     def aside(self) -> Iterator[None]:
-        """What is called in this block chooses words: it is not judged, and no function is given up for it."""
+        """What is called in this block is not judged: no function is given up for it, and half of the time stays.
+
+        Calls in it raise Failed when the submission has used half of its processor time.
+        """
         running = get_context()
         calls, broken, function, case = list(self.calls), dict(self._broken), running.function, running.case
+        self._asides += 1
         try:
             yield
         finally:
+            self._asides -= 1
             self.calls, self._broken, running.function, running.case = calls, broken, function, case
 
     def load(self) -> None:
@@ -98,6 +104,8 @@ class Student:
         """
         if name in self._broken:
             raise Failed(**self._broken[name])
+        if self._asides and self.seconds() > self._zygote.limits.cpu / 2:
+            raise Failed(f"{name} takes too long to be called once more")
         banned, results = self._assignment.forbidden.get(name, ()), self._assignment.results
         refused = [one for one in banned if one in results]  # functions of the file; the rest are modules
         uncallable = tuple(one for one in banned if one not in results)

@@ -237,7 +237,7 @@ def test_a_suspect_that_raises_costs_no_grade(run, tree, monkeypatch):
     def broken(solution, suspects, calls):
         raise IndexError("a fault of ours")
 
-    monkeypatch.setattr("tam570_grader.grading.one.known", broken)
+    monkeypatch.setattr("tam570_grader.diagnosis.diagnose.known", broken)
     (tree / "ben" / SLUG / f"{SLUG}.py").write_text("def rotate(axis, angle, r):\n    return r\n")
     code, (line,), _ = run(tree / "ben", "--seed", 1)
     failed = [mark for mark in line["checks"] if mark["outcome"] == "failed"]

@@ -1,0 +1,43 @@
+"""What is wrong in a function, and what the solution answers with that mistake in its place."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+from tam570_grader.checks.case import Case
+
+__all__ = ["Answer", "Called", "Cause"]
+
+
+class Called(Protocol):
+    """A call that a check made, and the result that came back."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def case(self) -> Case: ...
+    @property
+    def result(self) -> Any: ...  # None where the call raised, or returned what was not promised
+
+
+Answer = Callable[[Called], Any]  # of the whole solution with a mistake in it, to a call of any function
+
+
+@dataclass(frozen=True)
+class Cause:
+    """Why a check fails.
+
+    function     : whose results are wrong
+    message      : what the student reads; empty where it follows from an earlier cause
+    kind         : "known mistake", "transform", "mutant", "place"
+    answers      : what the solution gives with this mistake in it, one for each way to make it; nothing follows of none
+    calls        : those that it explains
+    follows_from : the function with the mistake that explains these results
+    """
+
+    function: str
+    message: str
+    kind: str
+    answers: tuple[Answer, ...] = ()
+    calls: tuple[Called, ...] = ()
+    follows_from: str = ""
