@@ -75,6 +75,7 @@ def _grade(arguments: argparse.Namespace) -> int:
     gc.set_threshold(100_000)  # a large class is many records without circles, which would be sought again and again
     course = course_config.course_of(arguments, arguments.paths)
     found = _submissions(arguments, assignments.slugs(course))
+    course_config.prove(course, sorted({one.slug for one in found}))
     if arguments.vary and arguments.seed is not None:
         raise UsageError("--seed and --vary: a seed is for the whole class, a key varies it; give one of them")
     if arguments.out:

@@ -14,9 +14,11 @@ from tam570_grader.results.manual_points import (
     ADJUST,
     COLUMNS,
     EVERYONE,
+    EXCUSED,
     EXTENSION,
     LATE,
     MOST,
+    OF_THE_TERM,
     OFF,
     TOTAL,
     WORDS,
@@ -29,7 +31,7 @@ from tam570_grader.rubric import ManualPart
 
 __all__ = ["add_points"]
 
-NEED_A_REASON = (ADJUST, TOTAL)  # and a check
+NEED_A_REASON = (ADJUST, TOTAL, EXCUSED)  # and a check
 Manual = Mapping[str, tuple[float, str]]  # part: points given by hand, and for what
 Rubric = Mapping[str, ManualPart]  # by part
 Checks = Mapping[str, float]  # check: its points
@@ -105,6 +107,11 @@ def _checked(path: Path, found: Results, manual: Mapping[str, Manual], checks: M
     students = {student for student, _ in found} | {EVERYONE}
     touched = set()
     for line, one in manual_points.rows_of(path):
+        if one.slug == EVERYONE and one.item in OF_THE_TERM:
+            if one.student not in students:
+                raise UsageError(f"{path}, line {line}: there are no results of a student {one.student!r}")
+            yield one
+            continue
         slug = slug_of(one.slug, [*manual])
         if slug is None:
             raise UsageError(f"{path}, line {line}: there are no results of an assignment {one.slug!r}")

@@ -9,15 +9,15 @@ from tam570_grader.errors import UsageError, warn, writing
 from tam570_grader.grading import roster as rosters
 from tam570_grader.grading.roster import Directory, Person
 from tam570_grader.lms.systems import SYSTEMS, Table
+from tam570_grader.results.manual_points import EX
 from tam570_grader.results.tables import cell, name_in, table, write_table
 
 __all__ = ["Export", "Scores", "export", "read_scores", "run"]
 
-# (student, assignment): score and largest score, as in the file; EXCUSED in the place of a score
+# (student, assignment): score and largest score, as in the file; EX in the place of a score
 Scores = Mapping[tuple[str, str], tuple[str, str]]
 
-EXCUSED = "EX"
-KEPT = (EXCUSED, "N/A")  # in Canvas's gradebook: excused, and not assigned to this student
+KEPT = (EX, "N/A")  # in Canvas's gradebook: excused, and not assigned to this student
 
 
 @dataclass
@@ -98,7 +98,7 @@ def export(
         made.rows.append(_possible_row(first, heading, own, found, scores, made))
     joined = _joined(scores, everyone, made)
     for one in everyone.people:
-        cells = [_cell(joined, one, slug, found[slug], made, overwrite=overwrite) for slug in slugs]
+        cells = [_cell(joined, one, slug, found[slug], layout, made, overwrite=overwrite) for slug in slugs]
         made.rows.append([*(one.row.get(name, "") for name in own), *cells, *_end(layout, 1)])
     return made
 
@@ -114,7 +114,7 @@ def _without_roster(scores: Scores, slugs: Sequence[str], layout: Table, keys: S
         marked = f"{layout.mark}{student}"  # quoted where it stands for a name, for no name is matched
         own = {name: cell(marked) if name == "Student" else marked for name in layout.login}
         who = [own.get(name, marked if len(keys) == 1 else "") for name in _default(keys)]
-        points = [_written(scores.get((student, slug), ("", ""))[0], layout) for slug in slugs]
+        points = [scores.get((student, slug), ("", ""))[0].replace(EX, layout.excused) for slug in slugs]
         made.rows.append([*who, *points, *_end(layout, 1)])
     return made
 
@@ -200,10 +200,18 @@ def _joined(scores: Scores, everyone: Directory, made: Export) -> dict[tuple[int
 
 
 def _cell(
-    scores: Mapping[tuple[int, str], str], one: Person, slug: str, column: str, made: Export, *, overwrite: bool
+    scores: Mapping[tuple[int, str], str],
+    one: Person,
+    slug: str,
+    column: str,
+    layout: Table,
+    made: Export,
+    *,
+    overwrite: bool,
 ) -> str:
     """A score, or what the gradebook has in its place: excused, not assigned, or changed there."""
     ours, theirs = scores.get((id(one), slug), ""), one.row.get(column, "").strip()
+    ours = layout.excused if ours == EX else ours
     if theirs.upper() in KEPT:
         if ours not in ("", theirs.upper()):
             made.kept.append(f"{one.name or one.ids[0]} is {theirs} in {column}, and stays so: the grader has {ours}")
@@ -222,11 +230,6 @@ def _number(text: str) -> float | str:
         return round(float(text.replace(",", ".")), 2)
     except ValueError:
         return text
-
-
-def _written(score: str, layout: Table) -> str:
-    """An excused score, for a system that does not know the word, is none."""
-    return score if score != EXCUSED or layout.possible else ""
 
 
 def _possible(scores: Scores, slug: str) -> str:
@@ -265,4 +268,4 @@ def read_scores(grades: Path, absent: str) -> Scores:
 def _is_absent(row: Mapping[str, str]) -> bool:
     """Whether nothing was handed in, and nothing given by hand."""
     nothing = row["status"] == "missing" if "status" in row else not row.get("timestamp", "unknown")
-    return nothing and row["score"] != EXCUSED and not float(row["score"] or 0)
+    return nothing and row["score"] != EX and not float(row["score"] or 0)

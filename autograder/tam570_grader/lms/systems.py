@@ -35,6 +35,7 @@ class Table:
     possible: str | None = None  # how the row of the points possible begins
     end: tuple[str, str] | None = None  # heading and cell of a last column
     mark: str = ""  # before each key
+    excused: str = ""  # in the place of a score
 
 
 @dataclass(frozen=True)
@@ -76,6 +77,7 @@ SYSTEMS = {
             login=("Student", "SIS Login ID"),
             column=re.compile(r"(?P<title>.*) \((?P<id>\d+)\)", re.DOTALL),
             possible="Points Possible",
+            excused="EX",
         ),
     ),
     "moodle": System(

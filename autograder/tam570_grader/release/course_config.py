@@ -26,9 +26,10 @@ from tam570_grader.release.stubs import contract
 from tam570_grader.results.tables import written
 from tam570_grader.rubric import with_rubric
 
-__all__ = ["FILE", "PLACE", "course", "course_of", "limits", "root_of", "trust"]
+__all__ = ["FILE", "PLACE", "course", "course_of", "limits", "prove", "root_of", "trust"]
 
 PLACE = ".course"
+SEEDS = 3  # with which checks of a course's own are tried on the solution and the stub
 VARIABLE = "TAM570_COURSE"  # of the environment: names a course, as --root does
 REMEDY = "no autograder/checks and solutions; name a checkout of the course"
 SHARED = ("shared", "autograder/tam570_grader", "pyproject.toml", "README.md", "LICENSE", "NOTATION.md")
@@ -161,6 +162,36 @@ def _put(new: Path, place: Path) -> None:
             raise
 
 
+def prove(root: Path, slugs: Sequence[str]) -> None:
+    """Grade the reference solution and the stub by the checks that a course adds, before anybody is graded by them.
+
+    Raises UsageError for a check that the solution fails, or that the stub passes.
+    """
+    from tam570_grader.grading import supervisor
+    from tam570_grader.grading.supervisor import GradeTask, WorkerConfig
+    from tam570_grader.sandbox.student import Source
+    from tam570_grader.sandbox.zygote import ResourceLimits
+
+    for slug in slugs:
+        added, proved = assignments.checks_folder(root, slug) / f"{OWN}.py", root / f".proved-{slug}"
+        if not added.is_file() or proved.exists():
+            continue
+        told = limits(root)
+        config = WorkerConfig(ResourceLimits(told["memory"] * 2**20, told["cpu"], told["call"]), (root,))
+        one = assignments.assignment(root, slug)
+        mine = {check.name for check in one.checks if check.judge.__module__.endswith(f".{OWN}")}
+        texts = {"solution": one.solution, "stub": (root / "assignments" / slug / f"{slug}.py").read_text("utf-8")}
+        for what, text in texts.items():
+            for seed in range(SEEDS):
+                task = GradeTask(root, what, slug, seed, Source(text.encode(), notebook=False), conditions=config)
+                for found in supervisor.result(task).checks:
+                    if found.name in mine and (found.outcome == "passed") != (what == "solution"):
+                        told_why = found.message or found.error or found.outcome
+                        why = f"the solution fails it: {told_why}" if what == "solution" else "the stub passes it"
+                        raise UsageError(f"{added.name} of {slug}, check {found.name}: {why}; mend the check")
+        proved.touch()
+
+
 def limits(root: Path) -> dict[str, int]:
     """The limits of a submission, as the options of `grade` have them: of the course, else the standard ones."""
     path = root / COPY
@@ -203,9 +234,10 @@ def _parts(path: Path, given: Mapping[str, Any], known: Sequence[str]) -> dict[s
     """What changes of each assignment that the course has."""
     tables = {key: value for key, value in given.items() if re.match(r"hw\d", key)}
     no_other(path, "", given.keys() - tables, ("assignments", "limits", "late"))
+    must(path, isinstance(given.get("limits", {}), dict), "limits must be a table: write [limits] above its lines")
     no_other(path, "[limits] ", given.get("limits", {}), [*STANDARD])
     for name, value in given.get("limits", {}).items():
-        whole = isinstance(value, int) and value > 0
+        whole = isinstance(value, int) and not isinstance(value, bool) and value > 0
         must(path, whole, f"[limits] {name} is {value!r}; write a whole number from 1 on")
     names = given.get("assignments", [])
     must(path, _are_texts(names), 'assignments is a list of names, as in ["hw01", "hw07"]')
@@ -265,6 +297,8 @@ def _tell(path: Path, assignment: Assignment, part: Part, folder: Path) -> None:
     more = [f"Part ({letter}) is left out in this course." for letter in part.leave_out]
     more += [f"In this course you may use `{name}`." for name in part.allow]
     says = " ".join([*more, f"The autograder gives {assignment.max_score:g} points"])
+    for letter in part.leave_out:
+        readme = re.sub(rf"^\*\*\({letter}\)\*\*.*?(?=^\*\*\([a-z]\)\*\*|^\||^#|\Z)", "", readme, flags=re.M | re.S)
     readme = readme.replace(TIMES.format(**STANDARD), TIMES.format(**limits(assignment.root)))
     readme = with_rubric(SUM.sub(lambda _: says, readme, count=1), assignment.rubric)
     written(folder / "README.md", readme)

@@ -2,8 +2,9 @@
 
 `by_hand.csv` beside `results.jsonl` holds a row for each student, assignment and item. An item is the letter of a part
 that is graded by hand, the name of a check, whose points it replaces, or a word: `adjust` adds points, `total` replaces
-the score, `late` counts days, `extension` grants days, and `off a day` is the share of the score that a day costs. A
-row of the student `*` is everybody's.
+the score, `late` counts days, `extension` grants days, and `off a day` is the share of the score that a day costs;
+`excused` takes a result out of the account. A row of the student `*` is everybody's, one of the assignment `*` holds in
+all of them: `slip days` of a term pay late days in the order of assignments, `drop lowest` excuses so many results.
 """
 
 import math
@@ -20,11 +21,16 @@ from tam570_grader.results.tables import lines, name_in, write_table
 __all__ = [
     "ADJUST",
     "COLUMNS",
+    "DROP",
     "EVERYONE",
+    "EX",
+    "EXCUSED",
     "EXTENSION",
     "LATE",
     "MOST",
     "OFF",
+    "OF_THE_TERM",
+    "SLIP",
     "TOTAL",
     "WORDS",
     "Earned",
@@ -44,7 +50,10 @@ FILE = "by_hand.csv"
 COLUMNS = ("student", "assignment", "item", "points", "of", "comment")
 EVERYONE = "*"
 ADJUST, TOTAL, LATE, EXTENSION, OFF, MOST = "adjust", "total", "late", "extension", "off a day", "most off"
-WORDS = (ADJUST, TOTAL, LATE, EXTENSION, OFF, MOST)
+EXCUSED, SLIP, DROP = "excused", "slip days", "drop lowest"
+WORDS = (ADJUST, TOTAL, LATE, EXTENSION, OFF, MOST, EXCUSED, SLIP, DROP)
+OF_THE_TERM = (EXTENSION, OFF, MOST, SLIP, DROP)  # what a row of the assignment * may say
+EX = "EX"  # stands for the score of who is excused, as in Canvas
 
 
 @dataclass(frozen=True)
@@ -71,6 +80,7 @@ class AdjustedScore:
     most: float
     message: tuple[str, ...] = ()
     parts: tuple[str, ...] = ()  # letters of the parts that are counted
+    excused: bool = False
 
 
 class ManualAdjustments:
@@ -89,7 +99,11 @@ class ManualAdjustments:
 
     def touches(self, key: Key) -> bool:
         """Whether anything was added to a result."""
-        return key in self._of or (EVERYONE, key[1]) in self._of
+        return any(one in self._of for one in _layers(key))
+
+    def _rows(self, key: Key) -> dict[str, Entry]:
+        """The rows of a result: a student's own go before everybody's, an assignment's before the term's."""
+        return {item: entry for one in _layers(key) for item, entry in self._of.get(one, {}).items()}
 
     def points_of(self, student: str, slug: str, item: str) -> float | None:
         """What a row gives; None where there is no row, or one without points."""
@@ -102,7 +116,7 @@ class ManualAdjustments:
 
     def adjust(self, key: Key, score: float | None, most: float, earned_of: Earned) -> AdjustedScore:
         """What a score of `most` becomes."""
-        mine = {**self._of.get((EVERYONE, key[1]), {}), **self._of.get(key, {})}
+        mine = self._rows(key)
         if not mine:
             return AdjustedScore(score, most)
         parts = [one for one in mine.values() if one.of is not None]
@@ -116,12 +130,43 @@ class ManualAdjustments:
             added.append(adjusted.points or 0.0)
             message.append(f"{adjusted.points:+g} points by hand: {adjusted.comment}")
         earned = None if score is None else max(0.0, score + sum(added))
-        earned, late = _late(earned, {item: one.points or 0.0 for item, one in mine.items()})
+        earned, late = _late(earned, {item: one.points or 0.0 for item, one in mine.items()}, self._slip(key))
         if total := mine.get(TOTAL):
             earned = total.points
             late.append(f"{earned:g} points in all, by hand: {total.comment}")
         letters = tuple(one.item for one in parts)
+        if (excused := mine.get(EXCUSED)) and excused.points:
+            told = f"You are excused from this assignment. {excused.comment}".strip()
+            return AdjustedScore(None, most, (*message, told), letters, excused=True)
         return AdjustedScore(None if earned is None else round(earned, 6), most, (*message, *late), letters)
+
+    def _slip(self, key: Key) -> float:
+        """The slip days that a result takes: assignments use those of the term in their order."""
+        left = next((one.points or 0.0 for item, one in self._rows(key).items() if item == SLIP), 0.0)
+        if not left:
+            return 0.0
+        for slug in sorted({slug for _, slug in self._of if slug != EVERYONE}):
+            rows = self._rows((key[0], slug))
+            days = _days({item: one.points or 0.0 for item, one in rows.items()})
+            taken = min(left, days if LATE in rows else 0)
+            if slug == key[1]:
+                return taken
+            left -= taken
+        return 0.0
+
+    def table(self, rows: Iterable[tuple[Any, ...]]) -> list[tuple[Any, ...]]:
+        """The table of grades, without the lowest results that a course drops."""
+        found = [list(row) for row in rows]
+        counting: dict[str, list[list[Any]]] = {}
+        for row in found:
+            if isinstance(row[3], int | float) and row[4]:
+                counting.setdefault(row[0], []).append(row)
+        for student, own in counting.items():
+            drop = self._rows((student, EVERYONE)).get(DROP)
+            many = min(int(drop.points or 0), len(own) - 1) if drop else 0
+            for row in sorted(own, key=lambda row: float(row[3] / row[4]))[:many]:
+                row[3] = EX
+        return [tuple(row) for row in found]
 
     def applied(self, result: Result) -> Result:
         """A result with its score settled."""
@@ -140,7 +185,13 @@ class ManualAdjustments:
         if not self.touches((student, slug)):
             return graded
         found = self.adjust((student, slug), score, most, earned_of)
-        return student, slug, status, found.score, found.most
+        return student, slug, status, EX if found.excused else found.score, found.most
+
+
+def _layers(key: Key) -> tuple[Key, Key, Key, Key]:
+    """Whose rows a result obeys, the later before the earlier."""
+    student, slug = key
+    return (EVERYONE, EVERYONE), (EVERYONE, slug), (student, EVERYONE), (student, slug)
 
 
 def _part(one: Entry) -> str:
@@ -161,13 +212,18 @@ def _checks(
     return None if None in points else sum(one for one in points if one is not None), message
 
 
-def _late(earned: float | None, items: Mapping[str, float]) -> tuple[float | None, list[str]]:
-    """What days beyond the extension leave of a score, and the sentence that tells it."""
-    days = math.ceil(max(0.0, items.get(LATE, 0.0) - items.get(EXTENSION, 0.0)))
-    off = min(items.get(MOST, 1.0), days * items.get(OFF, 0.0))
+def _days(items: Mapping[str, float]) -> int:
+    """Days beyond the extension; one that has begun counts."""
+    return math.ceil(max(0.0, items.get(LATE, 0.0) - items.get(EXTENSION, 0.0)))
+
+
+def _late(earned: float | None, items: Mapping[str, float], slip: float = 0.0) -> tuple[float | None, list[str]]:
+    """What days beyond the extension and the slip days leave of a score, and the sentence that tells it."""
+    off = min(items.get(MOST, 1.0), (_days(items) - slip) * items.get(OFF, 0.0))
     if not items.get(LATE):
         return earned, []
     allowed = f", {items[EXTENSION]:g} of them allowed" if items.get(EXTENSION) else ""
+    allowed += f", {slip:g} of them slip days" if slip else ""
     word = "day" if items[LATE] == 1 else "days"
     message = f"{items[LATE]:g} {word} late{allowed}: {100 * off:g} % of the points are taken off."
     return None if earned is None else earned * (1 - off), [message]

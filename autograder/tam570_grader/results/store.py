@@ -133,7 +133,7 @@ class ResultStore(Results):
         adjustments = manual_points.read(self._folder)
         written(
             self._folder / "grades.csv",
-            grades(adjustments.row(self.lines[key].graded, self.earned(key)) for key in self),
+            grades(adjustments.table(adjustments.row(self.lines[key].graded, self.earned(key)) for key in self)),
         )
         starts = [self.lines[key].start for key in self]
         if self._count > len(self) or starts != sorted(starts):  # last: the lock is on the file that goes

@@ -432,3 +432,15 @@ def test_drawings_and_words_lie_beside_the_work(desk):
     there = {path.name: path.read_text() for path in (desk.place / "submitted" / "17" / SLUG).iterdir()}
     assert there == {f"{SLUG}.py": "# Ann", "beside-my_plot.png": "png", "beside-answers.md": "words"}
     assert code == 1 and not (desk.place / "submitted" / "18").exists() and "hw08.pdf of 18 is not collected" in said
+
+
+@pytest.mark.parametrize("system", ["canvas", "moodle"])
+def test_who_is_excused_is_so_in_the_words_of_the_system(desk, system):
+    desk.write("canvas.csv", gradebook(CANVAS_LAYOUTS[0], f"{SLUG} (5)"))
+    desk.write("moodle.csv", worksheet())
+    rows = [(login, SLUG, "graded", "EX" if login == "ann" else 9, 10) for login, *_ in CLASS]
+    desk.write("grades.csv", [("student", "assignment", "status", "score", "max_score"), *rows])
+    for roster in ([], ["--roster", f"{system}.csv"]):
+        code, said = desk("lms", "grades.csv", "--to", system, *roster, "--out", "up.csv")
+        told = {row[0 if system == "moodle" else 3]: row[-1] for row in desk.read("up.csv")}
+        assert code == 0 and told["ann"] == ("EX" if system == "canvas" else "") and told["ann2"] == "9", said

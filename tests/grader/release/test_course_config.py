@@ -218,3 +218,32 @@ def test_checks_of_ones_own_in_a_folder_are_read_anew(desk):
         (desk / "sub" / "mine.py").write_text(MINE.replace("points=2", f"points={points}"))
         checks = assignments.assignment(course_config.course(), SLUG).checks
         assert [one.points for one in checks if one.name == "turning_back_undoes"] == [points]
+
+
+@pytest.mark.parametrize(
+    ("change", "says"),
+    [(("tolerance=1e-12", "tolerance=-1.0"), "the solution fails it"), (("expect(back", "max(back"), "")],
+)
+def test_a_check_of_ones_own_is_tried_before_anybody_is_graded(desk, capsys, change, says):
+    """What the solution fails, or breaks on, takes points from nobody."""
+    (desk / "mine.py").write_text(MINE.replace(*change))
+    assert run("grade", "submitted", "--out", "results", "--seed", "1") == 2
+    assert "turning_back_undoes" in (err := capsys.readouterr().err) and says in err
+    assert not (desk / "results" / "results.jsonl").exists()
+
+
+def test_a_check_that_the_stub_passes_is_refused(desk, capsys):
+    text = MINE[: MINE.index("    r, axis")] + '    student.source  # "nothing is asked"\n'
+    (desk / "mine.py").write_text(text.replace("student.source", "rng"))
+    assert run("grade", "submitted", "--out", "results", "--seed", "1") == 2
+    assert "the stub passes it" in capsys.readouterr().err
+
+
+def test_dates_alone_grade_nobody_anew_and_what_is_left_out_is_gone_from_the_page(desk):
+    run("grade", "submitted", "--out", "results", "--seed", "1")
+    before = (desk / "results" / "results.jsonl").read_bytes()
+    (desk / "course.toml").write_text(COURSE + "due = 2026-09-14T23:59:00\n")
+    run("grade", "submitted", "--out", "results")
+    assert (desk / "results" / "results.jsonl").read_bytes() == before
+    readme = (course_config.course() / "assignments" / "hw07_double_pendulum" / "README.md").read_text()
+    assert "**(c)**" not in readme and "**(b)**" in readme and "Part (c) is left out" in readme

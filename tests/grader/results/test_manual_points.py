@@ -6,6 +6,7 @@ import pytest
 
 from tam570_grader import cli
 from tam570_grader.results import manual_points
+from tam570_grader.results.manual_points import Entry, ManualAdjustments
 
 SLUG = "hw08_axis_angle"
 
@@ -37,3 +38,29 @@ def test_grading_and_the_report_go_on(tree, tmp_path, capsys, item):
     assert "Traceback" not in capsys.readouterr().err
     with open(out / "grades.csv", newline="") as file:
         assert {row["student"]: row["score"] for row in csv.DictReader(file)}["ada"] == "10.0"
+
+
+HW = ("hw01_a", "hw02_b", "hw03_c")
+
+
+def adjusted(*entries):
+    """Scores of ten points in three assignments, two days late in each, half a point off a day."""
+    made = ManualAdjustments(
+        [
+            *(Entry("ann", slug, "late", 2.0) for slug in HW),
+            Entry("*", "*", "off a day", 0.1),
+            *(Entry(*one) for one in entries),
+        ]
+    )
+    rows = [("ann", slug, "graded", 10.0 - n, 10.0) for n, slug in enumerate(HW)]
+    return [row[3] for row in made.table(made.row(row, dict) for row in rows)]
+
+
+def test_rows_of_the_term_hold_in_every_assignment():
+    assert adjusted() == pytest.approx([8.0, 7.2, 6.4])
+    assert adjusted(("ann", "*", "extension", 2.0)) == [10.0, 9.0, 8.0]
+    assert adjusted(("ben", "*", "extension", 2.0)) == pytest.approx([8.0, 7.2, 6.4])
+    assert adjusted(("*", "*", "slip days", 3.0)) == pytest.approx([10.0, 8.1, 6.4])  # in their order
+    assert adjusted(("*", "*", "slip days", 3.0), ("ann", HW[0], "extension", 1.0)) == pytest.approx([10.0, 9.0, 6.4])
+    assert adjusted(("*", "*", "drop lowest", 1.0))[2] == "EX" and adjusted(("*", "*", "drop lowest", 9.0))[0] == 8.0
+    assert adjusted(("ann", HW[1], "excused", 1.0, None, "She was ill."))[1] == "EX"
