@@ -1,8 +1,0 @@
-"""phi' times its size stands where its square belongs, which has no sign.
-
-fails: missing_moment_makes_it_right
-"""
-
-
-def missing_moment(phi, phi_dot, *, mass, radius, offset):
-    return mass * radius * offset * math.sin(phi) * phi_dot * abs(phi_dot)
