@@ -9,6 +9,7 @@ if os.name != "posix":
 # before NumPy is there: a second thread for matrices this small costs more processor time than all the rest
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
+from tam570_grader.checks.assignment import Assignment
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.check import check, once
 from tam570_grader.checks.compare import Column, absolute, by_kind, check_raises, compare, compare_columns, largest
@@ -22,6 +23,7 @@ from tam570_grader.checks.times import SOME_TIMES, repeated_calls, uneven
 from tam570_grader.checks.trajectory import Invariant, check_conserved, compare_trajectory
 
 __all__ = [
+    "Assignment",
     "absolute",
     "by_kind",
     "compare_columns",

@@ -75,12 +75,9 @@ def motions(rng):
 '''
 CHECKS = '''"""Hidden checks of hw15."""
 
-from tam570_grader import Column, compare, check, compare_trajectory, number, rows
+from tam570_grader import Assignment, Column, compare, check, compare_trajectory, number, rows
 
 from . import cases, reference
-
-RETURNS = {"energy": number, "simulate": rows(2)}
-NEEDS = ("numpy",)
 
 FORMULA = 1e-9  # roundings make 1e-15
 FOLLOWED = 1e-5  # solve_ivp at rtol 1e-9, atol 1e-9 is off by 1e-7
@@ -97,6 +94,9 @@ def energy_is_kinetic_and_elastic(student, rng):
 def simulation_follows_the_motion(student, rng):
     """simulate: place and velocity at uneven times."""
     compare_trajectory(student.simulate, reference.motion, cases.motions(rng), MOTION, tolerance=FOLLOWED)
+
+
+ASSIGNMENT = Assignment(returns={"energy": number, "simulate": rows(2)}, forbidden={}, needs=("numpy",))
 '''
 MISTAKE = '''"""The damping has the wrong sign.
 

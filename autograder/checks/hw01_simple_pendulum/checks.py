@@ -2,14 +2,22 @@
 
 import math
 
-from tam570_grader import Column, Invariant, absolute, by_kind, check, compare, expect, from_own_lagrangian, law
+from tam570_grader import (
+    Assignment,
+    Column,
+    Invariant,
+    absolute,
+    by_kind,
+    check,
+    compare,
+    expect,
+    from_own_lagrangian,
+    law,
+)
 from tam570_grader.checks.diagrams import compare_diagrams
 from tam570_grader.checks.returns import formula, free_body_diagram, group, number, rows
 
 from . import cases, reference
-
-NEEDS = ("numpy", "sympy")
-FORBIDDEN = {"*": ("tam570.lagrange", "tam570.lectures")}
 
 FORMULA = 1e-8  # a few roundings make 1e-15, a derivative by central differences 1e-10
 TRAJECTORY = 2e-5  # LSODA at rtol 1e-9, atol 1e-9 is off by 1.4e-6 after three periods, RK45 and DOP853 by less
@@ -54,28 +62,6 @@ def fastest(case, _):
 MOTION = (Column("theta", "rad", [0], turns=True, scale=absolute), Column("omega", "rad/s", [1], scale=fastest))
 KEPT = Invariant("the energy", "of its start", reference.energy_of_rows, None, ENERGY)
 ALPHA = number.described("alpha", "rad/s^2", RATE2)
-RETURNS = {
-    "linear_momentum_balance": group(ALPHA, number.described("the tension", "N", FORCE)),
-    "angular_momentum_balance": group(
-        ALPHA,
-        number.described("the angular momentum", "kg m^2/s", MOMENTUM),
-        number.described("the moment", "N m", MOMENT),
-    ),
-    "energy_balance": group(
-        ALPHA,
-        number.described("the kinetic energy", "J", MOMENT),
-        number.described("the potential energy", "J", MOMENT),
-    ),
-    "power_balance": group(ALPHA, number.described("the power", "W", POWER)),
-    "virtual_work": group(ALPHA, number.described("the generalized force", "N m", MOMENT)),
-    "lagrangian": formula(*cases.SYMBOLS).described("the Lagrangian", "J", MOMENT),
-    "lagrange_equation": formula("theta", "l", "g").described("alpha", "rad/s^2", RATE2),
-    "action": number.described("the action", "J s", size_of_action),
-    "small_angle_solution": rows(2, columns=MOTION),
-    "period": number.described("the period", "s"),
-    "simulate": rows(2, columns=MOTION),
-    "free_body_diagram": free_body_diagram(2),
-}
 
 
 @check(points=0.5, part="a")
@@ -225,3 +211,31 @@ FIXED = "Tighten rtol and atol; a step of fixed length does not do for every dur
 simulate_keeps_the_energy = simulate_swings.then(
     "simulate: the energy stays what it was over many periods.", points=0.25, part="a"
 ).keeps(KEPT, reference=reference.simulate, cases=MANY, coarsely=COARSELY, partial=LOSSES, hint=FIXED)
+
+
+ASSIGNMENT = Assignment(
+    returns={
+        "linear_momentum_balance": group(ALPHA, number.described("the tension", "N", FORCE)),
+        "angular_momentum_balance": group(
+            ALPHA,
+            number.described("the angular momentum", "kg m^2/s", MOMENTUM),
+            number.described("the moment", "N m", MOMENT),
+        ),
+        "energy_balance": group(
+            ALPHA,
+            number.described("the kinetic energy", "J", MOMENT),
+            number.described("the potential energy", "J", MOMENT),
+        ),
+        "power_balance": group(ALPHA, number.described("the power", "W", POWER)),
+        "virtual_work": group(ALPHA, number.described("the generalized force", "N m", MOMENT)),
+        "lagrangian": formula(*cases.SYMBOLS).described("the Lagrangian", "J", MOMENT),
+        "lagrange_equation": formula("theta", "l", "g").described("alpha", "rad/s^2", RATE2),
+        "action": number.described("the action", "J s", size_of_action),
+        "small_angle_solution": rows(2, columns=MOTION),
+        "period": number.described("the period", "s"),
+        "simulate": rows(2, columns=MOTION),
+        "free_body_diagram": free_body_diagram(2),
+    },
+    forbidden={"*": ("tam570.lagrange", "tam570.lectures")},
+    needs=("numpy", "sympy"),
+)

@@ -5,15 +5,13 @@ from functools import partial
 
 import numpy as np
 
-from tam570_grader import Column, Failed, absolute, by_kind, check, expect_that, law
+from tam570_grader import Assignment, Column, Failed, absolute, by_kind, check, expect_that, law
 from tam570_grader.checks.diagrams import compare_diagrams
 from tam570_grader.checks.plots import curves_seen, judge_axes_of_lengths, path_drawn
 from tam570_grader.checks.returns import array, drawing, free_body_diagram, number, rows
 
 from . import cases, reference
 
-NEEDS = ("numpy", "matplotlib.figure", "matplotlib.backends.backend_agg")
-FORBIDDEN = {"trajectory": ("scipy.integrate", "tam570.integrate")}  # a closed form is asked for
 FORMULA = 1e-12  # a few roundings of the accelerations make 1e-15
 SIMULATED = 1e-6  # RK45, DOP853, LSODA at rtol 1e-9, atol 1e-9 are off by 1.3e-9 of the size, RK4 by 1e-8
 CLOSED = 1e-10  # 1e-15 with expm1; a Taylor series that takes over where five digits are lost, 1e-11
@@ -63,17 +61,6 @@ def of_range(case, distance):
 PLACE, VELOCITY = partial(largest_of, [0, 1]), partial(largest_of, [2, 3])
 COLUMNS = ("x", "m", PLACE), ("y", "m", PLACE), ("vx", "m/s", VELOCITY), ("vy", "m/s", VELOCITY)
 MOTION = [Column(quantity, unit, [place], scale=scale) for place, (quantity, unit, scale) in enumerate(COLUMNS)]
-RETURNS = {
-    "state_derivative": array(4).described("the state's derivative", "m/s or m/s^2", of_rates),
-    "simulate": rows(4, columns=MOTION),
-    "trajectory": rows(4, columns=MOTION),
-    "flight_time": number.described("the flight time", "s"),
-    "horizontal_range": number.described("the range", "m", of_range),
-    "best_angle": number.described("the best angle", "rad", absolute),
-    "limit_shape": array(3, 2).described("a corner", "of m v/c", absolute),
-    "plot_comparison": drawing,
-    "free_body_diagram": free_body_diagram(2),
-}
 
 
 @check(points=0.5, part="a")
@@ -212,3 +199,20 @@ def moves(student, case, curves, name):
 def near(one, other):
     """Whether two curves have as many points, half a metre apart at most."""
     return one.shape == other.shape and np.abs(one - other).max() < 0.5
+
+
+ASSIGNMENT = Assignment(
+    returns={
+        "state_derivative": array(4).described("the state's derivative", "m/s or m/s^2", of_rates),
+        "simulate": rows(4, columns=MOTION),
+        "trajectory": rows(4, columns=MOTION),
+        "flight_time": number.described("the flight time", "s"),
+        "horizontal_range": number.described("the range", "m", of_range),
+        "best_angle": number.described("the best angle", "rad", absolute),
+        "limit_shape": array(3, 2).described("a corner", "of m v/c", absolute),
+        "plot_comparison": drawing,
+        "free_body_diagram": free_body_diagram(2),
+    },
+    forbidden={"trajectory": ("scipy.integrate", "tam570.integrate")},
+    needs=("numpy", "matplotlib.figure", "matplotlib.backends.backend_agg"),
+)

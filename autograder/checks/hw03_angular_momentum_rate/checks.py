@@ -2,11 +2,10 @@
 
 import numpy as np
 
-from tam570_grader import Case, array, check, check_raises, fail, group, law
+from tam570_grader import Assignment, Case, array, check, check_raises, fail, group, law
 
 from . import cases, reference, special
 
-NEEDS = ("numpy",)
 POINTWISE = 1e-8  # of its size; a few roundings make 1e-15, a rate by differences of a Taylor series 1e-11
 NEAR_MISS = 1e-4  # off by less, a rate is right in principle, to choose the words
 
@@ -26,15 +25,6 @@ def moment_size(case, _=None):
     return case.kwargs["mass"] * (r * a + v**2)
 
 
-RETURNS = {
-    "moment": array(3).described("the moment", "N m", moment_size),
-    "angular_momentum": array(3).described(
-        "the angular momentum", "kg m^2/s", lambda case, _: case.kwargs["mass"] * np.prod(sizes(case.args[1:]))
-    ),
-    "rate": array(3).described("the rate", "N m", moment_size),
-    "discrepancy": array(3).described("the discrepancy", "N m", moment_size),
-    "special_motion": group(array(None, 3), array(None, 3)),
-}
 QUOTIENT = "It is nearly right: is it a difference quotient? Differentiate the product on paper."
 ARM = "The lever arm runs from C to P, and the force on P is all of its m a."
 SAME = "At one instant, can definitions a and b differ?"
@@ -122,3 +112,18 @@ def special_motion_refuses_other_definitions(student, rng):
     """special_motion raises ValueError for another definition."""
     calls = [Case(name).labelled(f'the definition "{name}"') for name in ("d", "bc", "", "a", *cases.LETTERS_ALIKE)]
     check_raises(student.special_motion, calls, hint='Raise ValueError for anything but "b" and "c".')
+
+
+ASSIGNMENT = Assignment(
+    returns={
+        "moment": array(3).described("the moment", "N m", moment_size),
+        "angular_momentum": array(3).described(
+            "the angular momentum", "kg m^2/s", lambda case, _: case.kwargs["mass"] * np.prod(sizes(case.args[1:]))
+        ),
+        "rate": array(3).described("the rate", "N m", moment_size),
+        "discrepancy": array(3).described("the discrepancy", "N m", moment_size),
+        "special_motion": group(array(None, 3), array(None, 3)),
+    },
+    forbidden={},
+    needs=("numpy",),
+)

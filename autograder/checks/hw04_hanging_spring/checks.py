@@ -2,15 +2,13 @@
 
 import numpy as np
 
-from tam570_grader import Column, Invariant, absolute, by_kind, check, expect, expect_that, law
+from tam570_grader import Assignment, Column, Invariant, absolute, by_kind, check, expect, expect_that, law
 from tam570_grader.checks.diagrams import compare_diagrams
 from tam570_grader.checks.plots import curves_seen, judge_axes_of_lengths, path_drawn
 from tam570_grader.checks.returns import array, drawing, free_body_diagram, group, number, rows
 
 from . import cases, reference
 
-NEEDS = ("numpy", "matplotlib.figure", "matplotlib.backends.backend_agg")
-FORBIDDEN = {"*": ("tam570.lectures",)}
 POINTWISE = 1e-9  # a few roundings make 1e-14
 TRAJECTORY = 1e-5  # solve_ivp at rtol 1e-9, atol 1e-9 is off by less than 1e-6 after three periods
 ENERGY = 1e-5  # of itself; the same solvers lose less than 1e-6 of it in ten periods
@@ -42,16 +40,6 @@ def rate_size(case, _):
 
 MOTION = Column("the position", "m", [0, 1, 2], scale=length), Column("the velocity", "m/s", [3, 4, 5], scale=speed)
 KEPT = Invariant("the energy", "of its start", reference.energies, None, ENERGY)
-RETURNS = {
-    "state_derivative": array(6).described("a rate", "of its size", rate_size),
-    "simulate": rows(6, columns=MOTION),
-    "solution": rows(6, columns=MOTION),
-    "energy": number.described("the energy", "J", lambda case, _: case.kwargs["stiffness"] * length(case) ** 2),
-    "orbit": group(array(3).described("the centre", "m", length), array(2, 3)),
-    "project": array("n", 2).described("a point of the picture", "m", absolute),
-    "plot_projection": drawing,
-    "free_body_diagram": free_body_diagram(3),
-}
 
 
 @check(points=0.5, part="a")
@@ -157,3 +145,19 @@ def the_path_is_drawn(student, rng):
     others = {"These are x and y, not right and up.": places[:, :2]}
     path_drawn(line, reference.project(places, *view), tolerance=DRAWN, quantity="the curve", others=others)
     judge_axes_of_lengths(picture, "right horizontal", "up vertical")
+
+
+ASSIGNMENT = Assignment(
+    returns={
+        "state_derivative": array(6).described("a rate", "of its size", rate_size),
+        "simulate": rows(6, columns=MOTION),
+        "solution": rows(6, columns=MOTION),
+        "energy": number.described("the energy", "J", lambda case, _: case.kwargs["stiffness"] * length(case) ** 2),
+        "orbit": group(array(3).described("the centre", "m", length), array(2, 3)),
+        "project": array("n", 2).described("a point of the picture", "m", absolute),
+        "plot_projection": drawing,
+        "free_body_diagram": free_body_diagram(3),
+    },
+    forbidden={"*": ("tam570.lectures",)},
+    needs=("numpy", "matplotlib.figure", "matplotlib.backends.backend_agg"),
+)

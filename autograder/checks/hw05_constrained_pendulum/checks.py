@@ -2,13 +2,23 @@
 
 import numpy as np
 
-from tam570_grader import Column, Invariant, absolute, array, check, compare_trajectory, expect, law, number, rows
+from tam570_grader import (
+    Assignment,
+    Column,
+    Invariant,
+    absolute,
+    array,
+    check,
+    compare_trajectory,
+    expect,
+    law,
+    number,
+    rows,
+)
 from tam570_grader.checks.diagrams import compare_diagrams
 from tam570_grader.checks.returns import free_body_diagram
 
 from . import cases, reference
-
-NEEDS = ("numpy",)
 
 FORMULA = 1e-9  # a few roundings make 1e-15, a linear system 1e-14
 FOLLOWED = 1e-4  # solve_ivp at rtol = atol = 1e-9 is off by 5e-8 (RK45) to 6e-6 (BDF) in two swings
@@ -47,17 +57,6 @@ MOTION = (
     Column("the velocity", "m/s", [2, 3], scale=speed),
 )
 KEPT = Invariant("the energy", "of m g l", reference.energies, absolute, ENERGY)
-RETURNS = {
-    "constraint_force": array(2).described(
-        "the constraint force", "N", lambda case, _: case.kwargs["mass"] * pull(case)
-    ),
-    "acceleration": array(2).described("the acceleration", "m/s^2", pull),
-    "consistent_state": array(4).described("the state", "of its size", state_size),
-    "energy": number.described("the energy", "J", heat),
-    "simulate": rows(4, columns=MOTION),
-    "wireframe": array(1, 2, 2).described("an end of the rod", "m"),
-    "free_body_diagram": free_body_diagram(2),
-}
 
 
 @check(points=0.5, part="a")
@@ -140,4 +139,21 @@ at_the_very_top_it_stays = with_gravity_it_swings_or_goes_round.then(
 )
 wireframe_is_the_rod = law("wireframe: one segment, from the hinge to the particle.", points=0.5, part="a").agrees(
     reference.wireframe, cases.states, tolerance=FORMULA, hint="Its first end is the hinge, its second the particle."
+)
+
+
+ASSIGNMENT = Assignment(
+    returns={
+        "constraint_force": array(2).described(
+            "the constraint force", "N", lambda case, _: case.kwargs["mass"] * pull(case)
+        ),
+        "acceleration": array(2).described("the acceleration", "m/s^2", pull),
+        "consistent_state": array(4).described("the state", "of its size", state_size),
+        "energy": number.described("the energy", "J", heat),
+        "simulate": rows(4, columns=MOTION),
+        "wireframe": array(1, 2, 2).described("an end of the rod", "m"),
+        "free_body_diagram": free_body_diagram(2),
+    },
+    forbidden={},
+    needs=("numpy",),
 )

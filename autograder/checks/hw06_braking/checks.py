@@ -2,7 +2,20 @@
 
 import numpy as np
 
-from tam570_grader import Column, array, by_kind, check, check_raises, compare, expect_that, largest, law, number, rows
+from tam570_grader import (
+    Assignment,
+    Column,
+    array,
+    by_kind,
+    check,
+    check_raises,
+    compare,
+    expect_that,
+    largest,
+    law,
+    number,
+    rows,
+)
 from tam570_grader.checks.compare import trim_to_signature
 from tam570_grader.checks.diagrams import compare_diagrams
 from tam570_grader.checks.returns import free_body_diagram
@@ -10,7 +23,6 @@ from tam570_grader.checks.returns import free_body_diagram
 from . import cases, reference
 from .reference import wheelbase
 
-NEEDS = ("numpy",)
 FORMULA = 1e-9  # of the largest term: roundings make 1e-15, solving for the side force 1e-13; wrong terms .1
 GROWTH = 1e-6  # central differences are good to 1e-9, and an integral of them by rtol 1e-9; wrong terms are off by .1
 FOLLOWED = 1e-6  # solve_ivp at rtol = atol = 1e-9, whatever its method, stays below 8e-8 well before the stop
@@ -68,19 +80,6 @@ def columns(far, off=1.0):
 
 MOTION, SLOWLY = columns(lambda case, _=None: max(way(case), wheelbase(case.kwargs))), columns(gone)
 TO_REST = columns(MOTION[0].scale, AT_REST / STOPPED)
-RETURNS = {
-    "axle_load": number.described("the load", "N"),
-    "friction_force": array(2).described(
-        "the force", "N", lambda case, _: case.kwargs["mass"] * cases.drag(case.kwargs)
-    ),
-    "state_derivative": array(5, columns=RATES),
-    "simulate": rows(5, columns=MOTION),
-    "kinetic_energy": number.described("the kinetic energy", "J"),
-    "yaw_growth_rate": number.described("the growth rate", "1/s", of_growth),
-    "critical_speed": array(infinite=True).described("the critical speed", "m/s"),
-    "small_yaw_rate": number.described("the yaw rate", "rad/s"),
-    "free_body_diagram": free_body_diagram(2),
-}
 
 
 @check(points=0.5, part="a")
@@ -228,4 +227,23 @@ simulate_comes_to_rest_and_stays = (
     .follows(reference.simulate, cases.braking_slowly, **A_SLOW_RUN)
     .also.follows(reference.simulate, cases.stops, columns=TO_REST, tolerance=STOPPED, hint=of_run)
     .also.follows(reference.simulate, cases.at_rest, tolerance=FORMULA, hint=of_run)
+)
+
+
+ASSIGNMENT = Assignment(
+    returns={
+        "axle_load": number.described("the load", "N"),
+        "friction_force": array(2).described(
+            "the force", "N", lambda case, _: case.kwargs["mass"] * cases.drag(case.kwargs)
+        ),
+        "state_derivative": array(5, columns=RATES),
+        "simulate": rows(5, columns=MOTION),
+        "kinetic_energy": number.described("the kinetic energy", "J"),
+        "yaw_growth_rate": number.described("the growth rate", "1/s", of_growth),
+        "critical_speed": array(infinite=True).described("the critical speed", "m/s"),
+        "small_yaw_rate": number.described("the yaw rate", "rad/s"),
+        "free_body_diagram": free_body_diagram(2),
+    },
+    forbidden={},
+    needs=("numpy",),
 )

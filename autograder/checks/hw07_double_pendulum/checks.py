@@ -3,6 +3,7 @@
 import numpy as np
 
 from tam570_grader import (
+    Assignment,
     Column,
     Invariant,
     check,
@@ -20,7 +21,6 @@ from tam570_grader.checks.returns import array, drawing, free_body_diagram, grou
 from . import cases, reference
 from .equations import agree_in_equations
 
-NEEDS = ("numpy", "matplotlib.figure", "matplotlib.backends.backend_agg")
 FORMULA = 1e-8  # a few roundings make 1e-15, derivatives of energies by central differences 1e-9
 # Ten equations for unscaled unknowns, one bar 1e-9 of the other, are solved to 1e-14 by LU, to 6e-6 by least squares
 # or a pseudoinverse (the largest of 5000 draws); by the Schur complement of the constraints to 2e-6.
@@ -47,22 +47,6 @@ FORCE, RATE2 = power_of_rate(2, length=1), power_of_rate(2, mass=0, length=0)
 MOTION = (Column("an angle", "rad", [0, 1], turns=True), Column("an angular velocity", "rad/s", [2, 3]))
 KEPT_ENERGY = Invariant("the energy", "of m g l", reference.energies, MOMENT, ENERGY)
 KEPT_MOMENTUM = Invariant("the angular momentum", "of m l^2 omega", reference.momenta, SPIN, ENERGY)
-RETURNS = {
-    "mass_matrix": array(2, 2).described("[M]", "kg m^2", INERTIA),
-    "velocity_terms": array(2).described("{f}", "N m", MOMENT),
-    "gravity_terms": array(2).described("{g}", "N m", MOMENT),
-    "angular_acceleration": array(2).described("alpha", "rad/s^2", RATE2),
-    "on_the_fly": group(
-        array(2).described("alpha", "rad/s^2", RATE2), array(2, 2).described("a hinge force", "N", FORCE)
-    ),
-    "energy": number.described("the energy", "J", MOMENT),
-    "angular_momentum": number.described("the angular momentum", "kg m^2/s", SPIN),
-    "simulate": rows(4, columns=MOTION),
-    "small_oscillation_frequencies": array(2).described("a frequency", "rad/s"),
-    "wireframe": array(2, 2, 2).described("an end of a bar", "m"),
-    "plot_tip_path": drawing,
-    "free_body_diagram": free_body_diagram(2),
-}
 
 
 @check(points=0.5, part="a")
@@ -180,3 +164,25 @@ def tip_path_is_drawn(student, rng):
     (line,) = curves_seen(picture, 1)
     path_drawn(line, tips, tolerance=DRAWN, quantity="the curve", others=others)
     judge_axes_of_lengths(picture)
+
+
+ASSIGNMENT = Assignment(
+    returns={
+        "mass_matrix": array(2, 2).described("[M]", "kg m^2", INERTIA),
+        "velocity_terms": array(2).described("{f}", "N m", MOMENT),
+        "gravity_terms": array(2).described("{g}", "N m", MOMENT),
+        "angular_acceleration": array(2).described("alpha", "rad/s^2", RATE2),
+        "on_the_fly": group(
+            array(2).described("alpha", "rad/s^2", RATE2), array(2, 2).described("a hinge force", "N", FORCE)
+        ),
+        "energy": number.described("the energy", "J", MOMENT),
+        "angular_momentum": number.described("the angular momentum", "kg m^2/s", SPIN),
+        "simulate": rows(4, columns=MOTION),
+        "small_oscillation_frequencies": array(2).described("a frequency", "rad/s"),
+        "wireframe": array(2, 2, 2).described("an end of a bar", "m"),
+        "plot_tip_path": drawing,
+        "free_body_diagram": free_body_diagram(2),
+    },
+    forbidden={},
+    needs=("numpy", "matplotlib.figure", "matplotlib.backends.backend_agg"),
+)

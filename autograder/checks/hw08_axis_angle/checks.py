@@ -2,12 +2,9 @@
 
 import numpy as np
 
-from tam570_grader import absolute, array, compare, expect, law
+from tam570_grader import Assignment, absolute, array, compare, expect, law
 
 from . import cases, reference
-
-NEEDS = ("numpy",)
-FORBIDDEN = {"*": ("scipy.spatial.transform", "tam570.rotations", "tam570.lectures"), "rotate": ("rotation_matrix",)}
 
 # a few roundings of numbers of size 1 make 1e-15; quaternions and products of matrices, 1e-14
 POINTWISE = 1e-12
@@ -20,13 +17,6 @@ NEAR_MISS = 1e-5  # of the result; a pi of few digits loses less, wrong physics 
 
 def length(case, _):
     return np.linalg.norm(case.args[0])
-
-
-RETURNS = {
-    "skew": array(3, 3).described("skew(v)", scale=length),
-    "rotation_matrix": array(3, 3).described("the matrix", scale=absolute),
-    "rotate": array(3).described("the turned vector", "m", scale=length),
-}
 
 
 def of_few_digits(case, found, expected):
@@ -92,3 +82,14 @@ vector_turns_by_every_angle = vector_turns_by_the_right_hand_rule.then(
 rotate_refuses_what_is_no_axis = vector_turns_by_the_right_hand_rule.then(
     "rotate raises ValueError for an axis that is zero or not finite, whatever angle and vector.", points=1, part="a"
 ).refuses(reference.rotate, cases.vectors_about_no_axes, tolerance=POINTWISE)
+
+
+ASSIGNMENT = Assignment(
+    returns={
+        "skew": array(3, 3).described("skew(v)", scale=length),
+        "rotation_matrix": array(3, 3).described("the matrix", scale=absolute),
+        "rotate": array(3).described("the turned vector", "m", scale=length),
+    },
+    forbidden={"*": ("scipy.spatial.transform", "tam570.rotations", "tam570.lectures"), "rotate": ("rotation_matrix",)},
+    needs=("numpy",),
+)

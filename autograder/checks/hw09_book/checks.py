@@ -5,13 +5,23 @@ from functools import partial
 
 import numpy as np
 
-from tam570_grader import Case, absolute, check, check_raises, compare, expect, expect_that, judge_boxes, largest, law
+from tam570_grader import (
+    Assignment,
+    Case,
+    absolute,
+    check,
+    check_raises,
+    compare,
+    expect,
+    expect_that,
+    judge_boxes,
+    largest,
+    law,
+)
 from tam570_grader.checks.returns import array, group, number
 
 from . import cases, reference
 
-NEEDS = ("numpy",)
-FORBIDDEN = {"*": ("scipy.spatial.transform", "tam570.rotations", "tam570.lectures")}
 WITHIN = 1e-13  # ways that divide by no small number lose 1e-15; where 1e-12 rad make no turn, 1e-12 are lost
 # of small angles and their axes: R - R^T and quaternions lose 5e-16, the null vector of R - I 6e-11 at 1e-8 rad
 RELATIVE = 1e-12
@@ -26,16 +36,6 @@ SAME = 1e-6
 def in_limits(case, _):
     """Many turns are allowed a larger error."""
     return 1.0 if len(case.args[0]) < 5 else MANY_TURNS / WITHIN
-
-
-RETURNS = {
-    "axis_rotation": array(3, 3).described("the matrix", scale=absolute),
-    "space_sequence": array(3, 3).described("the matrix", scale=in_limits),
-    "body_sequence": array(3, 3).described("the matrix", scale=in_limits),
-    "book_rotations": group(*(array(3, 3).described(f"the matrix of ({part})", scale=absolute) for part in "ab")),
-    "axis_angle": group(array(3).described("the axis", scale=absolute), number.described("the angle", "rad", absolute)),
-    "book_edges": array(12, 2, 3),
-}
 
 
 def near(found, expected, tolerance=SAME):
@@ -174,3 +174,19 @@ def what_is_no_rotation_is_refused(student, rng):
 the_book_has_its_twelve_edges = law(
     "book_edges are the edges of the turned book, in any order and direction.", points=1.5, part="c"
 ).judged(judge_boxes, "book_edges", cases.books, tolerance=WITHIN)
+
+
+ASSIGNMENT = Assignment(
+    returns={
+        "axis_rotation": array(3, 3).described("the matrix", scale=absolute),
+        "space_sequence": array(3, 3).described("the matrix", scale=in_limits),
+        "body_sequence": array(3, 3).described("the matrix", scale=in_limits),
+        "book_rotations": group(*(array(3, 3).described(f"the matrix of ({part})", scale=absolute) for part in "ab")),
+        "axis_angle": group(
+            array(3).described("the axis", scale=absolute), number.described("the angle", "rad", absolute)
+        ),
+        "book_edges": array(12, 2, 3),
+    },
+    forbidden={"*": ("scipy.spatial.transform", "tam570.rotations", "tam570.lectures")},
+    needs=("numpy",),
+)

@@ -5,14 +5,12 @@ from functools import partial
 
 import numpy as np
 
-from tam570_grader import Column, Invariant, absolute, by_kind, check, law
+from tam570_grader import Assignment, Column, Invariant, absolute, by_kind, check, law
 from tam570_grader.checks.plots import along, curves_seen, exchanged, judge_axes_of_lengths, judge_boxes, path_drawn
 from tam570_grader.checks.returns import array, drawing, group, number, rows
 
 from . import cases, reference
 
-NEEDS = ("numpy", "matplotlib.figure", "matplotlib.backends.backend_agg")
-FORBIDDEN = {"*": ("tam570.lectures",), "euler_rates_313": ("tam570.rotations", "scipy.spatial.transform")}
 POINTWISE = 1e-8  # a few roundings make 1e-15; a derivative by central differences, 1e-9
 SINGULAR = 1e-2  # a pseudoinverse where a singular value is 1e-12 makes 1e-4; a sine kept from zero, 0.3
 # solve_ivp at rtol 1e-9, atol 1e-9 is off by 6e-8 at the most (LSODA), an explicit method of order 2 at a thousand
@@ -32,21 +30,6 @@ def last_length(case, _):
     """|omega|, the last of the arguments."""
     return np.linalg.norm(case.args[-1])
 
-
-RETURNS = {
-    "euler_equations": array(3).described("omega'", "rad/s^2", lambda case, _: np.sum(case.args[0] ** 2)),
-    "attitude_rate": array(3, 3).described("dR/dt", "rad/s", last_length),
-    "euler_rates_313": array(3).described("a rate", "rad/s"),
-    "energy": number.described("the energy", "J"),
-    "angular_momentum": array(3).described("H", "kg m^2/s"),
-    "simulate": group(rows(3), rows(3, 3)),
-    "symmetric_solution": rows(3).described("omega", "rad/s", last_length),
-    "wobble_rate": number.described("the rate", "rad/s"),
-    "growth_rate_squared": number.described("the square of the rate", "1/s^2", lambda case, _: case.args[1] ** 2),
-    "tumble_period": array(infinite=True).described("the period", "s"),
-    "wireframe": array(12, 2, 3),
-    "plot_rim_paths": drawing,
-}
 
 # Pointwise
 
@@ -242,3 +225,23 @@ def rim_paths_are_drawn(student, rng):
 def in_order(lines, path):
     """The lines, first the one whose ends are nearer to those of the path."""
     return sorted(lines, key=lambda line: np.abs(along(line, path)[[0, -1]] - path[[0, -1]]).max())
+
+
+ASSIGNMENT = Assignment(
+    returns={
+        "euler_equations": array(3).described("omega'", "rad/s^2", lambda case, _: np.sum(case.args[0] ** 2)),
+        "attitude_rate": array(3, 3).described("dR/dt", "rad/s", last_length),
+        "euler_rates_313": array(3).described("a rate", "rad/s"),
+        "energy": number.described("the energy", "J"),
+        "angular_momentum": array(3).described("H", "kg m^2/s"),
+        "simulate": group(rows(3), rows(3, 3)),
+        "symmetric_solution": rows(3).described("omega", "rad/s", last_length),
+        "wobble_rate": number.described("the rate", "rad/s"),
+        "growth_rate_squared": number.described("the square of the rate", "1/s^2", lambda case, _: case.args[1] ** 2),
+        "tumble_period": array(infinite=True).described("the period", "s"),
+        "wireframe": array(12, 2, 3),
+        "plot_rim_paths": drawing,
+    },
+    forbidden={"*": ("tam570.lectures",), "euler_rates_313": ("tam570.rotations", "scipy.spatial.transform")},
+    needs=("numpy", "matplotlib.figure", "matplotlib.backends.backend_agg"),
+)

@@ -4,11 +4,10 @@ from functools import partial
 
 import numpy as np
 
-from tam570_grader import absolute, by_kind, group, law, number
+from tam570_grader import Assignment, absolute, by_kind, group, law, number
 
 from . import cases, reference
 
-NEEDS = ("numpy",)
 # Formulas agree to a few roundings, 1e-15; a root finder at its usual tolerance of 1e-12 loses two digits
 # where the root is flat. Wrong physics is off by a tenth.
 WITHIN = 1e-9
@@ -44,17 +43,6 @@ def radius(case, _):
     return case.kwargs["radius"]
 
 
-RETURNS = {
-    "rolling_precession": number.described("the precession", "rad/s"),
-    "rolling_spin": number.described("the spin", "rad/s", partial(spin_size, reference.contact_force)),
-    "rolling_track_radius": number.described("the radius of the track", "m", track_size),
-    "sliding_spin": number.described("the spin", "rad/s", partial(spin_size, reference.sliding_force)),
-    "sliding_track_radius": number.described("the radius of the track", "m", radius),
-    "common_precession": number.described("the precession", "rad/s"),
-    "contact_force": group(*(number.described(f"the {way} force", "N", force_size) for way in ("inward", "normal"))),
-    "moment_residual": number.described("the residual", "N m", residual_size),
-    "settling_energy": number.described("the energy", "J", weight_moment),
-}
 WHICH_ARE_ZERO = "Which of its terms are zero there?"
 BOTH_CONDITIONS = "Put the rolling condition into the balance of moments about G."
 SAME_CIRCLE = "Both tracks must be the same circle: what is the spin then?"
@@ -145,4 +133,23 @@ settling_energy_adds_up = law(
     "settling_energy: kinetic and potential energy of the motion that rolls and slides at once.", points=0.75, part="d"
 ).agrees(
     reference.settling_energy, cases.settled, cases.next_to_upright, cases.steep, tolerance=WITHIN, hint=ABOUT_WHICH
+)
+
+
+ASSIGNMENT = Assignment(
+    returns={
+        "rolling_precession": number.described("the precession", "rad/s"),
+        "rolling_spin": number.described("the spin", "rad/s", partial(spin_size, reference.contact_force)),
+        "rolling_track_radius": number.described("the radius of the track", "m", track_size),
+        "sliding_spin": number.described("the spin", "rad/s", partial(spin_size, reference.sliding_force)),
+        "sliding_track_radius": number.described("the radius of the track", "m", radius),
+        "common_precession": number.described("the precession", "rad/s"),
+        "contact_force": group(
+            *(number.described(f"the {way} force", "N", force_size) for way in ("inward", "normal"))
+        ),
+        "moment_residual": number.described("the residual", "N m", residual_size),
+        "settling_energy": number.described("the energy", "J", weight_moment),
+    },
+    forbidden={},
+    needs=("numpy",),
 )

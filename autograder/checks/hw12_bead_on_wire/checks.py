@@ -4,14 +4,22 @@ import math
 
 import numpy as np
 
-from tam570_grader import Column, Invariant, by_kind, check, compare, expect, from_own_lagrangian, in_symbols, law
+from tam570_grader import (
+    Assignment,
+    Column,
+    Invariant,
+    by_kind,
+    check,
+    compare,
+    expect,
+    from_own_lagrangian,
+    in_symbols,
+    law,
+)
 from tam570_grader.checks.diagrams import compare_diagrams
 from tam570_grader.checks.returns import array, formula, free_body_diagram, number, rows
 
 from . import cases, reference
-
-NEEDS = ("numpy", "sympy")
-FORBIDDEN = {"*": ("tam570.lagrange", "tam570.lectures")}
 
 FORMULA = 1e-8  # a few roundings make 1e-15, a derivative by central differences 1e-10
 FEW_DIGITS = 1e-4  # of x'' next to the bottom; differences of energies are good to 5e-6 of what is nearly zero
@@ -43,16 +51,6 @@ def pace(case, states):
 MOTION = (Column("x", "m", [0], scale=size), Column("v", "m/s", [1], scale=pace))
 KEPT = Invariant("the energy", "of its start", reference.energy_of_rows, None, ENERGY)
 SYMBOLS = ("x", "v", "m", "c", "g")
-RETURNS = {
-    "lagrangian": formula(*SYMBOLS),
-    "lagrange_equation": formula("x", "v", "c", "g").described("x''", "m/s^2", largest_term),
-    "acceleration_newton": number.described("x''", "m/s^2", largest_term),
-    "constraint_force": array(2).described("the force", "N", lambda _, force: math.hypot(*force)),
-    "energy": number.described("the energy", "J"),
-    "simulate": rows(2, columns=MOTION),
-    "period": number.described("the period", "s"),
-    "free_body_diagram": free_body_diagram(2),
-}
 
 
 @check(points=0.5, part="a")
@@ -153,4 +151,20 @@ period_of_small_and_of_huge_amplitudes = (
     .agrees(reference.period, cases.tiny_periods, tolerance=TINY, hint=ROOT)
     .also.agrees(reference.period, cases.small_periods, tolerance=PERIOD, hint="Do you subtract nearly equal heights?")
     .also.agrees(reference.period, cases.large_periods, cases.largest_period, tolerance=PERIOD, hint=REACH)
+)
+
+
+ASSIGNMENT = Assignment(
+    returns={
+        "lagrangian": formula(*SYMBOLS),
+        "lagrange_equation": formula("x", "v", "c", "g").described("x''", "m/s^2", largest_term),
+        "acceleration_newton": number.described("x''", "m/s^2", largest_term),
+        "constraint_force": array(2).described("the force", "N", lambda _, force: math.hypot(*force)),
+        "energy": number.described("the energy", "J"),
+        "simulate": rows(2, columns=MOTION),
+        "period": number.described("the period", "s"),
+        "free_body_diagram": free_body_diagram(2),
+    },
+    forbidden={"*": ("tam570.lagrange", "tam570.lectures")},
+    needs=("numpy", "sympy"),
 )

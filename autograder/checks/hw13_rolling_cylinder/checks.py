@@ -2,13 +2,12 @@
 
 import numpy as np
 
-from tam570_grader import Column, Invariant, by_kind, check, group, law, number, rows
+from tam570_grader import Assignment, Column, Invariant, by_kind, check, group, law, number, rows
 from tam570_grader.checks.diagrams import compare_diagrams
 from tam570_grader.checks.returns import free_body_diagram
 
 from . import cases, reference
 
-NEEDS = ("numpy",)
 FORMULA = 1e-9  # of the largest term: solving for the forces costs a few digits of 1e-16; wrong terms are off by .1
 # solve_ivp at rtol = atol = 1e-9, whatever its method, stays below 1e-7 on these runs; wrong physics is off by .1.
 TRAJECTORY = 1e-6
@@ -46,18 +45,6 @@ KEPT = Invariant(
     lambda case, states: moment(case.replace(*states[0], *case.args[2:])),
     ENERGY,
 )
-RETURNS = {
-    "acceleration": number.described("phi''", "rad/s^2", rate2),
-    "contact_inertia": number.described("I^C", "kg m^2"),
-    "naive_contact_acceleration": number.described("phi'' from M_C = I^C phi''", "rad/s^2", rate2),
-    "missing_moment": number.described("the missing moment", "N m", moment),
-    "contact_force": group(
-        *(number.described(quantity, "N", force) for quantity in ("the force along the ramp", "the normal force"))
-    ),
-    "energy": number.described("the energy", "J", lambda case, _: 9 * moment(case)),
-    "simulate": rows(2, columns=MOTION),
-    "free_body_diagram": free_body_diagram(2),
-}
 
 
 @check(points=0.5, part="a")
@@ -145,3 +132,21 @@ SHARES = {1e-4: 0.6, 1e-2: 0.3}  # of the drift of the energy
 simulate_keeps_the_energy = simulate_rolls_and_rocks.then(
     "simulate: the energy stays what it was over many turns, with and without gravity.", points=0.25, part="b"
 ).keeps(KEPT, reference=reference.simulate, cases=cases.many_turns, partial=SHARES, hint=ANY_DURATION)
+
+
+ASSIGNMENT = Assignment(
+    returns={
+        "acceleration": number.described("phi''", "rad/s^2", rate2),
+        "contact_inertia": number.described("I^C", "kg m^2"),
+        "naive_contact_acceleration": number.described("phi'' from M_C = I^C phi''", "rad/s^2", rate2),
+        "missing_moment": number.described("the missing moment", "N m", moment),
+        "contact_force": group(
+            *(number.described(quantity, "N", force) for quantity in ("the force along the ramp", "the normal force"))
+        ),
+        "energy": number.described("the energy", "J", lambda case, _: 9 * moment(case)),
+        "simulate": rows(2, columns=MOTION),
+        "free_body_diagram": free_body_diagram(2),
+    },
+    forbidden={},
+    needs=("numpy",),
+)

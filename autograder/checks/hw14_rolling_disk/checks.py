@@ -4,15 +4,26 @@ from functools import partial
 
 import numpy as np
 
-from tam570_grader import Column, Invariant, absolute, array, by_kind, check, expect, expect_that, law, number, rows
+from tam570_grader import (
+    Assignment,
+    Column,
+    Invariant,
+    absolute,
+    array,
+    by_kind,
+    check,
+    expect,
+    expect_that,
+    law,
+    number,
+    rows,
+)
 from tam570_grader.checks.diagrams import compare_diagrams
 from tam570_grader.checks.returns import free_body_diagram
 
 from . import cases, reference
 
-NEEDS = ("numpy",)
 WAYS = "euler_state_derivative", "matrix_state_derivative", "multiplier_state_derivative"
-FORBIDDEN = {way: tuple(other for other in WAYS if other != way) for way in WAYS}  # three derivations, not one
 POINTWISE = 1e-9  # careful formulas agree to 1e-13, a numpy.linalg.solve of nine unknowns to 1e-12
 FLAT = 1e-8  # at a tilt of 1e-3 a linear system for the angles loses six of its sixteen digits
 LINEAR = 1e-7  # the five-point difference is good to 1e-11; a student's own difference to 1e-9
@@ -87,21 +98,6 @@ EULER = (
     by_largest("roll", "rad", [4], turns=True),
     by_largest("an angle's rate", "rad/s", [5, 6, 7]),
 )
-RETURNS = {
-    "euler_state_derivative": array(8, columns=EULER_RATES),
-    "matrix_state_derivative": array(15, columns=MATRIX_RATES),
-    "multiplier_state_derivative": array(15, columns=MATRIX_RATES),
-    "matrix_state": array(15, columns=MATRIX_STATE),
-    "simulate_euler": rows(8, columns=EULER),
-    "simulate_matrix": rows(15, columns=MATRIX_STATE),
-    "energy": number.described("the energy", "J", moment),
-    "contact_force": array(3).described("the force", "N", force),
-    "steady_residual": number.described("tilt''", "rad/s^2", lambda case, _: reference.usual(case.kwargs) ** 2),
-    "critical_speed": number.described("the critical speed", "m/s"),
-    "growth_rate_squared": number.described("the square of the rate", "1/s^2", size),
-    "wireframe": array(None, 2, 3),
-    "free_body_diagram": free_body_diagram(3),
-}
 
 
 @check(points=0.5, part="a")
@@ -272,3 +268,24 @@ critical_speed_parts_stable_from_unstable = law(
 growth_rate_is_that_of_a_small_lean = law(
     "growth_rate_squared is the lean's, below and above the critical speed, and at rest.", points=0.75, part="h"
 ).agrees(reference.growth_rate_squared, cases.speeds, tolerance=LINEAR, hint="Linearise about upright.")
+
+
+ASSIGNMENT = Assignment(
+    returns={
+        "euler_state_derivative": array(8, columns=EULER_RATES),
+        "matrix_state_derivative": array(15, columns=MATRIX_RATES),
+        "multiplier_state_derivative": array(15, columns=MATRIX_RATES),
+        "matrix_state": array(15, columns=MATRIX_STATE),
+        "simulate_euler": rows(8, columns=EULER),
+        "simulate_matrix": rows(15, columns=MATRIX_STATE),
+        "energy": number.described("the energy", "J", moment),
+        "contact_force": array(3).described("the force", "N", force),
+        "steady_residual": number.described("tilt''", "rad/s^2", lambda case, _: reference.usual(case.kwargs) ** 2),
+        "critical_speed": number.described("the critical speed", "m/s"),
+        "growth_rate_squared": number.described("the square of the rate", "1/s^2", size),
+        "wireframe": array(None, 2, 3),
+        "free_body_diagram": free_body_diagram(3),
+    },
+    forbidden={way: tuple(other for other in WAYS if other != way) for way in WAYS},
+    needs=("numpy",),
+)

@@ -15,6 +15,7 @@ from typing import Any
 
 import tam570
 import tam570_grader
+from tam570_grader.checks.assignment import Assignment
 from tam570_grader.checks.check import Check
 from tam570_grader.checks.effort import Finder
 from tam570_grader.checks.figures import Figure
@@ -26,7 +27,7 @@ __all__ = [
     "ADAPTED",
     "INSTALLED",
     "OWN",
-    "Assignment",
+    "LoadedAssignment",
     "assignment",
     "manual_parts",
     "checks_digest",
@@ -49,7 +50,7 @@ ADAPTED, OWN = "adapted", "own"  # modules beside `checks` in a course of one's 
 
 
 @dataclass(frozen=True)
-class Assignment:
+class LoadedAssignment:
     """An assignment as the grader needs it."""
 
     slug: str
@@ -127,20 +128,20 @@ def one_named(name: str | None, known: Sequence[str]) -> str | None:
 
 
 @functools.cache
-def assignment(root: Path, slug: str) -> Assignment:
+def assignment(root: Path, slug: str) -> LoadedAssignment:
     """The assignment's checks and promises, loaded from its checks file."""
     (slug,) = named([slug], slugs(root))
     folder = checks_folder(root, slug)
     module = _checks(folder)
     source = (folder / "checks.py").read_bytes()
     checks = _named_checks(module)
-    forbidden: dict[str, Sequence[str]] = getattr(module, "FORBIDDEN", {})
+    stated = _stated(module)
     rubric = load_rubric(root / "assignments" / slug)
-    found = Assignment(slug, checks, module.RETURNS, module.NEEDS, forbidden, source, rubric, root)
+    found = LoadedAssignment(slug, checks, stated.returns, stated.needs, stated.forbidden, source, rubric, root)
     return _adapted(found, folder) if (folder / f"{ADAPTED}.py").exists() else found
 
 
-def _adapted(given: Assignment, folder: Path) -> Assignment:
+def _adapted(given: LoadedAssignment, folder: Path) -> LoadedAssignment:
     """An assignment with the points, parts and checks of a course of one's own."""
     change = importlib.import_module(f"_checks_{folder.name}.{ADAPTED}")
     own = importlib.import_module(f"_checks_{folder.name}.{OWN}") if (folder / f"{OWN}.py").exists() else None
@@ -156,7 +157,7 @@ def _adapted(given: Assignment, folder: Path) -> Assignment:
             replace(check, after=tuple(kept[one.name] for one in check.after if one.name in kept))
             for check in kept.values()
         ),
-        results={**given.results, **getattr(own, "RETURNS", {})},
+        results={**given.results, **(_stated(own).returns if own and hasattr(own, "ASSIGNMENT") else {})},
         forbidden={where: names for where, names in forbidden.items() if names},
         rubric={letter: part for letter, part in given.rubric.items() if letter not in change.LEAVE_OUT},
     )
@@ -218,6 +219,14 @@ def _checks(folder: Path) -> ModuleType:
         del sys.modules[loaded]
     sys.modules[name] = package
     return importlib.import_module(f"{name}.checks")
+
+
+def _stated(module: ModuleType) -> Assignment:
+    """The record in which a module of checks ends."""
+    stated = getattr(module, "ASSIGNMENT", None)
+    if not isinstance(stated, Assignment):
+        raise UsageError(f"{module.__file__} does not end in ASSIGNMENT = Assignment(...)")
+    return stated
 
 
 def _named_checks(module: ModuleType) -> tuple[Check, ...]:

@@ -6,9 +6,9 @@
         for case, R in student.rotation_matrix.each(axes_and_angles(draw, 50)):
             expect(R.T @ R, np.eye(3), within=1e-12, of="R^T R")
 
-`student.f(...)` calls the student's function in the sandbox and returns what RETURNS promises, as float64 arrays, or
-ends the check with a message; `student.f.each([Case(...), ...])` makes many calls in one round trip. `rng` is a
-random generator that belongs to the check and is the same for every student of a run.
+`student.f(...)` calls the student's function in the sandbox and returns what `Assignment.returns` states, as float64
+arrays, or ends the check with a message; `student.f.each([Case(...), ...])` makes many calls in one round trip. `rng`
+is a random generator that belongs to the check and is the same for every student of a run.
 """
 
 import functools

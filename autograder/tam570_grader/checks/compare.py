@@ -48,7 +48,7 @@ PLACED, ARGUMENTS, KEYWORDS = (  # f(name, *args, **known)
 )
 SINGLE = 1e-6  # of the largest number; single precision loses 6e-8
 
-DESCRIPTIONS = ("quantity", "unit", "scale")  # of a result, in RETURNS
+DESCRIPTIONS = ("quantity", "unit", "scale")  # of a result, in `Assignment.returns`
 
 Only = int | Sequence[int] | None
 Reference = Callable[..., Any] | ModuleType
@@ -72,7 +72,7 @@ def compare(
 
     right  : the right function, or the module in which it has the name of the student's
     within : of the scale, by default the largest number of the right result
-    of, unit, scale : one for each member where the result is a tuple; left out, as RETURNS has them
+    of, unit, scale : one for each member where the result is a tuple; left out, as `Assignment.returns` has them
     hint   : where to look; a function of the case, the result and the right one is asked on failure alone
     only   : the member of a tuple that is judged, or several
     gradual : False where an error of a few limits is no sign that the physics is right
@@ -161,7 +161,7 @@ _signature = functools.lru_cache(maxsize=256)(inspect.signature)
 
 
 def describe(function: Any, name: str) -> Any:
-    """One of the words in which RETURNS speaks of a result, or of each member of a tuple."""
+    """One of the words in which `Assignment.returns` speaks of a result, or of each member of a tuple."""
     words = getattr(getattr(function, "returns", None), "description", Description())
     return [getattr(one, name) for one in words] if isinstance(words, list) else getattr(words, name)
 
@@ -195,7 +195,7 @@ def compare_columns(
 ) -> None:
     """As `compare`, for a state or rows of them, whose numbers have different units: each column is judged in its own.
 
-    columns : left out, as RETURNS has them
+    columns : left out, as `Assignment.returns` has them
     """
     for case, found, true in call_cases(function, reference, cases):
         expected, t = np.asarray(true, float), case.args[0] if found.ndim == 2 else None

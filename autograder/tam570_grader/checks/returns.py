@@ -1,7 +1,7 @@
-"""What a student's function returns, as the contract promises it: RETURNS of a checks file maps names to these.
+"""What a student's function returns, as the contract promises it: `Assignment.returns` maps names to these.
 
-    RETURNS = {"rotation_matrix": array(3, 3), "simulate": rows(4), "energy_balance": group(number, number, number),
-               "lagrangian": formula("theta", "omega", "m", "l", "g"), "plot_tip_path": drawing}
+    returns={"rotation_matrix": array(3, 3), "simulate": rows(4), "energy_balance": group(number, number, number),
+             "lagrangian": formula("theta", "omega", "m", "l", "g"), "plot_tip_path": drawing}
 
 `number.described("the energy", "J", size)` names a result in messages, its unit and what its error is relative to;
 `rows(4, columns=MOTION)` does so for columns.
@@ -105,7 +105,7 @@ class Line:
 
 @dataclass(frozen=True)
 class Drawing:
-    """What a plot function drew on its Axes; in RETURNS, the instance `drawing` promises one."""
+    """What a plot function drew on its Axes; in `returns`, the instance `drawing` promises one."""
 
     lines: tuple[Line, ...] = ()
     xlabel: str = ""

@@ -56,7 +56,7 @@ def compare_trajectory(
     """Fail unless the student's simulation follows the right motion in every case; the motions, for further checks.
 
     right   : right(t, *start, **parameters) -> rows, or several arrays of them; or the module, as for `compare`
-    columns : left out, as RETURNS has them
+    columns : left out, as `Assignment.returns` has them
     within  : of the scale of each column
     hint    : where to look, or a function of the motion that says it, if the rows themselves tell nothing
     keeps   : an invariant whose course the student's page draws beside the error

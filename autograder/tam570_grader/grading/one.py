@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from tam570_grader.checks import assignments
-from tam570_grader.checks.assignments import Assignment
+from tam570_grader.checks.assignments import LoadedAssignment
 from tam570_grader.checks.check import Check
 from tam570_grader.checks.effort import Exhausted
 from tam570_grader.checks.expect import LONGEST_FAULT, Failed, NotWritten, check_context
@@ -53,7 +53,7 @@ class CheckOptions:
 def graded(
     name: str,
     source: Source,
-    assignment: Assignment,
+    assignment: LoadedAssignment,
     zygote: Zygote,
     seed: int,
     yardstick: Yardstick | None = None,
@@ -91,13 +91,13 @@ def graded(
     return replace(_result(name, assignment, status, seed, rest, note, time.perf_counter() - started), speed=speed)
 
 
-def not_graded(name: str, assignment: Assignment, status: str, note: str, seed: int) -> Result:
+def not_graded(name: str, assignment: LoadedAssignment, status: str, note: str, seed: int) -> Result:
     """The result of a submission that is missing or cannot be read: score 0, no check run."""
     check_results = tuple(_not_run(check, note) for check in assignment.checks)
     return _result(name, assignment, status, seed, check_results, note)
 
 
-def failed_by_us(name: str, assignment: Assignment, error: str, seed: int) -> Result:
+def failed_by_us(name: str, assignment: LoadedAssignment, error: str, seed: int) -> Result:
     """The result where the grader could not do its work: no score."""
     check_results = tuple(_grader_error(check, error) for check in assignment.checks)
     return _result(name, assignment, "graded", seed, check_results, OUR_FAULT)
@@ -110,7 +110,7 @@ def generator(seed: int, slug: str, check: Check) -> np.random.Generator:
 
 def _result(
     name: str,
-    assignment: Assignment,
+    assignment: LoadedAssignment,
     status: str,
     seed: int,
     check_results: tuple[CheckResult, ...],
@@ -126,7 +126,7 @@ def _result(
 def _check_result(
     check: Check,
     student: Student,
-    assignment: Assignment,
+    assignment: LoadedAssignment,
     seed: int,
     check_results: dict[str, CheckResult],
     causes: dict[str, Cause],
@@ -157,7 +157,7 @@ def _check_result(
     return _passed(check)
 
 
-def _judge(check: Check, student: Student, assignment: Assignment, seed: int, recorder: Any = None) -> None:
+def _judge(check: Check, student: Student, assignment: LoadedAssignment, seed: int, recorder: Any = None) -> None:
     """Run a check; the student's calls are then its own."""
     student.calls.clear()
     with budget(), np.errstate(all="ignore"), check_context(recorder=recorder, aside=student.aside):
@@ -165,7 +165,7 @@ def _judge(check: Check, student: Student, assignment: Assignment, seed: int, re
 
 
 def _cause(
-    check: Check, student: Student, assignment: Assignment, seed: int, causes: Mapping[str, Cause]
+    check: Check, student: Student, assignment: LoadedAssignment, seed: int, causes: Mapping[str, Cause]
 ) -> tuple[Cause | None, str]:
     """The mistake that explains the calls of a failed check, and what went wrong on our side in the search."""
     earlier = _earlier(causes)
@@ -193,7 +193,7 @@ def _earlier(causes: Mapping[str, Cause]) -> list[Cause]:
 
 
 def _following(
-    check: Check, student: Student, assignment: Assignment, seed: int, earlier: Sequence[Cause]
+    check: Check, student: Student, assignment: LoadedAssignment, seed: int, earlier: Sequence[Cause]
 ) -> Cause | None:
     """The earlier mistake that explains every call of the check, when it is run to its end; None if there is none."""
     with student.aside():
@@ -207,7 +207,11 @@ def _following(
 
 
 def _judge_consequences(
-    student: Student, assignment: Assignment, seed: int, check_results: dict[str, CheckResult], causes: dict[str, Cause]
+    student: Student,
+    assignment: LoadedAssignment,
+    seed: int,
+    check_results: dict[str, CheckResult],
+    causes: dict[str, Cause],
 ) -> None:
     """Judge the checks that were not run for a mistake in another function, of which the name is known.
 
@@ -229,7 +233,7 @@ def _judge_consequences(
 def _consequence(
     check: Check,
     student: Student,
-    assignment: Assignment,
+    assignment: LoadedAssignment,
     seed: int,
     causes: dict[str, Cause],
     functions: Container[str],
@@ -251,7 +255,7 @@ def _consequence(
     return _passed(check) if any(name not in functions for name in called) else None
 
 
-def _is_drawn(assignment: Assignment, call: Called) -> bool:
+def _is_drawn(assignment: LoadedAssignment, call: Called) -> bool:
     """Whether a call gives a free body diagram: it has no numbers to compare."""
     return isinstance(assignment.results[call.name], FreeBodyDiagram)
 

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from tam570_grader.checks.assignments import Assignment
+from tam570_grader.checks.assignments import LoadedAssignment
 from tam570_grader.checks.expect import Failed, NotWritten
 from tam570_grader.results.run_time import Speed, scenes, time_to
 from tam570_grader.sandbox.process import ProcessLost
@@ -28,7 +28,7 @@ class Yardstick:
         self._machine: dict[str, float | None] = {}
         self._lock = threading.Lock()
 
-    def speed(self, student: Student, assignment: Assignment, zygote: Zygote) -> Speed | None:
+    def speed(self, student: Student, assignment: LoadedAssignment, zygote: Zygote) -> Speed | None:
         """The student's point among the methods; None where there is no scene, or no motion to speak of."""
         scene = scenes().get(assignment.slug)
         point = _point(student, scene) if scene else None
@@ -44,14 +44,14 @@ class Yardstick:
             "machine": float(f"{machine:.2g}"),
         }
 
-    def _scale(self, assignment: Assignment, zygote: Zygote) -> float | None:
+    def _scale(self, assignment: LoadedAssignment, zygote: Zygote) -> float | None:
         """How many times as long as on the machine of the curves the reference solution takes here."""
         with self._lock:
             if assignment.slug not in self._machine:
                 self._machine[assignment.slug] = self._measured(assignment, zygote)
             return self._machine[assignment.slug]
 
-    def _measured(self, assignment: Assignment, zygote: Zygote) -> float | None:
+    def _measured(self, assignment: LoadedAssignment, zygote: Zygote) -> float | None:
         text = (self._course / "solutions" / f"{assignment.slug}.py").read_bytes()
         reference, scene = Student(Source(text), assignment, zygote), scenes()[assignment.slug]
         try:

@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import Any
 
 from tam570_grader.checks import assignments
-from tam570_grader.checks.assignments import ADAPTED, OWN, Assignment
+from tam570_grader.checks.assignments import ADAPTED, OWN, LoadedAssignment
 from tam570_grader.errors import UsageError, warn, writing
 from tam570_grader.release import late_policy
 from tam570_grader.release.course_toml import COLUMNS, COPY, FILE, by_slug, must, no_other, toml
@@ -272,7 +272,7 @@ def _part(path: Path, key: str, table: Any) -> Part:
     return Part(points, table.get("leave_out", []), table.get("allow", []), own)
 
 
-def _check(path: Path, assignment: Assignment, part: Part) -> None:
+def _check(path: Path, assignment: LoadedAssignment, part: Part) -> None:
     """Whether the assignment has what is changed."""
     key, parts = assignment.slug[:4], sorted({check.part for check in assignment.checks} | {*assignment.manual})
     forbidden = sorted({name for names in assignment.forbidden.values() for name in names})
@@ -285,7 +285,7 @@ def _are_texts(value: Any) -> bool:
     return isinstance(value, list) and all(isinstance(one, str) for one in value)
 
 
-def _tell(path: Path, assignment: Assignment, part: Part, folder: Path) -> None:
+def _tell(path: Path, assignment: LoadedAssignment, part: Part, folder: Path) -> None:
     """Put the points, and what is left out or allowed, into what students get."""
     must(path, bool(assignment.checks), f"[{assignment.slug[:4]}] leaves no check: leave the assignment out instead")
     worth = dict.fromkeys(assignment.results, 0.0)

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from tam570_grader.checks import assignments
-from tam570_grader.checks.assignments import Assignment
+from tam570_grader.checks.assignments import LoadedAssignment
 from tam570_grader.results.tables import written
 from tam570_grader.rubric import ManualPart, rubric_table, without_rubric
 
@@ -75,7 +75,7 @@ def problem(readme: str) -> Problem:
     return Problem(text[: starts[0].start()].strip() if starts else text.strip(), parts, (bar + table).strip())
 
 
-def notebook(assignment: Assignment, readme: str, tests: str, pictures: str) -> dict[str, Any]:
+def notebook(assignment: LoadedAssignment, readme: str, tests: str, pictures: str) -> dict[str, Any]:
     """The notebook as nbformat has it.
 
     readme, tests : of the assignment, as students get them
@@ -108,7 +108,7 @@ def write_notebook(course: Path, slug: str, folder: Path) -> None:
     written(folder / f"{slug}.ipynb", json.dumps(made, indent=1, ensure_ascii=False) + "\n")
 
 
-def part_points(assignment: Assignment) -> dict[str, float]:
+def part_points(assignment: LoadedAssignment) -> dict[str, float]:
     """The points of each part that the grader gives."""
     parts = sorted({check.part for check in assignment.checks})
     return {p: round(sum(check.points for check in assignment.checks if check.part == p), 6) for p in parts}
@@ -119,7 +119,7 @@ def part_of(grade_id: str) -> str | None:
     return grade_id.removeprefix(LOCKED) if grade_id.startswith(LOCKED) else None
 
 
-def functions_by_part(assignment: Assignment) -> dict[str, str]:
+def functions_by_part(assignment: LoadedAssignment) -> dict[str, str]:
     """The part of each function: that of the first check that is about it, else the first part."""
     found: dict[str, str] = {}
     for check in assignment.checks:
@@ -128,7 +128,7 @@ def functions_by_part(assignment: Assignment) -> dict[str, str]:
     return {name: found.get(name, first) for name in assignment.results}
 
 
-def visible_by_part(assignment: Assignment, tests: str) -> dict[str, list[str]]:
+def visible_by_part(assignment: LoadedAssignment, tests: str) -> dict[str, list[str]]:
     """The visible tests of each part: a test belongs to the last part of which it uses a function."""
     parts, graded = functions_by_part(assignment), sorted(part_points(assignment))
     definitions = {node.name: node for node in ast.parse(tests).body if isinstance(node, ast.FunctionDef)}
@@ -153,7 +153,7 @@ def _mentioned(node: ast.FunctionDef, definitions: Definitions) -> set[str]:
     return names
 
 
-def _part(assignment: Assignment, part: str, text: str, shown: str | None, tests: Iterable[str]) -> list[Cell]:
+def _part(assignment: LoadedAssignment, part: str, text: str, shown: str | None, tests: Iterable[str]) -> list[Cell]:
     """The cells of one part."""
     cells = [text_cell(f"text-{part}", text)]
     manual = assignment.rubric.get(part)
@@ -169,7 +169,7 @@ def _part(assignment: Assignment, part: str, text: str, shown: str | None, tests
     return cells
 
 
-def _used_in(assignment: Assignment, part: str) -> list[str]:
+def _used_in(assignment: LoadedAssignment, part: str) -> list[str]:
     """The functions that the checks of a part are about."""
     used = {check.function(assignment.results) for check in assignment.checks if check.part == part}
     return sorted(used & {*assignment.results})
@@ -184,7 +184,7 @@ def _by_hand(part: str, manual: ManualPart) -> list[Cell]:
     return [text_cell(f"task-{part}", task), _code(f"work-{part}", "# your plots and numbers\n"), answer]
 
 
-def _locked(assignment: Assignment, part: str, tests: Iterable[str]) -> Cell:
+def _locked(assignment: LoadedAssignment, part: str, tests: Iterable[str]) -> Cell:
     """The cell that runs the visible tests of a part for the student, and carries the points of its checks."""
     points = part_points(assignment)[part]
     names = "".join(f"    {json.dumps(name)},\n" for name in tests)

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from tam570_grader.checks import assignments
-from tam570_grader.checks.assignments import Assignment
+from tam570_grader.checks.assignments import LoadedAssignment
 from tam570_grader.checks.returns import Drawing, Formula, FreeBodyDiagram, Group, ReturnSpec
 from tam570_grader.errors import say
 from tam570_grader.rubric import load_rubric, with_rubric
@@ -45,7 +45,7 @@ def _made(course: Path, slug: str) -> dict[Path, str]:
     }
 
 
-def contract(assignment: Assignment) -> str:
+def contract(assignment: LoadedAssignment) -> str:
     """The forms of the results, and what is off limits, as JSON: a line for each."""
     results = [f'  "{name}": {json.dumps(_plain(returns))}' for name, returns in assignment.results.items()]
     banned = json.dumps({name: list(modules) for name, modules in assignment.forbidden.items()})

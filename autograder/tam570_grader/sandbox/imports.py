@@ -10,7 +10,7 @@ import re
 from collections.abc import Sequence
 from typing import Any
 
-from tam570_grader.checks.assignments import Assignment
+from tam570_grader.checks.assignments import LoadedAssignment
 from tam570_grader.errors import Over, printable
 from tam570_grader.sandbox.replies import error_of
 
@@ -68,7 +68,7 @@ def not_compiled(reply: Any) -> NotLoaded:
     return _unreadable(error_of(reply), PLACE.sub("", error_of(reply)["text"]))
 
 
-def not_imported(reply: Any, text: bytes, assignment: Assignment, again: bool) -> NotLoaded:
+def not_imported(reply: Any, text: bytes, assignment: LoadedAssignment, again: bool) -> NotLoaded:
     """Why it could not be imported; of one that is tried again, not even that."""
     error = error_of(reply)
     if again:

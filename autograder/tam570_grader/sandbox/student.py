@@ -5,7 +5,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any
 
-from tam570_grader.checks.assignments import Assignment
+from tam570_grader.checks.assignments import LoadedAssignment
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.expect import Failed, NotWritten, get_context
 from tam570_grader.errors import Over, printable
@@ -37,7 +37,7 @@ class BudgetSpent(Over):
 class Student:
     """One submission in the sandbox. `student.f` is the function f of the contract."""
 
-    def __init__(self, source: Source, assignment: Assignment, zygote: Zygote, attempt: Attempt = ONLY) -> None:
+    def __init__(self, source: Source, assignment: LoadedAssignment, zygote: Zygote, attempt: Attempt = ONLY) -> None:
         self._forgiving, self._informed = attempt.forgiving, attempt.again
         self.calls: list[Call] = []  # of the check that is running
         self.skipped: list[str] = []  # notebook cells
