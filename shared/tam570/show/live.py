@@ -50,6 +50,7 @@ class Live:
     handles  : what can be dragged
     measures : by name, f(state, **parameters) -> a number to plot over time
     unit     : of the measures
+    constant : whether the first measure keeps its value
     """
 
     rates: Callable[..., Any]
@@ -60,6 +61,7 @@ class Live:
     handles: Sequence[Handle] = ()
     measures: Mapping[str, Callable[..., Any]] = field(default_factory=dict)
     unit: str = "J"
+    constant: bool = True
 
 
 def live_if_written(make: Callable[[], Live]) -> Live | None:
@@ -157,6 +159,7 @@ class _Writer:
             "measures": measures,
             "first": first + count,
             "unit": self.live.unit,
+            "constant": self.live.constant and measures[:1] == list(self.live.measures)[:1] != [],
         }
 
     def _traced(self, function: Callable[..., Any]) -> Graph:

@@ -146,7 +146,9 @@ function drawMeasures() {
     line(context, live.past.map((row) => [(row[0] - start) / WINDOW * width, 4 + (height - 8) * (high - row[i + 1]) / (high - low)]));
     context.stroke();
   });
-  live.now.textContent = grasped.measures.map((name, i) => `${name}: ${Number(now[i].toPrecision(5))} ${grasped.unit}`).join(", ");
+  const first = live.past.map((row) => row[1]), drift = Math.max(...first) - Math.min(...first);
+  live.now.textContent = grasped.measures.map((name, i) => `${name}: ${Number(now[i].toPrecision(5))} ${grasped.unit}`).join(", ")
+    + (grasped.constant && first.length ? `; ${grasped.measures[0]} drifts by ${Number(drift.toPrecision(1))}` : "");
 }
 
 // A hand, and sliders

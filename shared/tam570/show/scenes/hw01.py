@@ -81,7 +81,11 @@ def _live(student: Student, rod: Mapping[str, Any], start: Sequence[float]) -> L
     def measure(i: int) -> Callable[..., Any]:
         return lambda state, **known: energies(*state, mass=MASS, **known)[i]
 
-    measures = {"kinetic T": measure(1), "potential V": measure(2)}
+    def total(state: Any, **known: Any) -> Any:
+        _, kinetic, potential = energies(*state, mass=MASS, **known)
+        return kinetic + potential
+
+    measures = {"total E": total, "kinetic T": measure(1), "potential V": measure(2)}
     return Live(rates, rod, STATE, start, panels, [Handle(bob, grab)], measures)
 
 
