@@ -14,7 +14,7 @@ from tam570_grader.errors import UsageError
 from tam570_grader.grading.submissions import folder_of
 from tam570_grader.results.tables import table
 
-__all__ = ["Directory", "Person", "folders", "groups", "people", "students", "table"]
+__all__ = ["Directory", "Person", "folders", "groups", "names", "people", "students", "table"]
 
 # Headings that tell people apart, and what kind of id each holds. Folders are named after the first that a row has,
 # so the login comes first; the number of a participant is last, for it is another in every assignment.
@@ -196,3 +196,9 @@ def students(path: Path, known: Collection[str] = ()) -> list[str]:
 def folders(path: Path) -> set[str]:
     """The names that the folders of the students on a roster may have."""
     return {folder_of(value) for one in people(path) for value in one.ids}
+
+
+def names(path: Path) -> dict[str, str]:
+    """The name of each student on a roster, by every name that their folder may have; a bare list has none."""
+    found = Directory(people(path)).by_folder
+    return {folder: one.name for folder, one in found.items() if one.name and one.name not in one.ids}

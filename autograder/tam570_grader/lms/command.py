@@ -220,7 +220,8 @@ def _report(arguments: argparse.Namespace) -> int:
     if line := _terms(arguments.folder, course):
         warn(line)
     everyone = partial(roster.students, arguments.roster) if arguments.roster else None
-    return report.run(arguments.folder, course, everyone, arguments.out)
+    names = roster.names(arguments.roster) if arguments.roster else {}
+    return report.run(arguments.folder, course, everyone, arguments.out, names)
 
 
 def _known_and_given(arguments: argparse.Namespace, graded: Sequence[Path]) -> tuple[Path, list[str], str | None]:

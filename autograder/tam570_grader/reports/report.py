@@ -14,10 +14,12 @@ from tam570_grader.errors import UsageError, say, writing
 from tam570_grader.reports.feedback import AssignmentInfo, load_assignment_info, template
 from tam570_grader.reports.sentences import points
 from tam570_grader.results import manual_points
+from tam570_grader.results.manual_points import EX, EXCUSED
 from tam570_grader.results.records import CheckResult, Result
 from tam570_grader.results.shared import Notes, Shared
 from tam570_grader.results.store import Key, stream
 from tam570_grader.results.tables import written
+from tam570_grader.rubric import load_rubric
 
 __all__ = ["newest", "report", "results", "run"]
 
@@ -38,6 +40,7 @@ class Tally:
     line: str
     points: str
     counts: Mapping[str, int]  # by outcome
+    discrimination: float | None = None  # share of passes in the upper third less that in the lower, in percent
 
     @property
     def share(self) -> float:
@@ -45,16 +48,21 @@ class Tally:
         return round(100 * self.counts["passed"] / max(sum(self.counts.values()), 1), 1)
 
 
-def run(folder: Path, course: Path, everyone: Everyone | None, out: Path | None) -> int:
+def run(
+    folder: Path, course: Path, everyone: Everyone | None, out: Path | None, names: Mapping[str, str] | None = None
+) -> int:
     """Write the report on the results in the folder; the exit code.
 
     everyone : who takes the course, told whom there are results of
+    names    : of the students, by what the results call them
     """
     notes = Notes()
     found = results(folder, notes)
     place = out or folder / "report.html"
-    names = everyone({student for student, _ in found}) if everyone else ()
-    text = report(found, {slug: load_assignment_info(course, slug) for slug in _slugs(found)}, names, notes.groups())
+    roster = everyone({student for student, _ in found}) if everyone else ()
+    infos = {slug: load_assignment_info(course, slug) for slug in _slugs(found)}
+    claims = _claims(manual_points.read(folder), course, _slugs(found))
+    text = report(found, infos, roster, notes.groups(), names or {}, claims)
     with writing(place):
         written(place, text)
     say(str(place))
@@ -77,14 +85,22 @@ def newest(found: Iterable[Result]) -> Class:
     shared = dict[CheckResult, CheckResult]()
     kept = dict[Key, Result]()
     for result in found:
-        bare = (replace(check_result, message="", failure=None) for check_result in result.checks)
+        bare = (
+            replace(one, message=one.failure.hint if one.failure and one.failure.hint else "", failure=None)
+            for one in result.checks
+        )
         checks = tuple(shared.setdefault(check_result, check_result) for check_result in bare)
         kept[result.student, result.assignment] = replace(result, checks=checks, speed=None, digest="")
     return dict(sorted(kept.items()))
 
 
 def report(
-    found: Class, infos: Mapping[str, AssignmentInfo], roster: Iterable[str] = (), shared: Sequence[Shared] = ()
+    found: Class,
+    infos: Mapping[str, AssignmentInfo],
+    roster: Iterable[str] = (),
+    shared: Sequence[Shared] = (),
+    names: Mapping[str, str] | None = None,
+    claims: Sequence[Mapping[str, Any]] = (),
 ) -> str:
     """The page, one HTML file that needs nothing else but, for its links, the feedback beside it."""
     script = SCRIPT.read_text(encoding="utf-8")
@@ -100,7 +116,9 @@ def report(
         assignments=_assignments(found, infos),
         scores=_scores(found, students),
         tallies=_tallies(everything, infos),
-        suspects=_suspects(everything),
+        suspects=_suspects(everything, infos),
+        claims=claims,
+        names=names or {},
         shared=shared,
         slowest=heapq.nlargest(SLOWEST, everything, key=lambda result: result.seconds),
         faults=[
@@ -162,13 +180,16 @@ def _scores(found: Class, students: Sequence[str]) -> Iterable[dict[str, Any]]:
 def _cell(result: Result | None) -> str:
     if result is None or not (_here(result) or result.score):  # by hand, a score may be theirs who sent no file
         return ""
+    if result.status == EXCUSED:
+        return EX
     return "error" if result.score is None else points(result.score, result.max_score)
 
 
 def _tallies(found: Iterable[Result], infos: Mapping[str, AssignmentInfo]) -> list[Tally]:
     """Of every check, in the order of the assignments, how many passed it, of those who handed in."""
     counts: dict[tuple[str, str], dict[str, int]] = defaultdict(lambda: dict.fromkeys(OUTCOMES, 0))
-    check_results = dict[tuple[str, str], CheckResult]()
+    check_results, found = dict[tuple[str, str], CheckResult](), list(found)
+    upper = _discrimination(found)
     for result in filter(_here, found):
         for check_result in result.checks:
             key = result.assignment, check_result.name
@@ -181,20 +202,58 @@ def _tallies(found: Iterable[Result], infos: Mapping[str, AssignmentInfo]) -> li
             infos[slug].lines.get(name, name),
             points(check_result.max_points),
             counts[slug, name],
+            upper.get((slug, name)),
         )
         for (slug, name), check_result in sorted(check_results.items(), key=lambda item: item[0][0])
     ]
 
 
-def _suspects(found: Iterable[Result]) -> list[dict[str, Any]]:
-    """The known mistakes, those of most students first."""
+def _discrimination(found: Sequence[Result]) -> dict[tuple[str, str], float]:
+    """Of every check the passes in the third with the best scores, less those in the worst third, in percent."""
+    handed_in: dict[str, list[Result]] = defaultdict(list)
+    for result in found:
+        if _here(result) and result.score is not None:
+            handed_in[result.assignment].append(result)
+    shares: dict[tuple[str, str], float] = {}
+    for slug, mine in handed_in.items():
+        mine.sort(key=lambda result: result.score or 0.0)
+        third = len(mine) // 3
+        for sign, some in ((-1, mine[:third]), (1, mine[-third:])) if third else ():
+            for result in some:
+                for check in result.checks:
+                    key = slug, check.name
+                    shares[key] = shares.get(key, 0.0) + sign * 100 * (check.outcome == "passed") / third
+    return {key: round(share, 1) for key, share in shares.items()}
+
+
+def _suspects(found: Iterable[Result], infos: Mapping[str, AssignmentInfo]) -> list[dict[str, Any]]:
+    """What went wrong, known mistakes and failed checks with their hints, those of most students first."""
     who: dict[tuple[str, str], set[str]] = defaultdict(set)
     for result in found:
-        for check_result in result.checks:
-            if check_result.suspect:
-                who[result.assignment, check_result.suspect].add(result.student)
+        for check in result.checks:
+            if check.suspect:
+                who[result.assignment, check.suspect].add(result.student)
+            elif check.outcome == "failed":
+                line = infos[result.assignment].lines.get(check.name, check.name.replace("_", " "))
+                says = f"Not passed: {line} {check.message}".strip()
+                who[result.assignment, says].add(result.student)
     told = [{"slug": slug, "says": says, "who": sorted(names)} for (slug, says), names in who.items()]
-    return sorted(told, key=lambda it: (-len(it["who"]), it["slug"]))
+    return sorted(told, key=lambda it: (-len(it["who"]), it["slug"], it["says"]))
+
+
+def _claims(hand: manual_points.ManualAdjustments, course: Path, slugs: Sequence[str]) -> list[dict[str, Any]]:
+    """Of each claim of a rubric to how many of those who are graded by hand it was given."""
+    told = []
+    for slug in slugs:
+        for letter, part in load_rubric(course / "assignments" / slug).items():
+            graded = [one for one in hand.entries.values() if (one.slug, one.item) == (slug, letter)]
+            comments = [one.comment.split("\n") for one in graded if one.points is not None]
+            for worth, claim in part.claims:
+                given = sum(f"+ {claim}" in lines for lines in comments)
+                told.append(
+                    {"slug": slug, "part": letter, "points": worth, "claim": claim, "given": given, "of": len(comments)}
+                )
+    return [one for one in told if one["of"]]
 
 
 def _absent(found: Class, students: Sequence[str]) -> list[dict[str, Any]]:

@@ -177,7 +177,8 @@ class ManualAdjustments:
             {check_result.name: check_result.points for check_result in result.checks},
         )
         found = self.adjust(key, result.score, result.max_score, lambda: earned)
-        return replace(result, score=found.score, max_score=found.most)
+        status = EXCUSED if found.excused else result.status
+        return replace(result, status=status, score=found.score, max_score=found.most)
 
     def row(self, graded: tuple[Any, ...], earned_of: Earned) -> tuple[Any, ...]:
         """A row of the table of grades with its score settled."""

@@ -1,13 +1,14 @@
 """Who shares a wrong result that no known mistake explains: the same numbers to twelve digits.
 
 Known mistakes are made by many, and so are the errors of one solver at one loose tolerance: neither counts. Nor do
-numbers that anybody may come by: zeros, NaN, and numbers of few digits.
+numbers that anybody may come by: zeros, NaN, numbers of few digits, and simple multiples of pi and roots.
 """
 
 import hashlib
 from collections import defaultdict
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from fractions import Fraction
 
 import numpy as np
 
@@ -18,6 +19,8 @@ __all__ = ["Notes", "Shared"]
 
 DIGITS = 12
 FEW = 5  # digits that a number may have by chance
+UNITS = (np.pi, np.sqrt(2), np.sqrt(3), np.sqrt(5), np.e)  # of numbers that anybody may write
+LARGEST = 12  # of the numerator and the denominator of a simple multiple
 Sign = tuple[str, str, int, bytes]  # assignment, check, seed, digest of the numbers
 
 
@@ -58,7 +61,7 @@ class Notes:
 def _signs(result: Result) -> Iterator[Sign]:
     for check_result in result.checks:
         failure = check_result.failure
-        unknown = failure and not (failure.suspect or failure.follows_from or failure.near_miss)
+        unknown = failure and not (check_result.suspect or failure.suspect or failure.follows_from or failure.near_miss)
         if unknown and (digest := _digest(failure)):
             yield result.assignment, check_result.name, result.seed, digest
 
@@ -72,7 +75,18 @@ def _digest(failure: Failure | None) -> bytes:
     except (TypeError, ValueError):
         return b""
     finite = numbers[np.isfinite(numbers)]
-    if not any(float(f"{number:.{FEW}g}") != number for number in finite):
+    if all(_is_trivial(float(number)) for number in finite):
         return b""
     text = " ".join(f"{number:.{DIGITS - 1}e}" for number in numbers)
     return hashlib.blake2b(text.encode(), digest_size=16).digest()
+
+
+def _is_trivial(number: float) -> bool:
+    """Whether anybody may come by a number: it has few digits, or is a simple multiple of pi or a root."""
+    if float(f"{number:.{FEW}g}") == number:
+        return True
+    for unit in UNITS:
+        simple = Fraction(number / unit).limit_denominator(LARGEST)
+        if 0 < abs(simple.numerator) <= LARGEST and abs(float(simple) * unit - number) < 1e-12 * abs(number):
+            return True
+    return False

@@ -229,3 +229,12 @@ def test_of_results_nothing_is_kept_but_what_the_page_shows(tmp_path):
     found = report.results(tmp_path)
     assert len({id(one) for result in found.values() for one in result.checks}) == 2
     assert not any(one.failure for result in found.values() for one in result.checks)
+
+
+def test_names_discrimination_and_failures_without_a_name_are_shown():
+    marks = [record(f"s{n}", SLUGS[0], mark("first", "passed" if n > 2 else "failed")) for n in range(6)]
+    found = {(one["student"], one["assignment"]): records.read(one) for one in marks}
+    text = report.report(report.newest(found.values()), SHEETS, ["s0"], names={"s0": "Ann Lee"})
+    rows = tables(text)
+    assert rows["scores"][0][:2] == ["s0", "Ann Lee"] and rows["checks"][0][5] == "100.0"
+    assert rows["lecture"][0][:3] == ["3", "hw07", "Not passed: first"]

@@ -76,7 +76,7 @@ def test_results_of_another_format_are_refused_and_stay(run, tree, tmp_path, cap
     assert run(tree, "--out", tmp_path / "old")[0] == run(tree, "--join", tmp_path / "old")[0] == 2
     capsys.readouterr()
     assert cli.main(["report", str(tmp_path / "old")]) == 2
-    (line,) = capsys.readouterr().err.splitlines()
+    *_, line = capsys.readouterr().err.splitlines()
     assert f"{path} holds a result of another version of the grader (line 3); grade again, into a new folder" in line
     assert path.read_bytes() == before
 

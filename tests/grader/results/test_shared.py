@@ -46,6 +46,8 @@ def test_the_newest_result_counts_and_checks_of_one_group_stand_together():
         (np.zeros(3), {}),
         (np.full(3, np.nan), {}),
         (np.array([1.0, -0.5, 3.25]), {}),
+        (np.array([np.pi / 4]), {}),
+        (np.array([-2 * np.pi / 3, np.sqrt(2) / 2, 0.0]), {}),
         (None, {}),
         ("text", {}),
         (ODD, {"suspect": "The sign is wrong."}),
