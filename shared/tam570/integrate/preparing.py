@@ -24,14 +24,25 @@ def prepared(
     rtol: float = 1e-10,
     atol: ArrayLike | None = None,
 ) -> Callable[[ArrayLike], Array]:
-    """run(y0) -> what `solve` gives from there, with the other arguments as they are now.
+    """Prepare a function of the start alone, for many short runs in a row.
 
-    For many short runs in turn: a call of `run` checks, looks up and allocates next to nothing. The right-hand side is
-    traced and compiled here, where it can be; later changes of what it depends on are not seen.
+    `prepared` validates, traces and compiles once what does not depend on the start. It does not notice later
+    changes of what the right-hand side depends on.
 
-    y0 : (k,) one of the starts, by which the trace is tried
-    The other arguments, the results and the errors are those of `solve`.
+    Parameters
+    ----------
+    y0 : (k,) array_like
+        One of the starts; the trace is tested with it.
+    rhs, t, parameters, rtol, atol
+        As in `solve`.
 
+    Returns
+    -------
+    callable
+        run(y0) returns what `solve` returns from there.
+
+    Examples
+    --------
     >>> def falling(t, y, *, gravity):
     ...     return y[1], -gravity
     >>> run = prepared(falling, [0.0, 1.0], [0.0, 0.0], parameters={"gravity": 10.0})

@@ -40,16 +40,41 @@ def solve_rotation(
     parameters: Mapping[str, Any] | None = None,
     rtol: float = 1e-10,
 ) -> tuple[Array, Array]:
-    """Angular velocities and rotations at the times `t` of a body with R' = R hat(omega).
+    """Return angular velocities and rotations of a body with R' = R hat(omega), at the times `t`.
 
-    acceleration : acceleration(t, omega, **parameters) -> omega', both (3,) in body axes
-    t            : (n,) strictly increasing, or decreasing
-    omega, R     : (3,) in body axes and (3, 3), body to space, at t[0]
-    parameters   : keyword arguments of acceleration
-    rtol         : as in `solve`
-    Returns (n, 3) and (n, 3, 3); rows 0 are what was given.
-    Raises ValueError if an argument has another shape or is not finite, the times do not increase, or rtol is not
-    between 0 and 1; ArithmeticError, with the time, where acceleration or solution cease to be finite.
+    Parameters
+    ----------
+    acceleration : callable
+        `acceleration(t, omega, **parameters)` returns omega', both (3,) in body axes.
+    t : (n,) array_like
+        Strictly increasing or decreasing.
+    omega : (3,) array_like
+        At t[0], in body axes, rad/s.
+    R : (3, 3) array_like
+        At t[0], body to space.
+    parameters : mapping, optional
+        Keyword arguments of acceleration.
+    rtol : float
+        As in `solve`.
+
+    Returns
+    -------
+    omegas : (n, 3) ndarray
+    rotations : (n, 3, 3) ndarray
+        R^T R is 1 to rounding, however long the run.
+
+    Raises
+    ------
+    ValueError
+        If an argument has another shape or is not finite, the times do not increase, or rtol is not between 0 and 1.
+    ArithmeticError
+        If acceleration or solution cease to be finite; the message gives the time.
+
+    Examples
+    --------
+    >>> omegas, rotations = solve_rotation(lambda t, omega: (0.0, 0.0, 0.0), [0.0, np.pi], [0.0, 0.0, 1.0], np.eye(3))
+    >>> np.diag(rotations[-1]).round(9)
+    array([-1., -1.,  1.])
     """
     fixed = dict(parameters or {})
     spinning, turned = np.array(omega, dtype=float), np.array(R, dtype=float)
